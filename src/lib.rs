@@ -1,0 +1,9 @@
+//! Half-edge structures to learn with.
+
+pub mod ids;
+pub mod plane;
+pub mod topology;
+
+pub use ids::{
+    EdgeId, EdgeMap, Element, FaceId, FaceMap, HalfEdgeId, HalfEdgeMap, Id, IdMap, ParseIdError, VertexId, VertexMap,
+};

@@ -1,0 +1,3 @@
+//! The `dcel` command.
+
+fn main() {}

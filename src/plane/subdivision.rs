@@ -1,0 +1,155 @@
+//! A subdivision of the plane: a [`Dcel`] with positions, whose faces cover the whole plane.
+//!
+//! ```text
+//!   ┌─────────────────────┐   f0      f0, the outer face, is unbounded and always there.
+//!   │ f1    ┌────┐        │           y points up; the face of a half-edge is on its LEFT; bounded faces
+//!   │       │ f2 │    ·v8 │           run counter-clockwise, the cycles of the outer face clockwise.
+//!   │       └────┘        │
+//!   └─────────────────────┘           f1 has its boundary and two rings: the cycle round f2, and v8.
+//! ```
+//!
+//! *Ring* = a further cycle of a face, or an isolated vertex in it. All cycles of `f0` are rings of the plane;
+//! `boundary(f0)` is the first of them and the others are listed as its rings. *Hole face* = a bounded face
+//! that is not part of the domain.
+//!
+//! Source: de Berg et al., *Computational Geometry*, 3rd ed., section 2.2 (OuterComponent, InnerComponents).
+
+use super::Point;
+use crate::ids::{FaceId, HalfEdgeId, VertexId, VertexMap};
+use crate::topology::{Dcel, Ring, View};
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Deref;
+
+/// A view whose vertices have positions.
+pub trait PlanarView: View {
+    /// Where `v` is; `None` if `v` does not exist or has no position.
+    fn position(&self, v: VertexId) -> Option<Point>;
+}
+
+/// A planar subdivision. It dereferences to its [`Dcel`] for all walks and counts.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Subdivision {
+    pub(super) dcel: Dcel,
+    pub(super) points: VertexMap<Point>,
+    /// Only faces that have rings are here, so that a simple face pays nothing.
+    pub(super) rings: BTreeMap<FaceId, Vec<Ring>>,
+    pub(super) holes: BTreeSet<FaceId>,
+}
+
+impl Deref for Subdivision {
+    type Target = Dcel;
+
+    fn deref(&self) -> &Dcel {
+        &self.dcel
+    }
+}
+
+impl Subdivision {
+    /// The unbounded face: always `f0`.
+    #[must_use]
+    pub const fn outer_face(&self) -> FaceId {
+        FaceId::new(0)
+    }
+
+    /// The structure without its positions.
+    #[must_use]
+    pub fn topology(&self) -> &Dcel {
+        &self.dcel
+    }
+
+    /// Where `v` is. O(1).
+    #[must_use]
+    #[inline]
+    pub fn point(&self, v: VertexId) -> Point {
+        self.points[v]
+    }
+
+    /// The cycles of `f` beside its boundary, and the isolated vertices in it.
+    #[must_use]
+    pub fn rings(&self, f: FaceId) -> &[Ring] {
+        self.rings.get(&f).map_or(&[], Vec::as_slice)
+    }
+
+    /// One half-edge of every boundary cycle of `f`: `boundary(f)` first, then the rings.
+    pub fn cycles(&self, f: FaceId) -> impl Iterator<Item = HalfEdgeId> + Clone + '_ {
+        let rings = self.rings(f).iter().filter_map(|ring| match ring {
+            Ring::Cycle(h) => Some(*h),
+            Ring::Isolated(_) => None,
+        });
+        self.dcel.boundary(f).into_iter().chain(rings)
+    }
+
+    /// Whether `f` is a bounded face outside the domain: a hole face.
+    #[must_use]
+    pub fn is_hole(&self, f: FaceId) -> bool {
+        self.holes.contains(&f)
+    }
+
+    /// The hole faces in the order of their numbers.
+    pub fn hole_faces(&self) -> impl Iterator<Item = FaceId> + '_ {
+        self.holes.iter().copied()
+    }
+}
+
+impl View for Subdivision {
+    fn vertex_bound(&self) -> usize {
+        self.dcel.vertex_bound()
+    }
+    fn half_edge_bound(&self) -> usize {
+        self.dcel.half_edge_bound()
+    }
+    fn face_bound(&self) -> usize {
+        self.dcel.face_bound()
+    }
+    fn has_vertex(&self, v: VertexId) -> bool {
+        self.dcel.has_vertex(v)
+    }
+    fn has_half_edge(&self, h: HalfEdgeId) -> bool {
+        self.dcel.has_half_edge(h)
+    }
+    fn has_face(&self, f: FaceId) -> bool {
+        self.dcel.has_face(f)
+    }
+    fn origin(&self, h: HalfEdgeId) -> Option<VertexId> {
+        View::origin(&self.dcel, h)
+    }
+    fn twin(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        View::twin(&self.dcel, h)
+    }
+    fn next(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        View::next(&self.dcel, h)
+    }
+    fn prev(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        View::prev(&self.dcel, h)
+    }
+    fn face(&self, h: HalfEdgeId) -> Option<FaceId> {
+        View::face(&self.dcel, h)
+    }
+    fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
+        View::outgoing(&self.dcel, v)
+    }
+    fn boundary(&self, f: FaceId) -> Option<HalfEdgeId> {
+        View::boundary(&self.dcel, f)
+    }
+    fn rings(&self, f: FaceId) -> &[Ring] {
+        self.rings(f)
+    }
+    fn outer_face(&self) -> Option<FaceId> {
+        Some(self.outer_face())
+    }
+    fn is_hole(&self, f: FaceId) -> bool {
+        self.is_hole(f)
+    }
+}
+
+impl PlanarView for Subdivision {
+    fn position(&self, v: VertexId) -> Option<Point> {
+        self.dcel.has_vertex(v).then(|| self.points[v])
+    }
+}
+
+impl PlanarView for crate::topology::Table {
+    fn position(&self, v: VertexId) -> Option<Point> {
+        self.vertices.get(v.index())?.as_ref()?.position.map(Point::from)
+    }
+}

@@ -1,0 +1,356 @@
+//! The memory layout, known to this file alone.
+//!
+//! ```text
+//!              h0   h1   h2   h3  ...        four plain columns of u32, 16 bytes a half-edge;
+//!   origin   [ v0 | v1 | v1 | v2 | ... ]     a walk touches only the columns it needs.
+//!   next     [ h2 | h7 | h4 | h1 | ... ]     twin(h) = h ^ 1 and edge(h) = h >> 1 cost nothing.
+//!   prev     [ h6 | h3 | h0 | h5 | ... ]
+//!   face     [ f1 | f0 | f1 | f0 | ... ]     outgoing: one u32 a vertex, boundary: one u32 a face
+//! ```
+//!
+//! A word with the top bit set is not an id: `NONE` is a pointer to nothing, any other such word stands in
+//! the record of a removed element and holds the next free slot (see `pool.rs`).
+
+use super::record::{Change, Recorder, Slot};
+use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
+
+/// No target.
+pub(super) const NONE: u32 = u32::MAX;
+/// Marks a word that is not an id.
+pub(super) const TAG: u32 = 1 << 31;
+/// Ends a free list.
+pub(super) const FREE_END: u32 = 0x7fff_fffe;
+
+/// A half-edge structure: vertices, half-edges and faces joined by `next`, `prev`, `twin`, `face` and
+/// `origin`, and nothing else. It knows no coordinate.
+///
+/// ```text
+///                    twin(h)
+///           ●<────────────────────●
+///   origin(h) ───────── h ──────> ● destination(h) = origin(twin(h))
+///           ^                      \
+///            \      face(h)         \  next(h)
+///    prev(h)  \    on the left       v
+/// ```
+///
+/// Laws: `twin(twin(h)) == h`, `next(prev(h)) == h == prev(next(h))`,
+/// `origin(next(h)) == destination(h)`, `face(next(h)) == face(h)`, `face(boundary(f)) == f`,
+/// `origin(outgoing(v)) == v`. Every public edit keeps them; [`violations`](super::violations) checks them.
+///
+/// The structure accepts whatever is combinatorially legal: loops, parallel edges, antennas, a torus.
+/// Two structures are `==` when they agree bit for bit, free slots included; for equality up to the names of
+/// the elements use [`same`](super::same).
+///
+/// Source: de Berg et al., *Computational Geometry*, 3rd ed., section 2.2 (the doubly-connected edge list).
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Dcel {
+    origin: Vec<u32>,
+    next: Vec<u32>,
+    prev: Vec<u32>,
+    face: Vec<u32>,
+    outgoing: Vec<u32>,
+    boundary: Vec<u32>,
+    pub(super) free: FreeLists,
+}
+
+/// Heads and lengths of the three free lists.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct FreeLists {
+    pub(super) vertex: u32,
+    pub(super) edge: u32,
+    pub(super) face: u32,
+    pub(super) vertices: u32,
+    pub(super) edges: u32,
+    pub(super) faces: u32,
+}
+
+impl FreeLists {
+    const EMPTY: Self = Self { vertex: FREE_END, edge: FREE_END, face: FREE_END, vertices: 0, edges: 0, faces: 0 };
+}
+
+/// The whole columns of a structure, as a builder fills them.
+pub(crate) struct Columns {
+    pub(crate) origin: Vec<u32>,
+    pub(crate) next: Vec<u32>,
+    pub(crate) prev: Vec<u32>,
+    pub(crate) face: Vec<u32>,
+    pub(crate) outgoing: Vec<u32>,
+    pub(crate) boundary: Vec<u32>,
+}
+
+impl Columns {
+    /// The word of a pointer that has no target: an isolated vertex's `outgoing`.
+    pub(crate) const NONE: u32 = NONE;
+}
+
+impl Default for Dcel {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+fn target(word: u32) -> Option<u32> {
+    (word & TAG == 0).then_some(word)
+}
+
+impl Dcel {
+    /// A structure without any element.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::from_columns(Columns {
+            origin: Vec::new(),
+            next: Vec::new(),
+            prev: Vec::new(),
+            face: Vec::new(),
+            outgoing: Vec::new(),
+            boundary: Vec::new(),
+        })
+    }
+
+    /// Takes columns that obey the laws and have no dead record.
+    pub(crate) fn from_columns(columns: Columns) -> Self {
+        let Columns { origin, next, prev, face, outgoing, boundary } = columns;
+        Self { origin, next, prev, face, outgoing, boundary, free: FreeLists::EMPTY }
+    }
+
+    /// One more than the greatest vertex number ever used: the length of a [`VertexMap`](crate::VertexMap).
+    #[must_use]
+    pub fn vertex_bound(&self) -> usize {
+        self.outgoing.len()
+    }
+
+    /// One more than the greatest half-edge number ever used.
+    #[must_use]
+    pub fn half_edge_bound(&self) -> usize {
+        self.next.len()
+    }
+
+    /// One more than the greatest edge number ever used.
+    #[must_use]
+    pub fn edge_bound(&self) -> usize {
+        self.next.len() / 2
+    }
+
+    /// One more than the greatest face number ever used.
+    #[must_use]
+    pub fn face_bound(&self) -> usize {
+        self.boundary.len()
+    }
+
+    /// The vertex a half-edge starts at. O(1). Panics if `h` was never allocated, as every getter does.
+    #[must_use]
+    #[inline]
+    pub fn origin(&self, h: HalfEdgeId) -> VertexId {
+        VertexId(self.origin[h.index()])
+    }
+
+    /// The vertex a half-edge ends at: the origin of its twin. O(1).
+    #[must_use]
+    #[inline]
+    pub fn destination(&self, h: HalfEdgeId) -> VertexId {
+        self.origin(h.twin())
+    }
+
+    /// The other half of the same edge. O(1), no memory access.
+    #[must_use]
+    #[inline]
+    pub fn twin(&self, h: HalfEdgeId) -> HalfEdgeId {
+        h.twin()
+    }
+
+    /// The edge of a half-edge. O(1), no memory access.
+    #[must_use]
+    #[inline]
+    pub fn edge(&self, h: HalfEdgeId) -> EdgeId {
+        h.edge()
+    }
+
+    /// The half-edge after `h` along the boundary of its face. O(1).
+    #[must_use]
+    #[inline]
+    pub fn next(&self, h: HalfEdgeId) -> HalfEdgeId {
+        HalfEdgeId(self.next[h.index()])
+    }
+
+    /// The half-edge before `h` along the boundary of its face. O(1).
+    #[must_use]
+    #[inline]
+    pub fn prev(&self, h: HalfEdgeId) -> HalfEdgeId {
+        HalfEdgeId(self.prev[h.index()])
+    }
+
+    /// The face on the left of `h`. O(1).
+    #[must_use]
+    #[inline]
+    pub fn face(&self, h: HalfEdgeId) -> FaceId {
+        FaceId(self.face[h.index()])
+    }
+
+    /// One half-edge that starts at `v`; none if `v` is isolated (or removed). O(1).
+    #[must_use]
+    #[inline]
+    pub fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
+        target(self.outgoing[v.index()]).map(HalfEdgeId)
+    }
+
+    /// One half-edge whose face is `f` (the lab's `incidentHalfEdge`); none if `f` has no boundary (or was
+    /// removed). O(1).
+    #[must_use]
+    #[inline]
+    pub fn boundary(&self, f: FaceId) -> Option<HalfEdgeId> {
+        target(self.boundary[f.index()]).map(HalfEdgeId)
+    }
+
+    /// Whether `v` exists: allocated and not removed. O(1).
+    #[must_use]
+    pub fn has_vertex(&self, v: VertexId) -> bool {
+        self.outgoing.get(v.index()).is_some_and(|&word| word & TAG == 0 || word == NONE)
+    }
+
+    /// Whether `h` exists: allocated and not removed. O(1).
+    #[must_use]
+    #[inline]
+    pub fn has_half_edge(&self, h: HalfEdgeId) -> bool {
+        self.origin.get(h.index()).is_some_and(|&word| word & TAG == 0)
+    }
+
+    /// Whether `e` exists: allocated and not removed. O(1).
+    #[must_use]
+    pub fn has_edge(&self, e: EdgeId) -> bool {
+        self.has_half_edge(e.half_edges()[0])
+    }
+
+    /// Whether `f` exists: allocated and not removed. O(1).
+    #[must_use]
+    pub fn has_face(&self, f: FaceId) -> bool {
+        self.boundary.get(f.index()).is_some_and(|&word| word & TAG == 0 || word == NONE)
+    }
+
+    /// Bytes of memory the structure holds: 16 for each half-edge, 4 for each vertex and each face, live or
+    /// free (plus what the vectors have in reserve).
+    #[must_use]
+    pub fn memory_bytes(&self) -> usize {
+        let columns =
+            [&self.origin, &self.next, &self.prev, &self.face, &self.outgoing, &self.boundary].map(Vec::capacity);
+        columns.iter().sum::<usize>() * size_of::<u32>() + size_of::<Self>()
+    }
+
+    // ---- raw words, for pool.rs -----------------------------------------------------------------------
+
+    pub(super) fn vertex_word(&mut self, v: VertexId) -> &mut u32 {
+        &mut self.outgoing[v.index()]
+    }
+
+    pub(super) fn edge_words(&mut self, e: EdgeId) -> &mut [u32] {
+        let first = e.index() * 2;
+        &mut self.origin[first..first + 2]
+    }
+
+    pub(super) fn face_word(&mut self, f: FaceId) -> &mut u32 {
+        &mut self.boundary[f.index()]
+    }
+
+    pub(super) fn push_vertex(&mut self) -> VertexId {
+        self.outgoing.push(NONE);
+        VertexId(self.outgoing.len() as u32 - 1)
+    }
+
+    pub(super) fn push_edge(&mut self) -> EdgeId {
+        for column in [&mut self.origin, &mut self.next, &mut self.prev, &mut self.face] {
+            column.extend([NONE, NONE]);
+        }
+        EdgeId(self.next.len() as u32 / 2 - 1)
+    }
+
+    pub(super) fn push_face(&mut self) -> FaceId {
+        self.boundary.push(NONE);
+        FaceId(self.boundary.len() as u32 - 1)
+    }
+
+    pub(super) fn pop_vertex(&mut self) {
+        self.outgoing.pop();
+    }
+
+    pub(super) fn pop_edge(&mut self) {
+        let bound = self.next.len() - 2;
+        for column in [&mut self.origin, &mut self.next, &mut self.prev, &mut self.face] {
+            column.truncate(bound);
+        }
+    }
+
+    pub(super) fn pop_face(&mut self) {
+        self.boundary.pop();
+    }
+
+    fn word(&mut self, slot: Slot) -> &mut u32 {
+        match slot {
+            Slot::Origin(h) => &mut self.origin[h.index()],
+            Slot::Next(h) => &mut self.next[h.index()],
+            Slot::Prev(h) => &mut self.prev[h.index()],
+            Slot::Face(h) => &mut self.face[h.index()],
+            Slot::Outgoing(v) => &mut self.outgoing[v.index()],
+            Slot::Boundary(f) => &mut self.boundary[f.index()],
+        }
+    }
+
+    /// Writes a pointer without recording it.
+    pub(super) fn put(&mut self, slot: Slot, to: Option<Element>) {
+        *self.word(slot) = to.map_or(NONE, |element| match element {
+            Element::Vertex(VertexId(i))
+            | Element::HalfEdge(HalfEdgeId(i))
+            | Element::Edge(EdgeId(i))
+            | Element::Face(FaceId(i)) => i,
+        });
+    }
+
+    #[inline(always)]
+    fn write(&mut self, slot: Slot, word: u32, rec: &mut impl Recorder) {
+        let old = std::mem::replace(self.word(slot), word);
+        let element = |word: u32| {
+            target(word).map(|i| match slot {
+                Slot::Origin(_) => Element::Vertex(VertexId(i)),
+                Slot::Face(_) => Element::Face(FaceId(i)),
+                _ => Element::HalfEdge(HalfEdgeId(i)),
+            })
+        };
+        rec.record(Change::Write { slot, old: element(old), new: element(word) });
+    }
+
+    // ---- recorded setters, for the edits --------------------------------------------------------------
+
+    #[inline]
+    pub(crate) fn set_origin(&mut self, h: HalfEdgeId, v: VertexId, rec: &mut impl Recorder) {
+        self.write(Slot::Origin(h), v.0, rec);
+    }
+
+    /// Makes `g` follow `h`: the lab's `makeNext`.
+    #[inline]
+    pub(crate) fn set_next(&mut self, h: HalfEdgeId, g: HalfEdgeId, rec: &mut impl Recorder) {
+        self.write(Slot::Next(h), g.0, rec);
+        self.write(Slot::Prev(g), h.0, rec);
+    }
+
+    #[inline]
+    pub(crate) fn set_face(&mut self, h: HalfEdgeId, f: FaceId, rec: &mut impl Recorder) {
+        self.write(Slot::Face(h), f.0, rec);
+    }
+
+    #[inline]
+    pub(crate) fn set_outgoing(&mut self, v: VertexId, h: Option<HalfEdgeId>, rec: &mut impl Recorder) {
+        self.write(Slot::Outgoing(v), h.map_or(NONE, |h| h.0), rec);
+    }
+
+    #[inline]
+    pub(crate) fn set_boundary(&mut self, f: FaceId, h: Option<HalfEdgeId>, rec: &mut impl Recorder) {
+        self.write(Slot::Boundary(f), h.map_or(NONE, |h| h.0), rec);
+    }
+
+    /// Clears every pointer of both halves of `e`, before it is removed.
+    pub(crate) fn clear_edge(&mut self, e: EdgeId, rec: &mut impl Recorder) {
+        for h in e.half_edges() {
+            for slot in [Slot::Origin(h), Slot::Next(h), Slot::Prev(h), Slot::Face(h)] {
+                self.write(slot, NONE, rec);
+            }
+        }
+    }
+}

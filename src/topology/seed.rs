@@ -1,0 +1,58 @@
+//! Structures to start from.
+
+use super::Dcel;
+use super::links::Columns;
+use super::pool::TooMany;
+use crate::ids::MAX_IDS;
+
+/// Why there is no such polygon.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PolygonError {
+    /// A polygon without a corner.
+    #[error("a polygon needs at least one corner, better three")]
+    NoCorner,
+    /// More corners than ids.
+    #[error(transparent)]
+    TooMany(#[from] TooMany),
+}
+
+impl Dcel {
+    /// A polygon with `corners` corners and two faces, `f1` inside and `f0` outside: a double-sided disc.
+    ///
+    /// ```text
+    ///        h5 ───────────>
+    ///      v0 ●───────────● v2        inside (f1):  h0, h2, h4: h(2i) runs from v(i) to v(i+1)
+    ///          \ <── h4  /            outside (f0): their twins h1, h3, h5
+    ///        h0 \   f1  / h2
+    ///            \     /      f0
+    ///             ● v1
+    /// ```
+    ///
+    /// With one corner the edge is a loop, with two the edges are parallel; the kernel takes both.
+    ///
+    /// Source: the half-edge lab's six-vertex start; the "ring" of the GenMesh article.
+    ///
+    /// # Errors
+    /// [`PolygonError`] if `corners` is 0 or too large.
+    pub fn polygon(corners: usize) -> Result<Self, PolygonError> {
+        if corners == 0 {
+            return Err(PolygonError::NoCorner);
+        }
+        if corners > MAX_IDS / 2 {
+            return Err(TooMany.into());
+        }
+        let n = corners as u32;
+        let both = |inside: fn(u32, u32) -> u32, outside: fn(u32, u32) -> u32| {
+            (0..n).flat_map(|i| [inside(i, n), outside(i, n)]).collect()
+        };
+        Ok(Self::from_columns(Columns {
+            origin: both(|i, _| i, |i, n| (i + 1) % n),
+            next: both(|i, n| 2 * ((i + 1) % n), |i, n| 2 * ((i + n - 1) % n) + 1),
+            prev: both(|i, n| 2 * ((i + n - 1) % n), |i, n| 2 * ((i + 1) % n) + 1),
+            face: both(|_, _| 1, |_, _| 0),
+            outgoing: (0..n).map(|i| 2 * i).collect(),
+            boundary: vec![1, 0],
+        }))
+    }
+}

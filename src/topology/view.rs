@@ -1,0 +1,120 @@
+//! Reading any half-edge structure: ours, or a table dumped from somebody else's program.
+//!
+//! A [`View`] may be broken in every way: pointers may be missing, out of range or contradictory. Code that
+//! reads views (the validator, `same`, the figures) must bound its walks.
+
+use super::Dcel;
+use crate::ids::{FaceId, HalfEdgeId, VertexId};
+
+/// A boundary cycle of a face beside its first one, or a vertex without edges that lies in the face.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Ring {
+    /// A cycle, by one of its half-edges.
+    Cycle(HalfEdgeId),
+    /// A vertex without edges.
+    Isolated(VertexId),
+}
+
+/// Read access to a half-edge structure that need not obey any law.
+///
+/// Ids run from 0 to the bounds; `has_*` says which of them exist. A pointer that is missing reads as `None`.
+/// Getters must accept every id, existing or not, and return `None` for those that do not exist.
+pub trait View {
+    /// One more than the greatest vertex number.
+    fn vertex_bound(&self) -> usize;
+    /// One more than the greatest half-edge number.
+    fn half_edge_bound(&self) -> usize;
+    /// One more than the greatest face number.
+    fn face_bound(&self) -> usize;
+    /// Whether the vertex exists.
+    fn has_vertex(&self, v: VertexId) -> bool;
+    /// Whether the half-edge exists.
+    fn has_half_edge(&self, h: HalfEdgeId) -> bool;
+    /// Whether the face exists.
+    fn has_face(&self, f: FaceId) -> bool;
+    /// The vertex `h` starts at.
+    fn origin(&self, h: HalfEdgeId) -> Option<VertexId>;
+    /// The other half of the edge of `h`.
+    fn twin(&self, h: HalfEdgeId) -> Option<HalfEdgeId>;
+    /// The half-edge after `h`.
+    fn next(&self, h: HalfEdgeId) -> Option<HalfEdgeId>;
+    /// The half-edge before `h`.
+    fn prev(&self, h: HalfEdgeId) -> Option<HalfEdgeId>;
+    /// The face on the left of `h`.
+    fn face(&self, h: HalfEdgeId) -> Option<FaceId>;
+    /// A half-edge that starts at `v`.
+    fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId>;
+    /// A half-edge of the first boundary cycle of `f`.
+    fn boundary(&self, f: FaceId) -> Option<HalfEdgeId>;
+
+    /// The other cycles of `f`, and the isolated vertices in it. All cycles of the outer face but the first
+    /// are here, too.
+    fn rings(&self, f: FaceId) -> &[Ring] {
+        let _ = f;
+        &[]
+    }
+
+    /// The unbounded face, if the structure lies in the plane.
+    fn outer_face(&self) -> Option<FaceId> {
+        None
+    }
+
+    /// Whether `f` is a bounded face that is not part of the domain.
+    fn is_hole(&self, f: FaceId) -> bool {
+        let _ = f;
+        false
+    }
+}
+
+impl View for Dcel {
+    fn vertex_bound(&self) -> usize {
+        self.vertex_bound()
+    }
+    fn half_edge_bound(&self) -> usize {
+        self.half_edge_bound()
+    }
+    fn face_bound(&self) -> usize {
+        self.face_bound()
+    }
+    fn has_vertex(&self, v: VertexId) -> bool {
+        self.has_vertex(v)
+    }
+    fn has_half_edge(&self, h: HalfEdgeId) -> bool {
+        self.has_half_edge(h)
+    }
+    fn has_face(&self, f: FaceId) -> bool {
+        self.has_face(f)
+    }
+    fn origin(&self, h: HalfEdgeId) -> Option<VertexId> {
+        self.has_half_edge(h).then(|| self.origin(h))
+    }
+    fn twin(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        self.has_half_edge(h).then(|| h.twin())
+    }
+    fn next(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        self.has_half_edge(h).then(|| self.next(h))
+    }
+    fn prev(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        self.has_half_edge(h).then(|| self.prev(h))
+    }
+    fn face(&self, h: HalfEdgeId) -> Option<FaceId> {
+        self.has_half_edge(h).then(|| self.face(h))
+    }
+    fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
+        self.has_vertex(v).then(|| self.outgoing(v)).flatten()
+    }
+    fn boundary(&self, f: FaceId) -> Option<HalfEdgeId> {
+        self.has_face(f).then(|| self.boundary(f)).flatten()
+    }
+}
+
+/// At most `half_edge_bound` half-edges along `next` from `start`, ending before `start` comes again or where
+/// the chain breaks: a cycle walk that cannot hang.
+pub fn bounded_cycle<V: View + ?Sized>(view: &V, start: HalfEdgeId) -> impl Iterator<Item = HalfEdgeId> + '_ {
+    let mut at = view.has_half_edge(start).then_some(start);
+    (0..view.half_edge_bound()).map_while(move |_| {
+        let h = at?;
+        at = view.next(h).filter(|&n| n != start && view.has_half_edge(n));
+        Some(h)
+    })
+}
