@@ -1,8 +1,22 @@
 //! Half-edge structures in the plane: positions, exact decisions, faces that cover the whole plane.
+//!
+//! ```text
+//!   point.rs  predicates.rs     points, the range in which signs are exact, the signs
+//!   subdivision.rs              a Dcel with positions: f0 is the outer face, faces may have rings
+//!   convert/                    polygons and triangles -> subdivision
+//!   edit/                       split_face, join_faces, split_edge, split_in_half, join_edges
+//!   sweep.rs cycle.rs rings.rs  what lies below, which way round, which ring in which face
+//! ```
 
+mod cycle;
+pub mod edit;
 mod point;
 pub mod predicates;
+mod rings;
+mod seed;
 mod subdivision;
+mod sweep;
 
+pub use edit::{JoinEdgesError, JoinFacesError, SplitEdgeError, SplitFaceError};
 pub use point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};
 pub use subdivision::{PlanarView, Subdivision};

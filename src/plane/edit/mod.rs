@@ -1,0 +1,61 @@
+//! The edits of a subdivision: those of the kernel, after an exact look at the geometry.
+//!
+//! The kernel takes whatever is combinatorially legal; here an edit must also keep edges straight, disjoint and
+//! in their faces. `f0` is always the unbounded face, and rings go where they lie. A refused edit changes
+//! nothing.
+
+mod join_edges;
+mod join_faces;
+mod split_edge;
+mod split_face;
+
+pub use join_edges::JoinEdgesError;
+pub use join_faces::JoinFacesError;
+pub use split_edge::SplitEdgeError;
+pub use split_face::SplitFaceError;
+
+use super::cycle::on_segment;
+use super::predicates::orientation;
+use super::sweep::cross;
+use super::{Point, Subdivision};
+use crate::ids::{HalfEdgeId, VertexId};
+
+/// What stands in the way of an edge that moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Obstacle {
+    Vertex(VertexId),
+    Edge(HalfEdgeId),
+}
+
+impl Subdivision {
+    /// What stands in the way when the straight edge or edges between `u` and `w` along the half-edge `h` move
+    /// to the other side of the triangle u, m, w: any vertex in the closed triangle, any edge across its legs.
+    ///
+    /// Cost: O(size of the two faces at `h`).
+    fn obstacle_in_triangle(&self, h: HalfEdgeId, [u, m, w]: [Point; 3]) -> Option<Obstacle> {
+        let turn = orientation(u, m, w);
+        let inside = |q: Point| {
+            let along = |a: Point, b: Point| orientation(a, b, q) != turn.reverse();
+            ![u, m, w].contains(&q) && along(u, m) && along(m, w) && along(w, u)
+        };
+        let bars = |a: Point, b: Point| {
+            cross(u, m, a, b) || cross(m, w, a, b) || cross(w, u, a, b) || (m != a && m != b && on_segment(a, b, m))
+        };
+        let (left, right) = (self.dcel.face(h), self.dcel.face(h.twin()));
+        for f in std::iter::once(left).chain((right != left).then_some(right)) {
+            if let Some(v) = self.isolated_vertices(f).find(|&v| inside(self.points[v])) {
+                return Some(Obstacle::Vertex(v));
+            }
+            for g in self.all_half_edges(f) {
+                let (v, to) = (self.dcel.origin(g), self.points[self.dcel.destination(g)]);
+                if inside(self.points[v]) {
+                    return Some(Obstacle::Vertex(v));
+                }
+                if bars(self.points[v], to) {
+                    return Some(Obstacle::Edge(g));
+                }
+            }
+        }
+        None
+    }
+}

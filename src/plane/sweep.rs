@@ -1,0 +1,313 @@
+//! A sweep from left to right over straight edges: what lies directly below each point, and whether any two
+//! edges meet where they should not.
+//!
+//! ```text
+//!                │    ╱            The sweep line stands at the points one after another. The edges it
+//!          ●─────┼───╱──●          cuts are kept in order from bottom to top. At a point p the edges that
+//!                ● p               end there leave, those that start there enter; only neighbours in the
+//!          ●─────┼──────────●      order can meet next.
+//! ```
+//!
+//! Every decision is an exact orientation. With `n` edges the cost is O(n log n) (plus O(n) moves in chunks of
+//! a few hundred words, which no input makes large).
+//!
+//! Source: Shamos and Hoey, *Geometric intersection problems*, FOCS 1976.
+
+use super::Point;
+use super::predicates::{left_to_right, orientation};
+use std::cmp::Ordering;
+
+/// Two things that meet where they should not. Numbers are indices into the slices given to the sweep.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Meeting {
+    /// Two points at the same place.
+    SamePlace(u32, u32),
+    /// A point in the interior of an edge it does not belong to.
+    PointOnEdge { point: u32, edge: u32 },
+    /// Two edges that cross in their interiors.
+    Crossing(u32, u32),
+    /// Two edges that leave a common end in the same direction.
+    Overlap(u32, u32),
+}
+
+/// Says nothing lies below.
+pub(super) const NOTHING: u32 = u32::MAX;
+
+/// For every point of `order_of`, the edge directly below it (or `NOTHING`); and the first meeting, if
+/// `look_for_meetings`.
+///
+/// `points` are all points; only those used by `edges` and those of `extra` (points without edges) take part.
+/// Without `look_for_meetings` the input must have none; then the answer is right, otherwise it is some answer.
+pub(super) struct Sweep<'a> {
+    points: &'a [Point],
+    edges: &'a [[u32; 2]],
+    status: Status,
+    look_for_meetings: bool,
+}
+
+/// What a sweep found.
+pub(super) struct Swept {
+    /// For each point that took part: the edge directly below it, else `NOTHING`.
+    pub(super) below: Vec<u32>,
+    /// The first meeting on the way from left to right.
+    pub(super) meeting: Option<Meeting>,
+}
+
+pub(super) fn sweep(points: &[Point], edges: &[[u32; 2]], extra: &[u32], look_for_meetings: bool) -> Swept {
+    // Each edge from its left end to its right end; edges in the order of their left ends.
+    let edges: Vec<[u32; 2]> = edges
+        .iter()
+        .map(|&[a, b]| if left_to_right(points[a as usize], points[b as usize]).is_le() { [a, b] } else { [b, a] })
+        .collect();
+    let mut events: Vec<u32> = edges.iter().flatten().chain(extra).copied().collect();
+    let by_place = |&a: &u32, &b: &u32| left_to_right(points[a as usize], points[b as usize]).then(a.cmp(&b));
+    events.sort_unstable_by(by_place);
+    events.dedup();
+    let mut starts: Vec<u32> = (0..edges.len() as u32).collect();
+    starts.sort_unstable_by(|&e, &g| by_place(&edges[e as usize][0], &edges[g as usize][0]).then(e.cmp(&g)));
+
+    let mut below = vec![NOTHING; points.len()];
+    let mut sweep = Sweep { points, edges: &edges, status: Status::default(), look_for_meetings };
+    let mut rest = starts.as_mut_slice();
+    for (i, &event) in events.iter().enumerate() {
+        if i > 0 && look_for_meetings && points[events[i - 1] as usize] == points[event as usize] {
+            return Swept { below, meeting: Some(Meeting::SamePlace(events[i - 1], event)) };
+        }
+        let count = rest.iter().take_while(|&&e| edges[e as usize][0] == event).count();
+        let (starting, later) = rest.split_at_mut(count);
+        rest = later;
+        match sweep.step(event, starting) {
+            Ok(edge) => below[event as usize] = edge,
+            Err(meeting) => return Swept { below, meeting: Some(meeting) },
+        }
+    }
+    Swept { below, meeting: None }
+}
+
+impl Sweep<'_> {
+    fn ends(&self, edge: u32) -> [Point; 2] {
+        self.edges[edge as usize].map(|p| self.points[p as usize])
+    }
+
+    /// Where the point lies from the edge: `Greater` = above.
+    fn side(&self, edge: u32, point: u32) -> Ordering {
+        let [a, b] = self.ends(edge);
+        orientation(a, b, self.points[point as usize])
+    }
+
+    /// Takes the sweep line over `event`; returns the edge directly below.
+    fn step(&mut self, event: u32, starting: &mut [u32]) -> Result<u32, Meeting> {
+        let mut at = self.status.partition(|edge| self.side(edge, event).is_gt());
+        let below = self.status.before(at);
+        while let Some(edge) = self.status.get(at) {
+            if self.edges[edge as usize][1] == event {
+                self.status.remove(&mut at);
+            } else if self.side(edge, event).is_eq() {
+                if self.look_for_meetings {
+                    return Err(Meeting::PointOnEdge { point: event, edge });
+                }
+                break;
+            } else {
+                break;
+            }
+        }
+        let here = self.points[event as usize];
+        let far = |edge: u32| self.points[self.edges[edge as usize][1] as usize];
+        starting.sort_unstable_by(|&e, &g| orientation(here, far(g), far(e)).then(e.cmp(&g)));
+        if self.look_for_meetings {
+            for pair in starting.windows(2) {
+                if orientation(here, far(pair[0]), far(pair[1])).is_eq() {
+                    return Err(Meeting::Overlap(pair[0], pair[1]));
+                }
+            }
+            let above = self.status.get(at);
+            let (lowest, highest) = (starting.first().copied(), starting.last().copied());
+            let neighbours =
+                if starting.is_empty() { [(below, above), (None, None)] } else { [(below, lowest), (highest, above)] };
+            for pair in neighbours {
+                if let (Some(e), Some(g)) = pair {
+                    self.meet(e, g)?;
+                }
+            }
+        }
+        self.status.insert(at, starting);
+        Ok(below.unwrap_or(NOTHING))
+    }
+
+    /// Fails if the two neighbours cross in their interiors. A touching end is found when the sweep gets there.
+    fn meet(&self, e: u32, g: u32) -> Result<(), Meeting> {
+        let ([a, b], [c, d]) = (self.ends(e), self.ends(g));
+        if cross(a, b, c, d) { Err(Meeting::Crossing(e.min(g), e.max(g))) } else { Ok(()) }
+    }
+}
+
+/// Whether the open segments a-b and c-d cross in one point interior to both. Exact.
+pub(super) fn cross(a: Point, b: Point, c: Point, d: Point) -> bool {
+    let opposite = |s: Ordering, t: Ordering| s != Ordering::Equal && s == t.reverse();
+    opposite(orientation(a, b, c), orientation(a, b, d)) && opposite(orientation(c, d, a), orientation(c, d, b))
+}
+
+/// The edges cut by the sweep line, from bottom to top, in chunks so that insertion stays cheap.
+#[derive(Default)]
+struct Status {
+    chunks: Vec<Vec<u32>>,
+}
+
+/// A place between two edges: before the edge `offset` of chunk `chunk`.
+type Place = (usize, usize);
+
+impl Status {
+    const CHUNK: usize = 256;
+
+    /// The first place whose edge is not `below`; all edges before it are.
+    fn partition(&self, below: impl Fn(u32) -> bool) -> Place {
+        let chunk = self.chunks.partition_point(|chunk| chunk.last().is_some_and(|&edge| below(edge)));
+        let offset = self.chunks.get(chunk).map_or(0, |chunk| chunk.partition_point(|&edge| below(edge)));
+        (chunk, offset)
+    }
+
+    fn get(&self, (chunk, offset): Place) -> Option<u32> {
+        self.chunks.get(chunk)?.get(offset).copied()
+    }
+
+    fn before(&self, (chunk, offset): Place) -> Option<u32> {
+        match offset {
+            0 => self.chunks.get(chunk.checked_sub(1)?)?.last().copied(),
+            _ => self.get((chunk, offset - 1)),
+        }
+    }
+
+    /// Removes the edge at `at`; `at` then stands before the edge after it.
+    fn remove(&mut self, at: &mut Place) {
+        let chunk = &mut self.chunks[at.0];
+        chunk.remove(at.1);
+        if chunk.is_empty() {
+            self.chunks.remove(at.0);
+        } else if at.1 == chunk.len() {
+            *at = (at.0 + 1, 0);
+        }
+    }
+
+    fn insert(&mut self, (chunk, offset): Place, edges: &[u32]) {
+        if edges.is_empty() {
+            return;
+        }
+        // At the end of the order, or before the first edge of a chunk, the chunk before may take the edges.
+        let (chunk, offset) = match (offset, chunk.checked_sub(1)) {
+            (0, Some(before)) => (before, self.chunks[before].len()),
+            _ => (chunk, offset),
+        };
+        if self.chunks.is_empty() {
+            self.chunks.push(Vec::new());
+        }
+        let home = &mut self.chunks[chunk];
+        home.splice(offset..offset, edges.iter().copied());
+        if home.len() > Self::CHUNK {
+            let whole = std::mem::take(home);
+            self.chunks.splice(chunk..=chunk, whole.chunks(Self::CHUNK / 2).map(<[u32]>::to_vec));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn points(list: &[(f64, f64)]) -> Vec<Point> {
+        list.iter().map(|&p| p.into()).collect()
+    }
+
+    /// A small generator of numbers for the tests (xorshift).
+    fn numbers(mut state: u64) -> impl FnMut(u64) -> u64 {
+        move |below| {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            state % below
+        }
+    }
+
+    #[test]
+    fn the_edge_below_is_found_and_nothing_below_the_lowest() {
+        let p = points(&[(0., 0.), (10., 0.), (0., 4.), (10., 5.), (5., 2.), (5., -1.), (5., 9.)]);
+        let swept = sweep(&p, &[[0, 1], [3, 2]], &[4, 5, 6], true);
+        assert_eq!(swept.meeting, None);
+        assert_eq!([swept.below[4], swept.below[5], swept.below[6]], [0, NOTHING, 1]);
+    }
+
+    #[test]
+    fn each_kind_of_meeting_is_named() {
+        let p = points(&[(0., 0.), (4., 4.), (0., 4.), (4., 0.), (2., 2.), (2., 2.), (8., 8.)]);
+        assert_eq!(sweep(&p, &[[0, 1], [2, 3]], &[], true).meeting, Some(Meeting::Crossing(0, 1)));
+        assert_eq!(sweep(&p, &[[0, 1]], &[4], true).meeting, Some(Meeting::PointOnEdge { point: 4, edge: 0 }));
+        assert_eq!(sweep(&p, &[], &[4, 5], true).meeting, Some(Meeting::SamePlace(4, 5)));
+        assert_eq!(sweep(&p, &[[0, 1], [0, 6]], &[], true).meeting, Some(Meeting::Overlap(0, 1)));
+        assert_eq!(sweep(&p, &[[0, 6], [1, 3]], &[], true).meeting, Some(Meeting::PointOnEdge { point: 1, edge: 0 }));
+    }
+
+    #[test]
+    fn random_segments_on_a_small_grid_agree_with_all_pairs() {
+        for seed in 1..400u64 {
+            let mut next = numbers(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+            let size = 3 + next(30);
+            let n = 2 + next(12);
+            let mut p: Vec<Point> = Vec::new();
+            for _ in 0..2 * n {
+                let q = Point::new(next(size) as f64, next(size) as f64);
+                if !p.contains(&q) {
+                    p.push(q);
+                }
+            }
+            let edges: Vec<[u32; 2]> = (0..p.len() as u32 / 2).map(|i| [2 * i, 2 * i + 1]).collect();
+            let meets = |i: usize, j: usize| {
+                let [[a, b], [c, d]] = [i, j].map(|e| edges[e].map(|v| p[v as usize]));
+                let on = |a: Point, b: Point, c: Point| {
+                    orientation(a, b, c).is_eq() && (c.x - a.x) * (c.x - b.x) <= 0.0 && (c.y - a.y) * (c.y - b.y) <= 0.0
+                };
+                cross(a, b, c, d) || on(a, b, c) || on(a, b, d) || on(c, d, a) || on(c, d, b)
+            };
+            let expected = (0..edges.len()).any(|i| (0..i).any(|j| meets(i, j)));
+            let found = sweep(&p, &edges, &[], true);
+            assert_eq!(found.meeting.is_some(), expected, "seed {seed}");
+            if expected {
+                continue;
+            }
+            for (v, q) in p.iter().enumerate().take(2 * edges.len()) {
+                // The sweep sees points above each other from left to right, too.
+                let height = |e: &[u32; 2]| {
+                    let [a, b] = e.map(|v| p[v as usize]);
+                    let (a, b) = if left_to_right(a, b).is_lt() { (a, b) } else { (b, a) };
+                    let cut = left_to_right(a, *q).is_lt() && left_to_right(*q, b).is_le();
+                    (cut && orientation(a, b, *q).is_gt()).then(|| a.y + (b.y - a.y) * (q.x - a.x) / (b.x - a.x))
+                };
+                let best = edges.iter().filter_map(height).fold(f64::NEG_INFINITY, f64::max);
+                let got = match found.below[v] {
+                    NOTHING => Some(f64::NEG_INFINITY),
+                    edge => height(&edges[edge as usize]),
+                };
+                assert_eq!(got, Some(best), "seed {seed} point {v}");
+            }
+        }
+    }
+
+    #[test]
+    fn ten_thousand_edges_in_one_star_and_a_ladder_of_long_ones() {
+        let n = 10_000u32;
+        let mut p = vec![Point::new(0.0, 0.0)];
+        p.extend((0..n).map(|i| Point::new(1000.0, f64::from(i) - 5000.0)));
+        let star: Vec<[u32; 2]> = (1..=n).map(|i| [0, i]).collect();
+        assert_eq!(sweep(&p, &star, &[], true).meeting, None);
+        let mut q: Vec<Point> = Vec::new();
+        let mut ladder: Vec<[u32; 2]> = Vec::new();
+        for i in 0..n {
+            q.push(Point::new(-f64::from(i % 97), f64::from(i)));
+            q.push(Point::new(1e6 - f64::from(i), f64::from(i)));
+            ladder.push([2 * i, 2 * i + 1]);
+        }
+        let swept = sweep(&q, &ladder, &[], true);
+        assert_eq!(swept.meeting, None);
+        for i in 1..n {
+            assert_eq!(swept.below[2 * i as usize + 1], i - 1);
+        }
+    }
+}
