@@ -4,10 +4,13 @@
 //!   point.rs  predicates.rs     points, the range in which signs are exact, the signs
 //!   subdivision.rs              a Dcel with positions: f0 is the outer face, faces may have rings
 //!   convert/                    polygons and triangles -> subdivision
+//!   check.rs                    the laws of the plane
 //!   edit/                       split_face, join_faces, split_edge, split_in_half, join_edges
 //!   sweep.rs cycle.rs rings.rs  what lies below, which way round, which ring in which face
 //! ```
 
+mod check;
+mod convert;
 mod cycle;
 pub mod edit;
 mod point;
@@ -17,6 +20,9 @@ mod seed;
 mod subdivision;
 mod sweep;
 
+pub use check::GeometryViolation;
+pub use convert::{ConvertError, ConvertOptions, Converted};
 pub use edit::{JoinEdgesError, JoinFacesError, SplitEdgeError, SplitFaceError};
 pub use point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};
+pub use seed::LAB_RECTANGLE;
 pub use subdivision::{PlanarView, Subdivision};

@@ -201,6 +201,11 @@ impl Dcel {
         target(self.boundary[f.index()]).map(HalfEdgeId)
     }
 
+    /// Whether `h` has no face yet: a border half-edge while a structure is being built.
+    pub(crate) fn lacks_face(&self, h: HalfEdgeId) -> bool {
+        self.face[h.index()] == NONE
+    }
+
     /// Whether `v` exists: allocated and not removed. O(1).
     #[must_use]
     pub fn has_vertex(&self, v: VertexId) -> bool {

@@ -1,0 +1,198 @@
+//! The laws of the plane: what must hold of the positions, beside the laws of the structure.
+//!
+//! | law | says |
+//! |---|---|
+//! | G1 | no two vertices lie at the same place |
+//! | G2 | no vertex lies in the interior of an edge |
+//! | G3 | no two edges cross or overlap |
+//! | G4 | round each vertex the half-edges follow each other counter-clockwise, once round |
+//! | G5 | the boundary of a bounded face runs counter-clockwise round it |
+//! | G6 | every other cycle of a face, and every cycle of `f0`, runs clockwise round what it cuts out |
+//! | G7 | every ring lies in its face |
+//!
+//! G1 to G3 are found by one sweep, which stops at the first fault; the others are only asked when they hold.
+
+use super::convert::by_direction;
+use super::cycle::encloses;
+use super::predicates::left_to_right;
+use super::sweep::{Meeting, NOTHING, sweep};
+use super::{Point, Subdivision};
+use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
+use crate::topology::Ring;
+
+/// Positions that do not fit the structure, or each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum GeometryViolation {
+    /// Two vertices with the same position.
+    #[error("G1: {first} and {second} lie at the same place: use one vertex for both")]
+    SamePlace {
+        /// One vertex.
+        first: VertexId,
+        /// The other vertex.
+        second: VertexId,
+    },
+    /// A vertex in the interior of an edge.
+    #[error("G2: {vertex} lies on the edge {} -> {} but is not one of its ends: split the edge there", ends[0], ends[1])]
+    VertexOnEdge {
+        /// The vertex.
+        vertex: VertexId,
+        /// The ends of the edge.
+        ends: [VertexId; 2],
+    },
+    /// Two edges that cross or overlap.
+    #[error(
+        "G3: the edges {} -> {} and {} -> {} cross or overlap",
+        first[0], first[1], second[0], second[1]
+    )]
+    EdgesMeet {
+        /// The ends of one edge.
+        first: [VertexId; 2],
+        /// The ends of the other edge.
+        second: [VertexId; 2],
+    },
+    /// The half-edges at a vertex are linked in another order than that of their directions.
+    #[error(
+        "G4: the half-edges at {vertex} do not follow each other counter-clockwise: faces fold over each other there"
+    )]
+    Folded {
+        /// The vertex.
+        vertex: VertexId,
+    },
+    /// The boundary of a bounded face runs clockwise.
+    #[error("G5: the boundary of {face}, from {start} on, does not run counter-clockwise")]
+    BoundaryClockwise {
+        /// The face.
+        face: FaceId,
+        /// Its boundary half-edge.
+        start: HalfEdgeId,
+    },
+    /// A ring, or a cycle of the outer face, runs counter-clockwise.
+    #[error("G6: the cycle of {start} surrounds a bounded region, so it cannot be a ring of {face}")]
+    RingCounterClockwise {
+        /// The face.
+        face: FaceId,
+        /// A half-edge of the cycle.
+        start: HalfEdgeId,
+    },
+    /// A ring lies in another face than the one that lists it.
+    #[error("G7: the ring at {vertex} is listed by {listed} but lies in {face}")]
+    RingElsewhere {
+        /// The leftmost vertex of the ring.
+        vertex: VertexId,
+        /// The face that lists it.
+        listed: FaceId,
+        /// The face it lies in.
+        face: FaceId,
+    },
+}
+
+impl GeometryViolation {
+    /// The vertices the message speaks of.
+    #[must_use]
+    pub fn vertices(&self) -> Vec<VertexId> {
+        match *self {
+            Self::SamePlace { first, second } => vec![first, second],
+            Self::VertexOnEdge { vertex, ends } => vec![vertex, ends[0], ends[1]],
+            Self::EdgesMeet { first, second } => vec![first[0], first[1], second[0], second[1]],
+            Self::Folded { vertex } | Self::RingElsewhere { vertex, .. } => vec![vertex],
+            Self::BoundaryClockwise { .. } | Self::RingCounterClockwise { .. } => Vec::new(),
+        }
+    }
+}
+
+impl Subdivision {
+    /// Checks the laws of the plane (the table at the head of this module's source): all positions and edges
+    /// against each other. The first meeting of elements is reported alone; otherwise all other faults.
+    ///
+    /// Cost: O(n log n) with n edges; all decisions exact.
+    #[must_use]
+    pub fn geometry_violations(&self) -> Vec<GeometryViolation> {
+        let edges: Vec<EdgeId> = self.dcel.edges().collect();
+        let ends: Vec<[u32; 2]> = edges.iter().map(|&e| self.edge_ends(e).map(VertexId::number)).collect();
+        let extra: Vec<u32> =
+            self.dcel.vertices().filter(|&v| self.dcel.outgoing(v).is_none()).map(VertexId::number).collect();
+        let swept = sweep(self.points.as_slice(), &ends, &extra, true);
+        if let Some(meeting) = swept.meeting {
+            return vec![name_meeting(meeting, &ends)];
+        }
+        let mut found: Vec<_> = self
+            .dcel
+            .vertices()
+            .filter(|&v| !self.turns_once(v))
+            .map(|vertex| GeometryViolation::Folded { vertex })
+            .collect();
+        for face in self.dcel.faces() {
+            self.check_cycles(face, &edges, &swept.below, &mut found);
+        }
+        found
+    }
+
+    pub(super) fn edge_ends(&self, e: EdgeId) -> [VertexId; 2] {
+        e.half_edges().map(|h| self.dcel.origin(h))
+    }
+
+    /// The half of `e` that runs from left to right, with the upper side on its left.
+    pub(super) fn upper_half(&self, e: EdgeId) -> HalfEdgeId {
+        let [h, t] = e.half_edges();
+        let [p, q] = self.edge_ends(e).map(|v| self.points[v]);
+        if left_to_right(p, q).is_lt() { h } else { t }
+    }
+
+    /// The leftmost vertex of the cycle of `h`.
+    pub(super) fn leftmost(&self, h: HalfEdgeId) -> VertexId {
+        let by_place = |&u: &VertexId, &v: &VertexId| left_to_right(self.points[u], self.points[v]);
+        self.dcel.cycle(h).map(|h| self.dcel.origin(h)).min_by(by_place).unwrap_or_else(|| self.dcel.origin(h))
+    }
+
+    /// Whether the directions round `v` increase, with just one step back to the start.
+    fn turns_once(&self, v: VertexId) -> bool {
+        let place = |h: HalfEdgeId| -> Point { self.points[self.dcel.destination(h)] };
+        let mut steps_back = 0;
+        for h in self.dcel.outgoing_half_edges(v) {
+            if by_direction(self.points[v], place(h), place(self.dcel.ccw(h))).is_ge() {
+                steps_back += 1;
+            }
+        }
+        steps_back <= 1
+    }
+
+    fn check_cycles(&self, face: FaceId, edges: &[EdgeId], below: &[u32], found: &mut Vec<GeometryViolation>) {
+        let outer = face == self.outer_face();
+        let boundary = self.dcel.boundary(face);
+        if let Some(start) = boundary.filter(|&start| !outer && !encloses(self.corner_points(start))) {
+            found.push(GeometryViolation::BoundaryClockwise { face, start });
+        }
+        let first = boundary.filter(|_| outer).map(Ring::Cycle);
+        for ring in first.into_iter().chain(self.rings(face).iter().copied()) {
+            let vertex = match ring {
+                Ring::Isolated(v) => v,
+                Ring::Cycle(start) if encloses(self.corner_points(start)) => {
+                    found.push(GeometryViolation::RingCounterClockwise { face, start });
+                    continue;
+                }
+                Ring::Cycle(start) => self.leftmost(start),
+            };
+            let lies_in = match below[vertex.index()] {
+                NOTHING => self.outer_face(),
+                edge => self.dcel.face(self.upper_half(edges[edge as usize])),
+            };
+            if lies_in != face {
+                found.push(GeometryViolation::RingElsewhere { vertex, listed: face, face: lies_in });
+            }
+        }
+    }
+}
+
+fn name_meeting(meeting: Meeting, ends: &[[u32; 2]]) -> GeometryViolation {
+    let edge = |e: u32| ends[e as usize].map(VertexId::new);
+    match meeting {
+        Meeting::SamePlace(a, b) => GeometryViolation::SamePlace { first: VertexId::new(a), second: VertexId::new(b) },
+        Meeting::PointOnEdge { point, edge: e } => {
+            GeometryViolation::VertexOnEdge { vertex: VertexId::new(point), ends: edge(e) }
+        }
+        Meeting::Crossing(a, b) | Meeting::Overlap(a, b) => {
+            GeometryViolation::EdgesMeet { first: edge(a), second: edge(b) }
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! Whether a closed polygon is simple, and which way it runs.
+//!
+//! ```text
+//!      ●───────●          ●     ●          ●────●──●        simple / bow-tie (sides cross) /
+//!       ╲     ╱           │ ╲ ╱ │           ╲   ╱           a corner on a side
+//!        ╲   ╱            │ ╱ ╲ │            ╲ ╱
+//!          ●              ●     ●             ●
+//! ```
+
+use super::ConvertError;
+use crate::plane::Point;
+use crate::plane::cycle::encloses;
+use crate::plane::predicates::{left_to_right, orientation};
+use crate::plane::sweep::{Meeting, sweep};
+use std::cmp::Ordering;
+
+/// Which way the polygon with these corners runs: `Greater` = counter-clockwise. Exact.
+///
+/// Cost: O(corners) for a convex polygon, O(corners log corners) otherwise.
+///
+/// # Errors
+/// If the corners lie on one line, sides cross, or a corner lies on a side; `face` is the number to report.
+pub(super) fn direction(points: &[Point], corners: &[u32], face: u32) -> Result<Ordering, ConvertError> {
+    let at = |i: usize| points[corners[i % corners.len()] as usize];
+    if let [a, b, c] = *corners {
+        let turn = orientation(points[a as usize], points[b as usize], points[c as usize]);
+        return if turn.is_eq() { Err(ConvertError::ZeroArea { face }) } else { Ok(turn) };
+    }
+    let turns = (0..corners.len()).map(|i| orientation(at(i), at(i + 1), at(i + 2)));
+    let (mut left, mut right) = (false, false);
+    for turn in turns {
+        left |= turn.is_gt();
+        right |= turn.is_lt();
+    }
+    if !left && !right {
+        return Err(ConvertError::ZeroArea { face });
+    }
+    // With turns to one side only, the polygon is convex if it runs from left to right and back just once.
+    let changes =
+        (0..corners.len()).filter(|&i| left_to_right(at(i), at(i + 1)) != left_to_right(at(i + 1), at(i + 2))).count();
+    if left != right && changes == 2 {
+        return Ok(if left { Ordering::Greater } else { Ordering::Less });
+    }
+    check_simple(points, corners, face)?;
+    Ok(if encloses((0..corners.len()).map(at)) { Ordering::Greater } else { Ordering::Less })
+}
+
+fn check_simple(points: &[Point], corners: &[u32], face: u32) -> Result<(), ConvertError> {
+    let n = corners.len() as u32;
+    let local: Vec<Point> = corners.iter().map(|&v| points[v as usize]).collect();
+    let sides: Vec<[u32; 2]> = (0..n).map(|i| [i, (i + 1) % n]).collect();
+    let side = |i: u32| (corners[i as usize], corners[((i + 1) % n) as usize]);
+    Err(match sweep(&local, &sides, &[], true).meeting {
+        None => return Ok(()),
+        Some(Meeting::Crossing(a, b)) => ConvertError::SelfCrossing { face, first: side(a), second: side(b) },
+        Some(Meeting::PointOnEdge { point, edge }) => {
+            ConvertError::SelfTouching { face, vertex: corners[point as usize], side: side(edge) }
+        }
+        Some(Meeting::SamePlace(a, b)) => {
+            ConvertError::SelfTouching { face, vertex: corners[a as usize], side: side(b) }
+        }
+        // Two sides leave a corner in the same direction: the nearer far end lies on the longer side.
+        Some(Meeting::Overlap(a, b)) => {
+            let far = |i: u32, j: u32| sides[i as usize].into_iter().find(|p| !sides[j as usize].contains(p));
+            let (p, q) = (far(a, b).unwrap_or(a), far(b, a).unwrap_or(b));
+            let nearer_is_p = left_to_right(local[p as usize], local[q as usize]).is_lt();
+            let (vertex, on) = if nearer_is_p { (p, b) } else { (q, a) };
+            ConvertError::SelfTouching { face, vertex: corners[vertex as usize], side: side(on) }
+        }
+    })
+}
