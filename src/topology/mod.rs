@@ -10,6 +10,7 @@
 //!   validate.rs  the laws                      same.rs      equality up to names      measure.rs  counts
 //! ```
 
+mod build;
 mod edit;
 mod links;
 mod polygons;
@@ -20,6 +21,7 @@ mod table;
 mod view;
 mod walk;
 
+pub use build::{BuildError, Built};
 pub use edit::{JoinEdgesError, JoinFacesError, SplitEdgeError, SplitFaceError};
 pub use links::Dcel;
 pub use polygons::PolygonList;
