@@ -22,6 +22,7 @@ mod view;
 mod walk;
 
 pub use build::{BuildError, Built};
+pub(crate) use build::{Faces, match_faces};
 pub use edit::{JoinEdgesError, JoinFacesError, SplitEdgeError, SplitFaceError};
 pub use links::Dcel;
 pub use polygons::PolygonList;

@@ -227,10 +227,9 @@ fn finish<F: Turn + ?Sized>(
             subdivision.dcel.remove_vertex_record(v, &mut NoRecorder);
         }
     }
-    if options.full_check {
-        if let Some(&violation) = subdivision.geometry_violations().first() {
-            return Err(violation.into());
-        }
+    let violations = if options.full_check { subdivision.geometry_violations() } else { Vec::new() };
+    if let Some(&violation) = violations.first() {
+        return Err(violation.into());
     }
     Ok(Converted { subdivision, turned, unused_vertices })
 }

@@ -135,7 +135,7 @@ impl Subdivision {
     /// ```
     /// use dcel_kit::{HalfEdgeId, plane::Subdivision};
     /// let mut lab = Subdivision::lab_rectangle();
-    /// let h = |i| HalfEdgeId::new(2 * i); // h0, h2, ... h10 run round the inside
+    /// let h = |i: u32| HalfEdgeId::new(2 * i); // h0, h2, ... h10 run round the inside
     /// let (a, new) = lab.split_face(h(1), h(4))?;
     /// assert_eq!((lab.origin(a), lab.destination(a)), (lab.origin(h(1)), lab.origin(h(4))));
     /// assert_eq!((lab.face(a), lab.face(h(4))), (new, new));

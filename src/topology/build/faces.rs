@@ -43,9 +43,7 @@ impl Faces for [[u32; 3]] {
 
     fn check_each(&self, vertices: usize) -> Result<(), BuildError> {
         // The first question is asked of all triangles at once, without branches.
-        let bad = |&[a, b, c]: &[u32; 3]| {
-            (a.max(b).max(c) as usize >= vertices) | (a == b) | (b == c) | (c == a)
-        };
+        let bad = |&[a, b, c]: &[u32; 3]| (a.max(b).max(c) as usize >= vertices) | (a == b) | (b == c) | (c == a);
         if !self.iter().fold(false, |any, triangle| any | bad(triangle)) {
             return Ok(());
         }

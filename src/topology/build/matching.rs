@@ -59,7 +59,11 @@ pub(super) struct Streamed {
 
 impl Streamed {
     pub(super) fn new(vertices: usize, corners: usize) -> Self {
-        Self { heads: vec![NONE & !TAG; 2 * vertices], links: Vec::with_capacity(corners / 2 + corners / 16 + 16), corners }
+        Self {
+            heads: vec![NONE & !TAG; 2 * vertices],
+            links: Vec::with_capacity(corners / 2 + corners / 16 + 16),
+            corners,
+        }
     }
 }
 
