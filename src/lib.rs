@@ -1,6 +1,7 @@
 //! Half-edge structures to learn with.
 
 pub mod ids;
+pub mod io;
 pub mod plane;
 pub mod topology;
 

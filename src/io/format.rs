@@ -1,0 +1,209 @@
+//! The formats and how a file name or the first bytes tell them apart.
+//!
+//! ```text
+//!   name        extensions        read  write   holds
+//!   obj         .obj               x     x      polygons, in space
+//!   off         .off               x     x      polygons, in space
+//!   ply         .ply               x     x      polygons, in space; text or binary
+//!   ply-binary  .ply               x     x      the same, written as binary (little endian)
+//!   triangle    .node + .ele       x     x      triangles in the plane, two files
+//!   geojson     .geojson .json     x     x      polygons with holes and names
+//!   topojson    .topojson .json    x            the same, with shared borders
+//!   mesh        .mesh              x            navigation meshes (polyanya, version 2)
+//!   dcel        .dcel              x     x      everything, broken structures included
+//!   tables      .tables .txt             x      the tables of the lecture slides
+//! ```
+
+use std::fmt;
+use std::path::Path;
+use std::str::FromStr;
+
+/// A file format.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[non_exhaustive]
+pub enum Format {
+    /// Wavefront [OBJ](super::obj).
+    Obj,
+    /// [Object File Format](super::off) of Geomview.
+    Off,
+    /// [Polygon File Format](super::ply) of Stanford, any encoding; written as text.
+    Ply,
+    /// The same, written as binary, little endian.
+    PlyBinary,
+    /// The [`.node` and `.ele`](super::triangle) files of Triangle.
+    Triangle,
+    /// [GeoJSON](super::geojson) (RFC 7946).
+    GeoJson,
+    /// [TopoJSON](super::topojson).
+    TopoJson,
+    /// [Navigation mesh](super::mesh) of polyanya, version 2.
+    Mesh,
+    /// The kit's own [text](super::dcel).
+    Dcel,
+    /// The vertex, half-edge and face [tables](super::tables) of the lecture slides.
+    Tables,
+}
+
+/// The word is not the name of a format.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("`{name}` is not a format: choose one of {}", Format::ALL.map(Format::name).join(", "))]
+pub struct UnknownFormat {
+    name: String,
+}
+
+impl Format {
+    /// All formats, in the order in which they are listed to people.
+    pub const ALL: [Self; 10] = [
+        Self::Obj,
+        Self::Off,
+        Self::Ply,
+        Self::PlyBinary,
+        Self::Triangle,
+        Self::GeoJson,
+        Self::TopoJson,
+        Self::Mesh,
+        Self::Dcel,
+        Self::Tables,
+    ];
+
+    /// The word that names the format on the command line.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Obj => "obj",
+            Self::Off => "off",
+            Self::Ply => "ply",
+            Self::PlyBinary => "ply-binary",
+            Self::Triangle => "triangle",
+            Self::GeoJson => "geojson",
+            Self::TopoJson => "topojson",
+            Self::Mesh => "mesh",
+            Self::Dcel => "dcel",
+            Self::Tables => "tables",
+        }
+    }
+
+    /// The ends of file names that belong to it, without the dot.
+    #[must_use]
+    pub const fn extensions(self) -> &'static [&'static str] {
+        match self {
+            Self::Obj => &["obj"],
+            Self::Off => &["off"],
+            Self::Ply | Self::PlyBinary => &["ply"],
+            Self::Triangle => &["node", "ele"],
+            Self::GeoJson => &["geojson", "json"],
+            Self::TopoJson => &["topojson"],
+            Self::Mesh => &["mesh"],
+            Self::Dcel => &["dcel"],
+            Self::Tables => &["tables", "txt"],
+        }
+    }
+
+    /// One line for people.
+    #[must_use]
+    pub const fn describe(self) -> &'static str {
+        match self {
+            Self::Obj => "Wavefront OBJ: vertices and polygons in space",
+            Self::Off => "Geomview OFF: vertices and polygons in space",
+            Self::Ply => "Stanford PLY, text or binary: vertices and polygons in space",
+            Self::PlyBinary => "Stanford PLY, written as binary (little endian)",
+            Self::Triangle => "Triangle's .node and .ele: triangles in the plane, two files",
+            Self::GeoJson => "GeoJSON: polygons with holes and names",
+            Self::TopoJson => "TopoJSON: polygons with shared borders (read only)",
+            Self::Mesh => "polyanya .mesh version 2: a navigation mesh (read only)",
+            Self::Dcel => "the kit's text: the whole structure, broken ones included",
+            Self::Tables => "the vertex, half-edge and face tables of the slides (write only)",
+        }
+    }
+
+    /// Whether the kit can read it.
+    #[must_use]
+    pub const fn can_read(self) -> bool {
+        !matches!(self, Self::Tables)
+    }
+
+    /// Whether the kit can write it.
+    #[must_use]
+    pub const fn can_write(self) -> bool {
+        !matches!(self, Self::TopoJson | Self::Mesh)
+    }
+
+    /// The format that the end of a file name stands for, in capitals or not. A `.json` file counts as
+    /// GeoJSON; its reader turns to TopoJSON when the file says that it is a topology.
+    #[must_use]
+    pub fn from_path(path: &Path) -> Option<Self> {
+        let extension = path.extension()?.to_str()?.to_ascii_lowercase();
+        Self::ALL.into_iter().find(|format| format.extensions().contains(&extension.as_str()))
+    }
+
+    /// The format that the first bytes of a file speak for: for standard input and unknown names.
+    #[must_use]
+    pub fn from_content(bytes: &[u8]) -> Option<Self> {
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        let text = String::from_utf8_lossy(&bytes[..bytes.len().min(4096)]);
+        let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
+        let first = lines.next()?;
+        let word = first.split_ascii_whitespace().next()?;
+        match word {
+            "ply" => Some(Self::Ply),
+            "mesh" => Some(Self::Mesh),
+            "dcel" => Some(Self::Dcel),
+            "v" | "vn" | "vt" | "f" | "o" | "g" | "s" | "mtllib" | "usemtl" => Some(Self::Obj),
+            _ if word.starts_with(['{', '[']) => Some(Self::GeoJson),
+            _ if word.trim_start_matches(['S', 'T', 'C', 'N', '4', 'n']).starts_with("OFF") => Some(Self::Off),
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for Format {
+    type Err = UnknownFormat;
+
+    /// Reads the [`name`](Format::name) of a format, or one of its extensions.
+    fn from_str(name: &str) -> Result<Self, UnknownFormat> {
+        let wanted = name.to_ascii_lowercase();
+        let by_name = Self::ALL.into_iter().find(|format| format.name() == wanted);
+        let by_extension = || Self::ALL.into_iter().find(|format| format.extensions().contains(&wanted.as_str()));
+        by_name.or_else(by_extension).ok_or_else(|| UnknownFormat { name: name.to_owned() })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_and_extensions_lead_back_to_the_format() {
+        for format in Format::ALL {
+            assert_eq!(format.name().parse(), Ok(format));
+        }
+        assert_eq!(Format::from_path(Path::new("a/cube.OBJ")), Some(Format::Obj));
+        assert_eq!(Format::from_path(Path::new("spiral.1.ele")), Some(Format::Triangle));
+        assert_eq!(Format::from_path(Path::new("states.json")), Some(Format::GeoJson));
+        assert_eq!(Format::from_path(Path::new("obj")), None);
+        assert!("stl".parse::<Format>().is_err());
+    }
+
+    #[test]
+    fn first_bytes_tell_the_format() {
+        let cases: [(&[u8], Option<Format>); 8] = [
+            (b"# a comment\n\nv 0 0 0\n", Some(Format::Obj)),
+            (b"\xef\xbb\xbfCOFF\n", Some(Format::Off)),
+            (b"ply\nformat ascii 1.0\n", Some(Format::Ply)),
+            (b"  {\"type\":\"Topology\"}", Some(Format::GeoJson)),
+            (b"mesh\r\n2\r\n", Some(Format::Mesh)),
+            (b"dcel 1\n", Some(Format::Dcel)),
+            (b"hello\n", None),
+            (b"", None),
+        ];
+        for (bytes, format) in cases {
+            assert_eq!(Format::from_content(bytes), format, "{}", String::from_utf8_lossy(bytes));
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! Formats in and out.
+//!
+//! ```text
+//!   obj off ply ─┐                           ┌─> PolygonSoup ──(builders)──> structure ─┐
+//!   .node .ele  ─┼─> read_path, read_bytes ──┤      points, faces, places               ├─> write ─> files
+//!   *json mesh  ─┘                           └─> Table  ──────────────────> validator  ─┘
+//!   dcel ───────────────────────────────────────^
+//! ```
+//!
+//! A reader takes a file as it is: it checks the syntax, the numbers and the range of the indices, names the
+//! place of the first problem, and tells in [`Read::notes`] what it left out. Whether the polygons fit together
+//! is the builders' business; [`Places`] lets them name the line.
+//!
+//! No reader trusts a count in a file: memory grows with the data that are there. None panics or hangs.
+//!
+//! ```text
+//!   text.rs   words with places          problem.rs  what can be wrong     read.rs, write.rs  the ways in and out
+//!   soup.rs   points and polygons        rings.rs    joining equal points  model.rs           what is written
+//!   obj.rs off.rs ply/ triangle.rs mesh.rs geojson.rs topojson.rs (json.rs) dcel.rs tables.rs   one format each
+//! ```
+
+pub mod dcel;
+mod format;
+pub mod geojson;
+mod json;
+pub mod mesh;
+mod model;
+pub mod obj;
+pub mod off;
+pub mod ply;
+mod problem;
+mod read;
+mod rings;
+mod soup;
+pub mod tables;
+mod text;
+pub mod topojson;
+pub mod triangle;
+mod write;
+
+pub use format::{Format, UnknownFormat};
+pub use model::Model;
+pub use problem::{ReadError, ReadProblem};
+pub use read::{Document, Read, ReadOptions, read_bytes, read_path, read_triangle};
+pub use soup::{Places, PolygonSoup};
+pub use write::{WriteError, write, write_path, write_triangle};

@@ -1,0 +1,182 @@
+//! What the writers write: any view, with positions and names.
+
+use super::format::Format;
+use super::write::WriteError;
+use crate::ids::{FaceId, HalfEdgeId, VertexId, VertexMap};
+use crate::plane::PlanarView;
+use crate::topology::{PolygonList, Ring, Table, View};
+
+/// A half-edge structure with what a file needs besides: positions, names, and which faces are no polygons.
+///
+/// ```
+/// use dcel_kit::io::{Format, Model, ReadOptions, Document, read_bytes, write};
+/// let text = "dcel 1\nv0 0 0 out h0\nv1 1 0 out h1\n\
+///             h0 origin v0 twin h1 next h1 prev h1 face f0\nh1 origin v1 twin h0 next h0 prev h0 face f0\n\
+///             f0 outer boundary h0 rings none\n";
+/// let read = read_bytes(text.as_bytes(), Format::Dcel, "edge.dcel", &ReadOptions::default())?;
+/// let Document::Table(table) = read.document else { unreachable!() };
+/// let mut again = Vec::new();
+/// write(&mut again, &Model::table(&table), Format::Dcel)?;
+/// assert_eq!(String::from_utf8(again)?, text);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Model<'a> {
+    pub(super) view: &'a dyn View,
+    pub(super) in_space: bool,
+    position: Box<dyn Fn(VertexId) -> Option<[f64; 3]> + 'a>,
+    no_polygon: Box<dyn Fn(FaceId) -> bool + 'a>,
+    name: Box<dyn Fn(FaceId) -> Option<&'a str> + 'a>,
+}
+
+impl<'a> Model<'a> {
+    /// A structure in the plane. Its outer face and its hole faces are not written as polygons.
+    pub fn planar<V: PlanarView>(view: &'a V) -> Self {
+        Self {
+            view,
+            in_space: false,
+            position: Box::new(|v| view.position(v).map(|p| [p.x, p.y, 0.0])),
+            no_polygon: Box::new(|f| view.outer_face() == Some(f) || view.is_hole(f)),
+            name: Box::new(|_| None),
+        }
+    }
+
+    /// A table with the positions and names in its rows.
+    #[must_use]
+    pub fn table(table: &'a Table) -> Self {
+        Self::planar(table).with_names(|f| table.faces.get(f.index())?.as_ref()?.name.as_deref())
+    }
+
+    /// A surface in space. Faces for which `is_boundary` holds stand for its borders and are not written.
+    pub fn surface<V: View>(
+        view: &'a V,
+        position: impl Fn(VertexId) -> Option<[f64; 3]> + 'a,
+        is_boundary: impl Fn(FaceId) -> bool + 'a,
+    ) -> Self {
+        Self {
+            view,
+            in_space: true,
+            position: Box::new(position),
+            no_polygon: Box::new(is_boundary),
+            name: Box::new(|_| None),
+        }
+    }
+
+    /// The same with names of the faces.
+    #[must_use]
+    pub fn with_names(self, name: impl Fn(FaceId) -> Option<&'a str> + 'a) -> Self {
+        Self { name: Box::new(name), ..self }
+    }
+
+    pub(super) fn position(&self, v: VertexId) -> Option<[f64; 3]> {
+        (self.position)(v)
+    }
+
+    pub(super) fn name(&self, f: FaceId) -> Option<&'a str> {
+        (self.name)(f)
+    }
+
+    pub(super) fn vertices(&self) -> impl Iterator<Item = VertexId> + '_ {
+        (0..self.view.vertex_bound() as u32).map(VertexId).filter(|&v| self.view.has_vertex(v))
+    }
+
+    pub(super) fn half_edges(&self) -> impl Iterator<Item = HalfEdgeId> + '_ {
+        (0..self.view.half_edge_bound() as u32).map(HalfEdgeId).filter(|&h| self.view.has_half_edge(h))
+    }
+
+    pub(super) fn faces(&self) -> impl Iterator<Item = FaceId> + '_ {
+        (0..self.view.face_bound() as u32).map(FaceId).filter(|&f| self.view.has_face(f))
+    }
+
+    fn is_polygon(&self, f: FaceId) -> bool {
+        self.view.has_face(f) && !(self.no_polygon)(f)
+    }
+}
+
+/// A model as points and polygons, numbered from 0 without gaps.
+pub(super) struct Polygons {
+    /// The vertex of each point.
+    pub(super) points: Vec<[f64; 3]>,
+    /// The face of each polygon.
+    pub(super) faces: Vec<FaceId>,
+    /// The corners of each polygon.
+    pub(super) list: PolygonList,
+}
+
+impl Polygons {
+    /// Takes the polygons out of a model. O(size).
+    ///
+    /// # Errors
+    /// Whatever polygons cannot hold: see [`WriteError`].
+    pub(super) fn of(model: &Model<'_>, format: Format) -> Result<Self, WriteError> {
+        let view = model.view;
+        check_edges(model, format)?;
+        let mut numbers = VertexMap::filled(view.vertex_bound(), u32::MAX);
+        let mut points = Vec::new();
+        for v in model.vertices() {
+            let alone = view.outgoing(v).is_none();
+            if alone && format == Format::GeoJson {
+                return Err(WriteError::Lost { element: v.into(), format: format.name() });
+            }
+            numbers[v] = points.len() as u32;
+            points.push(model.position(v).ok_or(WriteError::NoPosition { vertex: v })?);
+        }
+        let mut polygons = Self { points, faces: Vec::new(), list: PolygonList::new() };
+        let mut corners = Vec::new();
+        for f in model.faces().filter(|&f| model.is_polygon(f)) {
+            let rings = view.rings(f);
+            let isolated = rings.iter().any(|ring| matches!(ring, Ring::Isolated(_)));
+            if isolated || (!rings.is_empty() && format != Format::GeoJson) {
+                return Err(WriteError::FaceHasRings { face: f, format: format.name() });
+            }
+            let start = view.boundary(f).ok_or(WriteError::NoBoundary { face: f })?;
+            cycle(view, f, start, &numbers, &mut corners)?;
+            polygons.list.push_face(&corners);
+            for ring in rings {
+                if let Ring::Cycle(h) = *ring {
+                    cycle(view, f, h, &numbers, &mut corners)?;
+                    polygons.list.push_hole(&corners);
+                }
+            }
+            polygons.faces.push(f);
+        }
+        Ok(polygons)
+    }
+}
+
+/// Refuses edges that no polygon shows: with the same polygon on both sides, or with none.
+fn check_edges(model: &Model<'_>, format: Format) -> Result<(), WriteError> {
+    let side = |h| model.view.face(h).filter(|&f| model.is_polygon(f));
+    for h in model.half_edges() {
+        let twin = model.view.twin(h);
+        match (side(h), twin.and_then(side)) {
+            (None, None) => return Err(WriteError::Lost { element: h.into(), format: format.name() }),
+            (Some(a), Some(b)) if a == b => {
+                return Err(WriteError::SameFaceTwice { half_edge: h, face: a, format: format.name() });
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// The corners of the cycle through `start`.
+fn cycle(
+    view: &dyn View,
+    face: FaceId,
+    start: HalfEdgeId,
+    numbers: &VertexMap<u32>,
+    corners: &mut Vec<u32>,
+) -> Result<(), WriteError> {
+    corners.clear();
+    let mut h = start;
+    for _ in 0..view.half_edge_bound() {
+        let number = view.origin(h).and_then(|v| numbers.get(v).copied()).filter(|&n| n != u32::MAX);
+        corners.push(number.ok_or(WriteError::BrokenCycle { face, half_edge: h })?);
+        match view.next(h).filter(|&next| view.has_half_edge(next)) {
+            Some(next) if next == start => return Ok(()),
+            Some(next) => h = next,
+            None => break,
+        }
+    }
+    Err(WriteError::BrokenCycle { face, half_edge: h })
+}

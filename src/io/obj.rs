@@ -1,0 +1,201 @@
+//! Wavefront OBJ.
+//!
+//! ```text
+//!   v 0 0 0            v 1 0 0            a point: x y z, or x y z w, or x y z r g b
+//!   v 1 1 0            v 0 1 0            (w and colours are ignored)
+//!   f 1 2 3 4                             a face: corners counted from 1
+//!   f 1/1 2/2 3/3      f 1//5 2//6 3//7   corner / texture / normal; only the corner counts
+//!   f -4 -3 -2                            counted backwards from the last point so far
+//! ```
+//!
+//! A face may use a point that comes later in the file; counting backwards it cannot. All other statements
+//! are skipped: the usual ones in silence, unknown ones with a note. `z` may be missing.
+//!
+//! Own reader: crate tobj gives no line numbers, splits the points by texture and drops faces' line numbers.
+//!
+//! Source: the OBJ chapter of the Advanced Visualizer manual, appendix B1 (Wavefront, 1993).
+
+use super::problem::{ReadError, ReadProblem};
+use super::read::{Document, Read};
+use super::soup::SoupBuilder;
+use super::text::{Scanner, Syntax, Word, parse_integer};
+use crate::ids::MAX_IDS;
+
+const SYNTAX: Syntax = Syntax { comments: true, continuation: true, quotes: false };
+
+/// Statements of the format that say nothing about points and faces.
+const SKIPPED: [&[u8]; 36] = [
+    b"vn",
+    b"vt",
+    b"vp",
+    b"o",
+    b"g",
+    b"s",
+    b"mg",
+    b"l",
+    b"p",
+    b"mtllib",
+    b"usemtl",
+    b"maplib",
+    b"usemap",
+    b"bevel",
+    b"c_interp",
+    b"d_interp",
+    b"lod",
+    b"shadow_obj",
+    b"trace_obj",
+    b"ctech",
+    b"stech",
+    b"cstype",
+    b"deg",
+    b"bmat",
+    b"step",
+    b"curv",
+    b"curv2",
+    b"surf",
+    b"parm",
+    b"trim",
+    b"hole",
+    b"scrv",
+    b"sp",
+    b"end",
+    b"con",
+    b"call",
+];
+/// Those of them that end with a name, in which a final `\` does not join lines.
+const NAMED: [&[u8]; 6] = [b"o", b"g", b"mtllib", b"usemtl", b"maplib", b"usemap"];
+
+/// The greatest corner that is larger than the number of points so far.
+struct Forward<'a> {
+    index: i64,
+    word: Option<Word<'a>>,
+}
+
+/// Reads an OBJ file. O(length).
+pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
+    let mut scanner = Scanner::new(bytes, source, SYNTAX)?;
+    let mut soup = SoupBuilder::default();
+    let mut corners = Vec::new();
+    let mut forward = Forward { index: 0, word: None };
+    let mut unknown: Option<(Word<'_>, usize)> = None;
+    let mut gives_z = false;
+    loop {
+        if let Some(statement) = scanner.word() {
+            match statement.text {
+                b"v" => point(&mut scanner, &mut soup, &mut gives_z)?,
+                b"f" | b"fo" => face(&mut scanner, &mut soup, &mut corners, &mut forward)?,
+                text if NAMED.contains(&text) => drop(scanner.rest_of_line()),
+                text if SKIPPED.contains(&text) => {}
+                text if std::str::from_utf8(text).is_err() => {
+                    return Err(scanner.error(statement.at, ReadProblem::NotText, "save the file as UTF-8 text"));
+                }
+                _ => unknown = Some(unknown.map_or((statement, 1), |(first, count)| (first, count + 1))),
+            }
+        }
+        if !scanner.next_line() {
+            break;
+        }
+    }
+    if let Some(word) = forward.word.filter(|_| forward.index > soup.points.len() as i64) {
+        return Err(scanner.out_of_range(word, "vertex", forward.index, soup.points.len() as u64, 1));
+    }
+    let mut notes = Vec::new();
+    if let Some((word, count)) = unknown {
+        if soup.points.is_empty() {
+            let help = "an OBJ file has lines such as `v 0 0 0` and `f 1 2 3`; say the format if it is another one";
+            return Err(scanner.error(word.at, ReadProblem::UnknownWord { word: word.show() }, help));
+        }
+        notes.push(format!(
+            "{count} lines with unknown statements were skipped, the first starts with `{}`",
+            word.show()
+        ));
+    }
+    Ok(Read { document: Document::Polygons(soup.finish(source, gives_z)?), notes })
+}
+
+fn point(scanner: &mut Scanner<'_>, soup: &mut SoupBuilder, gives_z: &mut bool) -> Result<(), ReadError> {
+    let line = scanner.line();
+    let number = soup.points.len() + 1;
+    let mut point = [0.0; 3];
+    for (value, axis) in point.iter_mut().zip(['x', 'y']) {
+        let word = scanner.need(|| format!("the {axis} of vertex {number}"))?;
+        *value = scanner.coordinate(axis, word)?;
+    }
+    if let Some(word) = scanner.word() {
+        point[2] = scanner.coordinate('z', word)?;
+        *gives_z = true;
+        for _ in 0..4 {
+            let Some(word) = scanner.word() else { break };
+            scanner.number(word)?;
+        }
+        scanner.end_of_line("a vertex has x y z, or x y z w, or x y z r g b")?;
+    }
+    soup.point(point, line);
+    Ok(())
+}
+
+fn face<'a>(
+    scanner: &mut Scanner<'a>,
+    soup: &mut SoupBuilder,
+    corners: &mut Vec<u32>,
+    forward: &mut Forward<'a>,
+) -> Result<(), ReadError> {
+    let line = scanner.line();
+    corners.clear();
+    while let Some(word) = scanner.word() {
+        corners.push(corner(scanner, word, soup.points.len() as i64, forward)?);
+    }
+    if corners.is_empty() {
+        return Err(scanner.missing("the corners of a face".to_owned()));
+    }
+    soup.face(corners, line);
+    Ok(())
+}
+
+/// The point of a corner `v`, `v/t`, `v//n` or `v/t/n`, from 0.
+#[inline]
+fn corner<'a>(scanner: &Scanner<'a>, word: Word<'a>, points: i64, forward: &mut Forward<'a>) -> Result<u32, ReadError> {
+    let length = word.text.iter().position(|&b| b == b'/').unwrap_or(word.text.len());
+    let (number, rest) = word.text.split_at(length);
+    let Some(index) = parse_integer(number).filter(|_| good_rest(rest)) else {
+        return Err(scanner.expected(word, "a corner such as 3, 3/1, 3//2 or 3/1/2", ""));
+    };
+    let from_zero = if index < 0 { points + index } else { index - 1 };
+    if index > points {
+        if index > MAX_IDS as i64 {
+            return Err(scanner.out_of_range(word, "vertex", index, points as u64, 1));
+        }
+        if index > forward.index {
+            *forward = Forward { index, word: Some(word) };
+        }
+    }
+    match u32::try_from(from_zero) {
+        Ok(i) => Ok(i),
+        Err(_) if index == 0 => {
+            let help = "OBJ counts from 1; -1 is the last vertex so far";
+            Err(scanner.error(
+                word.at,
+                ReadProblem::IndexOutOfRange { what: "vertex", index, count: points as u64 },
+                help,
+            ))
+        }
+        Err(_) => {
+            let help = format!("only {points} vertices come before this line");
+            Err(scanner.error(
+                word.at,
+                ReadProblem::IndexOutOfRange { what: "vertex", index, count: points as u64 },
+                help,
+            ))
+        }
+    }
+}
+
+/// Whether the texture and normal of a corner are numbers or empty: ``, `/`, `/1`, `//2`, `/1/2`.
+#[inline]
+fn good_rest(rest: &[u8]) -> bool {
+    rest.is_empty() || {
+        let mut parts = rest[1..].split(|&b| b == b'/');
+        let good = |part: &[u8]| part.is_empty() || parse_integer(part).is_some();
+        parts.next().is_some_and(good) && parts.next().is_none_or(good) && parts.next().is_none()
+    }
+}

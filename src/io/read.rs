@@ -1,0 +1,182 @@
+//! The way in: from a path or from bytes to a [`Document`].
+
+use super::format::Format;
+use super::problem::{ReadError, ReadProblem};
+use super::soup::PolygonSoup;
+use super::text::LARGEST_FILE;
+use super::{dcel, json, mesh, obj, off, ply, triangle};
+use crate::topology::Table;
+use std::fs::File;
+use std::io::Read as _;
+use std::path::{Path, PathBuf};
+
+/// What a file holds.
+#[derive(Clone, PartialEq, Debug)]
+#[non_exhaustive]
+pub enum Document {
+    /// Points and polygons, to be joined to a structure.
+    Polygons(PolygonSoup),
+    /// A half-edge structure, right or wrong.
+    Table(Table),
+}
+
+/// What was read, and what had to be left out.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Read {
+    /// The contents.
+    pub document: Document,
+    /// What was dropped, repaired or chosen, one sentence each: to be told to the user.
+    pub notes: Vec<String>,
+}
+
+/// How to read.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct ReadOptions {
+    /// The y of the file points down: negate it.
+    pub y_down: bool,
+    /// Drop rings of GeoJSON and TopoJSON with fewer than three distinct points, with a note, instead of
+    /// refusing them.
+    pub drop_degenerate_rings: bool,
+    /// The object of a TopoJSON file to read; without it, the one with the most polygons.
+    pub object: Option<String>,
+    /// The format; without it, the file name or the first bytes decide.
+    pub format: Option<Format>,
+}
+
+/// Reads a file that is in memory. `source_name` is what errors call it.
+///
+/// y points up in the result (see [`ReadOptions::y_down`]); polygons keep the direction they have in the file.
+/// Cost: O(length), and O(n log n) for the joining of equal points in the JSON formats.
+///
+/// # Errors
+/// [`ReadError`] with the place of the first problem. Triangle's format needs two files: see
+/// [`read_triangle`] and [`read_path`].
+///
+/// ```
+/// use dcel_kit::io::{Document, Format, ReadOptions, read_bytes};
+/// let text = "v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n";
+/// let read = read_bytes(text.as_bytes(), Format::Obj, "corner.obj", &ReadOptions::default())?;
+/// let Document::Polygons(soup) = read.document else { unreachable!() };
+/// assert_eq!((soup.points.len(), soup.faces.cycle(0)), (3, &[0, 1, 2][..]));
+///
+/// let error = read_bytes(b"v 0 0\nv 1 x\n", Format::Obj, "bad.obj", &ReadOptions::default()).unwrap_err();
+/// assert!(error.to_string().starts_with("bad.obj:2:5: `x` is not a number"));
+/// # Ok::<(), dcel_kit::io::ReadError>(())
+/// ```
+pub fn read_bytes(bytes: &[u8], format: Format, source_name: &str, options: &ReadOptions) -> Result<Read, ReadError> {
+    let read = match format {
+        Format::Obj => obj::read(bytes, source_name),
+        Format::Off => off::read(bytes, source_name),
+        Format::Ply | Format::PlyBinary => ply::read(bytes, source_name),
+        Format::Mesh => mesh::read(bytes, source_name),
+        Format::GeoJson | Format::TopoJson => json::read(bytes, source_name, options),
+        Format::Dcel => dcel::read(bytes, source_name),
+        Format::Triangle => {
+            let problem = ReadProblem::PartnerMissing { partner: "of this .node or .ele file".to_owned() };
+            Err(ReadError::whole(source_name, problem, "give the path of one of the two files, not its contents"))
+        }
+        Format::Tables => {
+            let problem = ReadProblem::WriteOnly { format: format.name() };
+            Err(ReadError::whole(source_name, problem, "keep the structure as .dcel text to read it again"))
+        }
+    };
+    Ok(turned(read?, options))
+}
+
+/// Reads the two files of Triangle's format that are in memory.
+///
+/// # Errors
+/// As [`read_bytes`]; the error names the file it is in.
+pub fn read_triangle(
+    node: &[u8],
+    ele: &[u8],
+    node_name: &str,
+    ele_name: &str,
+    options: &ReadOptions,
+) -> Result<Read, ReadError> {
+    let node = triangle::File { bytes: node, source: node_name };
+    let ele = triangle::File { bytes: ele, source: ele_name };
+    Ok(turned(triangle::read(node, ele)?, options))
+}
+
+/// Reads a file; `-` is standard input. Of `.node` and `.ele` either may be given, the other one is found
+/// beside it.
+///
+/// # Errors
+/// As [`read_bytes`], and what the machine says.
+pub fn read_path(path: &Path, options: &ReadOptions) -> Result<Read, ReadError> {
+    let stdin = path.as_os_str() == "-";
+    let source = if stdin { "<stdin>".to_owned() } else { path.display().to_string() };
+    let bytes = if stdin { load(std::io::stdin().lock(), &source)? } else { load_path(path)? };
+    let by_name = || if stdin { None } else { Format::from_path(path) };
+    match options.format.or_else(by_name).or_else(|| Format::from_content(&bytes)) {
+        Some(Format::Triangle) if !stdin => pair(path, &bytes, options),
+        Some(format) => read_bytes(&bytes, format, &source, options),
+        None if bytes.is_empty() => Err(ReadError::whole(&source, ReadProblem::Empty, "")),
+        None => {
+            let names: Vec<_> = Format::ALL.into_iter().filter(|f| f.can_read()).map(Format::name).collect();
+            let help = format!("say it: {}", names.join(", "));
+            Err(ReadError::whole(&source, ReadProblem::UnknownFormat, help))
+        }
+    }
+}
+
+/// Reads `path` and the file that belongs to it.
+fn pair(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Read, ReadError> {
+    let is_ele = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("ele"));
+    let partner = partner_of(path, is_ele);
+    let name = |path: &Path| path.display().to_string();
+    if !partner.exists() {
+        let problem = ReadProblem::PartnerMissing { partner: name(&partner) };
+        return Err(ReadError::whole(&name(path), problem, "the points are in .node, the triangles in .ele"));
+    }
+    let other = load_path(&partner)?;
+    if is_ele {
+        read_triangle(&other, bytes, &name(&partner), &name(path), options)
+    } else {
+        read_triangle(bytes, &other, &name(path), &name(&partner), options)
+    }
+}
+
+/// `a.node` for `a.ele` and the other way round, in capitals if the given one is.
+fn partner_of(path: &Path, is_ele: bool) -> PathBuf {
+    let extension = if is_ele { "node" } else { "ele" };
+    let capitals = path.extension().and_then(|e| e.to_str()).is_some_and(|e| e.bytes().all(|b| b.is_ascii_uppercase()));
+    path.with_extension(if capitals { extension.to_ascii_uppercase() } else { extension.to_owned() })
+}
+
+fn load_path(path: &Path) -> Result<Vec<u8>, ReadError> {
+    let source = path.display().to_string();
+    if path.is_dir() {
+        let problem = ReadProblem::Io { reason: "it is a directory".to_owned() };
+        return Err(ReadError::whole(&source, problem, "give a file in it"));
+    }
+    let file = File::open(path).map_err(|error| {
+        ReadError::whole(&source, ReadProblem::Io { reason: error.to_string() }, "check the name of the file")
+    })?;
+    load(file, &source)
+}
+
+/// All bytes, but not more than a file may have.
+fn load(from: impl std::io::Read, source: &str) -> Result<Vec<u8>, ReadError> {
+    let mut bytes = Vec::new();
+    match from.take(LARGEST_FILE).read_to_end(&mut bytes) {
+        Ok(_) => Ok(bytes),
+        Err(error) => Err(ReadError::whole(source, ReadProblem::Io { reason: error.to_string() }, "")),
+    }
+}
+
+/// Turns y upwards, if the file has it downwards.
+fn turned(mut read: Read, options: &ReadOptions) -> Read {
+    if options.y_down {
+        // 0 - y, so that 0 stays 0 and does not become -0.
+        match &mut read.document {
+            Document::Polygons(soup) => soup.points.iter_mut().for_each(|p| p[1] = 0.0 - p[1]),
+            Document::Table(table) => {
+                let rows = table.vertices.iter_mut().flatten();
+                rows.filter_map(|row| row.position.as_mut()).for_each(|p| p[1] = 0.0 - p[1]);
+            }
+        }
+    }
+    read
+}

@@ -1,0 +1,252 @@
+//! From rings of coordinates to faces with common points.
+//!
+//! ```text
+//!   (0 0) (1 0) (1 1) (0 1) (0 0)         v3 ●────● v2────● v5
+//!   (1 0) (2 0) (2 1) (1 1) (1 0)   ==>      │ 0  │  1    │      faces 0 1 2 3 and 1 4 5 2
+//!                                         v0 ●────● v1────● v4
+//! ```
+//!
+//! Geographic formats write each polygon by itself. Two polygons share a border where their coordinates are
+//! equal: exactly, with -0 = 0, and nothing else is joined. Equal points are found by sorting, O(n log n).
+//! Points are numbered in the order in which they first come in a ring that is kept.
+
+use super::problem::{ReadError, ReadProblem};
+use super::soup::{Places, PolygonSoup, check_sizes};
+use crate::ids::MAX_IDS;
+use crate::plane::check_coordinate;
+use crate::topology::PolygonList;
+
+const DROP_HELP: &str = "correct the data, or drop such rings with --drop-degenerate-rings";
+
+/// Rings as they are read; [`finish`](Self::finish) makes faces of them.
+#[derive(Debug, Default)]
+pub(super) struct Rings {
+    points: Vec<[f64; 2]>,
+    /// Where each ring ends in `points`; the closing point is not stored.
+    ring_ends: Vec<u32>,
+    /// Where each polygon ends in `ring_ends`.
+    polygon_ends: Vec<u32>,
+    paths: String,
+    path_ends: Vec<u32>,
+    names: Vec<Option<String>>,
+    any_name: bool,
+}
+
+impl Rings {
+    /// Starts a polygon.
+    pub(super) fn begin_polygon(&mut self, path: &str, name: Option<&str>) {
+        self.paths.push_str(path);
+        self.path_ends.push(self.paths.len() as u32);
+        self.names.push(name.map(str::to_owned));
+        self.any_name |= name.is_some();
+    }
+
+    /// Ends a polygon. One without rings is dropped; the answer says whether that happened.
+    pub(super) fn end_polygon(&mut self) -> bool {
+        let before = self.polygon_ends.last().copied().unwrap_or(0);
+        let rings = self.ring_ends.len() as u32;
+        if rings == before {
+            self.path_ends.pop();
+            self.paths.truncate(self.path_ends.last().map_or(0, |&end| end as usize));
+            self.names.pop();
+            return true;
+        }
+        self.polygon_ends.push(rings);
+        false
+    }
+
+    /// Appends a point to the ring being read.
+    pub(super) fn point(&mut self, [x, y]: [f64; 2], place: impl Fn() -> String) -> Result<(), ReadProblem> {
+        let checked = check_coordinate('x', x).and_then(|()| check_coordinate('y', y));
+        checked.map_err(|error| ReadProblem::CoordinateAt { place: place(), error })?;
+        if self.points.len() >= MAX_IDS {
+            return Err(ReadProblem::TooLarge { what: "points", limit: MAX_IDS as u64 });
+        }
+        // -0 + 0 = 0: the two zeros are one coordinate.
+        self.points.push([x + 0.0, y + 0.0]);
+        Ok(())
+    }
+
+    /// How many points all rings together have so far.
+    pub(super) fn point_count(&self) -> usize {
+        self.points.len()
+    }
+
+    /// The last point of the ring being read.
+    pub(super) fn last_point(&self) -> Option<[f64; 2]> {
+        let start = self.ring_ends.last().map_or(0, |&end| end as usize);
+        self.points[start..].last().copied()
+    }
+
+    /// Ends a ring, which must end where it started.
+    pub(super) fn end_ring(&mut self, place: impl Fn() -> String) -> Result<(), ReadProblem> {
+        let start = self.ring_ends.last().map_or(0, |&end| end as usize);
+        if let [first, .., last] = self.points[start..] {
+            if !same(first, last) {
+                let show = |[x, y]: [f64; 2]| format!("({x}, {y})");
+                return Err(ReadProblem::UnclosedRing { place: place(), first: show(first), last: show(last) });
+            }
+            self.points.pop();
+        }
+        self.ring_ends.push(self.points.len() as u32);
+        Ok(())
+    }
+
+    /// Joins equal points and makes the faces. With `drop_degenerate`, rings with fewer than three distinct
+    /// points are dropped (a polygon with its outer ring) and noted; else they are an error.
+    pub(super) fn finish(
+        self,
+        source: &str,
+        drop_degenerate: bool,
+        notes: &mut Vec<String>,
+    ) -> Result<PolygonSoup, ReadError> {
+        let mut faces = Faces { same_as: first_equal(&self.points), ..Faces::default() };
+        faces.numbers = vec![u32::MAX; self.points.len()];
+        let mut soup =
+            PolygonSoup { places: Places { source: source.to_owned(), ..Places::default() }, ..PolygonSoup::default() };
+        let (mut dropped, mut repeated) = (Vec::new(), Repeated::default());
+        let (mut ring, mut point) = (0, 0);
+        for (polygon, &end) in self.polygon_ends.iter().enumerate() {
+            let path = self.path(polygon);
+            let first_ring = ring;
+            let mut kept = true;
+            while ring < end as usize {
+                let points = point..self.ring_ends[ring] as usize;
+                point = points.end;
+                let place = || format!("{path} ring {}", ring - first_ring);
+                let removed = faces.read_ring(points);
+                repeated.add(removed, place);
+                let distinct = faces.distinct();
+                if distinct < 3 {
+                    if !drop_degenerate {
+                        let problem = ReadProblem::DegenerateRing { place: place(), distinct };
+                        return Err(ReadError::whole(source, problem, DROP_HELP));
+                    }
+                    dropped.push(format!("{} has only {distinct} distinct points", place()));
+                    kept &= ring > first_ring;
+                } else if kept {
+                    faces.keep_ring(&self.points, &mut soup.points, &mut soup.faces, ring == first_ring);
+                }
+                ring += 1;
+            }
+            if kept {
+                soup.places.paths.push_str(path);
+                soup.places.path_ends.push(soup.places.paths.len() as u32);
+                if self.any_name {
+                    soup.names.push(self.names[polygon].clone());
+                }
+            }
+        }
+        check_sizes(source, soup.points.len(), &soup.faces)?;
+        note_dropped(&dropped, notes);
+        repeated.note(notes);
+        Ok(soup)
+    }
+
+    fn path(&self, polygon: usize) -> &str {
+        let start = polygon.checked_sub(1).map_or(0, |before| self.path_ends[before] as usize);
+        &self.paths[start..self.path_ends[polygon] as usize]
+    }
+}
+
+/// Whether two points are equal, exactly and with -0 = 0.
+#[allow(clippy::float_cmp)] // exact equality is meant
+pub(super) fn same(a: [f64; 2], b: [f64; 2]) -> bool {
+    a == b
+}
+
+/// For each point the first point with the same coordinates. O(n log n).
+fn first_equal(points: &[[f64; 2]]) -> Vec<u32> {
+    let mut order: Vec<u32> = (0..points.len() as u32).collect();
+    order.sort_unstable_by(|&i, &j| {
+        let (a, b) = (points[i as usize], points[j as usize]);
+        a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(i.cmp(&j))
+    });
+    let mut first = vec![0; points.len()];
+    let mut run = 0;
+    for (k, &i) in order.iter().enumerate() {
+        if k == 0 || !same(points[i as usize], points[run as usize]) {
+            run = i;
+        }
+        first[i as usize] = run;
+    }
+    first
+}
+
+/// The faces while they are made.
+#[derive(Default)]
+struct Faces {
+    same_as: Vec<u32>,
+    /// The final number of each point that is the first of its kind.
+    numbers: Vec<u32>,
+    /// The ring at hand, without repeated points.
+    ring: Vec<u32>,
+}
+
+impl Faces {
+    /// Takes a ring and removes points that repeat the one before; returns how many.
+    fn read_ring(&mut self, points: std::ops::Range<usize>) -> usize {
+        self.ring.clear();
+        self.ring.extend_from_slice(&self.same_as[points]);
+        let before = self.ring.len();
+        self.ring.dedup();
+        while self.ring.len() > 1 && self.ring.first() == self.ring.last() {
+            self.ring.pop();
+        }
+        before - self.ring.len()
+    }
+
+    /// How many distinct points the ring has; 3 stands for three or more.
+    fn distinct(&self) -> usize {
+        match self.ring[..] {
+            [] => 0,
+            [_] => 1,
+            [a, b, ..] => 2 + usize::from(self.ring.iter().any(|&c| c != a && c != b)),
+        }
+    }
+
+    /// Numbers the points of the ring and appends it to the faces.
+    fn keep_ring(&mut self, from: &[[f64; 2]], points: &mut Vec<[f64; 3]>, faces: &mut PolygonList, outer: bool) {
+        for corner in &mut self.ring {
+            let number = &mut self.numbers[*corner as usize];
+            if *number == u32::MAX {
+                let [x, y] = from[*corner as usize];
+                *number = points.len() as u32;
+                points.push([x, y, 0.0]);
+            }
+            *corner = *number;
+        }
+        if outer { faces.push_face(&self.ring) } else { faces.push_hole(&self.ring) }
+    }
+}
+
+/// Points that repeat the point before them.
+#[derive(Default)]
+struct Repeated {
+    count: usize,
+    first: String,
+}
+
+impl Repeated {
+    fn add(&mut self, count: usize, place: impl Fn() -> String) {
+        if self.count == 0 && count > 0 {
+            self.first = place();
+        }
+        self.count += count;
+    }
+
+    fn note(&self, notes: &mut Vec<String>) {
+        if self.count > 0 {
+            let Self { count, first } = self;
+            notes.push(format!("{count} points that repeat the one before were removed, the first in {first}"));
+        }
+    }
+}
+
+fn note_dropped(dropped: &[String], notes: &mut Vec<String>) {
+    const SHOWN: usize = 5;
+    notes.extend(dropped.iter().take(SHOWN).map(|ring| format!("dropped a degenerate ring: {ring}")));
+    if dropped.len() > SHOWN {
+        notes.push(format!("dropped {} more degenerate rings", dropped.len() - SHOWN));
+    }
+}

@@ -1,0 +1,117 @@
+//! What polygon formats hold: points, faces as lists of corners, and where each stood in the file.
+
+use super::problem::{ReadError, ReadProblem};
+use crate::ids::MAX_IDS;
+use crate::topology::PolygonList;
+
+/// Polygons as a file gives them: nothing is joined, turned round or checked against anything else.
+///
+/// Every corner is the number of a point; beyond that a face may be anything (two corners, a corner twice,
+/// clockwise). The converter into a half-edge structure names what it cannot use by [`Places`].
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct PolygonSoup {
+    /// The points in the order of the file; z is 0 where the file gives none.
+    pub points: Vec<[f64; 3]>,
+    /// Whether the file gives a z, and not the same for all points: a surface in space.
+    pub has_z: bool,
+    /// The faces in the order of the file.
+    pub faces: PolygonList,
+    /// The name of each face, or nothing at all if the format has no names.
+    pub names: Vec<Option<String>>,
+    /// Where the points and faces stand in the file.
+    pub places: Places,
+}
+
+/// Where the points and faces of a [`PolygonSoup`] stand in their file, for messages.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Places {
+    /// The file of the faces.
+    pub source: String,
+    /// The file of the points, if it is another one (Triangle's `.node`).
+    pub vertex_source: Option<String>,
+    /// The line of each point, from 1; empty if the format has no useful lines.
+    pub vertex_lines: Vec<u32>,
+    /// The line of each face, from 1; empty if the format has no useful lines.
+    pub face_lines: Vec<u32>,
+    /// The paths of the faces of a JSON file, one after the other.
+    pub(super) paths: String,
+    /// Where each path ends; empty if the format has lines.
+    pub(super) path_ends: Vec<u32>,
+}
+
+impl Places {
+    /// Where point `vertex` stands: `cube.obj:12`, or just the file.
+    #[must_use]
+    pub fn vertex(&self, vertex: usize) -> String {
+        let source = self.vertex_source.as_ref().unwrap_or(&self.source);
+        self.vertex_lines.get(vertex).map_or_else(|| source.clone(), |line| format!("{source}:{line}"))
+    }
+
+    /// Where face `face` stands: `cube.obj:12`, `map.json: states[12] polygon 3`, or just the file.
+    #[must_use]
+    pub fn face(&self, face: usize) -> String {
+        match (self.face_lines.get(face), self.face_path(face)) {
+            (Some(line), _) => format!("{}:{line}", self.source),
+            (None, Some(path)) => format!("{}: {path}", self.source),
+            (None, None) => self.source.clone(),
+        }
+    }
+
+    /// The path of a face inside a JSON file: `states[12] "Ohio" polygon 3`.
+    #[must_use]
+    pub fn face_path(&self, face: usize) -> Option<&str> {
+        let end = *self.path_ends.get(face)? as usize;
+        let start = face.checked_sub(1).map_or(0, |before| self.path_ends[before] as usize);
+        self.paths.get(start..end)
+    }
+}
+
+/// A soup while a line-based or binary file is being read.
+#[derive(Debug, Default)]
+pub(super) struct SoupBuilder {
+    pub(super) points: Vec<[f64; 3]>,
+    pub(super) faces: PolygonList,
+    pub(super) vertex_lines: Vec<u32>,
+    pub(super) face_lines: Vec<u32>,
+}
+
+impl SoupBuilder {
+    /// Room for the elements a header counts, but for no more than `bytes` bytes of file can hold.
+    pub(super) fn with_room(points: u64, bytes: usize, bytes_per_point: usize) -> Self {
+        let room = points.min((bytes / bytes_per_point) as u64) as usize;
+        Self { points: Vec::with_capacity(room), ..Self::default() }
+    }
+
+    /// Appends a point that stands in line `line`.
+    #[inline]
+    pub(super) fn point(&mut self, point: [f64; 3], line: u32) {
+        self.points.push(point);
+        self.vertex_lines.push(line);
+    }
+
+    /// Appends a face that stands in line `line`.
+    #[inline]
+    pub(super) fn face(&mut self, corners: &[u32], line: u32) {
+        self.faces.push_face(corners);
+        self.face_lines.push(line);
+    }
+
+    /// The soup of the file `source`. Counts elements against the range of the ids.
+    pub(super) fn finish(self, source: &str, gives_z: bool) -> Result<PolygonSoup, ReadError> {
+        let Self { points, faces, vertex_lines, face_lines } = self;
+        check_sizes(source, points.len(), &faces)?;
+        let has_z =
+            gives_z && points.iter().any(|p| p[2].partial_cmp(&points[0][2]) != Some(std::cmp::Ordering::Equal));
+        let places = Places { source: source.to_owned(), vertex_lines, face_lines, ..Places::default() };
+        Ok(PolygonSoup { points, has_z, faces, names: Vec::new(), places })
+    }
+}
+
+/// Refuses more points, faces or corners than there are ids.
+pub(super) fn check_sizes(source: &str, points: usize, faces: &PolygonList) -> Result<(), ReadError> {
+    let counts = [(points, "points"), (faces.face_count(), "faces"), (faces.corner_count(), "corners of faces")];
+    match counts.into_iter().find(|&(count, _)| count > MAX_IDS) {
+        Some((_, what)) => Err(ReadError::whole(source, ReadProblem::TooLarge { what, limit: MAX_IDS as u64 }, "")),
+        None => Ok(()),
+    }
+}

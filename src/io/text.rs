@@ -1,0 +1,447 @@
+//! The tokenizer of all line-based formats: words of a line, each with its place.
+//!
+//! ```text
+//!   v 1.5  2e3 # peak↵        words: `v` `1.5` `2e3`; `#` starts a comment,
+//!   f 1 2 \↵                  `\` before a line end joins two lines (OBJ only),
+//!     3 4↵                    ↵ is LF, CR LF or CR; the last one may be missing
+//! ```
+//!
+//! Words are slices of the file; nothing is copied. A place is a byte offset; only an error turns it into line
+//! and column, so that the way without errors pays nothing for them.
+
+use super::problem::{ReadError, ReadProblem};
+use crate::plane::check_coordinate;
+use std::borrow::Cow;
+
+/// Files must be smaller than this: 4 GiB, so that lines and corners can be counted in 32 bits.
+pub(super) const LARGEST_FILE: u64 = u32::MAX as u64;
+
+/// A word of the file.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Word<'a> {
+    /// The bytes of the word.
+    pub(super) text: &'a [u8],
+    /// Where it starts in the file.
+    pub(super) at: usize,
+}
+
+impl Word<'_> {
+    /// The word for a message.
+    pub(super) fn show(&self) -> String {
+        let mut text: String = String::from_utf8_lossy(self.text).chars().take(40).collect();
+        if text.len() < self.text.len() && text.chars().count() == 40 {
+            text.push('…');
+        }
+        text.escape_debug().to_string()
+    }
+}
+
+/// What separates and joins words in a format.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Syntax {
+    /// Whether `#` starts a comment.
+    pub(super) comments: bool,
+    /// Whether `\` at the end of a line joins it with the next.
+    pub(super) continuation: bool,
+    /// Whether `"` starts a word that may hold blanks.
+    pub(super) quotes: bool,
+}
+
+/// A file with a reading position.
+#[derive(Clone, Debug)]
+pub(super) struct Scanner<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    line: u32,
+    syntax: Syntax,
+    source: &'a str,
+}
+
+const fn is_blank(b: u8) -> bool {
+    matches!(b, b' ' | b'\t' | 0x0b | 0x0c)
+}
+
+const fn is_line_end(b: u8) -> bool {
+    matches!(b, b'\n' | b'\r')
+}
+
+/// The number of characters in UTF-8 text; in other text, roughly.
+fn characters(bytes: &[u8]) -> usize {
+    bytes.iter().filter(|&&b| b & 0xc0 != 0x80).count()
+}
+
+/// Line and column, both from 1, of a byte of a file.
+pub(super) fn line_and_column(bytes: &[u8], at: usize) -> (u32, u32) {
+    let before = &bytes[..at.min(bytes.len())];
+    let (mut line, mut start, mut i) = (1, 0, 0);
+    while i < before.len() {
+        if is_line_end(before[i]) {
+            if before[i..].starts_with(b"\r\n") {
+                i += 1;
+            }
+            line += 1;
+            start = i + 1;
+        }
+        i += 1;
+    }
+    let text = before.get(start..).unwrap_or(&[]);
+    let mark = usize::from(start == 0 && text.starts_with(b"\xef\xbb\xbf"));
+    (line, (characters(text) - mark) as u32 + 1)
+}
+
+impl<'a> Scanner<'a> {
+    /// A scanner at the start of the file, behind a byte order mark.
+    ///
+    /// # Errors
+    /// An empty file, one of 4 GiB or more, and one in UTF-16.
+    pub(super) fn new(bytes: &'a [u8], source: &'a str, syntax: Syntax) -> Result<Self, ReadError> {
+        check_text(bytes, source)?;
+        let at = if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
+        Ok(Self { bytes, at, line: 1, syntax, source })
+    }
+
+    /// The number of the line the scanner is in, from 1.
+    pub(super) fn line(&self) -> u32 {
+        self.line
+    }
+
+    /// The offset of the next byte to read.
+    pub(super) fn at(&self) -> usize {
+        self.at
+    }
+
+    /// How many bytes are left.
+    pub(super) fn remaining(&self) -> usize {
+        self.bytes.len() - self.at
+    }
+
+    /// Continues inside a word, at this byte.
+    pub(super) fn go_back_to(&mut self, at: usize) {
+        self.at = at;
+    }
+
+    fn byte(&self) -> Option<u8> {
+        self.bytes.get(self.at).copied()
+    }
+
+    /// Steps over a line end, if there is one here.
+    fn line_end(&mut self) -> bool {
+        let length = match &self.bytes[self.at..] {
+            [b'\r', b'\n', ..] => 2,
+            [b'\n' | b'\r', ..] => 1,
+            _ => return false,
+        };
+        self.at += length;
+        self.line += 1;
+        true
+    }
+
+    fn skip_blanks(&mut self) {
+        while let Some(b) = self.byte() {
+            if is_blank(b) {
+                self.at += 1;
+            } else if b == b'\\'
+                && self.syntax.continuation
+                && self.bytes.get(self.at + 1).is_some_and(|&b| is_line_end(b))
+            {
+                self.at += 1;
+                self.line_end();
+            } else {
+                break;
+            }
+        }
+    }
+
+    /// The next word of this line; none at the end of the line, of the file, or before a comment.
+    #[inline]
+    pub(super) fn word(&mut self) -> Option<Word<'a>> {
+        self.skip_blanks();
+        let at = self.at;
+        let first = self.byte()?;
+        if is_line_end(first) || (first == b'#' && self.syntax.comments) {
+            return None;
+        }
+        if first == b'"' && self.syntax.quotes {
+            return Some(self.quoted());
+        }
+        let rest = &self.bytes[at..];
+        let Syntax { comments, continuation, .. } = self.syntax;
+        let ends = |(i, &b): (usize, &u8)| {
+            b <= b'\\'
+                && (is_blank(b)
+                    || is_line_end(b)
+                    || (b == b'#' && comments)
+                    || (b == b'\\' && continuation && rest.get(i + 1).is_some_and(|&b| is_line_end(b))))
+        };
+        let length = rest.iter().enumerate().position(ends).unwrap_or(rest.len());
+        self.at += length;
+        Some(Word { text: &rest[..length], at })
+    }
+
+    /// A word from `"` to the next `"` of the line that no `\` escapes; without one, the rest of the line.
+    fn quoted(&mut self) -> Word<'a> {
+        let at = self.at;
+        self.at += 1;
+        while let Some(b) = self.byte().filter(|&b| !is_line_end(b)) {
+            self.at += 1;
+            match b {
+                b'"' => break,
+                b'\\' if self.byte().is_some_and(|b| !is_line_end(b)) => self.at += 1,
+                _ => {}
+            }
+        }
+        Word { text: &self.bytes[at..self.at], at }
+    }
+
+    /// Leaves this line and the lines joined to it; false at the end of the file. A `\` at the end of a
+    /// comment joins nothing: it ends a path more often than not.
+    #[inline]
+    pub(super) fn next_line(&mut self) -> bool {
+        loop {
+            let rest = &self.bytes[self.at..];
+            let skipped = &rest[..rest.iter().position(|&b| is_line_end(b)).unwrap_or(rest.len())];
+            self.at += skipped.len();
+            let joined = self.syntax.continuation && skipped.ends_with(b"\\") && !skipped.contains(&b'#');
+            if !self.line_end() {
+                return false;
+            }
+            if !joined {
+                return true;
+            }
+        }
+    }
+
+    /// The rest of the line as it stands, comments included, without blanks at its ends.
+    pub(super) fn rest_of_line(&mut self) -> &'a [u8] {
+        let rest = &self.bytes[self.at..];
+        let length = rest.iter().position(|&b| is_line_end(b)).unwrap_or(rest.len());
+        self.at += length;
+        rest[..length].trim_ascii()
+    }
+
+    /// The next word, in this line or a later one.
+    #[inline]
+    pub(super) fn word_anywhere(&mut self) -> Option<Word<'a>> {
+        loop {
+            if let Some(word) = self.word() {
+                return Some(word);
+            }
+            if !self.next_line() {
+                return None;
+            }
+        }
+    }
+
+    /// The next word of this line, or an error that names what is missing.
+    #[inline]
+    pub(super) fn need(&mut self, wanted: impl FnOnce() -> String) -> Result<Word<'a>, ReadError> {
+        match self.word() {
+            Some(word) => Ok(word),
+            None => Err(self.missing(wanted())),
+        }
+    }
+
+    /// The next word in this line or a later one, or an error that names what is missing.
+    #[inline]
+    pub(super) fn need_anywhere(&mut self, wanted: impl FnOnce() -> String) -> Result<Word<'a>, ReadError> {
+        match self.word_anywhere() {
+            Some(word) => Ok(word),
+            None => Err(self.missing(wanted())),
+        }
+    }
+
+    /// The error that `wanted` is missing here.
+    #[cold]
+    pub(super) fn missing(&self, wanted: String) -> ReadError {
+        let found = if self.at >= self.bytes.len() { "the end of the file" } else { "the end of the line" };
+        self.error(self.at, ReadProblem::Expected { wanted: wanted.into(), found: found.to_owned() }, "")
+    }
+
+    /// Accepts the end of the line (or a comment) and nothing else.
+    pub(super) fn end_of_line(&mut self, help: &'static str) -> Result<(), ReadError> {
+        match self.word() {
+            None => Ok(()),
+            Some(word) => Err(self.expected(word, "the end of the line", help)),
+        }
+    }
+
+    /// An error at a byte of the file.
+    #[cold]
+    pub(super) fn error(&self, at: usize, what: ReadProblem, help: impl Into<Cow<'static, str>>) -> ReadError {
+        let (line, column) = line_and_column(self.bytes, at);
+        ReadError {
+            source: self.source.to_owned(),
+            line: Some(line),
+            column: Some(column),
+            offset: None,
+            what: Box::new(what),
+            help: help.into(),
+        }
+    }
+
+    /// The error that `word` stands where `wanted` should.
+    #[cold]
+    pub(super) fn expected(
+        &self,
+        word: Word<'_>,
+        wanted: impl Into<Cow<'static, str>>,
+        help: impl Into<Cow<'static, str>>,
+    ) -> ReadError {
+        if std::str::from_utf8(word.text).is_err() {
+            return self.error(word.at, ReadProblem::NotText, "save the file as UTF-8 text");
+        }
+        let found = format!("`{}`", word.show());
+        self.error(word.at, ReadProblem::Expected { wanted: wanted.into(), found }, help)
+    }
+
+    #[cold]
+    fn not_a_number(&self, word: Word<'_>, wanted: &'static str, help: &'static str) -> ReadError {
+        if std::str::from_utf8(word.text).is_err() {
+            return self.error(word.at, ReadProblem::NotText, "save the file as UTF-8 text");
+        }
+        self.error(word.at, ReadProblem::NotANumber { word: word.show(), wanted }, help)
+    }
+
+    /// The word as a number.
+    #[inline]
+    pub(super) fn number(&self, word: Word<'_>) -> Result<f64, ReadError> {
+        let number = std::str::from_utf8(word.text).ok().and_then(|text| text.parse().ok());
+        number.ok_or_else(|| self.not_a_number(word, "a number", "write a number such as 1.5, with a decimal point"))
+    }
+
+    /// The word as a coordinate that the exact predicates can take.
+    #[inline]
+    pub(super) fn coordinate(&self, axis: char, word: Word<'_>) -> Result<f64, ReadError> {
+        let value = self.number(word)?;
+        match check_coordinate(axis, value) {
+            Ok(()) => Ok(value),
+            Err(error) => Err(self.error(word.at, error.into(), "")),
+        }
+    }
+
+    /// The word as a whole number.
+    #[inline]
+    pub(super) fn integer(&self, word: Word<'_>) -> Result<i64, ReadError> {
+        parse_integer(word.text)
+            .ok_or_else(|| self.not_a_number(word, "a whole number", "write a whole number such as 12"))
+    }
+
+    /// The word as a number of things.
+    pub(super) fn count(&self, word: Word<'_>) -> Result<u64, ReadError> {
+        let count = self.integer(word)?;
+        u64::try_from(count)
+            .map_err(|_| self.not_a_number(word, "a count", "a count is a whole number and not negative"))
+    }
+
+    /// The word as a reference to one of `count` things numbered from `first`; returns the number from 0.
+    #[inline]
+    pub(super) fn index(&self, word: Word<'_>, what: &'static str, count: u64, first: i64) -> Result<u32, ReadError> {
+        let index = self.integer(word)?;
+        match index.checked_sub(first).and_then(|i| u32::try_from(i).ok()).filter(|&i| u64::from(i) < count) {
+            Some(i) => Ok(i),
+            None => Err(self.out_of_range(word, what, index, count, first)),
+        }
+    }
+
+    /// The error that a reference leads nowhere.
+    #[cold]
+    pub(super) fn out_of_range(
+        &self,
+        word: Word<'_>,
+        what: &'static str,
+        index: i64,
+        count: u64,
+        first: i64,
+    ) -> ReadError {
+        let help = match count {
+            0 => String::new(),
+            _ => format!("they are numbered {first} to {}", count as i64 - 1 + first),
+        };
+        self.error(word.at, ReadProblem::IndexOutOfRange { what, index, count }, help)
+    }
+}
+
+/// A whole number in decimal digits, with or without a sign.
+#[inline]
+pub(super) fn parse_integer(text: &[u8]) -> Option<i64> {
+    let (negative, digits) = match text {
+        [b'-', digits @ ..] => (true, digits),
+        [b'+', digits @ ..] => (false, digits),
+        digits => (false, digits),
+    };
+    if digits.is_empty() || digits.len() > 18 {
+        return None;
+    }
+    let mut value = 0i64;
+    for &b in digits {
+        if !b.is_ascii_digit() {
+            return None;
+        }
+        value = value * 10 + i64::from(b - b'0');
+    }
+    Some(if negative { -value } else { value })
+}
+
+/// Refuses what no reader can take: no bytes, too many bytes, UTF-16.
+pub(super) fn check_text(bytes: &[u8], source: &str) -> Result<(), ReadError> {
+    let fail = |what, help| Err(ReadError::whole(source, what, help));
+    if bytes.is_empty() {
+        return fail(ReadProblem::Empty, "");
+    }
+    if bytes.len() as u64 >= LARGEST_FILE {
+        return fail(ReadProblem::TooLarge { what: "bytes", limit: LARGEST_FILE }, "");
+    }
+    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
+        return fail(ReadProblem::Refused { what: "text in UTF-16".into() }, "save the file as UTF-8 text");
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn words(text: &[u8], syntax: Syntax) -> Vec<(String, u32)> {
+        let mut scanner = Scanner::new(text, "test", syntax).unwrap();
+        let mut found = Vec::new();
+        while let Some(word) = scanner.word_anywhere() {
+            found.push((word.show(), line_and_column(text, word.at).0));
+            assert_eq!(found[found.len() - 1].1, scanner.line(), "line of {}", word.show());
+        }
+        found
+    }
+
+    #[test]
+    fn words_are_found_across_line_ends_comments_and_joined_lines() {
+        let all = Syntax { comments: true, continuation: true, quotes: false };
+        let text = b"\xef\xbb\xbfa b#c d\r\n\r\n\te \\\r\nf\rg\\\nh\n# \\\ni";
+        let expected = [("a", 1), ("b", 1), ("e", 3), ("f", 4), ("g", 5), ("h", 6), ("i", 8)];
+        assert_eq!(words(text, all), expected.map(|(word, line)| (word.to_owned(), line)));
+        let plain = words(b"a \\\nb#\n", Syntax::default());
+        assert_eq!(plain.iter().map(|(word, _)| word.as_str()).collect::<Vec<_>>(), ["a", "\\\\", "b#"]);
+    }
+
+    #[test]
+    fn quoted_words_hold_blanks_and_comment_signs() {
+        let quotes = Syntax { comments: true, quotes: true, ..Syntax::default() };
+        let found = words(br#"name "a # \" b" x "open"#, quotes);
+        let texts: Vec<&str> = found.iter().map(|(text, _)| text.as_str()).collect();
+        assert_eq!(texts, ["name", r#"\"a # \\\" b\""#, "x", r#"\"open"#]);
+    }
+
+    #[test]
+    fn columns_count_characters() {
+        let text = "ä ö 7".as_bytes();
+        assert_eq!(line_and_column(text, 6), (1, 5));
+        assert_eq!(line_and_column(b"\xef\xbb\xbfab", 4), (1, 2));
+        assert_eq!(line_and_column(b"a\r\nb\rc\n", 7), (4, 1));
+    }
+
+    #[test]
+    fn whole_numbers_overflow_to_nothing() {
+        assert_eq!(parse_integer(b"-12"), Some(-12));
+        for bad in [&b""[..], b"-", b"1.0", b"9999999999999999999", b"1e3", b"--1"] {
+            assert_eq!(parse_integer(bad), None);
+        }
+    }
+}

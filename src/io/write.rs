@@ -1,0 +1,340 @@
+//! The way out: from a [`Model`] to a file.
+//!
+//! Output is the same for the same structure, byte for byte. Numbers have as few digits as bring back the same
+//! number. Polygons and points come in the order of the ids; removed ids leave no gap.
+
+use super::dcel::quote;
+use super::format::Format;
+use super::model::{Model, Polygons};
+use super::tables;
+use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
+use crate::topology::Ring;
+use std::fmt;
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
+
+/// Why a structure cannot be written in a format.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum WriteError {
+    /// The machine refused.
+    #[error(transparent)]
+    Io(#[from] io::Error),
+    /// The kit reads this format and does not write it.
+    #[error("{format} is read, not written; try geojson or dcel")]
+    ReadOnly {
+        /// The format.
+        format: &'static str,
+    },
+    /// Triangle's format needs two files.
+    #[error("triangle needs two files, .node and .ele; give the path of one of them instead of one output")]
+    TwoFiles,
+    /// A surface in space, and a format of the plane.
+    #[error("{format} holds points of the plane, and this is a surface in space; try obj, off or ply")]
+    InSpace {
+        /// The format.
+        format: &'static str,
+    },
+    /// A vertex has no position.
+    #[error("{vertex} has no position; dcel and tables can be written without")]
+    NoPosition {
+        /// The vertex.
+        vertex: VertexId,
+    },
+    /// A face has no boundary to be written.
+    #[error("{face} has no boundary; try dcel, and validate the structure")]
+    NoBoundary {
+        /// The face.
+        face: FaceId,
+    },
+    /// A boundary cycle does not close, or a vertex of it is missing.
+    #[error("the cycle of {face} breaks at {half_edge}; try dcel, and validate the structure")]
+    BrokenCycle {
+        /// The face.
+        face: FaceId,
+        /// The half-edge at which the walk ends.
+        half_edge: HalfEdgeId,
+    },
+    /// A face with rings, and a format without.
+    #[error("{face} has rings, which {format} cannot hold; geojson holds cycles, dcel holds everything")]
+    FaceHasRings {
+        /// The face.
+        face: FaceId,
+        /// The format.
+        format: &'static str,
+    },
+    /// A face that is not a triangle, and a format that holds triangles only.
+    #[error("{face} has {corners} corners and triangle holds triangles only; try obj, off, ply or geojson")]
+    NotTriangle {
+        /// The face.
+        face: FaceId,
+        /// How many corners it has.
+        corners: usize,
+    },
+    /// An edge with the same face on both sides: an antenna, or a bridge to it.
+    #[error("{half_edge} and its twin both bound {face}, which {format} cannot hold; dcel holds everything")]
+    SameFaceTwice {
+        /// One half of the edge.
+        half_edge: HalfEdgeId,
+        /// The face.
+        face: FaceId,
+        /// The format.
+        format: &'static str,
+    },
+    /// An edge or vertex that belongs to no polygon.
+    #[error("{element} belongs to no polygon and would be lost in {format}; dcel holds everything")]
+    Lost {
+        /// The edge, by a half of it, or the vertex.
+        element: Element,
+        /// The format.
+        format: &'static str,
+    },
+}
+
+/// A number with as few digits as bring back the same number; with an exponent where that is shorter to read.
+pub(super) struct Number(pub(super) f64);
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.0 == 0.0 || (1e-5..1e16).contains(&self.0.abs()) {
+            write!(f, "{}", self.0)
+        } else {
+            write!(f, "{:e}", self.0)
+        }
+    }
+}
+
+/// Writes a model. Cost: O(size of the model).
+///
+/// # Errors
+/// [`WriteError`] if the format cannot hold the structure; then nothing has been written.
+pub fn write(out: &mut impl Write, model: &Model<'_>, format: Format) -> Result<(), WriteError> {
+    let mut out = BufWriter::new(out);
+    match format {
+        Format::Obj => obj(&mut out, &Polygons::of(model, format)?)?,
+        Format::Off => off(&mut out, &Polygons::of(model, format)?)?,
+        Format::Ply => ply(&mut out, &Polygons::of(model, format)?)?,
+        Format::PlyBinary => ply_binary(&mut out, &Polygons::of(model, format)?)?,
+        Format::GeoJson => geojson(&mut out, model, &Polygons::of(in_plane(model, format)?, format)?)?,
+        Format::Dcel => dcel(&mut out, in_plane(model, format)?)?,
+        Format::Tables => tables::write(&mut out, model)?,
+        Format::Triangle => return Err(WriteError::TwoFiles),
+        Format::TopoJson | Format::Mesh => return Err(WriteError::ReadOnly { format: format.name() }),
+    }
+    Ok(out.flush()?)
+}
+
+/// Writes a triangulation as the `.node` and the `.ele` file of Triangle, numbered from 1.
+///
+/// # Errors
+/// As [`write`], and [`WriteError::NotTriangle`].
+pub fn write_triangle(node: &mut impl Write, ele: &mut impl Write, model: &Model<'_>) -> Result<(), WriteError> {
+    let polygons = Polygons::of(in_plane(model, Format::Triangle)?, Format::Triangle)?;
+    let mut sizes = polygons.faces.iter().zip(polygons.list.outer_cycles());
+    if let Some((&face, cycle)) = sizes.find(|(_, cycle)| cycle.len() != 3) {
+        return Err(WriteError::NotTriangle { face, corners: cycle.len() });
+    }
+    let (mut node, mut ele) = (BufWriter::new(node), BufWriter::new(ele));
+    writeln!(node, "{} 2 0 0", polygons.points.len())?;
+    for (i, [x, y, _]) in polygons.points.iter().enumerate() {
+        writeln!(node, "{} {} {}", i + 1, Number(*x), Number(*y))?;
+    }
+    writeln!(ele, "{} 3 0", polygons.faces.len())?;
+    for (i, cycle) in polygons.list.outer_cycles().enumerate() {
+        write!(ele, "{}", i + 1)?;
+        corners(&mut ele, cycle, 1)?;
+    }
+    node.flush()?;
+    Ok(ele.flush()?)
+}
+
+/// Writes a model to a file; `-` is standard output. Triangle's format becomes two files beside each other.
+///
+/// # Errors
+/// As [`write`] and [`write_triangle`]. The file is not touched if the format cannot hold the structure.
+pub fn write_path(path: &Path, model: &Model<'_>, format: Format) -> Result<(), WriteError> {
+    let stdout = path.as_os_str() == "-";
+    if format == Format::Triangle && !stdout {
+        let (mut node, mut ele) = (Vec::new(), Vec::new());
+        write_triangle(&mut node, &mut ele, model)?;
+        std::fs::write(path.with_extension("node"), node)?;
+        std::fs::write(path.with_extension("ele"), ele)?;
+        return Ok(());
+    }
+    if stdout {
+        return write(&mut io::stdout().lock(), model, format);
+    }
+    write(&mut Lazy { path, file: None }, model, format)
+}
+
+/// A file that is made when the first byte is written.
+struct Lazy<'a> {
+    path: &'a Path,
+    file: Option<File>,
+}
+
+impl Write for Lazy<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if self.file.is_none() {
+            self.file = Some(File::create(self.path)?);
+        }
+        self.file.as_mut().map_or(Ok(0), |file| file.write(bytes))
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.as_mut().map_or(Ok(()), File::flush)
+    }
+}
+
+fn in_plane<'m, 'a>(model: &'m Model<'a>, format: Format) -> Result<&'m Model<'a>, WriteError> {
+    if model.in_space { Err(WriteError::InSpace { format: format.name() }) } else { Ok(model) }
+}
+
+/// The corners of a cycle, each after a blank, and the end of the line.
+fn corners(out: &mut impl Write, cycle: &[u32], first: u32) -> io::Result<()> {
+    for corner in cycle {
+        write!(out, " {}", corner + first)?;
+    }
+    writeln!(out)
+}
+
+fn points(out: &mut impl Write, before: &str, points: &[[f64; 3]]) -> io::Result<()> {
+    for [x, y, z] in points {
+        writeln!(out, "{before}{} {} {}", Number(*x), Number(*y), Number(*z))?;
+    }
+    Ok(())
+}
+
+fn obj(out: &mut impl Write, polygons: &Polygons) -> io::Result<()> {
+    points(out, "v ", &polygons.points)?;
+    for cycle in polygons.list.outer_cycles() {
+        write!(out, "f")?;
+        corners(out, cycle, 1)?;
+    }
+    Ok(())
+}
+
+fn off(out: &mut impl Write, polygons: &Polygons) -> io::Result<()> {
+    writeln!(out, "OFF\n{} {} 0", polygons.points.len(), polygons.faces.len())?;
+    points(out, "", &polygons.points)?;
+    polygons_with_sizes(out, polygons)
+}
+
+fn polygons_with_sizes(out: &mut impl Write, polygons: &Polygons) -> io::Result<()> {
+    for cycle in polygons.list.outer_cycles() {
+        write!(out, "{}", cycle.len())?;
+        corners(out, cycle, 0)?;
+    }
+    Ok(())
+}
+
+/// The header of a PLY file; returns whether a byte can hold the number of corners of each face.
+fn ply_header(out: &mut impl Write, polygons: &Polygons, encoding: &str) -> io::Result<bool> {
+    let small = polygons.list.outer_cycles().all(|cycle| cycle.len() <= u8::MAX as usize);
+    let size = if small { "uchar" } else { "uint" };
+    writeln!(out, "ply\nformat {encoding} 1.0")?;
+    writeln!(out, "element vertex {}\nproperty double x\nproperty double y\nproperty double z", polygons.points.len())?;
+    writeln!(out, "element face {}\nproperty list {size} int vertex_indices", polygons.faces.len())?;
+    writeln!(out, "end_header")?;
+    Ok(small)
+}
+
+fn ply(out: &mut impl Write, polygons: &Polygons) -> io::Result<()> {
+    ply_header(out, polygons, "ascii")?;
+    points(out, "", &polygons.points)?;
+    polygons_with_sizes(out, polygons)
+}
+
+fn ply_binary(out: &mut impl Write, polygons: &Polygons) -> io::Result<()> {
+    let small = ply_header(out, polygons, "binary_little_endian")?;
+    for value in polygons.points.as_flattened() {
+        out.write_all(&value.to_le_bytes())?;
+    }
+    for cycle in polygons.list.outer_cycles() {
+        let size = (cycle.len() as u32).to_le_bytes();
+        out.write_all(if small { &size[..1] } else { &size })?;
+        for corner in cycle {
+            out.write_all(&corner.to_le_bytes())?;
+        }
+    }
+    Ok(())
+}
+
+fn geojson(out: &mut impl Write, model: &Model<'_>, polygons: &Polygons) -> io::Result<()> {
+    writeln!(out, "{{\"type\":\"FeatureCollection\",\"features\":[")?;
+    for (i, &face) in polygons.faces.iter().enumerate() {
+        write!(out, "{{\"type\":\"Feature\",\"id\":\"{face}\",\"properties\":{{")?;
+        if let Some(name) = model.name(face) {
+            write!(out, "\"name\":{}", serde_json::to_string(name)?)?;
+        }
+        write!(out, "}},\"geometry\":{{\"type\":\"Polygon\",\"coordinates\":[")?;
+        for (k, cycle) in polygons.list.cycles(i).enumerate() {
+            write!(out, "{}", if k == 0 { "[" } else { ",[" })?;
+            for (j, &corner) in cycle.iter().chain(cycle.first()).enumerate() {
+                let [x, y, _] = polygons.points[corner as usize];
+                write!(out, "{}[{},{}]", if j == 0 { "" } else { "," }, Number(x), Number(y))?;
+            }
+            write!(out, "]")?;
+        }
+        writeln!(out, "]}}}}{}", if i + 1 < polygons.faces.len() { "," } else { "" })?;
+    }
+    writeln!(out, "]}}")
+}
+
+fn dcel(out: &mut impl Write, model: &Model<'_>) -> io::Result<()> {
+    let view = model.view;
+    writeln!(out, "dcel 1")?;
+    for v in model.vertices() {
+        write!(out, "{v}")?;
+        if let Some([x, y, _]) = model.position(v) {
+            write!(out, " {} {}", Number(x), Number(y))?;
+        }
+        writeln!(out, " out {}", Pointer(view.outgoing(v)))?;
+    }
+    for h in model.half_edges() {
+        let (origin, twin, next) = (Pointer(view.origin(h)), Pointer(view.twin(h)), Pointer(view.next(h)));
+        let (prev, face) = (Pointer(view.prev(h)), Pointer(view.face(h)));
+        writeln!(out, "{h} origin {origin} twin {twin} next {next} prev {prev} face {face}")?;
+    }
+    for f in model.faces() {
+        let outer = if view.outer_face() == Some(f) { " outer" } else { "" };
+        write!(out, "{f}{outer} boundary {} rings", Pointer(view.boundary(f)))?;
+        match view.rings(f) {
+            [] => write!(out, " none")?,
+            rings => rings.iter().try_for_each(|&ring| write!(out, " {}", RingName(ring)))?,
+        }
+        if view.is_hole(f) {
+            write!(out, " hole")?;
+        }
+        if let Some(name) = model.name(f) {
+            write!(out, " name {}", quote(name))?;
+        }
+        writeln!(out)?;
+    }
+    Ok(())
+}
+
+/// An id, or `none`.
+pub(super) struct Pointer<T>(pub(super) Option<T>);
+
+impl<T: fmt::Display> fmt::Display for Pointer<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.0 {
+            Some(id) => id.fmt(f),
+            None => f.write_str("none"),
+        }
+    }
+}
+
+/// A ring by its half-edge or its vertex.
+pub(super) struct RingName(pub(super) Ring);
+
+impl fmt::Display for RingName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            Ring::Cycle(h) => h.fmt(f),
+            Ring::Isolated(v) => v.fmt(f),
+        }
+    }
+}
