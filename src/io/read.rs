@@ -12,7 +12,6 @@ use std::path::{Path, PathBuf};
 
 /// What a file holds.
 #[derive(Clone, PartialEq, Debug)]
-#[non_exhaustive]
 pub enum Document {
     /// Points and polygons, to be joined to a structure.
     Polygons(PolygonSoup),

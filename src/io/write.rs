@@ -128,7 +128,7 @@ pub fn write(out: &mut impl Write, model: &Model<'_>, format: Format) -> Result<
 /// Writes a triangulation as the `.node` and the `.ele` file of Triangle, numbered from 1.
 ///
 /// # Errors
-/// As [`write`], and [`WriteError::NotTriangle`].
+/// As [`write()`], and [`WriteError::NotTriangle`].
 pub fn write_triangle(node: &mut impl Write, ele: &mut impl Write, model: &Model<'_>) -> Result<(), WriteError> {
     let polygons = Polygons::of(in_plane(model, Format::Triangle)?, Format::Triangle)?;
     let mut sizes = polygons.faces.iter().zip(polygons.list.outer_cycles());
@@ -152,7 +152,7 @@ pub fn write_triangle(node: &mut impl Write, ele: &mut impl Write, model: &Model
 /// Writes a model to a file; `-` is standard output. Triangle's format becomes two files beside each other.
 ///
 /// # Errors
-/// As [`write`] and [`write_triangle`]. The file is not touched if the format cannot hold the structure.
+/// As [`write()`] and [`write_triangle`]. The file is not touched if the format cannot hold the structure.
 pub fn write_path(path: &Path, model: &Model<'_>, format: Format) -> Result<(), WriteError> {
     let stdout = path.as_os_str() == "-";
     if format == Format::Triangle && !stdout {
