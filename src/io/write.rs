@@ -207,6 +207,8 @@ fn points(out: &mut impl Write, before: &str, points: &[[f64; 3]]) -> io::Result
 }
 
 fn obj(out: &mut impl Write, polygons: &Polygons) -> io::Result<()> {
+    // Without this line a drawing of nothing would be an empty file, which no reader takes.
+    writeln!(out, "# {} points, {} polygons", polygons.points.len(), polygons.faces.len())?;
     points(out, "v ", &polygons.points)?;
     for cycle in polygons.list.outer_cycles() {
         write!(out, "f")?;

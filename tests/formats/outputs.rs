@@ -142,7 +142,7 @@ fn a_refused_structure_leaves_the_file_alone() {
     assert!(write_path(&path, &Model::table(&island()), Format::Obj).is_err());
     assert_eq!(std::fs::read_to_string(&path).unwrap(), "precious");
     write_path(&path, &Model::table(&grid(1, false)), Format::Obj).unwrap();
-    assert_eq!(std::fs::read_to_string(&path).unwrap().lines().count(), 6);
+    assert_eq!(std::fs::read_to_string(&path).unwrap().lines().count(), 7);
 }
 
 #[test]
@@ -150,7 +150,7 @@ fn polygon_files_are_plain() {
     let grid = grid(1, true);
     assert_eq!(
         text(&Model::table(&grid), Format::Obj),
-        "v 0 0 0\nv 0.3333333333333333 0 0\nv 0 1.4285714285714284e-8 0\nv 0.3333333333333333 1.4285714285714284e-8 0\nf 1 2 4\nf 1 4 3\n"
+        "# 4 points, 2 polygons\nv 0 0 0\nv 0.3333333333333333 0 0\nv 0 1.4285714285714284e-8 0\nv 0.3333333333333333 1.4285714285714284e-8 0\nf 1 2 4\nf 1 4 3\n"
     );
     let square = structure(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0]], &[Face::new(&[&[0, 1, 2]])]);
     assert_eq!(

@@ -201,6 +201,38 @@ fn any_table_round_trips_through_the_text_however_broken() {
     }
 }
 
+#[test]
+fn what_a_writer_accepts_of_a_random_table_can_be_read_and_nothing_panics() {
+    let mut accepted = 0;
+    for seed in 0..2000 {
+        let table = random_table(&mut Random::new(seed));
+        for format in Format::ALL {
+            let mut bytes = Vec::new();
+            if write(&mut bytes, &Model::table(&table), format).is_ok() && format.can_read() {
+                let read = read_bytes(&bytes, format, "file", &ReadOptions::default());
+                let empty_or_tiny = |e: &dcel_kit::io::ReadError| e.to_string().contains("encloses nothing");
+                assert!(read.as_ref().map_or_else(empty_or_tiny, |_| true), "seed {seed}, {format}: {read:?}");
+                accepted += 1;
+            }
+        }
+        let (mut node, mut ele) = (Vec::new(), Vec::new());
+        if write_triangle(&mut node, &mut ele, &Model::table(&table)).is_ok() {
+            assert!(read_triangle(&node, &ele, "n", "e", &ReadOptions::default()).is_ok(), "seed {seed}");
+        }
+    }
+    assert!(accepted > 2000, "the text and more: {accepted}");
+}
+
+#[test]
+fn a_face_with_300_corners_comes_back_from_ply() {
+    let circle: Vec<[f64; 2]> = (0..300).map(|i| f64::from(i) / 300.0).map(|t| [t, t * (1.0 - t)]).collect();
+    let all: Vec<usize> = (0..300).collect();
+    let table = crate::support::structure(&circle, &[crate::support::Face::new(&[&all])]);
+    for format in [Format::Ply, Format::PlyBinary] {
+        check_soup(&soup(&written(&Model::table(&table), format), format), &table, format);
+    }
+}
+
 /// Equality that tells 0 from -0.
 fn same_table(a: &Table, b: &Table) -> bool {
     let bits = |t: &Table| -> Vec<Option<[u64; 2]>> {
@@ -256,7 +288,7 @@ fn y_down_turns_points_and_tables_and_keeps_zero() {
 
 #[test]
 fn variants_of_the_line_formats_give_the_same_triangle() {
-    let cases: [(&[u8], Format); 15] = [
+    let cases: [(&[u8], Format); 16] = [
         (b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3", Format::Obj),
         (b"f 1 2 3\nv 0 0\nv 1 0\nv 0 1\n", Format::Obj),
         (b"v 0 0 0 1\r\nv 1 0 0 0.5 0.5 0.5\r\nv 0 1 0 1\r\nvt 0 0\r\nf 1/1 2/1/ \\\r\n 3//4 # c\r\n", Format::Obj),
@@ -274,6 +306,12 @@ fn variants_of_the_line_formats_give_the_same_triangle() {
         (b"ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty short x\nproperty char q\nproperty uchar y\n\
            element face 1\nproperty list uchar ushort vertex_indices\nend_header\n\
            \0\0\x07\0\0\x01\x07\0\0\0\x07\x01\x03\0\0\0\x01\0\x02\n", Format::Ply),
+        (
+            b"ply\r\nformat binary_little_endian 1.0\r\nelement vertex 3\r\nproperty char x\r\nproperty char y\r\n\
+              element face 1\r\nproperty list char char vertex_indices\r\nend_header\r\n\
+              \0\0\x01\0\0\x01\x03\0\x01\x02",
+            Format::Ply,
+        ),
         (b"{\"type\":\"Polygon\",\"coordinates\":[[[0,-0.0],[1,0],[1,0],[0,1],[0,0]]]}", Format::GeoJson),
         (b"{\"type\":\"Topology\",\"transform\":{\"scale\":[0.5,1],\"translate\":[0,-1]},\"objects\":{\"a\":\
            {\"type\":\"Polygon\",\"arcs\":[[0,-2]]}},\"arcs\":[[[0,1],[2,0]],[[0,1],[0,1],[2,-1]]]}", Format::TopoJson),
@@ -305,6 +343,7 @@ fn places_name_the_line_or_the_path() {
         \"geometry\":{{\"type\":\"MultiPolygon\",\"coordinates\":[{square},{square}]}}}}]}}").as_bytes(), Format::GeoJson);
     assert_eq!(json.places.face_path(0), Some("features[0] \"7\" polygon 0"));
     assert_eq!(json.places.face(2), "file: features[1] \"Ohio\" polygon 1");
+    assert_eq!(json.places.ring(2, 1), "file: features[1] \"Ohio\" polygon 1 ring 1");
     assert_eq!(json.names, ["7", "Ohio", "Ohio"].map(|n| Some(n.to_owned())));
     assert_eq!((json.points.len(), json.faces.corners()), (3, &[0, 1, 2, 0, 1, 2, 0, 1, 2][..]));
 }

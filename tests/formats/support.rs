@@ -6,14 +6,14 @@ use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeMap;
 
 /// A reproducible stream of random numbers (xorshift64*, Vigna 2016).
-pub struct Random(u64);
+pub(crate) struct Random(u64);
 
 impl Random {
-    pub fn new(seed: u64) -> Self {
+    pub(crate) fn new(seed: u64) -> Self {
         Self(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1)
     }
 
-    pub fn bits(&mut self) -> u64 {
+    pub(crate) fn bits(&mut self) -> u64 {
         self.0 ^= self.0 >> 12;
         self.0 ^= self.0 << 25;
         self.0 ^= self.0 >> 27;
@@ -21,12 +21,12 @@ impl Random {
     }
 
     /// A number below `bound`.
-    pub fn below(&mut self, bound: usize) -> usize {
+    pub(crate) fn below(&mut self, bound: usize) -> usize {
         ((self.bits() >> 32) as usize * bound) >> 32
     }
 
     /// A coordinate of any size that the kit accepts.
-    pub fn coordinate(&mut self) -> f64 {
+    pub(crate) fn coordinate(&mut self) -> f64 {
         loop {
             let value = match self.below(4) {
                 0 => self.below(1000) as f64 - 500.0,
@@ -40,18 +40,18 @@ impl Random {
     }
 }
 
-pub fn read(text: &[u8], format: Format) -> Result<Read, ReadError> {
+pub(crate) fn read(text: &[u8], format: Format) -> Result<Read, ReadError> {
     read_bytes(text, format, "file", &ReadOptions::default())
 }
 
-pub fn soup(text: &[u8], format: Format) -> PolygonSoup {
+pub(crate) fn soup(text: &[u8], format: Format) -> PolygonSoup {
     match read(text, format).unwrap_or_else(|error| panic!("{error}")).document {
         Document::Polygons(soup) => soup,
         other => panic!("not polygons: {other:?}"),
     }
 }
 
-pub fn table(text: &[u8]) -> Table {
+pub(crate) fn table(text: &[u8]) -> Table {
     match read(text, Format::Dcel).unwrap_or_else(|error| panic!("{error}")).document {
         Document::Table(table) => table,
         other => panic!("not a table: {other:?}"),
@@ -59,20 +59,20 @@ pub fn table(text: &[u8]) -> Table {
 }
 
 /// A face as its cycles of points, the outer one first, and whether it is a hole face.
-pub struct Face {
-    pub cycles: Vec<Vec<usize>>,
-    pub hole: bool,
+pub(crate) struct Face {
+    pub(crate) cycles: Vec<Vec<usize>>,
+    pub(crate) hole: bool,
 }
 
 impl Face {
-    pub fn new(cycles: &[&[usize]]) -> Self {
+    pub(crate) fn new(cycles: &[&[usize]]) -> Self {
         Self { cycles: cycles.iter().map(|c| c.to_vec()).collect(), hole: false }
     }
 }
 
 /// The half-edge table of faces that fit together; what is on nobody's left belongs to `f0`, whose cycles must
 /// not touch each other.
-pub fn structure(points: &[[f64; 2]], faces: &[Face]) -> Table {
+pub(crate) fn structure(points: &[[f64; 2]], faces: &[Face]) -> Table {
     let mut table = Table { outer_face: Some(FaceId::new(0)), ..Table::default() };
     table.vertices = points.iter().map(|&p| Some(VertexRow { position: Some(p), outgoing: None })).collect();
     let mut ids: BTreeMap<(usize, usize), HalfEdgeId> = BTreeMap::new();
@@ -140,7 +140,7 @@ fn link(table: &mut Table, ring: &[HalfEdgeId], face: FaceId) {
 }
 
 /// A grid of `n` x `n` squares, every second one cut into two triangles, with coordinates that need all digits.
-pub fn grid(n: usize, triangles_only: bool) -> Table {
+pub(crate) fn grid(n: usize, triangles_only: bool) -> Table {
     let at = |i: usize, j: usize| j * (n + 1) + i;
     let points: Vec<[f64; 2]> =
         (0..=n).flat_map(|j| (0..=n).map(move |i| [i as f64 / 3.0, j as f64 * 1e-7 / 7.0])).collect();
@@ -158,7 +158,7 @@ pub fn grid(n: usize, triangles_only: bool) -> Table {
 }
 
 /// A square `f1` with an island: a square `f2` that holds a hole face `f3`.
-pub fn island() -> Table {
+pub(crate) fn island() -> Table {
     let square = |r: f64| [[-r, -r], [r, -r], [r, r], [-r, r]];
     let points: Vec<[f64; 2]> = [square(3.0), square(2.0), square(1.0)].concat();
     let mut faces = vec![
