@@ -260,6 +260,9 @@ fn paths_that_are_no_files_are_refused() {
     assert!(error.contains("the format is not known; say it: obj, off"), "{error}");
     std::fs::write(&unknown, "v 0 0\n").unwrap();
     assert!(read_path(&unknown, &ReadOptions::default()).is_ok(), "the contents say that it is OBJ");
+    let dump = folder.path().join("dump.txt");
+    std::fs::write(&dump, "dcel 1\nv0 0 0\n").unwrap();
+    assert!(read_path(&dump, &ReadOptions::default()).is_ok(), "a name for written tables does not hide the text");
     let said = ReadOptions { format: Some(Format::Off), ..ReadOptions::default() };
     assert!(read_path(&unknown, &said).is_err(), "the option wins over the contents");
 }

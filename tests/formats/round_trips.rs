@@ -371,16 +371,21 @@ fn notes_say_what_was_left_out() {
         &["1 line geometries", "2 point geometries", "third coordinate of 2 points", "1 polygons without any ring", "1 points that repeat the one before were removed, the first in geometry geometries[3] polygon 0 ring 0"],
     );
     // A degenerate hole goes alone; a degenerate outer ring takes its polygon with it.
-    let rings = br#"{"type":"MultiPolygon","coordinates":[[[[0,0],[4,0],[0,4],[0,0]],[[1,1],[2,1],[1,1]]],[[[9,9],[8,8],[9,9]],[[0,0],[1,0],[0,1],[0,0]]]]}"#;
+    let rings = br#"{"type":"Feature","id":"x","geometry":{"type":"MultiPolygon","coordinates":[
+        [[[0,0],[4,0],[0,4],[0,0]],[[1,1],[2,1],[1,1]]],[[[9,9],[8,8],[9,9]],[[0,0],[1,0],[0,1],[0,0]]],
+        [[[0,0],[0,4],[-4,0],[0,0]]]]}}"#;
     fragments(
         notes(rings, Format::GeoJson, true),
-        &["polygon 0 ring 1 has only 2 distinct points", "polygon 1 ring 0 has only 2"],
+        &["feature \"x\" polygon 0 ring 1 has only 2 distinct points", "polygon 1 ring 0 has only 2"],
     );
     let options = ReadOptions { drop_degenerate_rings: true, ..ReadOptions::default() };
     let Document::Polygons(soup) = read_bytes(rings, Format::GeoJson, "file", &options).unwrap().document else {
         panic!()
     };
-    assert_eq!((soup.points.len(), soup.faces.face_count(), soup.faces.cycle_count()), (3, 1, 1));
+    assert_eq!((soup.points.len(), soup.faces.face_count(), soup.faces.cycle_count()), (4, 2, 2));
+    assert_eq!(soup.faces.corners(), [0, 1, 2, 0, 2, 3], "numbered as they come, the dropped ones left out");
+    assert_eq!(soup.places.face_path(1), Some("feature \"x\" polygon 2"));
+    assert_eq!(soup.names.len(), 2);
 }
 
 #[test]
