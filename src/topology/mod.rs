@@ -12,12 +12,16 @@
 
 mod build;
 mod edit;
+mod flat;
 mod links;
+mod measure;
 mod polygons;
 mod pool;
 mod record;
+mod same;
 mod seed;
 mod table;
+mod validate;
 mod view;
 mod walk;
 
@@ -25,10 +29,13 @@ pub use build::{BuildError, Built};
 pub(crate) use build::{Faces, match_faces};
 pub use edit::{JoinEdgesError, JoinFacesError, SplitEdgeError, SplitFaceError};
 pub use links::Dcel;
+pub use measure::{ComponentCounts, Components, Counts, Mode, components, measure, measure_with};
 pub use polygons::PolygonList;
 pub use pool::{IdError, Renumbering, TooMany};
 pub use record::{Change, Journal, NoRecorder, Recorder, Slot, Step};
+pub use same::{Difference, Matching, SameOptions, VertexKey, Which, position_key, same, same_with};
 pub use seed::PolygonError;
 pub use table::{FaceRow, HalfEdgeRow, Table, VertexRow};
+pub use validate::{Rule, Violation, first_violation, violations, visit_violations};
 pub use view::{Ring, View, bounded_cycle};
 pub use walk::{Cycle, Star};

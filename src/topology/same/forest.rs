@@ -1,0 +1,454 @@
+//! Components and the faces that join them, compared from the leaves to the centre, then matched from the centre
+//! to the leaves.
+//!
+//! ```text
+//!   P0 ─ f1 ─ P1         pieces (components) are joined by the faces that several of them border. Every leaf
+//!        │               is a piece, so leaves are an even number of steps apart and a tree has exactly one
+//!        P2 ─ f5 ─ P3    centre: here P2. A face without any piece is a tree of its own.
+//! ```
+
+use super::super::flat::{Grouped, NONE};
+use super::colour::{Look, mix, refine};
+use super::difference::{first_pointer, which};
+use super::world::World;
+use super::{Difference, Matching, Which};
+use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use std::collections::{BTreeMap, VecDeque};
+
+/// Marks the class of a face while its piece is looked at from within that face.
+const PARENT: u32 = 1 << 31;
+
+/// Compares the two sides of a world.
+pub(super) fn compare(world: &World) -> Result<Matching, Difference> {
+    let mut forest = Forest::new(world);
+    for &f in world.faces.iter().filter(|&&f| !world.isolated.of(f as usize).is_empty()) {
+        if !forest.joins[f as usize] {
+            forest.classify_face(f);
+        }
+    }
+    let order = forest.peel()?;
+    for &node in &order {
+        match node {
+            Node::Piece(p) => forest.classify_piece(p),
+            Node::Face(f) => forest.classify_face(f),
+        }
+    }
+    let pairs = forest.pair_roots(&order)?;
+    let mut matcher = Matcher::new(world);
+    for (a, b) in pairs {
+        forest.match_trees(&mut matcher, a, b);
+    }
+    for &f in world.faces.iter().take_while(|&&f| f < world.split.face) {
+        if let Some(others) =
+            (matcher.face_to[f as usize] != NONE).then(|| world.isolated.of(matcher.face_to[f as usize] as usize))
+        {
+            matcher.match_isolated(world.isolated.of(f as usize), others);
+        }
+    }
+    let (here, there): (Vec<u32>, Vec<u32>) = world.adrift.iter().partition(|&&v| v < world.split.vertex);
+    matcher.match_isolated(&here, &there);
+    matcher.finish()
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Node {
+    Piece(u32),
+    Face(u32),
+}
+
+struct Forest<'a> {
+    world: &'a World,
+    /// The half-edges of each piece.
+    pieces: Grouped<u32>,
+    /// The pieces at each joining face, without repetition.
+    pieces_at: Grouped<u32>,
+    /// The joining faces of each piece.
+    faces_at: Grouped<u32>,
+    /// Whether the face is a node: it borders more than one piece, or none.
+    joins: Vec<bool>,
+    /// The face through which the centre is reached; `NONE` for a root.
+    parent: Vec<u32>,
+    /// The piece through which the centre is reached.
+    face_parent: Vec<u32>,
+    /// Equal for faces with equal labels and equal content; for joining faces from `classify_face` on.
+    face_class: Vec<u32>,
+    piece_class: Vec<u32>,
+    root: Vec<u32>,
+    colour: Vec<u64>,
+    contents: BTreeMap<(u32, Vec<u32>, Vec<u32>), u32>,
+    /// The first piece of every class met so far, by hash.
+    kinds: BTreeMap<u64, Vec<u32>>,
+    scratch: Matcher<'a>,
+}
+
+impl<'a> Forest<'a> {
+    fn new(world: &'a World) -> Self {
+        let bound = world.next.len();
+        let mut piece_of = vec![NONE; bound];
+        let (mut count, mut members) = (0, Vec::with_capacity(world.half_edges.len()));
+        for &start in &world.half_edges {
+            if piece_of[start as usize] != NONE {
+                continue;
+            }
+            let mut at = members.len();
+            piece_of[start as usize] = count;
+            members.push((count as usize, start));
+            while let Some(&(_, h)) = members.get(at) {
+                at += 1;
+                for g in [world.next[h as usize], world.twin[h as usize]] {
+                    if std::mem::replace(&mut piece_of[g as usize], count) == NONE {
+                        members.push((count as usize, g));
+                    }
+                }
+            }
+            count += 1;
+        }
+        let face_bound = world.face_label.len();
+        let mut joins = vec![false; face_bound];
+        let mut at_faces: Vec<(u32, u32)> = Vec::new();
+        for &f in &world.faces {
+            let first = at_faces.len();
+            at_faces.extend(world.cycles.of(f as usize).iter().map(|&h| (f, piece_of[h as usize])));
+            at_faces[first..].sort_unstable();
+            let mut kept = first;
+            for i in first..at_faces.len() {
+                if i == first || at_faces[i] != at_faces[i - 1] {
+                    at_faces[kept] = at_faces[i];
+                    kept += 1;
+                }
+            }
+            at_faces.truncate(kept);
+            joins[f as usize] = kept - first != 1;
+        }
+        at_faces.retain(|&(f, _)| joins[f as usize]);
+        let face_class = (0..face_bound).map(|f| world.face_label[f] | if joins[f] { PARENT } else { 0 }).collect();
+        Self {
+            world,
+            pieces: Grouped::new(count as usize, members.into_iter()),
+            pieces_at: Grouped::new(face_bound, at_faces.iter().map(|&(f, p)| (f as usize, p))),
+            faces_at: Grouped::new(count as usize, at_faces.iter().map(|&(f, p)| (p as usize, f))),
+            joins,
+            parent: vec![NONE; count as usize],
+            face_parent: vec![NONE; face_bound],
+            face_class,
+            piece_class: vec![NONE; count as usize],
+            root: vec![NONE; count as usize],
+            colour: vec![0; bound],
+            contents: BTreeMap::new(),
+            kinds: BTreeMap::new(),
+            scratch: Matcher::new(world),
+        }
+    }
+
+    /// Takes away leaves, layer by layer, and notes the way to the centre. Returns all nodes in that order.
+    fn peel(&mut self) -> Result<Vec<Node>, Difference> {
+        let joining: Vec<u32> = self.world.faces.iter().copied().filter(|&f| self.joins[f as usize]).collect();
+        let mut piece_degree: Vec<usize> = (0..self.parent.len()).map(|p| self.faces_at.of(p).len()).collect();
+        let mut face_degree: Vec<usize> = (0..self.joins.len()).map(|f| self.pieces_at.of(f).len()).collect();
+        let (mut piece_done, mut face_done) = (vec![false; piece_degree.len()], vec![false; face_degree.len()]);
+        let mut queue: VecDeque<Node> = (0..piece_degree.len() as u32)
+            .filter(|&p| piece_degree[p as usize] <= 1)
+            .map(Node::Piece)
+            .chain(joining.iter().copied().filter(|&f| face_degree[f as usize] <= 1).map(Node::Face))
+            .collect();
+        let mut order = Vec::with_capacity(piece_degree.len() + joining.len());
+        while let Some(node) = queue.pop_front() {
+            order.push(node);
+            match node {
+                Node::Piece(p) => {
+                    piece_done[p as usize] = true;
+                    if let Some(&f) = self.faces_at.of(p as usize).iter().find(|&&f| !face_done[f as usize]) {
+                        self.parent[p as usize] = f;
+                        face_degree[f as usize] -= 1;
+                        if face_degree[f as usize] == 1 {
+                            queue.push_back(Node::Face(f));
+                        }
+                    }
+                }
+                Node::Face(f) => {
+                    face_done[f as usize] = true;
+                    if let Some(&p) = self.pieces_at.of(f as usize).iter().find(|&&p| !piece_done[p as usize]) {
+                        self.face_parent[f as usize] = p;
+                        piece_degree[p as usize] -= 1;
+                        if piece_degree[p as usize] == 1 {
+                            queue.push_back(Node::Piece(p));
+                        }
+                    }
+                }
+            }
+        }
+        match joining.iter().find(|&&f| !face_done[f as usize]) {
+            Some(&f) => Err(Difference::Undecided { face: self.face_id(f) }),
+            None => Ok(order),
+        }
+    }
+
+    fn face_id(&self, f: u32) -> FaceId {
+        FaceId(f - if f < self.world.split.face { 0 } else { self.world.split.face })
+    }
+
+    /// Gives a piece, whose faces but the parent are classified, its class and its root.
+    fn classify_piece(&mut self, p: u32) {
+        let world = self.world;
+        let parent = self.parent[p as usize];
+        let members = self.pieces.of(p as usize);
+        let may_be_root = |h: u32| parent == NONE || world.face[h as usize] == parent;
+        let Look { hash, root } = refine(world, members, &self.face_class, &mut self.colour, may_be_root);
+        self.root[p as usize] = root;
+        let kinds = self.kinds.entry(mix(hash, u64::from(parent == NONE))).or_default();
+        for &other in kinds.iter() {
+            let (rep, class) = (self.root[other as usize], self.piece_class[other as usize]);
+            let other_size = self.pieces.of(other as usize).len();
+            let (colour, face_class) = (&self.colour, &self.face_class);
+            let mut starts =
+                members.iter().copied().filter(|&h| colour[h as usize] == colour[rep as usize] && may_be_root(h));
+            if other_size == members.len()
+                && starts.any(|h| {
+                    let fits = self.scratch.walk(face_class, rep, h);
+                    self.scratch.forget();
+                    fits
+                })
+            {
+                self.piece_class[p as usize] = class;
+                return;
+            }
+        }
+        kinds.push(p);
+        self.piece_class[p as usize] = p;
+    }
+
+    /// Gives a joining face, whose pieces but the parent are classified, its class.
+    fn classify_face(&mut self, f: u32) {
+        let parent = self.face_parent[f as usize];
+        let children = self.pieces_at.of(f as usize).iter().filter(|&&p| p != parent);
+        let mut classes: Vec<u32> = children.map(|&p| self.piece_class[p as usize]).collect();
+        let isolated = self.world.isolated.of(f as usize);
+        let mut labels: Vec<u32> = isolated.iter().map(|&v| self.world.vertex_label[v as usize]).collect();
+        classes.sort_unstable();
+        labels.sort_unstable();
+        let fresh = (self.world.face_label.len() + self.contents.len()) as u32;
+        let key = (self.world.face_label[f as usize], classes, labels);
+        self.face_class[f as usize] = *self.contents.entry(key).or_insert(fresh);
+    }
+
+    /// Pairs the trees of the two sides by the classes of their roots.
+    fn pair_roots(&self, order: &[Node]) -> Result<Vec<(Node, Node)>, Difference> {
+        let split = self.world.split;
+        let mut sides = [Vec::new(), Vec::new()];
+        for &node in order {
+            let (is_root, class, side) = match node {
+                Node::Piece(p) => {
+                    let first = which(self.root[p as usize], split.half_edge);
+                    (self.parent[p as usize] == NONE, Node::Piece(self.piece_class[p as usize]), first)
+                }
+                Node::Face(f) => (
+                    self.face_parent[f as usize] == NONE,
+                    Node::Face(self.face_class[f as usize]),
+                    which(f, split.face),
+                ),
+            };
+            if is_root {
+                sides[usize::from(side == Which::Second)].push((class, node));
+            }
+        }
+        sides.iter_mut().for_each(|side| side.sort_unstable());
+        let [first, second] = sides;
+        let apart = first.iter().zip(&second).find(|((a, _), (b, _))| a != b).map(|(&(_, node), _)| node);
+        let lonely = first.get(second.len()).or_else(|| second.get(first.len())).map(|&(_, node)| node);
+        if let Some(node) = apart.or(lonely) {
+            return Err(first_pointer(self.world).unwrap_or_else(|| self.no_counterpart(node)));
+        }
+        Ok(first.into_iter().zip(second).map(|((_, a), (_, b))| (a, b)).collect())
+    }
+
+    fn no_counterpart(&self, node: Node) -> Difference {
+        match node {
+            Node::Face(f) => Difference::Content { face: self.face_id(f) },
+            Node::Piece(p) => {
+                let (h, split) = (self.root[p as usize], self.world.split.half_edge);
+                let h = HalfEdgeId(h - if h < split { 0 } else { split });
+                Difference::Component { h, half_edges: self.pieces.of(p as usize).len() }
+            }
+        }
+    }
+
+    /// Matches two trees whose roots have the same class, from the centre outwards.
+    fn match_trees(&self, matcher: &mut Matcher, a: Node, b: Node) {
+        let mut faces = Vec::new();
+        match (a, b) {
+            (Node::Piece(p), Node::Piece(q)) => self.match_pieces(matcher, p, q, &mut faces),
+            (Node::Face(f), Node::Face(g)) => {
+                matcher.pair_faces(f, g);
+                faces.push((f, g));
+            }
+            _ => {}
+        }
+        while let Some((f, g)) = faces.pop() {
+            for (p, q) in self.children(f).into_iter().zip(self.children(g)) {
+                self.match_pieces(matcher, p, q, &mut faces);
+            }
+        }
+    }
+
+    fn children(&self, f: u32) -> Vec<u32> {
+        let pieces = self.pieces_at.of(f as usize).iter().copied();
+        let mut children: Vec<u32> = pieces.filter(|&p| p != self.face_parent[f as usize]).collect();
+        children.sort_by_key(|&p| self.piece_class[p as usize]);
+        children
+    }
+
+    /// Matches two pieces of one class, whose parent faces are matched already, and hands out the joining faces
+    /// they lead to.
+    fn match_pieces(&self, matcher: &mut Matcher, p: u32, q: u32, faces: &mut Vec<(u32, u32)>) {
+        let (root, parent) = (self.root[p as usize], self.parent[p as usize]);
+        let starts = self.pieces.of(q as usize).iter().copied();
+        for start in starts.filter(|&h| self.colour[h as usize] == self.colour[root as usize]) {
+            if matcher.walk(&self.face_class, root, start) {
+                matcher.keep();
+                break;
+            }
+            matcher.forget();
+        }
+        let found = self.faces_at.of(p as usize).iter().copied().filter(|&f| f != parent);
+        faces.extend(found.map(|f| (f, matcher.face_to[f as usize])).filter(|&(_, g)| g != NONE));
+    }
+}
+
+/// A map from half-edges to half-edges while it grows by walks that may be taken back.
+struct Matcher<'a> {
+    world: &'a World,
+    to: Vec<u32>,
+    face_to: Vec<u32>,
+    face_from: Vec<u32>,
+    vertex_to: Vec<u32>,
+    trail: Vec<(u32, u32)>,
+    face_trail: Vec<(u32, u32)>,
+}
+
+impl<'a> Matcher<'a> {
+    fn new(world: &'a World) -> Self {
+        Self {
+            world,
+            to: vec![NONE; world.next.len()],
+            face_to: vec![NONE; world.face_label.len()],
+            face_from: vec![NONE; world.face_label.len()],
+            vertex_to: vec![NONE; world.vertex_label.len()],
+            trail: Vec::new(),
+            face_trail: Vec::new(),
+        }
+    }
+
+    /// Follows `next` and `twin` on both sides from `a` and `b` on, as far as labels, faces and earlier pairs
+    /// agree. Whether they did all the way; the pairs stay until [`forget`](Self::forget).
+    ///
+    /// A map that keeps `next` and `twin` reaches all of a component, so between components of equal size it is
+    /// one to one.
+    fn walk(&mut self, face_class: &[u32], a: u32, b: u32) -> bool {
+        let world = self.world;
+        let mut at = self.trail.len();
+        self.to[a as usize] = b;
+        self.trail.push((a, b));
+        while let Some(&(a, b)) = self.trail.get(at) {
+            at += 1;
+            let (i, j) = (a as usize, b as usize);
+            let (f, g) = (world.face[i], world.face[j]);
+            if world.label[i] != world.label[j]
+                || face_class[f as usize] != face_class[g as usize]
+                || !self.pair_faces(f, g)
+            {
+                return false;
+            }
+            for (c, d) in [(world.next[i], world.next[j]), (world.twin[i], world.twin[j])] {
+                match self.to[c as usize] {
+                    NONE => {
+                        self.to[c as usize] = d;
+                        self.trail.push((c, d));
+                    }
+                    known if known == d => {}
+                    _ => return false,
+                }
+            }
+        }
+        true
+    }
+
+    fn pair_faces(&mut self, f: u32, g: u32) -> bool {
+        let (to, from) = (&mut self.face_to[f as usize], &mut self.face_from[g as usize]);
+        if *to == NONE && *from == NONE {
+            (*to, *from) = (g, f);
+            self.face_trail.push((f, g));
+        }
+        *to == g && *from == f
+    }
+
+    /// Takes back the pairs since the last [`keep`](Self::keep).
+    fn forget(&mut self) {
+        for (a, _) in self.trail.drain(..) {
+            self.to[a as usize] = NONE;
+        }
+        for (f, g) in self.face_trail.drain(..) {
+            (self.face_to[f as usize], self.face_from[g as usize]) = (NONE, NONE);
+        }
+    }
+
+    /// Matches vertices without edges by their labels. O(n log n).
+    fn match_isolated(&mut self, here: &[u32], there: &[u32]) {
+        let [here, there] = [here, there].map(|vertices| {
+            let mut sorted = vertices.to_vec();
+            sorted.sort_by_key(|&v| self.world.vertex_label[v as usize]);
+            sorted
+        });
+        here.iter().zip(there).for_each(|(&v, w)| self.vertex_to[v as usize] = w);
+    }
+
+    fn keep(&mut self) {
+        self.trail.clear();
+        self.face_trail.clear();
+    }
+
+    /// Checks the whole map once more, pointer by pointer, and translates it into ids.
+    fn finish(mut self) -> Result<Matching, Difference> {
+        let (world, split) = (self.world, self.world.split);
+        let apart = || first_pointer(world).unwrap_or(Difference::Content { face: FaceId(0) });
+        let mut taken = vec![false; self.to.len()];
+        for &a in world.half_edges.iter().take_while(|&&a| a < split.half_edge) {
+            let b = self.to[a as usize];
+            if b == NONE || b < split.half_edge || std::mem::replace(&mut taken[b as usize], true) {
+                return Err(apart());
+            }
+            let (i, j) = (a as usize, b as usize);
+            let agree = |column: &[u32]| self.to[column[i] as usize] == column[j];
+            let (v, w) = (world.origin[i], world.origin[j]);
+            let known = std::mem::replace(&mut self.vertex_to[v as usize], w);
+            let keeps = agree(&world.next) && agree(&world.prev) && agree(&world.twin);
+            let keeps =
+                keeps && self.face_to[world.face[i] as usize] == world.face[j] && world.label[i] == world.label[j];
+            if !keeps || (known != NONE && known != w) {
+                return Err(apart());
+            }
+        }
+        let mut matching = Matching {
+            vertices: vec![None; split.vertex as usize].into(),
+            half_edges: vec![None; split.half_edge as usize].into(),
+            faces: vec![None; split.face as usize].into(),
+        };
+        for &v in world.vertices.iter().take_while(|&&v| v < split.vertex) {
+            let w = self.vertex_to[v as usize];
+            if w == NONE || world.vertex_label[v as usize] != world.vertex_label[w as usize] {
+                return Err(apart());
+            }
+            matching.vertices[VertexId(v)] = Some(VertexId(w - split.vertex));
+        }
+        for &h in world.half_edges.iter().take_while(|&&h| h < split.half_edge) {
+            matching.half_edges[HalfEdgeId(h)] = Some(HalfEdgeId(self.to[h as usize] - split.half_edge));
+        }
+        for &f in world.faces.iter().take_while(|&&f| f < split.face) {
+            let g = self.face_to[f as usize];
+            if g == NONE || world.face_label[f as usize] != world.face_label[g as usize] {
+                return Err(apart());
+            }
+            matching.faces[FaceId(f)] = Some(FaceId(g - split.face));
+        }
+        Ok(matching)
+    }
+}

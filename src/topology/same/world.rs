@@ -1,0 +1,206 @@
+//! Both views side by side in one set of numbers: those of the second follow those of the first.
+
+use super::super::flat::{Flat, Grouped, NONE};
+use super::difference::which;
+use super::{Difference, SameOptions, VertexKey, View};
+use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
+
+/// Two legal views as one structure, with exact labels: partners must have equal labels.
+pub(super) struct World {
+    pub(super) origin: Vec<u32>,
+    pub(super) twin: Vec<u32>,
+    pub(super) next: Vec<u32>,
+    pub(super) prev: Vec<u32>,
+    pub(super) face: Vec<u32>,
+    /// Live elements of both views, those of the first view first.
+    pub(super) vertices: Vec<u32>,
+    pub(super) half_edges: Vec<u32>,
+    pub(super) faces: Vec<u32>,
+    /// The number of the second view's first vertex, half-edge and face.
+    pub(super) split: Split,
+    pub(super) vertex_label: Vec<u32>,
+    pub(super) label: Vec<u32>,
+    pub(super) face_label: Vec<u32>,
+    /// One half-edge for each cycle, grouped by face.
+    pub(super) cycles: Grouped<u32>,
+    /// The isolated vertices, grouped by the face that lists them.
+    pub(super) isolated: Grouped<u32>,
+    /// Isolated vertices that no face lists.
+    pub(super) adrift: Vec<u32>,
+}
+
+/// Where the second view's numbers begin.
+#[derive(Clone, Copy)]
+pub(super) struct Split {
+    pub(super) vertex: u32,
+    pub(super) half_edge: u32,
+    pub(super) face: u32,
+}
+
+impl World {
+    pub(super) fn new<A: View + ?Sized, B: View + ?Sized>(
+        a: &A,
+        b: &B,
+        options: &SameOptions,
+    ) -> Result<Self, Difference> {
+        let sides = [Flat::read(a), Flat::read(b)];
+        let [first, second] = &sides;
+        let split = Split {
+            vertex: first.outgoing.len() as u32,
+            half_edge: first.next.len() as u32,
+            face: first.boundary.len() as u32,
+        };
+        counts(first, second)?;
+        let join = |column: fn(&Flat) -> &Vec<u32>, shift: u32| -> Vec<u32> {
+            let moved = column(second).iter().map(|&to| if to == NONE { NONE } else { to + shift });
+            column(first).iter().copied().chain(moved).collect()
+        };
+        let both = |a: Vec<u32>, b: Vec<u32>, shift: u32| -> Vec<u32> {
+            a.into_iter().chain(b.into_iter().map(|x| x + shift)).collect()
+        };
+        let shifts = [Split { vertex: 0, half_edge: 0, face: 0 }, split];
+        let with_shift = || sides.iter().zip(shifts);
+        let cycles = with_shift().flat_map(|(flat, shift)| {
+            flat.listed_cycles().map(move |(f, h)| ((f + shift.face) as usize, h + shift.half_edge))
+        });
+        let isolated = with_shift().flat_map(|(flat, shift)| {
+            flat.listed_vertices().map(move |(f, v)| ((f + shift.face) as usize, v + shift.vertex))
+        });
+        let face_bound = first.boundary.len() + second.boundary.len();
+        let mut world = Self {
+            origin: join(|flat| &flat.origin, split.vertex),
+            twin: join(|flat| &flat.twin, split.half_edge),
+            next: join(|flat| &flat.next, split.half_edge),
+            prev: join(|flat| &flat.prev, split.half_edge),
+            face: join(|flat| &flat.face, split.face),
+            vertices: both(first.vertices().collect(), second.vertices().collect(), split.vertex),
+            half_edges: both(first.half_edges().collect(), second.half_edges().collect(), split.half_edge),
+            faces: both(first.faces().collect(), second.faces().collect(), split.face),
+            split,
+            vertex_label: Vec::new(),
+            label: Vec::new(),
+            face_label: Vec::new(),
+            cycles: Grouped::new(face_bound, cycles),
+            isolated: Grouped::new(face_bound, isolated),
+            adrift: Vec::new(),
+        };
+        world.adrift = world.find_adrift(first.outgoing.len() + second.outgoing.len());
+        world.set_labels(&sides, options)?;
+        Ok(world)
+    }
+
+    /// The vertices without edges that no face lists.
+    fn find_adrift(&self, vertex_bound: usize) -> Vec<u32> {
+        let mut has_place = vec![false; vertex_bound];
+        self.half_edges.iter().for_each(|&h| has_place[self.origin[h as usize] as usize] = true);
+        for &f in &self.faces {
+            self.isolated.of(f as usize).iter().for_each(|&v| has_place[v as usize] = true);
+        }
+        self.vertices.iter().copied().filter(|&v| !has_place[v as usize]).collect()
+    }
+
+    fn set_labels(&mut self, sides: &[Flat; 2], options: &SameOptions) -> Result<(), Difference> {
+        let pinned = |element: Element| options.fixed.is_some_and(|is_fixed| is_fixed(element));
+        let split = self.split;
+        let fixed_vertex = |v: u32| {
+            let v = v - if v < split.vertex { 0 } else { split.vertex };
+            if pinned(Element::Vertex(VertexId(v))) { v } else { NONE }
+        };
+        let fixed_half_edge = |h: u32| {
+            let h = h - if h < split.half_edge { 0 } else { split.half_edge };
+            if pinned(Element::HalfEdge(HalfEdgeId(h))) { h } else { NONE }
+        };
+        let fixed_face = |f: u32| {
+            let f = f - if f < split.face { 0 } else { split.face };
+            if pinned(Element::Face(FaceId(f))) { f } else { NONE }
+        };
+        let key = |v: u32| -> VertexKey {
+            match options.keys {
+                None => [0, 0],
+                Some([first, _]) if v < split.vertex => first(VertexId(v)),
+                Some([_, second]) => second(VertexId(v - split.vertex)),
+            }
+        };
+        let stored = |h: u32| {
+            let (flat, h, v, f) = if h < split.half_edge {
+                (&sides[0], h, self.origin[h as usize], self.face[h as usize])
+            } else {
+                let i = h as usize;
+                (&sides[1], h - split.half_edge, self.origin[i] - split.vertex, self.face[i] - split.face)
+            };
+            options.representatives.then(|| (flat.outgoing[v as usize] == h, flat.boundary[f as usize] == h))
+        };
+        let face_state = |f: u32| {
+            let (flat, f) = if f < split.face { (&sides[0], f) } else { (&sides[1], f - split.face) };
+            (flat.outer == Some(f), flat.hole[f as usize])
+        };
+        let vertex_bound = split.vertex as usize + sides[1].outgoing.len();
+        self.vertex_label = intern(&self.vertices, vertex_bound, |v| (fixed_vertex(v), key(v)));
+        let vertex_label = &self.vertex_label;
+        let start = |h: u32| vertex_label[self.origin[h as usize] as usize];
+        self.label = intern(&self.half_edges, self.next.len(), |h| (start(h), fixed_half_edge(h), stored(h)));
+        let face_bound = split.face as usize + sides[1].boundary.len();
+        self.face_label =
+            intern(&self.faces, face_bound, |f| (fixed_face(f), face_state(f), self.cycles.of(f as usize).len()));
+
+        let element = |v: u32| Element::Vertex(VertexId(v - if v < split.vertex { 0 } else { split.vertex }));
+        unpaired(&self.vertices, split.vertex, &self.vertex_label, |v| (element(v), fixed_vertex(v) != NONE))?;
+        let element = |h: u32| Element::HalfEdge(HalfEdgeId(h - if h < split.half_edge { 0 } else { split.half_edge }));
+        unpaired(&self.half_edges, split.half_edge, &self.label, |h| (element(h), fixed_half_edge(h) != NONE))?;
+        let element = |f: u32| Element::Face(FaceId(f - if f < split.face { 0 } else { split.face }));
+        unpaired(&self.faces, split.face, &self.face_label, |f| (element(f), fixed_face(f) != NONE))
+    }
+}
+
+/// Numbers the distinct values of the elements, equal values getting equal numbers. O(n log n).
+fn intern<T: Ord>(elements: &[u32], bound: usize, value: impl Fn(u32) -> T) -> Vec<u32> {
+    let mut sorted: Vec<(T, u32)> = elements.iter().map(|&x| (value(x), x)).collect();
+    sorted.sort_unstable();
+    let mut labels = vec![NONE; bound];
+    let mut label = 0;
+    for (i, (value, x)) in sorted.iter().enumerate() {
+        label += u32::from(i > 0 && sorted[i - 1].0 != *value);
+        labels[*x as usize] = label;
+    }
+    labels
+}
+
+/// Fails if a label occurs more often on one side than on the other.
+fn unpaired(
+    elements: &[u32],
+    split: u32,
+    labels: &[u32],
+    describe: impl Fn(u32) -> (Element, bool),
+) -> Result<(), Difference> {
+    let count = elements.iter().map(|&x| labels[x as usize] as usize + 1).max().unwrap_or(0);
+    let mut balance = vec![0_i64; count];
+    for &x in elements {
+        balance[labels[x as usize] as usize] += if x < split { 1 } else { -1 };
+    }
+    let odd = elements.iter().find(|&&x| balance[labels[x as usize] as usize] * if x < split { 1 } else { -1 } > 0);
+    odd.map_or(Ok(()), |&x| {
+        let (element, fixed) = describe(x);
+        Err(Difference::Unpaired { element, which: which(x, split), fixed })
+    })
+}
+
+fn counts(a: &Flat, b: &Flat) -> Result<(), Difference> {
+    let count = |flat: &Flat| {
+        let half_edges = flat.half_edges().count();
+        [
+            ("vertices", flat.vertices().count()),
+            ("edges", half_edges / 2),
+            ("faces", flat.faces().count()),
+            ("outer faces", usize::from(flat.outer.is_some())),
+            ("hole faces", flat.hole.iter().filter(|&&hole| hole).count()),
+            ("boundary cycles", flat.listed_cycles().count()),
+            ("isolated vertices listed by faces", flat.listed_vertices().count()),
+        ]
+    };
+    for ((what, found), (_, expected)) in count(a).into_iter().zip(count(b)) {
+        if found != expected {
+            return Err(Difference::Count { what, found, expected });
+        }
+    }
+    Ok(())
+}
