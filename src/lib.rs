@@ -1,5 +1,6 @@
 //! Half-edge structures to learn with.
 
+pub mod figure;
 pub mod ids;
 pub mod io;
 pub mod plane;

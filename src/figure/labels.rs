@@ -1,0 +1,231 @@
+//! Where the names stand: no label covers a line, a disc or another label.
+//!
+//! ```text
+//!        h4                  vertex names   inside their discs; beside small discs, in the widest corner
+//!   (v3)─────▸ v9            half-edges     on the face side, in the middle of the shaft or near it
+//!          f2   ∘            faces          at the pole of the room that is left
+//! ```
+//!
+//! Small faces choose first: a half-edge without a label still has a neighbour's number to count from, a face
+//! without one has nothing. What finds no place is left out; its tooltip remains.
+
+use super::crowd::{Crowd, Shape};
+use super::faces::{Label, LabelRoom, Region, label_texts, place};
+use super::half_edges::Shaft;
+use super::skeleton::{Skeleton, half_edges, vertices};
+use super::vector::{Bounds, Xy, xy};
+use super::vertices::{Spokes, name_size};
+use super::{Detail, FigureOptions, text};
+use crate::ids::{FaceId, HalfEdgeId, HalfEdgeMap, VertexId, VertexMap};
+use crate::plane::PlanarView;
+use crate::topology::Ring;
+
+/// A shaft shorter than this has no label.
+const SHORTEST: f64 = 24.0;
+/// Distance between a shaft and its label.
+const BESIDE: f64 = 3.2;
+/// Free space round a half-edge label.
+const AIR: f64 = 1.5;
+/// Where along the edge a label may stand, in the order of preference: the middle, then further and further
+/// from it.
+const PLACES: [f64; 5] = [0.0, -0.1, 0.1, -0.2, 0.2];
+
+/// All placed labels.
+pub(super) struct Labels {
+    pub(super) vertices: VertexMap<Option<Label>>,
+    pub(super) half_edges: HalfEdgeMap<Option<Label>>,
+    /// In the order of the regions.
+    pub(super) faces: Vec<Option<Label>>,
+    pub(super) outer: Option<Label>,
+}
+
+/// What stands on the canvas before the labels come.
+pub(super) struct Stage<'a, V: ?Sized> {
+    pub(super) view: &'a V,
+    pub(super) options: &'a FigureOptions,
+    pub(super) detail: Detail,
+    pub(super) size: Xy,
+    pub(super) skeleton: &'a Skeleton,
+    pub(super) radii: &'a VertexMap<f64>,
+    pub(super) shafts: &'a HalfEdgeMap<Option<Shaft>>,
+    pub(super) regions: &'a [Region],
+}
+
+impl<V: PlanarView + ?Sized> Stage<'_, V> {
+    /// Places all labels. O(elements), if they do not crowd.
+    pub(super) fn labels(&self) -> Labels {
+        let mut crowd = self.crowd();
+        let outer = outer_label(self.view, self.options, self.size, self.detail);
+        if let Some(label) = &outer {
+            crowd.add(Shape::Box(label.bounds()), u32::MAX);
+        }
+        let vertices = self.vertex_names(&mut crowd);
+        let texts = label_texts(self.regions, self.options);
+        let texts: Vec<Option<String>> = texts
+            .into_iter()
+            .zip(self.regions)
+            .map(|(text, region)| text.filter(|_| self.view.outer_face() != Some(region.face)))
+            .collect();
+        let mut faces = vec![None; texts.len()];
+        self.face_labels(&texts, &mut faces, &mut crowd, true);
+        let half_edges = self.half_edge_labels(&mut crowd);
+        self.face_labels(&texts, &mut faces, &mut crowd, false);
+        Labels { vertices, half_edges, faces, outer }
+    }
+
+    /// Edges, shafts and discs.
+    fn crowd(&self) -> Crowd {
+        let style = &self.options.style;
+        let mut crowd = Crowd::new(self.size);
+        for &h in &self.skeleton.edges {
+            if let Some((a, b)) = self.skeleton.segment(h) {
+                crowd.add(Shape::Segment(a, b, 0.5 * style.edge_width), h.number());
+            }
+        }
+        for (h, shaft) in self.shafts.iter() {
+            for shape in shaft.iter().flat_map(|shaft| shaft.shapes(style)) {
+                crowd.add(shape, h.number());
+            }
+        }
+        for v in vertices(self.view) {
+            if let Some(disc) = self.disc(v) {
+                crowd.add(disc, v.number());
+            }
+        }
+        crowd
+    }
+
+    fn disc(&self, v: VertexId) -> Option<Shape> {
+        Some(Shape::Disc(self.skeleton.place(v)?, self.radii[v] + 1.5))
+    }
+
+    fn is_on_canvas(&self, bounds: &Bounds) -> bool {
+        Bounds { min: xy(4.0, 4.0), max: self.size - xy(4.0, 4.0) }.contains(bounds)
+    }
+
+    fn vertex_names(&self, crowd: &mut Crowd) -> VertexMap<Option<Label>> {
+        let mut out = VertexMap::filled(self.view.vertex_bound(), None);
+        if !self.options.vertex_labels || self.detail < Detail::Arrows {
+            return out;
+        }
+        let style = &self.options.style;
+        let spokes = Spokes::new(self.view.vertex_bound(), self.skeleton);
+        for v in vertices(self.view) {
+            let Some(at) = self.skeleton.place(v) else { continue };
+            let text = v.to_string();
+            if let Some(size) = name_size(&text, self.radii[v], style) {
+                out[v] = Some(Label { at, size, text });
+                continue;
+            }
+            let size = 0.85 * style.vertex_text;
+            let half = (0.5 * text::width(&text, size, true), text::half_height(size));
+            let corners = spokes.bisectors(v);
+            let compass =
+                [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0), (0.7, 0.7), (-0.7, 0.7), (0.7, -0.7), (-0.7, -0.7)];
+            let directions: Vec<Xy> = corners.into_iter().take(6).chain(compass.map(|(x, y)| xy(x, y))).collect();
+            let places = [4.0, 10.0, 16.0].into_iter().flat_map(|gap| {
+                let reach = |d: &Xy| self.radii[v] + gap + half.0 * d.x.abs() + half.1 * d.y.abs();
+                directions.iter().map(move |d| at + *d * reach(d)).collect::<Vec<_>>()
+            });
+            let free = |place: &Xy| {
+                let bounds = Bounds::around(*place, half.0, half.1);
+                self.is_on_canvas(&bounds) && crowd.blocker(&bounds.grown(1.0)).is_none()
+            };
+            if let Some(at) = places.into_iter().find(free) {
+                let label = Label { at, size, text };
+                crowd.add(Shape::Box(label.bounds()), v.number());
+                out[v] = Some(label);
+            }
+        }
+        out
+    }
+
+    fn half_edge_labels(&self, crowd: &mut Crowd) -> HalfEdgeMap<Option<Label>> {
+        let mut out = HalfEdgeMap::filled(self.view.half_edge_bound(), None);
+        if !self.options.half_edge_labels || self.detail < Detail::Full {
+            return out;
+        }
+        for h in half_edges(self.view) {
+            out[h] = self.shafts[h].as_ref().and_then(|shaft| self.half_edge_label(h, shaft, crowd));
+            if let Some(label) = &out[h] {
+                crowd.add(Shape::Box(label.bounds()), h.number());
+            }
+        }
+        out
+    }
+
+    /// Upright, beside the shaft by the support function of its box.
+    fn half_edge_label(&self, h: HalfEdgeId, shaft: &Shaft, crowd: &Crowd) -> Option<Label> {
+        if shaft.length() < SHORTEST {
+            return None;
+        }
+        let (size, text) = (self.options.style.half_edge_text, h.to_string());
+        let (width, height) = (0.5 * text::width(&text, size, false), text::half_height(size));
+        let aside = shaft.along.left();
+        let distance = BESIDE + width * aside.x.abs() + height * aside.y.abs();
+        let middle = shaft.middle + aside * distance;
+        let places = PLACES.into_iter().map(|t| middle + shaft.along * (t * shaft.edge_length));
+        let free = |place: &Xy| {
+            let bounds = Bounds::around(*place, width, height);
+            self.is_on_canvas(&bounds) && crowd.blocker(&bounds.grown(AIR)).is_none()
+        };
+        places.into_iter().find(free).map(|at| Label { at, size, text })
+    }
+
+    /// Labels of faces. The first time only those that do not reach their full size; then the others.
+    fn face_labels(&self, texts: &[Option<String>], out: &mut [Option<Label>], crowd: &mut Crowd, small: bool) {
+        let style = &self.options.style;
+        let size = if self.detail < Detail::Arrows { style.map_text } else { style.face_text };
+        for ((region, text), out) in self.regions.iter().zip(texts).zip(out) {
+            let Some(text) = text.as_ref().filter(|_| out.is_none()) else { continue };
+            let room = LabelRoom { text, size, smallest: size.min(7.5) };
+            let obstacles = self.obstacles(region);
+            if small && place(region, &room, obstacles.clone(), |_| None).is_none_or(|label| label.size >= size) {
+                continue;
+            }
+            *out = place(region, &room, obstacles, |bounds| crowd.blocker(bounds));
+            if let Some(label) = out {
+                crowd.add(Shape::Box(label.bounds()), region.face.number());
+            }
+        }
+    }
+
+    /// Shafts and discs in a face.
+    fn obstacles(&self, region: &Region) -> Vec<Shape> {
+        let style = &self.options.style;
+        let mut out = Vec::new();
+        let shafts = region.walk(self.view).filter_map(|h| self.shafts.get(h)?.as_ref());
+        out.extend(shafts.flat_map(|shaft| shaft.shapes(style)));
+        let corners = region.walk(self.view).filter_map(|h| self.view.origin(h));
+        let isolated = self.view.rings(region.face).iter().filter_map(|ring| match ring {
+            Ring::Isolated(v) => Some(*v),
+            Ring::Cycle(_) => None,
+        });
+        out.extend(corners.chain(isolated).filter_map(|v| self.disc(v)));
+        out
+    }
+}
+
+/// The label of the outer face: in the top right corner of the frame, in the free band.
+pub(super) fn outer_label<V: PlanarView + ?Sized>(
+    view: &V,
+    options: &FigureOptions,
+    size: Xy,
+    detail: Detail,
+) -> Option<Label> {
+    let face: FaceId = view.outer_face().filter(|&f| view.has_face(f))?;
+    let text = match options.face_labels {
+        super::FaceLabels::Off => return None,
+        super::FaceLabels::Ids => face.to_string(),
+        super::FaceLabels::Names => options.name(face).map_or_else(|| face.to_string(), str::to_owned),
+    };
+    let padding = if detail < Detail::Arrows { options.style.small_padding } else { options.style.padding };
+    let widest = size.x - 28.0;
+    let width = text::width(&text, 1.0, true);
+    let largest = options.style.face_text.min(padding - 12.0);
+    let fitting = largest.min(widest / width);
+    (fitting >= 7.5).then(|| {
+        let at = xy(size.x - 14.0 - 0.5 * fitting * width, (0.5 * padding + 1.0).min(24.0));
+        Label { at, size: fitting, text }
+    })
+}

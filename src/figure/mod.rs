@@ -1,0 +1,121 @@
+//! Figures: a half-edge structure as SVG.
+//!
+//! ```text
+//!   view ──> layout ──────────> scene ──────────> SVG
+//!            skeleton.rs  what can be drawn        scene.rs    groups, lines, areas, discs, texts
+//!            fit.rs       scale, level of detail   svg_out.rs  crate svg
+//!            vertices.rs  half_edges.rs  faces.rs  tints.rs   labels.rs  (crowd.rs, pole.rs)  tiles.rs
+//! ```
+//!
+//! Reading rules of every figure: arrows run on the left of their edge and their one-sided barb points to
+//! their face; the outer face is hatched and named like any other; a hole face is hatched the other way.
+//! Any view can be drawn, a broken one too: what cannot be drawn is listed in the [notes](Figure::notes).
+//!
+//! The bytes depend on the input alone: only `+ - * /` and `sqrt` are used on the way to a coordinate.
+//!
+//! ```
+//! use dcel_kit::figure::{self, FigureOptions};
+//! use dcel_kit::topology::{Dcel, Table};
+//!
+//! let mut table = Table::from_view(&Dcel::polygon(3)?);
+//! for (vertex, position) in table.vertices.iter_mut().flatten().zip([[0.0, 0.0], [4.0, 0.0], [1.0, 3.0]]) {
+//!     vertex.position = Some(position);
+//! }
+//! table.outer_face = Some(dcel_kit::FaceId::new(0));
+//! let figure = figure::structure(&table, &FigureOptions::new("A triangle"))?;
+//! assert!(figure.to_svg().contains("id=\"a-triangle-h0\""));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod crowd;
+mod faces;
+mod fit;
+mod half_edges;
+mod labels;
+mod number;
+mod options;
+mod pole;
+mod scene;
+mod skeleton;
+mod structure;
+mod style;
+mod svg_out;
+mod text;
+mod tiles;
+mod tints;
+mod vector;
+mod vertices;
+
+pub use options::{Detail, FaceLabels, FigureOptions};
+pub use structure::structure;
+pub use style::{Colour, Palette, Style};
+
+use crate::ids::VertexId;
+use crate::plane::CoordinateError;
+use std::io::{self, Write};
+
+/// Why a structure cannot be drawn.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FigureError {
+    /// There are vertices, but none has a position.
+    #[error(
+        "none of the {vertices} vertices has a position: a figure needs x and y for at least one, for example {example}"
+    )]
+    NoPosition {
+        /// The number of vertices.
+        vertices: usize,
+        /// The first of them.
+        example: VertexId,
+    },
+    /// A coordinate is not a number, infinite, or too large to compute with.
+    #[error("{vertex}: {error}")]
+    Coordinate {
+        /// The vertex.
+        vertex: VertexId,
+        /// What is wrong with it.
+        error: CoordinateError,
+    },
+}
+
+/// A finished drawing.
+#[derive(Clone, Debug)]
+pub struct Figure {
+    scene: scene::Scene,
+    detail: Detail,
+    notes: Vec<String>,
+}
+
+impl Figure {
+    /// The SVG document, with a line break at its end. The same figure always gives the same bytes.
+    #[must_use]
+    pub fn to_svg(&self) -> String {
+        svg_out::document(&self.scene)
+    }
+
+    /// Writes the SVG document.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn write_svg(&self, mut out: impl Write) -> io::Result<()> {
+        out.write_all(self.to_svg().as_bytes())
+    }
+
+    /// Width and height of the canvas in px.
+    #[must_use]
+    pub fn size(&self) -> (f64, f64) {
+        (self.scene.size.x, self.scene.size.y)
+    }
+
+    /// How much is drawn.
+    #[must_use]
+    pub fn detail(&self) -> Detail {
+        self.detail
+    }
+
+    /// What could not be drawn, one sentence a kind, with the elements. Empty for a sound structure.
+    #[must_use]
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+}

@@ -1,0 +1,217 @@
+//! What the caller may choose about a figure.
+
+use super::Style;
+use super::text;
+use crate::ids::{FaceId, FaceMap};
+
+/// How much of the structure is drawn. Chosen by the median length of the edges on the canvas, and by their
+/// number, unless the caller fixes it.
+///
+/// ```text
+///   median edge   >= 60 px    25 .. 60    8 .. 25        < 8
+///                  Full        Arrows      Edges         Tiles
+///                 ●─ h4 ─▸●   ●────▸●     ·────·     one path per tile
+///   at most        2,000       5,000      20,000     any number of edges and of vertices
+/// ```
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Detail {
+    /// Edges as a few paths for each tile of 64 px; faces one by one only if there are at most 2000.
+    Tiles,
+    /// Every edge, vertex and face, but no half-edges.
+    Edges,
+    /// Half-edges too, without labels.
+    Arrows,
+    /// Everything, with all labels that fit.
+    Full,
+}
+
+/// What is written into the faces.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+pub enum FaceLabels {
+    /// Nothing.
+    Off,
+    /// Their ids.
+    Ids,
+    /// The names given by the caller, ids where there is none. Of several faces with one name (a country and
+    /// its islands) the largest gets the label.
+    #[default]
+    Names,
+}
+
+/// Choices for [`structure`](super::structure). All have defaults.
+///
+/// ```
+/// # use dcel_kit::figure::FigureOptions;
+/// # use dcel_kit::FaceId;
+/// let options = FigureOptions::new("Two rooms").width(480.0).face_name(FaceId::new(1), "kitchen");
+/// assert_eq!(options.id_prefix(), "two-rooms");
+/// ```
+#[derive(Clone, PartialEq, Debug)]
+pub struct FigureOptions {
+    pub(super) title: String,
+    pub(super) description: Option<String>,
+    prefix: Option<String>,
+    pub(super) style: Style,
+    pub(super) width: Option<f64>,
+    pub(super) height: Option<f64>,
+    pub(super) detail: Option<Detail>,
+    pub(super) vertex_labels: bool,
+    pub(super) half_edge_labels: bool,
+    pub(super) face_labels: FaceLabels,
+    pub(super) names: FaceMap<Option<String>>,
+}
+
+impl Default for FigureOptions {
+    fn default() -> Self {
+        Self::new("Half-edge structure")
+    }
+}
+
+impl FigureOptions {
+    /// The defaults, with this title. Readers of the page hear the title; ids begin with it.
+    pub fn new(title: impl AsRef<str>) -> Self {
+        Self {
+            title: text::clean(title.as_ref()),
+            description: None,
+            prefix: None,
+            style: Style::default(),
+            width: None,
+            height: None,
+            detail: None,
+            vertex_labels: true,
+            half_edge_labels: true,
+            face_labels: FaceLabels::Names,
+            names: FaceMap::default(),
+        }
+    }
+
+    /// The longer text for screen readers. Default: the counts and how to read the arrows.
+    #[must_use]
+    pub fn description(mut self, text: impl AsRef<str>) -> Self {
+        self.description = Some(text::clean(text.as_ref()));
+        self
+    }
+
+    /// What every id and every CSS rule begins with; two figures of one page need different ones. Characters
+    /// other than ASCII letters, digits and `-` become `-`. Default: made from the title.
+    #[must_use]
+    pub fn with_id_prefix(mut self, prefix: impl AsRef<str>) -> Self {
+        self.prefix = Some(slug(prefix.as_ref(), false));
+        self
+    }
+
+    /// The prefix of the ids that the figure will have.
+    #[must_use]
+    pub fn id_prefix(&self) -> String {
+        self.prefix.clone().unwrap_or_else(|| slug(&self.title, true))
+    }
+
+    /// Colours, sizes and fonts. Default: [`Style::default`].
+    #[must_use]
+    pub fn style(mut self, style: Style) -> Self {
+        self.style = style;
+        self
+    }
+
+    /// Width of the canvas in px (100 to 20,000). Default: 640, and for at most 60 edges up to 1600, until the
+    /// median edge is 110 px long. A drawing that reaches the height first makes the canvas narrower.
+    #[must_use]
+    pub fn width(mut self, px: f64) -> Self {
+        self.width = px.is_finite().then(|| px.clamp(100.0, 20_000.0));
+        self
+    }
+
+    /// Greatest height of the canvas in px (100 to 20,000). Default: 5/4 of the width.
+    #[must_use]
+    pub fn max_height(mut self, px: f64) -> Self {
+        self.height = px.is_finite().then(|| px.clamp(100.0, 20_000.0));
+        self
+    }
+
+    /// Fixes the level of detail. Default: chosen, see [`Detail`].
+    #[must_use]
+    pub fn detail(mut self, detail: Detail) -> Self {
+        self.detail = Some(detail);
+        self
+    }
+
+    /// Whether vertices show their names. Default: yes.
+    #[must_use]
+    pub fn vertex_labels(mut self, on: bool) -> Self {
+        self.vertex_labels = on;
+        self
+    }
+
+    /// Whether half-edges show their names. Default: yes.
+    #[must_use]
+    pub fn half_edge_labels(mut self, on: bool) -> Self {
+        self.half_edge_labels = on;
+        self
+    }
+
+    /// What the faces show. Default: [`FaceLabels::Names`].
+    #[must_use]
+    pub fn face_labels(mut self, labels: FaceLabels) -> Self {
+        self.face_labels = labels;
+        self
+    }
+
+    /// Names one face. Faces with the same name share a tint, and one label.
+    #[must_use]
+    pub fn face_name(mut self, face: FaceId, name: impl AsRef<str>) -> Self {
+        self.names.set(face, Some(text::clean(name.as_ref())), None);
+        self
+    }
+
+    /// Names many faces, see [`face_name`](Self::face_name).
+    #[must_use]
+    pub fn face_names<N: AsRef<str>>(self, names: impl IntoIterator<Item = (FaceId, N)>) -> Self {
+        names.into_iter().fold(self, |options, (face, name)| options.face_name(face, name))
+    }
+
+    /// The same options with a style that the layout can work with.
+    pub(super) fn checked(&self) -> Self {
+        Self { style: self.style.checked(), ..self.clone() }
+    }
+
+    pub(super) fn name(&self, face: FaceId) -> Option<&str> {
+        self.names.get(face)?.as_deref()
+    }
+}
+
+/// Letters, digits and single hyphens, beginning with a letter.
+fn slug(text: &str, lower: bool) -> String {
+    let mut out = String::new();
+    for c in text.chars().take(64) {
+        if c.is_ascii_alphanumeric() {
+            out.push(if lower { c.to_ascii_lowercase() } else { c });
+        } else if !out.is_empty() && !out.ends_with('-') {
+            out.push('-');
+        }
+    }
+    let out = out.trim_end_matches('-');
+    match out.chars().next() {
+        None => "figure".to_owned(),
+        Some(c) if c.is_ascii_alphabetic() => out.to_owned(),
+        Some(_) => format!("figure-{out}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn prefixes_are_names_that_css_and_xml_accept() {
+        for (title, prefix) in [
+            ("The cube-like subdivision", "the-cube-like-subdivision"),
+            ("5 steps", "figure-5-steps"),
+            ("Ünïcode <&> \"x\"", "n-code-x"),
+            ("", "figure"),
+            ("---", "figure"),
+        ] {
+            assert_eq!(FigureOptions::new(title).id_prefix(), prefix, "{title}");
+        }
+        assert_eq!(FigureOptions::default().with_id_prefix("A b{}").id_prefix(), "A-b");
+    }
+}

@@ -1,0 +1,432 @@
+//! The structure figure: every element of a view, or as much as there is room for.
+//!
+//! ```text
+//!   painted in this order:  paper, faces (hatch, tints, labels), edges, half-edges, vertices
+//! ```
+//!
+//! The groups carry the pointers as the view has them: `<g class="he" id="FIG-h5" data-origin data-twin
+//! data-next data-prev data-face>`, `<g class="v" id="FIG-v3" data-x data-y data-he>`, `<g class="f" id="FIG-f1"
+//! data-he data-rings data-outer data-hole data-name>`. A pointer that is missing has no attribute.
+
+use super::crowd::{Crowd, Shape};
+use super::faces::{Label, LabelRoom, Region, attributes, label_texts, place, regions, title};
+use super::fit::{Extent, Fit, Load, choose};
+use super::half_edges::{Shaft, shafts};
+use super::labels::{Labels, Stage, outer_label};
+use super::scene::{Attributes, Group, Hatch, Node, Polylines, Scene, tenths};
+use super::skeleton::{Cycles, Skeleton, faces, half_edges, ids, vertices};
+use super::vector::{Bounds, Xy, xy};
+use super::vertices::radii;
+use super::{Detail, Figure, FigureError, FigureOptions, number, tiles, tints};
+use crate::ids::{FaceId, HalfEdgeId, HalfEdgeMap, Id, VertexId, VertexMap};
+use crate::plane::{CoordinateError, LARGEST, PlanarView};
+
+/// With more faces than this, tiles show the domain as one area.
+const FACES: usize = 2000;
+/// The hatch of the outer face leaves out the mesh, unless its outline has more points than this.
+const OUTLINE: usize = 20_000;
+/// Width of the free line round the frame.
+const MARGIN: f64 = 4.0;
+/// The classes of the tinted faces.
+const TINTED: [&str; tints::HUES] = ["face t0", "face t1", "face t2", "face t3", "face t4", "face t5", "face t6"];
+
+/// Draws a structure: all of it where the edges are long enough, less where they are short (see [`Detail`]).
+///
+/// The half-edges lie on the left of their edges, bounded faces are tinted so that neighbours differ, the outer
+/// face is hatched, hole faces are hatched the other way. Ids, `data-*` attributes and tooltips name every
+/// element that is drawn one by one. The view may be broken: what cannot be drawn is skipped and noted.
+///
+/// Cost: O(n log n) for n half-edges; 10^6 edges take about a second.
+///
+/// # Errors
+/// [`FigureError`] if no vertex has a position, or a coordinate cannot be computed with. An empty plane is no
+/// error: it shows its outer face.
+pub fn structure<V: PlanarView + ?Sized>(view: &V, options: &FigureOptions) -> Result<Figure, FigureError> {
+    let options = &options.checked();
+    check(view)?;
+    let mut skeleton = Skeleton::new(view);
+    let extent = Extent::of(vertices(view).filter_map(|v| view.position(v)));
+    let load = Load {
+        edges: skeleton.edges.len(),
+        vertices: vertices(view).count(),
+        median: median(view, &skeleton, extent.span()),
+    };
+    let (fit, detail) = choose(&extent, &load, options);
+    let at = ids::<VertexId>(view.vertex_bound(), |_| true).map(|v| view.position(v).map(|p| fit.place(p)));
+    skeleton.at = at.collect::<Vec<_>>().into();
+
+    let mut notes = Notes::default();
+    notes.add("without a position, not drawn", vertices(view).filter(|&v| view.position(v).is_none()));
+    notes.add(
+        "with an unknown end or without length, not drawn",
+        half_edges(view).filter(|&h| skeleton.segment(h).is_none_or(|(a, b)| a == b)),
+    );
+    let picture = Picture { view, options, skeleton, fit, detail };
+    let nodes = if detail >= Detail::Edges { picture.by_element(&mut notes) } else { picture.by_tiles(&mut notes) };
+    Ok(Figure { scene: picture.scene(nodes, load.vertices), detail, notes: notes.0 })
+}
+
+fn check<V: PlanarView + ?Sized>(view: &V) -> Result<(), FigureError> {
+    let mut placed = false;
+    for vertex in vertices(view) {
+        let Some(p) = view.position(vertex) else { continue };
+        placed = true;
+        for (axis, value) in [('x', p.x), ('y', p.y)] {
+            let error = if !value.is_finite() {
+                CoordinateError::NotFinite { axis, value }
+            } else if value.abs() > LARGEST {
+                CoordinateError::OutOfRange { axis, value }
+            } else {
+                continue;
+            };
+            return Err(FigureError::Coordinate { vertex, error });
+        }
+    }
+    match vertices(view).next() {
+        Some(example) if !placed => Err(FigureError::NoPosition { vertices: vertices(view).count(), example }),
+        _ => Ok(()),
+    }
+}
+
+/// The median length of the edges in units of the plane. `span` is the size of the whole, so that squares
+/// neither overflow nor vanish.
+fn median<V: PlanarView + ?Sized>(view: &V, skeleton: &Skeleton, span: f64) -> Option<f64> {
+    let length = |&h: &HalfEdgeId| {
+        let [a, b] = skeleton.ends(h)?;
+        let (a, b) = (view.position(a)?, view.position(b)?);
+        Some(xy((b.x - a.x) / span, (b.y - a.y) / span).length() * span)
+    };
+    let mut lengths: Vec<f64> = skeleton.edges.iter().filter_map(length).filter(|l| l.is_finite()).collect();
+    if lengths.is_empty() {
+        return None;
+    }
+    let middle = lengths.len() / 2;
+    Some(*lengths.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
+
+/// What was left out, one sentence a kind.
+#[derive(Default)]
+struct Notes(Vec<String>);
+
+impl Notes {
+    fn add<I: Id>(&mut self, what: &str, elements: impl Iterator<Item = I>) {
+        let mut names = Vec::new();
+        let mut more = 0;
+        for element in elements {
+            if names.len() < 10 {
+                names.push(element.to_string());
+            } else {
+                more += 1;
+            }
+        }
+        if !names.is_empty() {
+            let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
+            self.0.push(format!("{what}: {}{rest}", names.join(", ")));
+        }
+    }
+}
+
+struct Picture<'a, V: ?Sized> {
+    view: &'a V,
+    options: &'a FigureOptions,
+    skeleton: Skeleton,
+    fit: Fit,
+    detail: Detail,
+}
+
+impl<V: PlanarView + ?Sized> Picture<'_, V> {
+    /// Every face, edge and vertex by itself, and the half-edges where the detail allows.
+    fn by_element(&self, notes: &mut Notes) -> Vec<Node> {
+        let cycles = Cycles::of(self.view, faces(self.view));
+        notes.add("with a boundary that does not close or is taken already", cycles.open.iter().copied());
+        let regions = regions(self.view, &self.skeleton, &cycles);
+        let mut edges = Crowd::new(self.fit.size);
+        for &h in &self.skeleton.edges {
+            if let Some((a, b)) = self.skeleton.segment(h) {
+                edges.add(Shape::Segment(a, b, 0.0), h.number());
+            }
+        }
+        let arrows = self.detail >= Detail::Arrows;
+        let (radii, shafts) = if arrows {
+            let radii = radii(self.view, &self.skeleton, &edges, self.fit.size, &self.options.style);
+            let shafts = shafts(self.view, &self.skeleton, &radii, &edges, &self.options.style);
+            (radii, shafts)
+        } else {
+            let radii = VertexMap::filled(self.view.vertex_bound(), super::vertices::SMALLEST);
+            (radii, HalfEdgeMap::filled(self.view.half_edge_bound(), None))
+        };
+        let stage = Stage {
+            view: self.view,
+            options: self.options,
+            detail: self.detail,
+            size: self.fit.size,
+            skeleton: &self.skeleton,
+            radii: &radii,
+            shafts: &shafts,
+            regions: &regions,
+        };
+        let labels = stage.labels();
+        let mut nodes = self.face_nodes(&regions, &labels.faces, labels.outer.as_ref(), &cycles.open);
+        nodes.push(Node::Group(self.edge_group()));
+        if arrows {
+            let group = |h| Node::Group(self.half_edge_group(h, shafts[h].as_ref(), &labels));
+            nodes.extend(half_edges(self.view).map(group));
+        }
+        nodes.extend(vertices(self.view).map(|v| Node::Group(self.vertex_group(v, radii[v], &labels))));
+        nodes
+    }
+
+    /// Many short edges: faces one by one only if they are few, edges in tiles.
+    fn by_tiles(&self, notes: &mut Notes) -> Vec<Node> {
+        let outer = outer_label(self.view, self.options, self.fit.size, self.detail);
+        let mut nodes = if faces(self.view).count() <= FACES {
+            let cycles = Cycles::of(self.view, faces(self.view));
+            notes.add("with a boundary that does not close or is taken already", cycles.open.iter().copied());
+            let regions = regions(self.view, &self.skeleton, &cycles);
+            let labels = self.map_labels(&regions);
+            self.face_nodes(&regions, &labels, outer.as_ref(), &cycles.open)
+        } else {
+            self.domain(outer.as_ref())
+        };
+        nodes.push(Node::Group(tiles::edges(self.view, &self.skeleton, self.fit.size)));
+        nodes.extend(self.lone_vertices());
+        nodes
+    }
+
+    fn map_labels(&self, regions: &[Region]) -> Vec<Option<Label>> {
+        let size = self.options.style.map_text;
+        let label = |(region, text): (&Region, Option<String>)| {
+            let text = text.filter(|_| self.view.outer_face() != Some(region.face))?;
+            let coarse = region.coarse(1.0);
+            place(&coarse, &LabelRoom { text: &text, size, smallest: size.min(7.0) }, Vec::new(), |_| None)
+        };
+        regions.iter().zip(label_texts(regions, self.options)).map(label).collect()
+    }
+
+    /// One group for each face that exists, in the order of their numbers.
+    fn face_nodes(
+        &self,
+        regions: &[Region],
+        labels: &[Option<Label>],
+        outer: Option<&Label>,
+        open: &[FaceId],
+    ) -> Vec<Node> {
+        let hues = tints::hues(self.view, regions, self.options);
+        let mut regions = regions.iter().zip(labels).zip(hues).peekable();
+        let mut nodes = Vec::new();
+        for face in faces(self.view) {
+            let mine = regions.next_if(|((region, _), _)| region.face == face);
+            let region = mine.map(|((region, _), _)| region);
+            let is_outer = self.view.outer_face() == Some(face);
+            let mut group = Group {
+                class: if is_outer { "f outer" } else { "f" },
+                id: Some(face.to_string()),
+                attributes: attributes(self.view, face, self.options),
+                title: Some(title(self.view, face, region.map_or(0, |r| r.half_edges), self.options)),
+                nodes: Vec::new(),
+            };
+            if is_outer {
+                let whole = open.contains(&face);
+                group.nodes.push(self.outer_area(region.map_or(&[], |r| &r.rings), whole));
+                group.nodes.extend(outer.map(label_node));
+            } else if let Some(((region, label), hue)) = mine {
+                if self.view.is_hole(face) {
+                    group.nodes.push(self.area("bg", None, &region.rings));
+                    group.nodes.push(self.area("hatched", Some("hole-hatch"), &region.rings));
+                } else {
+                    group.nodes.push(self.area(TINTED[usize::from(hue)], None, &region.rings));
+                }
+                group.nodes.extend(label.as_ref().map(label_node));
+            }
+            nodes.push(Node::Group(group));
+        }
+        nodes
+    }
+
+    fn area(&self, class: &'static str, hatch: Option<&'static str>, rings: &[Vec<Xy>]) -> Node {
+        if self.detail >= Detail::Edges {
+            Node::Area { class, hatch, outlines: rings.to_vec() }
+        } else {
+            Node::Fine { class, hatch, lines: tiles::outline(rings, 0.3) }
+        }
+    }
+
+    /// The frame minus the mesh; where the outline is not known, the frame minus the box round the mesh.
+    fn outer_area(&self, rings: &[Vec<Xy>], unknown: bool) -> Node {
+        let far = self.fit.size - xy(MARGIN, MARGIN);
+        let frame = vec![xy(MARGIN, MARGIN), xy(far.x, MARGIN), far, xy(MARGIN, far.y)];
+        let mut outlines = vec![frame];
+        if unknown {
+            let mesh = Bounds::of(self.skeleton.at.as_slice().iter().copied().flatten());
+            let corners = |b: Bounds| vec![b.min, xy(b.max.x, b.min.y), b.max, xy(b.min.x, b.max.y)];
+            outlines.extend(mesh.map(corners));
+        } else {
+            outlines.extend(rings.iter().cloned());
+        }
+        if self.detail >= Detail::Edges {
+            return Node::Area { class: "hatched", hatch: Some("hatch"), outlines };
+        }
+        let mut lines = tiles::outline(&outlines, 1.0);
+        if lines.point_count() > OUTLINE {
+            lines = tiles::outline(&outlines[..1], 1.0);
+        }
+        Node::Fine { class: "hatched", hatch: Some("hatch"), lines }
+    }
+
+    /// The whole domain in one tint, the hole faces cut out of it.
+    fn domain(&self, label: Option<&Label>) -> Vec<Node> {
+        let Some(outer) = self.view.outer_face().filter(|&f| self.view.has_face(f)) else { return Vec::new() };
+        let holes = faces(self.view).filter(|&f| f != outer && self.view.is_hole(f));
+        let cycles = Cycles::of(self.view, std::iter::once(outer).chain(holes));
+        let regions = regions(self.view, &self.skeleton, &cycles);
+        let rings_of = |wanted: bool| {
+            let chosen = regions.iter().filter(move |region| (region.face == outer) == wanted);
+            chosen.flat_map(|region| region.rings.iter().cloned()).collect::<Vec<_>>()
+        };
+        let (outline, holes) = (rings_of(true), rings_of(false));
+        let mut group = Group {
+            class: "f outer",
+            id: Some(outer.to_string()),
+            attributes: attributes(self.view, outer, self.options),
+            title: Some(title(self.view, outer, outline.iter().map(Vec::len).sum(), self.options)),
+            nodes: vec![self.outer_area(&outline, cycles.open.contains(&outer))],
+        };
+        group.attributes.retain(|(name, _)| *name != "data-rings");
+        group.nodes.extend(label.map(label_node));
+        let domain = tiles::outline(&outline, 1.0);
+        let mut nodes = vec![Node::Group(group)];
+        if !domain.is_empty() && domain.point_count() <= OUTLINE {
+            nodes.push(Node::Fine { class: TINTED[4], hatch: None, lines: domain });
+        }
+        let holes = tiles::outline(&holes, 0.3);
+        if !holes.is_empty() {
+            nodes.push(Node::Fine { class: "bg", hatch: None, lines: holes.clone() });
+            nodes.push(Node::Fine { class: "hatched", hatch: Some("hole-hatch"), lines: holes });
+        }
+        nodes
+    }
+
+    fn edge_group(&self) -> Group {
+        let line = |&h: &HalfEdgeId| {
+            let (from, to) = self.skeleton.segment(h)?;
+            Some(Node::Line { class: "edge", from, to })
+        };
+        Group { class: "edges", nodes: self.skeleton.edges.iter().filter_map(line).collect(), ..Group::default() }
+    }
+
+    fn half_edge_group(&self, h: HalfEdgeId, shaft: Option<&Shaft>, labels: &Labels) -> Group {
+        let view = self.view;
+        let pointers = [
+            ("data-origin", name(view.origin(h))),
+            ("data-twin", name(view.twin(h))),
+            ("data-next", name(view.next(h))),
+            ("data-prev", name(view.prev(h))),
+            ("data-face", name(view.face(h))),
+        ];
+        let known = |i: usize| pointers[i].1.as_deref().unwrap_or("none");
+        let to = name(super::skeleton::destination(view, h));
+        let title = format!(
+            "{h}: {} to {}, face {}, twin {}, next {}, prev {}",
+            known(0),
+            to.as_deref().unwrap_or("none"),
+            known(4),
+            known(1),
+            known(2),
+            known(3)
+        );
+        let mut nodes = Vec::new();
+        if let Some(shaft) = shaft {
+            let (from, to) = shaft.line();
+            nodes.push(Node::Line { class: "sh", from, to });
+            nodes.push(Node::Area { class: "barb", hatch: None, outlines: vec![shaft.barb().to_vec()] });
+        }
+        if let Some(label) = &labels.half_edges[h] {
+            nodes.push(Node::Text { class: "hl", at: label.at, size: None, text: label.text.clone() });
+        }
+        let attributes = pointers.into_iter().filter_map(|(key, value)| Some((key, value?))).collect();
+        Group { class: "he", id: Some(h.to_string()), attributes, title: Some(title), nodes }
+    }
+
+    fn vertex_group(&self, v: VertexId, radius: f64, labels: &Labels) -> Group {
+        let mut attributes: Attributes = Vec::new();
+        let mut nodes = Vec::new();
+        let mut place = "no position".to_owned();
+        if let (Some(p), Some(centre)) = (self.view.position(v), self.skeleton.place(v)) {
+            let (x, y) = (number::model(p.x), number::model(p.y));
+            place = format!("({x}, {y})");
+            attributes.extend([("data-x", x), ("data-y", y)]);
+            let class = if self.detail >= Detail::Arrows { "vd" } else { "dot" };
+            nodes.push(Node::Disc { class, centre, radius });
+        }
+        let outgoing = name(self.view.outgoing(v));
+        let title = format!("{v}: {place}, outgoing {}", outgoing.as_deref().unwrap_or("none"));
+        attributes.extend(outgoing.map(|h| ("data-he", h)));
+        if let Some(Label { at, size, text }) = &labels.vertices[v] {
+            nodes.push(Node::Text { class: "vl", at: *at, size: Some(*size), text: text.clone() });
+        }
+        Group { class: "v", id: Some(v.to_string()), attributes, title: Some(title), nodes }
+    }
+
+    /// Vertices without edges, as dots.
+    fn lone_vertices(&self) -> Option<Node> {
+        let mut lone = VertexMap::filled(self.view.vertex_bound(), true);
+        for v in self.skeleton.edges.iter().filter_map(|&h| self.skeleton.ends(h)).flatten() {
+            lone[v] = false;
+        }
+        let mut lines = Polylines::new(false);
+        for v in vertices(self.view).filter(|&v| lone[v]) {
+            if let Some(at) = self.skeleton.place(v) {
+                lines.start(tenths(at));
+            }
+        }
+        (!lines.is_empty()).then_some(Node::Fine { class: "dots", hatch: None, lines })
+    }
+
+    fn scene(&self, nodes: Vec<Node>, vertices: usize) -> Scene {
+        let options = self.options;
+        let step = options.style.hatch_step;
+        let (half_edges, faces) = (half_edges(self.view).count(), faces(self.view).count());
+        let detail = match self.detail {
+            Detail::Full => "full",
+            Detail::Arrows => "arrows",
+            Detail::Edges => "edges",
+            Detail::Tiles => "tiles",
+        };
+        let reading = if self.detail >= Detail::Arrows {
+            "Each half-edge runs on the left of its edge; its one-sided barb points to its face."
+        } else {
+            "The edges are drawn without their half-edges."
+        };
+        let counts = format!(
+            "{vertices} vertices, {} edges, {half_edges} half-edges, {faces} faces. {reading}",
+            self.skeleton.edges.len()
+        );
+        let prefix = options.id_prefix();
+        Scene {
+            size: self.fit.size,
+            css: options.style.css(&prefix),
+            prefix,
+            title: options.title.clone(),
+            description: options.description.clone().unwrap_or(counts),
+            attributes: vec![
+                ("data-figure", "dcel".to_owned()),
+                ("data-y", "up".to_owned()),
+                ("data-scale", number::model(self.fit.scale)),
+                ("data-detail", detail.to_owned()),
+            ],
+            hatches: vec![
+                Hatch { name: "hatch", step, degrees: 45 },
+                Hatch { name: "hole-hatch", step: 1.6 * step, degrees: -45 },
+            ],
+            nodes,
+        }
+    }
+}
+
+fn name<I: Id>(id: Option<I>) -> Option<String> {
+    id.map(|id| id.to_string())
+}
+
+fn label_node(label: &Label) -> Node {
+    Node::Text { class: "fl", at: label.at, size: Some(label.size), text: label.text.clone() }
+}
