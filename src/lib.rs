@@ -7,6 +7,7 @@ pub mod figure;
 pub mod ids;
 pub mod io;
 pub mod plane;
+pub mod solid;
 pub mod topology;
 
 pub use ids::{

@@ -50,6 +50,7 @@
 //! many digits as bring back the same number. Reading gives the same table; writing that table gives the same
 //! bytes. Ids after the last existing one are forgotten.
 
+use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
 use super::read::{Document, Read};
 use super::text::{Scanner, Syntax, Word};
@@ -92,7 +93,7 @@ pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
         }
         reader.scanner.end_of_line("one record a line")?;
     }
-    Ok(Read { document: Document::Table(reader.table), notes: Vec::new() })
+    Ok(Read { document: Document::Table(reader.table), notes: Vec::new(), format: Format::Dcel })
 }
 
 fn header(scanner: &mut Scanner<'_>) -> Result<(), ReadError> {

@@ -3,6 +3,7 @@
 //! A JSON file says itself whether it is GeoJSON or TopoJSON (`"type": "Topology"`). Errors of the syntax name
 //! line and column; errors of the contents name the path of the element, as `features[3] "Ohio" polygon 0`.
 
+use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
 use super::read::{Document, Read, ReadOptions};
 use super::rings::Rings;
@@ -21,7 +22,9 @@ pub(super) fn read(bytes: &[u8], source: &str, options: &ReadOptions) -> Result<
     let value: Value = serde_json::from_slice(text).map_err(|error| syntax_error(text, source, &error))?;
     let fail = |problem| ReadError::whole(source, problem, "");
     let mut notes = Vec::new();
-    let rings = match value.as_object().and_then(|root| root.get("type")).and_then(Value::as_str) {
+    let kind = value.as_object().and_then(|root| root.get("type")).and_then(Value::as_str);
+    let format = if kind == Some("Topology") { Format::TopoJson } else { Format::GeoJson };
+    let rings = match kind {
         Some("Topology") => topojson::read(&value, options, &mut notes),
         Some(_) => geojson::read(&value, &mut notes),
         None => Err(Fault::from(shape("the file", "a GeoJSON or TopoJSON object with a \"type\""))),
@@ -31,7 +34,7 @@ pub(super) fn read(bytes: &[u8], source: &str, options: &ReadOptions) -> Result<
     if soup.faces.face_count() == 0 {
         notes.push("the file holds no polygon".to_owned());
     }
-    Ok(Read { document: Document::Polygons(soup), notes })
+    Ok(Read { document: Document::Polygons(soup), notes, format })
 }
 
 fn syntax_error(text: &[u8], source: &str, error: &serde_json::Error) -> ReadError {

@@ -16,6 +16,7 @@
 //!
 //! Source: the description of the format beside polyanya (M. Cui, D. Harabor, A. Grastien, 2017).
 
+use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
 use super::read::{Document, Read};
 use super::soup::SoupBuilder;
@@ -63,7 +64,7 @@ pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
         let problem = ReadProblem::MoreThanCounted { what: "polygons", count: polygons };
         return Err(scanner.error(word.at, problem, "correct the counts in the third line"));
     }
-    Ok(Read { document: Document::Polygons(soup.finish(source, false)?), notes: Vec::new() })
+    Ok(Read { document: Document::Polygons(soup.finish(source, false)?), notes: Vec::new(), format: Format::Mesh })
 }
 
 fn header(scanner: &mut Scanner<'_>) -> Result<(), ReadError> {

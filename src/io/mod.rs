@@ -16,6 +16,7 @@
 //! ```text
 //!   text.rs   words with places          problem.rs  what can be wrong     read.rs, write.rs  the ways in and out
 //!   soup.rs   points and polygons        rings.rs    joining equal points  model.rs           what is written
+//!   load.rs   from a file to a structure, with the places of what does not fit
 //!   obj.rs off.rs ply/ triangle.rs mesh.rs geojson.rs topojson.rs (json.rs) dcel.rs tables.rs   one format each
 //! ```
 
@@ -23,6 +24,7 @@ pub mod dcel;
 mod format;
 pub mod geojson;
 mod json;
+mod load;
 pub mod mesh;
 mod model;
 pub mod obj;
@@ -39,8 +41,9 @@ pub mod triangle;
 mod write;
 
 pub use format::{Format, UnknownFormat};
+pub use load::{LoadError, LoadOptions, Loaded, Structure, assemble, load};
 pub use model::Model;
 pub use problem::{ReadError, ReadProblem};
 pub use read::{Document, Read, ReadOptions, read_bytes, read_path, read_triangle};
 pub use soup::{Places, PolygonSoup};
-pub use write::{WriteError, write, write_path, write_triangle};
+pub use write::{Number, WriteError, write, write_path, write_triangle};

@@ -15,6 +15,7 @@
 //!
 //! Source: the OBJ chapter of the Advanced Visualizer manual, appendix B1 (Wavefront, 1993).
 
+use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
 use super::read::{Document, Read};
 use super::soup::SoupBuilder;
@@ -110,7 +111,7 @@ pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
             word.show()
         ));
     }
-    Ok(Read { document: Document::Polygons(soup.finish(source, gives_z)?), notes })
+    Ok(Read { document: Document::Polygons(soup.finish(source, gives_z)?), notes, format: Format::Obj })
 }
 
 fn point(scanner: &mut Scanner<'_>, soup: &mut SoupBuilder, gives_z: &mut bool) -> Result<(), ReadError> {

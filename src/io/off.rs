@@ -15,6 +15,7 @@
 //!
 //! Source: the Geomview manual, section "OFF".
 
+use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
 use super::read::{Document, Read};
 use super::soup::SoupBuilder;
@@ -60,7 +61,7 @@ pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
         let problem = ReadProblem::MoreThanCounted { what: "faces", count: faces };
         return Err(scanner.error(word.at, problem, "correct the counts below the word OFF"));
     }
-    Ok(Read { document: Document::Polygons(soup.finish(source, true)?), notes: Vec::new() })
+    Ok(Read { document: Document::Polygons(soup.finish(source, true)?), notes: Vec::new(), format: Format::Off })
 }
 
 /// Steps over the header word, if there is one; the counts may follow it directly.

@@ -26,6 +26,8 @@ pub struct Read {
     pub document: Document,
     /// What was dropped, repaired or chosen, one sentence each: to be told to the user.
     pub notes: Vec<String>,
+    /// The format it was: of a JSON file what it says of itself, whatever its name.
+    pub format: Format,
 }
 
 /// How to read.

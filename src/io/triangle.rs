@@ -16,6 +16,7 @@
 //!
 //! Source: J. R. Shewchuk, *Triangle*, the pages on `.node` and `.ele` files (1996).
 
+use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
 use super::read::{Document, Read};
 use super::soup::SoupBuilder;
@@ -37,7 +38,7 @@ pub(super) fn read(node: File<'_>, ele: File<'_>) -> Result<Read, ReadError> {
     triangles(&mut Scanner::new(ele.bytes, ele.source, SYNTAX)?, &mut soup, first)?;
     let mut soup = soup.finish(ele.source, false)?;
     soup.places.vertex_source = Some(node.source.to_owned());
-    Ok(Read { document: Document::Polygons(soup), notes: Vec::new() })
+    Ok(Read { document: Document::Polygons(soup), notes: Vec::new(), format: Format::Triangle })
 }
 
 /// Reads the points; returns the number of the first one.

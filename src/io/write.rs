@@ -93,7 +93,8 @@ pub enum WriteError {
 }
 
 /// A number with as few digits as bring back the same number; with an exponent where that is shorter to read.
-pub(super) struct Number(pub(super) f64);
+#[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
+pub struct Number(pub f64);
 
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -3,7 +3,7 @@
 //! ```text
 //!   point.rs  predicates.rs     points, the range in which signs are exact, the signs
 //!   subdivision.rs              a Dcel with positions: f0 is the outer face, faces may have rings
-//!   convert/                    polygons and triangles -> subdivision
+//!   convert/                    polygons and triangles -> subdivision       table.rs   tables -> subdivision
 //!   check.rs                    the laws of the plane
 //!   edit/                       split_face, join_faces, split_edge, split_in_half, join_edges
 //!   sweep.rs cycle.rs rings.rs  what lies below, which way round, which ring in which face
@@ -19,6 +19,7 @@ mod rings;
 mod seed;
 mod subdivision;
 mod sweep;
+mod table;
 
 pub use check::GeometryViolation;
 pub use convert::{ConvertError, ConvertOptions, Converted};
@@ -26,3 +27,4 @@ pub use edit::{JoinEdgesError, JoinFacesError, SplitEdgeError, SplitFaceError};
 pub use point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};
 pub use seed::LAB_RECTANGLE;
 pub use subdivision::{PlanarView, Subdivision};
+pub use table::TableError;

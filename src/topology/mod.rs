@@ -28,6 +28,7 @@ mod walk;
 pub use build::{BuildError, Built};
 pub(crate) use build::{Faces, match_faces};
 pub use edit::{JoinEdgesError, JoinFacesError, SplitEdgeError, SplitFaceError};
+pub(crate) use links::Columns;
 pub use links::Dcel;
 pub use measure::{ComponentCounts, Components, Counts, Mode, components, measure, measure_with};
 pub use polygons::PolygonList;

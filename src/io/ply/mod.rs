@@ -31,6 +31,7 @@ mod header;
 use super::problem::{ReadError, ReadProblem};
 use super::read::{Document, Read};
 use super::soup::SoupBuilder;
+use crate::io::Format;
 use body::{Binary, Records, Text};
 use header::{Element, Encoding, Header, Kind, Property};
 
@@ -61,7 +62,7 @@ fn elements(header: &Header, mut records: impl Records, source: &str) -> Result<
     }
     let mut notes = Vec::new();
     records.finish(&mut notes)?;
-    Ok(Read { document: Document::Polygons(soup.finish(source, gives_z)?), notes })
+    Ok(Read { document: Document::Polygons(soup.finish(source, gives_z)?), notes, format: Format::Ply })
 }
 
 /// Reads the points; returns whether they have a z.

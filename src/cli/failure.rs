@@ -1,0 +1,138 @@
+//! Why a command could not do its work.
+//!
+//! ```text
+//!   error: mesh.obj:17: faces 3 and 5 both run from vertex 2 to vertex 4: reverse one of them
+//!   note: face 5 is at mesh.obj:19
+//!   help: ...
+//! ```
+
+use dcel_kit::io::{LoadError, ReadError, WriteError};
+use dcel_kit::plane::ConvertError;
+use std::fmt::Display;
+use std::io::{self, Write};
+use std::path::Path;
+use std::process::ExitCode;
+
+/// A failure with its exit code.
+#[derive(Debug)]
+pub(crate) struct Failure {
+    kind: Kind,
+    what: String,
+    notes: Vec<String>,
+    help: String,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Kind {
+    /// The reader of the answer has gone: nobody is left to tell.
+    NobodyListens,
+    /// Usage or input.
+    Input,
+    /// The machine.
+    Machine,
+}
+
+impl Failure {
+    /// A wrong call or a wrong input: exit code 2.
+    pub(crate) fn input(what: impl Display, help: impl Into<String>) -> Self {
+        Self { kind: Kind::Input, what: what.to_string(), notes: Vec::new(), help: help.into() }
+    }
+
+    /// The machine refused to write: exit code 3, or 0 if the reader of the answer has gone.
+    pub(crate) fn writing(target: impl Display, error: &io::Error) -> Self {
+        let kind = if error.kind() == io::ErrorKind::BrokenPipe { Kind::NobodyListens } else { Kind::Machine };
+        let help = match error.kind() {
+            io::ErrorKind::NotFound => "make the directory first",
+            io::ErrorKind::IsADirectory => "give the name of a file in it",
+            io::ErrorKind::PermissionDenied => "choose a place that you may write to",
+            io::ErrorKind::StorageFull => "make room, or write elsewhere",
+            _ => "",
+        };
+        Self { kind, what: format!("{target}: cannot be written: {error}"), notes: Vec::new(), help: help.to_owned() }
+    }
+
+    /// Tells it on stderr.
+    pub(crate) fn report(&self) -> ExitCode {
+        if self.kind != Kind::NobodyListens {
+            say("error", &self.what);
+            self.notes.iter().for_each(|note| say("note", note));
+            if !self.help.is_empty() {
+                say("help", &self.help);
+            }
+        }
+        match self.kind {
+            Kind::NobodyListens => ExitCode::SUCCESS,
+            Kind::Input => ExitCode::from(2),
+            Kind::Machine => ExitCode::from(3),
+        }
+    }
+}
+
+/// One line of talk on stderr. Nobody has to listen.
+pub(crate) fn say(what: &str, text: impl Display) {
+    let _ = writeln!(io::stderr().lock(), "{what}: {text}");
+}
+
+/// Writing to standard output.
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        Self::writing("<stdout>", &error)
+    }
+}
+
+impl From<serde_json::Error> for Failure {
+    fn from(error: serde_json::Error) -> Self {
+        io::Error::from(error).into()
+    }
+}
+
+impl From<ReadError> for Failure {
+    fn from(error: ReadError) -> Self {
+        let help = error.help.to_string();
+        let place = ReadError { help: "".into(), ..error };
+        Self::input(place, help)
+    }
+}
+
+impl From<LoadError> for Failure {
+    fn from(error: LoadError) -> Self {
+        let (place, notes) = match &error {
+            LoadError::Read(error) => return error.clone().into(),
+            LoadError::Table { source_name, .. } => (source_name.clone(), Vec::new()),
+            other => other.whereabouts().map_or_else(Default::default, |at| {
+                let others = at.others.iter().map(|(element, place)| format!("{element} is at {place}"));
+                (at.first.clone(), others.collect())
+            }),
+        };
+        let what = error.what();
+        let (what, own_help) = what.split_once("; ").unwrap_or((&what, ""));
+        let help = flags(&error).map_or_else(|| own_help.to_owned(), str::to_owned);
+        Self { notes, ..Self::input(format!("{place}: {what}"), help) }
+    }
+}
+
+/// The options that help with an input.
+fn flags(error: &LoadError) -> Option<&'static str> {
+    match error {
+        LoadError::Plane { error: ConvertError::Clockwise { .. }, .. } => Some(
+            "list its corners the other way round, or try --orient, or --y-down if y points down in the file, \
+             or --surface if it is a surface in space",
+        ),
+        _ => None,
+    }
+}
+
+impl Failure {
+    /// A structure that a format cannot hold, or a file that cannot be written.
+    pub(crate) fn of_writing(target: &Path, error: WriteError) -> Self {
+        let name = if target.as_os_str() == "-" { "<stdout>".into() } else { target.display().to_string() };
+        match error {
+            WriteError::Io(error) => Self::writing(name, &error),
+            other => {
+                let what = other.to_string();
+                let (what, help) = what.split_once("; ").unwrap_or((&what, ""));
+                Self::input(format!("{name}: {what}"), help)
+            }
+        }
+    }
+}

@@ -1,0 +1,248 @@
+//! `dcel info`: what a structure consists of.
+
+use super::input::InputOptions;
+use super::subject::{Kind, Subject};
+use super::{Answer, Failure, Output};
+use dcel_kit::plane::{Subdivision, TableError};
+use dcel_kit::topology::{Counts, Mode, Ring, first_violation, measure_with};
+use dcel_kit::{FaceId, FaceMap, HalfEdgeId, VertexMap};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+/// Count vertices, edges, faces, components, rings and holes
+///
+/// In the plane `faces` counts the outer face and hole faces; on a surface it does not count the
+/// faces that stand for borders. The Euler number is V - E + F.
+///
+/// A file of polygons is checked while it is read: `valid` says that faces do not overlap where they
+/// meet, and with --full-check nowhere. A .dcel file is always fully checked.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Examples:
+  dcel info square.obj
+  dcel info cube.off --json
+  dcel info figures/data/states-albers-10m.json \\
+    --y-down --drop-degenerate-rings")]
+pub(crate) struct Args {
+    /// The file, or - for standard input
+    file: PathBuf,
+    /// Answer in JSON
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    input: InputOptions,
+}
+
+/// The answer. The names are those of the JSON form.
+#[derive(Serialize)]
+struct Info {
+    source: String,
+    format: &'static str,
+    mode: &'static str,
+    valid: bool,
+    vertices: usize,
+    edges: usize,
+    half_edges: usize,
+    faces: usize,
+    components: usize,
+    boundary_cycles: usize,
+    euler: i64,
+    genus: i64,
+    /// Cycles of faces.
+    cycles: usize,
+    hole_faces: usize,
+    /// Cycles of the outer face, further cycles of others, isolated vertices.
+    rings: usize,
+    rings_of_outer_face: usize,
+    isolated_vertices: usize,
+    /// Over the faces of the domain.
+    sides: Spread,
+    degrees: Spread,
+    faces_by_sides: BTreeMap<usize, usize>,
+    bounding_box: Option<BoundingBox>,
+    named_faces: usize,
+    names: usize,
+    memory_bytes: Option<usize>,
+    bytes_per_half_edge: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct BoundingBox {
+    min: Vec<f64>,
+    max: Vec<f64>,
+}
+
+/// The least, the mean and the greatest of some numbers.
+#[derive(Serialize, Default, Clone, Copy)]
+struct Spread {
+    min: usize,
+    mean: f64,
+    max: usize,
+}
+
+impl Spread {
+    fn of(numbers: impl Iterator<Item = usize>) -> Self {
+        let (mut count, mut sum, mut min, mut max) = (0usize, 0usize, usize::MAX, 0);
+        for n in numbers {
+            (count, sum, min, max) = (count + 1, sum + n, min.min(n), max.max(n));
+        }
+        Self { min: min.min(max), mean: sum as f64 / count.max(1) as f64, max }
+    }
+}
+
+pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    let subject = args.input.open(&args.file)?;
+    let info = Info::of(&subject);
+    if !info.valid {
+        super::failure::say("note", format!("{}: laws are broken; `dcel validate` names them", subject.source));
+    }
+    if args.json {
+        out.json(&info)?;
+    } else {
+        info.print(out)?;
+    }
+    Ok(Answer::Yes)
+}
+
+impl Info {
+    /// O(n), but O(n log n) for tables, whose geometry is checked.
+    fn of(subject: &Subject) -> Self {
+        let view = subject.view();
+        let counts: Counts = measure_with(view, |f| subject.is_boundary(f));
+        let mut degrees = VertexMap::filled(view.vertex_bound(), 0usize);
+        let mut sides = FaceMap::filled(view.face_bound(), 0usize);
+        for h in (0..view.half_edge_bound() as u32).map(HalfEdgeId::new) {
+            if let Some(v) = view.origin(h).filter(|&v| view.has_vertex(v)) {
+                degrees[v] += 1;
+            }
+            if let Some(f) = view.face(h).filter(|&f| view.has_face(f)) {
+                sides[f] += 1;
+            }
+        }
+        let domain: Vec<FaceId> = subject.faces().filter(|&f| !subject.is_boundary(f)).collect();
+        let mut faces_by_sides = BTreeMap::new();
+        for &f in &domain {
+            *faces_by_sides.entry(sides[f]).or_insert(0) += 1;
+        }
+        let outer = view.outer_face();
+        let first_of_outer = outer.and_then(|f| view.boundary(f)).is_some() as usize;
+        let outer_cycles = |ring: &&Ring| matches!(ring, Ring::Cycle(_));
+        let mut names: Vec<&str> = subject.faces().filter_map(|f| subject.name(f)).collect();
+        let named_faces = names.len();
+        names.sort_unstable();
+        names.dedup();
+        let (valid, memory) = validity(subject);
+        Self {
+            source: subject.source.clone(),
+            format: subject.format.name(),
+            mode: match subject.mode() {
+                Mode::Plane => "plane",
+                Mode::Surface => "surface",
+            },
+            valid,
+            vertices: counts.vertices,
+            edges: counts.edges,
+            half_edges: counts.half_edges,
+            faces: counts.faces,
+            components: counts.components.len(),
+            boundary_cycles: counts.boundary_cycles,
+            euler: counts.euler(),
+            genus: counts.genus(),
+            cycles: counts.cycles,
+            hole_faces: subject.faces().filter(|&f| view.is_hole(f)).count(),
+            rings: first_of_outer + subject.faces().map(|f| view.rings(f).len()).sum::<usize>(),
+            rings_of_outer_face: first_of_outer
+                + outer.map_or(0, |f| view.rings(f).iter().filter(outer_cycles).count()),
+            isolated_vertices: counts.isolated_vertices,
+            sides: Spread::of(domain.iter().map(|&f| sides[f])),
+            degrees: Spread::of(subject.vertices().map(|v| degrees[v])),
+            faces_by_sides,
+            bounding_box: bounding_box(subject),
+            named_faces,
+            names: names.len(),
+            memory_bytes: memory,
+            bytes_per_half_edge: memory.map(|bytes| bytes as f64 / counts.half_edges.max(1) as f64),
+        }
+    }
+
+    fn print(&self, out: &mut Output) -> io::Result<()> {
+        let format = self.format;
+        writeln!(out, "{}: {}, {format}, {}", self.source, self.mode, if self.valid { "valid" } else { "NOT valid" })?;
+        let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
+        line("vertices", self.vertices.to_string())?;
+        line("edges", format!("{} ({} half-edges)", self.edges, self.half_edges))?;
+        let holes = match self.hole_faces {
+            0 => String::new(),
+            n => format!(", {n} of them holes"),
+        };
+        let outer = if self.mode == "plane" { " (with the outer face" } else { "" };
+        let close = if outer.is_empty() { "" } else { ")" };
+        line("faces", format!("{}{outer}{holes}{close}", self.faces))?;
+        line("components", self.components.to_string())?;
+        line("euler", format!("V - E + F = {}", self.euler))?;
+        line("boundary cycles", self.boundary_cycles.to_string())?;
+        if self.mode == "surface" {
+            line("genus", self.genus.to_string())?;
+        } else {
+            let inner = self.rings - self.rings_of_outer_face;
+            line("rings", format!("{} of the outer face, {inner} others", self.rings_of_outer_face))?;
+            line("isolated", format!("{} vertices", self.isolated_vertices))?;
+        }
+        line("sides of faces", format!("{}{}", self.sides, self.histogram()))?;
+        line("degrees", self.degrees.to_string())?;
+        if let Some(BoundingBox { min, max }) = &self.bounding_box {
+            line("bounding box", format!("{} to {}", super::output::point(min), super::output::point(max)))?;
+        }
+        if self.named_faces > 0 {
+            line("names", format!("{} on {} faces", self.names, self.named_faces))?;
+        }
+        if let (Some(bytes), Some(each)) = (self.memory_bytes, self.bytes_per_half_edge) {
+            line("memory", format!("{bytes} bytes, {each:.1} a half-edge"))?;
+        }
+        Ok(())
+    }
+
+    /// ` (3: 12, 4: 6)`, if there are few different numbers.
+    fn histogram(&self) -> String {
+        if self.faces_by_sides.is_empty() || self.faces_by_sides.len() > 8 {
+            return String::new();
+        }
+        let each: Vec<String> = self.faces_by_sides.iter().map(|(sides, count)| format!("{count} x {sides}")).collect();
+        format!(" ({})", each.join(", "))
+    }
+}
+
+impl std::fmt::Display for Spread {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} to {}, mean {:.2}", self.min, self.max, self.mean)
+    }
+}
+
+/// Whether all laws hold that are checked, and the bytes of the structure without positions.
+fn validity(subject: &Subject) -> (bool, Option<usize>) {
+    match &subject.kind {
+        Kind::Plane(subdivision) => (first_violation(subdivision).is_none(), Some(subdivision.memory_bytes())),
+        Kind::Surface(polyhedron) => (first_violation(polyhedron).is_none(), Some(polyhedron.memory_bytes())),
+        Kind::Table(table) => match Subdivision::from_table(table) {
+            Ok(subdivision) => (true, Some(subdivision.memory_bytes())),
+            // The laws of the structure hold; there is no plane, or nothing is known of its geometry.
+            Err(TableError::NoOuterFace | TableError::NoPosition { .. }) => (true, None),
+            Err(_) => (false, None),
+        },
+    }
+}
+
+fn bounding_box(subject: &Subject) -> Option<BoundingBox> {
+    let mut positions = subject.vertices().filter_map(|v| subject.position(v));
+    let first = positions.next()?;
+    let mut found = BoundingBox { min: first.clone(), max: first };
+    for position in positions {
+        for (i, &x) in position.iter().enumerate() {
+            found.min[i] = found.min[i].min(x);
+            found.max[i] = found.max[i].max(x);
+        }
+    }
+    Some(found)
+}

@@ -1,0 +1,97 @@
+//! The input of a command: a file and how to read it.
+
+use super::failure::{Failure, say};
+use super::subject::{Kind, Subject};
+use dcel_kit::io::{Document, Format, LoadError, LoadOptions, ReadOptions, Structure, assemble, read_path};
+use dcel_kit::topology::Mode;
+use std::path::Path;
+
+/// How to read a file.
+#[derive(clap::Args, Debug, Default)]
+#[command(next_help_heading = "Reading")]
+pub(crate) struct InputOptions {
+    /// The format, if the name does not tell
+    #[arg(long, value_name = "FORMAT")]
+    format: Option<Format>,
+    /// y points down in the file, as on screens
+    #[arg(long)]
+    y_down: bool,
+    /// Leave out rings that enclose nothing
+    #[arg(long)]
+    drop_degenerate_rings: bool,
+    /// Turn round faces that run clockwise
+    #[arg(long)]
+    orient: bool,
+    /// The object of a TopoJSON file to read
+    #[arg(long, value_name = "NAME")]
+    object: Option<String>,
+    /// Read as a surface in space, even if it is flat
+    #[arg(long, conflicts_with = "plane")]
+    surface: bool,
+    /// Read as a subdivision of the plane: drop z
+    #[arg(long)]
+    plane: bool,
+    /// Check all edges of a plane against each other
+    #[arg(long)]
+    pub(crate) full_check: bool,
+}
+
+/// What comes out of a file.
+pub(crate) enum Opened {
+    /// Something to work with.
+    Subject(Subject),
+    /// A file that could be read, and whose polygons do not fit together.
+    Misfit(LoadError),
+}
+
+impl InputOptions {
+    /// Reads a file. Tables stay tables, with the ids of the file, right or wrong. Tells the notes on stderr.
+    pub(crate) fn open(&self, file: &Path) -> Result<Subject, Failure> {
+        match self.try_open(file)? {
+            Opened::Subject(subject) => Ok(subject),
+            Opened::Misfit(error) => Err(error.into()),
+        }
+    }
+
+    /// The same, for those who want to say more about a misfit.
+    pub(crate) fn try_open(&self, file: &Path) -> Result<Opened, Failure> {
+        let options = self.load_options();
+        let read = read_path(file, &options.read)?;
+        let source = if file.as_os_str() == "-" { "<stdin>".to_owned() } else { file.display().to_string() };
+        if let Document::Table(table) = read.document {
+            read.notes.iter().for_each(|note| say("note", note));
+            if self.surface || self.plane || self.orient {
+                say("note", "--surface, --plane and --orient are for polygons; a table says itself what it is");
+            }
+            let (format, names, places) = (read.format, Default::default(), None);
+            return Ok(Opened::Subject(Subject { kind: Kind::Table(table), names, source, format, places }));
+        }
+        let loaded = match assemble(read, &source, &options) {
+            Ok(loaded) => loaded,
+            Err(error) => return Ok(Opened::Misfit(error)),
+        };
+        loaded.notes.iter().for_each(|note| say("note", note));
+        let kind = match loaded.structure {
+            Structure::Plane(subdivision) => Kind::Plane(subdivision),
+            Structure::Surface(polyhedron) => Kind::Surface(polyhedron),
+            other => return Err(Failure::input(format!("{source}: {other:?} is not known"), "")),
+        };
+        let (names, format, places) = (loaded.names, loaded.format, loaded.places);
+        Ok(Opened::Subject(Subject { kind, names, source, format, places }))
+    }
+
+    fn load_options(&self) -> LoadOptions {
+        let mode = match (self.plane, self.surface) {
+            (true, _) => Some(Mode::Plane),
+            (_, true) => Some(Mode::Surface),
+            _ => None,
+        };
+        let read = ReadOptions {
+            y_down: self.y_down,
+            drop_degenerate_rings: self.drop_degenerate_rings,
+            object: self.object.clone(),
+            format: self.format,
+        };
+        LoadOptions { read, orient: self.orient, full_check: self.full_check, mode }
+    }
+}

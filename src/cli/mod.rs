@@ -1,0 +1,71 @@
+//! The command line: parse, run one command, exit code.
+//!
+//! ```text
+//!   file ──> input.rs ──> subject.rs ──> one file per command ──> output.rs ──> stdout   the answer
+//!                                               │
+//!                                               └─> failure.rs ───────────────> stderr   errors, notes
+//!
+//!   exit code   0  fine         1  the answer is no         2  usage or input         3  the machine
+//! ```
+
+mod answer;
+mod completions;
+mod failure;
+mod info;
+mod input;
+mod output;
+mod subject;
+
+use answer::Answer;
+use clap::{Parser, Subcommand};
+use failure::Failure;
+use output::Output;
+use std::io::Write;
+use std::process::ExitCode;
+
+/// Half-edge structures: look at them, check them, draw them
+#[derive(Parser, Debug)]
+#[command(
+    name = "dcel",
+    version,
+    propagate_version = false,
+    max_term_width = 100,
+    after_help = "\
+Exit codes: 0 fine, 1 the answer is no (invalid, differs), 2 usage or bad input, 3 the machine failed.
+
+Examples:
+  dcel info square.obj
+  dcel help info"
+)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand, Debug)]
+enum Command {
+    Info(info::Args),
+    Completions(completions::Args),
+}
+
+impl Command {
+    fn run(self, out: &mut Output) -> Result<Answer, Failure> {
+        match self {
+            Self::Info(args) => info::run(&args, out),
+            Self::Completions(args) => completions::run(&args, out),
+        }
+    }
+}
+
+/// Runs the command that the arguments ask for.
+pub(crate) fn main() -> ExitCode {
+    let mut out = Output::new();
+    let answer = Cli::parse().command.run(&mut out).and_then(|answer| {
+        out.flush()?;
+        Ok(answer)
+    });
+    match answer {
+        Ok(answer) => answer.exit_code(),
+        Err(failure) => failure.report(),
+    }
+}

@@ -1,0 +1,36 @@
+//! The answer on standard output.
+
+use dcel_kit::io::Number;
+use serde::Serialize;
+use std::io::{self, BufWriter, StdoutLock, Write};
+
+/// Standard output, buffered. Errors come back as they happen, a closed pipe among them.
+pub(crate) struct Output(BufWriter<StdoutLock<'static>>);
+
+impl Output {
+    pub(crate) fn new() -> Self {
+        Self(BufWriter::with_capacity(1 << 16, io::stdout().lock()))
+    }
+
+    /// Writes a value as JSON with indentation.
+    pub(crate) fn json(&mut self, value: &impl Serialize) -> Result<(), serde_json::Error> {
+        serde_json::to_writer_pretty(&mut *self, value)?;
+        self.write_all(b"\n").map_err(serde_json::Error::io)
+    }
+}
+
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush()
+    }
+}
+
+/// `(1, 2)`, with as many digits as bring back the same numbers.
+pub(crate) fn point(coordinates: &[f64]) -> String {
+    let numbers: Vec<String> = coordinates.iter().map(|&x| Number(x).to_string()).collect();
+    format!("({})", numbers.join(", "))
+}

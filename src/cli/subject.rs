@@ -1,0 +1,90 @@
+//! What a command works on: a subdivision, a surface or a table.
+
+use dcel_kit::io::{Format, Model, Places};
+use dcel_kit::plane::{PlanarView, Point, Subdivision};
+use dcel_kit::solid::Polyhedron;
+use dcel_kit::topology::{Mode, Table, View};
+use dcel_kit::{FaceId, FaceMap, VertexId};
+
+/// A structure with its names.
+pub(crate) struct Subject {
+    pub(crate) kind: Kind,
+    /// Names of faces that the structure itself does not hold.
+    pub(crate) names: FaceMap<Option<String>>,
+    pub(crate) source: String,
+    pub(crate) format: Format,
+    pub(crate) places: Option<Places>,
+}
+
+pub(crate) enum Kind {
+    Plane(Subdivision),
+    Surface(Polyhedron),
+    /// Any table, right or wrong, with the ids of its file.
+    Table(Table),
+}
+
+impl Subject {
+    pub(crate) fn view(&self) -> &dyn View {
+        match &self.kind {
+            Kind::Plane(subdivision) => subdivision,
+            Kind::Surface(polyhedron) => polyhedron,
+            Kind::Table(table) => table,
+        }
+    }
+
+    /// The structure as something to draw; nothing for surfaces.
+    pub(crate) fn planar(&self) -> Option<&dyn PlanarView> {
+        match &self.kind {
+            Kind::Plane(subdivision) => Some(subdivision),
+            Kind::Table(table) => Some(table),
+            Kind::Surface(_) => None,
+        }
+    }
+
+    /// Plane or surface.
+    pub(crate) fn mode(&self) -> Mode {
+        if self.view().outer_face().is_some() { Mode::Plane } else { Mode::Surface }
+    }
+
+    /// Two or three coordinates.
+    pub(crate) fn position(&self, v: VertexId) -> Option<Vec<f64>> {
+        match &self.kind {
+            Kind::Surface(polyhedron) => polyhedron.has_vertex(v).then(|| polyhedron.point(v).to_vec()),
+            _ => self.planar()?.position(v).map(|Point { x, y }| vec![x, y]),
+        }
+    }
+
+    pub(crate) fn name(&self, f: FaceId) -> Option<&str> {
+        match &self.kind {
+            Kind::Table(table) => table.faces.get(f.index())?.as_ref()?.name.as_deref(),
+            _ => self.names.get(f)?.as_deref(),
+        }
+    }
+
+    /// Whether `f` is no face of the domain: the outer face, a hole face, a face that stands for a border.
+    pub(crate) fn is_boundary(&self, f: FaceId) -> bool {
+        let view = self.view();
+        let border = matches!(&self.kind, Kind::Surface(polyhedron) if polyhedron.is_boundary_face(f));
+        border || view.outer_face() == Some(f) || view.is_hole(f)
+    }
+
+    pub(crate) fn vertices(&self) -> impl Iterator<Item = VertexId> + '_ {
+        (0..self.view().vertex_bound() as u32).map(VertexId::new).filter(|&v| self.view().has_vertex(v))
+    }
+
+    pub(crate) fn faces(&self) -> impl Iterator<Item = FaceId> + '_ {
+        (0..self.view().face_bound() as u32).map(FaceId::new).filter(|&f| self.view().has_face(f))
+    }
+
+    /// What the writers take.
+    pub(crate) fn model(&self) -> Model<'_> {
+        match &self.kind {
+            Kind::Plane(subdivision) => Model::planar(subdivision).with_names(|f| self.name(f)),
+            Kind::Table(table) => Model::table(table),
+            Kind::Surface(polyhedron) => {
+                let position = |v| polyhedron.has_vertex(v).then(|| polyhedron.point(v));
+                Model::surface(polyhedron, position, |f| polyhedron.is_boundary_face(f)).with_names(|f| self.name(f))
+            }
+        }
+    }
+}

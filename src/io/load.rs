@@ -1,0 +1,275 @@
+//! From a file to a structure: reading, building, and where in the file the things stand that do not fit.
+//!
+//! ```text
+//!   read_path ──┬─ polygons, flat ──────> Subdivision ──┐
+//!               ├─ polygons in space ───> Polyhedron  ──┼─> Loaded: structure, names, notes
+//!               └─ table ───────────────> Subdivision ──┘
+//!
+//!   mesh.obj:17: faces 3 and 5 both run from vertex 2 to vertex 4: reverse one of them (face 5: mesh.obj:19)
+//!   └─ where ──┘ └─ what the builder says, counted from 0 ───────────────────────────┘ └─ the others ─────┘
+//! ```
+
+use super::format::Format;
+use super::problem::ReadError;
+use super::read::{Document, Read, ReadOptions, read_path};
+use super::soup::{Places, PolygonSoup};
+use crate::ids::{FaceId, FaceMap, VertexId};
+use crate::plane::{ConvertError, ConvertOptions, Converted, Point, Subdivision, TableError};
+use crate::solid::{Polyhedron, SolidError};
+use crate::topology::{Mode, PolygonList};
+use std::fmt;
+use std::path::Path;
+
+/// How to load a file.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct LoadOptions {
+    /// How to read it.
+    pub read: ReadOptions,
+    /// Turn round the faces of a plane that run clockwise. GeoJSON and TopoJSON are always treated so: their
+    /// rings may run either way.
+    pub orient: bool,
+    /// In the plane, check all edges against each other, not only those that meet.
+    pub full_check: bool,
+    /// Plane or surface, whatever the file looks like. Without it, points with different z make a surface.
+    pub mode: Option<Mode>,
+}
+
+/// A structure out of a file.
+#[derive(Clone, PartialEq, Debug)]
+#[non_exhaustive]
+pub enum Structure {
+    /// A subdivision of the plane.
+    Plane(Subdivision),
+    /// A surface in space.
+    Surface(Polyhedron),
+}
+
+/// What was loaded.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Loaded {
+    /// The structure. In the plane face i of the file is f(i + 1), on a surface f(i); vertex i is v(i). Tables
+    /// keep their numbers as [`Subdivision::from_table`] says.
+    pub structure: Structure,
+    /// The names of the faces; shorter than the structure, or empty, where no more are known.
+    pub names: FaceMap<Option<String>>,
+    /// What was dropped, repaired or chosen, one sentence each: to be told to the user.
+    pub notes: Vec<String>,
+    /// The format it was.
+    pub format: Format,
+    /// Where the points and faces stood; nothing for tables.
+    pub places: Option<Places>,
+}
+
+/// Why a file is no structure.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum LoadError {
+    /// It cannot be read.
+    #[error(transparent)]
+    Read(#[from] ReadError),
+    /// Its polygons are no subdivision of the plane.
+    #[error("{at}: {error}{at:#}")]
+    Plane {
+        /// Where.
+        at: Box<Whereabouts>,
+        /// Why not.
+        error: ConvertError,
+    },
+    /// Its polygons are no surface.
+    #[error("{at}: {error}{at:#}")]
+    Surface {
+        /// Where.
+        at: Box<Whereabouts>,
+        /// Why not.
+        error: SolidError,
+    },
+    /// Its table is no subdivision of the plane.
+    #[error("{source_name}: {error}")]
+    Table {
+        /// The file.
+        source_name: String,
+        /// Why not.
+        error: TableError,
+    },
+}
+
+/// Where the elements of an error stand in a file. Prints as the place of the first one, and with `{:#}` as the
+/// places of the others in brackets.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Whereabouts {
+    /// The place of the first face the error speaks of, or of its first vertex, or the file.
+    pub first: String,
+    /// The other elements, `face 5` or `vertex 7`, with their places.
+    pub others: Vec<(String, String)>,
+}
+
+impl Whereabouts {
+    fn new(places: &Places, faces: &[u32], vertices: &[u32]) -> Self {
+        let faces = faces.iter().map(|&f| (format!("face {f}"), places.face(f as usize)));
+        let known = if places.vertex_lines.is_empty() { &[] } else { vertices };
+        let vertices = known.iter().map(|&v| (format!("vertex {v}"), places.vertex(v as usize)));
+        let mut all = faces.chain(vertices);
+        let first = all.next().map_or_else(|| places.source.clone(), |(_, place)| place);
+        Self { first, others: all.collect() }
+    }
+}
+
+impl fmt::Display for Whereabouts {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !f.alternate() {
+            return f.write_str(&self.first);
+        }
+        for (i, (element, place)) in self.others.iter().enumerate() {
+            write!(f, "{}{element}: {place}", if i == 0 { " (" } else { ", " })?;
+        }
+        if self.others.is_empty() { Ok(()) } else { f.write_str(")") }
+    }
+}
+
+impl LoadError {
+    /// Where the elements stand that the error speaks of; nothing if the file could not even be read.
+    #[must_use]
+    pub fn whereabouts(&self) -> Option<&Whereabouts> {
+        match self {
+            Self::Plane { at, .. } | Self::Surface { at, .. } => Some(at),
+            Self::Read(_) | Self::Table { .. } => None,
+        }
+    }
+
+    /// What is wrong, without the place.
+    #[must_use]
+    pub fn what(&self) -> String {
+        match self {
+            Self::Read(error) => error.what.to_string(),
+            Self::Plane { error, .. } => error.to_string(),
+            Self::Surface { error, .. } => error.to_string(),
+            Self::Table { error, .. } => error.to_string(),
+        }
+    }
+
+    /// Whether the file was read and its contents are at fault, not its syntax.
+    #[must_use]
+    pub const fn is_about_structure(&self) -> bool {
+        !matches!(self, Self::Read(_))
+    }
+}
+
+/// Reads a file and makes a structure of it; `-` is standard input.
+///
+/// Cost: that of the reader and of the builder, about linear; O(n log n) for tables and for the full check.
+///
+/// # Errors
+/// [`LoadError`] with the places of what does not fit.
+pub fn load(path: &Path, options: &LoadOptions) -> Result<Loaded, LoadError> {
+    let source = if path.as_os_str() == "-" { "<stdin>".to_owned() } else { path.display().to_string() };
+    assemble(read_path(path, &options.read)?, &source, options)
+}
+
+/// Makes a structure of what was read. `source_name` is what errors call the file of a table.
+///
+/// # Errors
+/// [`LoadError`], but never [`LoadError::Read`].
+///
+/// ```
+/// use dcel_kit::io::{Format, LoadOptions, ReadOptions, assemble, read_bytes};
+/// let text = "v 0 0\nv 1 0\nv 0 1\nf 1 2 3\nf 1 2 3\n";
+/// let read = read_bytes(text.as_bytes(), Format::Obj, "twice.obj", &ReadOptions::default())?;
+/// let error = assemble(read, "twice.obj", &LoadOptions::default()).unwrap_err();
+/// assert_eq!(
+///     error.to_string(),
+///     "twice.obj:4: face 1 repeats face 0: leave one of them out (face 1: twice.obj:5)",
+/// );
+/// # Ok::<(), dcel_kit::io::ReadError>(())
+/// ```
+pub fn assemble(read: Read, source_name: &str, options: &LoadOptions) -> Result<Loaded, LoadError> {
+    let Read { document, mut notes, format } = read;
+    let soup = match document {
+        Document::Polygons(soup) => soup,
+        Document::Table(table) => {
+            let structure = Subdivision::from_table(&table)
+                .map_err(|error| LoadError::Table { source_name: source_name.to_owned(), error })?;
+            // The outer face is f0 now; see Subdivision::from_table.
+            let mut names: Vec<_> = table.faces.into_iter().map(|row| row?.name).collect();
+            if let Some(outer) = table.outer_face {
+                names.swap(0, outer.index());
+            }
+            let structure = Structure::Plane(structure);
+            return Ok(Loaded { structure, names: names.into(), notes, format, places: None });
+        }
+    };
+    let mode = options.mode.unwrap_or(if soup.has_z { Mode::Surface } else { Mode::Plane });
+    let PolygonSoup { points, has_z, faces, names, places } = soup;
+    let (structure, first_face) = match mode {
+        Mode::Plane => {
+            if has_z {
+                notes.push("the z of the points was dropped".to_owned());
+            }
+            (plane(points, &faces, &places, format, options, &mut notes)?, 1)
+        }
+        Mode::Surface => (surface(points, &faces, &places, &mut notes)?, 0),
+    };
+    let mut by_face = FaceMap::default();
+    for (i, name) in names.into_iter().enumerate().filter(|(_, name)| name.is_some()) {
+        by_face.set(FaceId::new(i as u32 + first_face), name, None);
+    }
+    Ok(Loaded { structure, names: by_face, notes, format, places: Some(places) })
+}
+
+fn plane(
+    points: Vec<[f64; 3]>,
+    faces: &PolygonList,
+    places: &Places,
+    format: Format,
+    options: &LoadOptions,
+    notes: &mut Vec<String>,
+) -> Result<Structure, LoadError> {
+    let any_direction = matches!(format, Format::GeoJson | Format::TopoJson);
+    let convert = ConvertOptions { orient: options.orient || any_direction, full_check: options.full_check };
+    let points = points.into_iter().map(|[x, y, _]| Point::new(x, y)).collect();
+    let converted = match triangles(faces) {
+        Some(triangles) => Subdivision::convert_triangles(points, &triangles, &convert),
+        None => Subdivision::convert_polygons(points, faces, &convert),
+    };
+    let Converted { subdivision, turned, unused_vertices } = converted.map_err(|error| {
+        let at = Whereabouts::new(places, &error.faces(), &error.vertices());
+        LoadError::Plane { at: Box::new(at), error }
+    })?;
+    if !any_direction && !turned.is_empty() {
+        notes.push(format!("{} of {} faces ran clockwise and were turned round", turned.len(), faces.face_count()));
+    }
+    note_unused(notes, &unused_vertices);
+    Ok(Structure::Plane(subdivision))
+}
+
+fn surface(
+    points: Vec<[f64; 3]>,
+    faces: &PolygonList,
+    places: &Places,
+    notes: &mut Vec<String>,
+) -> Result<Structure, LoadError> {
+    let bound = points.len() as u32;
+    let polyhedron = Polyhedron::from_polygons(points, faces).map_err(|error| {
+        let at = Whereabouts::new(places, &error.faces(), &error.vertices());
+        LoadError::Surface { at: Box::new(at), error }
+    })?;
+    let unused: Vec<_> = (0..bound).map(VertexId::new).filter(|&v| !polyhedron.has_vertex(v)).collect();
+    note_unused(notes, &unused);
+    Ok(Structure::Surface(polyhedron))
+}
+
+/// The faces as triangles, if they all are: the converter has less to look at then.
+fn triangles(faces: &PolygonList) -> Option<Vec<[u32; 3]>> {
+    let starts = faces.cycle_starts();
+    let all = faces.has_no_holes() && starts.windows(2).all(|ends| ends[1] - ends[0] == 3);
+    all.then(|| faces.corners().chunks_exact(3).map(|t| [t[0], t[1], t[2]]).collect())
+}
+
+fn note_unused(notes: &mut Vec<String>, unused: &[VertexId]) {
+    if let Some(first) = unused.first() {
+        let count = unused.len();
+        notes.push(match count {
+            1 => format!("{first} was left out: no face uses it"),
+            _ => format!("{count} vertices were left out, {first} the first of them: no face uses them"),
+        });
+    }
+}
