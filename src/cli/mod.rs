@@ -11,10 +11,14 @@
 mod answer;
 mod completions;
 mod failure;
+mod figures;
 mod info;
 mod input;
+mod lesson;
 mod output;
+mod references;
 mod subject;
+mod tour;
 
 use answer::Answer;
 use clap::{Parser, Subcommand};
@@ -45,6 +49,8 @@ struct Cli {
 #[derive(Subcommand, Debug)]
 enum Command {
     Info(info::Args),
+    Tour(tour::Args),
+    Figures(figures::Args),
     Completions(completions::Args),
 }
 
@@ -52,6 +58,8 @@ impl Command {
     fn run(self, out: &mut Output) -> Result<Answer, Failure> {
         match self {
             Self::Info(args) => info::run(&args, out),
+            Self::Tour(args) => tour::run(&args, out),
+            Self::Figures(args) => figures::run(&args, out),
             Self::Completions(args) => completions::run(&args, out),
         }
     }
