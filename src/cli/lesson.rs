@@ -77,11 +77,11 @@ pub(crate) fn cube() -> Result<Subdivision, LessonError> {
 /// A face with two holes, an island in one of them, a second component outside.
 pub(crate) fn rings() -> Result<Subdivision, LessonError> {
     let points = [
-        [(0., 0.), (12., 0.), (12., 8.), (0., 8.)].as_slice(),
-        &[(1.2, 1.4), (6.2, 1.4), (6.2, 6.4), (1.2, 6.4)],
-        &[(8., 2.4), (10.6, 2.4), (9.4, 5.4)],
-        &[(2.6, 2.8), (4.8, 2.8), (3.6, 5.)],
-        &[(14., 1.), (17., 1.), (16., 4.)],
+        [(0., 0.), (14., 0.), (14., 8.), (0., 8.)].as_slice(),
+        &[(1., 1.), (7., 1.), (7., 7.), (1., 7.)],
+        &[(8.4, 1.4), (12.8, 1.4), (10.8, 6.4)],
+        &[(2.2, 2.2), (5.8, 2.2), (4.4, 5.6)],
+        &[(15.6, 0.6), (20., 0.6), (18.4, 5.6)],
     ];
     let mut faces = PolygonList::new();
     faces.push_face(&[0, 1, 2, 3]);
