@@ -45,7 +45,10 @@ static REFERENCES: [Reference; 5] = [
     Reference {
         file: "rings.svg",
         about: "a face with two holes, an island in one of them, a second component",
-        draw: || structure(&lesson::rings()?, "Rings and holes"),
+        draw: || {
+            let options = FigureOptions::new("Rings and holes").width(960.0);
+            Ok(figure::structure(&lesson::rings()?, &options)?.to_svg())
+        },
     },
     Reference {
         file: "states.svg",
