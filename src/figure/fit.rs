@@ -75,7 +75,8 @@ impl Extent {
     fn fit(&self, scale: f64, padding: f64) -> Fit {
         let drawn = self.size * scale;
         let smallest = 2.0 * padding + 36.0;
-        let size = xy((drawn.x + 2.0 * padding).max(smallest), (drawn.y + 2.0 * padding).max(smallest));
+        let whole = |length: f64| ((length + 2.0 * padding).max(smallest) * 100.0).round() / 100.0;
+        let size = xy(whole(drawn.x), whole(drawn.y));
         Fit { size, scale, corner: self.corner, origin: (size - drawn) * 0.5 }
     }
 }
