@@ -26,7 +26,13 @@ pub trait PlanarView: View {
     fn position(&self, v: VertexId) -> Option<Point>;
 }
 
-/// A planar subdivision. It dereferences to its [`Dcel`] for all walks and counts.
+/// A planar subdivision: faces that cover the whole plane. It dereferences to its [`Dcel`] for all walks and
+/// counts.
+///
+#[doc = include_str!("../../figures/rings.svg")]
+///
+/// `f1` has its boundary, through h0, and two rings, through h8 and h16; `f4` and `f5` are hole faces, and `f4` has
+/// a ring round the island `f2`. `f0` has two cycles.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Subdivision {
     pub(super) dcel: Dcel,
