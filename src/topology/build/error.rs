@@ -12,8 +12,10 @@ use crate::topology::TooMany;
 #[non_exhaustive]
 pub enum BuildError {
     /// A corner names a vertex that does not exist.
-    #[error("face {face}: vertex {vertex} does not exist, there are {vertices} (numbered from 0); \
-             check whether the numbers of the input start at 1")]
+    #[error(
+        "face {face}: vertex {vertex} does not exist, there are {vertices} (numbered from 0); \
+             check whether the numbers of the input start at 1"
+    )]
     IndexOutOfRange {
         /// The face.
         face: u32,
@@ -82,7 +84,9 @@ pub enum BuildError {
         fans: Vec<u32>,
     },
     /// A face has an inner cycle; a face of the kernel has exactly one cycle.
-    #[error("face {face} has a hole, but without coordinates a face is one cycle: build it as a planar subdivision, or cut the face open")]
+    #[error(
+        "face {face} has a hole, but without coordinates a face is one cycle: build it as a planar subdivision, or cut the face open"
+    )]
     HoleInFace {
         /// The face.
         face: u32,
