@@ -253,22 +253,35 @@ impl<'a> Forest<'a> {
         }
         sides.iter_mut().for_each(|side| side.sort_unstable());
         let [first, second] = sides;
-        let apart = first.iter().zip(&second).find(|((a, _), (b, _))| a != b).map(|(&(_, node), _)| node);
-        let lonely = first.get(second.len()).or_else(|| second.get(first.len())).map(|&(_, node)| node);
-        if let Some(node) = apart.or(lonely) {
-            return Err(first_pointer(self.world).unwrap_or_else(|| self.no_counterpart(node)));
+        if let Some(node) = surplus(&first, &second) {
+            return Err(
+                first_pointer(self.world).unwrap_or_else(|| self.no_counterpart(node, surplus(&second, &first)))
+            );
         }
         Ok(first.into_iter().zip(second).map(|((_, a), (_, b))| (a, b)).collect())
     }
 
-    fn no_counterpart(&self, node: Node) -> Difference {
-        match node {
-            Node::Face(f) => Difference::Content { face: self.face_id(f) },
-            Node::Piece(p) => {
-                let (h, split) = (self.root[p as usize], self.world.split.half_edge);
-                let h = HalfEdgeId(h - if h < split { 0 } else { split });
-                Difference::Component { h, half_edges: self.pieces.of(p as usize).len() }
+    /// What to say of a root of the first view that has no partner, when `other` of the second has none either:
+    /// of two faces, the component in the one that is not in the other.
+    fn no_counterpart(&self, node: Node, other: Option<Node>) -> Difference {
+        let piece = match (node, other) {
+            (Node::Piece(p), _) => Some(Node::Piece(p)),
+            (Node::Face(f), Some(Node::Face(g))) => {
+                let [here, there] = [f, g].map(|f| {
+                    let children = self.children(f).into_iter();
+                    children.map(|p| (Node::Piece(self.piece_class[p as usize]), Node::Piece(p))).collect::<Vec<_>>()
+                });
+                surplus(&here, &there)
             }
+            (Node::Face(_), _) => None,
+        };
+        match (piece, node) {
+            (Some(Node::Piece(p)), _) => {
+                let (members, split) = (self.pieces.of(p as usize), self.world.split.half_edge);
+                let h = HalfEdgeId(members[0] - if members[0] < split { 0 } else { split });
+                Difference::Component { h, half_edges: members.len() }
+            }
+            (_, Node::Face(f) | Node::Piece(f)) => Difference::Content { face: self.face_id(f) },
         }
     }
 
@@ -312,6 +325,15 @@ impl<'a> Forest<'a> {
         let found = self.faces_at.of(p as usize).iter().copied().filter(|&f| f != parent);
         faces.extend(found.map(|f| (f, matcher.face_to[f as usize])).filter(|&(_, g)| g != NONE));
     }
+}
+
+/// The first of `here` that has no partner of its class in `there`; both are sorted by class.
+fn surplus(here: &[(Node, Node)], there: &[(Node, Node)]) -> Option<Node> {
+    let mut others = there.iter().map(|&(class, _)| class).peekable();
+    here.iter().find_map(|&(class, node)| {
+        while others.next_if(|&other| other < class).is_some() {}
+        others.next_if_eq(&class).is_none().then_some(node)
+    })
 }
 
 /// A map from half-edges to half-edges while it grows by walks that may be taken back.
