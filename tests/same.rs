@@ -1,5 +1,7 @@
 //! Equality up to numbers: found wherever it holds, refused wherever it does not, with the first difference named.
 
+#![allow(clippy::unwrap_used)] // a test may panic
+
 mod common;
 
 use common::script::{Call, Log, all_calls, config, scripts};

@@ -30,7 +30,7 @@ mod tests {
             origin: (0..12).map(|h| turn(h, h % 2) / 2).collect(),
             next: (0..12).map(|h| step(h, 2, 4)).collect(),
             prev: (0..12).map(|h| step(h, 4, 2)).collect(),
-            face: (0..12).map(|h| if h.is_multiple_of(2) { 1 + h / 6 } else { 0 }).collect(),
+            face: (0..12_u32).map(|h| if h.is_multiple_of(2) { 1 + h / 6 } else { 0 }).collect(),
             outgoing: (0..6).map(|v| 2 * v).collect(),
             boundary: vec![1, 0, 6],
         })
