@@ -2,7 +2,6 @@
 
 fn main() {
     println!("cargo::rustc-check-cfg=cfg(shared_data)");
-    println!("cargo::rerun-if-changed=../shared/data");
     if std::path::Path::new("../shared/data").is_dir() {
         println!("cargo::rustc-cfg=shared_data");
     }

@@ -100,7 +100,7 @@ impl Rings {
         drop_degenerate: bool,
         notes: &mut Vec<String>,
     ) -> Result<PolygonSoup, ReadError> {
-        let mut faces = Faces { same_as: first_equal(&self.points), ..Faces::default() };
+        let mut faces = Faces { same_as: representatives(&self.points), ..Faces::default() };
         faces.numbers = vec![u32::MAX; self.points.len()];
         let mut soup =
             PolygonSoup { places: Places { source: source.to_owned(), ..Places::default() }, ..PolygonSoup::default() };
@@ -155,29 +155,29 @@ pub(super) fn same(a: [f64; 2], b: [f64; 2]) -> bool {
     a == b
 }
 
-/// For each point the first point with the same coordinates. O(n log n).
-fn first_equal(points: &[[f64; 2]]) -> Vec<u32> {
+/// For each point one of the points with the same coordinates, the same for all of them. O(n log n).
+fn representatives(points: &[[f64; 2]]) -> Vec<u32> {
     let mut order: Vec<u32> = (0..points.len() as u32).collect();
     order.sort_unstable_by(|&i, &j| {
         let (a, b) = (points[i as usize], points[j as usize]);
-        a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(i.cmp(&j))
+        a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]))
     });
-    let mut first = vec![0; points.len()];
-    let mut run = 0;
-    for (k, &i) in order.iter().enumerate() {
-        if k == 0 || !same(points[i as usize], points[run as usize]) {
+    let mut chosen = vec![0; points.len()];
+    let mut run = order.first().copied().unwrap_or(0);
+    for &i in &order {
+        if !same(points[i as usize], points[run as usize]) {
             run = i;
         }
-        first[i as usize] = run;
+        chosen[i as usize] = run;
     }
-    first
+    chosen
 }
 
 /// The faces while they are made.
 #[derive(Default)]
 struct Faces {
     same_as: Vec<u32>,
-    /// The final number of each point that is the first of its kind.
+    /// The final number of each point that stands for its equals.
     numbers: Vec<u32>,
     /// The ring at hand, without repeated points.
     ring: Vec<u32>,

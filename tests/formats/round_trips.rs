@@ -389,6 +389,20 @@ fn notes_say_what_was_left_out() {
 }
 
 #[test]
+fn points_are_joined_where_they_are_equal_and_nowhere_else() {
+    // Two squares side by side; the right one writes the common border with -0 and repeats points. The third
+    // is off by the smallest step there is.
+    let text = br#"{"type":"MultiPolygon","coordinates":[
+        [[[-1,0],[0,0],[0,3],[0,5],[0,7],[-1,7],[-1,0]]],
+        [[[1,7],[1,7],[-0.0,7],[-0.0,5],[-0.0,5],[-0.0,3],[-0.0,-0.0],[1,0],[1,7],[1,7]]],
+        [[[1,0],[2,0],[1.0000000000000002,7],[1,0]]]]}"#;
+    let soup = soup(text, Format::GeoJson);
+    let faces: Vec<&[u32]> = soup.faces.outer_cycles().collect();
+    assert_eq!(faces, [&[0, 1, 2, 3, 4, 5][..], &[6, 4, 3, 2, 1, 7], &[7, 8, 9]]);
+    assert!(soup.points.iter().all(|p| p[0].to_bits() != (-0.0f64).to_bits()), "{:?}", soup.points);
+}
+
+#[test]
 fn objects_of_a_topology_can_be_chosen() {
     let text = br#"{"type":"Topology","arcs":[[[0,0],[1,0],[0,1],[0,0]]],"objects":{
         "land":{"type":"Polygon","arcs":[[0]]},
