@@ -10,11 +10,15 @@
 
 mod answer;
 mod completions;
+mod convert;
 mod failure;
+mod figure;
 mod info;
 mod input;
 mod output;
 mod subject;
+mod validate;
+mod walk;
 
 use answer::Answer;
 use clap::{Parser, Subcommand};
@@ -45,6 +49,10 @@ struct Cli {
 #[derive(Subcommand, Debug)]
 enum Command {
     Info(info::Args),
+    Validate(validate::Args),
+    Walk(walk::Args),
+    Convert(convert::Args),
+    Figure(figure::Args),
     Completions(completions::Args),
 }
 
@@ -52,6 +60,10 @@ impl Command {
     fn run(self, out: &mut Output) -> Result<Answer, Failure> {
         match self {
             Self::Info(args) => info::run(&args, out),
+            Self::Validate(args) => validate::run(&args, out),
+            Self::Walk(args) => walk::run(&args, out),
+            Self::Convert(args) => convert::run(&args, out),
+            Self::Figure(args) => figure::run(&args, out),
             Self::Completions(args) => completions::run(&args, out),
         }
     }
