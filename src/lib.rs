@@ -1,5 +1,8 @@
 //! Half-edge structures to learn with.
 
+// Nothing may panic on data: an error, or expect() with the reason why it cannot happen.
+#![warn(clippy::unwrap_used)]
+
 pub mod figure;
 pub mod ids;
 pub mod io;

@@ -1,4 +1,4 @@
-//! Faces as regions of the canvas: outlines with their rings, tints, labels.
+//! Faces as regions of the canvas: outlines with their rings, what the groups say.
 //!
 //! ```text
 //!   ┌───────────────┐     A face is the inside of all its cycles together by the even-odd rule. An antenna is
@@ -8,13 +8,10 @@
 //!   └───────────────┘     f0 is the frame minus its cycles.
 //! ```
 
-use super::crowd::Shape;
-use super::options::FaceLabels;
-use super::pole::{area, pole};
+use super::FigureOptions;
 use super::scene::Attributes;
 use super::skeleton::{Cycles, Skeleton};
 use super::vector::{Bounds, Xy};
-use super::{FigureOptions, text};
 use crate::ids::{FaceId, HalfEdgeId};
 use crate::plane::PlanarView;
 use crate::topology::{Ring, bounded_cycle};
@@ -48,8 +45,8 @@ impl Region {
         Self { rings: self.rings.iter().map(thin).collect(), starts: self.starts.clone(), ..*self }
     }
 
-    /// Whether a box lies inside, clear of all rings.
-    fn is_clear(&self, bounds: &Bounds) -> bool {
+    /// Whether a box meets no ring.
+    pub(super) fn is_clear(&self, bounds: &Bounds) -> bool {
         let crosses = |ring: &Vec<Xy>| {
             let mut a = ring.last().copied().unwrap_or_default();
             ring.iter().any(|&b| bounds.meets_segment(std::mem::replace(&mut a, b), b))
@@ -70,86 +67,6 @@ pub(super) fn regions<V: PlanarView + ?Sized>(view: &V, skeleton: &Skeleton, cyc
         region.rings.push(points.collect());
         region.half_edges += half_edges.len();
         region.starts.extend(half_edges.first());
-    }
-    out
-}
-
-/// What is written into a face, and how.
-pub(super) struct LabelRoom<'a> {
-    pub(super) text: &'a str,
-    /// The largest size; the label shrinks from there.
-    pub(super) size: f64,
-    /// Labels smaller than this are left out.
-    pub(super) smallest: f64,
-}
-
-/// A placed label.
-#[derive(Clone, PartialEq, Debug)]
-pub(super) struct Label {
-    pub(super) at: Xy,
-    pub(super) size: f64,
-    pub(super) text: String,
-}
-
-impl Label {
-    pub(super) fn bounds(&self) -> Bounds {
-        Bounds::around(self.at, 0.5 * text::width(&self.text, self.size, true), text::half_height(self.size))
-    }
-}
-
-/// Places a label in a region, clear of its rings, of the obstacles and of everything that `blocker` knows.
-/// `None` if there is no room.
-pub(super) fn place(
-    region: &Region,
-    room: &LabelRoom<'_>,
-    mut obstacles: Vec<Shape>,
-    blocker: impl Fn(&Bounds) -> Option<Shape>,
-) -> Option<Label> {
-    let proportion = text::width(room.text, 1.0, true) / (2.0 * text::half_height(1.0));
-    let squeeze = (proportion / 2.4).max(1.0);
-    for _ in 0..4 {
-        let pole = pole(&region.rings, &obstacles, squeeze, 1.3 * room.size)?;
-        if pole.clearance < 0.5 * room.smallest {
-            return None;
-        }
-        let mut size = room.size.min((1.05 * pole.clearance).max(room.smallest));
-        let mut blocked = None;
-        while size >= room.smallest {
-            let label = Label { at: pole.at, size, text: room.text.to_owned() };
-            let bounds = label.bounds();
-            blocked = blocker(&bounds.grown(1.0));
-            let clear = region.is_clear(&bounds.grown(1.5)) && !obstacles.iter().any(|shape| shape.meets(&bounds));
-            if clear && blocked.is_none() {
-                return Some(label);
-            }
-            size -= 0.5;
-        }
-        obstacles.push(blocked?);
-    }
-    None
-}
-
-/// The label of each region by the options: a name, an id or nothing. Of several regions with the same name
-/// the largest has it.
-pub(super) fn label_texts(regions: &[Region], options: &FigureOptions) -> Vec<Option<String>> {
-    let mut out: Vec<Option<String>> = regions.iter().map(|region| Some(region.face.to_string())).collect();
-    match options.face_labels {
-        FaceLabels::Off => out.fill(None),
-        FaceLabels::Ids => {}
-        FaceLabels::Names => {
-            let mut named: Vec<(&str, f64, usize)> = Vec::new();
-            for (i, region) in regions.iter().enumerate() {
-                if let Some(name) = options.name(region.face) {
-                    named.push((name, area(&region.rings), i));
-                    out[i] = None;
-                }
-            }
-            named.sort_by(|a, b| a.0.cmp(b.0).then(b.1.total_cmp(&a.1)).then(a.2.cmp(&b.2)));
-            named.dedup_by_key(|entry| entry.0);
-            for (name, _, i) in named {
-                out[i] = Some(name.to_owned()).filter(|name| !name.trim().is_empty());
-            }
-        }
     }
     out
 }

@@ -9,8 +9,9 @@
 //! Small faces choose first: a half-edge without a label still has a neighbour's number to count from, a face
 //! without one has nothing. What finds no place is left out; its tooltip remains.
 
+use super::captions::{Caption, Label, Sizes, captions};
 use super::crowd::{Crowd, Shape};
-use super::faces::{Label, LabelRoom, Region, label_texts, place};
+use super::faces::Region;
 use super::half_edges::Shaft;
 use super::skeleton::{Skeleton, half_edges, vertices};
 use super::vector::{Bounds, Xy, xy};
@@ -24,7 +25,7 @@ use crate::topology::Ring;
 const SHORTEST: f64 = 24.0;
 /// Distance between a shaft and its label.
 const BESIDE: f64 = 3.2;
-/// Free space round a half-edge label.
+/// Free space between two half-edge labels.
 const AIR: f64 = 1.5;
 /// Where along the edge a label may stand, in the order of preference: the middle, then further and further
 /// from it.
@@ -60,16 +61,11 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
             crowd.add(Shape::Box(label.bounds()), u32::MAX);
         }
         let vertices = self.vertex_names(&mut crowd);
-        let texts = label_texts(self.regions, self.options);
-        let texts: Vec<Option<String>> = texts
-            .into_iter()
-            .zip(self.regions)
-            .map(|(text, region)| text.filter(|_| self.view.outer_face() != Some(region.face)))
-            .collect();
-        let mut faces = vec![None; texts.len()];
-        self.face_labels(&texts, &mut faces, &mut crowd, true);
+        let captions = captions(self.regions, self.options);
+        let mut faces = vec![None; captions.len()];
+        self.face_labels(&captions, &mut faces, &mut crowd, true);
         let half_edges = self.half_edge_labels(&mut crowd);
-        self.face_labels(&texts, &mut faces, &mut crowd, false);
+        self.face_labels(&captions, &mut faces, &mut crowd, false);
         Labels { vertices, half_edges, faces, outer }
     }
 
@@ -114,7 +110,7 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
             let Some(at) = self.skeleton.place(v) else { continue };
             let text = v.to_string();
             if let Some(size) = name_size(&text, self.radii[v], style) {
-                out[v] = Some(Label { at, size, text });
+                out[v] = Some(Label { at, size, lines: vec![text] });
                 continue;
             }
             let size = 0.85 * style.vertex_text;
@@ -132,7 +128,7 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
                 self.is_on_canvas(&bounds) && crowd.blocker(&bounds.grown(1.0)).is_none()
             };
             if let Some(at) = places.into_iter().find(free) {
-                let label = Label { at, size, text };
+                let label = Label { at, size, lines: vec![text] };
                 crowd.add(Shape::Box(label.bounds()), v.number());
                 out[v] = Some(label);
             }
@@ -148,7 +144,7 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
         for h in half_edges(self.view) {
             out[h] = self.shafts[h].as_ref().and_then(|shaft| self.half_edge_label(h, shaft, crowd));
             if let Some(label) = &out[h] {
-                crowd.add(Shape::Box(label.bounds()), h.number());
+                crowd.add(Shape::Box(label.bounds().grown(AIR)), h.number());
             }
         }
         out
@@ -167,23 +163,27 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
         let places = PLACES.into_iter().map(|t| middle + shaft.along * (t * shaft.edge_length));
         let free = |place: &Xy| {
             let bounds = Bounds::around(*place, width, height);
-            self.is_on_canvas(&bounds) && crowd.blocker(&bounds.grown(AIR)).is_none()
+            self.is_on_canvas(&bounds) && crowd.blocker(&bounds).is_none()
         };
-        places.into_iter().find(free).map(|at| Label { at, size, text })
+        places.into_iter().find(free).map(|at| Label { at, size, lines: vec![text] })
     }
 
-    /// Labels of faces. The first time only those that do not reach their full size; then the others.
-    fn face_labels(&self, texts: &[Option<String>], out: &mut [Option<Label>], crowd: &mut Crowd, small: bool) {
+    /// Labels of bounded faces. The first time only those that do not reach their full size; then the others.
+    fn face_labels(&self, captions: &[Option<Caption>], out: &mut [Option<Label>], crowd: &mut Crowd, small: bool) {
         let style = &self.options.style;
-        let size = if self.detail < Detail::Arrows { style.map_text } else { style.face_text };
-        for ((region, text), out) in self.regions.iter().zip(texts).zip(out) {
-            let Some(text) = text.as_ref().filter(|_| out.is_none()) else { continue };
-            let room = LabelRoom { text, size, smallest: size.min(7.5) };
-            let obstacles = self.obstacles(region);
-            if small && place(region, &room, obstacles.clone(), |_| None).is_none_or(|label| label.size >= size) {
+        let largest = if self.detail < Detail::Arrows { style.map_text } else { style.face_text };
+        let sizes = Sizes { largest, smallest: largest.min(7.5) };
+        for ((region, caption), out) in self.regions.iter().zip(captions).zip(out) {
+            let Some(caption) = caption.as_ref().filter(|_| out.is_none()) else { continue };
+            if self.view.outer_face() == Some(region.face) {
                 continue;
             }
-            *out = place(region, &room, obstacles, |bounds| crowd.blocker(bounds));
+            let obstacles = self.obstacles(region);
+            let is_full = |label: &Label| label.size >= largest;
+            if small && caption.place(region, sizes, &obstacles, |_| None).as_ref().is_none_or(is_full) {
+                continue;
+            }
+            *out = caption.place(region, sizes, &obstacles, |bounds| crowd.blocker(bounds));
             if let Some(label) = out {
                 crowd.add(Shape::Box(label.bounds()), region.face.number());
             }
@@ -224,8 +224,8 @@ pub(super) fn outer_label<V: PlanarView + ?Sized>(
     let width = text::width(&text, 1.0, true);
     let largest = options.style.face_text.min(padding - 12.0);
     let fitting = largest.min(widest / width);
-    (fitting >= 7.5).then(|| {
+    (fitting >= 7.5 && !text.trim().is_empty()).then(|| {
         let at = xy(size.x - 14.0 - 0.5 * fitting * width, (0.5 * padding + 1.0).min(24.0));
-        Label { at, size: fitting, text }
+        Label { at, size: fitting, lines: vec![text] }
     })
 }

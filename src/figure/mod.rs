@@ -4,7 +4,7 @@
 //!   view ──> layout ──────────> scene ──────────> SVG
 //!            skeleton.rs  what can be drawn        scene.rs    groups, lines, areas, discs, texts
 //!            fit.rs       scale, level of detail   svg_out.rs  crate svg
-//!            vertices.rs  half_edges.rs  faces.rs  tints.rs   labels.rs  (crowd.rs, pole.rs)  tiles.rs
+//!            vertices.rs  half_edges.rs  faces.rs  tints.rs   labels.rs captions.rs (crowd.rs, pole.rs)  tiles.rs
 //! ```
 //!
 //! Reading rules of every figure: arrows run on the left of their edge and their one-sided barb points to
@@ -27,6 +27,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod captions;
 mod crowd;
 mod faces;
 mod fit;

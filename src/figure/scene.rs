@@ -61,8 +61,7 @@ pub(super) enum Node {
     Text {
         class: &'static str,
         at: Xy,
-        /// In px; `None` where the class has one size.
-        size: Option<f64>,
+        size: f64,
         text: String,
     },
     /// Many lines, or the inside of many outlines, in tenths of a px.

@@ -8,8 +8,9 @@
 //! data-next data-prev data-face>`, `<g class="v" id="FIG-v3" data-x data-y data-he>`, `<g class="f" id="FIG-f1"
 //! data-he data-rings data-outer data-hole data-name>`. A pointer that is missing has no attribute.
 
+use super::captions::{Caption, Label, Sizes, captions};
 use super::crowd::{Crowd, Shape};
-use super::faces::{Label, LabelRoom, Region, attributes, label_texts, place, regions, title};
+use super::faces::{Region, attributes, regions, title};
 use super::fit::{Extent, Fit, Load, choose};
 use super::half_edges::{Shaft, shafts};
 use super::labels::{Labels, Stage, outer_label};
@@ -194,13 +195,14 @@ impl<V: PlanarView + ?Sized> Picture<'_, V> {
     }
 
     fn map_labels(&self, regions: &[Region]) -> Vec<Option<Label>> {
-        let size = self.options.style.map_text;
-        let label = |(region, text): (&Region, Option<String>)| {
-            let text = text.filter(|_| self.view.outer_face() != Some(region.face))?;
-            let coarse = region.coarse(1.0);
-            place(&coarse, &LabelRoom { text: &text, size, smallest: size.min(7.0) }, Vec::new(), |_| None)
+        let largest = self.options.style.map_text;
+        let sizes = Sizes { largest, smallest: largest.min(7.0) };
+        let bounded = |region: &Region| self.view.outer_face() != Some(region.face);
+        let captions = captions(regions, self.options);
+        let label = |(region, caption): (&Region, Option<Caption>)| {
+            caption.filter(|_| bounded(region))?.place(&region.coarse(1.0), sizes, &[], |_| None)
         };
-        regions.iter().zip(label_texts(regions, self.options)).map(label).collect()
+        regions.iter().zip(captions).map(label).collect()
     }
 
     /// One group for each face that exists, in the order of their numbers.
@@ -228,7 +230,7 @@ impl<V: PlanarView + ?Sized> Picture<'_, V> {
             if is_outer {
                 let whole = open.contains(&face);
                 group.nodes.push(self.outer_area(region.map_or(&[], |r| &r.rings), whole));
-                group.nodes.extend(outer.map(label_node));
+                group.nodes.extend(outer.into_iter().flat_map(|label| label.nodes("fl")));
             } else if let Some(((region, label), hue)) = mine {
                 if self.view.is_hole(face) {
                     group.nodes.push(self.area("bg", None, &region.rings));
@@ -236,7 +238,7 @@ impl<V: PlanarView + ?Sized> Picture<'_, V> {
                 } else {
                     group.nodes.push(self.area(TINTED[usize::from(hue)], None, &region.rings));
                 }
-                group.nodes.extend(label.as_ref().map(label_node));
+                group.nodes.extend(label.iter().flat_map(|label| label.nodes("fl")));
             }
             nodes.push(Node::Group(group));
         }
@@ -292,7 +294,7 @@ impl<V: PlanarView + ?Sized> Picture<'_, V> {
             nodes: vec![self.outer_area(&outline, cycles.open.contains(&outer))],
         };
         group.attributes.retain(|(name, _)| *name != "data-rings");
-        group.nodes.extend(label.map(label_node));
+        group.nodes.extend(label.into_iter().flat_map(|label| label.nodes("fl")));
         let domain = tiles::outline(&outline, 1.0);
         let mut nodes = vec![Node::Group(group)];
         if !domain.is_empty() && domain.point_count() <= OUTLINE {
@@ -340,9 +342,7 @@ impl<V: PlanarView + ?Sized> Picture<'_, V> {
             nodes.push(Node::Line { class: "sh", from, to });
             nodes.push(Node::Area { class: "barb", hatch: None, outlines: vec![shaft.barb().to_vec()] });
         }
-        if let Some(label) = &labels.half_edges[h] {
-            nodes.push(Node::Text { class: "hl", at: label.at, size: None, text: label.text.clone() });
-        }
+        nodes.extend(labels.half_edges[h].iter().flat_map(|label| label.nodes("hl")));
         let attributes = pointers.into_iter().filter_map(|(key, value)| Some((key, value?))).collect();
         Group { class: "he", id: Some(h.to_string()), attributes, title: Some(title), nodes }
     }
@@ -361,9 +361,7 @@ impl<V: PlanarView + ?Sized> Picture<'_, V> {
         let outgoing = name(self.view.outgoing(v));
         let title = format!("{v}: {place}, outgoing {}", outgoing.as_deref().unwrap_or("none"));
         attributes.extend(outgoing.map(|h| ("data-he", h)));
-        if let Some(Label { at, size, text }) = &labels.vertices[v] {
-            nodes.push(Node::Text { class: "vl", at: *at, size: Some(*size), text: text.clone() });
-        }
+        nodes.extend(labels.vertices[v].iter().flat_map(|label| label.nodes("vl")));
         Group { class: "v", id: Some(v.to_string()), attributes, title: Some(title), nodes }
     }
 
@@ -425,8 +423,4 @@ impl<V: PlanarView + ?Sized> Picture<'_, V> {
 
 fn name<I: Id>(id: Option<I>) -> Option<String> {
     id.map(|id| id.to_string())
-}
-
-fn label_node(label: &Label) -> Node {
-    Node::Text { class: "fl", at: label.at, size: Some(label.size), text: label.text.clone() }
 }

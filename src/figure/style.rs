@@ -171,7 +171,7 @@ impl Style {
     pub(super) fn css(&self, scope: &str) -> String {
         use super::number::drawn;
         let mut out = String::new();
-        let halo = |width: &str| format!("paint-order:stroke;stroke-width:{width}px;stroke-linejoin:round");
+        let halo = |width: &str| format!("paint-order:stroke;stroke-width:{width}em;stroke-linejoin:round");
         let fixed: [(&str, String); 11] = [
             ("text", format!("font-family:{};text-anchor:middle", self.font)),
             ("edge", format!("stroke-width:{};fill:none;stroke-linecap:round", drawn(self.edge_width))),
@@ -181,9 +181,9 @@ impl Style {
             ("hatched", "opacity:.55".to_owned()),
             ("sh", format!("stroke-width:{};fill:none", drawn(self.shaft_width))),
             ("vd", "stroke-width:1.8".to_owned()),
-            ("vl", format!("font-weight:700;{}", halo("2.5"))),
-            ("hl", format!("font-size:{}px;{}", drawn(self.half_edge_text), halo("3"))),
-            ("fl", format!("font-style:italic;font-weight:700;{}", halo("4"))),
+            ("vl", format!("font-weight:700;{}", halo(".26"))),
+            ("hl", halo(".3")),
+            ("fl", format!("font-style:italic;font-weight:700;{}", halo(".24"))),
         ];
         for (class, properties) in fixed {
             rule(&mut out, scope, class, &properties);

@@ -73,14 +73,12 @@ fn element(node: &Node, prefix: &str) -> Element {
             .set("r", drawn(*radius))
             .into(),
         Node::Text { class, at, size, text } => {
-            let mut line = Text::new(text.as_str())
+            let line = Text::new(text.as_str())
                 .set("class", *class)
                 .set("x", drawn(at.x))
                 .set("y", drawn(at.y))
-                .set("dy", ".36em");
-            if let Some(size) = size {
-                line = line.set("font-size", drawn(*size));
-            }
+                .set("dy", ".36em")
+                .set("font-size", drawn(*size));
             line.into()
         }
     }

@@ -17,8 +17,8 @@ const ADVANCE: [u8; 95] = [
     61, 69, 39, 34, 39, 84, 50, 50, 61, 64, 55, 64, 62, 35, 64, 63, 28, 28, 58, 28, 97, 63, 61, 64, 64, 41, 52, 39, 63,
     59, 82, 59, 59, 53, 64, 34, 64, 84,
 ];
-/// How much wider the bold faces are.
-const BOLD: f64 = 1.1;
+/// How much wider the bold faces are, the overhang of the oblique ones included.
+const BOLD: f64 = 1.14;
 /// Half of the height of capitals and digits (0.73 of the size), and a little air.
 const HALF_HEIGHT: f64 = 0.44;
 

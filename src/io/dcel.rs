@@ -1,22 +1,38 @@
 //! The kit's own text: one line a record, every pointer by its name.
 //!
 //! ```text
-//!   dcel 1
-//!   # A triangle f1 with an isolated vertex v3 in it.
-//!   v0 0 0 out h0            v2 ●          vertex:    x y, then `out` and a half-edge that starts here
-//!   v1 4 0 out h2              ╱ ╲
-//!   v2 2 3 out h4          h4 ╱f1 ╲ h2
-//!   v3 2 1 out none          ╱  ·v3╲
-//!                        v0 ●───────● v1
-//!                               h0
-//!   h0 origin v0 twin h1 next h2 prev h4 face f1      half-edge: `origin twin next prev face`
-//!   h1 origin v1 twin h0 next h5 prev h3 face f0
-//!   h2 origin v1 twin h3 next h4 prev h0 face f1
-//!   h3 origin v2 twin h2 next h1 prev h5 face f0
-//!   h4 origin v2 twin h5 next h0 prev h2 face f1
-//!   h5 origin v0 twin h4 next h3 prev h1 face f0
-//!   f0 outer boundary h1                              face: `boundary`, `rings` and any number of
-//!   f1 boundary h0 rings v3 name "Ohio"               half-edges and vertices, `outer`, `hole`, `name`
+//!              v2 ●                vertex:     v2 2 3 out h4
+//!                ╱ ╲                           its x and y, then `out` and a half-edge that starts here
+//!            h4 ╱f1 ╲ h2           half-edge:  h0 origin v0 twin h1 next h2 prev h4 face f1
+//!              ╱  ·v3╲   f0        face:       f1 boundary h0 rings v3 name "Ohio"
+//!          v0 ●───────● v1                     `boundary` and a half-edge, `rings` and half-edges or
+//!                 h0                           isolated vertices, and the words `outer`, `hole`, `name`
+//! ```
+//!
+//! The whole of it, as a student may type it:
+//!
+//! ```
+//! # use dcel_kit::io::{Document, Format, Model, ReadOptions, read_bytes, write};
+//! let text = r#"dcel 1
+//! v0 0 0 out h0
+//! v1 4 0 out h2
+//! v2 2 3 out h4
+//! v3 2 1 out none
+//! h0 origin v0 twin h1 next h2 prev h4 face f1
+//! h1 origin v1 twin h0 next h5 prev h3 face f0
+//! h2 origin v1 twin h3 next h4 prev h0 face f1
+//! h3 origin v2 twin h2 next h1 prev h5 face f0
+//! h4 origin v2 twin h5 next h0 prev h2 face f1
+//! h5 origin v0 twin h4 next h3 prev h1 face f0
+//! f0 outer boundary h1 rings none
+//! f1 boundary h0 rings v3 name "Ohio"
+//! "#;
+//! let read = read_bytes(text.as_bytes(), Format::Dcel, "ohio.dcel", &ReadOptions::default())?;
+//! let Document::Table(table) = read.document else { unreachable!() };
+//! let mut again = Vec::new();
+//! write(&mut again, &Model::table(&table), Format::Dcel)?;
+//! assert_eq!(String::from_utf8(again)?, text);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! The rules:

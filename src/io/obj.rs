@@ -1,8 +1,8 @@
 //! Wavefront OBJ.
 //!
 //! ```text
-//!   v 0 0 0            v 1 0 0            a point: x y z, or x y z w, or x y z r g b
-//!   v 1 1 0            v 0 1 0            (w and colours are ignored)
+//!   v 0 0 0            v 1 0 0            a point: x y z, then perhaps w, then perhaps a colour
+//!   v 1 1 0            v 0 1 0            (up to four numbers behind z are ignored)
 //!   f 1 2 3 4                             a face: corners counted from 1
 //!   f 1/1 2/2 3/3      f 1//5 2//6 3//7   corner / texture / normal; only the corner counts
 //!   f -4 -3 -2                            counted backwards from the last point so far
@@ -129,7 +129,7 @@ fn point(scanner: &mut Scanner<'_>, soup: &mut SoupBuilder, gives_z: &mut bool) 
             let Some(word) = scanner.word() else { break };
             scanner.number(word)?;
         }
-        scanner.end_of_line("a vertex has x y z, or x y z w, or x y z r g b")?;
+        scanner.end_of_line("a vertex has x y z and at most four numbers more")?;
     }
     soup.point(point, line);
     Ok(())

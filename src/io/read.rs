@@ -12,7 +12,6 @@ use std::path::{Path, PathBuf};
 
 /// What a file holds.
 #[derive(Clone, PartialEq, Debug)]
-#[non_exhaustive]
 pub enum Document {
     /// Points and polygons, to be joined to a structure.
     Polygons(PolygonSoup),
@@ -110,7 +109,7 @@ pub fn read_path(path: &Path, options: &ReadOptions) -> Result<Read, ReadError> 
     let stdin = path.as_os_str() == "-";
     let source = if stdin { "<stdin>".to_owned() } else { path.display().to_string() };
     let bytes = if stdin { load(std::io::stdin().lock(), &source)? } else { load_path(path)? };
-    let by_name = || if stdin { None } else { Format::from_path(path) };
+    let by_name = || if stdin { None } else { Format::from_path(path).filter(|format| format.can_read()) };
     match options.format.or_else(by_name).or_else(|| Format::from_content(&bytes)) {
         Some(Format::Triangle) if !stdin => pair(path, &bytes, options),
         Some(format) => read_bytes(&bytes, format, &source, options),

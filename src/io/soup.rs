@@ -57,6 +57,12 @@ impl Places {
         }
     }
 
+    /// Where cycle `ring` of face `face` stands: as [`face`](Self::face), and ` ring 1` for its first hole.
+    #[must_use]
+    pub fn ring(&self, face: usize, ring: usize) -> String {
+        format!("{} ring {ring}", self.face(face))
+    }
+
     /// The path of a face inside a JSON file: `states[12] "Ohio" polygon 3`.
     #[must_use]
     pub fn face_path(&self, face: usize) -> Option<&str> {

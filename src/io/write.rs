@@ -129,7 +129,7 @@ pub fn write(out: &mut impl Write, model: &Model<'_>, format: Format) -> Result<
 /// Writes a triangulation as the `.node` and the `.ele` file of Triangle, numbered from 1.
 ///
 /// # Errors
-/// As [`write`], and [`WriteError::NotTriangle`].
+/// As [`write()`], and [`WriteError::NotTriangle`].
 pub fn write_triangle(node: &mut impl Write, ele: &mut impl Write, model: &Model<'_>) -> Result<(), WriteError> {
     let polygons = Polygons::of(in_plane(model, Format::Triangle)?, Format::Triangle)?;
     let mut sizes = polygons.faces.iter().zip(polygons.list.outer_cycles());
@@ -153,7 +153,7 @@ pub fn write_triangle(node: &mut impl Write, ele: &mut impl Write, model: &Model
 /// Writes a model to a file; `-` is standard output. Triangle's format becomes two files beside each other.
 ///
 /// # Errors
-/// As [`write`] and [`write_triangle`]. The file is not touched if the format cannot hold the structure.
+/// As [`write()`] and [`write_triangle`]. The file is not touched if the format cannot hold the structure.
 pub fn write_path(path: &Path, model: &Model<'_>, format: Format) -> Result<(), WriteError> {
     let stdout = path.as_os_str() == "-";
     if format == Format::Triangle && !stdout {
@@ -208,6 +208,8 @@ fn points(out: &mut impl Write, before: &str, points: &[[f64; 3]]) -> io::Result
 }
 
 fn obj(out: &mut impl Write, polygons: &Polygons) -> io::Result<()> {
+    // Without this line a drawing of nothing would be an empty file, which no reader takes.
+    writeln!(out, "# {} points, {} polygons", polygons.points.len(), polygons.faces.len())?;
     points(out, "v ", &polygons.points)?;
     for cycle in polygons.list.outer_cycles() {
         write!(out, "f")?;

@@ -7,14 +7,14 @@
 use dcel_kit::topology::{FaceRow, HalfEdgeRow, Ring, Table, VertexRow};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 
-pub type P = [f64; 2];
+pub(crate) type P = [f64; 2];
 
-pub fn h(i: usize) -> HalfEdgeId {
+pub(crate) fn h(i: usize) -> HalfEdgeId {
     HalfEdgeId::new(i as u32)
 }
 
 /// The plane subdivided by segments; half-edge 2i runs along segment i. Points without segments are isolated.
-pub fn plane(points: &[P], segments: &[(usize, usize)]) -> Table {
+pub(crate) fn plane(points: &[P], segments: &[(usize, usize)]) -> Table {
     let ends = |i: usize| {
         let (a, b) = segments[i / 2];
         if i % 2 == 0 { (a, b) } else { (b, a) }
@@ -72,7 +72,10 @@ pub fn plane(points: &[P], segments: &[(usize, usize)]) -> Table {
         if areas[c] > 1e-12 {
             continue;
         }
-        let leftmost = cycles[c].iter().map(|&i| points[ends(i).0]).min_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+        let leftmost = cycles[c]
+            .iter()
+            .map(|&i| points[ends(i).0])
+            .min_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
         let face = home(leftmost.unwrap(), &cycles[c], &face_of_cycle);
         face_of_cycle[c] = face;
         let first = h(cycles[c][0]);
@@ -129,25 +132,40 @@ fn inside(ring: &[P], p: P) -> bool {
 }
 
 /// A closed polygon as segments from vertex `first` on.
-pub fn closed(first: usize, n: usize) -> impl Iterator<Item = (usize, usize)> {
+pub(crate) fn closed(first: usize, n: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..n).map(move |i| (first + i, first + (i + 1) % n))
 }
 
-pub fn polygon(points: &[P]) -> Table {
+pub(crate) fn polygon(points: &[P]) -> Table {
     plane(points, &closed(0, points.len()).collect::<Vec<_>>())
 }
 
 /// The cube-like subdivision of the lab's handout: a square in a square, corners joined.
-pub fn cube() -> Table {
+pub(crate) fn cube() -> Table {
     let points = [[0., 0.], [6., 0.], [6., 6.], [0., 6.], [1.8, 1.8], [4.2, 1.8], [4.2, 4.2], [1.8, 4.2]];
     plane(&points, &[(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)])
 }
 
 /// Concave face, island, dangling chains, a very short edge, a sharp corner.
-pub fn stress() -> Table {
+pub(crate) fn stress() -> Table {
     let points = [
-        [0., 0.], [10., 0.], [10., 7.], [7.4, 7.], [7.4, 3.2], [2.6, 3.2], [2.6, 7.], [0., 7.],
-        [8.2, 1.], [9.2, 1.], [8.7, 1.9], [1.3, 5.4], [1.3, 4.2], [4.2, 1.6], [4.5, 1.6], [12.6, 0.35], [3.4, 1.2],
+        [0., 0.],
+        [10., 0.],
+        [10., 7.],
+        [7.4, 7.],
+        [7.4, 3.2],
+        [2.6, 3.2],
+        [2.6, 7.],
+        [0., 7.],
+        [8.2, 1.],
+        [9.2, 1.],
+        [8.7, 1.9],
+        [1.3, 5.4],
+        [1.3, 4.2],
+        [4.2, 1.6],
+        [4.5, 1.6],
+        [12.6, 0.35],
+        [3.4, 1.2],
     ];
     let mut segments: Vec<_> = closed(0, 8).chain(closed(8, 3)).collect();
     segments.extend([(7, 11), (11, 12), (5, 13), (13, 14), (1, 15), (15, 2), (13, 16)]);
@@ -155,7 +173,7 @@ pub fn stress() -> Table {
 }
 
 /// A rectangle split by diagonals and halves, as in the lab.
-pub fn lab() -> Table {
+pub(crate) fn lab() -> Table {
     let points = [[0., 0.], [3., 0.], [6., 0.], [6., 4.], [3., 4.], [0., 4.], [3., 2.]];
     let mut segments: Vec<_> = closed(0, 6).collect();
     segments.extend([(1, 6), (6, 4), (6, 2), (0, 6), (6, 3)]);
@@ -163,7 +181,7 @@ pub fn lab() -> Table {
 }
 
 /// A square with an island (itself with an inner square), an isolated vertex, and a second component beside.
-pub fn islands() -> Table {
+pub(crate) fn islands() -> Table {
     let square = |x: f64, y: f64, s: f64| [[x, y], [x + s, y], [x + s, y + s], [x, y + s]];
     let mut points = Vec::new();
     for p in [square(0., 0., 8.), square(2., 2., 4.), square(3., 3., 2.), square(9.5, 1., 2.)] {
@@ -178,7 +196,7 @@ pub fn islands() -> Table {
 }
 
 /// Two squares that share one vertex.
-pub fn touching() -> Table {
+pub(crate) fn touching() -> Table {
     let points = [[0., 0.], [3., 0.], [3., 3.], [0., 3.], [6., 3.], [6., 6.], [3., 6.]];
     let mut segments: Vec<_> = closed(0, 4).collect();
     segments.extend([(2, 4), (4, 5), (5, 6), (6, 2)]);
@@ -186,7 +204,7 @@ pub fn touching() -> Table {
 }
 
 /// A corner of about one degree, and an edge of about one px.
-pub fn slivers() -> Table {
+pub(crate) fn slivers() -> Table {
     let points = [[0., 0.], [10., 0.], [10., 0.175], [10., 5.], [0., 5.], [0., 4.99]];
     let mut segments: Vec<_> = closed(0, 6).collect();
     segments.push((0, 2));
@@ -194,7 +212,7 @@ pub fn slivers() -> Table {
 }
 
 /// A wheel with `n` spokes.
-pub fn hub(n: usize) -> Table {
+pub(crate) fn hub(n: usize) -> Table {
     let mut points = vec![[0., 0.]];
     for i in 0..n {
         let t = i as f64 * std::f64::consts::TAU / n as f64;
@@ -206,12 +224,12 @@ pub fn hub(n: usize) -> Table {
 }
 
 /// A tree: all half-edges on one cycle of f0.
-pub fn antenna() -> Table {
+pub(crate) fn antenna() -> Table {
     plane(&[[0., 0.], [2., 0.], [3., 1.], [3., -1.], [4.5, 1.4], [0.2, 1.5]], &[(0, 1), (1, 2), (1, 3), (2, 4), (0, 5)])
 }
 
 /// `n` x `n` vertices, squares or triangles, with known links: no angles, so large grids are fast.
-pub fn grid(n: usize, triangles: bool) -> Table {
+pub(crate) fn grid(n: usize, triangles: bool) -> Table {
     let at = |x: usize, y: usize| y * n + x;
     let points: Vec<P> = (0..n * n).map(|i| [(i % n) as f64, (i / n) as f64]).collect();
     let mut faces: Vec<Vec<usize>> = Vec::new();
@@ -229,7 +247,7 @@ pub fn grid(n: usize, triangles: bool) -> Table {
 }
 
 /// Faces of one disc without holes that touches itself nowhere; twins by matching directed edges.
-pub fn discs(points: &[P], faces: &[Vec<usize>]) -> Table {
+pub(crate) fn discs(points: &[P], faces: &[Vec<usize>]) -> Table {
     let mut directed = std::collections::HashMap::new();
     let mut edges = Vec::new();
     for face in faces {
@@ -251,8 +269,7 @@ pub fn discs(points: &[P], faces: &[Vec<usize>]) -> Table {
     }
     let mut face_rows = vec![FaceRow::default()];
     for face in faces {
-        let cycle: Vec<usize> =
-            (0..face.len()).map(|k| directed[&(face[k], face[(k + 1) % face.len()])]).collect();
+        let cycle: Vec<usize> = (0..face.len()).map(|k| directed[&(face[k], face[(k + 1) % face.len()])]).collect();
         for (k, &i) in cycle.iter().enumerate() {
             let n = cycle[(k + 1) % cycle.len()];
             rows[i].next = Some(h(n));
@@ -287,7 +304,7 @@ pub fn discs(points: &[P], faces: &[Vec<usize>]) -> Table {
 }
 
 /// Small structures of every kind, by name.
-pub fn all() -> Vec<(&'static str, Table)> {
+pub(crate) fn all() -> Vec<(&'static str, Table)> {
     vec![
         ("cube", cube()),
         ("stress", stress()),

@@ -8,9 +8,8 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 /// The structure and the name of every face that is (a part of) a state.
-pub fn load() -> (Table, Vec<(FaceId, String)>) {
+pub(crate) fn load() -> (Table, Vec<(FaceId, String)>) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("figures/data/states-albers-10m.json");
-    let path = if path.exists() { path } else { "/work/wt-figure/figures/data/states-albers-10m.json".into() };
     let json: Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
     let arcs: Vec<Vec<[i64; 2]>> = json["arcs"].as_array().unwrap().iter().map(arc).collect();
 

@@ -40,8 +40,8 @@ pub(crate) fn trace(s: &Subdivision) -> (Face, BTreeSet<Face>) {
     let mut around: BTreeMap<u32, Vec<u32>> = points.keys().map(|&v| (v, Vec::new())).collect();
     for e in s.edges() {
         let [a, b] = e.half_edges().map(|h| s.origin(h).number());
-        around.get_mut(&a).unwrap().push(b);
-        around.get_mut(&b).unwrap().push(a);
+        around.get_mut(&a).expect("an end is a vertex").push(b);
+        around.get_mut(&b).expect("an end is a vertex").push(a);
     }
     for (v, list) in &mut around {
         list.sort_by(|a, b| compare_angle(points[v], points[a], points[b]));
@@ -55,7 +55,7 @@ pub(crate) fn trace(s: &Subdivision) -> (Face, BTreeSet<Face>) {
             while seen.insert((a, b)) {
                 cycle.push(a);
                 // Turn as far left as possible: the neighbour before the way back, counter-clockwise.
-                let at = around[&b].iter().position(|&w| w == a).unwrap();
+                let at = around[&b].iter().position(|&w| w == a).expect("edges are listed at both ends");
                 let next = around[&b][(at + around[&b].len() - 1) % around[&b].len()];
                 (a, b) = (b, next);
             }
@@ -70,7 +70,7 @@ pub(crate) fn trace(s: &Subdivision) -> (Face, BTreeSet<Face>) {
     let mut outer = Face::new();
     let mut faces: Vec<Face> = bounds.iter().map(|c| Face::from([canonical(c)])).collect();
     for ring in rings {
-        let v = *ring.iter().min_by_key(|v| points[v]).unwrap();
+        let v = *ring.iter().min_by_key(|v| points[v]).expect("no cycle is empty");
         let home = (0..bounds.len())
             .filter(|&i| !bounds[i].contains(&v) && winds(&points, &bounds[i], points[&v]))
             .min_by_key(|&i| area(&points, &bounds[i]));

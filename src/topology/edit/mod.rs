@@ -13,3 +13,47 @@ pub use join_edges::JoinEdgesError;
 pub use join_faces::JoinFacesError;
 pub use split_edge::SplitEdgeError;
 pub use split_face::SplitFaceError;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ids::{FaceId, HalfEdgeId, MAX_IDS};
+    use crate::topology::Dcel;
+    use crate::topology::links::Columns;
+    use crate::topology::pool::TooMany;
+
+    /// Two triangles side by side that share the face `f0`: h0 h2 h4 round `f1`, h6 h8 h10 round `f2`.
+    fn two_triangles() -> Dcel {
+        let turn = |h: u32, by: u32| h / 6 * 6 + (h % 6 + by) % 6;
+        let step = |h: u32, inside: u32, outside: u32| turn(h, if h % 2 == 0 { inside } else { outside });
+        Dcel::from_columns(Columns {
+            origin: (0..12).map(|h| turn(h, h % 2) / 2).collect(),
+            next: (0..12).map(|h| step(h, 2, 4)).collect(),
+            prev: (0..12).map(|h| step(h, 4, 2)).collect(),
+            face: (0..12).map(|h| if h % 2 == 1 { 0 } else { 1 + h / 6 }).collect(),
+            outgoing: (0..6).map(|v| 2 * v).collect(),
+            boundary: vec![1, 0, 6],
+        })
+    }
+
+    #[test]
+    fn corners_on_different_cycles_of_a_face_are_refused() {
+        let mut dcel = two_triangles();
+        let before = dcel.clone();
+        let (h1, h2) = (HalfEdgeId(1), HalfEdgeId(9));
+        let error = dcel.split_face(h1, h2).unwrap_err();
+        assert_eq!(error, SplitFaceError::DifferentCycles { h1, h2, face: FaceId(0) });
+        assert_eq!(dcel, before);
+    }
+
+    #[test]
+    fn the_last_id_of_each_kind_can_be_given_out_and_none_beyond() {
+        let dcel = two_triangles();
+        assert_eq!(dcel.room_for(MAX_IDS - 6, (MAX_IDS - 12) / 2, MAX_IDS - 3), Ok(()));
+        assert_eq!(dcel.room_for(MAX_IDS - 5, 0, 0), Err(TooMany));
+        assert_eq!(dcel.room_for(0, (MAX_IDS - 12) / 2 + 1, 0), Err(TooMany));
+        assert_eq!(dcel.room_for(0, 0, MAX_IDS - 2), Err(TooMany));
+        let texts = [SplitFaceError::from(TooMany).to_string(), SplitEdgeError::from(TooMany).to_string()];
+        assert_eq!(texts, ["the structure is full: at most 2147483646 elements of one kind"; 2]);
+    }
+}

@@ -235,7 +235,7 @@ impl<'a, R: FnMut(Violation) -> Flow> Laws<'a, R> {
             }
             let v = VertexId(v);
             let text = format!(
-                "the round of {v} through {} never meets {}, which starts there, too (expected one round)",
+                "the round of {v} through {} misses {} (expected one round of all half-edges that start at {v})",
                 h(*first),
                 list(round)
             );

@@ -1,0 +1,163 @@
+//! Labels of faces: what is written, in one line or two, how large and where.
+//!
+//! ```text
+//!   ┌──────────────┐      Every size is tried from the largest that the room promises down to the smallest;
+//!   │    South     │      a box that covers something makes the search look elsewhere. A name with a space
+//!   │   Carolina   │      is also tried in two lines, and the larger result wins.
+//!   └──────────────┘
+//! ```
+
+use super::crowd::Shape;
+use super::faces::Region;
+use super::options::FaceLabels;
+use super::pole::{area, pole};
+use super::scene::Node;
+use super::vector::{Bounds, Xy, xy};
+use super::{FigureOptions, text};
+
+/// Distance of two lines of text, in sizes.
+const LINE: f64 = 1.12;
+
+/// A text that looks for a place.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Caption {
+    /// One line or two.
+    lines: Vec<String>,
+    /// Width at size 1. All ids of a figure claim the width of the widest, so that equal faces get labels of
+    /// equal size.
+    width: f64,
+}
+
+/// The sizes a label may have.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Sizes {
+    pub(super) largest: f64,
+    /// Labels smaller than this are left out.
+    pub(super) smallest: f64,
+}
+
+/// A placed label.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Label {
+    /// The middle of the text.
+    pub(super) at: Xy,
+    pub(super) size: f64,
+    pub(super) lines: Vec<String>,
+}
+
+impl Label {
+    pub(super) fn bounds(&self) -> Bounds {
+        bounds(self.at, self.size, width(&self.lines), self.lines.len())
+    }
+
+    /// One text for each line.
+    pub(super) fn nodes(&self, class: &'static str) -> impl Iterator<Item = Node> {
+        let first = -0.5 * LINE * self.size * (self.lines.len() as f64 - 1.0);
+        self.lines.iter().enumerate().map(move |(i, line)| Node::Text {
+            class,
+            at: self.at + xy(0.0, first + LINE * self.size * i as f64),
+            size: self.size,
+            text: line.clone(),
+        })
+    }
+}
+
+/// The width at size 1.
+fn width(lines: &[String]) -> f64 {
+    lines.iter().map(|line| text::width(line, 1.0, true)).fold(0.0, f64::max)
+}
+
+fn bounds(at: Xy, size: f64, width: f64, lines: usize) -> Bounds {
+    let height = text::half_height(size) + 0.5 * LINE * size * (lines as f64 - 1.0);
+    Bounds::around(at, 0.5 * width * size, height)
+}
+
+impl Caption {
+    fn new(lines: Vec<String>) -> Self {
+        Self { width: width(&lines), lines }
+    }
+
+    /// The same words in two lines, split at the space nearest the middle.
+    fn in_two_lines(&self) -> Option<Self> {
+        let text = self.lines.first()?;
+        let middle = text.len() / 2;
+        let at = text.match_indices(' ').map(|(i, _)| i).min_by_key(|&i| i.abs_diff(middle))?;
+        Some(Self::new(vec![text[..at].to_owned(), text[at + 1..].to_owned()]))
+    }
+
+    /// Places the text in a region, clear of its rings, of the obstacles and of everything that `blocker`
+    /// knows; `None` if there is no room.
+    pub(super) fn place(
+        &self,
+        region: &Region,
+        sizes: Sizes,
+        obstacles: &[Shape],
+        blocker: impl Fn(&Bounds) -> Option<Shape>,
+    ) -> Option<Label> {
+        let one = self.place_lines(region, sizes, obstacles.to_vec(), &blocker);
+        if one.as_ref().is_some_and(|label| label.size >= sizes.largest) {
+            return one;
+        }
+        let two = self.in_two_lines().and_then(|two| two.place_lines(region, sizes, obstacles.to_vec(), &blocker));
+        let size = |label: &Option<Label>| label.as_ref().map_or(0.0, |label| label.size);
+        if size(&two) > size(&one) { two } else { one }
+    }
+
+    fn place_lines(
+        &self,
+        region: &Region,
+        sizes: Sizes,
+        mut obstacles: Vec<Shape>,
+        blocker: impl Fn(&Bounds) -> Option<Shape>,
+    ) -> Option<Label> {
+        let shape = bounds(Xy::default(), 1.0, self.width, self.lines.len()).size();
+        // A box as wide as 2.4 times its height fits a circle well enough; a wider one needs a flat room.
+        let squeeze = (shape.x / shape.y / 2.4).max(1.0);
+        let enough = 1.45 * sizes.largest * shape.y;
+        for _ in 0..4 {
+            let pole = pole(&region.rings, &obstacles, squeeze, enough)?;
+            if pole.clearance < 0.75 * sizes.smallest * shape.y {
+                return None;
+            }
+            let mut size = sizes.largest.min((1.2 * pole.clearance / shape.y).max(sizes.smallest));
+            let mut blocked = None;
+            while size >= sizes.smallest {
+                let bounds = bounds(pole.at, size, self.width, self.lines.len());
+                blocked = blocker(&bounds.grown(1.0));
+                let clear = region.is_clear(&bounds.grown(1.5)) && !obstacles.iter().any(|shape| shape.meets(&bounds));
+                if clear && blocked.is_none() {
+                    return Some(Label { at: pole.at, size, lines: self.lines.clone() });
+                }
+                size = if size > sizes.smallest { (size - 0.5).max(sizes.smallest) } else { 0.0 };
+            }
+            obstacles.push(blocked?);
+        }
+        None
+    }
+}
+
+/// What is written into each region by the options: a name, an id or nothing. Of several regions with the same
+/// name the largest has it.
+pub(super) fn captions(regions: &[Region], options: &FigureOptions) -> Vec<Option<Caption>> {
+    let mut out: Vec<Option<Caption>> =
+        regions.iter().map(|region| Some(Caption::new(vec![region.face.to_string()]))).collect();
+    let mut named: Vec<(&str, f64, usize)> = Vec::new();
+    if options.face_labels == FaceLabels::Off {
+        out.fill(None);
+    } else if options.face_labels == FaceLabels::Names {
+        for (i, region) in regions.iter().enumerate() {
+            if let Some(name) = options.name(region.face) {
+                named.push((name, area(&region.rings), i));
+                out[i] = None;
+            }
+        }
+    }
+    let widest = out.iter().flatten().map(|id| id.width).fold(0.0, f64::max);
+    out.iter_mut().flatten().for_each(|id| id.width = widest);
+    named.sort_by(|a, b| a.0.cmp(b.0).then(b.1.total_cmp(&a.1)).then(a.2.cmp(&b.2)));
+    named.dedup_by_key(|entry| entry.0);
+    for (name, _, i) in named {
+        out[i] = Some(name).filter(|name| !name.trim().is_empty()).map(|name| Caption::new(vec![name.to_owned()]));
+    }
+    out
+}
