@@ -4,7 +4,6 @@ use super::failure::say;
 use super::input::InputOptions;
 use super::{Answer, Failure, Output};
 use dcel_kit::figure::{self, Detail, FaceLabels, FigureOptions};
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// Draw a structure as SVG
@@ -102,7 +101,10 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let subject = args.input.open(&args.file)?;
     let Some(view) = subject.planar() else {
         let what = format!("{}: a surface in space has no drawing in the plane", subject.source);
-        return Err(Failure::input(what, "--plane drops z and looks from above"));
+        return Err(Failure::input(
+            what,
+            "--plane drops z: good for a terrain seen from above, not for a closed surface",
+        ));
     };
     let names = subject.faces().filter_map(|f| Some((f, subject.name(f)?)));
     let options = args.drawing.options(&args.file).face_names(names);
@@ -111,7 +113,9 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     figure.notes().iter().for_each(|note| say("note", note));
     match target {
         None => figure.write_svg(out)?,
-        Some(path) => std::fs::write(path, figure.to_svg()).map_err(|error| Failure::writing(path.display(), &error))?,
+        Some(path) => {
+            std::fs::write(path, figure.to_svg()).map_err(|error| Failure::writing(path.display(), &error))?
+        }
     }
     Ok(Answer::Yes)
 }

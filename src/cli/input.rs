@@ -34,7 +34,7 @@ pub(crate) struct InputOptions {
     plane: bool,
     /// Check all edges of a plane against each other
     #[arg(long)]
-    pub(crate) full_check: bool,
+    full_check: bool,
 }
 
 /// What comes out of a file.
@@ -46,6 +46,11 @@ pub(crate) enum Opened {
 }
 
 impl InputOptions {
+    /// The same without the full check, for those who make it themselves.
+    pub(crate) fn without_full_check(&self) -> Self {
+        Self { full_check: false, ..self.clone() }
+    }
+
     /// Reads a file. Tables stay tables, with the ids of the file, right or wrong. Tells the notes on stderr.
     pub(crate) fn open(&self, file: &Path) -> Result<Subject, Failure> {
         self.open_as(file, true)

@@ -73,8 +73,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Ok(Answer::Yes);
     };
     // The full check is made here, so that it names everything it finds.
-    let input = InputOptions { full_check: false, ..args.input.clone() };
-    let report = match input.try_open(file, true)? {
+    let report = match args.input.without_full_check().try_open(file, true)? {
         Opened::Subject(subject) => Report::of(&subject),
         Opened::Misfit(error) => Report::misfit(file.display().to_string(), &error),
     };
@@ -107,8 +106,7 @@ impl Report {
 
     fn misfit(source: String, error: &LoadError) -> Self {
         let text = error.to_string();
-        let fault =
-            Fault { rule: "INPUT", text, elements: Vec::new(), chain: Vec::new(), found: None, expected: None };
+        let fault = Fault { rule: "INPUT", text, elements: Vec::new(), chain: Vec::new(), found: None, expected: None };
         Self { source, mode: None, valid: false, violations: vec![fault], unchecked: Vec::new() }
     }
 

@@ -84,6 +84,10 @@ fn finish<T: serde::Serialize>(
     value: &T,
     print: impl FnOnce(&mut Output) -> std::io::Result<()>,
 ) -> Result<Answer, Failure> {
-    if json { out.json(value)? } else { print(out)? }
+    if json {
+        out.json(value)?
+    } else {
+        print(out)?
+    }
     Ok(Answer::Yes)
 }

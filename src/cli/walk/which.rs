@@ -57,9 +57,9 @@ fn check<I: Id>(
     let before = (0..id.index().min(bound)).rev().find(live);
     let after = (id.index().saturating_add(1)..bound).find(live);
     let near: Vec<String> = before.into_iter().chain(after).map(|i| I::from_index(i).to_string()).collect();
-    let help = match (near.as_slice(), bound) {
-        ([], _) => format!("there are no {kinds}"),
-        (near, _) => format!("the nearest {}: {}", if near.len() == 1 { "is" } else { "are" }, near.join(" and ")),
+    let help = match near.as_slice() {
+        [] => format!("it has no {kinds}"),
+        near => format!("did you mean {}?", near.join(" or ")),
     };
     Err(Failure::input(format!("{}: there is no {kind} {id}", subject.source), help))
 }
