@@ -1,4 +1,44 @@
-//! Half-edge structures to learn with.
+//! Half-edge structures to learn with: doubly-connected edge lists (DCEL) of the plane, with an explicit outer
+//! face, exact geometry, formats and figures.
+//!
+#![doc = include_str!("../figures/cube.svg")]
+//!
+//! Five words, and the whole structure is said:
+//!
+//! - an edge is two **half-edges**; the other one is its `twin`;
+//! - a half-edge starts at its `origin`;
+//! - it bounds one `face`, which lies on its **left**;
+//! - `next` is the half-edge after it along that face,
+//! - and `prev` the one before it.
+//!
+//! y points up; bounded faces run counter-clockwise; `f0`, the outer face, is a face like any other. So no walk
+//! needs a special case:
+//!
+//! ```
+//! use dcel_kit::plane::Subdivision;
+//! use dcel_kit::HalfEdgeId;
+//!
+//! let mut lab = Subdivision::lab_rectangle();
+//! let (h, new_face) = lab.split_face(HalfEdgeId::new(2), HalfEdgeId::new(8))?;
+//! let (middle, _) = lab.split_in_half(h)?;
+//! let round_the_face: Vec<_> = lab.incident_vertices(new_face).map(|v| v.to_string()).collect();
+//! assert_eq!(round_the_face, ["v1", "v6", "v4", "v5", "v0"]);
+//! assert_eq!(lab.outgoing_half_edges(middle).count(), 2);
+//! assert_eq!(lab.vertex_count() - lab.edge_count() + lab.face_count(), 2);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! | room | what is in it |
+//! |---|---|
+//! | [`ids`] | `v3`, `h7`, `e3`, `f0`, and arrays indexed by them |
+//! | [`topology`] | [`Dcel`](topology::Dcel): the structure without any coordinate; walks, edits, laws, builder |
+//! | [`plane`] | [`Subdivision`](plane::Subdivision): positions, exact decisions, the converter from triangles |
+//! | [`solid`] | [`Polyhedron`](solid::Polyhedron): positions in space |
+//! | [`io`] | formats in and out |
+//! | [`figure`] | drawings as SVG |
+//!
+//! Words used elsewhere: *dart* is a half-edge, *sym* or *opposite* is `twin`, *tail* is `origin`, *tip* or
+//! *head* is `destination`, *dcel* and *half-edge structure* mean the same.
 
 // Nothing may panic on data: an error, or expect() with the reason why it cannot happen.
 #![warn(clippy::unwrap_used)]
@@ -13,3 +53,8 @@ pub mod topology;
 pub use ids::{
     EdgeId, EdgeMap, Element, FaceId, FaceMap, HalfEdgeId, HalfEdgeMap, Id, IdMap, ParseIdError, VertexId, VertexMap,
 };
+
+/// The examples of the README, run as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -51,6 +51,12 @@ impl Failure {
         Self { kind, what: format!("{target}: cannot be written: {error}"), notes: Vec::new(), help: help.to_owned() }
     }
 
+    /// The kit failed at its own work, whatever the input: exit code 3.
+    pub(crate) fn kit(error: impl Display) -> Self {
+        let help = "this should not happen: please report it with the command you gave".to_owned();
+        Self { kind: Kind::Machine, what: error.to_string(), notes: Vec::new(), help }
+    }
+
     /// Tells it on stderr.
     pub(crate) fn report(&self) -> ExitCode {
         if self.kind != Kind::NobodyListens {

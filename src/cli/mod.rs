@@ -13,10 +13,14 @@ mod completions;
 mod convert;
 mod failure;
 mod figure;
+mod figures;
 mod info;
 mod input;
+mod lesson;
 mod output;
+mod references;
 mod subject;
+mod tour;
 mod validate;
 mod walk;
 
@@ -53,6 +57,8 @@ enum Command {
     Walk(walk::Args),
     Convert(convert::Args),
     Figure(figure::Args),
+    Tour(tour::Args),
+    Figures(figures::Args),
     Completions(completions::Args),
 }
 
@@ -64,6 +70,8 @@ impl Command {
             Self::Walk(args) => walk::run(&args, out),
             Self::Convert(args) => convert::run(&args, out),
             Self::Figure(args) => figure::run(&args, out),
+            Self::Tour(args) => tour::run(&args, out),
+            Self::Figures(args) => figures::run(&args, out),
             Self::Completions(args) => completions::run(&args, out),
         }
     }

@@ -22,6 +22,7 @@ use std::path::PathBuf;
 /// A face: its half-edges cycle by cycle, with what lies across. A vertex: the half-edges that start
 /// there, counter-clockwise, with the faces on their left. A half-edge: its links.
 #[derive(clap::Args, Debug)]
+#[command(override_usage = "dcel walk <FILE> <ELEMENT> [OPTIONS]")]
 #[command(after_help = "\
 Examples:
   dcel walk square.obj --face f1
@@ -45,6 +46,7 @@ pub(crate) struct Args {
 /// The element to start from.
 #[derive(clap::Args, Debug)]
 #[group(required = true, multiple = false)]
+#[command(next_help_heading = "Element (one of these)")]
 struct Which {
     /// A face by its id
     #[arg(long, value_name = "f3")]

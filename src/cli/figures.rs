@@ -1,0 +1,69 @@
+//! `dcel figures`: the reference figures of the project, made anew or compared.
+
+use super::references::{draw_all, write_all};
+use super::{Answer, Failure, Output, failure};
+use std::collections::BTreeSet;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// Draw the reference figures anew, or compare them
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Examples:
+  dcel figures
+  dcel figures --check")]
+pub(crate) struct Args {
+    /// Compare instead of writing: exit code 1 if a file differs from what would be drawn
+    #[arg(long)]
+    check: bool,
+    /// The folder of the figures
+    #[arg(long, value_name = "DIR", default_value = "figures")]
+    dir: PathBuf,
+}
+
+pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    let figures = draw_all()?;
+    if !args.check {
+        write_all(&args.dir, &figures)?;
+        for (reference, _) in &figures {
+            writeln!(out, "{}: {}", args.dir.join(reference.file).display(), reference.about)?;
+        }
+        return Ok(Answer::Yes);
+    }
+    let mut wrong = 0;
+    for (reference, svg) in &figures {
+        let path = args.dir.join(reference.file);
+        let verdict = compare(&path, svg);
+        wrong += usize::from(verdict.is_err());
+        writeln!(out, "{}: {}", path.display(), verdict.err().unwrap_or_else(|| "same".to_owned()))?;
+    }
+    let known: BTreeSet<PathBuf> = figures.iter().map(|(reference, _)| args.dir.join(reference.file)).collect();
+    for path in svg_files(&args.dir)?.difference(&known) {
+        wrong += 1;
+        writeln!(out, "{}: no command draws it", path.display())?;
+    }
+    if wrong == 0 {
+        return Ok(Answer::Yes);
+    }
+    failure::say("help", format_args!("{wrong} not as drawn: run `dcel figures`, then look at what has changed"));
+    Ok(Answer::No)
+}
+
+fn compare(path: &Path, svg: &str) -> Result<(), String> {
+    match std::fs::read_to_string(path) {
+        Ok(text) if text == svg => Ok(()),
+        Ok(text) => {
+            let same = text.lines().zip(svg.lines()).take_while(|(a, b)| a == b).count();
+            Err(format!("differs from line {} on", same + 1))
+        }
+        Err(error) => Err(format!("cannot be read: {error}")),
+    }
+}
+
+fn svg_files(dir: &Path) -> Result<BTreeSet<PathBuf>, Failure> {
+    let entries = std::fs::read_dir(dir).and_then(Iterator::collect::<Result<Vec<_>, _>>).map_err(|error| {
+        Failure::input(format_args!("{}: {error}", dir.display()), "name the folder of the figures with --dir")
+    })?;
+    let paths = entries.into_iter().map(|entry| entry.path());
+    Ok(paths.filter(|path| path.extension().is_some_and(|extension| extension == "svg")).collect())
+}

@@ -1,0 +1,151 @@
+//! The structures that the tour and the reference figures show.
+
+use dcel_kit::ids::{FaceId, HalfEdgeId, VertexId};
+use dcel_kit::io::{Document, Format, ReadError, ReadOptions, read_bytes};
+use dcel_kit::plane::{ConvertError, ConvertOptions, Point, SplitEdgeError, SplitFaceError, Subdivision};
+use dcel_kit::topology::PolygonList;
+use std::collections::BTreeSet;
+
+/// Why a lesson's structure cannot be built. None of this depends on the user's input.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum LessonError {
+    #[error(transparent)]
+    SplitFace(#[from] SplitFaceError),
+    #[error(transparent)]
+    SplitEdge(#[from] SplitEdgeError),
+    #[error(transparent)]
+    Convert(#[from] ConvertError),
+    #[error(transparent)]
+    Read(#[from] ReadError),
+    #[error("the map holds no polygons")]
+    NoPolygons,
+}
+
+/// One of the two edits of the lab, by the numbers of its half-edges.
+#[derive(Clone, Copy)]
+pub(crate) enum LabStep {
+    SplitFace(u32, u32),
+    SplitInHalf(u32),
+}
+
+/// From the six-vertex rectangle to 8 vertices, 12 edges and 6 faces, with the two edits alone.
+pub(crate) const LAB_STEPS: [LabStep; 6] = [
+    LabStep::SplitFace(2, 8),
+    LabStep::SplitInHalf(12),
+    LabStep::SplitFace(6, 13),
+    LabStep::SplitFace(14, 10),
+    LabStep::SplitInHalf(16),
+    LabStep::SplitFace(20, 4),
+];
+
+/// Makes one step; the answer names what is new.
+pub(crate) fn take_step(lab: &mut Subdivision, step: LabStep) -> Result<String, LessonError> {
+    Ok(match step {
+        LabStep::SplitFace(h1, h2) => {
+            let (h1, h2) = (HalfEdgeId::new(h1), HalfEdgeId::new(h2));
+            let (new, face) = lab.split_face(h1, h2)?;
+            let (from, to) = (lab.origin(new), lab.destination(new));
+            format!("split_face({h1}, {h2})   joins {from} and {to} by {new} and {}: new face {face}", new.twin())
+        }
+        LabStep::SplitInHalf(h) => {
+            let h = HalfEdgeId::new(h);
+            let (middle, after) = lab.split_in_half(h)?;
+            format!("split_in_half({h})   puts {middle} at {}: {after} follows {h}", lab.point(middle))
+        }
+    })
+}
+
+/// The result of [`LAB_STEPS`].
+pub(crate) fn lab_subdivision() -> Result<Subdivision, LessonError> {
+    let mut lab = Subdivision::lab_rectangle();
+    for step in LAB_STEPS {
+        take_step(&mut lab, step)?;
+    }
+    Ok(lab)
+}
+
+/// A square in a square with their corners joined: 8 vertices, 12 edges, 6 faces, like a cube seen from above.
+pub(crate) fn cube() -> Result<Subdivision, LessonError> {
+    let points = [(0., 0.), (6., 0.), (6., 6.), (0., 6.), (1.8, 1.8), (4.2, 1.8), (4.2, 4.2), (1.8, 4.2)];
+    let mut faces = PolygonList::new();
+    for face in [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7], [4, 5, 6, 7]] {
+        faces.push_face(&face);
+    }
+    Ok(Subdivision::from_polygons(points.map(Point::from).to_vec(), &faces)?)
+}
+
+/// A face with two holes, an island in one of them, a second component outside.
+pub(crate) fn rings() -> Result<Subdivision, LessonError> {
+    let points = [
+        [(0., 0.), (14., 0.), (14., 8.), (0., 8.)].as_slice(),
+        &[(1., 1.), (7., 1.), (7., 7.), (1., 7.)],
+        &[(8.4, 1.4), (12.8, 1.4), (10.8, 6.4)],
+        &[(2.2, 2.2), (5.8, 2.2), (4.4, 5.6)],
+        &[(15.6, 0.6), (20., 0.6), (18.4, 5.6)],
+    ];
+    let mut faces = PolygonList::new();
+    faces.push_face(&[0, 1, 2, 3]);
+    faces.push_hole(&[4, 5, 6, 7]);
+    faces.push_hole(&[8, 9, 10]);
+    faces.push_face(&[11, 12, 13]);
+    faces.push_face(&[14, 15, 16]);
+    let points = points.concat().into_iter().map(Point::from).collect();
+    Ok(Subdivision::from_polygons(points, &faces)?)
+}
+
+/// The map of the tour.
+pub(crate) struct States {
+    pub(crate) subdivision: Subdivision,
+    /// The name of the state that face f(i + 1) is a part of.
+    names: Vec<Option<String>>,
+    /// What the reader dropped.
+    pub(crate) notes: Vec<String>,
+}
+
+/// The file, as it came: npm package us-atlas 3.0.1, ISC licence, shapes of the US Census Bureau.
+const STATES: &[u8] = include_bytes!("../../figures/data/states-albers-10m.json");
+/// What messages call it.
+pub(crate) const STATES_FILE: &str = "figures/data/states-albers-10m.json";
+
+/// Converts the map of the states. Its y points down, and it holds one ring without area.
+pub(crate) fn states() -> Result<States, LessonError> {
+    let options = ReadOptions { y_down: true, drop_degenerate_rings: true, ..ReadOptions::default() };
+    let read = read_bytes(STATES, Format::TopoJson, STATES_FILE, &options)?;
+    let Document::Polygons(soup) = read.document else { return Err(LessonError::NoPolygons) };
+    let points = soup.points.iter().map(|&[x, y, _]| Point::new(x, y)).collect();
+    let options = ConvertOptions { orient: true, full_check: true };
+    let subdivision = Subdivision::convert_polygons(points, &soup.faces, &options)?.subdivision;
+    Ok(States { subdivision, names: soup.names, notes: read.notes })
+}
+
+impl States {
+    /// The name of the state that `f` is a part of; none for the outer face.
+    pub(crate) fn name(&self, f: FaceId) -> Option<&str> {
+        self.names.get(f.index().checked_sub(1)?)?.as_deref()
+    }
+
+    /// All faces with their names.
+    pub(crate) fn named_faces(&self) -> impl Iterator<Item = (FaceId, &str)> {
+        self.subdivision.faces().filter_map(|f| Some((f, self.name(f)?)))
+    }
+
+    /// The states across the borders of a state: twins of the half-edges of its faces.
+    pub(crate) fn neighbours(&self, state: &str) -> BTreeSet<&str> {
+        let map = &self.subdivision;
+        self.named_faces()
+            .filter(|&(_, name)| name == state)
+            .flat_map(|(f, _)| map.cycles(f).flat_map(|h| map.cycle(h)))
+            .filter_map(|h| self.name(map.face(h.twin())))
+            .filter(|&name| name != state)
+            .collect()
+    }
+
+    /// The vertices where exactly these states meet.
+    pub(crate) fn meeting_points(&self, states: &BTreeSet<&str>) -> Vec<VertexId> {
+        let meet = |v: &VertexId| {
+            let around: BTreeSet<&str> = self.subdivision.incident_faces(*v).filter_map(|f| self.name(f)).collect();
+            around == *states
+        };
+        self.subdivision.vertices().filter(meet).collect()
+    }
+}

@@ -1,0 +1,84 @@
+//! The reference figures: what stands in `figures/`, and how each is made.
+
+use super::Failure;
+use super::lesson::{self, LessonError};
+use dcel_kit::figure::{self, FigureError, FigureOptions};
+use dcel_kit::plane::Subdivision;
+use std::path::Path;
+
+/// Why a reference figure cannot be drawn.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum ReferenceError {
+    #[error(transparent)]
+    Lesson(#[from] LessonError),
+    #[error(transparent)]
+    Figure(#[from] FigureError),
+}
+
+/// A figure of the project, regenerated and compared by `dcel figures`.
+pub(crate) struct Reference {
+    /// The file in `figures/`.
+    pub(crate) file: &'static str,
+    /// What it shows.
+    pub(crate) about: &'static str,
+    /// Draws it.
+    pub(crate) draw: fn() -> Result<String, ReferenceError>,
+}
+
+/// All reference figures, in the order of their files.
+static REFERENCES: [Reference; 5] = [
+    Reference {
+        file: "cube.svg",
+        about: "a half-edge structure of 8 vertices, 12 edges and 6 faces, the outer one counted",
+        draw: || structure(&lesson::cube()?, "A half-edge structure"),
+    },
+    Reference {
+        file: "lab-subdivision.svg",
+        about: "what the tour makes of the rectangle with split_face and split_in_half alone",
+        draw: || structure(&lesson::lab_subdivision()?, "The lab's subdivision"),
+    },
+    Reference {
+        file: "rectangle.svg",
+        about: "the six-vertex rectangle that the half-edge lab starts from",
+        draw: || structure(&Subdivision::lab_rectangle(), "The lab's rectangle"),
+    },
+    Reference {
+        file: "rings.svg",
+        about: "a face with two holes, an island in one of them, a second component",
+        draw: || {
+            let options = FigureOptions::new("Rings and holes").width(960.0);
+            Ok(figure::structure(&lesson::rings()?, &options)?.to_svg())
+        },
+    },
+    Reference {
+        file: "states.svg",
+        about: "the states of the USA as one subdivision: 198 faces, 143 components",
+        draw: || {
+            let states = lesson::states()?;
+            let options = FigureOptions::new("The states of the USA").width(960.0).face_names(states.named_faces());
+            Ok(figure::structure(&states.subdivision, &options)?.to_svg())
+        },
+    },
+];
+
+fn structure(subdivision: &Subdivision, title: &str) -> Result<String, ReferenceError> {
+    Ok(figure::structure(subdivision, &FigureOptions::new(title))?.to_svg())
+}
+
+/// Draws all of them.
+pub(crate) fn draw_all() -> Result<Vec<(&'static Reference, String)>, Failure> {
+    REFERENCES.iter().map(|reference| Ok((reference, (reference.draw)().map_err(Failure::kit)?))).collect()
+}
+
+/// Writes figures into a folder, which is made if need be. A file that is right already is left alone.
+pub(crate) fn write_all(dir: &Path, figures: &[(&Reference, String)]) -> Result<(), Failure> {
+    std::fs::create_dir_all(dir).map_err(|error| Failure::writing(dir.display(), &error))?;
+    for (reference, svg) in figures {
+        let path = dir.join(reference.file);
+        if std::fs::read(&path).is_ok_and(|bytes| bytes == svg.as_bytes()) {
+            continue;
+        }
+        std::fs::write(&path, svg).map_err(|error| Failure::writing(path.display(), &error))?;
+    }
+    Ok(())
+}
