@@ -1,5 +1,7 @@
 //! What a figure shows is what the structure says: read back from the SVG text.
 
+#![allow(clippy::unwrap_used, reason = "a test helper that fails is a failed test")]
+
 #[path = "figures/cases.rs"]
 mod cases;
 #[path = "figures/drawn.rs"]
@@ -282,6 +284,23 @@ fn arrows_run_on_the_left_and_their_barbs_point_to_the_face() {
 }
 
 #[test]
+fn shafts_lie_in_their_faces_even_in_sharp_corners() {
+    for (name, table, drawn) in pictures() {
+        if name == "flat" || name == "tall" {
+            continue; // faces thinner than a line
+        }
+        for (id, arrow) in &drawn.arrows {
+            let (a, b) = ends(&table, &drawn, id.parse().unwrap());
+            let face = &drawn.data[id]["data-face"];
+            let area = &drawn.areas[face][0].1;
+            for p in [arrow.tail, arrow.head] {
+                assert!(length(minus(b, a)) < 2.0 || inside(area, p), "{name}: {id} leaves {face}");
+            }
+        }
+    }
+}
+
+#[test]
 fn a_tip_never_touches_the_next_tail_or_a_disc() {
     for (name, table, drawn) in pictures() {
         if ["slivers", "hub-200", "tall"].contains(&name.as_str()) {
@@ -313,7 +332,8 @@ fn no_disc_hides_another_vertex_or_a_foreign_edge() {
                 let distance = length(minus(q, p));
                 assert!(distance < 5.0 || distance > r + s, "{name}: discs at {p:?} and {q:?} overlap");
             }
-            for &(a, b) in drawn.edges.iter().filter(|&&(a, b)| a != p && b != p) {
+            for &(a, b) in drawn.edges.iter().filter(|&&(a, b)| length(minus(a, p)) > 0.0 && length(minus(b, p)) > 0.0)
+            {
                 let (d, e) = (minus(b, a), minus(p, a));
                 let t = ((d[0] * e[0] + d[1] * e[1]) / (d[0] * d[0] + d[1] * d[1])).clamp(0.0, 1.0);
                 let distance = length(minus(p, [a[0] + d[0] * t, a[1] + d[1] * t]));
@@ -332,12 +352,10 @@ fn words_cover_neither_words_nor_discs_nor_shafts() {
                 assert!(!word.overlaps(other), "{name}: {word:?} covers {other:?}");
             }
             let half = word.half();
-            for axis in 0..2 {
-                let (low, high) = (word.at[axis] - half[axis], word.at[axis] + half[axis]);
-                assert!(low > 2.0 && high < drawn.size[axis] - 2.0, "{name}: {word:?} leaves the canvas");
-            }
+            let on_canvas = (0..2).all(|i| (half[i] + 2.0..drawn.size[i] - half[i] - 2.0).contains(&word.at[i]));
+            assert!(on_canvas, "{name}: {word:?} leaves the canvas");
             for (v, &(centre, radius)) in &drawn.discs {
-                if *v == word.owner && centre == word.at {
+                if *v == word.owner && length(minus(centre, word.at)) <= 0.0 {
                     assert!(half[0] < radius, "{name}: {word:?} is wider than its disc");
                 } else {
                     assert!(word.distance(centre) > radius, "{name}: {word:?} covers {v}");
@@ -589,6 +607,17 @@ fn what_cannot_be_drawn_is_noted() {
     assert!(drawn.data.contains_key("v2") && !drawn.discs.contains_key("v2"));
     assert!(!drawn.data["h8"].contains_key("data-next") && drawn.arrows.contains_key("h8"));
     assert!(!drawn.areas.contains_key("f5"), "a face whose boundary is broken is not filled");
+}
+
+/// A cycle belongs to the first face that claims it; walks that run into it from elsewhere end there.
+#[test]
+fn a_cycle_is_drawn_for_one_face_only() {
+    let mut table = cases::cube();
+    table.faces[2].as_mut().unwrap().boundary = table.faces[1].as_ref().unwrap().boundary;
+    let figure = structure(&table, &FigureOptions::new("claimed")).unwrap();
+    assert_eq!(figure.notes(), ["with a boundary that does not close or is taken already: f2"]);
+    let drawn = read(&figure.to_svg());
+    assert!(drawn.areas.contains_key("f1") && !drawn.areas.contains_key("f2"));
 }
 
 /// Any table can be drawn: missing and wrong pointers, missing rows, missing positions.

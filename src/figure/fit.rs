@@ -109,7 +109,7 @@ pub(super) fn choose(extent: &Extent, load: &Load, options: &FigureOptions) -> (
     let fit = if detail >= Detail::Arrows {
         extent.fit(scale, style.padding)
     } else {
-        extent.fit(extent.scale(canvas, style.small_padding), style.small_padding)
+        extent.fit(scale.max(extent.scale(canvas, style.small_padding)), style.small_padding)
     };
     (fit, detail)
 }

@@ -17,7 +17,7 @@ pub(crate) fn h(i: usize) -> HalfEdgeId {
 pub(crate) fn plane(points: &[P], segments: &[(usize, usize)]) -> Table {
     let ends = |i: usize| {
         let (a, b) = segments[i / 2];
-        if i % 2 == 0 { (a, b) } else { (b, a) }
+        if i.is_multiple_of(2) { (a, b) } else { (b, a) }
     };
     let count = 2 * segments.len();
     let mut star: Vec<Vec<usize>> = vec![Vec::new(); points.len()];
@@ -269,7 +269,7 @@ pub(crate) fn discs(points: &[P], faces: &[Vec<usize>]) -> Table {
     let mut rows = vec![empty; 2 * edges.len()];
     for (i, row) in rows.iter_mut().enumerate() {
         let (a, b) = edges[i / 2];
-        row.origin = Some(VertexId::new(if i % 2 == 0 { a } else { b } as u32));
+        row.origin = Some(VertexId::new(if i.is_multiple_of(2) { a } else { b } as u32));
         row.twin = Some(h(i ^ 1));
     }
     let mut face_rows = vec![FaceRow::default()];
