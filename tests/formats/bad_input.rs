@@ -143,8 +143,8 @@ fn cases() -> Vec<(Format, Vec<u8>, &'static str, &'static str)> {
     );
     add(
         GeoJson,
-        r#"{"type":"Polygon","coordinates":[[[0,0,["]",{"a":[1]}]],[0 , 1,5],["1",0]]]}"#,
-        "file:1:67: ",
+        r#"{"type":"Polygon","coordinates":[[[0,0,["]\"",{"a":[1]}]],[0 , 1,5],["1",0]]]}"#,
+        "file:1:69: ",
         "position 2: expected a position",
     );
     add(TopoJson, r#"{"type":"Topology","arcs":[]}"#, "file: the file: ", "an object \"objects\"");
