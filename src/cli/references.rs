@@ -50,7 +50,7 @@ static REFERENCES: [Reference; 9] = [
         file: "pointers.svg",
         about: "the five families of pointers in the lab's subdivision, one panel each",
         draw: || {
-            let options = FigureOptions::new("Pointers of the lab's subdivision").id_prefix("pointers");
+            let options = FigureOptions::new("Pointers of the lab's subdivision").id_prefix("pointers").width(520.0);
             Ok(figure::pointers(&lesson::lab_subdivision()?, &Pointers::ALL, &options)?.to_svg())
         },
     },
