@@ -191,7 +191,7 @@ mod tests {
     use super::super::matching::{Numbers, Stop, streamed};
     use super::dealt;
 
-    /// The grid of the seed: some faces missing, names and order mixed up, sometimes one face reversed.
+    /// The grid of the seed: some faces missing, names and order mixed up, sometimes a face reversed or one too many.
     fn grid(mut seed: u64) -> Vec<[u32; 3]> {
         let mut below = move |bound: usize| {
             seed ^= seed << 13;
@@ -207,9 +207,12 @@ mod tests {
             faces.extend([[a, b, c], [a, c, d]].into_iter().filter(|_| below(8) > 0));
         }
         (1..faces.len()).for_each(|i| faces.swap(i, below(i + 1)));
-        if below(4) == 0 {
-            let i = below(faces.len());
-            faces[i].swap(0, 1);
+        let i = below(faces.len());
+        let [a, b, _] = faces[i];
+        match below(6) {
+            0 => faces[i].swap(0, 1),
+            1 => faces.push([b, a, names[0]]),
+            _ => {}
         }
         faces
     }

@@ -205,7 +205,7 @@ fn star_length(prev: &[u32], h: u32) -> usize {
 ///
 /// Several walks are under way at a time: each waits for memory at each step, and together they wait less.
 fn stars_length(prev: &[u32], firsts: &[u32]) -> usize {
-    const WALKS: usize = 8;
+    const WALKS: usize = 16;
     let Some((&starts, rest)) = firsts.split_first_chunk::<WALKS>() else {
         return firsts.iter().map(|&h| star_length(prev, h)).sum();
     };
