@@ -199,6 +199,26 @@ fn walks_round_faces() {
 }
 
 #[test]
+fn parts_of_one_name_are_walked_together() {
+    let folder = Folder::new();
+    // From left to right: A, A, B.
+    let square = |x: i32, name: &str| {
+        let ring = format!("[[{x},0],[{},0],[{},1],[{x},1],[{x},0]]", x + 1, x + 1);
+        format!(r#"{{"type":"Feature","id":"{name}","geometry":{{"type":"Polygon","coordinates":[{ring}]}}}}"#)
+    };
+    let features = [square(0, "A"), square(1, "A"), square(2, "B")].join(",");
+    folder.write("row.json", &format!(r#"{{"type":"FeatureCollection","features":[{features}]}}"#));
+    let whole = folder.dcel("walk row.json --face-name a --json").json();
+    assert_eq!(whole["faces"].as_array().map(Vec::len), Some(2));
+    assert_eq!(whole["adjacent_faces"], json!([{"face": "f0", "name": null}, {"face": "f3", "name": "B"}]));
+    assert_eq!(whole["adjacent_names"], json!(["B"]));
+    // The left part alone borders the other part, which is no other name.
+    let left = folder.dcel("walk row.json --face f1 --json").json();
+    assert_eq!(left["adjacent_faces"], json!([{"face": "f0", "name": null}, {"face": "f2", "name": "A"}]));
+    assert_eq!(left["adjacent_names"], json!([]));
+}
+
+#[test]
 fn walks_round_vertices_and_along_links() {
     let folder = Folder::new();
     assert_eq!(
