@@ -1,15 +1,5 @@
 //! The laws of the plane: what must hold of the positions, beside the laws of the structure.
 //!
-//! | law | says |
-//! |---|---|
-//! | G1 | no two vertices lie at the same place |
-//! | G2 | no vertex lies in the interior of an edge |
-//! | G3 | no two edges cross or overlap |
-//! | G4 | round each vertex the half-edges follow each other counter-clockwise, once round |
-//! | G5 | the boundary of a bounded face runs counter-clockwise round it |
-//! | G6 | every other cycle of a face, and every cycle of `f0`, runs clockwise round what it cuts out |
-//! | G7 | every ring lies in its face |
-//!
 //! G1 to G3 are found by one sweep, which stops at the first fault; the others are only asked when they hold.
 
 use super::convert::by_direction;
@@ -169,8 +159,19 @@ impl GeometryViolation {
 }
 
 impl Subdivision {
-    /// Checks the laws of the plane (the table at the head of this module's source): all positions and edges
-    /// against each other. The first meeting of elements is reported alone; otherwise all other faults.
+    /// Checks the laws of the plane, all positions and edges against each other:
+    ///
+    /// | law | says |
+    /// |---|---|
+    /// | G1 | no two vertices lie at the same place |
+    /// | G2 | no vertex lies in the interior of an edge |
+    /// | G3 | no two edges cross or overlap |
+    /// | G4 | round each vertex the half-edges follow each other counter-clockwise, once round |
+    /// | G5 | the boundary of a bounded face runs counter-clockwise round it |
+    /// | G6 | every other cycle of a face, and every cycle of `f0`, runs clockwise round what it cuts out |
+    /// | G7 | every ring lies in its face |
+    ///
+    /// The first meeting of elements (G1 to G3) is reported alone; otherwise all other faults.
     ///
     /// Cost: O(n log n) with n edges; all decisions exact.
     #[must_use]
