@@ -114,7 +114,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     match target {
         None => figure.write_svg(out)?,
         Some(path) => {
-            std::fs::write(path, figure.to_svg()).map_err(|error| Failure::writing(path.display(), &error))?
+            std::fs::write(path, figure.to_svg()).map_err(|error| Failure::writing(path.display(), &error))?;
         }
     }
     Ok(Answer::Yes)

@@ -40,7 +40,7 @@ pub(crate) struct InputOptions {
 /// What comes out of a file.
 pub(crate) enum Opened {
     /// Something to work with.
-    Subject(Subject),
+    Subject(Box<Subject>),
     /// A file that could be read, and whose polygons do not fit together.
     Misfit(LoadError),
 }
@@ -59,7 +59,7 @@ impl InputOptions {
     /// The same; unless `keep_tables`, a table must be a subdivision of the plane and becomes one.
     pub(crate) fn open_as(&self, file: &Path, keep_tables: bool) -> Result<Subject, Failure> {
         match self.try_open(file, keep_tables)? {
-            Opened::Subject(subject) => Ok(subject),
+            Opened::Subject(subject) => Ok(*subject),
             Opened::Misfit(error) => Err(error.into()),
         }
     }
@@ -76,7 +76,13 @@ impl InputOptions {
             Read { document: Document::Table(table), notes, format } if keep_tables => {
                 notes.iter().for_each(|note| say("note", note));
                 let (names, places) = (FaceMap::default(), None);
-                return Ok(Opened::Subject(Subject { kind: Kind::Table(table), names, source, format, places }));
+                return Ok(Opened::Subject(Box::new(Subject {
+                    kind: Kind::Table(table),
+                    names,
+                    source,
+                    format,
+                    places,
+                })));
             }
             read => match assemble(read, &source, &options) {
                 Ok(loaded) => loaded,
@@ -90,7 +96,7 @@ impl InputOptions {
             other => return Err(Failure::input(format!("{source}: {other:?} is not known"), "")),
         };
         let (names, format, places) = (loaded.names, loaded.format, loaded.places);
-        Ok(Opened::Subject(Subject { kind, names, source, format, places }))
+        Ok(Opened::Subject(Box::new(Subject { kind, names, source, format, places })))
     }
 
     fn load_options(&self) -> LoadOptions {
