@@ -67,8 +67,14 @@ mod tests {
         looped.split_face(corners[0], corners[1]).unwrap();
         let mut halved = Dcel::polygon(4).unwrap();
         halved.split_face(HalfEdgeId(0), HalfEdgeId(4)).unwrap();
+        // A loop alone in its face, with a tail outside.
+        let mut tailed = halved.clone();
+        tailed.join_faces(HalfEdgeId(6)).unwrap();
+        tailed.join_edges(HalfEdgeId(9)).unwrap();
+        tailed.join_edges(HalfEdgeId(9)).unwrap();
+        assert_eq!(tailed.next(HalfEdgeId(9)), HalfEdgeId(9));
         let rec = &mut crate::topology::NoRecorder;
-        for start in [looped, halved, Dcel::polygon(1).unwrap(), Dcel::polygon(2).unwrap()] {
+        for start in [looped, halved, tailed, Dcel::polygon(1).unwrap(), Dcel::polygon(2).unwrap()] {
             for (one, other) in start.half_edges().flat_map(|a| start.half_edges().map(move |b| (a, b))) {
                 let mut chosen = start.clone();
                 chosen.set_outgoing(start.origin(one), Some(one), rec);
