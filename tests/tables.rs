@@ -53,7 +53,7 @@ fn removed_elements_stay_free_and_the_lowest_is_given_out_first() {
     // Two free pairs in the middle of the table: h4, h5 and h6, h7.
     let shift = |g: HalfEdgeId| if g.number() < 4 { g } else { h(g.number() + 4) };
     let rows = std::mem::take(&mut table.half_edges);
-    table.half_edges = rows[..4].iter().cloned().chain(vec![None; 4]).chain(rows[4..].iter().cloned()).collect();
+    table.half_edges = rows[..4].iter().copied().chain(vec![None; 4]).chain(rows[4..].iter().copied()).collect();
     for row in table.half_edges.iter_mut().flatten() {
         (row.twin, row.next, row.prev) = (row.twin.map(shift), row.next.map(shift), row.prev.map(shift));
     }
