@@ -1,5 +1,7 @@
 //! The answers of the commands on small files.
 
+#![cfg(feature = "cli")]
+
 mod shell;
 
 use serde_json::{Value, json};

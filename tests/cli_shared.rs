@@ -1,5 +1,7 @@
 //! The command on files made by others, against counts made by others.
 
+#![cfg(feature = "cli")]
+
 mod shell;
 
 use serde_json::Value;

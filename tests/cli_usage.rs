@@ -1,5 +1,7 @@
 //! The manners of the command: exit codes, help, pipes, bad files, standard input.
 
+#![cfg(feature = "cli")]
+
 mod shell;
 
 use shell::{Folder, SQUARE, TRIANGLE, grid};

@@ -3,7 +3,9 @@
 use super::failure::{Failure, say};
 use super::subject::{Kind, Subject};
 use dcel_kit::FaceMap;
-use dcel_kit::io::{Document, Format, LoadError, LoadOptions, Read, ReadOptions, Structure, assemble, read_path};
+use dcel_kit::io::{
+    Document, Format, LoadError, LoadOptions, Read, ReadOptions, Structure, assemble, read_path, source_name,
+};
 use dcel_kit::topology::Mode;
 use std::path::Path;
 
@@ -68,7 +70,7 @@ impl InputOptions {
     pub(crate) fn try_open(&self, file: &Path, keep_tables: bool) -> Result<Opened, Failure> {
         let options = self.load_options();
         let read = read_path(file, &options.read)?;
-        let source = if file.as_os_str() == "-" { "<stdin>".to_owned() } else { file.display().to_string() };
+        let source = source_name(file);
         if matches!(read.document, Document::Table(_)) && (self.surface || self.plane || self.orient) {
             say("note", "--surface, --plane and --orient are for polygons; a table says itself what it is");
         }
