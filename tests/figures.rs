@@ -1,5 +1,7 @@
 //! What a figure shows is what the structure says: read back from the SVG text.
 
+#![allow(clippy::unwrap_used, reason = "a test helper that fails is a failed test")]
+
 #[path = "figures/cases.rs"]
 mod cases;
 #[path = "figures/drawn.rs"]
@@ -8,7 +10,7 @@ mod drawn;
 mod states;
 
 use cases::{P, h};
-use dcel_kit::figure::{Detail, FigureError, FigureOptions, structure};
+use dcel_kit::figure::{Colour, Detail, FigureError, FigureOptions, Style, structure};
 use dcel_kit::topology::{Table, View};
 use dcel_kit::{FaceId, HalfEdgeId, Id, VertexId};
 use drawn::{Drawn, inside, left_of, length, minus, read};
@@ -79,9 +81,7 @@ fn files_are_well_formed_and_their_references_resolve() {
         assert!(wanted.is_subset(&ids), "{name}: {:?} do not resolve", wanted.difference(&ids).collect::<Vec<_>>());
         let root = document.root_element();
         assert_eq!((root.attribute("data-figure"), root.attribute("data-y")), (Some("dcel"), Some("up")));
-        assert!(
-            ids.iter().all(|id| *id == options.id_prefix() || id.starts_with(&format!("{}-", options.id_prefix())))
-        );
+        assert!(ids.iter().all(|id| *id == options.prefix() || id.starts_with(&format!("{}-", options.prefix()))));
     }
 }
 
@@ -158,7 +158,7 @@ fn style_rules_are_scoped_and_dark_mode_is_there() {
         let svg = structure(&table, &options).unwrap().to_svg();
         let document = roxmltree::Document::parse(&svg).unwrap();
         let style = document.descendants().find(|n| n.tag_name().name() == "style").unwrap().text().unwrap();
-        let scope = format!("#{} ", options.id_prefix());
+        let scope = format!("#{} ", options.prefix());
         for rule in style.lines().filter(|line| !line.trim().is_empty()) {
             let dark = rule == "@media (prefers-color-scheme:dark){" || rule == "}";
             assert!(dark || rule.starts_with(&scope), "{name}: {rule}");
@@ -284,6 +284,23 @@ fn arrows_run_on_the_left_and_their_barbs_point_to_the_face() {
 }
 
 #[test]
+fn shafts_lie_in_their_faces_even_in_sharp_corners() {
+    for (name, table, drawn) in pictures() {
+        if name == "flat" || name == "tall" {
+            continue; // faces thinner than a line
+        }
+        for (id, arrow) in &drawn.arrows {
+            let (a, b) = ends(&table, &drawn, id.parse().unwrap());
+            let face = &drawn.data[id]["data-face"];
+            let area = &drawn.areas[face][0].1;
+            for p in [arrow.tail, arrow.head] {
+                assert!(length(minus(b, a)) < 2.0 || inside(area, p), "{name}: {id} leaves {face}");
+            }
+        }
+    }
+}
+
+#[test]
 fn a_tip_never_touches_the_next_tail_or_a_disc() {
     for (name, table, drawn) in pictures() {
         if ["slivers", "hub-200", "tall"].contains(&name.as_str()) {
@@ -307,6 +324,26 @@ fn a_tip_never_touches_the_next_tail_or_a_disc() {
 }
 
 #[test]
+fn no_disc_hides_another_vertex_or_a_foreign_edge() {
+    for (name, _, drawn) in pictures() {
+        let discs: Vec<(P, f64)> = drawn.discs.values().copied().collect();
+        for (i, &(p, r)) in discs.iter().enumerate() {
+            for &(q, s) in &discs[i + 1..] {
+                let distance = length(minus(q, p));
+                assert!(distance < 5.0 || distance > r + s, "{name}: discs at {p:?} and {q:?} overlap");
+            }
+            for &(a, b) in drawn.edges.iter().filter(|&&(a, b)| length(minus(a, p)) > 0.0 && length(minus(b, p)) > 0.0)
+            {
+                let (d, e) = (minus(b, a), minus(p, a));
+                let t = ((d[0] * e[0] + d[1] * e[1]) / (d[0] * d[0] + d[1] * d[1])).clamp(0.0, 1.0);
+                let distance = length(minus(p, [a[0] + d[0] * t, a[1] + d[1] * t]));
+                assert!(distance < 4.0 || distance > r, "{name}: the disc at {p:?} covers an edge");
+            }
+        }
+    }
+}
+
+#[test]
 fn words_cover_neither_words_nor_discs_nor_shafts() {
     let mut checked = 0;
     for (name, _, drawn) in pictures() {
@@ -315,12 +352,10 @@ fn words_cover_neither_words_nor_discs_nor_shafts() {
                 assert!(!word.overlaps(other), "{name}: {word:?} covers {other:?}");
             }
             let half = word.half();
-            for axis in 0..2 {
-                let (low, high) = (word.at[axis] - half[axis], word.at[axis] + half[axis]);
-                assert!(low > 2.0 && high < drawn.size[axis] - 2.0, "{name}: {word:?} leaves the canvas");
-            }
+            let on_canvas = (0..2).all(|i| (half[i] + 2.0..drawn.size[i] - half[i] - 2.0).contains(&word.at[i]));
+            assert!(on_canvas, "{name}: {word:?} leaves the canvas");
             for (v, &(centre, radius)) in &drawn.discs {
-                if *v == word.owner && centre == word.at {
+                if *v == word.owner && length(minus(centre, word.at)) <= 0.0 {
                     assert!(half[0] < radius, "{name}: {word:?} is wider than its disc");
                 } else {
                     assert!(word.distance(centre) > radius, "{name}: {word:?} covers {v}");
@@ -574,6 +609,17 @@ fn what_cannot_be_drawn_is_noted() {
     assert!(!drawn.areas.contains_key("f5"), "a face whose boundary is broken is not filled");
 }
 
+/// A cycle belongs to the first face that claims it; walks that run into it from elsewhere end there.
+#[test]
+fn a_cycle_is_drawn_for_one_face_only() {
+    let mut table = cases::cube();
+    table.faces[2].as_mut().unwrap().boundary = table.faces[1].as_ref().unwrap().boundary;
+    let figure = structure(&table, &FigureOptions::new("claimed")).unwrap();
+    assert_eq!(figure.notes(), ["with a boundary that does not close or is taken already: f2"]);
+    let drawn = read(&figure.to_svg());
+    assert!(drawn.areas.contains_key("f1") && !drawn.areas.contains_key("f2"));
+}
+
 /// Any table can be drawn: missing and wrong pointers, missing rows, missing positions.
 #[test]
 fn broken_tables_are_drawn_without_panic() {
@@ -623,10 +669,43 @@ fn broken_tables_are_drawn_without_panic() {
 #[test]
 fn texts_of_the_caller_are_escaped() {
     let title = "a <b> & \"c\" ]]> \u{1} 'd'";
-    let options = FigureOptions::new(title).face_name(FaceId::new(1), "<f> & \"g\"").with_id_prefix("x");
+    let options = FigureOptions::new(title).face_name(FaceId::new(1), "<f> & \"g\"").id_prefix("x");
     let svg = structure(&cases::cube(), &options).unwrap().to_svg();
     let document = roxmltree::Document::parse(&svg).unwrap();
     let text = document.descendants().find(|n| n.attribute("id") == Some("x-title")).unwrap().text().unwrap();
     assert_eq!(text.trim(), title.replace('\u{1}', "\u{fffd}"));
     assert_eq!(read(&svg).data["f1"]["data-name"], "<f> & \"g\"");
+}
+
+/// WCAG 2.1: text 4.5, lines 3, on the paper and on every tint.
+#[test]
+fn lines_and_texts_stand_out_on_every_tint_in_both_palettes() {
+    let channels = |c: Colour| [16, 8, 0].map(|shift| f64::from(c.0 >> shift & 255));
+    let luminance = |c: [f64; 3]| {
+        let linear = |v: f64| if v <= 10.0 { v / 255.0 / 12.92 } else { ((v / 255.0 + 0.055) / 1.055).powf(2.4) };
+        0.2126 * linear(c[0]) + 0.7152 * linear(c[1]) + 0.0722 * linear(c[2])
+    };
+    let contrast = |a: [f64; 3], b: [f64; 3]| {
+        let (a, b) = (luminance(a), luminance(b));
+        (a.max(b) + 0.05) / (a.min(b) + 0.05)
+    };
+    let style = Style::default();
+    for palette in [&style.light, style.dark.as_ref().unwrap()] {
+        let paper = channels(palette.background);
+        let tinted = style.tints.map(|tint| {
+            let (hue, o) = (channels(tint), palette.tint_opacity);
+            [0, 1, 2].map(|i| paper[i] * (1.0 - o) + hue[i] * o)
+        });
+        for (what, colour, least) in [
+            ("ink", palette.ink, 4.5),
+            ("half-edge", palette.half_edge, 4.5),
+            ("face", palette.face, 4.5),
+            ("edge", palette.edge, 3.0),
+        ] {
+            for ground in std::iter::once(paper).chain(tinted) {
+                let value = contrast(channels(colour), ground);
+                assert!(value >= least, "{what} {colour} on {ground:?}: {value}");
+            }
+        }
+    }
 }
