@@ -7,8 +7,47 @@ use super::cycle::encloses;
 use super::predicates::left_to_right;
 use super::sweep::{Meeting, NOTHING, sweep};
 use super::{Point, Subdivision};
-use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
-use crate::topology::Ring;
+use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
+use crate::topology::{Ring, Rule};
+
+/// The laws of the plane as data, in the order in which they are checked.
+pub const GEOMETRY_RULES: &[Rule] = &[
+    Rule {
+        id: "G1",
+        law: "no two vertices lie at the same place",
+        explanation: "Two vertices with equal coordinates should be one vertex.",
+    },
+    Rule {
+        id: "G2",
+        law: "no vertex lies in the interior of an edge",
+        explanation: "An edge that passes through a vertex must be split there.",
+    },
+    Rule {
+        id: "G3",
+        law: "no two edges cross or overlap",
+        explanation: "Edges meet at common ends only. The sweep stops at the first fault, so one of G1 to G3 stands alone.",
+    },
+    Rule {
+        id: "G4",
+        law: "the half-edges at v follow each other counter-clockwise, once round",
+        explanation: "Turning by h.prev.twin goes from direction to direction. Otherwise faces fold over each other.",
+    },
+    Rule {
+        id: "G5",
+        law: "the boundary of a bounded face runs counter-clockwise",
+        explanation: "The face lies on the left of its half-edges.",
+    },
+    Rule {
+        id: "G6",
+        law: "a ring, and every cycle of the outer face, runs clockwise",
+        explanation: "A ring goes round something that is cut out of the face.",
+    },
+    Rule {
+        id: "G7",
+        law: "every ring lies in its face",
+        explanation: "An island or an isolated vertex is listed by the face that surrounds it.",
+    },
+];
 
 /// Positions that do not fit the structure, or each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -78,6 +117,34 @@ pub enum GeometryViolation {
 }
 
 impl GeometryViolation {
+    /// The law that is broken.
+    #[must_use]
+    pub const fn rule(&self) -> &'static Rule {
+        match self {
+            Self::SamePlace { .. } => &GEOMETRY_RULES[0],
+            Self::VertexOnEdge { .. } => &GEOMETRY_RULES[1],
+            Self::EdgesMeet { .. } => &GEOMETRY_RULES[2],
+            Self::Folded { .. } => &GEOMETRY_RULES[3],
+            Self::BoundaryClockwise { .. } => &GEOMETRY_RULES[4],
+            Self::RingCounterClockwise { .. } => &GEOMETRY_RULES[5],
+            Self::RingElsewhere { .. } => &GEOMETRY_RULES[6],
+        }
+    }
+
+    /// The faces and half-edges the message speaks of.
+    #[must_use]
+    pub fn other_elements(&self) -> Vec<Element> {
+        match *self {
+            Self::BoundaryClockwise { face, start } | Self::RingCounterClockwise { face, start } => {
+                vec![face.into(), start.into()]
+            }
+            Self::RingElsewhere { listed, face, .. } => vec![listed.into(), face.into()],
+            Self::SamePlace { .. } | Self::VertexOnEdge { .. } | Self::EdgesMeet { .. } | Self::Folded { .. } => {
+                Vec::new()
+            }
+        }
+    }
+
     /// The vertices the message speaks of.
     #[must_use]
     pub fn vertices(&self) -> Vec<VertexId> {

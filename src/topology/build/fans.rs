@@ -32,11 +32,6 @@ impl Matched {
         this
     }
 
-    /// The first vertex that no face uses.
-    pub(crate) fn first_isolated(&self) -> Option<VertexId> {
-        self.columns.outgoing.iter().position(|&word| word == NONE).map(|v| VertexId(v as u32))
-    }
-
     /// Makes the border half-edge that ends at a vertex and the one that starts there follow each other, where
     /// there is only one. Vertices with several are tagged; returns whether there are none.
     fn link_border(&mut self) -> bool {
