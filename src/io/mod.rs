@@ -17,9 +17,10 @@
 //!   text.rs   words with places          problem.rs  what can be wrong     read.rs, write.rs  the ways in and out
 //!   soup.rs   points and polygons        rings.rs    joining equal points  model.rs           what is written
 //!   load.rs   from a file to a structure, with the places of what does not fit
-//!   obj.rs off.rs ply/ triangle.rs mesh.rs geojson.rs topojson.rs (json.rs) dcel.rs tables.rs   one format each
+//!   obj.rs off.rs ply/ triangle.rs mesh.rs geojson.rs topojson.rs (json.rs arrays.rs) dcel.rs tables.rs   one format each
 //! ```
 
+mod arrays;
 pub mod dcel;
 mod format;
 pub mod geojson;
