@@ -340,7 +340,7 @@ impl<V: PlanarView + ?Sized> Picture<'_, V> {
         let mut nodes = Vec::new();
         if let Some(shaft) = shaft {
             let (from, to) = shaft.line();
-            nodes.push(Node::Line { class: "sh", from, to });
+            nodes.push(Node::Line { class: if shaft.is_thin() { "sh thin" } else { "sh" }, from, to });
             nodes.push(Node::Area { class: "barb", hatch: None, outlines: vec![shaft.barb().to_vec()] });
         }
         nodes.extend(labels.half_edges[h].iter().flat_map(|label| label.nodes("hl")));

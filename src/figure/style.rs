@@ -172,7 +172,7 @@ impl Style {
         use super::number::drawn;
         let mut out = String::new();
         let halo = |width: &str| format!("paint-order:stroke;stroke-width:{width}em;stroke-linejoin:round");
-        let fixed: [(&str, String); 11] = [
+        let fixed: [(&str, String); 12] = [
             ("text", format!("font-family:{};text-anchor:middle", self.font)),
             ("edge", format!("stroke-width:{};fill:none;stroke-linecap:round", drawn(self.edge_width))),
             ("mesh", "fill:none;stroke-linejoin:round".to_owned()),
@@ -180,6 +180,7 @@ impl Style {
             ("hatch", "stroke-width:1.6".to_owned()),
             ("hatched", "opacity:.55".to_owned()),
             ("sh", format!("stroke-width:{};fill:none", drawn(self.shaft_width))),
+            ("thin", format!("stroke-width:{}", drawn(0.5 * self.shaft_width))),
             ("vd", "stroke-width:1.8".to_owned()),
             ("vl", format!("font-weight:700;{}", halo(".26"))),
             ("hl", halo(".3")),

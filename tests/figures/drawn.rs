@@ -115,7 +115,7 @@ pub(crate) fn read(svg: &str) -> Drawn {
                 at: [number(node, "x"), number(node, "y")],
                 size: number(node, "font-size"),
             }),
-            ("line", "sh") => {
+            ("line", "sh" | "sh thin") => {
                 let barb = node.next_sibling_element().unwrap();
                 assert_eq!(barb.attribute("class"), Some("barb"));
                 let corners = path(barb.attribute("d").unwrap());
