@@ -35,6 +35,7 @@ mod half_edges;
 mod labels;
 mod number;
 mod options;
+mod page;
 mod pole;
 mod scene;
 mod skeleton;
@@ -48,6 +49,7 @@ mod vector;
 mod vertices;
 
 pub use options::{Detail, FaceLabels, FigureOptions};
+pub use page::{Page, page};
 pub use structure::structure;
 pub use style::{Colour, Palette, Style};
 
