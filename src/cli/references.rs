@@ -26,11 +26,19 @@ pub(crate) struct Reference {
 }
 
 /// All reference figures, in the order of their files.
-static REFERENCES: [Reference; 6] = [
+static REFERENCES: [Reference; 7] = [
     Reference {
         file: "cube.svg",
         about: "a half-edge structure of 8 vertices, 12 edges and 6 faces, the outer one counted",
         draw: || structure(&lesson::cube()?, "A half-edge structure"),
+    },
+    Reference {
+        file: "interactive.svg",
+        about: "point at a half-edge, or write its name behind the address, to see its pointers",
+        draw: || {
+            let options = FigureOptions::new("A half-edge structure to point at").interactive(true);
+            Ok(figure::structure(&lesson::cube()?, &options.id_prefix("cube"))?.to_svg())
+        },
     },
     Reference {
         file: "lab-subdivision.svg",

@@ -34,6 +34,7 @@ mod face_arrows;
 mod faces;
 mod fit;
 mod half_edges;
+mod interactive;
 mod labels;
 mod number;
 mod options;

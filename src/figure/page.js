@@ -62,6 +62,10 @@
     if (selected !== null) mark(selected, "on", false);
     selected = id;
     mark(id, "on", true);
+    if (document.activeElement?.closest(".he")) {
+      document.activeElement.blur();
+      drawn(id)?.focus({ preventScroll: true });
+    }
     describe(id);
     reveal(rows.get(id));
     for (const name of ["next", "prev", "twin"]) $(name).disabled = !rows.has(pointer(id, name));

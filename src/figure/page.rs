@@ -14,8 +14,8 @@
 //! is a link to the element in the picture, which then shows its pointers. The script reads the structure
 //! from the tables and needs nothing else. The bytes depend on the input alone.
 
-use super::skeleton::{destination, faces, half_edges, vertices};
 use super::scene::Node;
+use super::skeleton::{destination, faces, half_edges, vertices};
 use super::{Detail, Figure, FigureError, FigureOptions, number, structure};
 use crate::ids::{FaceId, HalfEdgeId, Id, VertexId};
 use crate::plane::PlanarView;
@@ -67,13 +67,8 @@ pub fn page<V: PlanarView + ?Sized>(view: &V, options: &FigureOptions) -> Result
         _ => None,
     });
     let listed = names(half_edges(view)).chain(names(vertices(view))).chain(names(faces(view)));
-    let tables = Tables {
-        view,
-        options: &options,
-        prefix: options.prefix(),
-        drawn: drawn.collect(),
-        listed: listed.collect(),
-    };
+    let tables =
+        Tables { view, options: &options, prefix: options.prefix(), drawn: drawn.collect(), listed: listed.collect() };
     let html = tables.document(&figure);
     Ok(Page { figure, html })
 }
@@ -225,11 +220,7 @@ impl<V: PlanarView + ?Sized> Tables<'_, V> {
         if count == 0 {
             return format!("<h2>{title} (0)</h2>\n");
         }
-        let shown = if count > ROWS {
-            format!("<p>The first {ROWS} of {count}.</p>\n")
-        } else {
-            String::new()
-        };
+        let shown = if count > ROWS { format!("<p>The first {ROWS} of {count}.</p>\n") } else { String::new() };
         let head: String = columns.iter().map(|column| format!("<th scope=\"col\">{column}</th>")).collect();
         format!(
             "<h2>{title} ({count})</h2>\n{shown}<div class=\"rows\" role=\"region\" aria-label=\"{title}\" \

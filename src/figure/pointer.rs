@@ -138,7 +138,13 @@ impl<V: PlanarView + ?Sized> Plate<'_, V> {
         out
     }
 
-    fn arrow<W: PlanarView + ?Sized>(&self, view: &W, pointer: Pointer, t: f64, crowd: &mut Crowd) -> Option<Tagged> {
+    pub(super) fn arrow<W: PlanarView + ?Sized>(
+        &self,
+        view: &W,
+        pointer: Pointer,
+        t: f64,
+        crowd: &mut Crowd,
+    ) -> Option<Tagged> {
         match pointer {
             Pointer::Next(h) => self.next_arrow(view, h).map(Tagged::plain),
             Pointer::Twin(h) => {

@@ -37,16 +37,8 @@ impl Browser {
             .spawn()
             .unwrap();
         let (input, output) = (child.stdin.take().unwrap(), BufReader::new(child.stdout.take().unwrap()));
-        let mut browser = Self {
-            child,
-            input,
-            output,
-            session: None,
-            last: 0,
-            complaints: Vec::new(),
-            loads: 0,
-            _profile: profile,
-        };
+        let mut browser =
+            Self { child, input, output, session: None, last: 0, complaints: Vec::new(), loads: 0, _profile: profile };
         let target = browser.call("Target.createTarget", &json!({"url": "about:blank"}));
         let attach = json!({"targetId": target["targetId"], "flatten": true});
         let session = browser.call("Target.attachToTarget", &attach)["sessionId"].as_str().unwrap().to_owned();
