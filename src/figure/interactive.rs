@@ -4,7 +4,7 @@
 //!   <g class="he" id="FIG-h5" tabindex="0" role="img"> title
 //!       hit      an unseen line 13 px wide, so that the shaft is easy to point at
 //!       shaft, barb, label
-//!       ptr      hidden:  next ╮  prev (as the next of that)  twin ↔  face ┄▸  origin ◯
+//!       ptr      hidden:  next ╮  prev (as the next of that)  twin ↔  face ┄▸  origin ⌒▸
 //!   </g>
 //!   shown by    .he:hover .ptr    .he:focus .ptr    .he:target .ptr
 //! ```
@@ -13,7 +13,9 @@
 //! with a name, so that screen readers hear "h0: v0 to v1, face f1, twin h1, next h18, prev h17". As a picture
 //! (`<img src="file.svg#FIG-h5">`) the file shows one half-edge in focus.
 
+use super::crowd::Crowd;
 use super::face_arrows::Tagged;
+use super::focus::TWIN_AT;
 use super::plate::{Look, Plate};
 use super::pointer::Pointer;
 use super::scene::{Group, Node, Scene};
@@ -22,11 +24,6 @@ use super::structure::Notes;
 use super::{Figure, Style, pointer_style};
 use crate::ids::HalfEdgeId;
 use crate::plane::PlanarView;
-
-/// Where along the edge the twin arrow stands, beside the arrow to the face.
-const TWIN: f64 = 0.36;
-/// Distance of the ring from the disc of the origin.
-const RING: f64 = 2.7;
 
 /// The figure of a placed structure, with hidden pointers.
 pub(super) fn figure<V: PlanarView + ?Sized>(placed: Plate<'_, V>) -> Figure {
@@ -82,25 +79,31 @@ fn css(style: &Style, scope: &str) -> String {
 impl<V: PlanarView + ?Sized> Plate<'_, V> {
     /// The pointers of one half-edge. Only one half-edge shows them at a time, so they need not keep clear of
     /// those of others: `crowd` is left as it was.
-    fn pointers_of(&self, h: HalfEdgeId, crowd: &mut super::crowd::Crowd) -> Node {
+    fn pointers_of(&self, h: HalfEdgeId, crowd: &mut Crowd) -> Node {
         let view = self.picture.view;
-        let mut families: Vec<(&'static str, Vec<Node>)> = Vec::new();
         let prev = view.prev(h).filter(|&p| p != h && view.next(p) == Some(h));
-        let arrows = [Some(h), prev].into_iter().flatten().filter_map(|h| self.next_arrow(view, h));
-        families.push(("next", arrows.flat_map(|arrow| arrow.nodes("pl", "ph")).collect()));
+        let cycle: Vec<Pointer> = prev.into_iter().chain([h]).map(Pointer::Next).collect();
+        let families: [(&'static str, &[Pointer]); 4] = [
+            ("next", &cycle),
+            ("twin", &[Pointer::Twin(h)]),
+            ("origin", &[Pointer::Origin(h)]),
+            ("face-of", &[Pointer::Face(h)]),
+        ];
         let len = crowd.len();
-        for (class, pointer) in [("twin", Pointer::Twin(h)), ("face-of", Pointer::Face(h))] {
-            let Some(Tagged { arrow, tag }) = self.arrow(view, pointer, TWIN, crowd) else { continue };
-            let mut nodes = arrow.nodes("pl", "ph").to_vec();
-            nodes.extend(tag.iter().flat_map(|tag| tag.nodes("tag")));
-            families.push((class, nodes));
+        let mut groups = Vec::new();
+        for (class, pointers) in families {
+            let arrows = pointers.iter().filter_map(|&pointer| self.arrow(view, pointer, TWIN_AT, crowd));
+            let mut nodes = Vec::new();
+            for Tagged { arrow, tag } in arrows.collect::<Vec<_>>() {
+                arrow.shapes().into_iter().for_each(|shape| crowd.add(shape, u32::MAX));
+                nodes.extend(arrow.nodes("pl", "ph"));
+                nodes.extend(tag.iter().flat_map(|tag| tag.nodes("tag")));
+            }
+            if !nodes.is_empty() {
+                groups.push(Node::Group(Group { class, nodes, ..Group::default() }));
+            }
         }
         crowd.truncate(len);
-        if let Some((v, centre)) = view.origin(h).and_then(|v| Some((v, self.skeleton().place(v)?))) {
-            families.push(("outgoing", vec![Node::Disc { class: "pl", centre, radius: self.radii[v] + RING }]));
-        }
-        let group = |(class, nodes)| Node::Group(Group { class, nodes, ..Group::default() });
-        let nodes = families.into_iter().filter(|(_, nodes)| !nodes.is_empty()).map(group).collect();
-        Node::Group(Group { class: "ptr", nodes, ..Group::default() })
+        Node::Group(Group { class: "ptr", nodes: groups, ..Group::default() })
     }
 }
