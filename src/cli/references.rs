@@ -2,7 +2,8 @@
 
 use super::Failure;
 use super::lesson::{self, LessonError};
-use dcel_kit::figure::{self, FigureError, FigureOptions};
+use dcel_kit::figure::{self, FigureError, FigureOptions, Pointers};
+use dcel_kit::ids::HalfEdgeId;
 use dcel_kit::plane::Subdivision;
 use std::path::Path;
 
@@ -26,16 +27,40 @@ pub(crate) struct Reference {
 }
 
 /// All reference figures, in the order of their files.
-static REFERENCES: [Reference; 5] = [
+static REFERENCES: [Reference; 8] = [
     Reference {
         file: "cube.svg",
         about: "a half-edge structure of 8 vertices, 12 edges and 6 faces, the outer one counted",
         draw: || structure(&lesson::cube()?, "A half-edge structure"),
     },
     Reference {
+        file: "focus.svg",
+        about: "one half-edge, its five pointers named, and its row of the table",
+        draw: || {
+            let options = FigureOptions::new("One half-edge, five pointers").id_prefix("focus");
+            Ok(figure::focus(&lesson::cube()?, HalfEdgeId::new(23), &options)?.to_svg())
+        },
+    },
+    Reference {
+        file: "interactive.svg",
+        about: "point at a half-edge, or write its name behind the address, to see its pointers",
+        draw: || {
+            let options = FigureOptions::new("A half-edge structure to point at").interactive(true);
+            Ok(figure::structure(&lesson::cube()?, &options.id_prefix("cube"))?.to_svg())
+        },
+    },
+    Reference {
         file: "lab-subdivision.svg",
         about: "what the tour makes of the rectangle with split_face and split_in_half alone",
         draw: || structure(&lesson::lab_subdivision()?, "The lab's subdivision"),
+    },
+    Reference {
+        file: "pointers.svg",
+        about: "the five families of pointers in the lab's subdivision, one panel each",
+        draw: || {
+            let options = FigureOptions::new("Pointers of the lab's subdivision").id_prefix("pointers");
+            Ok(figure::pointers(&lesson::lab_subdivision()?, &Pointers::ALL, &options)?.to_svg())
+        },
     },
     Reference {
         file: "rectangle.svg",

@@ -27,14 +27,23 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod arrows;
 mod captions;
 mod crowd;
+mod face_arrows;
 mod faces;
 mod fit;
+mod focus;
 mod half_edges;
+mod interactive;
 mod labels;
 mod number;
 mod options;
+mod page;
+mod panels;
+mod plate;
+mod pointer;
+mod pointer_style;
 mod pole;
 mod scene;
 mod skeleton;
@@ -47,11 +56,15 @@ mod tints;
 mod vector;
 mod vertices;
 
+pub use focus::focus;
 pub use options::{Detail, FaceLabels, FigureOptions};
+pub use page::{Page, page};
+pub use panels::pointers;
+pub use pointer::Pointers;
 pub use structure::structure;
 pub use style::{Colour, Palette, Style};
 
-use crate::ids::VertexId;
+use crate::ids::{HalfEdgeId, VertexId};
 use crate::plane::CoordinateError;
 use std::io::{self, Write};
 
@@ -76,6 +89,23 @@ pub enum FigureError {
         vertex: VertexId,
         /// What is wrong with it.
         error: CoordinateError,
+    },
+    /// There is no such half-edge.
+    #[error("{half_edge} does not exist; the half-edges are among h0 to h{}", bound.saturating_sub(1))]
+    NoHalfEdge {
+        /// The half-edge asked for.
+        half_edge: HalfEdgeId,
+        /// One more than the greatest number of a half-edge.
+        bound: usize,
+    },
+    /// Pointers need half-edges, and these would be too short or too many.
+    #[error(
+        "no room for pointers: the half-edges are too short or too many to be drawn ({detail:?} is the level that \
+         fits); try a greater width, or fix the level of detail"
+    )]
+    NoRoom {
+        /// The level there is room for.
+        detail: Detail,
     },
 }
 
