@@ -1,6 +1,8 @@
 //! Every promise that the documentation of an edit makes, on every kind of small structure and for all arguments,
 //! and the journal: its steps, its changes, its undo.
 
+#![allow(clippy::unwrap_used)] // a test may panic
+
 mod common;
 
 use common::script::{Call, Log, all_calls, config, scripts};

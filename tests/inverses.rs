@@ -1,6 +1,8 @@
 //! An edit and its inverse give back the structure: the same elements under the same numbers, up to which
 //! half-edge of a face or vertex is the stored one. And `compact`, which changes nothing but numbers.
 
+#![allow(clippy::unwrap_used)] // a test may panic
+
 mod common;
 
 use common::script::{Call, Log, config, scripts};

@@ -1,5 +1,7 @@
 //! Every edit does what a naive model of face lists does, call by call, and the laws hold after each.
 
+#![allow(clippy::unwrap_used)] // a test may panic
+
 mod common;
 
 use common::model::{Model, No};

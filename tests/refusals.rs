@@ -5,6 +5,8 @@
 //! kernel's own edits never make (the plane does), and `TooMany` needs 2^31 elements. Both are reached by unit
 //! tests in `src/topology/edit/mod.rs`.
 
+#![allow(clippy::unwrap_used)] // a test may panic
+
 mod common;
 
 use common::script::{Call, Log, config, scripts};

@@ -1,5 +1,7 @@
 //! The validator finds every broken law, calls nothing broken that is not, and never panics, hangs or walks far.
 
+#![allow(clippy::unwrap_used)] // a test may panic
+
 mod common;
 
 use common::{Random, brute, f, garbage, h, planar, row, triangle_grid, v};
@@ -385,7 +387,7 @@ fn two_corruptions_at_once_are_found_too() {
     for (name, table) in samples() {
         let mut broken = Vec::new();
         each_corruption(&table, |what, corrupted| {
-            if random.below(40) == 0 {
+            if random.below(200) == 0 {
                 broken.push((what.to_owned(), corrupted.clone()));
             }
         });

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   error: mesh.obj:17: faces 3 and 5 both run from vertex 2 to vertex 4: reverse one of them
-//!   note: face 5 is at mesh.obj:19
+//!   note: counted from 0; face 5: line 19
 //!   help: ...
 //! ```
 
@@ -106,8 +106,9 @@ impl From<LoadError> for Failure {
             LoadError::Read(error) => return error.clone().into(),
             LoadError::Table { source_name, .. } => (source_name.clone(), Vec::new()),
             other => other.whereabouts().map_or_else(Default::default, |at| {
-                let others = at.others.iter().map(|(element, place)| format!("{element} is at {place}"));
-                (at.first.clone(), others.collect())
+                let others: Vec<_> = at.others.iter().map(|(element, place)| format!("{element}: {place}")).collect();
+                let counted = format!("counted from 0; {}", others.join(", "));
+                (at.first.clone(), if others.is_empty() { Vec::new() } else { vec![counted] })
             }),
         };
         let what = error.what();

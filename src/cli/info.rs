@@ -163,7 +163,9 @@ impl Info {
             named_faces,
             names: names.len(),
             memory_bytes: memory,
-            bytes_per_half_edge: memory.map(|bytes| bytes as f64 / counts.half_edges.max(1) as f64),
+            bytes_per_half_edge: memory
+                .filter(|_| counts.half_edges > 0)
+                .map(|bytes| bytes as f64 / counts.half_edges as f64),
         }
     }
 
@@ -198,8 +200,9 @@ impl Info {
         if self.named_faces > 0 {
             line("names", format!("{} on {} faces", self.names, self.named_faces))?;
         }
-        if let (Some(bytes), Some(each)) = (self.memory_bytes, self.bytes_per_half_edge) {
-            line("memory", format!("{bytes} bytes, {each:.1} a half-edge"))?;
+        if let Some(bytes) = self.memory_bytes {
+            let each = self.bytes_per_half_edge.map_or_else(String::new, |each| format!(", {each:.1} a half-edge"));
+            line("memory", format!("{bytes} bytes{each}"))?;
         }
         Ok(())
     }

@@ -2,12 +2,13 @@
 
 use super::failure::{Failure, say};
 use super::subject::{Kind, Subject};
-use dcel_kit::io::{Document, Format, LoadError, LoadOptions, ReadOptions, Structure, assemble, read_path};
+use dcel_kit::FaceMap;
+use dcel_kit::io::{Document, Format, LoadError, LoadOptions, Read, ReadOptions, Structure, assemble, read_path};
 use dcel_kit::topology::Mode;
 use std::path::Path;
 
 /// How to read a file.
-#[derive(clap::Args, Debug, Default)]
+#[derive(clap::Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Reading")]
 pub(crate) struct InputOptions {
     /// The format, if the name does not tell
@@ -33,7 +34,7 @@ pub(crate) struct InputOptions {
     plane: bool,
     /// Check all edges of a plane against each other
     #[arg(long)]
-    pub(crate) full_check: bool,
+    full_check: bool,
 }
 
 /// What comes out of a file.
@@ -45,30 +46,42 @@ pub(crate) enum Opened {
 }
 
 impl InputOptions {
+    /// The same without the full check, for those who make it themselves.
+    pub(crate) fn without_full_check(&self) -> Self {
+        Self { full_check: false, ..self.clone() }
+    }
+
     /// Reads a file. Tables stay tables, with the ids of the file, right or wrong. Tells the notes on stderr.
     pub(crate) fn open(&self, file: &Path) -> Result<Subject, Failure> {
-        match self.try_open(file)? {
+        self.open_as(file, true)
+    }
+
+    /// The same; unless `keep_tables`, a table must be a subdivision of the plane and becomes one.
+    pub(crate) fn open_as(&self, file: &Path, keep_tables: bool) -> Result<Subject, Failure> {
+        match self.try_open(file, keep_tables)? {
             Opened::Subject(subject) => Ok(subject),
             Opened::Misfit(error) => Err(error.into()),
         }
     }
 
     /// The same, for those who want to say more about a misfit.
-    pub(crate) fn try_open(&self, file: &Path) -> Result<Opened, Failure> {
+    pub(crate) fn try_open(&self, file: &Path, keep_tables: bool) -> Result<Opened, Failure> {
         let options = self.load_options();
         let read = read_path(file, &options.read)?;
         let source = if file.as_os_str() == "-" { "<stdin>".to_owned() } else { file.display().to_string() };
-        if let Document::Table(table) = read.document {
-            read.notes.iter().for_each(|note| say("note", note));
-            if self.surface || self.plane || self.orient {
-                say("note", "--surface, --plane and --orient are for polygons; a table says itself what it is");
-            }
-            let (format, names, places) = (read.format, Default::default(), None);
-            return Ok(Opened::Subject(Subject { kind: Kind::Table(table), names, source, format, places }));
+        if matches!(read.document, Document::Table(_)) && (self.surface || self.plane || self.orient) {
+            say("note", "--surface, --plane and --orient are for polygons; a table says itself what it is");
         }
-        let loaded = match assemble(read, &source, &options) {
-            Ok(loaded) => loaded,
-            Err(error) => return Ok(Opened::Misfit(error)),
+        let loaded = match read {
+            Read { document: Document::Table(table), notes, format } if keep_tables => {
+                notes.iter().for_each(|note| say("note", note));
+                let (names, places) = (FaceMap::default(), None);
+                return Ok(Opened::Subject(Subject { kind: Kind::Table(table), names, source, format, places }));
+            }
+            read => match assemble(read, &source, &options) {
+                Ok(loaded) => loaded,
+                Err(error) => return Ok(Opened::Misfit(error)),
+            },
         };
         loaded.notes.iter().for_each(|note| say("note", note));
         let kind = match loaded.structure {

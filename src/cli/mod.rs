@@ -10,7 +10,9 @@
 
 mod answer;
 mod completions;
+mod convert;
 mod failure;
+mod figure;
 mod figures;
 mod info;
 mod input;
@@ -19,6 +21,8 @@ mod output;
 mod references;
 mod subject;
 mod tour;
+mod validate;
+mod walk;
 
 use answer::Answer;
 use clap::{Parser, Subcommand};
@@ -49,6 +53,10 @@ struct Cli {
 #[derive(Subcommand, Debug)]
 enum Command {
     Info(info::Args),
+    Validate(validate::Args),
+    Walk(walk::Args),
+    Convert(convert::Args),
+    Figure(figure::Args),
     Tour(tour::Args),
     Figures(figures::Args),
     Completions(completions::Args),
@@ -58,6 +66,10 @@ impl Command {
     fn run(self, out: &mut Output) -> Result<Answer, Failure> {
         match self {
             Self::Info(args) => info::run(&args, out),
+            Self::Validate(args) => validate::run(&args, out),
+            Self::Walk(args) => walk::run(&args, out),
+            Self::Convert(args) => convert::run(&args, out),
+            Self::Figure(args) => figure::run(&args, out),
             Self::Tour(args) => tour::run(&args, out),
             Self::Figures(args) => figures::run(&args, out),
             Self::Completions(args) => completions::run(&args, out),

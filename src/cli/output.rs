@@ -3,6 +3,7 @@
 use dcel_kit::io::Number;
 use serde::Serialize;
 use std::io::{self, BufWriter, StdoutLock, Write};
+use std::path::Path;
 
 /// Standard output, buffered. Errors come back as they happen, a closed pipe among them.
 pub(crate) struct Output(BufWriter<StdoutLock<'static>>);
@@ -33,4 +34,35 @@ impl Write for Output {
 pub(crate) fn point(coordinates: &[f64]) -> String {
     let numbers: Vec<String> = coordinates.iter().map(|&x| Number(x).to_string()).collect();
     format!("({})", numbers.join(", "))
+}
+
+/// The words of a text in lines of at most `width` characters, longer words alone.
+pub(crate) fn wrapped(text: &str, width: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+/// Whether both names lead to one existing file.
+pub(crate) fn is_same_file(a: &Path, b: &Path) -> bool {
+    matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
+}
+
+/// Rows in aligned columns, indented by two.
+pub(crate) fn table<const N: usize>(out: &mut impl Write, rows: &[[String; N]]) -> io::Result<()> {
+    let width = |i: usize| rows.iter().map(|row| row[i].chars().count()).max().unwrap_or(0);
+    let widths: [usize; N] = std::array::from_fn(width);
+    for row in rows {
+        let line: Vec<String> = row.iter().zip(widths).map(|(cell, width)| format!("{cell:<width$}")).collect();
+        writeln!(out, "  {}", line.join("  ").trim_end())?;
+    }
+    Ok(())
 }

@@ -75,7 +75,8 @@ impl Extent {
     fn fit(&self, scale: f64, padding: f64) -> Fit {
         let drawn = self.size * scale;
         let smallest = 2.0 * padding + 36.0;
-        let size = xy((drawn.x + 2.0 * padding).max(smallest), (drawn.y + 2.0 * padding).max(smallest));
+        let whole = |length: f64| ((length + 2.0 * padding).max(smallest) * 100.0).round() / 100.0;
+        let size = xy(whole(drawn.x), whole(drawn.y));
         Fit { size, scale, corner: self.corner, origin: (size - drawn) * 0.5 }
     }
 }
@@ -108,7 +109,7 @@ pub(super) fn choose(extent: &Extent, load: &Load, options: &FigureOptions) -> (
     let fit = if detail >= Detail::Arrows {
         extent.fit(scale, style.padding)
     } else {
-        extent.fit(extent.scale(canvas, style.small_padding), style.small_padding)
+        extent.fit(scale.max(extent.scale(canvas, style.small_padding)), style.small_padding)
     };
     (fit, detail)
 }

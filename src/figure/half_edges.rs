@@ -24,7 +24,9 @@ use crate::ids::{HalfEdgeId, HalfEdgeMap, VertexMap};
 use crate::plane::PlanarView;
 
 /// No shaft comes closer to its edge than this, however narrow the face.
-const CLOSEST: f64 = 2.0;
+const CLOSEST: f64 = 1.6;
+/// A shaft closer to its edge than this has half the width.
+const THIN: f64 = 3.2;
 /// Free space between a vertex disc and a shaft.
 const GAP: f64 = 4.5;
 
@@ -39,10 +41,16 @@ pub(super) struct Shaft {
     pub(super) middle: Xy,
     /// Length of the edge.
     pub(super) edge_length: f64,
+    offset: f64,
     barb: f64,
 }
 
 impl Shaft {
+    /// Whether it is so close to its edge that the line must be thin.
+    pub(super) fn is_thin(&self) -> bool {
+        self.offset < THIN
+    }
+
     pub(super) fn length(&self) -> f64 {
         (self.tip - self.tail).length()
     }
@@ -147,5 +155,5 @@ fn shaft<V: PlanarView + ?Sized>(
     let tail = a + along * corners[0].cut(offset, radii[origin], length) + aside;
     let tip = b - along * corners[1].cut(offset, radii[destination], length) + aside;
     let barb = style.barb.min(0.45 * (tip - tail).length()).min((1.47 * offset).max(4.0));
-    Some(Shaft { tail, tip, along, middle: (a + b) * 0.5 + aside, edge_length: length, barb })
+    Some(Shaft { tail, tip, along, middle: (a + b) * 0.5 + aside, edge_length: length, offset, barb })
 }

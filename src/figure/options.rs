@@ -44,13 +44,13 @@ pub enum FaceLabels {
 /// # use dcel_kit::figure::FigureOptions;
 /// # use dcel_kit::FaceId;
 /// let options = FigureOptions::new("Two rooms").width(480.0).face_name(FaceId::new(1), "kitchen");
-/// assert_eq!(options.id_prefix(), "two-rooms");
+/// assert_eq!(options.prefix(), "two-rooms");
 /// ```
 #[derive(Clone, PartialEq, Debug)]
 pub struct FigureOptions {
     pub(super) title: String,
     pub(super) description: Option<String>,
-    prefix: Option<String>,
+    id_prefix: Option<String>,
     pub(super) style: Style,
     pub(super) width: Option<f64>,
     pub(super) height: Option<f64>,
@@ -73,7 +73,7 @@ impl FigureOptions {
         Self {
             title: text::clean(title.as_ref()),
             description: None,
-            prefix: None,
+            id_prefix: None,
             style: Style::default(),
             width: None,
             height: None,
@@ -95,15 +95,15 @@ impl FigureOptions {
     /// What every id and every CSS rule begins with; two figures of one page need different ones. Characters
     /// other than ASCII letters, digits and `-` become `-`. Default: made from the title.
     #[must_use]
-    pub fn with_id_prefix(mut self, prefix: impl AsRef<str>) -> Self {
-        self.prefix = Some(slug(prefix.as_ref(), false));
+    pub fn id_prefix(mut self, prefix: impl AsRef<str>) -> Self {
+        self.id_prefix = Some(slug(prefix.as_ref(), false));
         self
     }
 
     /// The prefix of the ids that the figure will have.
     #[must_use]
-    pub fn id_prefix(&self) -> String {
-        self.prefix.clone().unwrap_or_else(|| slug(&self.title, true))
+    pub fn prefix(&self) -> String {
+        self.id_prefix.clone().unwrap_or_else(|| slug(&self.title, true))
     }
 
     /// Colours, sizes and fonts. Default: [`Style::default`].
@@ -210,8 +210,8 @@ mod tests {
             ("", "figure"),
             ("---", "figure"),
         ] {
-            assert_eq!(FigureOptions::new(title).id_prefix(), prefix, "{title}");
+            assert_eq!(FigureOptions::new(title).prefix(), prefix, "{title}");
         }
-        assert_eq!(FigureOptions::default().with_id_prefix("A b{}").id_prefix(), "A-b");
+        assert_eq!(FigureOptions::default().id_prefix("A b{}").prefix(), "A-b");
     }
 }

@@ -24,8 +24,10 @@ use std::collections::BinaryHeap;
 const PULL: f64 = 0.03;
 /// A cell that promises less than this over the best is dropped.
 const PRECISION: f64 = 0.25;
-/// The search ends after so many cells, whatever it has.
+/// The search ends after so many cells, whatever it has, and earlier in a region with very many points.
 const CELLS: usize = 1500;
+/// Cells times points and obstacles of one search.
+const EFFORT: usize = 20_000_000;
 
 /// A place for a label.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -105,7 +107,7 @@ impl Field {
 }
 
 /// The best place in the region, or `None` if no place inside was found. `enough` is the clearance beyond
-/// which only the distance to the centroid counts. O(cells · (points + obstacles)).
+/// which only the distance to the centroid counts. O(points + obstacles) for each of at most 1500 cells.
 pub(super) fn pole(rings: &[Vec<Xy>], obstacles: &[Shape], squeeze: f64, enough: f64) -> Option<Pole> {
     let squeezed = |p: Xy| xy(p.x / squeeze, p.y);
     let rings: Vec<Vec<Xy>> = rings.iter().map(|ring| ring.iter().copied().map(squeezed).collect()).collect();
@@ -133,7 +135,8 @@ pub(super) fn pole(rings: &[Vec<Xy>], obstacles: &[Shape], squeeze: f64, enough:
             search.visit(bounds.min + step, 0.5 * side);
         }
     }
-    for _ in 0..CELLS / 4 {
+    let weight = search.field.rings.iter().map(Vec::len).sum::<usize>() + search.field.obstacles.len();
+    for _ in 0..CELLS.min(EFFORT / weight.max(1)) / 4 {
         let Some(cell) = search.open.pop() else { break };
         if cell.bound <= search.most + PRECISION {
             break;

@@ -228,8 +228,8 @@ impl<V: PlanarView + ?Sized> Picture<'_, V> {
                 nodes: Vec::new(),
             };
             if is_outer {
-                let whole = open.contains(&face);
-                group.nodes.push(self.outer_area(region.map_or(&[], |r| &r.rings), whole));
+                let unknown = open.contains(&face);
+                group.nodes.push(self.outer_area(region.map_or(&[], |r| &r.rings), unknown));
                 group.nodes.extend(outer.into_iter().flat_map(|label| label.nodes("fl")));
             } else if let Some(((region, label), hue)) = mine {
                 if self.view.is_hole(face) {
@@ -293,6 +293,7 @@ impl<V: PlanarView + ?Sized> Picture<'_, V> {
             title: Some(title(self.view, outer, outline.iter().map(Vec::len).sum(), self.options)),
             nodes: vec![self.outer_area(&outline, cycles.open.contains(&outer))],
         };
+        // One name for each component: too long for an attribute here.
         group.attributes.retain(|(name, _)| *name != "data-rings");
         group.nodes.extend(label.into_iter().flat_map(|label| label.nodes("fl")));
         let domain = tiles::outline(&outline, 1.0);
@@ -339,7 +340,7 @@ impl<V: PlanarView + ?Sized> Picture<'_, V> {
         let mut nodes = Vec::new();
         if let Some(shaft) = shaft {
             let (from, to) = shaft.line();
-            nodes.push(Node::Line { class: "sh", from, to });
+            nodes.push(Node::Line { class: if shaft.is_thin() { "sh thin" } else { "sh" }, from, to });
             nodes.push(Node::Area { class: "barb", hatch: None, outlines: vec![shaft.barb().to_vec()] });
         }
         nodes.extend(labels.half_edges[h].iter().flat_map(|label| label.nodes("hl")));
@@ -399,7 +400,7 @@ impl<V: PlanarView + ?Sized> Picture<'_, V> {
             "{vertices} vertices, {} edges, {half_edges} half-edges, {faces} faces. {reading}",
             self.skeleton.edges.len()
         );
-        let prefix = options.id_prefix();
+        let prefix = options.prefix();
         Scene {
             size: self.fit.size,
             css: options.style.css(&prefix),

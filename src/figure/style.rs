@@ -106,7 +106,7 @@ impl Default for Style {
                 background: Colour(0x0015_181d),
                 ink: Colour(0x00e8_eaee),
                 half_edge: Colour(0x00ff_9a62),
-                edge: Colour(0x0080_8792),
+                edge: Colour(0x008d_949f),
                 face: Colour(0x00e0_c46a),
                 hatch: Colour(0x003a_3f48),
                 tint_opacity: 0.22,
@@ -172,14 +172,15 @@ impl Style {
         use super::number::drawn;
         let mut out = String::new();
         let halo = |width: &str| format!("paint-order:stroke;stroke-width:{width}em;stroke-linejoin:round");
-        let fixed: [(&str, String); 11] = [
+        let fixed: [(&str, String); 12] = [
             ("text", format!("font-family:{};text-anchor:middle", self.font)),
             ("edge", format!("stroke-width:{};fill:none;stroke-linecap:round", drawn(self.edge_width))),
-            ("mesh", "fill:none;stroke-linecap:round;stroke-linejoin:round".to_owned()),
+            ("mesh", "fill:none;stroke-linejoin:round".to_owned()),
             ("dots", "stroke-width:3;fill:none;stroke-linecap:round".to_owned()),
             ("hatch", "stroke-width:1.6".to_owned()),
             ("hatched", "opacity:.55".to_owned()),
             ("sh", format!("stroke-width:{};fill:none", drawn(self.shaft_width))),
+            ("thin", format!("stroke-width:{}", drawn(0.5 * self.shaft_width))),
             ("vd", "stroke-width:1.8".to_owned()),
             ("vl", format!("font-weight:700;{}", halo(".26"))),
             ("hl", halo(".3")),

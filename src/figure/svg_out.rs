@@ -27,7 +27,7 @@ pub(super) fn document(scene: &Scene) -> String {
     root = root
         .add(Title::new(scene.title.as_str()).set("id", format!("{prefix}-title")))
         .add(Description::new().set("id", format!("{prefix}-desc")).add(Characters::new(scene.description.as_str())))
-        .add(Style::new(scene.css.as_str()));
+        .add(Style::new(scene.css.trim_end()));
     if !scene.hatches.is_empty() {
         let patterns = scene.hatches.iter().map(|hatch| pattern(hatch, prefix));
         root = root.add(patterns.fold(Definitions::new(), Definitions::add));

@@ -50,6 +50,7 @@
 //! many digits as bring back the same number. Reading gives the same table; writing that table gives the same
 //! bytes. Ids after the last existing one are forgotten.
 
+use super::closest;
 use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
 use super::read::{Document, Read};
@@ -270,7 +271,7 @@ impl<'a> Reader<'a> {
 
     fn unknown_word(&self, word: Word<'_>, words: &[&str]) -> ReadError {
         let list = words.join(", ");
-        let help = match closest(&word.show(), words) {
+        let help = match closest(&word.show(), words.iter().copied()) {
             Some(close) if words.len() > 1 => format!("did you mean `{close}`? The words here are {list}"),
             _ => format!("the words here are {list}"),
         };
@@ -328,26 +329,4 @@ pub(super) fn quote(name: &str) -> String {
     }
     text.push('"');
     text
-}
-
-/// The word that needs the fewest changes to become `word`, if that are not too many.
-fn closest<'a>(word: &str, words: &[&'a str]) -> Option<&'a str> {
-    let word = word.to_ascii_lowercase();
-    let (distance, close) = words.iter().map(|known| (edits(&word, known), *known)).min()?;
-    (distance <= close.len().max(word.len()) / 2).then_some(close)
-}
-
-/// How many letters must be added, removed or replaced to turn one word into the other (Levenshtein, 1965).
-fn edits(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.chars().enumerate() {
-        let mut diagonal = std::mem::replace(&mut row[0], i + 1);
-        for (j, &y) in b.iter().enumerate() {
-            let replaced = diagonal + usize::from(x != y);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row[b.len()]
 }

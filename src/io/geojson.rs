@@ -12,91 +12,88 @@
 //! faces of the same name: `properties.name`, `properties.NAME` or `id`. Rings are taken as they come, clockwise
 //! or not. Heights are dropped with a note.
 //!
-//! Own reader: crate geojson names neither line nor element in its errors.
+//! Own reader on serde_json: crate geojson names neither line nor element in its errors.
 //!
 //! Source: RFC 7946.
 
-use super::json::{Fault, Skipped, array, feature_name, items, polygons, shape, typed};
+use super::arrays::Arrays;
+use super::json::{Fault, Node, Place, Skipped, lacks, named, polygons, shape};
 use super::problem::ReadProblem;
 use super::rings::Rings;
-use serde_json::Value;
 
-#[derive(Default)]
-struct Reader {
+struct Reader<'a> {
+    file: &'a str,
     rings: Rings,
     skipped: Skipped,
     heights: usize,
-    empty: usize,
 }
 
-/// Reads the rings of a GeoJSON value.
-pub(super) fn read(value: &Value, notes: &mut Vec<String>) -> Result<Rings, Fault> {
-    let mut reader = Reader::default();
-    let (object, kind) = typed(value, "the file")?;
-    match kind {
+/// Reads the rings of a GeoJSON object; `file` is the text it is a part of.
+pub(super) fn read(root: &Node<'_>, file: &str, notes: &mut Vec<String>) -> Result<Rings, Fault> {
+    let mut reader = Reader { file, rings: Rings::default(), skipped: Skipped::default(), heights: 0 };
+    match root.need_kind("the file")?.as_ref() {
         "FeatureCollection" => {
-            for (i, feature) in array(object, "features", "the file")?.iter().enumerate() {
+            let features = root.features.as_ref().ok_or_else(|| lacks("the file", "features"))?;
+            for (i, feature) in features.iter().enumerate() {
                 reader.feature(feature, &format!("features[{i}]"))?;
             }
         }
-        "Feature" => reader.feature(value, "feature")?,
-        _ => reader.geometry(value, "geometry", None)?,
+        "Feature" => reader.feature(root, "feature")?,
+        _ => reader.geometry(root, "geometry", None)?,
     }
     reader.skipped.note(notes);
     if reader.heights > 0 {
         notes.push(format!("the third coordinate of {} points was dropped", reader.heights));
     }
-    if reader.empty > 0 {
-        notes.push(format!("{} polygons without any ring were skipped", reader.empty));
-    }
     Ok(reader.rings)
 }
 
-impl Reader {
-    fn feature(&mut self, value: &Value, place: &str) -> Result<(), ReadProblem> {
-        let (feature, kind) = typed(value, place)?;
-        if kind != "Feature" {
-            return Err(shape(place, "an object of type \"Feature\""));
+impl Reader<'_> {
+    fn feature(&mut self, feature: &Node<'_>, path: &str) -> Result<(), Fault> {
+        let name = feature.name();
+        let path = named(path, name.as_deref());
+        if feature.need_kind(&path)? != "Feature" {
+            return Err(shape(&path, "an object of type \"Feature\"").into());
         }
-        let name = feature_name(feature);
-        let place = name.as_ref().map_or_else(|| place.to_owned(), |name| format!("{place} {name:?}"));
-        match feature.get("geometry") {
-            None | Some(Value::Null) => Ok(()),
-            Some(geometry) => self.geometry(geometry, &place, name.as_deref()),
+        match &feature.geometry {
+            None => Ok(()),
+            Some(geometry) => self.geometry(geometry, &path, name.as_deref()),
         }
     }
 
-    fn geometry(&mut self, value: &Value, place: &str, name: Option<&str>) -> Result<(), ReadProblem> {
-        let (geometry, kind) = typed(value, place)?;
-        match kind {
+    fn geometry(&mut self, geometry: &Node<'_>, path: &str, name: Option<&str>) -> Result<(), Fault> {
+        let kind = geometry.need_kind(path)?;
+        match kind.as_ref() {
             "Polygon" | "MultiPolygon" => {
-                let coordinates = array(geometry, "coordinates", place)?;
-                let heights = &mut self.heights;
-                let mut read = |value: &Value, place: &str, rings: &mut Rings| ring(value, place, rings, heights);
-                self.empty += polygons(coordinates, kind == "Polygon", place, name, &mut self.rings, &mut read)?;
+                let coordinates = geometry.coordinates.ok_or_else(|| lacks(path, "coordinates"))?;
+                let (one, heights) = (kind == "Polygon", &mut self.heights);
+                let mut read =
+                    |arrays: &mut Arrays<'_>, place: Place<'_>, rings: &mut Rings| ring(arrays, place, rings, heights);
+                let mut arrays = Arrays::new(coordinates, self.file);
+                self.skipped.empty += polygons(&mut arrays, one, path, name, &mut self.rings, &mut read)?;
                 Ok(())
             }
             "GeometryCollection" => {
-                for (i, part) in array(geometry, "geometries", place)?.iter().enumerate() {
-                    self.geometry(part, &format!("{place} geometries[{i}]"), name)?;
+                let parts = geometry.geometries.as_ref().ok_or_else(|| lacks(path, "geometries"))?;
+                for (i, part) in parts.iter().enumerate() {
+                    self.geometry(part, &format!("{path} geometries[{i}]"), name)?;
                 }
                 Ok(())
             }
             kind if self.skipped.add(kind) => Ok(()),
-            kind => Err(shape(place, format!("a geometry, not the type {kind:?}"))),
+            kind => Err(shape(path, format!("a geometry, not the type {kind:?}")).into()),
         }
     }
 }
 
-fn ring(value: &Value, place: &str, rings: &mut Rings, heights: &mut usize) -> Result<(), ReadProblem> {
-    for (i, position) in items(value, place, "an array of positions")?.iter().enumerate() {
-        let place = || format!("{place} position {i}");
-        let number = |k: usize| position.get(k).and_then(Value::as_f64);
-        let (Some(x), Some(y)) = (number(0), number(1)) else {
-            return Err(shape(&place(), "a position [x, y] of numbers"));
-        };
-        *heights += usize::from(position.get(2).is_some());
-        rings.point([x, y], place)?;
-    }
-    rings.end_ring(|| place.to_owned())
+fn ring(arrays: &mut Arrays<'_>, place: Place<'_>, rings: &mut Rings, heights: &mut usize) -> Result<(), Fault> {
+    let wrong = || shape(&place.to_string(), "an array of positions");
+    arrays.each(wrong, |arrays, i| {
+        let at = arrays.offset();
+        let path = || format!("{place} position {i}");
+        let position = arrays.position();
+        let (point, more) = position.ok_or_else(|| Fault::at(at, shape(&path(), "a position [x, y] of numbers")))?;
+        *heights += usize::from(more);
+        rings.point(point, path).map_err(|problem: ReadProblem| Fault::at(at, problem))
+    })
 }

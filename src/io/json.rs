@@ -1,103 +1,227 @@
-//! What the two JSON formats have in common: the way in, the path of an element, the reading of values.
+//! What the two JSON formats have in common: the way in, the members they use, the path of an element.
 //!
-//! A JSON file says itself whether it is GeoJSON or TopoJSON (`"type": "Topology"`). Errors of the syntax name
-//! line and column; errors of the contents name the path of the element, as `features[3] "Ohio" polygon 0`.
+//! A JSON file says itself whether it is GeoJSON or TopoJSON (`"type": "Topology"`). Members that the kit does
+//! not use are stepped over. Coordinates and arcs stay text until their place is known (see `arrays.rs`), so
+//! that an error can name both the line and the element: `features[3] "Ohio" polygon 0 ring 1`.
 
+use super::arrays::Arrays;
 use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
 use super::read::{Document, Read, ReadOptions};
 use super::rings::Rings;
 use super::text::{check_text, line_and_column};
 use super::{geojson, topojson};
-use serde_json::{Map, Value};
+use serde::Deserialize;
+use serde_json::value::RawValue;
 use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::fmt;
 
-/// A JSON object.
-pub(super) type Object = Map<String, Value>;
+/// Any object of the two formats with the members the kit uses.
+#[derive(Deserialize)]
+#[serde(expecting = "an object")]
+pub(super) struct Node<'a> {
+    #[serde(borrow, rename = "type")]
+    kind: Option<&'a RawValue>,
+    #[serde(borrow)]
+    pub(super) features: Option<Vec<Node<'a>>>,
+    #[serde(borrow)]
+    pub(super) geometry: Option<Box<Node<'a>>>,
+    #[serde(borrow)]
+    pub(super) geometries: Option<Vec<Node<'a>>>,
+    #[serde(borrow)]
+    pub(super) objects: Option<BTreeMap<String, Node<'a>>>,
+    #[serde(borrow)]
+    pub(super) transform: Option<Box<Transform<'a>>>,
+    #[serde(borrow)]
+    pub(super) coordinates: Option<&'a RawValue>,
+    #[serde(borrow)]
+    pub(super) arcs: Option<&'a RawValue>,
+    #[serde(borrow)]
+    properties: Option<Properties<'a>>,
+    #[serde(borrow)]
+    id: Option<&'a RawValue>,
+}
+
+/// The transform of a quantised topology.
+#[derive(Deserialize)]
+#[serde(expecting = "an object")]
+pub(super) struct Transform<'a> {
+    #[serde(borrow)]
+    pub(super) scale: Option<&'a RawValue>,
+    #[serde(borrow)]
+    pub(super) translate: Option<&'a RawValue>,
+}
+
+#[derive(Deserialize)]
+#[serde(expecting = "an object")]
+struct Properties<'a> {
+    #[serde(borrow)]
+    name: Option<&'a RawValue>,
+    #[serde(borrow, rename = "NAME")]
+    upper_name: Option<&'a RawValue>,
+}
 
 /// Reads GeoJSON or TopoJSON. O(length), and O(n log n) to join n equal points.
 pub(super) fn read(bytes: &[u8], source: &str, options: &ReadOptions) -> Result<Read, ReadError> {
     check_text(bytes, source)?;
-    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let value: Value = serde_json::from_slice(text).map_err(|error| syntax_error(text, source, &error))?;
-    let fail = |problem| ReadError::whole(source, problem, "");
-    let mut notes = Vec::new();
-    let kind = value.as_object().and_then(|root| root.get("type")).and_then(Value::as_str);
-    let format = if kind == Some("Topology") { Format::TopoJson } else { Format::GeoJson };
-    let rings = match kind {
-        Some("Topology") => topojson::read(&value, options, &mut notes),
-        Some(_) => geojson::read(&value, &mut notes),
-        None => Err(Fault::from(shape("the file", "a GeoJSON or TopoJSON object with a \"type\""))),
+    let at_byte = |at: usize, what, help: Cow<'static, str>| {
+        let (line, column) = line_and_column(bytes, at);
+        ReadError { line: Some(line), column: Some(column), ..ReadError::whole(source, what, help) }
     };
-    let rings = rings.map_err(|fault| ReadError { help: fault.help, ..fail(fault.what) })?;
-    let soup = rings.finish(source, options.drop_degenerate_rings, &mut notes)?;
+    let text = std::str::from_utf8(bytes)
+        .map_err(|error| at_byte(error.valid_up_to(), ReadProblem::NotText, "save the file as UTF-8 text".into()))?;
+    let root: Node<'_> = parse(text.strip_prefix('\u{feff}').unwrap_or(text), source)?;
+    let mut notes = Vec::new();
+    let (format, rings) = match root.kind().as_deref() {
+        Some("Topology") => (Format::TopoJson, topojson::read(&root, text, options, &mut notes)),
+        _ => (Format::GeoJson, geojson::read(&root, text, &mut notes)),
+    };
+    let soup = rings.and_then(|rings| rings.finish(source, options.drop_degenerate_rings, &mut notes));
+    let soup = soup.map_err(|fault| match fault.at {
+        Some(at) => at_byte(at, fault.what, fault.help),
+        None => ReadError::whole(source, fault.what, fault.help),
+    })?;
     if soup.faces.face_count() == 0 {
         notes.push("the file holds no polygon".to_owned());
     }
     Ok(Read { document: Document::Polygons(soup), notes, format })
 }
 
-fn syntax_error(text: &[u8], source: &str, error: &serde_json::Error) -> ReadError {
-    let message = error.to_string();
-    let message = message.rfind(" at line ").map_or(message.as_str(), |end| &message[..end]);
-    let line = error.line().max(1) as u32;
-    // The parser counts bytes; people count characters.
-    let starts = text.split(|&b| b == b'\n').take(line as usize - 1).map(|line| line.len() + 1).sum::<usize>();
-    let (_, column) = line_and_column(&text[starts.min(text.len())..], error.column().saturating_sub(1));
-    let problem = ReadProblem::Json { message: message.to_owned() };
-    ReadError { line: Some(line), column: Some(column), ..ReadError::whole(source, problem, "") }
+fn parse<'a>(text: &'a str, source: &str) -> Result<Node<'a>, ReadError> {
+    if text.trim_start().starts_with('[') {
+        let wanted = "a GeoJSON or TopoJSON object with a \"type\"";
+        return Err(ReadError::whole(source, shape("the file", wanted), ""));
+    }
+    serde_json::from_str(text).map_err(|error| {
+        let message = error.to_string();
+        let message = message.rfind(" at line ").map_or(message.as_str(), |end| &message[..end]);
+        let line = error.line().max(1);
+        // The parser counts bytes; people count characters.
+        let before = text.split('\n').nth(line - 1).unwrap_or("").as_bytes();
+        let (_, column) = line_and_column(before, error.column().saturating_sub(1));
+        let problem = ReadProblem::Json { message: message.to_owned() };
+        ReadError { line: Some(line as u32), column: Some(column), ..ReadError::whole(source, problem, "") }
+    })
 }
 
-/// A problem with what to try.
+/// A problem with what to try, and where in the file it is.
 pub(super) struct Fault {
     pub(super) what: ReadProblem,
     pub(super) help: Cow<'static, str>,
+    pub(super) at: Option<usize>,
+}
+
+impl Fault {
+    /// A problem at a byte of the file.
+    pub(super) fn at(at: usize, what: ReadProblem) -> Self {
+        Self { at: Some(at), ..Self::from(what) }
+    }
 }
 
 impl From<ReadProblem> for Fault {
     fn from(what: ReadProblem) -> Self {
         let help = match &what {
             ReadProblem::UnclosedRing { .. } => "repeat the first point of the ring at its end",
+            ReadProblem::DegenerateRing { .. } => "correct the data, or drop such rings with --drop-degenerate-rings",
             _ => "",
         };
-        Self { what, help: help.into() }
+        Self { what, help: help.into(), at: None }
     }
 }
 
-/// The problem that a value has the wrong shape.
+/// The problem that an element has the wrong shape.
 pub(super) fn shape(place: &str, wanted: impl Into<Cow<'static, str>>) -> ReadProblem {
     ReadProblem::Shape { place: place.to_owned(), wanted: wanted.into() }
 }
 
-/// The member `key` of an object, if it is an array.
-pub(super) fn array<'a>(object: &'a Object, key: &str, place: &str) -> Result<&'a [Value], ReadProblem> {
-    match object.get(key) {
-        Some(Value::Array(values)) => Ok(values),
-        _ => Err(shape(place, format!("an array \"{key}\""))),
+/// The problem that an element lacks a member.
+pub(super) fn lacks(place: &str, member: &str) -> ReadProblem {
+    shape(place, format!("an array \"{member}\""))
+}
+
+impl<'a> Node<'a> {
+    /// The `type`; none if there is none.
+    pub(super) fn kind(&self) -> Option<Cow<'a, str>> {
+        self.kind.and_then(string)
+    }
+
+    /// The `type`, which must be there.
+    pub(super) fn need_kind(&self, place: &str) -> Result<Cow<'a, str>, ReadProblem> {
+        self.kind().ok_or_else(|| shape(place, "a \"type\""))
+    }
+
+    /// The name of a feature: `properties.name`, `properties.NAME`, or its `id`.
+    pub(super) fn name(&self) -> Option<Cow<'a, str>> {
+        let properties = self.properties.as_ref();
+        let names = [properties.and_then(|p| p.name), properties.and_then(|p| p.upper_name), self.id];
+        names.into_iter().flatten().find_map(|value| match value.get().as_bytes() {
+            [b'\"', ..] => string(value),
+            [b'-' | b'0'..=b'9', ..] => Some(value.get().into()),
+            _ => None,
+        })
     }
 }
 
-/// The array `value`.
-pub(super) fn items<'a>(value: &'a Value, place: &str, what: &'static str) -> Result<&'a [Value], ReadProblem> {
-    value.as_array().map(Vec::as_slice).ok_or_else(|| shape(place, what))
+/// The text of a JSON string.
+fn string(value: &RawValue) -> Option<Cow<'_, str>> {
+    let inside = value.get().strip_prefix('"')?.strip_suffix('"')?;
+    if inside.contains('\\') { serde_json::from_str(value.get()).ok().map(Cow::Owned) } else { Some(inside.into()) }
 }
 
-/// The object `value` and its `type`.
-pub(super) fn typed<'a>(value: &'a Value, place: &str) -> Result<(&'a Object, &'a str), ReadProblem> {
-    let object = value.as_object().ok_or_else(|| shape(place, "an object"))?;
-    let name = object.get("type").and_then(Value::as_str).ok_or_else(|| shape(place, "a \"type\""))?;
-    Ok((object, name))
+/// The path of an element with its name: `features[3] "Ohio"`.
+pub(super) fn named(path: &str, name: Option<&str>) -> String {
+    name.map_or_else(|| path.to_owned(), |name| format!("{path} {name:?}"))
 }
 
-/// The name of a feature: `properties.name`, `properties.NAME`, or its `id`.
-pub(super) fn feature_name(feature: &Object) -> Option<String> {
-    let properties = feature.get("properties").and_then(Value::as_object);
-    let named = properties.and_then(|p| p.get("name").filter(|v| v.is_string()).or_else(|| p.get("NAME")));
-    [named, feature.get("id")].into_iter().flatten().find_map(|value| match value {
-        Value::String(name) => Some(name.clone()),
-        Value::Number(number) => Some(number.to_string()),
-        _ => None,
-    })
+/// The place of a ring in a geometry.
+#[derive(Clone, Copy)]
+pub(super) struct Place<'a> {
+    pub(super) path: &'a str,
+    pub(super) polygon: usize,
+    pub(super) ring: usize,
+}
+
+impl fmt::Display for Place<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { path, polygon, ring } = self;
+        write!(f, "{path} polygon {polygon} ring {ring}")
+    }
+}
+
+/// How a format reads the ring at hand.
+pub(super) type ReadRing<'r> = dyn FnMut(&mut Arrays<'_>, Place<'_>, &mut Rings) -> Result<(), Fault> + 'r;
+
+/// Reads the one polygon or the many of a geometry. Returns how many of them had no ring and were left out.
+pub(super) fn polygons(
+    arrays: &mut Arrays<'_>,
+    one: bool,
+    path: &str,
+    name: Option<&str>,
+    rings: &mut Rings,
+    read_ring: &mut ReadRing<'_>,
+) -> Result<usize, Fault> {
+    let mut empty = 0;
+    let mut polygon = |arrays: &mut Arrays<'_>, polygon: usize| {
+        rings.begin_polygon(format_args!("{path} polygon {polygon}"), name);
+        arrays.each(
+            || shape(&format!("{path} polygon {polygon}"), "an array of rings"),
+            |arrays, ring| {
+                let at = arrays.offset();
+                let place = Place { path, polygon, ring };
+                read_ring(arrays, place, rings)?;
+                rings.end_ring(at, || place.to_string()).map_err(|problem| Fault::at(at, problem))
+            },
+        )?;
+        empty += usize::from(rings.end_polygon());
+        Ok(())
+    };
+    if one {
+        polygon(arrays, 0)?;
+    } else {
+        arrays.each(|| shape(path, "an array of polygons"), polygon)?;
+    }
+    Ok(empty)
 }
 
 /// Geometries that are not polygons, counted.
@@ -105,6 +229,8 @@ pub(super) fn feature_name(feature: &Object) -> Option<String> {
 pub(super) struct Skipped {
     points: usize,
     lines: usize,
+    /// Polygons without any ring.
+    pub(super) empty: usize,
 }
 
 impl Skipped {
@@ -122,38 +248,11 @@ impl Skipped {
     pub(super) fn note(&self, notes: &mut Vec<String>) {
         let mut add = |count: usize, what: &str| {
             if count > 0 {
-                notes.push(format!("{count} {what} skipped: only polygons are read"));
+                notes.push(format!("{count} {what}"));
             }
         };
-        add(self.lines, "line geometries were");
-        add(self.points, "point geometries were");
+        add(self.lines, "line geometries were skipped: only polygons are read");
+        add(self.points, "point geometries were skipped: only polygons are read");
+        add(self.empty, "polygons without any ring were skipped");
     }
-}
-
-/// Reads the polygons of a geometry with the help of a reader of rings. `one` says whether `value` is a single
-/// polygon rather than an array of them.
-pub(super) fn polygons(
-    value: &[Value],
-    one: bool,
-    place: &str,
-    name: Option<&str>,
-    rings: &mut Rings,
-    read_ring: &mut dyn FnMut(&Value, &str, &mut Rings) -> Result<(), ReadProblem>,
-) -> Result<usize, ReadProblem> {
-    let mut polygon = |p: usize, polygon: &[Value]| {
-        let path = format!("{place} polygon {p}");
-        rings.begin_polygon(&path, name);
-        for (r, ring) in polygon.iter().enumerate() {
-            read_ring(ring, &format!("{path} ring {r}"), rings)?;
-        }
-        Ok(usize::from(rings.end_polygon()))
-    };
-    if one {
-        return polygon(0, value);
-    }
-    let mut empty = 0;
-    for (p, value) in value.iter().enumerate() {
-        empty += polygon(p, items(value, &format!("{place} polygon {p}"), "an array of rings")?)?;
-    }
-    Ok(empty)
 }

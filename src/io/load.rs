@@ -5,8 +5,8 @@
 //!               ├─ polygons in space ───> Polyhedron  ──┼─> Loaded: structure, names, notes
 //!               └─ table ───────────────> Subdivision ──┘
 //!
-//!   mesh.obj:17: faces 3 and 5 both run from vertex 2 to vertex 4: reverse one of them (face 5: mesh.obj:19)
-//!   └─ where ──┘ └─ what the builder says, counted from 0 ───────────────────────────┘ └─ the others ─────┘
+//!   mesh.obj:17: faces 3 and 5 both run from vertex 2 to vertex 4: reverse one of them (face 5: line 19)
+//!   └─ where ──┘ └─ what the builder says, counted from 0 ───────────────────────────┘ └─ the others ──┘
 //! ```
 
 use super::format::Format;
@@ -99,7 +99,8 @@ pub enum LoadError {
 pub struct Whereabouts {
     /// The place of the first face the error speaks of, or of its first vertex, or the file.
     pub first: String,
-    /// The other elements, `face 5` or `vertex 7`, with their places.
+    /// The other elements, `face 5` or `vertex 7`, with their places: `line 19`, `states[3] "Ohio" polygon 0`,
+    /// or the whole if that is in another file.
     pub others: Vec<(String, String)>,
 }
 
@@ -110,7 +111,12 @@ impl Whereabouts {
         let vertices = known.iter().map(|&v| (format!("vertex {v}"), places.vertex(v as usize)));
         let mut all = faces.chain(vertices);
         let first = all.next().map_or_else(|| places.source.clone(), |(_, place)| place);
-        Self { first, others: all.collect() }
+        let others = all.map(|(element, place)| {
+            let rest = place.strip_prefix(&places.source).and_then(|rest| rest.strip_prefix(':'));
+            let short = rest.map(|rest| rest.strip_prefix(' ').map_or_else(|| format!("line {rest}"), str::to_owned));
+            (element, short.unwrap_or(place))
+        });
+        Self { first, others: others.collect() }
     }
 }
 
@@ -177,7 +183,7 @@ pub fn load(path: &Path, options: &LoadOptions) -> Result<Loaded, LoadError> {
 /// let error = assemble(read, "twice.obj", &LoadOptions::default()).unwrap_err();
 /// assert_eq!(
 ///     error.to_string(),
-///     "twice.obj:4: face 1 repeats face 0: leave one of them out (face 1: twice.obj:5)",
+///     "twice.obj:4: face 1 repeats face 0: leave one of them out (face 1: line 5)",
 /// );
 /// # Ok::<(), dcel_kit::io::ReadError>(())
 /// ```

@@ -17,9 +17,10 @@
 //!   text.rs   words with places          problem.rs  what can be wrong     read.rs, write.rs  the ways in and out
 //!   soup.rs   points and polygons        rings.rs    joining equal points  model.rs           what is written
 //!   load.rs   from a file to a structure, with the places of what does not fit
-//!   obj.rs off.rs ply/ triangle.rs mesh.rs geojson.rs topojson.rs (json.rs) dcel.rs tables.rs   one format each
+//!   obj.rs off.rs ply/ triangle.rs mesh.rs geojson.rs topojson.rs (json.rs arrays.rs) dcel.rs tables.rs   one format each
 //! ```
 
+mod arrays;
 pub mod dcel;
 mod format;
 pub mod geojson;
@@ -27,6 +28,7 @@ mod json;
 mod load;
 pub mod mesh;
 mod model;
+mod near;
 pub mod obj;
 pub mod off;
 pub mod ply;
@@ -43,6 +45,7 @@ mod write;
 pub use format::{Format, UnknownFormat};
 pub use load::{LoadError, LoadOptions, Loaded, Structure, assemble, load};
 pub use model::Model;
+pub use near::closest;
 pub use problem::{ReadError, ReadProblem};
 pub use read::{Document, Read, ReadOptions, read_bytes, read_path, read_triangle};
 pub use soup::{Places, PolygonSoup};

@@ -10,13 +10,13 @@
 //! equal: exactly, with -0 = 0, and nothing else is joined. Equal points are found by sorting, O(n log n).
 //! Points are numbered in the order in which they first come in a ring that is kept.
 
-use super::problem::{ReadError, ReadProblem};
+use super::json::Fault;
+use super::problem::ReadProblem;
 use super::soup::{Places, PolygonSoup, check_sizes};
 use crate::ids::MAX_IDS;
 use crate::plane::check_coordinate;
 use crate::topology::PolygonList;
-
-const DROP_HELP: &str = "correct the data, or drop such rings with --drop-degenerate-rings";
+use std::fmt::{self, Write as _};
 
 /// Rings as they are read; [`finish`](Self::finish) makes faces of them.
 #[derive(Debug, Default)]
@@ -24,6 +24,8 @@ pub(super) struct Rings {
     points: Vec<[f64; 2]>,
     /// Where each ring ends in `points`; the closing point is not stored.
     ring_ends: Vec<u32>,
+    /// The byte of the file at which each ring starts.
+    ring_offsets: Vec<u32>,
     /// Where each polygon ends in `ring_ends`.
     polygon_ends: Vec<u32>,
     paths: String,
@@ -34,8 +36,9 @@ pub(super) struct Rings {
 
 impl Rings {
     /// Starts a polygon.
-    pub(super) fn begin_polygon(&mut self, path: &str, name: Option<&str>) {
-        self.paths.push_str(path);
+    pub(super) fn begin_polygon(&mut self, path: fmt::Arguments<'_>, name: Option<&str>) {
+        // Writing to a string cannot fail.
+        let _ = self.paths.write_fmt(path);
         self.path_ends.push(self.paths.len() as u32);
         self.names.push(name.map(str::to_owned));
         self.any_name |= name.is_some();
@@ -78,8 +81,8 @@ impl Rings {
         self.points[start..].last().copied()
     }
 
-    /// Ends a ring, which must end where it started.
-    pub(super) fn end_ring(&mut self, place: impl Fn() -> String) -> Result<(), ReadProblem> {
+    /// Ends a ring, which must end where it started; `offset` is the byte at which it starts in the file.
+    pub(super) fn end_ring(&mut self, offset: usize, place: impl Fn() -> String) -> Result<(), ReadProblem> {
         let start = self.ring_ends.last().map_or(0, |&end| end as usize);
         if let [first, .., last] = self.points[start..] {
             if !same(first, last) {
@@ -89,6 +92,7 @@ impl Rings {
             self.points.pop();
         }
         self.ring_ends.push(self.points.len() as u32);
+        self.ring_offsets.push(offset as u32);
         Ok(())
     }
 
@@ -99,8 +103,8 @@ impl Rings {
         source: &str,
         drop_degenerate: bool,
         notes: &mut Vec<String>,
-    ) -> Result<PolygonSoup, ReadError> {
-        let mut faces = Faces { same_as: first_equal(&self.points), ..Faces::default() };
+    ) -> Result<PolygonSoup, Fault> {
+        let mut faces = Faces { same_as: representatives(&self.points), ..Faces::default() };
         faces.numbers = vec![u32::MAX; self.points.len()];
         let mut soup =
             PolygonSoup { places: Places { source: source.to_owned(), ..Places::default() }, ..PolygonSoup::default() };
@@ -120,7 +124,7 @@ impl Rings {
                 if distinct < 3 {
                     if !drop_degenerate {
                         let problem = ReadProblem::DegenerateRing { place: place(), distinct };
-                        return Err(ReadError::whole(source, problem, DROP_HELP));
+                        return Err(Fault::at(self.ring_offsets[ring] as usize, problem));
                     }
                     dropped.push(format!("{} has only {distinct} distinct points", place()));
                     kept &= ring > first_ring;
@@ -137,7 +141,7 @@ impl Rings {
                 }
             }
         }
-        check_sizes(source, soup.points.len(), &soup.faces)?;
+        check_sizes(soup.points.len(), &soup.faces)?;
         note_dropped(&dropped, notes);
         repeated.note(notes);
         Ok(soup)
@@ -155,29 +159,29 @@ pub(super) fn same(a: [f64; 2], b: [f64; 2]) -> bool {
     a == b
 }
 
-/// For each point the first point with the same coordinates. O(n log n).
-fn first_equal(points: &[[f64; 2]]) -> Vec<u32> {
+/// For each point one of the points with the same coordinates, the same for all of them. O(n log n).
+fn representatives(points: &[[f64; 2]]) -> Vec<u32> {
     let mut order: Vec<u32> = (0..points.len() as u32).collect();
     order.sort_unstable_by(|&i, &j| {
         let (a, b) = (points[i as usize], points[j as usize]);
-        a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(i.cmp(&j))
+        a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]))
     });
-    let mut first = vec![0; points.len()];
-    let mut run = 0;
-    for (k, &i) in order.iter().enumerate() {
-        if k == 0 || !same(points[i as usize], points[run as usize]) {
+    let mut chosen = vec![0; points.len()];
+    let mut run = order.first().copied().unwrap_or(0);
+    for &i in &order {
+        if !same(points[i as usize], points[run as usize]) {
             run = i;
         }
-        first[i as usize] = run;
+        chosen[i as usize] = run;
     }
-    first
+    chosen
 }
 
 /// The faces while they are made.
 #[derive(Default)]
 struct Faces {
     same_as: Vec<u32>,
-    /// The final number of each point that is the first of its kind.
+    /// The final number of each point that stands for its equals.
     numbers: Vec<u32>,
     /// The ring at hand, without repeated points.
     ring: Vec<u32>,

@@ -105,7 +105,7 @@ impl SoupBuilder {
     /// The soup of the file `source`. Counts elements against the range of the ids.
     pub(super) fn finish(self, source: &str, gives_z: bool) -> Result<PolygonSoup, ReadError> {
         let Self { points, faces, vertex_lines, face_lines } = self;
-        check_sizes(source, points.len(), &faces)?;
+        check_sizes(points.len(), &faces).map_err(|problem| ReadError::whole(source, problem, ""))?;
         let has_z =
             gives_z && points.iter().any(|p| p[2].partial_cmp(&points[0][2]) != Some(std::cmp::Ordering::Equal));
         let places = Places { source: source.to_owned(), vertex_lines, face_lines, ..Places::default() };
@@ -114,10 +114,10 @@ impl SoupBuilder {
 }
 
 /// Refuses more points, faces or corners than there are ids.
-pub(super) fn check_sizes(source: &str, points: usize, faces: &PolygonList) -> Result<(), ReadError> {
+pub(super) fn check_sizes(points: usize, faces: &PolygonList) -> Result<(), ReadProblem> {
     let counts = [(points, "points"), (faces.face_count(), "faces"), (faces.corner_count(), "corners of faces")];
     match counts.into_iter().find(|&(count, _)| count > MAX_IDS) {
-        Some((_, what)) => Err(ReadError::whole(source, ReadProblem::TooLarge { what, limit: MAX_IDS as u64 }, "")),
+        Some((_, what)) => Err(ReadProblem::TooLarge { what, limit: MAX_IDS as u64 }),
         None => Ok(()),
     }
 }

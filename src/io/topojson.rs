@@ -18,11 +18,13 @@
 //!
 //! Source: M. Bostock and C. Metcalf, *The TopoJSON Format Specification* (version 1).
 
-use super::json::{Fault, Object, Skipped, array, feature_name, items, polygons, shape, typed};
+use super::arrays::Arrays;
+use super::json::{Fault, Node, Place, Skipped, lacks, named, polygons, shape};
 use super::problem::ReadProblem;
 use super::read::ReadOptions;
 use super::rings::{Rings, same};
-use serde_json::Value;
+use serde_json::value::RawValue;
+use std::collections::BTreeMap;
 
 /// Arcs may be used this often on average; a map uses each of them once or twice. Without a limit a small file
 /// could ask for any amount of memory.
@@ -34,43 +36,44 @@ struct Arcs {
     ends: Vec<usize>,
 }
 
-/// Reads the rings of one object of a topology.
-pub(super) fn read(value: &Value, options: &ReadOptions, notes: &mut Vec<String>) -> Result<Rings, Fault> {
-    let (root, _) = typed(value, "the file")?;
-    let arcs = Arcs::read(root)?;
-    let objects = root.get("objects").and_then(Value::as_object);
-    let objects = objects.ok_or_else(|| shape("the file", "an object \"objects\""))?;
-    let (name, object) = choose(objects, options.object.as_deref(), notes)?;
-    let mut reader = Reader { arcs: &arcs, rings: Rings::default(), skipped: Skipped::default(), empty: 0 };
-    match object.get("geometries") {
-        Some(Value::Array(geometries)) => {
+/// Reads the rings of one object of a topology; `file` is the text it is a part of.
+pub(super) fn read(
+    root: &Node<'_>,
+    file: &str,
+    options: &ReadOptions,
+    notes: &mut Vec<String>,
+) -> Result<Rings, Fault> {
+    let arcs = Arcs::read(root, file)?;
+    let objects = root.objects.as_ref().ok_or_else(|| shape("the file", "an object \"objects\""))?;
+    let (name, object) = choose(objects, file, options.object.as_deref(), notes)?;
+    let mut reader = Reader { file, arcs: &arcs, rings: Rings::default(), skipped: Skipped::default() };
+    match &object.geometries {
+        Some(geometries) => {
             for (i, geometry) in geometries.iter().enumerate() {
                 reader.geometry(geometry, &format!("{name}[{i}]"), None)?;
             }
         }
-        _ => reader.geometry(object, name, None)?,
+        None => reader.geometry(object, name, None)?,
     }
     reader.skipped.note(notes);
-    if reader.empty > 0 {
-        notes.push(format!("{} polygons without any ring were skipped", reader.empty));
-    }
     Ok(reader.rings)
 }
 
 /// The object that was asked for, or the one with the most polygons.
-fn choose<'a>(
-    objects: &'a Object,
+fn choose<'o, 'a>(
+    objects: &'o BTreeMap<String, Node<'a>>,
+    file: &str,
     wanted: Option<&str>,
     notes: &mut Vec<String>,
-) -> Result<(&'a str, &'a Value), Fault> {
-    let all: Vec<(&str, &Value, usize)> =
-        objects.iter().map(|(name, object)| (name.as_str(), object, polygon_count(object))).collect();
+) -> Result<(&'o str, &'o Node<'a>), Fault> {
+    let all: Vec<(&str, &Node<'_>, usize)> =
+        objects.iter().map(|(name, object)| (name.as_str(), object, polygon_count(object, file))).collect();
     let list = || all.iter().map(|(name, _, n)| format!("{name} ({n} polygons)")).collect::<Vec<_>>().join(", ");
     if let Some(wanted) = wanted {
         let found = all.iter().find(|(name, ..)| *name == wanted);
         return found.map(|&(name, object, _)| (name, object)).ok_or_else(|| Fault {
-            what: shape(&format!("object {wanted:?}"), "one of the objects of the file"),
             help: format!("the file has {}", list()).into(),
+            ..shape(&format!("object {wanted:?}"), "one of the objects of the file").into()
         });
     }
     // Of equals the first one: `rev`, because max_by_key takes the last.
@@ -82,41 +85,64 @@ fn choose<'a>(
     Ok((name, object))
 }
 
-fn polygon_count(value: &Value) -> usize {
-    let length = |key: &str| value.get(key).and_then(Value::as_array).map_or(0, Vec::len);
-    match value.get("type").and_then(Value::as_str) {
+fn polygon_count(node: &Node<'_>, file: &str) -> usize {
+    match node.kind().as_deref() {
         Some("Polygon") => 1,
-        Some("MultiPolygon") => length("arcs"),
+        Some("MultiPolygon") => node.arcs.map_or(0, |arcs| {
+            let mut count = 0;
+            let nested = || shape("", "");
+            // What has the wrong shape counts as nothing here and is named when it is read.
+            let _ = Arrays::new(arcs, file).each(nested, |arrays, _| {
+                count += 1;
+                arrays.each(nested, |arrays, _| arrays.each(nested, |arrays, _| number(arrays, nested).map(drop)))
+            });
+            count
+        }),
         Some("GeometryCollection") => {
-            value.get("geometries").and_then(Value::as_array).map_or(0, |all| all.iter().map(polygon_count).sum())
+            node.geometries.as_ref().map_or(0, |all| all.iter().map(|part| polygon_count(part, file)).sum())
         }
         _ => 0,
     }
 }
 
+fn number(arrays: &mut Arrays<'_>, wrong: impl FnOnce() -> ReadProblem) -> Result<i64, Fault> {
+    let at = arrays.offset();
+    arrays.integer().ok_or_else(|| Fault::at(at, wrong()))
+}
+
 impl Arcs {
     /// Reads all arcs and brings their points to their final coordinates.
-    fn read(root: &Object) -> Result<Self, ReadProblem> {
-        let transform = root.get("transform").map(transform).transpose()?;
+    fn read(root: &Node<'_>, file: &str) -> Result<Self, Fault> {
+        let transform = match &root.transform {
+            None => None,
+            Some(transform) => Some((pair(transform.scale, file)?, pair(transform.translate, file)?)),
+        };
         let mut arcs = Self { points: Vec::new(), ends: Vec::new() };
-        for (i, arc) in array(root, "arcs", "the file")?.iter().enumerate() {
-            let place = || format!("arcs[{i}]");
-            let mut at = [0.0; 2];
-            for (k, position) in items(arc, &place(), "an array of positions")?.iter().enumerate() {
-                let number = |k: usize| position.get(k).and_then(Value::as_f64);
-                let (Some(x), Some(y)) = (number(0), number(1)) else {
-                    return Err(shape(&format!("{} position {k}", place()), "a position [x, y] of numbers"));
-                };
-                arcs.points.push(match transform {
-                    None => [x, y],
-                    Some((scale, translate)) => {
-                        at = [at[0] + x, at[1] + y];
-                        [at[0] * scale[0] + translate[0], at[1] * scale[1] + translate[1]]
-                    }
-                });
-            }
-            arcs.ends.push(arcs.points.len());
-        }
+        let value = root.arcs.ok_or_else(|| lacks("the file", "arcs"))?;
+        Arrays::new(value, file).each(
+            || lacks("the file", "arcs"),
+            |arrays, i| {
+                let mut at = [0.0; 2];
+                arrays.each(
+                    || shape(&format!("arcs[{i}]"), "an array of positions"),
+                    |arrays, k| {
+                        let offset = arrays.offset();
+                        let wrong = || shape(&format!("arcs[{i}] position {k}"), "a position [x, y] of numbers");
+                        let ([x, y], _) = arrays.position().ok_or_else(|| Fault::at(offset, wrong()))?;
+                        arcs.points.push(match transform {
+                            None => [x, y],
+                            Some((scale, translate)) => {
+                                at = [at[0] + x, at[1] + y];
+                                [at[0] * scale[0] + translate[0], at[1] * scale[1] + translate[1]]
+                            }
+                        });
+                        Ok(())
+                    },
+                )?;
+                arcs.ends.push(arcs.points.len());
+                Ok(())
+            },
+        )?;
         Ok(arcs)
     }
 
@@ -127,81 +153,79 @@ impl Arcs {
     }
 }
 
-fn transform(value: &Value) -> Result<([f64; 2], [f64; 2]), ReadProblem> {
-    let pair = |key: &str| {
-        let numbers = value.get(key);
-        let number = |k: usize| numbers.and_then(|n| n.get(k)).and_then(Value::as_f64);
-        number(0).zip(number(1)).map(|(x, y)| [x, y])
-    };
-    pair("scale")
-        .zip(pair("translate"))
-        .ok_or_else(|| shape("transform", "\"scale\" and \"translate\", two numbers each"))
+/// One of the two members of the transform.
+fn pair(value: Option<&RawValue>, file: &str) -> Result<[f64; 2], Fault> {
+    let position = value.and_then(|value| Arrays::new(value, file).position());
+    position
+        .map(|(pair, _)| pair)
+        .ok_or_else(|| shape("transform", "\"scale\" and \"translate\", two numbers each").into())
 }
 
 struct Reader<'a> {
+    file: &'a str,
     arcs: &'a Arcs,
     rings: Rings,
     skipped: Skipped,
-    empty: usize,
 }
 
 impl Reader<'_> {
-    fn geometry(&mut self, value: &Value, place: &str, name: Option<&str>) -> Result<(), ReadProblem> {
-        let (geometry, kind) = match value.get("type") {
-            Some(Value::Null) => return Ok(()),
-            _ => typed(value, place)?,
-        };
-        let own = feature_name(geometry);
+    fn geometry(&mut self, geometry: &Node<'_>, path: &str, name: Option<&str>) -> Result<(), Fault> {
+        // A geometry of type null stands for nothing.
+        let Some(kind) = geometry.kind() else { return Ok(()) };
+        let own = geometry.name();
+        let path = named(path, own.as_deref());
         let name = own.as_deref().or(name);
-        let place = own.as_ref().map_or_else(|| place.to_owned(), |name| format!("{place} {name:?}"));
-        match kind {
+        match kind.as_ref() {
             "Polygon" | "MultiPolygon" => {
-                let arcs = self.arcs;
-                let value = array(geometry, "arcs", &place)?;
-                let mut read = |value: &Value, place: &str, rings: &mut Rings| ring(value, place, rings, arcs);
-                self.empty += polygons(value, kind == "Polygon", &place, name, &mut self.rings, &mut read)?;
+                let (one, arcs) = (kind == "Polygon", self.arcs);
+                let value = geometry.arcs.ok_or_else(|| lacks(&path, "arcs"))?;
+                let mut read =
+                    |arrays: &mut Arrays<'_>, place: Place<'_>, rings: &mut Rings| ring(arrays, place, rings, arcs);
+                let mut arrays = Arrays::new(value, self.file);
+                self.skipped.empty += polygons(&mut arrays, one, &path, name, &mut self.rings, &mut read)?;
                 Ok(())
             }
             "GeometryCollection" => {
-                for (i, part) in array(geometry, "geometries", &place)?.iter().enumerate() {
-                    self.geometry(part, &format!("{place} geometries[{i}]"), name)?;
+                let parts = geometry.geometries.as_ref().ok_or_else(|| lacks(&path, "geometries"))?;
+                for (i, part) in parts.iter().enumerate() {
+                    self.geometry(part, &format!("{path} geometries[{i}]"), name)?;
                 }
                 Ok(())
             }
             kind if self.skipped.add(kind) => Ok(()),
-            kind => Err(shape(&place, format!("a geometry, not the type {kind:?}"))),
+            kind => Err(shape(&path, format!("a geometry, not the type {kind:?}")).into()),
         }
     }
 }
 
 /// Appends the points of a chain of arcs; each arc must start where the one before ends.
-fn ring(value: &Value, place: &str, rings: &mut Rings, arcs: &Arcs) -> Result<(), ReadProblem> {
-    let here = || place.to_owned();
+fn ring(arrays: &mut Arrays<'_>, place: Place<'_>, rings: &mut Rings, arcs: &Arcs) -> Result<(), Fault> {
+    let here = || place.to_string();
     let mut first = true;
-    for reference in items(value, place, "an array of arcs")? {
-        let index = reference.as_i64().ok_or_else(|| shape(place, "whole numbers of arcs"))?;
-        let forwards = index >= 0;
-        let number = usize::try_from(if forwards { index } else { !index }).ok();
-        let points = number
-            .and_then(|i| arcs.get(i))
-            .ok_or_else(|| shape(place, format!("arcs that exist, not {index} (there are {})", arcs.ends.len())))?;
-        let at = |k: usize| if forwards { points[k] } else { points[points.len() - 1 - k] };
-        if !first && !points.is_empty() {
-            let last = rings.last_point();
-            if last.is_some_and(|last| !same(last, at(0))) {
-                return Err(ReadProblem::BrokenRing { place: here(), arc: index });
+    arrays.each(
+        || shape(&here(), "an array of arcs"),
+        |arrays, _| {
+            let offset = arrays.offset();
+            let index = number(arrays, || shape(&here(), "whole numbers of arcs"))?;
+            let forwards = index >= 0;
+            let points = usize::try_from(if forwards { index } else { !index }).ok().and_then(|i| arcs.get(i));
+            let points = points.ok_or_else(|| {
+                let wanted = format!("arcs that exist, not {index} (there are {})", arcs.ends.len());
+                Fault::at(offset, shape(&here(), wanted))
+            })?;
+            let at = |k: usize| if forwards { points[k] } else { points[points.len() - 1 - k] };
+            if !first && !points.is_empty() && rings.last_point().is_some_and(|last| !same(last, at(0))) {
+                return Err(Fault::at(offset, ReadProblem::BrokenRing { place: here(), arc: index }));
             }
-        }
-        if rings.point_count() > REUSE * arcs.points.len() {
-            return Err(ReadProblem::TooLarge {
-                what: "points in the rings for each point of an arc",
-                limit: REUSE as u64,
-            });
-        }
-        for k in usize::from(!first)..points.len() {
-            rings.point(at(k), here)?;
-        }
-        first &= points.is_empty();
-    }
-    rings.end_ring(here)
+            if rings.point_count() > REUSE * arcs.points.len() {
+                let what = "points in the rings for each point of an arc";
+                return Err(Fault::at(offset, ReadProblem::TooLarge { what, limit: REUSE as u64 }));
+            }
+            for k in usize::from(!first)..points.len() {
+                rings.point(at(k), here).map_err(|problem| Fault::at(offset, problem))?;
+            }
+            first &= points.is_empty();
+            Ok(())
+        },
+    )
 }

@@ -1,15 +1,5 @@
 //! The laws of the plane: what must hold of the positions, beside the laws of the structure.
 //!
-//! | law | says |
-//! |---|---|
-//! | G1 | no two vertices lie at the same place |
-//! | G2 | no vertex lies in the interior of an edge |
-//! | G3 | no two edges cross or overlap |
-//! | G4 | round each vertex the half-edges follow each other counter-clockwise, once round |
-//! | G5 | the boundary of a bounded face runs counter-clockwise round it |
-//! | G6 | every other cycle of a face, and every cycle of `f0`, runs clockwise round what it cuts out |
-//! | G7 | every ring lies in its face |
-//!
 //! G1 to G3 are found by one sweep, which stops at the first fault; the others are only asked when they hold.
 
 use super::convert::by_direction;
@@ -17,8 +7,47 @@ use super::cycle::encloses;
 use super::predicates::left_to_right;
 use super::sweep::{Meeting, NOTHING, sweep};
 use super::{Point, Subdivision};
-use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
-use crate::topology::Ring;
+use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
+use crate::topology::{Ring, Rule};
+
+/// The laws of the plane as data, in the order in which they are checked.
+pub const GEOMETRY_RULES: &[Rule] = &[
+    Rule {
+        id: "G1",
+        law: "no two vertices lie at the same place",
+        explanation: "Two vertices with equal coordinates should be one vertex.",
+    },
+    Rule {
+        id: "G2",
+        law: "no vertex lies in the interior of an edge",
+        explanation: "An edge that passes through a vertex must be split there.",
+    },
+    Rule {
+        id: "G3",
+        law: "no two edges cross or overlap",
+        explanation: "Edges meet at common ends only. The sweep stops at the first fault, so one of G1 to G3 stands alone.",
+    },
+    Rule {
+        id: "G4",
+        law: "the half-edges at v follow each other counter-clockwise, once round",
+        explanation: "Turning by h.prev.twin goes from direction to direction. Otherwise faces fold over each other.",
+    },
+    Rule {
+        id: "G5",
+        law: "the boundary of a bounded face runs counter-clockwise",
+        explanation: "The face lies on the left of its half-edges.",
+    },
+    Rule {
+        id: "G6",
+        law: "a ring, and every cycle of the outer face, runs clockwise",
+        explanation: "A ring goes round something that is cut out of the face.",
+    },
+    Rule {
+        id: "G7",
+        law: "every ring lies in its face",
+        explanation: "An island or an isolated vertex is listed by the face that surrounds it.",
+    },
+];
 
 /// Positions that do not fit the structure, or each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -88,6 +117,34 @@ pub enum GeometryViolation {
 }
 
 impl GeometryViolation {
+    /// The law that is broken.
+    #[must_use]
+    pub const fn rule(&self) -> &'static Rule {
+        match self {
+            Self::SamePlace { .. } => &GEOMETRY_RULES[0],
+            Self::VertexOnEdge { .. } => &GEOMETRY_RULES[1],
+            Self::EdgesMeet { .. } => &GEOMETRY_RULES[2],
+            Self::Folded { .. } => &GEOMETRY_RULES[3],
+            Self::BoundaryClockwise { .. } => &GEOMETRY_RULES[4],
+            Self::RingCounterClockwise { .. } => &GEOMETRY_RULES[5],
+            Self::RingElsewhere { .. } => &GEOMETRY_RULES[6],
+        }
+    }
+
+    /// The faces and half-edges the message speaks of.
+    #[must_use]
+    pub fn other_elements(&self) -> Vec<Element> {
+        match *self {
+            Self::BoundaryClockwise { face, start } | Self::RingCounterClockwise { face, start } => {
+                vec![face.into(), start.into()]
+            }
+            Self::RingElsewhere { listed, face, .. } => vec![listed.into(), face.into()],
+            Self::SamePlace { .. } | Self::VertexOnEdge { .. } | Self::EdgesMeet { .. } | Self::Folded { .. } => {
+                Vec::new()
+            }
+        }
+    }
+
     /// The vertices the message speaks of.
     #[must_use]
     pub fn vertices(&self) -> Vec<VertexId> {
@@ -102,8 +159,19 @@ impl GeometryViolation {
 }
 
 impl Subdivision {
-    /// Checks the laws of the plane (the table at the head of this module's source): all positions and edges
-    /// against each other. The first meeting of elements is reported alone; otherwise all other faults.
+    /// Checks the laws of the plane, all positions and edges against each other:
+    ///
+    /// | law | says |
+    /// |---|---|
+    /// | G1 | no two vertices lie at the same place |
+    /// | G2 | no vertex lies in the interior of an edge |
+    /// | G3 | no two edges cross or overlap |
+    /// | G4 | round each vertex the half-edges follow each other counter-clockwise, once round |
+    /// | G5 | the boundary of a bounded face runs counter-clockwise round it |
+    /// | G6 | every other cycle of a face, and every cycle of `f0`, runs clockwise round what it cuts out |
+    /// | G7 | every ring lies in its face |
+    ///
+    /// The first meeting of elements (G1 to G3) is reported alone; otherwise all other faults.
     ///
     /// Cost: O(n log n) with n edges; all decisions exact.
     #[must_use]

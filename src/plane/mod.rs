@@ -21,7 +21,7 @@ mod subdivision;
 mod sweep;
 mod table;
 
-pub use check::GeometryViolation;
+pub use check::{GEOMETRY_RULES, GeometryViolation};
 pub use convert::{ConvertError, ConvertOptions, Converted};
 pub use edit::{JoinEdgesError, JoinFacesError, SplitEdgeError, SplitFaceError};
 pub use point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};

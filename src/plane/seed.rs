@@ -26,13 +26,9 @@ impl Subdivision {
 
     /// The six-vertex rectangle of the half-edge lab: 500 wide, 300 high, `f1` inside, `f0` outside.
     ///
-    /// ```text
-    ///   v5 ─────── v4 ─────── v3
-    ///    │                    │       h0, h2, ... h10 run round the inside from v0,
-    ///    │         f1         │       their twins h1, h3, ... h11 round the outside.
-    ///    │                    │
-    ///   v0 ─────── v1 ─────── v2
-    /// ```
+    #[doc = include_str!("../../figures/rectangle.svg")]
+    ///
+    /// h0, h2, ... h10 run round the inside from v0, their twins h1, h3, ... h11 round the outside.
     ///
     /// Source: the CS 480 half-edge lab. (Its own start leaves `outerFace` without a half-edge by a typing
     /// error, and the vertices without outgoing half-edges; here both are set.)

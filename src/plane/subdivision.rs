@@ -26,7 +26,13 @@ pub trait PlanarView: View {
     fn position(&self, v: VertexId) -> Option<Point>;
 }
 
-/// A planar subdivision. It dereferences to its [`Dcel`] for all walks and counts.
+/// A planar subdivision: faces that cover the whole plane. It dereferences to its [`Dcel`] for all walks and
+/// counts.
+///
+#[doc = include_str!("../../figures/rings.svg")]
+///
+/// `f1` has its boundary, through h0, and two rings, through h8 and h16; `f4` and `f5` are hole faces, and `f4` has
+/// a ring round the island `f2`. `f0` has two cycles.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Subdivision {
     pub(super) dcel: Dcel,
@@ -92,45 +98,8 @@ impl Subdivision {
 }
 
 impl View for Subdivision {
-    fn vertex_bound(&self) -> usize {
-        self.dcel.vertex_bound()
-    }
-    fn half_edge_bound(&self) -> usize {
-        self.dcel.half_edge_bound()
-    }
-    fn face_bound(&self) -> usize {
-        self.dcel.face_bound()
-    }
-    fn has_vertex(&self, v: VertexId) -> bool {
-        self.dcel.has_vertex(v)
-    }
-    fn has_half_edge(&self, h: HalfEdgeId) -> bool {
-        self.dcel.has_half_edge(h)
-    }
-    fn has_face(&self, f: FaceId) -> bool {
-        self.dcel.has_face(f)
-    }
-    fn origin(&self, h: HalfEdgeId) -> Option<VertexId> {
-        View::origin(&self.dcel, h)
-    }
-    fn twin(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
-        View::twin(&self.dcel, h)
-    }
-    fn next(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
-        View::next(&self.dcel, h)
-    }
-    fn prev(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
-        View::prev(&self.dcel, h)
-    }
-    fn face(&self, h: HalfEdgeId) -> Option<FaceId> {
-        View::face(&self.dcel, h)
-    }
-    fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
-        View::outgoing(&self.dcel, v)
-    }
-    fn boundary(&self, f: FaceId) -> Option<HalfEdgeId> {
-        View::boundary(&self.dcel, f)
-    }
+    crate::topology::pointers_of_dcel!(dcel);
+
     fn rings(&self, f: FaceId) -> &[Ring] {
         self.rings(f)
     }

@@ -12,7 +12,7 @@
 //! The base on which solids are built. Nothing is decided by coordinates here: a surface may pass through
 //! itself, and its faces need not be flat.
 
-use crate::ids::{FaceId, HalfEdgeId, VertexId, VertexMap};
+use crate::ids::{FaceId, VertexId, VertexMap};
 use crate::plane::{CoordinateError, check_coordinate};
 use crate::topology::{BuildError, Dcel, NoRecorder, PolygonList, View};
 use std::collections::BTreeSet;
@@ -132,43 +132,5 @@ impl Polyhedron {
 }
 
 impl View for Polyhedron {
-    fn vertex_bound(&self) -> usize {
-        self.dcel.vertex_bound()
-    }
-    fn half_edge_bound(&self) -> usize {
-        self.dcel.half_edge_bound()
-    }
-    fn face_bound(&self) -> usize {
-        self.dcel.face_bound()
-    }
-    fn has_vertex(&self, v: VertexId) -> bool {
-        self.dcel.has_vertex(v)
-    }
-    fn has_half_edge(&self, h: HalfEdgeId) -> bool {
-        self.dcel.has_half_edge(h)
-    }
-    fn has_face(&self, f: FaceId) -> bool {
-        self.dcel.has_face(f)
-    }
-    fn origin(&self, h: HalfEdgeId) -> Option<VertexId> {
-        View::origin(&self.dcel, h)
-    }
-    fn twin(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
-        View::twin(&self.dcel, h)
-    }
-    fn next(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
-        View::next(&self.dcel, h)
-    }
-    fn prev(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
-        View::prev(&self.dcel, h)
-    }
-    fn face(&self, h: HalfEdgeId) -> Option<FaceId> {
-        View::face(&self.dcel, h)
-    }
-    fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
-        View::outgoing(&self.dcel, v)
-    }
-    fn boundary(&self, f: FaceId) -> Option<HalfEdgeId> {
-        View::boundary(&self.dcel, f)
-    }
+    crate::topology::pointers_of_dcel!(dcel);
 }

@@ -215,6 +215,7 @@ pub(super) struct Grouped<T> {
 }
 
 impl<T: Copy> Grouped<T> {
+    /// Pairs of a group below `groups` and a value. O(n log n), linear if they come in order.
     pub(super) fn new(groups: usize, pairs: impl Iterator<Item = (usize, T)>) -> Self {
         let mut pairs: Vec<(usize, T)> = pairs.collect();
         pairs.sort_by_key(|&(group, _)| group);
@@ -224,6 +225,12 @@ impl<T: Copy> Grouped<T> {
         Self { starts, values: pairs.into_iter().map(|(_, value)| value).collect() }
     }
 
+    /// The number of groups.
+    pub(super) fn groups(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// The values of one group, in the order given.
     pub(super) fn of(&self, group: usize) -> &[T] {
         &self.values[self.starts[group] as usize..self.starts[group + 1] as usize]
     }

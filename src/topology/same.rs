@@ -16,12 +16,14 @@
 //! the leaves inwards to the centre, with a number for each kind of subtree met so far (two of a kind are equal
 //! by an exact walk), so that any number of equal islands costs no more than comparing each with one of them.
 //!
-//! Source: the canonical walk of rooted maps is folklore (see Brisson, *Representing geometric structures in d
-//! dimensions*, 1993); the comparison of trees is that of Aho, Hopcroft and Ullman, 1974, section 3.2.
+//! Source: one root at a time, followed on both sides: Weinberg, *A simple and efficient algorithm for determining
+//! isomorphism of planar triply connected graphs*, 1966; trees from the leaves inwards: Aho, Hopcroft and Ullman,
+//! *The Design and Analysis of Computer Algorithms*, 1974, section 3.2.
 
 mod colour;
 mod difference;
 mod forest;
+mod matcher;
 mod world;
 
 use super::validate::first_violation;

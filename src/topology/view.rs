@@ -66,46 +66,60 @@ pub trait View {
     }
 }
 
+/// The pointers of a view whose structure is the [`Dcel`] at `self.$dcel`; for use inside `impl View for`.
+macro_rules! pointers_of_dcel {
+    ($($dcel:ident)?) => {
+        fn vertex_bound(&self) -> usize {
+            self$(.$dcel)?.vertex_bound()
+        }
+        fn half_edge_bound(&self) -> usize {
+            self$(.$dcel)?.half_edge_bound()
+        }
+        fn face_bound(&self) -> usize {
+            self$(.$dcel)?.face_bound()
+        }
+        fn has_vertex(&self, v: $crate::VertexId) -> bool {
+            self$(.$dcel)?.has_vertex(v)
+        }
+        fn has_half_edge(&self, h: $crate::HalfEdgeId) -> bool {
+            self$(.$dcel)?.has_half_edge(h)
+        }
+        fn has_face(&self, f: $crate::FaceId) -> bool {
+            self$(.$dcel)?.has_face(f)
+        }
+        fn origin(&self, h: $crate::HalfEdgeId) -> Option<$crate::VertexId> {
+            let dcel: &$crate::topology::Dcel = &self$(.$dcel)?;
+            dcel.has_half_edge(h).then(|| dcel.origin(h))
+        }
+        fn twin(&self, h: $crate::HalfEdgeId) -> Option<$crate::HalfEdgeId> {
+            self$(.$dcel)?.has_half_edge(h).then(|| h.twin())
+        }
+        fn next(&self, h: $crate::HalfEdgeId) -> Option<$crate::HalfEdgeId> {
+            let dcel: &$crate::topology::Dcel = &self$(.$dcel)?;
+            dcel.has_half_edge(h).then(|| dcel.next(h))
+        }
+        fn prev(&self, h: $crate::HalfEdgeId) -> Option<$crate::HalfEdgeId> {
+            let dcel: &$crate::topology::Dcel = &self$(.$dcel)?;
+            dcel.has_half_edge(h).then(|| dcel.prev(h))
+        }
+        fn face(&self, h: $crate::HalfEdgeId) -> Option<$crate::FaceId> {
+            let dcel: &$crate::topology::Dcel = &self$(.$dcel)?;
+            dcel.has_half_edge(h).then(|| dcel.face(h))
+        }
+        fn outgoing(&self, v: $crate::VertexId) -> Option<$crate::HalfEdgeId> {
+            let dcel: &$crate::topology::Dcel = &self$(.$dcel)?;
+            dcel.has_vertex(v).then(|| dcel.outgoing(v)).flatten()
+        }
+        fn boundary(&self, f: $crate::FaceId) -> Option<$crate::HalfEdgeId> {
+            let dcel: &$crate::topology::Dcel = &self$(.$dcel)?;
+            dcel.has_face(f).then(|| dcel.boundary(f)).flatten()
+        }
+    };
+}
+pub(crate) use pointers_of_dcel;
+
 impl View for Dcel {
-    fn vertex_bound(&self) -> usize {
-        self.vertex_bound()
-    }
-    fn half_edge_bound(&self) -> usize {
-        self.half_edge_bound()
-    }
-    fn face_bound(&self) -> usize {
-        self.face_bound()
-    }
-    fn has_vertex(&self, v: VertexId) -> bool {
-        self.has_vertex(v)
-    }
-    fn has_half_edge(&self, h: HalfEdgeId) -> bool {
-        self.has_half_edge(h)
-    }
-    fn has_face(&self, f: FaceId) -> bool {
-        self.has_face(f)
-    }
-    fn origin(&self, h: HalfEdgeId) -> Option<VertexId> {
-        self.has_half_edge(h).then(|| self.origin(h))
-    }
-    fn twin(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
-        self.has_half_edge(h).then(|| h.twin())
-    }
-    fn next(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
-        self.has_half_edge(h).then(|| self.next(h))
-    }
-    fn prev(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
-        self.has_half_edge(h).then(|| self.prev(h))
-    }
-    fn face(&self, h: HalfEdgeId) -> Option<FaceId> {
-        self.has_half_edge(h).then(|| self.face(h))
-    }
-    fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
-        self.has_vertex(v).then(|| self.outgoing(v)).flatten()
-    }
-    fn boundary(&self, f: FaceId) -> Option<HalfEdgeId> {
-        self.has_face(f).then(|| self.boundary(f)).flatten()
-    }
+    pointers_of_dcel!();
 }
 
 /// At most `half_edge_bound` half-edges along `next` from `start`, ending before `start` comes again or where

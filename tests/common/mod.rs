@@ -2,6 +2,7 @@
 //! edits, random numbers, and scripts that can be printed and replayed.
 
 #![allow(dead_code, unreachable_pub)] // every test file is a crate of its own and uses its own part of this
+#![allow(clippy::unwrap_used)] // a test may panic
 
 pub mod brute;
 pub mod model;

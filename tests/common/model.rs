@@ -31,7 +31,7 @@ impl Model {
     }
 
     pub fn of(dcel: &Dcel) -> Self {
-        let list = |f| dcel.incident_half_edges(f).map(|a| a.number()).collect();
+        let list = |f| dcel.incident_half_edges(f).map(dcel_kit::HalfEdgeId::number).collect();
         Self {
             faces: dcel.faces().map(|f| (f.number(), list(f))).collect(),
             origin: dcel.half_edges().map(|a| (a.number(), dcel.origin(a).number())).collect(),
@@ -116,12 +116,12 @@ impl Model {
 
     /// Panics with the first difference between the model and the structure, every pointer being asked.
     pub fn assert_matches(&self, dcel: &Dcel, context: &str) {
-        let live: Vec<u32> = dcel.half_edges().map(|a| a.number()).collect();
+        let live: Vec<u32> = dcel.half_edges().map(dcel_kit::HalfEdgeId::number).collect();
         assert_eq!(live, self.origin.keys().copied().collect::<Vec<_>>(), "live half-edges, {context}");
-        let live: Vec<u32> = dcel.faces().map(|x| x.number()).collect();
+        let live: Vec<u32> = dcel.faces().map(dcel_kit::FaceId::number).collect();
         assert_eq!(live, self.faces.keys().copied().collect::<Vec<_>>(), "live faces, {context}");
         let vertices: std::collections::BTreeSet<u32> = self.origin.values().copied().collect();
-        let live: Vec<u32> = dcel.vertices().map(|x| x.number()).collect();
+        let live: Vec<u32> = dcel.vertices().map(dcel_kit::VertexId::number).collect();
         assert_eq!(live, vertices.into_iter().collect::<Vec<_>>(), "live vertices, {context}");
         assert_eq!(
             (dcel.vertex_count(), dcel.half_edge_count(), dcel.face_count()),

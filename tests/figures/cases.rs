@@ -17,7 +17,7 @@ pub(crate) fn h(i: usize) -> HalfEdgeId {
 pub(crate) fn plane(points: &[P], segments: &[(usize, usize)]) -> Table {
     let ends = |i: usize| {
         let (a, b) = segments[i / 2];
-        if i % 2 == 0 { (a, b) } else { (b, a) }
+        if i.is_multiple_of(2) { (a, b) } else { (b, a) }
     };
     let count = 2 * segments.len();
     let mut star: Vec<Vec<usize>> = vec![Vec::new(); points.len()];
@@ -211,6 +211,11 @@ pub(crate) fn slivers() -> Table {
     plane(&points, &segments)
 }
 
+/// Isolated vertices a few px away from an edge and from a corner.
+pub(crate) fn close() -> Table {
+    plane(&[[0., 0.], [6., 0.], [6., 4.], [0., 4.], [3., 0.07], [5.9, 3.9]], &closed(0, 4).collect::<Vec<_>>())
+}
+
 /// A wheel with `n` spokes.
 pub(crate) fn hub(n: usize) -> Table {
     let mut points = vec![[0., 0.]];
@@ -264,7 +269,7 @@ pub(crate) fn discs(points: &[P], faces: &[Vec<usize>]) -> Table {
     let mut rows = vec![empty; 2 * edges.len()];
     for (i, row) in rows.iter_mut().enumerate() {
         let (a, b) = edges[i / 2];
-        row.origin = Some(VertexId::new(if i % 2 == 0 { a } else { b } as u32));
+        row.origin = Some(VertexId::new(if i.is_multiple_of(2) { a } else { b } as u32));
         row.twin = Some(h(i ^ 1));
     }
     let mut face_rows = vec![FaceRow::default()];
@@ -315,6 +320,7 @@ pub(crate) fn all() -> Vec<(&'static str, Table)> {
         ("hub-12", hub(12)),
         ("hub-200", hub(200)),
         ("antenna", antenna()),
+        ("close", close()),
         ("grid-4", grid(4, true)),
         ("grid-10", grid(10, true)),
         ("grid-25", grid(25, false)),
@@ -323,7 +329,7 @@ pub(crate) fn all() -> Vec<(&'static str, Table)> {
         ("vertical", plane(&[[0., 0.], [0., 1.], [0., 3.]], &[(0, 1), (1, 2)])),
         ("tiny", polygon(&[[0., 0.], [1e-9, 0.], [0., 1e-9]])),
         ("huge", polygon(&[[-1e9, 0.], [1e9, 0.], [0., 2e9]])),
-        ("far", polygon(&[[1e9, 1e9], [1e9 + 1e-3, 1e9], [1e9, 1e9 + 1e-3]])),
+        ("far", polygon(&[[1e9, 1e9], [1e9 + 1e-5, 1e9], [1e9, 1e9 + 1e-5]])),
         ("flat", polygon(&[[0., 0.], [1000., 0.], [1000., 1.], [0., 1.]])),
         ("tall", polygon(&[[0., 0.], [1., 0.], [1., 1000.], [0., 1000.]])),
         ("empty", plane(&[], &[])),

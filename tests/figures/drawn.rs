@@ -55,6 +55,9 @@ pub(crate) struct Arrow {
     pub(crate) barb: [P; 3],
 }
 
+/// The class of a filled path and its outlines.
+pub(crate) type Area = (String, Vec<Vec<P>>);
+
 /// What the file shows.
 pub(crate) struct Drawn {
     pub(crate) size: P,
@@ -66,7 +69,7 @@ pub(crate) struct Drawn {
     pub(crate) arrows: BTreeMap<String, Arrow>,
     pub(crate) words: Vec<Word>,
     /// The outlines of tinted, hole and outer areas, with the class, by face.
-    pub(crate) areas: BTreeMap<String, Vec<(String, Vec<Vec<P>>)>>,
+    pub(crate) areas: BTreeMap<String, Vec<Area>>,
     /// The lines of the edges, in px.
     pub(crate) edges: Vec<(P, P)>,
 }
@@ -112,7 +115,7 @@ pub(crate) fn read(svg: &str) -> Drawn {
                 at: [number(node, "x"), number(node, "y")],
                 size: number(node, "font-size"),
             }),
-            ("line", "sh") => {
+            ("line", "sh" | "sh thin") => {
                 let barb = node.next_sibling_element().unwrap();
                 assert_eq!(barb.attribute("class"), Some("barb"));
                 let corners = path(barb.attribute("d").unwrap());

@@ -23,7 +23,7 @@ fn triangle() -> Table {
     let mut table =
         structure(&[[0.0, -0.0], [0.1, 1e-7], [1e21, 123456789.125], [2.5, 1.0]], &[Face::new(&[&[0, 1, 2]])]);
     let face = table.faces[1].as_mut().unwrap();
-    face.name = Some("Ohio \"1\"".to_owned());
+    face.name = Some("Ohio \"1\"\t".to_owned());
     face.rings.push(Ring::Isolated(VertexId::new(3)));
     table
 }
@@ -35,7 +35,7 @@ fn the_text_is_as_documented() {
         h0 origin v0 twin h1 next h2 prev h4 face f1\nh1 origin v1 twin h0 next h5 prev h3 face f0\n\
         h2 origin v1 twin h3 next h4 prev h0 face f1\nh3 origin v2 twin h2 next h1 prev h5 face f0\n\
         h4 origin v2 twin h5 next h0 prev h2 face f1\nh5 origin v0 twin h4 next h3 prev h1 face f0\n\
-        f0 outer boundary h1 rings none\nf1 boundary h0 rings v3 name \"Ohio \\\"1\\\"\"\n";
+        f0 outer boundary h1 rings none\nf1 boundary h0 rings v3 name \"Ohio \\\"1\\\"\\t\"\n";
     assert_eq!(text(&Model::table(&triangle()), Format::Dcel), expected);
 }
 

@@ -368,7 +368,7 @@ fn notes_say_what_was_left_out() {
     fragments(
         notes(br#"{"type":"GeometryCollection","geometries":[{"type":"LineString"},{"type":"Point"},{"type":"Point"},
             {"type":"Polygon","coordinates":[[[0,0,1],[0,0,1],[1,0],[0,1],[0,0]]]},{"type":"Polygon","coordinates":[]}]}"#, Format::GeoJson, false),
-        &["1 line geometries", "2 point geometries", "third coordinate of 2 points", "1 polygons without any ring", "1 points that repeat the one before were removed, the first in geometry geometries[3] polygon 0 ring 0"],
+        &["1 line geometries", "2 point geometries", "1 polygons without any ring", "third coordinate of 2 points", "1 points that repeat the one before were removed, the first in geometry geometries[3] polygon 0 ring 0"],
     );
     // A degenerate hole goes alone; a degenerate outer ring takes its polygon with it.
     let rings = br#"{"type":"Feature","id":"x","geometry":{"type":"MultiPolygon","coordinates":[
@@ -386,6 +386,20 @@ fn notes_say_what_was_left_out() {
     assert_eq!(soup.faces.corners(), [0, 1, 2, 0, 2, 3], "numbered as they come, the dropped ones left out");
     assert_eq!(soup.places.face_path(1), Some("feature \"x\" polygon 2"));
     assert_eq!(soup.names.len(), 2);
+}
+
+#[test]
+fn points_are_joined_where_they_are_equal_and_nowhere_else() {
+    // Two squares side by side; the right one writes the common border with -0 and repeats points. The third
+    // is off by the smallest step there is.
+    let text = br#"{"type":"MultiPolygon","coordinates":[
+        [[[-1,0],[0,0],[0,3],[0,5],[0,7],[-1,7],[-1,0]]],
+        [[[1,7],[1,7],[-0.0,7],[-0.0,5],[-0.0,5],[-0.0,3],[-0.0,-0.0],[1,0],[1,7],[1,7]]],
+        [[[1,0],[2,0],[1.0000000000000002,7],[1,0]]]]}"#;
+    let soup = soup(text, Format::GeoJson);
+    let faces: Vec<&[u32]> = soup.faces.outer_cycles().collect();
+    assert_eq!(faces, [&[0, 1, 2, 3, 4, 5][..], &[6, 4, 3, 2, 1, 7], &[7, 8, 9]]);
+    assert!(soup.points.iter().all(|p| p[0].to_bits() != (-0.0f64).to_bits()), "{:?}", soup.points);
 }
 
 #[test]

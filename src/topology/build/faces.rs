@@ -22,9 +22,34 @@ pub(crate) trait Faces {
     /// Calls `visit(face, cycle of the face, corners)` for each cycle in order, until it fails.
     fn try_for_each_cycle<E>(&self, visit: impl FnMut(u32, usize, &[u32]) -> Result<(), E>) -> Result<(), E>;
 
+    /// Calls `visit(corner, from, to)` for the half-edge of each corner in order, until it fails.
+    fn try_for_each_half_edge<E>(&self, visit: impl FnMut(u32, u32, u32) -> Result<(), E>) -> Result<(), E>;
+
+    /// The same for a `visit` that cannot fail.
+    #[inline(always)]
+    fn for_each_half_edge(&self, mut visit: impl FnMut(u32, u32, u32)) {
+        let Ok(()) = self.try_for_each_half_edge::<std::convert::Infallible>(|corner, from, to| {
+            visit(corner, from, to);
+            Ok(())
+        });
+    }
+
+    /// A function that tells where a corner is. Making it is O(corners), each call O(1).
+    fn around(&self) -> impl Fn(usize) -> Around;
+
     /// Finds the first face that is wrong by itself: too few corners, a vertex that does not exist, a vertex
     /// twice on one cycle. O(corners + vertices).
     fn check_each(&self, vertices: usize) -> Result<(), BuildError>;
+}
+
+/// The surroundings of a corner.
+pub(crate) struct Around {
+    /// Its face.
+    pub(crate) face: u32,
+    /// The corner before it on its cycle.
+    pub(crate) before: usize,
+    /// The corner after it on its cycle.
+    pub(crate) after: usize,
 }
 
 impl Faces for [[u32; 3]] {
@@ -39,6 +64,30 @@ impl Faces for [[u32; 3]] {
     #[inline(always)]
     fn try_for_each_cycle<E>(&self, mut visit: impl FnMut(u32, usize, &[u32]) -> Result<(), E>) -> Result<(), E> {
         self.iter().enumerate().try_for_each(|(face, corners)| visit(face as u32, 0, corners))
+    }
+
+    #[inline(always)]
+    fn try_for_each_half_edge<E>(&self, mut visit: impl FnMut(u32, u32, u32) -> Result<(), E>) -> Result<(), E> {
+        let mut corner = 0;
+        for &[a, b, c] in self {
+            visit(corner, a, b)?;
+            visit(corner + 1, b, c)?;
+            visit(corner + 2, c, a)?;
+            corner += 3;
+        }
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn around(&self) -> impl Fn(usize) -> Around {
+        |corner| {
+            let face = corner as u32 / 3;
+            let place = corner - 3 * face as usize;
+            // Sums, not branches: the places of twins are as good as random.
+            let before = corner + 3 * usize::from(place == 0) - 1;
+            let after = corner + 1 - 3 * usize::from(place == 2);
+            Around { face, before, after }
+        }
     }
 
     fn check_each(&self, vertices: usize) -> Result<(), BuildError> {
@@ -66,6 +115,40 @@ impl Faces for PolygonList {
         (0..self.face_count()).try_for_each(|face| {
             self.cycles(face).enumerate().try_for_each(|(cycle, corners)| visit(face as u32, cycle, corners))
         })
+    }
+
+    #[inline(always)]
+    fn try_for_each_half_edge<E>(&self, mut visit: impl FnMut(u32, u32, u32) -> Result<(), E>) -> Result<(), E> {
+        let mut corner = 0;
+        for ends in self.cycle_starts().windows(2) {
+            let corners = &self.corners()[ends[0] as usize..ends[1] as usize];
+            let afters = corners.iter().skip(1).chain(corners.first());
+            for (&from, &to) in corners.iter().zip(afters) {
+                visit(corner, from, to)?;
+                corner += 1;
+            }
+        }
+        Ok(())
+    }
+
+    fn around(&self) -> impl Fn(usize) -> Around {
+        // By corner: its cycle. By cycle: its face.
+        let mut cycle_of = Vec::with_capacity(self.corner_count());
+        let mut face_of = Vec::with_capacity(self.cycle_count());
+        let _ = self.try_for_each_cycle::<()>(|face, _, corners| {
+            cycle_of.resize(cycle_of.len() + corners.len(), face_of.len() as u32);
+            face_of.push(face);
+            Ok(())
+        });
+        move |corner| {
+            let cycle = cycle_of[corner] as usize;
+            let [start, end] = [cycle, cycle + 1].map(|c| self.cycle_starts()[c] as usize);
+            Around {
+                face: face_of[cycle],
+                before: if corner == start { end - 1 } else { corner - 1 },
+                after: if corner + 1 == end { start } else { corner + 1 },
+            }
+        }
     }
 
     fn check_each(&self, vertices: usize) -> Result<(), BuildError> {

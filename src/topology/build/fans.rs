@@ -15,26 +15,39 @@
 use super::{BuildError, Matched};
 use crate::ids::{FaceId, HalfEdgeId, MAX_IDS, VertexId};
 use crate::topology::TooMany;
-use crate::topology::links::{Columns, NONE, TAG};
+use crate::topology::links::{Columns, TAG};
+
+const NONE: u32 = Columns::NONE;
 
 impl Matched {
     /// Fills the column of vertices, links the border where it is clear, and finds the pinched vertices.
-    pub(super) fn new(vertices: usize, columns: Columns, first_face: u32) -> Self {
-        let mut this = Self { columns, border: Vec::new(), pinched: Vec::new(), isolated: 0, first_face };
+    pub(super) fn new(vertices: usize, corners: &[u32], half_edge: &[u32], columns: Columns, first_face: u32) -> Self {
+        let border = (0..).zip(&columns.face).filter(|&(_, &face)| face == NONE).map(|(h, _)| h).collect();
+        let mut this = Self { columns, border, pinched: Vec::new(), isolated: 0, first_isolated: None, first_face };
         this.columns.outgoing = vec![NONE; vertices];
-        this.border = (0..).zip(&this.columns.face).filter(|&(_, &face)| face == NONE).map(|(h, _)| h).collect();
         let one_gap_each = this.link_border();
-        let walked = this.walk_stars();
-        if !one_gap_each || walked != this.columns.next.len() {
+        let firsts = first_corners(corners, vertices);
+        this.isolated = vertices - firsts.len();
+        // A vertex on the border has its half-edge already.
+        let firsts: Vec<u32> = firsts
+            .into_iter()
+            .map(|corner| {
+                let h = half_edge[corner as usize];
+                let word = &mut this.columns.outgoing[corners[corner as usize] as usize];
+                if *word == NONE {
+                    *word = h;
+                }
+                h
+            })
+            .collect();
+        if this.isolated > 0 {
+            let first = this.columns.outgoing.iter().position(|&word| word == NONE);
+            this.first_isolated = first.map(|v| VertexId(v as u32));
+        }
+        if !one_gap_each || stars_length(&this.columns.prev, &firsts) != this.columns.prev.len() {
             this.find_pinched();
         }
-        this.isolated = this.columns.outgoing.iter().filter(|&&word| word == NONE).count();
         this
-    }
-
-    /// The first vertex that no face uses.
-    pub(crate) fn first_isolated(&self) -> Option<VertexId> {
-        self.columns.outgoing.iter().position(|&word| word == NONE).map(|v| VertexId(v as u32))
     }
 
     /// Makes the border half-edge that ends at a vertex and the one that starts there follow each other, where
@@ -59,29 +72,6 @@ impl Matched {
             }
         }
         one_gap_each
-    }
-
-    /// Gives every other vertex its first half-edge and walks round all vertices that are not tagged. Returns
-    /// how many half-edges were met: all of them, if each vertex has one fan.
-    ///
-    /// The walks start in the order of the half-edges, not of the vertices: faces that are near each other in
-    /// the input are near in memory.
-    fn walk_stars(&mut self) -> usize {
-        let Columns { origin, prev, outgoing, .. } = &mut self.columns;
-        let mut walked = 0;
-        for &h in &self.border {
-            if outgoing[origin[h as usize] as usize] == h {
-                walked += star_length(prev, h);
-            }
-        }
-        for (h, &v) in (0..).zip(origin.iter()) {
-            let word = &mut outgoing[v as usize];
-            if *word == NONE {
-                *word = h;
-                walked += star_length(prev, h);
-            }
-        }
-        walked
     }
 
     /// Compares each star with the degree of its vertex, lists the vertices where they differ or where there
@@ -185,8 +175,20 @@ impl Matched {
     }
 }
 
+/// For each vertex that occurs, the first corner it occurs at, in increasing order.
+fn first_corners(corners: &[u32], vertices: usize) -> Vec<u32> {
+    let mut seen = vec![false; vertices];
+    let mut firsts = vec![0; vertices + 1];
+    let mut count = 0;
+    for (corner, &v) in (0..).zip(corners) {
+        firsts[count] = corner;
+        count += usize::from(!std::mem::replace(&mut seen[v as usize], true));
+    }
+    firsts.truncate(count);
+    firsts
+}
+
 /// How many half-edges a walk round the origin of `h` meets.
-#[inline(always)]
 fn star_length(prev: &[u32], h: u32) -> usize {
     let mut at = h;
     let mut length = 0;
@@ -197,4 +199,39 @@ fn star_length(prev: &[u32], h: u32) -> usize {
             return length;
         }
     }
+}
+
+/// How many half-edges walks round the origins of all `firsts` meet.
+///
+/// Several walks are under way at a time: each waits for memory at each step, and together they wait less.
+fn stars_length(prev: &[u32], firsts: &[u32]) -> usize {
+    const WALKS: usize = 8;
+    let Some((&starts, rest)) = firsts.split_first_chunk::<WALKS>() else {
+        return firsts.iter().map(|&h| star_length(prev, h)).sum();
+    };
+    let (mut first, mut at) = (starts, starts);
+    let mut waiting = 0;
+    let mut length = 0;
+    while waiting + WALKS <= rest.len() {
+        for walk in 0..WALKS {
+            let h = prev[at[walk] as usize] ^ 1;
+            let round = h == first[walk];
+            let fresh = rest[waiting];
+            at[walk] = if round { fresh } else { h };
+            first[walk] = if round { fresh } else { first[walk] };
+            waiting += usize::from(round);
+        }
+        length += WALKS;
+    }
+    for walk in 0..WALKS {
+        // What is left of this walk: `at` has not been counted yet.
+        loop {
+            length += 1;
+            at[walk] = prev[at[walk] as usize] ^ 1;
+            if at[walk] == first[walk] {
+                break;
+            }
+        }
+    }
+    length + rest[waiting..].iter().map(|&h| star_length(prev, h)).sum::<usize>()
 }

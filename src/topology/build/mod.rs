@@ -17,6 +17,7 @@
 //! by walking the vertices (`fans.rs`). If anything is wrong, a second, slower look finds out what
 //! (`diagnose.rs`).
 
+mod dealt;
 mod diagnose;
 mod error;
 mod faces;
@@ -28,7 +29,7 @@ use super::{Dcel, PolygonList, TooMany};
 use crate::ids::{FaceId, MAX_IDS, VertexId};
 pub use error::BuildError;
 pub(crate) use faces::Faces;
-use matching::{Dealt, Stop, Streamed, Twins};
+use matching::{Numbers, read_ahead};
 
 /// A structure made from a list of faces.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -46,8 +47,8 @@ impl Dcel {
     /// Vertices and faces keep their numbers. Edges are numbered as the triangles in order first meet them
     /// (`0 -> 1`, `1 -> 2`, `2 -> 0` of each), and the even half of an edge is the one met first. `boundary(f)`
     /// is the half-edge from the first to the second corner. Where the surface ends, each border cycle gets
-    /// a face of its own, and `outgoing(v)` of a vertex there is its half-edge on that border; elsewhere it is
-    /// the smallest half-edge at `v`. A vertex that no face uses stays, isolated.
+    /// a face of its own, and `outgoing(v)` of a vertex there is its half-edge on that border; elsewhere it is the
+    /// one in the first face that uses `v`. A vertex that no face uses stays, isolated.
     ///
     /// Faces may form any oriented surface: closed or with borders, of any genus, in any number of pieces.
     ///
@@ -111,6 +112,8 @@ pub(crate) struct Matched {
     pub(crate) pinched: Vec<VertexId>,
     /// How many vertices no face uses.
     pub(crate) isolated: usize,
+    /// The first of them.
+    pub(crate) first_isolated: Option<VertexId>,
     /// The number of the first input face.
     first_face: u32,
 }
@@ -129,96 +132,63 @@ pub(crate) fn match_faces<F: Faces + ?Sized>(
         return Err(TooMany.into());
     }
     faces.check_each(vertices)?;
-    let linked = if matching::is_local(faces) {
-        match link(faces, first_face, Streamed::new(vertices, corners)) {
-            Err(Stop::LongList) => link_dealt(vertices, faces, first_face),
-            done => done,
+    let Ok(numbers) = matching::number(faces, vertices) else { return Err(diagnose::clash(faces)) };
+    let (half_edge, columns) = link(faces, first_face, numbers);
+    Ok(Matched::new(vertices, faces.corners(), &half_edge, columns, first_face))
+}
+
+/// Writes the columns of half-edges, edge by edge: what it needs of a half-edge stands together at its corner,
+/// so that an edge touches two places, wherever its faces are. The column of vertices stays empty.
+fn link<F: Faces + ?Sized>(faces: &F, first_face: u32, numbers: Numbers) -> (Vec<u32>, Columns) {
+    /// Edges written at a time, so that the columns grow by slices.
+    const BATCH: usize = 64;
+    const AHEAD: usize = 1 << 14;
+    let Numbers { half_edge, corners: pairs, spare } = numbers;
+    let around = faces.around();
+    let corners = faces.corners();
+    let [mut next, mut prev, mut face] = spare.map(|mut column| {
+        column.clear();
+        column.reserve_exact(2 * pairs.len());
+        column
+    });
+    // The corners of an edge stand where the origins of its halves will stand.
+    let mut origin = pairs.into_flattened();
+    let mut read = 0;
+    for batch in origin.chunks_mut(2 * BATCH) {
+        let ahead = batch[0] as usize + AHEAD;
+        read_ahead(&half_edge, read..ahead);
+        read = ahead;
+        let [mut nexts, mut prevs, mut faces] = [[NONE; 2 * BATCH]; 3];
+        for (i, pair) in batch.chunks_exact_mut(2).enumerate() {
+            let (even, odd) = (pair[0] as usize, pair[1]);
+            let here = around(even);
+            pair[0] = corners[even];
+            pair[1] = corners[here.after];
+            faces[2 * i] = first_face + here.face;
+            prevs[2 * i] = half_edge[here.before];
+            nexts[2 * i] = half_edge[here.after];
+            if odd != NONE {
+                let there = around(odd as usize);
+                faces[2 * i + 1] = first_face + there.face;
+                prevs[2 * i + 1] = half_edge[there.before];
+                nexts[2 * i + 1] = half_edge[there.after];
+            }
         }
-    } else {
-        link_dealt(vertices, faces, first_face)
-    };
-    match linked {
-        Ok(columns) => Ok(Matched::new(vertices, columns, first_face)),
-        Err(_) => Err(diagnose::clash(faces)),
+        next.extend_from_slice(&nexts[..batch.len()]);
+        prev.extend_from_slice(&prevs[..batch.len()]);
+        face.extend_from_slice(&faces[..batch.len()]);
     }
-}
-
-fn link_dealt<F: Faces + ?Sized>(vertices: usize, faces: &F, first_face: u32) -> Result<Columns, Stop> {
-    link(faces, first_face, Dealt::new(faces, vertices)?)
-}
-
-/// Writes the half-edges of all faces. The columns of vertices stay empty.
-fn link<F: Faces + ?Sized>(faces: &F, first_face: u32, mut twins: impl Twins) -> Result<Columns, Stop> {
-    let mut out = Pairs::with_capacity(twins.half_edges());
     let mut boundary = vec![NONE; first_face as usize + faces.face_count()];
     let mut corner = 0;
-    faces.try_for_each_cycle(|face, cycle, corners| {
-        let face = face + first_face;
-        let mut first = NONE;
-        let mut before = NONE;
-        for (k, &from) in corners.iter().enumerate() {
-            let to = if k + 1 < corners.len() { corners[k + 1] } else { corners[0] };
-            let h = twins.half_edge(corner, from, to, out.used as u32, &out.origin)?;
-            corner += 1;
-            if h as usize == out.used {
-                out.push(from, to);
-            }
-            out.face[h as usize] = face;
-            if k == 0 {
-                first = h;
-            } else {
-                out.next[before as usize] = h;
-                out.prev[h as usize] = before;
-            }
-            before = h;
-        }
-        out.next[before as usize] = first;
-        out.prev[first as usize] = before;
+    let _ = faces.try_for_each_cycle::<()>(|face, cycle, corners| {
         if cycle == 0 {
-            boundary[face as usize] = first;
+            boundary[(first_face + face) as usize] = half_edge[corner];
         }
+        corner += corners.len();
         Ok(())
-    })?;
-    Ok(out.finish(boundary))
-}
-
-/// The four columns of half-edges while they grow.
-struct Pairs {
-    origin: Vec<u32>,
-    next: Vec<u32>,
-    prev: Vec<u32>,
-    face: Vec<u32>,
-    /// How many half-edges there are; the rest of the columns is room made in advance.
-    used: usize,
-}
-
-impl Pairs {
-    /// Room is made for so many half-edges at a time.
-    const STEP: usize = 4096;
-
-    fn with_capacity(half_edges: usize) -> Self {
-        let column = || Vec::with_capacity(half_edges + Self::STEP);
-        Self { origin: column(), next: column(), prev: column(), face: column(), used: 0 }
+    });
+    for column in [&mut origin, &mut next, &mut prev, &mut face] {
+        column.shrink_to_fit();
     }
-
-    #[inline(always)]
-    fn push(&mut self, from: u32, to: u32) {
-        if self.used == self.next.len() {
-            for column in [&mut self.origin, &mut self.next, &mut self.prev, &mut self.face] {
-                column.resize(column.len() + Self::STEP, NONE);
-            }
-        }
-        self.origin[self.used] = from;
-        self.origin[self.used + 1] = to;
-        self.used += 2;
-    }
-
-    fn finish(mut self, boundary: Vec<u32>) -> Columns {
-        for column in [&mut self.origin, &mut self.next, &mut self.prev, &mut self.face] {
-            column.truncate(self.used);
-            column.shrink_to_fit();
-        }
-        let Self { origin, next, prev, face, .. } = self;
-        Columns { origin, next, prev, face, outgoing: Vec::new(), boundary }
-    }
+    (half_edge, Columns { origin, next, prev, face, outgoing: Vec::new(), boundary })
 }

@@ -25,12 +25,12 @@ mod tests {
     /// Two triangles side by side that share the face `f0`: h0 h2 h4 round `f1`, h6 h8 h10 round `f2`.
     fn two_triangles() -> Dcel {
         let turn = |h: u32, by: u32| h / 6 * 6 + (h % 6 + by) % 6;
-        let step = |h: u32, inside: u32, outside: u32| turn(h, if h % 2 == 0 { inside } else { outside });
+        let step = |h: u32, inside: u32, outside: u32| turn(h, if h.is_multiple_of(2) { inside } else { outside });
         Dcel::from_columns(Columns {
             origin: (0..12).map(|h| turn(h, h % 2) / 2).collect(),
             next: (0..12).map(|h| step(h, 2, 4)).collect(),
             prev: (0..12).map(|h| step(h, 4, 2)).collect(),
-            face: (0..12).map(|h| if h % 2 == 1 { 0 } else { 1 + h / 6 }).collect(),
+            face: (0..12_u32).map(|h| if h.is_multiple_of(2) { 1 + h / 6 } else { 0 }).collect(),
             outgoing: (0..6).map(|v| 2 * v).collect(),
             boundary: vec![1, 0, 6],
         })

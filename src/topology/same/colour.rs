@@ -9,9 +9,11 @@
 
 use super::world::World;
 
-/// The rounds after which the colours are looked at; if the rarest one is unique or no new colours came up, it
-/// is enough.
-const CHECKS: [u32; 5] = [2, 4, 8, 16, 32];
+/// The rounds after which the colours are looked at.
+const CHECKS: [u32; 4] = [4, 8, 16, 32];
+/// Enough if the rarest colour is no more frequent than this (a turn of the whole structure often leaves two of
+/// every kind), or if no new colours came up.
+const RARE: usize = 2;
 
 /// Mixes a value into a hash: multiply and fold, twice, with odd constants.
 pub(super) fn mix(hash: u64, value: u64) -> u64 {
@@ -64,7 +66,7 @@ pub(super) fn refine(
         let rarest = roots.chunk_by(|a, b| a.0 == b.0).min_by_key(|same| same.len());
         let rarity = rarest.map_or(0, <[_]>::len);
         look.root = rarest.map_or(members[0], |same| same[0].1);
-        if rarity <= 1 || now == kinds {
+        if rarity <= RARE || now == kinds {
             break;
         }
         kinds = now;

@@ -10,9 +10,10 @@
 use super::super::flat::{Grouped, NONE};
 use super::colour::{Look, mix, refine};
 use super::difference::{first_pointer, which};
+use super::matcher::Matcher;
 use super::world::World;
 use super::{Difference, Matching, Which};
-use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::ids::{FaceId, HalfEdgeId};
 use std::collections::{BTreeMap, VecDeque};
 
 /// Marks the class of a face while its piece is looked at from within that face.
@@ -83,56 +84,29 @@ struct Forest<'a> {
 
 impl<'a> Forest<'a> {
     fn new(world: &'a World) -> Self {
-        let bound = world.next.len();
-        let mut piece_of = vec![NONE; bound];
-        let (mut count, mut members) = (0, Vec::with_capacity(world.half_edges.len()));
-        for &start in &world.half_edges {
-            if piece_of[start as usize] != NONE {
-                continue;
-            }
-            let mut at = members.len();
-            piece_of[start as usize] = count;
-            members.push((count as usize, start));
-            while let Some(&(_, h)) = members.get(at) {
-                at += 1;
-                for g in [world.next[h as usize], world.twin[h as usize]] {
-                    if std::mem::replace(&mut piece_of[g as usize], count) == NONE {
-                        members.push((count as usize, g));
-                    }
-                }
-            }
-            count += 1;
-        }
-        let face_bound = world.face_label.len();
+        let (bound, face_bound) = (world.next.len(), world.face_label.len());
+        let (pieces, piece_of) = pieces(world);
+        let count = pieces.groups();
+        let cycles = world.faces.iter().flat_map(|&f| world.cycles.of(f as usize).iter().map(move |&h| (f, h)));
+        let mut at_faces: Vec<(u32, u32)> = cycles.map(|(f, h)| (f, piece_of[h as usize])).collect();
+        at_faces.sort_unstable();
+        at_faces.dedup();
         let mut joins = vec![false; face_bound];
-        let mut at_faces: Vec<(u32, u32)> = Vec::new();
-        for &f in &world.faces {
-            let first = at_faces.len();
-            at_faces.extend(world.cycles.of(f as usize).iter().map(|&h| (f, piece_of[h as usize])));
-            at_faces[first..].sort_unstable();
-            let mut kept = first;
-            for i in first..at_faces.len() {
-                if i == first || at_faces[i] != at_faces[i - 1] {
-                    at_faces[kept] = at_faces[i];
-                    kept += 1;
-                }
-            }
-            at_faces.truncate(kept);
-            joins[f as usize] = kept - first != 1;
-        }
+        let pieces_at = Grouped::new(face_bound, at_faces.iter().map(|&(f, p)| (f as usize, p)));
+        world.faces.iter().for_each(|&f| joins[f as usize] = pieces_at.of(f as usize).len() != 1);
         at_faces.retain(|&(f, _)| joins[f as usize]);
         let face_class = (0..face_bound).map(|f| world.face_label[f] | if joins[f] { PARENT } else { 0 }).collect();
         Self {
             world,
-            pieces: Grouped::new(count as usize, members.into_iter()),
+            pieces,
             pieces_at: Grouped::new(face_bound, at_faces.iter().map(|&(f, p)| (f as usize, p))),
-            faces_at: Grouped::new(count as usize, at_faces.iter().map(|&(f, p)| (p as usize, f))),
+            faces_at: Grouped::new(count, at_faces.iter().map(|&(f, p)| (p as usize, f))),
             joins,
-            parent: vec![NONE; count as usize],
+            parent: vec![NONE; count],
             face_parent: vec![NONE; face_bound],
             face_class,
-            piece_class: vec![NONE; count as usize],
-            root: vec![NONE; count as usize],
+            piece_class: vec![NONE; count],
+            root: vec![NONE; count],
             colour: vec![0; bound],
             contents: BTreeMap::new(),
             kinds: BTreeMap::new(),
@@ -253,22 +227,35 @@ impl<'a> Forest<'a> {
         }
         sides.iter_mut().for_each(|side| side.sort_unstable());
         let [first, second] = sides;
-        let apart = first.iter().zip(&second).find(|((a, _), (b, _))| a != b).map(|(&(_, node), _)| node);
-        let lonely = first.get(second.len()).or_else(|| second.get(first.len())).map(|&(_, node)| node);
-        if let Some(node) = apart.or(lonely) {
-            return Err(first_pointer(self.world).unwrap_or_else(|| self.no_counterpart(node)));
+        if let Some(node) = surplus(&first, &second) {
+            return Err(
+                first_pointer(self.world).unwrap_or_else(|| self.no_counterpart(node, surplus(&second, &first)))
+            );
         }
         Ok(first.into_iter().zip(second).map(|((_, a), (_, b))| (a, b)).collect())
     }
 
-    fn no_counterpart(&self, node: Node) -> Difference {
-        match node {
-            Node::Face(f) => Difference::Content { face: self.face_id(f) },
-            Node::Piece(p) => {
-                let (h, split) = (self.root[p as usize], self.world.split.half_edge);
-                let h = HalfEdgeId(h - if h < split { 0 } else { split });
-                Difference::Component { h, half_edges: self.pieces.of(p as usize).len() }
+    /// What to say of a root of the first view that has no partner, when `other` of the second has none either:
+    /// of two faces, the component in the one that is not in the other.
+    fn no_counterpart(&self, node: Node, other: Option<Node>) -> Difference {
+        let piece = match (node, other) {
+            (Node::Piece(p), _) => Some(Node::Piece(p)),
+            (Node::Face(f), Some(Node::Face(g))) => {
+                let [here, there] = [f, g].map(|f| {
+                    let children = self.children(f).into_iter();
+                    children.map(|p| (Node::Piece(self.piece_class[p as usize]), Node::Piece(p))).collect::<Vec<_>>()
+                });
+                surplus(&here, &there)
             }
+            (Node::Face(_), _) => None,
+        };
+        match (piece, node) {
+            (Some(Node::Piece(p)), _) => {
+                let (members, split) = (self.pieces.of(p as usize), self.world.split.half_edge);
+                let h = HalfEdgeId(members[0] - if members[0] < split { 0 } else { split });
+                Difference::Component { h, half_edges: members.len() }
+            }
+            (_, Node::Face(f) | Node::Piece(f)) => Difference::Content { face: self.face_id(f) },
         }
     }
 
@@ -314,141 +301,35 @@ impl<'a> Forest<'a> {
     }
 }
 
-/// A map from half-edges to half-edges while it grows by walks that may be taken back.
-struct Matcher<'a> {
-    world: &'a World,
-    to: Vec<u32>,
-    face_to: Vec<u32>,
-    face_from: Vec<u32>,
-    vertex_to: Vec<u32>,
-    trail: Vec<(u32, u32)>,
-    face_trail: Vec<(u32, u32)>,
-}
-
-impl<'a> Matcher<'a> {
-    fn new(world: &'a World) -> Self {
-        Self {
-            world,
-            to: vec![NONE; world.next.len()],
-            face_to: vec![NONE; world.face_label.len()],
-            face_from: vec![NONE; world.face_label.len()],
-            vertex_to: vec![NONE; world.vertex_label.len()],
-            trail: Vec::new(),
-            face_trail: Vec::new(),
+/// The half-edges that `next` and `twin` connect, piece by piece, and the piece of each.
+fn pieces(world: &World) -> (Grouped<u32>, Vec<u32>) {
+    let mut piece_of = vec![NONE; world.next.len()];
+    let (mut count, mut members) = (0, Vec::with_capacity(world.half_edges.len()));
+    for &start in &world.half_edges {
+        if piece_of[start as usize] != NONE {
+            continue;
         }
-    }
-
-    /// Follows `next` and `twin` on both sides from `a` and `b` on, as far as labels, faces and earlier pairs
-    /// agree. Whether they did all the way; the pairs stay until [`forget`](Self::forget).
-    ///
-    /// A map that keeps `next` and `twin` reaches all of a component, so between components of equal size it is
-    /// one to one.
-    fn walk(&mut self, face_class: &[u32], a: u32, b: u32) -> bool {
-        let world = self.world;
-        let mut at = self.trail.len();
-        self.to[a as usize] = b;
-        self.trail.push((a, b));
-        while let Some(&(a, b)) = self.trail.get(at) {
+        let mut at = members.len();
+        piece_of[start as usize] = count;
+        members.push((count as usize, start));
+        while let Some(&(_, h)) = members.get(at) {
             at += 1;
-            let (i, j) = (a as usize, b as usize);
-            let (f, g) = (world.face[i], world.face[j]);
-            if world.label[i] != world.label[j]
-                || face_class[f as usize] != face_class[g as usize]
-                || !self.pair_faces(f, g)
-            {
-                return false;
-            }
-            for (c, d) in [(world.next[i], world.next[j]), (world.twin[i], world.twin[j])] {
-                match self.to[c as usize] {
-                    NONE => {
-                        self.to[c as usize] = d;
-                        self.trail.push((c, d));
-                    }
-                    known if known == d => {}
-                    _ => return false,
+            for g in [world.next[h as usize], world.twin[h as usize]] {
+                if std::mem::replace(&mut piece_of[g as usize], count) == NONE {
+                    members.push((count as usize, g));
                 }
             }
         }
-        true
+        count += 1;
     }
+    (Grouped::new(count as usize, members.into_iter()), piece_of)
+}
 
-    fn pair_faces(&mut self, f: u32, g: u32) -> bool {
-        let (to, from) = (&mut self.face_to[f as usize], &mut self.face_from[g as usize]);
-        if *to == NONE && *from == NONE {
-            (*to, *from) = (g, f);
-            self.face_trail.push((f, g));
-        }
-        *to == g && *from == f
-    }
-
-    /// Takes back the pairs since the last [`keep`](Self::keep).
-    fn forget(&mut self) {
-        for (a, _) in self.trail.drain(..) {
-            self.to[a as usize] = NONE;
-        }
-        for (f, g) in self.face_trail.drain(..) {
-            (self.face_to[f as usize], self.face_from[g as usize]) = (NONE, NONE);
-        }
-    }
-
-    /// Matches vertices without edges by their labels. O(n log n).
-    fn match_isolated(&mut self, here: &[u32], there: &[u32]) {
-        let [here, there] = [here, there].map(|vertices| {
-            let mut sorted = vertices.to_vec();
-            sorted.sort_by_key(|&v| self.world.vertex_label[v as usize]);
-            sorted
-        });
-        here.iter().zip(there).for_each(|(&v, w)| self.vertex_to[v as usize] = w);
-    }
-
-    fn keep(&mut self) {
-        self.trail.clear();
-        self.face_trail.clear();
-    }
-
-    /// Checks the whole map once more, pointer by pointer, and translates it into ids.
-    fn finish(mut self) -> Result<Matching, Difference> {
-        let (world, split) = (self.world, self.world.split);
-        let apart = || first_pointer(world).unwrap_or(Difference::Content { face: FaceId(0) });
-        let mut taken = vec![false; self.to.len()];
-        for &a in world.half_edges.iter().take_while(|&&a| a < split.half_edge) {
-            let b = self.to[a as usize];
-            if b == NONE || b < split.half_edge || std::mem::replace(&mut taken[b as usize], true) {
-                return Err(apart());
-            }
-            let (i, j) = (a as usize, b as usize);
-            let agree = |column: &[u32]| self.to[column[i] as usize] == column[j];
-            let (v, w) = (world.origin[i], world.origin[j]);
-            let known = std::mem::replace(&mut self.vertex_to[v as usize], w);
-            let keeps = agree(&world.next) && agree(&world.prev) && agree(&world.twin);
-            let keeps =
-                keeps && self.face_to[world.face[i] as usize] == world.face[j] && world.label[i] == world.label[j];
-            if !keeps || (known != NONE && known != w) {
-                return Err(apart());
-            }
-        }
-        let mut matching = Matching {
-            vertices: vec![None; split.vertex as usize].into(),
-            half_edges: vec![None; split.half_edge as usize].into(),
-            faces: vec![None; split.face as usize].into(),
-        };
-        for &v in world.vertices.iter().take_while(|&&v| v < split.vertex) {
-            let w = self.vertex_to[v as usize];
-            if w == NONE || world.vertex_label[v as usize] != world.vertex_label[w as usize] {
-                return Err(apart());
-            }
-            matching.vertices[VertexId(v)] = Some(VertexId(w - split.vertex));
-        }
-        for &h in world.half_edges.iter().take_while(|&&h| h < split.half_edge) {
-            matching.half_edges[HalfEdgeId(h)] = Some(HalfEdgeId(self.to[h as usize] - split.half_edge));
-        }
-        for &f in world.faces.iter().take_while(|&&f| f < split.face) {
-            let g = self.face_to[f as usize];
-            if g == NONE || world.face_label[f as usize] != world.face_label[g as usize] {
-                return Err(apart());
-            }
-            matching.faces[FaceId(f)] = Some(FaceId(g - split.face));
-        }
-        Ok(matching)
-    }
+/// The first of `here` that has no partner of its class in `there`; both are sorted by class.
+fn surplus(here: &[(Node, Node)], there: &[(Node, Node)]) -> Option<Node> {
+    let mut others = there.iter().map(|&(class, _)| class).peekable();
+    here.iter().find_map(|&(class, node)| {
+        while others.next_if(|&other| other < class).is_some() {}
+        others.next_if_eq(&class).is_none().then_some(node)
+    })
 }

@@ -165,7 +165,7 @@ fn intern<T: Ord>(elements: &[u32], bound: usize, value: impl Fn(u32) -> T) -> V
     labels
 }
 
-/// Fails if a label occurs more often on one side than on the other.
+/// Fails if a label of a vertex, a face or a fixed half-edge occurs more often on one side than on the other.
 fn unpaired(
     elements: &[u32],
     split: u32,
@@ -177,29 +177,33 @@ fn unpaired(
     for &x in elements {
         balance[labels[x as usize] as usize] += if x < split { 1 } else { -1 };
     }
-    let odd = elements.iter().find(|&&x| balance[labels[x as usize] as usize] * if x < split { 1 } else { -1 } > 0);
-    odd.map_or(Ok(()), |&x| {
-        let (element, fixed) = describe(x);
-        Err(Difference::Unpaired { element, which: which(x, split), fixed })
-    })
+    for &x in elements {
+        if balance[labels[x as usize] as usize] * if x < split { 1 } else { -1 } > 0 {
+            let (element, fixed) = describe(x);
+            // A half-edge's label has its origin in it; that is better told by the pointers.
+            if fixed || !matches!(element, Element::HalfEdge(_)) {
+                return Err(Difference::Unpaired { element, which: which(x, split), fixed });
+            }
+        }
+    }
+    Ok(())
 }
 
 fn counts(a: &Flat, b: &Flat) -> Result<(), Difference> {
     let count = |flat: &Flat| {
-        let half_edges = flat.half_edges().count();
         [
-            ("vertices", flat.vertices().count()),
-            ("edges", half_edges / 2),
-            ("faces", flat.faces().count()),
-            ("outer faces", usize::from(flat.outer.is_some())),
-            ("hole faces", flat.hole.iter().filter(|&&hole| hole).count()),
-            ("boundary cycles", flat.listed_cycles().count()),
-            ("isolated vertices listed by faces", flat.listed_vertices().count()),
+            (["vertex", "vertices"], flat.vertices().count()),
+            (["edge", "edges"], flat.half_edges().count() / 2),
+            (["face", "faces"], flat.faces().count()),
+            (["outer face", "outer faces"], usize::from(flat.outer.is_some())),
+            (["hole face", "hole faces"], flat.hole.iter().filter(|&&hole| hole).count()),
+            (["boundary cycle", "boundary cycles"], flat.listed_cycles().count()),
+            (["isolated vertex in a face", "isolated vertices in faces"], flat.listed_vertices().count()),
         ]
     };
-    for ((what, found), (_, expected)) in count(a).into_iter().zip(count(b)) {
+    for (([one, many], found), (_, expected)) in count(a).into_iter().zip(count(b)) {
         if found != expected {
-            return Err(Difference::Count { what, found, expected });
+            return Err(Difference::Count { what: if found == 1 { one } else { many }, found, expected });
         }
     }
     Ok(())

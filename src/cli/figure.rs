@@ -1,0 +1,164 @@
+//! `dcel figure`: the structure as a drawing.
+
+use super::failure::say;
+use super::input::InputOptions;
+use super::{Answer, Failure, Output};
+use dcel_kit::figure::{self, Detail, FaceLabels, FigureOptions};
+use std::path::{Path, PathBuf};
+
+/// Draw a structure as SVG
+///
+/// Arrows run on the left of their edge, bounded faces are tinted, the outer face is hatched. A
+/// broken .dcel file is drawn as far as possible.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Examples:
+  dcel figure square.obj -o square.svg
+  dcel figure square.dcel --title \"Two rooms\" > two.svg
+  dcel figure figures/data/states-albers-10m.json \\
+    --y-down --drop-degenerate-rings --width 960 \\
+    -o states.svg")]
+pub(crate) struct Args {
+    /// The file to read, or - for standard input
+    #[arg(value_name = "IN")]
+    file: PathBuf,
+    /// The SVG file to write [default: standard output]
+    #[arg(short, long, value_name = "OUT.svg")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    drawing: Drawing,
+    #[command(flatten)]
+    input: InputOptions,
+}
+
+/// How to draw.
+#[derive(clap::Args, Debug)]
+#[command(next_help_heading = "Drawing")]
+struct Drawing {
+    /// The title, which screen readers read [default: the name of the file]
+    #[arg(long, value_name = "TEXT")]
+    title: Option<String>,
+    /// What ids in the SVG begin with [default: from the title]
+    #[arg(long, value_name = "WORD")]
+    id_prefix: Option<String>,
+    /// Width in px, 100 to 20000 [default: 640, more for few edges]
+    #[arg(long, value_name = "PX", value_parser = px)]
+    width: Option<f64>,
+    /// Greatest height in px, 100 to 20000 [default: 5/4 of the width]
+    #[arg(long, value_name = "PX", value_parser = px)]
+    max_height: Option<f64>,
+    /// How much to draw [default: as much as there is room for]
+    #[arg(long, value_name = "LEVEL")]
+    detail: Option<Level>,
+    /// No names at all
+    #[arg(long)]
+    no_labels: bool,
+    /// No names of vertices
+    #[arg(long)]
+    no_vertex_labels: bool,
+    /// No names of half-edges
+    #[arg(long)]
+    no_half_edge_labels: bool,
+    /// What is written into faces
+    #[arg(long, value_name = "WHAT", default_value = "names")]
+    face_labels: FaceText,
+}
+
+/// How much is drawn.
+#[derive(clap::ValueEnum, Clone, Copy, Debug)]
+enum Level {
+    /// Outlines and areas
+    Tiles,
+    /// Every edge, vertex and face
+    Edges,
+    /// Half-edges too
+    Arrows,
+    /// Everything, with names
+    Full,
+}
+
+/// What the faces show.
+#[derive(clap::ValueEnum, Clone, Copy, Debug)]
+enum FaceText {
+    /// Nothing
+    Off,
+    /// Their ids
+    Ids,
+    /// Their names, ids where there is none
+    Names,
+}
+
+fn px(text: &str) -> Result<f64, String> {
+    let number: f64 = text.parse().map_err(|_| "write a number of px, for example 800".to_owned())?;
+    if (100.0..=20_000.0).contains(&number) { Ok(number) } else { Err("choose 100 to 20000 px".to_owned()) }
+}
+
+pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    let target = args.output.as_deref().filter(|path| path.as_os_str() != "-");
+    if let Some(path) = target {
+        check_target(path, &args.file)?;
+    }
+    let subject = args.input.open(&args.file)?;
+    let Some(view) = subject.planar() else {
+        let what = format!("{}: a surface in space has no drawing in the plane", subject.source);
+        return Err(Failure::input(
+            what,
+            "--plane drops z: good for a terrain seen from above, not for a closed surface",
+        ));
+    };
+    let names = subject.faces().filter_map(|f| Some((f, subject.name(f)?)));
+    let options = args.drawing.options(&args.file).face_names(names);
+    let figure = figure::structure(view, &options)
+        .map_err(|error| Failure::input(format!("{}: {error}", subject.source), ""))?;
+    figure.notes().iter().for_each(|note| say("note", note));
+    match target {
+        None => figure.write_svg(out)?,
+        Some(path) => {
+            std::fs::write(path, figure.to_svg()).map_err(|error| Failure::writing(path.display(), &error))?
+        }
+    }
+    Ok(Answer::Yes)
+}
+
+fn check_target(path: &Path, input: &Path) -> Result<(), Failure> {
+    let svg = |extension: &std::ffi::OsStr| extension.eq_ignore_ascii_case("svg");
+    if path.extension().is_some_and(|extension| !svg(extension)) {
+        return Err(Failure::input(format!("{}: figures are SVG", path.display()), "give a name that ends in .svg"));
+    }
+    if super::output::is_same_file(input, path) {
+        return Err(Failure::input(format!("{}: this is the input itself", path.display()), "choose another name"));
+    }
+    Ok(())
+}
+
+impl Drawing {
+    fn options(&self, file: &Path) -> FigureOptions {
+        let stem = file.file_stem().filter(|stem| *stem != "-").map(|stem| stem.to_string_lossy().into_owned());
+        let title = self.title.clone().or(stem).unwrap_or_else(|| "Half-edge structure".to_owned());
+        let mut options = FigureOptions::new(title)
+            .vertex_labels(!self.no_labels && !self.no_vertex_labels)
+            .half_edge_labels(!self.no_labels && !self.no_half_edge_labels)
+            .face_labels(match self.face_labels {
+                _ if self.no_labels => FaceLabels::Off,
+                FaceText::Off => FaceLabels::Off,
+                FaceText::Ids => FaceLabels::Ids,
+                FaceText::Names => FaceLabels::Names,
+            });
+        if let Some(prefix) = &self.id_prefix {
+            options = options.with_id_prefix(prefix);
+        }
+        if let Some(width) = self.width {
+            options = options.width(width);
+        }
+        if let Some(height) = self.max_height {
+            options = options.max_height(height);
+        }
+        match self.detail {
+            None => options,
+            Some(Level::Tiles) => options.detail(Detail::Tiles),
+            Some(Level::Edges) => options.detail(Detail::Edges),
+            Some(Level::Arrows) => options.detail(Detail::Arrows),
+            Some(Level::Full) => options.detail(Detail::Full),
+        }
+    }
+}

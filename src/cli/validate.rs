@@ -1,0 +1,203 @@
+//! `dcel validate`: which laws does a structure break?
+
+use super::failure::say;
+use super::input::{InputOptions, Opened};
+use super::subject::{Kind, Subject};
+use super::{Answer, Failure, Output};
+use dcel_kit::VertexId;
+use dcel_kit::io::LoadError;
+use dcel_kit::plane::{GEOMETRY_RULES, GeometryViolation, Subdivision, TableError};
+use dcel_kit::topology::{Mode, Rule, Violation, violations};
+use serde::Serialize;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// List the laws that a structure breaks
+///
+/// One violation a line, the id of the law first. In the plane all edges are checked against each
+/// other, whether or not --full-check is given. Polygons that do not fit together are one violation,
+/// INPUT, and no structure.
+///
+/// Exit code 0: valid; 1: not valid; 2: the file cannot be read.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Examples:
+  dcel validate square.dcel
+  dcel validate broken.dcel --json
+  dcel validate --rules")]
+pub(crate) struct Args {
+    /// The file, or - for standard input
+    #[arg(required_unless_present = "rules")]
+    file: Option<PathBuf>,
+    /// Print the laws and what they mean
+    #[arg(long, conflicts_with = "file")]
+    rules: bool,
+    /// Answer in JSON
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    input: InputOptions,
+}
+
+/// The answer. The names are those of the JSON form.
+#[derive(Serialize)]
+struct Report {
+    source: String,
+    mode: Option<&'static str>,
+    valid: bool,
+    violations: Vec<Fault>,
+    /// Why laws were not checked.
+    unchecked: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Fault {
+    rule: &'static str,
+    text: String,
+    elements: Vec<String>,
+    chain: Vec<String>,
+    found: Option<String>,
+    expected: Option<String>,
+}
+
+#[derive(Serialize)]
+struct Law {
+    rule: &'static str,
+    law: &'static str,
+    explanation: &'static str,
+}
+
+pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    let Some(file) = args.file.as_deref().filter(|_| !args.rules) else {
+        print_rules(args.json, out)?;
+        return Ok(Answer::Yes);
+    };
+    // The full check is made here, so that it names everything it finds.
+    let report = match args.input.without_full_check().try_open(file, true)? {
+        Opened::Subject(subject) => Report::of(&subject),
+        Opened::Misfit(error) => Report::misfit(file.display().to_string(), &error),
+    };
+    if args.json {
+        out.json(&report)?;
+    } else {
+        report.print(out)?;
+    }
+    Ok(if report.valid { Answer::Yes } else { Answer::No })
+}
+
+impl Report {
+    fn of(subject: &Subject) -> Self {
+        let mut unchecked = Vec::new();
+        let broken = violations(subject.view());
+        let mut faults: Vec<Fault> = broken.iter().map(Fault::of_law).collect();
+        if faults.is_empty() {
+            let geometry = geometry(subject, &mut unchecked);
+            faults = geometry.iter().map(|violation| Fault::of_geometry(violation, subject)).collect();
+        } else if subject.mode() == Mode::Plane {
+            unchecked.push("the laws of the plane: first those of the structure must hold".to_owned());
+        }
+        let mode = match subject.mode() {
+            Mode::Plane => "plane",
+            Mode::Surface => "surface",
+        };
+        let source = subject.source.clone();
+        Self { source, mode: Some(mode), valid: faults.is_empty(), violations: faults, unchecked }
+    }
+
+    fn misfit(source: String, error: &LoadError) -> Self {
+        let text = error.to_string();
+        let fault = Fault { rule: "INPUT", text, elements: Vec::new(), chain: Vec::new(), found: None, expected: None };
+        Self { source, mode: None, valid: false, violations: vec![fault], unchecked: Vec::new() }
+    }
+
+    fn print(&self, out: &mut Output) -> Result<(), Failure> {
+        for Fault { rule, text, .. } in &self.violations {
+            writeln!(out, "{rule}: {text}")?;
+        }
+        if self.valid {
+            writeln!(out, "{}: valid", self.source)?;
+        } else {
+            let count = self.violations.len();
+            say("note", format!("{}: {count} violation{}", self.source, if count == 1 { "" } else { "s" }));
+        }
+        self.unchecked.iter().for_each(|what| say("note", format!("not checked: {what}")));
+        Ok(())
+    }
+}
+
+/// Violations of the laws of the plane, where there is one.
+fn geometry(subject: &Subject, unchecked: &mut Vec<String>) -> Vec<GeometryViolation> {
+    match &subject.kind {
+        Kind::Plane(subdivision) => subdivision.geometry_violations(),
+        Kind::Surface(_) => Vec::new(),
+        Kind::Table(table) => match Subdivision::from_table(table) {
+            Ok(_) => Vec::new(),
+            Err(TableError::Geometry { violations }) => violations,
+            Err(TableError::NoOuterFace) => {
+                unchecked.push("the laws of the plane: no face is marked `outer`".to_owned());
+                Vec::new()
+            }
+            Err(error) => {
+                unchecked.push(format!("the laws of the plane: {error}"));
+                Vec::new()
+            }
+        },
+    }
+}
+
+fn names<T: ToString>(elements: impl IntoIterator<Item = T>) -> Vec<String> {
+    elements.into_iter().map(|element| element.to_string()).collect()
+}
+
+impl Fault {
+    fn of_law(violation: &Violation) -> Self {
+        Self {
+            rule: violation.rule.id,
+            text: violation.text().to_owned(),
+            elements: names(&violation.elements),
+            chain: names(&violation.chain),
+            found: violation.found.map(|element| element.to_string()),
+            expected: violation.expected.map(|element| element.to_string()),
+        }
+    }
+
+    fn of_geometry(violation: &GeometryViolation, subject: &Subject) -> Self {
+        let vertices = violation.vertices();
+        let message = violation.to_string();
+        let text = message.split_once(": ").map_or(message.as_str(), |(_, text)| text);
+        let mut elements = names(&vertices);
+        elements.extend(names(violation.other_elements()));
+        Self {
+            rule: violation.rule().id,
+            text: format!("{text}{}", lines(&vertices, subject)),
+            elements,
+            chain: Vec::new(),
+            found: None,
+            expected: None,
+        }
+    }
+}
+
+/// ` (v3: line 7, v4: line 9)`, if the vertices have lines.
+fn lines(vertices: &[VertexId], subject: &Subject) -> String {
+    let Some(places) = &subject.places else { return String::new() };
+    let line = |v: &VertexId| Some(format!("{v}: line {}", places.vertex_lines.get(v.index())?));
+    let all: Vec<String> = vertices.iter().filter_map(line).collect();
+    if all.is_empty() { String::new() } else { format!(" ({})", all.join(", ")) }
+}
+
+fn print_rules(json: bool, out: &mut Output) -> Result<(), Failure> {
+    let laws = Rule::all().iter().chain(GEOMETRY_RULES);
+    if json {
+        let law = |&Rule { id, law, explanation }: &Rule| Law { rule: id, law, explanation };
+        out.json(&laws.map(law).collect::<Vec<_>>())?;
+        return Ok(());
+    }
+    for Rule { id, law, explanation } in laws {
+        writeln!(out, "{id}  {law}")?;
+        for line in super::output::wrapped(explanation, 72) {
+            writeln!(out, "      {line}")?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,95 @@
+//! `dcel walk`: what is incident to an element, and what is adjacent.
+//!
+//! ```text
+//!   --face f3       its cycles along next      --vertex v2     the half-edges that start there, counter-clockwise
+//!   --face-name X   the same, by name          --half-edge h5  its links
+//! ```
+//!
+//! Broken tables are walked as far as the pointers lead; a walk that does not come back says so.
+
+mod rounds;
+mod show;
+mod which;
+
+use super::input::InputOptions;
+use super::subject::Subject;
+use super::{Answer, Failure, Output};
+use dcel_kit::{FaceId, HalfEdgeId, VertexId};
+use std::path::PathBuf;
+
+/// Walk round a face or a vertex, or follow a half-edge
+///
+/// A face: its half-edges cycle by cycle, with what lies across. A vertex: the half-edges that start
+/// there, counter-clockwise, with the faces on their left. A half-edge: its links.
+#[derive(clap::Args, Debug)]
+#[command(override_usage = "dcel walk <FILE> <ELEMENT> [OPTIONS]")]
+#[command(after_help = "\
+Examples:
+  dcel walk square.obj --face f1
+  dcel walk square.obj --vertex v2
+  dcel walk square.dcel --half-edge h5 --json
+  dcel walk figures/data/states-albers-10m.json \\
+    --y-down --drop-degenerate-rings \\
+    --face-name Tennessee")]
+pub(crate) struct Args {
+    /// The file, or - for standard input
+    file: PathBuf,
+    #[command(flatten)]
+    element: Which,
+    /// Answer in JSON
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    input: InputOptions,
+}
+
+/// The element to start from.
+#[derive(clap::Args, Debug)]
+#[group(required = true, multiple = false)]
+#[command(next_help_heading = "Element (one of these)")]
+struct Which {
+    /// A face by its id
+    #[arg(long, value_name = "f3")]
+    face: Option<FaceId>,
+    /// All faces of a name; capitals do not matter
+    #[arg(long, value_name = "NAME")]
+    face_name: Option<String>,
+    /// A vertex by its id
+    #[arg(long, value_name = "v2")]
+    vertex: Option<VertexId>,
+    /// A half-edge by its id
+    #[arg(long, value_name = "h5")]
+    half_edge: Option<HalfEdgeId>,
+}
+
+pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    let subject = args.input.open(&args.file)?;
+    let Which { face, face_name, vertex, half_edge } = &args.element;
+    if let Some(v) = vertex {
+        which::check_vertex(&subject, *v)?;
+        let star = rounds::Star::of(&subject, *v);
+        return finish(args.json, out, &star, |out| show::star(out, &star));
+    }
+    if let Some(h) = half_edge {
+        which::check_half_edge(&subject, *h)?;
+        let links = rounds::Links::of(&subject, *h);
+        return finish(args.json, out, &links, |out| show::links(out, &links));
+    }
+    let faces = which::faces(&subject, *face, face_name.as_deref())?;
+    let walk = rounds::FaceWalk::of(&subject, &faces);
+    finish(args.json, out, &walk, |out| show::faces(out, &walk))
+}
+
+fn finish<T: serde::Serialize>(
+    json: bool,
+    out: &mut Output,
+    value: &T,
+    print: impl FnOnce(&mut Output) -> std::io::Result<()>,
+) -> Result<Answer, Failure> {
+    if json {
+        out.json(value)?
+    } else {
+        print(out)?
+    }
+    Ok(Answer::Yes)
+}

@@ -1,0 +1,65 @@
+//! The element that is meant, or a helpful refusal.
+
+use super::{Failure, Subject};
+use dcel_kit::io::closest;
+use dcel_kit::{FaceId, HalfEdgeId, Id, VertexId};
+
+pub(super) fn check_vertex(subject: &Subject, v: VertexId) -> Result<(), Failure> {
+    let view = subject.view();
+    check(subject, "vertex", "vertices", v, view.vertex_bound(), |v| view.has_vertex(v))
+}
+
+pub(super) fn check_half_edge(subject: &Subject, h: HalfEdgeId) -> Result<(), Failure> {
+    let view = subject.view();
+    check(subject, "half-edge", "half-edges", h, view.half_edge_bound(), |h| view.has_half_edge(h))
+}
+
+/// The face with this id, or all faces with this name.
+pub(super) fn faces(subject: &Subject, id: Option<FaceId>, name: Option<&str>) -> Result<Vec<FaceId>, Failure> {
+    let view = subject.view();
+    if let Some(f) = id {
+        check(subject, "face", "faces", f, view.face_bound(), |f| view.has_face(f))?;
+        return Ok(vec![f]);
+    }
+    let name = name.unwrap_or_default();
+    let named = || subject.faces().filter_map(|f| Some((f, subject.name(f)?)));
+    let wanted = name.to_lowercase();
+    let exact: Vec<FaceId> = named().filter(|(_, known)| *known == name).map(|(f, _)| f).collect();
+    let found = if exact.is_empty() {
+        named().filter(|(_, known)| known.to_lowercase() == wanted).map(|(f, _)| f).collect()
+    } else {
+        exact
+    };
+    if !found.is_empty() {
+        return Ok(found);
+    }
+    let what = format!("{}: no face is named `{name}`", subject.source);
+    let help = match closest(name, named().map(|(_, known)| known)) {
+        Some(close) => format!("did you mean `{close}`?"),
+        None if named().next().is_some() => "`dcel convert FILE - --to tables` lists all names".to_owned(),
+        None => "the file names no face; use an id, such as --face f1".to_owned(),
+    };
+    Err(Failure::input(what, help))
+}
+
+fn check<I: Id>(
+    subject: &Subject,
+    kind: &str,
+    kinds: &str,
+    id: I,
+    bound: usize,
+    exists: impl Fn(I) -> bool,
+) -> Result<(), Failure> {
+    if exists(id) {
+        return Ok(());
+    }
+    let live = |i: &usize| exists(I::from_index(*i));
+    let before = (0..id.index().min(bound)).rev().find(live);
+    let after = (id.index().saturating_add(1)..bound).find(live);
+    let near: Vec<String> = before.into_iter().chain(after).map(|i| I::from_index(i).to_string()).collect();
+    let help = match near.as_slice() {
+        [] => format!("it has no {kinds}"),
+        near => format!("did you mean {}?", near.join(" or ")),
+    };
+    Err(Failure::input(format!("{}: there is no {kind} {id}", subject.source), help))
+}
