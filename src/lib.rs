@@ -24,7 +24,7 @@
 //! let round_the_face: Vec<_> = lab.incident_vertices(new_face).map(|v| v.to_string()).collect();
 //! assert_eq!(round_the_face, ["v1", "v6", "v4", "v5", "v0"]);
 //! assert_eq!(lab.outgoing_half_edges(middle).count(), 2);
-//! assert_eq!(lab.vertex_count() - lab.edge_count() + lab.face_count(), 2);
+//! assert_eq!(lab.vertex_count() + lab.face_count(), lab.edge_count() + 2);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

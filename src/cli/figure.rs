@@ -145,7 +145,7 @@ impl Drawing {
                 FaceText::Names => FaceLabels::Names,
             });
         if let Some(prefix) = &self.id_prefix {
-            options = options.with_id_prefix(prefix);
+            options = options.id_prefix(prefix);
         }
         if let Some(width) = self.width {
             options = options.width(width);

@@ -20,7 +20,6 @@ use super::problem::{ReadError, ReadProblem};
 use super::read::{Document, Read};
 use super::soup::SoupBuilder;
 use super::text::{Scanner, Syntax, Word, parse_integer};
-use crate::ids::MAX_IDS;
 
 const SYNTAX: Syntax = Syntax { comments: true, continuation: true, quotes: false };
 
@@ -161,34 +160,19 @@ fn corner<'a>(scanner: &Scanner<'a>, word: Word<'a>, points: i64, forward: &mut 
     let Some(index) = parse_integer(number).filter(|_| good_rest(rest)) else {
         return Err(scanner.expected(word, "a corner such as 3, 3/1, 3//2 or 3/1/2", ""));
     };
+    if index > points.max(forward.index) {
+        *forward = Forward { index, word: Some(word) };
+    }
     let from_zero = if index < 0 { points + index } else { index - 1 };
-    if index > points {
-        if index > MAX_IDS as i64 {
-            return Err(scanner.out_of_range(word, "vertex", index, points as u64, 1));
-        }
-        if index > forward.index {
-            *forward = Forward { index, word: Some(word) };
-        }
-    }
-    match u32::try_from(from_zero) {
-        Ok(i) => Ok(i),
-        Err(_) if index == 0 => {
-            let help = "OBJ counts from 1; -1 is the last vertex so far";
-            Err(scanner.error(
-                word.at,
-                ReadProblem::IndexOutOfRange { what: "vertex", index, count: points as u64 },
-                help,
-            ))
-        }
-        Err(_) => {
-            let help = format!("only {points} vertices come before this line");
-            Err(scanner.error(
-                word.at,
-                ReadProblem::IndexOutOfRange { what: "vertex", index, count: points as u64 },
-                help,
-            ))
-        }
-    }
+    u32::try_from(from_zero).map_err(|_| {
+        let help = match index {
+            0 => "OBJ counts from 1; -1 is the last vertex so far".to_owned(),
+            1.. => "no file has that many".to_owned(),
+            _ => format!("only {points} vertices come before this line"),
+        };
+        let problem = ReadProblem::IndexOutOfRange { what: "vertex", index, count: points as u64 };
+        scanner.error(word.at, problem, help)
+    })
 }
 
 /// Whether the texture and normal of a corner are numbers or empty: ``, `/`, `/1`, `//2`, `/1/2`.

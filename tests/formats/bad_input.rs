@@ -29,6 +29,8 @@ fn cases() -> Vec<(Format, Vec<u8>, &'static str, &'static str)> {
     add(Obj, "v 0 0\nf 1/a\n", "file:2:3: ", "expected a corner");
     add(Obj, "v 0 0\nf \n", "file:2:3: ", "expected the corners of a face");
     add(Obj, "hello world\n", "file:1:1: ", "unknown word `hello`; an OBJ file has lines such as");
+    add(Obj, "v 0 0\nf 1 3000000000\n", "file:2:5: ", "vertex 3000000000 does not exist: there are 1");
+    add(Obj, "\u{feff}v x 0\n", "file:1:3: ", "`x` is not a number");
     add(Off, "\n# only a comment\n", "file:3:1: ", "expected the word OFF, found the end of the file");
     add(Off, "OFT\n", "file:1:1: ", "expected the word OFF, found `OFT`");
     add(Off, "OFF BINARY\n", "file:1:1: ", "a binary OFF file cannot be read");
@@ -141,8 +143,8 @@ fn cases() -> Vec<(Format, Vec<u8>, &'static str, &'static str)> {
     );
     add(
         GeoJson,
-        r#"{"type":"Polygon","coordinates":[[[0,0,["]",{"a":[1]}]],[0 , 1,5],["1",0]]]}"#,
-        "file:1:67: ",
+        r#"{"type":"Polygon","coordinates":[[[0,0,["]\"",{"a":[1]}]],[0 , 1,5],["1",0]]]}"#,
+        "file:1:69: ",
         "position 2: expected a position",
     );
     add(TopoJson, r#"{"type":"Topology","arcs":[]}"#, "file: the file: ", "an object \"objects\"");

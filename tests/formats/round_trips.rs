@@ -314,7 +314,7 @@ fn variants_of_the_line_formats_give_the_same_triangle() {
         ),
         (b"{\"type\":\"Polygon\",\"coordinates\":[[[0,-0.0],[1,0],[1,0],[0,1],[0,0]]]}", Format::GeoJson),
         (b"{\"type\":\"Topology\",\"transform\":{\"scale\":[0.5,1],\"translate\":[0,-1]},\"objects\":{\"a\":\
-           {\"type\":\"Polygon\",\"arcs\":[[0,-2]]}},\"arcs\":[[[0,1],[2,0]],[[0,1],[0,1],[2,-1]]]}", Format::TopoJson),
+           {\"type\":\"Polygon\",\"arcs\":[[2,0,2,-2]]}},\"arcs\":[[[0,1],[2,0]],[[0,1],[0,1],[2,-1]],[]]}", Format::TopoJson),
         (b"\xef\xbb\xbf{\"type\":\"GeometryCollection\",\"geometries\":[{\"type\":\"Point\",\"coordinates\":[5,5]},\
            {\"type\":\"MultiPolygon\",\"coordinates\":[[[[0,0,9],[1,0],[0,1],[0,0]]]]}]}", Format::TopoJson),
     ];
@@ -386,6 +386,18 @@ fn notes_say_what_was_left_out() {
     assert_eq!(soup.faces.corners(), [0, 1, 2, 0, 2, 3], "numbered as they come, the dropped ones left out");
     assert_eq!(soup.places.face_path(1), Some("feature \"x\" polygon 2"));
     assert_eq!(soup.names.len(), 2);
+}
+
+#[test]
+fn polygons_without_rings_leave_no_trace_in_names_and_paths() {
+    let text = br#"{"type":"FeatureCollection","features":[
+        {"type":"Feature","id":"gone","geometry":{"type":"Polygon","coordinates":[]}},
+        {"type":"Feature","properties":{"NAME":"b","name":"a"},"geometry":{"type":"Polygon","coordinates":[[[0,0],[1,0],[0,1],[0,0]]]}},
+        {"type":"Feature","properties":{"name":null,"NAME":"b\u00e4"},"geometry":{"type":"Polygon","coordinates":[[[0,0],[1,0],[0,1],[0,0]]]}}]}"#;
+    let soup = soup(text, Format::GeoJson);
+    assert_eq!(soup.names, [Some("a".to_owned()), Some("bä".to_owned())]);
+    assert_eq!(soup.places.face_path(0), Some("features[1] \"a\" polygon 0"));
+    assert_eq!(soup.places.face_path(1), Some("features[2] \"bä\" polygon 0"));
 }
 
 #[test]
