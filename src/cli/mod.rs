@@ -9,6 +9,7 @@
 //! ```
 
 mod answer;
+mod camera;
 mod completions;
 mod convert;
 mod failure;

@@ -6,7 +6,9 @@
 //!      returned h12, f2                  what it gave back
 //! ```
 
+use super::camera::Camera;
 use super::{Answer, Failure, Output, failure};
+use dcel_kit::figure::{FigureOptions, Film};
 use dcel_kit::io::{Format, Model, write};
 use dcel_kit::plane::Subdivision;
 use dcel_kit::script::{Outcome, Script, ScriptError, Step};
@@ -31,6 +33,8 @@ A, B: h0, h1, ... of the start, a NAME, or links from one: h0.next.twin, a.origi
 Examples:
   dcel script figures/scripts/lab.dcels
   dcel script figures/scripts/lab.dcels --json
+  dcel script figures/scripts/split-face.dcels --film split.svg
+  dcel script figures/scripts/split-face.dcels --film split.html
   echo 'rectangle
   split_face h2 h8
   dump' | dcel script -")]
@@ -40,6 +44,12 @@ pub(crate) struct Args {
     /// Write the structure at the end, as a `dump` in the last line would
     #[arg(long)]
     dump: bool,
+    /// Draw the edits frame by frame: a strip (.svg), or a page that shows one frame at a time (.html)
+    #[arg(long, value_name = "OUT")]
+    film: Option<PathBuf>,
+    /// One frame at a time in the .svg too, with links and without a script
+    #[arg(long, requires = "film")]
+    stepper: bool,
     /// Go on after a refused edit (the exit code stays 1)
     #[arg(long)]
     keep_going: bool,
@@ -53,14 +63,21 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let script = Script::parse(&text, &source)?;
     let mut teller = Teller { args, script: &script, source: &source, answer: Answer::Yes, told: Vec::new() };
     let mut result = Ok(());
+    let mut camera = Camera::new(&script);
     let end = script.play(|step, structure| {
         result = teller.tell(&step, structure, out);
+        camera.watch(&step, structure);
         if result.is_err() || (step.outcome.is_refused() && !args.keep_going) {
             return ControlFlow::Break(());
         }
         ControlFlow::Continue(())
     });
     result?;
+    if let Some(path) = &args.film {
+        let title =
+            args.file.file_stem().map_or_else(|| "script".to_owned(), |stem| stem.to_string_lossy().into_owned());
+        write_film(path, &camera.finish(), &title, args.stepper)?;
+    }
     if args.json {
         let mut answer = json!({ "source": source, "steps": teller.told });
         if args.dump {
@@ -71,6 +88,34 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         out.write_all(dump(&end)?.as_bytes())?;
     }
     Ok(teller.answer)
+}
+
+fn write_film(path: &Path, film: &Film, title: &str, stepper: bool) -> Result<(), Failure> {
+    let options = FigureOptions::new(title);
+    let kind = path.extension().map(|extension| extension.to_ascii_lowercase());
+    let html = match kind.as_ref().and_then(|kind| kind.to_str()) {
+        Some("svg") => false,
+        Some("html" | "htm") => true,
+        _ => {
+            let what = format!("{}: a film is a drawing or a page", path.display());
+            return Err(Failure::input(what, "end the name with .svg or .html"));
+        }
+    };
+    let figure = if html || stepper { film.stepper(&options) } else { film.strip(&options) };
+    let svg = figure.map_err(|error| Failure::input(error, "leave out --film"))?.to_svg();
+    let text = if html { page(&svg, title) } else { svg };
+    std::fs::write(path, text).map_err(|error| Failure::writing(path.display(), &error))
+}
+
+/// A page with nothing but the drawing.
+fn page(svg: &str, title: &str) -> String {
+    let title = title.replace('&', "&amp;").replace('<', "&lt;");
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width\">\n<title>{title}</title>\n<style>\n\
+         body{{margin:1rem;background:#ffffff}}\n\
+         @media (prefers-color-scheme:dark){{body{{background:#15181d}}}}\n</style>\n</head>\n<body>\n{svg}</body>\n</html>\n"
+    )
 }
 
 /// The text, and what messages call it.
