@@ -68,7 +68,7 @@ static REFERENCES: [Reference; 10] = [
         file: "pointers.svg",
         about: "the five families of pointers in the lab's subdivision, one panel each",
         draw: || {
-            let options = FigureOptions::new("Pointers of the lab's subdivision").with_id_prefix("pointers");
+            let options = FigureOptions::new("Pointers of the lab's subdivision").id_prefix("pointers");
             Ok(figure::pointers(&lesson::lab_subdivision()?, &Pointers::ALL, &options)?.to_svg())
         },
     },
