@@ -2,8 +2,8 @@
 
 use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::script::{Edit, Outcome, Refusal, Script, of_edits};
-use dcel_kit::topology::{Table, View, violations};
-use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
+use dcel_kit::topology::violations;
+use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use proptest::prelude::*;
 
 fn h(number: u32) -> HalfEdgeId {
