@@ -33,7 +33,7 @@ fn shoot(text: &str) -> (Film, Vec<(Vec<Change>, Subdivision)>) {
 
 /// The frames of each edit, without the still before it.
 fn steps(frames: &[Frame]) -> Vec<&[Frame]> {
-    let stills: Vec<usize> = (0..frames.len()).filter(|&i| frames[i].changes.is_empty()).collect();
+    let stills: Vec<usize> = (0..frames.len()).filter(|&i| !frames[i].heading.starts_with(char::is_numeric)).collect();
     stills.windows(2).map(|pair| &frames[pair[0] + 1..pair[1]]).collect()
 }
 

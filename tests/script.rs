@@ -31,7 +31,7 @@ fn every_wrong_word_is_named_with_its_place() {
         ("polygon 0 0 1 0", "1:16: polygon needs x"),
         ("polygon 0 0 4 0 x 3", "1:17: `x` is not a number; write a number such as 1.5 or -250"),
         ("polygon 0 0 4 0 inf 3", "1:17: x is inf"),
-        ("polygon 0 0 4 0 1 1e99", "1:19: y is 1e99"),
+        ("polygon 0 0 4 0 1 1e99", "1:19: y = 1e99 is outside the exact range"),
         ("polygon 0 0 0 3 4 0", "1:1: face 0 runs clockwise"),
         ("  polygon 0 0 4 4 4 0 0 4", "1:3: face 0 crosses itself"),
         ("triangles 0 0 4 0 4 3", "1:22: triangles needs x"),
@@ -98,7 +98,7 @@ fn names_and_links_lead_to_the_elements_they_say() {
     assert_eq!(outcomes[1].to_string(), "split_in_half h13 returned v6, h14");
     assert_eq!(outcomes[2].to_string(), "is f2");
     assert_eq!(outcomes[3].to_string(), "is h12");
-    assert_eq!(outcomes[4].to_string(), "highlighted f2, h12, v6, v6, e0, h15, v0, h1, h2");
+    assert_eq!(outcomes[4].to_string(), "highlighted f2, h12, v6, v4, e0, h12, v0, h1, h2");
 }
 
 #[test]
@@ -136,7 +136,7 @@ fn refusals_tell_the_reason_and_change_nothing() {
                 let c = split_face h0 h6\njoin_faces b\nhighlight b.next\njoin_edges h0\njoin_faces h0\nwalk_face h1";
     let outcomes = play(text);
     let refused: Vec<bool> = outcomes.iter().map(Outcome::is_refused).collect();
-    assert_eq!(refused, [true, false, true, false, false, true, true, true, false, false], "{outcomes:#?}");
+    assert_eq!(refused, [true, false, true, false, false, true, true, false, false, true], "{outcomes:#?}");
     let reason = |i: usize| outcomes[i].to_string();
     assert_eq!(
         reason(0),
@@ -236,6 +236,9 @@ fn soup() -> impl Strategy<Value = String> {
     )
 }
 
+/// The corners of the lab's rectangle.
+const RECTANGLE: &str = "polygon -250 -150 0 -150 250 -150 250 150 0 150 -250 150\n";
+
 /// Lines that have a fair chance.
 fn sensible() -> impl Strategy<Value = String> {
     let element = prop::sample::select(vec![
@@ -259,7 +262,7 @@ fn sensible() -> impl Strategy<Value = String> {
         3 => format!("join_faces {a}\n"),
         _ => format!("join_edges {a}\n"),
     });
-    prop::collection::vec(line, 0..25).prop_map(|lines| format!("rectangle\n{}", lines.concat()))
+    prop::collection::vec(line, 0..25).prop_map(|lines| format!("{RECTANGLE}{}", lines.concat()))
 }
 
 proptest! {

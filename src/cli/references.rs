@@ -4,6 +4,7 @@ use super::Failure;
 use super::camera::film;
 use super::lesson::{self, LessonError};
 use dcel_kit::figure::{self, FigureError, FigureOptions, Pointers};
+use dcel_kit::ids::HalfEdgeId;
 use dcel_kit::plane::Subdivision;
 use dcel_kit::script::{Script, ScriptError};
 use std::path::Path;
@@ -30,11 +31,16 @@ pub(crate) struct Reference {
 }
 
 /// All reference figures, in the order of their files.
-static REFERENCES: [Reference; 10] = [
+static REFERENCES: [Reference; 11] = [
     Reference {
         file: "cube.svg",
         about: "a half-edge structure of 8 vertices, 12 edges and 6 faces, the outer one counted",
         draw: || structure(&lesson::cube()?, "A half-edge structure"),
+    },
+    Reference {
+        file: "film-join-faces.svg",
+        about: "join_faces step by step: the inverse of split_face",
+        draw: || strip(include_str!("../../figures/scripts/join-faces.dcels"), "A film of join_faces"),
     },
     Reference {
         file: "film-split-face.svg",
@@ -47,16 +53,11 @@ static REFERENCES: [Reference; 10] = [
         draw: || strip(include_str!("../../figures/scripts/split-in-half.dcels"), "A film of split_in_half"),
     },
     Reference {
-        file: "film-join-faces.svg",
-        about: "join_faces step by step: the inverse of split_face",
-        draw: || strip(include_str!("../../figures/scripts/join-faces.dcels"), "A film of join_faces"),
-    },
-    Reference {
-        file: "stepper-split-face.svg",
-        about: "the film of split_face one frame at a time, by links, without a script",
+        file: "focus.svg",
+        about: "one half-edge, its five pointers named, and its row of the table",
         draw: || {
-            let script = Script::parse(include_str!("../../figures/scripts/split-face.dcels"), "split-face.dcels")?;
-            Ok(film(&script).stepper(&FigureOptions::new("Steps of split_face"))?.to_svg())
+            let options = FigureOptions::new("One half-edge, five pointers").id_prefix("focus");
+            Ok(figure::focus(&lesson::cube()?, HalfEdgeId::new(23), &options)?.to_svg())
         },
     },
     Reference {
@@ -92,6 +93,14 @@ static REFERENCES: [Reference; 10] = [
             let states = lesson::states()?;
             let options = FigureOptions::new("The states of the USA").width(960.0).face_names(states.named_faces());
             Ok(figure::structure(&states.subdivision, &options)?.to_svg())
+        },
+    },
+    Reference {
+        file: "stepper-split-face.svg",
+        about: "the film of split_face one frame at a time, by links, without a script",
+        draw: || {
+            let script = Script::parse(include_str!("../../figures/scripts/split-face.dcels"), "split-face.dcels")?;
+            Ok(film(&script).stepper(&FigureOptions::new("Steps of split_face"))?.to_svg())
         },
     },
 ];

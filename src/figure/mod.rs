@@ -35,6 +35,7 @@ mod face_arrows;
 mod faces;
 mod film;
 mod fit;
+mod focus;
 mod half_edges;
 mod labels;
 mod number;
@@ -56,13 +57,14 @@ mod vector;
 mod vertices;
 
 pub use film::{Fate, Film, Frame, Written};
+pub use focus::focus;
 pub use options::{Detail, FaceLabels, FigureOptions};
 pub use panels::pointers;
 pub use pointer::Pointers;
 pub use structure::structure;
 pub use style::{Colour, Palette, Style};
 
-use crate::ids::VertexId;
+use crate::ids::{HalfEdgeId, VertexId};
 use crate::plane::CoordinateError;
 use std::io::{self, Write};
 
@@ -87,6 +89,14 @@ pub enum FigureError {
         vertex: VertexId,
         /// What is wrong with it.
         error: CoordinateError,
+    },
+    /// There is no such half-edge.
+    #[error("{half_edge} does not exist; the half-edges are among h0 to h{}", bound.saturating_sub(1))]
+    NoHalfEdge {
+        /// The half-edge asked for.
+        half_edge: HalfEdgeId,
+        /// One more than the greatest number of a half-edge.
+        bound: usize,
     },
     /// Pointers need half-edges, and these would be too short or too many.
     #[error(

@@ -130,6 +130,12 @@ impl<'a> Stage<'a> {
         let mut nodes = self.plates[rich].areas(&self.states[frame.areas], &look);
         let arrows = arrows(plate, frame, &look);
         nodes.extend(plate.lines(&shown, &look, arrows));
+        // The frame has a title of its own; one for each line of each frame would be half of the file.
+        for node in &mut nodes {
+            if let Node::Group(group) = node {
+                group.title = None;
+            }
+        }
         nodes
     }
 }

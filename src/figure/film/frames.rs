@@ -289,5 +289,6 @@ fn summary(changes: &[Change]) -> String {
         Change::Write { slot, new: Some(new), .. } => Some(format!("{slot} = {new}")),
         other => Some(other.to_string()),
     });
-    words.collect::<Vec<_>>().join(", ")
+    let words: Vec<String> = words.collect();
+    if words.is_empty() { "nothing to do here".to_owned() } else { words.join(", ") }
 }
