@@ -31,7 +31,7 @@ pub(crate) struct Reference {
 }
 
 /// All reference figures, in the order of their files.
-static REFERENCES: [Reference; 11] = [
+static REFERENCES: &[Reference] = &[
     Reference {
         file: "cube.svg",
         about: "a half-edge structure of 8 vertices, 12 edges and 6 faces, the outer one counted",
@@ -60,6 +60,14 @@ static REFERENCES: [Reference; 11] = [
         draw: || {
             let options = FigureOptions::new("One half-edge, five pointers").id_prefix("focus");
             Ok(figure::focus(&lesson::cube()?, HalfEdgeId::new(23), &options)?.to_svg())
+        },
+    },
+    Reference {
+        file: "interactive.svg",
+        about: "point at a half-edge, or write its name behind the address, to see its pointers",
+        draw: || {
+            let options = FigureOptions::new("A half-edge structure to point at").interactive(true);
+            Ok(figure::structure(&lesson::cube()?, &options.id_prefix("cube"))?.to_svg())
         },
     },
     Reference {

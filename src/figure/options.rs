@@ -60,6 +60,7 @@ pub struct FigureOptions {
     pub(super) vertex_labels: bool,
     pub(super) half_edge_labels: bool,
     pub(super) face_labels: FaceLabels,
+    pub(super) interactive: bool,
     pub(super) names: FaceMap<Option<String>>,
 }
 
@@ -84,6 +85,7 @@ impl FigureOptions {
             vertex_labels: true,
             half_edge_labels: true,
             face_labels: FaceLabels::Names,
+            interactive: false,
             names: FaceMap::default(),
         }
     }
@@ -156,6 +158,15 @@ impl FigureOptions {
     #[must_use]
     pub fn face_labels(mut self, labels: FaceLabels) -> Self {
         self.face_labels = labels;
+        self
+    }
+
+    /// Whether the half-edge under the mouse, with the keyboard's focus or named by the address (`file.svg#FIG-h5`)
+    /// shows its pointers: next, prev (as the next of that), twin, face and origin. No script is needed. Needs
+    /// [`Detail::Arrows`] at least. Default: no.
+    #[must_use]
+    pub fn interactive(mut self, on: bool) -> Self {
+        self.interactive = on;
         self
     }
 
