@@ -1,10 +1,12 @@
 //! The reference figures: what stands in `figures/`, and how each is made.
 
 use super::Failure;
+use super::camera::film;
 use super::lesson::{self, LessonError};
 use dcel_kit::figure::{self, FigureError, FigureOptions, Pointers};
 use dcel_kit::ids::HalfEdgeId;
 use dcel_kit::plane::Subdivision;
+use dcel_kit::script::{Script, ScriptError};
 use std::path::Path;
 
 /// Why a reference figure cannot be drawn.
@@ -14,6 +16,8 @@ pub(crate) enum ReferenceError {
     Lesson(#[from] LessonError),
     #[error(transparent)]
     Figure(#[from] FigureError),
+    #[error(transparent)]
+    Script(#[from] ScriptError),
 }
 
 /// A figure of the project, regenerated and compared by `dcel figures`.
@@ -27,11 +31,26 @@ pub(crate) struct Reference {
 }
 
 /// All reference figures, in the order of their files.
-static REFERENCES: [Reference; 8] = [
+static REFERENCES: &[Reference] = &[
     Reference {
         file: "cube.svg",
         about: "a half-edge structure of 8 vertices, 12 edges and 6 faces, the outer one counted",
         draw: || structure(&lesson::cube()?, "A half-edge structure"),
+    },
+    Reference {
+        file: "film-join-faces.svg",
+        about: "join_faces step by step: the inverse of split_face",
+        draw: || strip(include_str!("../../figures/scripts/join-faces.dcels"), "A film of join_faces"),
+    },
+    Reference {
+        file: "film-split-face.svg",
+        about: "split_face step by step: what each step of the handout links",
+        draw: || strip(include_str!("../../figures/scripts/split-face.dcels"), "A film of split_face"),
+    },
+    Reference {
+        file: "film-split-in-half.svg",
+        about: "split_in_half step by step",
+        draw: || strip(include_str!("../../figures/scripts/split-in-half.dcels"), "A film of split_in_half"),
     },
     Reference {
         file: "focus.svg",
@@ -84,7 +103,20 @@ static REFERENCES: [Reference; 8] = [
             Ok(figure::structure(&states.subdivision, &options)?.to_svg())
         },
     },
+    Reference {
+        file: "stepper-split-face.svg",
+        about: "the film of split_face one frame at a time, by links, without a script",
+        draw: || {
+            let script = Script::parse(include_str!("../../figures/scripts/split-face.dcels"), "split-face.dcels")?;
+            Ok(film(&script).stepper(&FigureOptions::new("Steps of split_face"))?.to_svg())
+        },
+    },
 ];
+
+fn strip(script: &str, title: &str) -> Result<String, ReferenceError> {
+    let script = Script::parse(script, title)?;
+    Ok(film(&script).strip(&FigureOptions::new(title))?.to_svg())
+}
 
 fn structure(subdivision: &Subdivision, title: &str) -> Result<String, ReferenceError> {
     Ok(figure::structure(subdivision, &FigureOptions::new(title))?.to_svg())

@@ -5,6 +5,7 @@
 //!            skeleton.rs  what can be drawn        scene.rs    groups, lines, areas, discs, texts
 //!            fit.rs       scale, level of detail   svg_out.rs  crate svg
 //!            vertices.rs  half_edges.rs  faces.rs  tints.rs   labels.rs captions.rs (crowd.rs, pole.rs)  tiles.rs
+//!   film/    edits, frame by frame
 //! ```
 //!
 //! Reading rules of every figure: arrows run on the left of their edge and their one-sided barb points to
@@ -32,6 +33,7 @@ mod captions;
 mod crowd;
 mod face_arrows;
 mod faces;
+mod film;
 mod fit;
 mod focus;
 mod half_edges;
@@ -56,6 +58,7 @@ mod tints;
 mod vector;
 mod vertices;
 
+pub use film::{Fate, Film, Frame, Written};
 pub use focus::focus;
 pub use options::{Detail, FaceLabels, FigureOptions};
 pub use page::{Page, page};
