@@ -1,9 +1,10 @@
 //! `dcel figure`: the structure as a drawing.
 
 use super::failure::say;
+use super::figure_kind::Kind;
 use super::input::InputOptions;
 use super::{Answer, Failure, Output};
-use dcel_kit::figure::{self, Detail, FaceLabels, FigureOptions};
+use dcel_kit::figure::{self, Detail, FaceLabels, Figure, FigureOptions};
 use std::path::{Path, PathBuf};
 
 /// Draw a structure as SVG, or as a page to click through
@@ -14,6 +15,9 @@ use std::path::{Path, PathBuf};
 #[command(after_help = "\
 Examples:
   dcel figure square.obj -o square.svg
+  dcel figure square.dcel --pointers next,twin -o pointers.svg
+  dcel figure square.dcel --tables --highlight h5 > row.svg
+  dcel figure --records > records.svg
   dcel figure square.dcel --title \"Two rooms\" > two.svg
   dcel figure square.obj --interactive -o hover.svg
   dcel figure square.obj --html square.html
@@ -22,13 +26,18 @@ Examples:
     -o states.svg")]
 pub(crate) struct Args {
     /// The file to read, or - for standard input
-    #[arg(value_name = "IN")]
-    file: PathBuf,
+    #[arg(value_name = "IN", required_unless_present = "records")]
+    file: Option<PathBuf>,
+    /// The type diagram of the records; needs no file
+    #[arg(long, conflicts_with_all = ["file", "kind"])]
+    records: bool,
+    #[command(flatten)]
+    kind: Kind,
     /// The SVG file to write [default: standard output, nothing with --html]
     #[arg(short, long, value_name = "OUT.svg")]
     output: Option<PathBuf>,
     /// Write a self-contained page: the picture, its tables, buttons to walk
-    #[arg(long, value_name = "OUT.html")]
+    #[arg(long, value_name = "OUT.html", conflicts_with_all = ["records", "kind"])]
     html: Option<PathBuf>,
     #[command(flatten)]
     drawing: Drawing,
@@ -56,7 +65,7 @@ struct Drawing {
     #[arg(long, value_name = "LEVEL")]
     detail: Option<Level>,
     /// Half-edges show their pointers under the mouse, with the keyboard's focus, and by #id
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["records", "kind"])]
     interactive: bool,
     /// No names at all
     #[arg(long)]
@@ -103,13 +112,17 @@ fn px(text: &str) -> Result<f64, String> {
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let target = args.output.as_deref().filter(|path| path.as_os_str() != "-");
+    let Some(file) = &args.file else {
+        let options = args.drawing.options(Path::new("The records of a half-edge structure"));
+        return write(&figure::records(&options), target, out);
+    };
     if let Some(path) = target {
-        check_target(path, &args.file, &["svg"])?;
+        check_target(path, file, &["svg"])?;
     }
     if let Some(path) = &args.html {
-        check_target(path, &args.file, &["html", "htm"])?;
+        check_target(path, file, &["html", "htm"])?;
     }
-    let subject = args.input.open(&args.file)?;
+    let subject = args.input.open(file)?;
     let Some(view) = subject.planar() else {
         let what = format!("{}: a surface in space has no drawing in the plane", subject.source);
         return Err(Failure::input(
@@ -118,26 +131,30 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         ));
     };
     let names = subject.faces().filter_map(|f| Some((f, subject.name(f)?)));
-    let options = args.drawing.options(&args.file).face_names(names);
+    let options = args.drawing.options(file).face_names(names);
     let refused = |error| Failure::input(format!("{}: {error}", subject.source), "");
     if let Some(path) = &args.html {
         let page = figure::page(view, &options).map_err(refused)?;
-        write(path, page.to_html())?;
+        save(path, page.to_html())?;
         if args.output.is_none() {
             page.figure().notes().iter().for_each(|note| say("note", note));
             return Ok(Answer::Yes);
         }
     }
-    let figure = figure::structure(view, &options).map_err(refused)?;
+    let figure = args.kind.draw(view, &options).map_err(refused)?;
     figure.notes().iter().for_each(|note| say("note", note));
+    write(&figure, target, out)
+}
+
+fn write(figure: &Figure, target: Option<&Path>, out: &mut Output) -> Result<Answer, Failure> {
     match target {
         None => figure.write_svg(out)?,
-        Some(path) => write(path, &figure.to_svg())?,
+        Some(path) => save(path, &figure.to_svg())?,
     }
     Ok(Answer::Yes)
 }
 
-fn write(path: &Path, text: &str) -> Result<(), Failure> {
+fn save(path: &Path, text: &str) -> Result<(), Failure> {
     std::fs::write(path, text).map_err(|error| Failure::writing(path.display(), &error))
 }
 

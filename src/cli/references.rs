@@ -82,6 +82,14 @@ static REFERENCES: &[Reference] = &[
         },
     },
     Reference {
+        file: "records.svg",
+        about: "the records of a half-edge structure, their fields and what these refer to",
+        draw: || {
+            let options = FigureOptions::new("The records of a half-edge structure").id_prefix("records");
+            Ok(figure::records(&options).to_svg())
+        },
+    },
+    Reference {
         file: "rectangle.svg",
         about: "the six-vertex rectangle that the half-edge lab starts from",
         draw: || structure(&Subdivision::lab_rectangle(), "The lab's rectangle"),
@@ -109,6 +117,14 @@ static REFERENCES: &[Reference] = &[
         draw: || {
             let script = Script::parse(include_str!("../../figures/scripts/split-face.dcels"), "split-face.dcels")?;
             Ok(film(&script).stepper(&FigureOptions::new("Steps of split_face"))?.to_svg())
+        },
+    },
+    Reference {
+        file: "tables.svg",
+        about: "the lab's subdivision beside its tables, one half-edge marked in both",
+        draw: || {
+            let options = FigureOptions::new("Tables of the lab's subdivision").id_prefix("tables");
+            Ok(figure::tables(&lesson::lab_subdivision()?, Some(HalfEdgeId::new(13).into()), &options)?.to_svg())
         },
     },
 ];

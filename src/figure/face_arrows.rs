@@ -23,7 +23,7 @@ const TOUCH: f64 = 2.4;
 /// Free space on both sides of an arrow.
 const CLEAR: f64 = 1.2;
 /// An arrow shorter than this is not worth drawing.
-const SHORTEST: f64 = 11.0;
+const SHORTEST: f64 = 9.0;
 /// An arrow to a face further away than this becomes a tag.
 const LONGEST: f64 = 170.0;
 /// Length of the arrow beside a tag.

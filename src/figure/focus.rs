@@ -50,6 +50,7 @@ pub fn focus<V: PlanarView + ?Sized>(view: &V, h: HalfEdgeId, options: &FigureOp
     let usual = super::Style::default();
     for (size, was, larger) in [
         (&mut options.style.offset, usual.offset, 13.0),
+        (&mut options.style.padding, usual.padding, 80.0),
         (&mut options.style.vertex_radius, usual.vertex_radius, 12.0),
         (&mut options.style.vertex_text, usual.vertex_text, 11.0),
     ] {
