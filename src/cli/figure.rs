@@ -37,7 +37,7 @@ pub(crate) struct Args {
     #[arg(short, long, value_name = "OUT.svg")]
     output: Option<PathBuf>,
     /// Write a self-contained page: the picture, its tables, buttons to walk
-    #[arg(long, value_name = "OUT.html")]
+    #[arg(long, value_name = "OUT.html", conflicts_with_all = ["records", "kind"])]
     html: Option<PathBuf>,
     #[command(flatten)]
     drawing: Drawing,
@@ -65,7 +65,7 @@ struct Drawing {
     #[arg(long, value_name = "LEVEL")]
     detail: Option<Level>,
     /// Half-edges show their pointers under the mouse, with the keyboard's focus, and by #id
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["records", "kind"])]
     interactive: bool,
     /// No names at all
     #[arg(long)]
@@ -135,7 +135,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let refused = |error| Failure::input(format!("{}: {error}", subject.source), "");
     if let Some(path) = &args.html {
         let page = figure::page(view, &options).map_err(refused)?;
-        write(path, page.to_html())?;
+        save(path, page.to_html())?;
         if args.output.is_none() {
             page.figure().notes().iter().for_each(|note| say("note", note));
             return Ok(Answer::Yes);
@@ -149,12 +149,12 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
 fn answer(figure: &Figure, target: Option<&Path>, out: &mut Output) -> Result<Answer, Failure> {
     match target {
         None => figure.write_svg(out)?,
-        Some(path) => write(path, &figure.to_svg())?,
+        Some(path) => save(path, &figure.to_svg())?,
     }
     Ok(Answer::Yes)
 }
 
-fn write(path: &Path, text: &str) -> Result<(), Failure> {
+fn save(path: &Path, text: &str) -> Result<(), Failure> {
     std::fs::write(path, text).map_err(|error| Failure::writing(path.display(), &error))
 }
 

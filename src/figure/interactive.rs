@@ -93,11 +93,15 @@ impl<V: PlanarView + ?Sized> Plate<'_, V> {
         let mut groups = Vec::new();
         for (class, pointers) in families {
             let arrows = pointers.iter().filter_map(|&pointer| self.arrow(view, pointer, TWIN_AT, crowd));
-            let mut nodes = Vec::new();
+            let (mut nodes, mut heads) = (Vec::new(), Vec::new());
             for Tagged { arrow, tag } in arrows.collect::<Vec<_>>() {
                 arrow.shapes().into_iter().for_each(|shape| crowd.add(shape, u32::MAX));
-                nodes.extend(arrow.nodes("pl", "ph"));
+                heads.extend(arrow.heads.iter().map(|head| head.to_vec()));
+                nodes.push(Node::Curve { class: "pl", start: arrow.start, steps: arrow.steps });
                 nodes.extend(tag.iter().flat_map(|tag| tag.nodes("tag")));
+            }
+            if !heads.is_empty() {
+                nodes.push(Node::Area { class: "ph", hatch: None, outlines: heads });
             }
             if !nodes.is_empty() {
                 groups.push(Node::Group(Group { class, nodes, ..Group::default() }));
