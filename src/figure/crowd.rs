@@ -115,6 +115,24 @@ impl Crowd {
             .fold(limit, f64::min)
     }
 
+    /// How many lines the way from `p` to `q` crosses; `None` if it meets a box, or a disc.
+    pub(super) fn crossings(&self, p: Xy, q: Xy) -> Option<usize> {
+        let way = Shape::Segment(p, q, 0.0).bounds();
+        let mut crossed = Vec::new();
+        for (shape, _) in self.under(&way) {
+            match *shape {
+                Shape::Segment(a, b, _) if crossing(p, q, a, b).is_some() => crossed.push(std::ptr::from_ref(shape)),
+                Shape::Segment(..) => {}
+                Shape::Box(bounds) if bounds.meets_segment(p, q) => return None,
+                Shape::Disc(centre, radius) if segment_distance(centre, p, q) < radius => return None,
+                Shape::Box(_) | Shape::Disc(..) => {}
+            }
+        }
+        crossed.sort_unstable();
+        crossed.dedup();
+        Some(crossed.len())
+    }
+
     /// How far one can go from `p` to `q` before crossing a line whose tag passes: 1 = all the way.
     pub(super) fn free_part(&self, p: Xy, q: Xy, passes: impl Fn(u32) -> bool) -> f64 {
         let way = Shape::Segment(p, q, 0.0).bounds();

@@ -45,6 +45,19 @@ impl Region {
         Self { rings: self.rings.iter().map(thin).collect(), starts: self.starts.clone(), ..*self }
     }
 
+    /// Whether a point lies inside by the even-odd rule.
+    pub(super) fn contains(&self, p: Xy) -> bool {
+        let mut inside = false;
+        for ring in &self.rings {
+            let mut a = ring.last().copied().unwrap_or_default();
+            for &b in ring {
+                inside ^= (a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x;
+                a = b;
+            }
+        }
+        inside
+    }
+
     /// Whether a box meets no ring.
     pub(super) fn is_clear(&self, bounds: &Bounds) -> bool {
         let crosses = |ring: &Vec<Xy>| {

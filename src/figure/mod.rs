@@ -4,7 +4,7 @@
 //!   view ──> layout ──────────> scene ──────────> SVG
 //!            skeleton.rs  what can be drawn        scene.rs    groups, lines, areas, discs, texts
 //!            fit.rs       scale, level of detail   svg_out.rs  crate svg
-//!            vertices.rs  half_edges.rs  faces.rs  tints.rs   labels.rs captions.rs (crowd.rs, pole.rs)  tiles.rs
+//!            vertices.rs  half_edges.rs  faces.rs  tints.rs   labels.rs captions.rs leaders.rs (crowd.rs, pole.rs)  tiles.rs
 //! ```
 //!
 //! Reading rules of every figure: arrows run on the left of their edge and their one-sided barb points to
@@ -33,6 +33,7 @@ mod faces;
 mod fit;
 mod half_edges;
 mod labels;
+mod leaders;
 mod number;
 mod options;
 mod pole;
@@ -40,6 +41,7 @@ mod scene;
 mod skeleton;
 mod structure;
 mod style;
+mod style_file;
 mod svg_out;
 mod text;
 mod tiles;
@@ -49,7 +51,8 @@ mod vertices;
 
 pub use options::{Detail, FaceLabels, FigureOptions};
 pub use structure::structure;
-pub use style::{Colour, Palette, Style};
+pub use style::{Colour, Palette, Style, Theme};
+pub use style_file::{ParseColourError, StyleError};
 
 use crate::ids::VertexId;
 use crate::plane::CoordinateError;

@@ -13,7 +13,7 @@ use super::crowd::{Crowd, Shape};
 use super::faces::{Region, attributes, regions, title};
 use super::fit::{Extent, Fit, Load, choose};
 use super::half_edges::{Shaft, shafts};
-use super::labels::{Labels, Stage, outer_label};
+use super::labels::{Labels, Stage, lead_out, outer_label};
 use super::scene::{Attributes, Group, Hatch, Node, Polylines, Scene, tenths};
 use super::skeleton::{Cycles, Skeleton, faces, half_edges, ids, vertices};
 use super::vector::{Bounds, Xy, xy};
@@ -174,35 +174,50 @@ impl<V: PlanarView + ?Sized> Picture<'_, V> {
             nodes.extend(half_edges(self.view).map(group));
         }
         nodes.extend(vertices(self.view).map(|v| Node::Group(self.vertex_group(v, radii[v], &labels))));
+        nodes.extend(labels.leaders.iter().map(|(i, leader)| leader.group(regions[*i].face)));
         nodes
     }
 
     /// Many short edges: faces one by one only if they are few, edges in tiles.
     fn by_tiles(&self, notes: &mut Notes) -> Vec<Node> {
         let outer = outer_label(self.view, self.options, self.fit.size, self.detail);
+        let mut leaders = Vec::new();
         let mut nodes = if faces(self.view).count() <= FACES {
             let cycles = Cycles::of(self.view, faces(self.view));
             notes.add("with a boundary that does not close or is taken already", cycles.open.iter().copied());
             let regions = regions(self.view, &self.skeleton, &cycles);
-            let labels = self.map_labels(&regions);
+            let (labels, above) = self.map_labels(&regions, outer.as_ref());
+            leaders.extend(above);
             self.face_nodes(&regions, &labels, outer.as_ref(), &cycles.open)
         } else {
             self.domain(outer.as_ref())
         };
         nodes.push(Node::Group(tiles::edges(self.view, &self.skeleton, self.fit.size)));
         nodes.extend(self.lone_vertices());
+        nodes.extend(leaders);
         nodes
     }
 
-    fn map_labels(&self, regions: &[Region]) -> Vec<Option<Label>> {
+    /// The labels of the regions, and the leaders of those that have none.
+    fn map_labels(&self, regions: &[Region], outer: Option<&Label>) -> (Vec<Option<Label>>, Vec<Node>) {
         let largest = self.options.style.map_text;
         let sizes = Sizes { largest, smallest: largest.min(7.0) };
         let bounded = |region: &Region| self.view.outer_face() != Some(region.face);
         let captions = captions(regions, self.options);
-        let label = |(region, caption): (&Region, Option<Caption>)| {
-            caption.filter(|_| bounded(region))?.place(&region.coarse(1.0), sizes, &[], |_| None)
+        let label = |(region, caption): (&Region, &Option<Caption>)| {
+            caption.as_ref().filter(|_| bounded(region))?.place(&region.coarse(1.0), sizes, &[], |_| None)
         };
-        regions.iter().zip(captions).map(label).collect()
+        let labels: Vec<Option<Label>> = regions.iter().zip(&captions).map(label).collect();
+        let mut crowd = Crowd::new(self.fit.size);
+        for (a, b) in self.skeleton.edges.iter().filter_map(|&h| self.skeleton.segment(h)) {
+            crowd.add(Shape::Segment(a, b, 0.5), 0);
+        }
+        for placed in labels.iter().flatten().chain(outer) {
+            crowd.add(Shape::Box(placed.bounds()), 0);
+        }
+        let leaders = lead_out(self.view, regions, &captions, &labels, 0.8 * largest, self.fit.size, &mut crowd);
+        let groups = leaders.iter().map(|(i, leader)| leader.group(regions[*i].face)).collect();
+        (labels, groups)
     }
 
     /// One group for each face that exists, in the order of their numbers.
