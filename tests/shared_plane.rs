@@ -113,10 +113,9 @@ fn the_states_have_their_107_borders() {
     let mut borders: BTreeMap<String, BTreeSet<String>> =
         soup.names.iter().flatten().map(|n| (n.clone(), BTreeSet::new())).collect();
     for h in s.half_edges() {
-        if let (Some(a), Some(b)) = (name(s.face(h)), name(s.face(h.twin()))) {
-            if a != b {
-                borders.get_mut(&a).unwrap().insert(b);
-            }
+        let across = name(s.face(h)).zip(name(s.face(h.twin())));
+        if let Some((a, b)) = across.filter(|(a, b)| a != b) {
+            borders.get_mut(&a).unwrap().insert(b);
         }
     }
     let stated = json("O08-us-atlas/state_adjacency.json");

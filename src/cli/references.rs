@@ -2,7 +2,7 @@
 
 use super::Failure;
 use super::lesson::{self, LessonError};
-use dcel_kit::figure::{self, FigureError, FigureOptions};
+use dcel_kit::figure::{self, FigureError, FigureOptions, Pointers};
 use dcel_kit::plane::Subdivision;
 use std::path::Path;
 
@@ -26,7 +26,7 @@ pub(crate) struct Reference {
 }
 
 /// All reference figures, in the order of their files.
-static REFERENCES: [Reference; 5] = [
+static REFERENCES: [Reference; 6] = [
     Reference {
         file: "cube.svg",
         about: "a half-edge structure of 8 vertices, 12 edges and 6 faces, the outer one counted",
@@ -36,6 +36,14 @@ static REFERENCES: [Reference; 5] = [
         file: "lab-subdivision.svg",
         about: "what the tour makes of the rectangle with split_face and split_in_half alone",
         draw: || structure(&lesson::lab_subdivision()?, "The lab's subdivision"),
+    },
+    Reference {
+        file: "pointers.svg",
+        about: "the five families of pointers in the lab's subdivision, one panel each",
+        draw: || {
+            let options = FigureOptions::new("Pointers of the lab's subdivision").id_prefix("pointers");
+            Ok(figure::pointers(&lesson::lab_subdivision()?, &Pointers::ALL, &options)?.to_svg())
+        },
     },
     Reference {
         file: "rectangle.svg",

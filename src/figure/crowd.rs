@@ -54,6 +54,7 @@ impl Shape {
 }
 
 /// The shapes on a canvas, each with a number of the caller.
+#[derive(Clone)]
 pub(super) struct Crowd {
     columns: usize,
     rows: usize,

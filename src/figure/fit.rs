@@ -15,7 +15,7 @@ use super::vector::{Xy, xy};
 use crate::plane::Point;
 
 /// The usual width of a figure.
-const WIDTH: f64 = 640.0;
+pub(super) const WIDTH: f64 = 640.0;
 /// How far a small structure may grow.
 const GROWN: f64 = 1600.0;
 /// Structures with at most this many edges may grow.
@@ -93,7 +93,7 @@ pub(super) struct Load {
 /// without half-edges a smaller padding is enough.
 pub(super) fn choose(extent: &Extent, load: &Load, options: &FigureOptions) -> (Fit, Detail) {
     let style = &options.style;
-    let width = options.width.unwrap_or(WIDTH);
+    let width = options.width.unwrap_or(options.usual_width);
     let height = options.height.unwrap_or(1.25 * width);
     let canvas = xy(width, height);
     let mut scale = extent.scale(canvas, style.padding);

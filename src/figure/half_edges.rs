@@ -41,7 +41,8 @@ pub(super) struct Shaft {
     pub(super) middle: Xy,
     /// Length of the edge.
     pub(super) edge_length: f64,
-    offset: f64,
+    /// Distance from the edge.
+    pub(super) offset: f64,
     barb: f64,
 }
 
@@ -49,6 +50,11 @@ impl Shaft {
     /// Whether it is so close to its edge that the line must be thin.
     pub(super) fn is_thin(&self) -> bool {
         self.offset < THIN
+    }
+
+    /// The point beside `t` of the edge, on the line of the shaft.
+    pub(super) fn at(&self, t: f64) -> Xy {
+        self.middle + self.along * ((t - 0.5) * self.edge_length)
     }
 
     pub(super) fn length(&self) -> f64 {

@@ -53,11 +53,13 @@ pub(super) struct Stage<'a, V: ?Sized> {
     pub(super) radii: &'a VertexMap<f64>,
     pub(super) shafts: &'a HalfEdgeMap<Option<Shaft>>,
     pub(super) regions: &'a [Region],
+    /// What else labels must not cover.
+    pub(super) ink: &'a [Shape],
 }
 
 impl<V: PlanarView + ?Sized> Stage<'_, V> {
-    /// Places all labels. O(elements), if they do not crowd.
-    pub(super) fn labels(&self) -> Labels {
+    /// Places all labels; the crowd then holds everything drawn. O(elements), if they do not crowd.
+    pub(super) fn labels(&self) -> (Labels, Crowd) {
         let mut crowd = self.crowd();
         let outer = outer_label(self.view, self.options, self.size, self.detail);
         if let Some(label) = &outer {
@@ -70,10 +72,10 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
         let half_edges = self.half_edge_labels(&mut crowd);
         self.face_labels(&captions, &mut faces, &mut crowd, false);
         let leaders = self.leaders(&captions, &faces, &mut crowd);
-        Labels { vertices, half_edges, faces, leaders, outer }
+        (Labels { vertices, half_edges, faces, leaders, outer }, crowd)
     }
 
-    /// Edges, shafts and discs.
+    /// Edges, shafts, discs and further ink.
     fn crowd(&self) -> Crowd {
         let style = &self.options.style;
         let mut crowd = Crowd::new(self.size);
@@ -91,6 +93,9 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
             if let Some(disc) = self.disc(v) {
                 crowd.add(disc, v.number());
             }
+        }
+        for &shape in self.ink {
+            crowd.add(shape, u32::MAX);
         }
         crowd
     }
@@ -217,6 +222,7 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
             Ring::Cycle(_) => None,
         });
         out.extend(corners.chain(isolated).filter_map(|v| self.disc(v)));
+        out.extend_from_slice(self.ink);
         out
     }
 }

@@ -16,7 +16,6 @@ use super::faces::Region;
 use super::pole::pole;
 use super::scene::{Group, Node};
 use super::vector::{Bounds, Xy, doubled_area, xy};
-use crate::ids::FaceId;
 
 /// More labels than this are not led out: the lines would hide the figure.
 pub(super) const MOST: usize = 24;
@@ -63,11 +62,11 @@ pub(super) struct Leader {
 
 impl Leader {
     /// The line, the dot in the face and the text; to be drawn above everything else.
-    pub(super) fn group(&self, face: FaceId) -> Node {
+    pub(super) fn group(&self, id: String) -> Node {
         let line = Node::Line { class: "leader", from: self.root, to: self.end };
         let dot = Node::Disc { class: "root", centre: self.root, radius: 1.6 };
         let nodes = [line, dot].into_iter().chain(self.label.nodes("ll")).collect();
-        Node::Group(Group { class: "lead", id: Some(format!("{face}-label")), nodes, ..Group::default() })
+        Node::Group(Group { class: "lead", id: Some(id), nodes, ..Group::default() })
     }
 }
 

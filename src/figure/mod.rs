@@ -27,8 +27,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod arrows;
 mod captions;
 mod crowd;
+mod face_arrows;
 mod faces;
 mod fit;
 mod half_edges;
@@ -36,6 +38,10 @@ mod labels;
 mod leaders;
 mod number;
 mod options;
+mod panels;
+mod plate;
+mod pointer;
+mod pointer_style;
 mod pole;
 mod scene;
 mod skeleton;
@@ -50,6 +56,8 @@ mod vector;
 mod vertices;
 
 pub use options::{Detail, FaceLabels, FigureOptions};
+pub use panels::pointers;
+pub use pointer::Pointers;
 pub use structure::structure;
 pub use style::{Colour, Palette, Style, Theme};
 pub use style_file::{ParseColourError, StyleError};
@@ -79,6 +87,15 @@ pub enum FigureError {
         vertex: VertexId,
         /// What is wrong with it.
         error: CoordinateError,
+    },
+    /// Pointers need half-edges, and these would be too short or too many.
+    #[error(
+        "no room for pointers: the half-edges are too short or too many to be drawn ({detail:?} is the level that \
+         fits); try a greater width, or fix the level of detail"
+    )]
+    NoRoom {
+        /// The level there is room for.
+        detail: Detail,
     },
 }
 

@@ -54,6 +54,8 @@ pub struct FigureOptions {
     pub(super) style: Style,
     pub(super) width: Option<f64>,
     pub(super) height: Option<f64>,
+    /// The width before it grows, if the caller names none.
+    pub(super) usual_width: f64,
     pub(super) detail: Option<Detail>,
     pub(super) vertex_labels: bool,
     pub(super) half_edge_labels: bool,
@@ -77,6 +79,7 @@ impl FigureOptions {
             style: Style::default(),
             width: None,
             height: None,
+            usual_width: super::fit::WIDTH,
             detail: None,
             vertex_labels: true,
             half_edge_labels: true,

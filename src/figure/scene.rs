@@ -46,6 +46,12 @@ pub(super) enum Node {
         from: Xy,
         to: Xy,
     },
+    /// A line of straight and curved steps.
+    Curve {
+        class: &'static str,
+        start: Xy,
+        steps: Vec<Step>,
+    },
     /// The inside of closed outlines by the even-odd rule, plain or hatched.
     Area {
         class: &'static str,
@@ -57,7 +63,7 @@ pub(super) enum Node {
         centre: Xy,
         radius: f64,
     },
-    /// A line of text centred at `at`.
+    /// A line of text, centred at `at` unless the class says where it begins.
     Text {
         class: &'static str,
         at: Xy,
@@ -72,10 +78,31 @@ pub(super) enum Node {
     },
 }
 
+/// A step of a curve.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Step {
+    Line(Xy),
+    /// By a control point.
+    Quad(Xy, Xy),
+    /// By two control points.
+    Cubic(Xy, Xy, Xy),
+    /// Clockwise on a circle.
+    Round {
+        radius: f64,
+        /// Whether by more than half of the circle.
+        large: bool,
+        to: Xy,
+    },
+}
+
 /// What belongs together, with an id and a tooltip.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Group {
     pub(super) class: &'static str,
+    /// A further class: how the group is marked. Empty: not at all.
+    pub(super) mark: &'static str,
+    /// How far everything inside is moved.
+    pub(super) shift: Option<Xy>,
     /// Without the prefix of the scene.
     pub(super) id: Option<String>,
     pub(super) attributes: Attributes,

@@ -42,6 +42,7 @@ pub(super) fn destination<V: PlanarView + ?Sized>(view: &V, h: HalfEdgeId) -> Op
 const NOWHERE: VertexId = VertexId::new(u32::MAX);
 
 /// The drawable part of a view.
+#[derive(Clone)]
 pub(super) struct Skeleton {
     /// Where each vertex is on the canvas.
     pub(super) at: VertexMap<Option<Xy>>,

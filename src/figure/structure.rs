@@ -12,14 +12,13 @@ use super::captions::{Caption, Label, Sizes, captions};
 use super::crowd::{Crowd, Shape};
 use super::faces::{Region, attributes, regions, title};
 use super::fit::{Extent, Fit, Load, choose};
-use super::half_edges::{Shaft, shafts};
-use super::labels::{Labels, Stage, lead_out, outer_label};
-use super::scene::{Attributes, Group, Hatch, Node, Polylines, Scene, tenths};
+use super::labels::{lead_out, outer_label};
+use super::plate::{Look, Mark, Plate};
+use super::scene::{Group, Hatch, Node, Polylines, Scene, tenths};
 use super::skeleton::{Cycles, Skeleton, faces, half_edges, ids, vertices};
 use super::vector::{Bounds, Xy, xy};
-use super::vertices::radii;
 use super::{Detail, Figure, FigureError, FigureOptions, number, tiles, tints};
-use crate::ids::{FaceId, HalfEdgeId, HalfEdgeMap, Id, VertexId, VertexMap};
+use crate::ids::{FaceId, HalfEdgeId, Id, VertexId, VertexMap};
 use crate::plane::{CoordinateError, LARGEST, PlanarView};
 
 /// With more faces than this, tiles show the domain as one area.
@@ -44,27 +43,15 @@ const TINTED: [&str; tints::HUES] = ["face t0", "face t1", "face t2", "face t3",
 /// error: it shows its outer face.
 pub fn structure<V: PlanarView + ?Sized>(view: &V, options: &FigureOptions) -> Result<Figure, FigureError> {
     let options = &options.checked();
-    check(view)?;
-    let mut skeleton = Skeleton::new(view);
-    let extent = Extent::of(vertices(view).filter_map(|v| view.position(v)));
-    let load = Load {
-        edges: skeleton.edges.len(),
-        vertices: vertices(view).count(),
-        median: median(view, &skeleton, extent.span()),
-    };
-    let (fit, detail) = choose(&extent, &load, options);
-    let at = ids::<VertexId>(view.vertex_bound(), |_| true).map(|v| view.position(v).map(|p| fit.place(p)));
-    skeleton.at = at.collect::<Vec<_>>().into();
-
-    let mut notes = Notes::default();
-    notes.add("without a position, not drawn", vertices(view).filter(|&v| view.position(v).is_none()));
-    notes.add(
-        "with an unknown end or without length, not drawn",
-        half_edges(view).filter(|&h| skeleton.segment(h).is_none_or(|(a, b)| a == b)),
-    );
-    let picture = Picture { view, options, skeleton, fit, detail };
-    let nodes = if detail >= Detail::Edges { picture.by_element(&mut notes) } else { picture.by_tiles(&mut notes) };
-    Ok(Figure { scene: picture.scene(nodes, load.vertices), detail, notes: notes.0 })
+    let (picture, mut notes) = Picture::new(view, options)?;
+    let detail = picture.detail;
+    if detail >= Detail::Edges {
+        let plate = Plate::place(picture, notes, &[]);
+        let scene = plate.picture.scene(plate.nodes(view, &Look::default(), Vec::new()));
+        return Ok(Figure { scene, detail, notes: plate.notes.0 });
+    }
+    let nodes = picture.by_tiles(&mut notes);
+    Ok(Figure { scene: picture.scene(nodes), detail, notes: notes.0 })
 }
 
 fn check<V: PlanarView + ?Sized>(view: &V) -> Result<(), FigureError> {
@@ -107,15 +94,20 @@ fn median<V: PlanarView + ?Sized>(view: &V, skeleton: &Skeleton, span: f64) -> O
 
 /// What was left out, one sentence a kind.
 #[derive(Default)]
-struct Notes(Vec<String>);
+pub(super) struct Notes(pub(super) Vec<String>);
 
 impl Notes {
-    fn add<I: Id>(&mut self, what: &str, elements: impl Iterator<Item = I>) {
+    pub(super) fn add<I: Id>(&mut self, what: &str, elements: impl Iterator<Item = I>) {
+        self.add_words(what, elements.map(|element| element.to_string()));
+    }
+
+    /// At most ten names are written out.
+    pub(super) fn add_words(&mut self, what: &str, words: impl Iterator<Item = String>) {
         let mut names = Vec::new();
         let mut more = 0;
-        for element in elements {
+        for word in words {
             if names.len() < 10 {
-                names.push(element.to_string());
+                names.push(word);
             } else {
                 more += 1;
             }
@@ -127,55 +119,37 @@ impl Notes {
     }
 }
 
-struct Picture<'a, V: ?Sized> {
-    view: &'a V,
-    options: &'a FigureOptions,
-    skeleton: Skeleton,
-    fit: Fit,
-    detail: Detail,
+/// A view with its place on the canvas.
+pub(super) struct Picture<'a, V: ?Sized> {
+    pub(super) view: &'a V,
+    pub(super) options: &'a FigureOptions,
+    pub(super) skeleton: Skeleton,
+    pub(super) fit: Fit,
+    pub(super) detail: Detail,
 }
 
-impl<V: PlanarView + ?Sized> Picture<'_, V> {
-    /// Every face, edge and vertex by itself, and the half-edges where the detail allows.
-    fn by_element(&self, notes: &mut Notes) -> Vec<Node> {
-        let cycles = Cycles::of(self.view, faces(self.view));
-        notes.add("with a boundary that does not close or is taken already", cycles.open.iter().copied());
-        let regions = regions(self.view, &self.skeleton, &cycles);
-        let mut edges = Crowd::new(self.fit.size);
-        for &h in &self.skeleton.edges {
-            if let Some((a, b)) = self.skeleton.segment(h) {
-                edges.add(Shape::Segment(a, b, 0.0), h.number());
-            }
-        }
-        let arrows = self.detail >= Detail::Arrows;
-        let (radii, shafts) = if arrows {
-            let radii = radii(self.view, &self.skeleton, &edges, self.fit.size, &self.options.style);
-            let shafts = shafts(self.view, &self.skeleton, &radii, &edges, &self.options.style);
-            (radii, shafts)
-        } else {
-            let radii = VertexMap::filled(self.view.vertex_bound(), super::vertices::SMALLEST);
-            (radii, HalfEdgeMap::filled(self.view.half_edge_bound(), None))
+impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
+    /// Chooses scale and detail. `options` are checked ones.
+    pub(super) fn new(view: &'a V, options: &'a FigureOptions) -> Result<(Self, Notes), FigureError> {
+        check(view)?;
+        let mut skeleton = Skeleton::new(view);
+        let extent = Extent::of(vertices(view).filter_map(|v| view.position(v)));
+        let load = Load {
+            edges: skeleton.edges.len(),
+            vertices: vertices(view).count(),
+            median: median(view, &skeleton, extent.span()),
         };
-        let stage = Stage {
-            view: self.view,
-            options: self.options,
-            detail: self.detail,
-            size: self.fit.size,
-            skeleton: &self.skeleton,
-            radii: &radii,
-            shafts: &shafts,
-            regions: &regions,
-        };
-        let labels = stage.labels();
-        let mut nodes = self.face_nodes(&regions, &labels.faces, labels.outer.as_ref(), &cycles.open);
-        nodes.push(Node::Group(self.edge_group()));
-        if arrows {
-            let group = |h| Node::Group(self.half_edge_group(h, shafts[h].as_ref(), &labels));
-            nodes.extend(half_edges(self.view).map(group));
-        }
-        nodes.extend(vertices(self.view).map(|v| Node::Group(self.vertex_group(v, radii[v], &labels))));
-        nodes.extend(labels.leaders.iter().map(|(i, leader)| leader.group(regions[*i].face)));
-        nodes
+        let (fit, detail) = choose(&extent, &load, options);
+        let at = ids::<VertexId>(view.vertex_bound(), |_| true).map(|v| view.position(v).map(|p| fit.place(p)));
+        skeleton.at = at.collect::<Vec<_>>().into();
+
+        let mut notes = Notes::default();
+        notes.add("without a position, not drawn", vertices(view).filter(|&v| view.position(v).is_none()));
+        notes.add(
+            "with an unknown end or without length, not drawn",
+            half_edges(view).filter(|&h| skeleton.segment(h).is_none_or(|(a, b)| a == b)),
+        );
+        Ok((Self { view, options, skeleton, fit, detail }, notes))
     }
 
     /// Many short edges: faces one by one only if they are few, edges in tiles.
@@ -188,7 +162,7 @@ impl<V: PlanarView + ?Sized> Picture<'_, V> {
             let regions = regions(self.view, &self.skeleton, &cycles);
             let (labels, above) = self.map_labels(&regions, outer.as_ref());
             leaders.extend(above);
-            self.face_nodes(&regions, &labels, outer.as_ref(), &cycles.open)
+            self.face_nodes(&regions, &labels, outer.as_ref(), &cycles.open, &Look::default())
         } else {
             self.domain(outer.as_ref())
         };
@@ -216,31 +190,36 @@ impl<V: PlanarView + ?Sized> Picture<'_, V> {
             crowd.add(Shape::Box(placed.bounds()), 0);
         }
         let leaders = lead_out(self.view, regions, &captions, &labels, 0.8 * largest, self.fit.size, &mut crowd);
-        let groups = leaders.iter().map(|(i, leader)| leader.group(regions[*i].face)).collect();
+        let groups = leaders.iter().map(|(i, leader)| leader.group(format!("{}-label", regions[*i].face))).collect();
         (labels, groups)
     }
 
     /// One group for each face that exists, in the order of their numbers.
-    fn face_nodes(
+    pub(super) fn face_nodes(
         &self,
         regions: &[Region],
         labels: &[Option<Label>],
         outer: Option<&Label>,
         open: &[FaceId],
+        look: &Look,
     ) -> Vec<Node> {
         let hues = tints::hues(self.view, regions, self.options);
         let mut regions = regions.iter().zip(labels).zip(hues).peekable();
         let mut nodes = Vec::new();
         for face in faces(self.view) {
             let mine = regions.next_if(|((region, _), _)| region.face == face);
+            if look.face(face) == Mark::Hidden {
+                continue;
+            }
             let region = mine.map(|((region, _), _)| region);
             let is_outer = self.view.outer_face() == Some(face);
             let mut group = Group {
                 class: if is_outer { "f outer" } else { "f" },
-                id: Some(face.to_string()),
-                attributes: attributes(self.view, face, self.options),
+                mark: look.face(face).class(),
+                id: Some(look.id(face)),
+                attributes: look.attributes(attributes(self.view, face, self.options)),
                 title: Some(title(self.view, face, region.map_or(0, |r| r.half_edges), self.options)),
-                nodes: Vec::new(),
+                ..Group::default()
             };
             if is_outer {
                 let unknown = open.contains(&face);
@@ -307,6 +286,7 @@ impl<V: PlanarView + ?Sized> Picture<'_, V> {
             attributes: attributes(self.view, outer, self.options),
             title: Some(title(self.view, outer, outline.iter().map(Vec::len).sum(), self.options)),
             nodes: vec![self.outer_area(&outline, cycles.open.contains(&outer))],
+            ..Group::default()
         };
         // One name for each component: too long for an attribute here.
         group.attributes.retain(|(name, _)| *name != "data-rings");
@@ -324,63 +304,6 @@ impl<V: PlanarView + ?Sized> Picture<'_, V> {
         nodes
     }
 
-    fn edge_group(&self) -> Group {
-        let line = |&h: &HalfEdgeId| {
-            let (from, to) = self.skeleton.segment(h)?;
-            Some(Node::Line { class: "edge", from, to })
-        };
-        Group { class: "edges", nodes: self.skeleton.edges.iter().filter_map(line).collect(), ..Group::default() }
-    }
-
-    fn half_edge_group(&self, h: HalfEdgeId, shaft: Option<&Shaft>, labels: &Labels) -> Group {
-        let view = self.view;
-        let pointers = [
-            ("data-origin", name(view.origin(h))),
-            ("data-twin", name(view.twin(h))),
-            ("data-next", name(view.next(h))),
-            ("data-prev", name(view.prev(h))),
-            ("data-face", name(view.face(h))),
-        ];
-        let known = |i: usize| pointers[i].1.as_deref().unwrap_or("none");
-        let to = name(super::skeleton::destination(view, h));
-        let title = format!(
-            "{h}: {} to {}, face {}, twin {}, next {}, prev {}",
-            known(0),
-            to.as_deref().unwrap_or("none"),
-            known(4),
-            known(1),
-            known(2),
-            known(3)
-        );
-        let mut nodes = Vec::new();
-        if let Some(shaft) = shaft {
-            let (from, to) = shaft.line();
-            nodes.push(Node::Line { class: if shaft.is_thin() { "sh thin" } else { "sh" }, from, to });
-            nodes.push(Node::Area { class: "barb", hatch: None, outlines: vec![shaft.barb().to_vec()] });
-        }
-        nodes.extend(labels.half_edges[h].iter().flat_map(|label| label.nodes("hl")));
-        let attributes = pointers.into_iter().filter_map(|(key, value)| Some((key, value?))).collect();
-        Group { class: "he", id: Some(h.to_string()), attributes, title: Some(title), nodes }
-    }
-
-    fn vertex_group(&self, v: VertexId, radius: f64, labels: &Labels) -> Group {
-        let mut attributes: Attributes = Vec::new();
-        let mut nodes = Vec::new();
-        let mut place = "no position".to_owned();
-        if let (Some(p), Some(centre)) = (self.view.position(v), self.skeleton.place(v)) {
-            let (x, y) = (number::model(p.x), number::model(p.y));
-            place = format!("({x}, {y})");
-            attributes.extend([("data-x", x), ("data-y", y)]);
-            let class = if self.detail >= Detail::Arrows { "vd" } else { "dot" };
-            nodes.push(Node::Disc { class, centre, radius });
-        }
-        let outgoing = name(self.view.outgoing(v));
-        let title = format!("{v}: {place}, outgoing {}", outgoing.as_deref().unwrap_or("none"));
-        attributes.extend(outgoing.map(|h| ("data-he", h)));
-        nodes.extend(labels.vertices[v].iter().flat_map(|label| label.nodes("vl")));
-        Group { class: "v", id: Some(v.to_string()), attributes, title: Some(title), nodes }
-    }
-
     /// Vertices without edges, as dots.
     fn lone_vertices(&self) -> Option<Node> {
         let mut lone = VertexMap::filled(self.view.vertex_bound(), true);
@@ -396,10 +319,12 @@ impl<V: PlanarView + ?Sized> Picture<'_, V> {
         (!lines.is_empty()).then_some(Node::Fine { class: "dots", hatch: None, lines })
     }
 
-    fn scene(&self, nodes: Vec<Node>, vertices: usize) -> Scene {
+    /// The document round the nodes.
+    pub(super) fn scene(&self, nodes: Vec<Node>) -> Scene {
         let options = self.options;
         let step = options.style.hatch_step;
         let (half_edges, faces) = (half_edges(self.view).count(), faces(self.view).count());
+        let vertices = vertices(self.view).count();
         let detail = match self.detail {
             Detail::Full => "full",
             Detail::Arrows => "arrows",
@@ -435,8 +360,4 @@ impl<V: PlanarView + ?Sized> Picture<'_, V> {
             nodes,
         }
     }
-}
-
-fn name<I: Id>(id: Option<I>) -> Option<String> {
-    id.map(|id| id.to_string())
 }

@@ -41,6 +41,16 @@ pub struct Palette {
     pub face: Colour,
     /// Hatch of the outer face and of hole faces.
     pub hatch: Colour,
+    /// `next` arrows.
+    pub next: Colour,
+    /// `twin` arrows.
+    pub twin: Colour,
+    /// Arrows between vertices and half-edges: `outgoing`, `origin`.
+    pub origin: Colour,
+    /// Lines that are not what the drawing is about.
+    pub dim: Colour,
+    /// Text that is not what the drawing is about.
+    pub grey: Colour,
     /// How much of a tint covers the background, 0 to 1.
     pub tint_opacity: f64,
 }
@@ -104,6 +114,11 @@ impl Default for Style {
                 edge: Colour(0x0077_7d86),
                 face: Colour(0x006b_5300),
                 hatch: Colour(0x00d5_d8dd),
+                next: Colour(0x0000_67a5),
+                twin: Colour(0x008a_2b7a),
+                origin: Colour(0x0000_664d),
+                dim: Colour(0x00b3_b9c2),
+                grey: Colour(0x005f_6671),
                 tint_opacity: 0.13,
             },
             dark: Some(Palette {
@@ -113,6 +128,11 @@ impl Default for Style {
                 edge: Colour(0x008d_949f),
                 face: Colour(0x00e0_c46a),
                 hatch: Colour(0x003a_3f48),
+                next: Colour(0x006c_bcf5),
+                twin: Colour(0x00e3_9ad6),
+                origin: Colour(0x0056_d3ad),
+                dim: Colour(0x0056_5c66),
+                grey: Colour(0x00a5_abb5),
                 tint_opacity: 0.22,
             }),
             tints: [
@@ -236,7 +256,7 @@ fn rule(out: &mut String, scope: &str, class: &str, properties: &str) {
 }
 
 fn colours(out: &mut String, scope: &str, palette: &Palette) {
-    let Palette { background, ink, half_edge, edge, face, hatch, tint_opacity } = palette;
+    let Palette { background, ink, half_edge, edge, face, hatch, tint_opacity, .. } = palette;
     let rules = [
         ("bg", format!("fill:{background}")),
         ("face", format!("fill-opacity:{}", super::number::drawn(*tint_opacity))),

@@ -50,32 +50,27 @@ impl<'de> Deserialize<'de> for Colour {
     }
 }
 
-/// The fields of a palette that a file changes.
-#[derive(Deserialize, Default)]
-#[serde(default, deny_unknown_fields)]
-struct PaletteFile {
-    background: Option<Colour>,
-    ink: Option<Colour>,
-    half_edge: Option<Colour>,
-    edge: Option<Colour>,
-    face: Option<Colour>,
-    hatch: Option<Colour>,
-    tint_opacity: Option<f64>,
-}
-
-impl PaletteFile {
-    fn change(self, usual: &Palette) -> Palette {
-        Palette {
-            background: self.background.unwrap_or(usual.background),
-            ink: self.ink.unwrap_or(usual.ink),
-            half_edge: self.half_edge.unwrap_or(usual.half_edge),
-            edge: self.edge.unwrap_or(usual.edge),
-            face: self.face.unwrap_or(usual.face),
-            hatch: self.hatch.unwrap_or(usual.hatch),
-            tint_opacity: self.tint_opacity.unwrap_or(usual.tint_opacity),
+/// The fields of a palette that a file changes, from the names of its colours.
+macro_rules! palette_file {
+    ($($colour:ident)*) => {
+        #[derive(Deserialize, Default)]
+        #[serde(default, deny_unknown_fields)]
+        struct PaletteFile {
+            $($colour: Option<Colour>,)*
+            tint_opacity: Option<f64>,
         }
-    }
+
+        impl PaletteFile {
+            fn change(self, usual: &Palette) -> Palette {
+                Palette {
+                    $($colour: self.$colour.unwrap_or(usual.$colour),)*
+                    tint_opacity: self.tint_opacity.unwrap_or(usual.tint_opacity),
+                }
+            }
+        }
+    };
 }
+palette_file!(background ink half_edge edge face hatch next twin origin dim grey);
 
 /// The default light palette with the changes of the file.
 pub(super) fn light<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Palette, D::Error> {

@@ -5,7 +5,7 @@
 //! no style rule holds a `>`, which would be escaped.
 
 use super::number::{drawn, push, push_tenths};
-use super::scene::{Group, Hatch, Node, Polylines, Scene};
+use super::scene::{Group, Hatch, Node, Polylines, Scene, Step};
 use super::vector::Xy;
 use svg::node::Text as Characters;
 use svg::node::element::{Definitions, Description, Element, Line, Path, Pattern, Rectangle, Style, Text, Title};
@@ -63,6 +63,9 @@ fn element(node: &Node, prefix: &str) -> Element {
             .set("x2", drawn(to.x))
             .set("y2", drawn(to.y))
             .into(),
+        Node::Curve { class, start, steps } => {
+            Path::new().set("class", *class).set("d", curve_data(*start, steps)).into()
+        }
         Node::Area { class, hatch, outlines } => area(class, *hatch, prefix, outline_data(outlines)),
         Node::Fine { class, hatch, lines } if lines.closed => area(class, *hatch, prefix, fine_data(lines)),
         Node::Fine { class, lines, .. } => Path::new().set("class", *class).set("d", fine_data(lines)).into(),
@@ -86,8 +89,13 @@ fn element(node: &Node, prefix: &str) -> Element {
 
 fn group(group: &Group, prefix: &str) -> Element {
     let mut out = svg::node::element::Group::new();
-    if !group.class.is_empty() {
-        out = out.set("class", group.class);
+    match (group.class, group.mark) {
+        ("", "") => {}
+        (class, "") | ("", class) => out = out.set("class", class),
+        (class, mark) => out = out.set("class", format!("{class} {mark}")),
+    }
+    if let Some(by) = group.shift {
+        out = out.set("transform", format!("translate({},{})", drawn(by.x), drawn(by.y)));
     }
     if let Some(id) = &group.id {
         out = out.set("id", format!("{prefix}-{id}"));
@@ -110,6 +118,35 @@ fn area(class: &str, hatch: Option<&str>, prefix: &str, data: String) -> Element
         out = out.set("fill", format!("url(#{prefix}-{name})"));
     }
     out.into()
+}
+
+/// `M x,y`, then `L`, `Q`, `C` and `A` with their points, two decimals.
+fn curve_data(start: Xy, steps: &[Step]) -> String {
+    let mut out = String::new();
+    let mut points = |command: &str, points: &[Xy]| {
+        out.push_str(command);
+        for (i, p) in points.iter().enumerate() {
+            if i > 0 {
+                out.push(' ');
+            }
+            push(&mut out, p.x);
+            out.push(',');
+            push(&mut out, p.y);
+        }
+    };
+    points("M", &[start]);
+    for step in steps {
+        match *step {
+            Step::Line(to) => points("L", &[to]),
+            Step::Quad(control, to) => points("Q", &[control, to]),
+            Step::Cubic(first, second, to) => points("C", &[first, second, to]),
+            Step::Round { radius, large, to } => {
+                let r = drawn(radius);
+                points(&format!("A{r},{r} 0 {} 1 ", u8::from(large)), &[to]);
+            }
+        }
+    }
+    out
 }
 
 /// `M x,y L x,y ... Z` for each outline, two decimals.

@@ -1,0 +1,137 @@
+//! Small multiples: one panel for each family of pointers, all on one layout.
+//!
+//! ```text
+//!   half-edge.next          half-edge.twin         A reader compares panels place by place: every line, disc
+//!   ┌──────────────┐        ┌──────────────┐       and label stands at the same spot in all of them, the
+//!   │  ⟲    ⟲      │        │  ↕    ↕      │       half-edges are grey, and one family has its colour.
+//!   └──────────────┘        └──────────────┘
+//! ```
+
+use super::plate::{Look, Mark, Plate};
+use super::pointer::Pointers;
+use super::scene::{Group, Node};
+use super::structure::Notes;
+use super::vector::xy;
+use super::{Detail, Figure, FigureError, FigureOptions, pointer_style, text};
+use crate::plane::PlanarView;
+
+/// Width of a panel unless the caller or the structure asks for more.
+const WIDTH: f64 = 380.0;
+/// Height of the caption of a panel.
+const CAPTION: f64 = 46.0;
+/// Space between panels.
+const GAP: f64 = 14.0;
+/// The size of a panel's name, and that of its sentence.
+const TEXT: (f64, f64) = (14.0, 11.0);
+
+/// Draws the pointers of some families, each in a panel of its own: at most one family a picture can be read.
+///
+/// The panels share one layout, in which labels keep clear of the arrows of every family. Everything but the
+/// family is grey. Ids read `FIG-next-h5` in the panel of `next`, and `FIG-next-h5-next` for the arrow; with
+/// one family `FIG-h5` and `FIG-h5-next`. A family named twice is drawn once. `width` is that of one panel
+/// (default 380, more until the median edge has 110 px). Wrong pointers are drawn as they are; those without
+/// room for an arrow are noted.
+///
+/// Cost: O(n log n) for each family.
+///
+/// # Errors
+/// Those of [`structure`](super::structure()), and [`FigureError::NoRoom`] if half-edges would be too short to
+/// draw.
+///
+/// ```
+/// use dcel_kit::figure::{self, FigureOptions, Pointers};
+/// use dcel_kit::plane::Subdivision;
+/// let lab = Subdivision::lab_rectangle();
+/// let svg = figure::pointers(&lab, &[Pointers::Next, Pointers::Twin], &FigureOptions::new("Lab"))?.to_svg();
+/// assert!(svg.contains("id=\"lab-next-h0-next\"") && svg.contains("id=\"lab-twin-h0-twin\""));
+/// # Ok::<(), figure::FigureError>(())
+/// ```
+pub fn pointers<V: PlanarView + ?Sized>(
+    view: &V,
+    families: &[Pointers],
+    options: &FigureOptions,
+) -> Result<Figure, FigureError> {
+    let mut options = options.checked();
+    options.usual_width = WIDTH;
+    let options = &options;
+    let mut families = families.to_vec();
+    families.sort_unstable();
+    families.dedup();
+    let plate = Plate::new(view, options, true)?;
+    if plate.picture.detail < Detail::Arrows {
+        return Err(FigureError::NoRoom { detail: plate.picture.detail });
+    }
+    let mut notes = Notes(plate.notes.0.clone());
+    let mut scene = plate.picture.scene(Vec::new());
+    let panel = xy(scene.size.x, scene.size.y + CAPTION);
+    let columns = columns(families.len());
+    for (i, &family) in families.iter().enumerate() {
+        let look = if families.len() == 1 { Look::default() } else { Look::instance(family.class()) };
+        let look = look.rest(Mark::Dim);
+        let arrows = plate.pointers(view, &Plate::<V>::family(view, family), &look, 0.5, &mut notes);
+        let mut nodes = caption(family, scene.size.x);
+        let drawing = plate.nodes(view, &look, arrows);
+        nodes.push(Node::Group(Group { shift: Some(xy(0.0, CAPTION)), nodes: drawing, ..Group::default() }));
+        let (column, row) = ((i % columns) as f64, (i / columns) as f64);
+        scene.nodes.push(Node::Group(Group {
+            class: "panel",
+            id: (families.len() > 1).then(|| family.class().to_owned()),
+            shift: Some(xy(column * (panel.x + GAP), row * (panel.y + GAP))),
+            nodes,
+            ..Group::default()
+        }));
+    }
+    let rows = families.len().div_ceil(columns).max(1);
+    let size = |count: usize, one: f64| count as f64 * (one + GAP) - GAP;
+    scene.size = xy(size(columns, panel.x), size(rows, panel.y));
+    scene.css.push_str(&pointer_style::css(&options.style, &scene.prefix));
+    if families.len() > 1 {
+        scene.attributes[0].1 = "dcel-pointers".to_owned();
+    }
+    if options.description.is_none() {
+        let words = families.iter().map(|family| format!("{}: {}", family.name(), family.sentence()));
+        scene.description = format!("Panels of one structure. {}.", words.collect::<Vec<_>>().join(". "));
+    }
+    Ok(Figure { scene, detail: plate.picture.detail, notes: notes.0 })
+}
+
+/// Two side by side up to four, three from five on.
+const fn columns(panels: usize) -> usize {
+    match panels {
+        0 | 1 => 1,
+        2..=4 => 2,
+        _ => 3,
+    }
+}
+
+fn caption(family: Pointers, width: f64) -> Vec<Node> {
+    let line = |class: &'static str, y: f64, size: f64, words: &str| {
+        let size = size.min(size * (width - 16.0) / text::width(words, size, true));
+        Node::Text { class, at: xy(8.0, y), size, text: words.to_owned() }
+    };
+    vec![line("ct", 16.0, TEXT.0, family.name()), line("cs", 34.0, TEXT.1, family.sentence())]
+}
+
+impl Pointers {
+    /// What the panel is called: the record and its field.
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Next => "half-edge.next",
+            Self::Twin => "half-edge.twin",
+            Self::Outgoing => "vertex.outgoing",
+            Self::Boundary => "face.boundary",
+            Self::Face => "half-edge.face",
+        }
+    }
+
+    /// What there is to see.
+    const fn sentence(self) -> &'static str {
+        match self {
+            Self::Next => "follow next and the face closes on its left; prev is the way back",
+            Self::Twin => "the same edge from the other side: twin(twin(h)) = h",
+            Self::Outgoing => "every vertex knows one half-edge that leaves it",
+            Self::Boundary => "every face, the outer one too, knows one of its half-edges",
+            Self::Face => "every half-edge knows the face on its left",
+        }
+    }
+}

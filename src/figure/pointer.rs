@@ -1,0 +1,188 @@
+//! The pointers of a placed structure as groups of arrows, one class for each family.
+//!
+//! ```text
+//!   <g class="ptr next" id="FIG-h5-next"> title "h5.next = h8", line "pl", heads "ph" </g>
+//! ```
+
+use super::arrows::{self, Arrow, Turn};
+use super::crowd::{Crowd, Shape};
+use super::face_arrows::{self, Tagged};
+use super::plate::{Look, Plate};
+use super::scene::{Group, Node};
+use super::skeleton::{faces, half_edges, mutual_twin, vertices};
+use super::structure::Notes;
+use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::plane::PlanarView;
+
+/// A kind of pointer. `prev` is none of them: it is `next` read backwards.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Pointers {
+    /// From every half-edge to the one after it along its face.
+    Next,
+    /// Between the two halves of every edge.
+    Twin,
+    /// From every vertex to the half-edge it knows.
+    Outgoing,
+    /// From every face to the half-edge it knows.
+    Boundary,
+    /// From every half-edge to its face.
+    Face,
+}
+
+impl Pointers {
+    /// All of them, in the order of a lesson.
+    pub const ALL: [Self; 5] = [Self::Next, Self::Twin, Self::Outgoing, Self::Boundary, Self::Face];
+
+    /// The class of their arrows, and what ids of arrows end with.
+    #[must_use]
+    pub const fn class(self) -> &'static str {
+        match self {
+            Self::Next => "next",
+            Self::Twin => "twin",
+            Self::Outgoing => "outgoing",
+            Self::Boundary => "boundary",
+            Self::Face => "face-of",
+        }
+    }
+
+    const fn group(self) -> &'static str {
+        match self {
+            Self::Next => "ptr next",
+            Self::Twin => "ptr twin",
+            Self::Outgoing => "ptr outgoing",
+            Self::Boundary => "ptr boundary",
+            Self::Face => "ptr face-of",
+        }
+    }
+}
+
+/// One pointer, by the element that stores it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Pointer {
+    Next(HalfEdgeId),
+    Twin(HalfEdgeId),
+    Outgoing(VertexId),
+    Boundary(FaceId),
+    Face(HalfEdgeId),
+}
+
+impl Pointer {
+    const fn family(self) -> Pointers {
+        match self {
+            Self::Next(_) => Pointers::Next,
+            Self::Twin(_) => Pointers::Twin,
+            Self::Outgoing(_) => Pointers::Outgoing,
+            Self::Boundary(_) => Pointers::Boundary,
+            Self::Face(_) => Pointers::Face,
+        }
+    }
+
+    /// What stores it, its name, and what it says: `h5`, `next`, `h8`.
+    fn words<W: PlanarView + ?Sized>(self, view: &W) -> (String, &'static str, Option<String>) {
+        match self {
+            Self::Next(h) => (h.to_string(), "next", view.next(h).map(|n| n.to_string())),
+            Self::Twin(h) => (h.to_string(), "twin", view.twin(h).map(|t| t.to_string())),
+            Self::Outgoing(v) => (v.to_string(), "outgoing", view.outgoing(v).map(|h| h.to_string())),
+            Self::Boundary(f) => (f.to_string(), "boundary", view.boundary(f).map(|h| h.to_string())),
+            Self::Face(h) => (h.to_string(), "face", view.face(h).map(|f| f.to_string())),
+        }
+    }
+}
+
+impl<V: PlanarView + ?Sized> Plate<'_, V> {
+    /// All pointers of a family, as `view` has them; of two twins that agree, one arrow.
+    pub(super) fn family<W: PlanarView + ?Sized>(view: &W, family: Pointers) -> Vec<Pointer> {
+        match family {
+            Pointers::Next => half_edges(view).map(Pointer::Next).collect(),
+            Pointers::Twin => {
+                let once = half_edges(view).filter(|&h| mutual_twin(view, h).is_none_or(|t| h < t));
+                once.map(Pointer::Twin).collect()
+            }
+            Pointers::Outgoing => vertices(view).map(Pointer::Outgoing).collect(),
+            Pointers::Boundary => faces(view).map(Pointer::Boundary).collect(),
+            Pointers::Face => half_edges(view).map(Pointer::Face).collect(),
+        }
+    }
+
+    /// One group for each pointer that is set and has room for an arrow; those without room are noted. `t` is
+    /// where along the edge twin arrows stand: 0.5, or 0.36 beside face arrows.
+    pub(super) fn pointers<W: PlanarView + ?Sized>(
+        &self,
+        view: &W,
+        pointers: &[Pointer],
+        look: &Look,
+        t: f64,
+        notes: &mut Notes,
+    ) -> Vec<Node> {
+        let mut crowd = self.crowd.clone();
+        let mut out = Vec::new();
+        let mut without = Vec::new();
+        for &pointer in pointers {
+            let (owner, field, Some(target)) = pointer.words(view) else { continue };
+            let Some(Tagged { arrow, tag }) = self.arrow(view, pointer, t, &mut crowd) else {
+                without.push(format!("{owner}.{field}"));
+                continue;
+            };
+            let family = pointer.family();
+            let mut nodes = arrow.nodes("pl", "ph").to_vec();
+            nodes.extend(tag.iter().flat_map(|tag| tag.nodes("tag")));
+            out.push(Node::Group(Group {
+                class: family.group(),
+                id: Some(format!("{}-{}", look.name(&owner), family.class())),
+                title: Some(format!("{owner}.{field} = {target}")),
+                nodes,
+                ..Group::default()
+            }));
+        }
+        notes.add_words("without room for an arrow", without.into_iter());
+        out
+    }
+
+    fn arrow<W: PlanarView + ?Sized>(&self, view: &W, pointer: Pointer, t: f64, crowd: &mut Crowd) -> Option<Tagged> {
+        match pointer {
+            Pointer::Next(h) => self.next_arrow(view, h).map(Tagged::plain),
+            Pointer::Twin(h) => {
+                let twin = view.twin(h).filter(|&t| t != h)?;
+                let agree = mutual_twin(view, h).is_some();
+                arrows::twin(self.shaft(h)?, self.shaft(twin)?, agree, t).map(Tagged::plain)
+            }
+            Pointer::Outgoing(v) => self.outgoing_arrow(view, v).map(Tagged::plain),
+            Pointer::Boundary(f) => {
+                let shaft = self.shaft(view.boundary(f)?)?;
+                let outer = (view.outer_face() == Some(f)).then_some(self.picture.fit.size);
+                face_arrows::boundary(f, self.label_of_face(f), shaft, outer, crowd)
+            }
+            Pointer::Face(h) => {
+                let f = view.face(h)?;
+                face_arrows::face(f, self.label_of_face(f), self.shaft(h)?, crowd)
+            }
+        }
+    }
+
+    fn shaft(&self, h: HalfEdgeId) -> Option<&super::half_edges::Shaft> {
+        self.shafts.get(h)?.as_ref()
+    }
+
+    /// From the tip of `h` to the tail of its next.
+    pub(super) fn next_arrow<W: PlanarView + ?Sized>(&self, view: &W, h: HalfEdgeId) -> Option<Arrow> {
+        let next = view.next(h)?;
+        let skeleton = self.skeleton();
+        let ([_, end], [start, _]) = (skeleton.ends(h)?, skeleton.ends(next)?);
+        let back = mutual_twin(view, h) == Some(next);
+        let turn = (end == start).then(|| Some(Turn { at: skeleton.place(end)?, radius: self.radii[end], back }));
+        Some(arrows::next(self.shaft(h)?, self.shaft(next)?, turn.flatten()))
+    }
+
+    fn outgoing_arrow<W: PlanarView + ?Sized>(&self, view: &W, v: VertexId) -> Option<Arrow> {
+        let shaft = self.shaft(view.outgoing(v)?)?;
+        arrows::outgoing(self.skeleton().place(v)?, *self.radii.get(v)?, shaft)
+    }
+
+    /// The next and outgoing arrows of the placed view, for labels to keep clear of.
+    pub(super) fn local_ink(&self) -> Vec<Shape> {
+        let view = self.picture.view;
+        let next = half_edges(view).filter_map(|h| self.next_arrow(view, h));
+        let outgoing = vertices(view).filter_map(|v| self.outgoing_arrow(view, v));
+        next.chain(outgoing).flat_map(|arrow| arrow.shapes()).collect()
+    }
+}

@@ -1,0 +1,52 @@
+//! The style rules of pointers, marks, captions and tables: what a structure figure does not need.
+//!
+//! ```text
+//!   .dim    grey: not what the drawing is about      .next .twin .outgoing .boundary .face-of
+//!   .hot    bold: what it is about                   a colour each; face pointers are dashed, too
+//! ```
+
+use super::Style;
+use super::number::drawn;
+use super::style::Palette;
+use std::fmt::Write;
+
+/// The rules, to be appended to those of the style. Scoped like those.
+pub(super) fn css(style: &Style, scope: &str) -> String {
+    let mut out = String::new();
+    let mut fixed = |selector: &str, properties: &str| {
+        let _ = writeln!(out, "#{scope} {selector}{{{properties}}}");
+    };
+    fixed(".pl", "stroke-width:1.7;fill:none");
+    fixed(".boundary .pl", "stroke-dasharray:5 2.5");
+    fixed(".face-of .pl", "stroke-dasharray:5 2.5");
+    fixed(".tag", "font-style:italic;font-weight:700;paint-order:stroke;stroke-width:.24em;stroke-linejoin:round");
+    fixed(".hot .sh", &format!("stroke-width:{}", drawn(1.9 * style.shaft_width)));
+    fixed(".hot .hl", "font-weight:700");
+    fixed(".ct", "font-weight:700;text-anchor:start");
+    fixed(".cs", "text-anchor:start");
+    colours(&mut out, scope, &style.light);
+    if let Some(dark) = &style.dark {
+        out.push_str("@media (prefers-color-scheme:dark){\n");
+        colours(&mut out, scope, dark);
+        out.push_str("}\n");
+    }
+    out
+}
+
+fn colours(out: &mut String, scope: &str, palette: &Palette) {
+    let mut rule = |selector: &str, properties: String| {
+        let _ = writeln!(out, "#{scope} {selector}{{{properties}}}");
+    };
+    let Palette { background, ink, face, next, twin, origin, dim, grey, .. } = palette;
+    rule(".dim .sh", format!("stroke:{dim}"));
+    rule(".dim .barb", format!("fill:{dim}"));
+    rule(".dim .hl", format!("fill:{grey}"));
+    rule(".ct", format!("fill:{ink}"));
+    rule(".cs", format!("fill:{ink}"));
+    rule(".tag", format!("fill:{face};stroke:{background}"));
+    for (class, colour) in [("next", next), ("twin", twin), ("outgoing", origin), ("boundary", face), ("face-of", face)]
+    {
+        rule(&format!(".{class} .pl"), format!("stroke:{colour}"));
+        rule(&format!(".{class} .ph"), format!("fill:{colour}"));
+    }
+}
