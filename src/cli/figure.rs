@@ -2,6 +2,7 @@
 
 use super::failure::say;
 use super::input::InputOptions;
+use super::looks::Looks;
 use super::{Answer, Failure, Output};
 use dcel_kit::figure::{self, Detail, FaceLabels, FigureOptions};
 use std::path::{Path, PathBuf};
@@ -17,7 +18,10 @@ Examples:
   dcel figure square.dcel --title \"Two rooms\" > two.svg
   dcel figure figures/data/states-albers-10m.json \\
     --y-down --drop-degenerate-rings --width 960 \\
-    -o states.svg")]
+    -o states.svg
+  dcel figure square.obj --width 12cm --plain -o slide.svg
+  dcel figure square.obj --faces f1 --colours rooms.txt \\
+    --theme light -o room.svg")]
 pub(crate) struct Args {
     /// The file to read, or - for standard input
     #[arg(value_name = "IN")]
@@ -27,6 +31,8 @@ pub(crate) struct Args {
     output: Option<PathBuf>,
     #[command(flatten)]
     drawing: Drawing,
+    #[command(flatten)]
+    looks: Looks,
     #[command(flatten)]
     input: InputOptions,
 }
@@ -41,9 +47,6 @@ struct Drawing {
     /// What ids in the SVG begin with [default: from the title]
     #[arg(long, value_name = "WORD")]
     id_prefix: Option<String>,
-    /// Width in px, 100 to 20000 [default: 640, more for few edges]
-    #[arg(long, value_name = "PX", value_parser = px)]
-    width: Option<f64>,
     /// Greatest height in px, 100 to 20000 [default: 5/4 of the width]
     #[arg(long, value_name = "PX", value_parser = px)]
     max_height: Option<f64>,
@@ -107,7 +110,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         ));
     };
     let names = subject.faces().filter_map(|f| Some((f, subject.name(f)?)));
-    let options = args.drawing.options(&args.file).face_names(names);
+    let options = args.looks.apply(args.drawing.options(&args.file).face_names(names), &subject)?;
     let figure = figure::structure(view, &options)
         .map_err(|error| Failure::input(format!("{}: {error}", subject.source), ""))?;
     figure.notes().iter().for_each(|note| say("note", note));
@@ -146,9 +149,6 @@ impl Drawing {
             });
         if let Some(prefix) = &self.id_prefix {
             options = options.id_prefix(prefix);
-        }
-        if let Some(width) = self.width {
-            options = options.width(width);
         }
         if let Some(height) = self.max_height {
             options = options.max_height(height);

@@ -17,6 +17,7 @@ mod figures;
 mod info;
 mod input;
 mod lesson;
+mod looks;
 mod output;
 mod references;
 mod subject;

@@ -2,7 +2,7 @@
 
 use super::Failure;
 use super::lesson::{self, LessonError};
-use dcel_kit::figure::{self, FigureError, FigureOptions, Pointers};
+use dcel_kit::figure::{self, FigureError, FigureOptions, NearlyCollinear, Pointers};
 use dcel_kit::plane::Subdivision;
 use std::path::Path;
 
@@ -26,7 +26,7 @@ pub(crate) struct Reference {
 }
 
 /// All reference figures, in the order of their files.
-static REFERENCES: [Reference; 6] = [
+static REFERENCES: [Reference; 7] = [
     Reference {
         file: "cube.svg",
         about: "a half-edge structure of 8 vertices, 12 edges and 6 faces, the outer one counted",
@@ -56,6 +56,14 @@ static REFERENCES: [Reference; 6] = [
         draw: || {
             let options = FigureOptions::new("Rings and holes").width(960.0);
             Ok(figure::structure(&lesson::rings()?, &options)?.to_svg())
+        },
+    },
+    Reference {
+        file: "robustness.svg",
+        about: "where plain doubles tell the wrong side of a line",
+        draw: || {
+            let options = FigureOptions::new("Where doubles are wrong");
+            Ok(figure::robustness(&NearlyCollinear::default(), &options).to_svg())
         },
     },
     Reference {

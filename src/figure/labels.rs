@@ -28,6 +28,8 @@ const SHORTEST: f64 = 24.0;
 const BESIDE: f64 = 3.2;
 /// Free space between two half-edge labels.
 const AIR: f64 = 1.5;
+/// Names of vertices and half-edges longer than this are cut short.
+const NAME: usize = 20;
 /// Where along the edge a label may stand, in the order of preference: the middle, then further and further
 /// from it.
 const PLACES: [f64; 5] = [0.0, -0.1, 0.1, -0.2, 0.2];
@@ -117,7 +119,7 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
         let spokes = Spokes::new(self.view.vertex_bound(), self.skeleton);
         for v in vertices(self.view) {
             let Some(at) = self.skeleton.place(v) else { continue };
-            let text = v.to_string();
+            let text = text::shortened(&self.options.caption(v), NAME);
             if let Some(size) = name_size(&text, self.radii[v], style) {
                 out[v] = Some(Label { at, size, lines: vec![text] });
                 continue;
@@ -164,7 +166,7 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
         if shaft.length() < SHORTEST {
             return None;
         }
-        let (size, text) = (self.options.style.half_edge_text, h.to_string());
+        let (size, text) = (self.options.style.half_edge_text, text::shortened(&self.options.caption(h), NAME));
         let (width, height) = (0.5 * text::width(&text, size, false), text::half_height(size));
         let aside = shaft.along.left();
         let distance = BESIDE + width * aside.x.abs() + height * aside.y.abs();
@@ -250,14 +252,14 @@ pub(super) fn lead_out<V: PlanarView + ?Sized>(
     search.place(&wanted, crowd)
 }
 
-/// The label of the outer face: in the top right corner of the frame, in the free band.
+/// The label of the outer face: in the top right corner of the frame, in the free band. A cropped figure has none.
 pub(super) fn outer_label<V: PlanarView + ?Sized>(
     view: &V,
     options: &FigureOptions,
     size: Xy,
     detail: Detail,
 ) -> Option<Label> {
-    let face: FaceId = view.outer_face().filter(|&f| view.has_face(f))?;
+    let face: FaceId = view.outer_face().filter(|&f| view.has_face(f) && options.crop.is_none())?;
     let text = match options.face_labels {
         super::FaceLabels::Off => return None,
         super::FaceLabels::Ids => face.to_string(),

@@ -29,6 +29,7 @@
 
 mod arrows;
 mod captions;
+mod crop;
 mod crowd;
 mod face_arrows;
 mod faces;
@@ -38,11 +39,15 @@ mod labels;
 mod leaders;
 mod number;
 mod options;
+mod overrides;
 mod panels;
+mod part;
+mod plain;
 mod plate;
 mod pointer;
 mod pointer_style;
 mod pole;
+mod robustness;
 mod scene;
 mod skeleton;
 mod structure;
@@ -52,17 +57,21 @@ mod svg_out;
 mod text;
 mod tiles;
 mod tints;
+mod unit;
 mod vector;
 mod vertices;
 
 pub use options::{Detail, FaceLabels, FigureOptions};
+pub use overrides::{Overrides, OverridesError};
 pub use panels::pointers;
 pub use pointer::Pointers;
+pub use robustness::{NearlyCollinear, robustness};
 pub use structure::structure;
 pub use style::{Colour, Palette, Style, Theme};
 pub use style_file::{ParseColourError, StyleError};
+pub use unit::{ParseLengthError, Unit};
 
-use crate::ids::VertexId;
+use crate::ids::{FaceId, VertexId};
 use crate::plane::CoordinateError;
 use std::io::{self, Write};
 
@@ -79,6 +88,14 @@ pub enum FigureError {
         vertices: usize,
         /// The first of them.
         example: VertexId,
+    },
+    /// A face that was asked for does not exist.
+    #[error("{face} does not exist: there are {faces} faces, numbered from f0")]
+    UnknownFace {
+        /// The face.
+        face: FaceId,
+        /// The number of faces.
+        faces: usize,
     },
     /// A coordinate is not a number, infinite, or too large to compute with.
     #[error("{vertex}: {error}")]

@@ -53,6 +53,7 @@ pub fn pointers<V: PlanarView + ?Sized>(
 ) -> Result<Figure, FigureError> {
     let mut options = options.checked();
     options.usual_width = WIDTH;
+    options.crop = None;
     let options = &options;
     let mut families = families.to_vec();
     families.sort_unstable();

@@ -13,11 +13,12 @@ use super::crowd::{Crowd, Shape};
 use super::faces::{Region, attributes, regions, title};
 use super::fit::{Extent, Fit, Load, choose};
 use super::labels::{lead_out, outer_label};
+use super::part::Part;
 use super::plate::{Look, Mark, Plate};
 use super::scene::{Group, Hatch, Node, Polylines, Scene, tenths};
 use super::skeleton::{Cycles, Skeleton, faces, half_edges, ids, vertices};
 use super::vector::{Bounds, Xy, xy};
-use super::{Detail, Figure, FigureError, FigureOptions, number, tiles, tints};
+use super::{Detail, Figure, FigureError, FigureOptions, crop, number, tiles, tints};
 use crate::ids::{FaceId, HalfEdgeId, Id, VertexId, VertexMap};
 use crate::plane::{CoordinateError, LARGEST, PlanarView};
 
@@ -43,6 +44,13 @@ const TINTED: [&str; tints::HUES] = ["face t0", "face t1", "face t2", "face t3",
 /// error: it shows its outer face.
 pub fn structure<V: PlanarView + ?Sized>(view: &V, options: &FigureOptions) -> Result<Figure, FigureError> {
     let options = &options.checked();
+    match &options.faces {
+        Some(chosen) => draw(&Part::new(view, chosen)?, options),
+        None => draw(view, options),
+    }
+}
+
+fn draw<V: PlanarView + ?Sized>(view: &V, options: &FigureOptions) -> Result<Figure, FigureError> {
     let (picture, mut notes) = Picture::new(view, options)?;
     let detail = picture.detail;
     if detail >= Detail::Edges {
@@ -133,7 +141,10 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
     pub(super) fn new(view: &'a V, options: &'a FigureOptions) -> Result<(Self, Notes), FigureError> {
         check(view)?;
         let mut skeleton = Skeleton::new(view);
-        let extent = Extent::of(vertices(view).filter_map(|v| view.position(v)));
+        let extent = options.crop.map_or_else(
+            || Extent::of(vertices(view).filter_map(|v| view.position(v))),
+            |corners| Extent::of(corners.iter().copied()),
+        );
         let load = Load {
             edges: skeleton.edges.len(),
             vertices: vertices(view).count(),
@@ -142,6 +153,7 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
         let (fit, detail) = choose(&extent, &load, options);
         let at = ids::<VertexId>(view.vertex_bound(), |_| true).map(|v| view.position(v).map(|p| fit.place(p)));
         skeleton.at = at.collect::<Vec<_>>().into();
+        skeleton.window = options.crop.map(|_| crop::window(fit.size));
 
         let mut notes = Notes::default();
         notes.add("without a position, not drawn", vertices(view).filter(|&v| view.position(v).is_none()));
@@ -249,12 +261,11 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
 
     /// The frame minus the mesh; where the outline is not known, the frame minus the box round the mesh.
     fn outer_area(&self, rings: &[Vec<Xy>], unknown: bool) -> Node {
-        let far = self.fit.size - xy(MARGIN, MARGIN);
-        let frame = vec![xy(MARGIN, MARGIN), xy(far.x, MARGIN), far, xy(MARGIN, far.y)];
-        let mut outlines = vec![frame];
+        let corners = |b: Bounds| vec![b.min, xy(b.max.x, b.min.y), b.max, xy(b.min.x, b.max.y)];
+        let frame = self.skeleton.window.unwrap_or_else(|| crop::window(self.fit.size).grown(-MARGIN));
+        let mut outlines = vec![corners(frame)];
         if unknown {
             let mesh = Bounds::of(self.skeleton.at.as_slice().iter().copied().flatten());
-            let corners = |b: Bounds| vec![b.min, xy(b.max.x, b.min.y), b.max, xy(b.min.x, b.max.y)];
             outlines.extend(mesh.map(corners));
         } else {
             outlines.extend(rings.iter().cloned());
@@ -341,9 +352,12 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
             self.skeleton.edges.len()
         );
         let prefix = options.prefix();
+        let nodes = if options.crop.is_some() { crop::seen(nodes, self.fit.size) } else { nodes };
         Scene {
             size: self.fit.size,
-            css: options.style.css(&prefix),
+            unit: options.unit,
+            plain: options.plain,
+            css: options.css(),
             prefix,
             title: options.title.clone(),
             description: options.description.clone().unwrap_or(counts),
