@@ -3,6 +3,7 @@
 use super::Failure;
 use super::lesson::{self, LessonError};
 use dcel_kit::figure::{self, FigureError, FigureOptions, NearlyCollinear, Pointers};
+use dcel_kit::ids::HalfEdgeId;
 use dcel_kit::plane::Subdivision;
 use std::path::Path;
 
@@ -26,11 +27,19 @@ pub(crate) struct Reference {
 }
 
 /// All reference figures, in the order of their files.
-static REFERENCES: [Reference; 7] = [
+static REFERENCES: [Reference; 8] = [
     Reference {
         file: "cube.svg",
         about: "a half-edge structure of 8 vertices, 12 edges and 6 faces, the outer one counted",
         draw: || structure(&lesson::cube()?, "A half-edge structure"),
+    },
+    Reference {
+        file: "focus.svg",
+        about: "one half-edge, its five pointers named, and its row of the table",
+        draw: || {
+            let options = FigureOptions::new("One half-edge, five pointers").id_prefix("focus");
+            Ok(figure::focus(&lesson::cube()?, HalfEdgeId::new(23), &options)?.to_svg())
+        },
     },
     Reference {
         file: "lab-subdivision.svg",

@@ -58,7 +58,12 @@ impl Arrow {
         ]
     }
 
-    /// What it covers, arcs as the whole disc they go round.
+    /// Half way between its two ends.
+    pub(super) fn middle(&self) -> Xy {
+        self.heads.first().map_or(self.start, |head| (self.start + head[0]) * 0.5)
+    }
+
+    /// What it covers, arcs as their chords: labels never stand on discs anyway.
     pub(super) fn shapes(&self) -> Vec<Shape> {
         let mut out = Vec::new();
         let mut at = self.start;
@@ -104,13 +109,12 @@ impl Arrow {
 
     /// Along a polyline.
     pub(super) fn through(points: &[Xy]) -> Option<Self> {
-        let [first, middle @ .., before, last] = points else { return None };
-        let along = (*last - *before).unit()?;
-        let bends = middle.iter().chain(std::iter::once(before)).map(|&p| Step::Line(p));
-        // With two points there is no bend: `before` is the start.
-        let (start, bends): (Xy, Vec<Step>) = (*first, bends.collect());
-        let end = Step::Line(*last - along * (0.6 * HEAD));
-        Some(Self { start, steps: bends.into_iter().chain([end]).collect(), heads: vec![head(*last, along, HEAD)] })
+        let (&last, way) = points.split_last()?;
+        let (&start, bends) = way.split_first()?;
+        let along = (last - *way.last()?).unit()?;
+        let end = Step::Line(last - along * (0.6 * HEAD));
+        let steps = bends.iter().map(|&p| Step::Line(p)).chain([end]).collect();
+        Some(Self { start, steps, heads: vec![head(last, along, HEAD)] })
     }
 }
 
@@ -143,7 +147,8 @@ pub(super) fn next(from: &Shaft, to: &Shaft, turn: Option<Turn>) -> Arrow {
     let Some(turn) = turn else { return sweep(from, to, size) };
     let back = from.along * -1.0;
     let (sine, cosine) = (to.along.turn(back), to.along.dot(back));
-    if !turn.back && (sine > 0.0 || cosine < STRAIGHT || cosine > 0.999_999) {
+    let wide = sine <= 0.0 && (STRAIGHT..=0.999_999).contains(&cosine);
+    if !turn.back && !wide {
         let control = corner_control(from, to, turn, sine, cosine);
         let (step, head) = quad_to_head(tip, control, tail, size);
         return Arrow { start: tip, steps: vec![step], heads: vec![head] };
@@ -221,5 +226,17 @@ pub(super) fn outgoing(vertex: Xy, radius: f64, shaft: &Shaft) -> Option<Arrow> 
     let control = end - shaft.along * (0.55 * (end - vertex).length()).min(20.0) + aside * rise;
     let start = vertex + (control - vertex).unit()? * (radius + 1.0);
     let (step, head) = quad_to_head(start, control, end, HEAD.min(0.5 * (end - start).length()));
+    Some(Arrow { start, steps: vec![step], heads: vec![head] })
+}
+
+/// From the edge side of a shaft, near its tail, to the disc of the vertex it begins at: the face side belongs
+/// to the `next` that arrives.
+pub(super) fn origin(shaft: &Shaft, vertex: Xy, radius: f64) -> Option<Arrow> {
+    let aside = shaft.along.left();
+    let start = shaft.tail + shaft.along * (0.2 * shaft.length()).min(10.0) - aside * 1.4;
+    let back = (start - vertex).dot(shaft.along);
+    let control = start - shaft.along * (0.45 * back) - aside * (0.75 * shaft.offset);
+    let end = vertex + (control - vertex).unit()? * (radius + 1.5);
+    let (step, head) = quad_to_head(start, control, end, HEAD.min(0.6 * (end - start).length()));
     Some(Arrow { start, steps: vec![step], heads: vec![head] })
 }

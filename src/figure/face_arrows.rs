@@ -20,6 +20,8 @@ use crate::ids::FaceId;
 const AIR: f64 = 4.0;
 /// Distance of a head from the line of the shaft.
 const TOUCH: f64 = 2.4;
+/// Free space on both sides of an arrow.
+const CLEAR: f64 = 1.2;
 /// An arrow shorter than this is not worth drawing.
 const SHORTEST: f64 = 11.0;
 /// An arrow to a face further away than this becomes a tag.
@@ -54,8 +56,8 @@ pub(super) fn boundary(
 ) -> Option<Tagged> {
     let places = [0.5, 0.62, 0.38, 0.74, 0.26];
     let straight = label.and_then(|label| {
-        let ways = places.iter().map(|&t| straight(label, touch(shaft, t)));
-        ways.flatten().find(|way| is_free(crowd, way))
+        let mut ways = square(label, shaft).into_iter().chain(places).filter_map(|t| straight(label, touch(shaft, t)));
+        ways.find(|way| is_free(crowd, way))
     });
     let way = straight.or_else(|| {
         let (label, size) = (label?, outer?);
@@ -73,7 +75,7 @@ pub(super) fn boundary(
 pub(super) fn face(face: FaceId, label: Option<&Label>, shaft: &Shaft, crowd: &mut Crowd) -> Option<Tagged> {
     let places = [0.64, 0.5, 0.36, 0.76, 0.24];
     let way = label.and_then(|label| {
-        let ways = places.iter().filter_map(|&t| straight(label, touch(shaft, t)));
+        let ways = square(label, shaft).into_iter().chain(places).filter_map(|t| straight(label, touch(shaft, t)));
         ways.filter(|way| way_length(way) <= LONGEST).find(|way| is_free(crowd, way))
     });
     if let Some(mut way) = way {
@@ -82,6 +84,12 @@ pub(super) fn face(face: FaceId, label: Option<&Label>, shaft: &Shaft, crowd: &m
         return Arrow::through(&way).map(Tagged::plain);
     }
     tagged(face, shaft, &places, false, crowd)
+}
+
+/// Where the arrow is square to the shaft, if that is on its middle part.
+fn square(label: &Label, shaft: &Shaft) -> Option<f64> {
+    let t = (label.at - shaft.middle).dot(shaft.along) / shaft.edge_length + 0.5;
+    (0.2..=0.8).contains(&t).then_some(t)
 }
 
 fn touch(shaft: &Shaft, t: f64) -> Xy {
@@ -156,14 +164,14 @@ fn add(crowd: &mut Crowd, way: &[Xy]) {
     }
 }
 
-/// Whether nothing is within 1.2 px of the way.
+/// Whether the way keeps clear of everything.
 fn is_free(crowd: &Crowd, way: &[Xy]) -> bool {
     way.windows(2).all(|step| {
         let (from, along) = (step[0], step[1] - step[0]);
         let count = (along.length() / 2.0) as usize + 1;
         (0..=count).all(|i| {
             let p = from + along * (i as f64 / count as f64);
-            crowd.blocker(&Bounds::around(p, 1.2, 1.2)).is_none()
+            crowd.nearest(p, CLEAR, |_| true) >= CLEAR
         })
     })
 }

@@ -34,6 +34,7 @@ mod crowd;
 mod face_arrows;
 mod faces;
 mod fit;
+mod focus;
 mod half_edges;
 mod labels;
 mod leaders;
@@ -61,6 +62,7 @@ mod unit;
 mod vector;
 mod vertices;
 
+pub use focus::focus;
 pub use options::{Detail, FaceLabels, FigureOptions};
 pub use overrides::{Overrides, OverridesError};
 pub use panels::pointers;
@@ -71,7 +73,7 @@ pub use style::{Colour, Palette, Style, Theme};
 pub use style_file::{ParseColourError, StyleError};
 pub use unit::{ParseLengthError, Unit};
 
-use crate::ids::{FaceId, VertexId};
+use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::CoordinateError;
 use std::io::{self, Write};
 
@@ -104,6 +106,14 @@ pub enum FigureError {
         vertex: VertexId,
         /// What is wrong with it.
         error: CoordinateError,
+    },
+    /// There is no such half-edge.
+    #[error("{half_edge} does not exist; the half-edges are among h0 to h{}", bound.saturating_sub(1))]
+    NoHalfEdge {
+        /// The half-edge asked for.
+        half_edge: HalfEdgeId,
+        /// One more than the greatest number of a half-edge.
+        bound: usize,
     },
     /// Pointers need half-edges, and these would be too short or too many.
     #[error(

@@ -16,7 +16,7 @@ use super::{Detail, Figure, FigureError, FigureOptions, pointer_style, text};
 use crate::plane::PlanarView;
 
 /// Width of a panel unless the caller or the structure asks for more.
-const WIDTH: f64 = 380.0;
+const WIDTH: f64 = 420.0;
 /// Height of the caption of a panel.
 const CAPTION: f64 = 46.0;
 /// Space between panels.
@@ -29,7 +29,7 @@ const TEXT: (f64, f64) = (14.0, 11.0);
 /// The panels share one layout, in which labels keep clear of the arrows of every family. Everything but the
 /// family is grey. Ids read `FIG-next-h5` in the panel of `next`, and `FIG-next-h5-next` for the arrow; with
 /// one family `FIG-h5` and `FIG-h5-next`. A family named twice is drawn once. `width` is that of one panel
-/// (default 380, more until the median edge has 110 px). Wrong pointers are drawn as they are; those without
+/// (default 420, more until the median edge has 110 px). Wrong pointers are drawn as they are; those without
 /// room for an arrow are noted.
 ///
 /// Cost: O(n log n) for each family.

@@ -77,7 +77,7 @@ impl Default for Look {
 }
 
 impl Look {
-    /// A drawing among others: ids read `FIG-instance-h5`, no `data-*` pointers.
+    /// A drawing among others: ids read `FIG-instance-h5`; elements have neither `data-*` pointers nor tooltips.
     pub(super) fn instance(name: &str) -> Self {
         Self { instance: format!("{name}-"), data: false, ..Self::default() }
     }
@@ -120,6 +120,11 @@ impl Look {
     /// The same for any name.
     pub(super) fn name(&self, name: &str) -> String {
         format!("{}{name}", self.instance)
+    }
+
+    /// The tooltip of an element.
+    pub(super) fn title(&self, title: String) -> Option<String> {
+        self.data.then_some(title)
     }
 
     pub(super) fn attributes(&self, attributes: Attributes) -> Attributes {
@@ -275,7 +280,7 @@ impl<'a, V: PlanarView + ?Sized> Plate<'a, V> {
             mark: look.half_edge(h).class(),
             id: Some(look.id(h)),
             attributes: look.attributes(attributes),
-            title: Some(title),
+            title: look.title(title),
             nodes,
             ..Group::default()
         }
@@ -302,7 +307,7 @@ impl<'a, V: PlanarView + ?Sized> Plate<'a, V> {
             mark: look.vertex(v).class(),
             id: Some(look.id(v)),
             attributes: look.attributes(attributes),
-            title: Some(title),
+            title: look.title(title),
             nodes,
             ..Group::default()
         }

@@ -45,14 +45,15 @@ impl Pointers {
         }
     }
 
-    const fn group(self) -> &'static str {
-        match self {
+    const fn classes(self) -> (&'static str, &'static str) {
+        let both = match self {
             Self::Next => "ptr next",
             Self::Twin => "ptr twin",
             Self::Outgoing => "ptr outgoing",
             Self::Boundary => "ptr boundary",
             Self::Face => "ptr face-of",
-        }
+        };
+        (both, self.class())
     }
 }
 
@@ -64,16 +65,20 @@ pub(super) enum Pointer {
     Outgoing(VertexId),
     Boundary(FaceId),
     Face(HalfEdgeId),
+    /// No family of its own: every shaft begins beside its origin.
+    Origin(HalfEdgeId),
 }
 
 impl Pointer {
-    const fn family(self) -> Pointers {
+    /// The classes of the group, and what its id ends with.
+    const fn class(self) -> (&'static str, &'static str) {
         match self {
-            Self::Next(_) => Pointers::Next,
-            Self::Twin(_) => Pointers::Twin,
-            Self::Outgoing(_) => Pointers::Outgoing,
-            Self::Boundary(_) => Pointers::Boundary,
-            Self::Face(_) => Pointers::Face,
+            Self::Next(_) => Pointers::Next.classes(),
+            Self::Twin(_) => Pointers::Twin.classes(),
+            Self::Outgoing(_) => Pointers::Outgoing.classes(),
+            Self::Boundary(_) => Pointers::Boundary.classes(),
+            Self::Face(_) => Pointers::Face.classes(),
+            Self::Origin(_) => ("ptr origin", "origin"),
         }
     }
 
@@ -85,6 +90,7 @@ impl Pointer {
             Self::Outgoing(v) => (v.to_string(), "outgoing", view.outgoing(v).map(|h| h.to_string())),
             Self::Boundary(f) => (f.to_string(), "boundary", view.boundary(f).map(|h| h.to_string())),
             Self::Face(h) => (h.to_string(), "face", view.face(h).map(|f| f.to_string())),
+            Self::Origin(h) => (h.to_string(), "origin", view.origin(h).map(|v| v.to_string())),
         }
     }
 }
@@ -123,12 +129,12 @@ impl<V: PlanarView + ?Sized> Plate<'_, V> {
                 without.push(format!("{owner}.{field}"));
                 continue;
             };
-            let family = pointer.family();
+            let (class, ending) = pointer.class();
             let mut nodes = arrow.nodes("pl", "ph").to_vec();
             nodes.extend(tag.iter().flat_map(|tag| tag.nodes("tag")));
             out.push(Node::Group(Group {
-                class: family.group(),
-                id: Some(format!("{}-{}", look.name(&owner), family.class())),
+                class,
+                id: Some(format!("{}-{}", look.name(&owner), ending)),
                 title: Some(format!("{owner}.{field} = {target}")),
                 nodes,
                 ..Group::default()
@@ -138,7 +144,14 @@ impl<V: PlanarView + ?Sized> Plate<'_, V> {
         out
     }
 
-    fn arrow<W: PlanarView + ?Sized>(&self, view: &W, pointer: Pointer, t: f64, crowd: &mut Crowd) -> Option<Tagged> {
+    /// The arrow of one pointer, added to the crowd if it may not be crossed.
+    pub(super) fn arrow<W: PlanarView + ?Sized>(
+        &self,
+        view: &W,
+        pointer: Pointer,
+        t: f64,
+        crowd: &mut Crowd,
+    ) -> Option<Tagged> {
         match pointer {
             Pointer::Next(h) => self.next_arrow(view, h).map(Tagged::plain),
             Pointer::Twin(h) => {
@@ -147,6 +160,10 @@ impl<V: PlanarView + ?Sized> Plate<'_, V> {
                 arrows::twin(self.shaft(h)?, self.shaft(twin)?, agree, t).map(Tagged::plain)
             }
             Pointer::Outgoing(v) => self.outgoing_arrow(view, v).map(Tagged::plain),
+            Pointer::Origin(h) => {
+                let v = view.origin(h)?;
+                arrows::origin(self.shaft(h)?, self.skeleton().place(v)?, *self.radii.get(v)?).map(Tagged::plain)
+            }
             Pointer::Boundary(f) => {
                 let shaft = self.shaft(view.boundary(f)?)?;
                 let outer = (view.outer_face() == Some(f)).then_some(self.picture.fit.size);
@@ -156,6 +173,14 @@ impl<V: PlanarView + ?Sized> Plate<'_, V> {
                 let f = view.face(h)?;
                 face_arrows::face(f, self.label_of_face(f), self.shaft(h)?, crowd)
             }
+        }
+    }
+
+    /// Marks the places of arrows as taken.
+    pub(super) fn block<W: PlanarView + ?Sized>(&self, view: &W, pointers: &[Pointer], t: f64, crowd: &mut Crowd) {
+        for &pointer in pointers {
+            let shapes = self.arrow(view, pointer, t, crowd).map(|tagged| tagged.arrow.shapes());
+            shapes.into_iter().flatten().for_each(|shape| crowd.add(shape, u32::MAX));
         }
     }
 

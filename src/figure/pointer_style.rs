@@ -24,6 +24,11 @@ pub(super) fn css(style: &Style, scope: &str) -> String {
     fixed(".hot .hl", "font-weight:700");
     fixed(".ct", "font-weight:700;text-anchor:start");
     fixed(".cs", "text-anchor:start");
+    fixed(".rows text", "text-anchor:start");
+    fixed(".hot .vd", "stroke-width:3");
+    let halo = "font-weight:700;paint-order:stroke;stroke-width:.3em;stroke-linejoin:round";
+    ["next", "twin", "origin", "face"].iter().for_each(|key| fixed(&format!(".k-{key}"), halo));
+    fixed(".pn", "font-weight:700;paint-order:stroke;stroke-width:.3em;stroke-linejoin:round");
     colours(&mut out, scope, &style.light);
     if let Some(dark) = &style.dark {
         out.push_str("@media (prefers-color-scheme:dark){\n");
@@ -37,14 +42,20 @@ fn colours(out: &mut String, scope: &str, palette: &Palette) {
     let mut rule = |selector: &str, properties: String| {
         let _ = writeln!(out, "#{scope} {selector}{{{properties}}}");
     };
-    let Palette { background, ink, face, next, twin, origin, dim, grey, .. } = palette;
+    let Palette { background, ink, half_edge, face, next, twin, origin, dim, grey, .. } = palette;
     rule(".dim .sh", format!("stroke:{dim}"));
     rule(".dim .barb", format!("fill:{dim}"));
     rule(".dim .hl", format!("fill:{grey}"));
     rule(".ct", format!("fill:{ink}"));
     rule(".cs", format!("fill:{ink}"));
     rule(".tag", format!("fill:{face};stroke:{background}"));
-    for (class, colour) in [("next", next), ("twin", twin), ("outgoing", origin), ("boundary", face), ("face-of", face)]
+    rule(".pn", format!("fill:{half_edge};stroke:{background}"));
+    for (class, colour) in [("next", next), ("twin", twin), ("origin", origin), ("face", face)] {
+        rule(&format!(".k-{class}"), format!("fill:{colour};stroke:{background}"));
+    }
+    let outgoing = [("outgoing", origin), ("origin", origin)];
+    for (class, colour) in
+        [("next", next), ("twin", twin), ("boundary", face), ("face-of", face)].into_iter().chain(outgoing)
     {
         rule(&format!(".{class} .pl"), format!("stroke:{colour}"));
         rule(&format!(".{class} .ph"), format!("fill:{colour}"));

@@ -230,7 +230,7 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
                 mark: look.face(face).class(),
                 id: Some(look.id(face)),
                 attributes: look.attributes(attributes(self.view, face, self.options)),
-                title: Some(title(self.view, face, region.map_or(0, |r| r.half_edges), self.options)),
+                title: look.title(title(self.view, face, region.map_or(0, |r| r.half_edges), self.options)),
                 ..Group::default()
             };
             if is_outer {

@@ -1,0 +1,189 @@
+//! The focus figure: one half-edge, its five pointers named, its row of the table beside it.
+//!
+//! ```text
+//!   ┌───────────────────────┐   h = h14
+//!   │  (v7)◂── h.prev ──    │   h.origin    v7
+//!   │ h.twin ↕ h   ┄▸ f5    │   h.twin      h15
+//!   │  (v4)─── h.next ─▸    │   h.next      h8   ...
+//!   └───────────────────────┘
+//! ```
+//!
+//! Only the five half-edges and arrows that belong to `h` have colours; the rest is grey.
+
+use super::captions::Label;
+use super::crowd::{Crowd, Shape};
+use super::plate::{Look, Mark, Plate};
+use super::pointer::Pointer;
+use super::scene::{Group, Node};
+use super::skeleton::destination;
+use super::structure::Notes;
+use super::vector::{Bounds, Xy, xy};
+use super::{Detail, Figure, FigureError, FigureOptions, pointer_style, text};
+use crate::ids::HalfEdgeId;
+use crate::plane::PlanarView;
+
+/// Where the twin arrow stands, so that the face arrow has the middle.
+const TWIN_AT: f64 = 0.36;
+/// Size of the names of the pointers, and of the rows beside the picture.
+const NAME: f64 = 12.0;
+const ROW: f64 = 13.0;
+/// Distance of rows.
+const LINE: f64 = 24.0;
+/// Width of the first column, and of all beside the picture.
+const FIRST: f64 = 96.0;
+const ASIDE: f64 = 290.0;
+
+/// Draws one half-edge `h` with all it knows: `origin`, `twin`, `next`, `prev`, `face`; beside it what they are.
+///
+/// `prev` has no arrow of its own: the next arrow that arrives at `h` is read backwards. Shafts stand further
+/// from their edges than in other figures (13 px unless the style says otherwise). A pointer that is missing is
+/// `none` in the table.
+///
+/// # Errors
+/// Those of [`pointers`](super::pointers), and [`FigureError::NoHalfEdge`].
+pub fn focus<V: PlanarView + ?Sized>(view: &V, h: HalfEdgeId, options: &FigureOptions) -> Result<Figure, FigureError> {
+    if !view.has_half_edge(h) {
+        return Err(FigureError::NoHalfEdge { half_edge: h, bound: view.half_edge_bound() });
+    }
+    let mut options = options.checked().half_edge_labels(false);
+    options.usual_width = 620.0;
+    let usual = super::Style::default();
+    for (size, was, larger) in [
+        (&mut options.style.offset, usual.offset, 13.0),
+        (&mut options.style.vertex_radius, usual.vertex_radius, 12.0),
+        (&mut options.style.vertex_text, usual.vertex_text, 11.0),
+    ] {
+        if *size <= was {
+            *size = larger;
+        }
+    }
+    let options = &options;
+    let plate = Plate::new(view, options, false)?;
+    if plate.picture.detail < Detail::Arrows {
+        return Err(FigureError::NoRoom { detail: plate.picture.detail });
+    }
+    let mut notes = Notes(plate.notes.0.clone());
+    let mut look = Look::default().rest(Mark::Dim);
+    for part in [view.prev(h), view.twin(h), view.next(h)].into_iter().flatten() {
+        look.mark_half_edge(part, Mark::Plain);
+    }
+    look.mark_half_edge(h, Mark::Hot);
+    if let Some(v) = view.origin(h) {
+        look.mark_vertex(v, Mark::Hot);
+    }
+    if let Some(f) = view.face(h) {
+        look.mark_face(f, Mark::Hot);
+    }
+    let prev = view.prev(h).filter(|&p| view.next(p) == Some(h));
+    let mut shown: Vec<Pointer> = prev.map(Pointer::Next).into_iter().collect();
+    shown.extend([Pointer::Next(h), Pointer::Twin(h), Pointer::Origin(h), Pointer::Face(h)]);
+    let mut arrows = plate.pointers(view, &shown, &look, TWIN_AT, &mut notes);
+    arrows.extend(names(&plate, view, h));
+
+    let mut scene = plate.picture.scene(plate.nodes(view, &look, arrows));
+    scene.nodes.push(rows(view, h, scene.size));
+    scene.size = xy(scene.size.x + ASIDE, scene.size.y.max(2.0 * 40.0 + 8.0 * LINE));
+    scene.css.push_str(&pointer_style::css(&options.style, &scene.prefix));
+    if options.description.is_none() {
+        let words: Vec<String> = fields(view, h).into_iter().map(|(field, value)| format!("{field} {value}")).collect();
+        scene.description = format!("The half-edge {h} and what it knows: {}.", words.join(", "));
+    }
+    Ok(Figure { scene, detail: plate.picture.detail, notes: notes.0 })
+}
+
+/// `h`, `h.prev`, `h.next`, `h.twin` beside their shafts, each where it covers nothing.
+fn names<V: PlanarView + ?Sized>(plate: &Plate<'_, V>, view: &V, h: HalfEdgeId) -> Vec<Node> {
+    let mut crowd = plate.crowd.clone();
+    let mut own = vec![Pointer::Next(h), Pointer::Twin(h), Pointer::Origin(h), Pointer::Face(h)];
+    own.extend(view.prev(h).map(Pointer::Next));
+    plate.block(view, &own, TWIN_AT, &mut crowd);
+    let parts = [(Some(h), "h"), (view.prev(h), "h.prev"), (view.next(h), "h.next"), (view.twin(h), "h.twin")];
+    let mut named: Vec<(HalfEdgeId, String)> = Vec::new();
+    for (part, name) in parts {
+        let Some(part) = part else { continue };
+        match named.iter_mut().find(|(known, _)| *known == part) {
+            // At a dangling end one half-edge is several things.
+            Some((_, names)) => *names = format!("{names} = {name}"),
+            None => named.push((part, name.to_owned())),
+        }
+    }
+    let mut out = Vec::new();
+    for (part, name) in named {
+        let Some(label) = name_beside(plate, part, name, &crowd) else { continue };
+        crowd.add(Shape::Box(label.bounds()), u32::MAX);
+        out.extend(label.nodes("pn"));
+    }
+    for (pointer, name, class) in [(Pointer::Face(h), "h.face", "k-face"), (Pointer::Origin(h), "h.origin", "k-origin")]
+    {
+        let arrow = plate.arrow(view, pointer, TWIN_AT, &mut plate.crowd.clone()).map(|tagged| tagged.arrow);
+        let Some(label) = arrow.and_then(|arrow| name_near(plate, arrow.middle(), name, &crowd)) else { continue };
+        crowd.add(Shape::Box(label.bounds()), u32::MAX);
+        out.extend(label.nodes(class));
+    }
+    out
+}
+
+/// The nearest free place round a point.
+fn name_near<V: PlanarView + ?Sized>(plate: &Plate<'_, V>, p: Xy, name: &str, crowd: &Crowd) -> Option<Label> {
+    let half = xy(0.5 * text::width(name, NAME, true), text::half_height(NAME));
+    let round = [(0.0, 1.0), (0.0, -1.0), (1.0, 0.5), (-1.0, 0.5), (1.0, -0.5), (-1.0, -0.5), (1.0, 0.0), (-1.0, 0.0)];
+    let inside = Bounds { min: xy(4.0, 4.0), max: plate.picture.fit.size - xy(4.0, 4.0) };
+    let places = (0..12).flat_map(|ring| {
+        let reach = 3.0 + 5.0 * f64::from(ring);
+        round.map(|(x, y)| p + xy(x * (half.x + reach), y * (half.y + reach)))
+    });
+    let free = |at: &Xy| {
+        let bounds = Bounds::around(*at, half.x, half.y);
+        inside.contains(&bounds) && crowd.blocker(&bounds).is_none()
+    };
+    places.into_iter().find(free).map(|at| Label { at, size: NAME, lines: vec![name.to_owned()] })
+}
+
+fn name_beside<V: PlanarView + ?Sized>(
+    plate: &Plate<'_, V>,
+    h: HalfEdgeId,
+    name: String,
+    crowd: &Crowd,
+) -> Option<Label> {
+    let shaft = plate.shafts.get(h)?.as_ref()?;
+    let half = xy(0.5 * text::width(&name, NAME, true), text::half_height(NAME));
+    let aside = shaft.along.left();
+    let distance = 4.5 + half.x * aside.x.abs() + half.y * aside.y.abs();
+    let places = [0.5, 0.3, 0.7, 0.22, 0.78, 0.4, 0.6];
+    let inside = Bounds { min: xy(4.0, 4.0), max: plate.picture.fit.size - xy(4.0, 4.0) };
+    let free = |at: &Xy| {
+        let bounds = Bounds::around(*at, half.x, half.y);
+        inside.contains(&bounds) && crowd.blocker(&bounds).is_none()
+    };
+    let mut places = places.into_iter().map(|t| shaft.at(t) + aside * distance);
+    places.find(free).map(|at| Label { at, size: NAME, lines: vec![name] })
+}
+
+/// The fields and what they are.
+fn fields<V: PlanarView + ?Sized>(view: &V, h: HalfEdgeId) -> [(&'static str, String); 6] {
+    fn word<I: std::fmt::Display>(id: Option<I>) -> String {
+        id.map_or_else(|| "none".to_owned(), |id| id.to_string())
+    }
+    [
+        ("h.origin", word(view.origin(h))),
+        ("h.twin", word(view.twin(h))),
+        ("h.next", word(view.next(h))),
+        ("h.prev", word(view.prev(h))),
+        ("h.face", word(view.face(h))),
+        ("destination", format!("h.twin.origin = {}", word(destination(view, h)))),
+    ]
+}
+
+/// The table beside the picture; the names have the colours of their arrows.
+fn rows<V: PlanarView + ?Sized>(view: &V, h: HalfEdgeId, size: Xy) -> Node {
+    let classes = ["k-origin", "k-twin", "k-next", "k-next", "k-face", "cs"];
+    let left = size.x + 16.0;
+    let row = |i: usize| 40.0 + LINE * i as f64;
+    let line = |class: &'static str, x: f64, y: f64, text: String| Node::Text { class, at: xy(x, y), size: ROW, text };
+    let mut nodes = vec![line("ct", left, row(0), format!("h = {h}"))];
+    for (i, ((field, value), class)) in fields(view, h).into_iter().zip(classes).enumerate() {
+        nodes.push(line(class, left, row(i + 1), field.to_owned()));
+        nodes.push(line("cs", left + FIRST, row(i + 1), value));
+    }
+    Node::Group(Group { class: "rows", nodes, ..Group::default() })
+}
