@@ -49,8 +49,8 @@ fn cut_by_side(ring: &[Xy], inward: Xy, border: f64) -> Vec<Xy> {
     out
 }
 
-/// What can be seen of a drawing on a canvas of this size. A group stays if one of its lines, discs or areas
-/// can be seen.
+/// What can be seen of a drawing on a canvas of this size. The group of an element stays whole if one of its
+/// lines, discs or areas can be seen.
 pub(super) fn seen(nodes: Vec<Node>, size: Xy) -> Vec<Node> {
     let canvas = window(size).grown(LINE);
     nodes.into_iter().filter_map(|node| part(node, &canvas)).collect()
@@ -60,8 +60,11 @@ fn part(node: Node, canvas: &Bounds) -> Option<Node> {
     let meets = |bounds: Option<Bounds>| bounds.is_some_and(|b| b.overlaps(canvas));
     match node {
         Node::Group(group) => {
-            let nodes: Vec<Node> = group.nodes.into_iter().filter_map(|node| part(node, canvas)).collect();
-            let shown = nodes.iter().any(|node| !matches!(node, Node::Text { .. }));
+            let is_element = group.id.is_some();
+            let all = if is_element { group.nodes.clone() } else { Vec::new() };
+            let seen: Vec<Node> = group.nodes.into_iter().filter_map(|node| part(node, canvas)).collect();
+            let shown = seen.iter().any(|node| !matches!(node, Node::Text { .. }));
+            let nodes = if is_element { all } else { seen };
             shown.then_some(Node::Group(Group { nodes, ..group }))
         }
         Node::Line { from, to, .. } => canvas.meets_segment(from, to).then_some(node),

@@ -15,6 +15,9 @@ const CELL: f64 = 24.0;
 /// No shape is fatter than this beyond its outline.
 const FATTEST: f64 = 3.0;
 
+/// A disc this near to the start of a way does not bar it.
+const OWN: f64 = 6.0;
+
 /// Something drawn.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum Shape {
@@ -116,7 +119,7 @@ impl Crowd {
             .fold(limit, f64::min)
     }
 
-    /// How many lines the way from `p` to `q` crosses; `None` if it meets a box, or a disc.
+    /// How many lines the way from `p` to `q` crosses; `None` if it meets a box, or a disc that is not beside `p`.
     pub(super) fn crossings(&self, p: Xy, q: Xy) -> Option<usize> {
         let way = Shape::Segment(p, q, 0.0).bounds();
         let mut crossed = Vec::new();
@@ -125,7 +128,11 @@ impl Crowd {
                 Shape::Segment(a, b, _) if crossing(p, q, a, b).is_some() => crossed.push(std::ptr::from_ref(shape)),
                 Shape::Segment(..) => {}
                 Shape::Box(bounds) if bounds.meets_segment(p, q) => return None,
-                Shape::Disc(centre, radius) if segment_distance(centre, p, q) < radius => return None,
+                Shape::Disc(centre, radius)
+                    if segment_distance(centre, p, q) < radius && (centre - p).length() > radius + OWN =>
+                {
+                    return None;
+                }
                 Shape::Box(_) | Shape::Disc(..) => {}
             }
         }
