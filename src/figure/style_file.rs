@@ -130,7 +130,7 @@ mod tests {
         let usual = Style::default();
         let dark = style.dark.unwrap();
         assert_eq!(dark.edge, Colour(0x00aa_bbcc));
-        assert_eq!(dark.ink, usual.dark.unwrap().ink);
+        assert_eq!(dark.ink, usual.dark.as_ref().unwrap().ink);
         assert_eq!(style.light, usual.light);
         assert_eq!(style.tints.map(|t| t.0 & 0xff), [0x11, 0x22, 0x11, 0x22, 0x11, 0x22, 0x11]);
         assert_eq!(style.font, "Arial");
