@@ -1,10 +1,11 @@
 //! `dcel figure`: the structure as a drawing.
 
 use super::failure::say;
+use super::figure_kind::Kind;
 use super::input::InputOptions;
 use super::looks::Looks;
 use super::{Answer, Failure, Output};
-use dcel_kit::figure::{self, Detail, FaceLabels, FigureOptions};
+use dcel_kit::figure::{self, Detail, FaceLabels, Figure, FigureOptions};
 use std::path::{Path, PathBuf};
 
 /// Draw a structure as SVG
@@ -15,6 +16,9 @@ use std::path::{Path, PathBuf};
 #[command(after_help = "\
 Examples:
   dcel figure square.obj -o square.svg
+  dcel figure square.dcel --pointers next,twin -o pointers.svg
+  dcel figure square.dcel --tables --highlight h5 > row.svg
+  dcel figure --records > records.svg
   dcel figure square.dcel --title \"Two rooms\" > two.svg
   dcel figure figures/data/states-albers-10m.json \\
     --y-down --drop-degenerate-rings --width 960 \\
@@ -24,8 +28,13 @@ Examples:
     --theme light -o room.svg")]
 pub(crate) struct Args {
     /// The file to read, or - for standard input
-    #[arg(value_name = "IN")]
-    file: PathBuf,
+    #[arg(value_name = "IN", required_unless_present = "records")]
+    file: Option<PathBuf>,
+    /// The type diagram of the records; needs no file
+    #[arg(long, conflicts_with_all = ["file", "kind"])]
+    records: bool,
+    #[command(flatten)]
+    kind: Kind,
     /// The SVG file to write [default: standard output]
     #[arg(short, long, value_name = "OUT.svg")]
     output: Option<PathBuf>,
@@ -98,10 +107,14 @@ fn px(text: &str) -> Result<f64, String> {
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let target = args.output.as_deref().filter(|path| path.as_os_str() != "-");
+    let Some(file) = &args.file else {
+        let options = args.looks.page(args.drawing.options(Path::new("The records of a half-edge structure")))?;
+        return write(&figure::records(&options), target, out);
+    };
     if let Some(path) = target {
-        check_target(path, &args.file)?;
+        check_target(path, file)?;
     }
-    let subject = args.input.open(&args.file)?;
+    let subject = args.input.open(file)?;
     let Some(view) = subject.planar() else {
         let what = format!("{}: a surface in space has no drawing in the plane", subject.source);
         return Err(Failure::input(
@@ -110,10 +123,14 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         ));
     };
     let names = subject.faces().filter_map(|f| Some((f, subject.name(f)?)));
-    let options = args.looks.apply(args.drawing.options(&args.file).face_names(names), &subject)?;
-    let figure = figure::structure(view, &options)
-        .map_err(|error| Failure::input(format!("{}: {error}", subject.source), ""))?;
+    let options = args.looks.apply(args.drawing.options(file).face_names(names), &subject)?;
+    let figure =
+        args.kind.draw(view, &options).map_err(|error| Failure::input(format!("{}: {error}", subject.source), ""))?;
     figure.notes().iter().for_each(|note| say("note", note));
+    write(&figure, target, out)
+}
+
+fn write(figure: &Figure, target: Option<&Path>, out: &mut Output) -> Result<Answer, Failure> {
     match target {
         None => figure.write_svg(out)?,
         Some(path) => {

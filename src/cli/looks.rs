@@ -61,25 +61,13 @@ fn corners(text: &str) -> Result<[f64; 4], String> {
 
 impl Looks {
     /// Adds the choices to `options`. Reads the files, which must fit the structure.
-    pub(crate) fn apply(&self, mut options: FigureOptions, subject: &Subject) -> Result<FigureOptions, Failure> {
-        let style = match &self.style {
-            None => Style::default(),
-            Some(path) => Style::from_json(&read(path)?)
-                .map_err(|error| Failure::input(format!("{}:{error}", path.display()), ""))?,
-        };
-        options = options.style(style.theme(match self.theme {
-            ThemeName::Auto => Theme::Auto,
-            ThemeName::Light => Theme::Light,
-            ThemeName::Dark => Theme::Dark,
-        }));
+    pub(crate) fn apply(&self, options: FigureOptions, subject: &Subject) -> Result<FigureOptions, Failure> {
+        let mut options = self.page(options)?;
         if let Some(path) = &self.colours {
             let refused = |error| Failure::input(format!("{}:{error}", path.display()), "");
             let overrides = Overrides::parse(&read(path)?).map_err(refused)?;
             overrides.check(subject.view()).map_err(refused)?;
             options = options.overrides(overrides);
-        }
-        if let Some((px, unit)) = self.width {
-            options = options.width(px).unit(unit);
         }
         if !self.faces.is_empty() {
             options = options.faces(self.faces.iter().copied());
@@ -87,7 +75,25 @@ impl Looks {
         if let Some([x0, y0, x1, y1]) = self.crop {
             options = options.crop([x0, y0], [x1, y1]);
         }
-        Ok(options.plain(self.plain))
+        Ok(options)
+    }
+
+    /// The choices that have nothing to do with a structure.
+    pub(crate) fn page(&self, options: FigureOptions) -> Result<FigureOptions, Failure> {
+        let style = match &self.style {
+            None => Style::default(),
+            Some(path) => Style::from_json(&read(path)?)
+                .map_err(|error| Failure::input(format!("{}:{error}", path.display()), ""))?,
+        };
+        let options = options.plain(self.plain).style(style.theme(match self.theme {
+            ThemeName::Auto => Theme::Auto,
+            ThemeName::Light => Theme::Light,
+            ThemeName::Dark => Theme::Dark,
+        }));
+        Ok(match self.width {
+            Some((px, unit)) => options.width(px).unit(unit),
+            None => options,
+        })
     }
 }
 

@@ -13,6 +13,7 @@ mod completions;
 mod convert;
 mod failure;
 mod figure;
+mod figure_kind;
 mod figures;
 mod info;
 mod input;

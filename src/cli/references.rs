@@ -27,7 +27,7 @@ pub(crate) struct Reference {
 }
 
 /// All reference figures, in the order of their files.
-static REFERENCES: [Reference; 8] = [
+static REFERENCES: [Reference; 10] = [
     Reference {
         file: "cube.svg",
         about: "a half-edge structure of 8 vertices, 12 edges and 6 faces, the outer one counted",
@@ -50,8 +50,16 @@ static REFERENCES: [Reference; 8] = [
         file: "pointers.svg",
         about: "the five families of pointers in the lab's subdivision, one panel each",
         draw: || {
-            let options = FigureOptions::new("Pointers of the lab's subdivision").id_prefix("pointers");
+            let options = FigureOptions::new("Pointers of the lab's subdivision").id_prefix("pointers").width(520.0);
             Ok(figure::pointers(&lesson::lab_subdivision()?, &Pointers::ALL, &options)?.to_svg())
+        },
+    },
+    Reference {
+        file: "records.svg",
+        about: "the records of a half-edge structure, their fields and what these refer to",
+        draw: || {
+            let options = FigureOptions::new("The records of a half-edge structure").id_prefix("records");
+            Ok(figure::records(&options).to_svg())
         },
     },
     Reference {
@@ -82,6 +90,14 @@ static REFERENCES: [Reference; 8] = [
             let states = lesson::states()?;
             let options = FigureOptions::new("The states of the USA").width(960.0).face_names(states.named_faces());
             Ok(figure::structure(&states.subdivision, &options)?.to_svg())
+        },
+    },
+    Reference {
+        file: "tables.svg",
+        about: "the lab's subdivision beside its tables, one half-edge marked in both",
+        draw: || {
+            let options = FigureOptions::new("Tables of the lab's subdivision").id_prefix("tables");
+            Ok(figure::tables(&lesson::lab_subdivision()?, Some(HalfEdgeId::new(13).into()), &options)?.to_svg())
         },
     },
 ];

@@ -17,6 +17,8 @@ const FATTEST: f64 = 3.0;
 
 /// A disc this near to the start of a way does not bar it.
 const OWN: f64 = 6.0;
+/// The number of ink that labels keep clear of although another drawing of the same layout shows it.
+pub(super) const INK: u32 = u32::MAX - 1;
 
 /// Something drawn.
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -53,6 +53,8 @@ pub fn pointers<V: PlanarView + ?Sized>(
 ) -> Result<Figure, FigureError> {
     let mut options = options.checked();
     options.usual_width = WIDTH;
+    // Smaller than in other figures: face arrows need the room.
+    options.style.face_text = options.style.face_text.min(14.0);
     options.crop = None;
     let options = &options;
     let mut families = families.to_vec();

@@ -24,6 +24,12 @@ pub(super) fn css(style: &Style, scope: &str) -> String {
     fixed(".hot .hl", "font-weight:700");
     fixed(".ct", "font-weight:700;text-anchor:start");
     fixed(".cs", "text-anchor:start");
+    fixed(".rec", "stroke-width:1.5");
+    fixed(".rn", "font-weight:700");
+    fixed(".key", "font-weight:700");
+    fixed(".row.hot text", "font-weight:700");
+    fixed(".f.hot .face", "fill-opacity:.4");
+    fixed(".f.hot .fl", "text-decoration:underline");
     fixed(".rows text", "text-anchor:start");
     fixed(".hot .vd", "stroke-width:3");
     let halo = "font-weight:700;paint-order:stroke;stroke-width:.3em;stroke-linejoin:round";
@@ -42,12 +48,19 @@ fn colours(out: &mut String, scope: &str, palette: &Palette) {
     let mut rule = |selector: &str, properties: String| {
         let _ = writeln!(out, "#{scope} {selector}{{{properties}}}");
     };
-    let Palette { background, ink, half_edge, face, next, twin, origin, dim, grey, .. } = palette;
+    let Palette { background, ink, half_edge, face, next, twin, origin, dim, grey, hit, .. } = palette;
     rule(".dim .sh", format!("stroke:{dim}"));
     rule(".dim .barb", format!("fill:{dim}"));
     rule(".dim .hl", format!("fill:{grey}"));
     rule(".ct", format!("fill:{ink}"));
     rule(".cs", format!("fill:{ink}"));
+    for class in [".cm", ".rn", ".key", ".val", ".owns .ph", ".mark"] {
+        rule(class, format!("fill:{ink}"));
+    }
+    rule(".owns .pl", format!("stroke:{ink}"));
+    rule(".rec", format!("fill:{background};stroke:{ink}"));
+    rule(".head", format!("fill:{hit}"));
+    rule(".hit", format!("fill:{hit}"));
     rule(".tag", format!("fill:{face};stroke:{background}"));
     rule(".pn", format!("fill:{half_edge};stroke:{background}"));
     for (class, colour) in [("next", next), ("twin", twin), ("origin", origin), ("face", face)] {

@@ -51,6 +51,8 @@ pub struct Palette {
     pub dim: Colour,
     /// Text that is not what the drawing is about.
     pub grey: Colour,
+    /// Behind a marked row of a table, and behind the names of records.
+    pub hit: Colour,
     /// How much of a tint covers the background, 0 to 1.
     pub tint_opacity: f64,
 }
@@ -119,6 +121,7 @@ impl Default for Style {
                 origin: Colour(0x0000_664d),
                 dim: Colour(0x00b3_b9c2),
                 grey: Colour(0x005f_6671),
+                hit: Colour(0x00fb_e6b8),
                 tint_opacity: 0.13,
             },
             dark: Some(Palette {
@@ -133,6 +136,7 @@ impl Default for Style {
                 origin: Colour(0x0056_d3ad),
                 dim: Colour(0x0056_5c66),
                 grey: Colour(0x00a5_abb5),
+                hit: Colour(0x0046_3a1c),
                 tint_opacity: 0.22,
             }),
             tints: [

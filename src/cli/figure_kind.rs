@@ -1,0 +1,75 @@
+//! Which figure `dcel figure` draws: the structure, its pointers, one half-edge, its tables.
+
+use dcel_kit::figure::{self, Figure, FigureError, FigureOptions, Pointers};
+use dcel_kit::plane::PlanarView;
+use dcel_kit::{Element, HalfEdgeId};
+
+/// What to show.
+#[derive(clap::Args, Debug)]
+#[command(next_help_heading = "What to show")]
+pub(crate) struct Kind {
+    /// A panel for each family of pointers, the rest grey
+    #[arg(long, value_name = "FAMILY,…", value_delimiter = ',', group = "kind")]
+    pointers: Vec<Family>,
+    /// One half-edge with all its pointers named, for example h5
+    #[arg(long, value_name = "HALF-EDGE", group = "kind")]
+    focus: Option<HalfEdgeId>,
+    /// The vertex, half-edge and face tables beside the picture
+    #[arg(long, group = "kind")]
+    tables: bool,
+    /// The element marked in the picture and in its table, for example h5, v3 or f1
+    #[arg(long, value_name = "ELEMENT", requires = "tables", value_parser = element)]
+    highlight: Option<Element>,
+}
+
+/// A family of pointers, or all of them.
+#[derive(clap::ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+enum Family {
+    /// The half-edge after each
+    Next,
+    /// The other half of each
+    Twin,
+    /// The half-edge that each vertex knows
+    Outgoing,
+    /// The half-edge that each face knows
+    Boundary,
+    /// The face of each half-edge
+    Face,
+    /// All five
+    All,
+}
+
+fn element(text: &str) -> Result<Element, String> {
+    let half_edge = || text.parse().map(Element::HalfEdge);
+    let vertex = || text.parse().map(Element::Vertex);
+    let face = || text.parse().map(Element::Face);
+    let parsed = half_edge().or_else(|_| vertex()).or_else(|_| face());
+    parsed.map_err(|_| "name a half-edge, a vertex or a face: h5, v3, f1".to_owned())
+}
+
+impl Kind {
+    pub(crate) fn draw<V: PlanarView + ?Sized>(
+        &self,
+        view: &V,
+        options: &FigureOptions,
+    ) -> Result<Figure, FigureError> {
+        if let Some(h) = self.focus {
+            return figure::focus(view, h, options);
+        }
+        if self.tables {
+            return figure::tables(view, self.highlight, options);
+        }
+        if self.pointers.is_empty() {
+            return figure::structure(view, options);
+        }
+        let families = self.pointers.iter().flat_map(|family| match family {
+            Family::Next => vec![Pointers::Next],
+            Family::Twin => vec![Pointers::Twin],
+            Family::Outgoing => vec![Pointers::Outgoing],
+            Family::Boundary => vec![Pointers::Boundary],
+            Family::Face => vec![Pointers::Face],
+            Family::All => Pointers::ALL.to_vec(),
+        });
+        figure::pointers(view, &families.collect::<Vec<_>>(), options)
+    }
+}
