@@ -3,6 +3,7 @@
 use super::failure::say;
 use super::figure_kind::Kind;
 use super::input::InputOptions;
+use super::looks::Looks;
 use super::{Answer, Failure, Output};
 use dcel_kit::figure::{self, Detail, FaceLabels, Figure, FigureOptions};
 use std::path::{Path, PathBuf};
@@ -23,7 +24,10 @@ Examples:
   dcel figure square.obj --html square.html
   dcel figure figures/data/states-albers-10m.json \\
     --y-down --drop-degenerate-rings --width 960 \\
-    -o states.svg")]
+    -o states.svg
+  dcel figure square.obj --width 12cm --plain -o slide.svg
+  dcel figure square.obj --faces f1 --colours rooms.txt \\
+    --theme light -o room.svg")]
 pub(crate) struct Args {
     /// The file to read, or - for standard input
     #[arg(value_name = "IN", required_unless_present = "records")]
@@ -42,6 +46,8 @@ pub(crate) struct Args {
     #[command(flatten)]
     drawing: Drawing,
     #[command(flatten)]
+    looks: Looks,
+    #[command(flatten)]
     input: InputOptions,
 }
 
@@ -55,9 +61,6 @@ struct Drawing {
     /// What ids in the SVG begin with [default: from the title]
     #[arg(long, value_name = "WORD")]
     id_prefix: Option<String>,
-    /// Width in px, 100 to 20000 [default: 640, more for few edges]
-    #[arg(long, value_name = "PX", value_parser = px)]
-    width: Option<f64>,
     /// Greatest height in px, 100 to 20000 [default: 5/4 of the width]
     #[arg(long, value_name = "PX", value_parser = px)]
     max_height: Option<f64>,
@@ -113,7 +116,7 @@ fn px(text: &str) -> Result<f64, String> {
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let target = args.output.as_deref().filter(|path| path.as_os_str() != "-");
     let Some(file) = &args.file else {
-        let options = args.drawing.options(Path::new("The records of a half-edge structure"));
+        let options = args.looks.page(args.drawing.options(Path::new("The records of a half-edge structure")))?;
         return answer(&figure::records(&options), target, out);
     };
     if let Some(path) = target {
@@ -131,7 +134,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         ));
     };
     let names = subject.faces().filter_map(|f| Some((f, subject.name(f)?)));
-    let options = args.drawing.options(file).face_names(names);
+    let options = args.looks.apply(args.drawing.options(file).face_names(names), &subject)?;
     let refused = |error| Failure::input(format!("{}: {error}", subject.source), "");
     if let Some(path) = &args.html {
         let page = figure::page(view, &options).map_err(refused)?;
@@ -188,9 +191,6 @@ impl Drawing {
             });
         if let Some(prefix) = &self.id_prefix {
             options = options.id_prefix(prefix);
-        }
-        if let Some(width) = self.width {
-            options = options.width(width);
         }
         if let Some(height) = self.max_height {
             options = options.max_height(height);

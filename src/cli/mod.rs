@@ -19,6 +19,7 @@ mod figures;
 mod info;
 mod input;
 mod lesson;
+mod looks;
 mod output;
 mod references;
 mod script;

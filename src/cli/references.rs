@@ -3,7 +3,7 @@
 use super::Failure;
 use super::camera::film;
 use super::lesson::{self, LessonError};
-use dcel_kit::figure::{self, FigureError, FigureOptions, Pointers};
+use dcel_kit::figure::{self, FigureError, FigureOptions, NearlyCollinear, Pointers};
 use dcel_kit::ids::HalfEdgeId;
 use dcel_kit::plane::Subdivision;
 use dcel_kit::script::{Script, ScriptError};
@@ -102,6 +102,14 @@ static REFERENCES: &[Reference] = &[
         draw: || {
             let options = FigureOptions::new("Rings and holes").width(960.0);
             Ok(figure::structure(&lesson::rings()?, &options)?.to_svg())
+        },
+    },
+    Reference {
+        file: "robustness.svg",
+        about: "where plain doubles tell the wrong side of a line",
+        draw: || {
+            let options = FigureOptions::new("Where doubles are wrong");
+            Ok(figure::robustness(&NearlyCollinear::default(), &options).to_svg())
         },
     },
     Reference {

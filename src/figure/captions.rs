@@ -18,6 +18,9 @@ use super::{FigureOptions, text};
 /// Distance of two lines of text, in sizes.
 const LINE: f64 = 1.12;
 
+/// How many characters of a long name are tried, the most first.
+const CUTS: [usize; 2] = [28, 16];
+
 /// A text that looks for a place.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Caption {
@@ -77,6 +80,23 @@ impl Caption {
         Self { width: width(&lines), lines }
     }
 
+    /// The first line, cut to `longest` characters with an ellipsis at the end.
+    pub(super) fn shortened(&self, longest: usize) -> Self {
+        let text = self.lines.first().map_or("", String::as_str);
+        let short = text::shortened(text, longest);
+        if short == text { self.clone() } else { Self::new(vec![short]) }
+    }
+
+    /// Half the width and half the height at a size.
+    pub(super) fn half(&self, size: f64) -> Xy {
+        bounds(Xy::default(), size, width(&self.lines), self.lines.len()).max
+    }
+
+    /// The text at a place, whatever is there.
+    pub(super) fn at(&self, at: Xy, size: f64) -> Label {
+        Label { at, size, lines: self.lines.clone() }
+    }
+
     /// The same words in two lines, split at the space nearest the middle.
     fn in_two_lines(&self) -> Option<Self> {
         let text = self.lines.first()?;
@@ -86,8 +106,23 @@ impl Caption {
     }
 
     /// Places the text in a region, clear of its rings, of the obstacles and of everything that `blocker`
-    /// knows; `None` if there is no room.
+    /// knows; `None` if there is no room. A long name that does not fit is cut short.
     pub(super) fn place(
+        &self,
+        region: &Region,
+        sizes: Sizes,
+        obstacles: &[Shape],
+        blocker: impl Fn(&Bounds) -> Option<Shape>,
+    ) -> Option<Label> {
+        let whole = self.place_whole(region, sizes, obstacles, &blocker);
+        whole.or_else(|| {
+            let cuts = CUTS.into_iter().map(|longest| self.shortened(longest)).filter(|short| short != self);
+            let mut placed = cuts.map(|short| short.place_whole(region, sizes, obstacles, &blocker));
+            placed.find_map(|label| label)
+        })
+    }
+
+    fn place_whole(
         &self,
         region: &Region,
         sizes: Sizes,

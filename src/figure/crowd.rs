@@ -15,6 +15,8 @@ const CELL: f64 = 24.0;
 /// No shape is fatter than this beyond its outline.
 const FATTEST: f64 = 3.0;
 
+/// A disc this near to the start of a way does not bar it.
+const OWN: f64 = 6.0;
 /// The number of ink that labels keep clear of although another drawing of the same layout shows it.
 pub(super) const INK: u32 = u32::MAX - 1;
 
@@ -135,6 +137,28 @@ impl Crowd {
             .filter(|&&(_, tag)| passes(tag))
             .map(|(shape, _)| shape.distance(p))
             .fold(limit, f64::min)
+    }
+
+    /// How many lines the way from `p` to `q` crosses; `None` if it meets a box, or a disc that is not beside `p`.
+    pub(super) fn crossings(&self, p: Xy, q: Xy) -> Option<usize> {
+        let way = Shape::Segment(p, q, 0.0).bounds();
+        let mut crossed = Vec::new();
+        for (shape, _) in self.under(&way) {
+            match *shape {
+                Shape::Segment(a, b, _) if crossing(p, q, a, b).is_some() => crossed.push(std::ptr::from_ref(shape)),
+                Shape::Segment(..) => {}
+                Shape::Box(bounds) if bounds.meets_segment(p, q) => return None,
+                Shape::Disc(centre, radius)
+                    if segment_distance(centre, p, q) < radius && (centre - p).length() > radius + OWN =>
+                {
+                    return None;
+                }
+                Shape::Box(_) | Shape::Disc(..) => {}
+            }
+        }
+        crossed.sort_unstable();
+        crossed.dedup();
+        Some(crossed.len())
     }
 
     /// How far one can go from `p` to `q` before crossing a line whose tag passes: 1 = all the way.

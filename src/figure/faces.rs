@@ -9,6 +9,7 @@
 //! ```
 
 use super::FigureOptions;
+use super::crop::cut;
 use super::scene::Attributes;
 use super::skeleton::{Cycles, Skeleton};
 use super::vector::{Bounds, Xy};
@@ -77,7 +78,11 @@ pub(super) fn regions<V: PlanarView + ?Sized>(view: &V, skeleton: &Skeleton, cyc
         }
         let Some(region) = out.last_mut() else { continue };
         let points = half_edges.iter().filter_map(|&h| view.origin(h).and_then(|v| skeleton.place(v)));
-        region.rings.push(points.collect());
+        let ring: Vec<Xy> = points.collect();
+        let ring = if let Some(window) = &skeleton.window { cut(ring, window) } else { ring };
+        if !ring.is_empty() {
+            region.rings.push(ring);
+        }
         region.half_edges += half_edges.len();
         region.starts.extend(half_edges.first());
     }

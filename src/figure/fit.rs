@@ -96,20 +96,22 @@ pub(super) fn choose(extent: &Extent, load: &Load, options: &FigureOptions) -> (
     let width = options.width.unwrap_or(options.usual_width);
     let height = options.height.unwrap_or(1.25 * width);
     let canvas = xy(width, height);
-    let mut scale = extent.scale(canvas, style.padding);
+    let [padding, small_padding] =
+        [style.padding, style.small_padding].map(|p| if options.crop.is_some() { 0.0 } else { p });
+    let mut scale = extent.scale(canvas, padding);
     let median = load.median.filter(|&m| m > 0.0);
     if let Some(median) = median
         && options.width.is_none()
         && load.edges <= SMALL
     {
-        let wide = extent.scale(xy(GROWN, options.height.unwrap_or(GROWN)), style.padding);
+        let wide = extent.scale(xy(GROWN, options.height.unwrap_or(GROWN)), padding);
         scale = scale.max((ROOMY / median).min(wide));
     }
     let detail = options.detail.unwrap_or_else(|| detail(load, median.map(|m| m * scale)));
     let fit = if detail >= Detail::Arrows {
-        extent.fit(scale, style.padding)
+        extent.fit(scale, padding)
     } else {
-        extent.fit(scale.max(extent.scale(canvas, style.small_padding)), style.small_padding)
+        extent.fit(scale.max(extent.scale(canvas, small_padding)), small_padding)
     };
     (fit, detail)
 }

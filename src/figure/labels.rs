@@ -13,6 +13,7 @@ use super::captions::{Caption, Label, Sizes, captions};
 use super::crowd::{Crowd, INK, Shape};
 use super::faces::Region;
 use super::half_edges::Shaft;
+use super::leaders::{Leader, Search};
 use super::skeleton::{Skeleton, half_edges, vertices};
 use super::vector::{Bounds, Xy, xy};
 use super::vertices::{Spokes, name_size};
@@ -27,6 +28,8 @@ const SHORTEST: f64 = 24.0;
 const BESIDE: f64 = 3.2;
 /// Free space between two half-edge labels.
 const AIR: f64 = 1.5;
+/// Names of vertices and half-edges longer than this are cut short.
+const NAME: usize = 20;
 /// Where along the edge a label may stand, in the order of preference: the middle, then further and further
 /// from it.
 const PLACES: [f64; 5] = [0.0, -0.1, 0.1, -0.2, 0.2];
@@ -37,6 +40,8 @@ pub(super) struct Labels {
     pub(super) half_edges: HalfEdgeMap<Option<Label>>,
     /// In the order of the regions.
     pub(super) faces: Vec<Option<Label>>,
+    /// Labels of faces that have no room for them, with the indices of their regions.
+    pub(super) leaders: Vec<(usize, Leader)>,
     pub(super) outer: Option<Label>,
 }
 
@@ -68,7 +73,8 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
         self.face_labels(&captions, &mut faces, &mut crowd, true);
         let half_edges = self.half_edge_labels(&mut crowd);
         self.face_labels(&captions, &mut faces, &mut crowd, false);
-        (Labels { vertices, half_edges, faces, outer }, crowd)
+        let leaders = self.leaders(&captions, &faces, &mut crowd);
+        (Labels { vertices, half_edges, faces, leaders, outer }, crowd)
     }
 
     /// Edges, shafts, discs and further ink.
@@ -113,7 +119,7 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
         let spokes = Spokes::new(self.view.vertex_bound(), self.skeleton);
         for v in vertices(self.view) {
             let Some(at) = self.skeleton.place(v) else { continue };
-            let text = v.to_string();
+            let text = text::shortened(&self.options.caption(v), NAME);
             if let Some(size) = name_size(&text, self.radii[v], style) {
                 out[v] = Some(Label { at, size, lines: vec![text] });
                 continue;
@@ -160,7 +166,7 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
         if shaft.length() < SHORTEST {
             return None;
         }
-        let (size, text) = (self.options.style.half_edge_text, h.to_string());
+        let (size, text) = (self.options.style.half_edge_text, text::shortened(&self.options.caption(h), NAME));
         let (width, height) = (0.5 * text::width(&text, size, false), text::half_height(size));
         let aside = shaft.along.left();
         let distance = BESIDE + width * aside.x.abs() + height * aside.y.abs();
@@ -195,6 +201,17 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
         }
     }
 
+    /// Labels outside for the bounded faces that have none.
+    fn leaders(
+        &self,
+        captions: &[Option<Caption>],
+        labels: &[Option<Label>],
+        crowd: &mut Crowd,
+    ) -> Vec<(usize, Leader)> {
+        let size = (0.65 * self.options.style.face_text).max(7.5);
+        lead_out(self.view, self.regions, captions, labels, size, self.size, crowd)
+    }
+
     /// Shafts and discs in a face.
     fn obstacles(&self, region: &Region) -> Vec<Shape> {
         let style = &self.options.style;
@@ -212,14 +229,37 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
     }
 }
 
-/// The label of the outer face: in the top right corner of the frame, in the free band.
+/// Leaders for the captions of bounded regions that have no label, at this size of the text.
+pub(super) fn lead_out<V: PlanarView + ?Sized>(
+    view: &V,
+    regions: &[Region],
+    captions: &[Option<Caption>],
+    labels: &[Option<Label>],
+    size: f64,
+    canvas: Xy,
+    crowd: &mut Crowd,
+) -> Vec<(usize, Leader)> {
+    let is_outer = |region: &Region| view.outer_face() == Some(region.face);
+    let lacking = |i: &usize| labels[*i].is_none() && !is_outer(&regions[*i]);
+    let wanted: Vec<(usize, &Caption)> =
+        (0..regions.len()).filter(lacking).filter_map(|i| Some((i, captions[i].as_ref()?))).collect();
+    let search = Search {
+        regions,
+        is_taken: &|region| !is_outer(region) && !view.is_hole(region.face),
+        size,
+        canvas: Bounds { min: xy(6.0, 6.0), max: canvas - xy(6.0, 6.0) },
+    };
+    search.place(&wanted, crowd)
+}
+
+/// The label of the outer face: in the top right corner of the frame, in the free band. A cropped figure has none.
 pub(super) fn outer_label<V: PlanarView + ?Sized>(
     view: &V,
     options: &FigureOptions,
     size: Xy,
     detail: Detail,
 ) -> Option<Label> {
-    let face: FaceId = view.outer_face().filter(|&f| view.has_face(f))?;
+    let face: FaceId = view.outer_face().filter(|&f| view.has_face(f) && options.crop.is_none())?;
     let text = match options.face_labels {
         super::FaceLabels::Off => return None,
         super::FaceLabels::Ids => face.to_string(),
@@ -227,8 +267,11 @@ pub(super) fn outer_label<V: PlanarView + ?Sized>(
     };
     let padding = if detail < Detail::Arrows { options.style.small_padding } else { options.style.padding };
     let widest = size.x - 28.0;
-    let width = text::width(&text, 1.0, true);
     let largest = options.style.face_text.min(padding - 12.0);
+    let fits = |text: &String| text::width(text, 7.5, true) <= widest;
+    let cuts = [usize::MAX, 40, 28, 16].map(|longest| text::shortened(&text, longest));
+    let text = cuts.into_iter().find(fits)?;
+    let width = text::width(&text, 1.0, true);
     let fitting = largest.min(widest / width);
     (fitting >= 7.5 && !text.trim().is_empty()).then(|| {
         let at = xy(size.x - 14.0 - 0.5 * fitting * width, (0.5 * padding + 1.0).min(24.0));

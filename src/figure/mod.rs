@@ -4,7 +4,7 @@
 //!   view ──> layout ──────────> scene ──────────> SVG
 //!            skeleton.rs  what can be drawn        scene.rs    groups, lines, areas, discs, texts
 //!            fit.rs       scale, level of detail   svg_out.rs  crate svg
-//!            vertices.rs  half_edges.rs  faces.rs  tints.rs   labels.rs captions.rs (crowd.rs, pole.rs)  tiles.rs
+//!            vertices.rs  half_edges.rs  faces.rs  tints.rs   labels.rs captions.rs leaders.rs (crowd.rs, pole.rs)  tiles.rs
 //!   film/    edits, frame by frame
 //! ```
 //!
@@ -30,6 +30,7 @@
 
 mod arrows;
 mod captions;
+mod crop;
 mod crowd;
 mod face_arrows;
 mod faces;
@@ -39,39 +40,50 @@ mod focus;
 mod half_edges;
 mod interactive;
 mod labels;
+mod leaders;
 mod number;
 mod options;
+mod overrides;
 mod page;
 mod panels;
+mod part;
+mod plain;
 mod plate;
 mod pointer;
 mod pointer_style;
 mod pole;
 mod records;
+mod robustness;
 mod scene;
 mod skeleton;
 mod structure;
 mod style;
+mod style_file;
 mod svg_out;
 mod tables;
 mod text;
 mod tiles;
 mod tints;
+mod unit;
 mod vector;
 mod vertices;
 
 pub use film::{Fate, Film, Frame, Written};
 pub use focus::focus;
 pub use options::{Detail, FaceLabels, FigureOptions};
+pub use overrides::{Overrides, OverridesError};
 pub use page::{Page, page};
 pub use panels::pointers;
 pub use pointer::Pointers;
 pub use records::records;
+pub use robustness::{NearlyCollinear, robustness};
 pub use structure::structure;
-pub use style::{Colour, Palette, Style};
+pub use style::{Colour, Palette, Style, Theme};
+pub use style_file::{ParseColourError, StyleError};
 pub use tables::tables;
+pub use unit::{ParseLengthError, Unit};
 
-use crate::ids::{HalfEdgeId, VertexId};
+use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::CoordinateError;
 use std::io::{self, Write};
 
@@ -88,6 +100,14 @@ pub enum FigureError {
         vertices: usize,
         /// The first of them.
         example: VertexId,
+    },
+    /// A face that was asked for does not exist.
+    #[error("{face} does not exist: there are {faces} faces, numbered from f0")]
+    UnknownFace {
+        /// The face.
+        face: FaceId,
+        /// The number of faces.
+        faces: usize,
     },
     /// A coordinate is not a number, infinite, or too large to compute with.
     #[error("{vertex}: {error}")]

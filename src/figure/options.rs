@@ -1,8 +1,9 @@
 //! What the caller may choose about a figure.
 
-use super::Style;
 use super::text;
-use crate::ids::{FaceId, FaceMap};
+use super::{Overrides, Style, Unit};
+use crate::ids::{Element, FaceId, FaceMap, Id};
+use crate::plane::Point;
 
 /// How much of the structure is drawn. Chosen by the median length of the edges on the canvas, and by their
 /// number, unless the caller fixes it.
@@ -61,6 +62,11 @@ pub struct FigureOptions {
     pub(super) half_edge_labels: bool,
     pub(super) face_labels: FaceLabels,
     pub(super) interactive: bool,
+    pub(super) overrides: Overrides,
+    pub(super) faces: Option<Vec<FaceId>>,
+    pub(super) crop: Option<[Point; 2]>,
+    pub(super) unit: Unit,
+    pub(super) plain: bool,
     pub(super) names: FaceMap<Option<String>>,
 }
 
@@ -86,6 +92,11 @@ impl FigureOptions {
             half_edge_labels: true,
             face_labels: FaceLabels::Names,
             interactive: false,
+            overrides: Overrides::default(),
+            faces: None,
+            crop: None,
+            unit: Unit::Px,
+            plain: false,
             names: FaceMap::default(),
         }
     }
@@ -181,6 +192,60 @@ impl FigureOptions {
     #[must_use]
     pub fn face_names<N: AsRef<str>>(self, names: impl IntoIterator<Item = (FaceId, N)>) -> Self {
         names.into_iter().fold(self, |options, (face, name)| options.face_name(face, name))
+    }
+
+    /// Colours and labels of single elements. Labels of faces are names, see [`face_name`](Self::face_name).
+    #[must_use]
+    pub fn overrides(mut self, overrides: Overrides) -> Self {
+        for (face, name) in overrides.face_labels() {
+            self.names.set(face, Some(name.to_owned()), None);
+        }
+        self.overrides = overrides;
+        self
+    }
+
+    /// Draws these faces only, with their half-edges and vertices, as large as there is room for. Default: all.
+    /// [`structure`](super::structure()) and what is made from it; panels show all faces.
+    #[must_use]
+    pub fn faces(mut self, faces: impl IntoIterator<Item = FaceId>) -> Self {
+        self.faces = Some(faces.into_iter().collect());
+        self
+    }
+
+    /// Shows the part of the plane between two corners only: the picture ends there, without a free band round
+    /// it. Default: everything. Corners that span no area, or that are no numbers, change nothing.
+    #[must_use]
+    pub fn crop(mut self, corner: [f64; 2], opposite: [f64; 2]) -> Self {
+        let [a, b] = [corner, opposite].map(|[x, y]| Point::new(x, y));
+        let is_box = |a: Point, b: Point| [b.x - a.x, b.y - a.y].iter().all(|side| side.is_finite() && *side != 0.0);
+        self.crop = is_box(a, b).then_some([a, b]);
+        self
+    }
+
+    /// The unit in which the file states its width and height. Default: px, 96 of them an inch.
+    #[must_use]
+    pub fn unit(mut self, unit: Unit) -> Self {
+        self.unit = unit;
+        self
+    }
+
+    /// Whether the file has no style sheet: every element carries its colours and fonts itself, those for light
+    /// pages. For slide and drawing programs that read no CSS. Default: no.
+    #[must_use]
+    pub fn plain(mut self, on: bool) -> Self {
+        self.plain = on;
+        self
+    }
+
+    /// The name of an element on the canvas: its label, or its id.
+    pub(super) fn caption<I: Id + Into<Element>>(&self, id: I) -> String {
+        self.overrides.label_of(id).map_or_else(|| id.to_string(), str::to_owned)
+    }
+
+    /// The style sheet of a figure.
+    pub(super) fn css(&self) -> String {
+        let prefix = self.prefix();
+        format!("{}{}", self.style.css(&prefix), self.overrides.css(&prefix))
     }
 
     /// The same options with a style that the layout can work with.

@@ -55,6 +55,7 @@ pub fn pointers<V: PlanarView + ?Sized>(
     options.usual_width = WIDTH;
     // Smaller than in other figures: face arrows need the room.
     options.style.face_text = options.style.face_text.min(14.0);
+    options.crop = None;
     let options = &options;
     let mut families = families.to_vec();
     families.sort_unstable();

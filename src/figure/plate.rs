@@ -230,6 +230,11 @@ impl<'a, V: PlanarView + ?Sized> Plate<'a, V> {
         nodes.extend(pointers);
         let shown = vertices(view).filter(|&v| look.vertex(v) != Mark::Hidden);
         nodes.extend(shown.map(|v| Node::Group(self.vertex_group(view, v, look))));
+        if std::ptr::addr_eq(view, self.picture.view) {
+            let leaders = self.labels.leaders.iter().map(|(i, leader)| (self.regions[*i].face, leader));
+            let shown = leaders.filter(|(face, _)| look.face(*face) != Mark::Hidden);
+            nodes.extend(shown.map(|(face, leader)| leader.group(look.name(&format!("{face}-label")))));
+        }
         nodes
     }
 

@@ -106,6 +106,8 @@ pub fn records(options: &FigureOptions) -> Figure {
                    owns the lists of all three.";
     let css = options.style.css(&prefix) + &pointer_style::css(&options.style, &prefix);
     let scene = Scene {
+        unit: options.unit,
+        plain: options.plain,
         size: SIZE,
         css,
         prefix,

@@ -9,12 +9,17 @@
 //!
 //! Nothing here knows SVG (`svg_out.rs` does), and nothing here knows half-edges.
 
+use super::Unit;
 use super::vector::Xy;
 
 /// A whole drawing.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scene {
     pub(super) size: Xy,
+    /// In which the file states the size.
+    pub(super) unit: Unit,
+    /// Whether elements carry their style themselves.
+    pub(super) plain: bool,
     /// What ids and style rules begin with.
     pub(super) prefix: String,
     pub(super) title: String,
@@ -152,7 +157,7 @@ impl Polylines {
     }
 }
 
-/// The nearest point of the grid of tenths.
+/// The nearest point of the grid of tenths. Points very far away come nearer, so that steps have no overflow.
 pub(super) fn tenths(p: Xy) -> [i32; 2] {
-    [(p.x * 10.0).round() as i32, (p.y * 10.0).round() as i32]
+    [p.x, p.y].map(|x| (x * 10.0).round().clamp(-1e9, 1e9) as i32)
 }

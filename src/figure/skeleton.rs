@@ -4,7 +4,7 @@
 //! twins, else where its next starts. A cycle is drawn only if it closes. Everything left out is counted, for
 //! the notes of the figure.
 
-use super::vector::Xy;
+use super::vector::{Bounds, Xy};
 use crate::ids::{FaceId, HalfEdgeId, HalfEdgeMap, Id, VertexId, VertexMap};
 use crate::plane::PlanarView;
 use crate::topology::{Ring, bounded_cycle};
@@ -46,6 +46,8 @@ const NOWHERE: VertexId = VertexId::new(u32::MAX);
 pub(super) struct Skeleton {
     /// Where each vertex is on the canvas.
     pub(super) at: VertexMap<Option<Xy>>,
+    /// What lies outside of it cannot be seen; `None`: everything can.
+    pub(super) window: Option<Bounds>,
     ends: HalfEdgeMap<[VertexId; 2]>,
     /// One half-edge of every edge whose two ends have positions, in the order of their numbers.
     pub(super) edges: Vec<HalfEdgeId>,
@@ -67,7 +69,7 @@ impl Skeleton {
                 }
             }
         }
-        Self { at: VertexMap::default(), ends, edges }
+        Self { at: VertexMap::default(), window: None, ends, edges }
     }
 
     /// The two ends of `h`, if both have positions.

@@ -9,14 +9,16 @@
 //! data-he data-rings data-outer data-hole data-name>`. A pointer that is missing has no attribute.
 
 use super::captions::{Caption, Label, Sizes, captions};
+use super::crowd::{Crowd, Shape};
 use super::faces::{Region, attributes, regions, title};
 use super::fit::{Extent, Fit, Load, choose};
-use super::labels::outer_label;
+use super::labels::{lead_out, outer_label};
+use super::part::Part;
 use super::plate::{Look, Mark, Plate};
 use super::scene::{Group, Hatch, Node, Polylines, Scene, tenths};
 use super::skeleton::{Cycles, Skeleton, faces, half_edges, ids, vertices};
 use super::vector::{Bounds, Xy, xy};
-use super::{Detail, Figure, FigureError, FigureOptions, interactive, number, tiles, tints};
+use super::{Detail, Figure, FigureError, FigureOptions, crop, interactive, number, tiles, tints};
 use crate::ids::{FaceId, HalfEdgeId, Id, VertexId, VertexMap};
 use crate::plane::{CoordinateError, LARGEST, PlanarView};
 
@@ -42,6 +44,13 @@ const TINTED: [&str; tints::HUES] = ["face t0", "face t1", "face t2", "face t3",
 /// error: it shows its outer face.
 pub fn structure<V: PlanarView + ?Sized>(view: &V, options: &FigureOptions) -> Result<Figure, FigureError> {
     let options = &options.checked();
+    match &options.faces {
+        Some(chosen) => draw(&Part::new(view, chosen)?, options),
+        None => draw(view, options),
+    }
+}
+
+fn draw<V: PlanarView + ?Sized>(view: &V, options: &FigureOptions) -> Result<Figure, FigureError> {
     let (picture, mut notes) = Picture::new(view, options)?;
     let detail = picture.detail;
     if detail >= Detail::Edges {
@@ -135,7 +144,10 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
     pub(super) fn new(view: &'a V, options: &'a FigureOptions) -> Result<(Self, Notes), FigureError> {
         check(view)?;
         let mut skeleton = Skeleton::new(view);
-        let extent = Extent::of(vertices(view).filter_map(|v| view.position(v)));
+        let extent = options.crop.map_or_else(
+            || Extent::of(vertices(view).filter_map(|v| view.position(v))),
+            |corners| Extent::of(corners.iter().copied()),
+        );
         let load = Load {
             edges: skeleton.edges.len(),
             vertices: vertices(view).count(),
@@ -144,6 +156,7 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
         let (fit, detail) = choose(&extent, &load, options);
         let at = ids::<VertexId>(view.vertex_bound(), |_| true).map(|v| view.position(v).map(|p| fit.place(p)));
         skeleton.at = at.collect::<Vec<_>>().into();
+        skeleton.window = options.crop.map(|_| crop::window(fit.size));
 
         let mut notes = Notes::default();
         notes.add("without a position, not drawn", vertices(view).filter(|&v| view.position(v).is_none()));
@@ -157,29 +170,43 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
     /// Many short edges: faces one by one only if they are few, edges in tiles.
     fn by_tiles(&self, notes: &mut Notes) -> Vec<Node> {
         let outer = outer_label(self.view, self.options, self.fit.size, self.detail);
+        let mut leaders = Vec::new();
         let mut nodes = if faces(self.view).count() <= FACES {
             let cycles = Cycles::of(self.view, faces(self.view));
             notes.add("with a boundary that does not close or is taken already", cycles.open.iter().copied());
             let regions = regions(self.view, &self.skeleton, &cycles);
-            let labels = self.map_labels(&regions);
+            let (labels, above) = self.map_labels(&regions, outer.as_ref());
+            leaders.extend(above);
             self.face_nodes(&regions, &labels, outer.as_ref(), &cycles.open, &Look::default())
         } else {
             self.domain(outer.as_ref())
         };
         nodes.push(Node::Group(tiles::edges(self.view, &self.skeleton, self.fit.size)));
         nodes.extend(self.lone_vertices());
+        nodes.extend(leaders);
         nodes
     }
 
-    fn map_labels(&self, regions: &[Region]) -> Vec<Option<Label>> {
+    /// The labels of the regions, and the leaders of those that have none.
+    fn map_labels(&self, regions: &[Region], outer: Option<&Label>) -> (Vec<Option<Label>>, Vec<Node>) {
         let largest = self.options.style.map_text;
         let sizes = Sizes { largest, smallest: largest.min(7.0) };
         let bounded = |region: &Region| self.view.outer_face() != Some(region.face);
         let captions = captions(regions, self.options);
-        let label = |(region, caption): (&Region, Option<Caption>)| {
-            caption.filter(|_| bounded(region))?.place(&region.coarse(1.0), sizes, &[], |_| None)
+        let label = |(region, caption): (&Region, &Option<Caption>)| {
+            caption.as_ref().filter(|_| bounded(region))?.place(&region.coarse(1.0), sizes, &[], |_| None)
         };
-        regions.iter().zip(captions).map(label).collect()
+        let labels: Vec<Option<Label>> = regions.iter().zip(&captions).map(label).collect();
+        let mut crowd = Crowd::new(self.fit.size);
+        for (a, b) in self.skeleton.edges.iter().filter_map(|&h| self.skeleton.segment(h)) {
+            crowd.add(Shape::Segment(a, b, 0.5), 0);
+        }
+        for placed in labels.iter().flatten().chain(outer) {
+            crowd.add(Shape::Box(placed.bounds()), 0);
+        }
+        let leaders = lead_out(self.view, regions, &captions, &labels, 0.8 * largest, self.fit.size, &mut crowd);
+        let groups = leaders.iter().map(|(i, leader)| leader.group(format!("{}-label", regions[*i].face))).collect();
+        (labels, groups)
     }
 
     /// One group for each face that exists, in the order of their numbers.
@@ -237,12 +264,11 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
 
     /// The frame minus the mesh; where the outline is not known, the frame minus the box round the mesh.
     fn outer_area(&self, rings: &[Vec<Xy>], unknown: bool) -> Node {
-        let far = self.fit.size - xy(MARGIN, MARGIN);
-        let frame = vec![xy(MARGIN, MARGIN), xy(far.x, MARGIN), far, xy(MARGIN, far.y)];
-        let mut outlines = vec![frame];
+        let corners = |b: Bounds| vec![b.min, xy(b.max.x, b.min.y), b.max, xy(b.min.x, b.max.y)];
+        let frame = self.skeleton.window.unwrap_or_else(|| crop::window(self.fit.size).grown(-MARGIN));
+        let mut outlines = vec![corners(frame)];
         if unknown {
             let mesh = Bounds::of(self.skeleton.at.as_slice().iter().copied().flatten());
-            let corners = |b: Bounds| vec![b.min, xy(b.max.x, b.min.y), b.max, xy(b.min.x, b.max.y)];
             outlines.extend(mesh.map(corners));
         } else {
             outlines.extend(rings.iter().cloned());
@@ -329,9 +355,12 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
             self.skeleton.edges.len()
         );
         let prefix = options.prefix();
+        let nodes = if options.crop.is_some() { crop::seen(nodes, self.fit.size) } else { nodes };
         Scene {
             size: self.fit.size,
-            css: options.style.css(&prefix),
+            unit: options.unit,
+            plain: options.plain,
+            css: options.css(),
             prefix,
             title: options.title.clone(),
             description: options.description.clone().unwrap_or(counts),

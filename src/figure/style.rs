@@ -65,14 +65,18 @@ pub struct Palette {
 /// style.light.half_edge = Colour(0x0067a5);
 /// style.dark = None;
 /// ```
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
 #[non_exhaustive]
 pub struct Style {
     /// Colours on a light page.
+    #[serde(deserialize_with = "super::style_file::light")]
     pub light: Palette,
     /// Colours for readers who prefer dark pages; `None`: the light ones always.
+    #[serde(deserialize_with = "super::style_file::dark")]
     pub dark: Option<Palette>,
     /// Hues of the faces, used in turn: f1 the first, f2 the second, unless a neighbour has it.
+    #[serde(deserialize_with = "super::style_file::tints")]
     pub tints: [Colour; 7],
     /// The CSS list of font families. Default: DejaVu Sans and the common system fonts.
     pub font: String,
@@ -161,7 +165,29 @@ impl Default for Style {
     }
 }
 
+/// For which pages a figure is made.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+pub enum Theme {
+    /// Light, and dark for readers who prefer that.
+    #[default]
+    Auto,
+    /// Always light.
+    Light,
+    /// Always dark.
+    Dark,
+}
+
 impl Style {
+    /// The same style for light pages, for dark ones, or for both.
+    #[must_use]
+    pub fn theme(self, theme: Theme) -> Self {
+        match (theme, self.dark) {
+            (Theme::Auto, dark) => Self { dark, ..self },
+            (Theme::Dark, Some(dark)) => Self { light: dark, dark: None, ..self },
+            (Theme::Light | Theme::Dark, _) => Self { dark: None, ..self },
+        }
+    }
+
     /// The same style with every number inside a range in which the layout works, and a font list that cannot
     /// end the style sheet.
     pub(super) fn checked(&self) -> Self {
@@ -196,7 +222,7 @@ impl Style {
         use super::number::drawn;
         let mut out = String::new();
         let halo = |width: &str| format!("paint-order:stroke;stroke-width:{width}em;stroke-linejoin:round");
-        let fixed: [(&str, String); 12] = [
+        let fixed: [(&str, String); 14] = [
             ("text", format!("font-family:{};text-anchor:middle", self.font)),
             ("edge", format!("stroke-width:{};fill:none;stroke-linecap:round", drawn(self.edge_width))),
             ("mesh", "fill:none;stroke-linejoin:round".to_owned()),
@@ -209,6 +235,8 @@ impl Style {
             ("vl", format!("font-weight:700;{}", halo(".26"))),
             ("hl", halo(".3")),
             ("fl", format!("font-style:italic;font-weight:700;{}", halo(".24"))),
+            ("ll", format!("font-style:italic;font-weight:700;{}", halo(".24"))),
+            ("leader", "stroke-width:1;fill:none;stroke-linecap:round".to_owned()),
         ];
         for (class, properties) in fixed {
             rule(&mut out, scope, class, &properties);
@@ -247,6 +275,9 @@ fn colours(out: &mut String, scope: &str, palette: &Palette) {
         ("vl", format!("fill:{ink};stroke:{background}")),
         ("hl", format!("fill:{half_edge};stroke:{background}")),
         ("fl", format!("fill:{face};stroke:{background}")),
+        ("ll", format!("fill:{face};stroke:{background}")),
+        ("leader", format!("stroke:{face}")),
+        ("root", format!("fill:{face}")),
     ];
     for (class, properties) in rules {
         rule(out, scope, class, &properties);

@@ -19,8 +19,8 @@ pub(super) fn document(scene: &Scene) -> String {
     let mut root = svg::Document::new()
         .set("id", prefix.as_str())
         .set("viewBox", format!("0 0 {width} {height}"))
-        .set("width", width.as_str())
-        .set("height", height.as_str())
+        .set("width", scene.unit.state(scene.size.x))
+        .set("height", scene.unit.state(scene.size.y))
         .set("role", "img")
         .set("aria-labelledby", format!("{prefix}-title {prefix}-desc"));
     for (name, value) in &scene.attributes {
@@ -37,6 +37,9 @@ pub(super) fn document(scene: &Scene) -> String {
     root = root.add(Rectangle::new().set("class", "bg").set("width", width).set("height", height));
     for node in &scene.nodes {
         root = root.add(element(node, prefix));
+    }
+    if scene.plain {
+        super::plain::inline(&mut root, &scene.css);
     }
     let mut text = root.to_string();
     text.push('\n');

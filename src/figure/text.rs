@@ -42,6 +42,16 @@ fn advance(c: char) -> u32 {
     }
 }
 
+/// The first characters of a text, `longest` in all with the ellipsis that says that some are missing; the
+/// text itself if it is not longer.
+pub(super) fn shortened(text: &str, longest: usize) -> String {
+    if text.chars().count() <= longest {
+        return text.to_owned();
+    }
+    let kept: String = text.chars().take(longest - 1).collect();
+    format!("{}…", kept.trim_end())
+}
+
 /// The text without characters that XML cannot hold; line breaks become spaces.
 pub(super) fn clean(text: &str) -> String {
     let keep = |c: char| match c {
@@ -63,6 +73,13 @@ mod tests {
             assert!((width(id, 9.5, false) - rule).abs() < 1.0, "{id}");
         }
         assert!(width("WWW", 10.0, false) > 2.0 * width("iii", 10.0, false));
+    }
+
+    #[test]
+    fn a_shortened_text_says_that_it_is() {
+        assert_eq!(shortened("eight ch", 8), "eight ch");
+        assert_eq!(shortened("nine char", 8), "nine ch…");
+        assert_eq!(shortened("ünïcödé sïgns", 9), "ünïcödé…");
     }
 
     #[test]

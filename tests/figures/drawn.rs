@@ -103,12 +103,13 @@ pub(crate) fn read(svg: &str) -> Drawn {
                 let title = node.children().find(|c| c.has_tag_name(("http://www.w3.org/2000/svg", "title")));
                 out.titles.insert(owner, title.and_then(|t| t.text()).unwrap_or_default().trim().to_owned());
             }
+            ("circle", "root") => {}
             ("circle", _) => {
                 out.discs.insert(owner, ([number(node, "cx"), number(node, "cy")], number(node, "r")));
             }
             ("text", _) => out.words.push(Word {
                 class: class.to_owned(),
-                owner,
+                owner: owner.trim_end_matches("-label").to_owned(),
                 text: node.text().unwrap_or_default().trim().to_owned(),
                 at: [number(node, "x"), number(node, "y")],
                 size: number(node, "font-size"),

@@ -1,0 +1,83 @@
+//! The looks of figures by the command line: what is refused, and where the fault lies.
+
+#![cfg(feature = "cli")]
+#![allow(clippy::unwrap_used, reason = "a test helper that fails is a failed test")]
+
+use std::path::Path;
+use std::process::Command;
+
+const SQUARES: &str = "v 0 0 0\nv 4 0 0\nv 4 3 0\nv 0 3 0\nv 8 0 0\nv 8 3 0\nf 1 2 3 4\nf 2 5 6 3\n";
+
+/// Exit code, standard output, standard error.
+fn figure(dir: &Path, args: &[&str]) -> (i32, String, String) {
+    std::fs::write(dir.join("two.obj"), SQUARES).unwrap();
+    let command =
+        Command::new(env!("CARGO_BIN_EXE_dcel")).current_dir(dir).args(["figure", "two.obj"]).args(args).output();
+    let output = command.unwrap();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
+}
+
+#[test]
+fn faults_in_files_are_told_with_file_line_and_column() {
+    let dir = tempfile::tempdir().unwrap();
+    for (file, text, option, message) in [
+        ("rooms.txt", "f1 \"a\"\n  f7 #fff\n", "--colours", "error: rooms.txt:2:3: f7 does not exist"),
+        ("rooms.txt", "f1 blue\n", "--colors", "error: rooms.txt:1:4: `blue` is neither a colour"),
+        ("style.json", "{\n \"inc\": \"#000\" }", "--style", "error: style.json:2:6: unknown field `inc`"),
+        ("style.json", "{ \"light\": { \"ink\": \"black\" } }", "--style", "error: style.json:1:"),
+    ] {
+        std::fs::write(dir.path().join(file), text).unwrap();
+        let (code, out, err) = figure(dir.path(), &[option, file]);
+        assert_eq!((code, out.as_str()), (2, ""), "{err}");
+        assert!(err.starts_with(message), "{err}");
+    }
+    let (code, _, err) = figure(dir.path(), &["--style", "none.json"]);
+    assert_eq!(code, 2);
+    assert!(err.starts_with("error: none.json: cannot be read"), "{err}");
+}
+
+#[test]
+fn values_that_cannot_be_are_refused_with_an_example() {
+    let dir = tempfile::tempdir().unwrap();
+    for (args, message) in [
+        (["--width", "12inch"], "for example 800, 120mm or 12cm"),
+        (["--width", "9mm"], "choose 100 to 20000 px"),
+        (["--crop", "0,0,0,4"], "for example 0,0,6,4"),
+        (["--crop", "0,0,4"], "for example 0,0,6,4"),
+        (["--faces", "f1,x"], "`x` is not the name of a face"),
+        (["--faces", "f1,f3"], "f3 does not exist: there are 3 faces"),
+    ] {
+        let (code, out, err) = figure(dir.path(), &args);
+        assert_eq!((code, out.as_str()), (2, ""), "{args:?}: {err}");
+        assert!(err.contains(message), "{args:?}: {err}");
+    }
+}
+
+#[test]
+fn the_options_reach_the_drawing() {
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::write(dir.path().join("rooms.txt"), "f2 #123456 \"hall\"\n").unwrap();
+    std::fs::write(dir.path().join("style.json"), r##"{ "light": { "half_edge": "#102030" } }"##).unwrap();
+    let draw = |args: &[&str]| {
+        let (code, out, err) = figure(dir.path(), args);
+        assert_eq!(code, 0, "{args:?}: {err}");
+        out
+    };
+    let svg = draw(&[
+        "--faces",
+        "f2",
+        "--colours",
+        "rooms.txt",
+        "--style",
+        "style.json",
+        "--theme",
+        "light",
+        "--width",
+        "12cm",
+    ]);
+    assert!(svg.contains("width=\"12cm\"") && svg.contains("hall") && svg.contains("#102030"));
+    assert!(svg.contains("#two #two-f2 .face{fill:#123456") && !svg.contains("two-f1\"") && !svg.contains("@media"));
+    assert!(!draw(&["--plain"]).contains("<style") && draw(&[]).contains("<style"));
+    assert!(!draw(&["--crop=-1,-1,3,2"]).contains("id=\"two-v2\"") && draw(&[]).contains("id=\"two-v2\""));
+}
