@@ -194,7 +194,7 @@ fn a_crop_shows_what_lies_in_it_at_its_scale() {
     let table = cases::cube();
     let draw_at = |a: P, b: P| read(&draw(&table, &FigureOptions::new("crop").width(600.0).crop(a, b)));
     let drawn = draw_at([3.0, 3.0], [-1.0, -1.0]);
-    assert_eq!(drawn.size, [600.0, 600.0]);
+    assert!(drawn.size.iter().all(|side| (side - 600.0).abs() < 0.01), "{:?}", drawn.size);
     assert_eq!(drawn.discs.keys().collect::<Vec<_>>(), ["v0", "v4"], "the others lie outside");
     let at = drawn.discs["v4"].0;
     assert!((at[0] - 2.8 * 150.0).abs() < 0.01 && (at[1] - 1.2 * 150.0).abs() < 0.01, "{at:?}");
@@ -217,7 +217,7 @@ fn a_crop_shows_what_lies_in_it_at_its_scale() {
 
 fn attribute<'a>(document: &'a Document<'_>, id: &str, name: &str, key: &str) -> Option<&'a str> {
     let group = document.descendants().find(|n| n.attribute("id") == Some(id))?;
-    group.children().filter(|n| n.tag_name().name() == name).last()?.attribute(key)
+    group.children().rfind(|n| n.tag_name().name() == name)?.attribute(key)
 }
 
 #[test]

@@ -60,7 +60,7 @@ enum Command {
     Validate(validate::Args),
     Walk(walk::Args),
     Convert(convert::Args),
-    Figure(figure::Args),
+    Figure(Box<figure::Args>),
     Script(script::Args),
     Tour(tour::Args),
     Figures(figures::Args),
