@@ -9,12 +9,15 @@ use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
 /// All edits, twice with reused ids; a bent edge that is joined, a face with a ring, an edge of the outer face.
-const SCRIPTS: [&str; 5] = [
+const SCRIPTS: [&str; 6] = [
     "rectangle\nsplit_face h2 h8",
     "polygon 0 0 7 0 6 4 1 4.6\nlet c = split_in_half h2\njoin_edges h2",
     "rectangle\nlet a = split_face h2 h8\nlet c = split_edge a 20 10\njoin_edges a\njoin_faces a\nsplit_face h0 h6",
     "triangles 0 0 9 0 0 9 1 1 3 1 1 3 / 0 1 3 1 4 3 1 5 4 1 2 5 2 0 5 0 3 5\njoin_faces h2\nsplit_in_half h0",
     "polygon 0 0 9 0 9 9 8 1\nsplit_face h7 h3",
+    // A court with an island in it is closed: the island's ring moves from f0 to the new face.
+    "triangles 0 0 9 0 9 9 6 9 6 3 3 3 3 9 0 9 4 5 5 5 4.5 6 / 0 1 4 0 4 5 1 2 3 1 3 4 0 5 6 0 6 7 8 9 10\n\
+     split_face h13 h19",
 ];
 
 /// A film, and the structure after each edit with the changes that led to it.
@@ -178,6 +181,17 @@ fn frames_share_one_layout() {
         for frame in 1..7 {
             assert_eq!(shaft(format!("film-{frame}-h{h}")), first, "h{h} in frame {frame}");
         }
+    }
+    let film = shoot(SCRIPTS[1]).0.strip(&FigureOptions::new("Film")).unwrap().to_svg();
+    let split = roxmltree::Document::parse(&film).unwrap();
+    let disc = |id: String| {
+        let group = split.descendants().find(|node| node.attribute("id") == Some(&id))?;
+        let disc = group.children().find(|node| node.has_tag_name("circle"))?;
+        Some(["cx", "cy"].map(|name| disc.attribute(name).map(str::to_owned)))
+    };
+    for frame in 0..8 {
+        assert!(disc(format!("film-{frame}-v2")).is_some());
+        assert_eq!(disc(format!("film-{frame}-v2")), disc("film-0-v2".to_owned()), "frame {frame}");
     }
     assert!(shaft("film-1-h12".to_owned()).is_none() && shaft("film-2-h12".to_owned()).is_some());
 }
