@@ -29,7 +29,7 @@ pub(crate) struct Args {
     #[arg(value_name = "IN", required_unless_present = "records")]
     file: Option<PathBuf>,
     /// The type diagram of the records; needs no file
-    #[arg(long, conflicts_with_all = ["file", "kind"])]
+    #[arg(long, conflicts_with_all = ["file", "kind", "html"])]
     records: bool,
     #[command(flatten)]
     kind: Kind,
@@ -114,7 +114,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let target = args.output.as_deref().filter(|path| path.as_os_str() != "-");
     let Some(file) = &args.file else {
         let options = args.drawing.options(Path::new("The records of a half-edge structure"));
-        return write(&figure::records(&options), target, out);
+        return answer(&figure::records(&options), target, out);
     };
     if let Some(path) = target {
         check_target(path, file, &["svg"])?;
@@ -143,10 +143,10 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     }
     let figure = args.kind.draw(view, &options).map_err(refused)?;
     figure.notes().iter().for_each(|note| say("note", note));
-    write(&figure, target, out)
+    answer(&figure, target, out)
 }
 
-fn write(figure: &Figure, target: Option<&Path>, out: &mut Output) -> Result<Answer, Failure> {
+fn answer(figure: &Figure, target: Option<&Path>, out: &mut Output) -> Result<Answer, Failure> {
     match target {
         None => figure.write_svg(out)?,
         Some(path) => save(path, &figure.to_svg())?,

@@ -40,17 +40,19 @@ static REFERENCES: &[Reference] = &[
     Reference {
         file: "film-join-faces.svg",
         about: "join_faces step by step: the inverse of split_face",
-        draw: || strip(include_str!("../../figures/scripts/join-faces.dcels"), "A film of join_faces"),
+        draw: || strip(include_str!("../../figures/scripts/join-faces.dcels"), "A film of join_faces", "join-faces"),
     },
     Reference {
         file: "film-split-face.svg",
         about: "split_face step by step: what each step of the handout links",
-        draw: || strip(include_str!("../../figures/scripts/split-face.dcels"), "A film of split_face"),
+        draw: || strip(include_str!("../../figures/scripts/split-face.dcels"), "A film of split_face", "split-face"),
     },
     Reference {
         file: "film-split-in-half.svg",
         about: "split_in_half step by step",
-        draw: || strip(include_str!("../../figures/scripts/split-in-half.dcels"), "A film of split_in_half"),
+        draw: || {
+            strip(include_str!("../../figures/scripts/split-in-half.dcels"), "A film of split_in_half", "split-in-half")
+        },
     },
     Reference {
         file: "focus.svg",
@@ -77,7 +79,7 @@ static REFERENCES: &[Reference] = &[
         file: "pointers.svg",
         about: "the five families of pointers in the lab's subdivision, one panel each",
         draw: || {
-            let options = FigureOptions::new("Pointers of the lab's subdivision").id_prefix("pointers");
+            let options = FigureOptions::new("Pointers of the lab's subdivision").id_prefix("pointers").width(520.0);
             Ok(figure::pointers(&lesson::lab_subdivision()?, &Pointers::ALL, &options)?.to_svg())
         },
     },
@@ -116,7 +118,7 @@ static REFERENCES: &[Reference] = &[
         about: "the film of split_face one frame at a time, by links, without a script",
         draw: || {
             let script = Script::parse(include_str!("../../figures/scripts/split-face.dcels"), "split-face.dcels")?;
-            Ok(film(&script).stepper(&FigureOptions::new("Steps of split_face"))?.to_svg())
+            Ok(film(&script).stepper(&FigureOptions::new("Steps of split_face").id_prefix("steps"))?.to_svg())
         },
     },
     Reference {
@@ -129,9 +131,9 @@ static REFERENCES: &[Reference] = &[
     },
 ];
 
-fn strip(script: &str, title: &str) -> Result<String, ReferenceError> {
+fn strip(script: &str, title: &str, prefix: &str) -> Result<String, ReferenceError> {
     let script = Script::parse(script, title)?;
-    Ok(film(&script).strip(&FigureOptions::new(title))?.to_svg())
+    Ok(film(&script).strip(&FigureOptions::new(title).id_prefix(prefix))?.to_svg())
 }
 
 fn structure(subdivision: &Subdivision, title: &str) -> Result<String, ReferenceError> {

@@ -74,8 +74,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     });
     result?;
     if let Some(path) = &args.film {
-        let title =
-            args.file.file_stem().map_or_else(|| "script".to_owned(), |stem| stem.to_string_lossy().into_owned());
+        let stem = args.file.file_stem().filter(|stem| *stem != "-");
+        let title = stem.map_or_else(|| "script".to_owned(), |stem| stem.to_string_lossy().into_owned());
         write_film(path, &camera.finish(), &title, args.stepper)?;
     }
     if args.json {
@@ -92,7 +92,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
 
 fn write_film(path: &Path, film: &Film, title: &str, stepper: bool) -> Result<(), Failure> {
     let options = FigureOptions::new(title);
-    let kind = path.extension().map(|extension| extension.to_ascii_lowercase());
+    let kind = path.extension().map(std::ffi::OsStr::to_ascii_lowercase);
     let html = match kind.as_ref().and_then(|kind| kind.to_str()) {
         Some("svg") => false,
         Some("html" | "htm") => true,

@@ -15,6 +15,9 @@ const CELL: f64 = 24.0;
 /// No shape is fatter than this beyond its outline.
 const FATTEST: f64 = 3.0;
 
+/// The number of ink that labels keep clear of although another drawing of the same layout shows it.
+pub(super) const INK: u32 = u32::MAX - 1;
+
 /// Something drawn.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum Shape {

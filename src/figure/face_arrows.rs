@@ -10,7 +10,7 @@
 
 use super::arrows::Arrow;
 use super::captions::Label;
-use super::crowd::{Crowd, Shape};
+use super::crowd::{Crowd, INK, Shape};
 use super::half_edges::Shaft;
 use super::text;
 use super::vector::{Bounds, Xy, xy};
@@ -54,9 +54,9 @@ pub(super) fn boundary(
     outer: Option<Xy>,
     crowd: &mut Crowd,
 ) -> Option<Tagged> {
-    let places = [0.5, 0.62, 0.38, 0.74, 0.26];
+    let places = [0.5, 0.62, 0.38, 0.74, 0.26, 0.82, 0.18];
     let straight = label.and_then(|label| {
-        let mut ways = square(label, shaft).into_iter().chain(places).filter_map(|t| straight(label, touch(shaft, t)));
+        let mut ways = square(label, shaft).into_iter().chain(places).filter_map(|t| straight(label, touch(shaft, t)?));
         ways.find(|way| is_free(crowd, way))
     });
     let way = straight.or_else(|| {
@@ -73,9 +73,9 @@ pub(super) fn boundary(
 
 /// From a half-edge to the label of its face.
 pub(super) fn face(face: FaceId, label: Option<&Label>, shaft: &Shaft, crowd: &mut Crowd) -> Option<Tagged> {
-    let places = [0.64, 0.5, 0.36, 0.76, 0.24];
+    let places = [0.64, 0.5, 0.36, 0.76, 0.24, 0.82, 0.18];
     let way = label.and_then(|label| {
-        let ways = square(label, shaft).into_iter().chain(places).filter_map(|t| straight(label, touch(shaft, t)));
+        let ways = square(label, shaft).into_iter().chain(places).filter_map(|t| straight(label, touch(shaft, t)?));
         ways.filter(|way| way_length(way) <= LONGEST).find(|way| is_free(crowd, way))
     });
     if let Some(mut way) = way {
@@ -92,8 +92,10 @@ fn square(label: &Label, shaft: &Shaft) -> Option<f64> {
     (0.2..=0.8).contains(&t).then_some(t)
 }
 
-fn touch(shaft: &Shaft, t: f64) -> Xy {
-    shaft.at(t) + shaft.along.left() * TOUCH
+/// Just beside the shaft at `t` of the edge, if the shaft reaches so far.
+fn touch(shaft: &Shaft, t: f64) -> Option<Xy> {
+    let along = (shaft.at(t) - shaft.tail).dot(shaft.along);
+    (1.0..=shaft.length() - 1.0).contains(&along).then(|| shaft.at(t) + shaft.along.left() * TOUCH)
 }
 
 /// From the edge of the label's box to `to`.
@@ -108,7 +110,8 @@ fn straight(label: &Label, to: Xy) -> Option<Vec<Xy>> {
 
 /// Out of the label in the top right corner, along the band, straight down onto the shaft; both ways round.
 fn round_the_frame(label: &Label, shaft: &Shaft, t: f64, size: Xy) -> Vec<Vec<Xy>> {
-    let (from, aside) = (touch(shaft, t), shaft.along.left());
+    let Some(from) = touch(shaft, t) else { return Vec::new() };
+    let aside = shaft.along.left();
     let frame = Bounds { min: xy(BAND, BAND), max: size - xy(BAND, BAND) };
     let reach = |at: f64, step: f64, low: f64, high: f64| match step {
         s if s > 1e-6 => (high - at) / s,
@@ -140,12 +143,12 @@ fn tagged(face: FaceId, shaft: &Shaft, places: &[f64], inward: bool, crowd: &mut
     let (name, aside) = (face.to_string(), shaft.along.left());
     let half = xy(0.5 * text::width(&name, TAG, true), text::half_height(TAG));
     let tag_at = |p: Xy| p + aside * (STUB + 1.5 + half.x * aside.x.abs() + half.y * aside.y.abs());
-    let fits = |&t: &f64| {
-        let p = touch(shaft, t);
+    let fits = |p: &Xy| {
+        let p = *p;
         let bounds = Bounds::around(tag_at(p), half.x, half.y);
         is_free(crowd, &[p + aside * STUB, p]) && crowd.blocker(&bounds.grown(1.0)).is_none()
     };
-    let p = touch(shaft, places.iter().copied().find(fits)?);
+    let p = places.iter().filter_map(|&t| touch(shaft, t)).find(fits)?;
     let tag = Label { at: tag_at(p), size: TAG, lines: vec![name] };
     let (near, far) = (p, p + aside * STUB);
     let way = if inward { [far, near] } else { [near, far] };
@@ -164,14 +167,14 @@ fn add(crowd: &mut Crowd, way: &[Xy]) {
     }
 }
 
-/// Whether the way keeps clear of everything.
+/// Whether the way keeps clear of everything in this drawing.
 fn is_free(crowd: &Crowd, way: &[Xy]) -> bool {
     way.windows(2).all(|step| {
         let (from, along) = (step[0], step[1] - step[0]);
         let count = (along.length() / 2.0) as usize + 1;
         (0..=count).all(|i| {
             let p = from + along * (i as f64 / count as f64);
-            crowd.nearest(p, CLEAR, |_| true) >= CLEAR
+            crowd.nearest(p, CLEAR, |tag| tag != INK) >= CLEAR
         })
     })
 }

@@ -27,6 +27,8 @@ pub(super) const TWIN_AT: f64 = 0.36;
 /// Size of the names of the pointers, and of the rows beside the picture.
 const NAME: f64 = 12.0;
 const ROW: f64 = 13.0;
+/// Free space round a name.
+const AIR: f64 = 1.5;
 /// Distance of rows.
 const LINE: f64 = 24.0;
 /// Width of the first column, and of all beside the picture.
@@ -111,14 +113,14 @@ fn names<V: PlanarView + ?Sized>(plate: &Plate<'_, V>, view: &V, h: HalfEdgeId) 
     let mut out = Vec::new();
     for (part, name) in named {
         let Some(label) = name_beside(plate, part, name, &crowd) else { continue };
-        crowd.add(Shape::Box(label.bounds()), u32::MAX);
+        crowd.add(Shape::Box(label.bounds().grown(AIR)), u32::MAX);
         out.extend(label.nodes("pn"));
     }
     for (pointer, name, class) in [(Pointer::Face(h), "h.face", "k-face"), (Pointer::Origin(h), "h.origin", "k-origin")]
     {
         let arrow = plate.arrow(view, pointer, TWIN_AT, &mut plate.crowd.clone()).map(|tagged| tagged.arrow);
         let Some(label) = arrow.and_then(|arrow| name_near(plate, arrow.middle(), name, &crowd)) else { continue };
-        crowd.add(Shape::Box(label.bounds()), u32::MAX);
+        crowd.add(Shape::Box(label.bounds().grown(AIR)), u32::MAX);
         out.extend(label.nodes(class));
     }
     out
@@ -127,15 +129,13 @@ fn names<V: PlanarView + ?Sized>(plate: &Plate<'_, V>, view: &V, h: HalfEdgeId) 
 /// The nearest free place round a point.
 fn name_near<V: PlanarView + ?Sized>(plate: &Plate<'_, V>, p: Xy, name: &str, crowd: &Crowd) -> Option<Label> {
     let half = xy(0.5 * text::width(name, NAME, true), text::half_height(NAME));
-    let round = [(0.0, 1.0), (0.0, -1.0), (1.0, 0.5), (-1.0, 0.5), (1.0, -0.5), (-1.0, -0.5), (1.0, 0.0), (-1.0, 0.0)];
     let inside = Bounds { min: xy(4.0, 4.0), max: plate.picture.fit.size - xy(4.0, 4.0) };
-    let places = (0..12).flat_map(|ring| {
-        let reach = 3.0 + 5.0 * f64::from(ring);
-        round.map(|(x, y)| p + xy(x * (half.x + reach), y * (half.y + reach)))
-    });
+    let steps = |to: i32, step: f64| (-to..=to).map(move |i| step * f64::from(i));
+    let mut places: Vec<Xy> = steps(14, 6.0).flat_map(|x| steps(12, 5.0).map(move |y| p + xy(x, y))).collect();
+    places.sort_by(|a, b| (*a - p).length().total_cmp(&(*b - p).length()));
     let free = |at: &Xy| {
         let bounds = Bounds::around(*at, half.x, half.y);
-        inside.contains(&bounds) && crowd.blocker(&bounds).is_none()
+        inside.contains(&bounds) && crowd.blocker(&bounds.grown(AIR)).is_none()
     };
     places.into_iter().find(free).map(|at| Label { at, size: NAME, lines: vec![name.to_owned()] })
 }

@@ -10,7 +10,7 @@
 //! without one has nothing. What finds no place is left out; its tooltip remains.
 
 use super::captions::{Caption, Label, Sizes, captions};
-use super::crowd::{Crowd, Shape};
+use super::crowd::{Crowd, INK, Shape};
 use super::faces::Region;
 use super::half_edges::Shaft;
 use super::skeleton::{Skeleton, half_edges, vertices};
@@ -91,7 +91,7 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
             }
         }
         for &shape in self.ink {
-            crowd.add(shape, u32::MAX);
+            crowd.add(shape, INK);
         }
         crowd
     }

@@ -25,7 +25,7 @@ pub(super) fn css(style: &Style, scope: &str) -> String {
     fixed(".ct", "font-weight:700;text-anchor:start");
     fixed(".cs", "text-anchor:start");
     fixed(".rec", "stroke-width:1.5");
-    fixed(".law", "text-anchor:middle");
+    fixed(".rn", "font-weight:700");
     fixed(".key", "font-weight:700");
     fixed(".row.hot text", "font-weight:700");
     fixed(".f.hot .face", "fill-opacity:.4");
@@ -54,7 +54,7 @@ fn colours(out: &mut String, scope: &str, palette: &Palette) {
     rule(".dim .hl", format!("fill:{grey}"));
     rule(".ct", format!("fill:{ink}"));
     rule(".cs", format!("fill:{ink}"));
-    for class in [".cm", ".law", ".key", ".val", ".owns .ph", ".mark"] {
+    for class in [".cm", ".rn", ".key", ".val", ".owns .ph", ".mark"] {
         rule(class, format!("fill:{ink}"));
     }
     rule(".owns .pl", format!("stroke:{ink}"));

@@ -73,9 +73,11 @@ const REFERENCES: [Reference; 10] = [
     ("ptr face-of", &[xy(540.0, 328.0), xy(725.0, 328.0), xy(725.0, 209.0)], "1"),
 ];
 
-const LAWS: [&str; 2] = [
-    "twin(twin(h)) = h     next(prev(h)) = prev(next(h)) = h     face(next(h)) = face(h)",
-    "origin(next(h)) = origin(twin(h))     origin(outgoing(v)) = v     face(boundary(f)) = f",
+/// What holds in a sound structure, in columns.
+const LAWS: [[&str; 2]; 3] = [
+    ["twin(twin(h)) = h", "origin(next(h)) = origin(twin(h))"],
+    ["next(prev(h)) = prev(next(h)) = h", "origin(outgoing(v)) = v"],
+    ["face(next(h)) = face(h)", "face(boundary(f)) = f"],
 ];
 
 /// Draws the type diagram of the records: `Dcel`, `Vertex`, `HalfEdge` with an explicit twin, `Face`.
@@ -92,8 +94,13 @@ pub fn records(options: &FigureOptions) -> Figure {
     let prefix = options.prefix();
     let mut nodes: Vec<Node> = RECORDS.iter().map(record).collect();
     nodes.extend(REFERENCES.iter().flat_map(reference));
-    let law = |(i, law): (usize, &&str)| text("law", xy(0.5 * SIZE.x, 422.0 + 22.0 * i as f64), 12.0, law);
-    nodes.extend(LAWS.iter().enumerate().map(law));
+    for (column, laws) in LAWS.iter().enumerate() {
+        let law = |(i, law): (usize, &&str)| {
+            let at = xy(40.0 + 285.0 * column as f64, 422.0 + 22.0 * i as f64);
+            text("cs", at, 12.0, law)
+        };
+        nodes.extend(laws.iter().enumerate().map(law));
+    }
     let reading = "A half-edge refers to its origin, its twin, the next and the previous half-edge and its face; a \
                    vertex to one half-edge that leaves it; a face to one half-edge of its boundary; the structure \
                    owns the lists of all three.";
@@ -125,7 +132,7 @@ fn record(record: &Record) -> Node {
     let mut nodes = vec![
         Node::Area { class: "rec", hatch: None, outlines: outline(at, size) },
         Node::Area { class: "rec head", hatch: None, outlines: outline(at, xy(width, HEADER)) },
-        text("vl", at + xy(0.5 * width, 0.5 * HEADER), 14.0, name),
+        text("rn", at + xy(0.5 * width, 0.5 * HEADER), 14.0, name),
     ];
     for (i, (field, kind)) in fields.iter().enumerate() {
         let middle = at + xy(0.0, HEADER + ROW * (i as f64 + 0.5));

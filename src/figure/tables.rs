@@ -47,7 +47,8 @@ pub fn tables<V: PlanarView + ?Sized>(
     options: &FigureOptions,
 ) -> Result<Figure, FigureError> {
     let mut options = options.checked();
-    options.usual_width = 420.0;
+    options.usual_width = 520.0;
+    options.style.face_text = options.style.face_text.min(14.0);
     let options = &options;
     let plate = Plate::new(view, options, false)?;
     let mut notes = Notes(plate.notes.0.clone());
