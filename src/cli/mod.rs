@@ -58,7 +58,7 @@ enum Command {
     Validate(validate::Args),
     Walk(walk::Args),
     Convert(convert::Args),
-    Figure(figure::Args),
+    Figure(Box<figure::Args>),
     Tour(tour::Args),
     Figures(figures::Args),
     Completions(completions::Args),
