@@ -34,6 +34,7 @@
 //! | [`topology`] | [`Dcel`](topology::Dcel): the structure without any coordinate; walks, edits, laws, builder |
 //! | [`plane`] | [`Subdivision`](plane::Subdivision): positions, exact decisions, the converter from triangles |
 //! | [`solid`] | [`Polyhedron`](solid::Polyhedron): positions in space |
+//! | [`script`] | edits as text: typed by a student, printed by a failing test |
 //! | [`io`] | formats in and out |
 //! | [`figure`] | drawings as SVG |
 //!
@@ -47,6 +48,7 @@ pub mod figure;
 pub mod ids;
 pub mod io;
 pub mod plane;
+pub mod script;
 pub mod solid;
 pub mod topology;
 

@@ -280,6 +280,19 @@ fn representatives_are_compared_on_request_only() {
     assert!(same_with(&square, &other, &options).is_err());
 }
 
+#[test]
+fn isolated_vertices_are_matched_by_their_keys_in_any_order() {
+    let one = planar(6, &[vec![0, 1, 2]]);
+    let mut other = one.clone();
+    other.faces[0].as_mut().unwrap().rings.reverse();
+    let key = |x: VertexId| [u64::from(x.number().max(2)), 0];
+    let turned = |x: VertexId| [u64::from(if x.number() > 2 { 8 - x.number() } else { 2 }), 0];
+    for (table, there) in [(&one, &key as &dyn Fn(VertexId) -> [u64; 2]), (&other, &key), (&one, &turned)] {
+        let to = same_with(&one, table, &SameOptions::new().keys(&key, there)).unwrap();
+        assert!((3..6).all(|i| there(to.vertices[v(i)].unwrap()) == key(v(i))));
+    }
+}
+
 /// `count` polygons with `corners` corners, each cut by diagonals from its first corner to the corners in `cut`.
 fn many_islands(count: u32, corners: u32, cut: impl Fn(u32) -> Vec<u32>) -> Table {
     let mut faces = Vec::new();

@@ -55,6 +55,7 @@ fn legal_structures_break_no_law() {
         assert!(brute::legal(&Table::from_view(&dcel)), "{name}");
         assert_eq!(texts(&Table::from_view(&dcel)), [""; 0], "{name}");
     }
+    assert_eq!(texts(&dual_of_polygon(5)), [""; 0]);
     let empty_plane = planar(0, &[]);
     let points = planar(3, &[]);
     for table in [Table::default(), empty_plane, points, islands(), nested(), triangle_grid(4, 3)] {
@@ -281,6 +282,16 @@ fn a_violation_carries_its_elements_its_chain_and_the_two_values() {
 }
 
 #[test]
+fn a_round_over_links_that_are_reported_already_is_not_judged() {
+    // next of h0 and h4 swapped: by next alone v1 has two rounds, by prev one. N2 says it all.
+    let mut swapped = dual_of_polygon(4);
+    let [a, b] = [0, 4].map(|i| swapped.half_edges[i].unwrap().next);
+    (row(&mut swapped, h(0)).next, row(&mut swapped, h(4)).next) = (b, a);
+    let rules: Vec<&str> = violations(&swapped).iter().map(|violation| violation.rule.id).collect();
+    assert_eq!(rules, ["N2", "N1", "N2", "N1", "F1", "F1"]);
+}
+
+#[test]
 fn the_table_of_rules_in_the_docs_is_the_table_of_rules() {
     let docs = include_str!("../src/topology/validate.rs");
     let rows: Vec<&str> = docs.lines().filter_map(|line| line.strip_prefix("//! | ")).skip(1).collect();
@@ -499,7 +510,15 @@ fn hostile(n: u32) -> Vec<(&'static str, Table)> {
     let mut cycle = chain(&|i| (i + 1) % n, &|i| (i + last) % n, &|_| 0);
     cycle.half_edges.iter_mut().flatten().for_each(|row| row.face = Some(f(0)));
     cycle.faces[0].as_mut().unwrap().rings = (0..n).map(|i| Ring::Cycle(h(i))).collect();
+    // Sound all round but for one place, so that the walks do run, and end nowhere.
+    let mut cut_open = Table::from_view(&Dcel::polygon(n as usize).unwrap());
+    row(&mut cut_open, h(2 * last)).next = None;
+    row(&mut cut_open, h(1)).next = None;
+    let mut fan_open = dual_of_polygon(n);
+    row(&mut fan_open, h(2 * last)).twin = None;
     vec![
+        ("a polygon cut open", cut_open),
+        ("a star cut open", fan_open),
         ("a tail into its own end", chain(&|i| (i + 1).min(last), &|i| i.saturating_sub(1), &|i| i)),
         (
             "everything into the tail",
@@ -511,9 +530,32 @@ fn hostile(n: u32) -> Vec<(&'static str, Table)> {
     ]
 }
 
+/// `n` edges between two vertices: n faces with two half-edges each, h(2i) from v0 to v1.
+fn dual_of_polygon(n: u32) -> Table {
+    let half = |i: u32| {
+        // h(2i) is followed by h(2i + 3), the back of the next edge.
+        let (edge, back) = (i / 2, i % 2);
+        let other = if back == 0 { 2 * ((edge + 1) % n) + 1 } else { 2 * ((edge + n - 1) % n) };
+        HalfEdgeRow {
+            origin: Some(v(back)),
+            twin: Some(h(i ^ 1)),
+            next: Some(h(other)),
+            prev: Some(h(other)),
+            face: Some(f(if back == 0 { edge } else { (edge + n - 1) % n })),
+        }
+    };
+    let face = |i: u32| dcel_kit::topology::FaceRow { boundary: Some(h(2 * i)), ..Default::default() };
+    Table {
+        vertices: [0, 1].map(|a| Some(VertexRow { position: None, outgoing: Some(h(a)) })).to_vec(),
+        half_edges: (0..2 * n).map(|i| Some(half(i))).collect(),
+        faces: (0..n).map(|i| Some(face(i))).collect(),
+        outer_face: None,
+    }
+}
+
 #[test]
 fn the_work_is_linear_on_hostile_views() {
-    for i in 0..5 {
+    for i in 0..7 {
         let [small, large] = [1_000, 8_000].map(|n| {
             let (name, table) = hostile(n).swap_remove(i);
             let view = Counting(&table, Cell::new(0));
@@ -525,9 +567,9 @@ fn the_work_is_linear_on_hostile_views() {
         });
         assert!(large <= 8 * small + 100, "{i}: {small} calls for 1,000 half-edges, {large} for 8,000");
     }
-    // Calls of the view are not all the work: 400,000 half-edges would take minutes if anything were quadratic.
+    // Calls of the view are not all the work: 200,000 half-edges would take minutes if anything were quadratic.
     let start = Instant::now();
-    for (name, table) in hostile(400_000) {
+    for (name, table) in hostile(200_000) {
         assert!(first_violation(&table).is_some(), "{name}");
         let mut count = 0_usize;
         let _ = visit_violations(&table, &mut |_| {
@@ -536,7 +578,7 @@ fn the_work_is_linear_on_hostile_views() {
         });
         assert!(count > 0, "{name}");
     }
-    assert!(start.elapsed() < Duration::from_secs(60), "{:?}", start.elapsed());
+    assert!(start.elapsed() < Duration::from_secs(20), "{:?}", start.elapsed());
 }
 
 fn brute_is_legal_if_small(n: u32, table: &Table) -> bool {

@@ -8,7 +8,7 @@ use super::{Answer, Failure, Output};
 use dcel_kit::figure::{self, Detail, FaceLabels, Figure, FigureOptions};
 use std::path::{Path, PathBuf};
 
-/// Draw a structure as SVG
+/// Draw a structure as SVG, or as a page to click through
 ///
 /// Arrows run on the left of their edge, bounded faces are tinted, the outer face is hatched. A
 /// broken .dcel file is drawn as far as possible.
@@ -20,6 +20,8 @@ Examples:
   dcel figure square.dcel --tables --highlight h5 > row.svg
   dcel figure --records > records.svg
   dcel figure square.dcel --title \"Two rooms\" > two.svg
+  dcel figure square.obj --interactive -o hover.svg
+  dcel figure square.obj --html square.html
   dcel figure figures/data/states-albers-10m.json \\
     --y-down --drop-degenerate-rings --width 960 \\
     -o states.svg
@@ -31,13 +33,16 @@ pub(crate) struct Args {
     #[arg(value_name = "IN", required_unless_present = "records")]
     file: Option<PathBuf>,
     /// The type diagram of the records; needs no file
-    #[arg(long, conflicts_with_all = ["file", "kind"])]
+    #[arg(long, conflicts_with_all = ["file", "kind", "html"])]
     records: bool,
     #[command(flatten)]
     kind: Kind,
-    /// The SVG file to write [default: standard output]
+    /// The SVG file to write [default: standard output, nothing with --html]
     #[arg(short, long, value_name = "OUT.svg")]
     output: Option<PathBuf>,
+    /// Write a self-contained page: the picture, its tables, buttons to walk
+    #[arg(long, value_name = "OUT.html", conflicts_with_all = ["records", "kind"])]
+    html: Option<PathBuf>,
     #[command(flatten)]
     drawing: Drawing,
     #[command(flatten)]
@@ -62,6 +67,9 @@ struct Drawing {
     /// How much to draw [default: as much as there is room for]
     #[arg(long, value_name = "LEVEL")]
     detail: Option<Level>,
+    /// Half-edges show their pointers under the mouse, with the keyboard's focus, and by #id
+    #[arg(long, conflicts_with_all = ["records", "kind"])]
+    interactive: bool,
     /// No names at all
     #[arg(long)]
     no_labels: bool,
@@ -109,10 +117,13 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let target = args.output.as_deref().filter(|path| path.as_os_str() != "-");
     let Some(file) = &args.file else {
         let options = args.looks.page(args.drawing.options(Path::new("The records of a half-edge structure")))?;
-        return write(&figure::records(&options), target, out);
+        return answer(&figure::records(&options), target, out);
     };
     if let Some(path) = target {
-        check_target(path, file)?;
+        check_target(path, file, &["svg"])?;
+    }
+    if let Some(path) = &args.html {
+        check_target(path, file, &["html", "htm"])?;
     }
     let subject = args.input.open(file)?;
     let Some(view) = subject.planar() else {
@@ -124,26 +135,39 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     };
     let names = subject.faces().filter_map(|f| Some((f, subject.name(f)?)));
     let options = args.looks.apply(args.drawing.options(file).face_names(names), &subject)?;
-    let figure =
-        args.kind.draw(view, &options).map_err(|error| Failure::input(format!("{}: {error}", subject.source), ""))?;
+    let refused = |error| Failure::input(format!("{}: {error}", subject.source), "");
+    if let Some(path) = &args.html {
+        let page = figure::page(view, &options).map_err(refused)?;
+        save(path, page.to_html())?;
+        if args.output.is_none() {
+            page.figure().notes().iter().for_each(|note| say("note", note));
+            return Ok(Answer::Yes);
+        }
+    }
+    let figure = args.kind.draw(view, &options).map_err(refused)?;
     figure.notes().iter().for_each(|note| say("note", note));
-    write(&figure, target, out)
+    answer(&figure, target, out)
 }
 
-fn write(figure: &Figure, target: Option<&Path>, out: &mut Output) -> Result<Answer, Failure> {
+fn answer(figure: &Figure, target: Option<&Path>, out: &mut Output) -> Result<Answer, Failure> {
     match target {
         None => figure.write_svg(out)?,
-        Some(path) => {
-            std::fs::write(path, figure.to_svg()).map_err(|error| Failure::writing(path.display(), &error))?
-        }
+        Some(path) => save(path, &figure.to_svg())?,
     }
     Ok(Answer::Yes)
 }
 
-fn check_target(path: &Path, input: &Path) -> Result<(), Failure> {
-    let svg = |extension: &std::ffi::OsStr| extension.eq_ignore_ascii_case("svg");
-    if path.extension().is_some_and(|extension| !svg(extension)) {
-        return Err(Failure::input(format!("{}: figures are SVG", path.display()), "give a name that ends in .svg"));
+fn save(path: &Path, text: &str) -> Result<(), Failure> {
+    std::fs::write(path, text).map_err(|error| Failure::writing(path.display(), &error))
+}
+
+/// The first of `endings` is the usual one.
+fn check_target(path: &Path, input: &Path, endings: &[&str]) -> Result<(), Failure> {
+    let fits = |extension: &std::ffi::OsStr| endings.iter().any(|ending| extension.eq_ignore_ascii_case(ending));
+    if path.extension().is_some_and(|extension| !fits(extension)) {
+        let kind = endings[0].to_uppercase();
+        let what = format!("{}: this would be {kind}", path.display());
+        return Err(Failure::input(what, format!("give a name that ends in .{}", endings[0])));
     }
     if super::output::is_same_file(input, path) {
         return Err(Failure::input(format!("{}: this is the input itself", path.display()), "choose another name"));
@@ -157,6 +181,7 @@ impl Drawing {
         let title = self.title.clone().or(stem).unwrap_or_else(|| "Half-edge structure".to_owned());
         let mut options = FigureOptions::new(title)
             .vertex_labels(!self.no_labels && !self.no_vertex_labels)
+            .interactive(self.interactive)
             .half_edge_labels(!self.no_labels && !self.no_half_edge_labels)
             .face_labels(match self.face_labels {
                 _ if self.no_labels => FaceLabels::Off,

@@ -4,7 +4,7 @@ use super::input::InputOptions;
 use super::subject::{Kind, Subject};
 use super::{Answer, Failure, Output};
 use dcel_kit::plane::{Subdivision, TableError};
-use dcel_kit::topology::{Counts, Mode, Ring, first_violation, measure_with};
+use dcel_kit::topology::{Counts, Ring, first_violation, measure_with};
 use dcel_kit::{FaceId, FaceMap, HalfEdgeId, VertexMap};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -137,10 +137,7 @@ impl Info {
         Self {
             source: subject.source.clone(),
             format: subject.format.name(),
-            mode: match subject.mode() {
-                Mode::Plane => "plane",
-                Mode::Surface => "surface",
-            },
+            mode: subject.mode_name(),
             valid,
             vertices: counts.vertices,
             edges: counts.edges,

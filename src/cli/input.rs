@@ -3,7 +3,9 @@
 use super::failure::{Failure, say};
 use super::subject::{Kind, Subject};
 use dcel_kit::FaceMap;
-use dcel_kit::io::{Document, Format, LoadError, LoadOptions, Read, ReadOptions, Structure, assemble, read_path};
+use dcel_kit::io::{
+    Document, Format, LoadError, LoadOptions, Read, ReadOptions, Structure, assemble, read_path, source_name,
+};
 use dcel_kit::topology::Mode;
 use std::path::Path;
 
@@ -40,7 +42,7 @@ pub(crate) struct InputOptions {
 /// What comes out of a file.
 pub(crate) enum Opened {
     /// Something to work with.
-    Subject(Subject),
+    Subject(Box<Subject>),
     /// A file that could be read, and whose polygons do not fit together.
     Misfit(LoadError),
 }
@@ -59,7 +61,7 @@ impl InputOptions {
     /// The same; unless `keep_tables`, a table must be a subdivision of the plane and becomes one.
     pub(crate) fn open_as(&self, file: &Path, keep_tables: bool) -> Result<Subject, Failure> {
         match self.try_open(file, keep_tables)? {
-            Opened::Subject(subject) => Ok(subject),
+            Opened::Subject(subject) => Ok(*subject),
             Opened::Misfit(error) => Err(error.into()),
         }
     }
@@ -68,7 +70,7 @@ impl InputOptions {
     pub(crate) fn try_open(&self, file: &Path, keep_tables: bool) -> Result<Opened, Failure> {
         let options = self.load_options();
         let read = read_path(file, &options.read)?;
-        let source = if file.as_os_str() == "-" { "<stdin>".to_owned() } else { file.display().to_string() };
+        let source = source_name(file);
         if matches!(read.document, Document::Table(_)) && (self.surface || self.plane || self.orient) {
             say("note", "--surface, --plane and --orient are for polygons; a table says itself what it is");
         }
@@ -76,7 +78,13 @@ impl InputOptions {
             Read { document: Document::Table(table), notes, format } if keep_tables => {
                 notes.iter().for_each(|note| say("note", note));
                 let (names, places) = (FaceMap::default(), None);
-                return Ok(Opened::Subject(Subject { kind: Kind::Table(table), names, source, format, places }));
+                return Ok(Opened::Subject(Box::new(Subject {
+                    kind: Kind::Table(table),
+                    names,
+                    source,
+                    format,
+                    places,
+                })));
             }
             read => match assemble(read, &source, &options) {
                 Ok(loaded) => loaded,
@@ -90,7 +98,7 @@ impl InputOptions {
             other => return Err(Failure::input(format!("{source}: {other:?} is not known"), "")),
         };
         let (names, format, places) = (loaded.names, loaded.format, loaded.places);
-        Ok(Opened::Subject(Subject { kind, names, source, format, places }))
+        Ok(Opened::Subject(Box::new(Subject { kind, names, source, format, places })))
     }
 
     fn load_options(&self) -> LoadOptions {

@@ -9,6 +9,7 @@
 //! ```
 
 mod answer;
+mod camera;
 mod completions;
 mod convert;
 mod failure;
@@ -21,6 +22,7 @@ mod lesson;
 mod looks;
 mod output;
 mod references;
+mod script;
 mod subject;
 mod tour;
 mod validate;
@@ -59,6 +61,7 @@ enum Command {
     Walk(walk::Args),
     Convert(convert::Args),
     Figure(Box<figure::Args>),
+    Script(script::Args),
     Tour(tour::Args),
     Figures(figures::Args),
     Completions(completions::Args),
@@ -72,6 +75,7 @@ impl Command {
             Self::Walk(args) => walk::run(&args, out),
             Self::Convert(args) => convert::run(&args, out),
             Self::Figure(args) => figure::run(&args, out),
+            Self::Script(args) => script::run(&args, out),
             Self::Tour(args) => tour::run(&args, out),
             Self::Figures(args) => figures::run(&args, out),
             Self::Completions(args) => completions::run(&args, out),

@@ -1,10 +1,12 @@
 //! The reference figures: what stands in `figures/`, and how each is made.
 
 use super::Failure;
+use super::camera::film;
 use super::lesson::{self, LessonError};
 use dcel_kit::figure::{self, FigureError, FigureOptions, NearlyCollinear, Pointers};
 use dcel_kit::ids::HalfEdgeId;
 use dcel_kit::plane::Subdivision;
+use dcel_kit::script::{Script, ScriptError};
 use std::path::Path;
 
 /// Why a reference figure cannot be drawn.
@@ -14,6 +16,8 @@ pub(crate) enum ReferenceError {
     Lesson(#[from] LessonError),
     #[error(transparent)]
     Figure(#[from] FigureError),
+    #[error(transparent)]
+    Script(#[from] ScriptError),
 }
 
 /// A figure of the project, regenerated and compared by `dcel figures`.
@@ -27,11 +31,28 @@ pub(crate) struct Reference {
 }
 
 /// All reference figures, in the order of their files.
-static REFERENCES: [Reference; 10] = [
+static REFERENCES: &[Reference] = &[
     Reference {
         file: "cube.svg",
         about: "a half-edge structure of 8 vertices, 12 edges and 6 faces, the outer one counted",
         draw: || structure(&lesson::cube()?, "A half-edge structure"),
+    },
+    Reference {
+        file: "film-join-faces.svg",
+        about: "join_faces step by step: the inverse of split_face",
+        draw: || strip(include_str!("../../figures/scripts/join-faces.dcels"), "A film of join_faces", "join-faces"),
+    },
+    Reference {
+        file: "film-split-face.svg",
+        about: "split_face step by step: what each step of the handout links",
+        draw: || strip(include_str!("../../figures/scripts/split-face.dcels"), "A film of split_face", "split-face"),
+    },
+    Reference {
+        file: "film-split-in-half.svg",
+        about: "split_in_half step by step",
+        draw: || {
+            strip(include_str!("../../figures/scripts/split-in-half.dcels"), "A film of split_in_half", "split-in-half")
+        },
     },
     Reference {
         file: "focus.svg",
@@ -39,6 +60,14 @@ static REFERENCES: [Reference; 10] = [
         draw: || {
             let options = FigureOptions::new("One half-edge, five pointers").id_prefix("focus");
             Ok(figure::focus(&lesson::cube()?, HalfEdgeId::new(23), &options)?.to_svg())
+        },
+    },
+    Reference {
+        file: "interactive.svg",
+        about: "point at a half-edge, or write its name behind the address, to see its pointers",
+        draw: || {
+            let options = FigureOptions::new("A half-edge structure to point at").interactive(true);
+            Ok(figure::structure(&lesson::cube()?, &options.id_prefix("cube"))?.to_svg())
         },
     },
     Reference {
@@ -93,6 +122,14 @@ static REFERENCES: [Reference; 10] = [
         },
     },
     Reference {
+        file: "stepper-split-face.svg",
+        about: "the film of split_face one frame at a time, by links, without a script",
+        draw: || {
+            let script = Script::parse(include_str!("../../figures/scripts/split-face.dcels"), "split-face.dcels")?;
+            Ok(film(&script).stepper(&FigureOptions::new("Steps of split_face").id_prefix("steps"))?.to_svg())
+        },
+    },
+    Reference {
         file: "tables.svg",
         about: "the lab's subdivision beside its tables, one half-edge marked in both",
         draw: || {
@@ -101,6 +138,11 @@ static REFERENCES: [Reference; 10] = [
         },
     },
 ];
+
+fn strip(script: &str, title: &str, prefix: &str) -> Result<String, ReferenceError> {
+    let script = Script::parse(script, title)?;
+    Ok(film(&script).strip(&FigureOptions::new(title).id_prefix(prefix))?.to_svg())
+}
 
 fn structure(subdivision: &Subdivision, title: &str) -> Result<String, ReferenceError> {
     Ok(figure::structure(subdivision, &FigureOptions::new(title))?.to_svg())

@@ -46,6 +46,13 @@ impl Subject {
         if self.view().outer_face().is_some() { Mode::Plane } else { Mode::Surface }
     }
 
+    pub(crate) fn mode_name(&self) -> &'static str {
+        match self.mode() {
+            Mode::Plane => "plane",
+            Mode::Surface => "surface",
+        }
+    }
+
     /// Two or three coordinates.
     pub(crate) fn position(&self, v: VertexId) -> Option<Vec<f64>> {
         match &self.kind {

@@ -5,7 +5,7 @@ use super::input::{InputOptions, Opened};
 use super::subject::{Kind, Subject};
 use super::{Answer, Failure, Output};
 use dcel_kit::VertexId;
-use dcel_kit::io::LoadError;
+use dcel_kit::io::{LoadError, source_name};
 use dcel_kit::plane::{GEOMETRY_RULES, GeometryViolation, Subdivision, TableError};
 use dcel_kit::topology::{Mode, Rule, Violation, violations};
 use serde::Serialize;
@@ -75,7 +75,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     // The full check is made here, so that it names everything it finds.
     let report = match args.input.without_full_check().try_open(file, true)? {
         Opened::Subject(subject) => Report::of(&subject),
-        Opened::Misfit(error) => Report::misfit(file.display().to_string(), &error),
+        Opened::Misfit(error) => Report::misfit(source_name(file), &error),
     };
     if args.json {
         out.json(&report)?;
@@ -96,12 +96,8 @@ impl Report {
         } else if subject.mode() == Mode::Plane {
             unchecked.push("the laws of the plane: first those of the structure must hold".to_owned());
         }
-        let mode = match subject.mode() {
-            Mode::Plane => "plane",
-            Mode::Surface => "surface",
-        };
-        let source = subject.source.clone();
-        Self { source, mode: Some(mode), valid: faults.is_empty(), violations: faults, unchecked }
+        let (source, mode) = (subject.source.clone(), Some(subject.mode_name()));
+        Self { source, mode, valid: faults.is_empty(), violations: faults, unchecked }
     }
 
     fn misfit(source: String, error: &LoadError) -> Self {

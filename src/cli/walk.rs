@@ -87,9 +87,9 @@ fn finish<T: serde::Serialize>(
     print: impl FnOnce(&mut Output) -> std::io::Result<()>,
 ) -> Result<Answer, Failure> {
     if json {
-        out.json(value)?
+        out.json(value)?;
     } else {
-        print(out)?
+        print(out)?;
     }
     Ok(Answer::Yes)
 }

@@ -86,6 +86,24 @@ impl Crowd {
     pub(super) fn add(&mut self, shape: Shape, tag: u32) {
         let number = self.shapes.len() as u32;
         self.shapes.push((shape, tag));
+        self.each_bucket(shape, |bucket| bucket.push(number));
+    }
+
+    /// The number of shapes.
+    pub(super) fn len(&self) -> usize {
+        self.shapes.len()
+    }
+
+    /// Takes the latest shapes away until `len` are left. O(buckets they touch).
+    pub(super) fn truncate(&mut self, len: usize) {
+        while self.shapes.len() > len {
+            if let Some((shape, _)) = self.shapes.pop() {
+                self.each_bucket(shape, |bucket| bucket.truncate(bucket.len() - 1));
+            }
+        }
+    }
+
+    fn each_bucket(&mut self, shape: Shape, mut visit: impl FnMut(&mut Vec<u32>)) {
         let bounds = shape.bounds();
         for row in self.row(bounds.min.y)..=self.row(bounds.max.y) {
             let (left, right) = match shape {
@@ -93,7 +111,7 @@ impl Crowd {
                 _ => (bounds.min.x, bounds.max.x),
             };
             for column in self.column(left)..=self.column(right) {
-                self.cells[row * self.columns + column].push(number);
+                visit(&mut self.cells[row * self.columns + column]);
             }
         }
     }

@@ -23,7 +23,7 @@ use crate::ids::HalfEdgeId;
 use crate::plane::PlanarView;
 
 /// Where the twin arrow stands, so that the face arrow has the middle.
-const TWIN_AT: f64 = 0.36;
+pub(super) const TWIN_AT: f64 = 0.36;
 /// Size of the names of the pointers, and of the rows beside the picture.
 const NAME: f64 = 12.0;
 const ROW: f64 = 13.0;

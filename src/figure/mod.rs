@@ -5,6 +5,7 @@
 //!            skeleton.rs  what can be drawn        scene.rs    groups, lines, areas, discs, texts
 //!            fit.rs       scale, level of detail   svg_out.rs  crate svg
 //!            vertices.rs  half_edges.rs  faces.rs  tints.rs   labels.rs captions.rs leaders.rs (crowd.rs, pole.rs)  tiles.rs
+//!   film/    edits, frame by frame
 //! ```
 //!
 //! Reading rules of every figure: arrows run on the left of their edge and their one-sided barb points to
@@ -33,14 +34,17 @@ mod crop;
 mod crowd;
 mod face_arrows;
 mod faces;
+mod film;
 mod fit;
 mod focus;
 mod half_edges;
+mod interactive;
 mod labels;
 mod leaders;
 mod number;
 mod options;
 mod overrides;
+mod page;
 mod panels;
 mod part;
 mod plain;
@@ -64,9 +68,11 @@ mod unit;
 mod vector;
 mod vertices;
 
+pub use film::{Fate, Film, Frame, Written};
 pub use focus::focus;
 pub use options::{Detail, FaceLabels, FigureOptions};
 pub use overrides::{Overrides, OverridesError};
+pub use page::{Page, page};
 pub use panels::pointers;
 pub use pointer::Pointers;
 pub use records::records;

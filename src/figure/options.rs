@@ -66,6 +66,7 @@ pub struct FigureOptions {
     pub(super) crop: Option<[Point; 2]>,
     pub(super) unit: Unit,
     pub(super) plain: bool,
+    pub(super) interactive: bool,
     pub(super) names: FaceMap<Option<String>>,
 }
 
@@ -95,6 +96,7 @@ impl FigureOptions {
             crop: None,
             unit: Unit::Px,
             plain: false,
+            interactive: false,
             names: FaceMap::default(),
         }
     }
@@ -167,6 +169,15 @@ impl FigureOptions {
     #[must_use]
     pub fn face_labels(mut self, labels: FaceLabels) -> Self {
         self.face_labels = labels;
+        self
+    }
+
+    /// Whether the half-edge under the mouse, with the keyboard's focus or named by the address (`file.svg#FIG-h5`)
+    /// shows its pointers: next, prev (as the next of that), twin, face and origin. No script is needed. Needs
+    /// [`Detail::Arrows`] at least. Default: no.
+    #[must_use]
+    pub fn interactive(mut self, on: bool) -> Self {
+        self.interactive = on;
         self
     }
 

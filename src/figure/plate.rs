@@ -37,6 +37,10 @@ pub(super) enum Mark {
     Dim,
     /// Bold: what the drawing is about.
     Hot,
+    /// It has just come.
+    New,
+    /// It has just gone.
+    Gone,
     /// Not at all.
     Hidden,
 }
@@ -48,6 +52,8 @@ impl Mark {
             Self::Plain | Self::Hidden => "",
             Self::Dim => "dim",
             Self::Hot => "hot",
+            Self::New => "made",
+            Self::Gone => "gone",
         }
     }
 }
@@ -193,8 +199,15 @@ impl<'a, V: PlanarView + ?Sized> Plate<'a, V> {
     /// Faces, edges, half-edges, `pointers` and vertices of the placed view itself, or of another one whose
     /// elements have places here.
     pub(super) fn nodes<W: PlanarView + ?Sized>(&self, view: &W, look: &Look, pointers: Vec<Node>) -> Vec<Node> {
+        let mut nodes = self.areas(view, look);
+        nodes.extend(self.lines(view, look, pointers));
+        nodes
+    }
+
+    /// The faces alone.
+    pub(super) fn areas<W: PlanarView + ?Sized>(&self, view: &W, look: &Look) -> Vec<Node> {
         let Picture { options, ref skeleton, fit, detail, .. } = self.picture;
-        let mut nodes = if std::ptr::addr_eq(view, self.picture.view) {
+        if std::ptr::addr_eq(view, self.picture.view) {
             let labels = &self.labels;
             self.picture.face_nodes(&self.regions, &labels.faces, labels.outer.as_ref(), &self.open, look)
         } else {
@@ -203,8 +216,13 @@ impl<'a, V: PlanarView + ?Sized> Plate<'a, V> {
             let regions = regions(view, skeleton, &cycles);
             let labels: Vec<Option<Label>> = regions.iter().map(|region| self.face_label(region)).collect();
             frame.face_nodes(&regions, &labels, self.labels.outer.as_ref(), &cycles.open, look)
-        };
-        nodes.push(Node::Group(self.edge_group(look)));
+        }
+    }
+
+    /// Everything but the faces.
+    pub(super) fn lines<W: PlanarView + ?Sized>(&self, view: &W, look: &Look, pointers: Vec<Node>) -> Vec<Node> {
+        let detail = self.picture.detail;
+        let mut nodes = vec![Node::Group(self.edge_group(look))];
         if detail >= Detail::Arrows {
             let shown = half_edges(view).filter(|&h| look.half_edge(h) != Mark::Hidden);
             nodes.extend(shown.map(|h| Node::Group(self.half_edge_group(view, h, look))));

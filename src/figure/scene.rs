@@ -106,6 +106,8 @@ pub(super) struct Group {
     pub(super) class: &'static str,
     /// A further class: how the group is marked. Empty: not at all.
     pub(super) mark: &'static str,
+    /// The id that a click leads to, without the prefix of the scene.
+    pub(super) link: Option<String>,
     /// How far everything inside is moved.
     pub(super) shift: Option<Xy>,
     /// Without the prefix of the scene.

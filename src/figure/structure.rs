@@ -18,7 +18,7 @@ use super::plate::{Look, Mark, Plate};
 use super::scene::{Group, Hatch, Node, Polylines, Scene, tenths};
 use super::skeleton::{Cycles, Skeleton, faces, half_edges, ids, vertices};
 use super::vector::{Bounds, Xy, xy};
-use super::{Detail, Figure, FigureError, FigureOptions, crop, number, tiles, tints};
+use super::{Detail, Figure, FigureError, FigureOptions, crop, interactive, number, tiles, tints};
 use crate::ids::{FaceId, HalfEdgeId, Id, VertexId, VertexMap};
 use crate::plane::{CoordinateError, LARGEST, PlanarView};
 
@@ -55,6 +55,9 @@ fn draw<V: PlanarView + ?Sized>(view: &V, options: &FigureOptions) -> Result<Fig
     let detail = picture.detail;
     if detail >= Detail::Edges {
         let plate = Plate::place(picture, notes, &[]);
+        if options.interactive && detail >= Detail::Arrows {
+            return Ok(interactive::figure(plate));
+        }
         let scene = plate.picture.scene(plate.nodes(view, &Look::default(), Vec::new()));
         return Ok(Figure { scene, detail, notes: plate.notes.0 });
     }

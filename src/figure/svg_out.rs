@@ -8,7 +8,9 @@ use super::number::{drawn, push, push_tenths};
 use super::scene::{Group, Hatch, Node, Polylines, Scene, Step};
 use super::vector::Xy;
 use svg::node::Text as Characters;
-use svg::node::element::{Definitions, Description, Element, Line, Path, Pattern, Rectangle, Style, Text, Title};
+use svg::node::element::{
+    Anchor, Definitions, Description, Element, Line, Path, Pattern, Rectangle, Style, Text, Title,
+};
 
 /// The whole document, with a line break at its end.
 pub(super) fn document(scene: &Scene) -> String {
@@ -112,7 +114,10 @@ fn group(group: &Group, prefix: &str) -> Element {
     for node in &group.nodes {
         out = out.add(element(node, prefix));
     }
-    out.into()
+    match &group.link {
+        Some(id) => Anchor::new().set("href", format!("#{prefix}-{id}")).add(out).into(),
+        None => out.into(),
+    }
 }
 
 fn area(class: &str, hatch: Option<&str>, prefix: &str, data: String) -> Element {

@@ -11,7 +11,7 @@
 
 use super::format::Format;
 use super::problem::ReadError;
-use super::read::{Document, Read, ReadOptions, read_path};
+use super::read::{Document, Read, ReadOptions, read_path, source_name};
 use super::soup::{Places, PolygonSoup};
 use crate::ids::{FaceId, FaceMap, VertexId};
 use crate::plane::{ConvertError, ConvertOptions, Converted, Point, Subdivision, TableError};
@@ -167,8 +167,7 @@ impl LoadError {
 /// # Errors
 /// [`LoadError`] with the places of what does not fit.
 pub fn load(path: &Path, options: &LoadOptions) -> Result<Loaded, LoadError> {
-    let source = if path.as_os_str() == "-" { "<stdin>".to_owned() } else { path.display().to_string() };
-    assemble(read_path(path, &options.read)?, &source, options)
+    assemble(read_path(path, &options.read)?, &source_name(path), options)
 }
 
 /// Makes a structure of what was read. `source_name` is what errors call the file of a table.
@@ -212,7 +211,12 @@ pub fn assemble(read: Read, source_name: &str, options: &LoadOptions) -> Result<
             }
             (plane(points, &faces, &places, format, options, &mut notes)?, 1)
         }
-        Mode::Surface => (surface(points, &faces, &places, &mut notes)?, 0),
+        Mode::Surface => {
+            if options.orient {
+                notes.push("no face was turned round: that is done in the plane only".to_owned());
+            }
+            (surface(points, &faces, &places, &mut notes)?, 0)
+        }
     };
     let mut by_face = FaceMap::default();
     for (i, name) in names.into_iter().enumerate().filter(|(_, name)| name.is_some()) {

@@ -47,6 +47,6 @@ pub use load::{LoadError, LoadOptions, Loaded, Structure, assemble, load};
 pub use model::Model;
 pub use near::closest;
 pub use problem::{ReadError, ReadProblem};
-pub use read::{Document, Read, ReadOptions, read_bytes, read_path, read_triangle};
+pub use read::{Document, Read, ReadOptions, read_bytes, read_path, read_triangle, source_name};
 pub use soup::{Places, PolygonSoup};
 pub use write::{Number, WriteError, write, write_path, write_triangle};

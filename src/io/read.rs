@@ -107,7 +107,7 @@ pub fn read_triangle(
 /// As [`read_bytes`], and what the machine says.
 pub fn read_path(path: &Path, options: &ReadOptions) -> Result<Read, ReadError> {
     let stdin = path.as_os_str() == "-";
-    let source = if stdin { "<stdin>".to_owned() } else { path.display().to_string() };
+    let source = source_name(path);
     let bytes = if stdin { load(std::io::stdin().lock(), &source)? } else { load_path(path)? };
     let by_name = || if stdin { None } else { Format::from_path(path).filter(|format| format.can_read()) };
     match options.format.or_else(by_name).or_else(|| Format::from_content(&bytes)) {
@@ -120,6 +120,12 @@ pub fn read_path(path: &Path, options: &ReadOptions) -> Result<Read, ReadError> 
             Err(ReadError::whole(&source, ReadProblem::UnknownFormat, help))
         }
     }
+}
+
+/// What errors call the file: its path, or `<stdin>` for `-`.
+#[must_use]
+pub fn source_name(path: &Path) -> String {
+    if path.as_os_str() == "-" { "<stdin>".to_owned() } else { path.display().to_string() }
 }
 
 /// Reads `path` and the file that belongs to it.

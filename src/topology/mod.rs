@@ -6,7 +6,7 @@
 //!   walk.rs      round a face, round a vertex
 //!   edit/        split_face, join_faces, split_edge, join_edges
 //!   seed.rs      polygons to start from        build.rs     from lists of polygons
-//!   record.rs    watching an edit              view.rs, table.rs   reading any structure
+//!   record.rs    watching an edit              view.rs, table.rs   reading any structure   replay.rs  an edit on a table
 //!   validate.rs  the laws                      same.rs      equality up to names      measure.rs  counts
 //! ```
 
@@ -18,6 +18,7 @@ mod measure;
 mod polygons;
 mod pool;
 mod record;
+mod replay;
 mod same;
 mod seed;
 mod table;

@@ -347,3 +347,19 @@ impl Order {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::topology::NoRecorder;
+
+    #[test]
+    fn compact_keeps_what_no_boundary_reaches() {
+        let mut dcel = Dcel::polygon(3).expect("three corners");
+        let (v, f) = (dcel.add_vertex_record(&mut NoRecorder), dcel.add_face_record(&mut NoRecorder));
+        let map = dcel.compact();
+        assert_eq!((map.vertices[v], map.faces[f]), (Some(VertexId(3)), Some(FaceId(2))));
+        assert_eq!((dcel.vertex_count(), dcel.face_count()), (4, 3));
+        assert_eq!((dcel.outgoing(VertexId(3)), dcel.boundary(FaceId(2))), (None, None));
+    }
+}

@@ -21,7 +21,34 @@ use std::iter::FusedIterator;
 #[derive(Clone, Debug)]
 pub struct Cycle<'a> {
     dcel: &'a Dcel,
-    ends: Option<(HalfEdgeId, HalfEdgeId)>,
+    rest: Rest,
+}
+
+/// The half-edges that start at one vertex, counter-clockwise (from the back: clockwise).
+#[derive(Clone, Debug)]
+pub struct Star<'a> {
+    dcel: &'a Dcel,
+    rest: Rest,
+}
+
+/// What is left of a round: from the first half-edge up to, not including, the second. If they are the same, the
+/// whole round is left; if nothing is left, it is `None`. So a walk reads only the links of its own direction.
+type Rest = Option<(HalfEdgeId, HalfEdgeId)>;
+
+#[inline]
+fn step_forward(rest: &mut Rest, after: impl Fn(HalfEdgeId) -> HalfEdgeId) -> Option<HalfEdgeId> {
+    let (front, end) = (*rest)?;
+    let next = after(front);
+    *rest = (next != end).then_some((next, end));
+    Some(front)
+}
+
+#[inline]
+fn step_back(rest: &mut Rest, before: impl Fn(HalfEdgeId) -> HalfEdgeId) -> Option<HalfEdgeId> {
+    let (front, end) = (*rest)?;
+    let last = before(end);
+    *rest = (last != front).then_some((front, last));
+    Some(last)
 }
 
 impl Iterator for Cycle<'_> {
@@ -29,47 +56,32 @@ impl Iterator for Cycle<'_> {
 
     #[inline]
     fn next(&mut self) -> Option<HalfEdgeId> {
-        let (front, back) = self.ends?;
-        self.ends = (front != back).then(|| (self.dcel.next(front), back));
-        Some(front)
+        step_forward(&mut self.rest, |h| self.dcel.next(h))
     }
 }
 
 impl DoubleEndedIterator for Cycle<'_> {
     #[inline]
     fn next_back(&mut self) -> Option<HalfEdgeId> {
-        let (front, back) = self.ends?;
-        self.ends = (front != back).then(|| (front, self.dcel.prev(back)));
-        Some(back)
+        step_back(&mut self.rest, |h| self.dcel.prev(h))
     }
 }
 
 impl FusedIterator for Cycle<'_> {}
-
-/// The half-edges that start at one vertex, counter-clockwise (from the back: clockwise).
-#[derive(Clone, Debug)]
-pub struct Star<'a> {
-    dcel: &'a Dcel,
-    ends: Option<(HalfEdgeId, HalfEdgeId)>,
-}
 
 impl Iterator for Star<'_> {
     type Item = HalfEdgeId;
 
     #[inline]
     fn next(&mut self) -> Option<HalfEdgeId> {
-        let (front, back) = self.ends?;
-        self.ends = (front != back).then(|| (self.dcel.ccw(front), back));
-        Some(front)
+        step_forward(&mut self.rest, |h| self.dcel.ccw(h))
     }
 }
 
 impl DoubleEndedIterator for Star<'_> {
     #[inline]
     fn next_back(&mut self) -> Option<HalfEdgeId> {
-        let (front, back) = self.ends?;
-        self.ends = (front != back).then(|| (front, self.dcel.cw(back)));
-        Some(back)
+        step_back(&mut self.rest, |h| self.dcel.cw(h))
     }
 }
 
@@ -94,21 +106,21 @@ impl Dcel {
     #[must_use]
     #[inline]
     pub fn cycle(&self, h: HalfEdgeId) -> Cycle<'_> {
-        Cycle { dcel: self, ends: Some((h, self.prev(h))) }
+        Cycle { dcel: self, rest: Some((h, h)) }
     }
 
     /// The half-edges that start where `h` starts, counter-clockwise from `h`.
     #[must_use]
     #[inline]
     pub fn star(&self, h: HalfEdgeId) -> Star<'_> {
-        Star { dcel: self, ends: Some((h, self.cw(h))) }
+        Star { dcel: self, rest: Some((h, h)) }
     }
 
     /// The lab's `incidentHalfEdges`: the boundary of `f` in order, from `boundary(f)` on. A bounded face is
     /// walked counter-clockwise, the outer face clockwise; empty if `f` has no boundary.
     #[inline]
     pub fn incident_half_edges(&self, f: FaceId) -> Cycle<'_> {
-        Cycle { dcel: self, ends: self.boundary(f).map(|h| (h, self.prev(h))) }
+        Cycle { dcel: self, rest: self.boundary(f).map(|h| (h, h)) }
     }
 
     /// The lab's `incidentVertices`: the origins along the boundary of `f`. A vertex that the boundary
@@ -130,7 +142,7 @@ impl Dcel {
     /// The half-edges that start at `v`, counter-clockwise from `outgoing(v)`; empty if `v` is isolated.
     #[inline]
     pub fn outgoing_half_edges(&self, v: VertexId) -> Star<'_> {
-        Star { dcel: self, ends: self.outgoing(v).map(|h| (h, self.cw(h))) }
+        Star { dcel: self, rest: self.outgoing(v).map(|h| (h, h)) }
     }
 
     /// The half-edges that end at `v`, counter-clockwise.

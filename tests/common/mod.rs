@@ -246,6 +246,15 @@ pub fn zoo() -> Vec<(&'static str, Dcel)> {
             }),
         ),
         (
+            "a loop alone in its face, with a tail outside",
+            edited(polygon(4), |d| {
+                d.split_face(h(0), h(4)).unwrap();
+                d.join_faces(h(6)).unwrap();
+                d.join_edges(h(9)).unwrap();
+                d.join_edges(h(9)).unwrap();
+            }),
+        ),
+        (
             "removed elements between live ones",
             edited(polygon(6), |d| {
                 d.split_face(h(0), h(4)).unwrap();

@@ -61,7 +61,6 @@ pub(crate) type Area = (String, Vec<Vec<P>>);
 /// What the file shows.
 pub(crate) struct Drawn {
     pub(crate) size: P,
-    pub(crate) prefix: String,
     /// Attributes of every element group by its id without the prefix.
     pub(crate) data: BTreeMap<String, BTreeMap<String, String>>,
     pub(crate) titles: BTreeMap<String, String>,
@@ -85,7 +84,6 @@ pub(crate) fn read(svg: &str) -> Drawn {
     let prefix = root.attribute("id").unwrap().to_owned();
     let mut out = Drawn {
         size: [number(root, "width"), number(root, "height")],
-        prefix: prefix.clone(),
         data: BTreeMap::new(),
         titles: BTreeMap::new(),
         discs: BTreeMap::new(),

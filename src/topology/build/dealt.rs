@@ -9,15 +9,33 @@
 //! by one end, are equally large even if a vertex has a million edges. A list may still grow long (edges with
 //! one sum and the same difference modulo eight: possible, if only by intent); then the block is sorted.
 
+use super::Stop;
 use super::faces::Faces;
-use super::matching::{DEEPEST, END, Numbers, Stop, read_ahead};
-use crate::topology::links::{NONE, TAG};
+use crate::topology::links::{Columns, NONE, TAG};
+use std::ops::Range;
+
+/// Searching a list gives up after so many edges.
+const DEEPEST: usize = 64;
+/// Ends a list. Links are tagged once both halves of their edge have been met, so the end must bear a tag.
+const END: u32 = NONE & !TAG;
 
 /// A half-edge on its way to its block: from, to, corner.
 type Card = [u32; 3];
 
-/// Deals the half-edges into blocks, matches each block, and then gives out the numbers.
-pub(super) fn dealt<F: Faces + ?Sized>(faces: &F, vertices: usize) -> Result<Numbers, Stop> {
+/// The numbers of the half-edges: edges in the order in which the corners first meet them, the half met first
+/// even.
+struct Numbers {
+    /// By corner: its half-edge.
+    half_edge: Vec<u32>,
+    /// By edge: the corners of its even and its odd half; `NONE` if no face has the odd one.
+    corners: Vec<[u32; 2]>,
+    /// Memory that was needed on the way, to be used again.
+    spare: [Vec<u32>; 3],
+}
+
+/// Deals the half-edges into blocks, matches each block, gives out the numbers, and writes the half-edges. The
+/// column of vertices stays empty.
+pub(super) fn dealt<F: Faces + ?Sized>(faces: &F, vertices: usize, first_face: u32) -> Result<Columns, Stop> {
     /// At most so many blocks: the deal writes to all of them in turn, a cache line each.
     const BLOCKS: usize = 512;
     /// Blocks do not get smaller than so many sums.
@@ -46,7 +64,7 @@ pub(super) fn dealt<F: Faces + ?Sized>(faces: &F, vertices: usize) -> Result<Num
         table.block(cards)?;
         start = end as usize;
     }
-    Ok(table.numbers(cards))
+    Ok(link(faces, first_face, table.numbers(cards)))
 }
 
 /// Matches one block after another.
@@ -76,55 +94,40 @@ impl Table {
 
     /// Matches the half-edges of one block, given in the order of their corners.
     fn block(&mut self, cards: &[Card]) -> Result<(), Stop> {
-        let matched = match self.search(cards) {
+        match self.search(cards) {
             Err(Stop::LongList) => self.sort(cards)?,
             done => done?,
-        };
-        for &[first, second] in &self.pairs[..matched] {
+        }
+        for &[first, second] in &self.pairs {
             self.mates[first as usize] = second;
         }
-        self.matched += matched;
+        self.matched += self.pairs.len();
         Ok(())
     }
 
-    /// Finds the pairs with lists, and returns how many there are.
-    ///
-    /// Whether an edge is met for the first or the second time is as good as random, so the usual cases, an
-    /// empty list and a twin in front, are handled without a branch between them.
-    fn search(&mut self, cards: &[Card]) -> Result<usize, Stop> {
+    /// Finds the pairs with lists.
+    fn search(&mut self, cards: &[Card]) -> Result<(), Stop> {
         self.heads.fill(END);
         self.links.clear();
         self.links.resize(cards.len(), END);
         self.pairs.clear();
-        self.pairs.resize(cards.len() + 1, [NONE; 2]);
         let mask = self.heads.len() - 1;
-        let mut matched = 0;
-        for (place, &[u, v, corner]) in (0..).zip(cards) {
+        for (place, card) in (0..).zip(cards) {
+            let &[u, v, corner] = card;
             let list = (u + v).wrapping_mul(Self::SPREAD) + (u.abs_diff(v) >> 1) % Self::SPREAD;
             let head = &mut self.heads[list as usize & mask];
-            let empty = *head == END;
-            let at = if empty { place } else { *head };
-            let link = self.links[at as usize];
-            let [start, _, first] = cards[at as usize];
-            let twin = (start == v) & (link & TAG == 0);
-            if empty | twin {
-                *head = at;
-                self.links[at as usize] = link | u32::from(twin) << 31;
-                self.pairs[matched] = [first, corner];
-                matched += usize::from(twin);
-            } else if let Some(first) = deep_search(cards, &mut self.links, at, u, v)? {
-                self.pairs[matched] = [first, corner];
-                matched += 1;
+            if let Some(first) = take_twin(cards, &mut self.links, *head, card)? {
+                self.pairs.push([first, corner]);
             } else {
                 self.links[place as usize] = *head;
                 *head = place;
             }
         }
-        Ok(matched)
+        Ok(())
     }
 
-    /// Finds the pairs by sorting, and returns how many there are.
-    fn sort(&mut self, cards: &[Card]) -> Result<usize, Stop> {
+    /// Finds the pairs by sorting.
+    fn sort(&mut self, cards: &[Card]) -> Result<(), Stop> {
         let ends = |&[u, v, _]: &Card| (u.min(v), u.max(v));
         let mut cards = cards.to_vec();
         cards.sort_unstable_by_key(|card| (ends(card), card[2]));
@@ -136,7 +139,7 @@ impl Table {
                 _ => return Err(Stop::Clash),
             }
         }
-        Ok(self.pairs.len())
+        Ok(())
     }
 
     /// Gives out the numbers in the order of the corners, again without a branch on first or second time.
@@ -166,9 +169,13 @@ impl Table {
     }
 }
 
-/// Searches a whole list for the twin of the half-edge from `u` to `v`, and returns its corner.
-fn deep_search(cards: &[Card], links: &mut [u32], mut at: u32, u: u32, v: u32) -> Result<Option<u32>, Stop> {
+/// Looks for the twin of `card` in the list from `at` on, marks it as taken and returns its corner.
+#[inline(always)]
+fn take_twin(cards: &[Card], links: &mut [u32], mut at: u32, &[u, v, _]: &Card) -> Result<Option<u32>, Stop> {
     for _ in 0..DEEPEST {
+        if at == END {
+            return Ok(None);
+        }
         let [start, _, corner] = cards[at as usize];
         let link = &mut links[at as usize];
         if start == v && *link & TAG == 0 {
@@ -179,19 +186,92 @@ fn deep_search(cards: &[Card], links: &mut [u32], mut at: u32, u: u32, v: u32) -
             return Err(Stop::Clash);
         }
         at = *link & !TAG;
-        if at == END {
-            return Ok(None);
-        }
     }
     Err(Stop::LongList)
 }
 
+/// Writes the columns of half-edges, edge by edge: what it needs of a half-edge stands together at its corner,
+/// so that an edge touches two places, wherever its faces are.
+fn link<F: Faces + ?Sized>(faces: &F, first_face: u32, numbers: Numbers) -> Columns {
+    /// Edges written at a time, so that the columns grow by slices.
+    const BATCH: usize = 64;
+    const AHEAD: usize = 1 << 14;
+    let Numbers { half_edge, corners: pairs, spare } = numbers;
+    let around = faces.around();
+    let corners = faces.corners();
+    let [mut next, mut prev, mut face] = spare.map(|mut column| {
+        column.clear();
+        column.reserve_exact(2 * pairs.len());
+        column
+    });
+    // The corners of an edge stand where the origins of its halves will stand.
+    let mut origin = pairs.into_flattened();
+    let mut read = 0;
+    for batch in origin.chunks_mut(2 * BATCH) {
+        let ahead = batch[0] as usize + AHEAD;
+        read_ahead(&half_edge, read..ahead);
+        read = ahead;
+        // The same for the other triangles of the batch, all at once.
+        std::hint::black_box(
+            batch.iter().fold(0, |sum, &corner| sum ^ half_edge.get(corner as usize).map_or(0, |h| *h)),
+        );
+        let [mut nexts, mut prevs, mut faces] = [[NONE; 2 * BATCH]; 3];
+        for (i, pair) in batch.chunks_exact_mut(2).enumerate() {
+            let (even, odd) = (pair[0] as usize, pair[1]);
+            let here = around(even);
+            pair[0] = corners[even];
+            pair[1] = corners[here.after];
+            faces[2 * i] = first_face + here.face;
+            prevs[2 * i] = half_edge[here.before];
+            nexts[2 * i] = half_edge[here.after];
+            if odd != NONE {
+                let there = around(odd as usize);
+                faces[2 * i + 1] = first_face + there.face;
+                prevs[2 * i + 1] = half_edge[there.before];
+                nexts[2 * i + 1] = half_edge[there.after];
+            }
+        }
+        next.extend_from_slice(&nexts[..batch.len()]);
+        prev.extend_from_slice(&prevs[..batch.len()]);
+        face.extend_from_slice(&faces[..batch.len()]);
+    }
+    for column in [&mut origin, &mut next, &mut prev, &mut face] {
+        column.shrink_to_fit();
+    }
+    let boundary = boundaries(faces, first_face, &half_edge);
+    Columns { origin, next, prev, face, outgoing: Vec::new(), boundary }
+}
+
+/// The first half-edge of the first cycle of each face.
+fn boundaries<F: Faces + ?Sized>(faces: &F, first_face: u32, half_edge: &[u32]) -> Vec<u32> {
+    let mut boundary = vec![NONE; first_face as usize + faces.face_count()];
+    let mut corner = 0;
+    let _ = faces.try_for_each_cycle::<()>(|face, cycle, corners| {
+        if cycle == 0 {
+            boundary[(first_face + face) as usize] = half_edge[corner];
+        }
+        corner += corners.len();
+        Ok(())
+    });
+    boundary
+}
+
+/// Reads one word of each cache line of a range, so that they are at hand when they are wanted out of order:
+/// the hardware fetches ahead along straight lines only.
+#[inline(always)]
+fn read_ahead(words: &[u32], range: Range<usize>) {
+    const LINE: usize = 16;
+    for at in range.step_by(LINE) {
+        std::hint::black_box(words.get(at).copied());
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::super::matching::{Numbers, Stop, streamed};
-    use super::dealt;
+    use super::super::{Stop, streamed};
+    use super::{Columns, dealt};
 
-    /// The grid of the seed: some faces missing, names and order mixed up, sometimes one face reversed.
+    /// The grid of the seed: some faces missing, names and order mixed up, sometimes a face reversed or one too many.
     fn grid(mut seed: u64) -> Vec<[u32; 3]> {
         let mut below = move |bound: usize| {
             seed ^= seed << 13;
@@ -207,9 +287,12 @@ mod tests {
             faces.extend([[a, b, c], [a, c, d]].into_iter().filter(|_| below(8) > 0));
         }
         (1..faces.len()).for_each(|i| faces.swap(i, below(i + 1)));
-        if below(4) == 0 {
-            let i = below(faces.len());
-            faces[i].swap(0, 1);
+        let i = below(faces.len());
+        let [a, b, _] = faces[i];
+        match below(6) {
+            0 => faces[i].swap(0, 1),
+            1 => faces.push([b, a, names[0]]),
+            _ => {}
         }
         faces
     }
@@ -219,9 +302,9 @@ mod tests {
         let (mut good, mut bad) = (0, 0);
         for seed in 1..200 {
             let faces = grid(seed);
-            match (streamed(&faces[..], 41 * 41), dealt(&faces[..], 41 * 41)) {
+            match (streamed(&faces[..], 41 * 41, 1), dealt(&faces[..], 41 * 41, 1)) {
                 (Ok(a), Ok(b)) => {
-                    let parts = |n: Numbers| (n.half_edge, n.corners);
+                    let parts = |c: Columns| (c.origin, c.next, c.prev, c.face, c.boundary);
                     assert!(parts(a) == parts(b), "seed {seed}");
                     good += 1;
                 }

@@ -21,25 +21,20 @@ const NONE: u32 = Columns::NONE;
 
 impl Matched {
     /// Fills the column of vertices, links the border where it is clear, and finds the pinched vertices.
-    pub(super) fn new(vertices: usize, corners: &[u32], half_edge: &[u32], columns: Columns, first_face: u32) -> Self {
+    pub(super) fn new(vertices: usize, columns: Columns, first_face: u32) -> Self {
         let border = (0..).zip(&columns.face).filter(|&(_, &face)| face == NONE).map(|(h, _)| h).collect();
         let mut this = Self { columns, border, pinched: Vec::new(), isolated: 0, first_isolated: None, first_face };
         this.columns.outgoing = vec![NONE; vertices];
         let one_gap_each = this.link_border();
-        let firsts = first_corners(corners, vertices);
+        let firsts = first_half_edges(&this.columns.origin, vertices);
         this.isolated = vertices - firsts.len();
-        // A vertex on the border has its half-edge already.
-        let firsts: Vec<u32> = firsts
-            .into_iter()
-            .map(|corner| {
-                let h = half_edge[corner as usize];
-                let word = &mut this.columns.outgoing[corners[corner as usize] as usize];
-                if *word == NONE {
-                    *word = h;
-                }
-                h
-            })
-            .collect();
+        for &h in &firsts {
+            let word = &mut this.columns.outgoing[this.columns.origin[h as usize] as usize];
+            // A vertex on the border has its half-edge already.
+            if *word == NONE {
+                *word = h;
+            }
+        }
         if this.isolated > 0 {
             let first = this.columns.outgoing.iter().position(|&word| word == NONE);
             this.first_isolated = first.map(|v| VertexId(v as u32));
@@ -175,13 +170,14 @@ impl Matched {
     }
 }
 
-/// For each vertex that occurs, the first corner it occurs at, in increasing order.
-fn first_corners(corners: &[u32], vertices: usize) -> Vec<u32> {
+/// For each vertex that occurs, its half-edge in the first face that uses it, in increasing order. That is its
+/// smallest even half-edge: when a vertex is new, so are its edges.
+fn first_half_edges(origin: &[u32], vertices: usize) -> Vec<u32> {
     let mut seen = vec![false; vertices];
     let mut firsts = vec![0; vertices + 1];
     let mut count = 0;
-    for (corner, &v) in (0..).zip(corners) {
-        firsts[count] = corner;
+    for (h, &v) in (0..).zip(origin).step_by(2) {
+        firsts[count] = h;
         count += usize::from(!std::mem::replace(&mut seen[v as usize], true));
     }
     firsts.truncate(count);
@@ -205,7 +201,7 @@ fn star_length(prev: &[u32], h: u32) -> usize {
 ///
 /// Several walks are under way at a time: each waits for memory at each step, and together they wait less.
 fn stars_length(prev: &[u32], firsts: &[u32]) -> usize {
-    const WALKS: usize = 8;
+    const WALKS: usize = 16;
     let Some((&starts, rest)) = firsts.split_first_chunk::<WALKS>() else {
         return firsts.iter().map(|&h| star_length(prev, h)).sum();
     };

@@ -12,24 +12,25 @@
 //!       0 ●──────● 1                        h1, h5, h7, h9: the outside, one more face (f2).
 //! ```
 //!
-//! The faces are walked once, in order, and each corner becomes a half-edge. Whether its twin has been there
-//! before is found without hashing (`matching.rs`); that the faces round each vertex form one fan is checked
-//! by walking the vertices (`fans.rs`). If anything is wrong, a second, slower look finds out what
-//! (`diagnose.rs`).
+//! Each corner of a face becomes a half-edge. Whether its twin has been there before is found without hashing,
+//! in one go if the numbers are local (`streamed.rs`), else after bringing twins together (`dealt.rs`); both give
+//! the same structure. That the faces round each vertex form one fan is checked by walking round the vertices
+//! (`fans.rs`). If anything is wrong, a second, slower look finds out what (`diagnose.rs`).
 
 mod dealt;
 mod diagnose;
 mod error;
 mod faces;
 mod fans;
-mod matching;
+mod streamed;
 
-use super::links::{Columns, NONE};
+use super::links::Columns;
 use super::{Dcel, PolygonList, TooMany};
 use crate::ids::{FaceId, MAX_IDS, VertexId};
+use dealt::dealt;
 pub use error::BuildError;
 pub(crate) use faces::Faces;
-use matching::{Numbers, read_ahead};
+use streamed::streamed;
 
 /// A structure made from a list of faces.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -53,10 +54,10 @@ impl Dcel {
     /// Faces may form any oriented surface: closed or with borders, of any genus, in any number of pieces.
     ///
     /// Cost: O(vertices + faces) time and memory, whatever the order and the degrees, up to a logarithm for
-    /// numberings made to hurt; 10 to 80 ns a triangle.
+    /// numberings made to hurt. `benches/README.md` has measurements.
     ///
-    /// Source: the table of edges is de Berg et al., *Computational Geometry*, 3rd ed., exercise 2.6, turned
-    /// round: here the lists are keyed by both ends at once.
+    /// Source: that the corners of a triangle list stand for its half-edges is from Campagna, Kobbelt and Seidel,
+    /// *Directed Edges*, 1998.
     ///
     /// # Errors
     /// [`BuildError`] names the faces and vertices that do not fit.
@@ -132,63 +133,30 @@ pub(crate) fn match_faces<F: Faces + ?Sized>(
         return Err(TooMany.into());
     }
     faces.check_each(vertices)?;
-    let Ok(numbers) = matching::number(faces, vertices) else { return Err(diagnose::clash(faces)) };
-    let (half_edge, columns) = link(faces, first_face, numbers);
-    Ok(Matched::new(vertices, faces.corners(), &half_edge, columns, first_face))
+    let columns = match is_local(faces.corners()).then(|| streamed(faces, vertices, first_face)) {
+        None | Some(Err(Stop::LongList)) => dealt(faces, vertices, first_face),
+        Some(done) => done,
+    };
+    match columns {
+        Ok(columns) => Ok(Matched::new(vertices, columns, first_face)),
+        Err(_) => Err(diagnose::clash(faces)),
+    }
 }
 
-/// Writes the columns of half-edges, edge by edge: what it needs of a half-edge stands together at its corner,
-/// so that an edge touches two places, wherever its faces are. The column of vertices stays empty.
-fn link<F: Faces + ?Sized>(faces: &F, first_face: u32, numbers: Numbers) -> (Vec<u32>, Columns) {
-    /// Edges written at a time, so that the columns grow by slices.
-    const BATCH: usize = 64;
-    const AHEAD: usize = 1 << 14;
-    let Numbers { half_edge, corners: pairs, spare } = numbers;
-    let around = faces.around();
-    let corners = faces.corners();
-    let [mut next, mut prev, mut face] = spare.map(|mut column| {
-        column.clear();
-        column.reserve_exact(2 * pairs.len());
-        column
-    });
-    // The corners of an edge stand where the origins of its halves will stand.
-    let mut origin = pairs.into_flattened();
-    let mut read = 0;
-    for batch in origin.chunks_mut(2 * BATCH) {
-        let ahead = batch[0] as usize + AHEAD;
-        read_ahead(&half_edge, read..ahead);
-        read = ahead;
-        let [mut nexts, mut prevs, mut faces] = [[NONE; 2 * BATCH]; 3];
-        for (i, pair) in batch.chunks_exact_mut(2).enumerate() {
-            let (even, odd) = (pair[0] as usize, pair[1]);
-            let here = around(even);
-            pair[0] = corners[even];
-            pair[1] = corners[here.after];
-            faces[2 * i] = first_face + here.face;
-            prevs[2 * i] = half_edge[here.before];
-            nexts[2 * i] = half_edge[here.after];
-            if odd != NONE {
-                let there = around(odd as usize);
-                faces[2 * i + 1] = first_face + there.face;
-                prevs[2 * i + 1] = half_edge[there.before];
-                nexts[2 * i + 1] = half_edge[there.after];
-            }
-        }
-        next.extend_from_slice(&nexts[..batch.len()]);
-        prev.extend_from_slice(&prevs[..batch.len()]);
-        face.extend_from_slice(&faces[..batch.len()]);
-    }
-    let mut boundary = vec![NONE; first_face as usize + faces.face_count()];
-    let mut corner = 0;
-    let _ = faces.try_for_each_cycle::<()>(|face, cycle, corners| {
-        if cycle == 0 {
-            boundary[(first_face + face) as usize] = half_edge[corner];
-        }
-        corner += corners.len();
-        Ok(())
-    });
-    for column in [&mut origin, &mut next, &mut prev, &mut face] {
-        column.shrink_to_fit();
-    }
-    (half_edge, Columns { origin, next, prev, face, outgoing: Vec::new(), boundary })
+/// Why matching stopped.
+enum Stop {
+    /// Two half-edges run in the same direction between the same vertices, or three share an edge.
+    Clash,
+    /// A list is too long to be searched.
+    LongList,
+}
+
+/// Whether corners that follow each other in the input have near numbers, so that the lists in use are in the
+/// cache: judged by a thousand places. O(1).
+fn is_local(corners: &[u32]) -> bool {
+    const SMALL: usize = 1 << 16;
+    const SAMPLES: usize = 1024;
+    const NEAR: u32 = 1 << 13;
+    let jumps = || corners.windows(2).step_by(corners.len() / SAMPLES + 1).map(|pair| pair[0].abs_diff(pair[1]));
+    corners.len() <= SMALL || 4 * jumps().filter(|&jump| jump < NEAR).count() >= 3 * jumps().count()
 }

@@ -18,9 +18,9 @@ pub use split_face::SplitFaceError;
 mod tests {
     use super::*;
     use crate::ids::{FaceId, HalfEdgeId, MAX_IDS};
-    use crate::topology::Dcel;
     use crate::topology::links::Columns;
     use crate::topology::pool::TooMany;
+    use crate::topology::{Dcel, violations};
 
     /// Two triangles side by side that share the face `f0`: h0 h2 h4 round `f1`, h6 h8 h10 round `f2`.
     fn two_triangles() -> Dcel {
@@ -55,5 +55,48 @@ mod tests {
         assert_eq!(dcel.room_for(0, 0, MAX_IDS - 2), Err(TooMany));
         let texts = [SplitFaceError::from(TooMany).to_string(), SplitEdgeError::from(TooMany).to_string()];
         assert_eq!(texts, ["the structure is full: at most 2147483646 elements of one kind"; 2]);
+    }
+
+    /// Every choice of the stored half-edges is legal, and no edit may rely on one: all edits with all arguments,
+    /// under each choice for one vertex and one face.
+    #[test]
+    fn no_edit_leaves_a_representative_behind_whichever_was_stored() {
+        let mut looped = Dcel::polygon(3).unwrap();
+        looped.join_faces(HalfEdgeId(1)).unwrap();
+        let corners: Vec<_> = looped.half_edges().filter(|&a| looped.degree(looped.origin(a)) == 2).collect();
+        looped.split_face(corners[0], corners[1]).unwrap();
+        let mut halved = Dcel::polygon(4).unwrap();
+        halved.split_face(HalfEdgeId(0), HalfEdgeId(4)).unwrap();
+        // A loop alone in its face, with a tail outside.
+        let mut tailed = halved.clone();
+        tailed.join_faces(HalfEdgeId(6)).unwrap();
+        tailed.join_edges(HalfEdgeId(9)).unwrap();
+        tailed.join_edges(HalfEdgeId(9)).unwrap();
+        assert_eq!(tailed.next(HalfEdgeId(9)), HalfEdgeId(9));
+        let rec = &mut crate::topology::NoRecorder;
+        for start in [looped, halved, tailed, Dcel::polygon(1).unwrap(), Dcel::polygon(2).unwrap()] {
+            for (one, other) in start.half_edges().flat_map(|a| start.half_edges().map(move |b| (a, b))) {
+                let mut chosen = start.clone();
+                chosen.set_outgoing(start.origin(one), Some(one), rec);
+                chosen.set_boundary(start.face(other), Some(other), rec);
+                for a in start.half_edges() {
+                    let edits: [fn(&mut Dcel, HalfEdgeId) -> bool; 3] = [
+                        |d, a| d.join_faces(a).is_ok(),
+                        |d, a| d.join_edges(a).is_ok(),
+                        |d, a| d.split_edge(a).is_ok(),
+                    ];
+                    for edit in edits {
+                        let mut after = chosen.clone();
+                        edit(&mut after, a);
+                        assert_eq!(violations(&after), [], "{a}, with {one} and {other} stored in {start:?}");
+                    }
+                    for b in start.half_edges() {
+                        let mut after = chosen.clone();
+                        let _ = after.split_face(a, b);
+                        assert_eq!(violations(&after), [], "{a} {b}, with {one} and {other} stored in {start:?}");
+                    }
+                }
+            }
+        }
     }
 }

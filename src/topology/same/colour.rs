@@ -26,19 +26,12 @@ pub(super) fn mix(hash: u64, value: u64) -> u64 {
 pub(super) struct Look {
     /// Equal for equal components.
     pub(super) hash: u64,
-    /// A half-edge of the rarest colour among those it may start from.
+    /// A half-edge of the rarest colour.
     pub(super) root: u32,
 }
 
-/// Colours the half-edges of one component and picks the root for walks: of the rarest colour among those with
-/// `may_be_root`, of which there must be one.
-pub(super) fn refine(
-    world: &World,
-    members: &[u32],
-    face_class: &[u32],
-    colour: &mut [u64],
-    may_be_root: impl Fn(u32) -> bool,
-) -> Look {
+/// Colours the half-edges of one component, of which there must be one, and picks the root for walks.
+pub(super) fn refine(world: &World, members: &[u32], face_class: &[u32], colour: &mut [u64]) -> Look {
     for &h in members {
         let i = h as usize;
         colour[i] = mix(u64::from(world.label[i]), u64::from(face_class[world.face[i] as usize]));
@@ -62,10 +55,9 @@ pub(super) fn refine(
         sorted.sort_unstable();
         look.hash = sorted.iter().fold(members.len() as u64, |hash, &(colour, _)| mix(hash, colour));
         let now = sorted.chunk_by(|a, b| a.0 == b.0).count();
-        let roots: Vec<(u64, u32)> = sorted.iter().copied().filter(|&(_, h)| may_be_root(h)).collect();
-        let rarest = roots.chunk_by(|a, b| a.0 == b.0).min_by_key(|same| same.len());
+        let rarest = sorted.chunk_by(|a, b| a.0 == b.0).min_by_key(|alike| alike.len());
         let rarity = rarest.map_or(0, <[_]>::len);
-        look.root = rarest.map_or(members[0], |same| same[0].1);
+        look.root = rarest.map_or(members[0], |alike| alike[0].1);
         if rarity <= RARE || now == kinds {
             break;
         }

@@ -166,16 +166,14 @@ impl<'a> Forest<'a> {
         let world = self.world;
         let parent = self.parent[p as usize];
         let members = self.pieces.of(p as usize);
-        let may_be_root = |h: u32| parent == NONE || world.face[h as usize] == parent;
-        let Look { hash, root } = refine(world, members, &self.face_class, &mut self.colour, may_be_root);
+        let Look { hash, root } = refine(world, members, &self.face_class, &mut self.colour);
         self.root[p as usize] = root;
         let kinds = self.kinds.entry(mix(hash, u64::from(parent == NONE))).or_default();
         for &other in kinds.iter() {
             let (rep, class) = (self.root[other as usize], self.piece_class[other as usize]);
             let other_size = self.pieces.of(other as usize).len();
             let (colour, face_class) = (&self.colour, &self.face_class);
-            let mut starts =
-                members.iter().copied().filter(|&h| colour[h as usize] == colour[rep as usize] && may_be_root(h));
+            let mut starts = members.iter().copied().filter(|&h| colour[h as usize] == colour[rep as usize]);
             if other_size == members.len()
                 && starts.any(|h| {
                     let fits = self.scratch.walk(face_class, rep, h);

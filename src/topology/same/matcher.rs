@@ -150,3 +150,30 @@ impl<'a> Matcher<'a> {
         Ok(matching)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::topology::{Dcel, SameOptions};
+
+    /// Colours rule most wrong starts out before any walk; the walk must not rely on that.
+    #[test]
+    fn a_walk_stops_at_labels_faces_and_earlier_pairs_that_disagree() {
+        let square = Dcel::polygon(4).unwrap();
+        let key = |v: VertexId| [u64::from(v.number() == 0), 0];
+        let world = World::new(&square, &square, &SameOptions::new().keys(&key, &key)).unwrap();
+        let mut matcher = Matcher::new(&world);
+        let mut walk = |classes: &[u32], a, b| {
+            let fits = matcher.walk(classes, a, b);
+            matcher.forget();
+            fits
+        };
+        assert!(walk(&world.face_label, 0, 8));
+        assert!(!walk(&world.face_label, 0, 10), "v0 with a key onto v1 without");
+        let mut classes = world.face_label.clone();
+        classes[3] += 1;
+        assert!(!walk(&classes, 0, 8), "f1 of one class onto f1 of another");
+        let mut matcher = Matcher::new(&world);
+        assert!(matcher.pair_faces(1, 2) && !matcher.walk(&world.face_label, 0, 8), "f1 is paired with f0 already");
+    }
+}

@@ -1,0 +1,225 @@
+//! `dcel script`: edits from a text, carried out one by one.
+//!
+//! ```text
+//!   2: let a = split_face h2 h8          the line as written
+//!      split_face h2 h8                  the call with its ids, if the line says it in other words
+//!      returned h12, f2                  what it gave back
+//! ```
+
+use super::camera::Camera;
+use super::{Answer, Failure, Output, failure};
+use dcel_kit::figure::{FigureOptions, Film};
+use dcel_kit::io::{Format, Model, write};
+use dcel_kit::plane::Subdivision;
+use dcel_kit::script::{Outcome, Script, ScriptError, Step};
+use serde_json::{Value, json};
+use std::io::{Read, Write};
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+/// Carry out a script of edits, step by step
+///
+/// Every call is printed with what it returned, every walk with what it met. A refused edit changes
+/// nothing, is told with its reason, and ends the script.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+A script is one statement a line: a start, then edits, walks, marks. `#` starts a comment.
+  rectangle | polygon X Y X Y ... | triangles X Y ... / I J K ...
+  split_face A B     split_in_half A     split_edge A X Y     join_faces A     join_edges A
+  walk_face A        walk_vertex A       highlight A ...      caption TEXT     dump
+  let NAME = ...     names what a split makes, or any element
+A, B: h0, h1, ... of the start, a NAME, or links from one: h0.next.twin, a.origin, a.face
+
+Examples:
+  dcel script figures/scripts/lab.dcels
+  dcel script figures/scripts/lab.dcels --json
+  dcel script figures/scripts/split-face.dcels --film split.svg
+  dcel script figures/scripts/split-face.dcels --film split.html
+  echo 'rectangle
+  split_face h2 h8
+  dump' | dcel script -")]
+pub(crate) struct Args {
+    /// The script, or - for standard input
+    file: PathBuf,
+    /// Write the structure at the end, as a `dump` in the last line would
+    #[arg(long)]
+    dump: bool,
+    /// Draw the edits frame by frame: a strip (.svg), or a page that shows one frame at a time (.html)
+    #[arg(long, value_name = "OUT")]
+    film: Option<PathBuf>,
+    /// One frame at a time in the .svg too, with links and without a script
+    #[arg(long, requires = "film")]
+    stepper: bool,
+    /// Go on after a refused edit (the exit code stays 1)
+    #[arg(long)]
+    keep_going: bool,
+    /// Answer in JSON, with every pointer that was written
+    #[arg(long)]
+    json: bool,
+}
+
+pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    let (text, source) = read(&args.file)?;
+    let script = Script::parse(&text, &source)?;
+    let mut teller = Teller { args, script: &script, source: &source, answer: Answer::Yes, told: Vec::new() };
+    let mut result = Ok(());
+    let mut camera = Camera::new(&script);
+    let end = script.play(|step, structure| {
+        result = teller.tell(&step, structure, out);
+        camera.watch(&step, structure);
+        if result.is_err() || (step.outcome.is_refused() && !args.keep_going) {
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    });
+    result?;
+    if let Some(path) = &args.film {
+        let stem = args.file.file_stem().filter(|stem| *stem != "-");
+        let title = stem.map_or_else(|| "script".to_owned(), |stem| stem.to_string_lossy().into_owned());
+        write_film(path, &camera.finish(), &title, args.stepper)?;
+    }
+    if args.json {
+        let mut answer = json!({ "source": source, "steps": teller.told });
+        if args.dump {
+            answer["dump"] = dump(&end)?.into();
+        }
+        out.json(&answer)?;
+    } else if args.dump {
+        out.write_all(dump(&end)?.as_bytes())?;
+    }
+    Ok(teller.answer)
+}
+
+fn write_film(path: &Path, film: &Film, title: &str, stepper: bool) -> Result<(), Failure> {
+    let options = FigureOptions::new(title);
+    let kind = path.extension().map(std::ffi::OsStr::to_ascii_lowercase);
+    let html = match kind.as_ref().and_then(|kind| kind.to_str()) {
+        Some("svg") => false,
+        Some("html" | "htm") => true,
+        _ => {
+            let what = format!("{}: a film is a drawing or a page", path.display());
+            return Err(Failure::input(what, "end the name with .svg or .html"));
+        }
+    };
+    let figure = if html || stepper { film.stepper(&options) } else { film.strip(&options) };
+    let svg = figure.map_err(|error| Failure::input(error, "leave out --film"))?.to_svg();
+    let text = if html { page(&svg, title) } else { svg };
+    std::fs::write(path, text).map_err(|error| Failure::writing(path.display(), &error))
+}
+
+/// A page with nothing but the drawing.
+fn page(svg: &str, title: &str) -> String {
+    let title = title.replace('&', "&amp;").replace('<', "&lt;");
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width\">\n<title>{title}</title>\n<style>\n\
+         body{{margin:1rem;background:#ffffff}}\n\
+         @media (prefers-color-scheme:dark){{body{{background:#15181d}}}}\n</style>\n</head>\n<body>\n{svg}</body>\n</html>\n"
+    )
+}
+
+/// The text, and what messages call it.
+fn read(file: &Path) -> Result<(String, String), Failure> {
+    let is_stdin = file.as_os_str() == "-";
+    let source = if is_stdin { "<stdin>".to_owned() } else { file.display().to_string() };
+    let mut bytes = Vec::new();
+    let read = if is_stdin {
+        std::io::stdin().lock().read_to_end(&mut bytes).map(drop)
+    } else {
+        std::fs::read(file).map(|read| bytes = read)
+    };
+    read.map_err(|error| {
+        Failure::input(format!("{source}: cannot be read: {error}"), "name a script, or - for stdin")
+    })?;
+    let text = String::from_utf8(bytes)
+        .map_err(|_| Failure::input(format!("{source}: this is not text in UTF-8"), "save it as plain text"))?;
+    Ok((text, source))
+}
+
+impl From<ScriptError> for Failure {
+    fn from(error: ScriptError) -> Self {
+        let help = error.help.clone();
+        Self::input(ScriptError { help: String::new(), ..error }, help)
+    }
+}
+
+/// The structure as a .dcel file.
+fn dump(structure: &Subdivision) -> Result<String, Failure> {
+    let mut bytes = Vec::new();
+    write(&mut bytes, &Model::planar(structure), Format::Dcel).map_err(Failure::kit)?;
+    String::from_utf8(bytes).map_err(Failure::kit)
+}
+
+struct Teller<'a> {
+    args: &'a Args,
+    script: &'a Script,
+    source: &'a str,
+    answer: Answer,
+    /// The steps for the answer in JSON.
+    told: Vec<Value>,
+}
+
+impl Teller<'_> {
+    fn tell(&mut self, step: &Step, structure: &Subdivision, out: &mut Output) -> Result<(), Failure> {
+        let said = &self.script.statements()[step.statement];
+        if let Outcome::Refused { reason, .. } = &step.outcome {
+            self.answer = Answer::No;
+            failure::say("refused", format_args!("{}:{}: {reason}", self.source, said.line()));
+        }
+        if self.args.json {
+            let mut value = to_json(&step.outcome, structure)?;
+            value["line"] = said.line().into();
+            value["text"] = said.text().into();
+            self.told.push(value);
+            return Ok(());
+        }
+        writeln!(out, "{}: {}", said.line(), said.text())?;
+        match &step.outcome {
+            Outcome::Edited { edit, returned, .. } => {
+                let call = edit.to_string();
+                if !said.text().ends_with(&call) {
+                    writeln!(out, "   {call}")?;
+                }
+                writeln!(out, "   returned {returned}")?;
+            }
+            Outcome::Refused { .. } => writeln!(out, "   refused")?,
+            Outcome::Dump => out.write_all(dump(structure)?.as_bytes())?,
+            Outcome::Caption(_) => {}
+            other => writeln!(out, "   {other}")?,
+        }
+        Ok(())
+    }
+}
+
+fn to_json(outcome: &Outcome, structure: &Subdivision) -> Result<Value, Failure> {
+    let strings = |items: &mut dyn Iterator<Item = String>| Value::from_iter(items);
+    Ok(match outcome {
+        Outcome::Edited { edit, returned, journal } => {
+            let steps = journal.steps().iter().enumerate().map(|(i, step)| {
+                let writes = strings(&mut journal.changes_of_step(i).iter().map(ToString::to_string));
+                json!({ "number": step.number, "what": step.what, "changes": writes })
+            });
+            let returned = strings(&mut returned.elements().iter().map(ToString::to_string));
+            json!({ "call": edit.to_string(), "returned": returned, "steps": Value::from_iter(steps) })
+        }
+        Outcome::Refused { edit, reason } => {
+            json!({ "call": edit.map(|edit| edit.to_string()), "refused": reason.to_string() })
+        }
+        Outcome::WalkedFace { face, cycle } => json!({
+            "face": face.to_string(),
+            "half_edges": strings(&mut cycle.iter().map(|(h, _)| h.to_string())),
+            "origins": strings(&mut cycle.iter().map(|(_, v)| v.to_string())),
+        }),
+        Outcome::WalkedVertex { vertex, star } => json!({
+            "vertex": vertex.to_string(),
+            "half_edges": strings(&mut star.iter().map(|(h, _)| h.to_string())),
+            "destinations": strings(&mut star.iter().map(|(_, v)| v.to_string())),
+        }),
+        Outcome::Named(element) => json!({ "element": element.to_string() }),
+        Outcome::Highlighted(elements) => {
+            json!({ "highlighted": strings(&mut elements.iter().map(ToString::to_string)) })
+        }
+        Outcome::Caption(text) => json!({ "caption": text }),
+        Outcome::Dump => json!({ "dump": dump(structure)? }),
+    })
+}

@@ -1,0 +1,294 @@
+//! From a journal to the tables of the frames.
+//!
+//! ```text
+//!   before            step 1        step 2          ...    after
+//!   table ──changes──> table ──changes──> table            the structure itself
+//!                      written: h6.next  gone h8, new h13
+//! ```
+//!
+//! The areas of faces cannot be walked in a half-linked structure. A frame shows the areas of the structure
+//! before the edit until the step that gives the last half-edge its face (or, if none does, its next); from
+//! then on those after the edit.
+
+use crate::ids::{Element, FaceId, VertexId};
+use crate::plane::PlanarView;
+use crate::topology::{Change, Journal, Slot, Table, View};
+use std::collections::BTreeMap;
+
+/// Edits to be shown frame by frame.
+///
+/// ```
+/// use dcel_kit::figure::{Film, FigureOptions};
+/// use dcel_kit::{HalfEdgeId, plane::Subdivision, topology::Journal};
+/// let mut lab = Subdivision::lab_rectangle();
+/// let mut film = Film::new(&lab);
+/// let mut journal = Journal::new();
+/// lab.split_face_with(HalfEdgeId::new(2), HalfEdgeId::new(8), &mut journal)?;
+/// film.edit("split_face h2 h8", "", &[], &journal, &lab);
+/// assert_eq!(film.frames().len(), 7);
+/// assert!(film.strip(&FigureOptions::new("Split"))?.to_svg().contains("id=\"split-3-h12-next\""));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Film {
+    /// The structure before the first edit, and after each.
+    pub(super) states: Vec<Table>,
+    shots: Vec<Shot>,
+    closing: String,
+}
+
+#[derive(Clone, Debug)]
+struct Shot {
+    title: String,
+    caption: String,
+    marked: Vec<Element>,
+    journal: Journal,
+}
+
+/// What became of a pointer.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Fate {
+    /// It was there before the step, and is not any more.
+    Gone,
+    /// The step has set it.
+    New,
+}
+
+/// A pointer that a step has changed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Written {
+    /// Which pointer.
+    pub slot: Slot,
+    /// Where it leads, or led.
+    pub target: Element,
+    /// Whether it is new or gone.
+    pub fate: Fate,
+}
+
+/// One picture of a film.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// The call, the step with its number, or `after`.
+    pub heading: String,
+    /// What to look at: the caption, or what the step has written.
+    pub text: String,
+    /// The structure at the end of the step, with positions.
+    pub table: Table,
+    /// The changes of the step, in order; none before and after.
+    pub changes: Vec<Change>,
+    /// The pointers that differ from the frame before.
+    pub written: Vec<Written>,
+    /// Vertices, edges and faces that have come.
+    pub added: Vec<Element>,
+    /// Vertices, edges and faces that have gone; they are drawn a last time.
+    pub removed: Vec<Element>,
+    /// What the film's maker wants to be seen.
+    pub marked: Vec<Element>,
+    /// The number of the state whose areas are shown.
+    pub(super) areas: usize,
+    /// The numbers of the states before and after the edit.
+    pub(super) states: [usize; 2],
+    /// The structure at the beginning of the step.
+    pub(super) before: Table,
+    /// The edges and vertices that the edit has made so far.
+    pub(super) made: Vec<Element>,
+}
+
+impl Film {
+    /// A film that begins with this structure.
+    pub fn new<V: PlanarView + ?Sized>(start: &V) -> Self {
+        Self { states: vec![snapshot(start)], shots: Vec::new(), closing: String::new() }
+    }
+
+    /// Appends an edit: the call, a sentence for the frame before it (may be empty), elements to be marked, what
+    /// was recorded, and the structure it led to.
+    pub fn edit<V: PlanarView + ?Sized>(
+        &mut self,
+        title: &str,
+        caption: &str,
+        marked: &[Element],
+        journal: &Journal,
+        after: &V,
+    ) {
+        self.shots.push(Shot {
+            title: title.to_owned(),
+            caption: caption.to_owned(),
+            marked: marked.to_vec(),
+            journal: journal.clone(),
+        });
+        self.states.push(snapshot(after));
+    }
+
+    /// Sets the sentence of the last frame.
+    pub fn close(&mut self, caption: &str) {
+        caption.clone_into(&mut self.closing);
+    }
+
+    /// How many edits there are.
+    #[must_use]
+    pub fn edit_count(&self) -> usize {
+        self.shots.len()
+    }
+
+    /// All frames: before each edit, after each of its steps, and at the end.
+    ///
+    /// Cost: O(frames x size of the structure).
+    #[must_use]
+    pub fn frames(&self) -> Vec<Frame> {
+        let mut out = Vec::new();
+        for (i, shot) in self.shots.iter().enumerate() {
+            let states = [i, i + 1];
+            out.push(still(&shot.title, &shot.caption, &self.states[i], i, states, shot.marked.clone()));
+            self.steps(shot, states, &mut out);
+        }
+        let last = self.states.len() - 1;
+        let heading = if self.shots.is_empty() { "" } else { "after" };
+        let states = [last.saturating_sub(1), last];
+        out.push(still(heading, &self.closing, &self.states[last], last, states, Vec::new()));
+        out
+    }
+
+    fn steps(&self, shot: &Shot, states: [usize; 2], out: &mut Vec<Frame>) {
+        let after = &self.states[states[1]];
+        let mut table = self.states[states[0]].clone();
+        let turning = turning_step(&shot.journal);
+        let mut made = Vec::new();
+        for (i, step) in shot.journal.steps().iter().enumerate() {
+            let changes = shot.journal.changes_of_step(i);
+            let before = table.clone();
+            for change in changes {
+                table.apply(change);
+                if let Change::Added { element: Element::Vertex(v), .. } = *change {
+                    place(&mut table, v, after);
+                }
+            }
+            let turned = i >= turning;
+            if turned {
+                copy_regions(&mut table, after);
+            }
+            let added = elements(changes, true);
+            made.extend(added.iter().copied());
+            out.push(Frame {
+                heading: format!("{} {}", step.number, step.what),
+                text: summary(changes),
+                changes: changes.to_vec(),
+                written: written(changes, &before),
+                added,
+                removed: elements(changes, false),
+                marked: shot.marked.clone(),
+                areas: states[usize::from(turned)],
+                states,
+                table: table.clone(),
+                before,
+                made: made.clone(),
+            });
+        }
+    }
+}
+
+fn still(heading: &str, text: &str, table: &Table, areas: usize, states: [usize; 2], marked: Vec<Element>) -> Frame {
+    Frame {
+        heading: heading.to_owned(),
+        text: text.to_owned(),
+        table: table.clone(),
+        changes: Vec::new(),
+        written: Vec::new(),
+        added: Vec::new(),
+        removed: Vec::new(),
+        marked,
+        areas,
+        states,
+        before: table.clone(),
+        made: Vec::new(),
+    }
+}
+
+/// A copy of all pointers and positions.
+fn snapshot<V: PlanarView + ?Sized>(view: &V) -> Table {
+    let mut table = Table::from_view(view);
+    for (i, row) in table.vertices.iter_mut().enumerate() {
+        if let Some(row) = row {
+            row.position = view.position(VertexId::new(i as u32)).map(|p| [p.x, p.y]);
+        }
+    }
+    table
+}
+
+fn place(table: &mut Table, v: VertexId, from: &Table) {
+    let position = from.position(v).map(|p| [p.x, p.y]);
+    if let Some(Some(row)) = table.vertices.get_mut(v.index()) {
+        row.position = position;
+    }
+}
+
+/// Rings and holes are not in the journal: they change when the areas do.
+fn copy_regions(table: &mut Table, after: &Table) {
+    for (i, row) in table.faces.iter_mut().enumerate() {
+        let face = FaceId::new(i as u32);
+        if let Some(row) = row {
+            row.rings = after.rings(face).to_vec();
+            row.hole = after.is_hole(face);
+        }
+    }
+}
+
+/// The index of the last step that gives a half-edge a face; without such a step, a next.
+fn turning_step(journal: &Journal) -> usize {
+    let last = |wanted: fn(Slot) -> bool| {
+        let writes = |change: &Change| matches!(*change, Change::Write { slot, new: Some(_), .. } if wanted(slot));
+        (0..journal.steps().len()).rev().find(|&i| journal.changes_of_step(i).iter().any(writes))
+    };
+    last(|slot| matches!(slot, Slot::Face(_))).or_else(|| last(|slot| matches!(slot, Slot::Next(_)))).unwrap_or(0)
+}
+
+/// The pointers that differ after the changes from what they were in `before`.
+fn written(changes: &[Change], before: &Table) -> Vec<Written> {
+    let mut net: Vec<(Slot, Option<Element>, Option<Element>)> = Vec::new();
+    let mut index: BTreeMap<String, usize> = BTreeMap::new();
+    for change in changes {
+        let Change::Write { slot, old, new } = *change else { continue };
+        let at = *index.entry(slot.to_string()).or_insert_with(|| {
+            net.push((slot, old.filter(|_| exists(slot, before)), None));
+            net.len() - 1
+        });
+        net[at].2 = new;
+    }
+    let changed = net.into_iter().filter(|(_, old, new)| old != new);
+    changed
+        .flat_map(|(slot, old, new)| {
+            let gone = old.map(|target| Written { slot, target, fate: Fate::Gone });
+            let new = new.map(|target| Written { slot, target, fate: Fate::New });
+            gone.into_iter().chain(new)
+        })
+        .collect()
+}
+
+/// Whether the element that stores the pointer was there.
+fn exists(slot: Slot, table: &Table) -> bool {
+    match slot {
+        Slot::Outgoing(v) => table.has_vertex(v),
+        Slot::Boundary(f) => table.has_face(f),
+        Slot::Origin(h) | Slot::Next(h) | Slot::Prev(h) | Slot::Face(h) => table.has_half_edge(h),
+    }
+}
+
+fn elements(changes: &[Change], come: bool) -> Vec<Element> {
+    let pick = |change: &Change| match *change {
+        Change::Added { element, .. } if come => Some(element),
+        Change::Removed { element } if !come => Some(element),
+        _ => None,
+    };
+    changes.iter().filter_map(pick).collect()
+}
+
+/// What a step has written, in few words. `prev` goes without saying beside `next`, and so does the clearing of
+/// what is removed.
+fn summary(changes: &[Change]) -> String {
+    let words = changes.iter().filter_map(|change| match change {
+        Change::Write { slot: Slot::Prev(_), .. } | Change::Write { new: None, .. } => None,
+        Change::Write { slot, new: Some(new), .. } => Some(format!("{slot} = {new}")),
+        other => Some(other.to_string()),
+    });
+    let words: Vec<String> = words.collect();
+    if words.is_empty() { "nothing to do here".to_owned() } else { words.join(", ") }
+}

@@ -1,0 +1,74 @@
+//! The style rules of films: what is new, what has gone, and one frame at a time.
+//!
+//! ```text
+//!   .made  blue, bold      .gone  red, dashed 3 2.5      .dim  grey
+//!
+//!   screen with :has       one frame: the target of the link, else the first
+//!   no style, print        all frames, in rows
+//! ```
+
+use crate::figure::number::drawn;
+use crate::figure::style::{Colour, Palette, Style};
+use crate::figure::vector::Xy;
+use std::fmt::Write;
+
+/// What has gone: 5.9 : 1 on white.
+const GONE: Colour = Colour(0x00c8_102e);
+/// What has gone, on dark paper: 6.6 : 1.
+const GONE_DARK: Colour = Colour(0x00ff_7b72);
+
+/// The rules of new and gone things, scoped like those of the style.
+pub(super) fn marks(style: &Style, scope: &str) -> String {
+    let mut out = String::new();
+    let width = drawn(1.5 * style.shaft_width);
+    for (selector, properties) in [
+        (".made .sh", format!("stroke-width:{width}")),
+        (".made .hl", "font-weight:700".to_owned()),
+        (".made .pl", "stroke-width:2.4".to_owned()),
+        (".gone .sh", "stroke-dasharray:3 2.5".to_owned()),
+        (".gone .pl", "stroke-dasharray:3 2.5".to_owned()),
+        (".gone .vd", "stroke-dasharray:3 2.5".to_owned()),
+        (".nav", "text-decoration:underline".to_owned()),
+    ] {
+        let _ = writeln!(out, "#{scope} {selector}{{{properties}}}");
+    }
+    colours(&mut out, scope, &style.light, GONE);
+    if let Some(dark) = &style.dark {
+        out.push_str("@media (prefers-color-scheme:dark){\n");
+        colours(&mut out, scope, dark, GONE_DARK);
+        out.push_str("}\n");
+    }
+    out
+}
+
+fn colours(out: &mut String, scope: &str, palette: &Palette, gone: Colour) {
+    for (class, colour) in [("made", palette.next), ("gone", gone), ("dim", palette.dim)] {
+        for (part, property) in [("pl", "stroke"), ("ph", "fill")] {
+            let _ = writeln!(out, "#{scope} .{class} .{part}{{{property}:{colour}}}");
+        }
+    }
+    for (class, colour) in [("made", palette.next), ("gone", gone)] {
+        for (part, property) in [("sh", "stroke"), ("barb", "fill"), ("hl", "fill"), ("vd", "stroke")] {
+            let _ = writeln!(out, "#{scope} .{class} .{part}{{{property}:{colour}}}");
+        }
+    }
+    let _ = writeln!(out, "#{scope} .nav{{fill:{}}}", palette.next);
+}
+
+/// The rules that show one frame of the size `frame` out of a sheet of the size `sheet`.
+///
+/// The root keeps the view box of the whole sheet, so that the sheet is right where these rules are not known. On
+/// a small root, `slice` shrinks that box; the frame is enlarged by as much.
+pub(super) fn stepper(scope: &str, sheet: Xy, frame: Xy) -> String {
+    let enlarged = 1.0 / (frame.x / sheet.x).max(frame.y / sheet.y);
+    format!(
+        "@supports selector(:has(a)){{@media screen{{\n\
+         #{scope}{{width:{}px;height:{}px}}\n\
+         #{scope} .fr{{display:none;transform:scale({enlarged})}}\n\
+         #{scope} .fr:target{{display:inline}}\n\
+         #{scope}:not(:has(.fr:target)) .first{{display:inline}}\n\
+         }}}}\n@media print{{#{scope} .nav{{display:none}}}}\n",
+        drawn(frame.x),
+        drawn(frame.y)
+    )
+}

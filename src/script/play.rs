@@ -1,0 +1,322 @@
+//! Carrying out a script, step by step.
+//!
+//! ```text
+//!   3: let a = split_face h2 h0.next.next.twin.prev.twin     words
+//!      split_face h2 h8                                       ids, as they are at this moment
+//!      returned h12, f2                                       a = h12
+//! ```
+
+use super::edit::{Edit, EditError, Returned};
+use super::syntax::{Action, Base, Link, Path, Script, Statement};
+use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
+use crate::plane::Subdivision;
+use crate::topology::{Change, Journal};
+use std::collections::BTreeMap;
+use std::fmt;
+use std::ops::ControlFlow;
+
+/// A statement that has been carried out, or refused.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Step {
+    /// Its number among the statements of the script, from 0.
+    pub statement: usize,
+    /// What came of it.
+    pub outcome: Outcome,
+}
+
+/// What came of a statement.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Outcome {
+    /// An edit was made.
+    Edited {
+        /// The call with its ids.
+        edit: Edit,
+        /// What it gave back.
+        returned: Returned,
+        /// Every change it made, by the steps of the operation.
+        journal: Journal,
+    },
+    /// Nothing was done.
+    Refused {
+        /// The call with its ids, if the words could be resolved.
+        edit: Option<Edit>,
+        /// Why not.
+        reason: Refusal,
+    },
+    /// A walk along `next` until it closed.
+    WalkedFace {
+        /// The face on the left.
+        face: FaceId,
+        /// The half-edges with their origins.
+        cycle: Vec<(HalfEdgeId, VertexId)>,
+    },
+    /// A walk round a vertex, counter-clockwise.
+    WalkedVertex {
+        /// The vertex.
+        vertex: VertexId,
+        /// The half-edges that start there, with their destinations.
+        star: Vec<(HalfEdgeId, VertexId)>,
+    },
+    /// An element got a name.
+    Named(Element),
+    /// Elements to be marked in the frames of the next edit.
+    Highlighted(Vec<Element>),
+    /// A sentence for the frames of the next edit.
+    Caption(String),
+    /// The structure is to be written out.
+    Dump,
+}
+
+impl Outcome {
+    /// Whether the statement was refused.
+    #[must_use]
+    pub fn is_refused(&self) -> bool {
+        matches!(self, Self::Refused { .. })
+    }
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let pairs = |f: &mut fmt::Formatter<'_>, pairs: &[(HalfEdgeId, VertexId)]| {
+            pairs.iter().try_for_each(|(h, v)| write!(f, " {h} ({v})"))
+        };
+        match self {
+            Self::Edited { edit, returned, .. } => write!(f, "{edit} returned {returned}"),
+            Self::Refused { edit: Some(edit), reason } => write!(f, "{edit} refused: {reason}"),
+            Self::Refused { edit: None, reason } => write!(f, "refused: {reason}"),
+            Self::WalkedFace { face, cycle } => {
+                write!(f, "along {face}:")?;
+                pairs(f, cycle)
+            }
+            Self::WalkedVertex { vertex, star } if star.is_empty() => write!(f, "round {vertex}: no half-edge"),
+            Self::WalkedVertex { vertex, star } => {
+                write!(f, "round {vertex}:")?;
+                pairs(f, star)
+            }
+            Self::Named(element) => write!(f, "is {element}"),
+            Self::Highlighted(elements) => {
+                let names: Vec<String> = elements.iter().map(ToString::to_string).collect();
+                write!(f, "highlighted {}", names.join(", "))
+            }
+            Self::Caption(text) => f.write_str(text),
+            Self::Dump => f.write_str("dump"),
+        }
+    }
+}
+
+/// Why a statement was not carried out.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Refusal {
+    /// The edit refused.
+    #[error(transparent)]
+    Edit(#[from] EditError),
+    /// The element of a word has been removed.
+    #[error("`{word}` was {element}, which line {line} has removed; name another element")]
+    Gone {
+        /// The word.
+        word: String,
+        /// What it named.
+        element: Element,
+        /// The line of the edit that removed it.
+        line: u32,
+    },
+    /// The edit that was to give the name was refused.
+    #[error("`{word}` names nothing, because line {line} was refused")]
+    Unnamed {
+        /// The word.
+        word: String,
+        /// The line of the refused edit.
+        line: u32,
+    },
+    /// A pointer that is not set: the `outgoing` of a vertex without edges, the `boundary` of an empty plane.
+    #[error("{element}.{} is not set, so `{word}` leads nowhere", link.word())]
+    NoTarget {
+        /// The word.
+        word: String,
+        /// Where the path ends.
+        element: Element,
+        /// The link that leads nowhere.
+        link: Link,
+    },
+}
+
+/// A script that has been carried out.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Run {
+    /// One for each statement.
+    pub steps: Vec<Step>,
+    /// The structure at the end.
+    pub end: Subdivision,
+}
+
+impl Script {
+    /// Carries out all statements. Refused ones change nothing, and the script goes on.
+    #[must_use]
+    pub fn run(&self) -> Run {
+        let mut steps = Vec::with_capacity(self.statements.len());
+        let end = self.play(|step, _| {
+            steps.push(step);
+            ControlFlow::Continue(())
+        });
+        Run { steps, end }
+    }
+
+    /// Carries out the statements one by one; `watch` gets each with the structure after it, and may end the
+    /// play. Returns the structure as it is then.
+    ///
+    /// Cost: that of the edits and walks.
+    pub fn play(&self, mut watch: impl FnMut(Step, &Subdivision) -> ControlFlow<()>) -> Subdivision {
+        let mut stage = Stage {
+            subdivision: self.start.clone(),
+            names: self.names.iter().map(|name| Bound::Refused { line: name.line }).collect(),
+            gone: BTreeMap::new(),
+        };
+        for (statement, said) in self.statements.iter().enumerate() {
+            let outcome = stage.act(said);
+            if watch(Step { statement, outcome }, &stage.subdivision).is_break() {
+                break;
+            }
+        }
+        stage.subdivision
+    }
+}
+
+/// What a name stands for.
+#[derive(Clone, Copy)]
+enum Bound {
+    To(Element),
+    Gone { element: Element, line: u32 },
+    Refused { line: u32 },
+}
+
+struct Stage {
+    subdivision: Subdivision,
+    names: Vec<Bound>,
+    /// Given elements that were removed, with the line that did it.
+    gone: BTreeMap<Element, u32>,
+}
+
+impl Stage {
+    fn act(&mut self, said: &Statement) -> Outcome {
+        self.try_act(said).unwrap_or_else(|reason| Outcome::Refused { edit: None, reason })
+    }
+
+    fn try_act(&mut self, said: &Statement) -> Result<Outcome, Refusal> {
+        Ok(match &said.action {
+            Action::Edit { kind, arguments, point, name } => {
+                let arguments = arguments.iter().map(|path| self.half_edge(path)).collect::<Result<Vec<_>, _>>()?;
+                match kind.call(&arguments, *point) {
+                    Some(edit) => self.edit(edit, said.line, *name),
+                    None => Outcome::Dump,
+                }
+            }
+            Action::Name { path, name } => {
+                let element = self.resolve(path)?;
+                self.names[*name] = Bound::To(element);
+                Outcome::Named(element)
+            }
+            Action::WalkFace(path) => {
+                let h = self.half_edge(path)?;
+                let cycle = self.subdivision.cycle(h).map(|h| (h, self.subdivision.origin(h))).collect();
+                Outcome::WalkedFace { face: self.subdivision.face(h), cycle }
+            }
+            Action::WalkVertex(path) => {
+                let (vertex, start) = match self.resolve(path)? {
+                    Element::Vertex(v) => (v, self.subdivision.outgoing(v)),
+                    _ => {
+                        let h = self.half_edge(path)?;
+                        (self.subdivision.origin(h), Some(h))
+                    }
+                };
+                let star = start.into_iter().flat_map(|h| self.subdivision.star(h));
+                let star = star.map(|h| (h, self.subdivision.destination(h))).collect();
+                Outcome::WalkedVertex { vertex, star }
+            }
+            Action::Highlight(paths) => {
+                Outcome::Highlighted(paths.iter().map(|path| self.resolve(path)).collect::<Result<_, _>>()?)
+            }
+            Action::Caption(text) => Outcome::Caption(text.clone()),
+            Action::Dump => Outcome::Dump,
+        })
+    }
+
+    fn edit(&mut self, edit: Edit, line: u32, name: Option<usize>) -> Outcome {
+        let mut journal = Journal::new();
+        let returned = match edit.apply(&mut self.subdivision, &mut journal) {
+            Ok(returned) => returned,
+            Err(reason) => return Outcome::Refused { edit: Some(edit), reason: reason.into() },
+        };
+        for change in journal.changes() {
+            if let Change::Removed { element } = *change {
+                self.remove(element, line);
+            }
+        }
+        if let (Some(name), Some(h)) = (name, returned.half_edge()) {
+            self.names[name] = Bound::To(h.into());
+        }
+        Outcome::Edited { edit, returned, journal }
+    }
+
+    fn remove(&mut self, element: Element, line: u32) {
+        let mut all = vec![element];
+        if let Element::Edge(e) = element {
+            all.extend(e.half_edges().map(Element::from));
+        }
+        for element in all {
+            self.gone.entry(element).or_insert(line);
+            for name in &mut self.names {
+                if matches!(name, Bound::To(named) if *named == element) {
+                    *name = Bound::Gone { element, line };
+                }
+            }
+        }
+    }
+
+    /// The half-edge of a path; that of a vertex is its `outgoing`, that of a face its `boundary`.
+    fn half_edge(&self, path: &Path) -> Result<HalfEdgeId, Refusal> {
+        let element = self.resolve(path)?;
+        let (target, link) = match element {
+            Element::HalfEdge(h) => (Some(h), Link::Next),
+            Element::Vertex(v) => (self.subdivision.outgoing(v), Link::Outgoing),
+            Element::Face(f) => (self.subdivision.boundary(f), Link::Boundary),
+            Element::Edge(e) => (Some(e.half_edges()[0]), Link::Edge),
+        };
+        target.ok_or_else(|| Refusal::NoTarget { word: path.text.clone(), element, link })
+    }
+
+    fn resolve(&self, path: &Path) -> Result<Element, Refusal> {
+        let gone = |element, line| Refusal::Gone { word: path.text.clone(), element, line };
+        let start = match path.base {
+            Base::Given(element) => match self.gone.get(&element) {
+                Some(&line) => return Err(gone(element, line)),
+                None => element,
+            },
+            Base::Named(name) => match self.names[name] {
+                Bound::To(element) => element,
+                Bound::Gone { element, line } => return Err(gone(element, line)),
+                Bound::Refused { line } => return Err(Refusal::Unnamed { word: path.text.clone(), line }),
+            },
+        };
+        path.links.iter().try_fold(start, |element, &link| {
+            let no_target = || Refusal::NoTarget { word: path.text.clone(), element, link };
+            self.follow(element, link).ok_or_else(no_target)
+        })
+    }
+
+    fn follow(&self, element: Element, link: Link) -> Option<Element> {
+        let on = &self.subdivision;
+        Some(match (element, link) {
+            (Element::HalfEdge(h), Link::Next) => on.next(h).into(),
+            (Element::HalfEdge(h), Link::Prev) => on.prev(h).into(),
+            (Element::HalfEdge(h), Link::Twin) => h.twin().into(),
+            (Element::HalfEdge(h), Link::Origin) => on.origin(h).into(),
+            (Element::HalfEdge(h), Link::Destination) => on.destination(h).into(),
+            (Element::HalfEdge(h), Link::Face) => on.face(h).into(),
+            (Element::HalfEdge(h), Link::Edge) => EdgeId::new(h.number() / 2).into(),
+            (Element::Vertex(v), Link::Outgoing) => on.outgoing(v)?.into(),
+            (Element::Face(f), Link::Boundary) => on.boundary(f)?.into(),
+            _ => return None,
+        })
+    }
+}

@@ -1,0 +1,257 @@
+//! Figures and pages in a real browser: what the console says, what hovering, focus and addresses show, what the
+//! page does on clicks and keys.
+
+#[path = "browser/devtools.rs"]
+mod devtools;
+
+use dcel_kit::figure::{self, FigureOptions};
+use dcel_kit::plane::Subdivision;
+use devtools::Browser;
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+
+/// A folder with one file.
+struct File {
+    path: PathBuf,
+    _folder: tempfile::TempDir,
+}
+
+impl File {
+    fn new(name: &str, text: &str) -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        Self { path, _folder: folder }
+    }
+}
+
+fn lab() -> Subdivision {
+    let mut lab = Subdivision::lab_rectangle();
+    lab.split_face(dcel_kit::HalfEdgeId::new(2), dcel_kit::HalfEdgeId::new(8)).unwrap();
+    lab
+}
+
+fn picture() -> File {
+    let options = FigureOptions::new("Lab").interactive(true);
+    File::new("lab.svg", &figure::structure(&lab(), &options).unwrap().to_svg())
+}
+
+fn page() -> File {
+    File::new("lab.html", figure::page(&lab(), &FigureOptions::new("Lab")).unwrap().to_html())
+}
+
+/// The ids of the half-edges whose pointers are seen.
+const SHOWN: &str = "[...document.querySelectorAll('.he')].filter(g => g.querySelector('.ptr') && \
+                     getComputedStyle(g.querySelector('.ptr')).display !== 'none').map(g => g.id)";
+
+/// A point on the shaft of a half-edge, in px of the window.
+fn on_shaft(browser: &mut Browser, id: &str) -> [f64; 2] {
+    let box_of = format!("document.querySelector('#{id} .sh').getBoundingClientRect()");
+    let place = browser.eval(&format!("(b => [b.x + b.width / 2, b.y + b.height / 2])({box_of})"));
+    [0, 1].map(|i| place[i].as_f64().unwrap())
+}
+
+#[test]
+#[cfg_attr(not(chromium), ignore = "needs chromium")]
+fn every_reference_figure_opens_without_a_word_from_the_console() {
+    let mut browser = Browser::start(800, 600);
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("figures");
+    let mut files: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.retain(|path| path.extension().is_some_and(|extension| extension == "svg" || extension == "html"));
+    files.sort();
+    assert!(files.len() >= 5, "{files:?}");
+    for path in files {
+        browser.open(&path, "");
+        // What has a d, points, x or r that is no number has no box.
+        let flat = "[...document.querySelectorAll('text, circle, path, line')].filter(e => \
+                    !e.closest('.ptr, defs') && e.getBBox().width + e.getBBox().height === 0).map(e => e.outerHTML)";
+        assert_eq!(browser.eval(flat), json!([]), "{}", path.display());
+        assert_eq!(browser.eval("document.querySelectorAll('parsererror').length"), 0, "{}", path.display());
+        let complaints = browser.complaints();
+        assert!(complaints.is_empty(), "{}: {complaints:?}", path.display());
+    }
+}
+
+#[test]
+#[cfg_attr(not(chromium), ignore = "needs chromium")]
+fn mouse_focus_and_address_show_the_pointers_of_one_half_edge() {
+    let file = picture();
+    let mut browser = Browser::start(1700, 1700);
+    browser.open(&file.path, "");
+    assert_eq!(browser.eval(SHOWN), json!([]));
+    for id in ["lab-h3", "lab-h12"] {
+        let place = on_shaft(&mut browser, id);
+        browser.hover(place);
+        assert_eq!(browser.eval(SHOWN), json!([id]), "hover");
+    }
+    browser.hover([2.0, 2.0]);
+    for id in ["lab-h0", "lab-h1", "lab-h2"] {
+        browser.press("Tab");
+        assert_eq!(browser.eval(SHOWN), json!([id]), "focus");
+    }
+    let order = "[...document.querySelectorAll('[tabindex]')].map(e => e.id)";
+    let half_edges: Vec<String> = (0..14).map(|i| format!("lab-h{i}")).collect();
+    assert_eq!(browser.eval(order), json!(half_edges));
+    browser.open(&file.path, "lab-h5");
+    assert_eq!(browser.eval(SHOWN), json!(["lab-h5"]), "address");
+    let stroke = "getComputedStyle(document.querySelector('#lab-h5 .sh')).stroke";
+    browser.media("screen", "prefers-color-scheme", "light");
+    let light = browser.eval(stroke);
+    browser.media("screen", "prefers-color-scheme", "dark");
+    assert_ne!(browser.eval(stroke), light, "dark mode has colours of its own");
+    assert!(browser.complaints().is_empty(), "{:?}", browser.complaints());
+}
+
+#[test]
+#[cfg_attr(not(chromium), ignore = "needs chromium")]
+fn screen_readers_hear_every_half_edge() {
+    let file = picture();
+    let mut browser = Browser::start(800, 600);
+    browser.open(&file.path, "");
+    let tree = browser.call("Accessibility.getFullAXTree", &json!({}));
+    let nodes = tree["nodes"].as_array().unwrap();
+    let name = |node: &Value| node["name"]["value"].as_str().unwrap_or("").to_owned();
+    let named = |role: &str| nodes.iter().filter(|node| node["role"]["value"] == role).map(name).collect::<Vec<_>>();
+    let images = named("image");
+    let heard: Vec<&String> = images.iter().filter(|name| name.starts_with('h')).collect();
+    assert_eq!(heard.len(), 14, "{images:?}");
+    let lab = lab();
+    let h = dcel_kit::HalfEdgeId::new(4);
+    let words = format!(
+        "h4: {} to {}, face {}, twin h5, next {}, prev {}",
+        lab.origin(h),
+        lab.destination(h),
+        lab.face(h),
+        lab.next(h),
+        lab.prev(h)
+    );
+    assert!(images.contains(&words), "{words} is not among {images:?}");
+    assert!(named("group").iter().any(|name| name.starts_with("Lab 6 vertices")), "{:?}", named("group"));
+}
+
+#[test]
+#[cfg_attr(not(chromium), ignore = "needs chromium")]
+fn the_page_follows_clicks_keys_and_the_search() {
+    let (file, lab) = (page(), lab());
+    let mut browser = Browser::start(1400, 1200);
+    browser.open(&file.path, "");
+    let on = "[...document.querySelectorAll('.on')].map(e => e.id)";
+    let pair = |id: &str| json!([format!("lab-{id}"), format!("lab-row-{id}")]);
+    browser.eval("document.querySelector('#lab-row-h4 td:last-child').click()");
+    assert_eq!(browser.eval(on), pair("h4"), "click on a row");
+    assert_eq!(browser.eval(SHOWN), json!(["lab-h4"]));
+    let place = on_shaft(&mut browser, "lab-h7");
+    browser.hover(place);
+    browser.click(place);
+    assert_eq!(browser.eval(on), pair("h7"), "click in the picture");
+    browser.hover([2.0, 2.0]);
+
+    let mut h = dcel_kit::HalfEdgeId::new(7);
+    for (key, name) in [("n", "next"), ("n", "next"), ("t", "twin"), ("p", "prev")] {
+        h = match name {
+            "next" => lab.next(h),
+            "prev" => lab.prev(h),
+            _ => lab.twin(h),
+        };
+        browser.press(key);
+        assert_eq!(browser.eval(on), pair(&h.to_string()), "key {key}");
+    }
+    h = lab.next(h);
+    browser.eval("document.getElementById('lab-page-next').click()");
+    assert_eq!(browser.eval(on), pair(&h.to_string()), "button");
+    browser.eval("document.querySelector('#lab-page-state a').click()");
+    assert_eq!(browser.eval(on), pair(&lab.origin(h).to_string()), "link in the panel");
+    browser.press("n");
+    let message = "document.getElementById('lab-page-message').textContent";
+    let said = browser.eval(message);
+    assert!(said.as_str().unwrap().contains("has no next"), "{said}");
+
+    browser.press("/");
+    browser.insert("F1");
+    browser.press("Enter");
+    assert_eq!(browser.eval(on), pair("f1"), "search");
+    browser.eval("document.getElementById('lab-page-query').value = ''");
+    browser.insert("h99");
+    browser.press("Enter");
+    let said = browser.eval(message);
+    assert!(said.as_str().unwrap().contains("There is no h99"), "{said}");
+    assert_eq!(browser.eval(on), pair("f1"), "an unknown name changes nothing");
+    assert!(browser.complaints().is_empty(), "{:?}", browser.complaints());
+}
+
+#[test]
+#[cfg_attr(not(chromium), ignore = "needs chromium")]
+fn the_page_walks_round_a_face_and_round_a_vertex() {
+    let (file, lab) = (page(), lab());
+    let mut browser = Browser::start(1400, 1200);
+    let trail = "document.getElementById('lab-page-trail').textContent";
+    let seen = "[...document.querySelectorAll('tr.seen')].map(e => e.dataset.id).sort()";
+    let sorted = |ids: &mut dyn Iterator<Item = dcel_kit::HalfEdgeId>| {
+        let mut names: Vec<String> = ids.map(|h| h.to_string()).collect();
+        names.sort();
+        json!(names)
+    };
+    browser.media("screen", "prefers-reduced-motion", "reduce");
+    browser.open(&file.path, "lab-v1");
+    let v = dcel_kit::VertexId::new(1);
+    browser.press("s");
+    assert_eq!(browser.eval(seen), sorted(&mut lab.outgoing_half_edges(v)), "at once, without motion");
+    let said = browser.eval(trail);
+    assert!(said.as_str().unwrap().contains(&format!("again: {} half-edge", lab.outgoing_half_edges(v).count())));
+
+    browser.media("screen", "prefers-reduced-motion", "no-preference");
+    browser.open(&file.path, "lab-f1");
+    let f = dcel_kit::FaceId::new(1);
+    browser.press("f");
+    assert_eq!(browser.eval(&format!("{seen}.length")), 1, "step by step");
+    browser.wait_for("document.getElementById('lab-page-stop').disabled");
+    assert_eq!(browser.eval(seen), sorted(&mut lab.incident_half_edges(f)));
+    browser.press("f");
+    browser.press("Escape");
+    std::thread::sleep(std::time::Duration::from_millis(900));
+    assert_eq!(browser.eval(&format!("{seen}.length")), 1, "stopped");
+    assert!(browser.complaints().is_empty(), "{:?}", browser.complaints());
+}
+
+#[test]
+#[cfg_attr(not(chromium), ignore = "needs chromium")]
+fn without_scripts_the_page_is_picture_and_tables() {
+    let file = page();
+    let mut browser = Browser::start(1400, 1200);
+    browser.scripts(false);
+    browser.open(&file.path, "lab-h6");
+    let shown = |browser: &mut Browser, selector: &str| {
+        let document = browser.call("DOM.getDocument", &json!({"depth": 0}))["root"]["nodeId"].clone();
+        let query = json!({"nodeId": document, "selector": selector});
+        let node = browser.call("DOM.querySelector", &query)["nodeId"].clone();
+        browser.call("DOM.enable", &json!({}));
+        browser.call("CSS.enable", &json!({}));
+        let styles = browser.call("CSS.getComputedStyleForNode", &json!({"nodeId": node}));
+        let styles = styles["computedStyle"].as_array().unwrap();
+        styles.iter().find(|style| style["name"] == "display").unwrap()["value"] != "none"
+    };
+    for (selector, expected) in [
+        (".panel", false),
+        ("#lab-row-h6", true),
+        ("#lab svg, #lab", true),
+        ("#lab-h6 .ptr", true),
+        ("#lab-h5 .ptr", false),
+    ] {
+        assert_eq!(shown(&mut browser, selector), expected, "{selector}");
+    }
+    assert!(browser.complaints().is_empty(), "{:?}", browser.complaints());
+}
+
+#[test]
+#[cfg_attr(not(chromium), ignore = "needs chromium")]
+fn names_of_the_caller_stay_text() {
+    let evil = "</style></title></script><script>console.error('run')</script><b>\"&";
+    let options = FigureOptions::new(evil).id_prefix("x").face_name(dcel_kit::FaceId::new(1), evil);
+    let file = File::new("evil.html", figure::page(&lab(), &options).unwrap().to_html());
+    let mut browser = Browser::start(800, 600);
+    browser.open(&file.path, "x-f1");
+    assert!(browser.complaints().is_empty(), "{:?}", browser.complaints());
+    assert_eq!(browser.eval("document.title"), evil);
+    assert_eq!(browser.eval("document.querySelectorAll('script').length"), 1);
+    assert_eq!(browser.eval("document.querySelector('#x-row-f1').dataset.name"), evil);
+}

@@ -1,0 +1,194 @@
+//! Films tell the truth: frame by frame they are the journal, and the last frame is the structure.
+
+use dcel_kit::figure::{Fate, FigureOptions, Film, Frame};
+use dcel_kit::ids::{Element, FaceId, HalfEdgeId, VertexId};
+use dcel_kit::plane::{PlanarView, Subdivision};
+use dcel_kit::script::{Outcome, Script};
+use dcel_kit::topology::{Change, Slot, Table, View};
+use std::collections::BTreeSet;
+use std::ops::ControlFlow;
+
+/// All edits, twice with reused ids; a bent edge that is joined, a face with a ring, an edge of the outer face.
+const SCRIPTS: [&str; 5] = [
+    "rectangle\nsplit_face h2 h8",
+    "polygon 0 0 7 0 6 4 1 4.6\nlet c = split_in_half h2\njoin_edges h2",
+    "rectangle\nlet a = split_face h2 h8\nlet c = split_edge a 20 10\njoin_edges a\njoin_faces a\nsplit_face h0 h6",
+    "triangles 0 0 9 0 0 9 1 1 3 1 1 3 / 0 1 3 1 4 3 1 5 4 1 2 5 2 0 5 0 3 5\njoin_faces h2\nsplit_in_half h0",
+    "polygon 0 0 9 0 9 9 8 1\nsplit_face h7 h3",
+];
+
+/// A film, and the structure after each edit with the changes that led to it.
+fn shoot(text: &str) -> (Film, Vec<(Vec<Change>, Subdivision)>) {
+    let script = Script::parse(text, "test").unwrap_or_else(|error| panic!("{error}"));
+    let mut film = Film::new(script.start());
+    let mut edits = Vec::new();
+    script.play(|step, after| {
+        let Outcome::Edited { edit, journal, .. } = step.outcome else { panic!("{text}: {}", step.outcome) };
+        film.edit(&edit.to_string(), "", &[], &journal, after);
+        edits.push((journal.changes().to_vec(), after.clone()));
+        ControlFlow::Continue(())
+    });
+    (film, edits)
+}
+
+/// The frames of each edit, without the still before it.
+fn steps(frames: &[Frame]) -> Vec<&[Frame]> {
+    let stills: Vec<usize> = (0..frames.len()).filter(|&i| !frames[i].heading.starts_with(char::is_numeric)).collect();
+    stills.windows(2).map(|pair| &frames[pair[0] + 1..pair[1]]).collect()
+}
+
+fn snapshot(structure: &Subdivision) -> Table {
+    let mut table = Table::from_view(structure);
+    for v in structure.vertices() {
+        table.vertices[v.index()].as_mut().unwrap().position = structure.position(v).map(|p| [p.x, p.y]);
+    }
+    table
+}
+
+fn target(table: &Table, slot: Slot) -> Option<Element> {
+    match slot {
+        Slot::Origin(h) => table.origin(h).map(Element::from),
+        Slot::Next(h) => table.next(h).map(Element::from),
+        Slot::Prev(h) => table.prev(h).map(Element::from),
+        Slot::Face(h) => table.face(h).map(Element::from),
+        Slot::Outgoing(v) => table.outgoing(v).map(Element::from),
+        Slot::Boundary(f) => table.boundary(f).map(Element::from),
+    }
+}
+
+#[test]
+fn the_changes_of_all_frames_are_the_journal_and_lead_to_the_structure() {
+    for text in SCRIPTS {
+        let (film, edits) = shoot(text);
+        let frames = film.frames();
+        let shots = steps(&frames);
+        assert_eq!(shots.len(), edits.len(), "{text}");
+        for (shot, (changes, after)) in shots.iter().zip(&edits) {
+            let filmed: Vec<Change> = shot.iter().flat_map(|frame| frame.changes.clone()).collect();
+            assert_eq!(&filmed, changes, "{text}");
+            let last = &shot.last().unwrap().table;
+            let expected = snapshot(after);
+            assert_eq!(last.half_edges[..expected.half_edges.len()], expected.half_edges, "{text}");
+            assert_eq!(*last, expected, "{text}");
+        }
+        assert_eq!(frames.last().unwrap().table, snapshot(&edits.last().unwrap().1), "{text}");
+    }
+}
+
+/// What is drawn red was there a frame before and is not any more; what is drawn blue was not, and is.
+#[test]
+fn gone_pointers_were_there_and_new_ones_are() {
+    for text in SCRIPTS {
+        let frames = shoot(text).0.frames();
+        let mut seen = 0;
+        for pair in frames.windows(2) {
+            let [before, frame] = [&pair[0].table, &pair[1].table];
+            let slots: BTreeSet<String> = pair[1].written.iter().map(|w| w.slot.to_string()).collect();
+            for written in &pair[1].written {
+                let (then, now) = (target(before, written.slot), target(frame, written.slot));
+                match written.fate {
+                    Fate::Gone => assert!(then == Some(written.target) && now != then, "{text}: {written:?}"),
+                    Fate::New => assert!(now == Some(written.target) && now != then, "{text}: {written:?}"),
+                }
+                seen += 1;
+            }
+            let halves = (0..before.half_edge_bound().max(frame.half_edge_bound()) as u32).map(HalfEdgeId::new);
+            for slot in halves.map(Slot::Next) {
+                let changed = target(before, slot) != target(frame, slot);
+                assert_eq!(changed, slots.contains(&slot.to_string()), "{text}: {slot}");
+            }
+        }
+        assert!(seen > 0, "{text}");
+    }
+}
+
+fn document(svg: &str) -> roxmltree::Document<'_> {
+    roxmltree::Document::parse(svg).unwrap()
+}
+
+#[test]
+fn ids_are_unique_over_all_frames_and_links_lead_to_frames() {
+    for text in SCRIPTS {
+        let (film, _) = shoot(text);
+        for figure in [film.strip(&FigureOptions::new("Film")), film.stepper(&FigureOptions::new("Film"))] {
+            let svg = figure.unwrap().to_svg();
+            let document = document(&svg);
+            let ids: Vec<&str> = document.descendants().filter_map(|node| node.attribute("id")).collect();
+            let unique: BTreeSet<&str> = ids.iter().copied().collect();
+            assert_eq!(unique.len(), ids.len(), "{text}");
+            for link in document.descendants().filter_map(|node| node.attribute("href")) {
+                assert!(unique.contains(link.trim_start_matches('#')), "{text}: {link}");
+            }
+        }
+    }
+}
+
+/// In the drawing itself: each frame has one arrow for every next pointer that is new, gone, or stays.
+#[test]
+fn every_next_pointer_of_a_frame_is_drawn_with_its_fate() {
+    let (film, _) = shoot(SCRIPTS[0]);
+    let frames = film.frames();
+    let svg = film.strip(&FigureOptions::new("Film")).unwrap().to_svg();
+    let document = document(&svg);
+    let classes = |i: usize, fate: &str| -> BTreeSet<String> {
+        let wanted = format!("ptr next {fate}");
+        let prefix = format!("film-{i}-");
+        let drawn = document.descendants().filter(|node| node.attribute("class") == Some(&wanted));
+        drawn.filter_map(|node| node.attribute("id")?.strip_prefix(&prefix).map(str::to_owned)).collect()
+    };
+    for (i, frame) in frames.iter().enumerate() {
+        let of = |fate: Fate, end: &str| -> BTreeSet<String> {
+            let next = frame.written.iter().filter_map(|w| match w.slot {
+                Slot::Next(h) if w.fate == fate => Some(format!("{h}-next{end}")),
+                _ => None,
+            });
+            next.collect()
+        };
+        let (new, gone) = (of(Fate::New, ""), of(Fate::Gone, "-gone"));
+        assert_eq!(classes(i, "made"), new, "frame {i}");
+        assert_eq!(classes(i, "gone"), gone, "frame {i}");
+        let all = (0..frame.table.half_edge_bound() as u32).map(HalfEdgeId::new);
+        let set = all.filter(|&h| frame.table.next(h).is_some()).map(|h| format!("{h}-next"));
+        assert_eq!(classes(i, "dim"), set.filter(|name| !new.contains(name)).collect(), "frame {i}");
+    }
+    assert_eq!((classes(3, "made").len(), classes(3, "gone").len()), (4, 2));
+    for (step, class, id) in
+        [(4, "face-of", "h8-face-of"), (5, "boundary", "f2-boundary"), (5, "boundary", "f1-boundary")]
+    {
+        let (class, id) = (format!("ptr {class} made"), format!("film-{step}-{id}"));
+        let found = document.descendants().find(|node| node.attribute("id") == Some(&id));
+        assert_eq!(found.and_then(|node| node.attribute("class")), Some(class.as_str()), "{id}");
+    }
+}
+
+/// Half-edges that an edit does not move stand at the same place in all frames.
+#[test]
+fn frames_share_one_layout() {
+    let (film, _) = shoot(SCRIPTS[0]);
+    let svg = film.strip(&FigureOptions::new("Film")).unwrap().to_svg();
+    let document = document(&svg);
+    let shaft = |id: String| {
+        let group = document.descendants().find(|node| node.attribute("id") == Some(&id))?;
+        let line = group.children().find(|node| node.has_tag_name("line"))?;
+        Some(["x1", "y1", "x2", "y2"].map(|name| line.attribute(name).map(str::to_owned)))
+    };
+    for h in 0..12 {
+        let first = shaft(format!("film-0-h{h}"));
+        assert!(first.is_some(), "h{h}");
+        for frame in 1..7 {
+            assert_eq!(shaft(format!("film-{frame}-h{h}")), first, "h{h} in frame {frame}");
+        }
+    }
+    assert!(shaft("film-1-h12".to_owned()).is_none() && shaft("film-2-h12".to_owned()).is_some());
+}
+
+#[test]
+fn tables_follow_changes_of_rows_that_do_not_exist() {
+    let mut table = Table::default();
+    let write = |slot| Change::Write { slot, old: None, new: Some(HalfEdgeId::new(7).into()) };
+    table.apply(&write(Slot::Next(HalfEdgeId::new(3))));
+    table.apply(&write(Slot::Outgoing(VertexId::new(3))));
+    table.apply(&write(Slot::Boundary(FaceId::new(3))));
+    table.apply(&Change::Removed { element: VertexId::new(1).into() });
+    assert_eq!((table.half_edge_bound(), table.vertex_bound(), table.face_bound()), (0, 2, 0));
+}

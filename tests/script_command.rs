@@ -1,0 +1,97 @@
+//! `dcel script`: what is told, what is drawn, and the exit codes.
+#![cfg(feature = "cli")]
+
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+/// Runs `dcel script - ARGS` with a script on standard input.
+fn script(text: &str, args: &[&str]) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_dcel"))
+        .args(["script", "-"])
+        .args(args)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child.stdin.take().unwrap().write_all(text.as_bytes()).unwrap();
+    child.wait_with_output().unwrap()
+}
+
+fn told(output: &Output) -> (Option<i32>, String, String) {
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
+    (output.status.code(), text(&output.stdout), text(&output.stderr))
+}
+
+const REFUSED: &str = "rectangle\nlet a = split_face h2 h4\nsplit_in_half h0.next.prev\n";
+
+#[test]
+fn calls_are_told_with_their_ids_and_what_they_returned() {
+    let (code, out, err) = told(&script("rectangle\nlet a = split_face h2 h4.next.next # wall\nwalk_face a\n", &[]));
+    let expected = "2: let a = split_face h2 h4.next.next\n   split_face h2 h8\n   returned h12, f2\n\
+                    3: walk_face a\n   along f2: h12 (v1) h8 (v4) h10 (v5) h0 (v0)\n";
+    assert_eq!((code, out.as_str(), err.as_str()), (Some(0), expected, ""));
+}
+
+#[test]
+fn a_refused_edit_ends_the_script_unless_it_is_to_go_on() {
+    let (code, out, err) = told(&script(REFUSED, &[]));
+    assert_eq!((code, out.as_str()), (Some(1), "2: let a = split_face h2 h4\n   refused\n"));
+    assert!(err.starts_with("refused: <stdin>:2: h4 is next of h2"), "{err}");
+    let (code, out, _) = told(&script(REFUSED, &["--keep-going"]));
+    assert_eq!(code, Some(1));
+    assert!(out.ends_with("3: split_in_half h0.next.prev\n   split_in_half h0\n   returned v6, h12\n"), "{out}");
+}
+
+#[test]
+fn a_wrong_word_is_an_input_error() {
+    let (code, out, err) = told(&script("rectangle\nsplit_fase h2 h8\n", &[]));
+    assert_eq!((code, out.as_str()), (Some(2), ""));
+    assert!(err.starts_with("error: <stdin>:2:1: unknown statement `split_fase`\nhelp: known: split_face"), "{err}");
+    assert_eq!(told(&script("rectangle", &["--film", "film.png"])).0, Some(2));
+}
+
+#[test]
+fn the_dump_is_the_structure_and_json_holds_every_write() {
+    let (_, out, _) = told(&script("rectangle\njoin_edges h0\n", &["--dump"]));
+    assert!(out.contains("dcel 1\nv0 -250 -150 out h0\nv2 250 -150"), "{out}");
+    let (code, out, _) = told(&script("rectangle\nsplit_face h2 h8\ndump\n", &["--json"]));
+    let answer: serde_json::Value = serde_json::from_str(&out).unwrap();
+    let split = &answer["steps"][0];
+    assert_eq!((code, split["call"].as_str()), (Some(0), Some("split_face h2 h8")));
+    assert_eq!(split["returned"], serde_json::json!(["h12", "f2"]));
+    assert_eq!(split["steps"][2]["changes"][0], "h0.next: h2 -> h12");
+    assert!(answer["steps"][1]["dump"].as_str().unwrap().starts_with("dcel 1\n"));
+}
+
+#[test]
+fn films_are_drawings_or_pages() {
+    let dir = tempfile::tempdir().unwrap();
+    let film = |name: &str, more: &[&str]| {
+        let path = dir.path().join(name);
+        let args = [&["--film", path.to_str().unwrap()], more].concat();
+        assert_eq!(told(&script("rectangle\ncaption A < B\nsplit_face h2 h8\n", &args)).0, Some(0));
+        std::fs::read_to_string(path).unwrap()
+    };
+    let strip = film("strip.svg", &[]);
+    assert!(strip.contains("data-figure=\"dcel-strip\"") && strip.contains("A &lt; B") && !strip.contains("<a "));
+    let stepper = film("stepper.svg", &["--stepper"]);
+    assert!(stepper.contains("data-figure=\"dcel-stepper\"") && stepper.contains("<a href=\"#script-step-1\">"));
+    let page = film("page.html", &[]);
+    assert!(page.starts_with("<!DOCTYPE html>\n") && page.contains("data-figure=\"dcel-stepper\""));
+}
+
+/// The scripts of the help and of the reference figures.
+#[test]
+fn the_scripts_of_the_project_run() {
+    let dir = Path::new(env!("CARGO_MANIFEST_DIR")).join("figures/scripts");
+    let mut count = 0;
+    for entry in std::fs::read_dir(dir).unwrap() {
+        let path = entry.unwrap().path();
+        let output = Command::new(env!("CARGO_BIN_EXE_dcel")).arg("script").arg(&path).output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{}", path.display());
+        count += 1;
+    }
+    assert!(count >= 5, "{count} scripts");
+}
