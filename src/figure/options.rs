@@ -61,12 +61,12 @@ pub struct FigureOptions {
     pub(super) vertex_labels: bool,
     pub(super) half_edge_labels: bool,
     pub(super) face_labels: FaceLabels,
-    pub(super) interactive: bool,
     pub(super) overrides: Overrides,
     pub(super) faces: Option<Vec<FaceId>>,
     pub(super) crop: Option<[Point; 2]>,
     pub(super) unit: Unit,
     pub(super) plain: bool,
+    pub(super) interactive: bool,
     pub(super) names: FaceMap<Option<String>>,
 }
 
@@ -91,12 +91,12 @@ impl FigureOptions {
             vertex_labels: true,
             half_edge_labels: true,
             face_labels: FaceLabels::Names,
-            interactive: false,
             overrides: Overrides::default(),
             faces: None,
             crop: None,
             unit: Unit::Px,
             plain: false,
+            interactive: false,
             names: FaceMap::default(),
         }
     }
