@@ -25,19 +25,19 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let figures = draw_all()?;
     if !args.check {
         write_all(&args.dir, &figures)?;
-        for (reference, _) in &figures {
-            writeln!(out, "{}: {}", args.dir.join(reference.file).display(), reference.about)?;
+        for figure in &figures {
+            writeln!(out, "{}: {}", args.dir.join(figure.file).display(), figure.about)?;
         }
         return Ok(Answer::Yes);
     }
     let mut wrong = 0;
-    for (reference, svg) in &figures {
-        let path = args.dir.join(reference.file);
-        let verdict = compare(&path, svg);
+    for figure in &figures {
+        let path = args.dir.join(figure.file);
+        let verdict = compare(&path, &figure.text);
         wrong += usize::from(verdict.is_err());
         writeln!(out, "{}: {}", path.display(), verdict.err().unwrap_or_else(|| "same".to_owned()))?;
     }
-    let known: BTreeSet<PathBuf> = figures.iter().map(|(reference, _)| args.dir.join(reference.file)).collect();
+    let known: BTreeSet<PathBuf> = figures.iter().map(|figure| args.dir.join(figure.file)).collect();
     for path in svg_files(&args.dir)?.difference(&known) {
         wrong += 1;
         writeln!(out, "{}: no command draws it", path.display())?;

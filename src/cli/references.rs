@@ -21,13 +21,13 @@ pub(crate) enum ReferenceError {
 }
 
 /// A figure of the project, regenerated and compared by `dcel figures`.
-pub(crate) struct Reference {
+struct Reference {
     /// The file in `figures/`.
-    pub(crate) file: &'static str,
+    file: &'static str,
     /// What it shows.
-    pub(crate) about: &'static str,
+    about: &'static str,
     /// Draws it.
-    pub(crate) draw: fn() -> Result<String, ReferenceError>,
+    draw: fn() -> Result<String, ReferenceError>,
 }
 
 /// All reference figures, in the order of their files.
@@ -148,20 +148,70 @@ fn structure(subdivision: &Subdivision, title: &str) -> Result<String, Reference
     Ok(figure::structure(subdivision, &FigureOptions::new(title))?.to_svg())
 }
 
-/// Draws all of them.
-pub(crate) fn draw_all() -> Result<Vec<(&'static Reference, String)>, Failure> {
-    REFERENCES.iter().map(|reference| Ok((reference, (reference.draw)().map_err(Failure::kit)?))).collect()
+/// The files of the folder: all figures, and the page that shows them.
+pub(crate) fn draw_all() -> Result<Vec<Drawn>, Failure> {
+    let mut files = Vec::new();
+    for &Reference { file, about, draw } in REFERENCES {
+        files.push(Drawn { file, about, text: draw().map_err(Failure::kit)? });
+    }
+    let about = "this folder as a page";
+    files.push(Drawn { file: GALLERY, about, text: gallery() });
+    Ok(files)
 }
 
-/// Writes figures into a folder, which is made if need be. A file that is right already is left alone.
-pub(crate) fn write_all(dir: &Path, figures: &[(&Reference, String)]) -> Result<(), Failure> {
+/// A file as it should be.
+pub(crate) struct Drawn {
+    /// Its name in the folder.
+    pub(crate) file: &'static str,
+    /// What it shows.
+    pub(crate) about: &'static str,
+    /// Its contents.
+    pub(crate) text: String,
+}
+
+/// The page that shows all figures.
+const GALLERY: &str = "README.md";
+
+fn gallery() -> String {
+    let mut page = String::from(
+        "# What the kit draws of itself\n\n\
+         `dcel figures` draws all of this anew, this page included, and `dcel figures --check` compares. Below each\n\
+         picture is the command that draws the same kind of picture of a file of yours.\n",
+    );
+    for reference in REFERENCES {
+        let Reference { file, about, .. } = reference;
+        page.push_str(&format!("\n## {file}\n\n![{about}]({file})\n\n{about}\n\n```sh\n{}\n```\n", command(file)));
+    }
+    page
+}
+
+/// How to draw such a picture of one's own.
+fn command(file: &str) -> &'static str {
+    match file {
+        "focus.svg" => "dcel figure FILE --focus h5 -o OUT.svg",
+        "interactive.svg" => "dcel figure FILE --interactive -o OUT.svg",
+        "pointers.svg" => "dcel figure FILE --pointers all -o OUT.svg",
+        "records.svg" => "dcel figure --records -o OUT.svg",
+        "robustness.svg" => "dcel figures",
+        "states.svg" => "dcel figure FILE --width 960 -o OUT.svg",
+        "tables.svg" => "dcel figure FILE --tables --highlight h5 -o OUT.svg",
+        "stepper-split-face.svg" => "dcel script figures/scripts/split-face.dcels --film OUT.svg --stepper",
+        "film-join-faces.svg" => "dcel script figures/scripts/join-faces.dcels --film OUT.svg",
+        "film-split-face.svg" => "dcel script figures/scripts/split-face.dcels --film OUT.svg",
+        "film-split-in-half.svg" => "dcel script figures/scripts/split-in-half.dcels --film OUT.svg",
+        _ => "dcel figure FILE -o OUT.svg",
+    }
+}
+
+/// Writes files into a folder, which is made if need be. A file that is right already is left alone.
+pub(crate) fn write_all(dir: &Path, files: &[Drawn]) -> Result<(), Failure> {
     std::fs::create_dir_all(dir).map_err(|error| Failure::writing(dir.display(), &error))?;
-    for (reference, svg) in figures {
-        let path = dir.join(reference.file);
-        if std::fs::read(&path).is_ok_and(|bytes| bytes == svg.as_bytes()) {
+    for Drawn { file, text, .. } in files {
+        let path = dir.join(file);
+        if std::fs::read(&path).is_ok_and(|bytes| bytes == text.as_bytes()) {
             continue;
         }
-        std::fs::write(&path, svg).map_err(|error| Failure::writing(path.display(), &error))?;
+        std::fs::write(&path, text).map_err(|error| Failure::writing(path.display(), &error))?;
     }
     Ok(())
 }

@@ -30,8 +30,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     writeln!(out, "\n3. Figures")?;
     let figures = draw_all()?;
     write_all(&args.out, &figures)?;
-    for (reference, _) in &figures {
-        writeln!(out, "   {}: {}", args.out.join(reference.file).display(), reference.about)?;
+    for figure in &figures {
+        writeln!(out, "   {}: {}", args.out.join(figure.file).display(), figure.about)?;
     }
     Ok(if laws_hold { Answer::Yes } else { Answer::No })
 }

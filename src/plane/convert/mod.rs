@@ -72,7 +72,8 @@ impl Turn for PolygonList {
 
 impl Subdivision {
     /// A subdivision with one bounded face, the simple polygon with these corners in counter-clockwise order:
-    /// v0, v1, ... Its inside is `f1`, walked by h0, h2, ...; the twins h1, h3, ... bound `f0`.
+    /// v0, v1, ... Its inside is `f1`, walked by h0, h2, ...; the twins h1, h3, ... bound `f0`. The half-edge
+    /// `outgoing` of each vertex is the one inside.
     ///
     /// Cost: O(corners) for a convex polygon, else O(corners log corners).
     ///
@@ -88,7 +89,11 @@ impl Subdivision {
     pub fn polygon(corners: &[Point]) -> Result<Self, ConvertError> {
         let mut list = PolygonList::new();
         list.push_face(&(0..corners.len() as u32).collect::<Vec<_>>());
-        Self::from_polygons(corners.to_vec(), &list)
+        let mut polygon = Self::from_polygons(corners.to_vec(), &list)?;
+        for v in 0..corners.len() as u32 {
+            polygon.dcel.set_outgoing(VertexId::new(v), Some(HalfEdgeId::new(2 * v)), &mut NoRecorder);
+        }
+        Ok(polygon)
     }
 
     /// The triangulation-to-DCEL converter: counter-clockwise triangles over the given points.
