@@ -356,7 +356,7 @@ fn figures_are_drawn() {
 #[test]
 fn figures_that_cannot_be_drawn() {
     let folder = Folder::new();
-    folder.dcel("figure square.obj -o two.png").fails(2, "two.png: figures are SVG", ".svg");
+    folder.dcel("figure square.obj -o two.png").fails(2, "two.png: this would be SVG", ".svg");
     folder.dcel("figure cube.off").fails(2, "a surface in space", "--plane");
     folder.dcel("figure square.obj --width 20").fails(2, "100 to 20000", "");
     folder.dcel("figure square.obj -o nowhere/two.svg").fails(3, "nowhere/two.svg: cannot be written", "directory");

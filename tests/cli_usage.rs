@@ -169,6 +169,7 @@ fn the_examples_of_the_help_run() {
     let folder = Folder::new();
     folder.dcel("convert square.obj square.dcel").fine();
     folder.write("broken.dcel", &TRIANGLE.replace("next h2", "next h4"));
+    folder.write("rooms.txt", "f1 #aabbcc \"hall\"\n");
     std::fs::create_dir_all(folder.path("figures/data")).expect("a folder");
     let map = "figures/data/states-albers-10m.json";
     std::fs::copy(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(map), folder.path(map)).expect("the map");

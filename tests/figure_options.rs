@@ -23,7 +23,7 @@ fn faults_in_files_are_told_with_file_line_and_column() {
     let dir = tempfile::tempdir().unwrap();
     for (file, text, option, message) in [
         ("rooms.txt", "f1 \"a\"\n  f7 #fff\n", "--colours", "error: rooms.txt:2:3: f7 does not exist"),
-        ("rooms.txt", "f1 blue\n", "--colors", "error: rooms.txt:1:4: `blue` is neither a colour"),
+        ("rooms.txt", "f1 blue\n", "--colours", "error: rooms.txt:1:4: `blue` is neither a colour"),
         ("style.json", "{\n \"inc\": \"#000\" }", "--style", "error: style.json:2:6: unknown field `inc`"),
         ("style.json", "{ \"light\": { \"ink\": \"black\" } }", "--style", "error: style.json:1:"),
     ] {

@@ -21,7 +21,7 @@ pub(crate) struct Looks {
     #[arg(long, value_name = "FILE")]
     style: Option<PathBuf>,
     /// A file of colours and labels, a line an element: f3 #aabbcc "label"
-    #[arg(long, value_name = "FILE", visible_alias = "colors")]
+    #[arg(long, value_name = "FILE")]
     colours: Option<PathBuf>,
     /// Draw these faces only
     #[arg(long, value_name = "f1,f3,...", value_delimiter = ',')]

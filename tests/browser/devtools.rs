@@ -9,6 +9,12 @@ use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::time::{Duration, Instant};
 
+/// Starts the browser with its pipe on descriptors 3 and 4, and ends it after two minutes where `timeout` is to be
+/// had: a browser that hangs must not hang the tests.
+const LAUNCH: &str =
+    "command -v timeout >/dev/null && set -- \"$0\" \"$@\" && set -- timeout -k 5 120 \"$@\" || set -- \"$0\" \"$@\"
+exec \"$@\" 3<&0 4>&1 </dev/null >/dev/null 2>&1";
+
 /// A browser with one page.
 pub(crate) struct Browser {
     child: Child,
@@ -27,7 +33,7 @@ impl Browser {
     pub(crate) fn start(width: u32, height: u32) -> Self {
         let profile = tempfile::tempdir().unwrap();
         let mut child = Command::new("sh")
-            .args(["-c", "exec \"$0\" \"$@\" 3<&0 4>&1 </dev/null >/dev/null 2>&1", env!("CHROMIUM_PATH")])
+            .args(["-c", LAUNCH, env!("CHROMIUM_PATH")])
             .args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"])
             .args(["--disable-background-networking", "--disable-component-update", "--disable-sync"])
             .args(["--hide-scrollbars", "--remote-debugging-pipe"])

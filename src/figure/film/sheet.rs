@@ -155,8 +155,10 @@ fn wrap(words: &str, size: f64, bold: bool, width: f64, most: usize) -> Vec<Stri
                 line.push_str(word);
             }
             Some(line) if full => {
+                // Whole words go; of a single word, letters.
                 while !line.is_empty() && !fits(&format!("{line} …")) {
-                    line.pop();
+                    let letter = line.char_indices().next_back().map_or(0, |(at, _)| at);
+                    line.truncate(line.rfind(' ').unwrap_or(letter));
                 }
                 line.push_str(" …");
                 break;
@@ -176,6 +178,7 @@ mod tests {
         let lines = wrap("one two three four five", 10.0, false, 60.0, 2);
         assert_eq!(lines, ["one two", "three …"]);
         assert!(wrap("", 10.0, false, 60.0, 2).is_empty());
+        assert_eq!(wrap("ümläüte wörd", 10.0, false, 30.0, 1), ["üm …"], "letters, not bytes");
     }
 
     #[test]
