@@ -1,0 +1,18 @@
+//! Labs graded from outside: the student's program is run as a process of its own, and judged by what it prints.
+//!
+//! ```text
+//!   labs/NN-name/lab.toml      what there is to do, what it is worth
+//!   case ──text──▶ driver + the student's file ──dump──▶ checks ──▶ findings ──▶ verdict ──▶ report
+//!     ▲            (a process behind walls)                │
+//!     └──────────── shrinking: the shortest failing case ◀─┘──▶ zoo: the bug by its name
+//! ```
+//!
+//! Nothing that the student wrote is ever linked to the tests, so nothing in it can decide about them: a pass needs
+//! a complete and right dump for every case. `cargo test` in a lab's folder and `dcel grade` call the same functions
+//! here and give the same verdicts.
+
+mod report;
+mod verdict;
+
+pub use report::{Finding, Picture, Report, TestResult, Visibility, Wall};
+pub use verdict::Verdict;
