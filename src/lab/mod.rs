@@ -14,7 +14,11 @@
 mod program;
 mod report;
 mod verdict;
+#[cfg(feature = "grade")]
+mod walls;
 
 pub use program::{Driver, End, Limits, Program, Ran, end_of, signal_name};
 pub use report::{Finding, Picture, Report, TestResult, Visibility, Wall};
 pub use verdict::Verdict;
+#[cfg(feature = "grade")]
+pub use walls::{WallChoice, WalledProgram, Walls, launched};
