@@ -116,6 +116,7 @@ impl Dcel {
         // STARTER:
         // STARTER: // 5. Let each of the two faces know a half-edge of its own.
         // STARTER:
+        // STARTER: // What you have written is graded step by step, also while this line still stands below it.
         // STARTER: todo!("split_face")
         // 0. Is the call legal? If not, return false before anything is changed.
         let face = self.face(he1);
@@ -182,6 +183,7 @@ impl Dcel {
         // STARTER:
         // STARTER: // 3. Set next, prev, twin, origin and face, and what the vertices refer to.
         // STARTER:
+        // STARTER: // What you have written is graded step by step, also while this line still stands below it.
         // STARTER: todo!("split_in_half")
         let twin = self.twin(he);
         let end = self.origin(twin);

@@ -384,7 +384,8 @@ impl Output {
 
 /// The message of a panic: the first line of it, at most 500 characters.
 fn message(payload: &(dyn std::any::Any + Send)) -> String {
-    let words = payload.downcast_ref::<String>().map(String::as_str).or_else(|| payload.downcast_ref::<&str>().copied());
+    let words =
+        payload.downcast_ref::<String>().map(String::as_str).or_else(|| payload.downcast_ref::<&str>().copied());
     words.unwrap_or("a panic without a message").chars().take(500).collect()
 }
 
