@@ -14,5 +14,5 @@
 mod report;
 mod verdict;
 
-pub use report::{Finding, Picture, Report, TestResult, Visibility, Wall};
+pub use report::{Adjustment, Finding, Picture, Report, TestResult, Visibility, Wall};
 pub use verdict::Verdict;
