@@ -12,6 +12,8 @@
 //! here and give the same verdicts.
 
 mod report;
+#[cfg(feature = "grade")]
+pub mod reports;
 mod verdict;
 
 pub use report::{Adjustment, Finding, Picture, Report, TestResult, Visibility, Wall};
