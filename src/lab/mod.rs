@@ -19,7 +19,6 @@ pub mod reports;
 mod verdict;
 
 pub use marked::{MarkError, starter};
-pub use report::{Adjustment, Finding, Picture, Report, TestResult, Visibility, Wall};
 pub use program::{Driver, End, Limits, Program, Ran, end_of, signal_name};
-pub use report::{Finding, Picture, Report, TestResult, Visibility, Wall};
+pub use report::{Adjustment, Finding, Picture, Report, TestResult, Visibility, Wall};
 pub use verdict::Verdict;
