@@ -16,6 +16,8 @@ mod manifest;
 mod marked;
 mod program;
 mod report;
+#[cfg(feature = "grade")]
+pub mod reports;
 mod toml_file;
 mod verdict;
 
@@ -23,6 +25,6 @@ pub use bug::{Bug, BugError, Edit};
 pub use manifest::{Manifest, Task, Test};
 pub use marked::{MarkError, starter};
 pub use program::{Driver, End, Limits, Program, Ran, end_of, signal_name};
-pub use report::{Finding, Picture, Report, TestResult, Visibility, Wall};
+pub use report::{Adjustment, Finding, Picture, Report, TestResult, Visibility, Wall};
 pub use toml_file::ManifestError;
 pub use verdict::Verdict;
