@@ -70,7 +70,7 @@ pub fn triangles(words: &[&str]) -> Result<Dcel, String> {
         return Err("write the points, one `/`, then the corners of the triangles".to_owned());
     };
     let corners: Vec<usize> = corners.iter().map(|word| whole(word)).collect::<Result<_, _>>()?;
-    if corners.is_empty() || corners.len() % 3 != 0 {
+    if corners.is_empty() || !corners.len().is_multiple_of(3) {
         return Err(format!("triangles have 3 corners each; {} corners are left over", corners.len() % 3));
     }
     let mut dcel = Dcel::default();
@@ -147,7 +147,7 @@ fn close_border(dcel: &mut Dcel) -> Result<(), String> {
 }
 
 fn points(words: &[&str]) -> Result<Vec<(f64, f64)>, String> {
-    if words.len() % 2 != 0 {
+    if !words.len().is_multiple_of(2) {
         return Err("a point has two coordinates; one of them is missing".to_owned());
     }
     words.chunks(2).map(|pair| Ok((coordinate(pair[0])?, coordinate(pair[1])?))).collect()
