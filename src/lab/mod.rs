@@ -11,14 +11,30 @@
 //! a complete and right dump for every case. `cargo test` in a lab's folder and `dcel grade` call the same functions
 //! here and give the same verdicts.
 
+mod bug;
+mod files;
+mod manifest;
+mod marked;
 mod program;
 mod report;
+#[cfg(feature = "grade")]
+pub mod reports;
+#[cfg(feature = "grade")]
+mod student;
+mod toml_file;
 mod verdict;
 #[cfg(feature = "grade")]
 mod walls;
 
+pub use bug::{Bug, BugError, Edit};
+pub use files::{LabFiles, LabFilesError};
+pub use manifest::{Manifest, Task, Test};
+pub use marked::{MarkError, starter};
 pub use program::{Driver, End, Limits, Program, Ran, end_of, signal_name};
-pub use report::{Finding, Picture, Report, TestResult, Visibility, Wall};
+pub use report::{Adjustment, Finding, Picture, Report, TestResult, Visibility, Wall};
+#[cfg(feature = "grade")]
+pub use student::{Kit, student_files};
+pub use toml_file::ManifestError;
 pub use verdict::Verdict;
 #[cfg(feature = "grade")]
 pub use walls::{WallChoice, WalledProgram, Walls, launched};
