@@ -11,6 +11,8 @@
 //! a complete and right dump for every case. `cargo test` in a lab's folder and `dcel grade` call the same functions
 //! here and give the same verdicts.
 
+#[cfg(feature = "grade")]
+mod batch;
 mod bug;
 mod files;
 mod manifest;
@@ -21,11 +23,15 @@ mod report;
 pub mod reports;
 #[cfg(feature = "grade")]
 mod student;
+#[cfg(feature = "grade")]
+mod submission;
 mod toml_file;
 mod verdict;
 #[cfg(feature = "grade")]
 mod walls;
 
+#[cfg(feature = "grade")]
+pub use batch::{GradeOptions, Grader, Judge};
 pub use bug::{Bug, BugError, Edit};
 pub use files::{LabFiles, LabFilesError};
 pub use manifest::{Manifest, Task, Test};
@@ -34,6 +40,8 @@ pub use program::{Driver, End, Limits, Program, Ran, end_of, signal_name};
 pub use report::{Adjustment, Finding, Picture, Report, TestResult, Visibility, Wall};
 #[cfg(feature = "grade")]
 pub use student::{Kit, student_files};
+#[cfg(feature = "grade")]
+pub use submission::{Forbidden, Intake, IntakeError, ScanError, scan, take_in};
 pub use toml_file::ManifestError;
 pub use verdict::Verdict;
 #[cfg(feature = "grade")]

@@ -4,7 +4,7 @@ use super::confine::loaders;
 use super::processes::processes;
 use super::spec::{Files, Outcome, Spec, Step, VARIABLE, WORD};
 use super::user::OwnUser;
-use super::{End, Limits, Ran, Task, View, Wall, WallChoice, Walls};
+use super::{End, Limits, Ran, Task, View, Wall, WallChoice, Walls, unguessable};
 use crate::lab::end_of;
 use crate::lab::program::run_within;
 use std::io;
@@ -12,7 +12,6 @@ use std::os::unix::fs::MetadataExt;
 use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
 pub(super) use super::launcher::launched;
@@ -153,7 +152,7 @@ impl Resident {
 
     /// Runs a task behind the walls, to its end and the end of whatever it started.
     pub(crate) fn run(&self, task: &Task, input: &str) -> Ran {
-        let token = token();
+        let token = format!("wall-{}", unguessable());
         let text = match serde_json::to_string(&self.spec(task, &token)) {
             Ok(text) => text,
             Err(error) => return not_started(format!("{error}")),
@@ -275,13 +274,4 @@ fn refusal(stderr: &mut Vec<u8>, token: &str) -> Option<String> {
 
 fn not_started(why: String) -> Ran {
     Ran { stdout: Vec::new(), stderr: Vec::new(), end: End::NotStarted(why), millis: 0 }
-}
-
-/// A word that a program cannot guess.
-fn token() -> String {
-    use std::hash::{BuildHasher, RandomState};
-    static COUNT: AtomicU64 = AtomicU64::new(0);
-    let count = COUNT.fetch_add(1, Ordering::Relaxed);
-    let word = |salt: u64| RandomState::new().hash_one((count, salt, std::process::id()));
-    format!("wall-{:016x}{:016x}", word(1), word(2))
 }

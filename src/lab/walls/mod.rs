@@ -63,6 +63,7 @@ use super::{End, Limits, Program, Ran, Wall};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 pub(crate) use system::Resident;
 
 /// Which of the optional walls may be used. All of them, unless one is in the way on some machine or is to be tested
@@ -109,12 +110,18 @@ impl Walls {
         Self { launcher, up, said, hidden: Vec::new() }
     }
 
-    /// The same walls, and these folders are to be out of sight. A folder that every user of the machine can read,
-    /// where no wall but the file's own mode stands before it, is named in the report.
-    #[must_use]
-    pub fn hiding(mut self, folders: &[PathBuf]) -> Self {
-        self.hidden = folders.iter().filter_map(|folder| folder.canonicalize().ok()).collect();
-        self.said.extend(system::in_reach(self.up, &self.hidden));
+    /// The same walls, and these folders are to be out of sight. A folder that nothing stands before is named in the
+    /// report. `needed` is what must stay in sight; a folder around it is not covered.
+    pub(crate) fn hiding(mut self, folders: &[PathBuf], needed: &[PathBuf]) -> Self {
+        let mut folders: Vec<PathBuf> = folders.iter().filter_map(|folder| folder.canonicalize().ok()).collect();
+        folders.sort();
+        folders.dedup();
+        let (around, apart): (Vec<_>, Vec<_>) =
+            folders.into_iter().partition(|folder| needed.iter().any(|need| need.starts_with(folder)));
+        let up = self.up;
+        self.said.extend(system::in_reach(up, &apart));
+        self.said.extend(system::in_reach(WallChoice { namespaces: false, ..up }, &around));
+        self.hidden = apart;
         self
     }
 
@@ -219,4 +226,13 @@ impl Program for WalledProgram {
 #[must_use]
 pub fn launched() -> Option<ExitCode> {
     system::launched()
+}
+
+/// A word that nobody can guess, from what the system draws for hash maps.
+pub(crate) fn unguessable() -> String {
+    use std::hash::{BuildHasher, RandomState};
+    static COUNT: AtomicU64 = AtomicU64::new(0);
+    let count = COUNT.fetch_add(1, Ordering::Relaxed);
+    let word = |salt: u64| RandomState::new().hash_one((count, salt, std::process::id()));
+    format!("{:016x}{:016x}", word(1), word(2))
 }
