@@ -74,7 +74,10 @@ static REFERENCES: &[Reference] = &[
         file: "lab-04-drawing.svg",
         about: "the drawing of lab 04, made of the rectangle with split_face and split_in_half alone",
         draw: || {
-            let drawing = Script::parse(include_str!("../../figures/scripts/lab-04-drawing.dcels"), "lab-04-drawing.dcels")?.run().end;
+            let drawing =
+                Script::parse(include_str!("../../figures/scripts/lab-04-drawing.dcels"), "lab-04-drawing.dcels")?
+                    .run()
+                    .end;
             let names = LAB_DRAWING_FACES.iter().map(|&(face, name)| (FaceId::new(face), name));
             let options = FigureOptions::new("The drawing of lab 04").detail(Detail::Edges).face_names(names);
             Ok(figure::structure(&drawing, &options.id_prefix("drawing"))?.to_svg())

@@ -12,6 +12,8 @@
 //! here and give the same verdicts.
 
 mod bug;
+#[cfg(feature = "grade")]
+mod export;
 mod files;
 mod manifest;
 mod marked;
@@ -25,6 +27,8 @@ mod toml_file;
 mod verdict;
 
 pub use bug::{Bug, BugError, Edit};
+#[cfg(feature = "grade")]
+pub use export::{Packed, gradescope_files, zipped};
 pub use files::{LabFiles, LabFilesError};
 pub use manifest::{Manifest, Task, Test};
 pub use marked::{MarkError, starter};
