@@ -14,6 +14,8 @@
 #[cfg(feature = "grade")]
 mod batch;
 mod bug;
+#[cfg(feature = "grade")]
+mod export;
 mod files;
 mod manifest;
 mod marked;
@@ -33,6 +35,8 @@ mod walls;
 #[cfg(feature = "grade")]
 pub use batch::{GradeOptions, Grader, Judge};
 pub use bug::{Bug, BugError, Edit};
+#[cfg(feature = "grade")]
+pub use export::{Packed, gradescope_files, zipped};
 pub use files::{LabFiles, LabFilesError};
 pub use manifest::{Manifest, Task, Test};
 pub use marked::{MarkError, starter};

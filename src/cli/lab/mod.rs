@@ -6,6 +6,7 @@
 //! ```
 
 mod bundle;
+mod export;
 mod folder;
 mod list;
 mod reset;
@@ -29,6 +30,7 @@ enum Command {
     List(list::Args),
     Start(start::Args),
     Reset(reset::Args),
+    Export(export::Args),
     #[command(hide = true)]
     Bundle(bundle::Args),
 }
@@ -38,6 +40,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         Command::List(args) => list::run(args, out),
         Command::Start(args) => start::run(args, out),
         Command::Reset(args) => reset::run(args, out),
+        Command::Export(args) => export::run(args, out),
         Command::Bundle(args) => bundle::run(args, out),
     }
 }
