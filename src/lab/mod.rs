@@ -11,7 +11,10 @@
 //! a complete and right dump for every case. `cargo test` in a lab's folder and `dcel grade` call the same functions
 //! here and give the same verdicts.
 
+pub mod cases;
+pub mod checks;
 mod program;
+pub mod protocol;
 mod report;
 mod verdict;
 
