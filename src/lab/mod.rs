@@ -13,11 +13,19 @@
 
 pub mod cases;
 pub mod checks;
+mod bug;
+mod manifest;
+mod marked;
 mod program;
 pub mod protocol;
 mod report;
+mod toml_file;
 mod verdict;
 
+pub use bug::{Bug, BugError, Edit};
+pub use manifest::{Manifest, Task, Test};
+pub use marked::{MarkError, starter};
 pub use program::{Driver, End, Limits, Program, Ran, end_of, signal_name};
 pub use report::{Finding, Picture, Report, TestResult, Visibility, Wall};
+pub use toml_file::ManifestError;
 pub use verdict::Verdict;
