@@ -3,8 +3,8 @@
 use super::Failure;
 use super::camera::film;
 use super::lesson::{self, LessonError};
-use dcel_kit::figure::{self, FigureError, FigureOptions, NearlyCollinear, Pointers};
-use dcel_kit::ids::HalfEdgeId;
+use dcel_kit::figure::{self, Detail, FigureError, FigureOptions, NearlyCollinear, Pointers};
+use dcel_kit::ids::{FaceId, HalfEdgeId};
 use dcel_kit::plane::Subdivision;
 use dcel_kit::script::{Script, ScriptError};
 use std::path::Path;
@@ -68,6 +68,19 @@ static REFERENCES: &[Reference] = &[
         draw: || {
             let options = FigureOptions::new("A half-edge structure to point at").interactive(true);
             Ok(figure::structure(&lesson::cube()?, &options.id_prefix("cube"))?.to_svg())
+        },
+    },
+    Reference {
+        file: "lab-04-drawing.svg",
+        about: "the drawing of lab 04, made of the rectangle with split_face and split_in_half alone",
+        draw: || {
+            let drawing =
+                Script::parse(include_str!("../../figures/scripts/lab-04-drawing.dcels"), "lab-04-drawing.dcels")?
+                    .run()
+                    .end;
+            let names = LAB_DRAWING_FACES.iter().map(|&(face, name)| (FaceId::new(face), name));
+            let options = FigureOptions::new("The drawing of lab 04").detail(Detail::Edges).face_names(names);
+            Ok(figure::structure(&drawing, &options.id_prefix("drawing"))?.to_svg())
         },
     },
     Reference {
@@ -137,6 +150,22 @@ static REFERENCES: &[Reference] = &[
             Ok(figure::tables(&lesson::lab_subdivision()?, Some(HalfEdgeId::new(13).into()), &options)?.to_svg())
         },
     },
+];
+
+/// What the faces of the lab's drawing show.
+const LAB_DRAWING_FACES: [(u32, &str); 12] = [
+    (1, "sky"),
+    (2, "hull"),
+    (3, "sea"),
+    (4, "sea"),
+    (5, "keel"),
+    (6, "sky"),
+    (7, "jib"),
+    (8, "pennant"),
+    (9, "shore"),
+    (10, "main sail"),
+    (11, "topsail"),
+    (12, "sun"),
 ];
 
 fn strip(script: &str, title: &str, prefix: &str) -> Result<String, ReferenceError> {

@@ -26,22 +26,39 @@ pub struct Report {
     pub walls: Vec<Wall>,
     /// What the student's program printed besides its answers, cut to a few kilobytes.
     pub printed: String,
+    /// The optional files that were handed in, for a person to read: name and text.
+    #[serde(default)]
+    pub attachments: Vec<(String, String)>,
+    /// Points that no test gives or takes: for answers that a person read, for lateness.
+    #[serde(default)]
+    pub adjustments: Vec<Adjustment>,
     /// How long building and running took, in milliseconds; left out of comparisons.
     pub millis: u64,
 }
 
 impl Report {
-    /// The points that were earned.
+    /// The points that were earned, adjustments included; never below zero.
     #[must_use]
     pub fn points(&self) -> u32 {
-        self.tests.iter().map(|t| t.points).sum()
+        let earned: i64 = self.tests.iter().map(|t| i64::from(t.points)).sum();
+        let adjusted: i64 = self.adjustments.iter().map(|a| i64::from(a.points)).sum();
+        u32::try_from((earned + adjusted).max(0)).unwrap_or(u32::MAX)
     }
 
-    /// The points that can be earned.
+    /// The points that the tests can give.
     #[must_use]
     pub fn max_points(&self) -> u32 {
         self.tests.iter().map(|t| t.max_points).sum()
     }
+}
+
+/// Points given or taken by a person or a rule of the course.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct Adjustment {
+    /// What for: `answers`, `two days late`.
+    pub reason: String,
+    /// How many; negative to take some.
+    pub points: i32,
 }
 
 /// The outcome of one graded test.
@@ -123,4 +140,31 @@ pub struct Wall {
     pub name: String,
     /// Whether it stood; if not, why.
     pub missing: Option<String>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Adjustment, Report, Verdict};
+
+    #[test]
+    fn adjustments_count_and_no_score_is_negative() {
+        let mut report = Report {
+            kit: String::new(),
+            lab: String::new(),
+            lab_version: String::new(),
+            submission: None,
+            seed: 0,
+            verdict: Verdict::Passed,
+            message: None,
+            tests: Vec::new(),
+            walls: Vec::new(),
+            printed: String::new(),
+            attachments: Vec::new(),
+            adjustments: vec![Adjustment { reason: "answers".to_owned(), points: 5 }],
+            millis: 0,
+        };
+        assert_eq!(report.points(), 5);
+        report.adjustments.push(Adjustment { reason: "late".to_owned(), points: -9 });
+        assert_eq!(report.points(), 0);
+    }
 }
