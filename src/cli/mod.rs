@@ -24,6 +24,7 @@ mod looks;
 mod output;
 mod references;
 mod script;
+mod specimen;
 mod subject;
 mod tour;
 mod validate;
