@@ -5,8 +5,10 @@ use super::camera::film;
 use super::lesson::{self, LessonError};
 use super::specimen;
 use dcel_kit::figure::sketch::SketchError;
-use dcel_kit::figure::{self, Detail, FigureError, FigureOptions, NearlyCollinear, Pointers};
-use dcel_kit::ids::{FaceId, HalfEdgeId};
+use dcel_kit::figure::{
+    self, Detail, FigureError, FigureOptions, NearlyCollinear, Overrides, OverridesError, Pointers,
+};
+use dcel_kit::ids::HalfEdgeId;
 use dcel_kit::plane::Subdivision;
 use dcel_kit::script::{Script, ScriptError};
 use std::path::Path;
@@ -18,6 +20,8 @@ pub(crate) enum ReferenceError {
     Lesson(#[from] LessonError),
     #[error(transparent)]
     Figure(#[from] FigureError),
+    #[error(transparent)]
+    Overrides(#[from] OverridesError),
     #[error(transparent)]
     Script(#[from] ScriptError),
     #[error(transparent)]
@@ -82,8 +86,8 @@ static REFERENCES: &[Reference] = &[
                 Script::parse(include_str!("../../figures/scripts/lab-04-drawing.dcels"), "lab-04-drawing.dcels")?
                     .run()
                     .end;
-            let names = LAB_DRAWING_FACES.iter().map(|&(face, name)| (FaceId::new(face), name));
-            let options = FigureOptions::new("The drawing of lab 04").detail(Detail::Edges).face_names(names);
+            let colours = Overrides::parse(include_str!("../../figures/scripts/lab-04-drawing.colours"))?;
+            let options = FigureOptions::new("The drawing of lab 04").detail(Detail::Edges).overrides(colours);
             Ok(figure::structure(&drawing, &options.id_prefix("drawing"))?.to_svg())
         },
     },
@@ -161,22 +165,6 @@ static REFERENCES: &[Reference] = &[
     },
 ];
 
-/// What the faces of the lab's drawing show.
-const LAB_DRAWING_FACES: [(u32, &str); 12] = [
-    (1, "sky"),
-    (2, "hull"),
-    (3, "sea"),
-    (4, "sea"),
-    (5, "keel"),
-    (6, "sky"),
-    (7, "jib"),
-    (8, "pennant"),
-    (9, "shore"),
-    (10, "main sail"),
-    (11, "topsail"),
-    (12, "sun"),
-];
-
 fn strip(script: &str, title: &str, prefix: &str) -> Result<String, ReferenceError> {
     let script = Script::parse(script, title)?;
     Ok(film(&script).strip(&FigureOptions::new(title).id_prefix(prefix))?.to_svg())
@@ -226,6 +214,10 @@ fn gallery() -> String {
 /// How to draw such a picture of one's own.
 fn command(file: &str) -> &'static str {
     match file {
+        "lab-04-drawing.svg" => {
+            "dcel script figures/scripts/lab-04-drawing.dcels --dump\n\
+             dcel figure FILE --detail edges --colours figures/scripts/lab-04-drawing.colours -o OUT.svg"
+        }
         "focus.svg" => "dcel figure FILE --focus h5 -o OUT.svg",
         "interactive.svg" => "dcel figure FILE --interactive -o OUT.svg",
         "pointers.svg" => "dcel figure FILE --pointers all -o OUT.svg",

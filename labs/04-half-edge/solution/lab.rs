@@ -219,6 +219,68 @@ pub fn drawing(pen: &mut Pen) {
     // BEGIN SOLUTION
     // STARTER: let _ = pen;
     // STARTER: todo!("drawing")
-    let _ = pen;
+    // The half-edge of a face that starts at a point: from the one that the face knows along next until it comes.
+    fn corner(pen: &Pen, face: FaceId, x: f64, y: f64) -> HalfEdgeId {
+        let mut h = pen.incident_half_edge(face);
+        while pen.position(pen.origin(h)) != (crate::dcel::Point { x, y }) {
+            h = pen.next(h);
+        }
+        h
+    }
+
+    // Draws a line through a face from a to b; on its left is the new face, which is returned.
+    fn line(pen: &mut Pen, face: FaceId, a: (f64, f64), b: (f64, f64)) -> FaceId {
+        let he1 = corner(pen, face, a.0, a.1);
+        let he2 = corner(pen, face, b.0, b.1);
+        pen.split_face(he1, he2);
+        pen.face(pen.prev(he2))
+    }
+
+    // Halves the edge of a face that starts at a point.
+    fn halve(pen: &mut Pen, face: FaceId, x: f64, y: f64) {
+        let h = corner(pen, face, x, y);
+        pen.split_in_half(h);
+    }
+
+    // The horizon, at a quarter of the height of the short sides.
+    let sky = pen.face(0);
+    halve(pen, sky, 250.0, -150.0);
+    halve(pen, sky, 250.0, -150.0);
+    halve(pen, sky, -250.0, 150.0);
+    halve(pen, sky, -250.0, 0.0);
+    let sea = line(pen, sky, (250.0, -75.0), (-250.0, -75.0));
+
+    // The hull, with its keel at the middle of the lower side.
+    halve(pen, sea, 250.0, -75.0);
+    halve(pen, sea, 250.0, -75.0);
+    halve(pen, sea, 0.0, -75.0);
+    line(pen, sea, (0.0, -150.0), (-125.0, -75.0));
+    line(pen, sea, (125.0, -75.0), (0.0, -150.0));
+    let hull = sea;
+    halve(pen, hull, 0.0, -150.0);
+    halve(pen, hull, -125.0, -75.0);
+    line(pen, hull, (62.5, -112.5), (-62.5, -112.5));
+
+    // The mast, the jib and the pennant on its right.
+    let west = line(pen, sky, (0.0, -75.0), (0.0, 150.0));
+    halve(pen, sky, 0.0, 150.0);
+    line(pen, sky, (125.0, -75.0), (0.0, 37.5));
+    halve(pen, sky, 0.0, 150.0);
+    halve(pen, sky, 250.0, 150.0);
+    line(pen, sky, (0.0, 93.75), (125.0, 150.0));
+
+    // The shore.
+    halve(pen, sky, 250.0, -75.0);
+    line(pen, sky, (250.0, -37.5), (125.0, -75.0));
+
+    // The main sail on the left of the mast, and its topsail.
+    let sail = line(pen, west, (0.0, 150.0), (-125.0, -75.0));
+    halve(pen, sail, 0.0, 150.0);
+    line(pen, sail, (-62.5, 37.5), (0.0, 37.5));
+
+    // The sun.
+    halve(pen, west, 0.0, 150.0);
+    halve(pen, west, -250.0, 150.0);
+    line(pen, west, (-250.0, 75.0), (-125.0, 150.0));
     // END SOLUTION
 }

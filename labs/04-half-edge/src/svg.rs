@@ -59,15 +59,20 @@ impl Svg {
     }
 }
 
+/// The colours of the faces, in turn.
+const FILLS: [&str; 13] = [
+    "#cfe3f5", "#f8dfc2", "#d6ecd2", "#eed6e8", "#f5eeb9", "#d5dbe0", "#c9ecea", "#fbd5d0", "#dcd9f4", "#e6f2c4",
+    "#fde8cf", "#e9e0d6", "#fdf0a8",
+];
+
 /// The picture of a structure: the faces but the outer one filled, a line for each edge, a dot for each vertex.
 /// It uses your `incident_vertices` and your `destination`.
 pub fn picture(dcel: &Dcel) -> String {
-    let fills = ["#cfe3f5", "#f8dfc2", "#d6ecd2", "#eed6e8", "#f5eeb9", "#d5dbe0"];
     let mut svg = Svg::default();
     for f in 0..dcel.faces.len() {
         if f != dcel.outer_face {
             let corners: Vec<Point> = dcel.incident_vertices(f).iter().map(|&v| dcel.position(v)).collect();
-            svg.polygon(&corners, fills[f % fills.len()]);
+            svg.polygon(&corners, FILLS[f % FILLS.len()]);
         }
     }
     for h in 0..dcel.half_edges.len() {
