@@ -3,6 +3,8 @@
 use super::Failure;
 use super::camera::film;
 use super::lesson::{self, LessonError};
+use super::specimen;
+use dcel_kit::figure::sketch::SketchError;
 use dcel_kit::figure::{
     self, Detail, FigureError, FigureOptions, NearlyCollinear, Overrides, OverridesError, Pointers,
 };
@@ -22,6 +24,8 @@ pub(crate) enum ReferenceError {
     Overrides(#[from] OverridesError),
     #[error(transparent)]
     Script(#[from] ScriptError),
+    #[error(transparent)]
+    Sketch(#[from] SketchError),
 }
 
 /// A figure of the project, regenerated and compared by `dcel figures`.
@@ -153,6 +157,11 @@ static REFERENCES: &[Reference] = &[
             let options = FigureOptions::new("Tables of the lab's subdivision").id_prefix("tables");
             Ok(figure::tables(&lesson::lab_subdivision()?, Some(HalfEdgeId::new(13).into()), &options)?.to_svg())
         },
+    },
+    Reference {
+        file: "vocabulary.svg",
+        about: "what other parts of the kit draw themselves with: one layout, six panels",
+        draw: specimen::vocabulary,
     },
 ];
 

@@ -12,19 +12,29 @@
 //! here and give the same verdicts.
 
 mod bug;
+#[cfg(feature = "grade")]
+mod export;
+mod files;
 mod manifest;
 mod marked;
 mod program;
 mod report;
 #[cfg(feature = "grade")]
 pub mod reports;
+#[cfg(feature = "grade")]
+mod student;
 mod toml_file;
 mod verdict;
 
 pub use bug::{Bug, BugError, Edit};
+#[cfg(feature = "grade")]
+pub use export::{Packed, gradescope_files, zipped};
+pub use files::{LabFiles, LabFilesError};
 pub use manifest::{Manifest, Task, Test};
 pub use marked::{MarkError, starter};
 pub use program::{Driver, End, Limits, Program, Ran, end_of, signal_name};
 pub use report::{Adjustment, Finding, Picture, Report, TestResult, Visibility, Wall};
+#[cfg(feature = "grade")]
+pub use student::{Kit, student_files};
 pub use toml_file::ManifestError;
 pub use verdict::Verdict;
