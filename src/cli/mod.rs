@@ -19,6 +19,7 @@ mod figures;
 mod info;
 mod input;
 mod lab;
+mod lab_figures;
 mod lesson;
 mod looks;
 mod output;

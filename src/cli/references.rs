@@ -2,12 +2,11 @@
 
 use super::Failure;
 use super::camera::film;
+use super::lab_figures;
 use super::lesson::{self, LessonError};
 use super::specimen;
 use dcel_kit::figure::sketch::SketchError;
-use dcel_kit::figure::{
-    self, Detail, FigureError, FigureOptions, NearlyCollinear, Overrides, OverridesError, Pointers,
-};
+use dcel_kit::figure::{self, FigureError, FigureOptions, NearlyCollinear, OverridesError, Pointers};
 use dcel_kit::ids::HalfEdgeId;
 use dcel_kit::plane::Subdivision;
 use dcel_kit::script::{Script, ScriptError};
@@ -81,15 +80,12 @@ static REFERENCES: &[Reference] = &[
     Reference {
         file: "lab-04-drawing.svg",
         about: "the drawing of lab 04, made of the rectangle with split_face and split_in_half alone",
-        draw: || {
-            let drawing =
-                Script::parse(include_str!("../../figures/scripts/lab-04-drawing.dcels"), "lab-04-drawing.dcels")?
-                    .run()
-                    .end;
-            let colours = Overrides::parse(include_str!("../../figures/scripts/lab-04-drawing.colours"))?;
-            let options = FigureOptions::new("The drawing of lab 04").detail(Detail::Edges).overrides(colours);
-            Ok(figure::structure(&drawing, &options.id_prefix("drawing"))?.to_svg())
-        },
+        draw: lab_figures::drawing,
+    },
+    Reference {
+        file: "lab-04-two-nexts.svg",
+        about: "an edge of two faces has two next edges; two half-edges have one each",
+        draw: lab_figures::two_nexts,
     },
     Reference {
         file: "lab-subdivision.svg",
