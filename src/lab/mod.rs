@@ -11,6 +11,8 @@
 //! a complete and right dump for every case. `cargo test` in a lab's folder and `dcel grade` call the same functions
 //! here and give the same verdicts.
 
+pub mod cases;
+pub mod checks;
 mod bug;
 #[cfg(feature = "grade")]
 mod export;
@@ -18,6 +20,7 @@ mod files;
 mod manifest;
 mod marked;
 mod program;
+pub mod protocol;
 mod report;
 #[cfg(feature = "grade")]
 pub mod reports;
