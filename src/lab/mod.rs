@@ -11,9 +11,9 @@
 //! a complete and right dump for every case. `cargo test` in a lab's folder and `dcel grade` call the same functions
 //! here and give the same verdicts.
 
+mod bug;
 pub mod cases;
 pub mod checks;
-mod bug;
 #[cfg(feature = "grade")]
 mod export;
 mod files;
