@@ -30,6 +30,7 @@
 
 mod arrows;
 mod captions;
+pub mod compare;
 mod crop;
 mod crowd;
 mod face_arrows;
@@ -55,6 +56,7 @@ mod pole;
 mod records;
 mod robustness;
 mod scene;
+mod selectors;
 mod skeleton;
 mod structure;
 mod style;
