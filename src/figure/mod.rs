@@ -30,6 +30,7 @@
 
 mod arrows;
 mod captions;
+pub mod compare;
 mod crop;
 mod crowd;
 mod face_arrows;
@@ -57,6 +58,7 @@ mod pole;
 mod records;
 mod robustness;
 mod scene;
+mod selectors;
 mod skeleton;
 pub mod sketch;
 mod structure;
