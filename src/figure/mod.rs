@@ -30,6 +30,7 @@
 
 mod arrows;
 mod captions;
+pub mod chart;
 mod crop;
 mod crowd;
 mod face_arrows;
@@ -42,6 +43,7 @@ mod half_edges;
 mod interactive;
 mod labels;
 mod leaders;
+mod log;
 mod multiples;
 mod number;
 mod options;
