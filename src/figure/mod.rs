@@ -31,6 +31,7 @@
 mod arrows;
 mod captions;
 pub mod compare;
+pub mod chart;
 mod crop;
 mod crowd;
 mod face_arrows;
@@ -43,6 +44,7 @@ mod half_edges;
 mod interactive;
 mod labels;
 mod leaders;
+mod log;
 mod multiples;
 mod number;
 mod options;
