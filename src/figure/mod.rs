@@ -30,6 +30,8 @@
 
 mod arrows;
 mod captions;
+pub mod compare;
+pub mod chart;
 mod crop;
 mod crowd;
 mod face_arrows;
@@ -42,6 +44,7 @@ mod half_edges;
 mod interactive;
 mod labels;
 mod leaders;
+mod log;
 mod multiples;
 mod number;
 mod options;
@@ -57,6 +60,7 @@ mod pole;
 mod records;
 mod robustness;
 mod scene;
+mod selectors;
 mod skeleton;
 pub mod sketch;
 mod structure;
