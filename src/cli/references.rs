@@ -2,12 +2,14 @@
 
 use super::Failure;
 use super::camera::film;
+use super::lab_figures;
 use super::lesson::{self, LessonError};
-use dcel_kit::figure::{
-    self, Detail, FigureError, FigureOptions, NearlyCollinear, Overrides, OverridesError, Pointers,
-};
+use super::specimen;
+use dcel_kit::figure::chart::ChartError;
+use dcel_kit::figure::sketch::SketchError;
+use dcel_kit::figure::{self, FigureError, FigureOptions, NearlyCollinear, OverridesError, Pointers};
 use dcel_kit::ids::HalfEdgeId;
-use dcel_kit::plane::Subdivision;
+use dcel_kit::plane::{CoordinateError, Subdivision};
 use dcel_kit::script::{Script, ScriptError};
 use std::path::Path;
 
@@ -22,6 +24,12 @@ pub(crate) enum ReferenceError {
     Overrides(#[from] OverridesError),
     #[error(transparent)]
     Script(#[from] ScriptError),
+    #[error(transparent)]
+    Sketch(#[from] SketchError),
+    #[error(transparent)]
+    Chart(#[from] ChartError),
+    #[error(transparent)]
+    Coordinate(#[from] CoordinateError),
 }
 
 /// A figure of the project, regenerated and compared by `dcel figures`.
@@ -40,6 +48,11 @@ static REFERENCES: &[Reference] = &[
         file: "cube.svg",
         about: "a half-edge structure of 8 vertices, 12 edges and 6 faces, the outer one counted",
         draw: || structure(&lesson::cube()?, "A half-edge structure"),
+    },
+    Reference {
+        file: "figure-sizes.svg",
+        about: "how much a figure shows, and how many bytes it takes for each edge, as a grid grows",
+        draw: specimen::figure_sizes,
     },
     Reference {
         file: "film-join-faces.svg",
@@ -77,15 +90,12 @@ static REFERENCES: &[Reference] = &[
     Reference {
         file: "lab-04-drawing.svg",
         about: "the drawing of lab 04, made of the rectangle with split_face and split_in_half alone",
-        draw: || {
-            let drawing =
-                Script::parse(include_str!("../../figures/scripts/lab-04-drawing.dcels"), "lab-04-drawing.dcels")?
-                    .run()
-                    .end;
-            let colours = Overrides::parse(include_str!("../../figures/scripts/lab-04-drawing.colours"))?;
-            let options = FigureOptions::new("The drawing of lab 04").detail(Detail::Edges).overrides(colours);
-            Ok(figure::structure(&drawing, &options.id_prefix("drawing"))?.to_svg())
-        },
+        draw: lab_figures::drawing,
+    },
+    Reference {
+        file: "lab-04-two-nexts.svg",
+        about: "an edge of two faces has two next edges; two half-edges have one each",
+        draw: lab_figures::two_nexts,
     },
     Reference {
         file: "lab-subdivision.svg",
@@ -154,6 +164,21 @@ static REFERENCES: &[Reference] = &[
             Ok(figure::tables(&lesson::lab_subdivision()?, Some(HalfEdgeId::new(13).into()), &options)?.to_svg())
         },
     },
+    Reference {
+        file: "vocabulary.svg",
+        about: "what other parts of the kit draw themselves with: one layout, six panels",
+        draw: specimen::vocabulary,
+    },
+    Reference {
+        file: "walk.svg",
+        about: "a sketch over a structure: a straight walk from face to face",
+        draw: specimen::walk,
+    },
+    Reference {
+        file: "wrong-signs.svg",
+        about: "how many signs plain doubles get wrong near a line, over the size of the grid",
+        draw: specimen::wrong_signs,
+    },
 ];
 
 fn strip(script: &str, title: &str, prefix: &str) -> Result<String, ReferenceError> {
@@ -213,7 +238,7 @@ fn command(file: &str) -> &'static str {
         "interactive.svg" => "dcel figure FILE --interactive -o OUT.svg",
         "pointers.svg" => "dcel figure FILE --pointers all -o OUT.svg",
         "records.svg" => "dcel figure --records -o OUT.svg",
-        "robustness.svg" => "dcel figures",
+        "figure-sizes.svg" | "robustness.svg" | "vocabulary.svg" | "walk.svg" | "wrong-signs.svg" => "dcel figures",
         "states.svg" => "dcel figure FILE --width 960 -o OUT.svg",
         "tables.svg" => "dcel figure FILE --tables --highlight h5 -o OUT.svg",
         "stepper-split-face.svg" => "dcel script figures/scripts/split-face.dcels --film OUT.svg --stepper",

@@ -16,6 +16,11 @@ pub mod cases;
 pub mod checks;
 mod course;
 #[cfg(feature = "grade")]
+mod batch;
+mod bug;
+pub mod cases;
+pub mod checks;
+#[cfg(feature = "grade")]
 mod export;
 mod fault;
 mod feedback;
@@ -37,7 +42,15 @@ mod the_lab;
 mod toml_file;
 mod verdict;
 mod zoo;
+#[cfg(feature = "grade")]
+mod submission;
+mod toml_file;
+mod verdict;
+#[cfg(feature = "grade")]
+mod walls;
 
+#[cfg(feature = "grade")]
+pub use batch::{GradeOptions, Grader, Judge};
 pub use bug::{Bug, BugError, Edit};
 #[cfg(feature = "grade")]
 pub use export::{Packed, gradescope_files, zipped};
@@ -55,3 +68,9 @@ pub use the_lab::{Lab, LabError};
 pub use toml_file::ManifestError;
 pub use verdict::Verdict;
 pub use zoo::{Signature, Signatures};
+#[cfg(feature = "grade")]
+pub use submission::{Forbidden, Intake, IntakeError, ScanError, scan, take_in};
+pub use toml_file::ManifestError;
+pub use verdict::Verdict;
+#[cfg(feature = "grade")]
+pub use walls::{WallChoice, WalledProgram, Walls, launched};
