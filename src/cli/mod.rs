@@ -19,11 +19,13 @@ mod figure_kind;
 mod figures;
 mod info;
 mod input;
+mod lab;
 mod lesson;
 mod looks;
 mod output;
 mod references;
 mod script;
+mod specimen;
 mod subject;
 mod tour;
 mod validate;
@@ -64,6 +66,7 @@ enum Command {
     Convert(convert::Args),
     Figure(Box<figure::Args>),
     Script(script::Args),
+    Lab(lab::Args),
     Tour(tour::Args),
     Figures(figures::Args),
     Completions(completions::Args),
@@ -79,6 +82,7 @@ impl Command {
             Self::Convert(args) => convert::run(&args, out),
             Self::Figure(args) => figure::run(&args, out),
             Self::Script(args) => script::run(&args, out),
+            Self::Lab(args) => lab::run(&args, out),
             Self::Tour(args) => tour::run(&args, out),
             Self::Figures(args) => figures::run(&args, out),
             Self::Completions(args) => completions::run(&args, out),
