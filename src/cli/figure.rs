@@ -162,7 +162,7 @@ fn save(path: &Path, text: &str) -> Result<(), Failure> {
 }
 
 /// The first of `endings` is the usual one.
-fn check_target(path: &Path, input: &Path, endings: &[&str]) -> Result<(), Failure> {
+pub(crate) fn check_target(path: &Path, input: &Path, endings: &[&str]) -> Result<(), Failure> {
     let fits = |extension: &std::ffi::OsStr| endings.iter().any(|ending| extension.eq_ignore_ascii_case(ending));
     if path.extension().is_some_and(|extension| !fits(extension)) {
         let kind = endings[0].to_uppercase();

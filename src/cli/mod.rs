@@ -10,6 +10,7 @@
 
 mod answer;
 mod camera;
+mod compare;
 mod completions;
 mod convert;
 mod failure;
@@ -19,11 +20,13 @@ mod figures;
 mod info;
 mod input;
 mod lab;
+mod lab_figures;
 mod lesson;
 mod looks;
 mod output;
 mod references;
 mod script;
+mod specimen;
 mod subject;
 mod tour;
 mod validate;
@@ -60,6 +63,7 @@ enum Command {
     Info(info::Args),
     Validate(validate::Args),
     Walk(walk::Args),
+    Compare(compare::Args),
     Convert(convert::Args),
     Figure(Box<figure::Args>),
     Script(script::Args),
@@ -75,6 +79,7 @@ impl Command {
             Self::Info(args) => info::run(&args, out),
             Self::Validate(args) => validate::run(&args, out),
             Self::Walk(args) => walk::run(&args, out),
+            Self::Compare(args) => compare::run(&args, out),
             Self::Convert(args) => convert::run(&args, out),
             Self::Figure(args) => figure::run(&args, out),
             Self::Script(args) => script::run(&args, out),
