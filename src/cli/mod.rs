@@ -17,6 +17,7 @@ mod failure;
 mod figure;
 mod figure_kind;
 mod figures;
+mod grade;
 mod info;
 mod input;
 mod lab;
@@ -68,6 +69,7 @@ enum Command {
     Figure(Box<figure::Args>),
     Script(script::Args),
     Lab(lab::Args),
+    Grade(Box<grade::Args>),
     Tour(tour::Args),
     Figures(figures::Args),
     Completions(completions::Args),
@@ -84,6 +86,7 @@ impl Command {
             Self::Figure(args) => figure::run(&args, out),
             Self::Script(args) => script::run(&args, out),
             Self::Lab(args) => lab::run(&args, out),
+            Self::Grade(args) => grade::run(&args, out),
             Self::Tour(args) => tour::run(&args, out),
             Self::Figures(args) => figures::run(&args, out),
             Self::Completions(args) => completions::run(&args, out),

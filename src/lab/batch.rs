@@ -13,7 +13,7 @@
 
 use super::submission::{Built, Intake, IntakeError, Rooms, Toolchain, Tree, build, take_in, take_in_unscanned};
 use super::walls::Resident;
-use super::{LabFiles, Manifest, Program, Report, TestResult, Verdict, Wall, WallChoice, WalledProgram, Walls};
+use super::{LabFiles, Manifest, Program, Report, Verdict, Wall, WallChoice, WalledProgram, Walls};
 use std::collections::BTreeMap;
 use std::hash::{BuildHasher, RandomState};
 use std::io;
@@ -223,37 +223,7 @@ impl Grader {
 
     /// The report on a submission of which no test could run.
     fn stopped(&self, verdict: Verdict, message: String) -> Report {
-        let test = |test: &super::Test| TestResult {
-            name: test.name.clone(),
-            title: test.title.clone(),
-            task: test.task,
-            verdict,
-            points: 0,
-            max_points: test.points,
-            visibility: test.visibility,
-            message: String::new(),
-            place: None,
-            findings: Vec::new(),
-            bugs: Vec::new(),
-            script: None,
-            replay: None,
-            picture: None,
-        };
-        Report {
-            kit: env!("CARGO_PKG_VERSION").to_owned(),
-            lab: self.manifest.name.clone(),
-            lab_version: self.manifest.version.clone(),
-            submission: None,
-            seed: 0,
-            verdict,
-            message: Some(message),
-            tests: self.manifest.tests.iter().map(test).collect(),
-            walls: self.walls.said().to_vec(),
-            printed: String::new(),
-            attachments: Vec::new(),
-            adjustments: Vec::new(),
-            millis: 0,
-        }
+        Report { walls: self.walls.said().to_vec(), ..Report::untested(&self.manifest, verdict, message) }
     }
 }
 

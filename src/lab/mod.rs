@@ -41,6 +41,8 @@ mod the_lab;
 mod toml_file;
 mod verdict;
 #[cfg(feature = "grade")]
+mod verify;
+#[cfg(feature = "grade")]
 mod walls;
 mod zoo;
 
@@ -64,6 +66,8 @@ pub use submission::{Forbidden, Intake, IntakeError, ScanError, scan, take_in};
 pub use the_lab::{Lab, LabError};
 pub use toml_file::ManifestError;
 pub use verdict::Verdict;
+#[cfg(feature = "grade")]
+pub use verify::{BugRow, Verification, verify};
 #[cfg(feature = "grade")]
 pub use walls::{WallChoice, WalledProgram, Walls, launched};
 pub use zoo::{Signature, Signatures};

@@ -1,5 +1,6 @@
 //! What a grading run says of one submission: plain data, from which every report format is written.
 
+use super::manifest::{Manifest, Test};
 use super::verdict::Verdict;
 use serde::{Deserialize, Serialize};
 
@@ -37,6 +38,26 @@ pub struct Report {
 }
 
 impl Report {
+    /// The report on a submission of which no test could run, and why.
+    #[must_use]
+    pub fn untested(lab: &Manifest, verdict: Verdict, message: impl Into<String>) -> Self {
+        Self {
+            kit: env!("CARGO_PKG_VERSION").to_owned(),
+            lab: lab.name.clone(),
+            lab_version: lab.version.clone(),
+            submission: None,
+            seed: 0,
+            verdict,
+            message: Some(message.into()),
+            tests: lab.tests.iter().map(|test| TestResult::new(test, verdict)).collect(),
+            walls: Vec::new(),
+            printed: String::new(),
+            attachments: Vec::new(),
+            adjustments: Vec::new(),
+            millis: 0,
+        }
+    }
+
     /// The points that were earned, adjustments included; never below zero.
     #[must_use]
     pub fn points(&self) -> u32 {
@@ -92,6 +113,29 @@ pub struct TestResult {
     pub replay: Option<String>,
     /// Before, expected, and the student's.
     pub picture: Option<Picture>,
+}
+
+impl TestResult {
+    /// A test with this verdict, and nothing else known of it.
+    #[must_use]
+    pub fn new(test: &Test, verdict: Verdict) -> Self {
+        Self {
+            name: test.name.clone(),
+            title: test.title.clone(),
+            task: test.task,
+            verdict,
+            points: if verdict.is_passed() { test.points } else { 0 },
+            max_points: test.points,
+            visibility: test.visibility,
+            message: String::new(),
+            place: None,
+            findings: Vec::new(),
+            bugs: Vec::new(),
+            script: None,
+            replay: None,
+            picture: None,
+        }
+    }
 }
 
 /// A broken promise.

@@ -1,7 +1,7 @@
 //! `dcel lab list`: which labs there are, and what each asks for.
 
 use super::super::{Answer, Failure, Output, output};
-use super::{bundled, manifest};
+use super::lab;
 use dcel_kit::lab::LabFiles;
 use std::io::Write;
 
@@ -21,15 +21,15 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let Some(name) = &args.lab else {
         let mut rows = Vec::new();
         for name in LabFiles::bundled_names() {
-            let manifest = manifest(&bundled(&name)?)?;
+            let manifest = lab(&name)?.manifest;
             rows.push([name, format!("{} points", manifest.max_points()), manifest.title]);
         }
         output::table(out, &rows)?;
         return Ok(Answer::Yes);
     };
-    let lab = bundled(name)?;
-    let manifest = manifest(&lab)?;
-    writeln!(out, "{}: {} ({} points)", lab.name(), manifest.title, manifest.max_points())?;
+    let lab = lab(name)?;
+    let manifest = &lab.manifest;
+    writeln!(out, "{}: {} ({} points)", lab.name, manifest.title, manifest.max_points())?;
     for task in &manifest.tasks {
         writeln!(out, "\ntask {}: {}", task.number, task.title)?;
         let tests = manifest.tests.iter().filter(|test| test.task == task.number);

@@ -6,11 +6,15 @@
 //! ```
 
 mod bundle;
+mod check;
 mod export;
 mod folder;
+mod hint;
 mod list;
 mod reset;
 mod start;
+mod verify;
+mod watch;
 
 use super::{Answer, Failure, Output};
 
@@ -19,7 +23,8 @@ use super::{Answer, Failure, Output};
 #[command(after_help = "\
 Examples:
   dcel lab list
-  dcel lab start 04 my-lab")]
+  dcel lab start 04 my-lab
+  dcel lab check my-lab")]
 pub(crate) struct Args {
     #[command(subcommand)]
     command: Command,
@@ -29,7 +34,11 @@ pub(crate) struct Args {
 enum Command {
     List(list::Args),
     Start(start::Args),
+    Check(check::Args),
+    Watch(watch::Args),
+    Hint(hint::Args),
     Reset(reset::Args),
+    Verify(verify::Args),
     Export(export::Args),
     #[command(hide = true)]
     Bundle(bundle::Args),
@@ -39,6 +48,10 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     match &args.command {
         Command::List(args) => list::run(args, out),
         Command::Start(args) => start::run(args, out),
+        Command::Check(args) => check::run(args, out),
+        Command::Watch(args) => watch::run(args, out),
+        Command::Verify(args) => verify::run(args, out),
+        Command::Hint(args) => hint::run(args, out),
         Command::Reset(args) => reset::run(args, out),
         Command::Export(args) => export::run(args, out),
         Command::Bundle(args) => bundle::run(args, out),
@@ -54,8 +67,7 @@ fn bundled(name: &str) -> Result<dcel_kit::lab::LabFiles, Failure> {
     })
 }
 
-/// The manifest of a lab that is compiled in.
-fn manifest(lab: &dcel_kit::lab::LabFiles) -> Result<dcel_kit::lab::Manifest, Failure> {
-    let source = format!("{}/lab.toml", lab.name());
-    dcel_kit::lab::Manifest::parse(lab.get("lab.toml").unwrap_or_default(), &source).map_err(Failure::kit)
+/// A lab that is compiled in, ready to grade.
+pub(super) fn lab(name: &str) -> Result<dcel_kit::lab::Lab, Failure> {
+    dcel_kit::lab::Lab::new(bundled(name)?).map_err(Failure::kit)
 }

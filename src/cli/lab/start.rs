@@ -1,7 +1,7 @@
 //! `dcel lab start`: a folder to do a lab in.
 
 use super::super::{Answer, Failure, Output};
-use super::{bundled, folder, manifest};
+use super::{folder, lab};
 use dcel_kit::lab::{Kit, student_files};
 use std::io::Write;
 use std::path::PathBuf;
@@ -28,12 +28,12 @@ pub(crate) struct Args {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    let lab = bundled(&args.lab)?;
-    let manifest = manifest(&lab)?;
-    let files = student_files(&lab, &args.kit.clone().unwrap_or_else(Kit::running));
+    let lab = lab(&args.lab)?;
+    let manifest = &lab.manifest;
+    let files = student_files(&lab.files, &args.kit.clone().unwrap_or_else(Kit::running));
     folder::make(&args.dir, &files)?;
     let dir = args.dir.display();
-    writeln!(out, "{}: {}, in {dir}", lab.name(), manifest.title)?;
+    writeln!(out, "{}: {}, in {dir}", lab.name, manifest.title)?;
     writeln!(out, "  {dir}/README.md    what to do")?;
     for graded in &manifest.graded {
         writeln!(out, "  {dir}/{graded}   what you write")?;

@@ -1,0 +1,149 @@
+//! `dcel lab check`: how far the work is, and what to do next.
+
+use super::super::{Answer, Failure, Output};
+use super::folder;
+use dcel_kit::lab::reports::Format;
+use dcel_kit::lab::{Driver, Lab, Manifest, Plan, Report, Verdict, grade_program, test_text};
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Build your code, run the graded tests, and say what to do next
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Shows a line for each test and, in full, the first one that fails: it is the next thing to do. The verdicts are those
+of `cargo test` and of your instructor's grader. Pictures of what went wrong are in target/check/report.html.
+
+Examples:
+  dcel lab check
+  dcel lab check my-lab --test split_face_3_links
+  dcel lab check --all --seed 77")]
+pub(crate) struct Args {
+    /// The lab's folder; without it, the one you are in
+    #[arg(value_name = "DIR")]
+    dir: Option<PathBuf>,
+    /// Only this test and those that it builds on
+    #[arg(long, value_name = "NAME")]
+    test: Option<String>,
+    /// Tell every failing test in full, not just the first
+    #[arg(long)]
+    all: bool,
+    /// The seed of the random cases, to see the same ones again; LAB_SEED does the same
+    #[arg(long, value_name = "NUMBER")]
+    seed: Option<u64>,
+}
+
+pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    Bench::new(args)?.check(out)
+}
+
+/// A student's folder, ready to be checked again and again.
+pub(super) struct Bench {
+    pub(super) dir: PathBuf,
+    lab: Lab,
+    test: Option<String>,
+    all: bool,
+    seed: Option<u64>,
+}
+
+impl Bench {
+    pub(super) fn new(args: &Args) -> Result<Self, Failure> {
+        let dir = folder::find(args.dir.as_deref())?;
+        let toml = dir.join("lab.toml");
+        let manifest = Manifest::parse(&folder::read(&toml)?, &toml.display().to_string())
+            .map_err(|error| Failure::input(error, "put back the lab.toml that the lab came with"))?;
+        let lab = super::lab(&manifest.name)?;
+        if let Some(test) = &args.test
+            && lab.manifest.test(test).is_none()
+        {
+            let names: Vec<&str> = lab.manifest.tests.iter().map(|test| test.name.as_str()).collect();
+            let what = format!("{} has no test `{test}`", lab.name);
+            return Err(Failure::input(what, format!("name one of {}", names.join(", "))));
+        }
+        Ok(Self { dir, lab, test: args.test.clone(), all: args.all, seed: args.seed })
+    }
+
+    /// The files that are worth watching.
+    pub(super) fn watched(&self) -> Vec<PathBuf> {
+        self.lab.manifest.graded.iter().map(|file| self.dir.join(file)).collect()
+    }
+
+    /// Builds, grades, tells.
+    pub(super) fn check(&self, out: &mut Output) -> Result<Answer, Failure> {
+        // What was said before must stand before what cargo says.
+        out.flush()?;
+        let Some(program) = self.build()? else {
+            let graded = self.lab.manifest.graded.join(", ");
+            writeln!(out, "{graded}: {}. Next: mend the first error above.", Verdict::DoesNotCompile)?;
+            return Ok(Answer::No);
+        };
+        let mut plan = self.seed.map_or_else(Plan::from_environment, Plan::with_seed);
+        plan.only.clone_from(&self.test);
+        let report = grade_program(&self.lab, &Driver::new(program, self.lab.manifest.limits), &plan);
+        let page = self.target().join("report.html");
+        let written = fs::write(&page, Format::Html.one(&report)).is_ok();
+        tell(out, &report, self.all, written.then_some(page.as_path()))?;
+        Ok(if report.verdict.is_passed() { Answer::Yes } else { Answer::No })
+    }
+
+    /// A target folder of its own: an editor that builds at the same time is never in the way.
+    fn target(&self) -> PathBuf {
+        self.dir.join("target").join("check")
+    }
+
+    /// The program, or nothing if it does not compile: then cargo has said why.
+    fn build(&self) -> Result<Option<PathBuf>, Failure> {
+        let package = &self.lab.manifest.package;
+        let status = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
+            .args(["build", "--quiet", "--bin", package])
+            .env("CARGO_TARGET_DIR", self.target())
+            .current_dir(&self.dir)
+            .status()
+            .map_err(|error| {
+                let what = format!("cargo cannot be started: {error}");
+                Failure::input(what, "install Rust as rustup.rs says, and open a new terminal")
+            })?;
+        if !status.success() {
+            return Ok(None);
+        }
+        let name = format!("{package}{}", std::env::consts::EXE_SUFFIX);
+        Ok(Some(self.target().join("debug").join(name)))
+    }
+}
+
+/// The list of tests, then the next thing to do.
+fn tell(out: &mut Output, report: &Report, all: bool, page: Option<&Path>) -> io::Result<()> {
+    writeln!(out, "{}: {} of {} points", report.lab, report.points(), report.max_points())?;
+    if let Some(message) = &report.message {
+        writeln!(out, "{}: {message}", report.verdict)?;
+    }
+    for test in &report.tests {
+        writeln!(out, "  {} {:<30} {}", sign(test.verdict), test.name, test.verdict)?;
+    }
+    let failing = report.tests.iter().filter(|test| !matches!(test.verdict, Verdict::Passed | Verdict::Skipped));
+    for test in failing.take(if all { usize::MAX } else { 1 }) {
+        writeln!(out, "\n{}", test_text(report, test, None).trim_end())?;
+    }
+    let open = report.tests.iter().filter(|test| !test.verdict.is_passed()).count();
+    if open == 0 {
+        writeln!(out, "\nEverything passes. Hand it in.")?;
+    } else if let Some(page) = page {
+        writeln!(out, "\nWith pictures: {}", page.display())?;
+    }
+    if !report.printed.is_empty() {
+        writeln!(out, "\nYour program printed:")?;
+        for line in report.printed.lines() {
+            writeln!(out, "  {}", line.replace(|c: char| c.is_control() && c != '\t', "\u{fffd}"))?;
+        }
+    }
+    Ok(())
+}
+
+fn sign(verdict: Verdict) -> char {
+    match verdict {
+        Verdict::Passed => '+',
+        Verdict::Unattempted | Verdict::Skipped => ' ',
+        _ => '-',
+    }
+}

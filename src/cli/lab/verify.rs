@@ -1,0 +1,82 @@
+//! `dcel lab verify`: does the lab grade rightly?
+
+use super::super::{Answer, Failure, Output, failure};
+use dcel_kit::lab::{Lab, LabFiles, verify};
+use std::fs;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// Prove that a lab grades rightly: solution, starter, every bug of its zoo
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+The solution passes everything; the starter compiles without warnings and is unattempted everywhere; every bug is
+caught and called by its name; every test catches a bug; a student's folder holds nothing of the solution; two runs
+give the same report.
+
+Examples:
+  dcel lab verify
+  dcel lab verify 04
+  dcel lab verify --from labs/04-half-edge --write")]
+pub(crate) struct Args {
+    /// The lab: its name, or its number; without it, every lab
+    #[arg(value_name = "LAB", conflicts_with = "from")]
+    lab: Option<String>,
+    /// A lab's folder instead of one that is compiled in
+    #[arg(long, value_name = "DIR")]
+    from: Option<PathBuf>,
+    /// Write how the bugs fail into the folder's bugs/signatures.toml
+    #[arg(long, requires = "from")]
+    write: bool,
+}
+
+pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    let labs = match (&args.from, &args.lab) {
+        (Some(folder), _) => vec![Lab::read(folder).map_err(|error| Failure::input(error, "name a lab's folder"))?],
+        (None, Some(name)) => vec![super::lab(name)?],
+        (None, None) => {
+            LabFiles::bundled_names().iter().map(|name| super::lab(name)).collect::<Result<Vec<_>, _>>()?
+        }
+    };
+    let mut answer = Answer::Yes;
+    for lab in &labs {
+        writeln!(out, "{}: {} bugs against {} tests", lab.name, lab.bugs.len(), lab.manifest.tests.len())?;
+        out.flush()?;
+        let room = Room::new().map_err(|error| Failure::writing("a temporary folder", &error))?;
+        let found = verify(lab, &room.0).map_err(|error| {
+            Failure::input(format!("the lab cannot be built: {error}"), "a Rust toolchain is needed: see rustup.rs")
+        })?;
+        writeln!(out, "{}", found.matrix().trim_end())?;
+        if let (true, Some(folder)) = (args.write, &args.from) {
+            let path = folder.join("bugs/signatures.toml");
+            fs::write(&path, found.signatures.to_text()).map_err(|error| Failure::writing(path.display(), &error))?;
+            writeln!(out, "{}: written", path.display())?;
+        }
+        for problem in &found.problems {
+            failure::say("wrong", problem);
+        }
+        if found.holds() {
+            writeln!(out, "{} grades rightly\n", lab.name)?;
+        } else {
+            answer = Answer::No;
+        }
+    }
+    Ok(answer)
+}
+
+/// A temporary folder that goes when it is dropped.
+struct Room(PathBuf);
+
+impl Room {
+    fn new() -> std::io::Result<Self> {
+        let name = |i: u32| std::env::temp_dir().join(format!("dcel-verify-{}-{i}", std::process::id()));
+        let path = (0..).map(name).find(|path| !path.exists()).unwrap_or_else(|| name(0));
+        fs::create_dir(&path)?;
+        Ok(Self(path))
+    }
+}
+
+impl Drop for Room {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}

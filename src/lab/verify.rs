@@ -1,0 +1,298 @@
+//! Proof that a lab grades rightly: its solution, its starter and its bugs, built and graded like a submission.
+//!
+//! ```text
+//!                  graded test   1 2 3 4 5 …
+//!   bug  1  walks clockwise      x . . . .      x  fails it      -  not judged, an earlier test failed
+//!   bug  2  …                    . x - - .      .  passes it
+//! ```
+//!
+//! Every bug must be caught by a test and named, no bug may be called by a wrong name, and every test must catch a
+//! bug: a check that no wrong program fails checks nothing.
+
+use super::grade::{grade_program, signature};
+use super::student::{Kit, student_files};
+use super::zoo::{Signature, Signatures};
+use super::{Driver, Lab, Plan, Report, Verdict, starter};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// The seed of every verification: two of them give the same bytes.
+const SEED: u64 = 4;
+/// The file that the solution and every bug stand in for.
+const GRADED: &str = "src/lab.rs";
+/// The one marked source.
+const SOLUTION: &str = "solution/lab.rs";
+
+/// What a verification found.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Verification {
+    /// What is wrong with the lab, a sentence each; none if it grades rightly.
+    pub problems: Vec<String>,
+    /// The graded tests, in the order of the manifest.
+    pub tests: Vec<String>,
+    /// One row for each bug.
+    pub rows: Vec<BugRow>,
+    /// How the bugs fail, for `bugs/signatures.toml`.
+    pub signatures: Signatures,
+}
+
+/// A bug and the tests.
+#[derive(Clone, PartialEq, Debug)]
+pub struct BugRow {
+    /// Its number.
+    pub number: u32,
+    /// Its sentence.
+    pub title: String,
+    /// What each test said.
+    pub verdicts: Vec<Verdict>,
+    /// The names by which it was called.
+    pub named: BTreeSet<String>,
+}
+
+impl Verification {
+    /// Whether nothing is wrong.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.problems.is_empty()
+    }
+
+    /// The matrix of bugs and tests, then a summary.
+    #[must_use]
+    pub fn matrix(&self) -> String {
+        let mut out = String::new();
+        for (i, test) in self.tests.iter().enumerate() {
+            let _ = writeln!(out, "  {:>2} {test}", i + 1);
+        }
+        let ruler: String = (1..=self.tests.len()).map(|i| char::from(b'0' + (i % 10) as u8)).collect();
+        let _ = writeln!(out, "\n  bug  {ruler}");
+        for row in &self.rows {
+            let marks: String = row.verdicts.iter().map(|&verdict| mark(verdict)).collect();
+            let _ = writeln!(out, "  {:>3}  {marks}  {}", row.number, row.title);
+        }
+        let uniquely = self.rows.iter().filter(|row| row.named.len() == 1).count();
+        let _ = writeln!(
+            out,
+            "\n{} bugs, all against {} tests; {uniquely} have a name of their own, {} share one",
+            self.rows.len(),
+            self.tests.len(),
+            self.rows.iter().filter(|row| row.named.len() > 1).count(),
+        );
+        out
+    }
+}
+
+fn mark(verdict: Verdict) -> char {
+    match verdict {
+        Verdict::Passed => '.',
+        Verdict::Skipped | Verdict::Unattempted => '-',
+        _ => 'x',
+    }
+}
+
+/// A program to be built and graded.
+enum Variant<'a> {
+    Solution,
+    Starter,
+    Bug(&'a super::Bug),
+}
+
+/// What came of one.
+struct Outcome {
+    report: Report,
+    signature: Signature,
+}
+
+/// Verifies a lab in `room`, an empty folder that is left to the caller.
+///
+/// Cost: the compilation of one small program for each bug, two at a time or more, and their runs.
+///
+/// # Errors
+/// If files cannot be written, or there is no compiler.
+pub fn verify(lab: &Lab, room: &Path) -> io::Result<Verification> {
+    let mut problems = Vec::new();
+    let solution = lab.files.get(SOLUTION).unwrap_or_default();
+    let given = match starter(solution) {
+        Ok(text) => text,
+        Err(error) => {
+            problems.push(format!("{SOLUTION}: {error}"));
+            String::new()
+        }
+    };
+    if lab.files.get(GRADED) != Some(given.as_str()) {
+        problems.push(format!("{GRADED} is not {SOLUTION} with its marked blocks replaced"));
+    }
+    problems.extend(leaks(lab, solution));
+    let mut variants = vec![(Variant::Solution, solution.to_owned()), (Variant::Starter, given)];
+    for bug in &lab.bugs {
+        match bug.apply(solution) {
+            Ok(text) => variants.push((Variant::Bug(bug), text)),
+            Err(error) => problems.push(error.to_string()),
+        }
+    }
+    let outcomes = grade_all(lab, room, &variants)?;
+    let tests: Vec<String> = lab.manifest.tests.iter().map(|test| test.name.clone()).collect();
+    let mut rows = Vec::new();
+    let mut signatures = BTreeMap::new();
+    for ((variant, _), outcome) in variants.iter().zip(outcomes) {
+        let outcome = match outcome {
+            Ok(outcome) => outcome,
+            Err(error) => {
+                problems.push(format!("{}: {error}", name(variant)));
+                continue;
+            }
+        };
+        match variant {
+            Variant::Solution => problems.extend(check_solution(&outcome.report)),
+            Variant::Starter => problems.extend(check_starter(&outcome.report)),
+            Variant::Bug(bug) => {
+                signatures.insert(bug.number, outcome.signature);
+                rows.push(row(bug, &outcome.report));
+            }
+        }
+    }
+    let signatures = Signatures::new(signatures);
+    if signatures != lab.signatures {
+        problems.push("bugs/signatures.toml is not how the bugs fail; write it with `dcel lab verify --write`".to_owned());
+    }
+    for row in &rows {
+        problems.extend(check_row(lab, row));
+    }
+    for (i, test) in tests.iter().enumerate() {
+        if !rows.iter().any(|row| mark(row.verdicts[i]) == 'x') {
+            problems.push(format!("{test} catches no bug"));
+        }
+    }
+    Ok(Verification { problems, tests, rows, signatures })
+}
+
+fn name(variant: &Variant) -> String {
+    match variant {
+        Variant::Solution => "the solution".to_owned(),
+        Variant::Starter => "the starter".to_owned(),
+        Variant::Bug(bug) => format!("bug {}", bug.number),
+    }
+}
+
+fn check_solution(report: &Report) -> Vec<String> {
+    let failing = report.tests.iter().filter(|test| !test.verdict.is_passed());
+    failing.map(|test| format!("the solution: {} is {}: {}", test.name, test.verdict, test.message)).collect()
+}
+
+fn check_starter(report: &Report) -> Vec<String> {
+    let attempted = report.tests.iter().filter(|test| test.verdict != Verdict::Unattempted);
+    attempted.map(|test| format!("the starter: {} is {}, not unattempted", test.name, test.verdict)).collect()
+}
+
+fn row(bug: &super::Bug, report: &Report) -> BugRow {
+    BugRow {
+        number: bug.number,
+        title: bug.title.clone(),
+        verdicts: report.tests.iter().map(|test| test.verdict).collect(),
+        named: report.tests.iter().flat_map(|test| test.bugs.iter().cloned()).collect(),
+    }
+}
+
+/// Whether a bug is caught and called by its name, and by no other than those declared to be the same.
+fn check_row(lab: &Lab, row: &BugRow) -> Vec<String> {
+    let mut problems = Vec::new();
+    if !row.verdicts.iter().any(|&verdict| mark(verdict) == 'x') {
+        problems.push(format!("bug {} ({}) passes every test", row.number, row.title));
+    }
+    let same = lab.bugs.iter().filter(|bug| bug.number == row.number).flat_map(|bug| &bug.same_as);
+    let same: BTreeSet<u32> = same.copied().chain([row.number]).collect();
+    let titles = lab.bugs.iter().filter(|bug| same.contains(&bug.number)).map(|bug| bug.title.clone());
+    let expected: BTreeSet<String> = titles.collect();
+    if row.named != expected {
+        let words = |names: &BTreeSet<String>| {
+            if names.is_empty() { "nothing".to_owned() } else { names.iter().cloned().collect::<Vec<_>>().join("; ") }
+        };
+        problems.push(format!("bug {} is called {}, not {}", row.number, words(&row.named), words(&expected)));
+    }
+    problems
+}
+
+/// What a student's folder gives away of the solution.
+fn leaks(lab: &Lab, solution: &str) -> Vec<String> {
+    let files = student_files(&lab.files, &Kit::Version(String::new()));
+    let mut problems = Vec::new();
+    let blocks = solution.split("// BEGIN SOLUTION").skip(1).filter_map(|rest| rest.split("// END SOLUTION").next());
+    let lines: Vec<Vec<&str>> = blocks
+        .map(|block| {
+            let code = block.lines().map(str::trim);
+            code.filter(|line| !line.is_empty() && !line.starts_with("//") && *line != "}").collect()
+        })
+        .collect();
+    for (path, text) in &files {
+        if path.starts_with("solution") || path.starts_with("bugs") || text.contains("BEGIN SOLUTION") {
+            problems.push(format!("a student's folder has {path}"));
+        }
+        if path != GRADED {
+            continue;
+        }
+        let given: BTreeSet<&str> = text.lines().map(str::trim).collect();
+        for line in lines.iter().flatten().filter(|line| given.contains(**line)) {
+            problems.push(format!("the starter has a line of the solution: {line}"));
+        }
+    }
+    problems
+}
+
+/// Builds and grades all variants, as many at a time as there are cores.
+fn grade_all(lab: &Lab, room: &Path, variants: &[(Variant, String)]) -> io::Result<Vec<Result<Outcome, String>>> {
+    let next = AtomicUsize::new(0);
+    let outcomes: Mutex<BTreeMap<usize, io::Result<Result<Outcome, String>>>> = Mutex::default();
+    let workers = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        for _ in 0..workers.min(variants.len()) {
+            scope.spawn(|| {
+                loop {
+                    let i = next.fetch_add(1, Ordering::Relaxed);
+                    let Some((variant, text)) = variants.get(i) else { break };
+                    let outcome = grade_variant(lab, &room.join(i.to_string()), variant, text);
+                    outcomes.lock().unwrap_or_else(std::sync::PoisonError::into_inner).insert(i, outcome);
+                }
+            });
+        }
+    });
+    outcomes.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner).into_values().collect()
+}
+
+fn grade_variant(lab: &Lab, folder: &Path, variant: &Variant, text: &str) -> io::Result<Result<Outcome, String>> {
+    // The solution and the starter are handed out: they compile without a warning.
+    let strict = !matches!(variant, Variant::Bug(_));
+    let program = match compile(lab, folder, text, strict)? {
+        Ok(program) => Driver::new(program, lab.manifest.limits),
+        Err(error) => return Ok(Err(format!("does not compile: {error}"))),
+    };
+    let graded = || Report { millis: 0, ..grade_program(lab, &program, &Plan::with_seed(SEED)) };
+    let report = graded();
+    if strict && graded() != report {
+        return Ok(Err("two runs gave two reports".to_owned()));
+    }
+    Ok(Ok(Outcome { report, signature: signature(lab, &program) }))
+}
+
+/// The lab's program with this text as the student's file.
+fn compile(lab: &Lab, folder: &Path, text: &str, strict: bool) -> io::Result<Result<PathBuf, String>> {
+    for (path, given) in lab.files.iter().filter(|(path, _)| path.starts_with("src/")) {
+        let path_there = folder.join(path);
+        std::fs::create_dir_all(path_there.parent().unwrap_or(folder))?;
+        std::fs::write(path_there, if path == GRADED { text } else { given })?;
+    }
+    let program = folder.join(format!("program{}", std::env::consts::EXE_SUFFIX));
+    let compiler = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let mut command = Command::new(compiler);
+    command.args(["--edition=2024", "--crate-name=lab", "-Cdebuginfo=0", "-Copt-level=0", "--color=never", "-Funsafe_code"]);
+    command.arg(if strict { "-Dwarnings" } else { "-Awarnings" });
+    command.arg("-o").arg(&program).arg("src/main.rs").current_dir(folder);
+    let compiled = command.output()?;
+    if compiled.status.success() {
+        return Ok(Ok(program));
+    }
+    Ok(Err(String::from_utf8_lossy(&compiled.stderr).into_owned()))
+}
