@@ -46,7 +46,11 @@ fn explore() {
     let driver = build(dir.path(), "solution", &solution());
     let report = grade_program(&lab, &driver, &Plan::with_seed(1));
     println!("{:?} {} ms {}", verdicts(&report), report.millis, report.points());
-    for t in &report.tests { if t.verdict != Verdict::Passed { println!("{} {} {:?} {:?}", t.name, t.message, t.findings, t.script); } }
+    for t in &report.tests {
+        if t.verdict != Verdict::Passed {
+            println!("{} {} {:?} {:?}", t.name, t.message, t.findings, t.script);
+        }
+    }
     let driver = build(dir.path(), "starter", &fs::read_to_string(folder().join("src/lab.rs")).unwrap());
     let report = grade_program(&lab, &driver, &Plan::with_seed(1));
     println!("{:?} {} ms", verdicts(&report), report.millis);
@@ -55,15 +59,33 @@ fn explore() {
     let mut paths: Vec<_> = fs::read_dir(&zoo).into_iter().flatten().map(|f| f.unwrap().path()).collect();
     paths.sort();
     for path in paths {
-        let bug = match Bug::parse(&fs::read_to_string(&path).unwrap(), "x") { Ok(b) => b, Err(e) => { println!("{path:?} {e}"); continue } };
-        let source = match bug.apply(&solution()) { Ok(b) => b, Err(e) => { println!("{path:?} {e}"); continue } };
+        let bug = match Bug::parse(&fs::read_to_string(&path).unwrap(), "x") {
+            Ok(b) => b,
+            Err(e) => {
+                println!("{path:?} {e}");
+                continue;
+            }
+        };
+        let source = match bug.apply(&solution()) {
+            Ok(b) => b,
+            Err(e) => {
+                println!("{path:?} {e}");
+                continue;
+            }
+        };
         let driver = build(dir.path(), &format!("bug{}", bug.number), &source);
         let t = std::time::Instant::now();
         let report = grade_program(&lab, &driver, &Plan::with_seed(1));
         println!("{} {} ({} ms, {:?})", bug.number, bug.title, report.millis, t.elapsed());
         for t in &report.tests {
             if t.verdict != Verdict::Passed && t.verdict != Verdict::Skipped {
-                println!("    {} {} {}\n       {}", t.name, t.verdict, t.message, t.script.as_deref().unwrap_or("-").replace('\n', "; "));
+                println!(
+                    "    {} {} {}\n       {}",
+                    t.name,
+                    t.verdict,
+                    t.message,
+                    t.script.as_deref().unwrap_or("-").replace('\n', "; ")
+                );
             }
         }
         all.push((bug.number, signature(&lab, &driver)));
