@@ -30,8 +30,8 @@
 
 mod arrows;
 mod captions;
-pub mod compare;
 pub mod chart;
+pub mod compare;
 mod crop;
 mod crowd;
 mod face_arrows;

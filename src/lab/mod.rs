@@ -11,18 +11,15 @@
 //! a complete and right dump for every case. `cargo test` in a lab's folder and `dcel grade` call the same functions
 //! here and give the same verdicts.
 
-mod bug;
-pub mod cases;
-pub mod checks;
-mod course;
 #[cfg(feature = "grade")]
 mod batch;
 mod bug;
 pub mod cases;
 pub mod checks;
+pub mod course;
 #[cfg(feature = "grade")]
 mod export;
-mod fault;
+pub mod fault;
 mod feedback;
 mod files;
 mod grade;
@@ -38,16 +35,14 @@ pub mod reports;
 mod run;
 #[cfg(feature = "grade")]
 mod student;
-mod the_lab;
-mod toml_file;
-mod verdict;
-mod zoo;
 #[cfg(feature = "grade")]
 mod submission;
+mod the_lab;
 mod toml_file;
 mod verdict;
 #[cfg(feature = "grade")]
 mod walls;
+mod zoo;
 
 #[cfg(feature = "grade")]
 pub use batch::{GradeOptions, Grader, Judge};
@@ -64,13 +59,11 @@ pub use program::{Driver, End, Limits, Program, Ran, end_of, signal_name};
 pub use report::{Adjustment, Finding, Picture, Report, TestResult, Visibility, Wall};
 #[cfg(feature = "grade")]
 pub use student::{Kit, student_files};
-pub use the_lab::{Lab, LabError};
-pub use toml_file::ManifestError;
-pub use verdict::Verdict;
-pub use zoo::{Signature, Signatures};
 #[cfg(feature = "grade")]
 pub use submission::{Forbidden, Intake, IntakeError, ScanError, scan, take_in};
+pub use the_lab::{Lab, LabError};
 pub use toml_file::ManifestError;
 pub use verdict::Verdict;
 #[cfg(feature = "grade")]
 pub use walls::{WallChoice, WalledProgram, Walls, launched};
+pub use zoo::{Signature, Signatures};
