@@ -17,9 +17,10 @@ mod bug;
 pub mod cases;
 pub mod checks;
 mod course;
+pub mod course;
 #[cfg(feature = "grade")]
 mod export;
-mod fault;
+pub mod fault;
 mod feedback;
 mod files;
 mod grade;

@@ -1,8 +1,9 @@
 //! The drawing of the handout, made with the two splits: compared with the reference as a structure with positions,
 //! and as a picture.
 
+use crate::figure::compare::{Options, compare};
 use crate::lab::fault::{Exchange, Fault, FaultKind, exchanges};
-use crate::lab::protocol::{CallEnd, Case, CaseAnswer};
+use crate::lab::protocol::{CallEnd, Called, Case, CaseAnswer, Reply, Step};
 use crate::plane::PlanarView;
 use crate::script::Script;
 use crate::topology::{SameOptions, Table, View, position_key, same_with, violations};
@@ -28,9 +29,47 @@ pub(super) fn reference() -> Option<Table> {
     Some(table)
 }
 
+/// The figure that the student's picture of it should be equal to.
+const FIGURE: &str = include_str!("../../../figures/lab-04-drawing.svg");
+
 /// Judges the structure that was drawn, and the picture of it.
 pub(super) fn judge(case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
-    exchanges(case, answer).iter().flat_map(faults).collect()
+    let mut all: Vec<Fault> = exchanges(case, answer).iter().flat_map(faults).collect();
+    let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
+    for ((step, asked), reply) in asked.zip(&answer.replies) {
+        if *asked == Step::Svg {
+            all.extend(picture(step, reply));
+        }
+    }
+    all
+}
+
+/// Judges the picture as it is drawn; how it is written does not matter.
+fn picture(step: usize, reply: &Reply) -> Vec<Fault> {
+    let fault = |kind: FaultKind, rule: &str, words: String| Fault {
+        test: TESTS[1],
+        kind,
+        step,
+        rule: rule.to_owned(),
+        tag: String::new(),
+        words,
+        elements: Vec::new(),
+    };
+    let svg = match reply {
+        Reply::Svg(svg) => svg,
+        Reply::Called(Called { end: end @ CallEnd::Panicked { message, .. }, .. }) => {
+            let kind = FaultKind::of_panic(end).unwrap_or(FaultKind::Wrong);
+            return vec![fault(kind, "picture", format!("the picture panicked: {message}"))];
+        }
+        _ => return vec![fault(FaultKind::Wrong, "picture", "there is no picture".to_owned())],
+    };
+    match compare(FIGURE, svg, &Options::new()) {
+        Ok(comparison) => {
+            let differences = comparison.differences().iter();
+            differences.map(|d| fault(FaultKind::Wrong, "picture", d.text.clone())).collect()
+        }
+        Err(error) => vec![fault(FaultKind::Wrong, "picture", error.to_string())],
+    }
 }
 
 fn faults(exchange: &Exchange) -> Vec<Fault> {
