@@ -16,7 +16,6 @@ mod batch;
 mod bug;
 pub mod cases;
 pub mod checks;
-mod course;
 pub mod course;
 #[cfg(feature = "grade")]
 mod export;
