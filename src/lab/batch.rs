@@ -11,6 +11,7 @@
 //! one is graded. Equal files are graded once. Reports are passed on as they come and not kept, so a class of any
 //! size needs the memory of a few submissions.
 
+use super::cache::{Cache, Key, hash_of};
 use super::submission::{
     Built, Intake, IntakeError, Rooms, Toolchain, Tree, USUAL_BUILD, build, take_in, take_in_unscanned,
 };
@@ -42,6 +43,9 @@ pub struct GradeOptions {
     pub workers: Option<NonZeroUsize>,
     /// Where rooms are made; `None` is where the system keeps temporary files.
     pub rooms: Option<PathBuf>,
+    /// A folder in which reports are kept, so that nothing is graded twice under one plan; `None` keeps none. It
+    /// holds what was handed in and what was said of it: it is for the instructor only.
+    pub cache: Option<PathBuf>,
     /// Whether the files are scanned before they are built. Only tests of the walls behind the scan switch it off.
     pub scan: bool,
 }
@@ -49,7 +53,16 @@ pub struct GradeOptions {
 impl Default for GradeOptions {
     fn default() -> Self {
         let walls = WallChoice::default();
-        Self { walls, launcher: None, hidden: Vec::new(), build: USUAL_BUILD, workers: None, rooms: None, scan: true }
+        Self {
+            walls,
+            launcher: None,
+            hidden: Vec::new(),
+            build: USUAL_BUILD,
+            workers: None,
+            rooms: None,
+            cache: None,
+            scan: true,
+        }
     }
 }
 
@@ -71,6 +84,7 @@ pub struct Grader {
     rooms: Rooms,
     build: Limits,
     workers: usize,
+    cache: Option<Cache>,
     scan: bool,
 }
 
@@ -81,7 +95,7 @@ impl Grader {
     /// Cost: some 100 ms; more where the toolchain must be copied to be within reach.
     ///
     /// # Errors
-    /// If no folder can be made for the rooms.
+    /// If no folder can be made for the rooms or for the cache.
     pub fn new(lab: Lab, options: &GradeOptions) -> io::Result<Self> {
         let walls = Walls::probe(options.launcher.as_deref(), options.walls);
         let rooms = Rooms::new(&walls, options.rooms.as_deref())?;
@@ -89,9 +103,10 @@ impl Grader {
         let mut needed = vec![rooms.folder().to_path_buf()];
         needed.extend(toolchain.as_ref().ok().map(|toolchain| toolchain.root().to_path_buf()));
         let walls = walls.hiding(&options.hidden, &needed);
+        let cache = options.cache.as_deref().map(Cache::open).transpose()?;
         let cores = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
         let workers = options.workers.map_or_else(cores, NonZeroUsize::get);
-        Ok(Self { lab, walls, toolchain, rooms, build: options.build, workers, scan: options.scan })
+        Ok(Self { lab, walls, toolchain, rooms, build: options.build, workers, cache, scan: options.scan })
     }
 
     /// The walls that stand, and those that are missing.
@@ -172,7 +187,8 @@ impl Grader {
                     report
                 }
             };
-            if first.is_none() && group.len() > 1 {
+            // A fault of the grader may not befall the next one.
+            if first.is_none() && group.len() > 1 && report.verdict != Verdict::GraderFault {
                 first = Some(report.clone());
             }
             // Nobody listens any more only if the caller's `done` panicked.
@@ -184,12 +200,7 @@ impl Grader {
         let begin = Instant::now();
         let mut report = match intake {
             Ok(intake) => {
-                let graded = catch_unwind(AssertUnwindSafe(|| self.build_and_judge(&intake, plan)));
-                let mut report = graded.unwrap_or_else(|panic| {
-                    let words = panic.downcast_ref::<String>().map(String::as_str);
-                    let words = words.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no words");
-                    self.stopped(plan, Verdict::GraderFault, format!("the grader panicked: {words}"))
-                });
+                let mut report = self.known_or_new(&intake, plan);
                 report.attachments = intake.optional;
                 report
             }
@@ -198,6 +209,35 @@ impl Grader {
         report.submission = Some(name_of(submission));
         report.millis = u64::try_from(begin.elapsed().as_millis()).unwrap_or(u64::MAX);
         report
+    }
+
+    /// The report of an earlier run, or a new one.
+    fn known_or_new(&self, intake: &Intake, plan: &Plan) -> Report {
+        let keeps = self.cache.as_ref().map(|cache| (cache, self.key(intake, plan)));
+        if let Some(report) = keeps.as_ref().and_then(|(cache, key)| cache.get(key)) {
+            return report;
+        }
+        let graded = catch_unwind(AssertUnwindSafe(|| self.build_and_judge(intake, plan)));
+        let report = graded.unwrap_or_else(|panic| {
+            let words = panic.downcast_ref::<String>().map(String::as_str);
+            let words = words.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no words");
+            self.stopped(plan, Verdict::GraderFault, format!("the grader panicked: {words}"))
+        });
+        if let Some((cache, key)) = keeps {
+            cache.put(key, &report);
+        }
+        report
+    }
+
+    fn key(&self, intake: &Intake, plan: &Plan) -> Key {
+        let kit = env!("CARGO_PKG_VERSION");
+        let Self { lab, build, scan, .. } = self;
+        let limits = &lab.manifest.limits;
+        // The lab's files too: while it is being written its version stays the same.
+        let files: Vec<_> = lab.files.iter().collect();
+        let lab = (&lab.name, &lab.manifest.version, hash_of(&files));
+        let grader = format!("{kit} {lab:?} {limits:?} {build:?} {:?} {scan}", self.walls.up());
+        Key { grader, plan: hash_of(&format!("{plan:?}")), files: intake.graded.clone() }
     }
 
     fn build_and_judge(&self, intake: &Intake, plan: &Plan) -> Report {

@@ -14,6 +14,8 @@
 #[cfg(feature = "grade")]
 mod batch;
 mod bug;
+#[cfg(feature = "grade")]
+mod cache;
 pub mod cases;
 pub mod checks;
 pub mod course;

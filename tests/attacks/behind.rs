@@ -109,7 +109,11 @@ fn allowed() -> Vec<Attack> {
             "let _ = f; let mut hoard: Vec<Vec<u8>> = Vec::new(); loop { hoard.push(Vec::with_capacity(1 << 24)) }",
         ),
         body("flood", Crashed, "let _ = f; loop { println!(\"{}\", \"x\".repeat(4000)) }"),
-        body("stolen output", TimedOut, "let _ = f; let _ = std::thread::spawn(|| std::mem::forget(std::io::stdout().lock())).join(); todo!()"),
+        body(
+            "stolen output",
+            TimedOut,
+            "let _ = f; let _ = std::thread::spawn(|| std::mem::forget(std::io::stdout().lock())).join(); todo!()",
+        ),
         items(
             "always equal",
             DoesNotCompile,
@@ -120,11 +124,14 @@ fn allowed() -> Vec<Attack> {
             DoesNotCompile,
             "pub const NEVER: u64 = { let mut i = 0_u64; while i < u64::MAX { i += 1 } i }; pub fn never() -> u64 { NEVER }",
         ),
-        items(
-            "type that never ends",
-            DoesNotCompile,
-            "pub struct Deeper<T>(T); pub fn dig<T>(n: u64, t: T) { if n > 0 { dig(n - 1, Deeper(t)) } } pub fn never() { dig(9, 0) }",
-        ),
+        Attack {
+            name: "type that never ends",
+            body: "let _ = f; dig(9, 0); todo!()".to_owned(),
+            items: "pub struct Deeper<T>(T);
+                 pub fn dig<T>(n: u64, t: T) { if n > 0 { dig(n - 1, Deeper(t)) } }"
+                .to_owned(),
+            behind: DoesNotCompile,
+        },
         items(
             "macro that never ends",
             DoesNotCompile,

@@ -133,7 +133,7 @@ fn a_build_has_a_deadline() {
     let options = class.options();
     let options = GradeOptions { build: Limits { seconds: 0.02, ..options.build }, ..options };
     let report = class.grade(&[right], &options).remove(0);
-    assert_eq!((report.verdict, report.points()), (Verdict::DoesNotCompile, 0));
+    assert_eq!((report.verdict, report.points()), (Verdict::TimedOut, 0));
     assert!(message(&report).contains("did not finish"), "{}", message(&report));
     class.assert_nothing_is_left();
 }

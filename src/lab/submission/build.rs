@@ -22,7 +22,7 @@ pub(crate) enum Built {
     Program(PathBuf),
     /// Why there is none.
     Not {
-        /// Does not compile, or a fault of the grader.
+        /// Does not compile, timed out while compiling, or a fault of the grader.
         verdict: Verdict,
         /// In words; the compiler's first error.
         message: String,
@@ -56,10 +56,13 @@ pub(crate) fn build(tree: &Tree, toolchain: &Toolchain, limits: Limits, resident
             None if complaints.contains("error: ") && complaints.contains("could not compile") => not(cut(&complaints)),
             None => fault(format!("the build failed without an error in the code: {}", cut(&complaints))),
         },
-        End::TimedOut => not(format!(
-            "the compiler did not finish within {} s: look for a type, a constant or a macro that never ends",
-            limits.seconds
-        )),
+        End::TimedOut => Built::Not {
+            verdict: Verdict::TimedOut,
+            message: format!(
+                "the compiler did not finish within {} s: look for a type, a constant or a macro that never ends",
+                limits.seconds
+            ),
+        },
         End::OutOfMemory => not(format!(
             "the compiler needed more than {} MB: look for a type, a constant or a macro that never ends",
             limits.memory_mb
