@@ -23,7 +23,7 @@ pub(crate) struct Class {
 }
 
 impl Class {
-    /// The lab as it is compiled in, with less memory.
+    /// The lab of the repository, with less memory.
     pub(crate) fn new() -> Self {
         let folder = tempfile::tempdir().unwrap();
         for (name, mode) in [("rooms", 0o755), ("handed-in", 0o755), ("grader", 0o700)] {
@@ -31,7 +31,8 @@ impl Class {
             std::fs::set_permissions(folder.path().join(name), std::fs::Permissions::from_mode(mode)).unwrap();
         }
         std::fs::set_permissions(folder.path(), std::fs::Permissions::from_mode(0o755)).unwrap();
-        let mut lab = Lab::bundled("04").unwrap();
+        let place = Path::new(env!("CARGO_MANIFEST_DIR")).join("labs/04-half-edge");
+        let mut lab = Lab::read(&place).unwrap();
         lab.manifest.limits = Limits { memory_mb: 256, output_kb: 8192, ..lab.manifest.limits };
         let class = Self { lab, folder };
         std::fs::write(class.secret(), "pub fn the_solution() {}").unwrap();
