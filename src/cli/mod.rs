@@ -21,6 +21,7 @@ mod input;
 mod lesson;
 mod looks;
 mod output;
+mod picture;
 mod references;
 mod script;
 mod subject;

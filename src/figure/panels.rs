@@ -7,12 +7,13 @@
 //!   └──────────────┘        └──────────────┘
 //! ```
 
+use super::part::Part;
 use super::plate::{Look, Mark, Plate};
 use super::pointer::Pointers;
 use super::scene::{Group, Node};
 use super::structure::Notes;
 use super::vector::xy;
-use super::{Detail, Figure, FigureError, FigureOptions, pointer_style, text};
+use super::{Detail, Figure, FigureError, FigureOptions, crop, pointer_style, text};
 use crate::plane::PlanarView;
 
 /// Width of a panel unless the caller or the structure asks for more.
@@ -30,7 +31,7 @@ const TEXT: (f64, f64) = (14.0, 11.0);
 /// family is grey. Ids read `FIG-next-h5` in the panel of `next`, and `FIG-next-h5-next` for the arrow; with
 /// one family `FIG-h5` and `FIG-h5-next`. A family named twice is drawn once. `width` is that of one panel
 /// (default 420, more until the median edge has 110 px). Wrong pointers are drawn as they are; those without
-/// room for an arrow are noted.
+/// room for an arrow, and those that lead to what is not drawn, are noted.
 ///
 /// Cost: O(n log n) for each family.
 ///
@@ -51,11 +52,21 @@ pub fn pointers<V: PlanarView + ?Sized>(
     families: &[Pointers],
     options: &FigureOptions,
 ) -> Result<Figure, FigureError> {
+    match &options.faces {
+        Some(chosen) => panels(&Part::new(view, chosen)?, families, options),
+        None => panels(view, families, options),
+    }
+}
+
+fn panels<V: PlanarView + ?Sized>(
+    view: &V,
+    families: &[Pointers],
+    options: &FigureOptions,
+) -> Result<Figure, FigureError> {
     let mut options = options.checked();
     options.usual_width = WIDTH;
     // Smaller than in other figures: face arrows need the room.
     options.style.face_text = options.style.face_text.min(14.0);
-    options.crop = None;
     let options = &options;
     let mut families = families.to_vec();
     families.sort_unstable();
@@ -73,7 +84,7 @@ pub fn pointers<V: PlanarView + ?Sized>(
         let look = look.rest(Mark::Dim);
         let arrows = plate.pointers(view, &Plate::<V>::family(view, family), &look, 0.5, &mut notes);
         let mut nodes = caption(family, scene.size.x);
-        let drawing = plate.nodes(view, &look, arrows);
+        let drawing = crop::framed(plate.nodes(view, &look, arrows), plate.picture.fit.size, options);
         nodes.push(Node::Group(Group { shift: Some(xy(0.0, CAPTION)), nodes: drawing, ..Group::default() }));
         let (column, row) = ((i % columns) as f64, (i / columns) as f64);
         scene.nodes.push(Node::Group(Group {
