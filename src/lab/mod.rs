@@ -16,40 +16,54 @@ mod batch;
 mod bug;
 pub mod cases;
 pub mod checks;
+pub mod course;
 #[cfg(feature = "grade")]
 mod export;
+pub mod fault;
+mod feedback;
 mod files;
+mod grade;
+mod half_edge;
 mod manifest;
 mod marked;
+mod plan;
 mod program;
 pub mod protocol;
 mod report;
 #[cfg(feature = "grade")]
 pub mod reports;
+mod run;
 #[cfg(feature = "grade")]
 mod student;
 #[cfg(feature = "grade")]
 mod submission;
+mod the_lab;
 mod toml_file;
 mod verdict;
 #[cfg(feature = "grade")]
 mod walls;
+mod zoo;
 
 #[cfg(feature = "grade")]
 pub use batch::{GradeOptions, Grader, Judge};
 pub use bug::{Bug, BugError, Edit};
 #[cfg(feature = "grade")]
 pub use export::{Packed, gradescope_files, zipped};
+pub use feedback::{graded, test_text};
 pub use files::{LabFiles, LabFilesError};
+pub use grade::{grade_program, signature};
 pub use manifest::{Manifest, Task, Test};
 pub use marked::{MarkError, starter};
+pub use plan::{Plan, Secret};
 pub use program::{Driver, End, Limits, Program, Ran, end_of, signal_name};
 pub use report::{Adjustment, Finding, Picture, Report, TestResult, Visibility, Wall};
 #[cfg(feature = "grade")]
 pub use student::{Kit, student_files};
 #[cfg(feature = "grade")]
 pub use submission::{Forbidden, Intake, IntakeError, ScanError, scan, take_in};
+pub use the_lab::{Lab, LabError};
 pub use toml_file::ManifestError;
 pub use verdict::Verdict;
 #[cfg(feature = "grade")]
 pub use walls::{WallChoice, WalledProgram, Walls, launched};
+pub use zoo::{Signature, Signatures};

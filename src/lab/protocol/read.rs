@@ -157,8 +157,16 @@ impl<'a, I: Iterator<Item = (usize, &'a [u8])>> Lines<'a, I> {
     }
 
     fn svg(&mut self, number: usize, line: &str) -> Result<Option<Reply>, Broken> {
+        if line != "call svg" {
+            return Err(expected(number, "`call svg`".to_owned(), line));
+        }
+        let Some((number, line)) = self.next() else { return Ok(None) };
+        if let Some(rest) = line.strip_prefix("panicked ") {
+            let end = panicked(rest).ok_or_else(|| expected(number, "a message in quotes".to_owned(), &line))?;
+            return Ok(Some(Reply::Called(Called { arguments: Vec::new(), end })));
+        }
         if line != "svg" {
-            return Err(expected(number, "`svg`".to_owned(), line));
+            return Err(expected(number, "`svg` or `panicked`".to_owned(), &line));
         }
         let mut drawing = String::new();
         for _ in 0..SVG_LINES {

@@ -1,0 +1,123 @@
+//! A broken promise at one step of a case, before it becomes part of a report.
+
+use super::protocol::{CallEnd, Case, CaseAnswer, Reply, Step};
+use crate::Element;
+use crate::topology::Table;
+use std::sync::Arc;
+
+/// A broken promise.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Fault {
+    /// The graded test that it counts against.
+    pub test: &'static str,
+    /// What it makes of the verdict.
+    pub kind: FaultKind,
+    /// The step of the case at which it showed.
+    pub step: usize,
+    /// The check or law: `split_face.3`, `N2`.
+    pub rule: String,
+    /// What tells it from other ways to break the same rule: the field and the part that the element plays. The
+    /// same for every right and wrong numbering.
+    pub tag: String,
+    /// What is wrong.
+    pub words: String,
+    /// The elements concerned, in the numbers of the student's structure.
+    pub elements: Vec<Element>,
+}
+
+/// What a fault says about the code.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum FaultKind {
+    /// It is a `todo!()` still.
+    Unattempted,
+    /// It gave something wrong.
+    Wrong,
+    /// It panicked, overflowed its stack, aborted, or ended the program.
+    Crashed {
+        /// What it said.
+        message: String,
+        /// Where.
+        place: Option<String>,
+    },
+    /// It did not come back.
+    TimedOut,
+    /// It wanted too much memory.
+    OutOfMemory,
+    /// The program could not be asked.
+    GraderFault,
+}
+
+impl FaultKind {
+    /// Of a call that did not return: what is still to do, or a crash.
+    #[must_use]
+    pub fn of_panic(end: &CallEnd) -> Option<Self> {
+        match end {
+            CallEnd::Returned(_) => None,
+            _ if end.is_todo() => Some(Self::Unattempted),
+            CallEnd::Panicked { message, place } => {
+                Some(Self::Crashed { message: message.clone(), place: place.clone() })
+            }
+        }
+    }
+}
+
+/// A call of a case with all that is known about it.
+#[derive(Clone, Copy, Debug)]
+pub struct Exchange<'a> {
+    /// The number of the step.
+    pub step: usize,
+    /// The function.
+    pub function: &'a str,
+    /// The words of its arguments.
+    pub words: &'a [String],
+    /// The arguments as numbers, and how it ended; `None` if a word led nowhere.
+    pub called: Option<(&'a [u32], &'a CallEnd)>,
+    /// The structure before the call, as it was dumped last.
+    pub before: Option<&'a Arc<Table>>,
+    /// The structure after the call, if the next step dumps it.
+    pub after: Option<&'a Arc<Table>>,
+}
+
+/// The calls of a case that were answered.
+#[must_use]
+pub fn exchanges<'a>(case: &'a Case, answer: &'a CaseAnswer) -> Vec<Exchange<'a>> {
+    let mut out: Vec<Exchange> = Vec::new();
+    let (mut now, mut saved) = (None, None);
+    let mut replies = answer.replies.iter();
+    let mut just_called = false;
+    for (step, asked) in case.steps.iter().enumerate() {
+        match asked {
+            Step::Save => saved = now,
+            Step::Restore => now = saved,
+            _ => {
+                let Some(reply) = replies.next() else { break };
+                let before = now;
+                match (asked, reply) {
+                    (Step::Call { function, arguments }, Reply::Called(called)) => {
+                        let known = Some((&*called.arguments, &called.end));
+                        out.push(Exchange { step, function, words: arguments, called: known, before, after: None });
+                    }
+                    (Step::Call { function, arguments }, _) => {
+                        out.push(Exchange { step, function, words: arguments, called: None, before, after: None });
+                    }
+                    (_, Reply::Dump(table)) => {
+                        now = Some(table);
+                        if let Some(last) = out.last_mut().filter(|_| just_called) {
+                            last.after = now;
+                        }
+                    }
+                    _ => {}
+                }
+            }
+        }
+        just_called = matches!(asked, Step::Call { .. });
+    }
+    out
+}
+
+/// The number of the step that was not answered, if the answer stops before the end.
+#[must_use]
+pub fn first_unanswered(case: &Case, answer: &CaseAnswer) -> usize {
+    let answered = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
+    answered.map(|(i, _)| i).nth(answer.replies.len()).unwrap_or(case.steps.len().saturating_sub(1))
+}

@@ -1,0 +1,111 @@
+//! What a failing student is shown: the shortest failing script, what is wrong in it, and before, expected, yours.
+//!
+//! ```text
+//!   a failing case ──▶ shrink.rs ──▶ run once more by itself ──▶ picture.rs   three drawings
+//!                                                            ├─▶ ascii.rs     the same for a terminal
+//!                                                            └─▶ text.rs      the whole of it in words
+//! ```
+
+mod ascii;
+mod graded;
+mod page;
+mod picture;
+mod shrink;
+mod text;
+
+pub use graded::graded;
+pub use text::test_text;
+
+use super::course::{Asked, Course, Source, Suite};
+use super::fault::{Fault, FaultKind, exchanges};
+use super::grade::{Graded, findings};
+use super::program::Program;
+use super::protocol::{Case, CaseAnswer, Step};
+use super::report::TestResult;
+use super::run::run_suite;
+use super::the_lab::Lab;
+
+/// What is needed to show a fault.
+#[derive(Clone, Copy)]
+pub(super) struct Context<'a> {
+    pub(super) lab: &'a Lab,
+    pub(super) program: &'a dyn Program,
+    pub(super) course: &'a dyn Course,
+}
+
+/// A case that fails, run by itself.
+struct Shown {
+    case: Case,
+    answer: CaseAnswer,
+    faults: Vec<Fault>,
+}
+
+impl Context<'_> {
+    /// Adds script, replay and picture to a result, from a case in which its test fails. Hidden cases stay hidden.
+    pub(super) fn illustrate(&self, result: &mut TestResult, graded: &Graded, case: usize) {
+        let (suite, asked) = (graded.suite, &graded.suite.asked[case]);
+        let first = graded.run.faults[case].iter().find(|fault| fault.test == result.name);
+        let (Some(first), false) = (first, asked.source == Source::Hidden) else { return };
+        let dumped = matches!(asked.case.steps.get(first.step + 1), Some(Step::Dump));
+        let (reduced, _) = asked.case.reduced_to(first.step, dumped);
+        if first.kind == FaultKind::TimedOut {
+            // A hang costs the whole deadline each time, and would show nothing new.
+            result.script = Some(reduced.script());
+            result.replay = Some(replay(&result.name));
+            return;
+        }
+        let Some(shown) = self.shown(suite, reduced, first) else {
+            // It does not happen again by itself: show the case in which it did.
+            result.script = Some(asked.case.script());
+            return;
+        };
+        let faults: Vec<&Fault> = shown.faults.iter().filter(|fault| fault.test == result.name).collect();
+        let section = self.lab.manifest.task(result.task).map_or("", |task| task.section.as_str());
+        result.findings = findings(&faults, section, false);
+        if let Some(fault) = faults.first() {
+            let count = result.message.rfind(" (").map_or("", |at| &result.message[at..]);
+            result.message = format!("{}{count}", fault.words);
+            if let FaultKind::Crashed { place, .. } = &fault.kind {
+                result.place.clone_from(place);
+            }
+            let exchange = exchanges(&shown.case, &shown.answer).into_iter().find(|e| e.step == fault.step);
+            result.picture = exchange.and_then(|exchange| picture::of(self.course, &exchange, &faults));
+        }
+        result.script = Some(shown.case.script());
+        result.replay = Some(replay(&result.name));
+    }
+
+    /// The shortest case that fails like `first`, and how.
+    fn shown(&self, suite: &Suite, reduced: Case, first: &Fault) -> Option<Shown> {
+        let reduced = self.run(suite, vec![reduced], first).pop()?;
+        Some(shrink::shrink(reduced, |case| self.course.shorter(case), |cases| self.run(suite, cases, first)))
+    }
+
+    /// Runs cases and keeps those that fail like `first`: the same rule of the same test.
+    fn run(&self, suite: &Suite, cases: Vec<Case>, first: &Fault) -> Vec<Shown> {
+        let asked = cases.into_iter().enumerate().map(|(i, case)| {
+            let case = Case { name: format!("shorter.{i}"), ..case };
+            Asked { case, source: Source::Fixed }
+        });
+        let suite = Suite { asked: asked.collect(), ..suite.clone() };
+        let run = run_suite(self.program, self.course, &suite);
+        let answered = suite.asked.into_iter().zip(run.answers).zip(run.faults);
+        let alike = |faults: &[Fault]| {
+            let own = faults.iter().find(|fault| fault.test == first.test);
+            own.is_some_and(|own| own.rule == first.rule && same_kind(&own.kind, &first.kind))
+        };
+        answered
+            .filter(|(_, faults)| alike(faults))
+            .map(|((asked, answer), faults)| Shown { case: asked.case, answer, faults })
+            .collect()
+    }
+}
+
+/// The driver reads a case from a file; the script of a test is kept under the test's name.
+fn replay(test: &str) -> String {
+    format!("cargo run -q -- {test}.case")
+}
+
+fn same_kind(a: &FaultKind, b: &FaultKind) -> bool {
+    std::mem::discriminant(a) == std::mem::discriminant(b)
+}

@@ -1,0 +1,159 @@
+//! The drawing of the handout, made with the two splits: compared with the reference as a structure with positions,
+//! and as a picture.
+
+use crate::figure::compare::{Options, compare};
+use crate::lab::fault::{Exchange, Fault, FaultKind, exchanges};
+use crate::lab::protocol::{CallEnd, Called, Case, CaseAnswer, Reply, Step};
+use crate::plane::PlanarView;
+use crate::script::Script;
+use crate::topology::{SameOptions, Table, View, position_key, same_with, violations};
+use crate::{Element, HalfEdgeId, VertexId};
+use std::collections::BTreeMap;
+
+/// The graded tests: of the structure, and of the picture that the student's program makes of it.
+pub(super) const TESTS: [&str; 2] = ["drawing", "drawing_svg"];
+/// How many vertices or edges are named in a sentence.
+const NAMED: usize = 4;
+
+/// The calls that make the drawing, in the kit's own numbers.
+const SCRIPT: &str = include_str!("../../../figures/scripts/lab-04-drawing.dcels");
+
+/// The structure of the drawing; `None` only if its script were broken.
+pub(super) fn reference() -> Option<Table> {
+    let drawing = Script::parse(SCRIPT, "lab-04-drawing.dcels").ok()?.run().end;
+    let mut table = Table::from_view(&drawing);
+    for (v, row) in table.vertices.iter_mut().enumerate() {
+        let place = drawing.position(VertexId::new(v as u32))?;
+        row.as_mut()?.position = Some([place.x, place.y]);
+    }
+    Some(table)
+}
+
+/// The figure that the student's picture of it should be equal to.
+const FIGURE: &str = include_str!("../../../figures/lab-04-drawing.svg");
+
+/// Judges the structure that was drawn, and the picture of it.
+pub(super) fn judge(case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
+    let mut all: Vec<Fault> = exchanges(case, answer).iter().flat_map(faults).collect();
+    let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
+    for ((step, asked), reply) in asked.zip(&answer.replies) {
+        if *asked == Step::Svg {
+            all.extend(picture(step, reply));
+        }
+    }
+    all
+}
+
+/// Judges the picture as it is drawn; how it is written does not matter.
+fn picture(step: usize, reply: &Reply) -> Vec<Fault> {
+    let fault = |kind: FaultKind, rule: &str, words: String| Fault {
+        test: TESTS[1],
+        kind,
+        step,
+        rule: rule.to_owned(),
+        tag: String::new(),
+        words,
+        elements: Vec::new(),
+    };
+    let svg = match reply {
+        Reply::Svg(svg) => svg,
+        Reply::Called(Called { end: end @ CallEnd::Panicked { message, .. }, .. }) => {
+            let kind = FaultKind::of_panic(end).unwrap_or(FaultKind::Wrong);
+            return vec![fault(kind, "picture", format!("the picture panicked: {message}"))];
+        }
+        _ => return vec![fault(FaultKind::Wrong, "picture", "there is no picture".to_owned())],
+    };
+    match compare(FIGURE, svg, &Options::new()) {
+        Ok(comparison) => {
+            let differences = comparison.differences().iter();
+            differences.map(|d| fault(FaultKind::Wrong, "picture", d.text.clone())).collect()
+        }
+        Err(error) => vec![fault(FaultKind::Wrong, "picture", error.to_string())],
+    }
+}
+
+fn faults(exchange: &Exchange) -> Vec<Fault> {
+    let fault = |kind: FaultKind, rule: &str, words: String, elements: Vec<Element>| Fault {
+        test: TESTS[0],
+        kind,
+        step: exchange.step,
+        rule: rule.to_owned(),
+        tag: String::new(),
+        words,
+        elements,
+    };
+    let (Some((_, end)), Some(after)) = (exchange.called, exchange.after) else { return Vec::new() };
+    if let CallEnd::Panicked { message, .. } = end {
+        let kind = FaultKind::of_panic(end).unwrap_or(FaultKind::Wrong);
+        return vec![fault(kind, "drawing", format!("drawing panicked: {message}"), Vec::new())];
+    }
+    let Some(reference) = &reference() else {
+        let words = "the reference of the drawing is missing from the lab".to_owned();
+        return vec![fault(FaultKind::GraderFault, "drawing", words, Vec::new())];
+    };
+    let wrong = |rule: &str, words, elements| fault(FaultKind::Wrong, rule, words, elements);
+    let broken = violations(after.as_ref());
+    if let Some(first) = broken.first() {
+        return vec![wrong(first.rule.id, first.text().to_owned(), first.elements.clone())];
+    }
+    let keys = [after.as_ref(), reference].map(|table| move |v: VertexId| position_key(place(table, v)));
+    let options = SameOptions::new().keys(&keys[0], &keys[1]);
+    let Err(difference) = same_with(after.as_ref(), reference, &options) else { return Vec::new() };
+    let mut out = Vec::new();
+    let [yours, theirs] = [after.as_ref(), reference].map(vertices);
+    out.extend(missing(&theirs, &yours).map(|(n, list, _)| {
+        wrong("drawing.vertices", format!("{n} of the drawing's vertices are missing: {list}"), Vec::new())
+    }));
+    out.extend(missing(&yours, &theirs).map(|(n, list, elements)| {
+        wrong("drawing.vertices", format!("{n} vertices are not in the drawing: {list}"), elements)
+    }));
+    let [yours, theirs] = [after.as_ref(), reference].map(edges);
+    out.extend(missing(&theirs, &yours).map(|(n, list, _)| {
+        wrong("drawing.edges", format!("{n} of the drawing's edges are missing: {list}"), Vec::new())
+    }));
+    out.extend(missing(&yours, &theirs).map(|(n, list, elements)| {
+        wrong("drawing.edges", format!("{n} edges are not in the drawing: {list}"), elements)
+    }));
+    if out.is_empty() {
+        out.push(wrong("drawing.structure", difference.to_string(), Vec::new()));
+    }
+    out
+}
+
+fn place(table: &Table, v: VertexId) -> [f64; 2] {
+    table.vertices.get(v.index()).copied().flatten().and_then(|row| row.position).unwrap_or_default()
+}
+
+/// Places with the element that is there, in the order of the places.
+type Places = BTreeMap<Vec<[u64; 2]>, (String, Element)>;
+
+fn vertices(table: &Table) -> Places {
+    let ids = (0..table.vertices.len() as u32).map(VertexId::new);
+    ids.map(|v| {
+        let [x, y] = place(table, v);
+        (vec![position_key([x, y])], (format!("({x}, {y})"), v.into()))
+    })
+    .collect()
+}
+
+fn edges(table: &Table) -> Places {
+    let ids = (0..table.half_edges.len() as u32).map(HalfEdgeId::new);
+    ids.filter_map(|h| {
+        let [p, q] = [table.origin(h)?, table.origin(table.twin(h)?)?].map(|v| place(table, v));
+        // Each edge once, by its half that begins further left, or lower.
+        let key = [p, q].map(position_key).to_vec();
+        let words = format!("({}, {})–({}, {})", p[0], p[1], q[0], q[1]);
+        (p < q).then(|| (key, (words, h.into())))
+    })
+    .collect()
+}
+
+/// What of `all` is not in `there`: how many, the first few in words, the elements.
+fn missing(all: &Places, there: &Places) -> Option<(usize, String, Vec<Element>)> {
+    let gone: Vec<&(String, Element)> =
+        all.iter().filter(|(key, _)| !there.contains_key(*key)).map(|(_, v)| v).collect();
+    let words: Vec<&str> = gone.iter().take(NAMED).map(|(words, _)| words.as_str()).collect();
+    let more = if gone.len() > NAMED { ", …" } else { "" };
+    let elements = gone.iter().map(|(_, element)| *element).collect();
+    (!gone.is_empty()).then(|| (gone.len(), format!("{}{more}", words.join(", ")), elements))
+}

@@ -1,0 +1,105 @@
+//! One split after the other, on what the ones before have made, with stored representatives as arguments.
+//!
+//! Every call is judged by the structure that the student's program had before it. The first fault ends the
+//! sequence: what comes after it has no right start.
+
+use super::{split_face, split_in_half};
+use crate::lab::cases::random::Random;
+use crate::lab::fault::{Fault, FaultKind, exchanges};
+use crate::lab::protocol::{Case, CaseAnswer, Start, Step};
+
+/// What a random sequence is made of.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Mix {
+    /// How many calls.
+    pub(super) calls: usize,
+    /// How often `split_face` is called, and how often `split_in_half`.
+    pub(super) weights: [usize; 2],
+}
+
+/// Judges the calls up to the first fault, which counts against `test`.
+pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
+    for exchange in exchanges(case, answer) {
+        if exchange.called.is_none() {
+            let words = format!("{}: a link of `{}` is not set", exchange.function, exchange.words.join(" "));
+            return vec![Fault {
+                test,
+                kind: FaultKind::Wrong,
+                step: exchange.step,
+                rule: "R1".to_owned(),
+                tag: "unresolved".to_owned(),
+                words,
+                elements: Vec::new(),
+            }];
+        }
+        let faults = match exchange.function {
+            "split_face" => split_face::judge(&exchange, &[test; 6]),
+            "split_in_half" => split_in_half::judge(&exchange, &[test; 4]),
+            _ => Vec::new(),
+        };
+        if !faults.is_empty() {
+            return faults;
+        }
+    }
+    Vec::new()
+}
+
+/// A case that dumps after every call. `calls` are lines such as `split_face h0 h4`.
+pub(super) fn sequence(name: &str, start: Start, calls: &[&str]) -> Case {
+    let mut case = Case::new(name, start).step(Step::Dump);
+    for call in calls {
+        let mut words = call.split(' ');
+        let function = words.next().unwrap_or_default();
+        case = case.step(Step::call(function, words)).step(Step::Dump);
+    }
+    case
+}
+
+/// A random sequence, on a start that a student can type.
+pub(super) fn random(name: &str, mix: Mix, random: &mut Random) -> Case {
+    let (start, corners) = start(random);
+    let mut case = Case::new(name, start).step(Step::Dump);
+    for _ in 0..mix.calls {
+        let first = word(corners, random);
+        let step = if random.below(mix.weights[0] + mix.weights[1]) < mix.weights[0] {
+            let second = match random.below(8) {
+                0 => word(corners, random),
+                1 => first.clone(),
+                2 => format!("{first}.prev.prev"),
+                _ => format!("{first}{}", ".next".repeat(1 + random.below(4))),
+            };
+            Step::call("split_face", [first, second])
+        } else {
+            Step::call("split_in_half", [first])
+        };
+        case = case.step(step).step(Step::Dump);
+    }
+    case
+}
+
+fn start(random: &mut Random) -> (Start, usize) {
+    match random.below(5) {
+        0 => (Start::Rectangle, 6),
+        i => (polygon(i + 2), i + 2),
+    }
+}
+
+/// A polygon of the classes, as a line.
+pub(super) fn polygon(corners: usize) -> Start {
+    let table = crate::lab::cases::classes::polygon(corners).unwrap_or_default();
+    Start::Polygon(table.vertices.iter().flatten().filter_map(|row| row.position).collect())
+}
+
+/// A half-edge: a given one or a stored one, then up to two links.
+fn word(corners: usize, random: &mut Random) -> String {
+    let given = format!("h{}", random.below(2 * corners));
+    let base = match random.below(8) {
+        0 => format!("f{}.boundary", random.below(2)),
+        1 => format!("v{}.outgoing", random.below(corners)),
+        2 => format!("{given}.face.boundary"),
+        3 => format!("{given}.origin.outgoing"),
+        _ => given,
+    };
+    let links = [".next", ".prev", ".twin"];
+    (0..random.below(3)).fold(base, |word, _| word + links[random.below(3)])
+}

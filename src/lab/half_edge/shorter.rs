@@ -1,0 +1,126 @@
+//! Shorter sequences that may fail like a given one, so that a student has less to read.
+//!
+//! ```text
+//!   polygon 0 0 7 1 8 6 1 5                       polygon 0 0 7 1 2 6
+//!   split_in_half v1.outgoing.twin         ──▶    split_in_half h1
+//!   split_face h3 h3.next.next                    split_in_half h1
+//!   split_in_half h1
+//! ```
+
+use super::sequences::polygon;
+use crate::lab::protocol::{Case, Start, Step};
+
+/// How many are tried at a time.
+const TRIED: usize = 240;
+/// With at most so many earlier calls, every choice of them is tried.
+const CHOICES: usize = 5;
+
+/// Sequences with fewer calls, a smaller start or simpler words, the shortest first. Every one ends with a dump.
+pub(super) fn shorter(case: &Case) -> Vec<Case> {
+    let calls: Vec<&Step> = case.steps.iter().filter(|step| matches!(step, Step::Call { .. })).collect();
+    let Some((&last, earlier)) = calls.split_last().filter(|(_, earlier)| !earlier.is_empty()) else {
+        // One call: the cases of one call are as short as can be.
+        return Vec::new();
+    };
+    let starts = starts(&case.start);
+    let mut all = Vec::new();
+    for chosen in choices(earlier.len()) {
+        let kept: Vec<Step> = chosen.iter().map(|&i| earlier[i].clone()).chain([last.clone()]).collect();
+        all.extend(starts.iter().map(|start| sequence(&case.name, start.clone(), &kept)));
+    }
+    let steps: Vec<Step> = calls.into_iter().cloned().collect();
+    for (i, step) in steps.iter().enumerate() {
+        for simpler in simpler(step) {
+            let mut steps = steps.clone();
+            steps[i] = simpler;
+            all.extend(starts.iter().map(|start| sequence(&case.name, start.clone(), &steps)));
+        }
+    }
+    let size = size(case);
+    let mut all: Vec<(_, Case)> = all.into_iter().map(|case| (self::size(&case), case)).collect();
+    all.retain(|(other, _)| *other < size);
+    all.sort_by(|a, b| a.0.cmp(&b.0));
+    all.dedup_by(|a, b| a.1 == b.1);
+    all.truncate(TRIED);
+    all.into_iter().map(|(_, case)| case).collect()
+}
+
+/// What makes a case long: its calls, then its links, then its corners, then its letters.
+fn size(case: &Case) -> (usize, usize, usize, String) {
+    let script = case.script();
+    let calls = case.steps.iter().filter(|step| matches!(step, Step::Call { .. })).count();
+    let links = script.lines().skip(1).flat_map(str::chars).filter(|&c| c == '.').count();
+    let corners = match &case.start {
+        // One word.
+        Start::Rectangle => 0,
+        Start::Polygon(corners) => corners.len(),
+        Start::Triangles(..) | Start::Table(_) => usize::MAX,
+    };
+    (calls, links, corners, script)
+}
+
+fn sequence(name: &str, start: Start, calls: &[Step]) -> Case {
+    let steps = [Step::Dump].into_iter().chain(calls.iter().flat_map(|call| [call.clone(), Step::Dump])).collect();
+    Case { name: name.to_owned(), start, steps }
+}
+
+/// The start itself and those with fewer corners.
+fn starts(start: &Start) -> Vec<Start> {
+    let corners = match start {
+        Start::Polygon(corners) => corners.len(),
+        _ => 6,
+    };
+    [Start::Rectangle].into_iter().chain((3..corners).map(polygon)).chain([start.clone()]).collect()
+}
+
+/// Which of the earlier calls to keep: every choice if they are few; else all but one, the last ones, or one.
+fn choices(count: usize) -> Vec<Vec<usize>> {
+    if count <= CHOICES {
+        return (0..1_u32 << count).map(|bits| (0..count).filter(|i| bits >> i & 1 == 1).collect()).collect();
+    }
+    let but_one = (0..count).map(|left_out| (0..count).filter(|&i| i != left_out).collect());
+    let last = (0..count).map(|from| (from..count).collect());
+    let one = (0..count).map(|i| vec![i]);
+    let half = [(0..count / 2).collect(), (0..count).step_by(2).collect()];
+    but_one.chain(last).chain(one).chain(half).collect()
+}
+
+/// Whether the links of a word fit each other, and lead to a half-edge.
+fn names_half_edge(word: &str) -> bool {
+    let mut links = word.split('.');
+    let first = links.next().and_then(|base| base.chars().next());
+    let end = links.try_fold(first, |kind, link| match (kind, link) {
+        (Some('h'), "next" | "prev" | "twin") => Some(Some('h')),
+        (Some('h'), "origin") => Some(Some('v')),
+        (Some('h'), "face") => Some(Some('f')),
+        (Some('v'), "outgoing") | (Some('f'), "boundary") => Some(Some('h')),
+        _ => None,
+    });
+    end == Some(Some('h'))
+}
+
+/// The same call with one of its words a link shorter, or given by number.
+fn simpler(step: &Step) -> Vec<Step> {
+    let Step::Call { function, arguments } = step else { return Vec::new() };
+    let mut out = Vec::new();
+    for (i, word) in arguments.iter().enumerate() {
+        let links: Vec<&str> = word.split('.').collect();
+        let mut words: Vec<String> = Vec::new();
+        if links.len() > 1 {
+            words.extend((0..12).map(|h| format!("h{h}")));
+            for left_out in 1..links.len() {
+                let kept = links.iter().enumerate().filter(|&(at, _)| at != left_out).map(|(_, link)| *link);
+                words.push(kept.collect::<Vec<_>>().join("."));
+            }
+        }
+        for word in words {
+            if !names_half_edge(&word) {
+                continue;
+            }
+            let mut arguments = arguments.clone();
+            arguments[i] = word;
+            out.push(Step::Call { function: function.clone(), arguments });
+        }
+    }
+    out
+}

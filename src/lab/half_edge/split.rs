@@ -1,0 +1,146 @@
+//! What the judges of the two splits share: differences become faults of steps.
+
+use crate::Element;
+use crate::lab::checks::align::{Aligned, Content, Difference, differences};
+use crate::lab::fault::{Fault, FaultKind};
+use crate::lab::protocol::CallEnd;
+use crate::topology::{Table, violations};
+
+/// How many violations of the laws are added as an explanation.
+const LAWS: usize = 4;
+
+/// A call of a split that is being judged, step by step.
+pub(super) struct Steps<'a> {
+    /// `split_face`, the beginning of every rule.
+    pub(super) function: &'static str,
+    /// The call as it was made, in ids.
+    pub(super) call: String,
+    /// The step of the case.
+    pub(super) step: usize,
+    /// The graded test of each step of the operation.
+    pub(super) tests: &'a [&'static str],
+    /// How the call ended.
+    pub(super) end: &'a CallEnd,
+    /// Before the call.
+    pub(super) before: &'a Table,
+    /// After it.
+    pub(super) after: &'a Table,
+    pub(super) faults: Vec<Fault>,
+}
+
+impl Steps<'_> {
+    /// A fault of a step of the operation.
+    pub(super) fn add(&mut self, step: usize, kind: FaultKind, tag: &str, words: &str, elements: &[Element]) {
+        let Some(&test) = self.tests.get(step) else { return };
+        self.faults.push(Fault {
+            test,
+            kind,
+            step: self.step,
+            rule: format!("{}.{step}", self.function),
+            tag: tag.to_owned(),
+            words: format!("{}: {words}", self.call),
+            elements: elements.to_vec(),
+        });
+    }
+
+    /// The kind of a fault of a step: if the call panicked, whether anything of the step was done decides.
+    pub(super) fn kind(&self, touched: bool) -> FaultKind {
+        match FaultKind::of_panic(self.end) {
+            None => FaultKind::Wrong,
+            Some(FaultKind::Unattempted) if touched => FaultKind::Wrong,
+            Some(kind) => kind,
+        }
+    }
+
+    /// The number of elements of a kind, which should have grown by `more`. Returns whether it has.
+    pub(super) fn count(&mut self, step: usize, what: &str, [before, after]: [usize; 2], more: usize) -> bool {
+        if after == before + more {
+            return true;
+        }
+        let kind = self.kind(after != before);
+        let expected = match more {
+            0 => "expected no more than before".to_owned(),
+            more => format!("expected {more} more than the {before} before"),
+        };
+        self.add(
+            step,
+            kind,
+            &format!("{what} {:+}", after as i64 - before as i64),
+            &format!("there are {after} {what}, {expected}"),
+            &[],
+        );
+        false
+    }
+
+    /// Steps that cannot be judged, because an earlier one is missing.
+    pub(super) fn unjudged(&mut self, steps: std::ops::Range<usize>) {
+        for step in steps {
+            let kind = self.kind(false);
+            self.add(step, kind, "unjudged", "cannot be judged before the step before it is right", &[]);
+        }
+    }
+
+    /// One fault for each difference, in the order of the steps, then the laws that are broken.
+    pub(super) fn differences(
+        &mut self,
+        aligned: &Aligned,
+        step_of: impl Fn(&Difference) -> usize,
+        role: impl Fn(Element) -> &'static str,
+    ) {
+        let mut in_order: Vec<(usize, &Difference)> = aligned.differences.iter().map(|d| (step_of(d), d)).collect();
+        in_order.sort_by_key(|&(step, _)| step);
+        // Fields that the call has set or changed; those of new elements count once they are set.
+        let mut changed = differences(self.before, self.after);
+        changed.retain(|difference| difference.found != Content::Unset);
+        for (step, difference) in in_order {
+            let kind = self.kind(changed.iter().any(|difference| step_of(difference) == step));
+            let part = difference.owner.map_or("", &role);
+            let tag = format!("{} {part}", difference.field.word());
+            let mut elements: Vec<Element> = difference.owner.into_iter().collect();
+            elements.extend([difference.found, difference.expected].iter().filter_map(|content| match content {
+                Content::To(element @ Element::HalfEdge(_)) => Some(*element),
+                _ => None,
+            }));
+            let part = if part.is_empty() { String::new() } else { format!(" ({part})") };
+            let owner = difference.owner.map_or_else(|| "outer_face".to_owned(), |owner| format!("{owner}{part}"));
+            let field =
+                if difference.owner.is_some() { format!(".{}", difference.field.word()) } else { String::new() };
+            let words = format!("{owner}{field} is {}, expected {}", difference.found, difference.expected);
+            self.add(step, kind, &tag, &words, &elements);
+        }
+        self.laws();
+    }
+
+    /// The laws of the structure that are broken, as an explanation of the first fault.
+    fn laws(&mut self) {
+        let Some(test) = self.faults.first().map(|fault| fault.test) else { return };
+        let kind = self.faults[0].kind.clone();
+        if kind != FaultKind::Wrong {
+            return;
+        }
+        let mut said: Vec<&str> = Vec::new();
+        for violation in violations(self.after) {
+            if said.len() == LAWS || said.contains(&violation.rule.id) {
+                continue;
+            }
+            said.push(violation.rule.id);
+            self.faults.push(Fault {
+                test,
+                kind: kind.clone(),
+                step: self.step,
+                rule: violation.rule.id.to_owned(),
+                tag: String::new(),
+                words: format!("{}: {}", self.call, violation.text()),
+                elements: violation.elements.clone(),
+            });
+        }
+    }
+
+    /// A call that panicked although all of its steps are done: the last step is not finished.
+    pub(super) fn must_have_returned(&mut self) {
+        if let (true, Some(kind)) = (self.faults.is_empty(), FaultKind::of_panic(self.end)) {
+            let last = self.tests.len() - 1;
+            self.add(last, kind, "panic", "all is done, but the call does not return", &[]);
+        }
+    }
+}

@@ -1,0 +1,145 @@
+//! The structures that cases begin with, beside the rectangle and the polygons.
+//!
+//! ```text
+//!   ┌────────┐      ●     ●        antenna: a face passes v0 twice
+//!   │   /v4  │      │╲   ╱│        bow-tie: the outer face passes v0 twice
+//!   v0───────┘      │ v0  │        Only a half-edge names a corner there, a vertex does not.
+//!                   ●╱   ╲●
+//! ```
+
+use crate::lab::cases::random::Random;
+use crate::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
+use crate::{FaceId, HalfEdgeId, VertexId};
+use std::collections::BTreeMap;
+
+/// A square with an edge from one corner into it that ends nowhere.
+pub(super) fn antenna() -> Table {
+    let points = [[0.0, 0.0], [8.0, 0.0], [8.0, 7.0], [0.0, 7.0], [3.5, 2.5]];
+    from_cycles(&points, &[&[0, 3, 2, 1], &[0, 1, 2, 3, 0, 4]])
+}
+
+/// Two triangles that share a vertex.
+pub(super) fn bow_tie() -> Table {
+    let points = [[0.0, 0.0], [6.0, -4.0], [6.0, 5.0], [-6.0, 4.0], [-6.0, -5.0]];
+    from_cycles(&points, &[&[0, 2, 1, 0, 4, 3], &[0, 1, 2], &[0, 3, 4]])
+}
+
+/// A bow-tie inside a square: two triangles hang at one corner of it, so a bounded face passes that corner twice.
+pub(super) fn hanging_triangle() -> Table {
+    let points = [[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0], [6.0, 2.0], [2.0, 6.0]];
+    from_cycles(&points, &[&[0, 3, 2, 1], &[0, 1, 2, 3, 0, 5, 4], &[0, 4, 5]])
+}
+
+/// A square cut in four with a vertex in the middle.
+pub(super) fn window() -> Table {
+    let mut points = Vec::new();
+    for y in [0.0, 4.5, 9.0] {
+        points.extend([[0.0, y], [5.5, y], [11.0, y]]);
+    }
+    let faces: [&[u32]; 5] = [&[0, 3, 6, 7, 8, 5, 2, 1], &[0, 1, 4, 3], &[1, 2, 5, 4], &[4, 5, 8, 7], &[3, 4, 7, 6]];
+    from_cycles(&points, &faces)
+}
+
+/// A structure from the corners of its faces, the outer one first and clockwise. No two edges may join the same
+/// vertices.
+fn from_cycles(points: &[[f64; 2]], faces: &[&[u32]]) -> Table {
+    let mut table = Table { outer_face: Some(FaceId::new(0)), ..Table::default() };
+    let vertex = |position: &[f64; 2]| Some(VertexRow { position: Some(*position), outgoing: None });
+    table.vertices = points.iter().map(vertex).collect();
+    let mut by_ends: BTreeMap<[u32; 2], HalfEdgeId> = BTreeMap::new();
+    for (f, cycle) in faces.iter().enumerate() {
+        let first = table.half_edges.len();
+        let half_edge = |i: usize| HalfEdgeId::new((first + i % cycle.len()) as u32);
+        for (i, &from) in cycle.iter().enumerate() {
+            let ends = [from, cycle[(i + 1) % cycle.len()]];
+            let h = half_edge(i);
+            let twin = by_ends.get(&[ends[1], ends[0]]).copied();
+            if let Some(row) = twin.and_then(|twin| table.half_edges[twin.index()].as_mut()) {
+                row.twin = Some(h);
+            }
+            by_ends.insert(ends, h);
+            table.half_edges.push(Some(HalfEdgeRow {
+                origin: Some(VertexId::new(from)),
+                twin,
+                next: Some(half_edge(i + 1)),
+                prev: Some(half_edge(i + cycle.len() - 1)),
+                face: Some(FaceId::new(f as u32)),
+            }));
+            if let Some(vertex) = &mut table.vertices[from as usize] {
+                vertex.outgoing = Some(h);
+            }
+        }
+        table.faces.push(Some(FaceRow { boundary: Some(half_edge(0)), ..FaceRow::default() }));
+    }
+    // An edge with the same face on both sides meets its twin only once both are there.
+    for i in 0..table.half_edges.len() {
+        let h = HalfEdgeId::new(i as u32);
+        let ends = table.origin(h).zip(table.next(h).and_then(|next| table.origin(next)));
+        let twin = ends.and_then(|(from, to)| by_ends.get(&[to.number(), from.number()]).copied());
+        if let Some(row) = &mut table.half_edges[i] {
+            row.twin = twin;
+        }
+    }
+    table
+}
+
+/// The same structure with other numbers for its half-edges, other stored representatives, and another outer face.
+pub(super) fn relabelled(table: &Table, random: &mut Random) -> Table {
+    let order = random.order(table.half_edges.len());
+    let name = |h: HalfEdgeId| HalfEdgeId::new(order[h.index()] as u32);
+    let mut out = table.clone();
+    for (h, row) in table.half_edges.iter().enumerate() {
+        out.half_edges[order[h]] = row.map(|row| HalfEdgeRow {
+            twin: row.twin.map(name),
+            next: row.next.map(name),
+            prev: row.prev.map(name),
+            ..row
+        });
+    }
+    let half_edges = || (0..out.half_edges.len() as u32).map(HalfEdgeId::new);
+    for (v, row) in out.vertices.clone().iter().enumerate() {
+        let v = VertexId::new(v as u32);
+        let starts: Vec<HalfEdgeId> = half_edges().filter(|&h| out.origin(h) == Some(v)).collect();
+        out.vertices[v.index()] = row.map(|row| VertexRow { outgoing: random.pick(&starts).copied(), ..row });
+    }
+    for f in 0..out.faces.len() {
+        let face = FaceId::new(f as u32);
+        let sides: Vec<HalfEdgeId> = half_edges().filter(|&h| out.face(h) == Some(face)).collect();
+        out.faces[f] = Some(FaceRow { boundary: random.pick(&sides).copied(), ..FaceRow::default() });
+    }
+    out.outer_face = Some(FaceId::new(random.below(out.faces.len()) as u32));
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lab::cases::classes::classes;
+    use crate::topology::{same, violations};
+
+    #[test]
+    fn starts_obey_the_laws_and_relabelling_changes_names_only() {
+        let mut random = Random::new(7, "test");
+        for table in [antenna(), bow_tie(), hanging_triangle(), window()].into_iter().chain(classes(3..=4, 2)) {
+            assert!(violations(&table).is_empty(), "{:?}", violations(&table));
+            let mut other = relabelled(&table, &mut random);
+            assert_ne!(other, table);
+            other.outer_face = None;
+            assert!(same(&other, &Table { outer_face: None, ..table }).is_ok());
+        }
+    }
+
+    #[test]
+    fn a_face_passes_a_vertex_twice() {
+        for table in [antenna(), bow_tie(), hanging_triangle()] {
+            let corners = |f| {
+                (0..table.half_edges.len() as u32)
+                    .map(HalfEdgeId::new)
+                    .filter(move |&h| table.face(h) == Some(FaceId::new(f)))
+                    .filter(|&h| table.origin(h) == Some(VertexId::new(0)))
+                    .count()
+            };
+            assert!([corners(0), corners(1)].contains(&2));
+        }
+    }
+}

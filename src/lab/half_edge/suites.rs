@@ -1,0 +1,353 @@
+//! The cases of lab 04, test by test.
+//!
+//! A deterministic case of a task calls the functions of that task only, so that what fails does not depend on
+//! other tasks. Small cases that a student can type come first, then one case for each small structure with every
+//! call that can be made on it, then random sequences.
+
+use super::sequences::{Mix, polygon, random, sequence};
+use super::shorter::shorter;
+use super::starts::{antenna, bow_tie, hanging_triangle, relabelled, window};
+use super::{drawing, sequences, split_face, split_in_half, walks};
+use crate::HalfEdgeId;
+use crate::lab::cases::classes::classes;
+use crate::lab::cases::random::Random;
+use crate::lab::checks::spec::{Legal, may_split_face};
+use crate::lab::course::{Asked, Course, Source, Suite};
+use crate::lab::fault::{Exchange, Fault};
+use crate::lab::plan::Plan;
+use crate::lab::protocol::{Case, CaseAnswer, Start, Step};
+use crate::topology::{HalfEdgeRow, Table, View};
+use std::sync::Arc;
+
+/// How many random sequences are asked for each test, and of how many calls.
+const RANDOM: (usize, usize) = (16, 10);
+/// How many small structures are asked with other names, too.
+const RELABELLED: usize = 8;
+
+/// The course of lab 04.
+pub(in crate::lab) struct HalfEdge;
+
+/// The course of lab 04.
+pub(in crate::lab) static HALF_EDGE: HalfEdge = HalfEdge;
+
+impl Course for HalfEdge {
+    fn suites(&self, plan: &Plan) -> Vec<Suite> {
+        let mut suites: Vec<Suite> = [
+            ("face_walk", &["face_walk"] as &[&str], "walk_face"),
+            ("face_vertices", &["face_vertices"], "walk_vertices"),
+            ("destination_by_twin", &["destination_by_twin"], "destination"),
+            ("destination_by_next", &["destination_by_next"], "destination_by_next"),
+            ("vertex_star", &["vertex_star"], "walk_vertex"),
+        ]
+        .map(|(name, tests, function)| Suite { name, tests, asked: fixed(reading(name, function)) })
+        .into();
+        let structures = structures();
+        suites.push(Suite {
+            name: "split_face",
+            tests: &split_face::TESTS,
+            asked: fixed(split_face_cases(&structures)),
+        });
+        suites.push(Suite {
+            name: "split_face_sequences",
+            tests: &["split_face_sequences"],
+            asked: sequence_cases("split_face_sequences", face_sequences(), [1, 0], plan),
+        });
+        suites.push(Suite {
+            name: "split_in_half",
+            tests: &split_in_half::TESTS[1..],
+            asked: fixed(split_in_half_cases(&structures)),
+        });
+        suites.push(Suite {
+            name: "split_in_half_sequences",
+            tests: &["split_in_half_sequences"],
+            asked: sequence_cases("split_in_half_sequences", mixed_sequences(), [1, 1], plan),
+        });
+        let case = Case::new("drawing", Start::Rectangle);
+        let case = case.step(Step::Dump).step(Step::call::<&str>("drawing", [])).step(Step::Dump).step(Step::Svg);
+        suites.push(Suite { name: "drawing", tests: &drawing::TESTS, asked: fixed(vec![case]) });
+        suites
+    }
+
+    fn judge(&self, suite: &Suite, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
+        match suite.name {
+            "split_face" => by_call(case, answer, |exchange| split_face::judge(exchange, &split_face::TESTS)),
+            "split_in_half" => by_call(case, answer, |exchange| split_in_half::judge(exchange, &split_in_half::TESTS)),
+            "split_face_sequences" | "split_in_half_sequences" => sequences::judge(suite.tests[0], case, answer),
+            "drawing" => drawing::judge(case, answer),
+            _ => walks::judge(suite.tests[0], case, answer),
+        }
+    }
+
+    fn expected(&self, exchange: &Exchange) -> Option<Table> {
+        super::expected(exchange)
+    }
+
+    fn shorter(&self, case: &Case) -> Vec<Case> {
+        shorter(case)
+    }
+}
+
+fn by_call(case: &Case, answer: &CaseAnswer, judge: impl Fn(&Exchange) -> Vec<Fault>) -> Vec<Fault> {
+    crate::lab::fault::exchanges(case, answer).iter().flat_map(judge).collect()
+}
+
+fn fixed(cases: Vec<Case>) -> Vec<Asked> {
+    cases.into_iter().map(|case| Asked { case, source: Source::Fixed }).collect()
+}
+
+fn table(table: Table) -> Start {
+    Start::Table(Arc::new(table))
+}
+
+/// The structures of the exhaustive cases, with their names: those on which corners and vertices differ, one of
+/// every small kind, some of these with other names.
+fn structures() -> Vec<(String, Table)> {
+    let special = [("antenna", antenna()), ("bow_tie", bow_tie()), ("hanging", hanging_triangle())];
+    let mut all: Vec<(String, Table)> = special.map(|(name, table)| (name.to_owned(), table)).into();
+    let classes = small_classes();
+    let mut random = Random::new(4, "relabelled");
+    let step = (classes.len() / RELABELLED).max(1);
+    let others: Vec<Table> = classes.iter().step_by(step).map(|class| relabelled(class, &mut random)).collect();
+    all.extend(classes.into_iter().enumerate().map(|(i, class)| (format!("class.{i}"), class)));
+    all.extend(others.into_iter().enumerate().map(|(i, other)| (format!("relabelled.{i}"), other)));
+    all
+}
+
+/// One of every kind that up to three splits make of triangles, squares and pentagons. (A hexagon is a pentagon
+/// with an edge split.)
+pub(super) fn small_classes() -> Vec<Table> {
+    classes(3..=5, 3)
+}
+
+fn half_edges(table: &Table) -> impl Iterator<Item = HalfEdgeId> + Clone + use<> {
+    (0..table.half_edges.len() as u32).map(HalfEdgeId::new)
+}
+
+/// Cases for a function that only reads: all elements of a few structures.
+fn reading(name: &str, function: &str) -> Vec<Case> {
+    let letter = match function {
+        "walk_face" | "walk_vertices" => 'f',
+        "walk_vertex" => 'v',
+        _ => 'h',
+    };
+    let first = format!("{letter}{}", u8::from(letter == 'f'));
+    let mut cases =
+        vec![Case::new(format!("{name}.first"), Start::Rectangle).step(Step::Dump).step(Step::call(function, [first]))];
+    let fan = Start::Triangles(vec![[0.0, 0.0], [8.0, 0.0], [6.0, 5.0], [-1.0, 7.0]], vec![[0, 1, 2], [0, 2, 3]]);
+    let mut random = Random::new(4, name);
+    let starts = [
+        ("rectangle", Start::Rectangle, [2, 6, 12]),
+        ("triangle", polygon(3), [2, 3, 6]),
+        ("two_triangles", fan, [3, 4, 10]),
+        ("window", table(window()), [5, 9, 24]),
+        ("window_again", table(relabelled(&window(), &mut random)), [5, 9, 24]),
+        ("antenna", table(antenna()), [2, 5, 10]),
+        ("bow_tie", table(bow_tie()), [3, 5, 12]),
+        ("hanging", table(relabelled(&hanging_triangle(), &mut random)), [3, 6, 14]),
+    ];
+    for (start_name, start, [faces, vertices, half_edges]) in starts {
+        let count = match letter {
+            'f' => faces,
+            'v' => vertices,
+            _ => half_edges,
+        };
+        let mut case = Case::new(format!("{name}.{start_name}"), start).step(Step::Dump);
+        case.steps.extend((0..count).map(|i| Step::call(function, [format!("{letter}{i}")])));
+        cases.push(case);
+    }
+    // The two ways to a destination are two: each must do without the pointers of the other.
+    let without: Option<fn(&mut HalfEdgeRow)> = match function {
+        "destination" => Some(|row| (row.next, row.prev) = (None, None)),
+        "destination_by_next" => Some(|row| row.twin = None),
+        _ => None,
+    };
+    if let Some(without) = without {
+        let mut start = window();
+        start.half_edges.iter_mut().flatten().for_each(without);
+        let case = Case::new(format!("{name}.alone"), table(start)).step(Step::Dump);
+        cases.push(case.step(Step::call(function, ["h0"])).step(Step::call(function, ["h9"])));
+    }
+    cases
+}
+
+fn split_face_cases(structures: &[(String, Table)]) -> Vec<Case> {
+    let one = |name: &str, start: Start, pair: &str| {
+        sequence(&format!("split_face.{name}"), start, &[&format!("split_face {pair}")])
+    };
+    let mut cases = vec![
+        one("across", Start::Rectangle, "h2 h8"),
+        one("back", Start::Rectangle, "h8 h2"),
+        one("square", polygon(4), "h0 h4"),
+        one("outside", Start::Rectangle, "h1 h5"),
+        one("outside_back", Start::Rectangle, "h9 h3"),
+        one("same", Start::Rectangle, "h4 h4"),
+        one("next", Start::Rectangle, "h0 h2"),
+        one("prev", Start::Rectangle, "h2 h0"),
+        one("other_face", Start::Rectangle, "h0 h5"),
+        one("other_face_back", Start::Rectangle, "h5 h0"),
+    ];
+    for (name, structure) in structures {
+        let mut case =
+            Case::new(format!("split_face.{name}"), table(structure.clone())).step(Step::Dump).step(Step::Save);
+        let pairs = half_edges(structure).flat_map(|h1| half_edges(structure).map(move |h2| (h1, h2)));
+        // Two different corners at one vertex: the handout does not say what should be.
+        let asked = pairs.filter(|&(h1, h2)| h1 == h2 || structure.origin(h1) != structure.origin(h2));
+        let mut asked: Vec<_> =
+            asked.map(|(h1, h2)| (may_split_face(structure, h1, h2) == Legal::Yes, h1, h2)).collect();
+        // Those to be refused first: as long as the structure stays the same, it is printed once.
+        asked.sort_unstable();
+        for (_, h1, h2) in asked {
+            case.steps.extend([Step::call("split_face", [h1, h2]), Step::Dump, Step::Restore]);
+        }
+        cases.push(case);
+    }
+    cases
+}
+
+/// Whether the edge ends nowhere. No split makes such an edge, and to split it needs more care than the lab teaches:
+/// a link is both before and after it.
+fn is_at_a_spur(table: &Table, h: HalfEdgeId) -> bool {
+    let twin = table.twin(h);
+    table.next(h) == twin || table.prev(h) == twin
+}
+
+fn split_in_half_cases(structures: &[(String, Table)]) -> Vec<Case> {
+    let one = |name: &str, start: Start, h: &str| {
+        sequence(&format!("split_in_half.{name}"), start, &[&format!("split_in_half {h}")])
+    };
+    let mut cases = vec![
+        one("inside", Start::Rectangle, "h0"),
+        one("outside", Start::Rectangle, "h5"),
+        one("triangle", polygon(3), "h2"),
+        one("triangle_outside", polygon(3), "h3"),
+    ];
+    for (name, structure) in structures {
+        let mut case =
+            Case::new(format!("split_in_half.{name}"), table(structure.clone())).step(Step::Dump).step(Step::Save);
+        for h in half_edges(structure).filter(|&h| !is_at_a_spur(structure, h)) {
+            case.steps.extend([Step::call("split_in_half", [h]), Step::Dump, Step::Restore]);
+        }
+        cases.push(case);
+    }
+    cases
+}
+
+/// Sequences of `split_face` with stored representatives, on both sides.
+fn face_sequences() -> Vec<(&'static str, Start, Vec<&'static str>)> {
+    vec![
+        ("fan", Start::Rectangle, vec!["split_face h2 h6", "split_face h2 h8", "split_face h2 h10"]),
+        (
+            "stored",
+            Start::Rectangle,
+            vec![
+                "split_face h2 h8",
+                "split_face f1.boundary f1.boundary.next.next",
+                "split_face h8.face.boundary h8.face.boundary.next.next",
+                "split_face f1.boundary f1.boundary.next",
+            ],
+        ),
+        (
+            "both_sides",
+            Start::Rectangle,
+            vec![
+                "split_face h2 h8",
+                "split_face h8.prev.twin h4",
+                "split_face h8.prev h8.next.next",
+                "split_face h2.prev h6",
+            ],
+        ),
+        (
+            "outside",
+            polygon(5),
+            vec![
+                "split_face f0.boundary f0.boundary.next.next",
+                "split_face h1.face.boundary h1.face.boundary.prev.prev",
+                "split_face f0.boundary f0.boundary.next.next",
+                "split_face v0.outgoing v0.outgoing.next.next",
+            ],
+        ),
+        (
+            "refused_between",
+            polygon(4),
+            vec![
+                "split_face h0 h2",
+                "split_face h0 h4",
+                "split_face h0 h4",
+                "split_face h0.prev h4.prev",
+                "split_face h0.prev.twin h2",
+            ],
+        ),
+    ]
+}
+
+/// Sequences of both splits, from both twins.
+fn mixed_sequences() -> Vec<(&'static str, Start, Vec<&'static str>)> {
+    vec![
+        (
+            "halves",
+            polygon(3),
+            vec!["split_in_half h0", "split_in_half h0", "split_in_half h0.next.twin", "split_in_half h0.prev"],
+        ),
+        (
+            "door",
+            Start::Rectangle,
+            vec![
+                "split_face h2 h8",
+                "split_in_half h8.prev",
+                "split_in_half h8.prev.twin",
+                "split_face h8.prev h10.next",
+                "split_face h2.prev h4",
+            ],
+        ),
+        (
+            "stored",
+            Start::Rectangle,
+            vec![
+                "split_in_half f1.boundary",
+                "split_in_half f0.boundary",
+                "split_face f1.boundary f1.boundary.next.next",
+                "split_in_half f0.boundary.twin",
+                "split_face f0.boundary f0.boundary.prev.prev",
+                "split_in_half v3.outgoing",
+                "split_face v3.outgoing v3.outgoing.next.next",
+            ],
+        ),
+        (
+            "ends",
+            polygon(4),
+            vec![
+                "split_in_half h1",
+                "split_in_half v1.outgoing",
+                "split_in_half v0.outgoing",
+                "split_face v0.outgoing v0.outgoing.next.next",
+                "split_in_half v0.outgoing.twin",
+                "split_face h4 h4.next.next.next",
+            ],
+        ),
+    ]
+}
+
+fn sequence_cases(
+    name: &str,
+    fixed_ones: Vec<(&'static str, Start, Vec<&'static str>)>,
+    weights: [usize; 2],
+    plan: &Plan,
+) -> Vec<Asked> {
+    let named = fixed_ones.into_iter().map(|(case, start, calls)| sequence(&format!("{name}.{case}"), start, &calls));
+    let mut asked = fixed(named.collect());
+    let (count, calls) = RANDOM;
+    let mut numbers = Random::new(plan.seed, name);
+    asked.extend((0..count).map(|i| Asked {
+        case: random(&format!("{name}.random.{i}"), Mix { calls, weights }, &mut numbers),
+        source: Source::Random,
+    }));
+    if let Some(secret) = &plan.secret {
+        let mut numbers = Random::new(secret.seed, name);
+        let weights = if weights[1] == 0 { weights } else { [secret.split_face, secret.split_in_half] };
+        asked.extend((0..secret.sequences).map(|i| Asked {
+            case: random(&format!("{name}.hidden.{i}"), Mix { calls: secret.calls, weights }, &mut numbers),
+            source: Source::Hidden,
+        }));
+    }
+    asked
+}

@@ -1,0 +1,119 @@
+//! Running a suite: all of its cases in one process, and what is left of them in another if that one dies.
+//!
+//! ```text
+//!   case 1 ✓  case 2 ✓  case 3 ✗ (the process died here)      case 3 is judged as far as it got, and by that end
+//!                                └──▶ case 4 ✓  case 5 ✓      in a new process
+//! ```
+//!
+//! A process that hangs ends the suite: waiting for the deadline again would teach nothing.
+
+use super::cases::random::fresh_seed;
+use super::course::{Course, Suite};
+use super::fault::{Fault, FaultKind, first_unanswered};
+use super::program::{End, Program};
+use super::protocol::{Case, CaseAnswer, read_answers};
+
+/// How often a suite is taken up again after its process died.
+const RESTARTS: usize = 8;
+
+/// What came of a suite.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub(super) struct SuiteRun {
+    /// The faults of each case that was run, in the order of the cases.
+    pub(super) faults: Vec<Vec<Fault>>,
+    /// The answers to them.
+    pub(super) answers: Vec<CaseAnswer>,
+    /// Why nothing can be said: the program did not start, or did not understand the cases.
+    pub(super) grader_fault: Option<String>,
+    /// What the student's code printed.
+    pub(super) printed: String,
+    /// How long the processes took.
+    pub(super) millis: u64,
+}
+
+/// Runs and judges all cases of a suite.
+pub(super) fn run_suite(program: &dyn Program, course: &dyn Course, suite: &Suite) -> SuiteRun {
+    let mut run = SuiteRun::default();
+    for _ in 0..=RESTARTS {
+        let cases: Vec<&Case> = suite.asked.iter().skip(run.answers.len()).map(|asked| &asked.case).collect();
+        if cases.is_empty() {
+            break;
+        }
+        let token = format!("{:x}", fresh_seed());
+        let ran = program.run(&Case::input(&token, cases.iter().copied()));
+        run.millis += ran.millis;
+        if let End::NotStarted(why) = &ran.end {
+            run.grader_fault = Some(format!("the program could not be started: {why}"));
+            break;
+        }
+        let mut answers = read_answers(&ran.stdout, &token, &cases);
+        run.printed.push_str(&answers.printed);
+        if let Some(complaint) = answers.complaint {
+            run.grader_fault = Some(format!("the program does not understand the cases: {complaint}"));
+            break;
+        }
+        if answers.cases.is_empty() {
+            answers.cases.push(CaseAnswer::default());
+        }
+        let last = answers.cases.len() - 1;
+        for (i, (case, answer)) in cases.iter().zip(answers.cases).enumerate() {
+            let mut faults = course.judge(suite, case, &answer);
+            // The last one counts as answered only if the program went on, or came to its end.
+            let died = i == last && !answers.done && (i + 1 == cases.len() || !answer.complete);
+            if let Some(broken) = &answer.broken {
+                let kind = FaultKind::Wrong;
+                faults.extend(of_all_tests(suite, case, &answer, &kind, "broken", &broken.to_string()));
+            } else if died || !answer.complete {
+                let (kind, tag, words) = of_end(&ran.end);
+                faults.extend(of_all_tests(suite, case, &answer, &kind, tag, &words));
+            }
+            run.faults.push(faults);
+            run.answers.push(answer);
+        }
+        if answers.done || ran.end == End::TimedOut {
+            break;
+        }
+    }
+    run
+}
+
+/// A fault that counts against every test that the suite decides.
+fn of_all_tests(
+    suite: &Suite,
+    case: &Case,
+    answer: &CaseAnswer,
+    kind: &FaultKind,
+    tag: &str,
+    words: &str,
+) -> Vec<Fault> {
+    let fault = |&test| Fault {
+        test,
+        kind: kind.clone(),
+        step: first_unanswered(case, answer),
+        rule: "answer".to_owned(),
+        tag: tag.to_owned(),
+        words: words.to_owned(),
+        elements: Vec::new(),
+    };
+    suite.tests.iter().map(fault).collect()
+}
+
+/// What an end in the middle of a case says.
+fn of_end(end: &End) -> (FaultKind, &'static str, String) {
+    let crashed = |tag, words: String| (FaultKind::Crashed { message: words.clone(), place: None }, tag, words);
+    match end {
+        End::Exited(code) => {
+            crashed("exit", format!("the program ended itself (exit code {code}) in the middle of a case"))
+        }
+        End::Signalled { name, signal } => {
+            crashed("signal", format!("the program was ended by {name} (signal {signal})"))
+        }
+        End::StackOverflow => {
+            crashed("stack", "stack overflow: a function calls itself without coming to an end".to_owned())
+        }
+        End::OutputLimit => crashed("output", "the program printed more than it may".to_owned()),
+        End::TimedOut => (FaultKind::TimedOut, "time", "the program did not come back before the deadline".to_owned()),
+        End::OutOfMemory => (FaultKind::OutOfMemory, "memory", "the program asked for too much memory".to_owned()),
+        End::NotStarted(why) => (FaultKind::GraderFault, "start", why.clone()),
+    }
+}

@@ -1,0 +1,168 @@
+//! Naming a bug: by failing in exactly the same way as a bug of the lab's zoo.
+//!
+//! ```text
+//!   the cases that are always the same ──▶ (case, step, rule, part that the element plays) ──▶ one hash a test
+//!
+//!   bugs/signatures.toml     [12]                                        written by `dcel lab verify`
+//!                            split_face_5_representatives = "8f3a…"      for every bug of the zoo
+//! ```
+//!
+//! A bug is named for a task if all tests of the task fail as they do with that bug, and nothing that the bug makes
+//! fail elsewhere fails differently. So two mistakes at once give no name, which is better than a wrong one.
+
+use super::bug::Bug;
+use super::manifest::Manifest;
+use super::toml_file::{ManifestError, TomlFile};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+
+/// How a program fails: for each failing test that was not skipped, a hash of what fails in the fixed cases.
+pub type Signature = BTreeMap<String, String>;
+
+/// The signatures of a zoo, by the numbers of the bugs.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Signatures {
+    bugs: BTreeMap<u32, Signature>,
+}
+
+impl Signatures {
+    /// The signatures of some bugs.
+    pub fn new(bugs: impl IntoIterator<Item = (u32, Signature)>) -> Self {
+        Self { bugs: bugs.into_iter().collect() }
+    }
+
+    /// Reads `signatures.toml`; `source` is its name in messages.
+    ///
+    /// # Errors
+    /// [`ManifestError`] with the place.
+    pub fn parse(text: &str, source: &str) -> Result<Self, ManifestError> {
+        let file = TomlFile { text, source };
+        let tables: BTreeMap<String, Signature> = file.read()?;
+        let mut bugs = BTreeMap::new();
+        for (number, signature) in tables {
+            let number = number.parse().map_err(|_| file.error(0, format!("`{number}` is not the number of a bug")))?;
+            bugs.insert(number, signature);
+        }
+        Ok(Self { bugs })
+    }
+
+    /// The text of `signatures.toml`.
+    #[must_use]
+    pub fn to_text(&self) -> String {
+        let mut out = "# How each bug of the zoo fails. Generated: `dcel lab verify --write`.\n".to_owned();
+        for (number, signature) in &self.bugs {
+            let _ = writeln!(out, "\n[{number}]");
+            for (test, hash) in signature {
+                let _ = writeln!(out, "{test} = \"{hash}\"");
+            }
+        }
+        out
+    }
+
+    /// The signature of a bug.
+    #[must_use]
+    pub fn get(&self, bug: u32) -> Option<&Signature> {
+        self.bugs.get(&bug)
+    }
+
+    /// The numbers of the bugs that fail in a task as `found` does. `skipped` are the tests that were not judged.
+    #[must_use]
+    pub fn matching(&self, found: &Signature, task: &BTreeSet<&str>, skipped: &BTreeSet<&str>) -> Vec<u32> {
+        let of_task = |signature: &Signature| -> Signature {
+            signature
+                .iter()
+                .filter(|(test, _)| task.contains(test.as_str()))
+                .map(|(t, h)| (t.clone(), h.clone()))
+                .collect()
+        };
+        let here = of_task(found);
+        if here.is_empty() {
+            return Vec::new();
+        }
+        let fits = |signature: &Signature| {
+            let agrees = |(test, hash): (&String, &String)| match found.get(test) {
+                Some(other) => other == hash,
+                None => skipped.contains(test.as_str()),
+            };
+            of_task(signature) == here && signature.iter().all(agrees)
+        };
+        self.bugs.iter().filter(|(_, signature)| fits(signature)).map(|(&number, _)| number).collect()
+    }
+}
+
+/// What the tests of one task fail at, in the words of the zoo: the titles of all bugs that fail like this, with those
+/// declared to be the same.
+pub(super) fn names(
+    signatures: &Signatures,
+    bugs: &[Bug],
+    manifest: &Manifest,
+    task: u32,
+    found: &Signature,
+    skipped: &BTreeSet<&str>,
+) -> Vec<String> {
+    let tests = manifest.tests.iter().filter(|test| test.task == task).map(|test| test.name.as_str()).collect();
+    let mut numbers: BTreeSet<u32> = signatures.matching(found, &tests, skipped).into_iter().collect();
+    let same = bugs.iter().filter(|bug| numbers.contains(&bug.number)).flat_map(|bug| bug.same_as.clone());
+    numbers.extend(same.collect::<Vec<_>>());
+    bugs.iter().filter(|bug| numbers.contains(&bug.number)).map(|bug| bug.title.clone()).collect()
+}
+
+/// A hash of sorted lines that is the same on every machine and with every version of the compiler.
+///
+/// Source: FNV-1a, 64 bits, Fowler, Noll and Vo.
+pub(super) fn hash(lines: &BTreeSet<String>) -> String {
+    let mut state = 0xcbf2_9ce4_8422_2325_u64;
+    for byte in lines.iter().flat_map(|line| line.bytes().chain([b'\n'])) {
+        state = (state ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+    }
+    format!("{state:016x}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn signature(pairs: &[(&str, &str)]) -> Signature {
+        pairs.iter().map(|(test, hash)| ((*test).to_owned(), (*hash).to_owned())).collect()
+    }
+
+    #[test]
+    fn only_equal_failures_have_a_name() {
+        let zoo = Signatures::new([
+            (1, signature(&[("a", "11")])),
+            (2, signature(&[("a", "22"), ("b", "33")])),
+            (3, signature(&[("a", "11")])),
+            (4, signature(&[("a", "44"), ("other", "55")])),
+        ]);
+        let task = ["a", "b"].into();
+        let none = BTreeSet::new();
+        let named = |found: &[(&str, &str)], skipped: &BTreeSet<&str>| zoo.matching(&signature(found), &task, skipped);
+        assert_eq!(named(&[("a", "11")], &none), [1, 3]);
+        assert_eq!(named(&[("a", "22"), ("b", "33")], &none), [2]);
+        // One more or less, or another hash: no name.
+        assert_eq!(named(&[("a", "22")], &none), [0; 0]);
+        assert_eq!(named(&[("a", "11"), ("b", "33")], &none), [0; 0]);
+        assert_eq!(named(&[("a", "99")], &none), [0; 0]);
+        assert_eq!(named(&[], &none), [0; 0]);
+        // What the bug does to another task must be there, too, unless that was not judged.
+        assert_eq!(named(&[("a", "44")], &none), [0; 0]);
+        assert_eq!(named(&[("a", "44"), ("other", "55")], &none), [4]);
+        assert_eq!(named(&[("a", "44")], &["other"].into()), [4]);
+        // What fails elsewhere for reasons of its own does not matter.
+        assert_eq!(named(&[("a", "11"), ("other", "66")], &none), [1, 3]);
+    }
+
+    #[test]
+    fn signatures_are_read_as_they_are_written() {
+        let zoo = Signatures::new([(7, signature(&[("a", "11"), ("b", "22")])), (12, signature(&[("a", "33")]))]);
+        assert_eq!(Signatures::parse(&zoo.to_text(), "x").unwrap(), zoo);
+        let error = Signatures::parse("[seven]\na = \"11\"\n", "signatures.toml").unwrap_err();
+        assert_eq!(error.to_string(), "signatures.toml:1:1: `seven` is not the number of a bug");
+    }
+
+    #[test]
+    fn hashes_do_not_change_with_the_compiler() {
+        assert_eq!(hash(&BTreeSet::new()), "cbf29ce484222325");
+        assert_eq!(hash(&["a".to_owned()].into()), "089be207b544f1e4");
+    }
+}
