@@ -17,6 +17,7 @@ mod bug;
 pub mod cases;
 pub mod checks;
 pub mod course;
+mod course;
 #[cfg(feature = "grade")]
 mod export;
 pub mod fault;
