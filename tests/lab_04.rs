@@ -1,36 +1,351 @@
-//! Lab 04 as it stands in `labs/`: the manifest, the starter and the bugs fit the one marked solution.
+//! Lab 04 as it stands in `labs/`: manifest, starter, bugs, drawing and handout fit the one marked solution.
+//!
+//! The solution is a module of this test, so that nothing has to be built apart; the graded tests themselves, with
+//! every bug, are the matter of another file.
 #![cfg(feature = "lab")]
 
-use dcel_kit::lab::{Manifest, starter};
+use dcel_kit::figure::compare::{Options, compare};
+use dcel_kit::lab::{Bug, BugError, Manifest, MarkError, starter};
+use dcel_kit::script::{Outcome, Script};
+use dcel_kit::topology::{FaceRow, HalfEdgeRow, SameOptions, Table, VertexRow, position_key, same_with};
+use dcel_kit::{FaceId, HalfEdgeId, VertexId};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-fn lab() -> PathBuf {
+#[path = "../labs/04-half-edge/src/case.rs"]
+#[allow(dead_code, unreachable_pub)]
+mod case;
+#[path = "../labs/04-half-edge/src/dcel.rs"]
+#[allow(unreachable_pub)]
+mod dcel;
+#[path = "../labs/04-half-edge/solution/lab.rs"]
+#[allow(unreachable_pub)]
+mod lab;
+#[path = "../labs/04-half-edge/src/pen.rs"]
+#[allow(unreachable_pub)]
+mod pen;
+#[path = "../labs/04-half-edge/src/print.rs"]
+#[allow(unreachable_pub)]
+mod print;
+#[path = "../labs/04-half-edge/src/start.rs"]
+#[allow(unreachable_pub)]
+mod start;
+#[path = "../labs/04-half-edge/src/svg.rs"]
+#[allow(unreachable_pub)]
+mod svg;
+
+fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("labs/04-half-edge")
 }
 
 fn read(path: &str) -> String {
-    fs::read_to_string(lab().join(path)).unwrap()
+    fs::read_to_string(folder().join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
 }
+
+fn manifest() -> Manifest {
+    Manifest::parse(&read("lab.toml"), "lab.toml").unwrap()
+}
+
+fn bugs() -> Vec<(String, Bug)> {
+    let mut files: Vec<String> = fs::read_dir(folder().join("bugs"))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .filter(|file| file.starts_with(|first: char| first.is_ascii_digit()))
+        .collect();
+    files.sort();
+    let parse = |file: String| {
+        let bug = Bug::parse(&read(&format!("bugs/{file}")), &file).unwrap_or_else(|error| panic!("{error}"));
+        (file, bug)
+    };
+    files.into_iter().map(parse).collect()
+}
+
+// ---- the starter ----------------------------------------------------------------------------------------
 
 /// `BLESS=1 cargo test --test lab_04` writes the starter anew.
 #[test]
 fn the_starter_is_the_solution_with_its_blocks_replaced() {
     let made = starter(&read("solution/lab.rs")).unwrap();
     if std::env::var_os("BLESS").is_some() {
-        fs::write(lab().join("src/lab.rs"), &made).unwrap();
+        fs::write(folder().join("src/lab.rs"), &made).unwrap();
     }
     assert_eq!(read("src/lab.rs"), made, "BLESS=1 cargo test --test lab_04 writes src/lab.rs anew");
     assert!(!made.contains("SOLUTION") && !made.contains("STARTER"));
+    assert_eq!(made.lines().filter(|line| line.trim().starts_with("todo!(")).count(), 9, "one for each function");
 }
 
 #[test]
-fn the_manifest_is_the_one_that_the_handout_promises() {
-    let manifest = Manifest::parse(&read("lab.toml"), "lab.toml").unwrap();
+fn a_block_becomes_its_starter_text_at_its_own_depth() {
+    let source = "fn f() {\n    // BEGIN SOLUTION\n    // STARTER: let _ = 1;\n    // STARTER:\n    //STARTER:   deep\n    \
+                  secret();\n    // END SOLUTION\n}\n";
+    assert_eq!(starter(source).unwrap(), "fn f() {\n    let _ = 1;\n\n      deep\n}\n");
+    assert_eq!(starter("  // BEGIN SOLUTION\n  secret\n  // END SOLUTION").unwrap(), "  todo!()\n");
+    assert_eq!(starter("a\r\n//BEGIN SOLUTION\r\nb\r\n//END SOLUTION\r\n").unwrap(), "a\ntodo!()\n");
+}
+
+#[test]
+fn markers_that_do_not_pair_up_are_named_by_their_lines() {
+    for (source, error) in [
+        ("x\n// BEGIN SOLUTION\n", MarkError::NotEnded { line: 2 }),
+        ("// BEGIN SOLUTION\n\n// BEGIN SOLUTION\n", MarkError::Nested { line: 3, first_line: 1 }),
+        ("// END SOLUTION\n", MarkError::NotBegun { line: 1 }),
+        ("\n// STARTER: todo!()\n", MarkError::StrayStarter { line: 2 }),
+        ("let answer = 42; // BEGIN SOLUTION\n", MarkError::NothingMarked),
+    ] {
+        assert_eq!(starter(source), Err(error), "{source:?}");
+    }
+}
+
+// ---- the manifest ---------------------------------------------------------------------------------------
+
+#[test]
+fn the_manifest_is_the_one_that_the_handout_tells_of() {
+    let manifest = manifest();
     assert_eq!((manifest.name.as_str(), manifest.package.as_str()), ("04-half-edge", "lab-04-half-edge"));
     assert_eq!(manifest.graded, ["src/lab.rs"]);
-    assert_eq!(manifest.tests.len(), 18);
     assert_eq!(manifest.max_points(), 100);
-    assert_eq!(manifest.test("drawing").unwrap().task, 7);
-    assert!(manifest.task(9).is_none());
+    let handout = read("README.md");
+    for test in &manifest.tests {
+        let row = format!("| `{}` | {} |", test.name, test.points);
+        assert!(handout.contains(&row), "the handout's table of points has no {row}");
+    }
+    let headings: BTreeSet<&str> = handout.lines().filter_map(|line| line.strip_prefix("## ")).collect();
+    for task in &manifest.tasks {
+        assert!(headings.contains(task.section.as_str()), "the handout has no section {:?}", task.section);
+        assert!(handout.contains(&format!("**Task {}.**", task.number)), "the handout has no task {}", task.number);
+        let hints = read(&format!("hints/task-{}.md", task.number));
+        for level in ["## A nudge", "## A pointer", "## Nearly the code"] {
+            assert_eq!(hints.lines().filter(|line| *line == level).count(), 1, "task {}: {level}", task.number);
+        }
+    }
+    let reference = manifest.drawing.unwrap();
+    assert!(Path::new(env!("CARGO_MANIFEST_DIR")).join("figures").join(&reference).is_file(), "no figure {reference}");
+}
+
+#[test]
+fn a_manifest_that_cannot_be_used_is_refused_with_the_place() {
+    let good = read("lab.toml");
+    assert!(Manifest::parse(&good, "lab.toml").is_ok());
+    let second = |word: &str| good.match_indices(word).nth(1).unwrap().0;
+    let test = |name: &str| good[..good.find(&format!("name = \"{name}\"")).unwrap()].rfind("[[test]]").unwrap();
+    let at = |word: &str| good.find(word).unwrap();
+    for (find, replace, place, message) in [
+        ("version = ", "vresion = ", at("version"), "unknown field `vresion`"),
+        ("version = \"1.0.0\"\n", "", 0, "missing field `version`"),
+        (
+            "\"src/lab.rs\"",
+            "\"../lab.rs\"",
+            at("\"src/lab.rs\""),
+            "\"../lab.rs\" is not a file inside the lab's folder",
+        ),
+        ("\"src/lab.rs\"", "\"/src/lab.rs\"", at("\"src/lab.rs\""), "\"/src/lab.rs\" is not a file inside"),
+        ("\"src/lab.rs\"", "'src\\lab.rs'", at("\"src/lab.rs\""), "\"src\\\\lab.rs\" is not a file inside"),
+        ("[\"src/lab.rs\"]", "[]", at("[\"src/lab.rs"), "no file is graded"),
+        ("seconds = 5.0", "seconds = 0.0", at("[limits]"), "a limit is not above 0"),
+        ("memory_mb = 1024", "memory_mb = \"much\"", at("1024"), "invalid type"),
+        ("number = 2", "number = 1", second("[[task]]"), "task 1 was given before"),
+        ("name = \"face_walk\"", "name = \"face walk\"", test("face_walk"), "\"face walk\" cannot be a test"),
+        ("points = 3\n", "points = 0\n", test("destination_by_twin"), "the test destination_by_twin is worth nothing"),
+        (
+            "name = \"face_vertices\"",
+            "name = \"face_walk\"",
+            test("face_vertices"),
+            "the test face_walk was given before",
+        ),
+        ("task = 2", "task = 20", at("task = 2") + 7, "there is no task 20"),
+        (
+            "[\"split_face_0_legal\"]",
+            "[\"drawing\"]",
+            at("\"split_face_0_legal\"]"),
+            "split_face_1_new_face needs drawing",
+        ),
+    ] {
+        assert_eq!(good.matches(find).count(), 1, "{find:?} stands once in the manifest");
+        let error = Manifest::parse(&good.replace(find, replace), "lab.toml").unwrap_err();
+        let line_start = good[..place].rfind('\n').map_or(0, |end| end + 1);
+        let wanted = (good[..place].matches('\n').count() + 1, good[line_start..place].chars().count() + 1);
+        assert_eq!((error.line, error.column), wanted, "{error}");
+        assert!(error.what.starts_with(message) && !error.what.contains('\n'), "{error}");
+    }
+    let unclosed = Manifest::parse("name = \"x\"\n[drawing\n", "lab.toml").unwrap_err();
+    assert_eq!((unclosed.line, unclosed.source.as_str()), (2, "lab.toml"));
+}
+
+// ---- the bugs -------------------------------------------------------------------------------------------
+
+#[test]
+fn every_bug_is_made_of_the_solution_and_is_told_apart_by_its_name() {
+    let (solution, manifest) = (read("solution/lab.rs"), manifest());
+    let bugs = bugs();
+    let (mut titles, mut sources) = (BTreeSet::new(), BTreeMap::new());
+    for (i, (file, bug)) in bugs.iter().enumerate() {
+        assert_eq!(bug.number as usize, i + 1, "{file}: numbers are those of the files, without a gap");
+        assert!(file.starts_with(&format!("{:02}-", bug.number)), "{file} has the number {}", bug.number);
+        assert!(titles.insert(bug.title.clone()), "{file}: {:?} names another bug, too", bug.title);
+        let task = manifest.task(bug.task).unwrap_or_else(|| panic!("{file}: no task {}", bug.task));
+        assert!(manifest.tasks.iter().any(|task| task.section == bug.section), "{file}: no section {:?}", bug.section);
+        assert_eq!(task.number, bug.task);
+        let source = bug.apply(&solution).unwrap_or_else(|error| panic!("{file}: {error}"));
+        if let Some(other) = sources.insert(source, file) {
+            panic!("{file} and {other} are the same");
+        }
+        for other in &bug.same_as {
+            let (_, other) = &bugs[*other as usize - 1];
+            assert!(
+                other.same_as.contains(&bug.number),
+                "{file} names {} as its pair, not the other way",
+                other.number
+            );
+        }
+    }
+    assert!(bugs.len() >= 23);
+}
+
+#[test]
+fn a_bug_that_does_not_fit_says_why() {
+    let bug = |edits: &str| Bug::parse(&format!("number = 7\ntitle = 't'\ntask = 1\nsection = 's'\n{edits}"), "b.toml");
+    let edit = |find: &str, replace: &str| format!("[[edit]]\nfind = '{find}'\nreplace = '{replace}'\n");
+    assert_eq!(bug(&edit("b", "c")).unwrap().apply("a b").unwrap(), "a c");
+    assert_eq!(bug(&(edit("b", "c") + &edit("a c", "d"))).unwrap().apply("a b").unwrap(), "d", "one after the other");
+    let not_once = |times| Err(BugError::NotOnce { number: 7, find: "b".to_owned(), times });
+    assert_eq!(bug(&edit("b", "c")).unwrap().apply("a"), not_once(0));
+    assert_eq!(bug(&edit("b", "c")).unwrap().apply("b b"), not_once(2));
+    assert_eq!(bug(&edit("b", "b")).unwrap().apply("b"), Err(BugError::NoChange { number: 7, find: "b".to_owned() }));
+    for (edits, message) in [
+        ("same_as = [7]\n[[edit]]\nfind = 'b'\nreplace = 'c'\n", "b.toml:5:11: a bug is the same as itself"),
+        ("edit = []\n", "b.toml:5:8: a bug without an edit"),
+        ("[[edit]]\nfind = 'b'\n", "b.toml:5:1: missing field `replace`"),
+    ] {
+        let error = bug(edits).unwrap_err().to_string();
+        assert!(error.starts_with(message), "{error:?}, not {message:?}");
+    }
+}
+
+// ---- the drawing ----------------------------------------------------------------------------------------
+
+fn table_of(dcel: &dcel::Dcel) -> Table {
+    let (vertex, half_edge) = (|v| VertexId::new(v as u32), |h| HalfEdgeId::new(h as u32));
+    let face = |f: usize| FaceId::new(f as u32);
+    let mut table = Table { outer_face: Some(face(dcel.outer_face)), ..Table::default() };
+    table.vertices = dcel
+        .vertices
+        .iter()
+        .map(|v| Some(VertexRow { position: Some([v.pos.x, v.pos.y]), outgoing: v.outgoing_half_edge.map(half_edge) }))
+        .collect();
+    table.half_edges = dcel
+        .half_edges
+        .iter()
+        .map(|h| {
+            Some(HalfEdgeRow {
+                origin: h.origin.map(vertex),
+                twin: h.twin.map(half_edge),
+                next: h.next.map(half_edge),
+                prev: h.prev.map(half_edge),
+                face: h.face.map(face),
+            })
+        })
+        .collect();
+    table.faces = dcel
+        .faces
+        .iter()
+        .map(|f| Some(FaceRow { boundary: f.incident_half_edge.map(half_edge), ..FaceRow::default() }))
+        .collect();
+    table
+}
+
+fn script(text: &str) -> dcel_kit::plane::Subdivision {
+    let run = Script::parse(text, "script").unwrap().run();
+    assert!(run.steps.iter().all(|step| !matches!(step.outcome, Outcome::Refused { .. })), "a call was refused");
+    run.end
+}
+
+#[test]
+fn the_starts_of_the_program_have_the_numbers_of_the_kit() {
+    for text in ["rectangle", "polygon 0 0 4 0 3 3", "triangles 0 0 1 0 1 1 0 1 2 2 / 0 1 2 0 2 3 3 2 4"] {
+        let words: Vec<&str> = text.split(' ').skip(1).collect();
+        let mine = match text.split(' ').next().unwrap() {
+            "rectangle" => start::rectangle(),
+            "polygon" => start::polygon(&words).unwrap(),
+            _ => start::triangles(&words).unwrap(),
+        };
+        let (mine, kit) = (table_of(&mine), Table::from_view(&script(text)));
+        for (h, (mine, kit)) in mine.half_edges.iter().zip(&kit.half_edges).enumerate() {
+            assert_eq!(mine, kit, "h{h} of {text}");
+        }
+        same_with(&mine, &kit, &SameOptions::new()).unwrap_or_else(|difference| panic!("{text}: {difference}"));
+        assert_eq!(dcel_kit::topology::violations(&mine), []);
+    }
+    for text in ["0 0 1 0 1 1 / 0 2 1", "0 0 1 0 1 1 / 0 1 3", "0 0 1 0 1 1 / 0 1 2 0 1 2", "0 0 1 0 1 1 / 0 1"] {
+        let words: Vec<&str> = text.split(' ').collect();
+        assert!(start::triangles(&words).is_err(), "{text}");
+    }
+}
+
+#[test]
+fn the_plane_accepts_the_drawing_and_the_solution_draws_the_same() {
+    let text = include_str!("../figures/scripts/lab-04-drawing.dcels");
+    for call in ["split_face ", "split_in_half "] {
+        assert!(text.matches(call).count() >= 8, "{call}is called too seldom");
+    }
+    let reference = script(text);
+    assert_eq!((reference.vertex_count(), reference.edge_count(), reference.face_count()), (22, 33, 13));
+
+    let mut drawn = start::rectangle();
+    pen::draw(&mut drawn, lab::drawing);
+    let mine = table_of(&drawn);
+    assert_eq!(dcel_kit::topology::violations(&mine), []);
+    let of_mine = |v: VertexId| position_key(mine.vertices[v.index()].unwrap().position.unwrap());
+    let of_reference = |v: VertexId| position_key([reference.point(v).x, reference.point(v).y]);
+    let options = SameOptions::new().keys(&of_mine, &of_reference);
+    same_with(&mine, &reference, &options).unwrap_or_else(|difference| panic!("{difference}"));
+
+    for h in 0..drawn.half_edges.len() {
+        assert_eq!(drawn.destination_by_next(h), drawn.destination(h), "h{h}");
+    }
+    for v in 0..drawn.vertices.len() {
+        assert_eq!(drawn.outgoing_half_edges(v), reference_star(&mine, v), "v{v}");
+    }
+
+    let mut picture = svg::Svg::default();
+    lab::picture(&drawn, &mut picture);
+    let figure = include_str!("../figures/lab-04-drawing.svg");
+    let comparison = compare(figure, &picture.finish(), &Options::new()).unwrap();
+    let differences: Vec<&str> = comparison.differences().iter().map(|d| d.text.as_str()).collect();
+    assert!(comparison.is_equal(), "{differences:?}");
+}
+
+/// The half-edges that start at a vertex, counter-clockwise from the stored one, by the kit's own walk.
+fn reference_star(table: &Table, v: usize) -> Vec<usize> {
+    let kit = dcel_kit::plane::Subdivision::from_table(table).unwrap();
+    kit.outgoing_half_edges(VertexId::new(v as u32)).map(HalfEdgeId::index).collect()
+}
+
+#[test]
+fn no_reflection_or_turn_maps_the_drawing_to_itself() {
+    let drawing = script(include_str!("../figures/scripts/lab-04-drawing.dcels"));
+    let points: BTreeSet<[i64; 2]> =
+        drawing.vertices().map(|v| drawing.point(v)).map(|p| [p.x, p.y].map(|x| (x * 4.0) as i64)).collect();
+    for map in [|[x, y]: [i64; 2]| [-x, y], |[x, y]: [i64; 2]| [x, -y], |[x, y]: [i64; 2]| [-x, -y]] {
+        let image: BTreeSet<[i64; 2]> = points.iter().map(|&p| map(p)).collect();
+        assert_ne!(points, image);
+    }
+}
+
+#[test]
+fn a_dump_is_read_back_as_it_was() {
+    let mut dcel = start::rectangle();
+    assert!(dcel.split_face(2, 8));
+    dcel.half_edges[3].twin = None;
+    dcel.vertices[1].pos.x = 0.1;
+    let mut back = dcel::Dcel::default();
+    for line in print::dump(&dcel).lines() {
+        let words: Vec<&str> = line.split(' ').collect();
+        print::read_record(&mut back, words[0], &words[1..]).unwrap_or_else(|error| panic!("{line}: {error}"));
+    }
+    assert_eq!(back, dcel);
+    for bad in ["vertex 9 0 0 -", "vertex 7 0 0 -", "vertex 6 0 inf -", "half_edge 14 - - - -", "edge 0", "face 3 x"] {
+        let words: Vec<&str> = bad.split(' ').collect();
+        assert!(print::read_record(&mut back, words[0], &words[1..]).is_err(), "{bad}");
+    }
 }

@@ -94,8 +94,15 @@ struct Line<'a> {
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if let Some(path) = &args.diff {
+        if path.extension().is_some_and(|extension| !extension.eq_ignore_ascii_case("svg")) {
+            let what = format!("{}: this would be SVG", path.display());
+            return Err(Failure::input(what, "give a name that ends in .svg"));
+        }
         for input in [&args.reference, &args.student] {
-            super::figure::check_target(path, input, &["svg"])?;
+            if super::output::is_same_file(input, path) {
+                let what = format!("{}: this is one of the drawings", path.display());
+                return Err(Failure::input(what, "choose another name"));
+            }
         }
     }
     let files = [(Side::Reference, &args.reference), (Side::Student, &args.student)];

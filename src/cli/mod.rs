@@ -25,6 +25,7 @@ mod lab_figures;
 mod lesson;
 mod looks;
 mod output;
+mod picture;
 mod references;
 mod script;
 mod specimen;

@@ -41,6 +41,12 @@ struct State<'a> {
     hash: Option<String>,
 }
 
+impl<'a> State<'a> {
+    fn without_cases(test: &'a Test) -> Self {
+        Self { test, verdict: Verdict::GraderFault, failing: None, hash: None }
+    }
+}
+
 /// Runs all cases of a lab with a program, and says what came of it.
 ///
 /// Never panics, whatever the program prints. The same program, seed and lab give the same report, times aside.
@@ -56,7 +62,8 @@ pub fn grade_program(lab: &Lab, program: &dyn Program, plan: &Plan) -> Report {
     let suites = wanted(course.suites(plan), lab, plan);
     let mut graded = Vec::new();
     for suite in &suites {
-        let run = run_suite(program, course, suite);
+        // What builds on a test that fails would be skipped anyway, and may hang on what that has left behind.
+        let run = if is_blocked(lab, suite, &graded) { SuiteRun::default() } else { run_suite(program, course, suite) };
         report.printed.push_str(&run.printed);
         graded.push(Graded { suite, run });
     }
@@ -65,7 +72,14 @@ pub fn grade_program(lab: &Lab, program: &dyn Program, plan: &Plan) -> Report {
         cut -= 1;
     }
     report.printed.truncate(cut);
-    let states = states(lab, &graded);
+    let mut states = states(lab, &graded);
+    if plan.only.is_none() {
+        // A test without cases can never be passed.
+        let known: BTreeSet<&str> = states.iter().map(|state| state.test.name.as_str()).collect();
+        let lost = lab.manifest.tests.iter().filter(|test| !known.contains(test.name.as_str()));
+        let lost: Vec<State> = lost.map(State::without_cases).collect();
+        states.extend(lost);
+    }
     let signature = signature_of(&states);
     let skipped: BTreeSet<&str> = states
         .iter()
@@ -75,7 +89,7 @@ pub fn grade_program(lab: &Lab, program: &dyn Program, plan: &Plan) -> Report {
     let context = feedback::Context { lab, program, course };
     for state in &states {
         let mut result = plain_result(state);
-        describe(&mut result, state, &graded, lab, &states, plan);
+        describe(&mut result, state, &graded, lab, &states);
         if matches!(state.verdict, Verdict::Wrong | Verdict::Crashed | Verdict::TimedOut | Verdict::OutOfMemory) {
             let task = state.test.task;
             result.bugs = zoo::names(&lab.signatures, &lab.bugs, &lab.manifest, task, &signature, &skipped);
@@ -96,9 +110,27 @@ pub fn grade_program(lab: &Lab, program: &dyn Program, plan: &Plan) -> Report {
 pub fn signature(lab: &Lab, program: &dyn Program) -> Signature {
     let Some(course) = course(&lab.name) else { return Signature::new() };
     let suites = course.suites(&Plan::default());
-    let run = |suite| Graded { suite, run: run_suite(program, course, suite) };
-    let graded: Vec<Graded> = suites.iter().map(run).collect();
+    let mut graded = Vec::new();
+    for suite in &suites {
+        let run = if is_blocked(lab, suite, &graded) { SuiteRun::default() } else { run_suite(program, course, suite) };
+        graded.push(Graded { suite, run });
+    }
     signature_of(&states(lab, &graded))
+}
+
+/// Whether every test of a suite needs, at once or through others, one that has been run and fails. Code that is
+/// still to be written blocks nothing: what is said of it depends on all that the task has.
+fn is_blocked(lab: &Lab, suite: &Suite, graded: &[Graded]) -> bool {
+    let states = states(lab, graded);
+    let fails = |name: &str| {
+        let state = states.iter().find(|state| state.test.name == name);
+        let open = [Verdict::Passed, Verdict::Unattempted, Verdict::GraderFault];
+        state.is_some_and(|state| !open.contains(&state.verdict))
+    };
+    suite.tests.iter().all(|test| {
+        let needs = lab.manifest.test(test).map_or(&[][..], |test| &test.needs);
+        needs.iter().any(|need| fails(need))
+    })
 }
 
 fn signature_of(states: &[State]) -> Signature {
@@ -146,8 +178,8 @@ fn states<'a>(lab: &'a Lab, graded: &[Graded]) -> Vec<State<'a>> {
     let mut done: BTreeMap<&str, Verdict> = BTreeMap::new();
     for state in &mut states {
         let is_open = |need: &String| done.get(need.as_str()).is_some_and(|verdict| !verdict.is_passed());
-        let settled = matches!(state.verdict, Verdict::GraderFault);
-        if !settled && state.test.needs.iter().any(is_open) && !untouched(state.test.task) {
+        let program_fails = graded.iter().any(|g| g.run.grader_fault.is_some());
+        if !program_fails && state.test.needs.iter().any(is_open) && !untouched(state.test.task) {
             state.verdict = Verdict::Skipped;
             state.hash = None;
         }
@@ -159,10 +191,7 @@ fn states<'a>(lab: &'a Lab, graded: &[Graded]) -> Vec<State<'a>> {
 /// A test by itself, whatever it needs; `None` if its suite was not asked for.
 fn state<'a>(test: &'a Test, graded: &[Graded]) -> Option<State<'a>> {
     let suite = graded.iter().position(|g| g.suite.tests.contains(&test.name.as_str()));
-    let Some(suite) = suite else {
-        // A test without cases can never be passed; one that is not wanted is left out.
-        return course("").map(|_| State { test, verdict: Verdict::GraderFault, failing: None, hash: None });
-    };
+    let suite = suite?;
     let Graded { suite: asked, run } = &graded[suite];
     if run.grader_fault.is_some() {
         return Some(State { test, verdict: Verdict::GraderFault, failing: None, hash: None });
@@ -232,8 +261,7 @@ fn plain_result(state: &State) -> TestResult {
 }
 
 /// The message, the place and the findings.
-fn describe(result: &mut TestResult, state: &State, graded: &[Graded], lab: &Lab, all: &[State], plan: &Plan) {
-    let _ = plan;
+fn describe(result: &mut TestResult, state: &State, graded: &[Graded], lab: &Lab, all: &[State]) {
     match state.verdict {
         Verdict::Passed => return,
         Verdict::Skipped => {

@@ -14,12 +14,14 @@
 #[cfg(feature = "grade")]
 mod batch;
 mod bug;
+#[cfg(feature = "grade")]
+mod cache;
 pub mod cases;
 pub mod checks;
-mod course;
+pub mod course;
 #[cfg(feature = "grade")]
 mod export;
-mod fault;
+pub mod fault;
 mod feedback;
 mod files;
 mod grade;
@@ -47,7 +49,7 @@ mod walls;
 mod zoo;
 
 #[cfg(feature = "grade")]
-pub use batch::{GradeOptions, Grader, Judge};
+pub use batch::{GradeOptions, Grader};
 pub use bug::{Bug, BugError, Edit};
 #[cfg(feature = "grade")]
 pub use export::{Packed, gradescope_files, zipped};

@@ -157,7 +157,8 @@ pub fn verify(lab: &Lab, room: &Path) -> io::Result<Verification> {
     }
     let signatures = Signatures::new(signatures);
     if signatures != lab.signatures {
-        problems.push("bugs/signatures.toml is not how the bugs fail; write it with `dcel lab verify --write`".to_owned());
+        problems
+            .push("bugs/signatures.toml is not how the bugs fail; write it with `dcel lab verify --write`".to_owned());
     }
     for row in &rows {
         problems.extend(check_row(lab, row));
@@ -287,7 +288,14 @@ fn compile(lab: &Lab, folder: &Path, text: &str, strict: bool) -> io::Result<Res
     let program = folder.join(format!("program{}", std::env::consts::EXE_SUFFIX));
     let compiler = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let mut command = Command::new(compiler);
-    command.args(["--edition=2024", "--crate-name=lab", "-Cdebuginfo=0", "-Copt-level=0", "--color=never", "-Funsafe_code"]);
+    command.args([
+        "--edition=2024",
+        "--crate-name=lab",
+        "-Cdebuginfo=0",
+        "-Copt-level=0",
+        "--color=never",
+        "-Funsafe_code",
+    ]);
     command.arg(if strict { "-Dwarnings" } else { "-Awarnings" });
     command.arg("-o").arg(&program).arg("src/main.rs").current_dir(folder);
     let compiled = command.output()?;

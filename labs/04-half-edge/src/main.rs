@@ -1,10 +1,10 @@
 //! The program of the lab. Nothing here is for you to change: your part is `lab.rs`.
 //!
 //! ```text
-//!   cargo run                      reads cases from standard input and prints what your code made of them
-//!   cargo run -- my-case.txt       the same from a file
-//!   cargo run -- svg my-case.txt   draws the structure that the case ends with
-//!   cargo run -- drawing           draws what your `drawing` makes of the rectangle
+//!   cargo run                                  reads cases from standard input, prints what your code made of them
+//!   cargo run -- my-case.txt                   the same from a file
+//!   cargo run -- svg my-case.txt my-case.svg   draws the structure that the case ends with
+//!   cargo run -- drawing my-drawing.svg        draws what your `drawing` makes of the rectangle
 //! ```
 //!
 //! The language of the cases is explained in the handout, README.md.

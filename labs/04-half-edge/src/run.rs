@@ -12,6 +12,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 use std::sync::{Mutex, PoisonError};
 
+/// The case of task 7.
+const DRAWING: &str = "rectangle\ndrawing\n";
+
 /// Where the last panic came from.
 static PLACE: Mutex<Option<String>> = Mutex::new(None);
 
@@ -19,13 +22,15 @@ static PLACE: Mutex<Option<String>> = Mutex::new(None);
 pub fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
-    let (text, mut output) = match arguments[..] {
-        [] => (standard_input(), Output::new()),
-        ["drawing"] => (Ok("rectangle\ndrawing\n".to_owned()), Output::only_problems()),
-        ["svg"] => (standard_input(), Output::only_problems()),
-        ["svg", file] => (from_file(file), Output::only_problems()),
-        [file] if !file.starts_with('-') => (from_file(file), Output::new()),
-        _ => (Err("usage: cargo run [-- [svg] [FILE] | drawing]".to_owned()), Output::new()),
+    let (text, picture) = match arguments[..] {
+        [] => (standard_input(), None),
+        ["drawing"] => (Ok(DRAWING.to_owned()), Some(None)),
+        ["drawing", picture] => (Ok(DRAWING.to_owned()), Some(Some(picture))),
+        ["svg"] => (standard_input(), Some(None)),
+        ["svg", case] => (from_file(case), Some(None)),
+        ["svg", case, picture] => (from_file(case), Some(Some(picture))),
+        [case] if !case.starts_with('-') => (from_file(case), None),
+        _ => (Err("usage: cargo run [-- CASE.txt | svg [CASE.txt [OUT.svg]] | drawing [OUT.svg]]".to_owned()), None),
     };
     let text = match text {
         Ok(text) => text,
@@ -34,19 +39,34 @@ pub fn main() -> ExitCode {
             return ExitCode::from(2);
         }
     };
-    let picture_wanted = output.only_problems;
+    let mut output = if picture.is_some() { Output::only_problems() } else { Output::new() };
     let end = run(&text, &mut output);
-    if !picture_wanted {
+    let Some(file) = picture else {
         return if end.mistakes == 0 { ExitCode::SUCCESS } else { ExitCode::from(2) };
+    };
+    if end.structure.is_none() {
+        output.problem("there is nothing to draw; begin with rectangle, polygon, triangles or table");
     }
-    let drawn = end.structure.and_then(|dcel| output.call("svg", || picture(&dcel)));
+    let drawn = end.structure.and_then(|dcel| output.call("svg", || picture_of(&dcel)));
     output.flush();
     match drawn {
-        Some(picture) if end.mistakes == 0 && !end.panicked => {
-            print!("{picture}");
-            ExitCode::SUCCESS
-        }
+        Some(text) if end.mistakes == 0 && !end.panicked => write_picture(&text, file),
         _ => ExitCode::from(2),
+    }
+}
+
+/// Writes a picture into a file, or else to standard output.
+fn write_picture(text: &str, file: Option<&str>) -> ExitCode {
+    let written = match file {
+        Some(file) => std::fs::write(file, text).map_err(|error| format!("{file} cannot be written: {error}")),
+        None => std::io::stdout().write_all(text.as_bytes()).map_err(|error| error.to_string()),
+    };
+    match written {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(problem) => {
+            eprintln!("{problem}");
+            ExitCode::from(2)
+        }
     }
 }
 
@@ -280,7 +300,7 @@ impl<'a> Case<'a> {
 
     fn svg(&mut self, output: &mut Output) -> Result<(), String> {
         let dcel = self.structure()?;
-        if let Some(picture) = output.call("svg", || picture(dcel)) {
+        if let Some(picture) = output.call("svg", || picture_of(dcel)) {
             output.line("svg");
             picture.lines().for_each(|line| output.line(line));
             output.line("end_svg");
@@ -290,7 +310,7 @@ impl<'a> Case<'a> {
 }
 
 /// Your picture of a structure, as SVG.
-fn picture(dcel: &Dcel) -> String {
+fn picture_of(dcel: &Dcel) -> String {
     let mut svg = Svg::default();
     lab::picture(dcel, &mut svg);
     svg.finish()

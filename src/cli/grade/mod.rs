@@ -137,9 +137,7 @@ fn submissions(args: &Args) -> Result<Vec<PathBuf>, Failure> {
         found.extend(inside);
     }
     match found.iter().find(|path| !path.exists()) {
-        Some(missing) => {
-            Err(Failure::input(format!("{}: is not there", missing.display()), "name a folder or a file"))
-        }
+        Some(missing) => Err(Failure::input(format!("{}: is not there", missing.display()), "name a folder or a file")),
         None => Ok(found),
     }
 }
@@ -160,7 +158,8 @@ fn secret(file: &Path) -> Result<Secret, Failure> {
 /// Reports that were written with `--report json=FILE`, one or many.
 fn stored(file: &Path) -> Result<Vec<Report>, Failure> {
     const HELP: &str = "name a file that `dcel grade … --report json=FILE` wrote";
-    let text = fs::read_to_string(file).map_err(|error| Failure::input(format!("{}: {error}", file.display()), HELP))?;
+    let text =
+        fs::read_to_string(file).map_err(|error| Failure::input(format!("{}: {error}", file.display()), HELP))?;
     let one = |text: &str| serde_json::from_str::<Report>(text).map(|report| vec![report]);
     let reports = if text.trim_start().starts_with('[') { serde_json::from_str(&text) } else { one(&text) };
     reports.map_err(|error| Failure::input(format!("{}: {error}", file.display()), HELP))

@@ -25,7 +25,8 @@ impl FromStr for Target {
     fn from_str(text: &str) -> Result<Self, String> {
         let known = || Format::ALL.map(Format::name).join(", ");
         let (name, file) = text.split_once('=').ok_or("write FORMAT=FILE, for example html=class.html")?;
-        let format = Format::by_name(name).ok_or_else(|| format!("there is no format `{name}`; there is {}", known()))?;
+        let format =
+            Format::by_name(name).ok_or_else(|| format!("there is no format `{name}`; there is {}", known()))?;
         if file.is_empty() {
             return Err("after the `=` comes the name of a file, or `-`".to_owned());
         }
@@ -72,7 +73,8 @@ impl Target {
 /// The name of a submission as part of a file's name, a different one for each.
 fn free_name(report: &Report, taken: &mut BTreeSet<String>) -> String {
     let name = report.submission.as_deref().unwrap_or("submission");
-    let plain: String = name.chars().map(|c| if c.is_alphanumeric() || "-_.@+ ".contains(c) { c } else { '_' }).collect();
+    let plain: String =
+        name.chars().map(|c| if c.is_alphanumeric() || "-_.@+ ".contains(c) { c } else { '_' }).collect();
     let plain = plain.trim_matches(['.', ' ']).to_owned();
     let plain = if plain.is_empty() { "submission".to_owned() } else { plain };
     let numbered = |i: u32| if i == 1 { plain.clone() } else { format!("{plain}-{i}") };

@@ -33,9 +33,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let labs = match (&args.from, &args.lab) {
         (Some(folder), _) => vec![Lab::read(folder).map_err(|error| Failure::input(error, "name a lab's folder"))?],
         (None, Some(name)) => vec![super::lab(name)?],
-        (None, None) => {
-            LabFiles::bundled_names().iter().map(|name| super::lab(name)).collect::<Result<Vec<_>, _>>()?
-        }
+        (None, None) => LabFiles::bundled_names().iter().map(|name| super::lab(name)).collect::<Result<Vec<_>, _>>()?,
     };
     let mut answer = Answer::Yes;
     for lab in &labs {

@@ -48,6 +48,12 @@ impl Context<'_> {
         let (Some(first), false) = (first, asked.source == Source::Hidden) else { return };
         let dumped = matches!(asked.case.steps.get(first.step + 1), Some(Step::Dump));
         let (reduced, _) = asked.case.reduced_to(first.step, dumped);
+        if first.kind == FaultKind::TimedOut {
+            // A hang costs the whole deadline each time, and would show nothing new.
+            result.script = Some(reduced.script());
+            result.replay = Some(replay(&result.name));
+            return;
+        }
         let Some(shown) = self.shown(suite, reduced, first) else {
             // It does not happen again by itself: show the case in which it did.
             result.script = Some(asked.case.script());
@@ -66,16 +72,12 @@ impl Context<'_> {
             result.picture = exchange.and_then(|exchange| picture::of(self.course, &exchange, &faults));
         }
         result.script = Some(shown.case.script());
-        result.replay = Some(format!("cargo run -q -- {}.case", result.name));
+        result.replay = Some(replay(&result.name));
     }
 
     /// The shortest case that fails like `first`, and how.
     fn shown(&self, suite: &Suite, reduced: Case, first: &Fault) -> Option<Shown> {
         let reduced = self.run(suite, vec![reduced], first).pop()?;
-        // A hang costs the whole deadline each time: what is reduced is short enough.
-        if first.kind == FaultKind::TimedOut {
-            return Some(reduced);
-        }
         Some(shrink::shrink(reduced, |case| self.course.shorter(case), |cases| self.run(suite, cases, first)))
     }
 
@@ -97,6 +99,11 @@ impl Context<'_> {
             .map(|((asked, answer), faults)| Shown { case: asked.case, answer, faults })
             .collect()
     }
+}
+
+/// The driver reads a case from a file; the script of a test is kept under the test's name.
+fn replay(test: &str) -> String {
+    format!("cargo run -q -- {test}.case")
 }
 
 fn same_kind(a: &FaultKind, b: &FaultKind) -> bool {

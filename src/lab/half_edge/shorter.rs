@@ -18,7 +18,10 @@ const CHOICES: usize = 5;
 /// Sequences with fewer calls, a smaller start or simpler words, the shortest first. Every one ends with a dump.
 pub(super) fn shorter(case: &Case) -> Vec<Case> {
     let calls: Vec<&Step> = case.steps.iter().filter(|step| matches!(step, Step::Call { .. })).collect();
-    let Some((&last, earlier)) = calls.split_last() else { return Vec::new() };
+    let Some((&last, earlier)) = calls.split_last().filter(|(_, earlier)| !earlier.is_empty()) else {
+        // One call: the cases of one call are as short as can be.
+        return Vec::new();
+    };
     let starts = starts(&case.start);
     let mut all = Vec::new();
     for chosen in choices(earlier.len()) {
@@ -48,7 +51,8 @@ fn size(case: &Case) -> (usize, usize, usize, String) {
     let calls = case.steps.iter().filter(|step| matches!(step, Step::Call { .. })).count();
     let links = script.lines().skip(1).flat_map(str::chars).filter(|&c| c == '.').count();
     let corners = match &case.start {
-        Start::Rectangle => 6,
+        // One word.
+        Start::Rectangle => 0,
         Start::Polygon(corners) => corners.len(),
         Start::Triangles(..) | Start::Table(_) => usize::MAX,
     };
@@ -66,7 +70,7 @@ fn starts(start: &Start) -> Vec<Start> {
         Start::Polygon(corners) => corners.len(),
         _ => 6,
     };
-    (3..corners).map(polygon).chain([start.clone()]).collect()
+    [Start::Rectangle].into_iter().chain((3..corners).map(polygon)).chain([start.clone()]).collect()
 }
 
 /// Which of the earlier calls to keep: every choice if they are few; else all but one, the last ones, or one.
@@ -79,6 +83,20 @@ fn choices(count: usize) -> Vec<Vec<usize>> {
     let one = (0..count).map(|i| vec![i]);
     let half = [(0..count / 2).collect(), (0..count).step_by(2).collect()];
     but_one.chain(last).chain(one).chain(half).collect()
+}
+
+/// Whether the links of a word fit each other, and lead to a half-edge.
+fn names_half_edge(word: &str) -> bool {
+    let mut links = word.split('.');
+    let first = links.next().and_then(|base| base.chars().next());
+    let end = links.try_fold(first, |kind, link| match (kind, link) {
+        (Some('h'), "next" | "prev" | "twin") => Some(Some('h')),
+        (Some('h'), "origin") => Some(Some('v')),
+        (Some('h'), "face") => Some(Some('f')),
+        (Some('v'), "outgoing") | (Some('f'), "boundary") => Some(Some('h')),
+        _ => None,
+    });
+    end == Some(Some('h'))
 }
 
 /// The same call with one of its words a link shorter, or given by number.
@@ -96,11 +114,7 @@ fn simpler(step: &Step) -> Vec<Step> {
             }
         }
         for word in words {
-            // `v0` and `f0` alone name no half-edge.
-            if !word.contains('.') && !word.starts_with('h')
-                || word.contains("h") && word.contains(".boundary") && !word.contains(".face.boundary")
-                || word.contains(".outgoing") && !word.contains(".origin.outgoing") && word.starts_with('h')
-            {
+            if !names_half_edge(&word) {
                 continue;
             }
             let mut arguments = arguments.clone();

@@ -32,7 +32,18 @@ fn fault(test: &'static str, exchange: &Exchange) -> Option<Fault> {
         CallEnd::Returned(values) => values,
         CallEnd::Panicked { message, .. } => {
             let kind = FaultKind::of_panic(end)?;
-            return fault(kind, "panic".to_owned(), format!("{call} panicked: {message}"), Vec::new());
+            let h = HalfEdgeId::new(*arguments.first()?);
+            let alone = exchange.before.is_some_and(|table| match function {
+                "destination" => table.next(h).is_none(),
+                "destination_by_next" => table.twin(h).is_none(),
+                _ => false,
+            });
+            let why = match (alone, function) {
+                (true, "destination") => "; only twins are set here, and the twin is all that it needs",
+                (true, _) => "; no twin is set here: find the destination without it",
+                _ => "",
+            };
+            return fault(kind, "panic".to_owned(), format!("{call} panicked: {message}{why}"), Vec::new());
         }
     };
     let found: Vec<u32> = values.iter().filter_map(|value| number(*value)).collect();
@@ -98,7 +109,8 @@ pub(super) fn expected(table: &Table, function: &str, argument: u32) -> Option<W
         }
         "destination" | "destination_by_next" => {
             let h = HalfEdgeId::new(argument);
-            let elements = vec![table.origin(table.twin(h)?)?.number()];
+            let end = if function == "destination" { table.twin(h)? } else { table.next(h)? };
+            let elements = vec![table.origin(end)?.number()];
             Walk { elements, element: vertex, kind: Kind::Destination(h) }
         }
         _ => return None,

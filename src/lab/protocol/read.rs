@@ -7,6 +7,7 @@ use super::answer::{Answers, Broken, CallEnd, Called, CaseAnswer, Reply, Value};
 use super::case::{Case, Step};
 use super::dump::{Dump, id};
 use crate::topology::Table;
+use std::borrow::Cow;
 use std::iter::Peekable;
 use std::sync::Arc;
 
@@ -70,7 +71,7 @@ struct Lines<'a, I: Iterator<Item = (usize, &'a [u8])>> {
 }
 
 impl<'a, I: Iterator<Item = (usize, &'a [u8])>> Lines<'a, I> {
-    fn next(&mut self) -> Option<(usize, String)> {
+    fn next(&mut self) -> Option<(usize, Cow<'a, str>)> {
         let (number, line) = self.lines.next()?;
         Some((number + 1, text(line)))
     }
@@ -157,8 +158,16 @@ impl<'a, I: Iterator<Item = (usize, &'a [u8])>> Lines<'a, I> {
     }
 
     fn svg(&mut self, number: usize, line: &str) -> Result<Option<Reply>, Broken> {
+        if line != "call svg" {
+            return Err(expected(number, "`call svg`".to_owned(), line));
+        }
+        let Some((number, line)) = self.next() else { return Ok(None) };
+        if let Some(rest) = line.strip_prefix("panicked ") {
+            let end = panicked(rest).ok_or_else(|| expected(number, "a message in quotes".to_owned(), &line))?;
+            return Ok(Some(Reply::Called(Called { arguments: Vec::new(), end })));
+        }
         if line != "svg" {
-            return Err(expected(number, "`svg`".to_owned(), line));
+            return Err(expected(number, "`svg` or `panicked`".to_owned(), &line));
         }
         let mut drawing = String::new();
         for _ in 0..SVG_LINES {
@@ -187,8 +196,8 @@ impl<'a, I: Iterator<Item = (usize, &'a [u8])>> Lines<'a, I> {
     }
 }
 
-fn text(line: &[u8]) -> String {
-    String::from_utf8_lossy(&line[..line.len().min(LINE)]).into_owned()
+fn text(line: &[u8]) -> Cow<'_, str> {
+    String::from_utf8_lossy(&line[..line.len().min(LINE)])
 }
 
 fn expected(line: usize, expected: String, found: &str) -> Broken {
