@@ -11,7 +11,7 @@ mod targets;
 
 use super::{Answer, Failure, Output, failure};
 use dcel_kit::lab::reports::Format;
-use dcel_kit::lab::{GradeOptions, Grader, Lab, Plan, Report, Secret, Verdict, grade_program};
+use dcel_kit::lab::{GradeOptions, Grader, Lab, Plan, Report, Secret, Verdict};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use lists::Lists;
 use std::fs;
@@ -68,6 +68,9 @@ pub(crate) struct Args {
     /// Exit code 1 if a submission has less than this share of the points, in percent
     #[arg(long, value_name = "PERCENT")]
     fail_under: Option<f64>,
+    /// A folder that keeps reports: equal files under an equal seed are not graded again
+    #[arg(long, value_name = "DIR")]
+    cache: Option<PathBuf>,
     /// How many are graded at the same time; without it, one for each core
     #[arg(long, value_name = "NUMBER")]
     workers: Option<NonZeroUsize>,
@@ -98,13 +101,17 @@ fn graded(args: &Args, lab: &Lab) -> Result<Vec<Report>, Failure> {
     let submissions = submissions(args)?;
     let mut plan = args.seed.map_or_else(Plan::from_environment, Plan::with_seed);
     plan.secret = args.secret.as_deref().map(secret).transpose()?;
-    let options = GradeOptions { workers: args.workers, hidden: hidden(args), ..GradeOptions::default() };
-    let grader = Grader::new(lab.files.clone(), lab.manifest.clone(), &options)
+    let options = GradeOptions {
+        workers: args.workers,
+        hidden: hidden(args),
+        cache: args.cache.clone(),
+        ..GradeOptions::default()
+    };
+    let grader = Grader::new(lab.clone(), &options)
         .map_err(|error| Failure::writing("a temporary folder", &error))?;
     let bar = bar(submissions.len());
     let mut reports: Vec<Option<Report>> = vec![None; submissions.len()];
-    grader.grade_all(&submissions, &|program| grade_program(lab, program, &plan), |i, mut report| {
-        report.seed = plan.seed;
+    grader.grade_all(&submissions, &plan, |i, report| {
         if report.verdict == Verdict::GraderFault {
             let message = report.message.as_deref().unwrap_or("see its report");
             bar.suspend(|| failure::say("grader fault", format_args!("{}: {message}", submissions[i].display())));
