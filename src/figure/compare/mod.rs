@@ -40,7 +40,6 @@ use diff::Scenery;
 use drawing::Drawing;
 use drawn::{Seen, Target};
 use error::Fault;
-use sketch::Sketch;
 use tables::Placed;
 
 /// What a comparison asks for.
@@ -143,11 +142,11 @@ impl File {
     /// This file as a reference: what it declares must be sound, and be what it draws.
     fn target(&self, options: &Options) -> Result<Target, Fault> {
         let Some(table) = &self.table else {
-            return Target::new(drawn::own(&self.drawing, options)?, options, true);
+            return Target::of_drawing(&self.drawing, options);
         };
         let contradiction = |reason: String| Fault::from(Problem::Reference { reason });
         Subdivision::from_table(table).map_err(|error| contradiction(error.to_string()))?;
-        let mut target = Target::new(Sketch::of_table(&Placed::new(table)), options, false)?;
+        let mut target = Target::of_table(&Placed::new(table), options)?;
         target.hint(&self.drawing);
         let own = target.compare(&self.drawing, options)?;
         match own.differences.first() {
@@ -217,7 +216,7 @@ fn merged(declared: Vec<Difference>, seen: Seen, notes: &mut Vec<String>) -> (La
 /// A file that declares one thing and draws another.
 fn contradiction(table: &Table, drawing: &Drawing, options: &Options) -> Option<Difference> {
     let placed = Placed::new(table);
-    let text = match Target::new(Sketch::of_table(&placed), options, false) {
+    let text = match Target::of_table(&placed, options) {
         Err(_) => "what the file declares (data-*) cannot be drawn: give every vertex data-x and data-y".to_owned(),
         Ok(target) => {
             let seen = target.compare(drawing, options).ok()?;
