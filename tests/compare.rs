@@ -432,13 +432,8 @@ fn a_file_must_draw_what_it_declares() {
     // Against a plain reference the file is compared with itself.
     let plain = Pen::new(&ship()).svg();
     assert!(judge(&plain, &reference).is_equal());
-    let mut other = ship();
-    other.join_faces(common::h(41)).unwrap();
-    let drawn = reference.clone();
-    let (data, _) = drawn.split_once("<g class=\"edges\">").unwrap();
-    assert!(data.contains("data-he"));
-    let lies = drawn.replace("data-x=\"125\"", "data-x=\"120\"");
-    assert_ne!(lies, drawn);
+    let lies = reference.replace("data-x=\"125\"", "data-x=\"120\"");
+    assert_ne!(lies, reference);
     let answer = judge(&plain, &lies);
     assert!(texts(&answer)[0].starts_with("the file does not draw what it declares (data-*): "), "{}", answer.text());
 
@@ -594,7 +589,6 @@ fn the_picture_shows_what_differs() {
     wrong.vertices[12].as_mut().unwrap().position = Some([-110.0, -60.0]);
     let answer = compare_tables(&right, &wrong, &Options::new());
     let svg = answer.figure(&FigureOptions::new("What differs").id_prefix("diff")).unwrap().to_svg();
-    std::fs::write("/tmp/cmp/diff1.svg", &svg).unwrap();
     assert!(roxmltree::Document::parse(&svg).is_ok());
     for part in ["class=\"diff miss\"", "class=\"diff extra\"", "class=\"ring\"", "class=\"thread\"", "3 differences"] {
         assert!(svg.contains(part), "{part} is not in the picture: {}", answer.text());
@@ -604,6 +598,5 @@ fn the_picture_shows_what_differs() {
     assert_eq!(svg, answer.figure(&FigureOptions::new("What differs").id_prefix("diff")).unwrap().to_svg());
     let plain = judge(&Pen::new(&ship()).svg(), &Pen::new(&other).svg());
     let svg = plain.figure(&FigureOptions::new("plain")).unwrap().to_svg();
-    std::fs::write("/tmp/cmp/diff2.svg", &svg).unwrap();
     assert!(svg.contains("class=\"diff miss\"") && !svg.contains("class=\"sh\""), "drawings have no half-edges");
 }

@@ -32,5 +32,5 @@ fn the_manifest_is_the_one_that_the_handout_promises() {
     assert_eq!(manifest.tests.len(), 18);
     assert_eq!(manifest.max_points(), 100);
     assert_eq!(manifest.test("drawing").unwrap().task, 7);
-    assert!(manifest.task(8).is_none());
+    assert!(manifest.task(9).is_none());
 }

@@ -151,7 +151,7 @@ fn order_direction_and_rotation_of_the_list_change_names_only() {
         let graph = random_plane_graph(&mut numbers, 30, 9);
         let segments: Vec<Segment> = graph.iter().map(|&s| to_segment(s, 0)).collect();
         let first = Subdivision::from_segments(&segments).unwrap();
-        let mut variants = vec![segments.clone(), segments.clone(), segments.clone()];
+        let mut variants = [segments.clone(), segments.clone(), segments.clone()];
         variants[0].rotate_left(1 + numbers.below(segments.len()));
         variants[1].iter_mut().for_each(|s| s.swap(0, 1));
         for i in (1..segments.len()).rev() {

@@ -23,6 +23,7 @@ mod lab;
 mod lesson;
 mod looks;
 mod output;
+mod picture;
 mod references;
 mod script;
 mod specimen;

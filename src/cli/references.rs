@@ -4,12 +4,13 @@ use super::Failure;
 use super::camera::film;
 use super::lesson::{self, LessonError};
 use super::specimen;
+use dcel_kit::figure::chart::ChartError;
 use dcel_kit::figure::sketch::SketchError;
 use dcel_kit::figure::{
     self, Detail, FigureError, FigureOptions, NearlyCollinear, Overrides, OverridesError, Pointers,
 };
 use dcel_kit::ids::HalfEdgeId;
-use dcel_kit::plane::Subdivision;
+use dcel_kit::plane::{CoordinateError, Subdivision};
 use dcel_kit::script::{Script, ScriptError};
 use std::path::Path;
 
@@ -26,6 +27,10 @@ pub(crate) enum ReferenceError {
     Script(#[from] ScriptError),
     #[error(transparent)]
     Sketch(#[from] SketchError),
+    #[error(transparent)]
+    Chart(#[from] ChartError),
+    #[error(transparent)]
+    Coordinate(#[from] CoordinateError),
 }
 
 /// A figure of the project, regenerated and compared by `dcel figures`.
@@ -44,6 +49,20 @@ static REFERENCES: &[Reference] = &[
         file: "cube.svg",
         about: "a half-edge structure of 8 vertices, 12 edges and 6 faces, the outer one counted",
         draw: || structure(&lesson::cube()?, "A half-edge structure"),
+    },
+    Reference {
+        file: "figure-sizes.svg",
+        about: "how much a figure shows, and how many bytes it takes for each edge, as a grid grows",
+        draw: specimen::figure_sizes,
+    },
+    Reference {
+        file: "difference.svg",
+        about: "what a comparison shows: an edge is missing, one is too much, a pointer is wrong, a vertex is elsewhere",
+        draw: || {
+            let (right, wrong) = (lesson::table(&lesson::cube()?), lesson::wrong_cube()?);
+            let options = FigureOptions::new("What differs").id_prefix("difference");
+            Ok(figure::compare::diff_figure(&right, &wrong, &options)?.to_svg())
+        },
     },
     Reference {
         file: "film-join-faces.svg",
@@ -163,6 +182,16 @@ static REFERENCES: &[Reference] = &[
         about: "what other parts of the kit draw themselves with: one layout, six panels",
         draw: specimen::vocabulary,
     },
+    Reference {
+        file: "walk.svg",
+        about: "a sketch over a structure: a straight walk from face to face",
+        draw: specimen::walk,
+    },
+    Reference {
+        file: "wrong-signs.svg",
+        about: "how many signs plain doubles get wrong near a line, over the size of the grid",
+        draw: specimen::wrong_signs,
+    },
 ];
 
 fn strip(script: &str, title: &str, prefix: &str) -> Result<String, ReferenceError> {
@@ -218,11 +247,12 @@ fn command(file: &str) -> &'static str {
             "dcel script figures/scripts/lab-04-drawing.dcels --dump\n\
              dcel figure FILE --detail edges --colours figures/scripts/lab-04-drawing.colours -o OUT.svg"
         }
+        "difference.svg" => "dcel compare EXPECTED.svg MINE.svg --diff OUT.svg",
         "focus.svg" => "dcel figure FILE --focus h5 -o OUT.svg",
         "interactive.svg" => "dcel figure FILE --interactive -o OUT.svg",
         "pointers.svg" => "dcel figure FILE --pointers all -o OUT.svg",
         "records.svg" => "dcel figure --records -o OUT.svg",
-        "robustness.svg" => "dcel figures",
+        "figure-sizes.svg" | "robustness.svg" | "vocabulary.svg" | "walk.svg" | "wrong-signs.svg" => "dcel figures",
         "states.svg" => "dcel figure FILE --width 960 -o OUT.svg",
         "tables.svg" => "dcel figure FILE --tables --highlight h5 -o OUT.svg",
         "stepper-split-face.svg" => "dcel script figures/scripts/split-face.dcels --film OUT.svg --stepper",

@@ -1,8 +1,10 @@
 //! The reference figures of the drawing vocabulary.
 
+use super::lesson;
 use super::references::ReferenceError;
-use dcel_kit::figure::FigureOptions;
-use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
+use dcel_kit::figure::chart::{Axis, Chart, Growth};
+use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
+use dcel_kit::figure::{self, Detail, FigureOptions, NearlyCollinear};
 
 /// One room with two pillars and a notch, for all panels: so that one can compare them.
 const ROOM: [[f64; 2]; 8] =
@@ -94,4 +96,76 @@ fn badges() -> Sketch {
     sketch.region(Role::Plain, [PILLAR.to_vec()]).hatched().label("pillar").key("blocked");
     sketch.text(Role::Plain, [9.0, 1.0], "text");
     sketch
+}
+
+/// The three examples of the source, and how many of the first n × n points doubles get wrong.
+pub(super) fn wrong_signs() -> Result<String, ReferenceError> {
+    let step = 0.5 * f64::EPSILON;
+    let examples = [
+        ("a", NearlyCollinear::default()),
+        ("b", NearlyCollinear::new([0.5; 2], [8.8; 2], [12.1; 2], step)?),
+        (
+            "c",
+            NearlyCollinear::new(
+                [0.500_000_000_000_025_3, 0.500_000_000_000_017_1],
+                [17.3; 2],
+                [24.000_000_000_000_05, 24.000_000_000_000_052],
+                step,
+            )?,
+        ),
+    ];
+    let mut chart = Chart::new(Axis::log("side n of the grid").unit("points"), Axis::log("wrong signs"));
+    for (name, points) in examples {
+        let counts = [8, 16, 32, 64, 128, 256].map(|n| (n as f64, points.wrong_within(n) as f64));
+        chart.series(&format!("example {name}"), counts);
+    }
+    chart.reference(Growth::Quadratic, [256.0, 65536.0]);
+    chart.reference(Growth::Linear, [8.0, 8.0]);
+    let options = FigureOptions::new("Wrong signs of plain doubles").id_prefix("wrong-signs");
+    Ok(chart.figure(&options)?.to_svg())
+}
+
+/// How many bytes a figure takes for each edge of a grid, and how much it shows. Counted, not measured: the same on
+/// every machine.
+pub(super) fn figure_sizes() -> Result<String, ReferenceError> {
+    let levels = [
+        (Detail::Full, "everything"),
+        (Detail::Arrows, "half-edges without labels"),
+        (Detail::Edges, "edges"),
+        (Detail::Tiles, "edges in tiles"),
+    ];
+    let mut samples: Vec<(Detail, [f64; 2])> = Vec::new();
+    for side in [1, 2, 3, 5, 7, 9, 11, 14, 20, 28, 40, 57, 80, 113] {
+        let grid = lesson::grid(side)?;
+        let options = FigureOptions::new("Grid").width(640.0);
+        let figure = figure::structure(&grid, &options)?;
+        let edges = grid.edge_count() as f64;
+        samples.push((figure.detail(), [edges, figure.to_svg().len() as f64 / edges]));
+    }
+    let mut chart = Chart::new(Axis::log("edges of a square grid"), Axis::log("bytes of the figure for each edge"));
+    for (level, name) in levels {
+        chart.series(name, samples.iter().filter(|sample| sample.0 == level).map(|sample| sample.1));
+    }
+    let options = FigureOptions::new("Level of detail and size of a figure").id_prefix("figure-sizes");
+    Ok(chart.figure(&options)?.to_svg())
+}
+
+/// A straight walk through a subdivision: what a point location does, over the structure it does it in.
+pub(super) fn walk() -> Result<String, ReferenceError> {
+    let cube = lesson::cube()?;
+    let mut sketch = Sketch::new();
+    let (from, to) = ([0.9, 3.6], [5.3, 2.3]);
+    sketch.ray(Role::Dimmed, from, to).dashed();
+    sketch.path(Role::Main, [from, to]).arrow().key("the way from the start to the point in question");
+    for (side, words) in [(1.8, "the first edge on the way: on to its twin's face"), (4.2, "the second edge")] {
+        let y = from[1] + (side - from[0]) * (to[1] - from[1]) / (to[0] - from[0]);
+        sketch.point(Role::Event, [side, y]).key("where it passes an edge");
+        sketch.badge(Role::Event, [side, y], words);
+    }
+    sketch.portal(Role::Secondary, [1.8, 3.9], [1.8, 2.1]).key("the edge seen on the way: left a square, right a ring");
+    sketch.portal(Role::Secondary, [4.2, 3.9], [4.2, 2.1]);
+    sketch.point(Role::Start, from).label("start");
+    sketch.point(Role::Goal, to).label("query");
+    let options = FigureOptions::new("A walk to a point").id_prefix("walk").half_edge_labels(false).width(620.0);
+    Ok(sketch.over(&cube, Backdrop::Dimmed, &options)?.to_svg())
 }

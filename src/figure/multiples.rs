@@ -7,13 +7,15 @@
 //!   └──────────────┘        └──────────────┘        └──────────────┘    FIG-p1-… FIG-p2-… FIG-p3-…
 //! ```
 
+use super::crowd::{Crowd, INK};
+use super::fit::Fit;
 use super::grid::{self, Panel};
 use super::scene::Node;
 use super::skeleton::vertices;
 use super::sketch::{self, Backdrop, Canvas, Drawing, Sketch, SketchError};
 use super::structure::{Notes, Picture};
-use super::vector::xy;
-use super::{Detail, Figure, FigureError, FigureOptions, crop, crowd};
+use super::vector::{Xy, xy};
+use super::{Detail, Figure, FigureError, FigureOptions, crop};
 use crate::plane::{PlanarView, Point};
 
 /// Width of a panel unless the caller or a structure asks for more.
@@ -121,7 +123,7 @@ impl<'a> Multiples<'a> {
             let mut drawing = Drawing::new(&panel.sketch, &canvas);
             let ink = drawing.ink();
             let (mut nodes, mut crowd) = match panel.view {
-                None => (Vec::new(), crowd::Crowd::new(fit.size)),
+                None => (Vec::new(), Crowd::new(fit.size)),
                 Some((view, backdrop)) => {
                     let survey = Picture::survey(view, options, Vec::new())?;
                     let (picture, noted) = survey.place(view, options, fit, detail);
@@ -131,7 +133,7 @@ impl<'a> Multiples<'a> {
                 }
             };
             if panel.view.is_none() {
-                ink.into_iter().for_each(|shape| crowd.add(shape, crowd::INK));
+                ink.into_iter().for_each(|shape| crowd.add(shape, INK));
             }
             nodes.extend(drawing.nodes(&mut crowd, options.style.map_text, first, &format!("{name}-")));
             nodes.push(frame(fit.size));
@@ -142,8 +144,10 @@ impl<'a> Multiples<'a> {
             drawn.push(Panel { heading, text, id: Some(name), nodes });
         }
         let columns = self.columns.unwrap_or_else(|| grid::usual_columns(drawn.len()));
+        let roles = sketch::roles(self.panels.iter().map(|panel| &panel.sketch));
         let (nodes, size) = grid::arrange(drawn, fit.size, columns);
-        let mut scene = sketch::scene(options, "dcel-multiples", (size, fit.scale), nodes, &sketch::merged(legends));
+        let mut scene =
+            sketch::scene(options, "dcel-multiples", (size, fit.scale), &roles, nodes, &sketch::merged(legends));
         if options.description.is_none() {
             let headings: Vec<&str> = self.panels.iter().map(|panel| panel.heading.as_str()).collect();
             scene.description = format!("Panels: {}. {}", headings.join("; "), scene.description);
@@ -152,13 +156,12 @@ impl<'a> Multiples<'a> {
     }
 
     /// One fit for all: that of the structure that needs most, or of the sketches if there is none.
-    fn layout(&self, points: Vec<Point>, options: &FigureOptions) -> Result<(super::fit::Fit, Detail), FigureError> {
-        let mut best: Option<(super::fit::Fit, Detail)> = None;
+    fn layout(&self, points: Vec<Point>, options: &FigureOptions) -> Result<(Fit, Detail), FigureError> {
+        let mut best: Option<(Fit, Detail)> = None;
         for (view, _) in self.panels.iter().filter_map(|panel| panel.view) {
             let (fit, detail) = Picture::survey(view, options, points.clone())?.choose(options);
-            let is_better = |(known, least): &(super::fit::Fit, Detail)| {
-                detail < *least || (detail == *least && fit.scale > known.scale)
-            };
+            let is_better =
+                |(known, least): &(Fit, Detail)| detail < *least || (detail == *least && fit.scale > known.scale);
             if best.as_ref().is_none_or(is_better) {
                 best = Some((fit, detail));
             }
@@ -168,7 +171,7 @@ impl<'a> Multiples<'a> {
 }
 
 /// A thin line round a panel.
-fn frame(size: super::vector::Xy) -> Node {
+fn frame(size: Xy) -> Node {
     let b = crop::window(size).grown(-0.5);
     let corners = vec![b.min, xy(b.max.x, b.min.y), b.max, xy(b.min.x, b.max.y)];
     Node::Area { class: "frame", hatch: None, outlines: vec![corners] }

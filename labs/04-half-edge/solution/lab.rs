@@ -5,6 +5,7 @@
 
 use crate::dcel::{Dcel, FaceId, HalfEdgeId, VertexId};
 use crate::pen::Pen;
+use crate::svg::Svg;
 
 /// Walks.
 impl Dcel {
@@ -179,9 +180,9 @@ impl Dcel {
         // STARTER:
         // STARTER: // 1. Make the vertex at the midpoint.
         // STARTER:
-        // STARTER: // 2. Make two new half-edges.
+        // STARTER: // 2. Make two new half-edges; let all four have the right origins and twins.
         // STARTER:
-        // STARTER: // 3. Set next, prev, twin, origin and face, and what the vertices refer to.
+        // STARTER: // 3. Set next, prev and face, and what the vertices refer to.
         // STARTER:
         // STARTER: // What you have written is graded step by step, also while this line still stands below it.
         // STARTER: todo!("split_in_half")
@@ -193,19 +194,20 @@ impl Dcel {
         let q = self.position(end);
         let middle = self.new_vertex((p.x + q.x) / 2.0, (p.y + q.y) / 2.0);
 
-        // 2. Make two new half-edges: the second halves of the way there and the first of the way back.
+        // 2. Make two new half-edges, the second half of the way there and the first half of the way back; let all
+        // four have the right origins and twins: `twin` now starts in the middle.
         let there = self.new_half_edge(middle);
         let back = self.new_half_edge(end);
         self.make_twin(there, back);
+        self.half_edges[twin].origin = Some(middle);
 
-        // 3. `there` follows `he`, `back` comes before `twin`, which now starts in the middle.
+        // 3. Set next, prev and face, and what the vertices refer to: `there` follows `he`, `back` precedes `twin`.
         let after = self.next(he);
         let before = self.prev(twin);
         self.make_next(there, after);
         self.make_next(he, there);
         self.make_next(before, back);
         self.make_next(back, twin);
-        self.half_edges[twin].origin = Some(middle);
         self.half_edges[there].face = Some(self.face(he));
         self.half_edges[back].face = Some(self.face(twin));
         self.vertices[middle].outgoing_half_edge = Some(there);
@@ -282,5 +284,34 @@ pub fn drawing(pen: &mut Pen) {
     halve(pen, west, 0.0, 150.0);
     halve(pen, west, -250.0, 150.0);
     line(pen, west, (-250.0, 75.0), (-125.0, 150.0));
+    // END SOLUTION
+}
+
+/// Task 8. Draws a structure: a filled polygon for each face but the outer one, a line for each edge, a dot for each
+/// vertex.
+pub fn picture(dcel: &Dcel, svg: &mut Svg) {
+    // BEGIN SOLUTION
+    // STARTER: let _ = (dcel, svg);
+    // STARTER: todo!("picture")
+    for f in 0..dcel.faces.len() {
+        if f != dcel.outer_face {
+            let mut corners = Vec::new();
+            for v in dcel.incident_vertices(f) {
+                corners.push(dcel.position(v));
+            }
+            svg.polygon(&corners);
+        }
+    }
+    for h in 0..dcel.half_edges.len() {
+        // Both sides are one edge: it is drawn once, from the side with the smaller number.
+        if h < dcel.twin(h) {
+            let from = dcel.position(dcel.origin(h));
+            let to = dcel.position(dcel.destination(h));
+            svg.line(from, to);
+        }
+    }
+    for vertex in &dcel.vertices {
+        svg.dot(vertex.pos);
+    }
     // END SOLUTION
 }

@@ -5,6 +5,7 @@
 
 use crate::dcel::{Dcel, FaceId, HalfEdgeId, VertexId};
 use crate::pen::Pen;
+use crate::svg::Svg;
 
 /// Walks.
 impl Dcel {
@@ -92,9 +93,9 @@ impl Dcel {
 
         // 1. Make the vertex at the midpoint.
 
-        // 2. Make two new half-edges.
+        // 2. Make two new half-edges; let all four have the right origins and twins.
 
-        // 3. Set next, prev, twin, origin and face, and what the vertices refer to.
+        // 3. Set next, prev and face, and what the vertices refer to.
 
         // What you have written is graded step by step, also while this line still stands below it.
         todo!("split_in_half")
@@ -105,4 +106,11 @@ impl Dcel {
 pub fn drawing(pen: &mut Pen) {
     let _ = pen;
     todo!("drawing")
+}
+
+/// Task 8. Draws a structure: a filled polygon for each face but the outer one, a line for each edge, a dot for each
+/// vertex.
+pub fn picture(dcel: &Dcel, svg: &mut Svg) {
+    let _ = (dcel, svg);
+    todo!("picture")
 }

@@ -5,7 +5,8 @@
 
 use crate::case::{Element, Line, Names, Unresolved, lines};
 use crate::dcel::{Dcel, FaceId, HalfEdgeId, VertexId};
-use crate::{lab, pen, print, start, svg};
+use crate::svg::Svg;
+use crate::{lab, pen, print, start};
 use std::io::{IsTerminal, Read, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
@@ -38,7 +39,7 @@ pub fn main() -> ExitCode {
     if !picture_wanted {
         return if end.mistakes == 0 { ExitCode::SUCCESS } else { ExitCode::from(2) };
     }
-    let drawn = end.structure.and_then(|dcel| output.call("svg", || svg::picture(&dcel)));
+    let drawn = end.structure.and_then(|dcel| output.call("svg", || picture(&dcel)));
     output.flush();
     match drawn {
         Some(picture) if end.mistakes == 0 && !end.panicked => {
@@ -279,13 +280,20 @@ impl<'a> Case<'a> {
 
     fn svg(&mut self, output: &mut Output) -> Result<(), String> {
         let dcel = self.structure()?;
-        if let Some(picture) = output.call("svg", || svg::picture(dcel)) {
+        if let Some(picture) = output.call("svg", || picture(dcel)) {
             output.line("svg");
             picture.lines().for_each(|line| output.line(line));
             output.line("end_svg");
         }
         Ok(())
     }
+}
+
+/// Your picture of a structure, as SVG.
+fn picture(dcel: &Dcel) -> String {
+    let mut svg = Svg::default();
+    lab::picture(dcel, &mut svg);
+    svg.finish()
 }
 
 fn not_understood(first: &str, line: &str) -> String {

@@ -31,7 +31,9 @@ pub(super) fn read(document: &Document<'_>) -> Result<Option<Table>, Fault> {
         return Ok(None);
     }
     let mut reader = Reader { text: document.input_text(), ..Reader::default() };
-    for node in document.descendants().filter(|&node| is_half_edge(node) || has(node, &OTHERS)) {
+    // The root says data-y="up".
+    let elements = document.root_element().descendants().skip(1);
+    for node in elements.filter(|&node| is_half_edge(node) || has(node, &OTHERS)) {
         let id = node.attribute("id").unwrap_or("");
         let name = last(id);
         match name.as_bytes().first() {

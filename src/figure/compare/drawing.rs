@@ -186,11 +186,14 @@ impl<'a, 'i> Reader<'a, 'i> {
 
     /// Whether the element can hold lines, dots or areas to be read. Counts those that draw something else.
     fn is_drawn(&mut self, node: Node<'a, 'i>, name: &str) -> bool {
-        let decoration = ["he", "ptr", "hatched", "leader", "root"];
+        let decoration = ["he", "ptr", "hatched"];
         let classes = || node.attribute("class").unwrap_or("").split_whitespace();
         match name {
             "svg" | "g" | "a" | "use" | "line" | "polyline" | "polygon" | "path" | "rect" | "circle" | "ellipse" => {
-                !self.kit || !(declared::is_half_edge(node) || classes().any(|class| decoration.contains(&class)))
+                // The labels outside of their faces have lines and dots of their own.
+                let is_label = node.attribute("id").is_some_and(|id| id.ends_with("-label"));
+                let decorates = is_label || classes().any(|class| decoration.contains(&class));
+                !(self.kit && (decorates || declared::is_half_edge(node)))
             }
             "title" | "desc" | "metadata" | "defs" | "style" | "text" | "symbol" | "clipPath" | "mask" | "pattern"
             | "marker" | "linearGradient" | "radialGradient" | "filter" | "view" => false,

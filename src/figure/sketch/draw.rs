@@ -298,8 +298,7 @@ fn beside(run: &[Xy], half_width: f64) -> Vec<Anchor> {
 
 /// The border of rings as lines, without what lies on the frame.
 fn outlines(rings: &[Vec<Xy>], frame: &Bounds) -> Vec<Vec<Xy>> {
-    // Cuts take over the coordinates of the frame, so equality is exact.
-    let same = |a: f64, b: f64, side: f64| a.total_cmp(&side).is_eq() && b.total_cmp(&side).is_eq();
+    let same = |a: f64, b: f64, side: f64| (a - side).abs() < 1e-6 && (b - side).abs() < 1e-6;
     let on_frame = |a: Xy, b: Xy| {
         same(a.x, b.x, frame.min.x)
             || same(a.x, b.x, frame.max.x)

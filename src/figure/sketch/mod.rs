@@ -28,12 +28,12 @@
 //! points and words; within a kind, what was added first. Labels and badges look for places where they cover
 //! neither each other nor a line or a mark; what finds none is in the [notes](super::Figure::notes).
 
-mod clip;
+pub(in crate::figure) mod clip;
 mod draw;
 mod glyph;
 mod item;
 mod legend;
-mod places;
+pub(in crate::figure) mod places;
 mod role;
 mod round;
 mod sheet;
@@ -46,7 +46,8 @@ pub use sheet::Backdrop;
 
 pub(in crate::figure) use draw::Canvas;
 pub(in crate::figure) use legend::merged;
-pub(in crate::figure) use sheet::{Below, Drawing, check, extent, lone_fit, scene};
+pub(in crate::figure) use role::css;
+pub(in crate::figure) use sheet::{Below, Drawing, check, extent, lone_fit, roles, scene};
 
 use super::FigureError;
 use crate::plane::{CoordinateError, Point};

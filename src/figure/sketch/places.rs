@@ -35,26 +35,26 @@ const COMPASS: [(f64, f64); 12] = [
 
 /// A point beside which words may stand.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) struct Anchor {
-    pub(super) at: Xy,
+pub(in crate::figure) struct Anchor {
+    pub(in crate::figure) at: Xy,
     /// How far its own ink reaches.
-    pub(super) clear: f64,
+    pub(in crate::figure) clear: f64,
     /// In which directions; none: on the point itself.
-    pub(super) ways: Vec<Xy>,
+    pub(in crate::figure) ways: Vec<Xy>,
     /// Whether it is a point, past which words may run, and not a line.
-    pub(super) is_point: bool,
+    pub(in crate::figure) is_point: bool,
 }
 
 impl Anchor {
-    pub(super) fn centred(at: Xy) -> Self {
+    pub(in crate::figure) fn centred(at: Xy) -> Self {
         Self { at, clear: 0.0, ways: Vec::new(), is_point: true }
     }
 
-    pub(super) fn round(at: Xy, clear: f64) -> Self {
+    pub(in crate::figure) fn round(at: Xy, clear: f64) -> Self {
         Self { at, clear, ways: COMPASS.map(|(x, y)| xy(x, y)).to_vec(), is_point: true }
     }
 
-    pub(super) fn beside(at: Xy, clear: f64, ways: Vec<Xy>) -> Self {
+    pub(in crate::figure) fn beside(at: Xy, clear: f64, ways: Vec<Xy>) -> Self {
         Self { at, clear, ways, is_point: false }
     }
 
@@ -72,13 +72,13 @@ impl Anchor {
 
 /// Where something has found room.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Place {
-    pub(super) at: Xy,
-    pub(super) tie: Option<(Xy, Xy)>,
+pub(in crate::figure) struct Place {
+    pub(in crate::figure) at: Xy,
+    pub(in crate::figure) tie: Option<(Xy, Xy)>,
 }
 
 /// The first free place for a box of this half size, which the crowd then knows.
-pub(super) fn find(anchors: &[Anchor], half: Xy, frame: &Bounds, crowd: &mut Crowd) -> Option<Place> {
+pub(in crate::figure) fn find(anchors: &[Anchor], half: Xy, frame: &Bounds, crowd: &mut Crowd) -> Option<Place> {
     let room = frame.grown(-1.0);
     let centred =
         anchors.iter().filter(|anchor| anchor.ways.is_empty()).map(|anchor| Place { at: anchor.at, tie: None });
@@ -110,7 +110,7 @@ pub(super) fn find(anchors: &[Anchor], half: Xy, frame: &Bounds, crowd: &mut Cro
 }
 
 /// A label in one line, if there is room.
-pub(super) fn label(
+pub(in crate::figure) fn label(
     words: &str,
     size: f64,
     anchors: &[Anchor],
@@ -129,7 +129,12 @@ pub(super) fn label(
 const BADGE: f64 = 9.0;
 
 /// A numbered disc, if there is room.
-pub(super) fn badge(number: usize, anchors: &[Anchor], frame: &Bounds, crowd: &mut Crowd) -> Option<Vec<Node>> {
+pub(in crate::figure) fn badge(
+    number: usize,
+    anchors: &[Anchor],
+    frame: &Bounds,
+    crowd: &mut Crowd,
+) -> Option<Vec<Node>> {
     let place = find(anchors, xy(BADGE + 0.5, BADGE + 0.5), frame, crowd)?;
     let mut nodes: Vec<Node> = place.tie.map(|(from, to)| Node::Line { class: "tie", from, to }).into_iter().collect();
     nodes.extend(badge_at(number, place.at));
@@ -137,7 +142,7 @@ pub(super) fn badge(number: usize, anchors: &[Anchor], frame: &Bounds, crowd: &m
 }
 
 /// The disc and its number.
-pub(super) fn badge_at(number: usize, at: Xy) -> [Node; 2] {
+pub(in crate::figure) fn badge_at(number: usize, at: Xy) -> [Node; 2] {
     let text = number.to_string();
     let size = [11.0, 10.0, 7.5][(text.len() - 1).min(2)];
     [Node::Disc { class: "gl", centre: at, radius: BADGE }, Node::Text { class: "bn", at, size, text }]

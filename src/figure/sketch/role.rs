@@ -159,7 +159,10 @@ pub(in crate::figure) fn css(options: &FigureOptions, roles: &[Role]) -> String 
     fixed(".tie", "fill:none;stroke-width:1");
     fixed(".frame", "fill:none;stroke-width:1");
     fixed(".tx", &format!("{halo};stroke-width:.3em"));
+    fixed(".start", "text-anchor:start");
     fixed(".bn", "font-weight:700");
+    fixed(".grid", "stroke-width:.6");
+    fixed(".axis", "fill:none;stroke-width:1.2;stroke-linecap:square");
     fixed(".ct", "font-weight:700;text-anchor:start");
     fixed(".cs", "text-anchor:start");
     fixed(".ce", "text-anchor:end");

@@ -19,6 +19,7 @@ use crate::figure::structure::{MARGIN, Notes, Picture, check_coordinate};
 use crate::figure::vector::{Bounds, Xy, xy};
 use crate::figure::{Detail, Figure, FigureOptions, number};
 use crate::plane::{PlanarView, Point};
+use std::collections::BTreeSet;
 
 /// Width of a legend beside the picture.
 const BESIDE: f64 = 300.0;
@@ -63,6 +64,12 @@ pub(in crate::figure) fn check(sketch: &Sketch) -> Result<(), SketchError> {
         }
     }
     Ok(())
+}
+
+/// The roles that occur, in their order.
+pub(in crate::figure) fn roles<'a>(sketches: impl IntoIterator<Item = &'a Sketch>) -> Vec<Role> {
+    let all: BTreeSet<Role> = sketches.into_iter().flat_map(|sketch| sketch.items.iter().map(Item::role)).collect();
+    all.into_iter().collect()
 }
 
 /// The points that the picture must hold.
@@ -185,6 +192,7 @@ pub(in crate::figure) fn scene(
     options: &FigureOptions,
     kind: &str,
     canvas: (Xy, f64),
+    roles: &[Role],
     nodes: Vec<Node>,
     legend: &[Entry],
 ) -> Scene {
@@ -196,7 +204,7 @@ pub(in crate::figure) fn scene(
         size,
         unit: options.unit,
         plain: options.plain,
-        css: role::css(options, &Role::ALL),
+        css: role::css(options, roles),
         prefix: options.prefix(),
         title: options.title.clone(),
         description: options.description.clone().unwrap_or(about),
@@ -249,7 +257,7 @@ impl Sketch {
         let mut crowd = Crowd::new(fit.size);
         drawing.ink().into_iter().for_each(|shape| crowd.add(shape, INK));
         let nodes = drawing.nodes(&mut crowd, options.style.map_text, 1, "");
-        let scene = scene(options, "dcel-sketch", (fit.size, fit.scale), nodes, &self.legend(1));
+        let scene = scene(options, "dcel-sketch", (fit.size, fit.scale), &roles([self]), nodes, &self.legend(1));
         Ok(Figure { scene, detail, notes: drawing.notes.0 })
     }
 
@@ -289,7 +297,7 @@ impl Sketch {
         let nodes = drawing.nodes(&mut crowd, options.style.map_text, 1, "");
         scene.nodes = backdrop.wrap(below.nodes);
         scene.nodes.extend(nodes);
-        scene.css = role::css(options, &Role::ALL);
+        scene.css = role::css(options, &roles([self]));
         scene.attributes[0].1 = "dcel-over".to_owned();
         let legend = self.legend(1);
         if options.description.is_none() && !legend.is_empty() {

@@ -90,8 +90,8 @@ impl Crossing {
     pub(super) fn rounded(&self) -> (Point, f64) {
         let Exact { x, y, w } = self.exact();
         let divide = |part: &Expansion, bounds: Interval| {
-            if bounds.low == bounds.high {
-                return (bounds.low, 0.0);
+            if let Some(known) = bounds.only() {
+                return (known, 0.0);
             }
             let rest = |q: f64| part.clone().minus(&Expansion::of(q).times(w)).estimate() / w.estimate();
             let first = part.estimate() / w.estimate();

@@ -22,6 +22,11 @@ impl Interval {
         Self { low: low.next_down(), high: high.next_up() }
     }
 
+    /// The number, if it is known exactly.
+    pub(super) fn only(self) -> Option<f64> {
+        (self.low >= self.high).then_some(self.low)
+    }
+
     /// The sign, if it is certain.
     pub(super) fn sign(self) -> Option<Ordering> {
         if self.low > 0.0 {
@@ -41,10 +46,8 @@ impl Interval {
             Some(Ordering::Less)
         } else if self.low > other.high {
             Some(Ordering::Greater)
-        } else if self.low == other.high && self.high == other.low {
-            Some(Ordering::Equal)
         } else {
-            None
+            (self.only().is_some() && self.low >= other.high && self.high <= other.low).then_some(Ordering::Equal)
         }
     }
 

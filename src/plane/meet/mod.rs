@@ -167,9 +167,9 @@ impl Sweep<'_> {
         while let Some(edge) = self.status.get(at).filter(|&edge| self.side(edge, spot).is_eq()) {
             let ends_here = matches!(spot, Spot::Vertex(v) if self.edges[edge as usize][1] == *v);
             if ends_here {
-                ending.push(edge)
+                ending.push(edge);
             } else {
-                through.push(edge)
+                through.push(edge);
             }
             self.status.remove(&mut at);
         }

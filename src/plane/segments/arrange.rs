@@ -77,7 +77,7 @@ fn without_length(count: usize, is_point: impl Fn(usize) -> bool, at: impl Fn(us
 pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arranged, SegmentsError> {
     let mut repeated = Vec::new();
     let Single { edges, half } = Single::new(&input.long, |second, first| {
-        repeated.push((input.name(second as usize), input.name(first as usize)))
+        repeated.push((input.name(second as usize), input.name(first as usize)));
     });
     if !(options.merge || options.split) {
         input.faults.extend(input.zero.iter().map(|&(segment, at)| SegmentFault::ZeroLength { segment, at }));
