@@ -7,7 +7,7 @@ mod shell;
 use shell::{Folder, SQUARE, TRIANGLE, grid};
 use std::process::Stdio;
 
-const COMMANDS: [&str; 6] = ["info", "validate", "walk", "convert", "figure", "completions"];
+const COMMANDS: [&str; 7] = ["info", "validate", "walk", "compare", "convert", "figure", "completions"];
 
 #[test]
 fn wrong_calls_and_bad_files_give_2() {
@@ -173,6 +173,8 @@ fn the_examples_of_the_help_run() {
     std::fs::create_dir_all(folder.path("figures/data")).expect("a folder");
     let map = "figures/data/states-albers-10m.json";
     std::fs::copy(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(map), folder.path(map)).expect("the map");
+    folder.dcel("figure square.obj -o expected.svg").fine();
+    std::fs::copy(folder.path("expected.svg"), folder.path("mine.svg")).expect("a drawing");
     let mut count = 0;
     for command in COMMANDS.into_iter().chain([""]) {
         for example in examples(&folder.dcel(&format!("{command} --help")).fine()) {

@@ -24,18 +24,23 @@ const LONGEST: u64 = 64 << 20;
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 What is read:
-  edges     <line>, <polyline>, <polygon>, <rect>, and <path> with M L H V Z, if they have a stroke;
-            a line through several vertices is several edges
+  edges     <line>, <polyline>, <polygon>, <rect>, and <path>
+            with M L H V Z, if they have a stroke; a line
+            through several vertices is several edges
   vertices  <circle>
-  faces     filled <polygon>, <path>, <rect>: the corners of a bounded face, counter-clockwise
-  around    <g>, <use>, transform, viewBox, style attributes and simple style sheets
-Texts, curves, a <rect> that covers the canvas, and what is not displayed are passed over. y points
-down in SVG: draw y as height - y. Write two decimals or more. Drawing an edge twice is no fault.
+  faces     filled <polygon>, <path>, <rect>: the corners of a
+            bounded face, counter-clockwise
+  around    <g>, <use>, transform, style attributes, simple
+            style sheets
+Texts, curves, a <rect> that covers the canvas, and what is not
+displayed are passed over. y points down in SVG: draw y as
+height - y, with two decimals or more. An edge may be drawn twice.
 
 The least that a program has to write:
-  <svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 600 400\">
-  <polygon points=\"62,338 538,338 538,62\" fill=\"#e8f0ff\"/>
-  <line x1=\"62\" y1=\"338\" x2=\"538\" y2=\"338\" stroke=\"black\"/>
+  <svg xmlns=\"http://www.w3.org/2000/svg\">
+  <polygon points=\"62,338 538,338 538,62\" fill=\"pink\"/>
+  <line x1=\"62\" y1=\"338\" x2=\"538\" y2=\"338\"
+        stroke=\"black\"/>
   <circle cx=\"62\" cy=\"338\" r=\"4\"/>
   </svg>
 

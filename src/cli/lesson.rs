@@ -1,9 +1,11 @@
 //! The structures that the tour and the reference figures show.
 
-use dcel_kit::ids::{FaceId, HalfEdgeId, VertexId};
+use dcel_kit::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use dcel_kit::io::{Document, Format, ReadError, ReadOptions, read_bytes};
-use dcel_kit::plane::{ConvertError, ConvertOptions, Point, SplitEdgeError, SplitFaceError, Subdivision};
-use dcel_kit::topology::PolygonList;
+use dcel_kit::plane::{
+    ConvertError, ConvertOptions, JoinFacesError, Point, SplitEdgeError, SplitFaceError, Subdivision,
+};
+use dcel_kit::topology::{PolygonList, Table};
 use std::collections::BTreeSet;
 
 /// Why a lesson's structure cannot be built. None of this depends on the user's input.
@@ -17,6 +19,8 @@ pub(crate) enum LessonError {
     Convert(#[from] ConvertError),
     #[error(transparent)]
     Read(#[from] ReadError),
+    #[error(transparent)]
+    JoinFaces(#[from] JoinFacesError),
     #[error("the map holds no polygons")]
     NoPolygons,
 }
@@ -72,6 +76,44 @@ pub(crate) fn cube() -> Result<Subdivision, LessonError> {
         faces.push_face(&face);
     }
     Ok(Subdivision::from_polygons(points.map(Point::from).to_vec(), &faces)?)
+}
+
+/// A subdivision as a table with positions.
+pub(crate) fn table(plane: &Subdivision) -> Table {
+    let mut table = Table::from_view(plane);
+    for v in plane.vertices() {
+        if let Some(row) = &mut table.vertices[v.index()] {
+            let p = plane.point(v);
+            row.position = Some([p.x, p.y]);
+        }
+    }
+    table
+}
+
+/// The cube as somebody might hand it in: the edge v5-v6 is missing, v5-v7 is too much, the half-edge from v4 to v0
+/// goes back on its own twin, and v2 has slipped.
+pub(crate) fn wrong_cube() -> Result<Table, LessonError> {
+    let mut cube = cube()?;
+    let between = |plane: &Subdivision, from: u32, to: u32| {
+        let ends = [from, to].map(VertexId::new);
+        plane.edges().flat_map(EdgeId::half_edges).find(|&h| [plane.origin(h), plane.destination(h)] == ends)
+    };
+    if let Some(h) = between(&cube, 5, 6) {
+        cube.join_faces(h)?;
+    }
+    if let (Some(before), Some(after)) = (between(&cube, 4, 5), between(&cube, 6, 7)) {
+        cube.split_face(cube.next(before), cube.next(after))?;
+    }
+    let mut table = table(&cube);
+    if let Some(h) = between(&cube, 4, 0)
+        && let Some(row) = &mut table.half_edges[h.index()]
+    {
+        row.next = row.twin;
+    }
+    if let Some(row) = &mut table.vertices[2] {
+        row.position = Some([6.25, 6.25]);
+    }
+    Ok(table)
 }
 
 /// A square grid of `side` times `side` faces.

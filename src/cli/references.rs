@@ -55,6 +55,15 @@ static REFERENCES: &[Reference] = &[
         draw: specimen::figure_sizes,
     },
     Reference {
+        file: "difference.svg",
+        about: "what a comparison shows: an edge is missing, one is too much, a pointer is wrong, a vertex is elsewhere",
+        draw: || {
+            let (right, wrong) = (lesson::table(&lesson::cube()?), lesson::wrong_cube()?);
+            let options = FigureOptions::new("What differs").id_prefix("difference");
+            Ok(figure::compare::diff_figure(&right, &wrong, &options)?.to_svg())
+        },
+    },
+    Reference {
         file: "film-join-faces.svg",
         about: "join_faces step by step: the inverse of split_face",
         draw: || strip(include_str!("../../figures/scripts/join-faces.dcels"), "A film of join_faces", "join-faces"),
@@ -234,6 +243,7 @@ fn command(file: &str) -> &'static str {
             "dcel script figures/scripts/lab-04-drawing.dcels --dump\n\
              dcel figure FILE --detail edges --colours figures/scripts/lab-04-drawing.colours -o OUT.svg"
         }
+        "difference.svg" => "dcel compare EXPECTED.svg MINE.svg --diff OUT.svg",
         "focus.svg" => "dcel figure FILE --focus h5 -o OUT.svg",
         "interactive.svg" => "dcel figure FILE --interactive -o OUT.svg",
         "pointers.svg" => "dcel figure FILE --pointers all -o OUT.svg",

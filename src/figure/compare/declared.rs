@@ -12,6 +12,7 @@
 use super::error::{Fault, Problem, place, quoted};
 use super::numbers;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::plane::Point;
 use crate::topology::{FaceRow, HalfEdgeRow, Ring, Table, VertexRow};
 use roxmltree::{Document, Node};
 use std::str::FromStr;
@@ -26,22 +27,42 @@ const OTHERS: [&str; 7] = ["data-x", "data-y", "data-he", "data-rings", "data-ou
 /// The table that a document declares, if it declares half-edges.
 pub(super) fn read(document: &Document<'_>) -> Result<Option<Table>, Fault> {
     let has = |node: Node<'_, '_>, keys: &[&str]| keys.iter().any(|&key| node.has_attribute(key));
-    if !document.descendants().any(|node| has(node, &POINTERS)) {
+    if !document.descendants().any(is_half_edge) {
         return Ok(None);
     }
     let mut reader = Reader { text: document.input_text(), ..Reader::default() };
-    for node in document.descendants().filter(|&node| has(node, &POINTERS) || has(node, &OTHERS)) {
+    // The root says data-y="up".
+    let elements = document.root_element().descendants().skip(1);
+    for node in elements.filter(|&node| is_half_edge(node) || has(node, &OTHERS)) {
         let id = node.attribute("id").unwrap_or("");
         let name = last(id);
         match name.as_bytes().first() {
             Some(b'v') => reader.vertex(node, name)?,
             Some(b'h') => reader.half_edge(node, name)?,
             Some(b'f') => reader.face(node, name)?,
-            _ if has(node, &POINTERS) => return Err(word(node, "id", id, "name of a half-edge such as h5")),
+            _ if is_half_edge(node) => return Err(word(node, "id", id, "name of a half-edge such as h5")),
             _ => {}
         }
     }
     Ok(Some(reader.table))
+}
+
+/// Whether an element declares a half-edge.
+pub(super) fn is_half_edge(node: Node<'_, '_>) -> bool {
+    POINTERS.iter().any(|&key| node.has_attribute(key))
+}
+
+/// The vertex that an element declares, with its place in the model.
+pub(super) fn vertex(node: Node<'_, '_>) -> Option<(String, Point)> {
+    let name = node.attribute("id").map(last).filter(|name| name.starts_with('v'))?;
+    let [x, y] = ["data-x", "data-y"].map(|key| numbers::length(node.attribute(key)?));
+    Some((name.to_owned(), Point::new(x?, y?)))
+}
+
+/// The name of the face that an element declares, or nothing.
+pub(super) fn face_name(node: Node<'_, '_>) -> String {
+    let name = node.attribute("id").map(last).filter(|name| name.parse::<FaceId>().is_ok());
+    name.map_or_else(String::new, str::to_owned)
 }
 
 #[derive(Default)]

@@ -75,19 +75,26 @@ impl Comparison {
     fn on(&self, table: &Table, plate: &Plate<'_, Table>) -> Figure {
         let layout = plate.picture.view;
         let listed = &self.differences[..self.differences.len().min(LISTED)];
-        let mut sheet = Sheet { plate, layout, crowd: plate.crowd.clone(), notes: Notes::default(), out: Vec::new() };
+        let mut sheet = Sheet {
+            plate,
+            layout,
+            crowd: plate.crowd.clone(),
+            notes: Notes::default(),
+            under: Vec::new(),
+            over: Vec::new(),
+        };
         let look = look(table, layout, &self.differences, plate);
-        sheet.block_middles();
         for difference in &self.differences {
             sheet.draw(difference);
         }
-        let arrows = std::mem::take(&mut sheet.out);
+        let over = std::mem::take(&mut sheet.over);
         for (i, difference) in listed.iter().enumerate() {
             sheet.badge(i + 1, difference);
         }
-        let mut nodes = plate.nodes(layout, &look, Vec::new());
-        nodes.extend(arrows);
-        nodes.append(&mut sheet.out);
+        let under = std::mem::take(&mut sheet.under);
+        let mut nodes = plate.nodes(layout, &look, under);
+        nodes.extend(over);
+        nodes.append(&mut sheet.over);
         let mut scene = plate.picture.scene(nodes);
         let left = scene.size.x + 14.0;
         let height = self.list(left, &mut scene.nodes);
@@ -221,19 +228,15 @@ struct Sheet<'a, 'p> {
     layout: &'a Table,
     crowd: Crowd,
     notes: Notes,
-    out: Vec<Node>,
+    /// Lines and arrows, below the vertices.
+    under: Vec<Node>,
+    /// Rings, discs and badges, above all.
+    over: Vec<Node>,
 }
 
 impl Sheet<'_, '_> {
     fn place(&self, p: Point) -> Xy {
         self.plate.picture.fit.place(p)
-    }
-
-    /// Badges keep clear of the middles of the shafts' labels only as far as the crowd knows them.
-    fn block_middles(&mut self) {
-        for label in self.plate.labels.faces.iter().flatten() {
-            self.crowd.add(Shape::Box(label.bounds()), u32::MAX);
-        }
     }
 
     fn draw(&mut self, difference: &Difference) {
@@ -242,7 +245,7 @@ impl Sheet<'_, '_> {
             Spot::ExtraVertex(p) => self.disc(*p),
             Spot::Moved(from, to) => {
                 let ends = [*from, *to].map(|p| self.place(p));
-                self.out.push(marked("extra", vec![Node::Line { class: "thread", from: ends[0], to: ends[1] }]));
+                self.under.push(marked("extra", vec![Node::Line { class: "thread", from: ends[0], to: ends[1] }]));
                 self.ring("miss", *from);
                 self.disc(*to);
             }
@@ -253,7 +256,7 @@ impl Sheet<'_, '_> {
                 let outline: Vec<Xy> = points.iter().map(|&p| self.place(p)).collect();
                 let steps = outline.iter().skip(1).chain(outline.first()).map(|&p| Step::Line(p)).collect();
                 if let Some(&start) = outline.first() {
-                    self.out.push(marked("miss", vec![Node::Curve { class: "outline", start, steps }]));
+                    self.under.push(marked("miss", vec![Node::Curve { class: "outline", start, steps }]));
                 }
             }
             Spot::Nowhere => {}
@@ -263,18 +266,18 @@ impl Sheet<'_, '_> {
     fn ring(&mut self, mark: &'static str, p: Point) {
         let centre = self.place(p);
         self.crowd.add(Shape::Disc(centre, 11.0), u32::MAX);
-        self.out.push(marked(mark, vec![Node::Disc { class: "ring", centre, radius: 11.0 }]));
+        self.over.push(marked(mark, vec![Node::Disc { class: "ring", centre, radius: 11.0 }]));
     }
 
     fn disc(&mut self, p: Point) {
         let centre = self.place(p);
         self.crowd.add(Shape::Disc(centre, 5.5), u32::MAX);
-        self.out.push(marked("extra", vec![Node::Disc { class: "disc", centre, radius: 5.5 }]));
+        self.over.push(marked("extra", vec![Node::Disc { class: "disc", centre, radius: 5.5 }]));
     }
 
     fn line(&mut self, mark: &'static str, ends: [Point; 2]) {
         let [from, to] = ends.map(|p| self.place(p));
-        self.out.push(marked(mark, vec![Node::Line { class: "dl", from, to }]));
+        self.under.push(marked(mark, vec![Node::Line { class: "dl", from, to }]));
     }
 
     /// The arrow as it should be, and as it is.
@@ -311,7 +314,7 @@ impl Sheet<'_, '_> {
             let Some(pointer) = pointer else { continue };
             let Some(tagged) = self.plate.arrow(view, pointer, 0.5, &mut self.crowd) else { continue };
             tagged.arrow.shapes().into_iter().for_each(|shape| self.crowd.add(shape, u32::MAX));
-            self.out.push(marked(mark, tagged.arrow.nodes("pl", "ph").to_vec()));
+            self.under.push(marked(mark, tagged.arrow.nodes("pl", "ph").to_vec()));
         }
     }
 
@@ -327,7 +330,7 @@ impl Sheet<'_, '_> {
         let free = |at: &&Xy| inside.contains(&bounds(**at)) && self.crowd.blocker(&bounds(**at).grown(1.0)).is_none();
         let at = places.iter().find(free).copied().unwrap_or(anchor);
         self.crowd.add(Shape::Disc(at, BADGE), u32::MAX);
-        self.out.extend(badge(at, number, colour(&difference.spot)));
+        self.over.extend(badge(at, number, colour(&difference.spot)));
     }
 
     /// Where a badge should stand.

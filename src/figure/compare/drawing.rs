@@ -13,7 +13,7 @@ use super::error::{Fault, Problem, quoted};
 use super::ink::{Hidden, Ink};
 use super::markup::is_svg;
 use super::transform::Transform;
-use super::{numbers, path};
+use super::{declared, numbers, path};
 use crate::figure::selectors::{Rule, Tag, rules};
 use crate::plane::Point;
 use roxmltree::{Document, Node};
@@ -33,19 +33,18 @@ const CSS: usize = 1 << 18;
 const FAR: f64 = 1e9;
 
 /// A circle's middle.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub(super) struct Dot {
     pub(super) at: Point,
-    /// Byte of its element.
-    pub(super) offset: usize,
     pub(super) hidden: Option<Hidden>,
+    /// The vertex that the group round the circle declares: its name and its place in the model.
+    pub(super) vertex: Option<(String, Point)>,
 }
 
 /// A straight line.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Line {
     pub(super) ends: [Point; 2],
-    pub(super) offset: usize,
     pub(super) hidden: Option<Hidden>,
 }
 
@@ -53,6 +52,8 @@ pub(super) struct Line {
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Outline {
     pub(super) points: Vec<Point>,
+    /// The face that the group round it declares, or nothing.
+    pub(super) name: String,
 }
 
 /// All that is drawn.
@@ -185,11 +186,14 @@ impl<'a, 'i> Reader<'a, 'i> {
 
     /// Whether the element can hold lines, dots or areas to be read. Counts those that draw something else.
     fn is_drawn(&mut self, node: Node<'a, 'i>, name: &str) -> bool {
-        let decoration = ["he", "ptr", "hatched", "leader", "root"];
+        let decoration = ["he", "ptr", "hatched"];
         let classes = || node.attribute("class").unwrap_or("").split_whitespace();
         match name {
             "svg" | "g" | "a" | "use" | "line" | "polyline" | "polygon" | "path" | "rect" | "circle" | "ellipse" => {
-                !self.kit || !classes().any(|class| decoration.contains(&class))
+                // The labels outside of their faces have lines and dots of their own.
+                let is_label = node.attribute("id").is_some_and(|id| id.ends_with("-label"));
+                let decorates = is_label || classes().any(|class| decoration.contains(&class));
+                !(self.kit && (decorates || declared::is_half_edge(node)))
             }
             "title" | "desc" | "metadata" | "defs" | "style" | "text" | "symbol" | "clipPath" | "mask" | "pattern"
             | "marker" | "linearGradient" | "radialGradient" | "filter" | "view" => false,
@@ -236,7 +240,8 @@ impl<'a, 'i> Reader<'a, 'i> {
         let at = self.place(transform, centre, offset, "circle")?;
         let fill = ink.hidden_fill(self.paper);
         let hidden = ink.hidden_stroke(self.paper).and(fill);
-        self.out.dots.push(Dot { at, offset, hidden });
+        let vertex = node.parent().and_then(declared::vertex);
+        self.out.dots.push(Dot { at, hidden, vertex });
         Ok(())
     }
 
@@ -256,7 +261,7 @@ impl<'a, 'i> Reader<'a, 'i> {
                 (read, "path")
             }
         };
-        let fills = ink.fills() && name != "line";
+        let fills = ink.fills() && what != "line";
         let hidden = ink.hidden_stroke(self.paper);
         let is_mark = self.kit && node.attribute("class") == Some("dots");
         self.points += paths.iter().map(|path| path.points.len()).sum::<usize>();
@@ -268,37 +273,32 @@ impl<'a, 'i> Reader<'a, 'i> {
             for &(p, curved) in &path.points {
                 points.push((self.place(transform, p, offset, what)?, curved));
             }
-            self.trace(&points, path.closed, offset, hidden, fills && hidden.is_some(), is_mark);
+            if is_mark {
+                self.out.dots.extend(points.first().map(|&(at, _)| Dot { at, hidden, vertex: None }));
+                continue;
+            }
+            if what == "line" || !ink.paints() || hidden.is_none() {
+                self.trace(&points, path.closed, hidden);
+            }
             if fills && self.fills && points.len() > 2 && !points.iter().any(|p| p.1) {
                 let points = points.into_iter().map(|p| p.0).collect();
-                self.out.outlines.push(Outline { points });
+                let name = node.parent().map_or_else(String::new, declared::face_name);
+                self.out.outlines.push(Outline { points, name });
             }
         }
         Ok(())
     }
 
-    /// The lines of a polyline; of an area without a stroke none.
-    fn trace(
-        &mut self,
-        points: &[(Point, bool)],
-        closed: bool,
-        offset: usize,
-        hidden: Option<Hidden>,
-        is_area: bool,
-        is_mark: bool,
-    ) {
+    /// The lines of a polyline.
+    fn trace(&mut self, points: &[(Point, bool)], closed: bool, hidden: Option<Hidden>) {
         let Some(&(first, _)) = points.first() else { return };
-        if is_mark {
-            self.out.dots.push(Dot { at: first, offset, hidden });
-            return;
-        }
         let back = closed.then_some((first, false));
         let mut from = first;
         for (to, curved) in points.iter().skip(1).copied().chain(back) {
             if curved && hidden.is_none() {
                 *self.ignored.entry("curves (edges are straight)".to_owned()).or_default() += 1;
-            } else if !curved && !is_area && from != to {
-                self.out.lines.push(Line { ends: [from, to], offset, hidden });
+            } else if !curved && from != to {
+                self.out.lines.push(Line { ends: [from, to], hidden });
             }
             from = to;
         }

@@ -15,11 +15,14 @@ use super::report::{Difference, Kind, Layer, Spot, Writing, counted};
 use super::rings;
 use super::shape;
 use super::sketch::{Outline, Sketch};
+use super::tables::Placed;
 use crate::plane::Point;
 use std::collections::BTreeMap;
 
 /// The drawing on which the tolerance is stated, in px.
 const CANVAS: f64 = 600.0;
+/// Drawings of more points are not tried mirrored and turned.
+const TURNED: usize = 20_000;
 /// With more differing edges than this, no edge excuses a face.
 const EXCUSES: usize = 100;
 
@@ -41,11 +44,31 @@ pub(super) struct Target {
 }
 
 impl Target {
+    /// What a declared structure must look like.
+    ///
+    /// # Errors
+    /// [`Problem::Nothing`] and [`Problem::TooClose`].
+    pub(super) fn of_table(placed: &Placed<'_>, options: &Options) -> Result<Self, Fault> {
+        Self::new(Sketch::of_table(placed), options, false)
+    }
+
+    /// What another drawing must look like: in the coordinates of the model if its vertices have them.
+    ///
+    /// # Errors
+    /// Those of [`of_table`](Self::of_table).
+    pub(super) fn of_drawing(drawing: &Drawing, options: &Options) -> Result<Self, Fault> {
+        let mut sketch = own(drawing, options)?;
+        let frame = sketch.to_model(drawing, tolerance(&sketch.graph.points, options));
+        let mut out = Self::new(sketch, options, frame.is_none())?;
+        out.hints.extend(frame);
+        Ok(out)
+    }
+
     /// A sketch in its own coordinates. `down`: it comes from a file, so y is to be written as there.
     ///
     /// # Errors
     /// [`Problem::Nothing`] and [`Problem::TooClose`].
-    pub(super) fn new(sketch: Sketch, options: &Options, down: bool) -> Result<Self, Fault> {
+    fn new(sketch: Sketch, options: &Options, down: bool) -> Result<Self, Fault> {
         let points = &sketch.graph.points;
         if points.is_empty() {
             return Err(Problem::Nothing.into());
@@ -65,23 +88,47 @@ impl Target {
 
     /// The map from the canvas of the reference's own drawing is likely to be the student's, too.
     pub(super) fn hint(&mut self, drawing: &Drawing) {
-        self.hints.push(self.locate(drawing).frame);
+        let (search, all, core) = self.search(drawing);
+        self.hints.push(search.best(&all, &core, &[]).frame);
     }
 
-    fn locate(&self, drawing: &Drawing) -> Best {
+    /// The search, and the points to search with: all, and the core.
+    fn search(&self, drawing: &Drawing) -> (Search<'_>, Vec<Point>, Vec<Point>) {
         let dots: Vec<Point> = drawing.dots.iter().map(|dot| dot.at).collect();
         let mut all: Vec<Point> = drawing.lines.iter().flat_map(|line| line.ends).chain(dots.iter().copied()).collect();
         all.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
         all.dedup();
-        let core = if dots.len() > 1 { &dots } else { &all };
-        Search::new(&self.sketch.graph.points, self.tolerance).best(&all, core, &self.hints)
+        let core = if dots.len() > 1 { dots } else { all.clone() };
+        (Search::new(&self.sketch.graph.points, self.tolerance), all, core)
+    }
+
+    /// The drawing where it fits best, and how well: upright, unless it is clearly turned.
+    fn place(&self, drawing: &Drawing) -> Result<(Best, Sketch, Matched), Fault> {
+        let (search, all, core) = self.search(drawing);
+        let mut best = search.best(&all, &core, &self.hints);
+        let expected = &self.sketch.graph;
+        let read = |frame: &Frame| -> Result<(Sketch, Matched), Fault> {
+            let found = Sketch::read(drawing, frame, &expected.points, self.tolerance)?;
+            let matched = Matched::new(expected, &found.graph, self.tolerance);
+            Ok((found, matched))
+        };
+        let (mut found, mut matched) = read(&best.frame)?;
+        if matched.faults() > 1 && expected.points.len() <= TURNED {
+            for frame in search.others(&all, &core, &best) {
+                let (other, other_matched) = read(&frame)?;
+                if 2 * other_matched.faults() < matched.faults() {
+                    (found, matched) = (other, other_matched);
+                    best = Best { frame, matched: expected.points.len() };
+                }
+            }
+        }
+        Ok((best, found, matched))
     }
 
     /// Compares a drawing with this. O(n log n) in all but hostile cases, which are refused.
     pub(super) fn compare(&self, drawing: &Drawing, options: &Options) -> Result<Seen, Fault> {
-        let best = self.locate(drawing);
         let expected = &self.sketch;
-        let found = Sketch::read(drawing, &best.frame, &expected.graph.points, self.tolerance)?;
+        let (best, found, matched) = self.place(drawing)?;
         let all = expected.graph.edges.len();
         if found.graph.points.is_empty() {
             return Err(Problem::Nothing.into());
@@ -90,7 +137,6 @@ impl Target {
             let difference = shape::compare(&expected.graph, &own(drawing, options)?.graph);
             return Ok(Seen { differences: vec![difference], notes: Vec::new(), agreed: (0, all) });
         }
-        let matched = Matched::new(&expected.graph, &found.graph, self.tolerance);
         let mut critic =
             Critic { target: self, found: &found, matched: &matched, differences: Vec::new(), notes: Vec::new() };
         if best.frame.turn != Turn::Upright {
@@ -114,7 +160,7 @@ fn tolerance(points: &[Point], options: &Options) -> f64 {
 }
 
 /// A drawing in its own coordinates.
-pub(super) fn own(drawing: &Drawing, options: &Options) -> Result<Sketch, Fault> {
+fn own(drawing: &Drawing, options: &Options) -> Result<Sketch, Fault> {
     let all = drawing.dots.iter().map(|dot| dot.at).chain(drawing.lines.iter().flat_map(|line| line.ends));
     Sketch::of_drawing(drawing, tolerance(&all.collect::<Vec<_>>(), options))
 }
@@ -280,7 +326,7 @@ impl Critic<'_> {
             let ends = a.zip(b).map(|(a, b)| [a.min(b), a.max(b)]);
             ends.is_some_and(|ends| self.expected().edges.binary_search(&ends).is_ok())
         };
-        let count = self.found.hidden.keys().filter(|edge| !known(edge)).count();
+        let count = self.found.hidden.keys().filter(|edge| !known(edge)).count() + self.found.unseen;
         if count > 0 {
             let count = counted(count, "line that nobody can see is", "lines that nobody can see are");
             self.notes.push(format!("{count} not read"));

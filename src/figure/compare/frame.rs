@@ -9,7 +9,7 @@
 //! The map that brings most points to their places wins. Only if none of them brings enough, mirrored and turned
 //! ones are tried: not to forgive them, but to say so.
 
-use super::pairing::Places;
+use super::pairing::{Places, distance};
 use crate::plane::Point;
 
 /// Pairs are tried against every pair of at most this many points.
@@ -94,6 +94,19 @@ impl Frame {
     }
 }
 
+impl Frame {
+    /// The upright map that takes every point to its partner within the tolerance, stated for the points.
+    pub(super) fn between(from: &[Point], to: &[Point], tolerance: f64) -> Option<Self> {
+        let by_x =
+            |a: &&usize, b: &&usize| (from[**a].x + 0.7 * from[**a].y).total_cmp(&(from[**b].x + 0.7 * from[**b].y));
+        let all: Vec<usize> = (0..from.len()).collect();
+        let (i, j) = (*all.iter().min_by(by_x)?, *all.iter().max_by(by_x)?);
+        let map = Self::onto(Turn::Upright, [from[i], from[j]], [to[i], to[j]], f64::INFINITY)?;
+        let fits = |(&p, &q): (&Point, &Point)| distance(map.apply(p), q) <= 4.0 * tolerance * map.scale;
+        (i != j && from.iter().zip(to).all(fits)).then_some(map)
+    }
+}
+
 /// The best map found, and how many of the expected points it brings something to.
 pub(super) struct Best {
     pub(super) frame: Frame,
@@ -120,17 +133,22 @@ impl<'a> Search<'a> {
             self.offer(hint, drawn, &mut best);
         }
         self.turned(Turn::Upright, drawn, core, &mut best);
+        best
+    }
+
+    /// The mirrored and turned maps that fit clearly, and at least as well as `best`.
+    pub(super) fn others(&self, drawn: &[Point], core: &[Point], best: &Best) -> Vec<Frame> {
         // So few points fit any map.
-        let few = self.expected.len() < 3;
-        if few || 2 * best.matched >= self.expected.len() {
-            return best;
+        if self.expected.len() < 3 {
+            return Vec::new();
         }
-        let mut other = Best { frame: Frame::IDENTITY, matched: 0 };
-        for turn in Turn::OTHERS {
+        let enough = best.matched.max((CLEAR * self.expected.len() as f64) as usize);
+        let found = Turn::OTHERS.into_iter().filter_map(|turn| {
+            let mut other = Best { frame: Frame::IDENTITY, matched: 0 };
             self.turned(turn, drawn, core, &mut other);
-        }
-        let is_clear = other.matched as f64 >= CLEAR * self.expected.len() as f64;
-        if is_clear { other } else { best }
+            (other.matched >= enough).then_some(other.frame)
+        });
+        found.collect()
     }
 
     fn offer(&self, frame: Frame, drawn: &[Point], best: &mut Best) {
@@ -249,7 +267,8 @@ mod tests {
             (Turn::Diagonal, placed(|p| (p.y, p.x))),
         ] {
             let best = search.best(&drawn, &drawn, &[]);
-            assert_eq!((best.matched, best.frame.turn), (7, turn));
+            let others = search.others(&drawn, &drawn, &best);
+            assert_eq!(others.iter().map(|frame| frame.turn).collect::<Vec<_>>(), [turn]);
         }
         let stretched = placed(|p| (2.0 * p.x, 3.0 * p.y));
         assert!(search.best(&stretched, &stretched, &[]).matched < 4, "scales must be equal");

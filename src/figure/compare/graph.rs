@@ -128,6 +128,13 @@ impl Matched {
         self.missing = expected.edges.iter().filter(|edge| present.binary_search(edge).is_err()).copied().collect();
     }
 
+    /// How many points and edges are missing, moved or too much.
+    pub(super) fn faults(&self) -> usize {
+        let alone = |partners: &[Option<u32>]| partners.iter().filter(|partner| partner.is_none()).count();
+        let points = alone(&self.to_found) + alone(&self.to_expected) + self.moved.len();
+        points + self.missing.len() + self.extra.len()
+    }
+
     /// The number of expected edges that are there.
     pub(super) fn agreeing_edges(&self, expected: &Graph) -> usize {
         expected.edges.len() - self.missing.len()

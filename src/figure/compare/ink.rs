@@ -134,6 +134,11 @@ impl Ink {
         paints && self.visible && self.fill_opacity * self.opacity > 0.0
     }
 
+    /// Whether an area of this style is painted, be it with a hatch.
+    pub(super) fn paints(&self) -> bool {
+        self.fills() || self.fill == Paint::Pattern
+    }
+
     /// The colour of an area, if it is known and covers what is below.
     pub(super) fn covering(&self) -> Option<[u8; 3]> {
         match self.fill {

@@ -1,12 +1,46 @@
-//! Comparing two drawings of half-edge structures.
+//! Comparing two drawings of half-edge structures by what they mean.
 //!
 //! ```text
 //!   reference.svg ─┐  0 well-formed   1 same bytes?   2 same declared structure?   3 same drawn geometry?
 //!   student.svg ───┴─ markup.rs       equal           declared.rs  tables.rs       drawing.rs  drawn.rs
-//!                                                     links.rs  faces.rs           frame.rs  segments.rs
+//!                                                     links.rs  faces.rs           frame.rs  sketch.rs
 //!                     4 where no point fits: the right shape in the wrong place?   shape.rs
 //!                     answer: report.rs, and a picture of the differences: diff.rs
 //! ```
+//!
+#![doc = include_str!("../../../figures/difference.svg")]
+//!
+//! **0** Both files are XML within limits (8 MiB, 200,000 elements), without document type and scripts, all numbers
+//! finite; errors name line and column. **1** Equal bytes are equal. **2** If both files declare their structure in
+//! `data-*` attributes, all laws are checked, vertices are matched by place, half-edges by their ends, and every
+//! pointer is compared through that map: numbers may differ. **3** What is drawn is always compared, and must be what
+//! is declared. **4** If hardly a point lies where it should, connections are compared without places. Pixels are
+//! never compared: a test of the pixels passes drawings that are wrong and fails drawings that are right.
+//!
+//! # What a program has to write
+//!
+//! | drawn | by |
+//! |---|---|
+//! | edge | `line`, `polyline`, `polygon`, `rect`, or `path` with `M L H V Z`, with a `stroke` that can be seen; a line through several vertices is several edges; twice is no fault |
+//! | vertex | `circle` (or `ellipse`), filled or with a stroke |
+//! | face | filled `polygon`, `path` or `rect`: the corners of a bounded face, counter-clockwise as seen |
+//!
+//! `g`, `a`, `use`, `symbol`, `transform`, inner `svg`, `style` attributes and simple style sheets (ids, classes,
+//! names, descendants) are understood. Passed over: texts, curves, what is not displayed, a `rect` that covers the
+//! canvas, hatches, and anything else with a note. In the kit's own figures (`data-figure` on the root) half-edges,
+//! pointers and other decoration are passed over, too. y points down in SVG: write `height - y`.
+//!
+//! A drawing may be scaled and shifted, not mirrored, turned or stretched. A point is where it should be if it is
+//! within 0.05 px of its place on a drawing of 600 px ([`Options::tolerance`]). The outer face may be filled, or not.
+//!
+//! ```text
+//!   <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 400">
+//!   <polygon points="62,338 538,338 538,62" fill="#e8f0ff"/>
+//!   <line x1="62" y1="338" x2="538" y2="338" stroke="black"/>
+//!   <circle cx="62" cy="338" r="4"/>
+//!   </svg>
+//! ```
+
 mod declared;
 mod diff;
 mod diff_style;
@@ -40,7 +74,6 @@ use diff::Scenery;
 use drawing::Drawing;
 use drawn::{Seen, Target};
 use error::Fault;
-use sketch::Sketch;
 use tables::Placed;
 
 /// What a comparison asks for.
@@ -143,11 +176,11 @@ impl File {
     /// This file as a reference: what it declares must be sound, and be what it draws.
     fn target(&self, options: &Options) -> Result<Target, Fault> {
         let Some(table) = &self.table else {
-            return Target::new(drawn::own(&self.drawing, options)?, options, true);
+            return Target::of_drawing(&self.drawing, options);
         };
         let contradiction = |reason: String| Fault::from(Problem::Reference { reason });
         Subdivision::from_table(table).map_err(|error| contradiction(error.to_string()))?;
-        let mut target = Target::new(Sketch::of_table(&Placed::new(table)), options, false)?;
+        let mut target = Target::of_table(&Placed::new(table), options)?;
         target.hint(&self.drawing);
         let own = target.compare(&self.drawing, options)?;
         match own.differences.first() {
@@ -217,7 +250,7 @@ fn merged(declared: Vec<Difference>, seen: Seen, notes: &mut Vec<String>) -> (La
 /// A file that declares one thing and draws another.
 fn contradiction(table: &Table, drawing: &Drawing, options: &Options) -> Option<Difference> {
     let placed = Placed::new(table);
-    let text = match Target::new(Sketch::of_table(&placed), options, false) {
+    let text = match Target::of_table(&placed, options) {
         Err(_) => "what the file declares (data-*) cannot be drawn: give every vertex data-x and data-y".to_owned(),
         Ok(target) => {
             let seen = target.compare(drawing, options).ok()?;

@@ -14,8 +14,7 @@ pub(super) const WORK: usize = 60_000_000;
 const SIDE: f64 = 700.0;
 
 /// Points in the cells of a grid.
-pub(super) struct Grid<'a> {
-    points: &'a [Point],
+pub(super) struct Grid {
     corner: Point,
     size: f64,
     columns: usize,
@@ -26,9 +25,9 @@ pub(super) struct Grid<'a> {
     work: usize,
 }
 
-impl<'a> Grid<'a> {
+impl Grid {
     /// O(points + cells), about as many cells as points.
-    pub(super) fn new(points: &'a [Point]) -> Self {
+    pub(super) fn new(points: &[Point]) -> Self {
         let low = points.iter().fold([f64::INFINITY; 2], |l, p| [l[0].min(p.x), l[1].min(p.y)]);
         let high = points.iter().fold([f64::NEG_INFINITY; 2], |h, p| [h[0].max(p.x), h[1].max(p.y)]);
         let sides = [0, 1].map(|i| (high[i] - low[i]).max(0.0));
@@ -36,7 +35,6 @@ impl<'a> Grid<'a> {
         let size = (sides[0].max(sides[1]) / cells).max(f64::MIN_POSITIVE);
         let count = |side: f64| ((side / size) as usize + 1).min(SIDE as usize + 2);
         let mut out = Self {
-            points,
             corner: Point::new(low[0], low[1]),
             size,
             columns: count(sides[0]),
@@ -66,9 +64,9 @@ impl<'a> Grid<'a> {
         (((y - self.corner.y) / self.size).max(0.0) as usize).min(self.rows - 1)
     }
 
-    /// The points on the segment within the tolerance, in their order from its start; `None` if that takes too much
+    /// The points, those the grid was made of, on the segment within the tolerance, in their order from its start; `None` if that takes too much
     /// work altogether.
-    pub(super) fn along(&mut self, [a, b]: [Point; 2], tolerance: f64) -> Option<Vec<u32>> {
+    pub(super) fn along(&mut self, points: &[Point], [a, b]: [Point; 2], tolerance: f64) -> Option<Vec<u32>> {
         let mut hits = Vec::new();
         let (low, high) = if a.y <= b.y { (a, b) } else { (b, a) };
         for row in self.row(low.y - tolerance)..=self.row(high.y + tolerance) {
@@ -89,7 +87,7 @@ impl<'a> Grid<'a> {
                 let cell = row * self.columns + column;
                 let range = self.starts[cell] as usize..self.starts[cell + 1] as usize;
                 self.work += 1 + range.len();
-                let inside = self.order[range].iter().filter(|&&i| lies_on(self.points[i as usize], [a, b], tolerance));
+                let inside = self.order[range].iter().filter(|&&i| lies_on(points[i as usize], [a, b], tolerance));
                 hits.extend(inside.copied());
             }
             if self.work > WORK {
@@ -97,7 +95,7 @@ impl<'a> Grid<'a> {
             }
         }
         hits.sort_by(|&i, &j| {
-            let far = |i: u32| distance(a, self.points[i as usize]);
+            let far = |i: u32| distance(a, points[i as usize]);
             far(i).total_cmp(&far(j)).then(i.cmp(&j))
         });
         hits.dedup();
@@ -120,7 +118,7 @@ mod tests {
             ((2.0, 7.0), (30.0, 7.0)),
         ] {
             let ends = [Point::new(a.0, a.1), Point::new(b.0, b.1)];
-            let mut hits = grid.along(ends, 1e-6).unwrap();
+            let mut hits = grid.along(&points, ends, 1e-6).unwrap();
             assert!(
                 hits.windows(2)
                     .all(|w| distance(ends[0], points[w[0] as usize]) < distance(ends[0], points[w[1] as usize]))

@@ -10,7 +10,7 @@ use super::graph::Graph;
 use super::report::{Difference, Kind, Layer, Spot};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::{Point, predicates::orientation};
-use crate::topology::{FaceRow, HalfEdgeRow, Ring, Table, VertexRow, same};
+use crate::topology::{FaceRow, HalfEdgeRow, Ring, Table, VertexRow, View, bounded_cycle, same};
 use std::cmp::Ordering;
 
 /// Drawings with more edges are not compared in this way.
@@ -45,6 +45,14 @@ pub(super) fn rebuild(graph: &Graph) -> Table {
     table.faces[0] = Some(FaceRow { boundary, rings, ..FaceRow::default() });
     table.outer_face = Some(FaceId::new(0));
     table
+}
+
+/// The points along every cycle that does not run counter-clockwise: the outlines seen from outside.
+pub(super) fn outside(graph: &Graph) -> Vec<Vec<u32>> {
+    let (table, cycles) = linked(graph);
+    let corner = |h: HalfEdgeId| table.origin(h).map(VertexId::number);
+    let outer = cycles.into_iter().filter(|(_, area)| *area <= 0.0);
+    outer.map(|(start, _)| bounded_cycle(&table, start).filter_map(corner).collect()).collect()
 }
 
 /// One sentence: the right shape in the wrong place, the mirror image, or wrong connections. O(n²) at worst, with

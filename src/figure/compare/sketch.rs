@@ -5,7 +5,7 @@
 //! ```
 //!
 //! The reference is cut at its own points; the student's drawing, once it is in the coordinates of the reference, at
-//! the points of the reference.
+//! the points of the reference. So a further dot on an edge is one fault, and not three.
 
 use super::drawing::{Drawing, Line};
 use super::error::{Fault, Problem};
@@ -13,9 +13,9 @@ use super::frame::Frame;
 use super::graph::Graph;
 use super::ink::Hidden;
 use super::pairing::Places;
-use super::rings;
 use super::segments::Grid;
 use super::tables::Placed;
+use super::{rings, shape};
 use crate::figure::skeleton::faces;
 use crate::plane::Point;
 use crate::topology::{Ring, View, bounded_cycle};
@@ -43,6 +43,8 @@ pub(super) struct Sketch {
     pub(super) hidden: BTreeMap<[u32; 2], Hidden>,
     /// How many edges are drawn more than once.
     pub(super) doubled: usize,
+    /// Lines that nobody sees where nothing else is drawn.
+    pub(super) unseen: usize,
 }
 
 impl Sketch {
@@ -75,23 +77,38 @@ impl Sketch {
         out
     }
 
-    /// What a reference without declared structure draws. y is up.
+    /// What a reference without declared structure draws, cut at its own points. y is up.
     pub(super) fn of_drawing(drawing: &Drawing, tolerance: f64) -> Result<Self, Fault> {
-        let mut snap = Snap::new(&[], tolerance);
-        let seen: Vec<Line> = drawing.lines.iter().filter(|line| line.hidden.is_none()).copied().collect();
-        let dots = drawing.dots.iter().filter(|dot| dot.hidden.is_none()).map(|dot| dot.at);
-        let corners = drawing.outlines.iter().flat_map(|outline| outline.points.iter().copied());
-        for p in dots.chain(seen.iter().flat_map(|line| line.ends)).chain(corners) {
-            snap.number(p);
-        }
-        let points = snap.points.clone();
-        let visible = Drawing { lines: seen, ..drawing.clone() };
-        Self::read(&visible, &Frame::IDENTITY, &points, tolerance)
+        let seen = |hidden: Option<Hidden>| hidden.is_none();
+        let lines = drawing.lines.iter().filter(|line| seen(line.hidden)).copied().collect();
+        let dots = drawing.dots.iter().filter(|dot| seen(dot.hidden)).cloned().collect();
+        let visible = Drawing { lines, dots, outlines: drawing.outlines.clone(), notes: Vec::new() };
+        let mut out = Self::read(&visible, &Frame::IDENTITY, &[], tolerance)?;
+        out.welcome = shape::outside(&out.graph).iter().map(|ring| rings::canonical(&rings::tidy(ring))).collect();
+        Ok(out)
     }
 
-    /// What a drawing shows in the coordinates of `expected`.
+    /// Writes the places of the model, and the names of vertices, if the dots of a drawing declare them all alike.
+    /// Returns the map that brings the drawing there.
+    pub(super) fn to_model(&mut self, drawing: &Drawing, tolerance: f64) -> Option<Frame> {
+        let known: Vec<(Point, &String, Point)> =
+            drawing.dots.iter().filter_map(|dot| dot.vertex.as_ref().map(|(name, p)| (dot.at, name, *p))).collect();
+        let models: Vec<Point> = known.iter().map(|k| k.2).collect();
+        let canvas: Vec<Point> = known.iter().map(|k| k.0).collect();
+        let frame = Frame::between(&canvas, &models, tolerance)?;
+        let places = Places::of(&self.graph.points, tolerance);
+        let numbers: Vec<Option<u32>> = canvas.iter().map(|&p| places.near(p, tolerance)).collect();
+        self.graph.points.iter_mut().for_each(|p| *p = frame.apply(*p));
+        for ((_, name, model), number) in known.into_iter().zip(numbers) {
+            let Some(i) = number else { continue };
+            self.graph.points[i as usize] = model;
+            name.clone_into(&mut self.graph.names[i as usize]);
+        }
+        Some(frame)
+    }
+
+    /// What a drawing shows in the coordinates of `expected`; without those, in its own.
     pub(super) fn read(drawing: &Drawing, frame: &Frame, expected: &[Point], tolerance: f64) -> Result<Self, Fault> {
-        let mut grid = Grid::new(expected);
         let mut snap = Snap::new(expected, tolerance);
         let mut dots: BTreeMap<u32, Result<(), Option<Hidden>>> = BTreeMap::new();
         for dot in &drawing.dots {
@@ -99,11 +116,25 @@ impl Sketch {
             let known = dots.entry(snap.number(frame.apply(dot.at))).or_insert(seen);
             *known = known.or(seen);
         }
+        // All ends first: a line is cut only where something ends or stands.
+        let lines: Vec<[Point; 2]> = drawing.lines.iter().map(|line| line.ends.map(|p| frame.apply(p))).collect();
+        let seen = |(line, ends): (&Line, &[Point; 2])| line.hidden.is_none().then(|| ends.map(|p| snap.number(p)));
+        let ends: Vec<Option<[u32; 2]>> = drawing.lines.iter().zip(&lines).map(seen).collect();
+        let corners = |outline: &super::drawing::Outline| outline.points.iter().map(|&p| frame.apply(p)).collect();
+        let corners: Vec<Vec<Point>> = drawing.outlines.iter().map(corners).collect();
+        for &p in corners.iter().flatten() {
+            snap.number(p);
+        }
+        let mut cutter = Cutter::new(&snap, expected, tolerance);
         let mut hidden: BTreeMap<[u32; 2], Hidden> = BTreeMap::new();
         let mut edges = Vec::with_capacity(drawing.lines.len());
-        for line in &drawing.lines {
-            let chain = snap.chain(&mut grid, line.ends.map(|p| frame.apply(p)))?;
-            for pair in chain.windows(2) {
+        let mut unseen = 0;
+        for ((line, &places), numbers) in drawing.lines.iter().zip(&lines).zip(ends) {
+            let Some(numbers) = numbers.or_else(|| snap.known(places)) else {
+                unseen += 1;
+                continue;
+            };
+            for pair in cutter.chain(numbers, places)?.windows(2) {
                 let edge = [pair[0].min(pair[1]), pair[0].max(pair[1])];
                 match line.hidden {
                     None => edges.push(edge),
@@ -112,15 +143,17 @@ impl Sketch {
             }
         }
         let mut outlines = Vec::new();
-        for outline in &drawing.outlines {
+        for (outline, corners) in drawing.outlines.iter().zip(&corners) {
             let mut ring = Vec::new();
-            let corners: Vec<Point> = outline.points.iter().map(|&p| frame.apply(p)).collect();
             for (i, &p) in corners.iter().enumerate() {
-                ring.extend(snap.chain(&mut grid, [p, corners[(i + 1) % corners.len()]])?);
+                let side = [p, corners[(i + 1) % corners.len()]];
+                if let Some(numbers) = snap.known(side) {
+                    ring.extend(cutter.chain(numbers, side)?);
+                }
             }
             let ring = rings::tidy(&ring);
             if ring.len() > 2 {
-                outlines.push(Outline { ring, name: String::new() });
+                outlines.push(Outline { ring, name: outline.name.clone() });
             }
         }
         let names = vec![String::new(); snap.points.len()];
@@ -128,7 +161,7 @@ impl Sketch {
         let doubled = graph.tidy();
         hidden.retain(|edge, _| edge[0] != edge[1] && graph.edges.binary_search(edge).is_err());
         let dots = (0..graph.points.len() as u32).map(|v| dots.get(&v).copied().unwrap_or(Err(None))).collect();
-        Ok(Self { graph, dots, outlines, welcome: Vec::new(), hidden, doubled })
+        Ok(Self { graph, dots, outlines, welcome: Vec::new(), hidden, unseen, doubled })
     }
 }
 
@@ -155,37 +188,61 @@ impl Snap {
         }
     }
 
+    /// The number of what is at a place, a new one if need be.
     fn number(&mut self, p: Point) -> u32 {
-        if let Some(v) = self.expected.near(p, self.tolerance) {
-            return self.at_expected(v, p);
-        }
-        let i = self.others.near_or_add(p, self.tolerance) as usize;
-        if i == self.other_numbers.len() {
-            self.other_numbers.push(self.points.len() as u32);
-            self.points.push(p);
-        }
-        self.other_numbers[i]
-    }
-
-    fn at_expected(&mut self, v: u32, p: Point) -> u32 {
         let next = self.points.len() as u32;
-        let number = *self.numbers[v as usize].get_or_insert(next);
+        let number = match self.expected.near(p, self.tolerance) {
+            Some(v) => *self.numbers[v as usize].get_or_insert(next),
+            None => {
+                let i = self.others.near_or_add(p, self.tolerance) as usize;
+                if i == self.other_numbers.len() {
+                    self.other_numbers.push(next);
+                }
+                self.other_numbers[i]
+            }
+        };
         if number == next {
             self.points.push(p);
         }
         number
     }
 
-    /// The points of a line in order: its ends, and the expected points between them.
-    fn chain(&mut self, grid: &mut Grid<'_>, ends: [Point; 2]) -> Result<Vec<u32>, Fault> {
-        let [a, b] = ends.map(|p| self.number(p));
+    /// The numbers of both ends, if something is drawn at both.
+    fn known(&self, ends: [Point; 2]) -> Option<[u32; 2]> {
+        let known = |p: Point| match self.expected.near(p, self.tolerance) {
+            Some(v) => self.numbers[v as usize],
+            None => self.others.near(p, self.tolerance).map(|i| self.other_numbers[i as usize]),
+        };
+        let [a, b] = ends.map(known);
+        a.zip(b).map(|(a, b)| [a, b])
+    }
+}
+
+/// Cuts lines at points at which something is drawn: the expected ones, or if nothing is expected all.
+struct Cutter {
+    points: Vec<Point>,
+    numbers: Vec<u32>,
+    grid: Grid,
+    tolerance: f64,
+}
+
+impl Cutter {
+    fn new(snap: &Snap, expected: &[Point], tolerance: f64) -> Self {
+        let (points, numbers): (Vec<Point>, Vec<u32>) = if expected.is_empty() {
+            (snap.points.clone(), (0..snap.points.len() as u32).collect())
+        } else {
+            let drawn = expected.iter().zip(&snap.numbers).filter_map(|(&p, number)| Some((p, (*number)?)));
+            drawn.unzip()
+        };
+        Self { grid: Grid::new(&points), points, numbers, tolerance }
+    }
+
+    /// The numbers along a line, its ends among them.
+    fn chain(&mut self, [a, b]: [u32; 2], ends: [Point; 2]) -> Result<Vec<u32>, Fault> {
         let too_much = || Fault::from(Problem::TooLarge { what: "points along lines", limit: super::segments::WORK });
-        let between = grid.along(ends, self.tolerance).ok_or_else(too_much)?;
+        let between = self.grid.along(&self.points, ends, self.tolerance).ok_or_else(too_much)?;
         let mut out = vec![a];
-        for v in between {
-            let at = self.expected.points()[v as usize];
-            out.push(self.at_expected(v, at));
-        }
+        out.extend(between.into_iter().map(|i| self.numbers[i as usize]));
         out.push(b);
         out.dedup();
         Ok(out)

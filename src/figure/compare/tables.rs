@@ -10,7 +10,7 @@
 //! compared as if such edges had been taken out on both sides, and faces as if they had been joined there: each
 //! mistake gives its own sentence and no others.
 
-use super::frame::{Search, Turn};
+use super::frame::Search;
 use super::graph::{Graph, Matched, Telling};
 use super::links::{Links, Reduced};
 use super::report::{Difference, Kind, Layer, Slot, Spot, Writing};
@@ -121,13 +121,14 @@ pub(super) fn compare(expected: &Placed<'_>, found: &Placed<'_>, options: &Optio
 /// One sentence where hardly any vertex has the coordinates it should have.
 fn misplaced(expected: &Placed<'_>, found: &Placed<'_>, tolerance: f64) -> Difference {
     let (mine, theirs) = (&expected.graph.points, &found.graph.points);
-    let best = Search::new(mine, tolerance).best(theirs, theirs, &[]);
-    if 2 * best.matched < mine.len() {
-        return shape::compare(&expected.graph, &found.graph);
-    }
-    let text = match best.frame.turn {
-        Turn::Upright => "the declared coordinates (data-x, data-y) are scaled or shifted: write those of the model",
-        turn => turn.sentence(),
+    let search = Search::new(mine, tolerance);
+    let best = search.best(theirs, theirs, &[]);
+    let text = match search.others(theirs, theirs, &best).first() {
+        _ if 2 * best.matched >= mine.len() => {
+            "the declared coordinates (data-x, data-y) are scaled or shifted: write those of the model"
+        }
+        Some(frame) => frame.turn.sentence(),
+        None => return shape::compare(&expected.graph, &found.graph),
     };
     Difference::new(Kind::Drawing, Layer::Declared, text.to_owned(), Spot::Nowhere)
 }

@@ -1,0 +1,602 @@
+//! Drawings that mean the same are equal, and of others the difference is named.
+
+#![allow(clippy::unwrap_used, reason = "a test helper that fails is a failed test")]
+
+#[path = "common/mod.rs"]
+mod common;
+#[path = "compare/pen.rs"]
+mod pen;
+
+use common::Random;
+use dcel_kit::figure::compare::{Comparison, Layer, Options, Problem, Side, compare, compare_tables, diff_figure};
+use dcel_kit::figure::{Detail, FigureOptions, Theme, structure};
+use dcel_kit::plane::Subdivision;
+use dcel_kit::script::Script;
+use dcel_kit::topology::Table;
+use pen::{P, Pen, document, renumbered, table};
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+/// The drawing of lab 04: a ship, with no symmetry.
+fn ship() -> Subdivision {
+    let script = Script::parse(include_str!("../figures/scripts/lab-04-drawing.dcels"), "ship").unwrap();
+    script.play(|_, _| ControlFlow::Continue(()))
+}
+
+fn kit(table: &Table) -> String {
+    structure(table, &FigureOptions::new("ship").detail(Detail::Full)).unwrap().to_svg()
+}
+
+/// The reference as the kit's figure with its structure, as the kit's figure of the lab, and as plain shapes.
+fn references() -> [(&'static str, String); 3] {
+    let lab = include_str!("../figures/lab-04-drawing.svg").to_owned();
+    [("declared", kit(&table(&ship()))), ("figure", lab), ("plain", Pen::new(&ship()).svg())]
+}
+
+fn judge(reference: &str, student: &str) -> Comparison {
+    compare(reference, student, &Options::new()).unwrap_or_else(|error| panic!("{error}\n{student}"))
+}
+
+/// The sentences.
+fn texts(answer: &Comparison) -> Vec<&str> {
+    answer.differences().iter().map(|difference| difference.text.as_str()).collect()
+}
+
+/// One line of the drawing: from the top of the mast's lower part to the deck.
+const MAST: usize = 20;
+
+/// The drawing with one change, and what is to be said about it.
+struct Variant {
+    name: &'static str,
+    svg: String,
+    /// A part of every sentence, in order; none: equal.
+    said: Vec<&'static str>,
+}
+
+fn equal(name: &'static str, svg: String) -> Variant {
+    Variant { name, svg, said: Vec::new() }
+}
+
+fn equal_variants(pen: &Pen) -> Vec<Variant> {
+    let plain = pen.svg();
+    let mut shuffled = pen.elements();
+    let mut random = Random(7);
+    let order = random.shuffled(shuffled.len());
+    shuffled = order.into_iter().map(|i| shuffled[i].clone()).collect();
+    let mut reversed = pen.clone();
+    reversed.dots.reverse();
+    reversed.lines.reverse();
+    reversed.lines.iter_mut().for_each(|line| line.reverse());
+    reversed.areas.iter_mut().for_each(|area| area.rotate_left(2));
+    let mut twice = pen.clone();
+    twice.lines.extend(pen.lines.iter().map(|&[a, b]| [b, a]));
+    vec![
+        equal("elements in another order", document(&shuffled)),
+        equal("attributes in another order, other quotes", attributes_reversed(pen)),
+        equal("numbers written otherwise", numbers_rewritten(&plain)),
+        equal("noise of a thousand-millionth", pen.moved(|[x, y]| [x + 1e-9 * y, y - 1e-9 * x]).svg()),
+        equal("restyled, on dark paper", restyled(pen)),
+        equal("lines as paths, their ends exchanged", as_paths(&reversed)),
+        equal("vertices and edges numbered otherwise", reversed.svg()),
+        equal("scaled", pen.moved(|[x, y]| [0.7 * x + 20.0, 0.7 * y - 3.0]).svg()),
+        equal("the coordinates of the model under a transform", transformed(pen)),
+        equal("a caption, a background, a comment", captioned(pen)),
+        equal("every edge twice, as two half-edges", twice.svg()),
+        equal("one line through several vertices", long_lines(pen)),
+        equal("CRLF and a byte order mark", format!("\u{feff}{}", plain.replace('\n', "\r\n"))),
+        equal("outer face drawn as well", with_outer_face(pen)),
+    ]
+}
+
+fn attributes_reversed(pen: &Pen) -> String {
+    let turned = |element: &String| {
+        let inside = element.trim_start_matches('<').trim_end_matches("/>");
+        let (name, attributes) = inside.split_once(' ').unwrap();
+        let mut parts: Vec<&str> = attributes.split_inclusive("\" ").map(str::trim).collect();
+        parts.reverse();
+        format!("<{name}\n {}></{name}>", parts.join("\n ").replace('"', "'"))
+    };
+    document(&pen.elements().iter().map(turned).collect::<Vec<_>>())
+}
+
+/// `75` becomes `75.000000`, `12.5` becomes `+1.25e1`.
+fn numbers_rewritten(svg: &str) -> String {
+    let number = |word: &str| match word.parse::<f64>() {
+        Ok(x) if word.contains('.') => format!("+{x:e}"),
+        Ok(x) => format!("{x:.6}"),
+        Err(_) => word.to_owned(),
+    };
+    let lines = svg.lines().map(|line| {
+        if !line.starts_with("<line") && !line.starts_with("<polygon") && !line.starts_with("<circle") {
+            return line.to_owned();
+        }
+        let words: Vec<String> = line
+            .split('"')
+            .map(|part| {
+                part.split(' ')
+                    .map(|w| w.split(',').map(number).collect::<Vec<_>>().join(","))
+                    .collect::<Vec<_>>()
+                    .join(" ")
+            })
+            .collect();
+        words.join("\"")
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+fn restyled(pen: &Pen) -> String {
+    let mut elements = vec![
+        "<style>.edge{stroke:white;stroke-width:3px} circle{fill:gold}</style>".to_owned(),
+        "<rect width='600' height='400' fill='#101418'/>".to_owned(),
+    ];
+    let styled = |e: &String| e.replace("stroke=\"black\"", "class=\"edge\"").replace("#e8f0ff", "teal");
+    elements.extend(pen.elements().iter().map(styled));
+    document(&elements)
+}
+
+fn as_paths(pen: &Pen) -> String {
+    let path = |e: &String| {
+        let cut: Vec<&str> = e.split('"').collect();
+        match e.starts_with("<line") {
+            true => {
+                let [a, b, c, d] = [1, 3, 5, 7].map(|i: usize| cut[i].parse::<f64>().unwrap());
+                format!("<path fill=\"none\" stroke=\"black\" d=\"m{a} {b}l{},{}\"/>", c - a, d - b)
+            }
+            false if e.starts_with("<polygon") => {
+                format!("<path fill=\"#e8f0ff\" fill-rule=\"evenodd\" d=\"M{}Z\"/>", cut[1].replacen(' ', " L", 1))
+            }
+            false => e.clone(),
+        }
+    };
+    document(&pen.elements().iter().map(path).collect::<Vec<_>>())
+}
+
+fn transformed(pen: &Pen) -> String {
+    let mut elements = vec!["<g transform=\"translate(300 200) scale(1,-1)\"><g stroke=\"black\">".to_owned()];
+    for [a, b] in &pen.lines {
+        elements.push(format!("<polyline fill=\"none\" points=\"{},{} {},{}\"/>", a[0], a[1], b[0], b[1]));
+    }
+    elements.push("</g>".to_owned());
+    for area in &pen.areas {
+        let points: Vec<String> = area.iter().map(|[x, y]| format!("{x} {y}")).collect();
+        elements.push(format!("<polygon fill=\"pink\" points=\"{}\"/>", points.join(" ")));
+    }
+    elements.push("<defs><circle id=\"dot\" r=\"3\"/></defs>".to_owned());
+    for [x, y] in &pen.dots {
+        elements.push(format!("<use href=\"#dot\" x=\"{x}\" y=\"{y}\"/>"));
+    }
+    elements.push("</g>".to_owned());
+    document(&elements)
+}
+
+fn captioned(pen: &Pen) -> String {
+    let mut elements = vec!["<rect width=\"100%\" height=\"100%\" fill=\"#fffff0\"/>".to_owned()];
+    elements.extend(pen.elements());
+    elements.push("<!-- drawn by me --><text x=\"9\" y=\"390\">My ship &amp; the sea</text>".to_owned());
+    elements.push("<g display=\"none\"><line x1=\"0\" y1=\"0\" x2=\"600\" y2=\"400\" stroke=\"red\"/></g>".to_owned());
+    document(&elements)
+}
+
+/// The lower side of the rectangle, in two edges, as one line; the shore of four as one polyline.
+fn long_lines(pen: &Pen) -> String {
+    let mut other = pen.clone();
+    let lower = |line: &[P; 2]| line.iter().all(|p| p[1] == -150.0);
+    other.lines.retain(|line| !lower(line));
+    other.lines.push([[-250.0, -150.0], [250.0, -150.0]]);
+    assert_eq!(other.lines.len() + 1, pen.lines.len());
+    other.svg()
+}
+
+fn with_outer_face(pen: &Pen) -> String {
+    let plane = ship();
+    let mut other = pen.clone();
+    let at = |v| {
+        let p = plane.point(v);
+        [p.x, p.y]
+    };
+    other.areas.insert(0, plane.incident_vertices(plane.outer_face()).map(at).collect());
+    other.svg()
+}
+
+fn wrong_variants(pen: &Pen) -> Vec<Variant> {
+    let wrong = |name, svg, said: &[&'static str]| Variant { name, svg, said: said.to_vec() };
+    let changed = |change: &dyn Fn(&mut Pen)| {
+        let mut other = pen.clone();
+        change(&mut other);
+        other.svg()
+    };
+    let moved = |by: f64| {
+        let from = pen.dots[12];
+        pen.moved(|p| if p == from { [p[0] + by, p[1]] } else { p }).svg()
+    };
+    let [a, b] = pen.lines[MAST];
+    let middle = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
+    let mut white = pen.elements();
+    let mast = &mut white[pen.areas.len() + MAST];
+    *mast = mast.replace("black", "#fefefe");
+    vec![
+        wrong("one edge missing", changed(&|pen| _ = pen.lines.remove(MAST)), &["edge MAST is missing"]),
+        wrong(
+            "an edge to the wrong vertex",
+            changed(&|pen| pen.lines[MAST][1] = pen.dots[3]),
+            &["edge MAST is missing", "edge between EXTRA is not in the reference"],
+        ),
+        wrong("a vertex 0.5 px off", moved(0.42), &["vertex DECK is 0.42 UNITS away: yours lies at NEAR"]),
+        wrong("a vertex 3 px off", moved(2.5), &["vertex DECK is 2.5 UNITS away: yours lies at FAR"]),
+        wrong(
+            "a face clockwise",
+            changed(&|pen| pen.areas[3].reverse()),
+            &["face HULL … runs clockwise: list its corners counter-clockwise"],
+        ),
+        wrong("a face missing", changed(&|pen| _ = pen.areas.remove(3)), &["face HULL … is not filled"]),
+        wrong("an edge in white", document(&white), &["edge MAST cannot be seen: it has the colour of the paper"]),
+        wrong(
+            "an edge in two without a vertex",
+            changed(&|pen| {
+                pen.lines[MAST] = [a, middle];
+                pen.lines.push([middle, b]);
+            }),
+            &["edge MAST is cut in two at MIDDLE, where the reference has no vertex"],
+        ),
+        wrong("mirrored", pen.moved(|[x, y]| [-x, y]).svg(), &["the drawing is mirrored left-right"]),
+        wrong("upside down", pen.moved(|[x, y]| [x, -y]).svg(), &["y points down: the drawing is upside down"]),
+        wrong(
+            "a vertex without its dot",
+            changed(&|pen| _ = pen.dots.remove(12)),
+            &["vertex DECK is missing: no circle is drawn there"],
+        ),
+        wrong(
+            "no dots at all",
+            changed(&|pen| pen.dots.clear()),
+            &["no vertex is drawn: draw a circle at each vertex"],
+        ),
+        wrong("no faces at all", changed(&|pen| pen.areas.clear()), &["no face is filled"]),
+        wrong(
+            "turned",
+            pen.moved(|[x, y]| [0.5 * y, -0.5 * x]).svg(),
+            &["the drawing is turned by a quarter to the right"],
+        ),
+        wrong("all points elsewhere", pen.moved(|[x, y]| [x + 0.002 * y * y, y]).svg(), &["right shape, wrong place"]),
+    ]
+}
+
+/// The words of a sentence that depend on the reference: names and coordinates, or px where it has none.
+fn worded(said: &str, reference: &str) -> String {
+    let plain = reference == "plain";
+    let words = [
+        ("MAST", "v10-v15 between (0, -75) and (0, 37.5)", "between (300, 275) and (300, 162.5)"),
+        ("EXTRA", "(250, 150) and (0, 37.5)", "(550, 50) and (300, 162.5)"),
+        ("DECK", "v12 at (-125, -75)", "at (175, 275)"),
+        ("NEAR", "(-124.58, -75)", "(175.42, 275)"),
+        ("FAR", "(-122.5, -75)", "(177.5, 275)"),
+        ("HULL", "f4 along (62.5, -112.5), (0, -150)", "along (362.5, 312.5), (300, 350)"),
+        ("MIDDLE", "(0, -18.75)", "(300, 218.75)"),
+        ("UNITS", "units", "px"),
+    ];
+    words.iter().fold(said.to_owned(), |said, (word, model, px)| said.replace(word, if plain { px } else { model }))
+}
+
+#[test]
+fn equal_drawings_are_equal_and_every_fault_is_named() {
+    let pen = Pen::new(&ship());
+    for (name, reference) in references() {
+        for variant in equal_variants(&pen).into_iter().chain(wrong_variants(&pen)) {
+            let answer = judge(&reference, &variant.svg);
+            let said: Vec<String> = variant.said.iter().map(|said| worded(said, name)).collect();
+            let texts = texts(&answer);
+            let case = format!("{name}, {}: {}", variant.name, answer.text());
+            assert_eq!(answer.is_equal(), said.is_empty(), "{case}");
+            assert_eq!(texts.len(), said.len(), "{case}");
+            for (text, said) in texts.iter().zip(&said) {
+                let mut rest = *text;
+                for part in said.split(" … ") {
+                    let at = rest.find(part).unwrap_or_else(|| panic!("`{part}` not said; {case}"));
+                    rest = &rest[at + part.len()..];
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn figures_of_the_kit_are_equal_whatever_their_numbers_and_looks() {
+    let plane = ship();
+    let table = table(&plane);
+    let reference = kit(&table);
+    let mut random = Random(11);
+    for round in 0..5 {
+        let other = renumbered(&table, |n| random.shuffled(n));
+        let mut options = FigureOptions::new(format!("mine {round}")).detail(Detail::Full);
+        options = match round {
+            0 => options,
+            1 => options.width(1234.5),
+            2 => options.plain(true).half_edge_labels(false),
+            3 => options.style(dcel_kit::figure::Style::default().theme(Theme::Dark)),
+            _ => options.interactive(true).id_prefix("my-own-v2"),
+        };
+        let svg = structure(&other, &options).unwrap().to_svg();
+        let answer = judge(&reference, &svg);
+        assert!(answer.is_equal() && answer.layer() == Layer::Declared, "round {round}: {}", answer.text());
+        assert!(answer.notes().is_empty(), "{:?}", answer.notes());
+        let named = compare(&reference, &svg, &Options::new().names(true)).unwrap();
+        assert!(!named.is_equal(), "names were to be compared");
+    }
+    assert_eq!(judge(&reference, &reference).layer(), Layer::Bytes);
+    let named = compare(&reference, &reference.replace('\n', "\r\n"), &Options::new().names(true)).unwrap();
+    assert!(named.is_equal() && named.layer() == Layer::Declared);
+}
+
+/// A half-edge of the ship with its row, for changes by hand.
+fn changed(change: impl FnOnce(&mut Table)) -> Comparison {
+    let right = table(&ship());
+    let mut wrong = right.clone();
+    change(&mut wrong);
+    let by_tables = compare_tables(&right, &wrong, &Options::new());
+    assert!(diff_figure(&right, &wrong, &FigureOptions::new("diff")).is_ok());
+    by_tables
+}
+
+#[test]
+fn wrong_pointers_are_named_one_by_one() {
+    let row = |table: &mut Table, i: usize, set: &dyn Fn(&mut dcel_kit::topology::HalfEdgeRow)| {
+        set(table.half_edges[i].as_mut().unwrap());
+    };
+    let h = common::h;
+    let right = table(&ship());
+    let of = |i: usize| right.half_edges[i].unwrap();
+
+    let answer = changed(|t| row(t, 40, &|r| r.next = Some(h(41))));
+    let said =
+        format!("half-edge h40 (0, 37.5) -> (0, -75): next is h41, its own twin; expected {}", of(40).next.unwrap());
+    assert_eq!(answer.differences().len(), 1, "{}", answer.text());
+    assert!(answer.differences()[0].text.starts_with(&said), "{}", answer.text());
+    assert!(answer.notes().iter().any(|note| note.contains("N2: h40.next = h41")), "{}", answer.text());
+    assert_eq!(answer.agreed(), "65 of 66 half-edges agree");
+
+    let answer = changed(|t| row(t, 40, &|r| r.prev = Some(h(2))));
+    assert!(texts(&answer)[0].contains(": prev is h2; expected "), "{}", answer.text());
+    let answer = changed(|t| row(t, 40, &|r| r.twin = Some(h(3))));
+    assert!(texts(&answer)[0].contains(": twin is h3; expected h41"), "{}", answer.text());
+    let answer = changed(|t| row(t, 40, &|r| r.next = None));
+    assert!(texts(&answer)[0].contains(": next is not set; expected "), "{}", answer.text());
+    let answer = changed(|t| row(t, 40, &|r| r.next = Some(h(4000))));
+    assert!(texts(&answer)[0].contains(": next is h4000, which does not exist; expected "), "{}", answer.text());
+
+    // The new face was not given to its half-edges: one sentence for all of them.
+    let lost = right.faces.len() - 1;
+    let answer = changed(|t| {
+        for row in t.half_edges.iter_mut().flatten().filter(|row| row.face == Some(common::f(lost as u32))) {
+            row.face = Some(common::f(0));
+        }
+        t.faces.pop();
+    });
+    assert_eq!(answer.differences().len(), 1, "{}", answer.text());
+    assert!(texts(&answer)[0].contains("have face f0; expected a face of their own"), "{}", answer.text());
+    let answer = changed(|t| t.outer_face = Some(common::f(3)));
+    assert_eq!(texts(&answer), ["outer face (data-outer): yours is f3; it should be your f0"]);
+    let answer = changed(|t| t.faces[2].as_mut().unwrap().boundary = Some(h(1)));
+    assert!(texts(&answer)[0].starts_with("your structure breaks a law: B1"), "{}", answer.text());
+}
+
+#[test]
+fn an_edge_that_differs_hides_no_other_fault_and_makes_no_false_one() {
+    let mut plane = ship();
+    let right = table(&plane);
+    plane.join_faces(common::h(41)).unwrap();
+    let mut wrong = table(&plane);
+    let answer = compare_tables(&right, &wrong, &Options::new());
+    assert_eq!(texts(&answer), ["edge v10-v15 between (0, -75) and (0, 37.5) is missing"]);
+    let answer = compare_tables(&wrong, &right, &Options::new());
+    assert_eq!(texts(&answer), ["edge between (0, -75) and (0, 37.5) is not in the reference"]);
+    let twin = wrong.half_edges[9].unwrap().twin;
+    wrong.half_edges[9].as_mut().unwrap().next = twin;
+    let answer = compare_tables(&right, &wrong, &Options::new());
+    assert_eq!(answer.differences().len(), 2, "{}", answer.text());
+}
+
+#[test]
+fn parallel_edges_are_told_apart_by_what_hangs_on_them() {
+    // Two edges between the same two points, numbered in any order; then with one wrong pointer.
+    let mut base = Table::from_view(&dcel_kit::topology::Dcel::polygon(2).unwrap());
+    for (v, x) in base.vertices.iter_mut().flatten().zip([0.0, 4.0]) {
+        v.position = Some([x, 0.0]);
+    }
+    base.outer_face = Some(common::f(0));
+    let mut random = Random(3);
+    for _ in 0..10 {
+        let other = renumbered(&base, |n| random.shuffled(n));
+        let answer = compare_tables(&base, &other, &Options::new());
+        assert!(answer.is_equal(), "{}", answer.text());
+    }
+    let mut wrong = base.clone();
+    wrong.half_edges[0].as_mut().unwrap().next = Some(common::h(1));
+    assert!(!compare_tables(&base, &wrong, &Options::new()).is_equal());
+}
+
+#[test]
+fn a_file_must_draw_what_it_declares() {
+    let reference = kit(&table(&ship()));
+    let mast = reference.lines().find(|line| line.starts_with("<line class=\"edge\"")).unwrap();
+    let draws_wrong = reference.replacen(&format!("{mast}\n"), "", 1);
+    let answer = judge(&reference, &draws_wrong);
+    assert_eq!((answer.layer(), answer.differences().len()), (Layer::Drawn, 1), "{}", answer.text());
+    assert!(answer.notes().last().unwrap().starts_with("what the file declares (data-*) agrees"), "{}", answer.text());
+
+    let next = reference.find("data-next=\"").unwrap() + 11;
+    let end = next + reference[next..].find('"').unwrap();
+    let declares_wrong = format!("{}h50{}", &reference[..next], &reference[end..]);
+    let answer = judge(&reference, &declares_wrong);
+    assert_eq!((answer.layer(), answer.differences().len()), (Layer::Declared, 1), "{}", answer.text());
+    assert!(answer.notes().last().unwrap().starts_with("what the file draws agrees"), "{}", answer.text());
+
+    // Against a plain reference the file is compared with itself.
+    let plain = Pen::new(&ship()).svg();
+    assert!(judge(&plain, &reference).is_equal());
+    let lies = reference.replace("data-x=\"125\"", "data-x=\"120\"");
+    assert_ne!(lies, reference);
+    let answer = judge(&plain, &lies);
+    assert!(texts(&answer)[0].starts_with("the file does not draw what it declares (data-*): "), "{}", answer.text());
+
+    // A reference that contradicts itself is no reference.
+    let error = compare(&draws_wrong, &plain, &Options::new()).unwrap_err();
+    assert_eq!(error.side, Side::Reference);
+    assert!(error.to_string().contains("it does not draw what it declares: edge"), "{error}");
+}
+
+fn refused(svg: &str) -> String {
+    let reference = Pen::new(&ship()).svg();
+    let started = Instant::now();
+    let error = compare(&reference, svg, &Options::new()).unwrap_err();
+    assert!(started.elapsed() < Duration::from_secs(8), "{error}");
+    assert_eq!(error.side, Side::Student);
+    error.to_string()
+}
+
+#[test]
+fn what_cannot_be_read_is_refused_with_its_place() {
+    let svg = |inside: &str| format!("<svg xmlns='http://www.w3.org/2000/svg'>\n{inside}\n</svg>");
+    for (text, said) in [
+        (String::new(), "student: the file is empty"),
+        ("<html/>".to_owned(), "student:1:1: the first element is <html>, not <svg>"),
+        ("<svg>\n<g></svg>".to_owned(), "student:2:4: not well-formed XML: expected 'g' tag, not 'svg'"),
+        (format!("<!DOCTYPE svg [<!ENTITY a 'b'>]>{}", svg("")), "student:1:1: a DOCTYPE is not read"),
+        (svg("<g>&a;</g>"), "student:2:4: not well-formed XML: unknown entity"),
+        (svg("<script>1</script>"), "student:2:1: <script> is not read"),
+        (svg("<g onclick='x()'/>"), "student:2:1: the attribute `onclick` is not read"),
+        (svg("<line x1='5em'/>"), "student:2:7: `5em` is no number"),
+        (svg("<line x1='NaN'/>"), "student:2:7: `NaN` is no number"),
+        (svg(" <line x2='1e999'/>"), "student:2:2: a coordinate of this line is not finite"),
+        (svg("<polygon points='1,2 3'/>"), "student:2:1: `1,2 3` is no list of points"),
+        (svg("<path d='M0 0 L1 1 X2'/>"), "student:2:1: `X2` is no path data"),
+        (svg("<g transform='spin(3)'/>"), "student:2:1: `spin(3)` is no transform"),
+        (svg("<g id='h1' data-next='x'/>"), "student:2:12: `x` is no half-edge: write its name, such as h5"),
+        (svg("<g id='h1' data-next='h1'/><g id='a-h1' data-next='h2'/>"), "h1 is declared twice, first in line 2"),
+        (svg("<g id='h99999999' data-next='h1'/>"), "the number of h99999999 is too large"),
+        (svg("<text>nothing</text>"), "student: nothing is drawn here"),
+    ] {
+        let error = refused(&text);
+        assert!(error.contains(said), "{error}\nexpected {said}");
+    }
+}
+
+#[test]
+fn hostile_files_end_quickly_with_a_clear_error() {
+    let svg = |inside: &str| format!("<svg xmlns='http://www.w3.org/2000/svg'>{inside}</svg>");
+    let many = |part: &str, n: usize| part.repeat(n);
+    let bomb: String =
+        (1..40).map(|i| format!("<g id='a{i}'>{}</g>", many(&format!("<use href='#a{}'/>", i - 1), 10))).collect();
+    let deep = 20_000;
+    for (name, text, said) in [
+        ("deep", svg(&format!("{}{}", many("<g>", deep), many("</g>", deep))), "nested too deeply"),
+        ("use of itself", svg("<g id='a'><use href='#a'/></g>"), "nested too deeply"),
+        ("use bomb", svg(&format!("<defs><path id='a0' d='M0 0H1'/></defs>{bomb}")), "too large: more than"),
+        ("many elements", svg(&many("<a/>", 250_000)), "too large: more than 200000 elements"),
+        ("many bytes", svg(&many(" ", 9 << 20)), "too large: more than 8388608 bytes"),
+        (
+            "many attributes",
+            format!("<svg {}/>", (0..300).map(|i| format!("a{i}='' ")).collect::<String>()),
+            "attributes of one",
+        ),
+        ("many namespaces", svg(&(0..300).map(|i| format!("<g xmlns:a{i}='b'/>")).collect::<String>()), "namespace"),
+        (
+            "long path",
+            svg(&format!("<path stroke='red' d='M0 0{}'/>", many("h1v1", 500_000))),
+            "too large: more than 400000 lines",
+        ),
+        (
+            "curves again and again",
+            svg(&format!("<path id='p' d='M0 0{}'/>{}", many("T1 1", 90_000), many("<use href='#p'/>", 9_000))),
+            "too large",
+        ),
+        (
+            "style rules",
+            svg(&format!("<style>{}</style>{}", many("a b c{x:y}", 9_000), many("<g/>", 9_000))),
+            "style rules",
+        ),
+        ("transforms", svg(&many("<g transform='scale(9)'>", 250)), "not well-formed"),
+        (
+            "huge",
+            svg(&format!("<g transform='{}'><circle cx='1' r='1'/></g>", many("scale(9e9)", 100_000))),
+            "not finite",
+        ),
+        ("only opens", many("<", 3 << 20), "not well-formed"),
+        ("equals signs", format!("<svg a='{}'/>", many("=", 3 << 20)), "equals signs"),
+        (
+            "crossing lines",
+            svg(&(0..60_000)
+                .map(|i| format!("<line x1='{i}' y1='0' x2='{}' y2='60000' stroke='red'/>", 60_000 - i))
+                .collect::<String>()),
+            "",
+        ),
+    ] {
+        let reference = Pen::new(&ship()).svg();
+        let started = Instant::now();
+        match compare(&reference, &text, &Options::new()) {
+            Ok(answer) => assert!(said.is_empty() && !answer.is_equal(), "{name}: {}", answer.text()),
+            Err(error) => assert!(!said.is_empty() && error.to_string().contains(said), "{name}: {error}"),
+        }
+        assert!(started.elapsed() < Duration::from_secs(10), "{name}: {:?}", started.elapsed());
+    }
+}
+
+#[test]
+fn other_encodings_are_named() {
+    use dcel_kit::figure::compare::text;
+    let svg = Pen::new(&ship()).svg();
+    let utf16: Vec<u8> = [0xff, 0xfe].into_iter().chain(svg.encode_utf16().flat_map(u16::to_le_bytes)).collect();
+    let error = text(&utf16, Side::Student).unwrap_err();
+    assert_eq!(error.to_string(), "student: this is UTF-16 text: save the file as UTF-8");
+    let error = text(&[0x1f, 0x8b, 8, 0], Side::Student).unwrap_err();
+    assert_eq!(error.problem, Problem::Compressed);
+    assert!(text(b"<svg>\xe9</svg>", Side::Student).is_err());
+    assert_eq!(text("\u{feff}<svg/>".as_bytes(), Side::Student), Ok("<svg/>"));
+}
+
+#[test]
+fn large_drawings_are_compared_in_about_a_second() {
+    let n = 223;
+    let mut lines = Vec::new();
+    for i in 0..n {
+        for j in 0..=n {
+            lines.push(format!("<path fill='none' stroke='red' d='M{i} {j}h1M{j} {i}v1'/>"));
+        }
+    }
+    assert!(2 * lines.len() > 99_000);
+    let mut other = lines.clone();
+    other.reverse();
+    other[77] = other[77].replace("h1", "h0");
+    let (reference, student) = (document(&lines), document(&other));
+    let started = Instant::now();
+    let answer = judge(&reference, &student);
+    println!("10^5 edges: {:?}", started.elapsed());
+    assert_eq!(answer.differences().len(), 1, "{}", answer.text());
+    assert!(started.elapsed() < Duration::from_secs(6), "{:?}", started.elapsed());
+
+    let (reference, student) = (kit(&table(&ship())), Pen::new(&ship()).svg());
+    let started = Instant::now();
+    assert!((0..20).all(|_| judge(&reference, &student).is_equal()));
+    println!("the drawing of the lab: {:?}", started.elapsed() / 20);
+}
+
+#[test]
+fn the_picture_shows_what_differs() {
+    let right = table(&ship());
+    let mut other = ship();
+    other.join_faces(common::h(41)).unwrap();
+    let mut wrong = table(&other);
+    let twin = wrong.half_edges[9].unwrap().twin;
+    wrong.half_edges[9].as_mut().unwrap().next = twin;
+    wrong.vertices[12].as_mut().unwrap().position = Some([-110.0, -60.0]);
+    let answer = compare_tables(&right, &wrong, &Options::new());
+    let svg = answer.figure(&FigureOptions::new("What differs").id_prefix("diff")).unwrap().to_svg();
+    assert!(roxmltree::Document::parse(&svg).is_ok());
+    for part in ["class=\"diff miss\"", "class=\"diff extra\"", "class=\"ring\"", "class=\"thread\"", "3 differences"] {
+        assert!(svg.contains(part), "{part} is not in the picture: {}", answer.text());
+    }
+    let badges = svg.matches("class=\"badge\"").count();
+    assert_eq!(badges, 2 * answer.differences().len(), "each in the drawing and in the list");
+    assert_eq!(svg, answer.figure(&FigureOptions::new("What differs").id_prefix("diff")).unwrap().to_svg());
+    let plain = judge(&Pen::new(&ship()).svg(), &Pen::new(&other).svg());
+    let svg = plain.figure(&FigureOptions::new("plain")).unwrap().to_svg();
+    assert!(svg.contains("class=\"diff miss\"") && !svg.contains("class=\"sh\""), "drawings have no half-edges");
+}
