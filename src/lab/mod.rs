@@ -17,7 +17,6 @@ mod bug;
 pub mod cases;
 pub mod checks;
 pub mod course;
-mod course;
 #[cfg(feature = "grade")]
 mod export;
 pub mod fault;

@@ -1,10 +1,14 @@
 //! Before, expected, yours: one failing call in three drawings.
 //!
-//! The half-edges at fault are red. Where a pointer is wrong that no picture of edges and faces shows, the arrows of
-//! its family are drawn, in the expected structure and in the student's.
+//! ```text
+//!   before       expected                          yours
+//!   as it was    the half-edges at fault are red,  what agrees grey, what is missing red and dashed, what
+//!                the pointers at fault have arrows is there instead blue, with a number and a sentence
+//! ```
 
 use super::ascii;
 use crate::Element;
+use crate::figure::compare::diff_figure;
 use crate::figure::{self, Colour, Figure, FigureError, FigureOptions, Overrides, Pointers};
 use crate::lab::Picture;
 use crate::lab::checks::align::{Field, differences};
@@ -31,9 +35,18 @@ pub(super) fn of(course: &dyn Course, exchange: &Exchange, faults: &[&Fault]) ->
     Some(Picture {
         before: draw(before, "Before", &[], &[])?,
         expected: draw(&expected, "Expected", &families, &wrong)?,
-        yours: draw(yours, "Yours", &families, &wrong)?,
+        yours: difference(&expected, yours).or_else(|| draw(yours, "Yours", &families, &wrong))?,
         ascii: ascii::of(before, &expected, yours, exchange),
     })
+}
+
+/// What differs, if it can be told apart by places and pointers.
+fn difference(expected: &Table, yours: &Table) -> Option<String> {
+    let options = FigureOptions::new("Yours").id_prefix("Yours");
+    (!differences(expected, yours).is_empty())
+        .then(|| diff_figure(expected, yours, &options).ok())
+        .flatten()
+        .map(|figure| figure.to_svg())
 }
 
 /// The families of pointers in which two structures differ.
