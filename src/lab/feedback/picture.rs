@@ -1,9 +1,9 @@
 //! Before, expected, yours: one failing call in three drawings.
 //!
 //! ```text
-//!   before       expected                          yours
-//!   as it was    the half-edges at fault are red,  what agrees grey, what is missing red and dashed, what
-//!                the pointers at fault have arrows is there instead blue, with a number and a sentence
+//!   before       expected                             yours
+//!   as it was    the half-edges at fault are red,     links: what is missing red and dashed, what is there
+//!                the pointers at fault have arrows    instead blue; faces, representatives: as in `expected`
 //! ```
 
 use super::ascii;
@@ -40,13 +40,15 @@ pub(super) fn of(course: &dyn Course, exchange: &Exchange, faults: &[&Fault]) ->
     })
 }
 
-/// What differs, if it can be told apart by places and pointers.
+/// What differs in links and places, numbered. `None` if the links agree: faces and representatives are seen better
+/// by their arrows, all of them.
 fn difference(expected: &Table, yours: &Table) -> Option<String> {
+    let shown = [Field::Origin, Field::Twin, Field::Next, Field::Prev, Field::Position];
+    if !differences(expected, yours).iter().any(|difference| shown.contains(&difference.field)) {
+        return None;
+    }
     let options = FigureOptions::new("Yours").id_prefix("Yours");
-    (!differences(expected, yours).is_empty())
-        .then(|| diff_figure(expected, yours, &options).ok())
-        .flatten()
-        .map(|figure| figure.to_svg())
+    Some(diff_figure(expected, yours, &options).ok()?.to_svg())
 }
 
 /// The families of pointers in which two structures differ.
