@@ -124,6 +124,18 @@ fn the_manifest_is_the_one_that_the_handout_tells_of() {
 }
 
 #[test]
+fn every_graded_test_is_a_test_of_its_name() {
+    let source = read("tests/graded.rs");
+    let made: Vec<String> = manifest()
+        .tests
+        .iter()
+        .map(|test| format!("#[test]\nfn {0}() {{\n    graded(\"{0}\");\n}}\n", test.name))
+        .collect();
+    let (_, found) = source.split_once("\n}\n\n").unwrap();
+    assert_eq!(found, made.join("\n"), "tests/graded.rs and lab.toml disagree");
+}
+
+#[test]
 fn a_manifest_that_cannot_be_used_is_refused_with_the_place() {
     let good = read("lab.toml");
     assert!(Manifest::parse(&good, "lab.toml").is_ok());
