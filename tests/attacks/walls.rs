@@ -1,35 +1,37 @@
 //! Each wall alone, with a program that was never scanned.
 
+use super::class::{NONE, USER, launcher, running};
 use dcel_kit::lab::{End, Limits, Program, Ran, WallChoice, Walls};
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::OnceLock;
+use std::sync::{Arc, Mutex, Weak};
 use std::time::{Duration, Instant};
 
-const NONE: WallChoice = WallChoice { own_user: false, namespaces: false, own_files: false };
-const USER: WallChoice = WallChoice { own_user: true, ..NONE };
 const SPACES: WallChoice = WallChoice { namespaces: true, ..NONE };
 const FILES: WallChoice = WallChoice { own_files: true, ..NONE };
 const ALL: WallChoice = WallChoice { own_user: true, namespaces: true, own_files: true };
 
-fn launcher() -> &'static Path {
-    Path::new(env!("CARGO_BIN_EXE_dcel"))
-}
-
-/// The attacking program, compiled once, where everybody can reach it.
-fn attacker() -> &'static Path {
-    static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
-    PROGRAM.get_or_init(|| {
-        let folder = std::env::temp_dir().join(format!("dcel-attacker-{}", std::process::id()));
-        std::fs::create_dir_all(&folder).unwrap();
-        std::fs::set_permissions(&folder, std::fs::Permissions::from_mode(0o755)).unwrap();
+/// The attacking program, where everybody can reach it; compiled when the first test asks, removed after the last.
+fn attacker() -> Arc<Attacker> {
+    static PROGRAM: Mutex<Weak<Attacker>> = Mutex::new(Weak::new());
+    let mut kept = PROGRAM.lock().unwrap();
+    kept.upgrade().unwrap_or_else(|| {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::set_permissions(folder.path(), std::fs::Permissions::from_mode(0o755)).unwrap();
         let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/attacks/program.rs");
-        let program = folder.join("program");
+        let program = folder.path().join("program");
         let built = Command::new("rustc").args(["--edition=2024", "-o"]).arg(&program).arg(source).status().unwrap();
         assert!(built.success());
-        program
+        let made = Arc::new(Attacker { program, _folder: folder });
+        *kept = Arc::downgrade(&made);
+        made
     })
+}
+
+struct Attacker {
+    program: PathBuf,
+    _folder: tempfile::TempDir,
 }
 
 /// The walls of a choice, or `None` with a word if this machine does not have all of them.
@@ -50,24 +52,18 @@ fn run(choice: WallChoice, word: &str) -> Option<Ran> {
 }
 
 fn run_within(choice: WallChoice, limits: Limits, word: &str) -> Option<Ran> {
-    Some(walls(choice)?.program(attacker(), limits).unwrap().run(word))
+    let attacker = attacker();
+    Some(walls(choice)?.program(&attacker.program, limits).unwrap().run(word))
 }
 
 fn said(ran: &Ran) -> String {
     String::from_utf8_lossy(&ran.stdout).into_owned()
 }
 
-/// Whether anything runs with these words in its command line; what has ended but is not yet forgotten aside.
-fn is_running(words: &str) -> bool {
-    let of = |entry: std::fs::DirEntry| std::fs::read(entry.path().join("cmdline")).ok();
-    let lines = std::fs::read_dir("/proc").unwrap().filter_map(|entry| of(entry.ok()?));
-    lines.filter(|line| !line.is_empty()).any(|line| String::from_utf8_lossy(&line).replace('\0', " ").contains(words))
-}
-
 /// Killed processes need a moment to be gone.
 fn assert_nothing_runs(words: &str) {
     let begin = Instant::now();
-    while is_running(words) {
+    while running(words).is_some() {
         assert!(begin.elapsed() < Duration::from_secs(2), "{words} is still running");
         std::thread::sleep(Duration::from_millis(5));
     }
@@ -75,9 +71,10 @@ fn assert_nothing_runs(words: &str) {
 
 #[test]
 fn ends_are_told_apart_behind_every_wall() {
+    let attacker = attacker();
     for choice in [NONE, USER, SPACES, FILES, ALL] {
         let Some(walls) = walls(choice) else { continue };
-        let program = walls.program(attacker(), LIMITS).unwrap();
+        let program = walls.program(&attacker.program, LIMITS).unwrap();
         let echo = program.run("echo hello");
         assert_eq!((said(&echo).as_str(), echo.end), ("hello\n", End::Exited(0)), "{choice:?}");
         for (word, end) in [
@@ -102,12 +99,13 @@ fn deadlines_hold_behind_every_wall() {
         for word in ["loop", "sleep"] {
             let Some(ran) = run_within(choice, short, word) else { continue };
             assert_eq!(ran.end, End::TimedOut, "{word} behind {choice:?}");
-            assert!(ran.millis < 2000, "{word} took {} ms behind {choice:?}", ran.millis);
+            assert!(ran.millis < 5000, "{word} took {} ms behind {choice:?}", ran.millis);
         }
     }
-    let busy = Limits { seconds: 10.0, cpu_seconds: 1, ..LIMITS };
+    // Long before the deadline, unless the machine is very busy.
+    let busy = Limits { seconds: 30.0, cpu_seconds: 1, ..LIMITS };
     let ran = run_within(NONE, busy, "loop").unwrap();
-    assert!(ran.end == End::TimedOut && ran.millis < 5000, "{:?} after {} ms", ran.end, ran.millis);
+    assert!(ran.end == End::TimedOut && ran.millis < 25_000, "{:?} after {} ms", ran.end, ran.millis);
 }
 
 #[test]
@@ -144,7 +142,7 @@ fn daemons_do_not_survive() {
     for (i, choice) in [NONE, USER, SPACES, ALL].into_iter().enumerate() {
         let seconds = format!("5.{}{i}", std::process::id());
         let Some(ran) = run(choice, &format!("daemon {seconds}")) else { continue };
-        assert!(ran.millis < 1500, "the pipe was held for {} ms behind {choice:?}", ran.millis);
+        assert!(ran.millis < 4500, "the pipe was held for {} ms behind {choice:?}", ran.millis);
         assert_nothing_runs(&format!("/bin/sleep {seconds}"));
     }
 }
@@ -214,8 +212,9 @@ fn a_wall_that_falls_later_stops_the_run() {
     let folder = tempfile::tempdir().unwrap();
     let copy = folder.path().join("launcher");
     std::fs::copy(launcher(), &copy).unwrap();
+    let attacker = attacker();
     let walls = Walls::probe(Some(&copy), NONE);
-    let program = walls.program(attacker(), LIMITS).unwrap();
+    let program = walls.program(&attacker.program, LIMITS).unwrap();
     assert_eq!(program.run("exit 0").end, End::Exited(0));
     std::fs::remove_file(&copy).unwrap();
     assert!(matches!(program.run("exit 0").end, End::NotStarted(_)));
