@@ -122,20 +122,20 @@ impl<'a> Multiples<'a> {
             let canvas = Canvas::new(fit, options);
             let mut drawing = Drawing::new(&panel.sketch, &canvas);
             let ink = drawing.ink();
-            let (mut nodes, mut crowd) = match panel.view {
-                None => (Vec::new(), Crowd::new(fit.size)),
-                Some((view, backdrop)) => {
-                    let survey = Picture::survey(view, options, Vec::new())?;
-                    let (picture, noted) = survey.place(view, options, fit, detail);
-                    let below = sketch::Below::new(picture, noted, &backdrop.look(&name), &ink);
-                    add_notes(&mut notes, &name, below.notes.0);
-                    (backdrop.wrap(below.nodes), below.crowd)
-                }
+            let words = |crowd: &mut Crowd, drawing: &mut Drawing<'_>| {
+                drawing.nodes(crowd, options.style.map_text, first, &format!("{name}-"))
             };
-            if panel.view.is_none() {
+            let mut nodes = if let Some((view, backdrop)) = panel.view {
+                let survey = Picture::survey(view, options, Vec::new())?;
+                let (picture, noted) = survey.place(view, options, fit, detail);
+                let mut below = sketch::Below::new(picture, noted, &backdrop.look(&name), &ink);
+                add_notes(&mut notes, &name, below.notes.0);
+                backdrop.layers(below.nodes, words(&mut below.crowd, &mut drawing))
+            } else {
+                let mut crowd = Crowd::new(fit.size);
                 ink.into_iter().for_each(|shape| crowd.add(shape, INK));
-            }
-            nodes.extend(drawing.nodes(&mut crowd, options.style.map_text, first, &format!("{name}-")));
+                words(&mut crowd, &mut drawing)
+            };
             nodes.push(frame(fit.size));
             add_notes(&mut notes, &name, drawing.notes.0);
             legends.push(panel.sketch.legend(first));

@@ -14,13 +14,13 @@ use crate::figure::log::log2;
 pub struct Axis {
     pub(super) title: String,
     unit: Option<String>,
-    pub(super) log: bool,
+    pub(super) is_log: bool,
     range: Option<[f64; 2]>,
 }
 
 impl Axis {
-    fn new(title: impl AsRef<str>, log: bool) -> Self {
-        Self { title: crate::figure::text::clean(title.as_ref()), unit: None, log, range: None }
+    fn new(title: impl AsRef<str>, is_log: bool) -> Self {
+        Self { title: crate::figure::text::clean(title.as_ref()), unit: None, is_log, range: None }
     }
 
     /// Equal differences, equal distances. It begins at 0 if the values are far from each other.
@@ -44,7 +44,7 @@ impl Axis {
     /// The least and the greatest value, instead of those of the points. Nonsense changes nothing.
     #[must_use]
     pub fn range(mut self, from: f64, to: f64) -> Self {
-        let is_good = from.is_finite() && to.is_finite() && from < to && (!self.log || from > 0.0);
+        let is_good = from.is_finite() && to.is_finite() && from < to && (!self.is_log || from > 0.0);
         self.range = is_good.then_some([from, to]);
         self
     }
@@ -56,7 +56,7 @@ impl Axis {
 
     /// Whether a value has a place on it.
     pub(super) fn takes(&self, value: f64) -> bool {
-        value.is_finite() && value.abs() < 1e290 && (!self.log || value > 1e-290)
+        value.is_finite() && value.abs() < 1e290 && (!self.is_log || value > 1e-290)
     }
 
     /// Chooses what the axis shows of these values, which it all takes.
@@ -66,9 +66,9 @@ impl Axis {
             Some([low.min(v), high.max(v)])
         });
         let [mut low, mut high] = self.range.or(least)?;
-        let log = self.log;
+        let is_log = self.is_log;
         if self.range.is_none() {
-            if log {
+            if is_log {
                 low = round_below(low);
                 high = round_above(high);
             } else {
@@ -76,13 +76,13 @@ impl Axis {
             }
         }
         let size = low.abs().max(high.abs());
-        if log && high / low < 1.001 {
+        if is_log && high / low < 1.001 {
             (low, high) = (0.5 * low, 2.0 * high);
-        } else if !log && high - low <= 1e-9 * size {
+        } else if !is_log && high - low <= 1e-9 * size {
             let half = if size > 0.0 { 0.1 * size } else { 1.0 };
             (low, high) = (low - half, high + half);
         }
-        if self.range.is_none() && !log {
+        if self.range.is_none() && !is_log {
             // A wider range may ask for wider steps.
             for _ in 0..3 {
                 let (step, exponent) = step(high - low);
@@ -91,7 +91,7 @@ impl Axis {
                 high = (high / unit - 1e-9).ceil() * unit;
             }
         }
-        Some(Scale { low, high, log })
+        Some(Scale { low, high, is_log })
     }
 }
 
@@ -100,7 +100,7 @@ impl Axis {
 pub(super) struct Scale {
     pub(super) low: f64,
     pub(super) high: f64,
-    pub(super) log: bool,
+    pub(super) is_log: bool,
 }
 
 /// A round number.
@@ -114,7 +114,7 @@ pub(super) struct Tick {
 impl Scale {
     /// Where a value lies: 0 at the low end, 1 at the high end.
     pub(super) fn place(&self, value: f64) -> Option<f64> {
-        if self.log {
+        if self.is_log {
             let (low, high) = (log2(self.low)?, log2(self.high)?);
             Some((log2(value)? - low) / (high - low))
         } else {
@@ -124,7 +124,7 @@ impl Scale {
 
     /// The value in the middle of two, as seen.
     fn middle(&self, a: f64, b: f64) -> f64 {
-        if self.log { a.sqrt() * b.sqrt() } else { 0.5 * a + 0.5 * b }
+        if self.is_log { a.sqrt() * b.sqrt() } else { 0.5 * a + 0.5 * b }
     }
 
     /// Values from end to end, equally far from each other as seen.
@@ -142,7 +142,7 @@ impl Scale {
 
     /// The round numbers from end to end.
     pub(super) fn ticks(&self) -> Vec<Tick> {
-        if self.log && self.high / self.low >= 3.0 { self.log_ticks() } else { self.linear_ticks() }
+        if self.is_log && self.high / self.low >= 3.0 { self.decade_ticks() } else { self.linear_ticks() }
     }
 
     fn linear_ticks(&self) -> Vec<Tick> {
@@ -160,7 +160,7 @@ impl Scale {
         (first..=last.min(first + 50)).map(tick).collect()
     }
 
-    fn log_ticks(&self) -> Vec<Tick> {
+    fn decade_ticks(&self) -> Vec<Tick> {
         let (from, to) = (exponent(self.low), exponent(self.high));
         let decades = to - from;
         let every = (decades / 8 + 1).max(1);

@@ -86,7 +86,7 @@ pub(super) fn draw(chart: &Chart, options: &FigureOptions) -> Result<Figure, Cha
         nodes.push(group(format!("series-{}", i + 1), series.role, &series.name, all));
         ends.push(End { id: format!("series-{}-label", i + 1), role: series.role, words: &series.name, run });
     }
-    nodes.extend(frame.names(ends, &mut crowd, &mut notes));
+    nodes.extend(frame.names(ends, &mut crowd));
 
     let roles: Vec<Role> = Role::ALL.into_iter().filter(|&role| uses(chart, role)).collect();
     let words: Vec<&str> = chart.series.iter().map(|series| series.name.as_str()).collect();
@@ -200,17 +200,15 @@ impl Frame {
         }
         axes.push(line("axis", xy(min.x, max.y), max));
         axes.push(line("axis", xy(min.x, max.y), min));
-        let title = |class: &'static str, at: Xy, words: String| {
-            let size = LARGE.min(LARGE * (self.size.x - 16.0) / text::width(&words, LARGE, true));
-            Node::Text { class, at, size, text: words }
-        };
-        words.push(title("ct", xy(8.0, 0.45 * HEAD), chart.y.words()));
-        let half = 0.5 * text::width(&chart.x.words(), LARGE, true);
+        let fitting = |words: &str| LARGE.min(LARGE * (self.size.x - 16.0) / text::width(words, LARGE, true));
+        let (across, up) = (chart.x.words(), chart.y.words());
+        let size = fitting(&up);
+        words.push(Node::Text { class: "ct", at: xy(8.0, 0.45 * HEAD), size, text: up });
+        let size = fitting(&across);
+        let half = 0.5 * text::width(&across, size, true);
         let x = (0.5 * (min.x + max.x)).min(self.size.x - half - 8.0).max(half + 8.0);
-        words.push(title("cm", xy(x, max.y + 36.0), chart.x.words()));
-        [("", grid), ("", axes), ("", words)]
-            .map(|(class, nodes)| Node::Group(Group { class, nodes, ..Group::default() }))
-            .to_vec()
+        words.push(Node::Text { class: "cm bold", at: xy(x, max.y + 36.0), size, text: across });
+        [grid, axes, words].map(|nodes| Node::Group(Group { nodes, ..Group::default() })).to_vec()
     }
 
     /// The parts of a reference inside the plot, without points on straight stretches.
@@ -261,43 +259,41 @@ impl Frame {
     }
 
     /// The names: in the margin, in the order of the ends, for lines that reach the right side; near their ends for
-    /// the others.
-    fn names(&self, ends: Vec<End<'_>>, crowd: &mut Crowd, notes: &mut Notes) -> Vec<Node> {
+    /// the others, if there is room.
+    fn names(&self, ends: Vec<End<'_>>, crowd: &mut Crowd) -> Vec<Node> {
         let mut out = Vec::new();
         let reaches = |end: &End<'_>| end.run.last().is_some_and(|p| p.x > self.plot.max.x - 30.0);
-        let (mut beside, elsewhere): (Vec<_>, Vec<_>) = ends.into_iter().partition(reaches);
-        let height = |end: &End<'_>| end.run.last().map_or(0.0, |p| p.y);
-        beside.sort_by(|a, b| height(a).total_cmp(&height(b)));
-        let heights = apart(&beside.iter().map(height).collect::<Vec<_>>(), self.plot.min.y, self.plot.max.y);
-        for (end, y) in beside.into_iter().zip(heights) {
-            let Some(&p) = end.run.last() else { continue };
-            let x = self.plot.max.x + 16.0;
-            let room = self.size.x - x - 4.0;
-            let size = LARGE.min(LARGE * room / text::width(end.words, LARGE, false)).max(7.0);
-            let tie = Node::Line { class: "tie", from: p + xy(8.0, 0.0), to: xy(x - 2.0, y) };
-            let name = Node::Text { class: "tx start", at: xy(x, y), size, text: end.words.to_owned() };
-            let bounds = Bounds::around(xy(x + 0.5 * room, y), 0.5 * room, text::half_height(size));
-            crowd.add(Shape::Box(bounds), INK);
-            out.push(group(end.id, end.role, end.words, vec![tie, name]));
-        }
-        for end in elsewhere {
+        let (mut margin, elsewhere): (Vec<_>, Vec<_>) = ends.into_iter().partition(reaches);
+        for end in elsewhere.into_iter().filter(|end| !end.run.is_empty()) {
             let ways = [xy(1.0, 0.0), xy(0.8, -0.6), xy(0.8, 0.6), xy(-0.8, -0.6), xy(-0.8, 0.6)].to_vec();
-            let anchors: Vec<Anchor> = end
-                .run
-                .iter()
-                .rev()
-                .take(8)
-                .map(|&p| Anchor { at: p, clear: 6.0, ways: ways.clone(), is_point: true })
-                .collect();
-            let frame = Bounds { min: xy(0.0, 0.0), max: self.size };
-            match places::label(end.words, LARGE, &anchors, &frame, crowd) {
+            let anchor = |&at: &Xy| Anchor { at, clear: 6.0, ways: ways.clone(), is_point: true };
+            let anchors: Vec<Anchor> = end.run.iter().rev().take(8).map(anchor).collect();
+            match places::label(end.words, LARGE, &anchors, &self.plot.grown(2.0), crowd) {
                 Some(nodes) => out.push(group(end.id, end.role, end.words, nodes)),
-                None if end.run.is_empty() => {}
-                None => notes.0.push(format!("no room for the name {}", end.words)),
+                None => margin.push(end),
             }
+        }
+        let height = |end: &End<'_>| end.run.last().map_or(0.0, |p| p.y);
+        margin.sort_by(|a, b| height(a).total_cmp(&height(b)));
+        let heights = apart(&margin.iter().map(height).collect::<Vec<_>>(), self.plot.min.y, self.plot.max.y);
+        let x = self.plot.max.x + 16.0;
+        for (end, y) in margin.into_iter().zip(heights) {
+            let Some(&p) = end.run.last() else { continue };
+            let tie = Node::Line { class: "tie", from: p + xy(8.0, 0.0), to: xy(x - 2.0, y) };
+            let (size, text) = fitting(end.words, self.size.x - x - 4.0);
+            let name = Node::Text { class: "tx start", at: xy(x, y), size, text };
+            out.push(group(end.id, end.role, end.words, vec![tie, name]));
         }
         out
     }
+}
+
+/// A name as large as fits, cut short if it were too small to be read.
+fn fitting(words: &str, room: f64) -> (f64, String) {
+    let fits = |text: &str| text::width(text, 0.75 * LARGE, false) <= room;
+    let cuts = (1..words.chars().count()).rev().map(|longest| text::shortened(words, longest));
+    let text = std::iter::once(words.to_owned()).chain(cuts).find(|text| fits(text)).unwrap_or_default();
+    (LARGE.min(LARGE * room / text::width(&text, LARGE, false)), text)
 }
 
 /// The same heights, moved apart to at least a line, as little as need be, within the plot as long as there is room.

@@ -167,6 +167,7 @@ pub(in crate::figure) fn css(options: &FigureOptions, roles: &[Role]) -> String 
     fixed(".cs", "text-anchor:start");
     fixed(".ce", "text-anchor:end");
     fixed(".cm", "text-anchor:middle");
+    fixed(".bold", "font-weight:700");
     for role in roles {
         fixed(&format!(".{} .ln", role.class()), &format!("stroke-width:{}", drawn(role.width())));
         if let Some(dash) = role.dash() {
@@ -190,7 +191,9 @@ fn colours(out: &mut String, scope: &str, palette: &Palette, roles: &[Role]) {
         let _ = writeln!(out, "#{scope} {selector}{{{properties}}}");
     };
     let Palette { background, ink, dim, grey, tint_opacity, .. } = palette;
+    // Over the tints of a structure, areas are paler: lines must be seen on both together.
     rule(".fi", format!("fill-opacity:{}", drawn(*tint_opacity)));
+    rule(".over .fi", format!("fill-opacity:{}", drawn(0.5 * tint_opacity)));
     rule(".gt", format!("stroke:{background}"));
     rule(".bn", format!("fill:{background}"));
     for class in [".ct", ".cs", ".ce", ".cm"] {

@@ -13,6 +13,7 @@ use super::{Role, Sketch, SketchError, places, role};
 use crate::figure::crop::{self, window};
 use crate::figure::crowd::{Crowd, INK, Shape};
 use crate::figure::fit::{Extent, Fit, Load, choose};
+use crate::figure::part::Part;
 use crate::figure::plate::{Look, Mark, Plate};
 use crate::figure::scene::{Group, Hatch, Node, Scene};
 use crate::figure::structure::{MARGIN, Notes, Picture, check_coordinate};
@@ -39,12 +40,17 @@ pub enum Backdrop {
 }
 
 impl Backdrop {
-    /// The nodes of a structure, in a group that dims them if need be.
-    pub(in crate::figure) fn wrap(self, nodes: Vec<Node>) -> Vec<Node> {
-        match self {
-            Self::Plain => nodes,
-            Self::Dimmed => vec![Node::Group(Group { class: "under", nodes, ..Group::default() })],
+    /// A structure, in a group that dims it if need be, and the sketch over it.
+    pub(in crate::figure) fn layers(self, structure: Vec<Node>, sketch: Vec<Node>) -> Vec<Node> {
+        let group = |class: &'static str, nodes: Vec<Node>| Node::Group(Group { class, nodes, ..Group::default() });
+        let mut out = match self {
+            Self::Plain => structure,
+            Self::Dimmed => vec![group("under", structure)],
+        };
+        if !sketch.is_empty() {
+            out.push(group("over", sketch));
         }
+        out
     }
 
     /// The look of a structure, as one drawing of several if it has an instance.
@@ -284,6 +290,18 @@ impl Sketch {
         backdrop: Backdrop,
         options: &FigureOptions,
     ) -> Result<Figure, SketchError> {
+        match &options.faces {
+            Some(chosen) => self.over_all(&Part::new(view, chosen)?, backdrop, options),
+            None => self.over_all(view, backdrop, options),
+        }
+    }
+
+    fn over_all<V: PlanarView + ?Sized>(
+        &self,
+        view: &V,
+        backdrop: Backdrop,
+        options: &FigureOptions,
+    ) -> Result<Figure, SketchError> {
         check(self)?;
         let options = &options.checked();
         let survey = Picture::survey(view, options, extent(self))?;
@@ -295,8 +313,7 @@ impl Sketch {
         let below = Below::new(picture, notes, &backdrop.look(""), &drawing.ink());
         let mut crowd = below.crowd;
         let nodes = drawing.nodes(&mut crowd, options.style.map_text, 1, "");
-        scene.nodes = backdrop.wrap(below.nodes);
-        scene.nodes.extend(nodes);
+        scene.nodes = backdrop.layers(below.nodes, nodes);
         scene.css = role::css(options, &roles([self]));
         scene.attributes[0].1 = "dcel-over".to_owned();
         let legend = self.legend(1);
