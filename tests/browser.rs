@@ -180,7 +180,7 @@ fn the_keyboard_goes_there_and_back_and_focus_is_seen() {
         browser.call("Input.dispatchKeyEvent", &shift);
     }
     assert_eq!(browser.eval(focused), json!("lab-h0"), "and back");
-    assert_eq!(browser.eval(width).as_f64().unwrap(), thin);
+    assert!(browser.eval(width).as_f64().unwrap() < 1.1 * thin);
 }
 
 /// The ids of the frames of a stepper that are seen.

@@ -1,5 +1,12 @@
 //! Films tell the truth: frame by frame they are the journal, and the last frame is the structure.
 
+#[path = "figures/cases.rs"]
+#[allow(dead_code)] // the films have structures of their own
+mod cases;
+#[path = "figures/drawn.rs"]
+#[allow(dead_code)] // more is read there than here
+mod drawn;
+
 use dcel_kit::figure::{Fate, FigureOptions, Film, Frame};
 use dcel_kit::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use dcel_kit::plane::{PlanarView, Subdivision};
@@ -194,6 +201,55 @@ fn frames_share_one_layout() {
         assert_eq!(disc(format!("film-{frame}-v2")), disc("film-0-v2".to_owned()), "frame {frame}");
     }
     assert!(shaft("film-1-h12".to_owned()).is_none() && shaft("film-2-h12".to_owned()).is_some());
+}
+
+/// An edge that is bypassed is there until it is removed, and then red and dashed a last time.
+#[test]
+fn every_half_edge_with_two_ends_is_drawn_in_every_frame() {
+    for text in SCRIPTS {
+        let (film, _) = shoot(text);
+        let drawing = drawn::read(&film.strip(&FigureOptions::new("Film")).unwrap().to_svg());
+        for (i, frame) in film.frames().iter().enumerate() {
+            let has_ends = |table: &Table, h: HalfEdgeId| {
+                let [a, b] = [Some(h), table.twin(h)].map(|h| h.and_then(|h| table.origin(h)));
+                a.zip(b).is_some_and(|(a, b)| table.has_vertex(a) && table.has_vertex(b))
+            };
+            let all = (0..frame.table.half_edge_bound() as u32).map(HalfEdgeId::new);
+            let mut expected: BTreeSet<String> =
+                all.filter(|&h| has_ends(&frame.table, h)).map(|h| h.to_string()).collect();
+            for element in &frame.removed {
+                if let Element::Edge(e) = element {
+                    expected.extend(e.half_edges().map(|h| h.to_string()));
+                }
+            }
+            let missing: Vec<&String> =
+                expected.iter().filter(|h| !drawing.arrows.contains_key(&format!("{i}-{h}"))).collect();
+            assert!(missing.is_empty(), "{text}: frame {i} ({}) lacks {missing:?}", frame.heading);
+        }
+    }
+}
+
+#[test]
+fn labels_of_frames_cover_no_disc_and_no_arrow_comes_from_a_face_that_has_gone() {
+    for text in SCRIPTS {
+        let (film, _) = shoot(text);
+        let svg = film.strip(&FigureOptions::new("Film")).unwrap().to_svg();
+        let drawing = drawn::read(&svg);
+        let frame_of = |owner: &str| owner.split('-').next().unwrap().to_owned();
+        let mut checked = 0;
+        for word in drawing.words.iter().filter(|word| word.class == "hl") {
+            for (v, &(centre, radius)) in drawing.discs.iter().filter(|(v, _)| frame_of(v) == frame_of(&word.owner)) {
+                assert!(word.distance(centre) > radius, "{text}: {word:?} is under {v}");
+                checked += 1;
+            }
+        }
+        assert!(checked > 100, "{checked}");
+        for (i, frame) in film.frames().iter().enumerate() {
+            for element in frame.removed.iter().filter(|element| matches!(element, Element::Face(_))) {
+                assert!(!svg.contains(&format!("id=\"film-{i}-{element}-boundary-gone\"")), "{text}: frame {i}");
+            }
+        }
+    }
 }
 
 #[test]

@@ -19,8 +19,8 @@ fn pixels(png: &[u8]) -> Pixmap {
     Pixmap::decode_png(png).unwrap()
 }
 
-fn lab(options: FigureOptions) -> Figure {
-    figure::structure(&cases::lab(), &options).unwrap()
+fn lab(options: &FigureOptions) -> Figure {
+    figure::structure(&cases::lab(), options).unwrap()
 }
 
 fn colour(picture: &Pixmap, x: u32, y: u32) -> [u8; 3] {
@@ -48,10 +48,10 @@ fn ink(with: &Pixmap, without: &Pixmap, word: &Word, scale: f64) -> (usize, f64)
 
 #[test]
 fn every_word_is_drawn_and_as_wide_as_its_box() {
-    let (scale, words) = (2.0, drawn::read(&lab(FigureOptions::new("Lab")).to_svg()).words);
-    let with = pixels(&lab(FigureOptions::new("Lab")).to_png(scale).unwrap());
+    let (scale, words) = (2.0, drawn::read(&lab(&FigureOptions::new("Lab")).to_svg()).words);
+    let with = pixels(&lab(&FigureOptions::new("Lab")).to_png(scale).unwrap());
     let bare = FigureOptions::new("Lab").vertex_labels(false).half_edge_labels(false).face_labels(FaceLabels::Off);
-    let without = pixels(&lab(bare).to_png(scale).unwrap());
+    let without = pixels(&lab(&bare).to_png(scale).unwrap());
     assert_eq!((with.width(), with.height()), (without.width(), without.height()));
     for class in ["vl", "hl", "fl"] {
         assert!(words.iter().any(|word| word.class == class), "{class}");
@@ -71,7 +71,7 @@ fn the_bytes_depend_on_figure_and_scale_alone() {
     let draw = |font: &str, scale: f64| {
         let mut style = Style::default();
         style.font = font.to_owned();
-        lab(FigureOptions::new("Lab").style(style)).to_png(scale).unwrap()
+        lab(&FigureOptions::new("Lab").style(style)).to_png(scale).unwrap()
     };
     let usual = draw(&Style::default().font, 1.0);
     assert_eq!(draw(&Style::default().font, 1.0), usual);
@@ -82,14 +82,14 @@ fn the_bytes_depend_on_figure_and_scale_alone() {
 
 #[test]
 fn sizes_are_those_of_the_figure_times_the_scale() {
-    let figure = lab(FigureOptions::new("Lab"));
+    let figure = lab(&FigureOptions::new("Lab"));
     for scale in [0.5, 1.0, 2.0, 3.7] {
         let picture = pixels(&figure.to_png(scale).unwrap());
         let side = |px: f64| (px * scale).round() as u32;
         assert_eq!((picture.width(), picture.height()), (side(figure.size().0), side(figure.size().1)), "{scale}");
     }
-    let paper = lab(FigureOptions::new("Lab").width(480.0).unit(Unit::Cm));
-    let screen = lab(FigureOptions::new("Lab").width(480.0));
+    let paper = lab(&FigureOptions::new("Lab").width(480.0).unit(Unit::Cm));
+    let screen = lab(&FigureOptions::new("Lab").width(480.0));
     let [paper, screen] = [&paper, &screen].map(|figure| pixels(&figure.to_png(1.0).unwrap()));
     assert_eq!((paper.width(), paper.height()), (screen.width(), screen.height()));
     let disc =
@@ -100,7 +100,8 @@ fn sizes_are_those_of_the_figure_times_the_scale() {
 #[test]
 fn light_unless_the_style_is_dark() {
     let corner = |theme: Theme| {
-        let picture = pixels(&lab(FigureOptions::new("Lab").style(Style::default().theme(theme))).to_png(1.0).unwrap());
+        let picture =
+            pixels(&lab(&FigureOptions::new("Lab").style(Style::default().theme(theme))).to_png(1.0).unwrap());
         colour(&picture, 1, 1)
     };
     assert_eq!([Theme::Auto, Theme::Light].map(corner), [[0xff; 3]; 2]);
@@ -109,18 +110,18 @@ fn light_unless_the_style_is_dark() {
 
 #[test]
 fn what_cannot_be_pixels_is_refused() {
-    let figure = lab(FigureOptions::new("Lab"));
+    let figure = lab(&FigureOptions::new("Lab"));
     for scale in [0.0, -1.0, f64::NAN, f64::INFINITY, 21.0] {
         assert!(matches!(figure.to_png(scale), Err(PngError::Scale { .. })), "{scale}");
     }
-    let wide = lab(FigureOptions::new("Lab").width(4000.0));
+    let wide = lab(&FigureOptions::new("Lab").width(4000.0));
     let error = wide.to_png(20.0).unwrap_err();
     assert!(matches!(error, PngError::TooLarge { width, .. } if width > 20_000.0), "{error}");
 }
 
 #[test]
 fn characters_without_a_glyph_are_named() {
-    let named = |name: &str| lab(FigureOptions::new("Lab").face_name(FaceId::new(1), name)).without_glyph();
+    let named = |name: &str| lab(&FigureOptions::new("Lab").face_name(FaceId::new(1), name)).without_glyph();
     assert_eq!(named("Größe → ½ θ"), "");
     assert_eq!(named("北x京"), "京北");
 }

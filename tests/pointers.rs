@@ -21,8 +21,14 @@ struct Arrow {
 }
 
 fn numbers(text: &str) -> Vec<f64> {
-    let parts = text.split([' ', ',']).filter(|part| !part.is_empty());
-    parts.map(|part| part.parse().unwrap_or_else(|_| panic!("{part:?} in {text:?}"))).collect()
+    let (mut out, mut at) = (Vec::new(), 0);
+    while at < text.len() {
+        match text.as_bytes()[at] {
+            b' ' | b',' => at += 1,
+            _ => out.push(drawn::scan(text.as_bytes(), &mut at)),
+        }
+    }
+    out
 }
 
 fn commands(data: &str) -> Vec<(char, Vec<f64>)> {
@@ -50,9 +56,14 @@ fn arc(a: P, b: P, radius: f64, large: bool) -> Vec<P> {
 
 fn line(data: &str) -> (String, Vec<P>) {
     let (mut letters, mut points): (String, Vec<P>) = (String::new(), Vec::new());
-    for (letter, n) in commands(data) {
-        letters.push(letter);
+    for (letter, mut n) in commands(data) {
         let at = points.last().copied().unwrap_or_default();
+        if letter.is_ascii_lowercase() {
+            let first = if letter == 'a' { 5 } else { 0 };
+            n.iter_mut().skip(first).enumerate().for_each(|(i, x)| *x += at[i % 2]);
+        }
+        let letter = letter.to_ascii_uppercase();
+        letters.push(letter);
         let step = |f: &dyn Fn(f64) -> P| (1..=16).map(|i| f(f64::from(i) / 16.0)).collect::<Vec<P>>();
         points.extend(match letter {
             'M' => vec![[n[0], n[1]]],

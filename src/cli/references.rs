@@ -71,7 +71,7 @@ static REFERENCES: &[Reference] = &[
     Reference {
         file: "film-split-face.svg",
         about: "split_face step by step: what each step of the handout links",
-        draw: || strip(include_str!("../../figures/scripts/split-face.dcels"), "A film of split_face", "split-face"),
+        draw: || strip(include_str!("../../figures/scripts/split-face.dcels"), "A film of split_face", "split"),
     },
     Reference {
         file: "film-split-in-half.svg",
@@ -115,7 +115,7 @@ static REFERENCES: &[Reference] = &[
         file: "pointers.svg",
         about: "the five families of pointers in the lab's subdivision, one panel each",
         draw: || {
-            let options = FigureOptions::new("Pointers of the lab's subdivision").id_prefix("pointers").width(520.0);
+            let options = FigureOptions::new("Pointers of the lab's subdivision").id_prefix("ptr").width(520.0);
             Ok(figure::pointers(&lesson::lab_subdivision()?, &Pointers::ALL, &options)?.to_svg())
         },
     },

@@ -6,16 +6,10 @@
 //!   of models   0.1   1e-9   6.25e30         the shortest decimal that reads back as the same f64
 //! ```
 
-/// Appends a drawn number, rounded to two decimals.
-pub(super) fn push(out: &mut String, value: f64) {
-    let hundredths = (value * 100.0).round() as i64;
-    push_decimal(out, hundredths, 100, true);
-}
-
-/// A drawn number as a string, see [`push`].
+/// A drawn number, rounded to two decimals.
 pub(super) fn drawn(value: f64) -> String {
     let mut out = String::new();
-    push(&mut out, value);
+    push_decimal(&mut out, (value * 100.0).round() as i64, 100, true);
     out
 }
 

@@ -19,7 +19,7 @@ use super::crowd::{Crowd, Shape};
 use super::faces::{Region, regions};
 use super::half_edges::{Shaft, shafts};
 use super::labels::{Labels, Stage};
-use super::scene::{Attributes, Group, Node};
+use super::scene::{Attributes, Group, Node, Polylines, tenths};
 use super::skeleton::{Cycles, Skeleton, half_edges, mutual_twin, vertices};
 use super::structure::{Notes, Picture};
 use super::vertices::radii;
@@ -253,16 +253,27 @@ impl<'a, V: PlanarView + ?Sized> Plate<'a, V> {
         (region.contains(label.at) && region.is_clear(&label.bounds())).then(|| label.clone())
     }
 
-    /// The half-edge or its twin, whichever is shown, decides about the edge.
+    /// The half-edge or its twin, whichever is shown, decides about the edge. Among other drawings the edges are one
+    /// path, which is much shorter.
     fn edge_group(&self, look: &Look) -> Group {
         let Picture { view, ref skeleton, .. } = self.picture;
-        let line = |&h: &HalfEdgeId| {
-            let (from, to) = skeleton.segment(h)?;
+        let segment = |&h: &HalfEdgeId| {
             let halves = [Some(h), mutual_twin(view, h)];
             halves.iter().flatten().find(|&&half| look.half_edge(half) != Mark::Hidden)?;
-            Some(Node::Line { class: "edge", from, to })
+            skeleton.segment(h)
         };
-        Group { class: "edges", nodes: skeleton.edges.iter().filter_map(line).collect(), ..Group::default() }
+        let shown = skeleton.edges.iter().filter_map(segment);
+        let nodes = if look.data {
+            shown.map(|(from, to)| Node::Line { class: "edge", from, to }).collect()
+        } else {
+            let mut lines = Polylines::new(false);
+            for (from, to) in shown {
+                lines.start(tenths(from));
+                lines.line_to(tenths(to));
+            }
+            vec![Node::Fine { class: "edge", hatch: None, lines }]
+        };
+        Group { class: "edges", nodes, ..Group::default() }
     }
 
     fn half_edge_group<W: PlanarView + ?Sized>(&self, view: &W, h: HalfEdgeId, look: &Look) -> Group {

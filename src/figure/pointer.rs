@@ -116,7 +116,8 @@ impl<V: PlanarView + ?Sized> Plate<'_, V> {
         match family {
             Pointers::Next => half_edges(view).map(Pointer::Next).collect(),
             Pointers::Twin => {
-                let once = half_edges(view).filter(|&h| mutual_twin(view, h).is_none_or(|t| h < t));
+                let first = |t: HalfEdgeId, h: HalfEdgeId| h < t || !view.has_half_edge(t);
+                let once = half_edges(view).filter(|&h| mutual_twin(view, h).is_none_or(|t| first(t, h)));
                 once.map(Pointer::Twin).collect()
             }
             Pointers::Outgoing => vertices(view).map(Pointer::Outgoing).collect(),

@@ -9,7 +9,7 @@
 //! The rules of the kit hold every class of every figure, and are most of a small file. A line holds one rule, or
 //! opens or closes a block.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use svg::node::Node;
 use svg::node::element::Element;
 
@@ -83,10 +83,67 @@ impl Worn {
     }
 }
 
+/// Takes the size off texts whose whole class has one size, and gives the class a rule that says it.
+pub(super) fn share_sizes(elements: &mut [Element], prefix: &str) -> String {
+    let mut sizes: BTreeMap<String, Option<String>> = BTreeMap::new();
+    for element in elements.iter() {
+        note_size(element, &mut sizes);
+    }
+    // A rule of one class would reach texts that wear it beside others.
+    let single = |class: &str| {
+        let wears = |other: &str| other != class && other.split(' ').any(|one| one == class);
+        !class.contains(' ') && !sizes.keys().any(|other| wears(other))
+    };
+    let shared: BTreeMap<&str, &str> = sizes
+        .iter()
+        .filter(|(class, _)| single(class))
+        .filter_map(|(class, size)| Some((class.as_str(), size.as_deref()?)))
+        .collect();
+    elements.iter_mut().for_each(|element| take_size(element, &shared));
+    shared.iter().map(|(class, size)| format!("\n#{prefix} .{class}{{font-size:{size}px}}")).collect()
+}
+
+/// The class of a text and its size.
+fn text_size(node: &dyn Node) -> Option<(String, String)> {
+    let attributes = node.get_attributes().filter(|_| node.get_name() == "text")?;
+    Some((attributes.get("class")?.to_string(), attributes.get("font-size")?.to_string()))
+}
+
+fn note_size(node: &dyn Node, sizes: &mut BTreeMap<String, Option<String>>) {
+    if let Some((class, size)) = text_size(node) {
+        let known = sizes.entry(class).or_insert_with(|| Some(size.clone()));
+        if known.as_ref() != Some(&size) {
+            *known = None;
+        }
+    }
+    node.get_children().into_iter().flatten().for_each(|child| note_size(&**child, sizes));
+}
+
+fn take_size(node: &mut dyn Node, shared: &BTreeMap<&str, &str>) {
+    if text_size(node).is_some_and(|(class, _)| shared.contains_key(class.as_str()))
+        && let Some(attributes) = node.get_attributes_mut()
+    {
+        attributes.remove("font-size");
+    }
+    node.get_children_mut().into_iter().flatten().for_each(|child| take_size(&mut **child, shared));
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use svg::node::element::{Group, Line, Path};
+    use svg::node::element::{Group, Line, Path, Text};
+
+    #[test]
+    fn sizes_are_shared_where_the_class_has_one() {
+        let text = |class: &str, size: &str| Text::new("x").set("class", class).set("font-size", size);
+        let inside = Group::new().add(text("hl", "9.5")).add(text("vl", "9.5")).add(text("vl", "8"));
+        let mut drawing: [Element; 3] = [inside.into(), text("hl", "9.5").into(), text("cs nav", "12").into()];
+        assert_eq!(share_sizes(&mut drawing, "x"), "\n#x .hl{font-size:9.5px}");
+        let sizes: Vec<bool> = drawing.iter().map(|e| e.to_string().contains("class=\"hl\" font-size")).collect();
+        assert_eq!(sizes, [false; 3]);
+        assert_eq!(drawing[0].to_string().matches("font-size").count(), 2, "two sizes stay with their texts");
+        assert!(drawing[2].to_string().contains("font-size=\"12\""), "two classes");
+    }
 
     #[test]
     fn rules_stay_if_their_classes_are_worn() {

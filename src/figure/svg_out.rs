@@ -4,9 +4,9 @@
 //! digits), path data is built by hand (its builder keeps f32), control characters are taken out before, and
 //! no style rule holds a `>`, which would be escaped.
 
-use super::number::{drawn, push, push_short};
+use super::number::{drawn, push_short};
 use super::scene::{Group, Hatch, Node, Polylines, Scene, Step};
-use super::sheet::Worn;
+use super::sheet::{Worn, share_sizes};
 use super::vector::Xy;
 use svg::Node as _;
 use svg::node::Text as Characters;
@@ -36,8 +36,9 @@ pub(super) fn document(scene: &Scene) -> String {
         root = root.set(*name, value.as_str());
     }
     let paper: Element = Rectangle::new().set("class", "bg").set("width", width).set("height", height).into();
-    let drawing: Vec<Element> =
+    let mut drawing: Vec<Element> =
         std::iter::once(paper).chain(scene.nodes.iter().map(|node| element(node, prefix))).collect();
+    let sizes = if scene.plain { String::new() } else { share_sizes(&mut drawing, prefix) };
     let mut worn = Worn::by(&drawing);
     let hatches: Vec<&Hatch> =
         scene.hatches.iter().filter(|h| worn.refers_to(&format!("{prefix}-{}", h.name))).collect();
@@ -47,7 +48,7 @@ pub(super) fn document(scene: &Scene) -> String {
     root = root
         .add(Title::new(scene.title.as_str()).set("id", format!("{prefix}-title")))
         .add(Description::new().set("id", format!("{prefix}-desc")).add(Characters::new(scene.description.as_str())))
-        .add(Style::new(worn.sheet(&scene.css)));
+        .add(Style::new(worn.sheet(&scene.css) + &sizes));
     if !hatches.is_empty() {
         let patterns = hatches.into_iter().map(|hatch| pattern(hatch, prefix));
         root = root.add(patterns.fold(Definitions::new(), Definitions::add));
@@ -151,41 +152,33 @@ fn area(class: &str, hatch: Option<&str>, prefix: &str, data: String) -> Element
     out.into()
 }
 
-/// `M x,y`, then `L`, `Q`, `C` and `A` with their points, two decimals.
+/// A start, then lines, quadratics, cubics and arcs, two decimals.
 fn curve_data(start: Xy, steps: &[Step]) -> String {
-    let mut out = String::new();
-    let mut points = |command: &str, points: &[Xy]| {
-        out.push_str(command);
-        for (i, p) in points.iter().enumerate() {
-            if i > 0 {
-                out.push(' ');
-            }
-            push(&mut out, p.x);
-            out.push(',');
-            push(&mut out, p.y);
-        }
-    };
-    points("M", &[start]);
+    let mut pen = Pen::new(100, 1 + 3 * steps.len());
+    pen.command("m", &[start]);
     for step in steps {
         match *step {
-            Step::Line(to) => points("L", &[to]),
-            Step::Quad(control, to) => points("Q", &[control, to]),
-            Step::Cubic(first, second, to) => points("C", &[first, second, to]),
+            Step::Line(to) => pen.command("l", &[to]),
+            Step::Quad(control, to) => pen.command("q", &[control, to]),
+            Step::Cubic(first, second, to) => pen.command("c", &[first, second, to]),
             Step::Round { radius, large, to } => {
                 let r = drawn(radius);
-                points(&format!("A{r},{r} 0 {} 1 ", u8::from(large)), &[to]);
+                pen.command(&format!("a{r} {r} 0 {} 1 ", u8::from(large)), &[to]);
             }
         }
     }
-    out
+    pen.out
+}
+
+fn hundredths(p: Xy) -> [i64; 2] {
+    [p.x, p.y].map(|x| (x * 100.0).round() as i64)
 }
 
 /// Closed outlines, two decimals.
 fn outline_data(outlines: &[Vec<Xy>]) -> String {
     let mut pen = Pen::new(100, outlines.iter().map(Vec::len).sum());
-    let hundredths = |p: &Xy| [p.x, p.y].map(|x| (x * 100.0).round() as i64);
     for outline in outlines {
-        pen.draw(outline.iter().map(hundredths), true);
+        pen.draw(outline.iter().copied().map(hundredths), true);
     }
     pen.out
 }
@@ -232,6 +225,17 @@ impl Pen {
         }
     }
 
+    /// A command to the last of some points, by the others; units are hundredths.
+    fn command(&mut self, letter: &str, points: &[Xy]) {
+        self.out.push_str(letter);
+        let start = self.at;
+        for (i, p) in points.iter().copied().map(hundredths).enumerate() {
+            self.step(p[0] - start[0], i > 0);
+            self.step(p[1] - start[1], true);
+            self.at = p;
+        }
+    }
+
     /// A number, after a space where the one before would run into it.
     fn step(&mut self, value: i64, separate: bool) {
         let last = self.out.len();
@@ -273,6 +277,16 @@ mod tests {
             outline_data(&[outline, vec![xy(1.0, 1.0), xy(2.0, 1.0)]]),
             "m.33 0 .34 0 .33 1.05-.67 8.95zm.67 1 1 0z"
         );
+    }
+
+    #[test]
+    fn curves_are_relative_to_the_start_of_each_step() {
+        let steps = [
+            Step::Quad(xy(12.0, 10.0), xy(12.0, 8.5)),
+            Step::Round { radius: 14.0, large: true, to: xy(11.75, 8.0) },
+            Step::Line(xy(11.0, 8.0)),
+        ];
+        assert_eq!(curve_data(xy(10.0, 10.0), &steps), "m10 10q2 0 2-1.5a14 14 0 1 1 -.25-.5l-.75 0");
     }
 
     #[test]

@@ -82,6 +82,13 @@ pub(crate) fn read(svg: &str) -> Drawn {
     let document = Document::parse(svg).unwrap_or_else(|error| panic!("{error}"));
     let root = document.root_element();
     let prefix = root.attribute("id").unwrap().to_owned();
+    // The size of a class of texts that has one.
+    let css = root.descendants().find(|n| n.tag_name().name() == "style").and_then(|n| n.text()).unwrap_or_default();
+    let shared = |class: &str| {
+        let rule = format!("#{prefix} .{class}{{font-size:");
+        let at = css.find(&rule).unwrap_or_else(|| panic!("no size of {class}")) + rule.len();
+        css[at..].split("px").next().unwrap().parse::<f64>().unwrap()
+    };
     let mut out = Drawn {
         size: [number(root, "width"), number(root, "height")],
         data: BTreeMap::new(),
@@ -112,7 +119,7 @@ pub(crate) fn read(svg: &str) -> Drawn {
                 owner: owner.trim_end_matches("-label").to_owned(),
                 text: node.text().unwrap_or_default().trim().to_owned(),
                 at: [number(node, "x"), number(node, "y")],
-                size: number(node, "font-size"),
+                size: if node.has_attribute("font-size") { number(node, "font-size") } else { shared(class) },
             }),
             ("line", "sh" | "sh thin") => {
                 let barb = node.next_sibling_element().unwrap();
@@ -130,7 +137,7 @@ pub(crate) fn read(svg: &str) -> Drawn {
             ("line", "edge") => {
                 out.edges.push(([number(node, "x1"), number(node, "y1")], [number(node, "x2"), number(node, "y2")]));
             }
-            ("path", "mesh") => {
+            ("path", "mesh" | "edge") => {
                 for line in path(node.attribute("d").unwrap()) {
                     out.edges.extend(line.windows(2).map(|w| (w[0], w[1])));
                 }
@@ -188,7 +195,7 @@ pub(crate) fn path(data: &str) -> Vec<Vec<P>> {
     out
 }
 
-fn scan(bytes: &[u8], i: &mut usize) -> f64 {
+pub(crate) fn scan(bytes: &[u8], i: &mut usize) -> f64 {
     let start = *i;
     if bytes[*i] == b'-' {
         *i += 1;
