@@ -25,11 +25,7 @@ impl Matched {
         let firsts = first_half_edges(&mut columns, vertices);
         let border = border(&columns.face);
         let isolated = vertices - firsts.len();
-        let first_isolated = match isolated {
-            0 => None,
-            _ => columns.outgoing.iter().position(|&word| word == NONE).map(|v| VertexId(v as u32)),
-        };
-        let mut this = Self { columns, border, pinched: Vec::new(), isolated, first_isolated, first_face };
+        let mut this = Self { columns, border, pinched: Vec::new(), isolated, first_face };
         let one_gap_each = this.link_border();
         if !one_gap_each || stars_length(&this.columns.prev, &firsts) != this.columns.prev.len() {
             this.find_pinched();

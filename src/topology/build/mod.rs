@@ -113,8 +113,6 @@ pub(crate) struct Matched {
     pub(crate) pinched: Vec<VertexId>,
     /// How many vertices no face uses.
     pub(crate) isolated: usize,
-    /// The first of them.
-    pub(crate) first_isolated: Option<VertexId>,
     /// The number of the first input face.
     first_face: u32,
 }
@@ -142,6 +140,9 @@ pub(crate) fn match_faces<F: Faces + ?Sized>(
         Err(_) => Err(diagnose::clash(faces)),
     }
 }
+
+/// Room for so many faces beyond borders is made with the others.
+const BORDERS: usize = 16;
 
 /// Why matching stopped.
 enum Stop {
