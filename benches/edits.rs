@@ -121,10 +121,14 @@ trait Copies {
     fn copy(&self) -> Self::Copy;
 }
 
+/// Copies get the room of the grown structure, as those of alum do.
 impl Copies for Dcel {
     type Copy = Self;
     fn copy(&self) -> Self {
-        self.clone()
+        let mut copy = self.clone();
+        let room = EDGES.saturating_sub(self.edge_count());
+        copy.reserve(room, room, room);
+        copy
     }
 }
 

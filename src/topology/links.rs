@@ -89,8 +89,15 @@ impl Default for Dcel {
     }
 }
 
+#[inline]
 fn target(word: u32) -> Option<u32> {
     (word & TAG == 0).then_some(word)
+}
+
+/// Whether the word of a vertex or face is not the link of a removed one: an id, or `NONE`.
+#[inline]
+fn is_live(word: u32) -> bool {
+    word.wrapping_add(1) <= TAG
 }
 
 impl Dcel {
@@ -115,24 +122,28 @@ impl Dcel {
 
     /// One more than the greatest vertex number ever used: the length of a [`VertexMap`](crate::VertexMap).
     #[must_use]
+    #[inline]
     pub fn vertex_bound(&self) -> usize {
         self.outgoing.len()
     }
 
     /// One more than the greatest half-edge number ever used.
     #[must_use]
+    #[inline]
     pub fn half_edge_bound(&self) -> usize {
         self.next.len()
     }
 
     /// One more than the greatest edge number ever used.
     #[must_use]
+    #[inline]
     pub fn edge_bound(&self) -> usize {
         self.next.len() / 2
     }
 
     /// One more than the greatest face number ever used.
     #[must_use]
+    #[inline]
     pub fn face_bound(&self) -> usize {
         self.boundary.len()
     }
@@ -208,8 +219,9 @@ impl Dcel {
 
     /// Whether `v` exists: allocated and not removed. O(1).
     #[must_use]
+    #[inline]
     pub fn has_vertex(&self, v: VertexId) -> bool {
-        self.outgoing.get(v.index()).is_some_and(|&word| word & TAG == 0 || word == NONE)
+        self.outgoing.get(v.index()).is_some_and(|&word| is_live(word))
     }
 
     /// Whether `h` exists: allocated and not removed. O(1).
@@ -221,14 +233,16 @@ impl Dcel {
 
     /// Whether `e` exists: allocated and not removed. O(1).
     #[must_use]
+    #[inline]
     pub fn has_edge(&self, e: EdgeId) -> bool {
         self.has_half_edge(e.half_edges()[0])
     }
 
     /// Whether `f` exists: allocated and not removed. O(1).
     #[must_use]
+    #[inline]
     pub fn has_face(&self, f: FaceId) -> bool {
-        self.boundary.get(f.index()).is_some_and(|&word| word & TAG == 0 || word == NONE)
+        self.boundary.get(f.index()).is_some_and(|&word| is_live(word))
     }
 
     /// Bytes of memory the structure holds: 16 for each half-edge, 4 for each vertex and each face, live or
@@ -238,6 +252,24 @@ impl Dcel {
         let columns =
             [&self.origin, &self.next, &self.prev, &self.face, &self.outgoing, &self.boundary].map(Vec::capacity);
         columns.iter().sum::<usize>() * size_of::<u32>() + size_of::<Self>()
+    }
+
+    /// Makes room for so many more elements, so that edits need not move the columns while they grow. Changes
+    /// nothing else.
+    ///
+    /// ```
+    /// # use dcel_kit::topology::Dcel;
+    /// let mut square = Dcel::polygon(4)?;
+    /// square.reserve(100, 100, 0);
+    /// assert_eq!(square, Dcel::polygon(4)?);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn reserve(&mut self, vertices: usize, edges: usize, faces: usize) {
+        for column in [&mut self.origin, &mut self.next, &mut self.prev, &mut self.face] {
+            column.reserve(2 * edges);
+        }
+        self.outgoing.reserve(vertices);
+        self.boundary.reserve(faces);
     }
 
     // ---- raw words, for pool.rs -----------------------------------------------------------------------
@@ -255,11 +287,13 @@ impl Dcel {
         &mut self.boundary[f.index()]
     }
 
+    #[inline]
     pub(super) fn push_vertex(&mut self) -> VertexId {
         self.outgoing.push(NONE);
         VertexId(self.outgoing.len() as u32 - 1)
     }
 
+    #[inline]
     pub(super) fn push_edge(&mut self) -> EdgeId {
         for column in [&mut self.origin, &mut self.next, &mut self.prev, &mut self.face] {
             column.extend([NONE, NONE]);
@@ -267,6 +301,7 @@ impl Dcel {
         EdgeId(self.next.len() as u32 / 2 - 1)
     }
 
+    #[inline]
     pub(super) fn push_face(&mut self) -> FaceId {
         self.boundary.push(NONE);
         FaceId(self.boundary.len() as u32 - 1)

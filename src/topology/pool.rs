@@ -79,6 +79,7 @@ impl Dcel {
     }
 
     /// Fails unless the element exists.
+    #[inline]
     pub fn check(&self, element: impl Into<Element>) -> Result<(), IdError> {
         let element = element.into();
         let (live, index, bound) = match element {
@@ -97,6 +98,7 @@ impl Dcel {
     }
 
     /// Whether so many more elements fit. Edits ask before they write.
+    #[inline]
     pub(crate) fn room_for(&self, vertices: usize, edges: usize, faces: usize) -> Result<(), TooMany> {
         let fits = self.vertex_count() + vertices <= MAX_IDS
             && self.half_edge_count() + 2 * edges <= MAX_IDS
@@ -104,6 +106,7 @@ impl Dcel {
         if fits { Ok(()) } else { Err(TooMany) }
     }
 
+    #[inline(always)]
     pub(crate) fn add_vertex_record(&mut self, rec: &mut impl Recorder) -> VertexId {
         let reused = self.free.vertex != FREE_END;
         let v = if reused {
@@ -118,6 +121,7 @@ impl Dcel {
         v
     }
 
+    #[inline(always)]
     pub(crate) fn add_edge_record(&mut self, rec: &mut impl Recorder) -> EdgeId {
         let reused = self.free.edge != FREE_END;
         let e = if reused {
@@ -135,6 +139,7 @@ impl Dcel {
         e
     }
 
+    #[inline(always)]
     pub(crate) fn add_face_record(&mut self, rec: &mut impl Recorder) -> FaceId {
         let reused = self.free.face != FREE_END;
         let f = if reused {

@@ -3,35 +3,31 @@
 //! ```text
 //!   u + w:        0 .. 2047          2048 .. 4095        ...      Both halves of an edge have the same sum of
 //!   cards:    [(3, 4) (9, 2) ...]  [(7, 2050) ...]                ends, so they are dealt into the same block.
+//!
+//!   cells of a block, four for each sum: every card writes its name into its cell, then looks who stands there.
+//!     itself        it came last, and nobody but its twin may have been before it
+//!     its twin      a pair
+//!     a stranger    both edges wanted this cell: it tries again in the next round, where cells are chosen anew
 //! ```
 //!
-//! Each block fits into the cache and is matched there with lists, a few for each sum. Blocks by the sum, not
-//! by one end, are equally large even if a vertex has a million edges. A list may still grow long (edges with
-//! one sum and the same difference modulo eight: possible, if only by intent); then the block is sorted.
+//! Each block fits into the cache. Blocks by the sum, not by one end, are equally large even if a vertex has
+//! a million edges. No step depends on a guess of the processor, which in random order is wrong half of the time.
+//! Edges that still meet strangers after a few rounds (equal sums and unlucky differences: possible in large
+//! numbers, if only by intent) are sorted.
+//!
+//! Fresh memory costs as much as the work in it, so all large arrays are used again: the cards lie in three
+//! pieces, which become columns of the result.
 
-use super::Stop;
 use super::faces::Faces;
-use crate::topology::links::{Columns, NONE, TAG};
+use super::{BORDERS, Stop};
+use crate::topology::links::{Columns, NONE};
+use std::hint::select_unpredictable;
 use std::ops::Range;
-
-/// Searching a list gives up after so many edges.
-const DEEPEST: usize = 64;
-/// Ends a list. Links are tagged once both halves of their edge have been met, so the end must bear a tag.
-const END: u32 = NONE & !TAG;
 
 /// A half-edge on its way to its block: from, to, corner.
 type Card = [u32; 3];
-
-/// The numbers of the half-edges: edges in the order in which the corners first meet them, the half met first
-/// even.
-struct Numbers {
-    /// By corner: its half-edge.
-    half_edge: Vec<u32>,
-    /// By edge: the corners of its even and its odd half; `NONE` if no face has the odd one.
-    corners: Vec<[u32; 2]>,
-    /// Memory that was needed on the way, to be used again.
-    spare: [Vec<u32>; 3],
-}
+/// The memory of the cards. Each piece is as large as a column of half-edges.
+type Pieces = [Vec<Card>; 3];
 
 /// Deals the half-edges into blocks, matches each block, gives out the numbers, and writes the half-edges. The
 /// column of vertices stays empty.
@@ -40,172 +36,203 @@ pub(super) fn dealt<F: Faces + ?Sized>(faces: &F, vertices: usize, first_face: u
     const BLOCKS: usize = 512;
     /// Blocks do not get smaller than so many sums.
     const SMALLEST: usize = 1024;
-    let count = faces.corners().len();
     let sums = 2 * vertices;
     let size = sums.div_ceil(BLOCKS).max(SMALLEST).next_power_of_two();
-    let block_of = |from: u32, to: u32| ((from + to) >> size.trailing_zeros()) as usize;
+    let (mut pieces, blocks) = deal(faces, sums.div_ceil(size), size.trailing_zeros());
 
-    let mut ends = vec![0_u32; sums.div_ceil(size) + 1];
-    faces.for_each_half_edge(|_, from, to| ends[block_of(from, to) + 1] += 1);
-    for block in 1..ends.len() {
-        ends[block] += ends[block - 1];
+    let mut matching = Matching::new(size, faces.corners().len());
+    for Block { piece, start, end } in blocks {
+        matching.block(&mut pieces[piece as usize][start as usize..end as usize])?;
     }
-    let mut cards = vec![[0; 3]; count];
+    let [piece, next, prev] = pieces.map(Vec::into_flattened);
+    let (half_edge, pairs) = matching.numbers(piece);
+    Ok(link(faces, first_face, half_edge, pairs, [next, prev]))
+}
+
+/// Where the cards of a block are.
+struct Block {
+    piece: u32,
+    start: u32,
+    end: u32,
+}
+
+/// Deals the half-edges, those with the same sum of ends shifted by `shift` into the same block.
+fn deal<F: Faces + ?Sized>(faces: &F, blocks: usize, shift: u32) -> (Pieces, Vec<Block>) {
+    let block_of = |from: u32, to: u32| ((from + to) >> shift) as usize;
+    let count = faces.corners().len();
+    let mut sizes = vec![0_u32; blocks];
+    faces.for_each_half_edge(|_, from, to| sizes[block_of(from, to)] += 1);
+
+    let mut lengths = [0; 3];
+    let mut dealt = 0;
+    let mut blocks: Vec<Block> = Vec::with_capacity(sizes.len());
+    for size in sizes {
+        let piece = (3 * dealt / count.max(1)).min(2);
+        let start = lengths[piece];
+        blocks.push(Block { piece: piece as u32, start, end: start });
+        lengths[piece] += size;
+        dealt += size as usize;
+    }
+    // Room for the border, too, when a piece has become a column.
+    let column = (count + count / 8) / 3;
+    let mut pieces = lengths.map(|length| vec![[0; 3]; column.max(length as usize)]);
+    let [a, b, c] = &mut pieces;
+    let mut targets = [&mut a[..], b, c, &mut []];
     faces.for_each_half_edge(|corner, from, to| {
-        let end = &mut ends[block_of(from, to)];
-        cards[*end as usize] = [from, to, corner];
+        let Block { piece, end, .. } = &mut blocks[block_of(from, to)];
+        targets[(*piece & 3) as usize][*end as usize] = [from, to, corner];
         *end += 1;
     });
-
-    let mut table = Table::new(size, count);
-    let mut start = 0;
-    for &end in &ends[..ends.len() - 1] {
-        let cards = &cards[start..end as usize];
-        table.block(cards)?;
-        start = end as usize;
-    }
-    Ok(link(faces, first_face, table.numbers(cards)))
+    (pieces, blocks)
 }
 
 /// Matches one block after another.
-struct Table {
-    /// By corner: the corner of the twin, at the first of the two.
+struct Matching {
+    /// By corner: the corner of the twin.
     mates: Vec<u32>,
     /// How many edges have both halves.
     matched: usize,
-    /// By sum and difference of the ends: the card met last.
-    heads: Vec<u32>,
-    /// By card of this block: the card before it in its list; tagged once its twin is there.
-    links: Vec<u32>,
+    /// By sum and a part of the difference of the ends: corner and `from` of the card that came last.
+    cells: Vec<[u32; 2]>,
     /// The pairs of corners found in this block.
     pairs: Vec<[u32; 2]>,
+    /// The places of the cards that met strangers.
+    strangers: Vec<u32>,
 }
 
-impl Table {
-    /// Each sum has so many lists, for differences of the ends: nearly all lists have one edge then.
-    const SPREAD: u32 = 4;
+impl Matching {
+    /// The number of cells of a sum is two to this power.
+    const SPREAD: u32 = 2;
 
     fn new(size: usize, corners: usize) -> Self {
-        let mut mates = Vec::with_capacity(corners + corners / 16);
-        mates.resize(corners, NONE);
-        let heads = vec![END; size * Self::SPREAD as usize];
-        Self { mates, matched: 0, heads, links: Vec::new(), pairs: Vec::new() }
+        let cells = vec![[0; 2]; size << Self::SPREAD];
+        Self { mates: vec![NONE; corners], matched: 0, cells, pairs: Vec::new(), strangers: Vec::new() }
     }
 
     /// Matches the half-edges of one block, given in the order of their corners.
-    fn block(&mut self, cards: &[Card]) -> Result<(), Stop> {
-        match self.search(cards) {
-            Err(Stop::LongList) => self.sort(cards)?,
-            done => done?,
+    fn block(&mut self, cards: &mut [Card]) -> Result<(), Stop> {
+        /// So few are sorted at once.
+        const FEW: usize = 16;
+        const ROUNDS: u32 = 6;
+        if self.strangers.len() <= cards.len() {
+            self.strangers.resize(cards.len() + 1, 0);
+            self.pairs.resize(cards.len() + 1, [0; 2]);
         }
-        for &[first, second] in &self.pairs {
-            self.mates[first as usize] = second;
-        }
-        self.matched += self.pairs.len();
-        Ok(())
-    }
-
-    /// Finds the pairs with lists.
-    fn search(&mut self, cards: &[Card]) -> Result<(), Stop> {
-        self.heads.fill(END);
-        self.links.clear();
-        self.links.resize(cards.len(), END);
-        self.pairs.clear();
-        let mask = self.heads.len() - 1;
-        for (place, card) in (0..).zip(cards) {
-            let &[u, v, corner] = card;
-            let list = (u + v).wrapping_mul(Self::SPREAD) + (u.abs_diff(v) >> 1) % Self::SPREAD;
-            let head = &mut self.heads[list as usize & mask];
-            if let Some(first) = take_twin(cards, &mut self.links, *head, card)? {
-                self.pairs.push([first, corner]);
-            } else {
-                self.links[place as usize] = *head;
-                *head = place;
+        let mut found = 0;
+        let mut left = cards.len();
+        for round in 0..ROUNDS {
+            if left > FEW {
+                (left, found) = self.round(round, &mut cards[..left], found)?;
             }
         }
-        Ok(())
+        found = self.sort(&mut cards[..left], found)?;
+        let mut clash = false;
+        for &[first, second] in &self.pairs[..found] {
+            self.mates[first as usize] = second;
+            // Two half-edges that fit the same third one have both been paired with it.
+            clash |= std::mem::replace(&mut self.mates[second as usize], first) != NONE;
+        }
+        self.matched += found;
+        if clash { Err(Stop::Clash) } else { Ok(()) }
     }
 
-    /// Finds the pairs by sorting.
-    fn sort(&mut self, cards: &[Card]) -> Result<(), Stop> {
+    /// Sends all cards to their cells and compares each with the one that came last. Adds the pairs to the `found`
+    /// that are there, and brings those that met strangers to the front. Returns how many there are of both.
+    fn round(&mut self, round: u32, cards: &mut [Card], found: usize) -> Result<(usize, usize), Stop> {
+        let cells = &mut self.cells[..];
+        let mask = cells.len() - 1;
+        let shift = 32 - Self::SPREAD * (round + 1);
+        let cell = |from: u32, to: u32| {
+            let bits = from.abs_diff(to).wrapping_mul(0x9e37_79b9) >> shift & ((1 << Self::SPREAD) - 1);
+            (((from + to) << Self::SPREAD) | bits) as usize & mask
+        };
+        for &[from, to, corner] in cards.iter() {
+            cells[cell(from, to)] = [corner, from];
+        }
+        let pairs = &mut self.pairs[found..];
+        let strangers = &mut self.strangers[..];
+        let (mut new, mut left, mut clash) = (0, 0, 0);
+        for (place, &[from, to, corner]) in (0..).zip(cards.iter()) {
+            let [last, start] = cells[cell(from, to)];
+            // All cards of a cell have the same sum of ends: one end says which edge it is.
+            let (twin, same) = (start == to, start == from);
+            clash |= u32::from(same).wrapping_neg() & (last ^ corner);
+            pairs[new] = [corner, last];
+            new += usize::from(twin);
+            strangers[left] = place;
+            left += usize::from(!twin & !same);
+        }
+        for (to, &from) in strangers[..left].iter().enumerate() {
+            cards[to] = cards[from as usize];
+        }
+        if clash == 0 { Ok((left, found + new)) } else { Err(Stop::Clash) }
+    }
+
+    /// Finds the pairs by sorting, adds them to the `found` that are there, and returns how many there are.
+    fn sort(&mut self, cards: &mut [Card], mut found: usize) -> Result<usize, Stop> {
         let ends = |&[u, v, _]: &Card| (u.min(v), u.max(v));
-        let mut cards = cards.to_vec();
         cards.sort_unstable_by_key(|card| (ends(card), card[2]));
-        self.pairs.clear();
         for edge in cards.chunk_by(|a, b| ends(a) == ends(b)) {
             match *edge {
                 [_] => {}
-                [[from, _, first], [_, to, second]] if from == to => self.pairs.push([first, second]),
+                [[from, _, first], [_, to, second]] if from == to => {
+                    self.pairs[found] = [first, second];
+                    found += 1;
+                }
                 _ => return Err(Stop::Clash),
             }
         }
-        Ok(())
+        Ok(found)
     }
 
-    /// Gives out the numbers in the order of the corners, again without a branch on first or second time.
-    fn numbers(self, cards: Vec<Card>) -> Numbers {
-        const BATCH: usize = 64;
-        const AHEAD: usize = 1 << 14;
-        let count = self.mates.len();
-        let mut half_edge = cards.into_flattened();
-        half_edge.truncate(count);
-        half_edge.fill(NONE);
-        let mut corners = vec![[NONE; 2]; count - self.matched + 1];
+    /// Gives out the numbers: edges in the order in which the corners first meet them, the half met first even.
+    ///
+    /// Returns by corner its half-edge, and by edge the corners of its even and its odd half, one after the other
+    /// in the given memory; `NONE` if no face has the odd one.
+    fn numbers(self, mut pairs: Vec<u32>) -> (Vec<u32>, Vec<u32>) {
+        let mut half_edge = self.mates;
+        let edges = half_edge.len() - self.matched;
+        if pairs.len() < 2 * edges + 2 {
+            pairs.resize(2 * edges + 2, NONE);
+        }
         let mut edge = 0;
-        for (corner, &mate) in self.mates.iter().enumerate() {
-            let new = half_edge[corner] == NONE;
-            let h = if new { 2 * edge as u32 } else { half_edge[corner] };
-            corners[edge] = [corner as u32, mate];
+        for corner in 0..half_edge.len() {
+            let mate = half_edge[corner];
+            let new = mate as usize > corner;
+            // The first half has its number already.
+            let known = half_edge[select_unpredictable(new, corner, mate as usize)];
+            half_edge[corner] = select_unpredictable(new, 2 * edge as u32, known.wrapping_add(1));
+            pairs[2 * edge] = corner as u32;
+            pairs[2 * edge + 1] = mate;
             edge += usize::from(new);
-            let paired = new & (mate != NONE);
-            half_edge[if paired { mate as usize } else { corner }] = h + 1;
-            half_edge[corner] = h;
-            if corner % BATCH == 0 {
-                read_ahead(&half_edge, corner + AHEAD..corner + AHEAD + BATCH);
-            }
         }
-        corners.truncate(edge);
-        Numbers { half_edge, corners, spare: [self.mates, Vec::new(), Vec::new()] }
+        pairs.truncate(2 * edges);
+        (half_edge, pairs)
     }
-}
-
-/// Looks for the twin of `card` in the list from `at` on, marks it as taken and returns its corner.
-#[inline(always)]
-fn take_twin(cards: &[Card], links: &mut [u32], mut at: u32, &[u, v, _]: &Card) -> Result<Option<u32>, Stop> {
-    for _ in 0..DEEPEST {
-        if at == END {
-            return Ok(None);
-        }
-        let [start, _, corner] = cards[at as usize];
-        let link = &mut links[at as usize];
-        if start == v && *link & TAG == 0 {
-            *link |= TAG;
-            return Ok(Some(corner));
-        }
-        if start == v || start == u {
-            return Err(Stop::Clash);
-        }
-        at = *link & !TAG;
-    }
-    Err(Stop::LongList)
 }
 
 /// Writes the columns of half-edges, edge by edge: what it needs of a half-edge stands together at its corner,
 /// so that an edge touches two places, wherever its faces are.
-fn link<F: Faces + ?Sized>(faces: &F, first_face: u32, numbers: Numbers) -> Columns {
+fn link<F: Faces + ?Sized>(
+    faces: &F,
+    first_face: u32,
+    half_edge: Vec<u32>,
+    pairs: Vec<u32>,
+    memory: [Vec<u32>; 2],
+) -> Columns {
     /// Edges written at a time, so that the columns grow by slices.
     const BATCH: usize = 64;
     const AHEAD: usize = 1 << 14;
-    let Numbers { half_edge, corners: pairs, spare } = numbers;
     let around = faces.around();
     let corners = faces.corners();
-    let [mut next, mut prev, mut face] = spare.map(|mut column| {
+    let [next, prev] = memory;
+    let [mut next, mut prev, mut face] = [next, prev, Vec::new()].map(|mut column| {
         column.clear();
-        column.reserve_exact(2 * pairs.len());
+        column.reserve_exact(pairs.len());
         column
     });
     // The corners of an edge stand where the origins of its halves will stand.
-    let mut origin = pairs.into_flattened();
+    let mut origin = pairs;
     let mut read = 0;
     for batch in origin.chunks_mut(2 * BATCH) {
         let ahead = batch[0] as usize + AHEAD;
@@ -238,21 +265,25 @@ fn link<F: Faces + ?Sized>(faces: &F, first_face: u32, numbers: Numbers) -> Colu
     for column in [&mut origin, &mut next, &mut prev, &mut face] {
         column.shrink_to_fit();
     }
-    let boundary = boundaries(faces, first_face, &half_edge);
+    let boundary = boundaries(faces, first_face, half_edge);
     Columns { origin, next, prev, face, outgoing: Vec::new(), boundary }
 }
 
-/// The first half-edge of the first cycle of each face.
-fn boundaries<F: Faces + ?Sized>(faces: &F, first_face: u32, half_edge: &[u32]) -> Vec<u32> {
-    let mut boundary = vec![NONE; first_face as usize + faces.face_count()];
+/// The first half-edge of the first cycle of each face, in the memory of the half-edges by corner.
+fn boundaries<F: Faces + ?Sized>(faces: &F, first_face: u32, half_edge: Vec<u32>) -> Vec<u32> {
+    let mut boundary = half_edge;
     let mut corner = 0;
     let _ = faces.try_for_each_cycle::<()>(|face, cycle, corners| {
         if cycle == 0 {
-            boundary[(first_face + face) as usize] = half_edge[corner];
+            // A face has at least three corners, so what is overwritten has been read.
+            boundary[face as usize] = boundary[corner];
         }
         corner += corners.len();
         Ok(())
     });
+    boundary.truncate(faces.face_count());
+    boundary.splice(0..0, std::iter::repeat_n(NONE, first_face as usize));
+    boundary.shrink_to(boundary.len() + BORDERS);
     boundary
 }
 

@@ -141,6 +141,9 @@ pub(crate) fn match_faces<F: Faces + ?Sized>(
     }
 }
 
+/// Room for so many faces beyond borders is made with the others.
+const BORDERS: usize = 16;
+
 /// Why matching stopped.
 enum Stop {
     /// Two half-edges run in the same direction between the same vertices, or three share an edge.

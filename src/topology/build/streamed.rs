@@ -8,8 +8,8 @@
 //!       ...
 //! ```
 
-use super::Stop;
 use super::faces::Faces;
+use super::{BORDERS, Stop};
 use crate::topology::links::Columns;
 
 const NONE: u32 = Columns::NONE;
@@ -18,7 +18,9 @@ const NONE: u32 = Columns::NONE;
 /// The column of vertices stays empty.
 pub(super) fn streamed<F: Faces + ?Sized>(faces: &F, vertices: usize, first_face: u32) -> Result<Columns, Stop> {
     let mut edges = Edges::new(vertices, faces.corners().len());
-    let mut boundary = vec![NONE; first_face as usize + faces.face_count()];
+    let face_count = first_face as usize + faces.face_count();
+    let mut boundary = Vec::with_capacity(face_count + BORDERS);
+    boundary.resize(face_count, NONE);
     faces.try_for_each_cycle(|face, cycle, corners| {
         let face = face + first_face;
         let mut first = NONE;

@@ -29,6 +29,7 @@ pub enum SplitEdgeError {
 
 impl Dcel {
     /// Whether [`split_edge`](Self::split_edge) would succeed, and if not, why. Changes nothing. O(1).
+    #[inline]
     pub fn can_split_edge(&self, h: HalfEdgeId) -> Result<(), SplitEdgeError> {
         self.check(h)?;
         Ok(self.room_for(1, 1, 0)?)
@@ -67,6 +68,7 @@ impl Dcel {
     }
 
     /// The write phase. `h` must have passed [`can_split_edge`](Self::can_split_edge).
+    #[inline]
     pub(crate) fn split_edge_unchecked(&mut self, h: HalfEdgeId, rec: &mut impl Recorder) -> (VertexId, HalfEdgeId) {
         let (a, b) = (h, h.twin());
         let w = self.origin(b);

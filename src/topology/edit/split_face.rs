@@ -81,6 +81,7 @@ impl Dcel {
     /// Whether [`split_face`](Self::split_face) would succeed, and if not, why. Changes nothing.
     ///
     /// Cost: O(length of the part of the cycle from `h2` to `h1`).
+    #[inline]
     pub fn can_split_face(&self, h1: HalfEdgeId, h2: HalfEdgeId) -> Result<(), SplitFaceError> {
         self.check(h1)?;
         self.check(h2)?;
@@ -140,6 +141,7 @@ impl Dcel {
     }
 
     /// The write phase. `h1` and `h2` must have passed [`can_split_face`](Self::can_split_face).
+    #[inline]
     pub(crate) fn split_face_unchecked(
         &mut self,
         h1: HalfEdgeId,
