@@ -6,7 +6,9 @@ use super::lesson::{self, LessonError};
 use super::specimen;
 use dcel_kit::figure::chart::ChartError;
 use dcel_kit::figure::sketch::SketchError;
-use dcel_kit::figure::{self, FigureError, FigureOptions, NearlyCollinear, Pointers};
+use dcel_kit::figure::{
+    self, Detail, FigureError, FigureOptions, NearlyCollinear, Overrides, OverridesError, Pointers,
+};
 use dcel_kit::ids::HalfEdgeId;
 use dcel_kit::plane::{CoordinateError, Subdivision};
 use dcel_kit::script::{Script, ScriptError};
@@ -19,6 +21,8 @@ pub(crate) enum ReferenceError {
     Lesson(#[from] LessonError),
     #[error(transparent)]
     Figure(#[from] FigureError),
+    #[error(transparent)]
+    Overrides(#[from] OverridesError),
     #[error(transparent)]
     Script(#[from] ScriptError),
     #[error(transparent)]
@@ -82,6 +86,19 @@ static REFERENCES: &[Reference] = &[
         draw: || {
             let options = FigureOptions::new("A half-edge structure to point at").interactive(true);
             Ok(figure::structure(&lesson::cube()?, &options.id_prefix("cube"))?.to_svg())
+        },
+    },
+    Reference {
+        file: "lab-04-drawing.svg",
+        about: "the drawing of lab 04, made of the rectangle with split_face and split_in_half alone",
+        draw: || {
+            let drawing =
+                Script::parse(include_str!("../../figures/scripts/lab-04-drawing.dcels"), "lab-04-drawing.dcels")?
+                    .run()
+                    .end;
+            let colours = Overrides::parse(include_str!("../../figures/scripts/lab-04-drawing.colours"))?;
+            let options = FigureOptions::new("The drawing of lab 04").detail(Detail::Edges).overrides(colours);
+            Ok(figure::structure(&drawing, &options.id_prefix("drawing"))?.to_svg())
         },
     },
     Reference {
@@ -217,6 +234,10 @@ fn gallery() -> String {
 /// How to draw such a picture of one's own.
 fn command(file: &str) -> &'static str {
     match file {
+        "lab-04-drawing.svg" => {
+            "dcel script figures/scripts/lab-04-drawing.dcels --dump\n\
+             dcel figure FILE --detail edges --colours figures/scripts/lab-04-drawing.colours -o OUT.svg"
+        }
         "focus.svg" => "dcel figure FILE --focus h5 -o OUT.svg",
         "interactive.svg" => "dcel figure FILE --interactive -o OUT.svg",
         "pointers.svg" => "dcel figure FILE --pointers all -o OUT.svg",

@@ -6,6 +6,8 @@
 //!            fit.rs       scale, level of detail   svg_out.rs  crate svg
 //!            vertices.rs  half_edges.rs  faces.rs  tints.rs   labels.rs captions.rs leaders.rs (crowd.rs, pole.rs)  tiles.rs
 //!   film/    edits, frame by frame
+//!   sketch/  paths, cones, circles, badges …: what the other rooms draw themselves with, alone or over a structure
+//!   chart/   series over linear and log axes
 //! ```
 //!
 //! Reading rules of every figure: arrows run on the left of their edge and their one-sided barb points to
@@ -28,9 +30,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod advances;
 mod arrows;
 mod captions;
 pub mod chart;
+pub mod compare;
 mod crop;
 mod crowd;
 mod face_arrows;
@@ -53,12 +57,16 @@ mod panels;
 mod part;
 mod plain;
 mod plate;
+#[cfg(feature = "png")]
+mod png;
 mod pointer;
 mod pointer_style;
 mod pole;
 mod records;
 mod robustness;
 mod scene;
+mod selectors;
+mod sheet;
 mod skeleton;
 pub mod sketch;
 mod structure;
@@ -79,6 +87,8 @@ pub use options::{Detail, FaceLabels, FigureOptions};
 pub use overrides::{Overrides, OverridesError};
 pub use page::{Page, page};
 pub use panels::pointers;
+#[cfg(feature = "png")]
+pub use png::PngError;
 pub use pointer::Pointers;
 pub use records::records;
 pub use robustness::{NearlyCollinear, robustness};
@@ -88,7 +98,7 @@ pub use style_file::{ParseColourError, StyleError};
 pub use tables::tables;
 pub use unit::{ParseLengthError, Unit};
 
-use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::CoordinateError;
 use std::io::{self, Write};
 
@@ -129,6 +139,12 @@ pub enum FigureError {
         half_edge: HalfEdgeId,
         /// One more than the greatest number of a half-edge.
         bound: usize,
+    },
+    /// An element that is to be shown is not there, or not in the faces that are to be drawn.
+    #[error("{element} is not in the drawing: check its number, and the faces that are to be drawn")]
+    NotDrawn {
+        /// The element.
+        element: Element,
     },
     /// Pointers need half-edges, and these would be too short or too many.
     #[error(

@@ -8,10 +8,11 @@
 //! ```
 
 use super::grid::{Panel, arrange, usual_columns};
+use super::part::Part;
 use super::plate::{Look, Mark, Plate};
 use super::pointer::Pointers;
 use super::structure::Notes;
-use super::{Detail, Figure, FigureError, FigureOptions, pointer_style};
+use super::{Detail, Figure, FigureError, FigureOptions, crop, pointer_style};
 use crate::plane::PlanarView;
 
 /// Width of a panel unless the caller or the structure asks for more.
@@ -23,7 +24,7 @@ const WIDTH: f64 = 420.0;
 /// family is grey. Ids read `FIG-next-h5` in the panel of `next`, and `FIG-next-h5-next` for the arrow; with
 /// one family `FIG-h5` and `FIG-h5-next`. A family named twice is drawn once. `width` is that of one panel
 /// (default 420, more until the median edge has 110 px). Wrong pointers are drawn as they are; those without
-/// room for an arrow are noted.
+/// room for an arrow, and those that lead to what is not drawn, are noted.
 ///
 /// Cost: O(n log n) for each family.
 ///
@@ -44,11 +45,21 @@ pub fn pointers<V: PlanarView + ?Sized>(
     families: &[Pointers],
     options: &FigureOptions,
 ) -> Result<Figure, FigureError> {
+    match &options.faces {
+        Some(chosen) => panels(&Part::new(view, chosen)?, families, options),
+        None => panels(view, families, options),
+    }
+}
+
+fn panels<V: PlanarView + ?Sized>(
+    view: &V,
+    families: &[Pointers],
+    options: &FigureOptions,
+) -> Result<Figure, FigureError> {
     let mut options = options.checked();
     options.usual_width = WIDTH;
     // Smaller than in other figures: face arrows need the room.
     options.style.face_text = options.style.face_text.min(14.0);
-    options.crop = None;
     let options = &options;
     let mut families = families.to_vec();
     families.sort_unstable();
@@ -68,7 +79,7 @@ pub fn pointers<V: PlanarView + ?Sized>(
             heading: family.name().to_owned(),
             text: family.sentence().to_owned(),
             id: (families.len() > 1).then(|| family.class().to_owned()),
-            nodes: plate.nodes(view, &look, arrows),
+            nodes: crop::framed(plate.nodes(view, &look, arrows), plate.picture.fit.size, options),
         });
     }
     let columns = usual_columns(panels.len());

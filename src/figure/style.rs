@@ -199,12 +199,13 @@ impl Style {
         let pick = |value: f64, low: f64, high: f64, usual: f64| {
             if value.is_finite() { value.clamp(low, high) } else { usual }
         };
+        let font: String = self.font.chars().filter(|c| !c.is_control() && !"{}<>;&\\".contains(*c)).collect();
         let palette = |p: &Palette| Palette { tint_opacity: pick(p.tint_opacity, 0.0, 1.0, 0.13), ..p.clone() };
         Self {
             light: palette(&self.light),
             dark: self.dark.as_ref().map(palette),
             tints: self.tints,
-            font: self.font.chars().filter(|c| !c.is_control() && !"{}<>;&\\".contains(*c)).collect(),
+            font: if font.trim().is_empty() { usual.font } else { font },
             padding: pick(self.padding, 8.0, 500.0, usual.padding),
             small_padding: pick(self.small_padding, 8.0, 500.0, usual.small_padding),
             offset: pick(self.offset, 1.0, 50.0, usual.offset),

@@ -55,6 +55,7 @@ impl Film {
     fn sheet(&self, options: &FigureOptions, links: bool) -> Result<Figure, FigureError> {
         let mut options = options.checked();
         options.usual_width = WIDTH;
+        options.crop = None;
         let options = &options;
         let frames = self.frames();
         let union = union(self);
