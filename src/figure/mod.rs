@@ -6,6 +6,8 @@
 //!            fit.rs       scale, level of detail   svg_out.rs  crate svg
 //!            vertices.rs  half_edges.rs  faces.rs  tints.rs   labels.rs captions.rs leaders.rs (crowd.rs, pole.rs)  tiles.rs
 //!   film/    edits, frame by frame
+//!   sketch/  paths, cones, circles, badges …: what the other rooms draw themselves with, alone or over a structure
+//!   chart/   series over linear and log axes
 //! ```
 //!
 //! Reading rules of every figure: arrows run on the left of their edge and their one-sided barb points to

@@ -351,8 +351,8 @@ impl Below {
         ink: &[Shape],
     ) -> Self {
         let (view, size) = (picture.view, picture.fit.size);
-        let is_cropped = picture.options.crop.is_some();
-        let seen = |nodes: Vec<Node>| if is_cropped { crop::seen(nodes, size) } else { nodes };
+        let options = picture.options;
+        let seen = |nodes: Vec<Node>| crop::framed(nodes, size, options);
         if picture.detail < Detail::Edges {
             let mut crowd = Crowd::new(size);
             ink.iter().for_each(|&shape| crowd.add(shape, INK));
