@@ -1,6 +1,7 @@
 //! Drawings that mean the same are equal, and of others the difference is named.
 
 #![allow(clippy::unwrap_used, reason = "a test helper that fails is a failed test")]
+#![allow(clippy::float_cmp, reason = "points are found again by the numbers they were made of")]
 
 #[path = "common/mod.rs"]
 mod common;
@@ -177,7 +178,7 @@ fn captioned(pen: &Pen) -> String {
     document(&elements)
 }
 
-/// The lower side of the rectangle, in two edges, as one line; the shore of four as one polyline.
+/// The lower side of the rectangle, in two edges, as one line.
 fn long_lines(pen: &Pen) -> String {
     let mut other = pen.clone();
     let lower = |line: &[P; 2]| line.iter().all(|p| p[1] == -150.0);

@@ -32,6 +32,6 @@ fn equal_is_0_different_is_1_unreadable_is_2() {
     folder.dcel("compare right.svg zip.svg").fails(2, "zip.svg: this is a compressed file", "--help");
     folder.dcel("compare zip.svg right.svg").fails(2, "zip.svg: this is a compressed file", "--help");
     folder.dcel("compare right.svg none.svg").fails(2, "none.svg: cannot be read", "");
-    folder.dcel("compare right.svg wrong.svg --diff right.svg").fails(2, "right.svg: this is the input itself", "");
+    folder.dcel("compare right.svg wrong.svg --diff right.svg").fails(2, "right.svg: this is one of the drawings", "");
     folder.dcel("compare right.svg wrong.svg --tolerance no").fails(2, "invalid value 'no'", "0.05");
 }

@@ -12,20 +12,24 @@
 
 use super::diff_style;
 use super::graph::Graph;
+use super::pairing::{Places, span};
 use super::report::{Comparison, Difference, Slot, Spot, counted};
 use crate::figure::crowd::{Crowd, Shape};
 use crate::figure::plate::{Look, Mark, Plate};
 use crate::figure::pointer::Pointer;
 use crate::figure::scene::{Group, Node, Step};
+use crate::figure::skeleton::vertices;
 use crate::figure::structure::Notes;
 use crate::figure::vector::{Bounds, Xy, xy};
 use crate::figure::{Detail, Figure, FigureError, FigureOptions, pointer_style, text};
 use crate::ids::{Element, HalfEdgeId, VertexId};
-use crate::plane::Point;
+use crate::plane::{PlanarView, Point};
 use crate::topology::{HalfEdgeRow, Table, VertexRow, View};
 
 /// So many differences have badges and sentences.
 const LISTED: usize = 10;
+/// So many differences are drawn.
+const DRAWN: usize = 200;
 /// Radius of a badge, size of its number.
 const BADGE: f64 = 8.5;
 const NUMBER: f64 = 10.5;
@@ -61,7 +65,7 @@ impl Comparison {
             options = options.vertex_labels(false).face_labels(crate::figure::FaceLabels::Off);
         }
         diff_style::pale(&mut options.style);
-        let layout = with_extras(&table, &self.differences);
+        let layout = with_extras(&table, self.drawn());
         let sketch = Plate::new(&layout, &options, false)?;
         let detail = if named { sketch.picture.detail.max(Detail::Edges) } else { Detail::Edges };
         if detail == sketch.picture.detail {
@@ -69,6 +73,11 @@ impl Comparison {
         }
         let options = options.detail(detail);
         Ok(self.on(&table, &Plate::new(&layout, &options, false)?))
+    }
+
+    /// The differences that are drawn.
+    fn drawn(&self) -> &[Difference] {
+        &self.differences[..self.differences.len().min(DRAWN)]
     }
 
     /// The finished drawing on a plate of the reference with the student's extras.
@@ -83,9 +92,12 @@ impl Comparison {
             under: Vec::new(),
             over: Vec::new(),
         };
-        let look = look(table, layout, &self.differences, plate);
-        for difference in &self.differences {
+        let look = look(table, layout, self.drawn(), plate);
+        for difference in self.drawn() {
             sheet.draw(difference);
+        }
+        if self.differences.len() > DRAWN {
+            sheet.notes.0.push(format!("only the first {DRAWN} differences are drawn"));
         }
         let over = std::mem::take(&mut sheet.over);
         for (i, difference) in listed.iter().enumerate() {
@@ -172,7 +184,14 @@ fn lines(sentence: &str) -> Vec<String> {
 /// The layout: the reference, with points and lines of the student's that it does not have.
 fn with_extras(table: &Table, differences: &[Difference]) -> Table {
     let mut out = table.clone();
+    let known: Vec<(VertexId, Point)> = vertices(table).filter_map(|v| Some((v, table.position(v)?))).collect();
+    let points: Vec<Point> = known.iter().map(|k| k.1).collect();
+    let reach = 1e-6 * span(&points);
+    let places = Places::of(&points, reach);
     let vertex = |out: &mut Table, p: Point| {
+        if let Some(i) = places.near(p, reach) {
+            return known[i as usize].0;
+        }
         out.vertices.push(Some(VertexRow { position: Some([p.x, p.y]), outgoing: None }));
         VertexId::new(out.vertices.len() as u32 - 1)
     };
@@ -181,12 +200,13 @@ fn with_extras(table: &Table, differences: &[Difference]) -> Table {
             Spot::ExtraVertex(p) | Spot::Moved(_, p) => {
                 vertex(&mut out, p);
             }
-            Spot::ExtraEdge([p, q]) => {
+            Spot::ExtraEdge(ends) => {
+                let [a, b] = ends.map(|p| vertex(&mut out, p));
                 let first = HalfEdgeId::new(out.half_edges.len() as u32);
                 let second = HalfEdgeId::new(first.number() + 1);
-                for (p, twin) in [(p, second), (q, first)] {
-                    let origin = Some(vertex(&mut out, p));
-                    out.half_edges.push(Some(HalfEdgeRow { origin, twin: Some(twin), ..HalfEdgeRow::default() }));
+                for (origin, twin) in [(a, second), (b, first)] {
+                    let (origin, twin) = (Some(origin), Some(twin));
+                    out.half_edges.push(Some(HalfEdgeRow { origin, twin, ..HalfEdgeRow::default() }));
                 }
             }
             _ => {}

@@ -58,7 +58,7 @@ impl Target {
     /// Those of [`of_table`](Self::of_table).
     pub(super) fn of_drawing(drawing: &Drawing, options: &Options) -> Result<Self, Fault> {
         let mut sketch = own(drawing, options)?;
-        let frame = sketch.to_model(drawing, tolerance(&sketch.graph.points, options));
+        let frame = sketch.place_in_model(drawing, tolerance(&sketch.graph.points, options));
         let mut out = Self::new(sketch, options, frame.is_none())?;
         out.hints.extend(frame);
         Ok(out)

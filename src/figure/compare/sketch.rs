@@ -90,7 +90,7 @@ impl Sketch {
 
     /// Writes the places of the model, and the names of vertices, if the dots of a drawing declare them all alike.
     /// Returns the map that brings the drawing there.
-    pub(super) fn to_model(&mut self, drawing: &Drawing, tolerance: f64) -> Option<Frame> {
+    pub(super) fn place_in_model(&mut self, drawing: &Drawing, tolerance: f64) -> Option<Frame> {
         let known: Vec<(Point, &String, Point)> =
             drawing.dots.iter().filter_map(|dot| dot.vertex.as_ref().map(|(name, p)| (dot.at, name, *p))).collect();
         let models: Vec<Point> = known.iter().map(|k| k.2).collect();
