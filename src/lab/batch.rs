@@ -11,9 +11,12 @@
 //! one is graded. Equal files are graded once. Reports are passed on as they come and not kept, so a class of any
 //! size needs the memory of a few submissions.
 
-use super::submission::{Built, Intake, IntakeError, Rooms, Toolchain, Tree, build, take_in, take_in_unscanned};
+use super::cache::{Cache, Key, hash_of};
+use super::submission::{
+    Built, Intake, IntakeError, Rooms, Toolchain, Tree, USUAL_BUILD, build, take_in, take_in_unscanned,
+};
 use super::walls::Resident;
-use super::{LabFiles, Manifest, Program, Report, TestResult, Verdict, Wall, WallChoice, WalledProgram, Walls};
+use super::{Lab, Limits, Plan, Report, TestResult, Verdict, Wall, WallChoice, WalledProgram, Walls, grade_program};
 use std::collections::BTreeMap;
 use std::hash::{BuildHasher, RandomState};
 use std::io;
@@ -24,11 +27,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, mpsc};
 use std::time::Instant;
 
-/// What judges a program that was built: usually `grade_program` with the lab and the plan of the run.
-pub type Judge<'a> = dyn Fn(&dyn Program) -> Report + Sync + 'a;
-
 /// How submissions are graded.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct GradeOptions {
     /// The walls that may be used.
     pub walls: WallChoice,
@@ -37,10 +37,15 @@ pub struct GradeOptions {
     pub launcher: Option<PathBuf>,
     /// Folders that no submission may see: the lab with its solution.
     pub hidden: Vec<PathBuf>,
+    /// What the compiler may use; what the program may use is said by the lab.
+    pub build: Limits,
     /// How many submissions are graded at the same time; `None` is one for each core.
     pub workers: Option<NonZeroUsize>,
     /// Where rooms are made; `None` is where the system keeps temporary files.
     pub rooms: Option<PathBuf>,
+    /// A folder in which reports are kept, so that nothing is graded twice under one plan; `None` keeps none. It
+    /// holds what was handed in and what was said of it: it is for the instructor only.
+    pub cache: Option<PathBuf>,
     /// Whether the files are scanned before they are built. Only tests of the walls behind the scan switch it off.
     pub scan: bool,
 }
@@ -48,19 +53,38 @@ pub struct GradeOptions {
 impl Default for GradeOptions {
     fn default() -> Self {
         let walls = WallChoice::default();
-        Self { walls, launcher: None, hidden: Vec::new(), workers: None, rooms: None, scan: true }
+        Self {
+            walls,
+            launcher: None,
+            hidden: Vec::new(),
+            build: USUAL_BUILD,
+            workers: None,
+            rooms: None,
+            cache: None,
+            scan: true,
+        }
     }
 }
 
 /// A grader of one lab: the walls tried, the toolchain found.
+///
+/// ```no_run
+/// use dcel_kit::lab::{GradeOptions, Grader, Lab, Plan};
+///
+/// let grader = Grader::new(Lab::bundled("04")?, &GradeOptions::default())?;
+/// let class = ["alice".into(), "bob.rs".into()];
+/// grader.grade_all(&class, &Plan::with_seed(7), |i, report| println!("{}: {}", class[i].display(), report.points()));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug)]
 pub struct Grader {
-    lab: LabFiles,
-    manifest: Manifest,
+    lab: Lab,
     walls: Walls,
     toolchain: Result<Toolchain, String>,
     rooms: Rooms,
+    build: Limits,
     workers: usize,
+    cache: Option<Cache>,
     scan: bool,
 }
 
@@ -71,17 +95,18 @@ impl Grader {
     /// Cost: some 100 ms; more where the toolchain must be copied to be within reach.
     ///
     /// # Errors
-    /// If no folder can be made for the rooms.
-    pub fn new(lab: LabFiles, manifest: Manifest, options: &GradeOptions) -> io::Result<Self> {
+    /// If no folder can be made for the rooms or for the cache.
+    pub fn new(lab: Lab, options: &GradeOptions) -> io::Result<Self> {
         let walls = Walls::probe(options.launcher.as_deref(), options.walls);
         let rooms = Rooms::new(&walls, options.rooms.as_deref())?;
         let toolchain = Toolchain::find(&walls, rooms.folder());
         let mut needed = vec![rooms.folder().to_path_buf()];
         needed.extend(toolchain.as_ref().ok().map(|toolchain| toolchain.root().to_path_buf()));
         let walls = walls.hiding(&options.hidden, &needed);
+        let cache = options.cache.as_deref().map(Cache::open).transpose()?;
         let cores = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
         let workers = options.workers.map_or_else(cores, NonZeroUsize::get);
-        Ok(Self { lab, manifest, walls, toolchain, rooms, workers, scan: options.scan })
+        Ok(Self { lab, walls, toolchain, rooms, build: options.build, workers, cache, scan: options.scan })
     }
 
     /// The walls that stand, and those that are missing.
@@ -93,12 +118,12 @@ impl Grader {
     /// Grades one submission. Never panics, and takes no longer than the limits of the build and of the judge's runs
     /// together; when it returns, nothing that the submission started is left.
     #[must_use]
-    pub fn grade(&self, submission: &Path, judge: &Judge) -> Report {
-        self.grade_intake(submission, self.take_in(submission), judge)
+    pub fn grade(&self, submission: &Path, plan: &Plan) -> Report {
+        self.grade_intake(submission, self.take_in(submission), plan)
     }
 
     /// Grades a class. `done` is called with the place of a submission in the list and its report, as they come.
-    pub fn grade_all(&self, submissions: &[PathBuf], judge: &Judge, mut done: impl FnMut(usize, Report)) {
+    pub fn grade_all(&self, submissions: &[PathBuf], plan: &Plan, mut done: impl FnMut(usize, Report)) {
         let groups = self.groups(submissions);
         let next = AtomicUsize::new(0);
         let (send, receive) = mpsc::sync_channel(1);
@@ -107,7 +132,7 @@ impl Grader {
                 let (send, groups, next) = (send.clone(), &groups, &next);
                 scope.spawn(move || {
                     while let Some(group) = groups.get(next.fetch_add(1, Ordering::Relaxed)) {
-                        self.grade_group(submissions, group, judge, &send);
+                        self.grade_group(submissions, group, plan, &send);
                     }
                 });
             }
@@ -120,7 +145,7 @@ impl Grader {
 
     fn take_in(&self, submission: &Path) -> Result<Intake, IntakeError> {
         let how = if self.scan { take_in } else { take_in_unscanned };
-        how(&self.manifest, submission)
+        how(&self.lab.manifest, submission)
     }
 
     /// Submissions with equal graded files, in the order of the first of each. The key is drawn anew for each run,
@@ -130,7 +155,7 @@ impl Grader {
         let mut places: BTreeMap<[u64; 2], usize> = BTreeMap::new();
         let mut groups: Vec<Vec<usize>> = Vec::new();
         for (i, submission) in submissions.iter().enumerate() {
-            let known = match take_in_unscanned(&self.manifest, submission) {
+            let known = match take_in_unscanned(&self.lab.manifest, submission) {
                 Ok(intake) => {
                     *places.entry([0, 1].map(|k: usize| hasher[k].hash_one(&intake.graded))).or_insert(groups.len())
                 }
@@ -148,13 +173,13 @@ impl Grader {
         &self,
         submissions: &[PathBuf],
         group: &[usize],
-        judge: &Judge,
+        plan: &Plan,
         send: &mpsc::SyncSender<(usize, Report)>,
     ) {
         let mut first: Option<Report> = None;
         for &i in group {
             let report = match &first {
-                None => self.grade(&submissions[i], judge),
+                None => self.grade(&submissions[i], plan),
                 Some(first) => {
                     let mut report = first.clone();
                     report.submission = Some(name_of(&submissions[i]));
@@ -162,7 +187,8 @@ impl Grader {
                     report
                 }
             };
-            if first.is_none() && group.len() > 1 {
+            // A fault of the grader may not befall the next one.
+            if first.is_none() && group.len() > 1 && report.verdict != Verdict::GraderFault {
                 first = Some(report.clone());
             }
             // Nobody listens any more only if the caller's `done` panicked.
@@ -170,28 +196,52 @@ impl Grader {
         }
     }
 
-    fn grade_intake(&self, submission: &Path, intake: Result<Intake, IntakeError>, judge: &Judge) -> Report {
+    fn grade_intake(&self, submission: &Path, intake: Result<Intake, IntakeError>, plan: &Plan) -> Report {
         let begin = Instant::now();
         let mut report = match intake {
             Ok(intake) => {
-                let graded = catch_unwind(AssertUnwindSafe(|| self.build_and_judge(&intake, judge)));
-                let mut report = graded.unwrap_or_else(|panic| {
-                    let words = panic.downcast_ref::<String>().map(String::as_str);
-                    let words = words.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no words");
-                    self.stopped(Verdict::GraderFault, format!("the grader panicked: {words}"))
-                });
+                let mut report = self.known_or_new(&intake, plan);
                 report.attachments = intake.optional;
                 report
             }
-            Err(error) => self.stopped(error.verdict(), error.to_string()),
+            Err(error) => self.stopped(plan, error.verdict(), error.to_string()),
         };
         report.submission = Some(name_of(submission));
         report.millis = u64::try_from(begin.elapsed().as_millis()).unwrap_or(u64::MAX);
         report
     }
 
-    fn build_and_judge(&self, intake: &Intake, judge: &Judge) -> Report {
-        let fault = |message: String| self.stopped(Verdict::GraderFault, message);
+    /// The report of an earlier run, or a new one.
+    fn known_or_new(&self, intake: &Intake, plan: &Plan) -> Report {
+        let keeps = self.cache.as_ref().map(|cache| (cache, self.key(intake, plan)));
+        if let Some(report) = keeps.as_ref().and_then(|(cache, key)| cache.get(key)) {
+            return report;
+        }
+        let graded = catch_unwind(AssertUnwindSafe(|| self.build_and_judge(intake, plan)));
+        let report = graded.unwrap_or_else(|panic| {
+            let words = panic.downcast_ref::<String>().map(String::as_str);
+            let words = words.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no words");
+            self.stopped(plan, Verdict::GraderFault, format!("the grader panicked: {words}"))
+        });
+        if let Some((cache, key)) = keeps {
+            cache.put(key, &report);
+        }
+        report
+    }
+
+    fn key(&self, intake: &Intake, plan: &Plan) -> Key {
+        let kit = env!("CARGO_PKG_VERSION");
+        let Self { lab, build, scan, .. } = self;
+        let limits = &lab.manifest.limits;
+        // The lab's files too: while it is being written its version stays the same.
+        let files: Vec<_> = lab.files.iter().collect();
+        let lab = (&lab.name, &lab.manifest.version, hash_of(&files));
+        let grader = format!("{kit} {lab:?} {limits:?} {build:?} {:?} {scan}", self.walls.up());
+        Key { grader, plan: hash_of(&format!("{plan:?}")), files: intake.graded.clone() }
+    }
+
+    fn build_and_judge(&self, intake: &Intake, plan: &Plan) -> Report {
+        let fault = |message: String| self.stopped(plan, Verdict::GraderFault, message);
         let toolchain = match &self.toolchain {
             Ok(toolchain) => toolchain,
             Err(why) => return fault(why.clone()),
@@ -200,29 +250,27 @@ impl Grader {
             Ok(resident) => Arc::new(resident),
             Err(error) => return fault(error.to_string()),
         };
-        let tree = match Tree::lay(self.rooms.next(), &self.lab, &self.manifest, intake, &resident) {
+        let tree = match Tree::lay(self.rooms.next(), &self.lab, intake, &resident) {
             Ok(tree) => tree,
             Err(error) => return fault(format!("no room for the submission: {error}")),
         };
-        let report = self.judge_built(build(&tree, toolchain, &resident), &resident, judge);
+        let report = self.judge_built(build(&tree, toolchain, self.build, &resident), &resident, plan);
         // The room goes last: nothing may run that still writes there.
         if resident.leave() { report } else { fault("something that it started could not be ended".to_owned()) }
     }
 
-    fn judge_built(&self, built: Built, resident: &Arc<Resident>, judge: &Judge) -> Report {
+    fn judge_built(&self, built: Built, resident: &Arc<Resident>, plan: &Plan) -> Report {
         match built {
             Built::Program(path) => {
-                let program = WalledProgram::new(Arc::clone(resident), &path, self.manifest.limits);
-                let mut report = judge(&program);
-                report.walls = program.walls();
-                report
+                let program = WalledProgram::new(Arc::clone(resident), &path, self.lab.manifest.limits);
+                grade_program(&self.lab, &program, plan)
             }
-            Built::Not { verdict, message } => self.stopped(verdict, message),
+            Built::Not { verdict, message } => self.stopped(plan, verdict, message),
         }
     }
 
     /// The report on a submission of which no test could run.
-    fn stopped(&self, verdict: Verdict, message: String) -> Report {
+    fn stopped(&self, plan: &Plan, verdict: Verdict, message: String) -> Report {
         let test = |test: &super::Test| TestResult {
             name: test.name.clone(),
             title: test.title.clone(),
@@ -241,13 +289,13 @@ impl Grader {
         };
         Report {
             kit: env!("CARGO_PKG_VERSION").to_owned(),
-            lab: self.manifest.name.clone(),
-            lab_version: self.manifest.version.clone(),
+            lab: self.lab.manifest.name.clone(),
+            lab_version: self.lab.manifest.version.clone(),
             submission: None,
-            seed: 0,
+            seed: plan.seed,
             verdict,
             message: Some(message),
-            tests: self.manifest.tests.iter().map(test).collect(),
+            tests: self.lab.manifest.tests.iter().map(test).collect(),
             walls: self.walls.said().to_vec(),
             printed: String::new(),
             attachments: Vec::new(),

@@ -115,9 +115,11 @@ pub fn exchanges<'a>(case: &'a Case, answer: &'a CaseAnswer) -> Vec<Exchange<'a>
     out
 }
 
-/// The number of the step that was not answered, if the answer stops before the end.
+/// The number of the step that was not answered, if the answer stops before the end; the last call if only the end
+/// of the case is missing.
 #[must_use]
 pub fn first_unanswered(case: &Case, answer: &CaseAnswer) -> usize {
-    let answered = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
-    answered.map(|(i, _)| i).nth(answer.replies.len()).unwrap_or(case.steps.len().saturating_sub(1))
+    let mut answered = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered()).map(|(i, _)| i);
+    let last_call = || case.steps.iter().rposition(|step| matches!(step, Step::Call { .. }));
+    answered.nth(answer.replies.len()).or_else(last_call).unwrap_or(0)
 }

@@ -171,7 +171,7 @@ fn linked_figures(handout: &str) -> impl Iterator<Item = &str> {
     handout
         .split(FIGURES)
         .skip(1)
-        .map(|rest| &rest[..rest.find([')', '"', '#', ' ', '\n']).unwrap_or(rest.len())])
+        .map(|rest| &rest[..rest.find([')', '"', '#', ' ', '`', '\n']).unwrap_or(rest.len())])
         .filter(move |figure| !figure.is_empty() && seen.insert(*figure))
 }
 

@@ -124,7 +124,8 @@ fn is_blocked(lab: &Lab, suite: &Suite, graded: &[Graded]) -> bool {
     let states = states(lab, graded);
     let fails = |name: &str| {
         let state = states.iter().find(|state| state.test.name == name);
-        state.is_some_and(|state| !matches!(state.verdict, Verdict::Passed | Verdict::Unattempted))
+        let open = [Verdict::Passed, Verdict::Unattempted, Verdict::GraderFault];
+        state.is_some_and(|state| !open.contains(&state.verdict))
     };
     suite.tests.iter().all(|test| {
         let needs = lab.manifest.test(test).map_or(&[][..], |test| &test.needs);

@@ -14,6 +14,8 @@
 #[cfg(feature = "grade")]
 mod batch;
 mod bug;
+#[cfg(feature = "grade")]
+mod cache;
 pub mod cases;
 pub mod checks;
 pub mod course;
@@ -45,7 +47,7 @@ mod walls;
 mod zoo;
 
 #[cfg(feature = "grade")]
-pub use batch::{GradeOptions, Grader, Judge};
+pub use batch::{GradeOptions, Grader};
 pub use bug::{Bug, BugError, Edit};
 #[cfg(feature = "grade")]
 pub use export::{Packed, gradescope_files, zipped};

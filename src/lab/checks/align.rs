@@ -127,8 +127,12 @@ pub fn align(expected: &Table, new: &New, yours: &Table) -> Aligned {
         orders.push(vec![b, a]);
     }
     for order in orders {
-        let renamed = rename(expected, &new.half_edges, &order);
+        let renamed =
+            if order == new.half_edges { expected.clone() } else { rename(expected, &new.half_edges, &order) };
         let differences = differences(&renamed, yours);
+        if differences.is_empty() {
+            return Aligned { expected: renamed, new: New { half_edges: order, ..new.clone() }, differences };
+        }
         if best.as_ref().is_none_or(|best| differences.len() < best.differences.len()) {
             let new = New { half_edges: order, ..new.clone() };
             best = Some(Aligned { expected: renamed, new, differences });

@@ -1,10 +1,14 @@
 //! Before, expected, yours: one failing call in three drawings.
 //!
-//! The half-edges at fault are red. Where a pointer is wrong that no picture of edges and faces shows, the arrows of
-//! its family are drawn, in the expected structure and in the student's.
+//! ```text
+//!   before       expected                             yours
+//!   as it was    the half-edges at fault are red,     links: what is missing red and dashed, what is there
+//!                the pointers at fault have arrows    instead blue; faces, representatives: as in `expected`
+//! ```
 
 use super::ascii;
 use crate::Element;
+use crate::figure::compare::diff_figure;
 use crate::figure::{self, Colour, Figure, FigureError, FigureOptions, Overrides, Pointers};
 use crate::lab::Picture;
 use crate::lab::checks::align::{Field, differences};
@@ -31,9 +35,20 @@ pub(super) fn of(course: &dyn Course, exchange: &Exchange, faults: &[&Fault]) ->
     Some(Picture {
         before: draw(before, "Before", &[], &[])?,
         expected: draw(&expected, "Expected", &families, &wrong)?,
-        yours: draw(yours, "Yours", &families, &wrong)?,
+        yours: difference(&expected, yours).or_else(|| draw(yours, "Yours", &families, &wrong))?,
         ascii: ascii::of(before, &expected, yours, exchange),
     })
+}
+
+/// What differs in links and places, numbered. `None` if the links agree: faces and representatives are seen better
+/// by their arrows, all of them.
+fn difference(expected: &Table, yours: &Table) -> Option<String> {
+    let shown = [Field::Origin, Field::Twin, Field::Next, Field::Prev, Field::Position];
+    if !differences(expected, yours).iter().any(|difference| shown.contains(&difference.field)) {
+        return None;
+    }
+    let options = FigureOptions::new("Yours").id_prefix("Yours");
+    Some(diff_figure(expected, yours, &options).ok()?.to_svg())
 }
 
 /// The families of pointers in which two structures differ.

@@ -2,13 +2,15 @@
 //! and as a picture.
 
 use crate::figure::compare::{Options, compare};
+use crate::lab::checks::spec::cycle;
 use crate::lab::fault::{Exchange, Fault, FaultKind, exchanges};
 use crate::lab::protocol::{CallEnd, Called, Case, CaseAnswer, Reply, Step};
 use crate::plane::PlanarView;
 use crate::script::Script;
 use crate::topology::{SameOptions, Table, View, position_key, same_with, violations};
-use crate::{Element, HalfEdgeId, VertexId};
+use crate::{Element, FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeMap;
+use std::fmt::Write;
 
 /// The graded tests: of the structure, and of the picture that the student's program makes of it.
 pub(super) const TESTS: [&str; 2] = ["drawing", "drawing_svg"];
@@ -29,9 +31,6 @@ pub(super) fn reference() -> Option<Table> {
     Some(table)
 }
 
-/// The figure that the student's picture of it should be equal to.
-const FIGURE: &str = include_str!("../../../figures/lab-04-drawing.svg");
-
 /// Judges the structure that was drawn, and the picture of it.
 pub(super) fn judge(case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
     let mut all: Vec<Fault> = exchanges(case, answer).iter().flat_map(faults).collect();
@@ -42,6 +41,30 @@ pub(super) fn judge(case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
         }
     }
     all
+}
+
+/// The drawing as the student's program should draw it, with the coordinates that it writes: y points down in a file.
+/// (The reference figure shows the same in px of its canvas, which would be strange numbers in a message.)
+fn plain_picture(table: &Table) -> String {
+    let mut out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-270 -170 540 340\">\n".to_owned();
+    let at = |h: HalfEdgeId| table.origin(h).map(|v| place(table, v)).unwrap_or_default();
+    for (f, row) in table.faces.iter().enumerate() {
+        let boundary =
+            row.as_ref().and_then(|row| row.boundary).filter(|_| table.outer_face != Some(FaceId::new(f as u32)));
+        let corners = boundary.map_or_else(Vec::new, |h| cycle(table, h)).into_iter().map(at);
+        let corners: Vec<String> = corners.map(|[x, y]| format!("{x},{}", 0.0 - y)).collect();
+        if !corners.is_empty() {
+            let _ = writeln!(out, "<polygon points=\"{}\" fill=\"#dddddd\"/>", corners.join(" "));
+        }
+    }
+    for h in (0..table.half_edges.len() as u32).map(HalfEdgeId::new) {
+        if let Some(twin) = table.twin(h).filter(|&twin| h < twin) {
+            let ([x1, y1], [x2, y2]) = (at(h), at(twin));
+            let (y1, y2) = (0.0 - y1, 0.0 - y2);
+            let _ = writeln!(out, "<line x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\" stroke=\"#000000\"/>");
+        }
+    }
+    out + "</svg>\n"
 }
 
 /// Judges the picture as it is drawn; how it is written does not matter.
@@ -63,7 +86,8 @@ fn picture(step: usize, reply: &Reply) -> Vec<Fault> {
         }
         _ => return vec![fault(FaultKind::Wrong, "picture", "there is no picture".to_owned())],
     };
-    match compare(FIGURE, svg, &Options::new()) {
+    let Some(reference) = reference() else { return Vec::new() };
+    match compare(&plain_picture(&reference), svg, &Options::new()) {
         Ok(comparison) => {
             let differences = comparison.differences().iter();
             differences.map(|d| fault(FaultKind::Wrong, "picture", d.text.clone())).collect()

@@ -132,12 +132,10 @@ mod tests {
     #[test]
     fn a_face_passes_a_vertex_twice() {
         for table in [antenna(), bow_tie(), hanging_triangle()] {
+            let at_v0 = |h: &HalfEdgeId| table.origin(*h) == Some(VertexId::new(0));
             let corners = |f| {
-                (0..table.half_edges.len() as u32)
-                    .map(HalfEdgeId::new)
-                    .filter(move |&h| table.face(h) == Some(FaceId::new(f)))
-                    .filter(|&h| table.origin(h) == Some(VertexId::new(0)))
-                    .count()
+                let all = (0..table.half_edges.len() as u32).map(HalfEdgeId::new).filter(at_v0);
+                all.filter(|&h| table.face(h) == Some(FaceId::new(f))).count()
             };
             assert!([corners(0), corners(1)].contains(&2));
         }

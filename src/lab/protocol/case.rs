@@ -77,23 +77,24 @@ impl Case {
     }
 
     /// The shortest case with the same structure before step `at` and the same step `at`, and the number of the
-    /// step in it: what was done and undone by `save` and `restore` is left out, and so are other dumps than the
-    /// one just before. If a call changes the structure, a `dump` should follow: `with_dump`.
+    /// step in it: what was done and undone by `save` and `restore` is left out, and so are calls that only read
+    /// (no dump follows them), and other dumps than the one just before. If a call changes the structure, a `dump`
+    /// should follow: `with_dump`.
     #[must_use]
     pub fn reduced_to(&self, at: usize, with_dump: bool) -> (Self, usize) {
         let mut steps: Vec<Step> = Vec::new();
         let mut saved = 0;
-        for step in self.steps.iter().take(at) {
+        for (i, step) in self.steps.iter().enumerate().take(at) {
             match step {
                 Step::Save => saved = steps.len(),
                 Step::Restore => steps.truncate(saved),
-                Step::Dump | Step::Svg => {}
-                Step::Call { .. } => steps.push(step.clone()),
+                Step::Call { .. } if self.steps.get(i + 1) == Some(&Step::Dump) => steps.push(step.clone()),
+                Step::Dump | Step::Svg | Step::Call { .. } => {}
             }
         }
         steps.push(Step::Dump);
         let place = steps.len();
-        steps.extend(self.steps.get(at).cloned());
+        steps.extend(self.steps.get(at).filter(|step| step.is_answered()).cloned());
         if with_dump {
             steps.push(Step::Dump);
         }
@@ -208,9 +209,10 @@ mod tests {
 
     #[test]
     fn a_case_is_reduced_to_what_leads_to_a_step() {
-        let steps = calls(&["h0", "dump", "save", "h2", "dump", "restore", "h4", "dump", "restore", "h6", "dump"]);
+        let steps =
+            calls(&["h0", "dump", "save", "h2", "dump", "restore", "h4", "dump", "restore", "h9", "h6", "dump"]);
         let case = Case { steps, ..Case::new("x", Start::Rectangle) };
-        let (reduced, at) = case.reduced_to(9, true);
+        let (reduced, at) = case.reduced_to(10, true);
         assert_eq!(reduced.script(), "rectangle\nsplit_in_half h0\ndump\nsplit_in_half h6\ndump\n");
         assert_eq!(at, 2);
         assert_eq!(case.reduced_to(0, false).0.script(), "rectangle\ndump\nsplit_in_half h0\n");

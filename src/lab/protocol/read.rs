@@ -7,6 +7,7 @@ use super::answer::{Answers, Broken, CallEnd, Called, CaseAnswer, Reply, Value};
 use super::case::{Case, Step};
 use super::dump::{Dump, id};
 use crate::topology::Table;
+use std::borrow::Cow;
 use std::iter::Peekable;
 use std::sync::Arc;
 
@@ -70,7 +71,7 @@ struct Lines<'a, I: Iterator<Item = (usize, &'a [u8])>> {
 }
 
 impl<'a, I: Iterator<Item = (usize, &'a [u8])>> Lines<'a, I> {
-    fn next(&mut self) -> Option<(usize, String)> {
+    fn next(&mut self) -> Option<(usize, Cow<'a, str>)> {
         let (number, line) = self.lines.next()?;
         Some((number + 1, text(line)))
     }
@@ -195,8 +196,8 @@ impl<'a, I: Iterator<Item = (usize, &'a [u8])>> Lines<'a, I> {
     }
 }
 
-fn text(line: &[u8]) -> String {
-    String::from_utf8_lossy(&line[..line.len().min(LINE)]).into_owned()
+fn text(line: &[u8]) -> Cow<'_, str> {
+    String::from_utf8_lossy(&line[..line.len().min(LINE)])
 }
 
 fn expected(line: usize, expected: String, found: &str) -> Broken {

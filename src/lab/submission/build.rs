@@ -12,16 +12,6 @@ use serde::Deserialize;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// What a build may use.
-pub(super) const LIMITS: Limits = Limits {
-    seconds: 30.0,
-    cpu_seconds: 40,
-    memory_mb: 4096,
-    output_kb: 4096,
-    file_kb: 256 * 1024,
-    files: 1024,
-    processes: 256,
-};
 /// So much of what the compiler says is passed on.
 const MOST_WORDS: usize = 4000;
 
@@ -32,19 +22,30 @@ pub(crate) enum Built {
     Program(PathBuf),
     /// Why there is none.
     Not {
-        /// Does not compile, or a fault of the grader.
+        /// Does not compile, timed out while compiling, or a fault of the grader.
         verdict: Verdict,
         /// In words; the compiler's first error.
         message: String,
     },
 }
 
+/// What a build may use, if nothing else is said: many times what a lab's file takes.
+pub(crate) const USUAL: Limits = Limits {
+    seconds: 30.0,
+    cpu_seconds: 40,
+    memory_mb: 4096,
+    output_kb: 4096,
+    file_kb: 256 * 1024,
+    files: 1024,
+    processes: 256,
+};
+
 /// Builds a tree as the resident.
-pub(crate) fn build(tree: &Tree, toolchain: &Toolchain, resident: &Resident) -> Built {
+pub(crate) fn build(tree: &Tree, toolchain: &Toolchain, limits: Limits, resident: &Resident) -> Built {
     if let Some(settings) = settings_above(&tree.folder()) {
         return fault(format!("{} would change how submissions are built; move it away", settings.display()));
     }
-    let ran = resident.run(&task(tree, toolchain), "");
+    let ran = resident.run(&task(tree, toolchain, limits), "");
     let messages: Vec<Message> =
         String::from_utf8_lossy(&ran.stdout).lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
     let complaints = String::from_utf8_lossy(&ran.stderr).into_owned();
@@ -55,13 +56,16 @@ pub(crate) fn build(tree: &Tree, toolchain: &Toolchain, resident: &Resident) -> 
             None if complaints.contains("error: ") && complaints.contains("could not compile") => not(cut(&complaints)),
             None => fault(format!("the build failed without an error in the code: {}", cut(&complaints))),
         },
-        End::TimedOut => not(format!(
-            "the compiler did not finish within {} s: look for a type, a constant or a macro that never ends",
-            LIMITS.seconds
-        )),
+        End::TimedOut => Built::Not {
+            verdict: Verdict::TimedOut,
+            message: format!(
+                "the compiler did not finish within {} s: look for a type, a constant or a macro that never ends",
+                limits.seconds
+            ),
+        },
         End::OutOfMemory => not(format!(
             "the compiler needed more than {} MB: look for a type, a constant or a macro that never ends",
-            LIMITS.memory_mb
+            limits.memory_mb
         )),
         End::OutputLimit => not("the compiler had more to complain of than anybody can read".to_owned()),
         End::NotStarted(why) => fault(why),
@@ -69,7 +73,7 @@ pub(crate) fn build(tree: &Tree, toolchain: &Toolchain, resident: &Resident) -> 
     }
 }
 
-fn task(tree: &Tree, toolchain: &Toolchain) -> Task {
+fn task(tree: &Tree, toolchain: &Toolchain, limits: Limits) -> Task {
     let text = |path: &Path| path.to_string_lossy().into_owned();
     let words = ["build", "--frozen", "--offline", "--quiet", "--message-format=json", "--color=never"];
     let env = [
@@ -99,7 +103,7 @@ fn task(tree: &Tree, toolchain: &Toolchain) -> Task {
             write: vec![tree.target(), tree.tmp(), tree.home()],
             tools: true,
         },
-        limits: LIMITS,
+        limits,
     }
 }
 

@@ -17,7 +17,7 @@ mod scan;
 mod toolchain;
 mod tree;
 
-pub(crate) use build::{Built, build};
+pub(crate) use build::{Built, USUAL as USUAL_BUILD, build};
 pub(crate) use intake::take_in_unscanned;
 pub use intake::{Intake, IntakeError, take_in};
 pub(crate) use room::Rooms;

@@ -10,8 +10,8 @@
 //! ```
 
 use super::intake::Intake;
+use crate::lab::Lab;
 use crate::lab::walls::Resident;
-use crate::lab::{LabFiles, Manifest};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -28,15 +28,9 @@ pub(crate) struct Tree {
 
 impl Tree {
     /// Lays the tree out in a new folder `room`.
-    pub(crate) fn lay(
-        room: PathBuf,
-        lab: &LabFiles,
-        manifest: &Manifest,
-        intake: &Intake,
-        resident: &Resident,
-    ) -> io::Result<Self> {
-        let graded = manifest.graded.clone();
-        let tree = Self { room, package: manifest.package.clone(), graded };
+    pub(crate) fn lay(room: PathBuf, lab: &Lab, intake: &Intake, resident: &Resident) -> io::Result<Self> {
+        let manifest = &lab.manifest;
+        let tree = Self { room, package: manifest.package.clone(), graded: manifest.graded.clone() };
         fs::create_dir(&tree.room)?;
         own_only(&tree.room, 0o750)?;
         resident.let_in(&tree.room)?;
@@ -46,7 +40,7 @@ impl Tree {
             resident.give(&folder)?;
         }
         let given =
-            lab.iter().filter(|(path, _)| path.starts_with("src/") && !manifest.graded.iter().any(|g| g == path));
+            lab.files.iter().filter(|(path, _)| path.starts_with("src/") && !manifest.graded.iter().any(|g| g == path));
         let students = intake.graded.iter().map(|(path, text)| (path.as_str(), text.as_str()));
         for (path, text) in given.chain(students) {
             let file = tree.folder().join(path);

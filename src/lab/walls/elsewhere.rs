@@ -39,10 +39,6 @@ impl Resident {
         &self.said
     }
 
-    pub(crate) fn user(&self) -> Option<u32> {
-        None
-    }
-
     pub(crate) fn give(&self, _: &Path) -> io::Result<()> {
         Ok(())
     }

@@ -4,9 +4,9 @@ use super::confine::loaders;
 use super::processes::processes;
 use super::spec::{Files, Outcome, Spec, Step, VARIABLE, WORD};
 use super::user::OwnUser;
-use super::{End, Limits, Ran, Task, View, Wall, WallChoice, Walls, unguessable};
-use crate::lab::end_of;
+use super::{Limits, Ran, Task, View, Wall, WallChoice, Walls, unguessable};
 use crate::lab::program::run_within;
+use crate::lab::{End, end_of};
 use std::io;
 use std::os::unix::fs::MetadataExt;
 use std::os::unix::process::CommandExt;
@@ -123,7 +123,7 @@ impl Resident {
     }
 
     /// The number of its own user, if it has one.
-    pub(crate) fn user(&self) -> Option<u32> {
+    fn user(&self) -> Option<u32> {
         self.user.as_ref().map(|user| user.id)
     }
 
@@ -157,7 +157,7 @@ impl Resident {
             Ok(text) => text,
             Err(error) => return not_started(format!("{error}")),
         };
-        let mut command = Command::new(&self.walls.launcher);
+        let mut command = Command::new(self.walls.launcher());
         command.arg(WORD).env_clear().env(VARIABLE, text).process_group(0);
         let patient = Limits { seconds: task.limits.seconds + PATIENCE, ..task.limits };
         let mut ran = run_within(command, input, &patient);
@@ -171,7 +171,6 @@ impl Resident {
                     None => End::Exited(code),
                 },
             },
-            End::Signalled { signal: 9, .. } => End::Signalled { signal: 9, name: "SIGKILL" },
             other => other,
         };
         ran
@@ -226,7 +225,7 @@ impl Resident {
             };
             let spec = Spec { step: Step::Sweep, ..self.spec(&nothing, "sweep") };
             let Ok(text) = serde_json::to_string(&spec) else { return false };
-            let mut command = Command::new(&self.walls.launcher);
+            let mut command = Command::new(self.walls.launcher());
             command.arg(WORD).env_clear().env(VARIABLE, text).stdin(Stdio::null()).stdout(Stdio::null());
             let _ = command.stderr(Stdio::null()).status();
             std::thread::sleep(Duration::from_millis(1 + round));

@@ -25,16 +25,22 @@
 //! | namespaces | network, shared memory, other processes; all of it dies with its first process | user namespaces |
 //! | nothing stays | daemons that leave their session | Linux |
 //!
+//! The folder of the lab, its solution and the launcher belong to the grader: mode 0700 (0711 for the launcher, which
+//! carries the labs) keeps them in where Landlock cannot. A folder that is in reach all the same is named.
+//!
 //! They overlap on purpose: a container without user namespaces still has a user of its own and Landlock, an ordinary
 //! user has Landlock and namespaces. [`Walls::probe`] tries each one on this machine before any submission is run;
 //! what is missing is named in every report, and a wall that stood at the probe and fails later stops the run
-//! ([`End::NotStarted`], never a pass).
+//! ([`NotStarted`](super::End::NotStarted), never a pass).
 //!
 //! # What remains possible
 //! - Using the processor, the memory and the processes that the limits allow, several times over: memory is counted
 //!   for each process. Only a control group could count it once.
 //! - Reading the names of other processes where Landlock is missing; looking at the system's own libraries.
 //! - UDP and Unix sockets with a name in the file system, where namespaces are missing.
+//! - Shared memory in the style of System V that outlives its process, where namespaces are missing.
+//! - Where there is no Landlock, ending the watcher of the same user: what is left is ended when the submission is
+//!   done, if it has a user of its own, and not before.
 //! - A hole in the kernel or in the compiler.
 //! - Without a user of its own, without Landlock and without namespaces: reading every file of the user who grades.
 //! - Answering rightly by other means than thinking: the driver judges answers, not minds.
@@ -59,7 +65,7 @@ use elsewhere as system;
 #[cfg(target_os = "linux")]
 use linux as system;
 
-use super::{End, Limits, Program, Ran, Wall};
+use super::{Limits, Program, Ran, Wall};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -123,6 +129,12 @@ impl Walls {
         self.said.extend(system::in_reach(WallChoice { namespaces: false, ..up }, &around));
         self.hidden = apart;
         self
+    }
+
+    /// The program that puts the walls up.
+    #[must_use]
+    pub fn launcher(&self) -> &Path {
+        &self.launcher
     }
 
     /// Which optional walls stand.

@@ -81,6 +81,8 @@ impl Outcome {
     pub(super) fn of_status(status: std::process::ExitStatus) -> Self {
         use std::os::unix::process::ExitStatusExt;
         match (status.code(), status.signal()) {
+            // The next step could not put up a wall; or the program says so, and then there is no token.
+            (Some(NO_WALL), _) => Self::NoWall,
             (Some(code), _) => Self::Exited(code),
             (None, signal) => Self::Signalled(signal.unwrap_or(0)),
         }

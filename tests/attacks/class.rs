@@ -1,0 +1,110 @@
+//! A class that hands in: a folder of submissions, a grader's secret, and what must be true afterwards.
+
+use dcel_kit::lab::{GradeOptions, Grader, Lab, Limits, Plan, Report, WallChoice, Walls};
+use std::os::unix::fs::PermissionsExt;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+pub(crate) const NONE: WallChoice = WallChoice { own_user: false, namespaces: false, own_files: false };
+pub(crate) const USER: WallChoice = WallChoice { own_user: true, ..NONE };
+
+pub(crate) fn launcher() -> &'static Path {
+    Path::new(env!("CARGO_BIN_EXE_dcel"))
+}
+
+/// Whether this machine has these walls.
+pub(crate) fn all(choice: WallChoice) -> bool {
+    Walls::probe(Some(launcher()), choice).up() == choice
+}
+
+pub(crate) struct Class {
+    pub(crate) lab: Lab,
+    folder: tempfile::TempDir,
+}
+
+impl Class {
+    /// The lab of the repository, with less memory.
+    pub(crate) fn new() -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, mode) in [("rooms", 0o755), ("handed-in", 0o755), ("grader", 0o700)] {
+            std::fs::create_dir(folder.path().join(name)).unwrap();
+            std::fs::set_permissions(folder.path().join(name), std::fs::Permissions::from_mode(mode)).unwrap();
+        }
+        std::fs::set_permissions(folder.path(), std::fs::Permissions::from_mode(0o755)).unwrap();
+        let place = Path::new(env!("CARGO_MANIFEST_DIR")).join("labs/04-half-edge");
+        let mut lab = Lab::read(&place).unwrap();
+        lab.manifest.limits = Limits { memory_mb: 256, output_kb: 8192, ..lab.manifest.limits };
+        let class = Self { lab, folder };
+        std::fs::write(class.secret(), "pub fn the_solution() {}").unwrap();
+        class
+    }
+
+    /// A file that only the grader may read.
+    pub(crate) fn secret(&self) -> PathBuf {
+        self.folder.path().join("grader/solution.rs")
+    }
+
+    /// Where a submission of this name goes.
+    pub(crate) fn place(&self, name: &str) -> PathBuf {
+        self.folder.path().join("handed-in").join(name)
+    }
+
+    /// Hands in a single file.
+    pub(crate) fn file(&self, name: &str, text: impl AsRef<[u8]>) -> PathBuf {
+        let path = self.place(&format!("{name}.rs"));
+        std::fs::write(&path, text).unwrap();
+        path
+    }
+
+    /// Hands in a folder.
+    pub(crate) fn folder(&self, name: &str, files: &[(&str, &str)]) -> PathBuf {
+        let folder = self.place(name);
+        std::fs::create_dir_all(&folder).unwrap();
+        for (path, text) in files {
+            let path = folder.join(path);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, text).unwrap();
+        }
+        folder
+    }
+
+    pub(crate) fn options(&self) -> GradeOptions {
+        GradeOptions {
+            launcher: Some(launcher().to_path_buf()),
+            rooms: Some(self.folder.path().join("rooms")),
+            hidden: vec![self.folder.path().join("grader")],
+            ..GradeOptions::default()
+        }
+    }
+
+    /// The reports in the order of the submissions; every one of them is there.
+    pub(crate) fn grade(&self, submissions: &[PathBuf], options: &GradeOptions) -> Vec<Report> {
+        let grader = Grader::new(self.lab.clone(), options).unwrap();
+        let mut reports: Vec<Option<Report>> = vec![None; submissions.len()];
+        grader.grade_all(submissions, &Plan::with_seed(4), |i, report| {
+            assert!(reports[i].is_none(), "{} has two reports", submissions[i].display());
+            assert_eq!(report.seed, 4);
+            reports[i] = Some(report);
+        });
+        reports.into_iter().map(|report| report.expect("a report for every submission")).collect()
+    }
+
+    /// No process of a submission, none of its files.
+    pub(crate) fn assert_nothing_is_left(&self) {
+        let begin = Instant::now();
+        while let Some(line) = running("4.375").or_else(|| running(&self.folder.path().to_string_lossy())) {
+            assert!(begin.elapsed() < Duration::from_secs(2), "{line} is still running");
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        let rooms: Vec<_> = std::fs::read_dir(self.folder.path().join("rooms")).unwrap().collect();
+        assert!(rooms.is_empty(), "{rooms:?}");
+    }
+}
+
+/// The command line of a process with these words in it, if one runs; what has ended but is not yet forgotten aside.
+pub(crate) fn running(words: &str) -> Option<String> {
+    let of = |entry: std::fs::DirEntry| std::fs::read(entry.path().join("cmdline")).ok();
+    let lines = std::fs::read_dir("/proc").unwrap().filter_map(|entry| of(entry.ok()?));
+    let mut lines = lines.map(|line| String::from_utf8_lossy(&line).replace('\0', " "));
+    lines.find(|line| line.contains(words))
+}

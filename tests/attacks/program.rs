@@ -1,0 +1,68 @@
+//! A program that does what the word on its standard input says. Compiled by `tests/attacks.rs` and run behind walls.
+//!
+//! What it starts ends by itself after a few seconds, so that it does no harm even where a wall is down.
+
+use std::fs;
+use std::hint::black_box;
+use std::io::{Read, Write};
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+fn main() {
+    let mut input = String::new();
+    std::io::stdin().read_to_string(&mut input).expect("text");
+    let words: Vec<&str> = input.split_whitespace().collect();
+    match words[..] {
+        ["echo", word] => println!("{word}"),
+        ["user"] => println!("{}", fs::read_to_string("/proc/self/status").expect("own status")),
+        ["exit", code] => std::process::exit(code.parse().expect("a code")),
+        ["abort"] => std::process::abort(),
+        ["overflow"] => println!("{}", deeper(0)),
+        ["loop"] => loop {
+            black_box(0);
+        },
+        ["sleep"] => std::thread::sleep(Duration::from_secs(20)),
+        ["memory"] => {
+            let mut hoard = Vec::new();
+            for _ in 0..64 {
+                hoard.push(black_box(vec![1_u8; 64 << 20]));
+            }
+            println!("{}", hoard.len());
+        }
+        ["flood"] => {
+            let line = [b'x'; 4096];
+            while std::io::stdout().write_all(&line).is_ok() {}
+        }
+        ["read", path] => say(fs::read_to_string(path)),
+        ["list", path] => say(fs::read_dir(path).map(Iterator::count)),
+        ["write", path] => say(fs::write(path, [0; 100_000])),
+        ["connect", address] => say(std::net::TcpStream::connect(address).map(drop)),
+        ["run", program] => say(Command::new(program).stdin(Stdio::null()).output().map(|out| out.status)),
+        // At most fifty, each for a few seconds.
+        ["fork"] => {
+            let sleeper = || Command::new("/bin/sleep").arg("4.125").stdout(Stdio::null()).spawn();
+            let born = (0..50).filter(|_| sleeper().is_ok()).count();
+            println!("{born}");
+        }
+        ["open"] => {
+            let files: Vec<_> = (0..500).map_while(|_| fs::File::open("/dev/null").ok()).collect();
+            println!("{}", files.len());
+        }
+        // In a session of its own, with the pipes in its hand.
+        ["daemon", seconds] => say(Command::new("/usr/bin/setsid").args(["-f", "/bin/sleep", seconds]).status()),
+        ["kill", pid] => say(Command::new("/bin/kill").args(["-9", pid]).status()),
+        _ => panic!("what is {input:?}?"),
+    }
+}
+
+fn deeper(depth: u64) -> u64 {
+    let here = black_box([depth; 64]);
+    if black_box(depth) == u64::MAX { 0 } else { deeper(depth + 1) + here[3] }
+}
+
+fn say<T: std::fmt::Debug>(what: std::io::Result<T>) {
+    match what {
+        Ok(what) => println!("ok {what:?}"),
+        Err(error) => println!("error {error}"),
+    }
+}

@@ -1,0 +1,278 @@
+//! A driver in memory: it answers cases as the real one does, right by itself, and can be made wrong in any way.
+
+use dcel_kit::lab::checks::spec::{self, TwinSide};
+use dcel_kit::lab::{End, Program, Ran};
+use dcel_kit::plane::PlanarView;
+use dcel_kit::script::Script;
+use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
+use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
+use std::fmt::Write;
+
+/// What a call did.
+pub(crate) struct Done {
+    pub before: Table,
+    pub after: Table,
+    pub answer: Answer,
+}
+
+/// How a call ended.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) enum Answer {
+    Returned(String),
+    Panicked(&'static str),
+    /// The process ends here.
+    Died(End),
+}
+
+/// Changes what a call did. Gets the function and its arguments.
+pub(crate) type Twist = Box<dyn Fn(&str, &[u32], &mut Done) + Sync>;
+
+/// The program.
+pub(crate) struct Fake {
+    /// Which half of the twin's side is new.
+    pub side: TwinSide,
+    pub twist: Twist,
+    /// What happens to the whole output in the end.
+    pub printed: Box<dyn Fn(String) -> String + Sync>,
+}
+
+impl Fake {
+    pub(crate) fn right() -> Self {
+        Self::twisted(|_, _, _| {})
+    }
+
+    pub(crate) fn twisted(twist: impl Fn(&str, &[u32], &mut Done) + Sync + 'static) -> Self {
+        Self { side: TwinSide::Moved, twist: Box::new(twist), printed: Box::new(|out| out) }
+    }
+}
+
+impl Program for Fake {
+    fn run(&self, input: &str) -> Ran {
+        let mut out = String::new();
+        let end = Talk { fake: self, out: &mut out, table: Table::default(), saved: None, last: None }.all(input);
+        let stdout = (self.printed)(out).into_bytes();
+        Ran { stdout, stderr: Vec::new(), end, millis: 1 }
+    }
+}
+
+struct Talk<'a> {
+    fake: &'a Fake,
+    out: &'a mut String,
+    table: Table,
+    saved: Option<Table>,
+    last: Option<String>,
+}
+
+impl Talk<'_> {
+    fn all(mut self, input: &str) -> End {
+        let mut token = String::new();
+        let mut case = None;
+        let mut lines = input.lines();
+        while let Some(line) = lines.next() {
+            if let Some(name) = line.strip_prefix("token ") {
+                token = format!("@{name} ");
+                continue;
+            }
+            let mut said = String::new();
+            let mut end = None;
+            if let Some(name) = line.strip_prefix("case ") {
+                if let Some(before) = case.replace(name) {
+                    let _ = writeln!(said, "end_case {before}");
+                }
+                let _ = writeln!(said, "case {name}");
+                self.last = None;
+            } else if line == "table" {
+                let records: Vec<&str> = lines.by_ref().take_while(|line| *line != "end_table").collect();
+                self.table = table(&records);
+            } else {
+                end = self.line(line, &mut said);
+            }
+            for line in said.lines() {
+                let _ = writeln!(self.out, "\n{token}{line}");
+            }
+            if let Some(end) = end {
+                return end;
+            }
+        }
+        if let Some(name) = case {
+            let _ = writeln!(self.out, "{token}end_case {name}");
+        }
+        let _ = writeln!(self.out, "{token}done");
+        End::Exited(0)
+    }
+
+    fn line(&mut self, line: &str, said: &mut String) -> Option<End> {
+        let words: Vec<&str> = line.split(' ').collect();
+        match words[0] {
+            "rectangle" | "polygon" | "triangles" => self.table = start(line),
+            "save" => self.saved = Some(self.table.clone()),
+            "restore" => self.table = self.saved.clone().unwrap(),
+            "dump" => {
+                let dump = dump(&self.table);
+                if self.last.as_ref() == Some(&dump) {
+                    said.push_str("dump same\n");
+                } else {
+                    let _ = write!(said, "dump\n{dump}end_dump\n");
+                    self.last = Some(dump);
+                }
+            }
+            "svg" => {
+                let _ = write!(said, "call svg\nsvg\n{}end_svg\n", include_str!("../../figures/lab-04-drawing.svg"));
+            }
+            function => return self.call(function, &words[1..], said),
+        }
+        None
+    }
+
+    fn call(&mut self, function: &str, words: &[&str], said: &mut String) -> Option<End> {
+        let mut arguments = Vec::new();
+        for word in words {
+            let Some(number) = resolve(&self.table, word) else {
+                let _ = writeln!(said, "unresolved {word}");
+                return None;
+            };
+            arguments.push(number);
+        }
+        let numbers: String = arguments.iter().map(|n| format!(" {n}")).collect();
+        let _ = writeln!(said, "call {function}{numbers}");
+        let before = self.table.clone();
+        let (after, answer) = self.right(function, &arguments);
+        let mut done = Done { before, after, answer: Answer::Returned(answer) };
+        (self.fake.twist)(function, &arguments, &mut done);
+        self.table = done.after;
+        match done.answer {
+            Answer::Returned(values) => {
+                let _ = writeln!(said, "{}", format!("returned {values}").trim_end());
+            }
+            Answer::Panicked(message) => {
+                let _ = writeln!(said, "panicked {message:?} src/lab.rs:7:9");
+            }
+            Answer::Died(end) => return Some(end),
+        }
+        None
+    }
+
+    fn right(&self, function: &str, arguments: &[u32]) -> (Table, String) {
+        let table = self.table.clone();
+        let h = |i: usize| HalfEdgeId::new(arguments[i]);
+        let list = |walk: Vec<HalfEdgeId>| walk.iter().map(|h| h.number().to_string()).collect::<Vec<_>>().join(" ");
+        match function {
+            "split_face" => match spec::split_face(&table, h(0), h(1)) {
+                Some((after, _)) => (after, "true".to_owned()),
+                None => (table, "false".to_owned()),
+            },
+            "split_in_half" => (spec::split_in_half(&table, h(0), self.fake.side).unwrap().0, String::new()),
+            "walk_face" => {
+                let walk = spec::cycle(&table, table.boundary(FaceId::new(arguments[0])).unwrap());
+                (table, list(walk))
+            }
+            "walk_vertices" => {
+                let walk = spec::cycle(&table, table.boundary(FaceId::new(arguments[0])).unwrap());
+                let origins: Vec<String> =
+                    walk.iter().map(|&h| table.origin(h).unwrap().number().to_string()).collect();
+                (table, origins.join(" "))
+            }
+            "walk_vertex" => {
+                let walk = spec::star(&table, table.outgoing(VertexId::new(arguments[0])).unwrap());
+                (table, list(walk))
+            }
+            "destination" => {
+                let end = table.origin(table.twin(h(0)).unwrap()).unwrap().number().to_string();
+                (table, end)
+            }
+            "destination_by_next" => {
+                let end = table.origin(table.next(h(0)).unwrap()).unwrap().number().to_string();
+                (table, end)
+            }
+            "drawing" => (start(include_str!("../../figures/scripts/lab-04-drawing.dcels")), String::new()),
+            other => panic!("{other}"),
+        }
+    }
+}
+
+/// The structure that a script makes.
+fn start(script: &str) -> Table {
+    let end = Script::parse(script, "start").unwrap().run().end;
+    let mut table = Table::from_view(&end);
+    for (v, row) in table.vertices.iter_mut().enumerate() {
+        let p = end.position(VertexId::new(v as u32)).unwrap();
+        row.as_mut().unwrap().position = Some([p.x, p.y]);
+    }
+    table
+}
+
+fn resolve(table: &Table, word: &str) -> Option<u32> {
+    let mut links = word.split('.');
+    let base = links.next()?;
+    let number = base[1..].parse().ok()?;
+    let mut at = match &base[..1] {
+        "h" => Element::HalfEdge(HalfEdgeId::new(number)),
+        "v" => Element::Vertex(VertexId::new(number)),
+        _ => Element::Face(FaceId::new(number)),
+    };
+    for link in links {
+        at = match (at, link) {
+            (Element::HalfEdge(h), "next") => table.next(h)?.into(),
+            (Element::HalfEdge(h), "prev") => table.prev(h)?.into(),
+            (Element::HalfEdge(h), "twin") => table.twin(h)?.into(),
+            (Element::HalfEdge(h), "origin") => table.origin(h)?.into(),
+            (Element::HalfEdge(h), "face") => table.face(h)?.into(),
+            (Element::Vertex(v), "outgoing") => table.outgoing(v)?.into(),
+            (Element::Face(f), "boundary") => table.boundary(f)?.into(),
+            _ => panic!("{word}"),
+        };
+    }
+    Some(match at {
+        Element::HalfEdge(h) => h.number(),
+        Element::Vertex(v) => v.number(),
+        Element::Face(f) => f.number(),
+        Element::Edge(e) => e.number(),
+    })
+}
+
+fn word<T: std::fmt::Display>(id: Option<T>) -> String {
+    id.map_or_else(|| "-".to_owned(), |id| id.to_string()[1..].to_owned())
+}
+
+fn dump(table: &Table) -> String {
+    let mut out = format!("outer {}\n", word(table.outer_face));
+    for (i, row) in table.vertices.iter().enumerate() {
+        let row = row.unwrap();
+        let [x, y] = row.position.unwrap();
+        let _ = writeln!(out, "vertex {i} {x} {y} {}", word(row.outgoing));
+    }
+    for (i, row) in table.half_edges.iter().enumerate() {
+        let row = row.unwrap();
+        let pointers = [word(row.twin), word(row.next), word(row.prev)].join(" ");
+        let _ = writeln!(out, "half_edge {i} {} {pointers} {}", word(row.origin), word(row.face));
+    }
+    for (i, row) in table.faces.iter().enumerate() {
+        let _ = writeln!(out, "face {i} {}", word(row.as_ref().unwrap().boundary));
+    }
+    out
+}
+
+fn table(records: &[&str]) -> Table {
+    let mut table = Table::default();
+    for record in records {
+        let words: Vec<&str> = record.split(' ').collect();
+        let number = |i: usize| words[i].parse::<u32>().ok();
+        let half_edge = |i| number(i).map(HalfEdgeId::new);
+        match words[0] {
+            "outer" => table.outer_face = number(1).map(FaceId::new),
+            "vertex" => table.vertices.push(Some(VertexRow {
+                position: Some([words[2].parse().unwrap(), words[3].parse().unwrap()]),
+                outgoing: half_edge(4),
+            })),
+            "half_edge" => table.half_edges.push(Some(HalfEdgeRow {
+                origin: number(2).map(VertexId::new),
+                twin: half_edge(3),
+                next: half_edge(4),
+                prev: half_edge(5),
+                face: number(6).map(FaceId::new),
+            })),
+            _ => table.faces.push(Some(FaceRow { boundary: half_edge(2), ..FaceRow::default() })),
+        }
+    }
+    table
+}
