@@ -1,11 +1,15 @@
 //! The bugs of a lab's zoo: wrong solutions with a name, each a small change of the right one.
 //!
 //! ```toml
-//!   number = 12                                              [[edit]]
-//!   title = "the new face does not know a half-edge"         find = "self.faces[new_face].incident_half_edge = Some(there);"
-//!   task = 5                                                 replace = ""
+//!   number = 35
+//!   title = "the new face does not know a half-edge (step 5)"
+//!   task = 5
 //!   section = "Splitting a face"
-//!   same_as = [13]        the bugs that fail in the same way, whatever is tried
+//!   same_as = [12]        # bugs that fail in the same way, whatever is tried
+//!
+//!   [[edit]]
+//!   find = "self.faces[new_face].incident_half_edge = Some(there);"
+//!   replace = ""
 //! ```
 
 use super::toml_file::{ManifestError, TomlFile};
@@ -17,7 +21,7 @@ use toml::Spanned;
 pub struct Bug {
     /// Its number, that of its file.
     pub number: u32,
-    /// What the student reads: the rest of the sentence "This looks as if …".
+    /// What the student reads after "Same failures as:".
     pub title: String,
     /// The task that it belongs to.
     pub task: u32,
