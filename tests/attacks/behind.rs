@@ -161,7 +161,7 @@ fn verdict_of_the_first(report: &Report) -> Verdict {
 fn the_scan_refuses_attacks_at_their_line() {
     let class = Class::new();
     let attacks = forbidden(&class.secret());
-    let files: Vec<_> = attacks.iter().map(|a| class.file(a.name, &file_of(&class, a))).collect();
+    let files: Vec<_> = attacks.iter().map(|a| class.file(a.name, file_of(&class, a))).collect();
     for (attack, report) in attacks.iter().zip(class.grade(&files, &class.options())) {
         assert_eq!(report.verdict, Verdict::Refused, "{}: {:?}", attack.name, report.message);
         let message = report.message.clone().unwrap_or_default();
@@ -178,7 +178,7 @@ fn behind_the_scan_the_walls_hold() {
     class.lab.manifest.limits.seconds = 3.0;
     let mut attacks = forbidden(&class.secret());
     attacks.extend(allowed());
-    let files: Vec<_> = attacks.iter().map(|a| class.file(a.name, &file_of(&class, a))).collect();
+    let files: Vec<_> = attacks.iter().map(|a| class.file(a.name, file_of(&class, a))).collect();
     let options = dcel_kit::lab::GradeOptions { scan: false, ..class.options() };
     for (attack, report) in attacks.iter().zip(class.grade(&files, &options)) {
         assert_no_points(&report, attack.name);
@@ -205,7 +205,7 @@ fn a_user_of_its_own_is_wall_enough() {
     let chosen = ["exit", "exec", "fork bomb", "daemon", "solution at run time", "solution at compile time"];
     let attacks: Vec<_> =
         forbidden(&class.secret()).into_iter().filter(|attack| chosen.contains(&attack.name)).collect();
-    let files: Vec<_> = attacks.iter().map(|a| class.file(a.name, &file_of(&class, a))).collect();
+    let files: Vec<_> = attacks.iter().map(|a| class.file(a.name, file_of(&class, a))).collect();
     let options = dcel_kit::lab::GradeOptions { scan: false, walls: USER, ..class.options() };
     if !all(USER) {
         println!("not here: {}", launcher().display());

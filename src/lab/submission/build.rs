@@ -116,14 +116,14 @@ fn settings_above(folder: &Path) -> Option<PathBuf> {
 /// Takes the program out of the target directory, if this very build made it from this very package.
 fn take_program(tree: &Tree, messages: &[Message]) -> Built {
     let made = messages.iter().find_map(|message| match message {
-        Message::CompilerArtifact { target, fresh: false, executable: Some(path) }
+        Message::Made { target, fresh: false, executable: Some(path) }
             if target.name == tree.package && path.starts_with(tree.target()) =>
         {
             Some(path)
         }
         _ => None,
     });
-    let finished = messages.iter().any(|message| matches!(message, Message::BuildFinished { success: true }));
+    let finished = messages.iter().any(|message| matches!(message, Message::Finished { success: true }));
     let Some(made) = made.filter(|_| finished) else {
         return fault("the build succeeded but did not compile the lab".to_owned());
     };
@@ -141,7 +141,7 @@ fn take_program(tree: &Tree, messages: &[Message]) -> Built {
 /// The first error: where, what, and the compiler's own picture of it.
 fn first_error(tree: &Tree, messages: &[Message]) -> Option<String> {
     let error = messages.iter().find_map(|message| match message {
-        Message::CompilerMessage { message } if message.level.starts_with("error") => Some(message),
+        Message::Said { message } if message.level.starts_with("error") => Some(message),
         _ => None,
     })?;
     let span = error.spans.iter().find(|span| span.is_primary).or(error.spans.first());
@@ -171,19 +171,14 @@ fn fault(message: String) -> Built {
 
 /// What cargo says, as far as it matters here.
 #[derive(Deserialize)]
-#[serde(tag = "reason", rename_all = "kebab-case")]
+#[serde(tag = "reason")]
 enum Message {
-    CompilerMessage {
-        message: Diagnostic,
-    },
-    CompilerArtifact {
-        target: Target,
-        fresh: bool,
-        executable: Option<PathBuf>,
-    },
-    BuildFinished {
-        success: bool,
-    },
+    #[serde(rename = "compiler-message")]
+    Said { message: Diagnostic },
+    #[serde(rename = "compiler-artifact")]
+    Made { target: Target, fresh: bool, executable: Option<PathBuf> },
+    #[serde(rename = "build-finished")]
+    Finished { success: bool },
     #[serde(other)]
     Other,
 }

@@ -208,10 +208,8 @@ impl Scan {
             "mod" if after.is_some_and(|t| t.is(';')) => {
                 self.refuse(place, "a module of another file: only this file is handed in, so write it here in braces");
             }
-            _ if next.is_some_and(|t| t.is('!')) && !after.is_some_and(|t| t.is('=')) => {
-                if MACROS.contains(&name) {
-                    self.refuse(place, format!("`{name}!` is not for this lab: it looks beyond the file"));
-                }
+            _ if MACROS.contains(&name) && next.is_some_and(|t| t.is('!')) && !after.is_some_and(|t| t.is('=')) => {
+                self.refuse(place, format!("`{name}!` is not for this lab: it looks beyond the file"));
             }
             // Wherever it stands: a path may begin after `return ::` as well as after `0..`.
             _ if LIBRARIES.contains(&name) => {
