@@ -9,6 +9,7 @@
 //! ```
 
 mod answer;
+mod build;
 mod camera;
 mod completions;
 mod convert;
@@ -60,6 +61,7 @@ enum Command {
     Validate(validate::Args),
     Walk(walk::Args),
     Convert(convert::Args),
+    Build(build::Args),
     Figure(Box<figure::Args>),
     Script(script::Args),
     Tour(tour::Args),
@@ -74,6 +76,7 @@ impl Command {
             Self::Validate(args) => validate::run(&args, out),
             Self::Walk(args) => walk::run(&args, out),
             Self::Convert(args) => convert::run(&args, out),
+            Self::Build(args) => build::run(&args, out),
             Self::Figure(args) => figure::run(&args, out),
             Self::Script(args) => script::run(&args, out),
             Self::Tour(args) => tour::run(&args, out),

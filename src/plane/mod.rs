@@ -33,6 +33,6 @@ pub use edit::{
 };
 pub use point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};
 pub use seed::LAB_RECTANGLE;
-pub use segments::{ArrangeOptions, Arranged, Residues, SegmentFault, SegmentsError};
+pub use segments::{ArrangeOptions, Arranged, MarkHolesError, Residues, SegmentFault, SegmentsError};
 pub use subdivision::{PlanarView, Subdivision};
 pub use table::TableError;

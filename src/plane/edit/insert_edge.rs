@@ -208,15 +208,13 @@ impl Subdivision {
         // Of the two rings one is left, or none if the boundary takes them in.
         let mut found: Vec<usize> = indices.into_iter().flatten().collect();
         found.sort_unstable();
-        if on_boundary == [false; 2] {
-            if let Some(&kept) = found.first() {
-                let cycle = found.iter().find_map(|&i| match rings[i] {
-                    Ring::Cycle(h) => Some(h),
-                    Ring::Isolated(_) => None,
-                });
-                rings[kept] = Ring::Cycle(cycle.unwrap_or(a));
-                found.remove(0);
-            }
+        if let (Some(&kept), [false, false]) = (found.first(), on_boundary) {
+            let cycle = found.iter().find_map(|&i| match rings[i] {
+                Ring::Cycle(h) => Some(h),
+                Ring::Isolated(_) => None,
+            });
+            rings[kept] = Ring::Cycle(cycle.unwrap_or(a));
+            found.remove(0);
         }
         for &i in found.iter().rev() {
             rings.remove(i);

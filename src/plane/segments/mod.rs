@@ -13,11 +13,13 @@ mod arrange;
 mod error;
 mod faults;
 mod graph;
+mod holes;
 mod residues;
 mod split;
 mod trace;
 
 pub use error::{SegmentFault, SegmentsError};
+pub use holes::MarkHolesError;
 pub use residues::Residues;
 
 use super::{Point, Subdivision};
