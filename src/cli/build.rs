@@ -23,10 +23,9 @@ use std::path::{Path, PathBuf};
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
-  dcel build roads.wkt
-  dcel build roads.wkt --split-crossings -o roads.dcel
-  dcel build plan.poly --figure plan.svg
-  dcel build - --from segments --json < list.txt")]
+  dcel build plan.poly
+  dcel build plan.poly --figure plan.svg --json
+  dcel build roads.wkt --split-crossings -o roads.dcel")]
 pub(crate) struct Args {
     /// The file to read, or - for standard input
     #[arg(value_name = "IN")]

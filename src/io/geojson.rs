@@ -156,6 +156,9 @@ impl Reader<'_> {
             self.positions(arrays, &place, depth - 1, chains, closed)
         })?;
         let Some(soup) = self.soup.as_mut().filter(|_| depth == 1 && chains) else { return Ok(()) };
+        if soup.points.len() == first + 1 {
+            return Err(Fault::at(at, shape(path, "two positions or more")));
+        }
         if let (true, [a, .., b]) = (closed, &soup.points[first..]) {
             if a != b {
                 let (first, last) = (a.to_string(), b.to_string());

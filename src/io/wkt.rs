@@ -289,6 +289,11 @@ impl<'a> Reader<'a> {
         let start = self.at;
         self.list(|reader| reader.point().map(drop))?;
         let points = &self.soup.points[first..];
+        if points.len() == 1 {
+            self.at = start;
+            let problem = ReadProblem::Expected { wanted: "two points or more".into(), found: "one".to_owned() };
+            return Err(self.error(problem, "points are separated by commas"));
+        }
         if let (true, Some(&a), Some(&b)) = (ring, points.first(), points.last()) {
             if a != b {
                 self.at = start;
@@ -300,10 +305,8 @@ impl<'a> Reader<'a> {
                 return Err(self.error(problem, "repeat the first point of the ring at its end"));
             }
             // The last point is the first one.
-            if points.len() > 1 {
-                self.soup.points.pop();
-                self.soup.point_lines.pop();
-            }
+            self.soup.points.pop();
+            self.soup.point_lines.pop();
         }
         self.soup.chain(first as u32, ring);
         Ok(())
