@@ -126,7 +126,144 @@ fn screen_readers_hear_every_half_edge() {
         lab.prev(h)
     );
     assert!(images.contains(&words), "{words} is not among {images:?}");
-    assert!(named("group").iter().any(|name| name.starts_with("Lab 6 vertices")), "{:?}", named("group"));
+    assert_eq!(
+        spoken(nodes, "group", "Lab"),
+        lab_words(" A half-edge under the mouse or in focus shows its pointers.")
+    );
+}
+
+/// What screen readers say after the name of the element of this role.
+fn spoken(nodes: &[Value], role: &str, name: &str) -> String {
+    let found: Vec<&Value> =
+        nodes.iter().filter(|node| node["role"]["value"] == role && node["name"]["value"] == name).collect();
+    assert_eq!(found.len(), 1, "{role} {name:?}: {found:?}");
+    found[0]["description"]["value"].as_str().unwrap_or("").to_owned()
+}
+
+fn lab_words(end: &str) -> String {
+    format!(
+        "6 vertices, 7 edges, 14 half-edges, 3 faces. Each half-edge runs on the left of its edge; its one-sided barb \
+         points to its face.{end}"
+    )
+}
+
+#[test]
+#[cfg_attr(not(chromium), ignore = "needs chromium")]
+fn a_picture_is_one_image_with_a_name_and_a_description() {
+    let file = File::new("lab.svg", &figure::structure(&lab(), &FigureOptions::new("Lab")).unwrap().to_svg());
+    let mut browser = Browser::start(800, 600);
+    browser.open(&file.path, "");
+    let tree = browser.call("Accessibility.getFullAXTree", &json!({}));
+    let nodes = tree["nodes"].as_array().unwrap();
+    assert_eq!(spoken(nodes, "image", "Lab"), lab_words(""));
+    let heard = nodes.iter().filter(|node| node["ignored"] == false && node["role"]["value"] == "image").count();
+    assert_eq!(heard, 1, "the parts of a still picture are not read one by one");
+    assert_eq!(browser.eval("document.querySelectorAll('[tabindex], a').length"), 0, "nothing to tab to");
+}
+
+#[test]
+#[cfg_attr(not(chromium), ignore = "needs chromium")]
+fn the_keyboard_goes_there_and_back_and_focus_is_seen() {
+    let file = picture();
+    let mut browser = Browser::start(1000, 800);
+    browser.open(&file.path, "");
+    let focused = "document.activeElement.id";
+    let width = "parseFloat(getComputedStyle(document.querySelector('#lab-h1 .sh')).strokeWidth)";
+    let thin = browser.eval(width).as_f64().unwrap();
+    for id in ["lab-h0", "lab-h1"] {
+        browser.press("Tab");
+        assert_eq!(browser.eval(focused), json!(id));
+    }
+    assert!(browser.eval(width).as_f64().unwrap() > 1.5 * thin, "the half-edge in focus is bold");
+    for kind in ["keyDown", "keyUp"] {
+        let shift = json!({"type": kind, "key": "Tab", "windowsVirtualKeyCode": 9, "modifiers": 8});
+        browser.call("Input.dispatchKeyEvent", &shift);
+    }
+    assert_eq!(browser.eval(focused), json!("lab-h0"), "and back");
+    assert_eq!(browser.eval(width).as_f64().unwrap(), thin);
+}
+
+/// The ids of the frames of a stepper that are seen.
+const FRAMES: &str = "[...document.querySelectorAll('.fr')].filter(g => getComputedStyle(g).display !== 'none')\
+                      .map(g => g.id)";
+
+#[test]
+#[cfg_attr(not(chromium), ignore = "needs chromium")]
+fn a_stepper_shows_one_frame_follows_its_links_and_prints_all() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("figures/stepper-split-face.svg");
+    let mut browser = Browser::start(900, 700);
+    browser.open(&path, "");
+    assert_eq!(browser.eval(FRAMES), json!(["steps-step-0"]), "without an address the first");
+    for (link, frame) in [("next", 1), ("next", 2), ("next", 3), ("back", 2)] {
+        let box_of = format!(
+            "[...document.querySelectorAll('a')].filter(a => a.textContent.includes('{link}') && \
+             a.getBoundingClientRect().width > 0).map(a => a.getBoundingClientRect())[0]"
+        );
+        let place = browser.eval(&format!("(b => [b.x + b.width / 2, b.y + b.height / 2])({box_of})"));
+        browser.click([0, 1].map(|i| place[i].as_f64().unwrap()));
+        let shown = format!("JSON.stringify({FRAMES}) === '[\"steps-step-{frame}\"]'");
+        browser.wait_for(&shown);
+    }
+    browser.open(&path, "steps-step-5");
+    assert_eq!(browser.eval(FRAMES), json!(["steps-step-5"]), "by address");
+    let frame =
+        "(b => [b.left, b.top, b.right, b.bottom])(document.querySelector('.fr:target').getBoundingClientRect())";
+    let edges: Vec<f64> = browser.eval(frame).as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
+    assert!(edges[0] >= -1.0 && edges[1] >= -1.0 && edges[2] < 900.0 && edges[3] < 700.0, "in the window: {edges:?}");
+    browser.media("print", "prefers-color-scheme", "light");
+    let all: Vec<String> = (0..7).map(|i| format!("steps-step-{i}")).collect();
+    assert_eq!(browser.eval(FRAMES), json!(all), "on paper");
+    let links = "[...document.querySelectorAll('.nav')].filter(g => getComputedStyle(g).display !== 'none').length";
+    assert_eq!(browser.eval(links), 0, "no links on paper");
+    assert!(browser.complaints().is_empty(), "{:?}", browser.complaints());
+}
+
+#[test]
+#[cfg_attr(not(chromium), ignore = "needs chromium")]
+fn a_printed_page_has_no_buttons_and_whole_tables() {
+    let file = page();
+    let mut browser = Browser::start(1400, 900);
+    browser.open(&file.path, "lab-h4");
+    let seen = |selector: &str| {
+        format!("[...document.querySelectorAll('{selector}')].filter(e => e.getBoundingClientRect().height > 0).length")
+    };
+    assert!(browser.eval(&seen("button")).as_u64().unwrap() > 3);
+    browser.media("print", "prefers-color-scheme", "light");
+    assert_eq!(browser.eval(&seen("button, input")), 0);
+    let cut = "[...document.querySelectorAll('.rows')].filter(e => e.scrollHeight > e.clientHeight + 1).length";
+    assert_eq!(browser.eval(cut), 0, "no table ends at the border of its box");
+    assert_eq!(browser.eval(&seen("tbody tr")), 14 + 6 + 3);
+    assert_eq!(browser.eval("getComputedStyle(document.documentElement).backgroundColor"), "rgb(255, 255, 255)");
+}
+
+/// In the dark every figure has dark paper, and no line or letter keeps its light colour. The tints
+/// of areas are the same hues, thicker.
+#[test]
+#[cfg_attr(not(chromium), ignore = "needs chromium")]
+fn dark_mode_changes_paper_ink_and_lines_of_every_reference_figure() {
+    let mut browser = Browser::start(800, 600);
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("figures");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|extension| extension != "svg") {
+            continue;
+        }
+        browser.open(&path, "");
+        let colours = "[...new Set([...document.querySelectorAll('rect.bg, text, line, path, circle')].filter(e => \
+                       !e.matches('.hit, [fill^=url]') && !/\\bt[0-9]\\b/.test(e.getAttribute('class')) && !e.closest('defs')).map(e => {\
+                       const s = getComputedStyle(e); const k = e.getAttribute('class'); \
+                       return [k, ...(e.tagName === 'text' ? [s.fill] : [s.fill, s.stroke])].join(' ') }))]";
+        browser.media("screen", "prefers-color-scheme", "light");
+        let light = browser.eval(colours);
+        browser.media("screen", "prefers-color-scheme", "dark");
+        let dark = browser.eval(colours);
+        let dark: Vec<&Value> = dark.as_array().unwrap().iter().collect();
+        let kept: Vec<&Value> = light.as_array().unwrap().iter().filter(|colour| dark.contains(colour)).collect();
+        assert!(kept.is_empty(), "{}: the same in light and dark: {kept:?}", path.display());
+        count += 1;
+    }
+    assert!(count >= 10, "{count}");
 }
 
 #[test]

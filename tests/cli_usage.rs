@@ -181,7 +181,11 @@ fn the_examples_of_the_help_run() {
             let call = example.strip_prefix("dcel ").unwrap_or_else(|| panic!("not a call: {example}"));
             let call = call.split(" > ").next().unwrap_or(call).replace("\"Two rooms\"", "Two-rooms");
             let told = folder.dcel(&call);
-            let expected = if call.contains("broken") { 1 } else { 0 };
+            let expected = match () {
+                () if call.contains("broken") => 1,
+                () if call.contains(".png") && cfg!(not(feature = "png")) => 2,
+                () => 0,
+            };
             assert_eq!(told.code, Some(expected), "{example}: {}", told.err);
             count += 1;
         }

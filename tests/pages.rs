@@ -27,7 +27,8 @@ fn half_edges<'a>(document: &'a Document<'a>) -> Vec<Node<'a, 'a>> {
 }
 
 fn start_of(path: &str) -> [f64; 2] {
-    let mut numbers = path.trim_start_matches('M').split(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'));
+    let mut numbers =
+        path.trim_start_matches(['M', 'm']).split(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'));
     [(); 2].map(|()| numbers.next().unwrap().parse().unwrap())
 }
 

@@ -49,7 +49,7 @@ fn a_wrong_word_is_an_input_error() {
     let (code, out, err) = told(&script("rectangle\nsplit_fase h2 h8\n", &[]));
     assert_eq!((code, out.as_str()), (Some(2), ""));
     assert!(err.starts_with("error: <stdin>:2:1: unknown statement `split_fase`\nhelp: known: split_face"), "{err}");
-    assert_eq!(told(&script("rectangle", &["--film", "film.png"])).0, Some(2));
+    assert_eq!(told(&script("rectangle", &["--film", "film.gif"])).0, Some(2));
 }
 
 #[test]

@@ -4,16 +4,21 @@ use super::failure::say;
 use super::figure_kind::Kind;
 use super::input::InputOptions;
 use super::looks::Looks;
+use super::picture::{Pixels, Target, is_page};
 use super::{Answer, Failure, Output};
-use dcel_kit::figure::{self, Detail, FaceLabels, Figure, FigureOptions};
+use dcel_kit::figure::{self, Detail, FaceLabels, FigureOptions};
 use std::path::{Path, PathBuf};
 
-/// Draw a structure as SVG, or as a page to click through
+/// Draw a structure as SVG or PNG, or as a page to click through
 ///
 /// Arrows run on the left of their edge, bounded faces are tinted, the outer face is hatched. A
 /// broken .dcel file is drawn as far as possible.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
+PNG: out of a dcel that was built with --features png.
+PDF: write an .svg; then, with Debian's librsvg2-bin,
+  rsvg-convert -f pdf square.svg -o square.pdf
+
 Examples:
   dcel figure square.obj -o square.svg
   dcel figure square.dcel --pointers next,twin -o pointers.svg
@@ -27,22 +32,28 @@ Examples:
     -o states.svg
   dcel figure square.obj --width 12cm --plain -o slide.svg
   dcel figure square.obj --faces f1 --colours rooms.txt \\
-    --theme light -o room.svg")]
+    --theme light -o room.svg
+  dcel figure square.obj -o square.png --scale 3")]
 pub(crate) struct Args {
     /// The file to read, or - for standard input
     #[arg(value_name = "IN", required_unless_present = "records")]
     file: Option<PathBuf>,
     /// The type diagram of the records; needs no file
-    #[arg(long, conflicts_with_all = ["file", "kind", "html"])]
+    #[arg(long, conflicts_with_all = [
+        "file", "kind", "html", "max_height", "detail", "no_labels", "no_vertex_labels", "no_half_edge_labels",
+        "face_labels", "width", "colours", "faces", "crop",
+    ])]
     records: bool,
-    #[command(flatten)]
-    kind: Kind,
-    /// The SVG file to write [default: standard output, nothing with --html]
-    #[arg(short, long, value_name = "OUT.svg")]
+    /// The SVG or PNG file to write [default: SVG on standard output, nothing with --html]
+    #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    pixels: Pixels,
     /// Write a self-contained page: the picture, its tables, buttons to walk
     #[arg(long, value_name = "OUT.html", conflicts_with_all = ["records", "kind"])]
     html: Option<PathBuf>,
+    #[command(flatten)]
+    kind: Kind,
     #[command(flatten)]
     drawing: Drawing,
     #[command(flatten)]
@@ -114,16 +125,21 @@ fn px(text: &str) -> Result<f64, String> {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    let target = args.output.as_deref().filter(|path| path.as_os_str() != "-");
+    let target = Target::new(args.output.as_deref(), args.pixels)?;
     let Some(file) = &args.file else {
         let options = args.looks.page(args.drawing.options(Path::new("The records of a half-edge structure")))?;
-        return answer(&figure::records(&options), target, out);
+        target.write(&figure::records(&options), out)?;
+        return Ok(Answer::Yes);
     };
-    if let Some(path) = target {
-        check_target(path, file, &["svg"])?;
+    if let Some(path) = args.html.as_ref().filter(|path| path.extension().is_some() && !is_page(path)) {
+        let what = format!("{}: this would be HTML", path.display());
+        return Err(Failure::input(what, "give a name that ends in .html"));
     }
-    if let Some(path) = &args.html {
-        check_target(path, file, &["html", "htm"])?;
+    for path in target.path().into_iter().chain(args.html.as_deref()) {
+        if super::output::is_same_file(file, path) {
+            let what = format!("{}: this is the input itself", path.display());
+            return Err(Failure::input(what, "choose another name"));
+        }
     }
     let subject = args.input.open(file)?;
     let Some(view) = subject.planar() else {
@@ -138,7 +154,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let refused = |error| Failure::input(format!("{}: {error}", subject.source), "");
     if let Some(path) = &args.html {
         let page = figure::page(view, &options).map_err(refused)?;
-        save(path, page.to_html())?;
+        std::fs::write(path, page.to_html()).map_err(|error| Failure::writing(path.display(), &error))?;
         if args.output.is_none() {
             page.figure().notes().iter().for_each(|note| say("note", note));
             return Ok(Answer::Yes);
@@ -146,33 +162,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     }
     let figure = args.kind.draw(view, &options).map_err(refused)?;
     figure.notes().iter().for_each(|note| say("note", note));
-    answer(&figure, target, out)
-}
-
-fn answer(figure: &Figure, target: Option<&Path>, out: &mut Output) -> Result<Answer, Failure> {
-    match target {
-        None => figure.write_svg(out)?,
-        Some(path) => save(path, &figure.to_svg())?,
-    }
+    target.write(&figure, out)?;
     Ok(Answer::Yes)
-}
-
-fn save(path: &Path, text: &str) -> Result<(), Failure> {
-    std::fs::write(path, text).map_err(|error| Failure::writing(path.display(), &error))
-}
-
-/// The first of `endings` is the usual one.
-fn check_target(path: &Path, input: &Path, endings: &[&str]) -> Result<(), Failure> {
-    let fits = |extension: &std::ffi::OsStr| endings.iter().any(|ending| extension.eq_ignore_ascii_case(ending));
-    if path.extension().is_some_and(|extension| !fits(extension)) {
-        let kind = endings[0].to_uppercase();
-        let what = format!("{}: this would be {kind}", path.display());
-        return Err(Failure::input(what, format!("give a name that ends in .{}", endings[0])));
-    }
-    if super::output::is_same_file(input, path) {
-        return Err(Failure::input(format!("{}: this is the input itself", path.display()), "choose another name"));
-    }
-    Ok(())
 }
 
 impl Drawing {

@@ -7,6 +7,7 @@
 //! ```
 
 use super::camera::Camera;
+use super::picture::{Pixels, Target, is_page};
 use super::{Answer, Failure, Output, failure};
 use dcel_kit::figure::{FigureOptions, Film};
 use dcel_kit::io::{Format, Model, write};
@@ -35,6 +36,7 @@ Examples:
   dcel script figures/scripts/lab.dcels --json
   dcel script figures/scripts/split-face.dcels --film split.svg
   dcel script figures/scripts/split-face.dcels --film split.html
+  dcel script figures/scripts/split-face.dcels --film split.png
   echo 'rectangle
   split_face h2 h8
   dump' | dcel script -")]
@@ -44,9 +46,11 @@ pub(crate) struct Args {
     /// Write the structure at the end, as a `dump` in the last line would
     #[arg(long)]
     dump: bool,
-    /// Draw the edits frame by frame: a strip (.svg), or a page that shows one frame at a time (.html)
+    /// Draw the edits frame by frame: a strip (.svg, .png), or a page that shows one frame at a time (.html)
     #[arg(long, value_name = "OUT")]
     film: Option<PathBuf>,
+    #[command(flatten)]
+    pixels: Pixels,
     /// One frame at a time in the .svg too, with links and without a script
     #[arg(long, requires = "film")]
     stepper: bool,
@@ -76,7 +80,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if let Some(path) = &args.film {
         let stem = args.file.file_stem().filter(|stem| *stem != "-");
         let title = stem.map_or_else(|| "script".to_owned(), |stem| stem.to_string_lossy().into_owned());
-        write_film(path, &camera.finish(), &title, args.stepper)?;
+        write_film(path, &camera.finish(), &title, args, out)?;
     }
     if args.json {
         let mut answer = json!({ "source": source, "steps": teller.told });
@@ -90,21 +94,20 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     Ok(teller.answer)
 }
 
-fn write_film(path: &Path, film: &Film, title: &str, stepper: bool) -> Result<(), Failure> {
+fn write_film(path: &Path, film: &Film, title: &str, args: &Args, out: &mut Output) -> Result<(), Failure> {
     let options = FigureOptions::new(title);
-    let kind = path.extension().map(std::ffi::OsStr::to_ascii_lowercase);
-    let html = match kind.as_ref().and_then(|kind| kind.to_str()) {
-        Some("svg") => false,
-        Some("html" | "htm") => true,
-        _ => {
-            let what = format!("{}: a film is a drawing or a page", path.display());
-            return Err(Failure::input(what, "end the name with .svg or .html"));
-        }
-    };
-    let figure = if html || stepper { film.stepper(&options) } else { film.strip(&options) };
-    let svg = figure.map_err(|error| Failure::input(error, "leave out --film"))?.to_svg();
-    let text = if html { page(&svg, title) } else { svg };
-    std::fs::write(path, text).map_err(|error| Failure::writing(path.display(), &error))
+    let refused = |error| Failure::input(error, "leave out --film");
+    if is_page(path) {
+        let svg = film.stepper(&options).map_err(refused)?.to_svg();
+        return std::fs::write(path, page(&svg, title)).map_err(|error| Failure::writing(path.display(), &error));
+    }
+    if path.extension().is_none() {
+        let what = format!("{}: a film is a drawing or a page", path.display());
+        return Err(Failure::input(what, "end the name with .svg, .png or .html"));
+    }
+    let target = Target::new(Some(path), args.pixels)?;
+    let figure = if args.stepper { film.stepper(&options) } else { film.strip(&options) };
+    target.write(&figure.map_err(refused)?, out)
 }
 
 /// A page with nothing but the drawing.

@@ -119,7 +119,7 @@ impl Arrow {
 }
 
 /// Tip, left corner, notch, right corner.
-fn head(tip: Xy, along: Xy, size: f64) -> [Xy; 4] {
+pub(super) fn head(tip: Xy, along: Xy, size: f64) -> [Xy; 4] {
     let (back, aside) = (tip - along * size, along.left() * (0.46 * size));
     [tip, back + aside, tip - along * (0.7 * size), back - aside]
 }
@@ -194,12 +194,14 @@ fn round(from: &Shaft, to: &Shaft, turn: Turn, size: f64) -> Arrow {
     Arrow { start: tip, steps: vec![swerve, arc, end], heads: vec![head] }
 }
 
-/// From anywhere to anywhere.
+/// From anywhere to anywhere: on the side where both faces are, past the shafts and labels between; straight on where
+/// the faces lie on opposite sides.
 fn sweep(from: &Shaft, to: &Shaft, size: f64) -> Arrow {
     let reach = (0.35 * (to.tail - from.tip).length()).clamp(10.0, 80.0);
-    let aside = |shaft: &Shaft| shaft.along.left() * (0.3 * reach);
-    let first = from.tip + from.along * reach + aside(from);
-    let second = to.tail - to.along * reach + aside(to);
+    let both = from.along.left() + to.along.left();
+    let (aside, ahead) = (both * (0.6 * reach), (0.5 - 0.2 * both.length()) * reach);
+    let first = from.tip + from.along * ahead + aside;
+    let second = to.tail - to.along * ahead + aside;
     let along = (to.tail - second).unit().unwrap_or(to.along);
     let end = to.tail - along * (0.6 * size);
     Arrow { start: from.tip, steps: vec![Step::Cubic(first, second, end)], heads: vec![head(to.tail, along, size)] }

@@ -10,6 +10,7 @@
 //! Source: Sutherland and Hodgman, *Reentrant polygon clipping*, 1974. Two parts of a cut ring may stay joined
 //! along the border: the even-odd rule counts that way twice.
 
+use super::FigureOptions;
 use super::scene::{Group, Node, Polylines};
 use super::vector::{Bounds, Xy, xy};
 
@@ -33,7 +34,7 @@ pub(super) fn cut(ring: Vec<Xy>, window: &Bounds) -> Vec<Xy> {
 }
 
 /// The points p of a ring with p · inward >= border, and where the ring passes the border.
-fn cut_by_side(ring: &[Xy], inward: Xy, border: f64) -> Vec<Xy> {
+pub(super) fn cut_by_side(ring: &[Xy], inward: Xy, border: f64) -> Vec<Xy> {
     let mut out = Vec::with_capacity(ring.len());
     let Some(mut a) = ring.last().copied() else { return out };
     for &b in ring {
@@ -47,6 +48,14 @@ fn cut_by_side(ring: &[Xy], inward: Xy, border: f64) -> Vec<Xy> {
         a = b;
     }
     out
+}
+
+/// A drawing that shares its canvas with others: of a cropped one nothing reaches beyond its own part of it.
+pub(super) fn framed(nodes: Vec<Node>, size: Xy, options: &FigureOptions) -> Vec<Node> {
+    if options.crop.is_none() {
+        return nodes;
+    }
+    vec![Node::Group(Group { window: Some(size), nodes: seen(nodes, size), ..Group::default() })]
 }
 
 /// What can be seen of a drawing on a canvas of this size. The group of an element stays whole if one of its

@@ -12,15 +12,17 @@
 
 use super::captions::Label;
 use super::crowd::{Crowd, Shape};
+use super::part::Part;
 use super::plate::{Look, Mark, Plate};
 use super::pointer::Pointer;
 use super::scene::{Group, Node};
 use super::skeleton::destination;
 use super::structure::Notes;
 use super::vector::{Bounds, Xy, xy};
-use super::{Detail, Figure, FigureError, FigureOptions, pointer_style, text};
+use super::{Detail, Figure, FigureError, FigureOptions, crop, pointer_style, text};
 use crate::ids::HalfEdgeId;
 use crate::plane::PlanarView;
+use crate::topology::View;
 
 /// Where the twin arrow stands, so that the face arrow has the middle.
 pub(super) const TWIN_AT: f64 = 0.36;
@@ -42,11 +44,18 @@ const ASIDE: f64 = 290.0;
 /// `none` in the table.
 ///
 /// # Errors
-/// Those of [`pointers`](super::pointers), and [`FigureError::NoHalfEdge`].
+/// Those of [`pointers`](super::pointers), [`FigureError::NoHalfEdge`], and [`FigureError::NotDrawn`] if the face of
+/// `h` is not among those to be drawn.
 pub fn focus<V: PlanarView + ?Sized>(view: &V, h: HalfEdgeId, options: &FigureOptions) -> Result<Figure, FigureError> {
     if !view.has_half_edge(h) {
         return Err(FigureError::NoHalfEdge { half_edge: h, bound: view.half_edge_bound() });
     }
+    let Some(chosen) = &options.faces else { return draw(view, h, options) };
+    let part = Part::new(view, chosen)?;
+    if part.has_half_edge(h) { draw(&part, h, options) } else { Err(FigureError::NotDrawn { element: h.into() }) }
+}
+
+fn draw<V: PlanarView + ?Sized>(view: &V, h: HalfEdgeId, options: &FigureOptions) -> Result<Figure, FigureError> {
     let mut options = options.checked().half_edge_labels(false);
     options.usual_width = 620.0;
     let usual = super::Style::default();
@@ -83,7 +92,8 @@ pub fn focus<V: PlanarView + ?Sized>(view: &V, h: HalfEdgeId, options: &FigureOp
     let mut arrows = plate.pointers(view, &shown, &look, TWIN_AT, &mut notes);
     arrows.extend(names(&plate, view, h));
 
-    let mut scene = plate.picture.scene(plate.nodes(view, &look, arrows));
+    let mut scene = plate.picture.scene(Vec::new());
+    scene.nodes = crop::framed(plate.nodes(view, &look, arrows), scene.size, options);
     scene.nodes.push(rows(view, h, scene.size));
     scene.size = xy(scene.size.x + ASIDE, scene.size.y.max(2.0 * 40.0 + 8.0 * LINE));
     scene.css.push_str(&pointer_style::css(&options.style, &scene.prefix));

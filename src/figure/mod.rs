@@ -28,8 +28,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod advances;
 mod arrows;
 mod captions;
+pub mod chart;
+pub mod compare;
 mod crop;
 mod crowd;
 mod face_arrows;
@@ -37,10 +40,13 @@ mod faces;
 mod film;
 mod fit;
 mod focus;
+mod grid;
 mod half_edges;
 mod interactive;
 mod labels;
 mod leaders;
+mod log;
+mod multiples;
 mod number;
 mod options;
 mod overrides;
@@ -49,13 +55,18 @@ mod panels;
 mod part;
 mod plain;
 mod plate;
+#[cfg(feature = "png")]
+mod png;
 mod pointer;
 mod pointer_style;
 mod pole;
 mod records;
 mod robustness;
 mod scene;
+mod selectors;
+mod sheet;
 mod skeleton;
+pub mod sketch;
 mod structure;
 mod style;
 mod style_file;
@@ -74,6 +85,8 @@ pub use options::{Detail, FaceLabels, FigureOptions};
 pub use overrides::{Overrides, OverridesError};
 pub use page::{Page, page};
 pub use panels::pointers;
+#[cfg(feature = "png")]
+pub use png::PngError;
 pub use pointer::Pointers;
 pub use records::records;
 pub use robustness::{NearlyCollinear, robustness};
@@ -83,7 +96,7 @@ pub use style_file::{ParseColourError, StyleError};
 pub use tables::tables;
 pub use unit::{ParseLengthError, Unit};
 
-use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::CoordinateError;
 use std::io::{self, Write};
 
@@ -124,6 +137,12 @@ pub enum FigureError {
         half_edge: HalfEdgeId,
         /// One more than the greatest number of a half-edge.
         bound: usize,
+    },
+    /// An element that is to be shown is not there, or not in the faces that are to be drawn.
+    #[error("{element} is not in the drawing: check its number, and the faces that are to be drawn")]
+    NotDrawn {
+        /// The element.
+        element: Element,
     },
     /// Pointers need half-edges, and these would be too short or too many.
     #[error(

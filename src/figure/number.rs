@@ -19,9 +19,9 @@ pub(super) fn drawn(value: f64) -> String {
     out
 }
 
-/// Appends tenths of a px without a leading zero.
-pub(super) fn push_tenths(out: &mut String, tenths: i32) {
-    push_decimal(out, i64::from(tenths), 10, false);
+/// Appends a number of tenths (`unit` 10) or hundredths (100) of a px without a leading zero.
+pub(super) fn push_short(out: &mut String, value: i64, unit: u64) {
+    push_decimal(out, value, unit, false);
 }
 
 fn push_decimal(out: &mut String, value: i64, unit: u64, leading_zero: bool) {
@@ -86,7 +86,7 @@ mod tests {
     fn tenths_drop_the_leading_zero() {
         for (tenths, text) in [(0, "0"), (6, ".6"), (-1, "-.1"), (123, "12.3"), (-100, "-10")] {
             let mut out = String::new();
-            push_tenths(&mut out, tenths);
+            push_short(&mut out, tenths, 10);
             assert_eq!(out, text);
         }
     }

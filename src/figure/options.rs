@@ -205,7 +205,7 @@ impl FigureOptions {
     }
 
     /// Draws these faces only, with their half-edges and vertices, as large as there is room for. Default: all.
-    /// [`structure`](super::structure()) and what is made from it; panels show all faces.
+    /// Films always show all faces, and so do the tables of a page.
     #[must_use]
     pub fn faces(mut self, faces: impl IntoIterator<Item = FaceId>) -> Self {
         self.faces = Some(faces.into_iter().collect());
@@ -213,7 +213,8 @@ impl FigureOptions {
     }
 
     /// Shows the part of the plane between two corners only: the picture ends there, without a free band round
-    /// it. Default: everything. Corners that span no area, or that are no numbers, change nothing.
+    /// it. Default: everything. Corners that span no area, or that are no numbers, change nothing. Films always show
+    /// everything.
     #[must_use]
     pub fn crop(mut self, corner: [f64; 2], opposite: [f64; 2]) -> Self {
         let [a, b] = [corner, opposite].map(|[x, y]| Point::new(x, y));

@@ -95,6 +95,21 @@ impl Pointer {
     }
 }
 
+impl Pointer {
+    /// Whether what it refers to is not in the view: not there at all, or in a face that is not drawn.
+    fn leads_out<W: PlanarView + ?Sized>(self, view: &W) -> bool {
+        let half_edge = |h: Option<HalfEdgeId>| h.is_some_and(|h| !view.has_half_edge(h));
+        match self {
+            Self::Next(h) => half_edge(view.next(h)),
+            Self::Twin(h) => half_edge(view.twin(h)),
+            Self::Outgoing(v) => half_edge(view.outgoing(v)),
+            Self::Boundary(f) => half_edge(view.boundary(f)),
+            Self::Face(h) => view.face(h).is_some_and(|f| !view.has_face(f)),
+            Self::Origin(h) => view.origin(h).is_some_and(|v| !view.has_vertex(v)),
+        }
+    }
+}
+
 impl<V: PlanarView + ?Sized> Plate<'_, V> {
     /// All pointers of a family, as `view` has them; of two twins that agree, one arrow.
     pub(super) fn family<W: PlanarView + ?Sized>(view: &W, family: Pointers) -> Vec<Pointer> {
@@ -122,11 +137,12 @@ impl<V: PlanarView + ?Sized> Plate<'_, V> {
     ) -> Vec<Node> {
         let mut crowd = self.crowd.clone();
         let mut out = Vec::new();
-        let mut without = Vec::new();
+        let (mut without, mut outside) = (Vec::new(), Vec::new());
         for &pointer in pointers {
             let (owner, field, Some(target)) = pointer.words(view) else { continue };
             let Some(Tagged { arrow, tag }) = self.arrow(view, pointer, t, &mut crowd) else {
-                without.push(format!("{owner}.{field}"));
+                let list = if pointer.leads_out(view) { &mut outside } else { &mut without };
+                list.push(format!("{owner}.{field}"));
                 continue;
             };
             let (class, ending) = pointer.class();
@@ -141,6 +157,7 @@ impl<V: PlanarView + ?Sized> Plate<'_, V> {
             }));
         }
         notes.add_words("without room for an arrow", without.into_iter());
+        notes.add_words("leading to what is not drawn", outside.into_iter());
         out
     }
 

@@ -57,6 +57,21 @@ impl NearlyCollinear {
         Ok(Self { p, q, r, step })
     }
 
+    /// How many of the first `side` × `side` points, those with i and j below `side`, doubles put on the wrong side. At
+    /// most 256 × 256 are looked at. Cost: an exact test for each.
+    ///
+    /// ```
+    /// # use dcel_kit::figure::NearlyCollinear;
+    /// let points = NearlyCollinear::default();
+    /// assert!(points.wrong_within(16) < points.wrong_within(256));
+    /// ```
+    #[must_use]
+    pub fn wrong_within(&self, side: usize) -> usize {
+        let side = side.min(SIDE);
+        let points = (0..side * side).map(|k| self.point(k % side, k / side));
+        points.filter(|&p| self.naive(p) != self.exact(p)).count()
+    }
+
     fn point(&self, i: usize, j: usize) -> [f64; 2] {
         [self.p[0] + i as f64 * self.step, self.p[1] + j as f64 * self.step]
     }

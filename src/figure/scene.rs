@@ -110,6 +110,8 @@ pub(super) struct Group {
     pub(super) link: Option<String>,
     /// How far everything inside is moved.
     pub(super) shift: Option<Xy>,
+    /// Nothing outside of a box of this size is seen. Not together with a shift.
+    pub(super) window: Option<Xy>,
     /// Without the prefix of the scene.
     pub(super) id: Option<String>,
     pub(super) attributes: Attributes,

@@ -4,13 +4,21 @@
 //! digits), path data is built by hand (its builder keeps f32), control characters are taken out before, and
 //! no style rule holds a `>`, which would be escaped.
 
-use super::number::{drawn, push, push_tenths};
+use super::number::{drawn, push, push_short};
 use super::scene::{Group, Hatch, Node, Polylines, Scene, Step};
+use super::sheet::Worn;
 use super::vector::Xy;
+use svg::Node as _;
 use svg::node::Text as Characters;
 use svg::node::element::{
     Anchor, Definitions, Description, Element, Line, Path, Pattern, Rectangle, Style, Text, Title,
 };
+
+/// The class of the lines of a hatch.
+const HATCH: &str = "hatch";
+
+/// Areas that look the same by every rule of filling.
+const CONVEX: [&str; 2] = ["barb", "ph"];
 
 /// The whole document, with a line break at its end.
 pub(super) fn document(scene: &Scene) -> String {
@@ -22,22 +30,29 @@ pub(super) fn document(scene: &Scene) -> String {
         .set("width", scene.unit.state(scene.size.x))
         .set("height", scene.unit.state(scene.size.y))
         .set("role", "img")
-        .set("aria-labelledby", format!("{prefix}-title {prefix}-desc"));
+        .set("aria-labelledby", format!("{prefix}-title"))
+        .set("aria-describedby", format!("{prefix}-desc"));
     for (name, value) in &scene.attributes {
         root = root.set(*name, value.as_str());
+    }
+    let paper: Element = Rectangle::new().set("class", "bg").set("width", width).set("height", height).into();
+    let drawing: Vec<Element> =
+        std::iter::once(paper).chain(scene.nodes.iter().map(|node| element(node, prefix))).collect();
+    let mut worn = Worn::by(&drawing);
+    let hatches: Vec<&Hatch> =
+        scene.hatches.iter().filter(|h| worn.refers_to(&format!("{prefix}-{}", h.name))).collect();
+    if !hatches.is_empty() {
+        worn.add(HATCH);
     }
     root = root
         .add(Title::new(scene.title.as_str()).set("id", format!("{prefix}-title")))
         .add(Description::new().set("id", format!("{prefix}-desc")).add(Characters::new(scene.description.as_str())))
-        .add(Style::new(scene.css.trim_end()));
-    if !scene.hatches.is_empty() {
-        let patterns = scene.hatches.iter().map(|hatch| pattern(hatch, prefix));
+        .add(Style::new(worn.sheet(&scene.css)));
+    if !hatches.is_empty() {
+        let patterns = hatches.into_iter().map(|hatch| pattern(hatch, prefix));
         root = root.add(patterns.fold(Definitions::new(), Definitions::add));
     }
-    root = root.add(Rectangle::new().set("class", "bg").set("width", width).set("height", height));
-    for node in &scene.nodes {
-        root = root.add(element(node, prefix));
-    }
+    root = drawing.into_iter().fold(root, svg::Document::add);
     if scene.plain {
         super::plain::inline(&mut root, &scene.css);
     }
@@ -48,7 +63,7 @@ pub(super) fn document(scene: &Scene) -> String {
 
 fn pattern(hatch: &Hatch, prefix: &str) -> Pattern {
     let step = drawn(hatch.step);
-    let line = Line::new().set("class", "hatch").set("x1", "0").set("y1", "0").set("x2", "0").set("y2", step.as_str());
+    let line = Line::new().set("class", HATCH).set("x1", "0").set("y1", "0").set("x2", "0").set("y2", step.as_str());
     Pattern::new()
         .set("id", format!("{prefix}-{}", hatch.name))
         .set("width", step.as_str())
@@ -93,35 +108,43 @@ fn element(node: &Node, prefix: &str) -> Element {
 }
 
 fn group(group: &Group, prefix: &str) -> Element {
-    let mut out = svg::node::element::Group::new();
+    // An svg inside an svg ends at its border.
+    let mut out = Element::new(if group.window.is_some() { "svg" } else { "g" });
+    if let Some(size) = group.window {
+        out.assign("width", drawn(size.x));
+        out.assign("height", drawn(size.y));
+    }
     match (group.class, group.mark) {
         ("", "") => {}
-        (class, "") | ("", class) => out = out.set("class", class),
-        (class, mark) => out = out.set("class", format!("{class} {mark}")),
+        (class, "") | ("", class) => out.assign("class", class),
+        (class, mark) => out.assign("class", format!("{class} {mark}")),
     }
     if let Some(by) = group.shift {
-        out = out.set("transform", format!("translate({},{})", drawn(by.x), drawn(by.y)));
+        out.assign("transform", format!("translate({},{})", drawn(by.x), drawn(by.y)));
     }
     if let Some(id) = &group.id {
-        out = out.set("id", format!("{prefix}-{id}"));
+        out.assign("id", format!("{prefix}-{id}"));
     }
     for (name, value) in &group.attributes {
-        out = out.set(*name, value.as_str());
+        out.assign(*name, value.as_str());
     }
     if let Some(title) = &group.title {
-        out = out.add(Title::new(title.as_str()));
+        out.append(Title::new(title.as_str()));
     }
     for node in &group.nodes {
-        out = out.add(element(node, prefix));
+        out.append(element(node, prefix));
     }
     match &group.link {
         Some(id) => Anchor::new().set("href", format!("#{prefix}-{id}")).add(out).into(),
-        None => out.into(),
+        None => out,
     }
 }
 
 fn area(class: &str, hatch: Option<&str>, prefix: &str, data: String) -> Element {
-    let mut out = Path::new().set("class", class).set("d", data).set("fill-rule", "evenodd");
+    let mut out = Path::new().set("class", class).set("d", data);
+    if !CONVEX.contains(&class) {
+        out = out.set("fill-rule", "evenodd");
+    }
     if let Some(name) = hatch {
         out = out.set("fill", format!("url(#{prefix}-{name})"));
     }
@@ -157,52 +180,67 @@ fn curve_data(start: Xy, steps: &[Step]) -> String {
     out
 }
 
-/// `M x,y L x,y ... Z` for each outline, two decimals.
+/// Closed outlines, two decimals.
 fn outline_data(outlines: &[Vec<Xy>]) -> String {
-    let mut out = String::new();
+    let mut pen = Pen::new(100, outlines.iter().map(Vec::len).sum());
+    let hundredths = |p: &Xy| [p.x, p.y].map(|x| (x * 100.0).round() as i64);
     for outline in outlines {
-        for (i, p) in outline.iter().enumerate() {
-            out.push(if i == 0 { 'M' } else { 'L' });
-            push(&mut out, p.x);
-            out.push(',');
-            push(&mut out, p.y);
-        }
-        out.push('Z');
+        pen.draw(outline.iter().map(hundredths), true);
     }
-    out
+    pen.out
 }
 
-/// `m dx dy dx dy ...`: relative steps, the first of all from the origin; a lone point is drawn as a dot.
+/// Lines or outlines, one decimal; a lone point is drawn as a dot.
 fn fine_data(lines: &Polylines) -> String {
-    let mut out = String::with_capacity(lines.point_count() * 7);
-    let mut at = [0, 0];
+    let mut pen = Pen::new(10, lines.point_count());
     for line in lines.iter() {
-        out.push('m');
-        let mut separate = false;
-        for &p in line {
-            push_step(&mut out, p[0] - at[0], separate);
-            push_step(&mut out, p[1] - at[1], true);
-            separate = true;
-            at = p;
-        }
-        if line.len() == 1 && !lines.closed {
-            out.push_str("h0");
-        }
-        if lines.closed {
-            out.push('z');
-            at = line[0];
-        }
+        pen.draw(line.iter().map(|p| p.map(i64::from)), lines.closed);
     }
-    out
+    pen.out
 }
 
-/// A number of a path, after a space where the one before would run into it.
-fn push_step(out: &mut String, tenths: i32, separate: bool) {
-    let last = out.len();
-    push_tenths(out, tenths);
-    let joins = out.as_bytes()[last] == b'-' || (out.as_bytes()[last] == b'.' && fraction_before(&out[..last]));
-    if separate && !joins {
-        out.insert(last, ' ');
+/// Writes `m dx dy dx dy ...`: relative steps, the first of all from the origin, as short as the grammar allows.
+struct Pen {
+    out: String,
+    at: [i64; 2],
+    /// How many units of the numbers given make a px: 10 or 100.
+    unit: u64,
+}
+
+impl Pen {
+    fn new(unit: u64, points: usize) -> Self {
+        Self { out: String::with_capacity(points * 8), at: [0, 0], unit }
+    }
+
+    fn draw(&mut self, points: impl ExactSizeIterator<Item = [i64; 2]>, closed: bool) {
+        let (count, mut start) = (points.len(), None);
+        for p in points {
+            if start.is_none() {
+                self.out.push('m');
+            }
+            self.step(p[0] - self.at[0], start.is_some());
+            self.step(p[1] - self.at[1], true);
+            self.at = p;
+            start = start.or(Some(p));
+        }
+        if count == 1 && !closed {
+            self.out.push_str("h0");
+        }
+        if let (true, Some(start)) = (closed, start) {
+            self.out.push('z');
+            self.at = start;
+        }
+    }
+
+    /// A number, after a space where the one before would run into it.
+    fn step(&mut self, value: i64, separate: bool) {
+        let last = self.out.len();
+        push_short(&mut self.out, value, self.unit);
+        let first = self.out.as_bytes()[last];
+        let joins = first == b'-' || (first == b'.' && fraction_before(&self.out[..last]));
+        if separate && !joins {
+            self.out.insert(last, ' ');
+        }
     }
 }
 
@@ -214,6 +252,7 @@ fn fraction_before(text: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::figure::vector::xy;
 
     #[test]
     fn fine_paths_are_relative_and_as_short_as_the_grammar_allows() {
@@ -224,6 +263,16 @@ mod tests {
         lines.line_to([96, 211]);
         lines.start([90, 211]);
         assert_eq!(fine_data(&lines), "m10 20.5.6.6-1 0m-.6 0h0");
+    }
+
+    #[test]
+    fn outlines_are_relative_and_do_not_drift() {
+        let third = 1.0 / 3.0;
+        let outline = vec![xy(third, 0.0), xy(2.0 * third, -0.004), xy(1.0, 1.05), xy(0.333, 10.0)];
+        assert_eq!(
+            outline_data(&[outline, vec![xy(1.0, 1.0), xy(2.0, 1.0)]]),
+            "m.33 0 .34 0 .33 1.05-.67 8.95zm.67 1 1 0z"
+        );
     }
 
     #[test]

@@ -7,12 +7,13 @@
 //!   └─────────────────┘    ...                                  f0   h1
 //! ```
 
+use super::part::Part;
 use super::plate::{Look, Mark, Plate};
 use super::scene::{Group, Node};
 use super::skeleton::{faces, half_edges, vertices};
 use super::structure::Notes;
 use super::vector::{Xy, xy};
-use super::{Figure, FigureError, FigureOptions, number, pointer_style, text};
+use super::{Figure, FigureError, FigureOptions, crop, number, pointer_style, text};
 use crate::ids::Element;
 use crate::plane::PlanarView;
 use crate::topology::Ring;
@@ -28,10 +29,11 @@ const ROWS: usize = 120;
 /// Draws the structure with its vertex, half-edge and face tables beside it, one element marked in both.
 ///
 /// Everything but the marked element is grey in the picture; without one nothing is. Of each table at most 120
-/// rows are shown, the others are counted in the notes. An element that is not there marks nothing.
+/// rows are shown, the others are counted in the notes. Of some [faces](FigureOptions::faces) only, the tables hold
+/// what the picture shows.
 ///
 /// # Errors
-/// Those of [`structure`](super::structure()).
+/// Those of [`structure`](super::structure()), and [`FigureError::NotDrawn`] if the marked element is not there.
 ///
 /// ```
 /// use dcel_kit::figure::{self, FigureOptions};
@@ -46,14 +48,24 @@ pub fn tables<V: PlanarView + ?Sized>(
     highlight: Option<Element>,
     options: &FigureOptions,
 ) -> Result<Figure, FigureError> {
+    let Some(chosen) = &options.faces else { return draw(view, highlight, options) };
+    draw(&Part::new(view, chosen)?, highlight, options)
+}
+
+fn draw<V: PlanarView + ?Sized>(
+    view: &V,
+    highlight: Option<Element>,
+    options: &FigureOptions,
+) -> Result<Figure, FigureError> {
     let mut options = options.checked();
     options.usual_width = 520.0;
     options.style.face_text = options.style.face_text.min(14.0);
     let options = &options;
     let plate = Plate::new(view, options, false)?;
     let mut notes = Notes(plate.notes.0.clone());
-    let look = look(view, highlight);
-    let mut scene = plate.picture.scene(plate.nodes(view, &look, Vec::new()));
+    let look = look(view, highlight)?;
+    let mut scene = plate.picture.scene(Vec::new());
+    scene.nodes = crop::framed(plate.nodes(view, &look, Vec::new()), scene.size, options);
     let marked = highlight.map(|element| element.to_string());
     let mut height = scene.size.y;
     let mut left = scene.size.x + GAP;
@@ -78,23 +90,19 @@ pub fn tables<V: PlanarView + ?Sized>(
 }
 
 /// The marked element bold, the half-edges grey beside it.
-fn look<V: PlanarView + ?Sized>(view: &V, highlight: Option<Element>) -> Look {
-    let mut look = Look::default();
-    match highlight {
-        Some(Element::Vertex(v)) if view.has_vertex(v) => look = marked(look, |look| look.mark_vertex(v, Mark::Hot)),
-        Some(Element::HalfEdge(h)) if view.has_half_edge(h) => {
-            look = marked(look, |look| look.mark_half_edge(h, Mark::Hot));
+fn look<V: PlanarView + ?Sized>(view: &V, highlight: Option<Element>) -> Result<Look, FigureError> {
+    let Some(element) = highlight else { return Ok(Look::default()) };
+    let mut look = Look::default().rest(Mark::Dim);
+    match element {
+        Element::Vertex(v) if view.has_vertex(v) => look.mark_vertex(v, Mark::Hot),
+        Element::HalfEdge(h) if view.has_half_edge(h) => look.mark_half_edge(h, Mark::Hot),
+        Element::Edge(e) if e.half_edges().into_iter().all(|h| view.has_half_edge(h)) => {
+            e.half_edges().into_iter().for_each(|h| look.mark_half_edge(h, Mark::Hot));
         }
-        Some(Element::Face(f)) if view.has_face(f) => look = marked(look, |look| look.mark_face(f, Mark::Hot)),
-        _ => {}
+        Element::Face(f) if view.has_face(f) => look.mark_face(f, Mark::Hot),
+        _ => return Err(FigureError::NotDrawn { element }),
     }
-    look
-}
-
-fn marked(look: Look, mark: impl FnOnce(&mut Look)) -> Look {
-    let mut look = look.rest(Mark::Dim);
-    mark(&mut look);
-    look
+    Ok(look)
 }
 
 /// A table as words; the first word of a row names its element.

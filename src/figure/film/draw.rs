@@ -7,9 +7,11 @@
 //! ```
 //!
 //! The states before and after an edit are placed each, on one canvas. A frame is drawn on the fuller one, unless
-//! a half-edge of the frame runs elsewhere there (the one that is being split, before it is): then on the other.
+//! a half-edge of the frame runs elsewhere there (the one that is being split, before it is): then on the other. As
+//! long as all of the fuller state is there, it stays: an edge that is led past a vertex grows when the vertex goes.
 
 use super::frames::{Fate, Film, Frame, Written};
+use crate::figure::crowd::Shape;
 use crate::figure::plate::{Look, Mark, Plate};
 use crate::figure::pointer::Pointer;
 use crate::figure::scene::Node;
@@ -60,7 +62,8 @@ impl<'a> Stage<'a> {
                 picture.skeleton.at.set(v, at, None);
             }
             let first = Plate::place(picture, Notes::default(), &[]);
-            let ink = first.local_ink();
+            let mut ink = first.local_ink();
+            ink.extend(film.states.iter().flat_map(|other| foreign_discs(other, state, &whole)));
             plates.push(Plate::place(first.picture, Notes::default(), &ink));
         }
         let mut stage = Self { plates, states: &film.states };
@@ -111,7 +114,8 @@ impl<'a> Stage<'a> {
         let [rich, other] = self.order(frame);
         let known = |h: &HalfEdgeId| shown.origin(*h).is_some() && destination(&shown, *h).is_some();
         let wrong = |plate: usize| self.misplaced(plate, &shown).into_iter().filter(known).count();
-        let chosen = if wrong(rich) == 0 || wrong(rich) < wrong(other) { rich } else { other };
+        let is_whole = half_edges(&self.states[rich]).all(|h| shown.has_half_edge(h) && known(&h));
+        let chosen = if is_whole || wrong(rich) == 0 || wrong(rich) < wrong(other) { rich } else { other };
         let plate = &self.plates[chosen];
 
         let mut look = Look::instance(name);
@@ -124,7 +128,7 @@ impl<'a> Stage<'a> {
         for (elements, mark) in [(&frame.marked, Mark::Hot), (&frame.made, Mark::New), (&frame.removed, Mark::Gone)] {
             elements.iter().for_each(|&element| set(&mut look, element, mark));
         }
-        let hidden = self.misplaced(chosen, &shown);
+        let hidden = if is_whole { Vec::new() } else { self.misplaced(chosen, &shown) };
         hidden.iter().for_each(|&h| look.mark_half_edge(h, Mark::Hidden));
 
         let mut nodes = self.plates[rich].areas(&self.states[frame.areas], &look);
@@ -138,6 +142,13 @@ impl<'a> Stage<'a> {
         }
         nodes
     }
+}
+
+/// The discs of vertices that another state has and this one has not: labels keep clear of them, too.
+fn foreign_discs(other: &Table, state: &Table, whole: &Picture<'_, Table>) -> Vec<Shape> {
+    let foreign = vertices(other).filter(|&v| !state.has_vertex(v));
+    let places = foreign.filter_map(|v| other.position(v)).map(|p| whole.fit.place(p));
+    places.map(|at| Shape::Disc(at, whole.options.style.vertex_radius + 1.5)).collect()
 }
 
 fn set(look: &mut Look, element: Element, mark: Mark) {
@@ -176,7 +187,12 @@ fn arrows(plate: &Plate<'_, Table>, frame: &Frame, look: &Look) -> Vec<Node> {
     };
     let stay: Vec<Pointer> = half_edges(&frame.table).filter(stays).map(Pointer::Next).collect();
     let of = |fate: Fate| -> Vec<Pointer> {
-        let shown = |w: &&Written| w.fate == fate && !(fate == Fate::Gone && matches!(w.slot, Slot::Face(_)));
+        let shown = |w: &&Written| match (fate, w.slot) {
+            (Fate::Gone, Slot::Face(_)) => false,
+            // Of a face that goes there is no name from which its arrow could begin.
+            (Fate::Gone, Slot::Boundary(f)) => !frame.removed.contains(&Element::Face(f)),
+            _ => true,
+        } && w.fate == fate;
         frame.written.iter().filter(shown).filter_map(|w| pointer(w.slot)).collect()
     };
     let mut notes = Notes::default();
