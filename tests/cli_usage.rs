@@ -7,7 +7,7 @@ mod shell;
 use shell::{Folder, SQUARE, TRIANGLE, grid};
 use std::process::Stdio;
 
-const COMMANDS: [&str; 7] = ["info", "validate", "walk", "compare", "convert", "figure", "completions"];
+const COMMANDS: [&str; 8] = ["info", "validate", "walk", "compare", "convert", "build", "figure", "completions"];
 
 #[test]
 fn wrong_calls_and_bad_files_give_2() {
@@ -170,6 +170,8 @@ fn the_examples_of_the_help_run() {
     folder.dcel("convert square.obj square.dcel").fine();
     folder.write("broken.dcel", &TRIANGLE.replace("next h2", "next h4"));
     folder.write("rooms.txt", "f1 #aabbcc \"hall\"\n");
+    folder.write("plan.poly", "3 2 0 0\n1 0 0\n2 4 0\n3 0 3\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n");
+    folder.write("roads.wkt", "LINESTRING (0 0, 4 4)\nLINESTRING (0 4, 4 0)\n");
     std::fs::create_dir_all(folder.path("figures/data")).expect("a folder");
     let map = "figures/data/states-albers-10m.json";
     std::fs::copy(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(map), folder.path(map)).expect("the map");

@@ -7,7 +7,7 @@
 //! ```
 
 use dcel_kit::io::{LoadError, ReadError, WriteError};
-use dcel_kit::plane::ConvertError;
+use dcel_kit::plane::{ConvertError, SegmentsError};
 use std::fmt::Display;
 use std::io::{self, Write};
 use std::path::Path;
@@ -55,6 +55,12 @@ impl Failure {
     pub(crate) fn kit(error: impl Display) -> Self {
         let help = "this should not happen: please report it with the command you gave".to_owned();
         Self { kind: Kind::Machine, what: error.to_string(), notes: Vec::new(), help }
+    }
+
+    /// The same with more to tell, before the help.
+    pub(crate) fn with_notes(mut self, notes: impl IntoIterator<Item = String>) -> Self {
+        self.notes.extend(notes);
+        self
     }
 
     /// Tells it on stderr.
@@ -105,6 +111,7 @@ impl From<LoadError> for Failure {
         let (place, notes) = match &error {
             LoadError::Read(error) => return error.clone().into(),
             LoadError::Table { source_name, .. } => (source_name.clone(), Vec::new()),
+            LoadError::Holes { place, .. } => (place.clone(), Vec::new()),
             other => other.whereabouts().map_or_else(Default::default, |at| {
                 let others: Vec<_> = at.others.iter().map(|(element, place)| format!("{element}: {place}")).collect();
                 let counted = format!("counted from 0; {}", others.join(", "));
@@ -121,6 +128,9 @@ impl From<LoadError> for Failure {
 /// The options that help with an input.
 fn flags(error: &LoadError) -> Option<&'static str> {
     match error {
+        LoadError::Segments { error: SegmentsError::Faults { .. }, .. } => {
+            Some("split segments where they meet with --split-crossings")
+        }
         LoadError::Plane { error: ConvertError::Clockwise { .. }, .. } => Some(
             "list its corners the other way round, or try --orient, or --y-down if y points down in the file, \
              or --surface if it is a surface in space",

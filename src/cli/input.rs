@@ -34,6 +34,9 @@ pub(crate) struct InputOptions {
     /// Read as a subdivision of the plane: drop z
     #[arg(long)]
     plane: bool,
+    /// Split segments where they cross, touch or overlap
+    #[arg(long)]
+    split_crossings: bool,
     /// Check all edges of a plane against each other
     #[arg(long)]
     full_check: bool,
@@ -111,8 +114,10 @@ impl InputOptions {
             y_down: self.y_down,
             drop_degenerate_rings: self.drop_degenerate_rings,
             object: self.object.clone(),
+            outlines: false,
             format: self.format,
         };
-        LoadOptions { read, orient: self.orient, full_check: self.full_check, mode }
+        let split_crossings = self.split_crossings;
+        LoadOptions { read, orient: self.orient, split_crossings, full_check: self.full_check, mode }
     }
 }

@@ -9,6 +9,7 @@
 //! ```
 
 mod answer;
+mod build;
 mod camera;
 mod compare;
 mod completions;
@@ -67,6 +68,7 @@ enum Command {
     Walk(walk::Args),
     Compare(compare::Args),
     Convert(convert::Args),
+    Build(build::Args),
     Figure(Box<figure::Args>),
     Script(script::Args),
     Lab(lab::Args),
@@ -84,6 +86,7 @@ impl Command {
             Self::Walk(args) => walk::run(&args, out),
             Self::Compare(args) => compare::run(&args, out),
             Self::Convert(args) => convert::run(&args, out),
+            Self::Build(args) => build::run(&args, out),
             Self::Figure(args) => figure::run(&args, out),
             Self::Script(args) => script::run(&args, out),
             Self::Lab(args) => lab::run(&args, out),

@@ -10,6 +10,9 @@
 //!   geojson     .geojson .json     x     x      polygons with holes and names
 //!   topojson    .topojson .json    x            the same, with shared borders
 //!   mesh        .mesh              x            navigation meshes (polyanya, version 2)
+//!   wkt         .wkt               x            points, lines and polygons, read as segments
+//!   poly        .poly              x            points, segments and holes of Triangle
+//!   segments    .segments .cin     x            four numbers a line
 //!   dcel        .dcel              x     x      everything, broken structures included
 //!   tables      .tables .txt             x      the tables of the lecture slides
 //! ```
@@ -38,6 +41,12 @@ pub enum Format {
     TopoJson,
     /// [Navigation mesh](super::mesh) of polyanya, version 2.
     Mesh,
+    /// [Well-known text](super::wkt), read as segments.
+    Wkt,
+    /// The [`.poly`](super::poly) files of Triangle.
+    Poly,
+    /// [Plain segments](super::segments), four numbers a line.
+    Segments,
     /// The kit's own [text](super::dcel).
     Dcel,
     /// The vertex, half-edge and face [tables](super::tables) of the lecture slides.
@@ -53,7 +62,7 @@ pub struct UnknownFormat {
 
 impl Format {
     /// All formats, in the order in which they are listed to people.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 13] = [
         Self::Obj,
         Self::Off,
         Self::Ply,
@@ -62,6 +71,9 @@ impl Format {
         Self::GeoJson,
         Self::TopoJson,
         Self::Mesh,
+        Self::Wkt,
+        Self::Poly,
+        Self::Segments,
         Self::Dcel,
         Self::Tables,
     ];
@@ -78,6 +90,9 @@ impl Format {
             Self::GeoJson => "geojson",
             Self::TopoJson => "topojson",
             Self::Mesh => "mesh",
+            Self::Wkt => "wkt",
+            Self::Poly => "poly",
+            Self::Segments => "segments",
             Self::Dcel => "dcel",
             Self::Tables => "tables",
         }
@@ -94,6 +109,9 @@ impl Format {
             Self::GeoJson => &["geojson", "json"],
             Self::TopoJson => &["topojson"],
             Self::Mesh => &["mesh"],
+            Self::Wkt => &["wkt"],
+            Self::Poly => &["poly"],
+            Self::Segments => &["segments", "seg", "cin"],
             Self::Dcel => &["dcel"],
             Self::Tables => &["tables", "txt"],
         }
@@ -108,9 +126,12 @@ impl Format {
             Self::Ply => "Stanford PLY, text or binary: vertices and polygons in space",
             Self::PlyBinary => "Stanford PLY, written as binary (little endian)",
             Self::Triangle => "Triangle's .node and .ele: triangles in the plane, two files",
-            Self::GeoJson => "GeoJSON: polygons with holes and names",
+            Self::GeoJson => "GeoJSON: polygons with holes and names; lines, if there is no polygon",
             Self::TopoJson => "TopoJSON: polygons with shared borders (read only)",
             Self::Mesh => "polyanya .mesh version 2: a navigation mesh (read only)",
+            Self::Wkt => "well-known text: points, lines and polygons, as segments (read only)",
+            Self::Poly => "Triangle's .poly: points, segments and holes (read only)",
+            Self::Segments => "plain segments: four numbers a line (read only)",
             Self::Dcel => "the kit's text: the whole structure, broken ones included",
             Self::Tables => "the vertex, half-edge and face tables of the slides (write only)",
         }
@@ -125,7 +146,7 @@ impl Format {
     /// Whether the kit can write it.
     #[must_use]
     pub const fn can_write(self) -> bool {
-        !matches!(self, Self::TopoJson | Self::Mesh)
+        !matches!(self, Self::TopoJson | Self::Mesh | Self::Wkt | Self::Poly | Self::Segments)
     }
 
     /// The format that the end of a file name stands for, in capitals or not. A `.json` file counts as
@@ -150,6 +171,8 @@ impl Format {
             "dcel" => Some(Self::Dcel),
             "v" | "vn" | "vt" | "f" | "o" | "g" | "s" | "mtllib" | "usemtl" => Some(Self::Obj),
             _ if word.starts_with(['{', '[']) => Some(Self::GeoJson),
+            _ if super::wkt::starts_geometry(word) => Some(Self::Wkt),
+            _ if super::segments::is_segment(first) => Some(Self::Segments),
             _ if word.trim_start_matches(['S', 'T', 'C', 'N', '4', 'n']).starts_with("OFF") => Some(Self::Off),
             _ => None,
         }
@@ -192,7 +215,10 @@ mod tests {
 
     #[test]
     fn first_bytes_tell_the_format() {
-        let cases: [(&[u8], Option<Format>); 8] = [
+        let cases: [(&[u8], Option<Format>); 11] = [
+            (b"linestring(0 0, 1 1)", Some(Format::Wkt)),
+            (b"# x y x y\n0 0 1.5 -2e3\n", Some(Format::Segments)),
+            (b"0 0 1\n", None),
             (b"# a comment\n\nv 0 0 0\n", Some(Format::Obj)),
             (b"\xef\xbb\xbfCOFF\n", Some(Format::Off)),
             (b"ply\nformat ascii 1.0\n", Some(Format::Ply)),

@@ -8,7 +8,8 @@
 //! ```
 //!
 //! Read are Polygon and MultiPolygon, alone, in a Feature, a FeatureCollection or a GeometryCollection; lines
-//! and points are skipped with a note. Each polygon becomes one face, so that a MultiPolygon gives several
+//! and points beside them are skipped with a note. A file without any polygon is read as segments and points; on
+//! request every file is, polygons by their outlines. Each polygon becomes one face, so that a MultiPolygon gives several
 //! faces of the same name: `properties.name`, `properties.NAME` or `id`. Rings are taken as they come, clockwise
 //! or not. Heights are dropped with a note.
 //!
@@ -20,17 +21,41 @@ use super::arrays::Arrays;
 use super::json::{Fault, Node, Place, Skipped, lacks, named, polygons, shape};
 use super::problem::ReadProblem;
 use super::rings::Rings;
+use super::segments::SegmentSoup;
+use crate::plane::check_coordinate;
 
 struct Reader<'a> {
     file: &'a str,
     rings: Rings,
     skipped: Skipped,
     heights: usize,
+    /// Takes everything, if the file is read as segments.
+    soup: Option<SegmentSoup>,
+    /// A byte of the file and its line, from 1.
+    line: (usize, u32),
 }
 
-/// Reads the rings of a GeoJSON object; `file` is the text it is a part of.
-pub(super) fn read(root: &Node<'_>, file: &str, notes: &mut Vec<String>) -> Result<Rings, Fault> {
-    let mut reader = Reader { file, rings: Rings::default(), skipped: Skipped::default(), heights: 0 };
+/// What a GeoJSON object holds.
+pub(super) enum Shapes {
+    /// The rings of its polygons.
+    Rings(Rings),
+    /// Segments and points.
+    Segments(SegmentSoup),
+}
+
+/// Reads a GeoJSON object; `file` is the text it is a part of. Everything is read as segments if `outlines` asks for
+/// that or if there is no polygon, but a line.
+pub(super) fn read(
+    root: &Node<'_>,
+    file: &str,
+    source: &str,
+    outlines: bool,
+    notes: &mut Vec<String>,
+) -> Result<Shapes, Fault> {
+    let only_lines = || !has(root, "Polygon") && has(root, "LineString");
+    let soup = (outlines || only_lines()).then(|| SegmentSoup::new(source));
+    let mut reader =
+        Reader { file, rings: Rings::default(), skipped: Skipped::default(), heights: 0, soup, line: (0, 1) };
     match root.need_kind("the file")?.as_ref() {
         "FeatureCollection" => {
             let features = root.features.as_ref().ok_or_else(|| lacks("the file", "features"))?;
@@ -45,7 +70,18 @@ pub(super) fn read(root: &Node<'_>, file: &str, notes: &mut Vec<String>) -> Resu
     if reader.heights > 0 {
         notes.push(format!("the third coordinate of {} points was dropped", reader.heights));
     }
-    Ok(reader.rings)
+    Ok(match reader.soup {
+        Some(soup) => Shapes::Segments(soup),
+        None => Shapes::Rings(reader.rings),
+    })
+}
+
+/// Whether a geometry of this kind, or of several such, is in the object.
+fn has(node: &Node<'_>, kind: &str) -> bool {
+    let own = node.kind().is_some_and(|own| own.strip_prefix("Multi").unwrap_or(&own) == kind);
+    let parts = node.features.iter().chain(&node.geometries).flatten();
+    own || node.geometry.as_ref().is_some_and(|geometry| has(geometry, kind))
+        || parts.into_iter().any(|part| has(part, kind))
 }
 
 impl Reader<'_> {
@@ -64,6 +100,19 @@ impl Reader<'_> {
     fn geometry(&mut self, geometry: &Node<'_>, path: &str, name: Option<&str>) -> Result<(), Fault> {
         let kind = geometry.need_kind(path)?;
         match kind.as_ref() {
+            "Polygon" | "MultiPolygon" | "LineString" | "MultiLineString" | "Point" | "MultiPoint"
+                if self.soup.is_some() =>
+            {
+                let coordinates = geometry.coordinates.ok_or_else(|| lacks(path, "coordinates"))?;
+                let depth = match kind.as_ref() {
+                    "Point" => 0,
+                    "LineString" | "MultiPoint" => 1,
+                    "MultiPolygon" => 3,
+                    _ => 2,
+                };
+                let chains = !kind.ends_with("Point");
+                self.positions(&mut Arrays::new(coordinates, self.file), path, depth, chains, kind.ends_with("Polygon"))
+            }
             "Polygon" | "MultiPolygon" => {
                 let coordinates = geometry.coordinates.ok_or_else(|| lacks(path, "coordinates"))?;
                 let (one, heights) = (kind == "Polygon", &mut self.heights);
@@ -83,6 +132,60 @@ impl Reader<'_> {
             kind if self.skipped.add(kind) => Ok(()),
             kind => Err(shape(path, format!("a geometry, not the type {kind:?}")).into()),
         }
+    }
+}
+
+impl Reader<'_> {
+    /// Reads positions in so many arrays; the innermost ones are chains, of which those of polygons are closed.
+    fn positions(
+        &mut self,
+        arrays: &mut Arrays<'_>,
+        path: &str,
+        depth: u32,
+        chains: bool,
+        closed: bool,
+    ) -> Result<(), Fault> {
+        if depth == 0 {
+            return self.position(arrays, path);
+        }
+        let first = self.soup.as_ref().map_or(0, |soup| soup.points.len());
+        let at = arrays.offset();
+        let wrong = || shape(path, "an array of positions");
+        arrays.each(wrong, |arrays, i| {
+            let place = if depth > 1 { format!("{path} part {i}") } else { format!("{path} position {i}") };
+            self.positions(arrays, &place, depth - 1, chains, closed)
+        })?;
+        let Some(soup) = self.soup.as_mut().filter(|_| depth == 1 && chains) else { return Ok(()) };
+        if soup.points.len() == first + 1 {
+            return Err(Fault::at(at, shape(path, "two positions or more")));
+        }
+        if let (true, [a, .., b]) = (closed, &soup.points[first..]) {
+            if a != b {
+                let (first, last) = (a.to_string(), b.to_string());
+                return Err(Fault::at(at, ReadProblem::UnclosedRing { place: path.to_owned(), first, last }));
+            }
+            soup.points.pop();
+            soup.point_lines.pop();
+        }
+        soup.chain(first as u32, closed);
+        Ok(())
+    }
+
+    fn position(&mut self, arrays: &mut Arrays<'_>, path: &str) -> Result<(), Fault> {
+        let at = arrays.offset();
+        let found = arrays.position();
+        let ([x, y], more) = found.ok_or_else(|| Fault::at(at, shape(path, "a position [x, y] of numbers")))?;
+        let checked = check_coordinate('x', x).and_then(|()| check_coordinate('y', y));
+        checked.map_err(|error| Fault::at(at, ReadProblem::CoordinateAt { place: path.to_owned(), error }))?;
+        self.heights += usize::from(more);
+        // Positions come in the order of the file, but for members in another order.
+        let (from, line) = if at < self.line.0 { (0, 1) } else { self.line };
+        let line = line + self.file.as_bytes()[from..at].iter().filter(|&&b| b == b'\n').count() as u32;
+        self.line = (at, line);
+        if let Some(soup) = &mut self.soup {
+            soup.point([x, y], line);
+        }
+        Ok(())
     }
 }
 

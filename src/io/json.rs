@@ -73,15 +73,23 @@ pub(super) fn read(bytes: &[u8], source: &str, options: &ReadOptions) -> Result<
         .map_err(|error| at_byte(error.valid_up_to(), ReadProblem::NotText, "save the file as UTF-8 text".into()))?;
     let root: Node<'_> = parse(text.strip_prefix('\u{feff}').unwrap_or(text), source)?;
     let mut notes = Vec::new();
-    let (format, rings) = match root.kind().as_deref() {
-        Some("Topology") => (Format::TopoJson, topojson::read(&root, text, options, &mut notes)),
-        _ => (Format::GeoJson, geojson::read(&root, text, &mut notes)),
+    let (format, shapes) = match root.kind().as_deref() {
+        Some("Topology") => {
+            (Format::TopoJson, topojson::read(&root, text, options, &mut notes).map(geojson::Shapes::Rings))
+        }
+        _ => (Format::GeoJson, geojson::read(&root, text, source, options.outlines, &mut notes)),
     };
-    let soup = rings.and_then(|rings| rings.finish(source, options.drop_degenerate_rings, &mut notes));
-    let soup = soup.map_err(|fault| match fault.at {
+    let named = |fault: Fault| match fault.at {
         Some(at) => at_byte(at, fault.what, fault.help),
         None => ReadError::whole(source, fault.what, fault.help),
-    })?;
+    };
+    let rings = match shapes.map_err(named)? {
+        geojson::Shapes::Rings(rings) => rings,
+        geojson::Shapes::Segments(soup) => {
+            return Ok(Read { document: Document::Segments(soup.checked()?), notes, format });
+        }
+    };
+    let soup = rings.finish(source, options.drop_degenerate_rings, &mut notes).map_err(named)?;
     if soup.faces.face_count() == 0 {
         notes.push("the file holds no polygon".to_owned());
     }

@@ -2,19 +2,23 @@
 //!
 //! ```text
 //!   read_path ──┬─ polygons, flat ──────> Subdivision ──┐
-//!               ├─ polygons in space ───> Polyhedron  ──┼─> Loaded: structure, names, notes
+//!               ├─ polygons in space ───> Polyhedron  ──┤
+//!               ├─ segments ────────────> Subdivision ──┼─> Loaded: structure, names, notes
 //!               └─ table ───────────────> Subdivision ──┘
 //!
 //!   mesh.obj:17: faces 3 and 5 both run from vertex 2 to vertex 4: reverse one of them (face 5: line 19)
 //!   └─ where ──┘ └─ what the builder says, counted from 0 ───────────────────────────┘ └─ the others ──┘
 //! ```
 
+use super::arrange::{arrange, describe};
 use super::format::Format;
 use super::problem::ReadError;
 use super::read::{Document, Read, ReadOptions, read_path, source_name};
 use super::soup::{Places, PolygonSoup};
 use crate::ids::{FaceId, FaceMap, VertexId};
-use crate::plane::{ConvertError, ConvertOptions, Converted, Point, Subdivision, TableError};
+use crate::plane::{
+    ConvertError, ConvertOptions, Converted, MarkHolesError, Point, SegmentsError, Subdivision, TableError,
+};
 use crate::solid::{Polyhedron, SolidError};
 use crate::topology::{Mode, PolygonList};
 use std::fmt;
@@ -28,6 +32,8 @@ pub struct LoadOptions {
     /// Turn round the faces of a plane that run clockwise. GeoJSON and TopoJSON are always treated so: their
     /// rings may run either way.
     pub orient: bool,
+    /// Split segments where they meet, instead of refusing them.
+    pub split_crossings: bool,
     /// In the plane, check all edges against each other, not only those that meet.
     pub full_check: bool,
     /// Plane or surface, whatever the file looks like. Without it, points with different z make a surface.
@@ -48,7 +54,7 @@ pub enum Structure {
 #[derive(Clone, PartialEq, Debug)]
 pub struct Loaded {
     /// The structure. In the plane face i of the file is f(i + 1), on a surface f(i); vertex i is v(i). Tables
-    /// keep their numbers as [`Subdivision::from_table`] says.
+    /// keep their numbers as [`Subdivision::from_table`] says; for segments see [`Subdivision::arrange_graph`].
     pub structure: Structure,
     /// The names of the faces; shorter than the structure, or empty, where no more are known.
     pub names: FaceMap<Option<String>>,
@@ -83,6 +89,22 @@ pub enum LoadError {
         /// Why not.
         error: SolidError,
     },
+    /// Its segments meet elsewhere than at common ends.
+    #[error("{at}: {error}{at:#}")]
+    Segments {
+        /// Where the first of them are.
+        at: Box<Whereabouts>,
+        /// Which ones, and how.
+        error: SegmentsError,
+    },
+    /// Its hole points do not lie in bounded faces.
+    #[error("{place}: {error}")]
+    Holes {
+        /// Where the point stands.
+        place: String,
+        /// Which one, and why not.
+        error: MarkHolesError,
+    },
     /// Its table is no subdivision of the plane.
     #[error("{source_name}: {error}")]
     Table {
@@ -109,10 +131,14 @@ impl Whereabouts {
         let faces = faces.iter().map(|&f| (format!("face {f}"), places.face(f as usize)));
         let known = if places.vertex_lines.is_empty() { &[] } else { vertices };
         let vertices = known.iter().map(|&v| (format!("vertex {v}"), places.vertex(v as usize)));
-        let mut all = faces.chain(vertices);
-        let first = all.next().map_or_else(|| places.source.clone(), |(_, place)| place);
+        Self::of(&places.source, faces.chain(vertices))
+    }
+
+    /// The places of elements of the file `source`.
+    pub(super) fn of(source: &str, mut all: impl Iterator<Item = (String, String)>) -> Self {
+        let first = all.next().map_or_else(|| source.to_owned(), |(_, place)| place);
         let others = all.map(|(element, place)| {
-            let rest = place.strip_prefix(&places.source).and_then(|rest| rest.strip_prefix(':'));
+            let rest = place.strip_prefix(source).and_then(|rest| rest.strip_prefix(':'));
             let short = rest.map(|rest| rest.strip_prefix(' ').map_or_else(|| format!("line {rest}"), str::to_owned));
             (element, short.unwrap_or(place))
         });
@@ -137,8 +163,8 @@ impl LoadError {
     #[must_use]
     pub fn whereabouts(&self) -> Option<&Whereabouts> {
         match self {
-            Self::Plane { at, .. } | Self::Surface { at, .. } => Some(at),
-            Self::Read(_) | Self::Table { .. } => None,
+            Self::Plane { at, .. } | Self::Surface { at, .. } | Self::Segments { at, .. } => Some(at),
+            Self::Read(_) | Self::Table { .. } | Self::Holes { .. } => None,
         }
     }
 
@@ -149,6 +175,8 @@ impl LoadError {
             Self::Read(error) => error.what.to_string(),
             Self::Plane { error, .. } => error.to_string(),
             Self::Surface { error, .. } => error.to_string(),
+            Self::Segments { error, .. } => error.to_string(),
+            Self::Holes { error, .. } => error.to_string(),
             Self::Table { error, .. } => error.to_string(),
         }
     }
@@ -190,6 +218,12 @@ pub fn assemble(read: Read, source_name: &str, options: &LoadOptions) -> Result<
     let Read { document, mut notes, format } = read;
     let soup = match document {
         Document::Polygons(soup) => soup,
+        Document::Segments(soup) => {
+            let arranged = arrange(&soup, options.split_crossings)?;
+            notes.extend(describe(&arranged));
+            let structure = Structure::Plane(arranged.subdivision);
+            return Ok(Loaded { structure, names: FaceMap::default(), notes, format, places: None });
+        }
         Document::Table(table) => {
             let structure = Subdivision::from_table(&table)
                 .map_err(|error| LoadError::Table { source_name: source_name.to_owned(), error })?;

@@ -3,8 +3,9 @@
 //! ```text
 //!   obj off ply ─┐                           ┌─> PolygonSoup ──(builders)──> structure ─┐
 //!   .node .ele  ─┼─> read_path, read_bytes ──┤      points, faces, places               ├─> write ─> files
-//!   *json mesh  ─┘                           └─> Table  ──────────────────> validator  ─┘
-//!   dcel ───────────────────────────────────────^
+//!   *json mesh  ─┤                           ├─> SegmentSoup ──(arrange)───> structure ─┤
+//!   wkt .poly   ─┤                           └─> Table  ──────────────────> validator  ─┘
+//!   segments dcel┘
 //! ```
 //!
 //! A reader takes a file as it is: it checks the syntax, the numbers and the range of the indices, names the
@@ -16,10 +17,12 @@
 //! ```text
 //!   text.rs   words with places          problem.rs  what can be wrong     read.rs, write.rs  the ways in and out
 //!   soup.rs   points and polygons        rings.rs    joining equal points  model.rs           what is written
-//!   load.rs   from a file to a structure, with the places of what does not fit
-//!   obj.rs off.rs ply/ triangle.rs mesh.rs geojson.rs topojson.rs (json.rs arrays.rs) dcel.rs tables.rs   one format each
+//!   load.rs   from a file to a structure, with the places of what does not fit     arrange.rs  of segments
+//!   obj.rs off.rs ply/ triangle.rs mesh.rs geojson.rs topojson.rs (json.rs arrays.rs) wkt.rs poly.rs segments.rs
+//!   dcel.rs tables.rs   one format each
 //! ```
 
+mod arrange;
 mod arrays;
 pub mod dcel;
 mod format;
@@ -32,21 +35,26 @@ mod near;
 pub mod obj;
 pub mod off;
 pub mod ply;
+pub mod poly;
 mod problem;
 mod read;
 mod rings;
+pub mod segments;
 mod soup;
 pub mod tables;
 mod text;
 pub mod topojson;
 pub mod triangle;
+pub mod wkt;
 mod write;
 
+pub use arrange::{arrange, describe, faults_with_places};
 pub use format::{Format, UnknownFormat};
 pub use load::{LoadError, LoadOptions, Loaded, Structure, assemble, load};
 pub use model::Model;
 pub use near::closest;
 pub use problem::{ReadError, ReadProblem};
 pub use read::{Document, Read, ReadOptions, read_bytes, read_path, read_triangle, source_name};
+pub use segments::SegmentSoup;
 pub use soup::{Places, PolygonSoup};
 pub use write::{Number, WriteError, write, write_path, write_triangle};

@@ -2,9 +2,10 @@
 
 use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
+use super::segments::SegmentSoup;
 use super::soup::PolygonSoup;
 use super::text::LARGEST_FILE;
-use super::{dcel, json, mesh, obj, off, ply, triangle};
+use super::{dcel, json, mesh, obj, off, ply, poly, segments, triangle, wkt};
 use crate::topology::Table;
 use std::fs::File;
 use std::io::Read as _;
@@ -17,6 +18,8 @@ pub enum Document {
     Polygons(PolygonSoup),
     /// A half-edge structure, right or wrong.
     Table(Table),
+    /// Points and segments, to be cut and joined to a structure.
+    Segments(SegmentSoup),
 }
 
 /// What was read, and what had to be left out.
@@ -40,6 +43,9 @@ pub struct ReadOptions {
     pub drop_degenerate_rings: bool,
     /// The object of a TopoJSON file to read; without it, the one with the most polygons.
     pub object: Option<String>,
+    /// Read polygons of GeoJSON as their outlines, together with the lines. Without it lines are read only if there
+    /// is no polygon.
+    pub outlines: bool,
     /// The format; without it, the file name or the first bytes decide.
     pub format: Option<Format>,
 }
@@ -71,6 +77,9 @@ pub fn read_bytes(bytes: &[u8], format: Format, source_name: &str, options: &Rea
         Format::Ply | Format::PlyBinary => ply::read(bytes, source_name),
         Format::Mesh => mesh::read(bytes, source_name),
         Format::GeoJson | Format::TopoJson => json::read(bytes, source_name, options),
+        Format::Wkt => wkt::read(bytes, source_name),
+        Format::Poly => poly::read(triangle::File { bytes, source: source_name }, None),
+        Format::Segments => segments::read(bytes, source_name),
         Format::Dcel => dcel::read(bytes, source_name),
         Format::Triangle => {
             let problem = ReadProblem::PartnerMissing { partner: "of this .node or .ele file".to_owned() };
@@ -112,6 +121,14 @@ pub fn read_path(path: &Path, options: &ReadOptions) -> Result<Read, ReadError> 
     let by_name = || if stdin { None } else { Format::from_path(path).filter(|format| format.can_read()) };
     match options.format.or_else(by_name).or_else(|| Format::from_content(&bytes)) {
         Some(Format::Triangle) if !stdin => pair(path, &bytes, options),
+        Some(Format::Poly) if !stdin => {
+            // Its points may be in a file of their own.
+            let node = partner_of(path, true);
+            let points = if node.exists() { Some(load_path(&node)?) } else { None };
+            let (name, poly) = (node.display().to_string(), triangle::File { bytes: &bytes, source: &source });
+            let node = points.as_deref().map(|bytes| triangle::File { bytes, source: &name });
+            Ok(turned(poly::read(poly, node)?, options))
+        }
         Some(format) => read_bytes(&bytes, format, &source, options),
         None if bytes.is_empty() => Err(ReadError::whole(&source, ReadProblem::Empty, "")),
         None => {
@@ -179,6 +196,9 @@ fn turned(mut read: Read, options: &ReadOptions) -> Read {
         // 0 - y, so that 0 stays 0 and does not become -0.
         match &mut read.document {
             Document::Polygons(soup) => soup.points.iter_mut().for_each(|p| p[1] = 0.0 - p[1]),
+            Document::Segments(soup) => {
+                soup.points.iter_mut().chain(&mut soup.hole_points).for_each(|p| p.y = 0.0 - p.y);
+            }
             Document::Table(table) => {
                 let rows = table.vertices.iter_mut().flatten();
                 rows.filter_map(|row| row.position.as_mut()).for_each(|p| p[1] = 0.0 - p[1]);

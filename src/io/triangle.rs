@@ -22,7 +22,7 @@ use super::read::{Document, Read};
 use super::soup::SoupBuilder;
 use super::text::{Scanner, Syntax};
 
-const SYNTAX: Syntax = Syntax { comments: true, continuation: false, quotes: false };
+pub(super) const SYNTAX: Syntax = Syntax { comments: true, continuation: false, quotes: false };
 
 /// One file with its name.
 #[derive(Clone, Copy, Debug)]
@@ -41,8 +41,15 @@ pub(super) fn read(node: File<'_>, ele: File<'_>) -> Result<Read, ReadError> {
     Ok(Read { document: Document::Polygons(soup), notes: Vec::new(), format: Format::Triangle })
 }
 
+/// Reads the points, to the end of the file; returns the number of the first one.
+pub(super) fn nodes(scanner: &mut Scanner<'_>, soup: &mut SoupBuilder) -> Result<i64, ReadError> {
+    let first = points(scanner, soup)?;
+    no_more(scanner, "points", soup.points.len() as u64)?;
+    Ok(first)
+}
+
 /// Reads the points; returns the number of the first one.
-fn nodes(scanner: &mut Scanner<'_>, soup: &mut SoupBuilder) -> Result<i64, ReadError> {
+pub(super) fn points(scanner: &mut Scanner<'_>, soup: &mut SoupBuilder) -> Result<i64, ReadError> {
     let word = scanner.need_anywhere(|| "the number of points".to_owned())?;
     let count = scanner.count(word)?;
     let word = scanner.need(|| "the dimension, 2".to_owned())?;
@@ -63,7 +70,6 @@ fn nodes(scanner: &mut Scanner<'_>, soup: &mut SoupBuilder) -> Result<i64, ReadE
         attributes(scanner, extra)?;
         soup.point([x, y, 0.0], line);
     }
-    no_more(scanner, "points", count)?;
     Ok(first)
 }
 
@@ -98,12 +104,12 @@ fn triangles(scanner: &mut Scanner<'_>, soup: &mut SoupBuilder, first_point: i64
     no_more(scanner, "triangles", count)
 }
 
-fn optional_count(scanner: &mut Scanner<'_>) -> Result<u64, ReadError> {
+pub(super) fn optional_count(scanner: &mut Scanner<'_>) -> Result<u64, ReadError> {
     scanner.word().map_or(Ok(0), |word| scanner.count(word))
 }
 
 /// Reads the number of record `i` (from 0); the first one must be 0 or 1 and sets where the numbers begin.
-fn record(
+pub(super) fn record(
     scanner: &mut Scanner<'_>,
     i: u64,
     count: u64,
@@ -122,7 +128,7 @@ fn record(
     Ok(scanner.line())
 }
 
-fn attributes(scanner: &mut Scanner<'_>, count: u64) -> Result<(), ReadError> {
+pub(super) fn attributes(scanner: &mut Scanner<'_>, count: u64) -> Result<(), ReadError> {
     for _ in 0..count {
         let word = scanner.need(|| "an attribute or marker".to_owned())?;
         scanner.number(word)?;
@@ -130,7 +136,7 @@ fn attributes(scanner: &mut Scanner<'_>, count: u64) -> Result<(), ReadError> {
     scanner.end_of_line("this is more than the first line of the file announces")
 }
 
-fn no_more(scanner: &mut Scanner<'_>, what: &'static str, count: u64) -> Result<(), ReadError> {
+pub(super) fn no_more(scanner: &mut Scanner<'_>, what: &'static str, count: u64) -> Result<(), ReadError> {
     match scanner.word_anywhere() {
         None => Ok(()),
         Some(word) => {

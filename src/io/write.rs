@@ -121,7 +121,9 @@ pub fn write(out: &mut impl Write, model: &Model<'_>, format: Format) -> Result<
         Format::Dcel => dcel(&mut out, in_plane(model, format)?)?,
         Format::Tables => tables::write(&mut out, model)?,
         Format::Triangle => return Err(WriteError::TwoFiles),
-        Format::TopoJson | Format::Mesh => return Err(WriteError::ReadOnly { format: format.name() }),
+        Format::TopoJson | Format::Mesh | Format::Wkt | Format::Poly | Format::Segments => {
+            return Err(WriteError::ReadOnly { format: format.name() });
+        }
     }
     Ok(out.flush()?)
 }

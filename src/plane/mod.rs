@@ -6,7 +6,7 @@
 //!   convert/                    polygons and triangles -> subdivision       table.rs   tables -> subdivision
 //!   segments/                   any straight-line graph -> subdivision         meet/      all crossings, exactly
 //!   check.rs                    the laws of the plane
-//!   edit/                       split_face, join_faces, split_edge, split_in_half, join_edges
+//!   edit/                       split_face, join_faces, split_edge, join_edges; insert and remove vertices, edges, segments
 //!   sweep.rs cycle.rs rings.rs  what lies below, which way round, which ring in which face
 //! ```
 
@@ -27,9 +27,12 @@ mod table;
 
 pub use check::{GEOMETRY_RULES, GeometryViolation};
 pub use convert::{ConvertError, ConvertOptions, Converted};
-pub use edit::{JoinEdgesError, JoinFacesError, SplitEdgeError, SplitFaceError};
+pub use edit::{
+    InsertAntennaError, InsertEdgeError, InsertSegmentError, InsertVertexError, InsertedEdge, InsertedSegment,
+    JoinEdgesError, JoinFacesError, RemoveEdgeError, RemoveVertexError, SplitEdgeError, SplitFaceError,
+};
 pub use point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};
 pub use seed::LAB_RECTANGLE;
-pub use segments::{ArrangeOptions, Arranged, Residues, SegmentFault, SegmentsError};
+pub use segments::{ArrangeOptions, Arranged, MarkHolesError, Residues, SegmentFault, SegmentsError};
 pub use subdivision::{PlanarView, Subdivision};
 pub use table::TableError;

@@ -9,9 +9,76 @@ const PLY: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\npr
 
 /// (format, input, start of the message, part of the rest)
 fn cases() -> Vec<(Format, Vec<u8>, &'static str, &'static str)> {
-    use Format::{Dcel, GeoJson, Mesh, Obj, Off, Ply, TopoJson};
+    use Format::{Dcel, GeoJson, Mesh, Obj, Off, Ply, Poly, Segments, TopoJson, Wkt};
     let mut cases: Vec<(Format, Vec<u8>, &str, &str)> = Vec::new();
     let mut add = |format, text: &str, place, part| cases.push((format, text.as_bytes().to_vec(), place, part));
+    add(
+        GeoJson,
+        r#"{"type":"LineString","coordinates":[[0,0]]}"#,
+        "file:1:36: ",
+        "geometry: expected two positions or more",
+    );
+    add(Wkt, "POINT (1\n 1e99)\n", "file:2:2: ", "y = 1e99 is outside the exact range");
+    add(Wkt, "LINESTRING (0 0, 1 1", "file:1:21: ", "expected `,` or `)`, found the end of the file");
+    add(
+        Wkt,
+        "LINESTRING (0 0 1 1)",
+        "file:1:12: ",
+        "expected two points or more, found one; points are separated by commas",
+    );
+    add(Wkt, "# ü\nLINESTRING 0 0, 1 1", "file:2:12: ", "expected `(`, found `0`");
+    add(Wkt, "CIRCLE (0 0)", "file:1:1: ", "unknown word `CIRCLE`; POINT, LINESTRING");
+    add(Wkt, "POINT (1 x)", "file:1:10: ", "expected the y of a point, found `x`");
+    add(Wkt, "POINT (1 1.2.3)", "file:1:10: ", "`1.2.3` is not a geometry or a number");
+    add(
+        Wkt,
+        "POLYGON ((0 0, 1 0, 1 1))",
+        "file:1:10: ",
+        "the ring starts at (0, 0) and ends at (1, 1); repeat the first point",
+    );
+    add(Wkt, "POINT Z (1 1)", "file:1:13: ", "expected as many coordinates as the geometry says, found `)`");
+    add(Wkt, "POINT (1 1)\n7\n", "file:3:1: ", "expected POINT, LINESTRING, POLYGON");
+    add(Wkt, "SRID 4", "file:1:6: ", "expected `=`");
+    add(Segments, "0 0 1\n", "file:1:6: ", "expected the y of the second end, found the end of the line");
+    add(Segments, "0 0 1 1\n5\n", "file:2:2: ", "expected the y of the point");
+    add(Segments, "0 0 1 1 2\n", "file:1:9: ", "a segment is x y x y, a point is x y; one of them a line");
+    add(
+        Segments,
+        "3\n0 0 1 1\n",
+        "file:1:1: ",
+        "expected the number of segments, 1, found `3`; correct it or leave the line out",
+    );
+    add(Segments, "0 0 1 nan\n", "file:1:7: ", "y is NaN");
+    add(Segments, "0,0 1 1\n", "file:1:1: ", "`0,0` is not a number");
+    add(Poly, "2 3 0 0\n1 0 0 0\n", "file:1:3: ", "whose dimension is not 2");
+    add(
+        Poly,
+        "2 2 0 0\n1 0 0\n2 1 0\n1 0\n1 1 3\n0\n",
+        "file:5:5: ",
+        "point 3 does not exist: there are 2; they are numbered 1 to 2",
+    );
+    add(Poly, "2 2 0 0\n1 0 0\n2 1 0\n1 0\n3 1 2\n0\n", "file:5:1: ", "expected the number 1 of the next segment");
+    add(Poly, "2 2 0 0\n1 0 0\n2 1 0\n1 0\n1 1 2\n", "file:6:1: ", "expected the number of holes");
+    add(Poly, "2 2 0 0\n1 0 0\n2 1 0\n0 0\n1\n1 5\n", "file:6:4: ", "expected the y of hole 0");
+    add(Poly, "1 2 0 0\n1 0 0\n0 0\n0\n0\n7", "file:6:1: ", "more than the 0 regions");
+    add(
+        GeoJson,
+        "{\"type\":\"LineString\",\n\"coordinates\":[[0,0],[1]]}",
+        "file:2:22: ",
+        "geometry position 1: expected a position",
+    );
+    add(
+        GeoJson,
+        "{\"type\":\"LineString\",\"coordinates\":[[0,0],[1,1e99]]}",
+        "file:1:43: ",
+        "geometry position 1: y = 1e99 is outside",
+    );
+    add(
+        GeoJson,
+        "{\"type\":\"MultiLineString\",\"coordinates\":[0]}",
+        "file:1:42: ",
+        "geometry part 0: expected an array of positions",
+    );
     add(Obj, "v 0 0\nv 1 NaN\n", "file:2:5: ", "y is NaN");
     add(Obj, "v 0 0\r\n\tv 1 -inf\r\n", "file:2:6: ", "y is -inf");
     add(Obj, "v 0 0 1e-50\n", "file:1:7: ", "z = 1e-50 is outside the exact range");
@@ -308,11 +375,32 @@ fn good_files() -> Vec<(Format, Vec<u8>)> {
         (Format::TopoJson, br#"{"type":"Topology","transform":{"scale":[2,2],"translate":[0,1]},"objects":{"a":{"type":"GeometryCollection",
             "geometries":[{"type":"Polygon","arcs":[[0,1]]},{"type":"MultiPolygon","arcs":[[[-2,2]]],"id":3}]}},
             "arcs":[[[0,0],[4,0],[0,4]],[[4,4],[-4,-4]],[[4,4],[-4,0],[0,-4]]]}"#.to_vec()),
+        (Format::GeoJson, br#"{"type":"GeometryCollection","geometries":[{"type":"LineString","coordinates":[[0,0],[1,0,7],[1,1]]},
+            {"type":"MultiLineString","coordinates":[[[5,5],[6,6]],[]]},{"type":"MultiPoint","coordinates":[[2,2]]}]}"#.to_vec()),
+        (Format::Wkt, b"# c\nPOINT(1 2);7 LINESTRING Z (0 0 1, 4 0 2)\nSRID=1;MULTIPOLYGON(((0 0,1 0,0 1,0 0)),EMPTY)\n\
+            GeometryCollection(MULTIPOINT((3 3),4 4), LINESTRING EMPTY)".to_vec()),
+        (Format::Poly, b"3 2 1 1\n1 0 0 5 1\n2 4 0 5 1\n3 0 4 5 1\n3 1\n1 1 2 7\n2 2 3 7\n3 3 1 7\n1\n1 1 1\n1\n1 1 1 7 -1\n".to_vec()),
+        (Format::Segments, b"2\n0 0 4 0\n# c\n4 0 0 3\n1 1\n".to_vec()),
     ]
 }
 
 /// What every successful reading promises, whatever the file was.
 fn check_promises(document: &Document, context: &dyn Fn() -> String) {
+    if let Document::Segments(soup) = document {
+        let points = soup.points.len();
+        assert!(
+            soup.segments.as_flattened().iter().all(|&v| (v as usize) < points),
+            "an end without point: {}",
+            context()
+        );
+        assert!(
+            soup.points.iter().chain(&soup.hole_points).all(|p| p.check().is_ok()),
+            "a bad coordinate: {}",
+            context()
+        );
+        let lines = [soup.point_lines.len(), soup.segment_lines.len(), soup.hole_lines.len()];
+        assert_eq!(lines, [points, soup.segments.len(), soup.hole_points.len()], "{}", context());
+    }
     if let Document::Polygons(soup) = document {
         let points = soup.points.len();
         assert!(soup.faces.corners().iter().all(|&v| (v as usize) < points), "a corner without point: {}", context());

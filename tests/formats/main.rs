@@ -6,5 +6,6 @@
 mod bad_input;
 mod outputs;
 mod round_trips;
+mod segments;
 mod shared;
 mod support;

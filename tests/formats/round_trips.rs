@@ -78,7 +78,7 @@ fn both_countings_of_triangle_are_read() {
         let read = read_triangle(node.as_bytes(), ele.as_bytes(), "n", "e", &ReadOptions::default());
         match read.unwrap().document {
             Document::Polygons(soup) => (soup.points, soup.faces.corners().to_vec()),
-            Document::Table(_) => panic!(),
+            _ => panic!(),
         }
     };
     let from_0 = read("3 2 1 1\n0 0 0 7.5 1\n1 1 0 7.5 1\n2 0 1 7.5 1\n", "# c\n1 3 1\n0 0 1 2 -4\n");
@@ -425,7 +425,7 @@ fn objects_of_a_topology_can_be_chosen() {
     };
     let faces = |read: dcel_kit::io::Read| match read.document {
         Document::Polygons(soup) => soup.faces.outer_cycles().map(<[u32]>::to_vec).collect::<Vec<_>>(),
-        Document::Table(_) => panic!(),
+        _ => panic!(),
     };
     let default = choose(None).unwrap();
     assert!(

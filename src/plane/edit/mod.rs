@@ -1,16 +1,34 @@
-//! The edits of a subdivision: those of the kernel, after an exact look at the geometry.
+//! The edits of a subdivision: those of the kernel after an exact look at the geometry, and those that make and
+//! break components.
+//!
+//! ```text
+//!   split_face join_faces split_edge join_edges     by half-edges, as the lab does
+//!   insert_vertex insert_edge insert_antenna        by points and vertices, wherever the faces and rings are
+//!   insert_segment                                  through everything
+//!   remove_edge remove_vertex                       spot.rs  where is it     whole.rs  all steps or none
+//! ```
 //!
 //! The kernel takes whatever is combinatorially legal; here an edit must also keep edges straight, disjoint and
 //! in their faces. `f0` is always the unbounded face, and rings go where they lie. A refused edit changes
 //! nothing.
 
+mod insert_edge;
+mod insert_segment;
+mod insert_vertex;
 mod join_edges;
 mod join_faces;
+mod remove_edge;
 mod split_edge;
 mod split_face;
+mod spot;
+mod whole;
 
+pub use insert_edge::{InsertEdgeError, InsertedEdge};
+pub use insert_segment::{InsertSegmentError, InsertedSegment};
+pub use insert_vertex::{InsertAntennaError, InsertVertexError};
 pub use join_edges::JoinEdgesError;
 pub use join_faces::JoinFacesError;
+pub use remove_edge::{RemoveEdgeError, RemoveVertexError};
 pub use split_edge::SplitEdgeError;
 pub use split_face::SplitFaceError;
 
@@ -57,5 +75,12 @@ impl Subdivision {
             }
         }
         None
+    }
+    /// The vertex at the point, if one of the two faces at `h` has one there. O(size of the two faces).
+    fn vertex_beside(&self, h: HalfEdgeId, p: Point) -> Option<VertexId> {
+        [h, h.twin()].into_iter().map(|h| self.dcel.face(h)).find_map(|f| {
+            let corners = self.all_half_edges(f).map(|g| self.dcel.origin(g));
+            self.isolated_vertices(f).chain(corners).find(|&v| self.points[v] == p)
+        })
     }
 }

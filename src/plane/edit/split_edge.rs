@@ -81,6 +81,9 @@ impl Subdivision {
         if orientation(from, point, to).is_eq() {
             return if on_segment(from, to, point) { Ok(()) } else { Err(SplitEdgeError::NotBetween { h, point }) };
         }
+        if let Some(v) = self.vertex_beside(h, point) {
+            return Err(SplitEdgeError::WouldCross { h, point, obstacle: v.into() });
+        }
         match self.obstacle_in_triangle(h, [from, point, to]) {
             None => Ok(()),
             Some(Obstacle::Vertex(v)) => Err(SplitEdgeError::WouldCross { h, point, obstacle: v.into() }),

@@ -8,10 +8,10 @@
 //!   └───────────┴─ h2 ──┘
 //! ```
 
+use super::Obstacle;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::Subdivision;
-use crate::plane::cycle::{encloses, in_corner, on_segment, same_direction};
-use crate::plane::sweep::cross;
+use crate::plane::cycle::{encloses, in_corner, same_direction};
 use crate::topology::{self, NoRecorder, Recorder, Ring};
 
 /// Why a face of a subdivision cannot be split between the origins of two half-edges.
@@ -102,20 +102,11 @@ impl Subdivision {
                 return Err(SplitFaceError::EdgeOutsideFace { h1, h2, face, corner });
             }
         }
-        if let Some(vertex) = self.isolated_vertices(face).find(|&v| on_segment(a, b, self.points[v])) {
-            return Err(SplitFaceError::EdgeThroughVertex { h1, h2, vertex });
-        }
-        for g in self.all_half_edges(face) {
-            let (vertex, to) = (self.dcel.origin(g), self.points[self.dcel.destination(g)]);
-            let from = self.points[vertex];
-            if vertex != v1 && vertex != v2 && on_segment(a, b, from) {
-                return Err(SplitFaceError::EdgeThroughVertex { h1, h2, vertex });
-            }
-            if cross(a, b, from, to) {
-                return Err(SplitFaceError::EdgeCrosses { h1, h2, crossed: g });
-            }
-        }
-        Ok(())
+        let refused = self.find_on_way(face, [a, b], |obstacle| match obstacle {
+            Obstacle::Vertex(vertex) => Some(SplitFaceError::EdgeThroughVertex { h1, h2, vertex }),
+            Obstacle::Edge(crossed) => Some(SplitFaceError::EdgeCrosses { h1, h2, crossed }),
+        });
+        refused.map_or(Ok(()), Err)
     }
 
     /// The lab's `splitFace`: joins the origins of `h1` and `h2`, which lie on one boundary cycle of the same
@@ -153,6 +144,16 @@ impl Subdivision {
         rec: &mut impl Recorder,
     ) -> Result<(HalfEdgeId, FaceId), SplitFaceError> {
         self.can_split_face(h1, h2)?;
+        Ok(self.split_face_unchecked(h1, h2, rec))
+    }
+
+    /// The write phase. The half-edges must have passed [`can_split_face`](Self::can_split_face).
+    pub(super) fn split_face_unchecked(
+        &mut self,
+        h1: HalfEdgeId,
+        h2: HalfEdgeId,
+        rec: &mut impl Recorder,
+    ) -> (HalfEdgeId, FaceId) {
         let old = self.dcel.face(h1);
         let (a, new) = if self.is_on_outer_boundary(h1) {
             let (a, new) = self.dcel.split_face_unchecked(h1, h2, rec);
@@ -165,7 +166,7 @@ impl Subdivision {
         if self.holes.contains(&old) {
             self.holes.insert(new);
         }
-        Ok((a, new))
+        (a, new)
     }
 
     /// Splits a face along one of its rings: a bounded piece is cut off.

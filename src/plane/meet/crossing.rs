@@ -65,7 +65,7 @@ impl Crossing {
     /// Where it lies from another crossing in the order from left to right.
     pub(super) fn order_to(&self, other: &Self) -> Ordering {
         let exactly = |a: &Expansion, b: &Expansion| a.times(&other.exact().w).minus(&b.times(&self.exact().w)).sign();
-        if self.edges == other.edges {
+        if self.ends == other.ends {
             return Ordering::Equal;
         }
         let by_x = self.x.order(other.x).unwrap_or_else(|| exactly(&self.exact().x, &other.exact().x));

@@ -27,22 +27,37 @@ use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 use std::ops::ControlFlow;
 
-/// Where the sweep line stops.
+/// Crossed the sweep line stops.
 #[derive(Clone, Copy)]
 pub(super) enum Spot<'a> {
     /// At a point of the input.
     Vertex(u32),
-    /// Where edges cross and no point is.
-    Crossing(&'a Where),
+    /// Crossed edges cross and no point is.
+    Crossing(&'a Crossed),
 }
 
-/// A crossing without rounding.
-pub(super) struct Where(Crossing);
+/// Where two segments cross, without rounding.
+pub(super) struct Crossed(Crossing);
 
-impl Where {
+impl Crossed {
+    /// The crossing of two segments, which must cross in a point interior to both.
+    pub(super) fn new(one: [Point; 2], other: [Point; 2]) -> Self {
+        Self(Crossing::new([0, 1], [one, other]))
+    }
+
     /// The nearest point with doubles as coordinates, and how far it is from the crossing.
     pub(super) fn rounded(&self) -> (Point, f64) {
         self.0.rounded()
+    }
+
+    /// Where it lies from a point in the order from left to right. Exact.
+    pub(super) fn order_to_point(&self, p: Point) -> Ordering {
+        self.0.order_to_point(p)
+    }
+
+    /// Where it lies from another crossing in the order from left to right. Exact.
+    pub(super) fn order_to(&self, other: &Self) -> Ordering {
+        self.0.order_to(&other.0)
     }
 }
 
@@ -60,11 +75,11 @@ pub(super) struct Stop<'a> {
 }
 
 /// An edge in the heap's order: the leftmost crossing first.
-struct Waiting(Where);
+struct Waiting(Crossed);
 
 impl Ord for Waiting {
     fn cmp(&self, other: &Self) -> Ordering {
-        self.0.0.order_to(&other.0.0)
+        self.0.order_to(&other.0)
     }
 }
 
@@ -105,7 +120,7 @@ pub(super) fn all_meetings(
             (None, None) => return ControlFlow::Continue(()),
             (None, Some(_)) => Ordering::Less,
             (Some(_), None) => Ordering::Greater,
-            (Some(v), Some(Reverse(waiting))) => waiting.0.0.order_to_point(points[v as usize]),
+            (Some(v), Some(Reverse(waiting))) => waiting.0.order_to_point(points[v as usize]),
         };
         let crossing = if first.is_gt() { None } else { sweep.pop_crossing() };
         match (crossing, vertex) {
@@ -130,10 +145,10 @@ struct Sweep<'a> {
 
 impl Sweep<'_> {
     /// Takes the first crossing out of the heap, with all others at the same place.
-    fn pop_crossing(&mut self) -> Option<Where> {
+    fn pop_crossing(&mut self) -> Option<Crossed> {
         let Reverse(Waiting(first)) = self.heap.pop()?;
         while let Some(Reverse(next)) = self.heap.peek() {
-            if first.0.order_to(&next.0.0).is_lt() {
+            if first.order_to(&next.0).is_lt() {
                 break;
             }
             self.heap.pop();
@@ -145,13 +160,13 @@ impl Sweep<'_> {
         self.edges[edge as usize].map(|p| self.points[p as usize])
     }
 
-    /// Where the stop lies from the edge: `Greater` = above.
+    /// Crossed the stop lies from the edge: `Greater` = above.
     fn side(&self, edge: u32, spot: &Spot<'_>) -> Ordering {
         let [a, b] = self.ends(edge);
         match *spot {
             Spot::Vertex(v) => orientation(a, b, self.points[v as usize]),
-            Spot::Crossing(Where(crossing)) if crossing.edges.contains(&edge) => Ordering::Equal,
-            Spot::Crossing(Where(crossing)) => crossing.side(a, b),
+            Spot::Crossing(Crossed(crossing)) if crossing.edges.contains(&edge) => Ordering::Equal,
+            Spot::Crossing(Crossed(crossing)) => crossing.side(a, b),
         }
     }
 
@@ -236,7 +251,7 @@ impl Sweep<'_> {
         };
         if crosses {
             let (edges, ends) = if e < g { ([e, g], [[a, b], [c, d]]) } else { ([g, e], [[c, d], [a, b]]) };
-            self.heap.push(Reverse(Waiting(Where(Crossing::new(edges, ends)))));
+            self.heap.push(Reverse(Waiting(Crossed(Crossing::new(edges, ends)))));
         }
     }
 }

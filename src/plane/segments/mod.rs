@@ -13,11 +13,13 @@ mod arrange;
 mod error;
 mod faults;
 mod graph;
+mod holes;
 mod residues;
 mod split;
 mod trace;
 
 pub use error::{SegmentFault, SegmentsError};
+pub use holes::MarkHolesError;
 pub use residues::Residues;
 
 use super::{Point, Subdivision};
@@ -35,7 +37,10 @@ pub struct ArrangeOptions {
     ///
     /// What meets is decided exactly. Points of the input stay where they are; a crossing becomes a vertex at the
     /// nearest doubles, and the edges through it bend by as little. The bent edges are looked at in the same way
-    /// again, and again, until nothing meets: no crossing is made by rounding and left unsplit.
+    /// again, and again, until nothing meets: no crossing is made by rounding and left unsplit. Where that does not
+    /// come to an end in four rounds (bundles of lines a few last places apart), vertices also take in edges that pass
+    /// them within a last place of their coordinates; more if that is not enough, after every four rounds twice as
+    /// much.
     pub split: bool,
     /// How many faults are named before the search ends.
     pub most_faults: usize,

@@ -1,0 +1,212 @@
+//! `dcel build`: from segments to a subdivision, and what became of them.
+
+use super::failure::{Failure, say};
+use super::{Answer, Output};
+use dcel_kit::figure::{self, FigureOptions};
+use dcel_kit::io::{
+    Document, Format, LoadError, Model, ReadOptions, SegmentSoup, arrange, describe, faults_with_places, read_path,
+    source_name, write, write_path,
+};
+use dcel_kit::plane::{Arranged, SegmentsError};
+use dcel_kit::topology::components;
+use serde::Serialize;
+use std::fmt::Display;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Build the subdivision that segments cut the plane into
+///
+/// Reads wkt, poly, segments and geojson; polygons count by their outlines. Ends with equal
+/// coordinates become one vertex. Segments that meet elsewhere are refused, each by name, or split
+/// with --split-crossings. Told are edges that bound no face: dangles hang free, cut edges hold
+/// parts together.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Examples:
+  dcel build plan.poly
+  dcel build plan.poly --figure plan.svg --json
+  dcel build roads.wkt --split-crossings -o roads.dcel")]
+pub(crate) struct Args {
+    /// The file to read, or - for standard input
+    #[arg(value_name = "IN")]
+    file: PathBuf,
+    /// The format, if the name does not tell: wkt, poly, segments or geojson
+    #[arg(long, value_name = "FORMAT")]
+    from: Option<Format>,
+    /// Split segments where they cross, touch or overlap
+    #[arg(long)]
+    split_crossings: bool,
+    /// y points down in the file, as on screens
+    #[arg(long)]
+    y_down: bool,
+    /// Write the structure, for example as .dcel; - for dcel text instead of the report
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+    /// Draw it
+    #[arg(long, value_name = "OUT.svg")]
+    figure: Option<PathBuf>,
+    /// Answer in JSON
+    #[arg(long, conflicts_with = "output")]
+    json: bool,
+}
+
+/// The answer. The names are those of the JSON form.
+#[derive(Serialize)]
+struct Report {
+    source: String,
+    format: &'static str,
+    segments: usize,
+    vertices: usize,
+    edges: usize,
+    faces: usize,
+    components: usize,
+    euler: i64,
+    hole_faces: Vec<String>,
+    isolated_vertices: Vec<String>,
+    /// Segments by input number, from 0.
+    zero_length: Vec<u32>,
+    repeated: Vec<Repeated>,
+    crossings: Vec<String>,
+    moved: Vec<Moved>,
+    rounds: u32,
+    dangles: Vec<String>,
+    cut_edges: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Repeated {
+    segment: u32,
+    repeats: u32,
+}
+
+#[derive(Serialize)]
+struct Moved {
+    vertex: String,
+    by: f64,
+}
+
+pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    for target in args.output.iter().chain(&args.figure) {
+        if super::output::is_same_file(&args.file, target) {
+            return Err(Failure::input(
+                format!("{}: this is the input itself", target.display()),
+                "choose another name",
+            ));
+        }
+    }
+    let options = ReadOptions { y_down: args.y_down, outlines: true, format: args.from, ..ReadOptions::default() };
+    let source = source_name(&args.file);
+    let read = read_path(&args.file, &options)?;
+    let Document::Segments(soup) = &read.document else {
+        let what = format!("{source}: {} holds no segments", read.format);
+        return Err(Failure::input(what, "build takes wkt, poly, segments and geojson; for others see dcel convert"));
+    };
+    read.notes.iter().for_each(|note| say("note", note));
+    let arranged = arrange(soup, args.split_crossings).map_err(|error| refused(soup, error))?;
+    if let Some(path) = &args.figure {
+        let title = args.file.file_stem().map_or_else(|| "Segments".into(), |stem| stem.to_string_lossy());
+        let drawn = figure::structure(&arranged.subdivision, &FigureOptions::new(title))
+            .map_err(|error| Failure::input(format!("{source}: {error}"), ""))?;
+        std::fs::write(path, drawn.to_svg()).map_err(|error| Failure::writing(path.display(), &error))?;
+    }
+    if let Some(path) = &args.output {
+        save(path, &arranged, out)?;
+        if path.as_os_str() == "-" {
+            describe(&arranged).iter().for_each(|note| say("note", note));
+            return Ok(Answer::Yes);
+        }
+    }
+    let report = Report::of(source, read.format, soup, &arranged);
+    if args.json {
+        out.json(&report)?;
+    } else {
+        report.print(&arranged, out)?;
+    }
+    Ok(Answer::Yes)
+}
+
+/// The error, and the faults after the first one with their places.
+fn refused(soup: &SegmentSoup, error: LoadError) -> Failure {
+    let rest: Vec<String> = match &error {
+        LoadError::Segments { error: SegmentsError::Faults { faults, .. }, .. } => {
+            faults_with_places(soup, &faults[1..]).collect()
+        }
+        _ => Vec::new(),
+    };
+    Failure::from(error).with_notes(rest)
+}
+
+fn save(path: &Path, arranged: &Arranged, out: &mut Output) -> Result<(), Failure> {
+    let model = Model::planar(&arranged.subdivision);
+    let written = match Format::from_path(path) {
+        _ if path.as_os_str() == "-" => write(out, &model, Format::Dcel),
+        Some(format) => write_path(path, &model, format),
+        None => {
+            let what = format!("{}: the name does not tell the format to write", path.display());
+            return Err(Failure::input(what, "end it in .dcel"));
+        }
+    };
+    written.map_err(|error| Failure::of_writing(path, error))
+}
+
+impl Report {
+    fn of(source: String, format: Format, soup: &SegmentSoup, arranged: &Arranged) -> Self {
+        let s = &arranged.subdivision;
+        let residues = s.residues();
+        let moved = arranged.moved.iter().map(|&(v, by)| Moved { vertex: v.to_string(), by });
+        let repeated = arranged.repeated.iter().map(|&(segment, repeats)| Repeated { segment, repeats });
+        Self {
+            source,
+            format: format.name(),
+            segments: soup.segments.len(),
+            vertices: s.vertex_count(),
+            edges: s.edge_count(),
+            faces: s.face_count(),
+            components: components(s).count(),
+            euler: s.vertex_count() as i64 - s.edge_count() as i64 + s.face_count() as i64,
+            hole_faces: names(s.hole_faces()),
+            isolated_vertices: names(s.vertices().filter(|&v| s.outgoing(v).is_none())),
+            zero_length: arranged.zero_length.clone(),
+            repeated: repeated.collect(),
+            crossings: names(arranged.crossings.iter()),
+            moved: moved.collect(),
+            rounds: arranged.rounds,
+            dangles: names(residues.dangles.iter()),
+            cut_edges: names(residues.cut_edges.iter()),
+        }
+    }
+
+    fn print(&self, arranged: &Arranged, out: &mut Output) -> io::Result<()> {
+        writeln!(out, "{}: plane, {}, {} segments", self.source, self.format, self.segments)?;
+        let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
+        line("vertices", self.vertices.to_string())?;
+        line("edges", self.edges.to_string())?;
+        line("faces", format!("{} (with the outer face)", self.faces))?;
+        line("components", self.components.to_string())?;
+        line("euler", format!("V - E + F = {}", self.euler))?;
+        for (what, list) in [
+            ("hole faces", &self.hole_faces),
+            ("isolated", &self.isolated_vertices),
+            ("dangles", &self.dangles),
+            ("cut edges", &self.cut_edges),
+        ] {
+            if !list.is_empty() {
+                line(what, listed(list))?;
+            }
+        }
+        describe(arranged).iter().for_each(|note| say("note", note));
+        Ok(())
+    }
+}
+
+fn names<T: Display>(elements: impl Iterator<Item = T>) -> Vec<String> {
+    elements.map(|element| element.to_string()).collect()
+}
+
+/// `3: e4 e7 e9`, of a long list the first ones.
+fn listed(names: &[String]) -> String {
+    const SHOWN: usize = 10;
+    let first = names[..names.len().min(SHOWN)].join(" ");
+    let rest = if names.len() > SHOWN { " ..." } else { "" };
+    format!("{}: {first}{rest}", names.len())
+}

@@ -1,0 +1,75 @@
+//! From points and segments of a file to a subdivision, with the lines of what does not fit.
+
+use super::load::{LoadError, Whereabouts};
+use super::segments::SegmentSoup;
+use crate::plane::{ArrangeOptions, Arranged, MarkHolesError, SegmentFault, SegmentsError, Subdivision};
+
+/// Makes a subdivision of points and segments. Points at the same place are joined, and segments that are there
+/// already or have no length left out. With `split`, segments are split where they meet; see
+/// [`ArrangeOptions`]. Hole points mark their faces.
+///
+/// Cost: O(n log n), and O((n + k) log n) a round to split at k meetings.
+///
+/// # Errors
+/// [`LoadError`] with the lines of the segments that do not fit.
+pub fn arrange(soup: &SegmentSoup, split: bool) -> Result<Arranged, LoadError> {
+    let options = ArrangeOptions { merge: true, split, ..ArrangeOptions::default() };
+    let mut arranged = Subdivision::arrange_graph(&soup.points, &soup.segments, &options)
+        .map_err(|error| LoadError::Segments { at: Box::new(whereabouts(soup, &error)), error })?;
+    arranged.subdivision.mark_holes(&soup.hole_points).map_err(|error| {
+        let (MarkHolesError::Coordinate { index, .. }
+        | MarkHolesError::NotInside { index, .. }
+        | MarkHolesError::Outside { index, .. }) = error;
+        LoadError::Holes { place: soup.at_line(soup.hole_lines.get(index as usize)), error }
+    })?;
+    Ok(arranged)
+}
+
+/// Where the segments and points of the first fault stand.
+fn whereabouts(soup: &SegmentSoup, error: &SegmentsError) -> Whereabouts {
+    let (segments, points) = match error {
+        SegmentsError::Faults { faults, .. } => {
+            faults.first().map_or_else(Default::default, |fault| (fault.segments(), fault.points()))
+        }
+        SegmentsError::Coordinate { point, .. } => (Vec::new(), vec![*point]),
+        SegmentsError::NoSuchPoint { segment, .. } => (vec![*segment], Vec::new()),
+        SegmentsError::Unsettled { .. } | SegmentsError::TooMany(_) => (Vec::new(), Vec::new()),
+    };
+    let segments = segments.into_iter().map(|i| (format!("segment {i}"), soup.place(i as usize)));
+    let points = points.into_iter().map(|i| (format!("point {i}"), soup.point_place(i as usize)));
+    Whereabouts::of(&soup.source, points.chain(segments))
+}
+
+/// The place of a fault, and the fault: `roads.wkt:3: segments 2 and 7 cross at (1, 1)`.
+pub fn faults_with_places<'a>(soup: &'a SegmentSoup, faults: &'a [SegmentFault]) -> impl Iterator<Item = String> + 'a {
+    faults.iter().map(|fault| {
+        let segment = fault.segments().first().map(|&i| soup.place(i as usize));
+        let place = segment.or_else(|| fault.points().first().map(|&i| soup.point_place(i as usize)));
+        format!("{}: {fault}", place.unwrap_or_else(|| soup.source.clone()))
+    })
+}
+
+/// What was merged and split, one sentence each.
+#[must_use]
+pub fn describe(arranged: &Arranged) -> Vec<String> {
+    let mut notes = Vec::new();
+    let mut add = |count: usize, one: &str, many: &str| match count {
+        0 => {}
+        1 => notes.push(format!("1 {one}")),
+        _ => notes.push(format!("{count} {many}")),
+    };
+    let zero = arranged.zero_length.len();
+    add(zero, "segment without length was left out", "segments without length were left out");
+    let repeated = arranged.repeated.len();
+    add(repeated, "segment repeats an earlier one and was left out", "segments repeat earlier ones and were left out");
+    add(arranged.crossings.len(), "vertex was made where segments cross", "vertices were made where segments cross");
+    let furthest = arranged.moved.iter().map(|moved| moved.1).fold(0.0, f64::max);
+    if !arranged.moved.is_empty() {
+        let count = arranged.moved.len();
+        notes.push(format!("{count} of the crossings moved by rounding, none further than {furthest:.2e}"));
+    }
+    if arranged.rounds > 1 {
+        notes.push(format!("rounded crossings made edges meet anew: it took {} rounds to split all", arranged.rounds));
+    }
+    notes
+}

@@ -1,0 +1,233 @@
+//! Inserting a segment through everything: it walks from face to face and splits what it crosses.
+//!
+//! ```text
+//!        │       │                 │       │
+//!   p    │   f   │    q       p ●──●───────●──● q      ends become vertices, on an edge or in a face;
+//!        │       │                 │       │           vertices on the way are passed through, edges
+//!        ├───────┤        ==>      ├───────┤           on the way are followed
+//!        │       │                 │       │
+//! ```
+
+use super::insert_edge::InsertEdgeError;
+use super::insert_vertex::InsertVertexError;
+use super::spot::Towards;
+use super::{Obstacle, SplitEdgeError};
+use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::plane::meet::Crossed;
+use crate::plane::predicates::left_to_right;
+use crate::plane::{CoordinateError, Point, Subdivision};
+use crate::topology::{NoRecorder, Recorder};
+use std::cmp::Ordering;
+
+/// Why a segment cannot be inserted.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum InsertSegmentError {
+    /// An end is no place for a vertex.
+    #[error("an end of the segment: {0}")]
+    Coordinate(#[from] CoordinateError),
+    /// Both ends are the same point.
+    #[error("the segment has no length: both its ends are {at}")]
+    ZeroLength {
+        /// The point.
+        at: Point,
+    },
+    /// An end cannot become a vertex.
+    #[error("an end of the segment: {0}")]
+    End(#[from] InsertVertexError),
+    /// An edge that is crossed cannot be split there.
+    #[error("{half_edge} is crossed at about {at}, but cannot be split there: {error}")]
+    Split {
+        /// The half-edge.
+        half_edge: HalfEdgeId,
+        /// The crossing, rounded to doubles.
+        at: Point,
+        /// Why not.
+        error: SplitEdgeError,
+    },
+    /// A piece of the segment cannot be inserted.
+    #[error(transparent)]
+    Piece(#[from] InsertEdgeError),
+    /// Rounded crossings led to more and more pieces.
+    #[error(
+        "the segment falls into more than {pieces} pieces by rounding: what it crosses is finer than doubles can tell"
+    )]
+    Unsettled {
+        /// How many pieces were tried.
+        pieces: usize,
+    },
+}
+
+/// A segment that was inserted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InsertedSegment {
+    /// The half-edges along it, from its first end to its second. Those that were there before are among them.
+    pub half_edges: Vec<HalfEdgeId>,
+    /// The vertices made where it crosses edges, from the first end on.
+    pub crossings: Vec<VertexId>,
+    /// The crossings that could not be kept in place, each with the distance it moved.
+    pub moved: Vec<(VertexId, f64)>,
+}
+
+/// What is met first on the way.
+enum Met {
+    Vertex(VertexId),
+    Edge(HalfEdgeId, Crossed),
+}
+
+impl Subdivision {
+    /// Inserts the segment from `p` to `q`, whatever lies between.
+    ///
+    /// The ends become vertices where none are: in a face, or on an edge, which they split. Edges across the segment
+    /// are split at the crossing; vertices on it are passed through, edges along it are followed. Faces are split, and
+    /// components joined, as by [`insert_edge`](Self::insert_edge).
+    ///
+    /// What is crossed, and in which order, is decided exactly. A crossing becomes a vertex at the nearest doubles, so
+    /// that both the edge and the segment may bend by as little there; if the bend ran over anything, the call is
+    /// refused.
+    ///
+    /// Cost: O(V + E) to find ends that are no vertices yet, and O(size of the faces on the way); a copy of all rings
+    /// to be able to go back.
+    ///
+    /// # Errors
+    /// See [`InsertSegmentError`]; a refused call leaves everything bit for bit as it was.
+    ///
+    /// ```
+    /// use dcel_kit::plane::{Point, Subdivision};
+    /// let mut s = Subdivision::lab_rectangle();
+    /// let cut = s.insert_segment(Point::new(-300.0, 0.0), Point::new(300.0, 0.0))?;
+    /// assert_eq!((cut.half_edges.len(), cut.crossings.len()), (3, 2));
+    /// assert_eq!((s.vertex_count(), s.edge_count(), s.face_count()), (10, 11, 3));
+    /// # Ok::<(), dcel_kit::plane::InsertSegmentError>(())
+    /// ```
+    pub fn insert_segment(&mut self, p: Point, q: Point) -> Result<InsertedSegment, InsertSegmentError> {
+        self.insert_segment_with(p, q, &mut NoRecorder)
+    }
+
+    /// [`insert_segment`](Self::insert_segment), watched by a recorder.
+    pub fn insert_segment_with(
+        &mut self,
+        p: Point,
+        q: Point,
+        rec: &mut impl Recorder,
+    ) -> Result<InsertedSegment, InsertSegmentError> {
+        p.check()?;
+        q.check()?;
+        if p == q {
+            return Err(InsertSegmentError::ZeroLength { at: p });
+        }
+        self.all_or_nothing(rec, |s, rec| {
+            let [from, to] = [s.vertex_at(p, rec)?, s.vertex_at(q, rec)?];
+            s.insert_way(from, to, rec)
+        })
+    }
+
+    fn vertex_at(&mut self, p: Point, rec: &mut impl Recorder) -> Result<VertexId, InsertVertexError> {
+        match self.insert_vertex_with(p, rec) {
+            Err(InsertVertexError::Occupied { vertex, .. }) => Ok(vertex),
+            other => other,
+        }
+    }
+
+    fn insert_way(
+        &mut self,
+        from: VertexId,
+        to: VertexId,
+        rec: &mut impl Recorder,
+    ) -> Result<InsertedSegment, InsertSegmentError> {
+        let mut done = InsertedSegment { half_edges: Vec::new(), crossings: Vec::new(), moved: Vec::new() };
+        let most = 64 + 8 * self.dcel.edge_count();
+        // The places still to be reached, the last one first: a rounded crossing comes before what lies behind it.
+        let (mut at, mut goals) = (from, vec![to]);
+        let mut way = vec![from];
+        for _ in 0..most {
+            let Some(&goal) = goals.last() else {
+                // A later piece may have split an earlier one.
+                let piece = |pair: &[VertexId]| self.dcel.find_half_edge(pair[0], pair[1]);
+                let half_edges: Option<Vec<_>> = way.windows(2).map(piece).collect();
+                done.half_edges = half_edges.ok_or(InsertSegmentError::Unsettled { pieces: way.len() })?;
+                return Ok(done);
+            };
+            if at == goal {
+                goals.pop();
+                continue;
+            }
+            let face = match self.towards(at, self.points[goal]) {
+                Towards::Along(h) => {
+                    at = self.dcel.destination(h);
+                    way.push(at);
+                    continue;
+                }
+                Towards::Corner(h) => self.dcel.face(h),
+                Towards::Open(f) => f,
+            };
+            let next = match self.first_met(face, at, goal) {
+                None => goal,
+                Some(Met::Vertex(v)) => v,
+                Some(Met::Edge(h, crossed)) => {
+                    goals.push(self.split_crossed(h, &crossed, &mut done, rec)?);
+                    continue;
+                }
+            };
+            self.insert_edge_with(at, next, rec)?;
+            way.push(next);
+            at = next;
+        }
+        Err(InsertSegmentError::Unsettled { pieces: most })
+    }
+
+    /// The nearest vertex or edge of the face on the way from one vertex to another.
+    fn first_met(&self, f: FaceId, from: VertexId, to: VertexId) -> Option<Met> {
+        let [a, b] = [from, to].map(|v| self.points[v]);
+        let forward = left_to_right(a, b);
+        let mut first: Option<Met> = None;
+        let _ = self.find_on_way(f, [a, b], |obstacle| {
+            let met = match obstacle {
+                Obstacle::Vertex(v) => Met::Vertex(v),
+                Obstacle::Edge(h) => {
+                    let ends = [self.dcel.origin(h), self.dcel.destination(h)].map(|v| self.points[v]);
+                    Met::Edge(h, Crossed::new([a, b], ends))
+                }
+            };
+            let nearer = first.as_ref().is_none_or(|first| self.order_of(&met, first) == forward);
+            if nearer {
+                first = Some(met);
+            }
+            None::<()>
+        });
+        first
+    }
+
+    fn order_of(&self, one: &Met, other: &Met) -> Ordering {
+        match (one, other) {
+            (Met::Vertex(v), Met::Vertex(w)) => left_to_right(self.points[*v], self.points[*w]),
+            (Met::Vertex(v), Met::Edge(_, crossed)) => crossed.order_to_point(self.points[*v]).reverse(),
+            (Met::Edge(_, crossed), Met::Vertex(v)) => crossed.order_to_point(self.points[*v]),
+            (Met::Edge(_, one), Met::Edge(_, other)) => one.order_to(other),
+        }
+    }
+
+    /// Splits the half-edge where the way crosses it. Returns the vertex there: a new one, or an end of the edge.
+    fn split_crossed(
+        &mut self,
+        h: HalfEdgeId,
+        crossed: &Crossed,
+        done: &mut InsertedSegment,
+        rec: &mut impl Recorder,
+    ) -> Result<VertexId, InsertSegmentError> {
+        let (place, off) = crossed.rounded();
+        let ends = [self.dcel.origin(h), self.dcel.destination(h)];
+        let v = if let Some(&end) = ends.iter().find(|&&v| self.points[v] == place) {
+            end
+        } else {
+            let split = self.split_edge_with(h, place, rec);
+            let (v, _) = split.map_err(|error| InsertSegmentError::Split { half_edge: h, at: place, error })?;
+            done.crossings.push(v);
+            v
+        };
+        if off > 0.0 {
+            done.moved.push((v, off));
+        }
+        Ok(v)
+    }
+}

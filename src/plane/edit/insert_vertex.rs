@@ -1,0 +1,189 @@
+//! Inserting a vertex: into an edge, which it splits, or into a face, where it stands alone.
+//!
+//! ```text
+//!   ●───── p ─────●  ==>  ●──────●──────●         ┌─────────┐       ┌─────────┐
+//!                                                 │    p    │  ==>  │    ●    │   a ring of the face
+//!                                                 └─────────┘       └─────────┘
+//! ```
+
+use super::Obstacle;
+use super::insert_edge::End;
+use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
+use crate::plane::{CoordinateError, Point, Subdivision};
+use crate::topology::{IdError, NoRecorder, Recorder, Ring, TooMany};
+
+/// Why a point cannot become a vertex.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum InsertVertexError {
+    /// The face does not exist.
+    #[error(transparent)]
+    Id(#[from] IdError),
+    /// The structure is full.
+    #[error(transparent)]
+    TooMany(#[from] TooMany),
+    /// The point is no place for a vertex.
+    #[error("the new vertex: {0}")]
+    Coordinate(#[from] CoordinateError),
+    /// A vertex is there already.
+    #[error("{vertex} is at {point} already")]
+    Occupied {
+        /// The vertex.
+        vertex: VertexId,
+        /// The point.
+        point: Point,
+    },
+    /// The point does not lie inside the face.
+    #[error("{point} does not lie inside {face}{}", at.map_or_else(String::new, |at| format!(", but on {at}")))]
+    NotInFace {
+        /// The face.
+        face: FaceId,
+        /// The point.
+        point: Point,
+        /// The vertex or half-edge of the face that it lies on, if any.
+        at: Option<Element>,
+    },
+}
+
+/// Why an edge with a free end cannot be inserted.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum InsertAntennaError {
+    /// The vertex does not exist.
+    #[error(transparent)]
+    Id(#[from] IdError),
+    /// The structure is full.
+    #[error(transparent)]
+    TooMany(#[from] TooMany),
+    /// The point is no place for a vertex.
+    #[error("the free end of the antenna: {0}")]
+    Coordinate(#[from] CoordinateError),
+    /// The antenna would run into something, or end on it.
+    #[error("an antenna from {vertex} to {point} would run into {obstacle}: insert it as a segment to split that")]
+    InTheWay {
+        /// The vertex it starts from.
+        vertex: VertexId,
+        /// Its free end.
+        point: Point,
+        /// The vertex or half-edge in the way.
+        obstacle: Element,
+    },
+}
+
+impl Subdivision {
+    /// Puts a vertex at `point`: on an edge it splits the edge, which keeps its id up to there; in a face it stands
+    /// alone, as the last ring of the face. Returns the vertex.
+    ///
+    /// Cost: O(V + E), to find the place. [`insert_vertex_in`](Self::insert_vertex_in) is quicker where the face is
+    /// known.
+    ///
+    /// # Errors
+    /// See [`InsertVertexError`]; a refused call leaves everything bit for bit as it was.
+    ///
+    /// ```
+    /// use dcel_kit::{FaceId, plane::{Point, Subdivision}};
+    /// let mut s = Subdivision::lab_rectangle();
+    /// let alone = s.insert_vertex(Point::new(10.0, 20.0))?;
+    /// assert_eq!((s.outgoing(alone), s.rings(FaceId::new(1)).len()), (None, 1));
+    /// let on_edge = s.insert_vertex(Point::new(100.0, 150.0))?;
+    /// assert_eq!(s.degree(on_edge), 2);
+    /// # Ok::<(), dcel_kit::plane::InsertVertexError>(())
+    /// ```
+    pub fn insert_vertex(&mut self, point: Point) -> Result<VertexId, InsertVertexError> {
+        self.insert_vertex_with(point, &mut NoRecorder)
+    }
+
+    /// [`insert_vertex`](Self::insert_vertex), watched by a recorder.
+    pub fn insert_vertex_with(&mut self, point: Point, rec: &mut impl Recorder) -> Result<VertexId, InsertVertexError> {
+        point.check()?;
+        self.dcel.room_for(1, 1, 0)?;
+        match self.place_by_scan(point) {
+            Element::Vertex(vertex) => Err(InsertVertexError::Occupied { vertex, point }),
+            Element::HalfEdge(h) => {
+                let (v, _) = self.dcel.split_edge_unchecked(h, rec);
+                self.points.set(v, point, Point::default());
+                Ok(v)
+            }
+            Element::Face(f) => Ok(self.add_isolated(f, point, rec)),
+            Element::Edge(e) => Err(InsertVertexError::Id(IdError::Removed(e.into()))),
+        }
+    }
+
+    /// Puts a vertex at `point`, which must lie inside the face `f`. It stands alone, as the last ring of the face.
+    ///
+    /// Cost: O(size of the face).
+    ///
+    /// # Errors
+    /// See [`InsertVertexError`]; a refused call leaves everything bit for bit as it was.
+    pub fn insert_vertex_in(&mut self, f: FaceId, point: Point) -> Result<VertexId, InsertVertexError> {
+        self.insert_vertex_in_with(f, point, &mut NoRecorder)
+    }
+
+    /// [`insert_vertex_in`](Self::insert_vertex_in), watched by a recorder.
+    pub fn insert_vertex_in_with(
+        &mut self,
+        f: FaceId,
+        point: Point,
+        rec: &mut impl Recorder,
+    ) -> Result<VertexId, InsertVertexError> {
+        self.dcel.check(f)?;
+        point.check()?;
+        self.dcel.room_for(1, 0, 0)?;
+        self.lies_in(f, point).map_err(|at| InsertVertexError::NotInFace { face: f, point, at })?;
+        Ok(self.add_isolated(f, point, rec))
+    }
+
+    fn add_isolated(&mut self, f: FaceId, point: Point, rec: &mut impl Recorder) -> VertexId {
+        let v = self.dcel.add_vertex_record(rec);
+        self.points.set(v, point, Point::default());
+        self.rings.entry(f).or_default().push(Ring::Isolated(v));
+        v
+    }
+
+    /// Puts an antenna into a face: a new vertex at `point`, joined to `vertex` by a straight edge that meets nothing.
+    /// Returns the new vertex and the half-edge that leads to it.
+    ///
+    /// Cost: O(size of the face, degree of the vertex); for an isolated vertex also O(number of rings).
+    ///
+    /// # Errors
+    /// See [`InsertAntennaError`]; a refused call leaves everything bit for bit as it was.
+    ///
+    /// ```
+    /// use dcel_kit::{VertexId, plane::{Point, Subdivision}};
+    /// let mut s = Subdivision::lab_rectangle();
+    /// let (tip, h) = s.insert_antenna(VertexId::new(0), Point::new(0.0, 0.0))?;
+    /// assert_eq!((s.destination(h), s.degree(tip), s.face_count()), (tip, 1, 2));
+    /// # Ok::<(), dcel_kit::plane::InsertAntennaError>(())
+    /// ```
+    pub fn insert_antenna(
+        &mut self,
+        vertex: VertexId,
+        point: Point,
+    ) -> Result<(VertexId, HalfEdgeId), InsertAntennaError> {
+        self.insert_antenna_with(vertex, point, &mut NoRecorder)
+    }
+
+    /// [`insert_antenna`](Self::insert_antenna), watched by a recorder.
+    pub fn insert_antenna_with(
+        &mut self,
+        vertex: VertexId,
+        point: Point,
+        rec: &mut impl Recorder,
+    ) -> Result<(VertexId, HalfEdgeId), InsertAntennaError> {
+        self.dcel.check(vertex)?;
+        point.check()?;
+        self.dcel.room_for(1, 1, 0)?;
+        let in_the_way = |obstacle: Element| InsertAntennaError::InTheWay { vertex, point, obstacle };
+        if self.points[vertex] == point {
+            return Err(in_the_way(vertex.into()));
+        }
+        let (f, end) = self.open_way(vertex, point).map_err(|obstacle| match obstacle {
+            Obstacle::Vertex(v) => in_the_way(v.into()),
+            Obstacle::Edge(h) => in_the_way(h.into()),
+        })?;
+        // Nothing is crossed on the way; so the point is in the face or on the rim of it.
+        self.lies_in(f, point).map_err(|at| in_the_way(at.unwrap_or(Element::Face(f))))?;
+        let tip = self.add_isolated(f, point, rec);
+        Ok((tip, self.join_by_edge(f, [vertex, tip], [end, End::Isolated(tip)], rec)))
+    }
+}

@@ -1,0 +1,143 @@
+//! Where a point lies, and what lies on the way between two points: plain looks at everything in question.
+//!
+//! ```text
+//!      ●────────● e1          Of the edges below p the highest tells the face: it lies above that edge.
+//!          · p
+//!    ●────────────● e0        From a vertex, a direction leads along an edge or into exactly one corner.
+//! ```
+
+use super::Obstacle;
+use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
+use crate::plane::cycle::{in_corner, on_segment, same_direction, surrounds};
+use crate::plane::predicates::{left_to_right, orientation};
+use crate::plane::sweep::cross;
+use crate::plane::{Point, Subdivision};
+use crate::topology::Ring;
+use std::cmp::Ordering;
+
+/// Where a direction leads from a vertex.
+pub(super) enum Towards {
+    /// Along the half-edge.
+    Along(HalfEdgeId),
+    /// Into the corner at the origin of the half-edge, on its left.
+    Corner(HalfEdgeId),
+    /// Into the face around a vertex without edges.
+    Open(FaceId),
+}
+
+impl Subdivision {
+    /// The vertex at the point, else the edge through it (by its half from left to right), else the face around it.
+    ///
+    /// Cost: O(V + E), all vertices and edges; exact.
+    pub(super) fn place_by_scan(&self, p: Point) -> Element {
+        if let Some(v) = self.dcel.vertices().find(|&v| self.points[v] == p) {
+            return v.into();
+        }
+        let mut highest: Option<[Point; 2]> = None;
+        let mut below = None;
+        for e in self.dcel.edges() {
+            let h = self.upper_half(e);
+            let [a, b] = [self.dcel.origin(h), self.dcel.destination(h)].map(|v| self.points[v]);
+            if left_to_right(a, p).is_ge() || left_to_right(p, b).is_ge() {
+                continue;
+            }
+            match orientation(a, b, p) {
+                Ordering::Equal => return h.into(),
+                Ordering::Less => {}
+                Ordering::Greater => {
+                    if highest.is_none_or(|edge| is_above([a, b], edge)) {
+                        (highest, below) = (Some([a, b]), Some(h));
+                    }
+                }
+            }
+        }
+        below.map_or(self.outer_face(), |h| self.dcel.face(h)).into()
+    }
+
+    /// Where the point lies if not inside `f`: on a vertex or edge of it, or somewhere else.
+    ///
+    /// Cost: O(size of the face); exact.
+    pub(super) fn lies_in(&self, f: FaceId, p: Point) -> Result<(), Option<Element>> {
+        if let Some(v) = self.isolated_vertices(f).find(|&v| self.points[v] == p) {
+            return Err(Some(v.into()));
+        }
+        for g in self.all_half_edges(f) {
+            let (v, to) = (self.dcel.origin(g), self.points[self.dcel.destination(g)]);
+            if self.points[v] == p {
+                return Err(Some(v.into()));
+            }
+            if to != p && on_segment(self.points[v], to, p) {
+                return Err(Some(g.into()));
+            }
+        }
+        // An even number of crossings over all cycles is the outside; for f0 that is the inside.
+        let odd = self.cycles(f).filter(|&h| surrounds(self.corner_points(h), p)).count() % 2 == 1;
+        if odd == (f != self.outer_face()) { Ok(()) } else { Err(None) }
+    }
+
+    /// Where the direction from `v` to `to` leads. O(degree), or O(rings of all faces) for an isolated vertex.
+    pub(super) fn towards(&self, v: VertexId, to: Point) -> Towards {
+        let at = self.points[v];
+        for h in self.dcel.outgoing_half_edges(v) {
+            let after = self.points[self.dcel.destination(h)];
+            if same_direction(at, after, to) {
+                return Towards::Along(h);
+            }
+        }
+        for h in self.dcel.outgoing_half_edges(v) {
+            let after = self.points[self.dcel.destination(h)];
+            let before = self.points[self.dcel.origin(self.dcel.prev(h))];
+            if in_corner([before, at, after], to) {
+                return Towards::Corner(h);
+            }
+        }
+        Towards::Open(self.face_around(v))
+    }
+
+    /// The face in which a vertex without edges lies. O(rings of all faces).
+    pub(super) fn face_around(&self, v: VertexId) -> FaceId {
+        let lists = |(_, rings): &(&FaceId, &Vec<Ring>)| rings.contains(&Ring::Isolated(v));
+        self.rings.iter().find(lists).map_or(self.outer_face(), |(&f, _)| f)
+    }
+
+    /// Calls `meet` for everything of the face `f` on the way from `a` to `b`, ends excluded: vertices on it, edges
+    /// across it. Ends when `meet` gives an answer. O(size of the face).
+    pub(super) fn find_on_way<T>(
+        &self,
+        f: FaceId,
+        [a, b]: [Point; 2],
+        mut meet: impl FnMut(Obstacle) -> Option<T>,
+    ) -> Option<T> {
+        let between = |p: Point| p != a && p != b && on_segment(a, b, p);
+        for v in self.isolated_vertices(f).filter(|&v| between(self.points[v])) {
+            if let Some(found) = meet(Obstacle::Vertex(v)) {
+                return Some(found);
+            }
+        }
+        for g in self.all_half_edges(f) {
+            let (v, to) = (self.dcel.origin(g), self.points[self.dcel.destination(g)]);
+            let found = if between(self.points[v]) {
+                meet(Obstacle::Vertex(v))
+            } else if cross(a, b, self.points[v], to) {
+                meet(Obstacle::Edge(g))
+            } else {
+                None
+            };
+            if found.is_some() {
+                return found;
+            }
+        }
+        None
+    }
+}
+
+/// Whether the first edge runs above the second where the sweep line cuts both. Edges run from left to right and do
+/// not cross.
+fn is_above([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
+    let turns = if left_to_right(c, a).is_le() {
+        [orientation(c, d, a), orientation(c, d, b)]
+    } else {
+        [orientation(a, b, c).reverse(), orientation(a, b, d).reverse()]
+    };
+    turns[0].then(turns[1]).is_gt()
+}

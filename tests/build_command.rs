@@ -1,0 +1,69 @@
+//! Promise: `dcel build` makes a structure of segments, tells what became of them, and names what it refuses.
+
+#![cfg(feature = "cli")]
+
+mod shell;
+
+use serde_json::json;
+use shell::Folder;
+
+const CROSS: &str = "LINESTRING (0 0, 4 4)\nLINESTRING (0 4, 4 0)\nLINESTRING (9 0, 9 4)\nLINESTRING (8 2, 10 2)\n";
+const HOUSE: &str = "0 0 4 0\n4 0 4 3\n4 3 0 3\n0 3 0 0\n4 3 6 5\n2 1\n0 0 4 0\n";
+
+#[test]
+fn the_report_counts_and_names() {
+    let folder = Folder::new();
+    folder.write("house.segments", HOUSE);
+    let told = folder.dcel("build house.segments");
+    assert!(told.err.contains("note: 1 segment repeats an earlier one and was left out"), "{told:?}");
+    let text = told.fine();
+    for line in ["plane, segments, 6 segments", "V - E + F = 3", "isolated        1: v5", "dangles         1: e4"] {
+        assert!(text.contains(line), "{line} in {text}");
+    }
+    let report = folder.dcel("build house.segments --json").json();
+    assert_eq!((&report["vertices"], &report["edges"], &report["faces"]), (&json!(6), &json!(5), &json!(2)));
+    assert_eq!(report["repeated"], json!([{"segment": 5, "repeats": 0}]));
+    assert_eq!((&report["dangles"], &report["cut_edges"]), (&json!(["e4"]), &json!([])));
+    // The commands that read structures open such files, too, and with the same counts.
+    let info = folder.dcel("info house.segments --json").json();
+    assert_eq!((&info["vertices"], &info["format"], &info["valid"]), (&json!(6), &json!("segments"), &json!(true)));
+    folder.dcel("validate house.segments").fine();
+    assert!(folder.dcel("figure house.segments").fine().contains("<svg"));
+}
+
+#[test]
+fn crossings_are_all_named_or_split() {
+    let folder = Folder::new();
+    folder.write("cross.wkt", CROSS);
+    let told = folder.dcel("build cross.wkt");
+    told.fails(2, "cross.wkt:1: segments 0 and 1 cross at (2, 2)", "--split-crossings");
+    assert!(told.err.contains("note: cross.wkt:3: segments 2 and 3 cross at (9, 2)"), "{told:?}");
+    assert!(told.err.contains("segment 1: line 2"), "{told:?}");
+    let report = folder.dcel("build cross.wkt --split-crossings --json").json();
+    assert_eq!((&report["crossings"], &report["edges"]), (&json!(["v8", "v9"]), &json!(8)));
+    folder.dcel("build cross.wkt --split-crossings -o cross.dcel --figure cross.svg").fine();
+    let info = folder.dcel("info cross.dcel --json").json();
+    assert_eq!((&info["edges"], &info["components"]), (&json!(8), &json!(2)));
+    assert!(std::fs::read_to_string(folder.path("cross.svg")).expect("a figure").contains("</svg>"));
+    let same = folder.dcel("info cross.wkt --split-crossings --json").json();
+    assert_eq!(same["edges"], json!(8));
+    let dcel = folder.dcel("build cross.wkt --split-crossings -o -").fine();
+    assert_eq!(dcel, std::fs::read_to_string(folder.path("cross.dcel")).expect("a file"));
+}
+
+#[test]
+fn wrong_inputs_and_targets_are_refused() {
+    let folder = Folder::new();
+    folder.write("house.segments", HOUSE);
+    folder.dcel("build square.obj").fails(2, "square.obj: obj holds no segments", "dcel convert");
+    folder.dcel("build house.segments -o house.segments").fails(2, "this is the input itself", "another name");
+    folder.dcel("build house.segments -o house").fails(2, "the name does not tell the format", ".dcel");
+    folder.dcel("build house.segments -o house.wkt").fails(2, "wkt", "");
+    folder.dcel("build house.segments --figure no/where.svg").fails(3, "cannot be written", "directory first");
+    folder.dcel("build house.segments --from wkt").fails(2, "house.segments:1:", "");
+    folder.dcel("build house.segments --json -o x.dcel").fails(2, "cannot be used with", "");
+    folder.dcel("build missing.wkt").fails(2, "missing.wkt: cannot be read", "check the name");
+    // Polygons of GeoJSON count by their outlines.
+    let report = folder.dcel("build garden.json --json").json();
+    assert_eq!((&report["format"], &report["faces"]), (&json!("geojson"), &json!(4)));
+}
