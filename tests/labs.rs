@@ -22,7 +22,8 @@ fn the_labs_of_the_program_are_those_of_the_repository() {
     for name in folders {
         let bundled = LabFiles::bundled(&name).unwrap();
         let there = LabFiles::read(&folder(&name)).unwrap();
-        let differing: Vec<&str> = there.iter().filter(|&(path, text)| bundled.get(path) != Some(text)).map(|f| f.0).collect();
+        let differing: Vec<&str> =
+            there.iter().filter(|&(path, text)| bundled.get(path) != Some(text)).map(|f| f.0).collect();
         assert_eq!(differing, [""; 0], "{name}: write the bundle anew with `dcel lab bundle`");
         assert_eq!(bundled, there, "{name}: write the bundle anew with `dcel lab bundle`");
     }

@@ -107,8 +107,7 @@ fn graded(args: &Args, lab: &Lab) -> Result<Vec<Report>, Failure> {
         cache: args.cache.clone(),
         ..GradeOptions::default()
     };
-    let grader = Grader::new(lab.clone(), &options)
-        .map_err(|error| Failure::writing("a temporary folder", &error))?;
+    let grader = Grader::new(lab.clone(), &options).map_err(|error| Failure::writing("a temporary folder", &error))?;
     let bar = bar(submissions.len());
     let mut reports: Vec<Option<Report>> = vec![None; submissions.len()];
     grader.grade_all(&submissions, &plan, |i, report| {
