@@ -37,6 +37,7 @@
 //! | [`script`] | edits as text: typed by a student, printed by a failing test |
 //! | [`io`] | formats in and out |
 //! | [`figure`] | drawings as SVG |
+//! | `lab` | labs graded from outside (feature `lab`) |
 //!
 //! Words used elsewhere: *dart* is a half-edge, *sym* or *opposite* is `twin`, *tail* is `origin`, *tip* or
 //! *head* is `destination`, *dcel* and *half-edge structure* mean the same.
@@ -47,6 +48,8 @@
 pub mod figure;
 pub mod ids;
 pub mod io;
+#[cfg(feature = "lab")]
+pub mod lab;
 pub mod plane;
 pub mod script;
 pub mod solid;

@@ -74,6 +74,17 @@ pub(crate) fn cube() -> Result<Subdivision, LessonError> {
     Ok(Subdivision::from_polygons(points.map(Point::from).to_vec(), &faces)?)
 }
 
+/// A square grid of `side` times `side` faces.
+pub(crate) fn grid(side: u32) -> Result<Subdivision, LessonError> {
+    let across = side + 1;
+    let points = (0..across * across).map(|k| Point::new(f64::from(k % across), f64::from(k / across)));
+    let mut faces = PolygonList::new();
+    for k in (0..across * side).filter(|k| k % across < side) {
+        faces.push_face(&[k, k + 1, k + across + 1, k + across]);
+    }
+    Ok(Subdivision::from_polygons(points.collect(), &faces)?)
+}
+
 /// A face with two holes, an island in one of them, a second component outside.
 pub(crate) fn rings() -> Result<Subdivision, LessonError> {
     let points = [

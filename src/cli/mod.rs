@@ -10,6 +10,7 @@
 
 mod answer;
 mod camera;
+mod compare;
 mod completions;
 mod convert;
 mod failure;
@@ -18,12 +19,14 @@ mod figure_kind;
 mod figures;
 mod info;
 mod input;
+mod lab;
 mod lesson;
 mod looks;
 mod output;
 mod picture;
 mod references;
 mod script;
+mod specimen;
 mod subject;
 mod tour;
 mod validate;
@@ -60,9 +63,11 @@ enum Command {
     Info(info::Args),
     Validate(validate::Args),
     Walk(walk::Args),
+    Compare(compare::Args),
     Convert(convert::Args),
     Figure(Box<figure::Args>),
     Script(script::Args),
+    Lab(lab::Args),
     Tour(tour::Args),
     Figures(figures::Args),
     Completions(completions::Args),
@@ -74,9 +79,11 @@ impl Command {
             Self::Info(args) => info::run(&args, out),
             Self::Validate(args) => validate::run(&args, out),
             Self::Walk(args) => walk::run(&args, out),
+            Self::Compare(args) => compare::run(&args, out),
             Self::Convert(args) => convert::run(&args, out),
             Self::Figure(args) => figure::run(&args, out),
             Self::Script(args) => script::run(&args, out),
+            Self::Lab(args) => lab::run(&args, out),
             Self::Tour(args) => tour::run(&args, out),
             Self::Figures(args) => figures::run(&args, out),
             Self::Completions(args) => completions::run(&args, out),

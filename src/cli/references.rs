@@ -3,9 +3,14 @@
 use super::Failure;
 use super::camera::film;
 use super::lesson::{self, LessonError};
-use dcel_kit::figure::{self, FigureError, FigureOptions, NearlyCollinear, Pointers};
+use super::specimen;
+use dcel_kit::figure::chart::ChartError;
+use dcel_kit::figure::sketch::SketchError;
+use dcel_kit::figure::{
+    self, Detail, FigureError, FigureOptions, NearlyCollinear, Overrides, OverridesError, Pointers,
+};
 use dcel_kit::ids::HalfEdgeId;
-use dcel_kit::plane::Subdivision;
+use dcel_kit::plane::{CoordinateError, Subdivision};
 use dcel_kit::script::{Script, ScriptError};
 use std::path::Path;
 
@@ -17,7 +22,15 @@ pub(crate) enum ReferenceError {
     #[error(transparent)]
     Figure(#[from] FigureError),
     #[error(transparent)]
+    Overrides(#[from] OverridesError),
+    #[error(transparent)]
     Script(#[from] ScriptError),
+    #[error(transparent)]
+    Sketch(#[from] SketchError),
+    #[error(transparent)]
+    Chart(#[from] ChartError),
+    #[error(transparent)]
+    Coordinate(#[from] CoordinateError),
 }
 
 /// A figure of the project, regenerated and compared by `dcel figures`.
@@ -36,6 +49,11 @@ static REFERENCES: &[Reference] = &[
         file: "cube.svg",
         about: "a half-edge structure of 8 vertices, 12 edges and 6 faces, the outer one counted",
         draw: || structure(&lesson::cube()?, "A half-edge structure"),
+    },
+    Reference {
+        file: "figure-sizes.svg",
+        about: "how much a figure shows, and how many bytes it takes for each edge, as a grid grows",
+        draw: specimen::figure_sizes,
     },
     Reference {
         file: "film-join-faces.svg",
@@ -68,6 +86,19 @@ static REFERENCES: &[Reference] = &[
         draw: || {
             let options = FigureOptions::new("A half-edge structure to point at").interactive(true);
             Ok(figure::structure(&lesson::cube()?, &options.id_prefix("cube"))?.to_svg())
+        },
+    },
+    Reference {
+        file: "lab-04-drawing.svg",
+        about: "the drawing of lab 04, made of the rectangle with split_face and split_in_half alone",
+        draw: || {
+            let drawing =
+                Script::parse(include_str!("../../figures/scripts/lab-04-drawing.dcels"), "lab-04-drawing.dcels")?
+                    .run()
+                    .end;
+            let colours = Overrides::parse(include_str!("../../figures/scripts/lab-04-drawing.colours"))?;
+            let options = FigureOptions::new("The drawing of lab 04").detail(Detail::Edges).overrides(colours);
+            Ok(figure::structure(&drawing, &options.id_prefix("drawing"))?.to_svg())
         },
     },
     Reference {
@@ -137,6 +168,21 @@ static REFERENCES: &[Reference] = &[
             Ok(figure::tables(&lesson::lab_subdivision()?, Some(HalfEdgeId::new(13).into()), &options)?.to_svg())
         },
     },
+    Reference {
+        file: "vocabulary.svg",
+        about: "what other parts of the kit draw themselves with: one layout, six panels",
+        draw: specimen::vocabulary,
+    },
+    Reference {
+        file: "walk.svg",
+        about: "a sketch over a structure: a straight walk from face to face",
+        draw: specimen::walk,
+    },
+    Reference {
+        file: "wrong-signs.svg",
+        about: "how many signs plain doubles get wrong near a line, over the size of the grid",
+        draw: specimen::wrong_signs,
+    },
 ];
 
 fn strip(script: &str, title: &str, prefix: &str) -> Result<String, ReferenceError> {
@@ -188,11 +234,15 @@ fn gallery() -> String {
 /// How to draw such a picture of one's own.
 fn command(file: &str) -> &'static str {
     match file {
+        "lab-04-drawing.svg" => {
+            "dcel script figures/scripts/lab-04-drawing.dcels --dump\n\
+             dcel figure FILE --detail edges --colours figures/scripts/lab-04-drawing.colours -o OUT.svg"
+        }
         "focus.svg" => "dcel figure FILE --focus h5 -o OUT.svg",
         "interactive.svg" => "dcel figure FILE --interactive -o OUT.svg",
         "pointers.svg" => "dcel figure FILE --pointers all -o OUT.svg",
         "records.svg" => "dcel figure --records -o OUT.svg",
-        "robustness.svg" => "dcel figures",
+        "figure-sizes.svg" | "robustness.svg" | "vocabulary.svg" | "walk.svg" | "wrong-signs.svg" => "dcel figures",
         "states.svg" => "dcel figure FILE --width 960 -o OUT.svg",
         "tables.svg" => "dcel figure FILE --tables --highlight h5 -o OUT.svg",
         "stepper-split-face.svg" => "dcel script figures/scripts/split-face.dcels --film OUT.svg --stepper",

@@ -119,7 +119,7 @@ impl Arrow {
 }
 
 /// Tip, left corner, notch, right corner.
-fn head(tip: Xy, along: Xy, size: f64) -> [Xy; 4] {
+pub(super) fn head(tip: Xy, along: Xy, size: f64) -> [Xy; 4] {
     let (back, aside) = (tip - along * size, along.left() * (0.46 * size));
     [tip, back + aside, tip - along * (0.7 * size), back - aside]
 }

@@ -34,7 +34,7 @@ pub(super) fn cut(ring: Vec<Xy>, window: &Bounds) -> Vec<Xy> {
 }
 
 /// The points p of a ring with p · inward >= border, and where the ring passes the border.
-fn cut_by_side(ring: &[Xy], inward: Xy, border: f64) -> Vec<Xy> {
+pub(super) fn cut_by_side(ring: &[Xy], inward: Xy, border: f64) -> Vec<Xy> {
     let mut out = Vec::with_capacity(ring.len());
     let Some(mut a) = ring.last().copied() else { return out };
     for &b in ring {

@@ -7,23 +7,16 @@
 //!   └──────────────┘        └──────────────┘
 //! ```
 
+use super::grid::{Panel, arrange, usual_columns};
 use super::part::Part;
 use super::plate::{Look, Mark, Plate};
 use super::pointer::Pointers;
-use super::scene::{Group, Node};
 use super::structure::Notes;
-use super::vector::xy;
-use super::{Detail, Figure, FigureError, FigureOptions, crop, pointer_style, text};
+use super::{Detail, Figure, FigureError, FigureOptions, crop, pointer_style};
 use crate::plane::PlanarView;
 
 /// Width of a panel unless the caller or the structure asks for more.
 const WIDTH: f64 = 420.0;
-/// Height of the caption of a panel.
-const CAPTION: f64 = 46.0;
-/// Space between panels.
-const GAP: f64 = 14.0;
-/// The size of a panel's name, and that of its sentence.
-const TEXT: (f64, f64) = (14.0, 11.0);
 
 /// Draws the pointers of some families, each in a panel of its own: at most one family a picture can be read.
 ///
@@ -77,27 +70,20 @@ fn panels<V: PlanarView + ?Sized>(
     }
     let mut notes = Notes(plate.notes.0.clone());
     let mut scene = plate.picture.scene(Vec::new());
-    let panel = xy(scene.size.x, scene.size.y + CAPTION);
-    let columns = columns(families.len());
-    for (i, &family) in families.iter().enumerate() {
+    let mut panels = Vec::new();
+    for &family in &families {
         let look = if families.len() == 1 { Look::default() } else { Look::instance(family.class()) };
         let look = look.rest(Mark::Dim);
         let arrows = plate.pointers(view, &Plate::<V>::family(view, family), &look, 0.5, &mut notes);
-        let mut nodes = caption(family, scene.size.x);
-        let drawing = crop::framed(plate.nodes(view, &look, arrows), plate.picture.fit.size, options);
-        nodes.push(Node::Group(Group { shift: Some(xy(0.0, CAPTION)), nodes: drawing, ..Group::default() }));
-        let (column, row) = ((i % columns) as f64, (i / columns) as f64);
-        scene.nodes.push(Node::Group(Group {
-            class: "panel",
+        panels.push(Panel {
+            heading: family.name().to_owned(),
+            text: family.sentence().to_owned(),
             id: (families.len() > 1).then(|| family.class().to_owned()),
-            shift: Some(xy(column * (panel.x + GAP), row * (panel.y + GAP))),
-            nodes,
-            ..Group::default()
-        }));
+            nodes: crop::framed(plate.nodes(view, &look, arrows), plate.picture.fit.size, options),
+        });
     }
-    let rows = families.len().div_ceil(columns).max(1);
-    let size = |count: usize, one: f64| count as f64 * (one + GAP) - GAP;
-    scene.size = xy(size(columns, panel.x), size(rows, panel.y));
+    let columns = usual_columns(panels.len());
+    (scene.nodes, scene.size) = arrange(panels, scene.size, columns);
     scene.css.push_str(&pointer_style::css(&options.style, &scene.prefix));
     if families.len() > 1 {
         scene.attributes[0].1 = "dcel-pointers".to_owned();
@@ -107,23 +93,6 @@ fn panels<V: PlanarView + ?Sized>(
         scene.description = format!("Panels of one structure. {}.", words.collect::<Vec<_>>().join(". "));
     }
     Ok(Figure { scene, detail: plate.picture.detail, notes: notes.0 })
-}
-
-/// Two side by side up to four, three from five on.
-const fn columns(panels: usize) -> usize {
-    match panels {
-        0 | 1 => 1,
-        2..=4 => 2,
-        _ => 3,
-    }
-}
-
-fn caption(family: Pointers, width: f64) -> Vec<Node> {
-    let line = |class: &'static str, y: f64, size: f64, words: &str| {
-        let size = size.min(size * (width - 16.0) / text::width(words, size, true));
-        Node::Text { class, at: xy(8.0, y), size, text: words.to_owned() }
-    };
-    vec![line("ct", 16.0, TEXT.0, family.name()), line("cs", 34.0, TEXT.1, family.sentence())]
 }
 
 impl Pointers {

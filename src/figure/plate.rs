@@ -171,9 +171,9 @@ impl<'a, V: PlanarView + ?Sized> Plate<'a, V> {
     pub(super) fn place(picture: Picture<'a, V>, mut notes: Notes, ink: &[Shape]) -> Self {
         let Picture { view, options, ref skeleton, fit, detail } = picture;
         let cycles = Cycles::of(view, super::skeleton::faces(view));
-        if ink.is_empty() {
-            notes.add("with a boundary that does not close or is taken already", cycles.open.iter().copied());
-        }
+        notes.add("with a boundary that does not close or is taken already", cycles.open.iter().copied());
+        // A picture that is placed for the second time has said so before.
+        notes.0.dedup();
         let regions = regions(view, skeleton, &cycles);
         let mut edges = Crowd::new(fit.size);
         for &h in &skeleton.edges {

@@ -20,14 +20,14 @@ use super::skeleton::{Cycles, Skeleton, faces, half_edges, ids, vertices};
 use super::vector::{Bounds, Xy, xy};
 use super::{Detail, Figure, FigureError, FigureOptions, crop, interactive, number, tiles, tints};
 use crate::ids::{FaceId, HalfEdgeId, Id, VertexId, VertexMap};
-use crate::plane::{CoordinateError, LARGEST, PlanarView};
+use crate::plane::{CoordinateError, LARGEST, PlanarView, Point};
 
 /// With more faces than this, tiles show the domain as one area.
 const FACES: usize = 2000;
 /// The hatch of the outer face leaves out the mesh, unless its outline has more points than this.
 const OUTLINE: usize = 20_000;
 /// Width of the free line round the frame.
-const MARGIN: f64 = 4.0;
+pub(super) const MARGIN: f64 = 4.0;
 /// The classes of the tinted faces.
 const TINTED: [&str; tints::HUES] = ["face t0", "face t1", "face t2", "face t3", "face t4", "face t5", "face t6"];
 
@@ -61,7 +61,7 @@ fn draw<V: PlanarView + ?Sized>(view: &V, options: &FigureOptions) -> Result<Fig
         let scene = plate.picture.scene(plate.nodes(view, &Look::default(), Vec::new()));
         return Ok(Figure { scene, detail, notes: plate.notes.0 });
     }
-    let nodes = picture.by_tiles(&mut notes);
+    let nodes = picture.by_tiles(&mut notes, &Look::default());
     Ok(Figure { scene: picture.scene(nodes), detail, notes: notes.0 })
 }
 
@@ -70,20 +70,23 @@ fn check<V: PlanarView + ?Sized>(view: &V) -> Result<(), FigureError> {
     for vertex in vertices(view) {
         let Some(p) = view.position(vertex) else { continue };
         placed = true;
-        for (axis, value) in [('x', p.x), ('y', p.y)] {
-            let error = if !value.is_finite() {
-                CoordinateError::NotFinite { axis, value }
-            } else if value.abs() > LARGEST {
-                CoordinateError::OutOfRange { axis, value }
-            } else {
-                continue;
-            };
-            return Err(FigureError::Coordinate { vertex, error });
-        }
+        let checked = [('x', p.x), ('y', p.y)].into_iter().try_for_each(|(axis, value)| check_coordinate(axis, value));
+        checked.map_err(|error| FigureError::Coordinate { vertex, error })?;
     }
     match vertices(view).next() {
         Some(example) if !placed => Err(FigureError::NoPosition { vertices: vertices(view).count(), example }),
         _ => Ok(()),
+    }
+}
+
+/// Whether a coordinate can be drawn: tiny ones can, other than those that exact predicates refuse.
+pub(super) fn check_coordinate(axis: char, value: f64) -> Result<(), CoordinateError> {
+    if !value.is_finite() {
+        Err(CoordinateError::NotFinite { axis, value })
+    } else if value.abs() > LARGEST {
+        Err(CoordinateError::OutOfRange { axis, value })
+    } else {
+        Ok(())
     }
 }
 
@@ -139,21 +142,27 @@ pub(super) struct Picture<'a, V: ?Sized> {
     pub(super) detail: Detail,
 }
 
-impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
-    /// Chooses scale and detail. `options` are checked ones.
-    pub(super) fn new(view: &'a V, options: &'a FigureOptions) -> Result<(Self, Notes), FigureError> {
-        check(view)?;
-        let mut skeleton = Skeleton::new(view);
-        let extent = options.crop.map_or_else(
-            || Extent::of(vertices(view).filter_map(|v| view.position(v))),
-            |corners| Extent::of(corners.iter().copied()),
-        );
-        let load = Load {
-            edges: skeleton.edges.len(),
-            vertices: vertices(view).count(),
-            median: median(view, &skeleton, extent.span()),
-        };
-        let (fit, detail) = choose(&extent, &load, options);
+/// What is known of a view before its place on the canvas is chosen.
+pub(super) struct Survey {
+    skeleton: Skeleton,
+    extent: Extent,
+    load: Load,
+}
+
+impl Survey {
+    pub(super) fn choose(&self, options: &FigureOptions) -> (Fit, Detail) {
+        choose(&self.extent, &self.load, options)
+    }
+
+    /// Places the view that was surveyed.
+    pub(super) fn place<'a, V: PlanarView + ?Sized>(
+        self,
+        view: &'a V,
+        options: &'a FigureOptions,
+        fit: Fit,
+        detail: Detail,
+    ) -> (Picture<'a, V>, Notes) {
+        let mut skeleton = self.skeleton;
         let at = ids::<VertexId>(view.vertex_bound(), |_| true).map(|v| view.position(v).map(|p| fit.place(p)));
         skeleton.at = at.collect::<Vec<_>>().into();
         skeleton.window = options.crop.map(|_| crop::window(fit.size));
@@ -164,22 +173,47 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
             "with an unknown end or without length, not drawn",
             half_edges(view).filter(|&h| skeleton.segment(h).is_none_or(|(a, b)| a == b)),
         );
-        Ok((Self { view, options, skeleton, fit, detail }, notes))
+        (Picture { view, options, skeleton, fit, detail }, notes)
+    }
+}
+
+impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
+    /// Chooses scale and detail. `options` are checked ones.
+    pub(super) fn new(view: &'a V, options: &'a FigureOptions) -> Result<(Self, Notes), FigureError> {
+        let survey = Self::survey(view, options, Vec::new())?;
+        let (fit, detail) = survey.choose(options);
+        Ok(survey.place(view, options, fit, detail))
+    }
+
+    /// Looks at a view that is to be drawn in one picture with some points.
+    pub(super) fn survey(view: &V, options: &FigureOptions, points: Vec<Point>) -> Result<Survey, FigureError> {
+        check(view)?;
+        let skeleton = Skeleton::new(view);
+        let extent = options.crop.map_or_else(
+            || Extent::of(vertices(view).filter_map(|v| view.position(v)).chain(points)),
+            |corners| Extent::of(corners.iter().copied()),
+        );
+        let load = Load {
+            edges: skeleton.edges.len(),
+            vertices: vertices(view).count(),
+            median: median(view, &skeleton, extent.span()),
+        };
+        Ok(Survey { skeleton, extent, load })
     }
 
     /// Many short edges: faces one by one only if they are few, edges in tiles.
-    fn by_tiles(&self, notes: &mut Notes) -> Vec<Node> {
+    pub(super) fn by_tiles(&self, notes: &mut Notes, look: &Look) -> Vec<Node> {
         let outer = outer_label(self.view, self.options, self.fit.size, self.detail);
         let mut leaders = Vec::new();
         let mut nodes = if faces(self.view).count() <= FACES {
             let cycles = Cycles::of(self.view, faces(self.view));
             notes.add("with a boundary that does not close or is taken already", cycles.open.iter().copied());
             let regions = regions(self.view, &self.skeleton, &cycles);
-            let (labels, above) = self.map_labels(&regions, outer.as_ref());
+            let (labels, above) = self.map_labels(&regions, outer.as_ref(), look);
             leaders.extend(above);
-            self.face_nodes(&regions, &labels, outer.as_ref(), &cycles.open, &Look::default())
+            self.face_nodes(&regions, &labels, outer.as_ref(), &cycles.open, look)
         } else {
-            self.domain(outer.as_ref())
+            self.domain(outer.as_ref(), look)
         };
         nodes.push(Node::Group(tiles::edges(self.view, &self.skeleton, self.fit.size)));
         nodes.extend(self.lone_vertices());
@@ -188,7 +222,7 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
     }
 
     /// The labels of the regions, and the leaders of those that have none.
-    fn map_labels(&self, regions: &[Region], outer: Option<&Label>) -> (Vec<Option<Label>>, Vec<Node>) {
+    fn map_labels(&self, regions: &[Region], outer: Option<&Label>, look: &Look) -> (Vec<Option<Label>>, Vec<Node>) {
         let largest = self.options.style.map_text;
         let sizes = Sizes { largest, smallest: largest.min(7.0) };
         let bounded = |region: &Region| self.view.outer_face() != Some(region.face);
@@ -205,7 +239,8 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
             crowd.add(Shape::Box(placed.bounds()), 0);
         }
         let leaders = lead_out(self.view, regions, &captions, &labels, 0.8 * largest, self.fit.size, &mut crowd);
-        let groups = leaders.iter().map(|(i, leader)| leader.group(format!("{}-label", regions[*i].face))).collect();
+        let name = |face: FaceId| look.name(&format!("{face}-label"));
+        let groups = leaders.iter().map(|(i, leader)| leader.group(name(regions[*i].face))).collect();
         (labels, groups)
     }
 
@@ -284,7 +319,7 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
     }
 
     /// The whole domain in one tint, the hole faces cut out of it.
-    fn domain(&self, label: Option<&Label>) -> Vec<Node> {
+    fn domain(&self, label: Option<&Label>, look: &Look) -> Vec<Node> {
         let Some(outer) = self.view.outer_face().filter(|&f| self.view.has_face(f)) else { return Vec::new() };
         let holes = faces(self.view).filter(|&f| f != outer && self.view.is_hole(f));
         let cycles = Cycles::of(self.view, std::iter::once(outer).chain(holes));
@@ -296,9 +331,9 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
         let (outline, holes) = (rings_of(true), rings_of(false));
         let mut group = Group {
             class: "f outer",
-            id: Some(outer.to_string()),
-            attributes: attributes(self.view, outer, self.options),
-            title: Some(title(self.view, outer, outline.iter().map(Vec::len).sum(), self.options)),
+            id: Some(look.id(outer)),
+            attributes: look.attributes(attributes(self.view, outer, self.options)),
+            title: look.title(title(self.view, outer, outline.iter().map(Vec::len).sum(), self.options)),
             nodes: vec![self.outer_area(&outline, cycles.open.contains(&outer))],
             ..Group::default()
         };

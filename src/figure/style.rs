@@ -47,6 +47,8 @@ pub struct Palette {
     pub twin: Colour,
     /// Arrows between vertices and half-edges: `outgoing`, `origin`.
     pub origin: Colour,
+    /// What is wrong, missing or gone.
+    pub wrong: Colour,
     /// Lines that are not what the drawing is about.
     pub dim: Colour,
     /// Text that is not what the drawing is about.
@@ -119,6 +121,7 @@ impl Default for Style {
                 next: Colour(0x0000_67a5),
                 twin: Colour(0x008a_2b7a),
                 origin: Colour(0x0000_664d),
+                wrong: Colour(0x00c8_102e),
                 dim: Colour(0x00b3_b9c2),
                 grey: Colour(0x005f_6671),
                 hit: Colour(0x00fb_e6b8),
@@ -134,6 +137,7 @@ impl Default for Style {
                 next: Colour(0x006c_bcf5),
                 twin: Colour(0x00e3_9ad6),
                 origin: Colour(0x0056_d3ad),
+                wrong: Colour(0x00ff_7b72),
                 dim: Colour(0x0056_5c66),
                 grey: Colour(0x00a5_abb5),
                 hit: Colour(0x0046_3a1c),

@@ -70,7 +70,7 @@ macro_rules! palette_file {
         }
     };
 }
-palette_file!(background ink half_edge edge face hatch next twin origin dim grey hit);
+palette_file!(background ink half_edge edge face hatch next twin origin wrong dim grey hit);
 
 /// The default light palette with the changes of the file.
 pub(super) fn light<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Palette, D::Error> {

@@ -60,6 +60,32 @@ pub(super) fn shortened(text: &str, longest: usize) -> String {
     format!("{}…", kept.trim_end())
 }
 
+/// The words in lines of at most `width` px; what does not fit into the last line is cut, with dots.
+pub(super) fn wrap(words: &str, size: f64, bold: bool, width: f64, most: usize) -> Vec<String> {
+    let fits = |line: &str| self::width(line, size, bold) <= width;
+    let mut lines: Vec<String> = Vec::new();
+    for word in words.split_whitespace() {
+        let full = lines.len() == most;
+        match lines.last_mut() {
+            Some(line) if fits(&format!("{line} {word}")) => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            Some(line) if full => {
+                // Whole words go; of a single word, letters.
+                while !line.is_empty() && !fits(&format!("{line} …")) {
+                    let letter = line.char_indices().next_back().map_or(0, |(at, _)| at);
+                    line.truncate(line.rfind(' ').unwrap_or(letter));
+                }
+                line.push_str(" …");
+                break;
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
 /// The text without characters that XML cannot hold; line breaks become spaces.
 pub(super) fn clean(text: &str) -> String {
     let keep = |c: char| match c {
@@ -103,5 +129,13 @@ mod tests {
     #[test]
     fn characters_that_xml_cannot_hold_are_replaced() {
         assert_eq!(clean("a\u{0}b\nc"), "a\u{fffd}b c");
+    }
+
+    #[test]
+    fn text_is_wrapped_and_cut() {
+        let lines = wrap("one two three four five", 10.0, false, 60.0, 2);
+        assert_eq!(lines, ["one two", "three …"]);
+        assert!(wrap("", 10.0, false, 60.0, 2).is_empty());
+        assert_eq!(wrap("ümläüte wörd", 10.0, false, 30.0, 1), ["üm …"], "letters, not bytes");
     }
 }

@@ -4,6 +4,7 @@
 //!   point.rs  predicates.rs     points, the range in which signs are exact, the signs
 //!   subdivision.rs              a Dcel with positions: f0 is the outer face, faces may have rings
 //!   convert/                    polygons and triangles -> subdivision       table.rs   tables -> subdivision
+//!   segments/                   any straight-line graph -> subdivision         meet/      all crossings, exactly
 //!   check.rs                    the laws of the plane
 //!   edit/                       split_face, join_faces, split_edge, split_in_half, join_edges
 //!   sweep.rs cycle.rs rings.rs  what lies below, which way round, which ring in which face
@@ -13,10 +14,13 @@ mod check;
 mod convert;
 mod cycle;
 pub mod edit;
+mod meet;
 mod point;
 pub mod predicates;
 mod rings;
 mod seed;
+mod segments;
+mod status;
 mod subdivision;
 mod sweep;
 mod table;
@@ -26,5 +30,6 @@ pub use convert::{ConvertError, ConvertOptions, Converted};
 pub use edit::{JoinEdgesError, JoinFacesError, SplitEdgeError, SplitFaceError};
 pub use point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};
 pub use seed::LAB_RECTANGLE;
+pub use segments::{ArrangeOptions, Arranged, Residues, SegmentFault, SegmentsError};
 pub use subdivision::{PlanarView, Subdivision};
 pub use table::TableError;

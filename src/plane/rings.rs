@@ -1,9 +1,20 @@
 //! Bookkeeping of rings while faces are split and joined.
 
 use super::cycle::surrounds;
+use super::predicates::left_to_right;
 use super::{Point, Subdivision};
-use crate::ids::{FaceId, HalfEdgeId, VertexId};
-use crate::topology::{Recorder, Ring};
+use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
+use crate::topology::{NoRecorder, Recorder, Ring};
+
+/// A ring while its face is being looked for.
+pub(super) struct Loose {
+    /// The ring. The half-edges of a cycle point to `f0` for the time being, or to the owner.
+    pub(super) ring: Ring,
+    /// Its leftmost vertex.
+    pub(super) leftmost: VertexId,
+    /// The face that it is known to belong to.
+    pub(super) owner: Option<FaceId>,
+}
 
 impl Subdivision {
     /// The positions of the origins along the cycle of `h`.
@@ -22,6 +33,49 @@ impl Subdivision {
             Ring::Isolated(v) => Some(*v),
             Ring::Cycle(_) => None,
         })
+    }
+
+    /// The cycle of `start` as a ring whose face is being looked for. O(length).
+    pub(super) fn loose_cycle(&self, start: HalfEdgeId, owner: Option<FaceId>) -> Loose {
+        Loose { ring: Ring::Cycle(start), leftmost: self.leftmost(start), owner }
+    }
+
+    /// Hangs every ring into the face straight below its leftmost vertex, that is, above the edge `edge_below`
+    /// it. Rings are taken from left to right, so that the cycle below has its face already. `check` is asked
+    /// with the leftmost vertex, the owner and the face; cycles without owner then point to the face.
+    ///
+    /// In every face the cycles come in the order of their half-edges, then the isolated vertices.
+    ///
+    /// Cost: O(r log r) for r rings, and O(length) for each cycle that is not one of `f0`.
+    pub(super) fn hang_rings<E>(
+        &mut self,
+        mut loose: Vec<Loose>,
+        edge_below: impl Fn(VertexId) -> Option<EdgeId>,
+        mut check: impl FnMut(&Self, VertexId, Option<FaceId>, FaceId) -> Result<(), E>,
+    ) -> Result<(), E> {
+        loose.sort_by(|a, b| left_to_right(self.points[a.leftmost], self.points[b.leftmost]));
+        let mut outer = Vec::new();
+        for Loose { ring, leftmost, owner } in loose {
+            let below = edge_below(leftmost);
+            let face = below.map_or(self.outer_face(), |edge| self.dcel.face(self.upper_half(edge)));
+            check(self, leftmost, owner, face)?;
+            if face == self.outer_face() {
+                outer.push(ring);
+                continue;
+            }
+            if owner.is_none() {
+                self.relabel_ring(ring, face, &mut NoRecorder);
+            }
+            self.rings.entry(face).or_default().push(ring);
+        }
+        let order = |ring: &Ring| match *ring {
+            Ring::Cycle(h) => (0, h.number()),
+            Ring::Isolated(v) => (1, v.number()),
+        };
+        outer.sort_unstable_by_key(order);
+        self.rings.values_mut().for_each(|rings| rings.sort_unstable_by_key(order));
+        self.give_rings(self.outer_face(), outer, &mut NoRecorder);
+        Ok(())
     }
 
     /// Takes the rings of `f` out of the map. The boundary of `f0` is one of them.

@@ -15,6 +15,7 @@
 
 use super::Point;
 use super::predicates::{left_to_right, orientation};
+use super::status::Status;
 use std::cmp::Ordering;
 
 /// Two things that meet where they should not. Numbers are indices into the slices given to the sweep.
@@ -53,35 +54,56 @@ pub(super) struct Swept {
     pub(super) meeting: Option<Meeting>,
 }
 
+/// Sweeps over `edges` and the further points `extra`, all by their numbers in `points`.
 pub(super) fn sweep(points: &[Point], edges: &[[u32; 2]], extra: &[u32], look_for_meetings: bool) -> Swept {
-    // Each edge from its left end to its right end; edges in the order of their left ends.
-    let edges: Vec<[u32; 2]> = edges
-        .iter()
-        .map(|&[a, b]| if left_to_right(points[a as usize], points[b as usize]).is_le() { [a, b] } else { [b, a] })
-        .collect();
     let mut events: Vec<u32> = edges.iter().flatten().chain(extra).copied().collect();
-    let by_place = |&a: &u32, &b: &u32| left_to_right(points[a as usize], points[b as usize]).then(a.cmp(&b));
-    events.sort_unstable_by(by_place);
+    events.sort_unstable_by(|&a, &b| left_to_right(points[a as usize], points[b as usize]).then(a.cmp(&b)));
     events.dedup();
-    let mut starts: Vec<u32> = (0..edges.len() as u32).collect();
-    starts.sort_unstable_by(|&e, &g| by_place(&edges[e as usize][0], &edges[g as usize][0]).then(e.cmp(&g)));
+    sweep_in_order(points, edges, &events, look_for_meetings)
+}
 
+/// The same, for callers who know the order of the points: `events` holds every point that takes part once, from
+/// left to right, points above each other from bottom to top.
+pub(super) fn sweep_in_order(points: &[Point], edges: &[[u32; 2]], events: &[u32], look_for_meetings: bool) -> Swept {
+    let edges = rightwards(points, edges);
+    let (firsts, mut starts) = by_left_end(points.len(), &edges);
     let mut below = vec![NOTHING; points.len()];
     let mut sweep = Sweep { points, edges: &edges, status: Status::default(), look_for_meetings };
-    let mut rest = starts.as_mut_slice();
     for (i, &event) in events.iter().enumerate() {
         if i > 0 && look_for_meetings && points[events[i - 1] as usize] == points[event as usize] {
             return Swept { below, meeting: Some(Meeting::SamePlace(events[i - 1], event)) };
         }
-        let count = rest.iter().take_while(|&&e| edges[e as usize][0] == event).count();
-        let (starting, later) = rest.split_at_mut(count);
-        rest = later;
-        match sweep.step(event, starting) {
+        let starting = firsts[event as usize] as usize..firsts[event as usize + 1] as usize;
+        match sweep.step(event, &mut starts[starting]) {
             Ok(edge) => below[event as usize] = edge,
             Err(meeting) => return Swept { below, meeting: Some(meeting) },
         }
     }
     Swept { below, meeting: None }
+}
+
+/// Each edge from its left end to its right end.
+pub(super) fn rightwards(points: &[Point], edges: &[[u32; 2]]) -> Vec<[u32; 2]> {
+    let turned = |&[a, b]: &[u32; 2]| match left_to_right(points[a as usize], points[b as usize]) {
+        Ordering::Greater => [b, a],
+        _ => [a, b],
+    };
+    edges.iter().map(turned).collect()
+}
+
+/// The edges by their first point: those of point `p` are `list[firsts[p]..firsts[p + 1]]`, in increasing order.
+pub(super) fn by_left_end(points: usize, edges: &[[u32; 2]]) -> (Vec<u32>, Vec<u32>) {
+    let mut firsts = vec![0_u32; points + 1];
+    edges.iter().for_each(|edge| firsts[edge[0] as usize + 1] += 1);
+    (0..points).for_each(|p| firsts[p + 1] += firsts[p]);
+    let mut list = vec![0; edges.len()];
+    let mut next = firsts.clone();
+    for (e, edge) in edges.iter().enumerate() {
+        let place = &mut next[edge[0] as usize];
+        list[*place as usize] = e as u32;
+        *place += 1;
+    }
+    (firsts, list)
 }
 
 impl Sweep<'_> {
@@ -145,68 +167,6 @@ impl Sweep<'_> {
 pub(super) fn cross(a: Point, b: Point, c: Point, d: Point) -> bool {
     let opposite = |s: Ordering, t: Ordering| s != Ordering::Equal && s == t.reverse();
     opposite(orientation(a, b, c), orientation(a, b, d)) && opposite(orientation(c, d, a), orientation(c, d, b))
-}
-
-/// The edges cut by the sweep line, from bottom to top, in chunks so that insertion stays cheap.
-#[derive(Default)]
-struct Status {
-    chunks: Vec<Vec<u32>>,
-}
-
-/// A place between two edges: before the edge `offset` of chunk `chunk`.
-type Place = (usize, usize);
-
-impl Status {
-    const CHUNK: usize = 256;
-
-    /// The first place whose edge is not `below`; all edges before it are.
-    fn partition(&self, below: impl Fn(u32) -> bool) -> Place {
-        let chunk = self.chunks.partition_point(|chunk| chunk.last().is_some_and(|&edge| below(edge)));
-        let offset = self.chunks.get(chunk).map_or(0, |chunk| chunk.partition_point(|&edge| below(edge)));
-        (chunk, offset)
-    }
-
-    fn get(&self, (chunk, offset): Place) -> Option<u32> {
-        self.chunks.get(chunk)?.get(offset).copied()
-    }
-
-    fn before(&self, (chunk, offset): Place) -> Option<u32> {
-        match offset {
-            0 => self.chunks.get(chunk.checked_sub(1)?)?.last().copied(),
-            _ => self.get((chunk, offset - 1)),
-        }
-    }
-
-    /// Removes the edge at `at`; `at` then stands before the edge after it.
-    fn remove(&mut self, at: &mut Place) {
-        let chunk = &mut self.chunks[at.0];
-        chunk.remove(at.1);
-        if chunk.is_empty() {
-            self.chunks.remove(at.0);
-        } else if at.1 == chunk.len() {
-            *at = (at.0 + 1, 0);
-        }
-    }
-
-    fn insert(&mut self, (chunk, offset): Place, edges: &[u32]) {
-        if edges.is_empty() {
-            return;
-        }
-        // At the end of the order, or before the first edge of a chunk, the chunk before may take the edges.
-        let (chunk, offset) = match (offset, chunk.checked_sub(1)) {
-            (0, Some(before)) => (before, self.chunks[before].len()),
-            _ => (chunk, offset),
-        };
-        if self.chunks.is_empty() {
-            self.chunks.push(Vec::new());
-        }
-        let home = &mut self.chunks[chunk];
-        home.splice(offset..offset, edges.iter().copied());
-        if home.len() > Self::CHUNK {
-            let whole = std::mem::take(home);
-            self.chunks.splice(chunk..=chunk, whole.chunks(Self::CHUNK / 2).map(<[u32]>::to_vec));
-        }
-    }
 }
 
 #[cfg(test)]

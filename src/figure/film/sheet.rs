@@ -110,8 +110,8 @@ fn columns(frames: usize, width: f64) -> usize {
 /// Room for the tallest heading.
 fn head_height(frames: &[Frame], width: f64) -> f64 {
     let height = |frame: &Frame| {
-        let lines = |text: &str, (size, step, most): (f64, f64, usize), bold: bool| {
-            wrap(text, size, bold, width - 16.0, most).len() as f64 * step
+        let lines = |words: &str, (size, step, most): (f64, f64, usize), bold: bool| {
+            text::wrap(words, size, bold, width - 16.0, most).len() as f64 * step
         };
         lines(&frame.heading, HEADING, true) + lines(&frame.text, TEXT, false)
     };
@@ -122,7 +122,7 @@ fn heading(frame: &Frame, width: f64) -> Vec<Node> {
     let mut y = 0.0;
     let mut out = Vec::new();
     for (words, (size, step, most), class) in [(&frame.heading, HEADING, "ct"), (&frame.text, TEXT, "cs")] {
-        for line in wrap(&text::clean(words), size, class == "ct", width - 16.0, most) {
+        for line in text::wrap(&text::clean(words), size, class == "ct", width - 16.0, most) {
             y += step;
             out.push(Node::Text { class, at: xy(8.0, y - 0.3 * size), size, text: line });
         }
@@ -144,43 +144,9 @@ fn nav(i: usize, frames: usize, y: f64) -> Vec<Node> {
     out
 }
 
-/// The words in lines of at most `width` px; what does not fit into the last line is cut, with dots.
-fn wrap(words: &str, size: f64, bold: bool, width: f64, most: usize) -> Vec<String> {
-    let fits = |line: &str| text::width(line, size, bold) <= width;
-    let mut lines: Vec<String> = Vec::new();
-    for word in words.split_whitespace() {
-        let full = lines.len() == most;
-        match lines.last_mut() {
-            Some(line) if fits(&format!("{line} {word}")) => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            Some(line) if full => {
-                // Whole words go; of a single word, letters.
-                while !line.is_empty() && !fits(&format!("{line} …")) {
-                    let letter = line.char_indices().next_back().map_or(0, |(at, _)| at);
-                    line.truncate(line.rfind(' ').unwrap_or(letter));
-                }
-                line.push_str(" …");
-                break;
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn text_is_wrapped_and_cut() {
-        let lines = wrap("one two three four five", 10.0, false, 60.0, 2);
-        assert_eq!(lines, ["one two", "three …"]);
-        assert!(wrap("", 10.0, false, 60.0, 2).is_empty());
-        assert_eq!(wrap("ümläüte wörd", 10.0, false, 30.0, 1), ["üm …"], "letters, not bytes");
-    }
 
     #[test]
     fn rows_are_as_equal_as_can_be() {

@@ -8,14 +8,9 @@
 //! ```
 
 use crate::figure::number::drawn;
-use crate::figure::style::{Colour, Palette, Style};
+use crate::figure::style::{Palette, Style};
 use crate::figure::vector::Xy;
 use std::fmt::Write;
-
-/// What has gone: 5.9 : 1 on white.
-const GONE: Colour = Colour(0x00c8_102e);
-/// What has gone, on dark paper: 6.6 : 1.
-const GONE_DARK: Colour = Colour(0x00ff_7b72);
 
 /// The rules of new and gone things, scoped like those of the style.
 pub(super) fn marks(style: &Style, scope: &str) -> String {
@@ -32,22 +27,22 @@ pub(super) fn marks(style: &Style, scope: &str) -> String {
     ] {
         let _ = writeln!(out, "#{scope} {selector}{{{properties}}}");
     }
-    colours(&mut out, scope, &style.light, GONE);
+    colours(&mut out, scope, &style.light);
     if let Some(dark) = &style.dark {
         out.push_str("@media (prefers-color-scheme:dark){\n");
-        colours(&mut out, scope, dark, GONE_DARK);
+        colours(&mut out, scope, dark);
         out.push_str("}\n");
     }
     out
 }
 
-fn colours(out: &mut String, scope: &str, palette: &Palette, gone: Colour) {
-    for (class, colour) in [("made", palette.next), ("gone", gone), ("dim", palette.dim)] {
+fn colours(out: &mut String, scope: &str, palette: &Palette) {
+    for (class, colour) in [("made", palette.next), ("gone", palette.wrong), ("dim", palette.dim)] {
         for (part, property) in [("pl", "stroke"), ("ph", "fill")] {
             let _ = writeln!(out, "#{scope} .{class} .{part}{{{property}:{colour}}}");
         }
     }
-    for (class, colour) in [("made", palette.next), ("gone", gone)] {
+    for (class, colour) in [("made", palette.next), ("gone", palette.wrong)] {
         for (part, property) in [("sh", "stroke"), ("barb", "fill"), ("hl", "fill"), ("vd", "stroke")] {
             let _ = writeln!(out, "#{scope} .{class} .{part}{{{property}:{colour}}}");
         }

@@ -11,18 +11,12 @@
 //! ```
 
 use super::ConvertError;
-use crate::ids::{EdgeId, FaceId, HalfEdgeId};
+use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::plane::Subdivision;
 use crate::plane::cycle::encloses;
-use crate::plane::predicates::left_to_right;
+use crate::plane::rings::Loose;
 use crate::plane::sweep::{NOTHING, sweep};
 use crate::topology::{NoRecorder, PolygonList, Ring, TooMany};
-
-/// A cycle that is not the outer boundary of a bounded face, and the face that it is known to belong to.
-struct Loose {
-    start: HalfEdgeId,
-    owner: Option<FaceId>,
-}
 
 impl Subdivision {
     /// Gives every border half-edge its face and every face its cycles. `border` are the half-edges without a
@@ -33,44 +27,29 @@ impl Subdivision {
         if let Some(polygons) = polygons {
             self.cycles_of_polygons(polygons, &mut loose, &mut edges)?;
         }
-        if let [Loose { start, owner: None }] = *loose {
+        if let [Loose { ring: Ring::Cycle(start), owner: None, .. }] = *loose {
             self.dcel.set_boundary(self.outer_face(), Some(start), &mut NoRecorder);
             return Ok(());
         }
         edges.sort_unstable();
         edges.dedup();
-        let ends: Vec<[u32; 2]> = edges.iter().map(|&e| self.edge_ends(e).map(crate::VertexId::number)).collect();
+        let ends: Vec<[u32; 2]> = edges.iter().map(|&e| self.edge_ends(e).map(VertexId::number)).collect();
         let below = sweep(self.points.as_slice(), &ends, &[], false).below;
 
-        let mut by_place: Vec<_> = loose.into_iter().map(|cycle| (self.leftmost(cycle.start), cycle)).collect();
-        by_place.sort_by(|(u, _), (v, _)| left_to_right(self.points[*u], self.points[*v]));
-        let mut outer = Vec::new();
-        for (leftmost, Loose { start, owner }) in by_place {
+        let edge_below = |v: VertexId| match below[v.index()] {
+            NOTHING => None,
+            edge => Some(edges[edge as usize]),
+        };
+        self.hang_rings(loose, edge_below, |s, leftmost, owner, face| {
             let vertex = leftmost.number();
-            let face = match below[leftmost.index()] {
-                NOTHING => self.outer_face(),
-                edge => self.dcel.face(self.upper_half(edges[edge as usize])),
-            };
             match owner {
-                Some(owner) if owner != face => {
-                    return Err(ConvertError::HoleOutside { face: owner.number() - 1, vertex });
+                Some(owner) if owner != face => Err(ConvertError::HoleOutside { face: owner.number() - 1, vertex }),
+                None if face != s.outer_face() && !s.is_hole(face) => {
+                    Err(ConvertError::InsideFace { face: face.number() - 1, vertex })
                 }
-                None if face != self.outer_face() && !self.is_hole(face) => {
-                    return Err(ConvertError::InsideFace { face: face.number() - 1, vertex });
-                }
-                None if face != self.outer_face() => self.relabel_cycle(start, face, &mut NoRecorder),
-                _ => {}
+                _ => Ok(()),
             }
-            if face == self.outer_face() {
-                outer.push(start);
-            } else {
-                self.rings.entry(face).or_default().push(Ring::Cycle(start));
-            }
-        }
-        outer.sort_unstable();
-        self.rings.values_mut().for_each(|rings| rings.sort_unstable_by_key(first_half_edge));
-        self.give_rings(self.outer_face(), outer.into_iter().map(Ring::Cycle).collect(), &mut NoRecorder);
-        Ok(())
+        })
     }
 
     /// Traces the border. Cycles round a bounded region become hole faces; all others are labelled f0 for the
@@ -89,7 +68,7 @@ impl Subdivision {
                 self.relabel_cycle(start, hole, &mut NoRecorder);
                 self.holes.insert(hole);
             } else {
-                loose.push(Loose { start, owner: None });
+                loose.push(self.loose_cycle(start, None));
             }
         }
         Ok(loose)
@@ -112,7 +91,7 @@ impl Subdivision {
             let in_pieces = ConvertError::InPieces { face: number as u32 };
             let mut boundary = None;
             for corners in polygons.cycles(number) {
-                let ends = [corners[0], corners[1]].map(crate::VertexId::new);
+                let ends = [corners[0], corners[1]].map(VertexId::new);
                 let Some(start) = self.half_edge_of(face, ends) else { return Err(in_pieces) };
                 if seen[start.index()] {
                     continue;
@@ -122,7 +101,7 @@ impl Subdivision {
                     edges.push(h.edge());
                 }
                 if !encloses(self.corner_points(start)) {
-                    loose.push(Loose { start, owner: Some(face) });
+                    loose.push(self.loose_cycle(start, Some(face)));
                 } else if boundary.replace(start).is_some() {
                     return Err(in_pieces);
                 }
@@ -136,15 +115,8 @@ impl Subdivision {
     }
 
     /// The half-edge of `face` with these ends.
-    fn half_edge_of(&self, face: FaceId, [from, to]: [crate::VertexId; 2]) -> Option<HalfEdgeId> {
+    fn half_edge_of(&self, face: FaceId, [from, to]: [VertexId; 2]) -> Option<HalfEdgeId> {
         let fits = |&h: &HalfEdgeId| self.dcel.destination(h) == to && self.dcel.face(h) == face;
         self.dcel.outgoing_half_edges(from).find(fits)
-    }
-}
-
-fn first_half_edge(ring: &Ring) -> HalfEdgeId {
-    match *ring {
-        Ring::Cycle(h) => h,
-        Ring::Isolated(_) => HalfEdgeId::new(u32::MAX),
     }
 }

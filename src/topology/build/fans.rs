@@ -21,24 +21,12 @@ const NONE: u32 = Columns::NONE;
 
 impl Matched {
     /// Fills the column of vertices, links the border where it is clear, and finds the pinched vertices.
-    pub(super) fn new(vertices: usize, columns: Columns, first_face: u32) -> Self {
-        let border = (0..).zip(&columns.face).filter(|&(_, &face)| face == NONE).map(|(h, _)| h).collect();
-        let mut this = Self { columns, border, pinched: Vec::new(), isolated: 0, first_isolated: None, first_face };
-        this.columns.outgoing = vec![NONE; vertices];
+    pub(super) fn new(vertices: usize, mut columns: Columns, first_face: u32) -> Self {
+        let firsts = first_half_edges(&mut columns, vertices);
+        let border = border(&columns.face);
+        let isolated = vertices - firsts.len();
+        let mut this = Self { columns, border, pinched: Vec::new(), isolated, first_face };
         let one_gap_each = this.link_border();
-        let firsts = first_half_edges(&this.columns.origin, vertices);
-        this.isolated = vertices - firsts.len();
-        for &h in &firsts {
-            let word = &mut this.columns.outgoing[this.columns.origin[h as usize] as usize];
-            // A vertex on the border has its half-edge already.
-            if *word == NONE {
-                *word = h;
-            }
-        }
-        if this.isolated > 0 {
-            let first = this.columns.outgoing.iter().position(|&word| word == NONE);
-            this.first_isolated = first.map(|v| VertexId(v as u32));
-        }
         if !one_gap_each || stars_length(&this.columns.prev, &firsts) != this.columns.prev.len() {
             this.find_pinched();
         }
@@ -48,11 +36,11 @@ impl Matched {
     /// Makes the border half-edge that ends at a vertex and the one that starts there follow each other, where
     /// there is only one. Vertices with several are tagged; returns whether there are none.
     fn link_border(&mut self) -> bool {
-        let Columns { origin, next, prev, outgoing, .. } = &mut self.columns;
+        let Columns { origin, next, prev, face, outgoing, .. } = &mut self.columns;
         let mut one_gap_each = true;
         for &h in &self.border {
             let word = &mut outgoing[origin[h as usize] as usize];
-            if *word == NONE {
+            if *word & TAG == 0 && face[*word as usize] != NONE {
                 *word = h;
             } else {
                 *word |= TAG;
@@ -170,18 +158,33 @@ impl Matched {
     }
 }
 
-/// For each vertex that occurs, its half-edge in the first face that uses it, in increasing order. That is its
-/// smallest even half-edge: when a vertex is new, so are its edges.
-fn first_half_edges(origin: &[u32], vertices: usize) -> Vec<u32> {
-    let mut seen = vec![false; vertices];
+/// Fills the column of vertices with the half-edge of each in the first face that uses it, and returns these in
+/// increasing order. That is the smallest even half-edge: when a vertex is new, so are its edges.
+fn first_half_edges(columns: &mut Columns, vertices: usize) -> Vec<u32> {
+    columns.outgoing = vec![NONE; vertices];
     let mut firsts = vec![0; vertices + 1];
     let mut count = 0;
-    for (h, &v) in (0..).zip(origin).step_by(2) {
+    for (h, &v) in (0..).zip(&columns.origin).step_by(2) {
+        let word = &mut columns.outgoing[v as usize];
+        // No branch: nobody can foresee where the new vertices stand.
         firsts[count] = h;
-        count += usize::from(!std::mem::replace(&mut seen[v as usize], true));
+        count += usize::from(*word == NONE);
+        *word = h.min(*word);
     }
     firsts.truncate(count);
     firsts
+}
+
+/// The half-edges without a face. Most stretches of the column have none, which is quickly seen.
+fn border(face: &[u32]) -> Vec<u32> {
+    const STRETCH: usize = 256;
+    let mut border = Vec::new();
+    for (start, stretch) in (0..).step_by(STRETCH).zip(face.chunks(STRETCH)) {
+        if stretch.iter().fold(false, |any, &face| any | (face == NONE)) {
+            border.extend((start..).zip(stretch).filter(|&(_, &face)| face == NONE).map(|(h, _)| h));
+        }
+    }
+    border
 }
 
 /// How many half-edges a walk round the origin of `h` meets.
@@ -199,35 +202,30 @@ fn star_length(prev: &[u32], h: u32) -> usize {
 
 /// How many half-edges walks round the origins of all `firsts` meet.
 ///
-/// Several walks are under way at a time: each waits for memory at each step, and together they wait less.
-fn stars_length(prev: &[u32], firsts: &[u32]) -> usize {
-    const WALKS: usize = 16;
-    let Some((&starts, rest)) = firsts.split_first_chunk::<WALKS>() else {
-        return firsts.iter().map(|&h| star_length(prev, h)).sum();
-    };
-    let (mut first, mut at) = (starts, starts);
-    let mut waiting = 0;
+/// Many walks are under way at a time: each step waits for memory, but none waits for the steps of the others.
+fn stars_length(prev: &[u32], mut firsts: &[u32]) -> usize {
+    const WALKS: usize = 512;
+    // First half-edge, and how far the walk has come.
+    let mut walks = [[0; 2]; WALKS];
+    let mut going = 0;
     let mut length = 0;
-    while waiting + WALKS <= rest.len() {
-        for walk in 0..WALKS {
-            let h = prev[at[walk] as usize] ^ 1;
-            let round = h == first[walk];
-            let fresh = rest[waiting];
-            at[walk] = if round { fresh } else { h };
-            first[walk] = if round { fresh } else { first[walk] };
-            waiting += usize::from(round);
+    loop {
+        let (fresh, waiting) = firsts.split_at(firsts.len().min(WALKS - going));
+        for (walk, &h) in walks[going..].iter_mut().zip(fresh) {
+            *walk = [h, h];
         }
-        length += WALKS;
-    }
-    for walk in 0..WALKS {
-        // What is left of this walk: `at` has not been counted yet.
-        loop {
-            length += 1;
-            at[walk] = prev[at[walk] as usize] ^ 1;
-            if at[walk] == first[walk] {
-                break;
-            }
+        firsts = waiting;
+        let under_way = going + fresh.len();
+        if under_way == 0 {
+            return length;
+        }
+        length += under_way;
+        going = 0;
+        for i in 0..under_way {
+            let [first, at] = walks[i];
+            let at = prev[at as usize] ^ 1;
+            walks[going] = [first, at];
+            going += usize::from(at != first);
         }
     }
-    length + rest[waiting..].iter().map(|&h| star_length(prev, h)).sum::<usize>()
 }

@@ -113,8 +113,6 @@ pub(crate) struct Matched {
     pub(crate) pinched: Vec<VertexId>,
     /// How many vertices no face uses.
     pub(crate) isolated: usize,
-    /// The first of them.
-    pub(crate) first_isolated: Option<VertexId>,
     /// The number of the first input face.
     first_face: u32,
 }

@@ -1,0 +1,25 @@
+//! The program of the lab. Nothing here is for you to change: your part is `lab.rs`.
+//!
+//! ```text
+//!   cargo run                      reads cases from standard input and prints what your code made of them
+//!   cargo run -- my-case.txt       the same from a file
+//!   cargo run -- svg my-case.txt   draws the structure that the case ends with
+//!   cargo run -- drawing           draws what your `drawing` makes of the rectangle
+//! ```
+//!
+//! The language of the cases is explained in the handout, README.md.
+
+mod case;
+mod dcel;
+mod pen;
+mod print;
+mod run;
+mod start;
+mod svg;
+
+// The last one: what it declares for itself, macros say, is not seen by the modules above.
+mod lab;
+
+fn main() -> std::process::ExitCode {
+    run::main()
+}

@@ -1,0 +1,154 @@
+//! The structures that cases start from.
+//!
+//! The k-th edge that a start states becomes the half-edges h(2k), on the side that states it, and h(2k+1), on the
+//! other side. f0 is the outer face, f1 the first face inside.
+
+use crate::dcel::{Dcel, FaceId, HalfEdgeId, VertexId};
+use crate::print::{coordinate, whole};
+
+/// The lab's rectangle, 500 wide and 300 high, with a vertex in the middle of its long sides.
+///
+/// ```text
+///   v5 ◀── h8 ── v4 ◀── h6 ── v3
+///   │                          ▲         h1, h3, … h11, their twins, run round the outside
+///  h10           f1            h4  f0
+///   ▼                          │
+///   v0 ── h0 ──▶ v1 ── h2 ──▶ v2
+/// ```
+pub fn rectangle() -> Dcel {
+    let corners = [(-250.0, -150.0), (0.0, -150.0), (250.0, -150.0), (250.0, 150.0), (0.0, 150.0), (-250.0, 150.0)];
+    polygon_of(&corners)
+}
+
+/// `polygon x y x y …`: one face, its corners counter-clockwise.
+pub fn polygon(words: &[&str]) -> Result<Dcel, String> {
+    let corners = points(words)?;
+    if corners.len() < 3 {
+        return Err(format!("a polygon has at least 3 corners, not {}", corners.len()));
+    }
+    Ok(polygon_of(&corners))
+}
+
+fn polygon_of(corners: &[(f64, f64)]) -> Dcel {
+    let n = corners.len();
+    let mut dcel = Dcel::default();
+    let outside = dcel.new_face();
+    let inside = dcel.new_face();
+    dcel.outer_face = outside;
+    for &(x, y) in corners {
+        dcel.new_vertex(x, y);
+    }
+    for v in 0..n {
+        new_edge(&mut dcel, v, (v + 1) % n, inside, outside);
+    }
+    for k in 0..n {
+        let after = (k + 1) % n;
+        dcel.make_next(2 * k, 2 * after);
+        dcel.make_next(2 * after + 1, 2 * k + 1);
+        dcel.vertices[k].outgoing_half_edge = Some(2 * k);
+    }
+    dcel.faces[inside].incident_half_edge = Some(0);
+    dcel.faces[outside].incident_half_edge = Some(1);
+    dcel
+}
+
+/// Both sides of a new edge; returns the side that runs from `a` to `b`.
+fn new_edge(dcel: &mut Dcel, a: VertexId, b: VertexId, left: FaceId, right: FaceId) -> HalfEdgeId {
+    let there = dcel.new_half_edge(a);
+    let back = dcel.new_half_edge(b);
+    dcel.half_edges[there].face = Some(left);
+    dcel.half_edges[back].face = Some(right);
+    dcel.make_twin(there, back);
+    there
+}
+
+/// `triangles x y x y … / i j k …`: points, then the corners of counter-clockwise triangles by number from 0. Their
+/// border must be one closed line. Every search here is linear: this is for small cases.
+pub fn triangles(words: &[&str]) -> Result<Dcel, String> {
+    let mut halves = words.split(|&word| word == "/");
+    let (Some(coordinates), Some(corners), None) = (halves.next(), halves.next(), halves.next()) else {
+        return Err("write the points, one `/`, then the corners of the triangles".to_owned());
+    };
+    let corners: Vec<usize> = corners.iter().map(|word| whole(word)).collect::<Result<_, _>>()?;
+    if corners.is_empty() || !corners.len().is_multiple_of(3) {
+        return Err(format!("triangles have 3 corners each; {} corners are left over", corners.len() % 3));
+    }
+    let mut dcel = Dcel::default();
+    dcel.outer_face = dcel.new_face();
+    for (x, y) in points(coordinates)? {
+        dcel.new_vertex(x, y);
+    }
+    for (number, triangle) in corners.chunks(3).enumerate() {
+        add_triangle(&mut dcel, triangle).map_err(|problem| format!("triangle {number}: {problem}"))?;
+    }
+    close_border(&mut dcel)?;
+    Ok(dcel)
+}
+
+fn add_triangle(dcel: &mut Dcel, corners: &[usize]) -> Result<(), String> {
+    let n = dcel.vertices.len();
+    if let Some(missing) = corners.iter().find(|&&v| v >= n) {
+        return Err(format!("there is no point {missing}: there are {n}"));
+    }
+    let &[a, b, c] = corners else { return Err("a triangle has 3 corners".to_owned()) };
+    let [p, q, r] = [a, b, c].map(|v| dcel.vertices[v].pos);
+    if (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x) <= 0.0 {
+        return Err("its corners are not counter-clockwise".to_owned());
+    }
+    let outside = dcel.outer_face;
+    let face = dcel.new_face();
+    let mut sides = Vec::new();
+    for (from, to) in [(a, b), (b, c), (c, a)] {
+        let known = (0..dcel.half_edges.len())
+            .find(|&h| dcel.half_edges[h].origin == Some(from) && dcel.half_edges[h ^ 1].origin == Some(to));
+        let side = match known {
+            None => new_edge(dcel, from, to, face, outside),
+            Some(h) if dcel.half_edges[h].face == Some(outside) => h,
+            Some(_) => return Err(format!("the side from {from} to {to} belongs to another triangle already")),
+        };
+        dcel.half_edges[side].face = Some(face);
+        dcel.vertices[from].outgoing_half_edge.get_or_insert(side);
+        sides.push(side);
+    }
+    for i in 0..3 {
+        dcel.make_next(sides[i], sides[(i + 1) % 3]);
+    }
+    dcel.faces[face].incident_half_edge = Some(sides[0]);
+    Ok(())
+}
+
+/// Links the half-edges of the outer face, each to the one that starts where it ends.
+fn close_border(dcel: &mut Dcel) -> Result<(), String> {
+    let outside = dcel.outer_face;
+    let border: Vec<HalfEdgeId> =
+        (0..dcel.half_edges.len()).filter(|&h| dcel.half_edges[h].face == Some(outside)).collect();
+    for &h in &border {
+        let end = dcel.half_edges[h ^ 1].origin;
+        let mut followers = border.iter().filter(|&&g| dcel.half_edges[g].origin == end);
+        match (followers.next(), followers.next()) {
+            (Some(&follower), None) => dcel.make_next(h, follower),
+            _ => return Err("the border passes a point twice; state the structure as a table".to_owned()),
+        }
+    }
+    let mut length = 0;
+    let mut h = border[0];
+    loop {
+        length += 1;
+        h = dcel.next(h);
+        if h == border[0] {
+            break;
+        }
+    }
+    if length < border.len() {
+        return Err("the border is not one closed line; state the structure as a table".to_owned());
+    }
+    dcel.faces[outside].incident_half_edge = Some(border[0]);
+    Ok(())
+}
+
+fn points(words: &[&str]) -> Result<Vec<(f64, f64)>, String> {
+    if !words.len().is_multiple_of(2) {
+        return Err("a point has two coordinates; one of them is missing".to_owned());
+    }
+    words.chunks(2).map(|pair| Ok((coordinate(pair[0])?, coordinate(pair[1])?))).collect()
+}

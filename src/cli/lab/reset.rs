@@ -1,0 +1,70 @@
+//! `dcel lab reset`: the files to fill in as they were, with the old ones kept beside them.
+
+use super::super::{Answer, Failure, Output};
+use super::{bundled, folder};
+use dcel_kit::lab::{Kit, Manifest, student_files};
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// Begin again: put back the files to fill in, and keep yours beside them
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Your file stays as `lab.rs.1.bak`, the next one as `lab.rs.2.bak`, and so on.
+
+Examples:
+  dcel lab reset
+  dcel lab reset my-lab --given")]
+pub(crate) struct Args {
+    /// The lab's folder; without it, the one you are in
+    #[arg(value_name = "DIR")]
+    dir: Option<PathBuf>,
+    /// Put back the given files, too (the driver, the tests, the handout), but not Cargo.toml
+    #[arg(long)]
+    given: bool,
+}
+
+pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    let dir = folder::find(args.dir.as_deref())?;
+    let toml = dir.join("lab.toml");
+    let manifest = Manifest::parse(&folder::read(&toml)?, &toml.display().to_string())
+        .map_err(|error| Failure::input(error, "put back the lab.toml that the lab came with"))?;
+    let files = student_files(&bundled(&manifest.name)?, &Kit::running());
+    let mut changed = 0;
+    for (path, text) in &files {
+        let graded = manifest.graded.contains(path);
+        let own = manifest.optional.contains(path) || path.starts_with("Cargo.") || path == "tests/own.rs";
+        if own || !(graded || args.given) {
+            continue;
+        }
+        let target = dir.join(path);
+        let old = fs::read_to_string(&target).ok();
+        if old.as_deref() == Some(text) {
+            continue;
+        }
+        changed += 1;
+        if old.is_some() {
+            let kept = backup(&target)?;
+            writeln!(out, "{}: put back; yours is {}", target.display(), kept.display())?;
+        } else {
+            writeln!(out, "{}: put back", target.display())?;
+        }
+        fs::write(&target, text).map_err(|error| Failure::writing(target.display(), &error))?;
+    }
+    if changed == 0 {
+        writeln!(out, "Nothing to put back: the files are as they were given.")?;
+    }
+    Ok(Answer::Yes)
+}
+
+/// Moves a file to the first free name of the kind `lab.rs.1.bak`.
+fn backup(path: &Path) -> Result<PathBuf, Failure> {
+    let name = |i: u32| {
+        let mut name = path.as_os_str().to_owned();
+        name.push(format!(".{i}.bak"));
+        PathBuf::from(name)
+    };
+    let free = (1..).map(name).find(|kept| !kept.exists()).unwrap_or_else(|| name(0));
+    fs::rename(path, &free).map_err(|error| Failure::writing(free.display(), &error))?;
+    Ok(free)
+}

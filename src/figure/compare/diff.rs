@@ -1,0 +1,377 @@
+//! The picture of the differences.
+//!
+//! ```text
+//!   ┌──────────────────────────┐   3 differences, 21 of 24 half-edges agree
+//!   │ ●────────●   grey: agrees │   ❶ edge v5-v6 between ... is missing
+//!   │ ┆ ❶    ╱     red, dashed: in the reference only
+//!   │ ●┄┄┄┄╱   blue, solid: in yours only              ◎╌╌● moved: red ring, thin line, blue disc
+//!   └──────────────────────────┘   ❷ ...
+//! ```
+//!
+//! The reference is placed as in any figure; what only the student has is part of the layout, but drawn on top.
+
+use super::diff_style;
+use super::graph::Graph;
+use super::report::{Comparison, Difference, Slot, Spot, counted};
+use crate::figure::crowd::{Crowd, Shape};
+use crate::figure::plate::{Look, Mark, Plate};
+use crate::figure::pointer::Pointer;
+use crate::figure::scene::{Group, Node, Step};
+use crate::figure::structure::Notes;
+use crate::figure::vector::{Bounds, Xy, xy};
+use crate::figure::{Detail, Figure, FigureError, FigureOptions, pointer_style, text};
+use crate::ids::{Element, HalfEdgeId, VertexId};
+use crate::plane::Point;
+use crate::topology::{HalfEdgeRow, Table, VertexRow, View};
+
+/// So many differences have badges and sentences.
+const LISTED: usize = 10;
+/// Radius of a badge, size of its number.
+const BADGE: f64 = 8.5;
+const NUMBER: f64 = 10.5;
+/// Text beside the picture: size, distance of lines, width of the column, of its text.
+const SIZE: f64 = 12.0;
+const LINE: f64 = 16.0;
+const COLUMN: f64 = 380.0;
+const WORDS: f64 = 330.0;
+
+/// What the differences are drawn upon.
+#[derive(Clone, Debug)]
+pub(super) enum Scenery {
+    /// A declared structure.
+    Table(Table),
+    /// Drawn points and lines.
+    Graph(Graph),
+}
+
+impl Comparison {
+    /// The picture of the differences: what agrees grey, what only the reference has red and dashed, what only the
+    /// student has blue; numbered badges lead to the sentences beside it. At most ten have badges.
+    ///
+    /// # Errors
+    /// Those of [`structure`](crate::figure::structure()).
+    pub fn figure(&self, options: &FigureOptions) -> Result<Figure, FigureError> {
+        let table = match &self.scenery {
+            Scenery::Table(table) => table.clone(),
+            Scenery::Graph(graph) => super::shape::rebuild(graph),
+        };
+        let named = matches!(self.scenery, Scenery::Table(_));
+        let mut options = options.checked().half_edge_labels(false);
+        if !named {
+            options = options.vertex_labels(false).face_labels(crate::figure::FaceLabels::Off);
+        }
+        diff_style::pale(&mut options.style);
+        let layout = with_extras(&table, &self.differences);
+        let sketch = Plate::new(&layout, &options, false)?;
+        let detail = if named { sketch.picture.detail.max(Detail::Edges) } else { Detail::Edges };
+        if detail == sketch.picture.detail {
+            return Ok(self.on(&table, &sketch));
+        }
+        let options = options.detail(detail);
+        Ok(self.on(&table, &Plate::new(&layout, &options, false)?))
+    }
+
+    /// The finished drawing on a plate of the reference with the student's extras.
+    fn on(&self, table: &Table, plate: &Plate<'_, Table>) -> Figure {
+        let layout = plate.picture.view;
+        let listed = &self.differences[..self.differences.len().min(LISTED)];
+        let mut sheet = Sheet { plate, layout, crowd: plate.crowd.clone(), notes: Notes::default(), out: Vec::new() };
+        let look = look(table, layout, &self.differences, plate);
+        sheet.block_middles();
+        for difference in &self.differences {
+            sheet.draw(difference);
+        }
+        let arrows = std::mem::take(&mut sheet.out);
+        for (i, difference) in listed.iter().enumerate() {
+            sheet.badge(i + 1, difference);
+        }
+        let mut nodes = plate.nodes(layout, &look, Vec::new());
+        nodes.extend(arrows);
+        nodes.append(&mut sheet.out);
+        let mut scene = plate.picture.scene(nodes);
+        let left = scene.size.x + 14.0;
+        let height = self.list(left, &mut scene.nodes);
+        scene.size = xy(scene.size.x + COLUMN, scene.size.y.max(height));
+        let options = plate.picture.options;
+        scene.css.push_str(&pointer_style::css(&options.style, &scene.prefix));
+        scene.css.push_str(&diff_style::css(&options.style, &scene.prefix));
+        scene.attributes.retain(|(name, _)| *name != "data-figure");
+        scene.attributes.insert(0, ("data-figure", "difference".to_owned()));
+        scene.description = self.text();
+        Figure { scene, detail: plate.picture.detail, notes: sheet.notes.0 }
+    }
+
+    /// The sentences and the legend; returns how far down they reach.
+    fn list(&self, left: f64, nodes: &mut Vec<Node>) -> f64 {
+        let mut column = Column { left, y: 34.0, nodes: Vec::new() };
+        let count = self.differences.len();
+        let heading = if count == 0 { self.verdict() } else { counted(count, "difference", "differences") };
+        let agreed = if self.agreed.is_empty() { String::new() } else { format!(", {}", self.agreed) };
+        column.line("ct", 0.0, SIZE + 1.5, format!("{heading}{agreed}"));
+        column.y += 10.0;
+        for (i, difference) in self.differences.iter().take(LISTED).enumerate() {
+            let centre = xy(left + BADGE, column.y);
+            column.nodes.extend(badge(centre, i + 1, colour(&difference.spot)));
+            for words in lines(&difference.text) {
+                column.line("cs", 2.0 * BADGE + 10.0, SIZE, words);
+            }
+            column.y += 8.0;
+        }
+        if count > LISTED {
+            column.line("cs", 2.0 * BADGE + 10.0, SIZE, format!("and {} more", count - LISTED));
+        }
+        column.y += 10.0;
+        for (class, words) in [("agree", "agrees"), ("miss", "in the reference only"), ("extra", "in yours only")] {
+            let (from, to) = (xy(left, column.y), xy(left + 44.0, column.y));
+            column.nodes.push(marked(class, vec![Node::Line { class: "dl", from, to }]));
+            column.line("cs", 56.0, SIZE, words.to_owned());
+            column.y += 4.0;
+        }
+        let bottom = column.y + 10.0;
+        nodes.push(Node::Group(Group { class: "list", nodes: column.nodes, ..Group::default() }));
+        bottom
+    }
+}
+
+/// Lines of text below each other.
+struct Column {
+    left: f64,
+    y: f64,
+    nodes: Vec<Node>,
+}
+
+impl Column {
+    fn line(&mut self, class: &'static str, indent: f64, size: f64, text: String) {
+        self.nodes.push(Node::Text { class, at: xy(self.left + indent, self.y), size, text });
+        self.y += LINE;
+    }
+}
+
+/// A sentence in lines that fit into the column.
+fn lines(sentence: &str) -> Vec<String> {
+    let mut out: Vec<String> = Vec::new();
+    for word in text::clean(sentence).split_whitespace() {
+        match out.last_mut() {
+            Some(line) if text::width(&format!("{line} {word}"), SIZE, false) <= WORDS => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => out.push(word.to_owned()),
+        }
+    }
+    out
+}
+
+/// The layout: the reference, with points and lines of the student's that it does not have.
+fn with_extras(table: &Table, differences: &[Difference]) -> Table {
+    let mut out = table.clone();
+    let vertex = |out: &mut Table, p: Point| {
+        out.vertices.push(Some(VertexRow { position: Some([p.x, p.y]), outgoing: None }));
+        VertexId::new(out.vertices.len() as u32 - 1)
+    };
+    for difference in differences {
+        match difference.spot {
+            Spot::ExtraVertex(p) | Spot::Moved(_, p) => {
+                vertex(&mut out, p);
+            }
+            Spot::ExtraEdge([p, q]) => {
+                let first = HalfEdgeId::new(out.half_edges.len() as u32);
+                let second = HalfEdgeId::new(first.number() + 1);
+                for (p, twin) in [(p, second), (q, first)] {
+                    let origin = Some(vertex(&mut out, p));
+                    out.half_edges.push(Some(HalfEdgeRow { origin, twin: Some(twin), ..HalfEdgeRow::default() }));
+                }
+            }
+            _ => {}
+        }
+    }
+    out
+}
+
+/// Everything of the reference that agrees is dimmed; the extras and what is missing are hidden here.
+fn look(table: &Table, layout: &Table, differences: &[Difference], plate: &Plate<'_, Table>) -> Look {
+    let mut look = Look::default().rest(Mark::Dim);
+    (table.vertices.len()..layout.vertices.len()).for_each(|v| look.mark_vertex(VertexId::new(v as u32), Mark::Hidden));
+    let extra = table.half_edges.len()..layout.half_edges.len();
+    extra.for_each(|h| look.mark_half_edge(HalfEdgeId::new(h as u32), Mark::Hidden));
+    let place = |p: Point| plate.picture.fit.place(p);
+    for difference in differences {
+        match &difference.spot {
+            Spot::MissingEdge(ends) => {
+                let ends = ends.map(place);
+                let is_it = |h: &&HalfEdgeId| {
+                    let segment = plate.skeleton().segment(**h);
+                    segment.is_some_and(|(a, b)| [a, b] == ends || [b, a] == ends)
+                };
+                for &h in plate.skeleton().edges.iter().filter(is_it) {
+                    look.mark_half_edge(h, Mark::Hidden);
+                    layout.twin(h).into_iter().for_each(|t| look.mark_half_edge(t, Mark::Hidden));
+                }
+            }
+            Spot::Pointer { half_edge, .. } => look.mark_half_edge(*half_edge, Mark::Hot),
+            _ => {}
+        }
+    }
+    look
+}
+
+/// The marks over the drawing.
+struct Sheet<'a, 'p> {
+    plate: &'a Plate<'p, Table>,
+    layout: &'a Table,
+    crowd: Crowd,
+    notes: Notes,
+    out: Vec<Node>,
+}
+
+impl Sheet<'_, '_> {
+    fn place(&self, p: Point) -> Xy {
+        self.plate.picture.fit.place(p)
+    }
+
+    /// Badges keep clear of the middles of the shafts' labels only as far as the crowd knows them.
+    fn block_middles(&mut self) {
+        for label in self.plate.labels.faces.iter().flatten() {
+            self.crowd.add(Shape::Box(label.bounds()), u32::MAX);
+        }
+    }
+
+    fn draw(&mut self, difference: &Difference) {
+        match &difference.spot {
+            Spot::MissingVertex(p) => self.ring("miss", *p),
+            Spot::ExtraVertex(p) => self.disc(*p),
+            Spot::Moved(from, to) => {
+                let ends = [*from, *to].map(|p| self.place(p));
+                self.out.push(marked("extra", vec![Node::Line { class: "thread", from: ends[0], to: ends[1] }]));
+                self.ring("miss", *from);
+                self.disc(*to);
+            }
+            Spot::MissingEdge(ends) => self.line("miss", *ends),
+            Spot::ExtraEdge(ends) => self.line("extra", *ends),
+            Spot::Pointer { half_edge, pointer, found } => self.pointer(*half_edge, *pointer, *found),
+            Spot::Face(points) => {
+                let outline: Vec<Xy> = points.iter().map(|&p| self.place(p)).collect();
+                let steps = outline.iter().skip(1).chain(outline.first()).map(|&p| Step::Line(p)).collect();
+                if let Some(&start) = outline.first() {
+                    self.out.push(marked("miss", vec![Node::Curve { class: "outline", start, steps }]));
+                }
+            }
+            Spot::Nowhere => {}
+        }
+    }
+
+    fn ring(&mut self, mark: &'static str, p: Point) {
+        let centre = self.place(p);
+        self.crowd.add(Shape::Disc(centre, 11.0), u32::MAX);
+        self.out.push(marked(mark, vec![Node::Disc { class: "ring", centre, radius: 11.0 }]));
+    }
+
+    fn disc(&mut self, p: Point) {
+        let centre = self.place(p);
+        self.crowd.add(Shape::Disc(centre, 5.5), u32::MAX);
+        self.out.push(marked("extra", vec![Node::Disc { class: "disc", centre, radius: 5.5 }]));
+    }
+
+    fn line(&mut self, mark: &'static str, ends: [Point; 2]) {
+        let [from, to] = ends.map(|p| self.place(p));
+        self.out.push(marked(mark, vec![Node::Line { class: "dl", from, to }]));
+    }
+
+    /// The arrow as it should be, and as it is.
+    fn pointer(&mut self, h: HalfEdgeId, slot: Slot, found: Option<Element>) {
+        let mut actual = self.layout.clone();
+        let mut set = |h: HalfEdgeId, of: &dyn Fn(&mut HalfEdgeRow)| {
+            actual.half_edges.get_mut(h.index()).and_then(Option::as_mut).into_iter().for_each(of);
+        };
+        let (mine, theirs) = match (slot, found) {
+            (Slot::Next, Some(Element::HalfEdge(to))) => {
+                set(h, &|row| row.next = Some(to));
+                (Some(Pointer::Next(h)), Some(Pointer::Next(h)))
+            }
+            (Slot::Prev, Some(Element::HalfEdge(from))) => {
+                set(from, &|row| row.next = Some(h));
+                (self.layout.prev(h).map(Pointer::Next), Some(Pointer::Next(from)))
+            }
+            (Slot::Twin, Some(Element::HalfEdge(to))) => {
+                set(h, &|row| row.twin = Some(to));
+                (Some(Pointer::Twin(h)), Some(Pointer::Twin(h)))
+            }
+            (Slot::Face, Some(Element::Face(to))) => {
+                set(h, &|row| row.face = Some(to));
+                (Some(Pointer::Face(h)), Some(Pointer::Face(h)))
+            }
+            (Slot::Next, _) => (Some(Pointer::Next(h)), None),
+            (Slot::Prev, _) => (self.layout.prev(h).map(Pointer::Next), None),
+            (Slot::Twin, _) => (Some(Pointer::Twin(h)), None),
+            (Slot::Face, _) => (Some(Pointer::Face(h)), None),
+            (Slot::Whole, _) => (None, None),
+        };
+        let layout = self.layout;
+        for (view, pointer, mark) in [(layout, mine, "miss"), (&actual, theirs, "extra")] {
+            let Some(pointer) = pointer else { continue };
+            let Some(tagged) = self.plate.arrow(view, pointer, 0.5, &mut self.crowd) else { continue };
+            tagged.arrow.shapes().into_iter().for_each(|shape| self.crowd.add(shape, u32::MAX));
+            self.out.push(marked(mark, tagged.arrow.nodes("pl", "ph").to_vec()));
+        }
+    }
+
+    /// The number of a sentence, at the nearest free place.
+    fn badge(&mut self, number: usize, difference: &Difference) {
+        let Some(anchor) = self.anchor(&difference.spot) else { return };
+        let size = self.plate.picture.fit.size;
+        let inside = Bounds { min: xy(3.0, 3.0), max: size - xy(3.0, 3.0) };
+        let steps = |n: i32| (-n..=n).map(|i| 5.0 * f64::from(i));
+        let mut places: Vec<Xy> = steps(9).flat_map(|x| steps(9).map(move |y| anchor + xy(x, y))).collect();
+        places.sort_by(|a, b| (*a - anchor).length().total_cmp(&(*b - anchor).length()));
+        let bounds = |at: Xy| Bounds::around(at, BADGE, BADGE);
+        let free = |at: &&Xy| inside.contains(&bounds(**at)) && self.crowd.blocker(&bounds(**at).grown(1.0)).is_none();
+        let at = places.iter().find(free).copied().unwrap_or(anchor);
+        self.crowd.add(Shape::Disc(at, BADGE), u32::MAX);
+        self.out.extend(badge(at, number, colour(&difference.spot)));
+    }
+
+    /// Where a badge should stand.
+    fn anchor(&self, spot: &Spot) -> Option<Xy> {
+        Some(match spot {
+            Spot::MissingVertex(p) | Spot::ExtraVertex(p) => self.place(*p),
+            Spot::Moved(_, to) => self.place(*to),
+            Spot::MissingEdge(ends) | Spot::ExtraEdge(ends) => {
+                let [a, b] = ends.map(|p| self.place(p));
+                (a + b) * 0.5
+            }
+            Spot::Pointer { half_edge, pointer, .. } => {
+                let shaft = self.plate.shafts.get(*half_edge).copied().flatten();
+                let segment = self.plate.skeleton().segment(*half_edge);
+                let at = match pointer {
+                    Slot::Next => shaft.map(|shaft| shaft.tip),
+                    Slot::Prev => shaft.map(|shaft| shaft.tail),
+                    _ => shaft.map(|shaft| shaft.middle),
+                };
+                at.or(segment.map(|(a, b)| (a + b) * 0.5))?
+            }
+            Spot::Face(points) => {
+                let sum = points.iter().fold(Xy::default(), |sum, &p| sum + self.place(p));
+                sum * (1.0 / points.len().max(1) as f64)
+            }
+            Spot::Nowhere => return None,
+        })
+    }
+}
+
+/// Blue for what is too much, red for the rest.
+fn colour(spot: &Spot) -> &'static str {
+    match spot {
+        Spot::ExtraVertex(_) | Spot::ExtraEdge(_) | Spot::Moved(..) => "extra",
+        _ => "miss",
+    }
+}
+
+fn badge(centre: Xy, number: usize, mark: &'static str) -> [Node; 1] {
+    let disc = Node::Disc { class: "badge", centre, radius: BADGE };
+    let size = if number < 10 { NUMBER } else { NUMBER - 1.5 };
+    [marked(mark, vec![disc, Node::Text { class: "bn", at: centre, size, text: number.to_string() }])]
+}
+
+fn marked(mark: &'static str, nodes: Vec<Node>) -> Node {
+    Node::Group(Group { class: "diff", mark, nodes, ..Group::default() })
+}

@@ -1,0 +1,138 @@
+//! Lists of numbers in attributes: `points`, path data, `transform`, `viewBox`.
+//!
+//! ```text
+//!   12.5,-3e2 .5.5-1      five numbers: commas and blanks may be left out where a new number is plain to see
+//! ```
+
+/// Reads through the text of an attribute.
+pub(super) struct Reader<'a> {
+    text: &'a str,
+    at: usize,
+}
+
+impl<'a> Reader<'a> {
+    pub(super) fn new(text: &'a str) -> Self {
+        Self { text, at: 0 }
+    }
+
+    fn peek(&self) -> Option<u8> {
+        self.text.as_bytes().get(self.at).copied()
+    }
+
+    /// Skips blanks, and commas between numbers.
+    pub(super) fn skip_separators(&mut self) {
+        while self.peek().is_some_and(|b| b.is_ascii_whitespace() || b == b',') {
+            self.at += 1;
+        }
+    }
+
+    pub(super) fn at_end(&mut self) -> bool {
+        self.skip_separators();
+        self.at >= self.text.len()
+    }
+
+    /// What is still to be read.
+    pub(super) fn rest(&self) -> &'a str {
+        self.text.get(self.at..).unwrap_or("")
+    }
+
+    /// The next letter, if a letter is next.
+    pub(super) fn letter(&mut self) -> Option<u8> {
+        self.skip_separators();
+        let letter = self.peek().filter(u8::is_ascii_alphabetic)?;
+        self.at += 1;
+        Some(letter)
+    }
+
+    /// The next letters, digits and hyphens.
+    pub(super) fn word(&mut self) -> &'a str {
+        self.skip_separators();
+        let rest = self.rest();
+        let end = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '-').unwrap_or(rest.len());
+        self.at += end;
+        &rest[..end]
+    }
+
+    /// The sign, if it is next.
+    pub(super) fn sign(&mut self, sign: u8) -> Option<()> {
+        self.skip_separators();
+        (self.peek() == Some(sign)).then(|| self.at += 1)
+    }
+
+    /// A flag of an arc: one digit, after which nothing need follow.
+    pub(super) fn flag(&mut self) -> Option<()> {
+        self.skip_separators();
+        self.peek().filter(|b| matches!(b, b'0' | b'1'))?;
+        self.at += 1;
+        Some(())
+    }
+
+    /// The next number.
+    pub(super) fn number(&mut self) -> Option<f64> {
+        self.skip_separators();
+        let bytes = self.text.as_bytes();
+        let digits = |mut i: usize| {
+            while bytes.get(i).is_some_and(u8::is_ascii_digit) {
+                i += 1;
+            }
+            i
+        };
+        let start = self.at + usize::from(matches!(self.peek(), Some(b'+' | b'-')));
+        let mut end = digits(start);
+        let mut count = end - start;
+        if bytes.get(end) == Some(&b'.') {
+            let fraction = digits(end + 1);
+            count += fraction - end - 1;
+            end = fraction;
+        }
+        if count == 0 {
+            return None;
+        }
+        if matches!(bytes.get(end), Some(b'e' | b'E')) {
+            let power = end + 1 + usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
+            if digits(power) > power {
+                end = digits(power);
+            }
+        }
+        let value = self.text[self.at..end].parse().ok()?;
+        self.at = end;
+        Some(value)
+    }
+
+    /// Two numbers.
+    pub(super) fn pair(&mut self) -> Option<[f64; 2]> {
+        Some([self.number()?, self.number()?])
+    }
+}
+
+/// All numbers of a list; `None` if there is anything else in it.
+pub(super) fn list(text: &str) -> Option<Vec<f64>> {
+    let mut reader = Reader::new(text);
+    let mut out = Vec::new();
+    while !reader.at_end() {
+        out.push(reader.number()?);
+    }
+    Some(out)
+}
+
+/// A length in px: a number, with or without the unit.
+pub(super) fn length(text: &str) -> Option<f64> {
+    let text = text.trim();
+    let mut reader = Reader::new(text.strip_suffix("px").unwrap_or(text));
+    let value = reader.number()?;
+    reader.at_end().then_some(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_may_stand_without_separators() {
+        assert_eq!(list("12.5,-3e2 .5.5-1"), Some(vec![12.5, -300.0, 0.5, 0.5, -1.0]));
+        assert_eq!(list("1 2e 3"), None, "an exponent without digits");
+        assert_eq!(list(". 1"), None);
+        assert_eq!(length(" 12px "), Some(12.0));
+        assert_eq!(length("12em"), None);
+    }
+}

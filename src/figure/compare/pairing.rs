@@ -1,0 +1,130 @@
+//! Which point is which: by place, within a tolerance.
+//!
+//! ```text
+//!   expected  ● ● ●   ●         each found point takes the expected point at its place;
+//!   found     × × ×  ×          of what is left, nearest neighbours are pairs that have moved
+//! ```
+
+use crate::plane::Point;
+use std::collections::BTreeMap;
+
+/// Pairs that have moved are looked for among at most this many points.
+const LEFT: usize = 300;
+/// How far a vertex may have moved, as a part of the whole.
+const STRAYED: f64 = 0.15;
+
+/// Points in buckets of a size, to be found by place.
+pub(super) struct Places {
+    size: f64,
+    buckets: BTreeMap<(i64, i64), Vec<u32>>,
+    points: Vec<Point>,
+}
+
+impl Places {
+    /// No points yet; questions reach at most `size` far.
+    pub(super) fn new(size: f64) -> Self {
+        Self { size: if size > 0.0 { size } else { 1.0 }, buckets: BTreeMap::new(), points: Vec::new() }
+    }
+
+    /// All these points, numbered as they come.
+    pub(super) fn of(points: &[Point], size: f64) -> Self {
+        let mut out = Self::new(size);
+        for &p in points {
+            out.add(p);
+        }
+        out
+    }
+
+    fn bucket(&self, x: f64) -> i64 {
+        (x / self.size).floor() as i64
+    }
+
+    /// Adds a point and returns its number: they count from 0.
+    pub(super) fn add(&mut self, p: Point) -> u32 {
+        let number = self.points.len() as u32;
+        let key = (self.bucket(p.x), self.bucket(p.y));
+        self.buckets.entry(key).or_default().push(number);
+        self.points.push(p);
+        number
+    }
+
+    /// The nearest point within `reach`, which is at most the size.
+    pub(super) fn near(&self, p: Point, reach: f64) -> Option<u32> {
+        let mut best: Option<(f64, u32)> = None;
+        for i in self.bucket(p.x - reach)..=self.bucket(p.x + reach) {
+            for j in self.bucket(p.y - reach)..=self.bucket(p.y + reach) {
+                for &number in self.buckets.get(&(i, j)).into_iter().flatten() {
+                    let d = distance(self.points[number as usize], p);
+                    if d <= reach && best.is_none_or(|(other, _)| d < other) {
+                        best = Some((d, number));
+                    }
+                }
+            }
+        }
+        best.map(|(_, number)| number)
+    }
+
+    /// The point within `reach`, or a new one.
+    pub(super) fn near_or_add(&mut self, p: Point, reach: f64) -> u32 {
+        self.near(p, reach).unwrap_or_else(|| self.add(p))
+    }
+
+    pub(super) fn points(&self) -> &[Point] {
+        &self.points
+    }
+}
+
+pub(super) fn distance(a: Point, b: Point) -> f64 {
+    let (x, y) = (a.x - b.x, a.y - b.y);
+    (x * x + y * y).sqrt()
+}
+
+/// The longer side of the box round all points.
+pub(super) fn span(points: &[Point]) -> f64 {
+    let side = |of: fn(&Point) -> f64| {
+        let ends = points.iter().map(of).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+        (ends.1 - ends.0).max(0.0)
+    };
+    side(|p| p.x).max(side(|p| p.y))
+}
+
+/// Pairs of points that are left over on both sides and nearest to each other, by position in the two lists.
+/// `span` is the size of the whole.
+pub(super) fn strays(expected: &[Point], found: &[Point], span: f64) -> Vec<(usize, usize)> {
+    if expected.len().max(found.len()) > LEFT {
+        return Vec::new();
+    }
+    let nearest = |p: Point, among: &[Point]| {
+        let by_distance = |a: &usize, b: &usize| distance(p, among[*a]).total_cmp(&distance(p, among[*b]));
+        (0..among.len()).min_by(by_distance)
+    };
+    let pairs = expected.iter().enumerate().filter_map(|(i, &p)| {
+        let j = nearest(p, found)?;
+        let mutual = nearest(found[j], expected) == Some(i) && distance(p, found[j]) <= STRAYED * span;
+        mutual.then_some((i, j))
+    });
+    pairs.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_are_found_across_the_borders_of_buckets() {
+        let mut places = Places::new(1.0);
+        places.add(Point::new(0.99, 5.0));
+        places.add(Point::new(-0.01, -0.01));
+        assert_eq!(places.near(Point::new(1.01, 5.0), 0.03), Some(0));
+        assert_eq!(places.near(Point::new(0.0, 0.0), 0.02), Some(1));
+        assert_eq!(places.near(Point::new(0.0, 0.0), 0.01), None);
+        assert_eq!(places.near_or_add(Point::new(0.98, 5.01), 0.05), 0);
+    }
+
+    #[test]
+    fn only_mutual_neighbours_have_moved() {
+        let p = |x: f64| Point::new(x, 0.0);
+        assert_eq!(strays(&[p(0.0), p(10.0)], &[p(1.0)], 100.0), [(0, 0)]);
+        assert_eq!(strays(&[p(0.0)], &[p(50.0)], 100.0), [], "too far");
+    }
+}

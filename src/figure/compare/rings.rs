@@ -1,0 +1,109 @@
+//! Closed outlines as cyclic sequences of points, in a form in which equal ones are equal.
+//!
+//! ```text
+//!   c a b        the smallest rotation: a b c       there and back again is nothing: a b x b c = a b c
+//! ```
+
+use crate::plane::Point;
+
+/// The sequence without steps on the spot and without spurs. O(n).
+pub(super) fn tidy(ring: &[u32]) -> Vec<u32> {
+    let mut out: Vec<u32> = Vec::with_capacity(ring.len());
+    for &v in ring {
+        push(&mut out, v);
+    }
+    // The seam: what the end does to the start.
+    let mut start = 0;
+    while out.len() - start > 1 {
+        let last = out.len() - 1;
+        if out[last] == out[start] {
+            out.pop();
+        } else if out.len() - start > 2 && out[last - 1] == out[start] {
+            out.truncate(last - 1);
+        } else if out.len() - start > 2 && out[last] == out[start + 1] {
+            // A spur at the start itself.
+            start += 1;
+            out.pop();
+        } else {
+            break;
+        }
+    }
+    out.split_off(start)
+}
+
+fn push(out: &mut Vec<u32>, v: u32) {
+    match out[..] {
+        [.., last] if last == v => {}
+        [.., before, _] if before == v => drop(out.pop()),
+        _ => out.push(v),
+    }
+}
+
+/// The smallest rotation. O(n) (Booth 1980, with two candidates).
+pub(super) fn canonical(ring: &[u32]) -> Vec<u32> {
+    let n = ring.len();
+    let (mut i, mut j, mut length) = (0, 1, 0);
+    while i < n && j < n && length < n {
+        let (a, b) = (ring[(i + length) % n], ring[(j + length) % n]);
+        if a == b {
+            length += 1;
+            continue;
+        }
+        if a > b {
+            i += length + 1;
+        } else {
+            j += length + 1;
+        }
+        if i == j {
+            j += 1;
+        }
+        length = 0;
+    }
+    let start = i.min(j);
+    ring[start..].iter().chain(&ring[..start]).copied().collect()
+}
+
+/// The same outline the other way round.
+pub(super) fn reversed(ring: &[u32]) -> Vec<u32> {
+    canonical(&ring.iter().rev().copied().collect::<Vec<_>>())
+}
+
+/// Twice the signed area, positive if the outline runs counter-clockwise with y up.
+pub(super) fn area(points: impl Iterator<Item = Point> + Clone) -> f64 {
+    let Some(base) = points.clone().next() else { return 0.0 };
+    let ahead = points.clone().skip(1);
+    let cross = |(p, q): (Point, Point)| (p.x - base.x) * (q.y - base.y) - (p.y - base.y) * (q.x - base.x);
+    points.zip(ahead).map(cross).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spurs_and_steps_on_the_spot_go_wherever_the_outline_starts() {
+        let with_spur = [1, 2, 2, 9, 8, 9, 2, 3];
+        for turn in 0..with_spur.len() {
+            let mut ring = with_spur.to_vec();
+            ring.rotate_left(turn);
+            assert_eq!(canonical(&tidy(&ring)), [1, 2, 3], "{ring:?}");
+        }
+        assert!(tidy(&[1, 2, 1, 2]).len() < 3);
+        assert!(tidy(&[1, 1, 1]).len() < 3);
+        assert!(tidy(&[]).is_empty());
+    }
+
+    #[test]
+    fn the_smallest_rotation_is_that_of_brute_force() {
+        let rings = [vec![2, 1, 2, 1, 1], vec![1, 1, 1], vec![3, 1, 2], vec![1, 2, 1, 2, 1, 3], vec![5]];
+        for ring in rings {
+            let all = (0..ring.len()).map(|i| {
+                let mut turned = ring.clone();
+                turned.rotate_left(i);
+                turned
+            });
+            assert_eq!(canonical(&ring), all.min().unwrap(), "{ring:?}");
+        }
+        assert!(canonical(&[]).is_empty());
+    }
+}

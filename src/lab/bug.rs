@@ -1,0 +1,114 @@
+//! The bugs of a lab's zoo: wrong solutions with a name, each a small change of the right one.
+//!
+//! ```toml
+//!   number = 12                                              [[edit]]
+//!   title = "the new face does not know a half-edge"         find = "self.faces[new_face].incident_half_edge = Some(there);"
+//!   task = 5                                                 replace = ""
+//!   section = "Splitting a face"
+//!   same_as = [13]        the bugs that fail in the same way, whatever is tried
+//! ```
+
+use super::toml_file::{ManifestError, TomlFile};
+use serde::Deserialize;
+use toml::Spanned;
+
+/// A wrong solution, and what is wrong with it.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Bug {
+    /// Its number, that of its file.
+    pub number: u32,
+    /// What the student reads: the rest of the sentence "This looks as if …".
+    pub title: String,
+    /// The task that it belongs to.
+    pub task: u32,
+    /// The section of the handout that explains it.
+    pub section: String,
+    /// The numbers of the bugs that cannot be told from it.
+    pub same_as: Vec<u32>,
+    /// What makes it of the solution, in order; at least one.
+    pub edits: Vec<Edit>,
+}
+
+/// A replacement in the solution.
+#[derive(Clone, PartialEq, Eq, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Edit {
+    /// What is replaced. It stands in the text exactly once.
+    pub find: String,
+    /// What it is replaced by.
+    pub replace: String,
+}
+
+/// Why a bug does not fit the solution.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum BugError {
+    /// The text to replace is not there, or more than once.
+    #[error("bug {number}: {find:?} stands {times} times in the solution; it must be there exactly once")]
+    NotOnce {
+        /// The bug.
+        number: u32,
+        /// The text.
+        find: String,
+        /// How often it is there.
+        times: usize,
+    },
+    /// A replacement changes nothing.
+    #[error("bug {number}: {find:?} is replaced by itself")]
+    NoChange {
+        /// The bug.
+        number: u32,
+        /// The text.
+        find: String,
+    },
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    number: u32,
+    title: String,
+    task: u32,
+    section: String,
+    same_as: Option<Spanned<Vec<u32>>>,
+    edit: Spanned<Vec<Edit>>,
+}
+
+impl Bug {
+    /// Reads a bug; `source` is the name of the file in messages. Cost: linear.
+    ///
+    /// # Errors
+    /// [`ManifestError`] with line and column.
+    pub fn parse(text: &str, source: &str) -> Result<Self, ManifestError> {
+        let toml = TomlFile { text, source };
+        let File { number, title, task, section, same_as, edit } = toml.read()?;
+        if edit.get_ref().is_empty() {
+            return Err(toml.error(edit.span().start, "a bug without an edit is the solution; add an [[edit]]"));
+        }
+        if let Some(same_as) = same_as.as_ref().filter(|list| list.get_ref().contains(&number)) {
+            return Err(toml.error(same_as.span().start, "a bug is the same as itself; name the other one"));
+        }
+        let same_as = same_as.map_or_else(Vec::new, Spanned::into_inner);
+        Ok(Self { number, title, task, section, same_as, edits: edit.into_inner() })
+    }
+
+    /// The wrong solution. Cost: linear for each edit.
+    ///
+    /// # Errors
+    /// [`BugError`] if an edit does not find its text exactly once, or changes nothing.
+    pub fn apply(&self, solution: &str) -> Result<String, BugError> {
+        let mut text = solution.to_owned();
+        for Edit { find, replace } in &self.edits {
+            let (number, find) = (self.number, find.clone());
+            if &find == replace {
+                return Err(BugError::NoChange { number, find });
+            }
+            let times = text.matches(&find).count();
+            if times != 1 {
+                return Err(BugError::NotOnce { number, find, times });
+            }
+            text = text.replacen(&find, replace, 1);
+        }
+        Ok(text)
+    }
+}

@@ -1,0 +1,209 @@
+//! The pointers of a structure that differ from those expected, up to the numbers of the new elements.
+//!
+//! ```text
+//!   expected           yours                 every way to pair the new ones is tried, and the one that leaves
+//!   h12, h13 new       h12, h13 new          the fewest differences speaks: h5.next = h4, expected h13
+//! ```
+//!
+//! Cost: O(n) for each pairing; there are at most two ways for a split of a face, and four for one of an edge.
+
+use super::spec::New;
+use crate::topology::{HalfEdgeRow, Table, VertexRow, View};
+use crate::{Element, FaceId, HalfEdgeId, VertexId};
+use std::fmt;
+
+/// A pointer of a record, or another of its fields.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Field {
+    /// Where a half-edge starts.
+    Origin,
+    /// The other half.
+    Twin,
+    /// The half-edge after it.
+    Next,
+    /// The half-edge before it.
+    Prev,
+    /// The face on its left.
+    Face,
+    /// A half-edge that starts at a vertex.
+    Outgoing,
+    /// Where a vertex is.
+    Position,
+    /// A half-edge of a face.
+    Boundary,
+    /// Which face is the outer one.
+    OuterFace,
+}
+
+impl Field {
+    /// Its name in the protocol.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Origin => "origin",
+            Self::Twin => "twin",
+            Self::Next => "next",
+            Self::Prev => "prev",
+            Self::Face => "face",
+            Self::Outgoing => "outgoing",
+            Self::Position => "position",
+            Self::Boundary => "boundary",
+            Self::OuterFace => "outer_face",
+        }
+    }
+}
+
+/// A field that is not as it should be. Elements are named as in the student's structure.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Difference {
+    /// Whose field; `None` for the outer face of the whole.
+    pub owner: Option<Element>,
+    /// Which one.
+    pub field: Field,
+    /// What stands there.
+    pub found: Content,
+    /// What should stand there; for representatives one of those that would do.
+    pub expected: Content,
+}
+
+/// What stands in a field.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Content {
+    /// Nothing.
+    Unset,
+    /// An element.
+    To(Element),
+    /// A place.
+    At([f64; 2]),
+}
+
+impl Content {
+    fn to<I: Into<Element>>(id: Option<I>) -> Self {
+        id.map_or(Self::Unset, |id| Self::To(id.into()))
+    }
+
+    fn at(position: Option<[f64; 2]>) -> Self {
+        position.map_or(Self::Unset, Self::At)
+    }
+}
+
+impl fmt::Display for Content {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unset => f.write_str("unset"),
+            Self::To(element) => element.fmt(f),
+            Self::At([x, y]) => write!(f, "({x}, {y})"),
+        }
+    }
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let owner = self.owner.map_or_else(String::new, |owner| format!("{owner}."));
+        write!(f, "{owner}{} is {}, expected {}", self.field.word(), self.found, self.expected)
+    }
+}
+
+/// An expected structure in the numbers of the student's.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Aligned {
+    /// What the structure should be.
+    pub expected: Table,
+    /// The new elements, in the order of the specification.
+    pub new: New,
+    /// The fields that differ; empty if all is right.
+    pub differences: Vec<Difference>,
+}
+
+/// Compares a structure with what is expected, in the numbering of the new elements that fits best.
+///
+/// `yours` must have as many elements of each kind as `expected`. Representatives are right if they name any
+/// half-edge that may stand for the vertex or face.
+#[must_use]
+pub fn align(expected: &Table, new: &New, yours: &Table) -> Aligned {
+    let mut best: Option<Aligned> = None;
+    let mut orders = vec![new.half_edges.clone()];
+    if let [a, b] = new.half_edges[..] {
+        orders.push(vec![b, a]);
+    }
+    for order in orders {
+        let renamed = rename(expected, &new.half_edges, &order);
+        let differences = differences(&renamed, yours);
+        if best.as_ref().is_none_or(|best| differences.len() < best.differences.len()) {
+            let new = New { half_edges: order, ..new.clone() };
+            best = Some(Aligned { expected: renamed, new, differences });
+        }
+    }
+    best.unwrap_or_else(|| Aligned { expected: expected.clone(), new: new.clone(), differences: Vec::new() })
+}
+
+/// The table in which each of `from` is called by its partner in `to`, a permutation of the same numbers.
+fn rename(table: &Table, from: &[HalfEdgeId], to: &[HalfEdgeId]) -> Table {
+    let name = |h: HalfEdgeId| from.iter().position(|&f| f == h).map_or(h, |i| to[i]);
+    let pointer = |h: Option<HalfEdgeId>| h.map(name);
+    let mut out = table.clone();
+    for (i, row) in table.half_edges.iter().enumerate() {
+        let row = row.map(|row| HalfEdgeRow {
+            twin: pointer(row.twin),
+            next: pointer(row.next),
+            prev: pointer(row.prev),
+            ..row
+        });
+        out.half_edges[name(HalfEdgeId::new(i as u32)).index()] = row;
+    }
+    for row in out.vertices.iter_mut().flatten() {
+        row.outgoing = pointer(row.outgoing);
+    }
+    for row in out.faces.iter_mut().flatten() {
+        row.boundary = pointer(row.boundary);
+    }
+    out
+}
+
+/// The fields that differ between two tables with the same elements, half-edges first.
+#[must_use]
+pub fn differences(expected: &Table, yours: &Table) -> Vec<Difference> {
+    let mut out = Vec::new();
+    let mut add = |owner: Option<Element>, field, found: Content, expected: Content| {
+        if found != expected {
+            out.push(Difference { owner, field, found, expected });
+        }
+    };
+    for i in 0..expected.half_edges.len().max(yours.half_edges.len()) {
+        let h = HalfEdgeId::new(i as u32);
+        let [e, y] = [expected, yours].map(|table| half_edge_row(table, h));
+        let owner = Some(h.into());
+        add(owner, Field::Origin, Content::to(y.origin), Content::to(e.origin));
+        add(owner, Field::Twin, Content::to(y.twin), Content::to(e.twin));
+        add(owner, Field::Next, Content::to(y.next), Content::to(e.next));
+        add(owner, Field::Prev, Content::to(y.prev), Content::to(e.prev));
+        add(owner, Field::Face, Content::to(y.face), Content::to(e.face));
+    }
+    for i in 0..expected.vertices.len().max(yours.vertices.len()) {
+        let v = VertexId::new(i as u32);
+        let [e, y] = [expected, yours].map(|table| vertex_row(table, v));
+        add(Some(v.into()), Field::Position, Content::at(y.position), Content::at(e.position));
+        let stands_for = |h: HalfEdgeId| expected.origin(h) == Some(v);
+        if !y.outgoing.map_or(e.outgoing.is_none(), stands_for) {
+            add(Some(v.into()), Field::Outgoing, Content::to(y.outgoing), Content::to(e.outgoing));
+        }
+    }
+    for i in 0..expected.faces.len().max(yours.faces.len()) {
+        let f = FaceId::new(i as u32);
+        let [e, y] = [expected, yours].map(|table| table.boundary(f));
+        let stands_for = |h: HalfEdgeId| expected.face(h) == Some(f);
+        if !y.map_or(e.is_none(), stands_for) {
+            add(Some(f.into()), Field::Boundary, Content::to(y), Content::to(e));
+        }
+    }
+    add(None, Field::OuterFace, Content::to(yours.outer_face), Content::to(expected.outer_face));
+    out
+}
+
+fn half_edge_row(table: &Table, h: HalfEdgeId) -> HalfEdgeRow {
+    table.half_edges.get(h.index()).copied().flatten().unwrap_or_default()
+}
+
+fn vertex_row(table: &Table, v: VertexId) -> VertexRow {
+    table.vertices.get(v.index()).copied().flatten().unwrap_or_default()
+}

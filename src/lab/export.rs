@@ -1,0 +1,159 @@
+//! Archives to hand out: a student's folder, and an autograder for Gradescope.
+//!
+//! ```text
+//!   autograder.zip
+//!     setup.sh         once, with the network: a Rust toolchain, then the kit
+//!     run_autograder   for each submission: dcel grade … --report gradescope=…
+//!     kit/             the sources of the kit, if it comes from a checkout
+//! ```
+//!
+//! The bytes of an archive depend on its files alone: entries by name, all with one fixed date.
+
+use super::student::Kit;
+use std::collections::BTreeMap;
+use std::io::{self, Cursor, Write};
+use std::path::Path;
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipWriter};
+
+/// Folders and files of a checkout that its programs are not made from.
+const LEFT_OUT: [&str; 3] = ["target", "benches", "data"];
+
+/// What the autograder runs first, with the network.
+const SETUP: &str = "\
+#!/usr/bin/env bash
+# Runs once, when the autograder is built: a Rust toolchain, then the kit.
+set -euo pipefail
+apt-get update
+apt-get install -y --no-install-recommends build-essential ca-certificates curl git util-linux
+export RUSTUP_HOME=/opt/rustup CARGO_HOME=/opt/cargo
+curl --proto '=https' --tlsv1.2 -sSf https://sh.rustup.rs | sh -s -- -y --profile minimal --no-modify-path
+export PATH=/opt/cargo/bin:$PATH
+cargo install --locked --root /opt/dcel INSTALL
+chmod -R a+rX /opt/rustup /opt/cargo /opt/dcel
+# A submission is built without the network: see now that this works.
+dcel() { /opt/dcel/bin/dcel \"$@\"; }
+dcel lab list LAB
+";
+
+/// What it runs for each submission.
+const RUN: &str = "\
+#!/usr/bin/env bash
+# Grades /autograder/submission. Whatever happens, there is a results.json afterwards.
+export RUSTUP_HOME=/opt/rustup CARGO_HOME=/opt/cargo PATH=/opt/dcel/bin:/opt/cargo/bin:$PATH
+results=/autograder/results/results.json
+mkdir -p /autograder/results
+rm -f \"$results\"
+dcel grade LAB /autograder/submission --report gradescope=\"$results\" || true
+if [ ! -s \"$results\" ]; then
+    printf '{\"score\": 0, \"output\": \"The grader failed; this is not your fault. Tell your instructor.\"}\\n' > \"$results\"
+fi
+";
+
+/// A file of an archive.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Packed {
+    /// Its bytes.
+    pub bytes: Vec<u8>,
+    /// Whether it is a program.
+    pub executable: bool,
+}
+
+impl From<String> for Packed {
+    fn from(text: String) -> Self {
+        Self { bytes: text.into_bytes(), executable: false }
+    }
+}
+
+/// The files of an autograder for Gradescope.
+///
+/// # Errors
+/// A checkout of the kit that cannot be read.
+pub fn gradescope_files(lab: &str, kit: &Kit) -> io::Result<BTreeMap<String, Packed>> {
+    let mut files = BTreeMap::new();
+    let source = match kit {
+        Kit::Path(checkout) => {
+            sources(checkout, "kit", &mut files)?;
+            "--path /autograder/source/kit".to_owned()
+        }
+        Kit::Git(url) => format!("--git {} dcel-kit", shell_word(url)),
+        Kit::Version(version) => format!("--version {} dcel-kit", shell_word(version)),
+    };
+    let program = |text: &str| Packed {
+        bytes: text.replace("INSTALL", &source).replace("LAB", lab).into_bytes(),
+        executable: true,
+    };
+    files.insert("setup.sh".to_owned(), program(SETUP));
+    files.insert("run_autograder".to_owned(), program(RUN));
+    Ok(files)
+}
+
+/// One zip archive of the files.
+///
+/// # Errors
+/// More than a zip archive can hold.
+pub fn zipped(files: &BTreeMap<String, Packed>) -> io::Result<Vec<u8>> {
+    let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+    for (path, file) in files {
+        let options = SimpleFileOptions::default()
+            .compression_method(CompressionMethod::Deflated)
+            .last_modified_time(zip::DateTime::default())
+            .unix_permissions(if file.executable { 0o755 } else { 0o644 });
+        archive.start_file(path, options)?;
+        archive.write_all(&file.bytes)?;
+    }
+    Ok(archive.finish()?.into_inner())
+}
+
+/// The files of a checkout from which its programs are built.
+fn sources(dir: &Path, prefix: &str, files: &mut BTreeMap<String, Packed>) -> io::Result<()> {
+    for entry in std::fs::read_dir(dir)? {
+        let entry = entry?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if name.starts_with('.') || LEFT_OUT.contains(&name.as_str()) {
+            continue;
+        }
+        let path = format!("{prefix}/{name}");
+        if entry.file_type()?.is_dir() {
+            sources(&entry.path(), &path, files)?;
+        } else {
+            files.insert(path, Packed { bytes: std::fs::read(entry.path())?, executable: false });
+        }
+    }
+    Ok(())
+}
+
+/// The text as one word of a shell.
+fn shell_word(text: &str) -> String {
+    format!("'{}'", text.replace('\'', "'\\''"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::Read;
+
+    #[test]
+    fn an_archive_holds_its_files_and_always_has_the_same_bytes() {
+        let files = gradescope_files("04-half-edge", &Kit::Version("0'1".to_owned())).unwrap();
+        let bytes = zipped(&files).unwrap();
+        assert_eq!(bytes, zipped(&files).unwrap());
+        let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).unwrap();
+        let names: Vec<_> = archive.file_names().map(|name| name.unwrap().into_owned()).collect();
+        assert_eq!(names, ["run_autograder", "setup.sh"]);
+        let mut setup = archive.by_name("setup.sh").unwrap();
+        assert_eq!(setup.unix_mode().map(|mode| mode & 0o777), Some(0o755));
+        let mut text = String::new();
+        setup.read_to_string(&mut text).unwrap();
+        assert!(text.contains("--root /opt/dcel --version '0'\\''1' dcel-kit\n"), "{text}");
+    }
+
+    #[test]
+    fn the_sources_of_the_kit_are_those_it_is_built_from() {
+        let files = gradescope_files("04-half-edge", &Kit::Path(env!("CARGO_MANIFEST_DIR").into())).unwrap();
+        for needed in ["Cargo.toml", "Cargo.lock", "src/lib.rs", "tests/support/build.rs", "figures/cube.svg"] {
+            assert!(files.contains_key(&format!("kit/{needed}")), "{needed}");
+        }
+        assert!(files.keys().all(|path| !path.contains("/target/") && !path.contains("/.git")));
+    }
+}

@@ -1,0 +1,248 @@
+//! The files of a lab, in memory: read from its folder, or from the archive that is compiled into the kit.
+//!
+//! ```text
+//!   labs/04-half-edge/README.md ─┐                       ┌─ dcel lab start, export
+//!                     src/lab.rs ┼─ LabFiles ─ archive ──┼─ dcel lab hint, verify
+//!     figures/ that it shows    ─┘                       └─ the graded tests of a student's folder
+//! ```
+//!
+//! An archive is a text: a line `lab NAME`, then for each file `file PATH LINES` and its lines. Published packages
+//! leave out folders that are packages themselves, and so the labs; the archive is how the program has them
+//! wherever it runs. Every file is UTF-8 text and ends with a line break; lines end as they do on unix.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// The labs that are compiled in.
+const BUNDLE: [&str; 1] = [include_str!("bundle/04-half-edge.txt")];
+/// Where a handout in the repository finds the figures of the kit.
+const FIGURES: &str = "../../figures/";
+
+/// The files of a lab by their paths, which have `/` between their parts.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct LabFiles {
+    name: String,
+    files: BTreeMap<String, String>,
+}
+
+/// Why the files of a lab cannot be had.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum LabFilesError {
+    /// No lab has that name, or several have names that begin so.
+    #[error("there is no lab `{name}`; there is {}", known.join(", "))]
+    Unknown {
+        /// What was asked for.
+        name: String,
+        /// The labs that there are.
+        known: Vec<String>,
+    },
+    /// A file or folder cannot be read.
+    #[error("{}: {error}", path.display())]
+    Unreadable {
+        /// Which.
+        path: PathBuf,
+        /// Why.
+        error: std::io::Error,
+    },
+    /// An archive that was changed by hand.
+    #[error("the archive of a lab is broken at line {line}; write it anew with `dcel lab bundle`")]
+    BrokenArchive {
+        /// The line, from 1.
+        line: usize,
+    },
+}
+
+impl LabFiles {
+    /// The names of the labs that are compiled in, in the order of their numbers.
+    #[must_use]
+    pub fn bundled_names() -> Vec<String> {
+        BUNDLE.iter().filter_map(|archive| archive.lines().next()?.strip_prefix("lab ").map(str::to_owned)).collect()
+    }
+
+    /// A lab that is compiled in, by its name, its number, or its name without the number: `04-half-edge`, `04`,
+    /// `4`, `half-edge`.
+    ///
+    /// # Errors
+    /// [`LabFilesError::Unknown`] with the names that there are.
+    pub fn bundled(name: &str) -> Result<Self, LabFilesError> {
+        let known = Self::bundled_names();
+        let archive = known.iter().position(|lab| is_called(lab, name)).and_then(|i| BUNDLE.get(i));
+        match archive {
+            Some(archive) => Self::from_archive(archive),
+            None => Err(LabFilesError::Unknown { name: name.to_owned(), known }),
+        }
+    }
+
+    /// Reads a lab's folder in the repository, with the figures that its handout shows; these become
+    /// `figures/NAME` of the lab. Hidden files and `target` are left out.
+    ///
+    /// # Errors
+    /// [`LabFilesError::Unreadable`] for what cannot be read or is no text.
+    pub fn read(folder: &Path) -> Result<Self, LabFilesError> {
+        let name = folder.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+        let mut files = BTreeMap::new();
+        collect(folder, "", &mut files)?;
+        let handout = files.get("README.md").map_or("", String::as_str);
+        let shown: Vec<String> = linked_figures(handout).map(str::to_owned).collect();
+        for figure in shown {
+            let text = text_of(&folder.join(FIGURES).join(&figure))?;
+            files.insert(format!("figures/{figure}"), text);
+        }
+        Ok(Self { name, files })
+    }
+
+    /// The name of the lab's folder.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The text of a file.
+    #[must_use]
+    pub fn get(&self, path: &str) -> Option<&str> {
+        self.files.get(path).map(String::as_str)
+    }
+
+    /// The files with their texts, by path.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.files.iter().map(|(path, text)| (path.as_str(), text.as_str()))
+    }
+
+    /// The handout with links to figures as they are in a folder of its own.
+    #[must_use]
+    pub fn handout(&self) -> String {
+        self.get("README.md").unwrap_or_default().replace(FIGURES, "figures/")
+    }
+
+    /// The lab as one text.
+    #[must_use]
+    pub fn to_archive(&self) -> String {
+        let mut out = format!("lab {}\n", self.name);
+        for (path, text) in &self.files {
+            let _ = writeln!(out, "file {path} {}", text.lines().count());
+            for line in text.lines() {
+                out.push_str(line);
+                out.push('\n');
+            }
+        }
+        out
+    }
+
+    /// The lab of an archive.
+    ///
+    /// # Errors
+    /// [`LabFilesError::BrokenArchive`] with the line.
+    pub fn from_archive(archive: &str) -> Result<Self, LabFilesError> {
+        let mut lines = archive.lines().enumerate();
+        let broken = |line| LabFilesError::BrokenArchive { line };
+        let (_, first) = lines.next().ok_or_else(|| broken(1))?;
+        let name = first.strip_prefix("lab ").ok_or_else(|| broken(1))?.to_owned();
+        let mut files = BTreeMap::new();
+        while let Some((i, head)) = lines.next() {
+            let (path, count) = head
+                .strip_prefix("file ")
+                .and_then(|rest| rest.rsplit_once(' '))
+                .and_then(|(path, count)| Some((path, count.parse::<usize>().ok()?)))
+                .ok_or_else(|| broken(i + 1))?;
+            let mut text = String::new();
+            for _ in 0..count {
+                let (_, line) = lines.next().ok_or_else(|| broken(i + 1))?;
+                text.push_str(line);
+                text.push('\n');
+            }
+            files.insert(path.to_owned(), text);
+        }
+        Ok(Self { name, files })
+    }
+}
+
+/// Whether `lab` is meant by `name`.
+fn is_called(lab: &str, name: &str) -> bool {
+    let (number, words) = lab.split_once('-').unwrap_or((lab, ""));
+    let numbers_agree = || matches!((name.parse::<u32>(), number.parse::<u32>()), (Ok(a), Ok(b)) if a == b);
+    lab == name || words == name || numbers_agree()
+}
+
+/// The names of the figures that a handout links to, each once.
+fn linked_figures(handout: &str) -> impl Iterator<Item = &str> {
+    let mut seen = std::collections::BTreeSet::new();
+    handout
+        .split(FIGURES)
+        .skip(1)
+        .map(|rest| &rest[..rest.find([')', '"', '#', ' ', '\n']).unwrap_or(rest.len())])
+        .filter(move |figure| !figure.is_empty() && seen.insert(*figure))
+}
+
+fn collect(folder: &Path, prefix: &str, files: &mut BTreeMap<String, String>) -> Result<(), LabFilesError> {
+    let unreadable = |error| LabFilesError::Unreadable { path: folder.to_owned(), error };
+    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
+        let entry = entry.map_err(unreadable)?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if name.starts_with('.') || name == "target" || name == "Cargo.lock" {
+            continue;
+        }
+        let path = format!("{prefix}{name}");
+        if entry.file_type().map_err(unreadable)?.is_dir() {
+            collect(&entry.path(), &format!("{path}/"), files)?;
+        } else {
+            files.insert(path, text_of(&entry.path())?);
+        }
+    }
+    Ok(())
+}
+
+/// The text with unix line ends and a line break at its end.
+fn text_of(path: &Path) -> Result<String, LabFilesError> {
+    let text =
+        std::fs::read_to_string(path).map_err(|error| LabFilesError::Unreadable { path: path.to_owned(), error })?;
+    Ok(text.lines().flat_map(|line| [line, "\n"]).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn small() -> LabFiles {
+        let files =
+            [("README.md", "See ![a](../../figures/a.svg) and\n[b](../../figures/b.svg#x).\n"), ("src/lab.rs", "")];
+        LabFiles {
+            name: "04-half-edge".to_owned(),
+            files: files.iter().map(|(path, text)| ((*path).to_owned(), (*text).to_owned())).collect(),
+        }
+    }
+
+    #[test]
+    fn an_archive_gives_the_files_back() {
+        let archive = small().to_archive();
+        assert_eq!(LabFiles::from_archive(&archive).unwrap(), small());
+        assert_eq!(LabFiles::from_archive(&archive.replace('\n', "\r\n")).unwrap(), small());
+    }
+
+    #[test]
+    fn a_broken_archive_is_refused_at_its_line() {
+        for (archive, line) in
+            [("", 1), ("lib x\n", 1), ("lab x\nfile a\n", 2), ("lab x\nfile a 1\nb\nfile c 2\nd\n", 4)]
+        {
+            let error = LabFiles::from_archive(archive).unwrap_err();
+            assert!(matches!(error, LabFilesError::BrokenArchive { line: at } if at == line), "{archive:?}: {error}");
+        }
+    }
+
+    #[test]
+    fn the_figures_of_a_handout_are_found_and_linked_anew() {
+        assert_eq!(linked_figures(small().get("README.md").unwrap()).collect::<Vec<_>>(), ["a.svg", "b.svg"]);
+        assert_eq!(small().handout(), "See ![a](figures/a.svg) and\n[b](figures/b.svg#x).\n");
+    }
+
+    #[test]
+    fn a_lab_is_known_by_its_name_its_number_and_its_words() {
+        for name in ["04-half-edge", "04", "4", "half-edge"] {
+            assert!(is_called("04-half-edge", name), "{name}");
+        }
+        for name in ["", "05", "half", "0x4", "-4", "edge"] {
+            assert!(!is_called("04-half-edge", name), "{name}");
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! Labs graded from outside: the student's program is run as a process of its own, and judged by what it prints.
+//!
+//! ```text
+//!   labs/NN-name/lab.toml      what there is to do, what it is worth
+//!   case ──text──▶ driver + the student's file ──dump──▶ checks ──▶ findings ──▶ verdict ──▶ report
+//!     ▲            (a process behind walls)                │
+//!     └──────────── shrinking: the shortest failing case ◀─┘──▶ zoo: the bug by its name
+//! ```
+//!
+//! Nothing that the student wrote is ever linked to the tests, so nothing in it can decide about them: a pass needs
+//! a complete and right dump for every case. `cargo test` in a lab's folder and `dcel grade` call the same functions
+//! here and give the same verdicts.
+
+#[cfg(feature = "grade")]
+mod batch;
+mod bug;
+pub mod cases;
+pub mod checks;
+#[cfg(feature = "grade")]
+mod export;
+mod files;
+mod manifest;
+mod marked;
+mod program;
+pub mod protocol;
+mod report;
+#[cfg(feature = "grade")]
+pub mod reports;
+#[cfg(feature = "grade")]
+mod student;
+#[cfg(feature = "grade")]
+mod submission;
+mod toml_file;
+mod verdict;
+#[cfg(feature = "grade")]
+mod walls;
+
+#[cfg(feature = "grade")]
+pub use batch::{GradeOptions, Grader, Judge};
+pub use bug::{Bug, BugError, Edit};
+#[cfg(feature = "grade")]
+pub use export::{Packed, gradescope_files, zipped};
+pub use files::{LabFiles, LabFilesError};
+pub use manifest::{Manifest, Task, Test};
+pub use marked::{MarkError, starter};
+pub use program::{Driver, End, Limits, Program, Ran, end_of, signal_name};
+pub use report::{Adjustment, Finding, Picture, Report, TestResult, Visibility, Wall};
+#[cfg(feature = "grade")]
+pub use student::{Kit, student_files};
+#[cfg(feature = "grade")]
+pub use submission::{Forbidden, Intake, IntakeError, ScanError, scan, take_in};
+pub use toml_file::ManifestError;
+pub use verdict::Verdict;
+#[cfg(feature = "grade")]
+pub use walls::{WallChoice, WalledProgram, Walls, launched};

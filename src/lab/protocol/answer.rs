@@ -1,0 +1,141 @@
+//! What a driver answered, once it has been read.
+
+use crate::topology::Table;
+use std::sync::Arc;
+
+/// The answer to some cases.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Answers {
+    /// One for each case that was begun, in their order.
+    pub cases: Vec<CaseAnswer>,
+    /// Whether the driver said that it has come to its end.
+    pub done: bool,
+    /// The driver's complaint about the input, if it did not understand it: the grader's fault.
+    pub complaint: Option<String>,
+    /// What the student's code printed, cut.
+    pub printed: String,
+}
+
+/// The answer to one case.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct CaseAnswer {
+    /// One for each step that is answered, in their order, as far as it got.
+    pub replies: Vec<Reply>,
+    /// Whether all steps were answered, and the end was said.
+    pub complete: bool,
+    /// The first line that does not belong where it stands.
+    pub broken: Option<Broken>,
+}
+
+/// The answer to one step.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Reply {
+    /// A call was made.
+    Called(Called),
+    /// A call could not be made, because a word of it leads over a pointer that is not set.
+    Unresolved(String),
+    /// The structure.
+    Dump(Arc<Table>),
+    /// A drawing.
+    Svg(String),
+}
+
+/// A call and its end.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Called {
+    /// The arguments as numbers of elements.
+    pub arguments: Vec<u32>,
+    /// How it ended.
+    pub end: CallEnd,
+}
+
+/// How a call ended.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum CallEnd {
+    /// It returned.
+    Returned(Vec<Value>),
+    /// It panicked.
+    Panicked {
+        /// What it said.
+        message: String,
+        /// `src/lab.rs:41:9`, if the driver's hook saw it.
+        place: Option<String>,
+    },
+}
+
+impl CallEnd {
+    /// Whether the code is still a `todo!()` there.
+    #[must_use]
+    pub fn is_todo(&self) -> bool {
+        matches!(self, Self::Panicked { message, .. } if is_todo(message))
+    }
+}
+
+/// Whether a panic message is that of `todo!()`.
+#[must_use]
+pub(crate) fn is_todo(message: &str) -> bool {
+    message.starts_with("not yet implemented")
+}
+
+/// A value that was returned.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Value {
+    /// Yes or no.
+    Truth(bool),
+    /// The number of an element. Numbers that no element can have are read as the greatest that an id can hold.
+    Number(u32),
+}
+
+/// Why an answer is not what the driver prints for the case.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Broken {
+    /// Another line was due.
+    #[error("line {line} of the answer: expected {expected}, found `{found}`")]
+    Expected {
+        /// From 1.
+        line: usize,
+        /// What was due.
+        expected: String,
+        /// The line, cut.
+        found: String,
+    },
+    /// A word that should be a number.
+    #[error("line {line} of the answer: `{word}` is not {wanted}")]
+    Number {
+        /// From 1.
+        line: usize,
+        /// The word, cut.
+        word: String,
+        /// What it should be.
+        wanted: &'static str,
+    },
+    /// Records of a dump are numbered from 0 without gaps.
+    #[error("line {line} of the answer: {kind} {found} where {kind} {expected} is due")]
+    OutOfOrder {
+        /// From 1.
+        line: usize,
+        /// The record.
+        kind: &'static str,
+        /// Its number.
+        found: u32,
+        /// The number that is due.
+        expected: usize,
+    },
+    /// More than the grader is willing to read.
+    #[error("line {line} of the answer: more than {cap} {what}")]
+    TooMuch {
+        /// From 1.
+        line: usize,
+        /// Of what.
+        what: &'static str,
+        /// How many are read.
+        cap: usize,
+    },
+    /// The structure was said to be the same as before, but there was none before.
+    #[error("line {line} of the answer: `dump same` without a dump before it")]
+    NothingBefore {
+        /// From 1.
+        line: usize,
+    },
+}

@@ -1,0 +1,236 @@
+//! Reading an answer, line by line, against the cases that were asked.
+//!
+//! Only lines with the token are the driver's; every other line was printed by the student's code, and is kept
+//! aside. A line of the driver's that is not due breaks its case; reading goes on with the next case.
+
+use super::answer::{Answers, Broken, CallEnd, Called, CaseAnswer, Reply, Value};
+use super::case::{Case, Step};
+use super::dump::{Dump, id};
+use crate::topology::Table;
+use std::iter::Peekable;
+use std::sync::Arc;
+
+/// How many bytes of a line are read.
+const LINE: usize = 64 * 1024;
+/// How much of the student's printing is kept.
+const PRINTED: usize = 4 * 1024;
+/// How many lines a drawing may have.
+const SVG_LINES: usize = 20_000;
+/// How many values a call may return.
+const VALUES: usize = 20_000;
+
+/// Reads what a driver printed in answer to `cases`.
+///
+/// Never fails: whatever is missing or wrong is said in the answer of its case. Cost: O(length of the text).
+#[must_use]
+pub fn read_answers(stdout: &[u8], token: &str, cases: &[&Case]) -> Answers {
+    let mut answers = Answers::default();
+    let prefix = format!("@{token} ");
+    let mut printed = Vec::new();
+    let mut driver = Vec::new();
+    for line in stdout.split(|&byte| byte == b'\n') {
+        let line = line.strip_suffix(b"\r").unwrap_or(line);
+        if let Some(said) = line.strip_prefix(prefix.as_bytes()) {
+            driver.push(said);
+        } else if !line.is_empty() && printed.len() < PRINTED {
+            printed.extend_from_slice(line);
+            printed.push(b'\n');
+        }
+    }
+    printed.truncate(PRINTED);
+    answers.printed = String::from_utf8_lossy(&printed).into_owned();
+    let mut lines = Lines { lines: driver.into_iter().enumerate().peekable(), in_pieces: false };
+    for case in cases {
+        let Some(answer) = lines.case(case) else { break };
+        answers.cases.push(answer);
+    }
+    while let Some((_, line)) = lines.next() {
+        if line.starts_with("error ") && answers.complaint.is_none() {
+            answers.complaint = Some(cut(&line));
+        }
+        answers.done = line == "done" && lines.lines.peek().is_none();
+    }
+    answers
+}
+
+/// The beginning of a text, for messages.
+pub(super) fn cut(text: &str) -> String {
+    let mut out: String = text.chars().take(80).collect();
+    if out.len() < text.len() {
+        out.push('…');
+    }
+    out
+}
+
+/// The lines of the driver, with their numbers among them.
+struct Lines<'a, I: Iterator<Item = (usize, &'a [u8])>> {
+    lines: Peekable<I>,
+    /// Whether the last case was broken, so that the rest of it may stand before the next one.
+    in_pieces: bool,
+}
+
+impl<'a, I: Iterator<Item = (usize, &'a [u8])>> Lines<'a, I> {
+    fn next(&mut self) -> Option<(usize, String)> {
+        let (number, line) = self.lines.next()?;
+        Some((number + 1, text(line)))
+    }
+
+    fn peek_is(&mut self, wanted: &str) -> bool {
+        self.lines.peek().is_some_and(|(_, line)| *line == wanted.as_bytes())
+    }
+
+    /// The answer to a case; `None` if it was not begun.
+    fn case(&mut self, case: &Case) -> Option<CaseAnswer> {
+        let begin = format!("case {}", case.name);
+        let mut answer = CaseAnswer::default();
+        while !self.peek_is(&begin) {
+            let &(number, line) = self.lines.peek()?;
+            if line == b"done" || line.starts_with(b"error ") {
+                return None;
+            }
+            if !self.in_pieces {
+                answer.broken.get_or_insert_with(|| expected(number + 1, format!("`{begin}`"), &text(line)));
+            }
+            self.lines.next();
+        }
+        self.lines.next();
+        match self.replies(case, &mut answer.replies) {
+            Ok(complete) => answer.complete = complete && answer.broken.is_none(),
+            Err(broken) => {
+                answer.broken.get_or_insert(broken);
+            }
+        }
+        self.in_pieces = answer.broken.is_some();
+        Some(answer)
+    }
+
+    /// Whether the answer came to its end; not if the lines ran out.
+    fn replies(&mut self, case: &Case, replies: &mut Vec<Reply>) -> Result<bool, Broken> {
+        let mut last: Option<Arc<Table>> = None;
+        for step in case.steps.iter().filter(|step| step.is_answered()) {
+            let Some((number, line)) = self.next() else { return Ok(false) };
+            if line.len() >= LINE {
+                return Err(Broken::TooMuch { line: number, what: "bytes in a line", cap: LINE });
+            }
+            let reply = match step {
+                Step::Call { function, arguments } => self.call(number, &line, function, arguments.len())?,
+                Step::Svg => self.svg(number, &line)?,
+                _ if line == "dump same" => {
+                    let same = last.clone().ok_or(Broken::NothingBefore { line: number })?;
+                    Some(Reply::Dump(same))
+                }
+                _ => {
+                    let table = self.dump(number, &line)?;
+                    last.clone_from(&table);
+                    table.map(Reply::Dump)
+                }
+            };
+            let Some(reply) = reply else { return Ok(false) };
+            replies.push(reply);
+        }
+        let Some((number, line)) = self.next() else { return Ok(false) };
+        let end = format!("end_case {}", case.name);
+        if line == end { Ok(true) } else { Err(expected(number, format!("`{end}`"), &line)) }
+    }
+
+    fn call(&mut self, number: usize, line: &str, function: &str, arguments: usize) -> Result<Option<Reply>, Broken> {
+        if let Some(word) = line.strip_prefix("unresolved ") {
+            return Ok(Some(Reply::Unresolved(cut(word))));
+        }
+        let mut words = line.split(' ');
+        if words.next() != Some("call") || words.next() != Some(function) {
+            return Err(expected(number, format!("`call {function}`"), line));
+        }
+        let numbers: Option<Vec<u32>> = words.map(id).collect();
+        let Some(numbers) = numbers.filter(|numbers| numbers.len() == arguments) else {
+            return Err(expected(number, format!("`call {function}` and {arguments} numbers"), line));
+        };
+        let Some((number, line)) = self.next() else { return Ok(None) };
+        let end = if let Some(rest) = line.strip_prefix("returned") {
+            returned(number, rest)?
+        } else if let Some(rest) = line.strip_prefix("panicked ") {
+            panicked(rest).ok_or_else(|| expected(number, "a message in quotes".to_owned(), &line))?
+        } else {
+            return Err(expected(number, "`returned` or `panicked`".to_owned(), &line));
+        };
+        Ok(Some(Reply::Called(Called { arguments: numbers, end })))
+    }
+
+    fn svg(&mut self, number: usize, line: &str) -> Result<Option<Reply>, Broken> {
+        if line != "svg" {
+            return Err(expected(number, "`svg`".to_owned(), line));
+        }
+        let mut drawing = String::new();
+        for _ in 0..SVG_LINES {
+            let Some((_, line)) = self.next() else { return Ok(None) };
+            if line == "end_svg" {
+                return Ok(Some(Reply::Svg(drawing)));
+            }
+            drawing.push_str(&line);
+            drawing.push('\n');
+        }
+        Err(Broken::TooMuch { line: number + SVG_LINES, what: "lines in a drawing", cap: SVG_LINES })
+    }
+
+    fn dump(&mut self, number: usize, line: &str) -> Result<Option<Arc<Table>>, Broken> {
+        if line != "dump" {
+            return Err(expected(number, "`dump`".to_owned(), line));
+        }
+        let mut dump = Dump::default();
+        loop {
+            let Some((number, line)) = self.next() else { return Ok(None) };
+            if line == "end_dump" {
+                return dump.end(number).map(|table| Some(Arc::new(table)));
+            }
+            dump.line(number, &line)?;
+        }
+    }
+}
+
+fn text(line: &[u8]) -> String {
+    String::from_utf8_lossy(&line[..line.len().min(LINE)]).into_owned()
+}
+
+fn expected(line: usize, expected: String, found: &str) -> Broken {
+    Broken::Expected { line, expected, found: cut(found) }
+}
+
+fn returned(line: usize, rest: &str) -> Result<CallEnd, Broken> {
+    let value = |word: &str| match word {
+        "true" => Some(Value::Truth(true)),
+        "false" => Some(Value::Truth(false)),
+        word => id(word).map(Value::Number),
+    };
+    let mut values = Vec::new();
+    for word in rest.split(' ').skip(1) {
+        if values.len() == VALUES {
+            return Err(Broken::TooMuch { line, what: "values", cap: VALUES });
+        }
+        let not = || Broken::Number { line, word: cut(word), wanted: "a number of an element, `true` or `false`" };
+        values.push(value(word).ok_or_else(not)?);
+    }
+    if rest.is_empty() || rest.starts_with(' ') {
+        return Ok(CallEnd::Returned(values));
+    }
+    Err(Broken::Expected { line, expected: "`returned`".to_owned(), found: cut(rest) })
+}
+
+/// `"message" place`, where the message has `\"`, `\\` and `\n` for the characters that would end it.
+fn panicked(rest: &str) -> Option<CallEnd> {
+    let mut message = String::new();
+    let mut chars = rest.strip_prefix('"')?.chars();
+    loop {
+        match chars.next()? {
+            '"' => break,
+            '\\' => match chars.next()? {
+                'n' => message.push('\n'),
+                't' => message.push('\t'),
+                'r' => {}
+                other => message.push(other),
+            },
+            c => message.push(c),
+        }
+    }
+    let place = chars.as_str().trim();
+    Some(CallEnd::Panicked { message, place: (!place.is_empty()).then(|| cut(place)) })
+}

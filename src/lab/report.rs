@@ -1,0 +1,170 @@
+//! What a grading run says of one submission: plain data, from which every report format is written.
+
+use super::verdict::Verdict;
+use serde::{Deserialize, Serialize};
+
+/// The outcome of one submission.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+pub struct Report {
+    /// The version of the kit that graded.
+    pub kit: String,
+    /// The lab, as its folder is called: `04-half-edge`.
+    pub lab: String,
+    /// The version of the lab, from its manifest.
+    pub lab_version: String,
+    /// Who handed it in: the name of the file or folder, or a name from the class list.
+    pub submission: Option<String>,
+    /// The seed of the random cases.
+    pub seed: u64,
+    /// Passed if every test passed; else the worst verdict of a test, or what stopped the run before any test.
+    pub verdict: Verdict,
+    /// Why no test could run, for a verdict on the whole: the compiler's first error, the forbidden construct.
+    pub message: Option<String>,
+    /// One for each graded test, in the order of the manifest.
+    pub tests: Vec<TestResult>,
+    /// The walls that stood between the submission and the machine, and those that could not be had.
+    pub walls: Vec<Wall>,
+    /// What the student's program printed besides its answers, cut to a few kilobytes.
+    pub printed: String,
+    /// The optional files that were handed in, for a person to read: name and text.
+    #[serde(default)]
+    pub attachments: Vec<(String, String)>,
+    /// Points that no test gives or takes: for answers that a person read, for lateness.
+    #[serde(default)]
+    pub adjustments: Vec<Adjustment>,
+    /// How long building and running took, in milliseconds; left out of comparisons.
+    pub millis: u64,
+}
+
+impl Report {
+    /// The points that were earned, adjustments included; never below zero.
+    #[must_use]
+    pub fn points(&self) -> u32 {
+        let earned: i64 = self.tests.iter().map(|t| i64::from(t.points)).sum();
+        let adjusted: i64 = self.adjustments.iter().map(|a| i64::from(a.points)).sum();
+        u32::try_from((earned + adjusted).max(0)).unwrap_or(u32::MAX)
+    }
+
+    /// The points that the tests can give.
+    #[must_use]
+    pub fn max_points(&self) -> u32 {
+        self.tests.iter().map(|t| t.max_points).sum()
+    }
+}
+
+/// Points given or taken by a person or a rule of the course.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct Adjustment {
+    /// What for: `answers`, `two days late`.
+    pub reason: String,
+    /// How many; negative to take some.
+    pub points: i32,
+}
+
+/// The outcome of one graded test.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+pub struct TestResult {
+    /// Its name: the function in `tests/graded.rs`.
+    pub name: String,
+    /// A line for people.
+    pub title: String,
+    /// The number of its task in the handout.
+    pub task: u32,
+    /// What came of it.
+    pub verdict: Verdict,
+    /// What is earned: all of `max_points`, or nothing.
+    pub points: u32,
+    /// What it is worth.
+    pub max_points: u32,
+    /// Who may see it when.
+    pub visibility: Visibility,
+    /// What happened, in one or two sentences; the panic message of a crash.
+    pub message: String,
+    /// `src/lab.rs:41:9`, where a panic came from.
+    pub place: Option<String>,
+    /// The broken promises, the most telling first; at most ten, then a count in the message.
+    pub findings: Vec<Finding>,
+    /// The bugs of the zoo that fail in exactly this way; several if they cannot be told apart.
+    pub bugs: Vec<String>,
+    /// The shortest failing case that was found, as text for the driver. Never a hidden one.
+    pub script: Option<String>,
+    /// The command that replays it.
+    pub replay: Option<String>,
+    /// Before, expected, and the student's.
+    pub picture: Option<Picture>,
+}
+
+/// A broken promise.
+#[derive(Clone, PartialEq, Eq, Hash, Debug, Serialize, Deserialize)]
+pub struct Finding {
+    /// The check or law that found it: `N2`, `split_face.4`.
+    pub rule: String,
+    /// What is wrong, with the elements, the value found and the value expected.
+    pub words: String,
+    /// The section of the handout that explains it.
+    pub section: String,
+}
+
+/// Three drawings of one failing call.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct Picture {
+    /// The structure before the call, as SVG.
+    pub before: String,
+    /// What the call should have made of it.
+    pub expected: String,
+    /// What it made of it, with what differs marked.
+    pub yours: String,
+    /// The same for a terminal.
+    pub ascii: String,
+}
+
+/// Who may see a test's result.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Visibility {
+    /// Everybody, at once.
+    #[default]
+    Visible,
+    /// The student, after the deadline.
+    AfterDueDate,
+    /// The student, when the grades are published.
+    AfterPublished,
+    /// The instructor only.
+    Hidden,
+}
+
+/// A wall between a submission and the machine.
+#[derive(Clone, PartialEq, Eq, Hash, Debug, Serialize, Deserialize)]
+pub struct Wall {
+    /// What it keeps in: `memory 512 MB`, `no network`, `own user 61234`.
+    pub name: String,
+    /// Whether it stood; if not, why.
+    pub missing: Option<String>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Adjustment, Report, Verdict};
+
+    #[test]
+    fn adjustments_count_and_no_score_is_negative() {
+        let mut report = Report {
+            kit: String::new(),
+            lab: String::new(),
+            lab_version: String::new(),
+            submission: None,
+            seed: 0,
+            verdict: Verdict::Passed,
+            message: None,
+            tests: Vec::new(),
+            walls: Vec::new(),
+            printed: String::new(),
+            attachments: Vec::new(),
+            adjustments: vec![Adjustment { reason: "answers".to_owned(), points: 5 }],
+            millis: 0,
+        };
+        assert_eq!(report.points(), 5);
+        report.adjustments.push(Adjustment { reason: "late".to_owned(), points: -9 });
+        assert_eq!(report.points(), 0);
+    }
+}

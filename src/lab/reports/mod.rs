@@ -1,0 +1,160 @@
+//! Reports written in the formats that students, instructors and course systems read.
+//!
+//! ```text
+//!                    ┌─ one submission: text html markdown json   gradescope classroom50 exercism
+//!   Report(s) ───────┤
+//!                    └─ a class:        text html markdown json   junit csv bugs
+//! ```
+//!
+//! Every format is written from the same plain data. A report is written whatever became of the submission: one
+//! that does not compile has the message, every test, and no points. What students may read never says more about
+//! a hidden test than that it exists and what it gave.
+//!
+//! The bytes depend on the reports alone, and the only time in them is the one that Gradescope asks for.
+
+mod bugs;
+mod classroom;
+mod exercism;
+mod gradescope;
+mod html;
+mod junit;
+mod markdown;
+mod sheet;
+mod text;
+mod words;
+
+use super::{Report, TestResult, Visibility};
+use std::fmt;
+
+/// A form in which reports can be written.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[non_exhaustive]
+pub enum Format {
+    /// For a terminal.
+    Text,
+    /// One page without anything from outside, pictures in it.
+    Html,
+    /// A summary for a page of a code host, without pictures.
+    Markdown,
+    /// The reports themselves, from which every other format can be written again.
+    Json,
+    /// `results.json` of Gradescope.
+    Gradescope,
+    /// `result.json` of Classroom 50.
+    Classroom50,
+    /// `results.json` of an exercism test runner, version 3.
+    Exercism,
+    /// JUnit XML, a suite for each submission.
+    Junit,
+    /// A row for each submission, for a spreadsheet.
+    Csv,
+    /// A row for each named bug with how many have it, for a spreadsheet.
+    Bugs,
+}
+
+impl Format {
+    /// All formats.
+    pub const ALL: [Self; 10] = [
+        Self::Text,
+        Self::Html,
+        Self::Markdown,
+        Self::Json,
+        Self::Gradescope,
+        Self::Classroom50,
+        Self::Exercism,
+        Self::Junit,
+        Self::Csv,
+        Self::Bugs,
+    ];
+
+    /// Its name on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Text => "text",
+            Self::Html => "html",
+            Self::Markdown => "markdown",
+            Self::Json => "json",
+            Self::Gradescope => "gradescope",
+            Self::Classroom50 => "classroom50",
+            Self::Exercism => "exercism",
+            Self::Junit => "junit",
+            Self::Csv => "csv",
+            Self::Bugs => "bugs",
+        }
+    }
+
+    /// The format of that name.
+    #[must_use]
+    pub fn by_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.name() == name)
+    }
+
+    /// Whether one file can hold a whole class.
+    #[must_use]
+    pub fn holds_a_class(self) -> bool {
+        !matches!(self, Self::Gradescope | Self::Classroom50 | Self::Exercism)
+    }
+
+    /// Writes one submission.
+    ///
+    /// Cost: linear in the size of the report.
+    #[must_use]
+    pub fn one(self, report: &Report) -> String {
+        match self {
+            Self::Gradescope => gradescope::write(report),
+            Self::Classroom50 => classroom::write(report),
+            Self::Exercism => exercism::write(report),
+            Self::Text => text::one(report),
+            Self::Html => html::one(report),
+            Self::Markdown => markdown::one(report),
+            Self::Json => pretty(report),
+            Self::Junit => junit::write(std::slice::from_ref(report)),
+            Self::Csv => sheet::write(std::slice::from_ref(report)),
+            Self::Bugs => bugs::write(std::slice::from_ref(report)),
+        }
+    }
+
+    /// Writes a class, in the order given.
+    ///
+    /// Cost: linear in the size of the reports.
+    ///
+    /// # Errors
+    /// The formats that course systems read one submission at a time, see [`holds_a_class`](Self::holds_a_class).
+    pub fn class(self, reports: &[Report]) -> Result<String, OneAtATime> {
+        Ok(match self {
+            Self::Gradescope | Self::Classroom50 | Self::Exercism => return Err(OneAtATime(self)),
+            Self::Text => text::class(reports),
+            Self::Html => html::class(reports),
+            Self::Markdown => markdown::class(reports),
+            Self::Json => pretty(&reports),
+            Self::Junit => junit::write(reports),
+            Self::Csv => sheet::write(reports),
+            Self::Bugs => bugs::write(reports),
+        })
+    }
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// A class was to be written in a format for one submission.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, thiserror::Error)]
+#[error("a {0} file holds one submission; write one each, with {{submission}} in the name of the file")]
+pub struct OneAtATime(pub Format);
+
+/// Whether the author of a submission may read what the test found.
+fn open_to_the_student(test: &TestResult) -> bool {
+    test.visibility == Visibility::Visible
+}
+
+/// JSON with two spaces of indentation and a line break at its end.
+fn pretty<T: serde::Serialize + ?Sized>(value: &T) -> String {
+    // Plain structures with text keys: there is nothing that JSON could not hold.
+    let mut text = serde_json::to_string_pretty(value).unwrap_or_else(|e| format!("\"{e}\""));
+    text.push('\n');
+    text
+}

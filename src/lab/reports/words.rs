@@ -1,0 +1,81 @@
+//! What a test found, as lines of plain text: the same words in every format.
+
+use crate::lab::{Report, TestResult};
+use std::fmt::Write;
+
+/// What happened in one test, without its name and verdict: message, place, findings, bug, script, replay, what to
+/// do next. Empty for a test that passed without a word.
+pub(super) fn of_test(test: &TestResult) -> String {
+    let mut out = String::new();
+    if !test.message.is_empty() {
+        out.push_str(&test.message);
+        out.push('\n');
+    }
+    if let Some(place) = &test.place {
+        let _ = writeln!(out, "at {place}");
+    }
+    if !test.bugs.is_empty() {
+        let _ = writeln!(out, "{}", same_failures(&test.bugs));
+    }
+    for finding in &test.findings {
+        let _ = writeln!(out, "{}: {} (handout, section {})", finding.rule, finding.words, finding.section);
+    }
+    if let Some(script) = &test.script {
+        out.push_str("Shortest failing script:\n");
+        for line in script.lines() {
+            let _ = writeln!(out, "    {line}");
+        }
+    }
+    if let Some(replay) = &test.replay {
+        let _ = writeln!(out, "Replay it: {replay}");
+    }
+    if !test.verdict.is_passed() {
+        let _ = writeln!(out, "Next: {}", test.verdict.next_action());
+    }
+    clean(&out)
+}
+
+/// The text without control characters other than tabs and line breaks, and without marks that turn the direction
+/// of writing: nothing that a submission chose or printed can steer a terminal or hide what stands beside it.
+pub(super) fn clean(text: &str) -> String {
+    let keep = |c: char| match c {
+        '\n' | '\t' => c,
+        '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => '\u{fffd}',
+        c if c.is_control() => '\u{fffd}',
+        c => c,
+    };
+    text.chars().map(keep).collect()
+}
+
+/// The bug by its name, or both names of a pair that cannot be told apart.
+pub(super) fn same_failures(bugs: &[String]) -> String {
+    format!("Same failures as: {}", bugs.join(", or: "))
+}
+
+/// Who handed it in.
+pub(super) fn author(report: &Report) -> String {
+    report.submission.as_deref().map_or_else(|| "your files".to_owned(), clean)
+}
+
+/// The points as `62 of 100`.
+pub(super) fn points(report: &Report) -> String {
+    format!("{} of {}", report.points(), report.max_points())
+}
+
+/// The seed, the versions and the walls, one sentence each.
+pub(super) fn circumstances(report: &Report) -> Vec<String> {
+    let mut lines = vec![
+        format!("Lab {} version {}, kit {}.", report.lab, report.lab_version, report.kit),
+        format!("Seed {}: LAB_SEED={} gives the same random cases.", report.seed, report.seed),
+    ];
+    let up: Vec<&str> = report.walls.iter().filter(|w| w.missing.is_none()).map(|w| w.name.as_str()).collect();
+    if !up.is_empty() {
+        lines.push(format!("Walls: {}.", up.join(", ")));
+    }
+    for wall in &report.walls {
+        if let Some(why) = &wall.missing {
+            lines.push(format!("No wall: {}: {why}.", wall.name));
+        }
+    }
+    lines
+}

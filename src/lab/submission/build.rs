@@ -1,0 +1,207 @@
+//! Building a tree: cargo, offline, in a target directory of its own, behind the walls.
+//!
+//! The compiler reads what the student wrote, so it is a program that the student runs: it has a deadline, a memory
+//! limit, and sees its tools and the tree. Nothing that is compiled is run while compiling: there is no build script
+//! and no procedural macro.
+
+use super::toolchain::Toolchain;
+use super::tree::{Tree, own_only};
+use crate::lab::walls::{Resident, Task, View};
+use crate::lab::{End, Limits, Verdict};
+use serde::Deserialize;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// What a build may use.
+pub(super) const LIMITS: Limits = Limits {
+    seconds: 30.0,
+    cpu_seconds: 40,
+    memory_mb: 4096,
+    output_kb: 4096,
+    file_kb: 256 * 1024,
+    files: 1024,
+    processes: 256,
+};
+/// So much of what the compiler says is passed on.
+const MOST_WORDS: usize = 4000;
+
+/// What came of a build.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) enum Built {
+    /// The program.
+    Program(PathBuf),
+    /// Why there is none.
+    Not {
+        /// Does not compile, or a fault of the grader.
+        verdict: Verdict,
+        /// In words; the compiler's first error.
+        message: String,
+    },
+}
+
+/// Builds a tree as the resident.
+pub(crate) fn build(tree: &Tree, toolchain: &Toolchain, resident: &Resident) -> Built {
+    if let Some(settings) = settings_above(&tree.folder()) {
+        return fault(format!("{} would change how submissions are built; move it away", settings.display()));
+    }
+    let ran = resident.run(&task(tree, toolchain), "");
+    let messages: Vec<Message> =
+        String::from_utf8_lossy(&ran.stdout).lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
+    let complaints = String::from_utf8_lossy(&ran.stderr).into_owned();
+    match ran.end {
+        End::Exited(0) => take_program(tree, &messages),
+        End::Exited(_) => match first_error(tree, &messages) {
+            Some(message) => not(message),
+            None if complaints.contains("error: ") && complaints.contains("could not compile") => not(cut(&complaints)),
+            None => fault(format!("the build failed without an error in the code: {}", cut(&complaints))),
+        },
+        End::TimedOut => not(format!(
+            "the compiler did not finish within {} s: look for a type, a constant or a macro that never ends",
+            LIMITS.seconds
+        )),
+        End::OutOfMemory => not(format!(
+            "the compiler needed more than {} MB: look for a type, a constant or a macro that never ends",
+            LIMITS.memory_mb
+        )),
+        End::OutputLimit => not("the compiler had more to complain of than anybody can read".to_owned()),
+        End::NotStarted(why) => fault(why),
+        end => not(format!("the compiler itself ended by {end:?}: {}", cut(&complaints))),
+    }
+}
+
+fn task(tree: &Tree, toolchain: &Toolchain) -> Task {
+    let text = |path: &Path| path.to_string_lossy().into_owned();
+    let words = ["build", "--frozen", "--offline", "--quiet", "--message-format=json", "--color=never"];
+    let env = [
+        ("PATH", std::env::var("PATH").unwrap_or_default()),
+        ("CARGO_HOME", text(&tree.home())),
+        ("CARGO_TARGET_DIR", text(&tree.target())),
+        ("CARGO_BUILD_JOBS", "1".to_owned()),
+        ("HOME", text(&tree.home())),
+        ("TMPDIR", text(&tree.tmp())),
+        ("RUSTC", text(&toolchain.rustc)),
+        // The manifest says so too; neither can be undone by an attribute.
+        ("RUSTFLAGS", "-F unsafe_code".to_owned()),
+    ];
+    let mut env: Vec<(String, String)> = env.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
+    if cfg!(windows) {
+        // Without these no program starts there; elsewhere the environment is empty but for the above.
+        let needed = ["SystemRoot", "TEMP", "TMP", "ProgramFiles", "ProgramFiles(x86)", "ProgramData"];
+        env.extend(needed.iter().filter_map(|name| Some(((*name).to_owned(), std::env::var(name).ok()?))));
+    }
+    Task {
+        program: toolchain.cargo.clone(),
+        args: words.map(str::to_owned).into(),
+        env,
+        folder: tree.folder(),
+        view: View {
+            run: vec![toolchain.root.clone(), tree.folder()],
+            write: vec![tree.target(), tree.tmp(), tree.home()],
+            tools: true,
+        },
+        limits: LIMITS,
+    }
+}
+
+/// Cargo obeys settings in every folder above a package; there must be none above a room.
+fn settings_above(folder: &Path) -> Option<PathBuf> {
+    let names = [".cargo/config.toml", ".cargo/config"];
+    folder.ancestors().flat_map(|above| names.map(|name| above.join(name))).find(|path| path.exists())
+}
+
+/// Takes the program out of the target directory, if this very build made it from this very package.
+fn take_program(tree: &Tree, messages: &[Message]) -> Built {
+    let made = messages.iter().find_map(|message| match message {
+        Message::CompilerArtifact { target, fresh: false, executable: Some(path) }
+            if target.name == tree.package && path.starts_with(tree.target()) =>
+        {
+            Some(path)
+        }
+        _ => None,
+    });
+    let finished = messages.iter().any(|message| matches!(message, Message::BuildFinished { success: true }));
+    let Some(made) = made.filter(|_| finished) else {
+        return fault("the build succeeded but did not compile the lab".to_owned());
+    };
+    let program = tree.program();
+    // A copy: the compiler's user owns the original, and could change it while it is judged.
+    match fs::copy(made, &program).and_then(|_| own_only(&program, 0o755)) {
+        Ok(()) => {
+            let _ = fs::remove_dir_all(tree.target());
+            Built::Program(program)
+        }
+        Err(error) => fault(format!("{}: {error}", program.display())),
+    }
+}
+
+/// The first error: where, what, and the compiler's own picture of it.
+fn first_error(tree: &Tree, messages: &[Message]) -> Option<String> {
+    let error = messages.iter().find_map(|message| match message {
+        Message::CompilerMessage { message } if message.level.starts_with("error") => Some(message),
+        _ => None,
+    })?;
+    let span = error.spans.iter().find(|span| span.is_primary).or(error.spans.first());
+    let place = span.map(|span| {
+        let given = if tree.graded.contains(&span.file_name) { "" } else { " (a given file, which calls yours)" };
+        format!("{}:{}:{}{given}: ", span.file_name, span.line_start, span.column_start)
+    });
+    let rendered = error.rendered.as_deref().unwrap_or_default();
+    Some(cut(&format!("{}{}\n\n{rendered}", place.unwrap_or_default(), error.message)))
+}
+
+fn cut(text: &str) -> String {
+    let text = text.trim_end();
+    match text.char_indices().nth(MOST_WORDS) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
+fn not(message: String) -> Built {
+    Built::Not { verdict: Verdict::DoesNotCompile, message }
+}
+
+fn fault(message: String) -> Built {
+    Built::Not { verdict: Verdict::GraderFault, message }
+}
+
+/// What cargo says, as far as it matters here.
+#[derive(Deserialize)]
+#[serde(tag = "reason", rename_all = "kebab-case")]
+enum Message {
+    CompilerMessage {
+        message: Diagnostic,
+    },
+    CompilerArtifact {
+        target: Target,
+        fresh: bool,
+        executable: Option<PathBuf>,
+    },
+    BuildFinished {
+        success: bool,
+    },
+    #[serde(other)]
+    Other,
+}
+
+#[derive(Deserialize)]
+struct Target {
+    name: String,
+}
+
+#[derive(Deserialize)]
+struct Diagnostic {
+    level: String,
+    message: String,
+    rendered: Option<String>,
+    #[serde(default)]
+    spans: Vec<Span>,
+}
+
+#[derive(Deserialize)]
+struct Span {
+    file_name: String,
+    line_start: u32,
+    column_start: u32,
+    is_primary: bool,
+}

@@ -1,0 +1,26 @@
+//! Taking a submission in: the student's file out of whatever was handed in, into a tree that holds nothing else of
+//! theirs, and the program that is built from it.
+//!
+//! ```text
+//!   alice/src/lab.rs ──look──▶ text ──scan──▶ pristine tree ──cargo──▶ program
+//!   alice/build.rs   ✗         UTF-8           own manifest   own target directory
+//!   alice/.cargo/    ✗         at most 1 MB    given files    no solution anywhere near
+//! ```
+//!
+//! Handed in is a folder or a single file; archives are to be unpacked first. Only the files that `lab.toml` names
+//! are ever read; manifests, build scripts, settings of cargo and links are not even looked at.
+
+mod build;
+mod intake;
+mod room;
+mod scan;
+mod toolchain;
+mod tree;
+
+pub(crate) use build::{Built, build};
+pub(crate) use intake::take_in_unscanned;
+pub use intake::{Intake, IntakeError, take_in};
+pub(crate) use room::Rooms;
+pub use scan::{Forbidden, ScanError, scan};
+pub(crate) use toolchain::Toolchain;
+pub(crate) use tree::Tree;

@@ -1,0 +1,432 @@
+//! What a lab's file may not say: the ways out of it.
+//!
+//! ```text
+//!   std::process::exit(0)          refused: `std::process`                 use std::{fs as f, fmt};
+//!   let process = 3;               fine: a name is no path                 // std::process, "std::fs": fine
+//!   m!(process exit)               refused where m's body says std::$a     r#include!("x"): refused
+//! ```
+//!
+//! The scan goes over tokens, not over a syntax tree: so it sees the inside of every macro call and of every macro's
+//! body, and needs to know nothing of the grammar around. Comments and strings are no names. It is the friendly half
+//! of the defence, which says at line and column what to take out; what it overlooks meets the walls.
+//!
+//! Refused are paths into the parts of the standard library that reach out of the program, other names for the
+//! library as a whole, macros that read files or variables at compile time or hold machine code, `unsafe` and
+//! `extern`, attributes that change what is linked or compiled, and modules in other files.
+
+use proc_macro2::{Delimiter, LineColumn, Spacing, TokenStream, TokenTree};
+use std::str::FromStr;
+
+/// Groups may be nested this deep; the compiler itself gives up not much later.
+const DEEPEST: usize = 120;
+/// So many findings are told at once.
+const MOST: usize = 5;
+
+/// Names of the standard library as a whole.
+const LIBRARIES: [&str; 3] = ["std", "core", "alloc"];
+/// Modules of it that a lab has no use for, with what they are for.
+const MODULES: [(&str, &str); 7] = [
+    ("process", "it starts and ends programs"),
+    ("fs", "it reaches files"),
+    ("path", "it reaches files"),
+    ("net", "it reaches the network"),
+    ("env", "it reads the environment"),
+    ("os", "it reaches the operating system"),
+    ("arch", "it is for machine code"),
+];
+/// Functions of modules that are otherwise fine.
+const FUNCTIONS: [(&str, &str); 3] = [("panic", "set_hook"), ("panic", "take_hook"), ("panic", "update_hook")];
+/// Macros that look beyond the file when it is compiled, or hold machine code.
+const MACROS: [&str; 8] =
+    ["include", "include_str", "include_bytes", "env", "option_env", "asm", "global_asm", "naked_asm"];
+/// Attributes that change what is linked or compiled.
+const ATTRIBUTES: [&str; 15] = [
+    "no_mangle",
+    "export_name",
+    "link",
+    "link_section",
+    "link_name",
+    "link_ordinal",
+    "linkage",
+    "used",
+    "naked",
+    "global_allocator",
+    "panic_handler",
+    "proc_macro",
+    "proc_macro_derive",
+    "proc_macro_attribute",
+    "unsafe_code",
+];
+/// Attributes of the whole file that change nothing but warnings and documentation.
+const OF_THE_FILE: [&str; 8] = ["allow", "warn", "deny", "expect", "doc", "rustfmt", "clippy", "cfg_attr"];
+
+/// Something that the file may not say, or a place where it cannot be read.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Forbidden {
+    /// From 1.
+    pub line: usize,
+    /// From 1, in characters.
+    pub column: usize,
+    /// What it is and why, as a sentence.
+    pub what: String,
+}
+
+/// Why a file is not taken.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum ScanError {
+    /// It is no Rust: a quote or a bracket without its partner, a character that means nothing.
+    NotRust(Forbidden),
+    /// It holds forbidden constructs, in their order; the first few.
+    Forbidden(Vec<Forbidden>),
+}
+
+/// Looks for what a lab's file may not say.
+///
+/// Cost: linear in the length of the text.
+///
+/// # Errors
+/// [`ScanError`] with line and column.
+pub fn scan(text: &str) -> Result<(), ScanError> {
+    let stream = TokenStream::from_str(text).map_err(|error| {
+        let what = "this cannot be read as Rust: a quote, a bracket or a character is out of place".to_owned();
+        ScanError::NotRust(at(error.span().start(), what))
+    })?;
+    let mut scan = Scan { found: Vec::new(), has_macros: false };
+    let tokens = scan.tokens(stream, 0);
+    scan.has_macros = mentions(&tokens, "macro_rules");
+    scan.walk(&tokens, false);
+    scan.found.sort();
+    scan.found.dedup();
+    scan.found.truncate(MOST);
+    if scan.found.is_empty() { Ok(()) } else { Err(ScanError::Forbidden(scan.found)) }
+}
+
+fn at(place: LineColumn, what: String) -> Forbidden {
+    Forbidden { line: place.line.max(1), column: place.column + 1, what }
+}
+
+/// A token as far as it matters here.
+#[derive(Clone, Debug)]
+enum Token {
+    /// A name, without `r#`.
+    Name(String, LineColumn),
+    /// `::`
+    Path,
+    Mark(char),
+    Group(Delimiter, Vec<Token>, LineColumn),
+    /// A literal or a lifetime.
+    Other,
+}
+
+impl Token {
+    fn name(&self) -> Option<&str> {
+        if let Self::Name(name, _) = self { Some(name) } else { None }
+    }
+
+    fn is(&self, mark: char) -> bool {
+        matches!(self, Self::Mark(c) if *c == mark)
+    }
+}
+
+fn mentions(tokens: &[Token], word: &str) -> bool {
+    tokens.iter().any(|token| match token {
+        Token::Name(name, _) => name == word,
+        Token::Group(_, inner, _) => mentions(inner, word),
+        _ => false,
+    })
+}
+
+struct Scan {
+    found: Vec<Forbidden>,
+    /// Whether the file defines macros, which could put paths together.
+    has_macros: bool,
+}
+
+impl Scan {
+    fn refuse(&mut self, place: LineColumn, what: impl Into<String>) {
+        self.found.push(at(place, what.into()));
+    }
+
+    fn tokens(&mut self, stream: TokenStream, depth: usize) -> Vec<Token> {
+        let mut out: Vec<Token> = Vec::new();
+        let mut joint = false;
+        for tree in stream {
+            let mut now_joint = false;
+            match tree {
+                TokenTree::Ident(ident) => {
+                    let name = ident.to_string();
+                    let name = name.strip_prefix("r#").unwrap_or(&name).to_owned();
+                    out.push(Token::Name(name, ident.span().start()));
+                }
+                TokenTree::Punct(punct) if punct.as_char() == ':' && joint && out.last().is_some_and(|t| t.is(':')) => {
+                    out.pop();
+                    out.push(Token::Path);
+                }
+                TokenTree::Punct(punct) => {
+                    now_joint = punct.spacing() == Spacing::Joint;
+                    out.push(Token::Mark(punct.as_char()));
+                }
+                TokenTree::Group(group) => {
+                    let place = group.span_open().start();
+                    if depth < DEEPEST {
+                        let inner = self.tokens(group.stream(), depth + 1);
+                        // A group without brackets stands for what is in it.
+                        out.push(Token::Group(group.delimiter(), inner, place));
+                    } else {
+                        self.refuse(place, format!("brackets are nested deeper than {DEEPEST}"));
+                    }
+                }
+                TokenTree::Literal(_) => out.push(Token::Other),
+            }
+            joint = now_joint;
+        }
+        out
+    }
+
+    /// `in_macro`: within a macro's body or the arguments of a call.
+    fn walk(&mut self, tokens: &[Token], in_macro: bool) {
+        for (i, token) in tokens.iter().enumerate() {
+            match token {
+                Token::Name(name, place) => self.name(tokens, i, name, *place, in_macro),
+                Token::Mark('#') => self.attribute(&tokens[i + 1..]),
+                Token::Group(_, inner, _) => {
+                    let called = i > 0 && tokens[i - 1].is('!');
+                    let defined = i > 1 && tokens[i - 2].is('!') && tokens[i - 1].name().is_some();
+                    self.walk(inner, in_macro || called || defined);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn name(&mut self, tokens: &[Token], i: usize, name: &str, place: LineColumn, in_macro: bool) {
+        let next = tokens.get(i + 1);
+        let after = tokens.get(i + 2);
+        match name {
+            "unsafe" => self.refuse(place, "`unsafe` is not for this lab: nothing in it needs it"),
+            "extern" => self.refuse(place, "`extern` is not for this lab: it needs nothing but the standard library"),
+            "mod" if after.is_some_and(|t| t.is(';')) => {
+                self.refuse(place, "a module of another file: only this file is handed in, so write it here in braces");
+            }
+            _ if next.is_some_and(|t| t.is('!')) && !after.is_some_and(|t| t.is('=')) => {
+                if MACROS.contains(&name) {
+                    self.refuse(place, format!("`{name}!` is not for this lab: it looks beyond the file"));
+                }
+            }
+            // Wherever it stands: a path may begin after `return ::` as well as after `0..`.
+            _ if LIBRARIES.contains(&name) => {
+                match next {
+                    Some(Token::Path) => self.path(&tokens[i + 2..], &mut vec![name.to_owned()], place, in_macro),
+                    Some(next) if next.name() == Some("as") => self.another_name(name, place),
+                    // `use std;` and a call such as m!(std), whose body goes on with the path.
+                    _ if in_macro && self.has_macros => self.put_together(name, place),
+                    _ => {}
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// What follows `std::`.
+    fn path(&mut self, rest: &[Token], so_far: &mut Vec<String>, place: LineColumn, in_macro: bool) {
+        let root = so_far[0].clone();
+        match rest.first() {
+            Some(Token::Name(name, here)) => {
+                so_far.push(name.clone());
+                let is_self = so_far.len() == 2 && name == "self";
+                if is_self {
+                    self.another_name(&root, *here);
+                }
+                let known = self.found.len();
+                self.judge(so_far, *here);
+                if self.found.len() == known && matches!(rest.get(1), Some(Token::Path)) {
+                    self.path(&rest[2..], so_far, *here, in_macro);
+                }
+                so_far.pop();
+            }
+            Some(Token::Group(Delimiter::Brace, inner, here)) => {
+                for part in inner.split(|token| token.is(',')).filter(|part| !part.is_empty()) {
+                    self.path(part, so_far, *here, in_macro);
+                }
+            }
+            Some(Token::Mark('*')) if so_far.len() == 1 => {
+                self.refuse(place, format!("`{root}::*` brings in too much: name what you use"));
+            }
+            Some(Token::Mark('*')) => {
+                let prefix = so_far.join("::");
+                if FUNCTIONS.iter().any(|(module, _)| so_far.len() == 2 && so_far[1] == *module) {
+                    self.refuse(place, format!("`{prefix}::*` brings in too much: name what you use"));
+                }
+            }
+            Some(Token::Mark('$')) => self.put_together(&root, place),
+            None if in_macro => self.put_together(&root, place),
+            _ => {}
+        }
+    }
+
+    fn judge(&mut self, path: &[String], place: LineColumn) {
+        if let [root, module] = path {
+            if let Some((_, why)) = MODULES.iter().find(|(name, _)| name == module) {
+                self.refuse(place, format!("`{root}::{module}` is not for this lab: {why}"));
+            } else if MACROS.contains(&module.as_str()) {
+                self.refuse(place, format!("`{root}::{module}` is not for this lab: it looks beyond the file"));
+            }
+        } else if let [root, module, function] = path
+            && FUNCTIONS.iter().any(|(m, f)| m == module && f == function)
+        {
+            let path = format!("{root}::{module}::{function}");
+            self.refuse(place, format!("`{path}` is not for this lab: the given program reports panics itself"));
+        }
+    }
+
+    fn another_name(&mut self, library: &str, place: LineColumn) {
+        self.refuse(place, format!("another name for `{library}` is not for this lab: write `{library}::` in full"));
+    }
+
+    fn put_together(&mut self, library: &str, place: LineColumn) {
+        let what = format!("a macro puts a path into `{library}` together: write the path in full where it is used");
+        self.refuse(place, what);
+    }
+
+    /// What follows `#`.
+    fn attribute(&mut self, rest: &[Token]) {
+        let of_the_file = rest.first().is_some_and(|t| t.is('!'));
+        let Some(Token::Group(Delimiter::Bracket, inner, place)) = rest.get(usize::from(of_the_file)) else { return };
+        let head = inner.first().and_then(Token::name).unwrap_or_default();
+        if of_the_file && !OF_THE_FILE.contains(&head) {
+            self.refuse(*place, format!("`#![{head}]` is not for this lab: it changes how the whole is compiled"));
+        }
+        self.words(inner);
+    }
+
+    fn words(&mut self, attribute: &[Token]) {
+        for (i, token) in attribute.iter().enumerate() {
+            match token {
+                Token::Name(name, place) => {
+                    let is_path = name == "path" && attribute.get(i + 1).is_some_and(|t| t.is('='));
+                    if is_path || ATTRIBUTES.contains(&name.as_str()) {
+                        let what = format!("the attribute `{name}` is not for this lab: it changes what is compiled");
+                        self.refuse(*place, what);
+                    }
+                }
+                Token::Group(_, inner, _) => self.words(inner),
+                _ => {}
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The first finding as `line:column what`.
+    fn first(text: &str) -> Option<String> {
+        match scan(text) {
+            Ok(()) => None,
+            Err(ScanError::NotRust(found)) => Some(format!("{}:{} {}", found.line, found.column, found.what)),
+            Err(ScanError::Forbidden(found)) => {
+                Some(format!("{}:{} {}", found[0].line, found[0].column, found[0].what))
+            }
+        }
+    }
+
+    #[test]
+    fn ways_out_are_refused() {
+        for text in [
+            "fn f() { std::process::exit(0) }",
+            "fn f() { ::std::process::exit(0) }",
+            "fn f() { std :: /* */ process :: exit(0) }",
+            "fn f() { r#std::r#process::exit(0) }",
+            "use std::process; fn f() { process::exit(0) }",
+            "use std::{fmt, process::exit};",
+            "fn f() -> ! { return ::std::process::exit(0) }",
+            "fn f() { for _ in 0..std::process::exit(0) {} }",
+            "use std::{fmt, {{process as p}}};",
+            "use {std::fs, std::fmt};",
+            "use std as s;",
+            "use ::std as s;",
+            "use std::{self as s};",
+            "use core::{fmt, self};",
+            "use std::*;",
+            "use std::{fmt, *};",
+            "use std::panic::*;",
+            "use std::panic::{catch_unwind, set_hook};",
+            "fn f() { std::panic::set_hook(Box::new(|_| ())) }",
+            "type C = std::process::Command;",
+            "fn f() -> <std::process::Command as X>::Y {}",
+            "fn f() { println!(\"{}\", std::env::args().count()) }",
+            "const S: &str = include_str!(\"../solution/lab.rs\");",
+            "r#include!(\"x.rs\");",
+            "use std::include_str as i;",
+            "use core::{include_bytes as i, fmt};",
+            "const S: &str = env!(\"HOME\");",
+            "fn f() { core::option_env!(\"HOME\"); }",
+            "core::arch::global_asm!(\"nop\");",
+            "fn f() { asm!(\"nop\") }",
+            "extern crate std as s;",
+            "extern \"C\" { fn exit(c: i32) -> !; }",
+            "extern \"C\" fn f() {}",
+            "fn f() { unsafe { f() } }",
+            "#[no_mangle] fn memcmp() {}",
+            "#[unsafe(no_mangle)] fn memcmp() {}",
+            "#[cfg_attr(all(), export_name = \"x\")] fn f() {}",
+            "#[unsafe(link_section = \".init_array\")] static A: fn() = f;",
+            "#[path = \"../solution/lab.rs\"] mod solution;",
+            "#[path = \"../solution/lab.rs\"] mod solution {}",
+            "mod helper;",
+            "#![feature(asm)]",
+            "#![no_main]",
+            "#![recursion_limit = \"1000000\"]",
+            "#![allow(unsafe_code)]",
+            "#[allow(unsafe_code)] fn f() {}",
+            "#![doc = include_str!(\"x\")]",
+            "macro_rules! m { ($a:ident) => { std::$a::exit(0) } } fn f() { m!(process) }",
+            "macro_rules! m { ($a:ident $b:ident) => { $a::$b::exit(0) } } fn f() { m!(std process) }",
+            "macro_rules! m { ($($a:tt)*) => { $($a)* process::exit(0) } } fn f() { m!(std::) }",
+            "macro_rules! m { () => { std::process::exit(0) } }",
+            "macro_rules! m { ($p:path) => { $p(0) } } fn f() { m!(std::process::exit) }",
+            "fn f() { vec![{ std::process::exit(0) }] }",
+        ] {
+            assert!(first(text).is_some(), "let through: {text}");
+        }
+    }
+
+    #[test]
+    fn ordinary_code_is_let_through() {
+        for text in [
+            "",
+            "//! std::process::exit(0)\n/* include_str!(\"x\") */ /// unsafe extern\nfn f() {}",
+            "fn f() { let s = \"std::process::exit(0) unsafe\"; let r = r#\"#[no_mangle]\"#; }",
+            "fn process(path: u32, env: u32, fs: u32) -> u32 { path + env + fs }",
+            "struct Net { process: u32, path: Vec<u32>, link: u32, used: bool } fn f(n: Net) { n.path.len(); n.process; }",
+            "fn f() { let std = 1.0; println!(\"{}\", std); }",
+            "use std::collections::{BTreeMap, HashSet}; use std::fmt; use std::{cmp::Ordering, mem};",
+            "use std::collections::*; use super::*; use crate::dcel::*;",
+            "fn f(a: bool) -> bool { let include = a; include != false }",
+            "#![allow(dead_code)]\n#![warn(missing_docs)]\nfn f() {}",
+            "#[derive(Clone, Debug)] #[must_use] struct A; #[inline] fn f() { todo!(\"x\") }",
+            "mod helpers { pub fn walk() {} } fn f() { self::helpers::walk(); }",
+            "macro_rules! m { ($t:ty) => { <$t>::new() } } fn f() { let v: Vec<u8> = m!(Vec<u8>); std::mem::drop(v); }",
+            "macro_rules! walk { ($d:expr, $h:expr) => { std::iter::successors(Some($h), |&h| $d.next(h)) } }",
+            "fn f() { std::iter::repeat(1).take(2); std::mem::swap::<u8>(&mut 1, &mut 2); let x = 1..=2; 'a: loop {} }",
+            "fn f() { let _ = std::panic::catch_unwind(|| ()); std::thread::yield_now(); }",
+            "fn f() -> char { '\"' }",
+        ] {
+            assert_eq!(first(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn findings_name_their_place() {
+        assert_eq!(
+            first("fn f() {\r\n    std::fs::read(\"x\");\r\n}").unwrap(),
+            "2:10 `std::fs` is not for this lab: it reaches files"
+        );
+        assert!(first("fn f() {\n  \"open").unwrap().starts_with("2:"), "{:?}", first("fn f() {\n  \"open"));
+        let deep = format!("fn f() {{ {}{} }}", "(".repeat(500), ")".repeat(500));
+        assert!(first(&deep).unwrap().contains("nested"));
+        let many = "fn f() { std::fs::a(); }\n".repeat(100);
+        assert!(matches!(scan(&many), Err(ScanError::Forbidden(found)) if found.len() == MOST));
+    }
+}

@@ -1,0 +1,54 @@
+//! Files of a lab in TOML, with the place of what is wrong in them.
+
+use serde::de::DeserializeOwned;
+use std::fmt;
+
+/// Why a manifest or a bug cannot be used. Prints as `source:line:column: what`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ManifestError {
+    /// The file.
+    pub source: String,
+    /// The line, from 1.
+    pub line: usize,
+    /// The column, from 1, in characters.
+    pub column: usize,
+    /// What is wrong, and what to try.
+    pub what: String,
+}
+
+impl fmt::Display for ManifestError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { source, line, column, what } = self;
+        write!(f, "{source}:{line}:{column}: {what}")
+    }
+}
+
+impl std::error::Error for ManifestError {}
+
+/// A text that is TOML, and its name in messages.
+#[derive(Clone, Copy)]
+pub(super) struct TomlFile<'a> {
+    pub(super) text: &'a str,
+    pub(super) source: &'a str,
+}
+
+impl TomlFile<'_> {
+    pub(super) fn read<T: DeserializeOwned>(&self) -> Result<T, ManifestError> {
+        toml::from_str(self.text).map_err(|error| {
+            let at = error.span().map_or(self.text.len(), |span| span.start);
+            self.error(at, error.message().replace('\n', "; "))
+        })
+    }
+
+    /// An error at a byte of the text.
+    pub(super) fn error(&self, at: usize, what: impl Into<String>) -> ManifestError {
+        let before = self.text.get(..at).unwrap_or(self.text);
+        let line_start = before.rfind('\n').map_or(0, |end| end + 1);
+        ManifestError {
+            source: self.source.to_owned(),
+            line: before.matches('\n').count() + 1,
+            column: before[line_start..].chars().count() + 1,
+            what: what.into(),
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! What can be said of a test, and what to do next.
+
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// What came of a graded test, or of a whole submission. The order is from best to worst news for its author.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Verdict {
+    /// Every case was answered completely and rightly.
+    Passed,
+    /// The student's code says `todo!()` there.
+    Unattempted,
+    /// A test that this one builds on did not pass.
+    Skipped,
+    /// The program ran and a promise was broken.
+    Wrong,
+    /// A panic in the student's code, a stack overflow, an abort.
+    Crashed,
+    /// The deadline passed before the answer was complete.
+    TimedOut,
+    /// The memory limit was reached.
+    OutOfMemory,
+    /// The file holds a construct that the lab forbids.
+    Refused,
+    /// The compiler rejects the file.
+    DoesNotCompile,
+    /// The grader or the machine failed; never the student's loss.
+    GraderFault,
+}
+
+impl Verdict {
+    /// All verdicts, in their order.
+    pub const ALL: [Self; 10] = [
+        Self::Passed,
+        Self::Unattempted,
+        Self::Skipped,
+        Self::Wrong,
+        Self::Crashed,
+        Self::TimedOut,
+        Self::OutOfMemory,
+        Self::Refused,
+        Self::DoesNotCompile,
+        Self::GraderFault,
+    ];
+
+    /// The verdict in words, as reports print it.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Passed => "passed",
+            Self::Unattempted => "unattempted",
+            Self::Skipped => "skipped",
+            Self::Wrong => "wrong",
+            Self::Crashed => "crashed",
+            Self::TimedOut => "timed out",
+            Self::OutOfMemory => "out of memory",
+            Self::Refused => "refused",
+            Self::DoesNotCompile => "does not compile",
+            Self::GraderFault => "grader fault",
+        }
+    }
+
+    /// What the student should do next, as a sentence.
+    #[must_use]
+    pub fn next_action(self) -> &'static str {
+        match self {
+            Self::Passed => "Nothing is left to do here.",
+            Self::Unattempted => "Replace the todo!() by your code.",
+            Self::Skipped => "Make the test that it builds on pass first.",
+            Self::Wrong => "Read the first finding, look at the picture, then replay the script.",
+            Self::Crashed => "Go to the line of the panic; replay the script to get there.",
+            Self::TimedOut => "Look for a loop that never comes back to where it began.",
+            Self::OutOfMemory => "Look for a list that grows in a loop which never ends.",
+            Self::Refused => "Take out what is named; the lab needs nothing beyond ordinary code.",
+            Self::DoesNotCompile => "Run `cargo build` and mend the first error.",
+            Self::GraderFault => "This is not your fault: tell your instructor, with this report.",
+        }
+    }
+
+    /// Whether the points are earned.
+    #[must_use]
+    pub fn is_passed(self) -> bool {
+        self == Self::Passed
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.word())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Verdict;
+
+    #[test]
+    fn verdicts_are_told_apart_by_word_and_by_what_to_do() {
+        for (i, a) in Verdict::ALL.iter().enumerate() {
+            for b in &Verdict::ALL[..i] {
+                assert!(b < a, "{b} comes before {a}");
+                assert_ne!(a.word(), b.word());
+                assert_ne!(a.next_action(), b.next_action());
+            }
+        }
+    }
+}

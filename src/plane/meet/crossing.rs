@@ -1,0 +1,174 @@
+//! The point where two segments cross, without rounding.
+//!
+//! ```text
+//!        c ╲   ╱ b         P = (X / W, Y / W)    W = (b - a) x (d - c)
+//!           ╲ ╱                                  X = a.x W + T (b.x - a.x)    T = (c - a) x (d - c)
+//!            ● P                                 Y = a.y W + T (b.y - a.y)
+//!           ╱ ╲
+//!        a ╱   ╲ d         Questions are answered from a box that P is known to lie in, or from X, Y, W exactly.
+//! ```
+
+use super::expansion::{Expansion, cross};
+use super::interval::Interval;
+use crate::plane::{Point, SMALLEST};
+use std::cell::OnceCell;
+use std::cmp::Ordering;
+
+/// Where two segments cross in a point interior to both.
+#[derive(Clone, Debug)]
+pub(super) struct Crossing {
+    pub(super) edges: [u32; 2],
+    ends: [[Point; 2]; 2],
+    x: Interval,
+    y: Interval,
+    exact: OnceCell<Box<Exact>>,
+}
+
+/// The point as quotients; `w` is positive.
+#[derive(Clone, Debug)]
+struct Exact {
+    x: Expansion,
+    y: Expansion,
+    w: Expansion,
+}
+
+impl Crossing {
+    /// The crossing of two edges, which must cross.
+    pub(super) fn new(edges: [u32; 2], ends: [[Point; 2]; 2]) -> Self {
+        let [x, y] = bounds(ends);
+        Self { edges, ends, x, y, exact: OnceCell::new() }
+    }
+
+    fn exact(&self) -> &Exact {
+        self.exact.get_or_init(|| {
+            let [[a, b], [c, d]] = self.ends;
+            let vector = |p: Point, q: Point| [Expansion::difference(q.x, p.x), Expansion::difference(q.y, p.y)];
+            let (along, across) = (vector(a, b), vector(c, d));
+            let (w, t) = (cross(&along, &across), cross(&vector(a, c), &across));
+            let part = |start: f64, along: &Expansion| Expansion::of(start).times(&w).plus(&t.times(along));
+            let (x, y) = (part(a.x, &along[0]), part(a.y, &along[1]));
+            Box::new(match w.sign() {
+                Ordering::Less => Exact { x: x.negated(), y: y.negated(), w: w.negated() },
+                _ => Exact { x, y, w },
+            })
+        })
+    }
+
+    /// Where it lies from a point in the order from left to right.
+    pub(super) fn order_to_point(&self, p: Point) -> Ordering {
+        let exactly =
+            |part: &Expansion, value: f64| part.clone().minus(&Expansion::of(value).times(&self.exact().w)).sign();
+        let by_x = self.x.order(Interval::of(p.x)).unwrap_or_else(|| exactly(&self.exact().x, p.x));
+        by_x.then_with(|| self.y.order(Interval::of(p.y)).unwrap_or_else(|| exactly(&self.exact().y, p.y)))
+    }
+
+    /// Where it lies from another crossing in the order from left to right.
+    pub(super) fn order_to(&self, other: &Self) -> Ordering {
+        let exactly = |a: &Expansion, b: &Expansion| a.times(&other.exact().w).minus(&b.times(&self.exact().w)).sign();
+        if self.edges == other.edges {
+            return Ordering::Equal;
+        }
+        let by_x = self.x.order(other.x).unwrap_or_else(|| exactly(&self.exact().x, &other.exact().x));
+        by_x.then_with(|| self.y.order(other.y).unwrap_or_else(|| exactly(&self.exact().y, &other.exact().y)))
+    }
+
+    /// On which side of the line a -> b it lies: `Greater` = left.
+    pub(super) fn side(&self, a: Point, b: Point) -> Ordering {
+        let interval = Interval::of;
+        let quick = (interval(b.x) - interval(a.x)) * (self.y - interval(a.y))
+            - (interval(b.y) - interval(a.y)) * (self.x - interval(a.x));
+        quick.sign().unwrap_or_else(|| {
+            let Exact { x, y, w } = self.exact();
+            let from_a = |part: &Expansion, start: f64| part.clone().minus(&Expansion::of(start).times(w));
+            let along = [Expansion::difference(b.x, a.x), Expansion::difference(b.y, a.y)];
+            cross(&along, &[from_a(x, a.x), from_a(y, a.y)]).sign()
+        })
+    }
+
+    /// The nearest point with doubles as coordinates, within the range of the door, and how far it is from the
+    /// crossing (itself rounded). Rounding keeps the order of the x and of the y of different crossings.
+    pub(super) fn rounded(&self) -> (Point, f64) {
+        let Exact { x, y, w } = self.exact();
+        let divide = |part: &Expansion, bounds: Interval| {
+            if let Some(known) = bounds.only() {
+                return (known, 0.0);
+            }
+            let rest = |q: f64| part.clone().minus(&Expansion::of(q).times(w)).estimate() / w.estimate();
+            let first = part.estimate() / w.estimate();
+            let nearest = at_door(nearest_of(first + rest(first), rest));
+            (nearest, rest(nearest))
+        };
+        let ((px, off_x), (py, off_y)) = (divide(x, self.x), divide(y, self.y));
+        (Point::new(px, py), off_x.hypot(off_y))
+    }
+}
+
+/// Of the doubles round `q` the one with the smallest rest; of two the lower one.
+fn nearest_of(q: f64, rest: impl Fn(f64) -> f64) -> f64 {
+    let closer = |a: &f64, b: &f64| rest(*a).abs().total_cmp(&rest(*b).abs());
+    [q.next_down(), q, q.next_up()].into_iter().min_by(closer).unwrap_or(q)
+}
+
+/// Numbers too close to 0 become 0 or the smallest number allowed.
+fn at_door(x: f64) -> f64 {
+    if x.abs() >= SMALLEST {
+        x
+    } else if x.abs() * 2.0 < SMALLEST {
+        0.0
+    } else {
+        SMALLEST.copysign(x)
+    }
+}
+
+/// A box round the crossing: from the formula in intervals, and no larger than the boxes of the segments.
+fn bounds([[a, b], [c, d]]: [[Point; 2]; 2]) -> [Interval; 2] {
+    let v = |p: Point, q: Point| [(p.x, q.x), (p.y, q.y)].map(|(p, q)| Interval::of(q) - Interval::of(p));
+    let times = |p: [Interval; 2], q: [Interval; 2]| p[0] * q[1] - p[1] * q[0];
+    let (along, across) = (v(a, b), v(c, d));
+    let share = times(v(a, c), across).over(times(along, across));
+    let everything = Interval { low: f64::NEG_INFINITY, high: f64::INFINITY };
+    let at = |start: f64, along: Interval| share.map_or(everything, |t| Interval::of(start) + t * along);
+    let x = at(a.x, along[0]).within(a.x, b.x).within(c.x, d.x);
+    let y = at(a.y, along[1]).within(a.y, b.y).within(c.y, d.y);
+    [x, y]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn crossing(list: [(f64, f64); 4]) -> Crossing {
+        let [a, b, c, d] = list.map(Point::from);
+        Crossing::new([0, 1], [[a, b], [c, d]])
+    }
+
+    #[test]
+    fn crossings_are_compared_exactly() {
+        // Three lines through (1/3, 1/3), and one that misses it by less than any double can tell.
+        let third = crossing([(0., 0.), (1., 1.), (0., 0.5), (1., 0.)]);
+        let same = Crossing { edges: [2, 3], ..crossing([(-1., -1.), (3., 3.), (0., 1.), (0.5, 0.)]) };
+        assert_eq!(third.order_to(&same), Ordering::Equal);
+        assert_eq!(third.side(Point::new(0., 1.), Point::new(0.5, 0.)), Ordering::Equal);
+        let tiny = 2f64.powi(-100);
+        assert_eq!(third.side(Point::new(0., 1.), Point::new(0.5, -tiny)), Ordering::Greater);
+        assert_eq!(third.side(Point::new(0., 1.), Point::new(0.5, tiny)), Ordering::Less);
+        let later = Crossing { edges: [2, 3], ..crossing([(0., 0.), (1., 1.), (0., 1.), (0.5, tiny)]) };
+        assert_eq!(third.order_to(&later), Ordering::Less);
+        assert_eq!(third.order_to_point(Point::new(1.0 / 3.0, 0.0)), Ordering::Greater);
+        assert_eq!(third.order_to_point(Point::new((1.0_f64 / 3.0).next_up(), 0.0)), Ordering::Less);
+        let (p, off) = third.rounded();
+        assert_eq!((p, off < 1e-16, off > 1e-18), (Point::new(1.0 / 3.0, 1.0 / 3.0), true, true));
+    }
+
+    #[test]
+    fn rounding_stays_at_the_door_and_knows_exact_points() {
+        let exact = crossing([(0., 0.), (4., 4.), (0., 4.), (4., 0.)]);
+        assert_eq!(exact.rounded(), (Point::new(2.0, 2.0), 0.0));
+        let near_zero = crossing([(-1., 0.), (1., SMALLEST), (-1., SMALLEST), (1., 0.)]);
+        let (p, off) = near_zero.rounded();
+        assert_eq!(p.check(), Ok(()));
+        assert!(off <= SMALLEST, "{off}");
+        let far = crossing([(-3e60, -3e60), (3e60, 3e60), (-3e60, 1.8e-43), (3e60, 1.7e60)]);
+        assert!(far.rounded().0.check().is_ok() && far.rounded().1 < 1e45, "{:?}", far.rounded());
+    }
+}

@@ -1,0 +1,161 @@
+//! The way from given segments to a subdivision, step by step.
+
+use super::error::{SegmentFault, SegmentsError};
+use super::faults::all_faults;
+use super::graph::{Distinct, Graph, Single};
+use super::split::{Split, split};
+use super::trace::trace;
+use super::{ArrangeOptions, Arranged};
+use crate::ids::{HalfEdgeId, VertexId};
+use crate::plane::Point;
+use crate::plane::sweep::{Swept, sweep_in_order};
+
+/// Segments whose points are distinct.
+pub(super) struct Input {
+    distinct: Distinct,
+    /// The number of given segments.
+    count: usize,
+    /// The ends of the segments that have length.
+    long: Vec<[u32; 2]>,
+    /// The input numbers of the segments that have length; empty if all have.
+    names: Vec<u32>,
+    /// The segments without length, and where they are.
+    zero: Vec<(u32, Point)>,
+    /// Whether points were given by themselves, and the faults among them.
+    points_given: bool,
+    faults: Vec<SegmentFault>,
+}
+
+impl Input {
+    /// Segments by the coordinates of their ends.
+    pub(super) fn segments(segments: &[[Point; 2]]) -> Self {
+        let zero = without_length(segments.len(), |i| segments[i][0] == segments[i][1], |i| segments[i][0]);
+        let (distinct, names) = if zero.is_empty() {
+            (Distinct::new(segments.as_flattened()), Vec::new())
+        } else {
+            let long = || segments.iter().enumerate().filter(|(_, s)| s[0] != s[1]);
+            let ends: Vec<Point> = long().flat_map(|(_, &ends)| ends).collect();
+            (Distinct::new(&ends), long().map(|(i, _)| i as u32).collect())
+        };
+        let long = distinct.number.chunks_exact(2).map(|ends| [ends[0], ends[1]]).collect();
+        Self { distinct, count: segments.len(), long, names, zero, points_given: false, faults: Vec::new() }
+    }
+
+    /// Points, and segments by the numbers of their ends.
+    pub(super) fn graph(points: &[Point], segments: &[[u32; 2]], options: &ArrangeOptions) -> Self {
+        let distinct = Distinct::new(points);
+        let number = &distinct.number;
+        let mut faults = Vec::new();
+        if !options.merge && !options.split && distinct.points.len() < points.len() {
+            faults = super::graph::same_places(points, number, options.most_faults + 1);
+        }
+        let ends = |i: usize| segments[i].map(|p| number[p as usize]);
+        let has_length = |i: &usize| {
+            let [a, b] = ends(*i);
+            a != b
+        };
+        let zero = without_length(segments.len(), |i| !has_length(&i), |i| points[segments[i][0] as usize]);
+        let long = (0..segments.len()).filter(has_length).map(ends).collect();
+        let names = if zero.is_empty() {
+            Vec::new()
+        } else {
+            (0..segments.len()).filter(has_length).map(|i| i as u32).collect()
+        };
+        Self { count: segments.len(), long, names, zero, points_given: true, faults, distinct }
+    }
+
+    /// The input number of a segment that has length.
+    fn name(&self, long: usize) -> u32 {
+        self.names.get(long).copied().unwrap_or(long as u32)
+    }
+}
+
+fn without_length(count: usize, is_point: impl Fn(usize) -> bool, at: impl Fn(usize) -> Point) -> Vec<(u32, Point)> {
+    (0..count).filter(|&i| is_point(i)).map(|i| (i as u32, at(i))).collect()
+}
+
+pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arranged, SegmentsError> {
+    let mut repeated = Vec::new();
+    let Single { edges, half } = Single::new(&input.long, |second, first| {
+        repeated.push((input.name(second as usize), input.name(first as usize)));
+    });
+    if !(options.merge || options.split) {
+        input.faults.extend(input.zero.iter().map(|&(segment, at)| SegmentFault::ZeroLength { segment, at }));
+        input.faults.extend(repeated.iter().map(|&(second, first)| SegmentFault::Repeated { first, second }));
+    }
+    let points = std::mem::take(&mut input.distinct.points);
+    let mut graph = Graph { points, edges, by_place: std::mem::take(&mut input.distinct.by_place) };
+    let given = graph.points.len();
+    let look = |graph: &Graph| sweep_in_order(&graph.points, &graph.edges, &graph.by_place, true);
+    let mut swept = look(&graph);
+    let mut pieces = Split::none(graph.edges.len());
+    if swept.meeting.is_some() && options.split {
+        pieces = split(&mut graph)?;
+        swept = look(&graph);
+    }
+    refuse(&input, &half, &graph, &swept, options.most_faults.max(1))?;
+
+    let subdivision = trace(graph, &swept.below)?;
+    let (chain_starts, chains) = chains(&input, &half, &pieces);
+    let vertices = if input.points_given { input.distinct.number } else { Vec::new() };
+    Ok(Arranged {
+        vertices: vertices.into_iter().map(VertexId::new).collect(),
+        zero_length: input.zero.into_iter().map(|(segment, _)| segment).collect(),
+        repeated,
+        crossings: (given as u32..subdivision.vertex_bound() as u32).map(VertexId::new).collect(),
+        moved: moved(&pieces),
+        rounds: pieces.rounds,
+        chain_starts,
+        chains,
+        subdivision,
+    })
+}
+
+/// Fails if anything was found that the options do not allow, with not more than `limit` faults.
+fn refuse(input: &Input, half: &[u32], graph: &Graph, swept: &Swept, limit: usize) -> Result<(), SegmentsError> {
+    let mut faults = input.faults.clone();
+    let mut more = faults.len() > limit;
+    faults.truncate(limit);
+    if swept.meeting.is_some() && !more {
+        // The first segment with the ends of an edge gives it its name.
+        let mut names = vec![0; graph.edges.len()];
+        for (i, &h) in half.iter().enumerate().rev() {
+            names[(h >> 1) as usize] = input.name(i);
+        }
+        let point_name = |p: u32| input.distinct.number.iter().position(|&q| q == p).map_or(p, |i| i as u32);
+        let found;
+        (found, more) = all_faults(graph, limit - faults.len(), (&|e| names[e as usize], &point_name));
+        faults.extend(found);
+    }
+    if faults.is_empty() { Ok(()) } else { Err(SegmentsError::Faults { faults, more }) }
+}
+
+/// For every given segment the half-edges it has become: where they start, and all of them.
+fn chains(input: &Input, half: &[u32], pieces: &Split) -> (Vec<u32>, Vec<HalfEdgeId>) {
+    let mut starts = Vec::with_capacity(input.count + 1);
+    let mut list = Vec::with_capacity(pieces.chain.len());
+    let mut zero = input.zero.iter().map(|&(segment, _)| segment).peekable();
+    let mut long = half.iter();
+    for segment in 0..input.count as u32 {
+        starts.push(list.len() as u32);
+        if zero.next_if_eq(&segment).is_some() {
+            continue;
+        }
+        let Some(&h) = long.next() else { break };
+        let edge = (h >> 1) as usize;
+        let range = pieces.starts[edge] as usize..pieces.starts[edge + 1] as usize;
+        let chain = pieces.chain[range].iter().map(|&piece| HalfEdgeId::new(piece));
+        if h & 1 == 0 { list.extend(chain) } else { list.extend(chain.rev().map(HalfEdgeId::twin)) }
+    }
+    starts.push(list.len() as u32);
+    (starts, list)
+}
+
+/// The vertices whose crossings do not lie exactly there, and the greatest distance of each.
+fn moved(pieces: &Split) -> Vec<(VertexId, f64)> {
+    let mut moved: Vec<(VertexId, f64)> =
+        pieces.made.iter().filter(|made| made.1 > 0.0).map(|&(v, off)| (VertexId::new(v), off)).collect();
+    moved.sort_by(|a, b| a.0.cmp(&b.0).then(b.1.total_cmp(&a.1)));
+    moved.dedup_by_key(|made| made.0);
+    moved
+}

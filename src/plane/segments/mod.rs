@@ -1,0 +1,195 @@
+//! From segments to a subdivision: any straight-line graph.
+//!
+//! ```text
+//!   segments ──> equal ends become one vertex ──> one sweep: does anything meet? ──┬─ no ──> stars, cycles, rings
+//!                (graph.rs)                       what lies below each vertex?      │         (trace.rs)
+//!                                                                                   └─ yes ─> name it (faults.rs)
+//!                                                                                             or split (split.rs)
+//! ```
+//!
+//! Antennas, single edges, isolated points, nested rings and several components are all legal.
+
+mod arrange;
+mod error;
+mod faults;
+mod graph;
+mod residues;
+mod split;
+mod trace;
+
+pub use error::{SegmentFault, SegmentsError};
+pub use residues::Residues;
+
+use super::{Point, Subdivision};
+use crate::ids::{HalfEdgeId, VertexId};
+use arrange::{Input, arrange};
+
+/// What to do with segments that are no plane graph.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ArrangeOptions {
+    /// Leave out segments without length and segments that repeat an earlier one, and join points at the same place,
+    /// instead of refusing them.
+    pub merge: bool,
+    /// Split segments where they cross, touch or overlap, instead of refusing them. Then repeated segments are
+    /// merged, too.
+    ///
+    /// What meets is decided exactly. Points of the input stay where they are; a crossing becomes a vertex at the
+    /// nearest doubles, and the edges through it bend by as little. The bent edges are looked at in the same way
+    /// again, and again, until nothing meets: no crossing is made by rounding and left unsplit.
+    pub split: bool,
+    /// How many faults are named before the search ends.
+    pub most_faults: usize,
+}
+
+impl Default for ArrangeOptions {
+    fn default() -> Self {
+        Self { merge: false, split: false, most_faults: 100 }
+    }
+}
+
+/// A subdivision made of segments, and what became of each of them.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Arranged {
+    /// The subdivision.
+    pub subdivision: Subdivision,
+    /// The vertex of each given point; empty if segments were given without points.
+    pub vertices: Vec<VertexId>,
+    /// The segments without length that were left out, by input number.
+    pub zero_length: Vec<u32>,
+    /// The segments that repeat an earlier one, each with that one.
+    pub repeated: Vec<(u32, u32)>,
+    /// The vertices made where segments cross and no point was, in increasing order.
+    pub crossings: Vec<VertexId>,
+    /// The crossings that could not be kept in place, each with the distance it moved.
+    pub moved: Vec<(VertexId, f64)>,
+    /// How often everything was split; more than 1 if rounded crossings made edges meet anew.
+    pub rounds: u32,
+    chain_starts: Vec<u32>,
+    chains: Vec<HalfEdgeId>,
+}
+
+impl Arranged {
+    /// The half-edges that segment `segment` has become, from its first end to its second; none if it has no length.
+    /// A repeated segment, or one that overlaps another, shares edges with it. O(1).
+    ///
+    /// # Panics
+    /// If there is no such segment.
+    #[must_use]
+    pub fn chain(&self, segment: usize) -> &[HalfEdgeId] {
+        &self.chains[self.chain_starts[segment] as usize..self.chain_starts[segment + 1] as usize]
+    }
+}
+
+impl Subdivision {
+    /// The subdivision that segments cut the plane into.
+    ///
+    /// ```text
+    ///      ●─────────────●         Ends with equal coordinates are one vertex. The segments may form anything that
+    ///      │  ●          │         meets at common ends only: faces, trees, antennas, several components, rings in
+    ///      ●──┴──●  ●──● │ ●       rings.
+    ///      └─────────────●
+    /// ```
+    ///
+    /// Vertices are numbered in the order in which they first come in the segments. Segment i is e(i), and h(2i)
+    /// runs as the segment does. `outgoing(v)` is the first half-edge counter-clockwise from straight down. `f0` is
+    /// the outer face; bounded faces are numbered from 1 in the order of their smallest half-edge, which is their
+    /// `boundary`. The rings of a face come in the order of their smallest half-edges.
+    ///
+    /// Cost: O(n log n). All decisions are exact.
+    ///
+    /// # Errors
+    /// [`SegmentsError`] names every segment without length, every repeated one, and all pairs that cross, touch or
+    /// overlap, with the place, up to 100. [`arrange_segments`](Self::arrange_segments) can merge and split them.
+    ///
+    /// ```
+    /// use dcel_kit::plane::{Point, SegmentFault, SegmentsError, Subdivision};
+    /// let segment = |x0, y0, x1, y1| [Point::new(x0, y0), Point::new(x1, y1)];
+    /// let triangle = [segment(0., 0., 4., 0.), segment(4., 0., 0., 3.), segment(0., 3., 0., 0.)];
+    /// let s = Subdivision::from_segments(&triangle)?;
+    /// assert_eq!((s.vertex_count(), s.edge_count(), s.face_count()), (3, 3, 2));
+    ///
+    /// let cross = [segment(0., 0., 2., 2.), segment(0., 2., 2., 0.)];
+    /// let SegmentsError::Faults { faults, .. } = Subdivision::from_segments(&cross).unwrap_err() else { panic!() };
+    /// assert_eq!(faults, [SegmentFault::Crossing { first: 0, second: 1, at: Point::new(1., 1.) }]);
+    /// # Ok::<(), SegmentsError>(())
+    /// ```
+    pub fn from_segments(segments: &[[Point; 2]]) -> Result<Self, SegmentsError> {
+        Ok(Self::arrange_segments(segments, &ArrangeOptions::default())?.subdivision)
+    }
+
+    /// [`from_segments`](Self::from_segments) for segments given by the numbers of their ends: a planar
+    /// straight-line graph. Point i is v(i), segment i is e(i). Points without segments become isolated vertices.
+    ///
+    /// Cost: O(n log n). All decisions are exact.
+    ///
+    /// # Errors
+    /// [`SegmentsError`], as for segments; two points at the same place are a fault, too.
+    ///
+    /// ```
+    /// use dcel_kit::plane::{Point, Subdivision};
+    /// let points = [(0., 0.), (4., 0.), (0., 3.), (1., 1.)].map(Point::from);
+    /// let s = Subdivision::from_graph(&points, &[[0, 1], [1, 2], [2, 0]])?;
+    /// assert_eq!((s.face_count(), s.rings(dcel_kit::FaceId::new(1)).len()), (2, 1));
+    /// # Ok::<(), dcel_kit::plane::SegmentsError>(())
+    /// ```
+    pub fn from_graph(points: &[Point], segments: &[[u32; 2]]) -> Result<Self, SegmentsError> {
+        Ok(Self::arrange_graph(points, segments, &ArrangeOptions::default())?.subdivision)
+    }
+
+    /// [`from_segments`](Self::from_segments) with options and a report.
+    ///
+    /// Merged segments get no number of their own: the others follow each other. With splitting, the edges of
+    /// segment 0 come first, then those of segment 1 that are new, and so on; vertices made for crossings follow
+    /// those of the input, from left to right.
+    ///
+    /// Cost: O((n + k) log n) for n segments with k meetings, a few times over if they are split.
+    ///
+    /// # Errors
+    /// [`SegmentsError`] names what the options do not allow.
+    ///
+    /// ```
+    /// use dcel_kit::plane::{ArrangeOptions, Point, Subdivision};
+    /// let segment = |x0, y0, x1, y1| [Point::new(x0, y0), Point::new(x1, y1)];
+    /// let options = ArrangeOptions { split: true, ..ArrangeOptions::default() };
+    /// let cross = Subdivision::arrange_segments(&[segment(0., 0., 3., 1.), segment(0., 1., 3., 0.)], &options)?;
+    /// assert_eq!(cross.crossings.len(), 1);
+    /// assert_eq!(cross.chain(0).len(), 2);
+    /// assert_eq!(cross.subdivision.point(cross.crossings[0]), Point::new(1.5, 0.5));
+    /// assert!(cross.moved.is_empty());
+    /// # Ok::<(), dcel_kit::plane::SegmentsError>(())
+    /// ```
+    pub fn arrange_segments(segments: &[[Point; 2]], options: &ArrangeOptions) -> Result<Arranged, SegmentsError> {
+        check_points(segments.as_flattened())?;
+        arrange(Input::segments(segments), options)
+    }
+
+    /// [`from_graph`](Self::from_graph) with options and a report; otherwise as
+    /// [`arrange_segments`](Self::arrange_segments). If points are merged, vertices are numbered in the order in
+    /// which they first come.
+    ///
+    /// # Errors
+    /// [`SegmentsError`] names what the options do not allow.
+    pub fn arrange_graph(
+        points: &[Point],
+        segments: &[[u32; 2]],
+        options: &ArrangeOptions,
+    ) -> Result<Arranged, SegmentsError> {
+        check_points(points)?;
+        for (i, &end) in segments.as_flattened().iter().enumerate() {
+            if end as usize >= points.len() {
+                return Err(SegmentsError::NoSuchPoint { segment: i as u32 / 2, point: end, points: points.len() });
+            }
+        }
+        arrange(Input::graph(points, segments, options), options)
+    }
+}
+
+fn check_points(points: &[Point]) -> Result<(), SegmentsError> {
+    if points.len() > crate::ids::MAX_IDS {
+        return Err(crate::topology::TooMany.into());
+    }
+    for (i, point) in points.iter().enumerate() {
+        point.check().map_err(|error| SegmentsError::Coordinate { point: i as u32, error })?;
+    }
+    Ok(())
+}

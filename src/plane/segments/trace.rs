@@ -1,0 +1,134 @@
+//! From a plane graph to a subdivision: stars, links, cycles, rings.
+//!
+//! ```text
+//!        h4 ╲   ╱ h2        1. round each vertex the half-edges in counter-clockwise order, h0 h2 h4
+//!            ╲ ╱            2. each corner is a link: next(twin(h2)) = h0, next(twin(h4)) = h2, ...
+//!             ●── h0        3. the links close to cycles; a cycle whose corner at its leftmost vertex looks
+//!                              to the left runs round something: a ring. All others bound a face.
+//!   ──●    ● ring           4. a ring or an isolated vertex lies in the face above the next edge below its
+//!  ───────────── below         leftmost vertex.
+//! ```
+//!
+//! Source: de Berg et al., *Computational Geometry*, 3rd ed., section 2.3.
+
+use super::graph::Graph;
+use crate::ids::{EdgeId, HalfEdgeId, MAX_IDS, VertexId};
+use crate::plane::convert::by_direction;
+use crate::plane::rings::Loose;
+use crate::plane::sweep::NOTHING;
+use crate::plane::{Point, Subdivision};
+use crate::topology::{Columns, Dcel, Ring, TooMany};
+
+const NONE: u32 = Columns::NONE;
+
+/// The subdivision that the edges of a graph cut the plane into. The graph must have no meetings; `below` is what
+/// the sweep found below each vertex.
+///
+/// Vertex i of the graph is v(i), edge i is e(i), its even half runs as given. `outgoing(v)` is the first half-edge
+/// counter-clockwise from straight down. Bounded faces are numbered from 1 in the order of their smallest
+/// half-edge, which is their `boundary`.
+///
+/// Cost: O(n log n).
+pub(super) fn trace(graph: Graph, below: &[u32]) -> Result<Subdivision, TooMany> {
+    let Graph { points, edges, by_place } = graph;
+    if points.len() > MAX_IDS || 2 * edges.len() > MAX_IDS {
+        return Err(TooMany);
+    }
+    let mut columns = links(&points, &edges);
+    let loose = cycles(&mut columns, &by_place)?;
+    let mut subdivision = Subdivision::from_parts(Dcel::from_columns(columns), points.into());
+    let edge_below = |v: VertexId| match below[v.index()] {
+        NOTHING => None,
+        edge => Some(EdgeId::new(edge)),
+    };
+    let fits = |_: &Subdivision, _, _, _| Ok::<(), std::convert::Infallible>(());
+    let Ok(()) = subdivision.hang_rings(loose, edge_below, fits);
+    Ok(subdivision)
+}
+
+/// Origins, links and `outgoing`.
+fn links(points: &[Point], edges: &[[u32; 2]]) -> Columns {
+    let origin: Vec<u32> = edges.as_flattened().to_vec();
+    let mut firsts = vec![0_u32; points.len() + 1];
+    origin.iter().for_each(|&v| firsts[v as usize + 1] += 1);
+    (0..points.len()).for_each(|v| firsts[v + 1] += firsts[v]);
+    let mut stars = vec![0_u32; origin.len()];
+    let mut free = firsts.clone();
+    for (h, &v) in origin.iter().enumerate() {
+        stars[free[v as usize] as usize] = h as u32;
+        free[v as usize] += 1;
+    }
+    let mut columns = Columns {
+        next: vec![NONE; origin.len()],
+        prev: vec![NONE; origin.len()],
+        face: vec![NONE; origin.len()],
+        outgoing: vec![NONE; points.len()],
+        boundary: vec![NONE],
+        origin,
+    };
+    let to = |h: u32| points[columns.origin[(h ^ 1) as usize] as usize];
+    for (v, ends) in firsts.windows(2).enumerate() {
+        let star = &mut stars[ends[0] as usize..ends[1] as usize];
+        star.sort_unstable_by(|&g, &h| by_direction(points[v], to(g), to(h)));
+        let Some(&first) = star.first() else { continue };
+        columns.outgoing[v] = first;
+        for (i, &h) in star.iter().enumerate() {
+            let after = star.get(i + 1).copied().unwrap_or(first);
+            columns.next[(after ^ 1) as usize] = h;
+            columns.prev[h as usize] = after ^ 1;
+        }
+    }
+    columns
+}
+
+/// Gives every half-edge its face, rings for the time being `f0`. Returns the rings and the isolated vertices.
+fn cycles(columns: &mut Columns, by_place: &[u32]) -> Result<Vec<Loose>, TooMany> {
+    let mut rank = vec![0_u32; by_place.len()];
+    by_place.iter().enumerate().for_each(|(i, &v)| rank[v as usize] = i as u32);
+    let mut loose = Vec::new();
+    for start in 0..columns.face.len() as u32 {
+        if columns.face[start as usize] != NONE {
+            continue;
+        }
+        let face = columns.boundary.len() as u32;
+        // A corner behind the last half-edge of a star looks down, and at a leftmost vertex therefore to the left.
+        let (mut leftmost, mut looks_left) = (u32::MAX, false);
+        let mut h = start;
+        loop {
+            columns.face[h as usize] = face;
+            let v = columns.origin[h as usize];
+            let place = rank[v as usize];
+            if place <= leftmost {
+                let last = columns.prev[h as usize] ^ 1 == columns.outgoing[v as usize];
+                looks_left = last || (place == leftmost && looks_left);
+                leftmost = place;
+            }
+            h = columns.next[h as usize];
+            if h == start {
+                break;
+            }
+        }
+        if !looks_left {
+            if columns.boundary.len() >= MAX_IDS {
+                return Err(TooMany);
+            }
+            columns.boundary.push(start);
+            continue;
+        }
+        let leftmost = VertexId::new(by_place[leftmost as usize]);
+        loose.push(Loose { ring: Ring::Cycle(HalfEdgeId::new(start)), leftmost, owner: None });
+        loop {
+            columns.face[h as usize] = 0;
+            h = columns.next[h as usize];
+            if h == start {
+                break;
+            }
+        }
+    }
+    let isolated = columns.outgoing.iter().enumerate().filter(|&(_, &h)| h == NONE);
+    loose.extend(isolated.map(|(v, _)| {
+        let v = VertexId::new(v as u32);
+        Loose { ring: Ring::Isolated(v), leftmost: v, owner: None }
+    }));
+    Ok(loose)
+}

@@ -1,0 +1,327 @@
+//! Reports hold what each format promises, for good and for hostile submissions.
+#![cfg(feature = "grade")]
+#![allow(clippy::unwrap_used)]
+
+use dcel_kit::lab::reports::Format;
+use dcel_kit::lab::{Adjustment, Finding, Picture, Report, TestResult, Verdict, Visibility, Wall};
+use serde_json::Value;
+
+/// A name that tries to break out of every format.
+const HOSTILE: &str = "=cmd()</script><b>]]>\"'&|`` \u{1}\u{1b}[31m\u{202e}";
+
+fn test(name: &str, task: u32, verdict: Verdict, points: u32) -> TestResult {
+    TestResult {
+        name: name.to_owned(),
+        title: format!("what {name} asks"),
+        task,
+        verdict,
+        points: if verdict.is_passed() { points } else { 0 },
+        max_points: points,
+        visibility: Visibility::Visible,
+        message: String::new(),
+        place: None,
+        findings: Vec::new(),
+        bugs: Vec::new(),
+        script: None,
+        replay: None,
+        picture: None,
+    }
+}
+
+fn report() -> Report {
+    let mut wrong = test("split_face_4_faces", 5, Verdict::Wrong, 6);
+    wrong.message = "split_face h2 h8 left half-edges in the old face.".to_owned();
+    wrong.findings.push(Finding {
+        rule: "F1".to_owned(),
+        words: "h8.face = f1, expected f2".to_owned(),
+        section: "5".to_owned(),
+    });
+    wrong.bugs = vec!["the loop of the new face was not relabelled (step 4)".to_owned()];
+    wrong.script = Some("rectangle\nsplit_face h2 h8\ndump".to_owned());
+    wrong.replay = Some("cargo run < case.txt".to_owned());
+    wrong.picture = Some(Picture {
+        before: "<svg xmlns=\"http://www.w3.org/2000/svg\"><title>before</title></svg>".to_owned(),
+        expected: "<svg xmlns=\"http://www.w3.org/2000/svg\"/>".to_owned(),
+        yours: "<svg xmlns=\"http://www.w3.org/2000/svg\"/>".to_owned(),
+        ascii: "h8  face f2 → f1\n".to_owned(),
+    });
+    let mut crashed = test("split_in_half_1_vertex", 6, Verdict::Crashed, 4);
+    crashed.message = "index out of bounds".to_owned();
+    crashed.place = Some("src/lab.rs:41:9".to_owned());
+    Report {
+        kit: "0.1.0".to_owned(),
+        lab: "04-half-edge".to_owned(),
+        lab_version: "1".to_owned(),
+        submission: Some("anna".to_owned()),
+        seed: 12345,
+        verdict: Verdict::Crashed,
+        message: None,
+        tests: vec![
+            test("face_walk", 1, Verdict::Passed, 8),
+            test("vertex_star", 4, Verdict::Unattempted, 10),
+            wrong,
+            test("split_face_5_representatives", 5, Verdict::Skipped, 6),
+            crashed,
+        ],
+        walls: vec![
+            Wall { name: "memory 512 MB".to_owned(), missing: None },
+            Wall { name: "no network".to_owned(), missing: Some("user namespaces are not allowed".to_owned()) },
+        ],
+        printed: "debugging\n".to_owned(),
+        attachments: vec![("answers.md".to_owned(), "By next.origin.\n".to_owned())],
+        adjustments: vec![Adjustment { reason: "answers".to_owned(), points: 2 }],
+        millis: 700,
+    }
+}
+
+/// One in which every text that a student can choose is hostile, and a hidden test failed.
+fn hostile() -> Report {
+    let mut report = report();
+    report.submission = Some(HOSTILE.to_owned());
+    report.printed = HOSTILE.repeat(3);
+    report.attachments = vec![(HOSTILE.to_owned(), HOSTILE.to_owned())];
+    for test in &mut report.tests {
+        test.message = HOSTILE.to_owned();
+    }
+    report.tests[2].findings[0].words = HOSTILE.to_owned();
+    report.tests[2].visibility = Visibility::Hidden;
+    report.tests[2].message = "the secret is 77".to_owned();
+    report
+}
+
+fn broken() -> Report {
+    let mut report = report();
+    report.verdict = Verdict::DoesNotCompile;
+    report.message = Some("error[E0308]: mismatched types\n --> src/lab.rs:3:5".to_owned());
+    for test in &mut report.tests {
+        *test = TestResult { verdict: Verdict::DoesNotCompile, points: 0, ..super_plain(test) };
+    }
+    report
+}
+
+fn super_plain(t: &TestResult) -> TestResult {
+    test(&t.name, t.task, Verdict::DoesNotCompile, t.max_points)
+}
+
+fn json(format: Format, report: &Report) -> Value {
+    serde_json::from_str(&format.one(report)).unwrap()
+}
+
+#[test]
+fn every_format_is_written_for_every_kind_of_report_and_always_the_same() {
+    for report in [report(), hostile(), broken(), Report { tests: Vec::new(), ..report() }] {
+        for format in Format::ALL {
+            assert_eq!(Format::by_name(format.name()), Some(format));
+            let text = format.one(&report);
+            assert!(text.ends_with('\n') || format == Format::Junit, "{format} ends its last line");
+            assert_eq!(text, format.one(&report.clone()), "{format} depends on the report alone");
+            assert_eq!(format.class(&[report.clone(), report.clone()]).is_ok(), format.holds_a_class(), "{format}");
+            assert!(!text.contains('\u{1b}'), "{format} lets an escape sequence through: {text}");
+            let mut later = report.clone();
+            later.millis += 1;
+            let timed = matches!(format, Format::Gradescope | Format::Json);
+            assert_eq!(format.one(&later) != text, timed, "{format} and the time");
+        }
+    }
+}
+
+#[test]
+fn gradescope_gets_the_types_it_asks_for() {
+    for report in [report(), hostile(), broken()] {
+        let file = json(Format::Gradescope, &report);
+        assert_eq!(file["score"], report.points());
+        assert!(file["execution_time"].is_f64());
+        assert!(file["output"].is_string());
+        for key in ["output_format", "visibility", "stdout_visibility"] {
+            assert!(file[key].is_string(), "{key}");
+        }
+        let tests = file["tests"].as_array().unwrap();
+        assert_eq!(tests.len(), report.tests.len() + report.adjustments.len());
+        let mut numbers = Vec::new();
+        for (entry, test) in tests.iter().zip(&report.tests) {
+            assert_eq!(entry["score"], test.points);
+            assert_eq!(entry["max_score"], test.max_points);
+            assert_eq!(entry["status"], if test.verdict.is_passed() { "passed" } else { "failed" });
+            assert!(entry["tags"].as_array().unwrap().iter().all(Value::is_string));
+            numbers.push(entry["number"].as_str().unwrap().to_owned());
+        }
+        let mut sorted = numbers.clone();
+        sorted.sort();
+        assert_eq!(numbers, sorted, "the numbers sort as texts");
+    }
+    let file = json(Format::Gradescope, &hostile());
+    assert_eq!(file["tests"][2]["visibility"], "hidden");
+    assert!(json(Format::Gradescope, &broken())["output"].as_str().unwrap().contains("mismatched types"));
+}
+
+#[test]
+fn classroom_50_gets_whole_points_under_hyphenated_keys() {
+    let file = json(Format::Classroom50, &report());
+    assert_eq!(file["schema"], "classroom50/result/v1");
+    assert_eq!(file["score"], 10);
+    assert_eq!(file["max-score"], 34);
+    assert_eq!(file["tests"][0]["test-name"], "face_walk");
+    assert_eq!(file["tests"][0]["passed"], true);
+    assert_eq!(file["tests"][2]["score"], 0);
+    assert_eq!(file["tests"][2]["max-score"], 6);
+}
+
+#[test]
+fn exercism_gets_version_3_and_short_outputs() {
+    let mut long = report();
+    long.tests[2].picture.as_mut().unwrap().ascii = "ö".repeat(2000);
+    let file = json(Format::Exercism, &long);
+    assert_eq!(file["version"], 3);
+    assert_eq!(file["status"], "fail");
+    assert!(file.get("message").is_none());
+    assert_eq!(file["tests"][2]["task_id"], 5);
+    assert_eq!(file["tests"][2]["output"].as_str().unwrap().chars().count(), 500);
+    assert_eq!(file["tests"][0]["message"], Value::Null);
+    let file = json(Format::Exercism, &broken());
+    assert_eq!(file["status"], "error");
+    assert!(file["message"].as_str().unwrap().starts_with("does not compile: error[E0308]"));
+}
+
+#[test]
+fn students_read_nothing_of_a_hidden_test() {
+    let report = hostile();
+    for format in [Format::Classroom50, Format::Exercism, Format::Markdown] {
+        let text = format.one(&report);
+        assert!(!text.contains("secret"), "{format}: {text}");
+        assert!(!text.contains("not relabelled"), "{format}: {text}");
+    }
+    assert!(Format::Gradescope.one(&report).contains("secret"), "Gradescope hides it itself");
+}
+
+#[test]
+fn junit_is_xml_whatever_a_program_printed() {
+    let reports = [report(), hostile(), broken()];
+    let text = Format::Junit.class(&reports).unwrap();
+    let document = roxmltree::Document::parse(&text).unwrap();
+    let suites: Vec<_> = document.descendants().filter(|n| n.has_tag_name("testsuite")).collect();
+    assert_eq!(suites.len(), 3);
+    assert_eq!(suites[0].attribute("name"), Some("anna"));
+    let kinds =
+        |suite: &roxmltree::Node<'_, '_>, kind: &str| suite.descendants().filter(|n| n.has_tag_name(kind)).count();
+    assert_eq!(kinds(&suites[0], "testcase"), 5);
+    assert_eq!(kinds(&suites[0], "failure"), 3);
+    assert_eq!(kinds(&suites[0], "skipped"), 1);
+    assert_eq!(kinds(&suites[2], "error"), 5);
+    let failure = suites[0].descendants().find(|n| n.has_tag_name("failure") && n.attribute("type") == Some("wrong"));
+    assert!(failure.unwrap().text().unwrap().contains("h8.face = f1, expected f2"));
+}
+
+#[test]
+fn spreadsheets_see_no_formula_and_one_row_each() {
+    let text = Format::Csv.class(&[report(), hostile()]).unwrap();
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let head = reader.headers().unwrap().clone();
+    let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    assert_eq!(rows.len(), 2);
+    let column = |name: &str| head.iter().position(|h| h == name).unwrap();
+    assert_eq!(&rows[0][column("submission")], "anna");
+    assert_eq!(&rows[0][column("points")], "10");
+    assert_eq!(&rows[0][column("face_walk")], "8");
+    assert_eq!(&rows[0][column("adjustments")], "answers: +2");
+    for row in &rows {
+        assert!(row.iter().all(|cell| !cell.starts_with(['=', '+', '-', '@'])), "{row:?}");
+    }
+    assert!(rows[1][0].starts_with("'=cmd()"));
+
+    let text = Format::Bugs.class(&[report(), report(), broken()]).unwrap();
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    assert_eq!(rows.len(), 1);
+    assert_eq!(&rows[0][0], "the loop of the new face was not relabelled (step 4)");
+    assert_eq!(&rows[0][1], "2");
+}
+
+#[test]
+fn pages_hold_what_they_say_and_nothing_runs() {
+    let page = Format::Html.class(&[report(), hostile(), broken()]).unwrap();
+    assert!(!page.contains("<script") && !page.contains("</script>"), "no script, no end of one");
+    assert!(!page.contains("<b>"), "markup of a submission stays text");
+    let body = page.strip_prefix("<!DOCTYPE html>").unwrap().replace("<br>", "<br/>");
+    let tags = body.matches("<section").count();
+    assert_eq!(tags, 3);
+    assert_eq!(page.matches("<figure>").count(), 6, "three pictures for each failing call");
+    assert!(page.contains("src=\"data:image/svg+xml,%3csvg%20xmlns=%22http://www.w3.org/2000/svg%22%3e%3ctitle"));
+    let ids: Vec<&str> = page.split(" id=\"").skip(1).map(|rest| &rest[..rest.find('"').unwrap()]).collect();
+    for link in page.split("href=\"#").skip(1).map(|rest| &rest[..rest.find('"').unwrap()]) {
+        assert_eq!(ids.iter().filter(|id| **id == link).count(), 1, "{link}");
+    }
+}
+
+#[test]
+fn markdown_fits_a_step_summary_and_no_text_breaks_a_table() {
+    let mut report = report();
+    report.tests[2].message = "`````\n".repeat(300_000);
+    let text = Format::Markdown.one(&report);
+    assert!(text.len() < 1 << 20);
+    assert!(text.contains("left out"));
+    assert!(!text.contains("<svg"));
+    let text = Format::Markdown.class(&[hostile(), hostile()]).unwrap();
+    assert!(text.contains("| =cmd()&lt;/script>&lt;b>\\]\\]>\"'&amp;\\|\\`\\` "), "{text}");
+}
+
+#[test]
+fn a_stored_report_is_read_back_whole() {
+    let stored = Format::Json.one(&hostile());
+    let read: Report = serde_json::from_str(&stored).unwrap();
+    assert_eq!(read, hostile());
+}
+
+#[test]
+fn the_text_for_a_terminal_says_what_to_do() {
+    let text = Format::Text.one(&report());
+    let expected = "04-half-edge: anna, 10 of 34 points
+Lab 04-half-edge version 1, kit 0.1.0.
+Seed 12345: LAB_SEED=12345 gives the same random cases.
+Walls: memory 512 MB.
+No wall: no network: user namespaces are not allowed.
+
+task 1
+  passed             8/8  face_walk
+
+task 4
+  unattempted       0/10  vertex_star
+
+task 5
+  wrong              0/6  split_face_4_faces
+  skipped            0/6  split_face_5_representatives
+
+task 6
+  crashed            0/4  split_in_half_1_vertex
+  +2 points: answers
+
+vertex_star: unattempted, what vertex_star asks
+  Next: Replace the todo!() by your code.
+
+split_face_4_faces: wrong, what split_face_4_faces asks
+  split_face h2 h8 left half-edges in the old face.
+  Same failures as: the loop of the new face was not relabelled (step 4)
+  F1: h8.face = f1, expected f2 (handout, section 5)
+  Shortest failing script:
+      rectangle
+      split_face h2 h8
+      dump
+  Replay it: cargo run < case.txt
+  Next: Read the first finding, look at the picture, then replay the script.
+  h8  face f2 → f1
+
+split_face_5_representatives: skipped, what split_face_5_representatives asks
+  Next: Make the test that it builds on pass first.
+
+split_in_half_1_vertex: crashed, what split_in_half_1_vertex asks
+  index out of bounds
+  at src/lab.rs:41:9
+  Next: Go to the line of the panic; replay the script to get there.
+
+Your program printed:
+  debugging
+
+answers.md:
+  By next.origin.
+";
+    assert_eq!(text, expected);
+}
