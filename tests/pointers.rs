@@ -355,7 +355,7 @@ fn the_focus_figure_names_the_five_pointers_and_their_values() {
             let at = texts.iter().rposition(|text| *text == key).unwrap();
             assert_eq!(texts[at + 1], value, "h{i}: {key}");
         }
-        let words: Vec<_> = drawn.words.iter().filter(|word| word.at[0] < drawn.size[0] - 290.0).collect();
+        let words: Vec<_> = drawn.words.iter().filter(|word| word.at[0] < drawn.size[0] - 324.0).collect();
         for (k, word) in words.iter().enumerate() {
             assert!(words[k + 1..].iter().all(|other| !word.overlaps(other)), "h{i}: {word:?} overlaps another name");
         }

@@ -1,15 +1,16 @@
 //! The focus figure: one half-edge, its five pointers named, its row of the table beside it.
 //!
 //! ```text
-//!   ┌───────────────────────┐   h = h14
-//!   │  (v7)◂── h.prev ──    │   h.origin    v7
-//!   │ h.twin ↕ h   ┄▸ f5    │   h.twin      h15
-//!   │  (v4)─── h.next ─▸    │   h.next      h8   ...
+//!   ┌───────────────────────┐       h = h14
+//!   │  (v7)◂── h.prev ──    │   ─▸  h.origin    v7
+//!   │ h.twin ↕ h   ┄▸ f5    │   ◂▸  h.twin      h15
+//!   │  (v4)─── h.next ─▸    │   ─▸  h.next      h8   ...
 //!   └───────────────────────┘
 //! ```
 //!
 //! Only the five half-edges and arrows that belong to `h` have colours; the rest is grey.
 
+use super::arrows::Arrow;
 use super::captions::Label;
 use super::crowd::{Crowd, Shape};
 use super::part::Part;
@@ -33,9 +34,10 @@ const ROW: f64 = 13.0;
 const AIR: f64 = 1.5;
 /// Distance of rows.
 const LINE: f64 = 24.0;
-/// Width of the first column, and of all beside the picture.
+/// Width of the samples of arrows, of the first column, and of all beside the picture.
+const SAMPLE: f64 = 38.0;
 const FIRST: f64 = 96.0;
-const ASIDE: f64 = 290.0;
+const ASIDE: f64 = 324.0;
 
 /// Draws one half-edge `h` with all it knows: `origin`, `twin`, `next`, `prev`, `face`; beside it what they are.
 ///
@@ -185,13 +187,21 @@ fn fields<V: PlanarView + ?Sized>(view: &V, h: HalfEdgeId) -> [(&'static str, St
     ]
 }
 
-/// The table beside the picture; the names have the colours of their arrows.
+/// The table beside the picture; the names have the colours of their arrows, and a sample of each stands before.
 fn rows<V: PlanarView + ?Sized>(view: &V, h: HalfEdgeId, size: Xy) -> Node {
     let classes = ["k-origin", "k-twin", "k-next", "k-next", "k-face", "cs"];
-    let left = size.x + 16.0;
+    // In the order of the fields; `prev` is next backwards.
+    let samples = [("origin", ">"), ("twin", "<>"), ("next", ">"), ("next", "<"), ("face-of", ">")];
+    let left = size.x + 16.0 + SAMPLE;
     let row = |i: usize| 40.0 + LINE * i as f64;
     let line = |class: &'static str, x: f64, y: f64, text: String| Node::Text { class, at: xy(x, y), size: ROW, text };
     let mut nodes = vec![line("ct", left, row(0), format!("h = {h}"))];
+    for (i, (class, heads)) in samples.into_iter().enumerate() {
+        let [left, right] = [8.0 - SAMPLE, -10.0].map(|x| xy(left + x, row(i + 1)));
+        let (from, to) = if heads == "<" { (right, left) } else { (left, right) };
+        let sample = Arrow::straight(from, to, heads == "<>").map(|arrow| arrow.nodes("pl", "ph").to_vec());
+        nodes.extend(sample.map(|nodes| Node::Group(Group { class, nodes, ..Group::default() })));
+    }
     for (i, ((field, value), class)) in fields(view, h).into_iter().zip(classes).enumerate() {
         nodes.push(line(class, left, row(i + 1), field.to_owned()));
         nodes.push(line("cs", left + FIRST, row(i + 1), value));

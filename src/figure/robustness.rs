@@ -4,7 +4,7 @@
 //!              q, r far away on the same line
 //!    ▒▒▒▒▓▓░░      Every cell is one double: p + (i, j) · step, for 256 × 256 cells. Its hue is what the
 //!    ▒▒▓▓░░▓▓      formula  (q - p) × (r - p)  says when it is computed in doubles: left of q r, on the
-//!    ▓▓░░▓▓▒▒      line, or right of it. Strong cells are wrong; the dark line bounds the true answer.
+//!    ▓▓░░▓▓▒▒      line, or right of it. Strong cells are wrong; the line bounds the true answer.
 //! ```
 //!
 //! Source: Kettner, Mehlhorn, Pion, Schirra and Yap, *Classroom examples of robustness problems in geometric
@@ -213,7 +213,7 @@ pub fn robustness(points: &NearlyCollinear, options: &FigureOptions) -> Figure {
     let cells = SIDE * SIDE;
     line(MARGIN, "ct", format!("(q - p) × (r - p) in doubles: {wrong} of {cells} answers are wrong"));
     line(MARGIN, "cs", format!("p = {} + (i, j) · {step:e}, i to the right, j up, 0 to {}", point(p), SIDE - 1));
-    line(MARGIN, "cs", format!("q = {}, r = {}; a dark line bounds the true answers", point(q), point(r)));
+    line(MARGIN, "cs", format!("q = {}, r = {}; the line bounds the true answers", point(q), point(r)));
     let mut swatches = Vec::new();
     for (answer, wrong, class, words) in ANSWERS {
         let y = line(MARGIN + 26.0, "cs", format!("{words}: {} cells", map.count(answer, wrong)));

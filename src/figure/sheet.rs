@@ -45,8 +45,10 @@ impl Worn {
 
     /// Adds classes, separated by blanks.
     pub(super) fn add(&mut self, classes: &str) {
-        for class in classes.split_whitespace().filter(|class| !self.classes.contains(*class)).collect::<Vec<_>>() {
-            self.classes.insert(class.to_owned());
+        for class in classes.split_whitespace() {
+            if !self.classes.contains(class) {
+                self.classes.insert(class.to_owned());
+            }
         }
     }
 
@@ -78,8 +80,8 @@ impl Worn {
     /// Whether every class of a selector is worn by something.
     fn fits(&self, selector: &str) -> bool {
         let is_name = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
-        let classes = selector.split('.').skip(1).map(|rest| rest.split(|c| !is_name(c)).next().unwrap_or(""));
-        classes.into_iter().all(|class| self.classes.contains(class))
+        let mut classes = selector.split('.').skip(1).map(|rest| rest.split(|c| !is_name(c)).next().unwrap_or(""));
+        classes.all(|class| self.classes.contains(class))
     }
 }
 
