@@ -89,7 +89,8 @@ fn the_three_faces_are_what_their_names_say_and_all_light_enough() {
     assert_eq!([style(&regular), style(&bold), style(&oblique)], [(false, false), (true, false), (true, true)]);
     assert!([REGULAR, BOLD, OBLIQUE].iter().map(|bytes| bytes.len()).sum::<usize>() < 120_000);
     for face in &faces() {
-        let names = face.names().into_iter().filter(|name| name.is_unicode()).filter_map(|name| name.to_string());
+        let names =
+            face.names().into_iter().filter(ttf_parser::name::Name::is_unicode).filter_map(|name| name.to_string());
         let names: Vec<String> = names.collect();
         assert!(names.iter().any(|name| name == "DejaVu Sans"), "the family that figures ask for: {names:?}");
         let licence = std::fs::read_to_string(fonts().join("LICENSE-dejavu")).unwrap();

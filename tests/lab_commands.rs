@@ -34,7 +34,7 @@ fn a_lab_is_found_by_number_and_a_wrong_name_says_which_there_are() {
     let shell = Folder::new();
     assert!(shell.dcel("lab list").fine().contains("04-half-edge  100 points"));
     let tasks = shell.dcel("lab list half-edge").fine();
-    assert_eq!(tasks.matches("\ntask ").count(), 7, "{tasks}");
+    assert_eq!(tasks.matches("\ntask ").count(), 8, "{tasks}");
     shell.dcel("lab list 99").fails(2, "there is no lab `99`", "04-half-edge");
     shell.dcel("lab start x dir").fails(2, "there is no lab `x`", "04-half-edge");
 }
@@ -92,12 +92,12 @@ fn a_check_says_the_next_thing_to_do() {
 fn hints_come_one_level_at_a_time() {
     let shell = student();
     let run = |arguments: &str| shell.dcel(&format!("lab hint --dir lab {arguments}"));
-    assert_eq!(run("").fine().matches("dcel lab hint").count(), 7);
+    assert_eq!(run("").fine().matches("dcel lab hint").count(), 8);
     let levels: Vec<String> = ["1", "2", "3"].map(|level| run(&format!("5 --level {level}")).fine()).into();
     assert!(levels.iter().all(|text| text.starts_with("Task 5: ")), "{levels:?}");
     assert!(levels[0].contains("--level 2") && levels[1].contains("--level 3") && !levels[2].contains("--level"));
     assert!(levels[0] != levels[1] && levels[1] != levels[2]);
-    run("77").fails(2, "there is no task 77", "1 to 7");
+    run("77").fails(2, "there is no task 77", "1 to 8");
 }
 
 #[test]

@@ -300,7 +300,7 @@ vertex_star: unattempted, what vertex_star asks
 split_face_4_faces: wrong, what split_face_4_faces asks
   split_face h2 h8 left half-edges in the old face.
   Same failures as: the loop of the new face was not relabelled (step 4)
-  F1: h8.face = f1, expected f2 (handout, section 5)
+  F1: h8.face = f1, expected f2 (handout: 5)
   Shortest failing script:
       rectangle
       split_face h2 h8

@@ -88,7 +88,7 @@ pub fn grade_program(lab: &Lab, program: &dyn Program, plan: &Plan) -> Report {
         .collect();
     let context = feedback::Context { lab, program, course };
     for state in &states {
-        let mut result = plain_result(state);
+        let mut result = TestResult::new(state.test, state.verdict);
         describe(&mut result, state, &graded, lab, &states);
         if matches!(state.verdict, Verdict::Wrong | Verdict::Crashed | Verdict::TimedOut | Verdict::OutOfMemory) {
             let task = state.test.task;
@@ -237,26 +237,6 @@ fn verdict_of(kind: &FaultKind) -> Verdict {
         FaultKind::TimedOut => Verdict::TimedOut,
         FaultKind::OutOfMemory => Verdict::OutOfMemory,
         FaultKind::GraderFault => Verdict::GraderFault,
-    }
-}
-
-fn plain_result(state: &State) -> TestResult {
-    let State { test, verdict, .. } = state;
-    TestResult {
-        name: test.name.clone(),
-        title: test.title.clone(),
-        task: test.task,
-        verdict: *verdict,
-        points: if verdict.is_passed() { test.points } else { 0 },
-        max_points: test.points,
-        visibility: test.visibility,
-        message: String::new(),
-        place: None,
-        findings: Vec::new(),
-        bugs: Vec::new(),
-        script: None,
-        replay: None,
-        picture: None,
     }
 }
 

@@ -3,7 +3,7 @@
 use super::super::{Answer, Failure, Output};
 use super::folder;
 use dcel_kit::lab::reports::Format;
-use dcel_kit::lab::{Driver, Lab, Manifest, Plan, Report, Verdict, grade_program, test_text};
+use dcel_kit::lab::{Driver, Lab, Manifest, Plan, Report, TestResult, Verdict, grade_program, test_text};
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -83,8 +83,44 @@ impl Bench {
         let report = grade_program(&self.lab, &Driver::new(program, self.lab.manifest.limits), &plan);
         let page = self.target().join("report.html");
         let written = fs::write(&page, Format::Html.one(&report)).is_ok();
-        tell(out, &report, self.all, written.then_some(page.as_path()))?;
+        self.tell(out, &report, written.then_some(page.as_path()))?;
         Ok(if report.verdict.is_passed() { Answer::Yes } else { Answer::No })
+    }
+
+    /// The list of tests, then the next thing to do.
+    fn tell(&self, out: &mut Output, report: &Report, page: Option<&Path>) -> io::Result<()> {
+        writeln!(out, "{}: {} of {} points", report.lab, report.points(), report.max_points())?;
+        if let Some(message) = &report.message {
+            writeln!(out, "{}: {message}", report.verdict)?;
+        }
+        for test in &report.tests {
+            writeln!(out, "  {} {:<30} {}", sign(test.verdict), test.name, test.verdict)?;
+        }
+        let failing = report.tests.iter().filter(|test| !matches!(test.verdict, Verdict::Passed | Verdict::Skipped));
+        for test in failing.take(if self.all { usize::MAX } else { 1 }) {
+            let replay = self.case(test);
+            writeln!(out, "\n{}", test_text(report, test, replay.as_deref()).trim_end())?;
+        }
+        let open = report.tests.iter().filter(|test| !test.verdict.is_passed()).count();
+        if open == 0 {
+            writeln!(out, "\nEverything passes. Hand it in.")?;
+        } else if let Some(page) = page {
+            writeln!(out, "\nWith pictures: {}", page.display())?;
+        }
+        if !report.printed.is_empty() {
+            writeln!(out, "\nYour program printed:")?;
+            for line in report.printed.lines() {
+                writeln!(out, "  {}", line.replace(|c: char| c.is_control() && c != '\t', "\u{fffd}"))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes the failing case to a file; gives the command that replays it.
+    fn case(&self, test: &TestResult) -> Option<String> {
+        let name = format!("{}.case", test.name);
+        fs::write(self.target().join(&name), test.script.as_ref()?).ok()?;
+        Some(format!("cargo run -q -- target/check/{name}"))
     }
 
     /// A target folder of its own: an editor that builds at the same time is never in the way.
@@ -110,34 +146,6 @@ impl Bench {
         let name = format!("{package}{}", std::env::consts::EXE_SUFFIX);
         Ok(Some(self.target().join("debug").join(name)))
     }
-}
-
-/// The list of tests, then the next thing to do.
-fn tell(out: &mut Output, report: &Report, all: bool, page: Option<&Path>) -> io::Result<()> {
-    writeln!(out, "{}: {} of {} points", report.lab, report.points(), report.max_points())?;
-    if let Some(message) = &report.message {
-        writeln!(out, "{}: {message}", report.verdict)?;
-    }
-    for test in &report.tests {
-        writeln!(out, "  {} {:<30} {}", sign(test.verdict), test.name, test.verdict)?;
-    }
-    let failing = report.tests.iter().filter(|test| !matches!(test.verdict, Verdict::Passed | Verdict::Skipped));
-    for test in failing.take(if all { usize::MAX } else { 1 }) {
-        writeln!(out, "\n{}", test_text(report, test, None).trim_end())?;
-    }
-    let open = report.tests.iter().filter(|test| !test.verdict.is_passed()).count();
-    if open == 0 {
-        writeln!(out, "\nEverything passes. Hand it in.")?;
-    } else if let Some(page) = page {
-        writeln!(out, "\nWith pictures: {}", page.display())?;
-    }
-    if !report.printed.is_empty() {
-        writeln!(out, "\nYour program printed:")?;
-        for line in report.printed.lines() {
-            writeln!(out, "  {}", line.replace(|c: char| c.is_control() && c != '\t', "\u{fffd}"))?;
-        }
-    }
-    Ok(())
 }
 
 fn sign(verdict: Verdict) -> char {

@@ -232,6 +232,22 @@ fn split_in_half_cases(structures: &[(String, Table)]) -> Vec<Case> {
     cases
 }
 
+/// A convex polygon with more corners than any structure of the classes.
+const TWELVE: [[f64; 2]; 12] = [
+    [-40.0, -150.0],
+    [40.0, -150.0],
+    [110.0, -110.0],
+    [150.0, -40.0],
+    [150.0, 40.0],
+    [110.0, 110.0],
+    [40.0, 150.0],
+    [-40.0, 150.0],
+    [-110.0, 110.0],
+    [-150.0, 40.0],
+    [-150.0, -40.0],
+    [-110.0, -110.0],
+];
+
 /// Sequences of `split_face` with stored representatives, on both sides.
 fn face_sequences() -> Vec<(&'static str, Start, Vec<&'static str>)> {
     vec![
@@ -267,6 +283,11 @@ fn face_sequences() -> Vec<(&'static str, Start, Vec<&'static str>)> {
             ],
         ),
         (
+            "many_corners",
+            Start::Polygon(TWELVE.to_vec()),
+            vec!["split_face h0 h4", "split_face h10 h4.prev.twin", "split_face h1 h15"],
+        ),
+        (
             "refused_between",
             polygon(4),
             vec![
@@ -288,6 +309,7 @@ fn mixed_sequences() -> Vec<(&'static str, Start, Vec<&'static str>)> {
             polygon(3),
             vec!["split_in_half h0", "split_in_half h0", "split_in_half h0.next.twin", "split_in_half h0.prev"],
         ),
+        ("halves_of_halves", Start::Rectangle, vec!["split_in_half h0"; 8]),
         (
             "door",
             Start::Rectangle,

@@ -142,7 +142,7 @@ fn details(out: &mut String, test: &TestResult, id: &str, heading: &str) {
         for finding in &test.findings {
             let _ = writeln!(
                 out,
-                "<li><code>{}</code> {} <small>(handout, section {})</small></li>",
+                "<li><code>{}</code> {} <small>(handout: {})</small></li>",
                 escaped(&finding.rule),
                 escaped(&finding.words),
                 escaped(&finding.section),

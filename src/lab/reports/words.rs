@@ -18,7 +18,7 @@ pub(super) fn of_test(test: &TestResult) -> String {
         let _ = writeln!(out, "{}", same_failures(&test.bugs));
     }
     for finding in &test.findings {
-        let _ = writeln!(out, "{}: {} (handout, section {})", finding.rule, finding.words, finding.section);
+        let _ = writeln!(out, "{}: {} (handout: {})", finding.rule, finding.words, finding.section);
     }
     if let Some(script) = &test.script {
         out.push_str("Shortest failing script:\n");
