@@ -89,6 +89,9 @@ fn the_scripts_of_the_project_run() {
     let mut count = 0;
     for entry in std::fs::read_dir(dir).unwrap() {
         let path = entry.unwrap().path();
+        if path.extension().is_none_or(|extension| extension != "dcels") {
+            continue;
+        }
         let output = Command::new(env!("CARGO_BIN_EXE_dcel")).arg("script").arg(&path).output().unwrap();
         assert_eq!(output.status.code(), Some(0), "{}", path.display());
         count += 1;

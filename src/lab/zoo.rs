@@ -86,7 +86,18 @@ impl Signatures {
             };
             of_task(signature) == here && signature.iter().all(agrees)
         };
-        self.bugs.iter().filter(|(_, signature)| fits(signature)).map(|(&number, _)| number).collect()
+        let fitting: Vec<(u32, &Signature)> = self
+            .bugs
+            .iter()
+            .filter(|(_, signature)| fits(signature))
+            .map(|(&number, signature)| (number, signature))
+            .collect();
+        // One that explains more than another is the better name: what it does elsewhere is seen, too.
+        let covers = |more: &Signature, less: &Signature| {
+            more.len() > less.len() && less.iter().all(|(test, hash)| more.get(test) == Some(hash))
+        };
+        let is_best = |own: &Signature| !fitting.iter().any(|(_, other)| covers(other, own));
+        fitting.iter().filter(|(_, own)| is_best(own)).map(|(number, _)| *number).collect()
     }
 }
 
@@ -148,6 +159,11 @@ mod tests {
         assert_eq!(named(&[("a", "44")], &none), [0; 0]);
         assert_eq!(named(&[("a", "44"), ("other", "55")], &none), [4]);
         assert_eq!(named(&[("a", "44")], &["other"].into()), [4]);
+        // Of two that fit, the one that explains more.
+        let wide = Signatures::new([(5, signature(&[("a", "11")])), (6, signature(&[("a", "11"), ("other", "66")]))]);
+        let found = |pairs: &[(&str, &str)]| wide.matching(&signature(pairs), &task, &none);
+        assert_eq!(found(&[("a", "11"), ("other", "66")]), [6]);
+        assert_eq!(found(&[("a", "11")]), [5]);
         // What fails elsewhere for reasons of its own does not matter.
         assert_eq!(named(&[("a", "11"), ("other", "66")], &none), [1, 3]);
     }

@@ -150,7 +150,19 @@ impl Drawing {
 }
 
 fn word(node: Node<'_, '_>, class: String, at: P) -> Word {
-    Word { class, text: node.text().unwrap_or_default().trim().to_owned(), at, size: attribute(node, "font-size") }
+    let size = node.attribute("font-size").map_or_else(|| size_of_class(node, &class), number);
+    Word { class, text: node.text().unwrap_or_default().trim().to_owned(), at, size }
+}
+
+/// The size that the style sheet gives to all texts of a class.
+fn size_of_class(node: Node<'_, '_>, class: &str) -> f64 {
+    let sheets =
+        node.document().root().descendants().filter(|n| n.has_tag_name(("http://www.w3.org/2000/svg", "style")));
+    let sheet: String = sheets.filter_map(|n| n.text()).collect();
+    let rule = format!(" .{class}{{font-size:");
+    let at = sheet.find(&rule).unwrap_or_else(|| panic!("a text of class {class:?} has no size"));
+    let rest = &sheet[at + rule.len()..];
+    number(&rest[..rest.find("px").unwrap()])
 }
 
 /// The points of a path of straight steps, whatever form they are written in.

@@ -19,6 +19,7 @@ Examples:
   dcel lab check
   dcel lab check my-lab --test split_face_3_links
   dcel lab check --all --seed 77")]
+#[group(skip)]
 pub(crate) struct Args {
     /// The lab's folder; without it, the one you are in
     #[arg(value_name = "DIR")]

@@ -17,8 +17,9 @@ upload as the autograder; with a kit in a checkout, its sources are in it.
 Examples:
   dcel lab export 04 --student lab04.zip --kit version=0.1
   dcel lab export 04 --student lab04/
-  dcel lab export 04 --gradescope autograder.zip")]
-#[group(id = "what", required = true, multiple = false, args = ["student", "gradescope"])]
+  dcel lab export 04 --gradescope autograder.zip",
+    group(clap::ArgGroup::new("what").required(true).args(["student", "gradescope"]))
+)]
 pub(crate) struct Args {
     /// The lab: its name, or its number
     #[arg(value_name = "LAB")]

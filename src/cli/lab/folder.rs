@@ -34,7 +34,8 @@ pub(super) fn find(named: Option<&Path>) -> Result<PathBuf, Failure> {
     const HELP: &str = "go into the folder that `dcel lab start` made, or name it";
     if let Some(dir) = named {
         return if dir.join("lab.toml").is_file() {
-            Ok(dir.to_owned())
+            // Commands are run inside it: a way from here would lead elsewhere there.
+            std::path::absolute(dir).map_err(|error| Failure::input(error, HELP))
         } else {
             Err(Failure::input(format!("{}: no lab is there: it has no lab.toml", dir.display()), HELP))
         };
