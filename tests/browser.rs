@@ -250,12 +250,12 @@ fn dark_mode_changes_paper_ink_and_lines_of_every_reference_figure() {
             continue;
         }
         browser.open(&path, "");
-        let colours = "const rules = [...document.querySelectorAll('style')].map(s => s.textContent).join(' '); \
+        let colours = "(() => { const rules = [...document.querySelectorAll('style')].map(s => s.textContent).join(' '); \
                        const own = e => { const g = e.closest('g[id]'); return g && rules.includes('#' + g.id + ' .' + e.getAttribute('class') + '{fill'); }; \
-                       [...new Set([...document.querySelectorAll('rect.bg, text, line, path, circle')].filter(e => \
+                       return [...new Set([...document.querySelectorAll('rect.bg, text, line, path, circle')].filter(e => \
                        !e.matches('.hit, [fill^=url]') && !own(e) && !/\\bt[0-9]\\b/.test(e.getAttribute('class')) && !e.closest('defs')).map(e => {\
                        const s = getComputedStyle(e); const k = e.getAttribute('class'); \
-                       return [k, ...(e.tagName === 'text' ? [s.fill] : [s.fill, s.stroke])].join(' ') }))]";
+                       return [k, ...(e.tagName === 'text' ? [s.fill] : [s.fill, s.stroke])].join(' ') }))] })()";
         browser.media("screen", "prefers-color-scheme", "light");
         let light = browser.eval(colours);
         browser.media("screen", "prefers-color-scheme", "dark");

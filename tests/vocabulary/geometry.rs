@@ -1,12 +1,13 @@
 //! What is cut by the frame.
 
 use crate::alone;
-use crate::read::{Drawing, P, inside, straight};
+use crate::read::{Drawing, P, inside};
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Role, Sketch};
 use dcel_kit::plane::Point;
 use dcel_kit::plane::predicates::orientation;
 use std::cmp::Ordering;
+use svg::node::element::path::{Command, Data, Position};
 
 /// Numbers that look random and are the same in every run.
 fn random(seed: &mut u64) -> f64 {
@@ -168,15 +169,17 @@ fn circles_are_cut_at_the_frame_and_pass_their_three_points() {
     }
 }
 
-/// Start, end and radius of `Mx,yAr,r 0 f 1 x,y`.
+/// Start, end and radius of a path of one arc, whatever form it is written in.
 fn round(paths: &[(String, String)]) -> Vec<(P, P, f64)> {
     let read = |(_, data): &(String, String)| {
-        let (start, arc) = data.split_once('A').unwrap();
-        let start = straight(start)[0][0];
-        let mut parts = arc.split(' ');
-        let radius = parts.next().unwrap().split(',').next().unwrap().parse().unwrap();
-        let end = straight(&format!("M{}", parts.next_back().unwrap()))[0][0];
-        (start, end, radius)
+        let data = Data::parse(data.as_str()).unwrap();
+        let [Command::Move(_, start), Command::EllipticalArc(position, arc)] = &data[..] else {
+            panic!("not one arc: {data:?}")
+        };
+        let point = |at: &[f32]| [f64::from(at[0]), f64::from(at[1])];
+        let (start, end) = (point(start), point(&arc[5..]));
+        let relative = matches!(position, Position::Relative);
+        (start, if relative { [start[0] + end[0], start[1] + end[1]] } else { end }, f64::from(arc[0]))
     };
     paths.iter().map(read).collect()
 }
