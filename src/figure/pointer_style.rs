@@ -28,7 +28,7 @@ pub(super) fn css(style: &Style, scope: &str) -> String {
     fixed(".rn", "font-weight:700");
     fixed(".key", "font-weight:700");
     fixed(".row.hot text", "font-weight:700");
-    fixed(".f.hot .face", "fill-opacity:.4");
+    fixed(".f.hot .face", "fill-opacity:.35");
     fixed(".f.hot .fl", "text-decoration:underline");
     fixed(".rows text", "text-anchor:start");
     fixed(".hot .vd", "stroke-width:3");
@@ -49,6 +49,8 @@ fn colours(out: &mut String, scope: &str, palette: &Palette) {
         let _ = writeln!(out, "#{scope} {selector}{{{properties}}}");
     };
     let Palette { background, ink, half_edge, face, next, twin, origin, dim, grey, hit, .. } = palette;
+    // Darker than elsewhere: an edge has to stand out against the strong tint of a face that is marked, too.
+    rule(".edge", format!("stroke:{grey}"));
     rule(".dim .sh", format!("stroke:{dim}"));
     rule(".dim .barb", format!("fill:{dim}"));
     rule(".dim .hl", format!("fill:{grey}"));

@@ -53,11 +53,18 @@ impl<'a> State<'a> {
 /// Cost: a few processes and some thousand small structures; below half a second for a right solution.
 #[must_use]
 pub fn grade_program(lab: &Lab, program: &dyn Program, plan: &Plan) -> Report {
+    grade_and_sign(lab, program, plan).0
+}
+
+/// [`grade_program`], and how the program fails in the fixed cases: what the zoo keeps of each bug. The signature is
+/// empty for a right program, and for one that cannot be run, and does not depend on the seed.
+#[must_use]
+pub fn grade_and_sign(lab: &Lab, program: &dyn Program, plan: &Plan) -> (Report, Signature) {
     let begin = Instant::now();
     let mut report = empty_report(lab, plan, program);
     let Some(course) = course(&lab.name) else {
         report.message = Some(format!("this version of the kit has no cases for {}", lab.name));
-        return report;
+        return (report, Signature::new());
     };
     let suites = wanted(course.suites(plan), lab, plan);
     let mut graded = Vec::new();
@@ -101,21 +108,7 @@ pub fn grade_program(lab: &Lab, program: &dyn Program, plan: &Plan) -> Report {
     }
     report.verdict = report.tests.iter().map(|test| test.verdict).max().unwrap_or(Verdict::GraderFault);
     report.millis = begin.elapsed().as_millis() as u64;
-    report
-}
-
-/// How a program fails in the fixed cases: what the zoo keeps of each bug. Empty for a right program, and for one
-/// that cannot be run.
-#[must_use]
-pub fn signature(lab: &Lab, program: &dyn Program) -> Signature {
-    let Some(course) = course(&lab.name) else { return Signature::new() };
-    let suites = course.suites(&Plan::default());
-    let mut graded = Vec::new();
-    for suite in &suites {
-        let run = if is_blocked(lab, suite, &graded) { SuiteRun::default() } else { run_suite(program, course, suite) };
-        graded.push(Graded { suite, run });
-    }
-    signature_of(&states(lab, &graded))
+    (report, signature)
 }
 
 /// Whether every test of a suite needs, at once or through others, one that has been run and fails. Code that is

@@ -55,7 +55,7 @@ pub use bug::{Bug, BugError, Edit};
 pub use export::{Packed, gradescope_files, zipped};
 pub use feedback::{graded, test_text};
 pub use files::{LabFiles, LabFilesError};
-pub use grade::{grade_program, signature};
+pub use grade::{grade_and_sign, grade_program};
 pub use manifest::{Manifest, Task, Test};
 pub use marked::{MarkError, starter};
 pub use plan::{Plan, Secret};

@@ -9,7 +9,7 @@
 //! Every bug must be caught by a test and named, no bug may be called by a wrong name, and every test must catch a
 //! bug: a check that no wrong program fails checks nothing.
 
-use super::grade::{grade_program, signature};
+use super::grade::grade_and_sign;
 use super::student::{Kit, student_files};
 use super::zoo::{Signature, Signatures};
 use super::{Driver, Lab, Plan, Report, Verdict, starter};
@@ -102,6 +102,7 @@ enum Variant<'a> {
 }
 
 /// What came of one.
+#[derive(PartialEq)]
 struct Outcome {
     report: Report,
     signature: Signature,
@@ -270,12 +271,15 @@ fn grade_variant(lab: &Lab, folder: &Path, variant: &Variant, text: &str) -> io:
         Ok(program) => Driver::new(program, lab.manifest.limits),
         Err(error) => return Ok(Err(format!("does not compile: {error}"))),
     };
-    let graded = || Report { millis: 0, ..grade_program(lab, &program, &Plan::with_seed(SEED)) };
-    let report = graded();
-    if strict && graded() != report {
+    let graded = || {
+        let (report, signature) = grade_and_sign(lab, &program, &Plan::with_seed(SEED));
+        Outcome { report: Report { millis: 0, ..report }, signature }
+    };
+    let outcome = graded();
+    if strict && graded() != outcome {
         return Ok(Err("two runs gave two reports".to_owned()));
     }
-    Ok(Ok(Outcome { report, signature: signature(lab, &program) }))
+    Ok(Ok(outcome))
 }
 
 /// The lab's program with this text as the student's file.

@@ -1,8 +1,10 @@
 //! Contrast by WCAG 2.1: texts 4.5, lines and marks that mean something 3, on every ground they can lie on, in both
 //! palettes. Dimmed lines are dimmed on purpose and exempt; their words are not.
 
+use dcel_kit::HalfEdgeId;
 use dcel_kit::figure::sketch::Role;
-use dcel_kit::figure::{Colour, Palette, Style};
+use dcel_kit::figure::{Colour, FigureOptions, Palette, Style, focus};
+use dcel_kit::plane::Subdivision;
 
 type Rgb = [f64; 3];
 
@@ -128,6 +130,31 @@ fn texts_can_be_read_wherever_they_stand() {
         for role in Role::ALL.into_iter().filter(|&role| role != Role::Dimmed) {
             let value = contrast(rgb(palette.background), rgb(role.line(palette)));
             assert!(value >= 4.5, "{theme}: the number of a badge of {role:?}: {value:.2}");
+        }
+    }
+}
+
+/// What the style sheet of a focus figure says of the edges and of a face that is marked.
+#[test]
+fn edges_stand_out_on_the_face_that_is_marked() {
+    let style = Style::default();
+    let lab = Subdivision::lab_rectangle();
+    let svg = focus(&lab, HalfEdgeId::new(0), &FigureOptions::new("Focus")).unwrap().to_svg();
+    assert!(svg.contains("class=\"f hot\""), "the face is marked");
+    let (light, dark) = svg.rsplit_once("prefers-color-scheme:dark").unwrap();
+    let last = |css: &str, rule: &str| {
+        let value = css.rsplit_once(rule).unwrap_or_else(|| panic!("no rule {rule}")).1;
+        value[..value.find(['}', ';']).unwrap()].to_owned()
+    };
+    let part: f64 = format!("0{}", last(light, " .f.hot .face{fill-opacity:")).parse().unwrap();
+    assert!(part >= 2.0 * style.light.tint_opacity.min(0.16), "a marked face looks marked: {part}");
+    for ((theme, palette), css) in palettes(&style).into_iter().zip([light, dark]) {
+        let hex = last(css, " .edge{stroke:");
+        let edge = Colour(u32::from_str_radix(hex.trim_start_matches('#'), 16).unwrap());
+        for tint in style.tints {
+            let under = mix(rgb(palette.background), rgb(tint), part);
+            let value = contrast(rgb(edge), under);
+            assert!(value >= 3.0, "{theme}: an edge {edge} on {tint} of a marked face: {value:.2}");
         }
     }
 }
