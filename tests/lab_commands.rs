@@ -7,7 +7,10 @@ mod shell;
 use dcel_kit::lab::{Bug, LabFiles, Report, Verdict};
 use shell::Folder;
 use std::fs;
+use std::io::{BufRead, BufReader};
 use std::path::Path;
+use std::process::Stdio;
+use std::time::{Duration, Instant};
 
 /// A shell with the folder of a student of lab 04 in it, `lab`.
 fn student() -> Folder {
@@ -86,6 +89,66 @@ fn a_check_says_the_next_thing_to_do() {
     let out = shell.dcel("lab check lab").fine();
     assert!(out.contains("100 of 100 points") && out.contains("Hand it in."), "{out}");
     shell.dcel("lab check lab --test x").fails(2, "has no test `x`", "face_walk");
+}
+
+/// What a watching command says, line by line as it comes.
+struct Watched {
+    child: std::process::Child,
+    lines: std::sync::mpsc::Receiver<String>,
+}
+
+impl Watched {
+    fn start(shell: &Folder, folder: &str) -> Self {
+        let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_dcel"))
+            .args(["lab", "watch", folder, "--seed", "4"])
+            .current_dir(shell.path(""))
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let (send, lines) = std::sync::mpsc::channel();
+        let pipes: [Box<dyn std::io::Read + Send>; 2] =
+            [Box::new(child.stdout.take().unwrap()), Box::new(child.stderr.take().unwrap())];
+        for pipe in pipes {
+            let send = send.clone();
+            std::thread::spawn(move || {
+                let mut lines = BufReader::new(pipe).lines().map_while(Result::ok);
+                lines.try_for_each(|line| send.send(line))
+            });
+        }
+        Self { child, lines }
+    }
+
+    /// Waits for a line with these words; whether it came within the seconds.
+    fn says(&self, words: &str, seconds: u64) -> bool {
+        let end = Instant::now() + Duration::from_secs(seconds);
+        std::iter::from_fn(|| self.lines.recv_timeout(end.saturating_duration_since(Instant::now())).ok())
+            .any(|line| line.contains(words))
+    }
+}
+
+impl Drop for Watched {
+    fn drop(&mut self) {
+        // It watches until it is ended.
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+#[test]
+fn a_watched_lab_is_checked_when_its_file_is_saved_and_only_then() {
+    let shell = student();
+    let watched = Watched::start(&shell, "lab");
+    assert!(watched.says("0 of 100 points", 120));
+    assert!(watched.says("Ctrl-C ends it", 120));
+    assert!(!watched.says("points", 2), "nothing was saved, yet it was checked again");
+    // As many editors do it: a new file takes the place of the old one.
+    fs::write(shell.path("lab/src/lab.rs.new"), solution()).unwrap();
+    fs::rename(shell.path("lab/src/lab.rs.new"), shell.path("lab/src/lab.rs")).unwrap();
+    assert!(watched.says("100 of 100 points", 120));
+    assert!(watched.says("Ctrl-C ends it", 120));
+    fs::write(shell.path("lab/src/lab.rs"), "fn broken( {}").unwrap();
+    assert!(watched.says("does not compile", 120));
 }
 
 #[test]

@@ -52,7 +52,7 @@ mod multiples;
 mod number;
 mod options;
 mod overrides;
-mod page;
+pub(crate) mod page;
 mod panels;
 mod part;
 mod plain;

@@ -277,7 +277,7 @@ impl Target {
 }
 
 /// The text with the characters that HTML reserves as entities.
-fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

@@ -31,7 +31,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     };
     let (send, events) = channel();
     let mut watcher = notify::recommended_watcher(move |event: notify::Result<notify::Event>| {
-        if let Ok(event) = event {
+        // The compiler opens the file, too: only changes count, or each check would start the next one.
+        if let Some(event) = event.ok().filter(|event| !event.kind.is_access()) {
             // Nobody listens any more only when the program ends.
             let _ = event.paths.into_iter().try_for_each(|path| send.send(path));
         }

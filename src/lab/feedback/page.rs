@@ -1,5 +1,6 @@
 //! The feedback on one test as a page of its own, with its pictures: what a terminal cannot show.
 
+use crate::figure::page::escaped;
 use crate::lab::Picture;
 use std::fmt::Write;
 
@@ -20,8 +21,4 @@ pub(super) fn page(title: &str, text: &str, picture: &Picture) -> String {
     }
     let _ = write!(out, "</div>\n<pre>{}</pre>\n</body>\n</html>\n", escaped(text));
     out
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

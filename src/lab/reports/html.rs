@@ -212,17 +212,7 @@ fn document(title: &str, body: &str) -> String {
     )
 }
 
-/// The text with the characters that HTML reserves as entities.
+/// The text with the characters that HTML reserves as entities, and nothing that steers a reader's screen.
 fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in words::clean(text).chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            c => out.push(c),
-        }
-    }
-    out
+    crate::figure::page::escaped(&words::clean(text))
 }
