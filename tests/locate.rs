@@ -114,10 +114,8 @@ fn by_crossings(s: &Subdivision, q: Whole) -> Location {
     // In a bounded face the point is inside the boundary and outside the rings: an odd number of times.
     let inside = |f| s.cycles(f).flat_map(|h| s.cycle(h)).filter(|&h| crossed(h)).count() % 2 == 1;
     let surrounded = |h| s.cycle(h).filter(|&h| crossed(h)).count() % 2 == 1;
-    let faces: Vec<_> = s
-        .faces()
-        .filter(|&f| f != s.outer_face() && inside(f) && surrounded(s.boundary(f).unwrap()))
-        .collect();
+    let faces: Vec<_> =
+        s.faces().filter(|&f| f != s.outer_face() && inside(f) && surrounded(s.boundary(f).unwrap())).collect();
     assert!(faces.len() <= 1, "{q:?} lies in {faces:?}");
     Location::Face(faces.first().copied().unwrap_or(s.outer_face()))
 }
@@ -171,7 +169,8 @@ fn all_ways_agree_with_crossing_numbers_on_random_graphs() {
                 let found = agreed(&s, &indices, point((x, y)), &context);
                 assert_eq!(found, by_crossings(&s, (x, y)), "{context}: ({x}, {y})");
                 on_edges += usize::from(matches!(found, Location::Edge(_)));
-                in_rings += usize::from(matches!(found, Location::Face(f) if f != s.outer_face() && !s.rings(f).is_empty()));
+                in_rings +=
+                    usize::from(matches!(found, Location::Face(f) if f != s.outer_face() && !s.rings(f).is_empty()));
             }
         }
     }
@@ -258,7 +257,8 @@ fn turning_moving_and_scaling_changes_nothing() {
             let indices = indices(&t);
             for x in 0..=size {
                 let q = (x, (x * 7 + seed as i64) % (size + 1));
-                let (was, is) = (by_crossings(&s, q), agreed(&t, &indices, map(point(q)), &format!("seed {seed}, map {which}")));
+                let (was, is) =
+                    (by_crossings(&s, q), agreed(&t, &indices, map(point(q)), &format!("seed {seed}, map {which}")));
                 match (was, is) {
                     (Location::Edge(h), Location::Edge(g)) => assert_eq!(h.edge(), g.edge()),
                     // The mirrored map has other faces: their cycles run the other way.
@@ -286,7 +286,8 @@ fn a_batch_gives_single_answers_in_the_order_of_the_points() {
 #[test]
 fn the_empty_plane_lonely_points_and_no_numbers() {
     let empty = Subdivision::new();
-    let lonely = Subdivision::from_graph(&[Point::new(1.0, 2.0), Point::new(0.0, 0.0), Point::new(1.0, 3.0)], &[]).unwrap();
+    let lonely =
+        Subdivision::from_graph(&[Point::new(1.0, 2.0), Point::new(0.0, 0.0), Point::new(1.0, 3.0)], &[]).unwrap();
     let one = Subdivision::from_graph(&[Point::new(0.0, 0.0)], &[]).unwrap();
     let (f0, v) = (Location::Face(empty.outer_face()), |i| Location::Vertex(VertexId::new(i)));
     assert_eq!(agreed(&empty, &indices(&empty), Point::new(0.0, 0.0), "empty"), f0);
@@ -322,7 +323,8 @@ fn crowd(name: &str, segments: &[[Point; 2]], asked: impl Iterator<Item = Point>
 #[test]
 fn crowded_edges_cost_a_logarithm() {
     let mut next = Numbers::new(11);
-    let mut places: Vec<Point> = (0..40).map(|_| Point::new(2.0 * next.unit() - 1.0, 2.0 * next.unit() - 1.0)).collect();
+    let mut places: Vec<Point> =
+        (0..40).map(|_| Point::new(2.0 * next.unit() - 1.0, 2.0 * next.unit() - 1.0)).collect();
     places.extend([Point::new(0.0, 0.0), Point::new(0.0, 0.5), Point::new(1e-7, 1e-9), Point::new(-1.0, 0.0)]);
     let n = 4000;
     let star: Vec<[Point; 2]> = (0..n)
@@ -335,8 +337,8 @@ fn crowded_edges_cost_a_logarithm() {
 
     // Long edges side by side: a grid of small cells would list each of them everywhere.
     let slanted = |i: i32| {
-        let y = f64::from(i) / f64::from(n);
-        [Point::new(-1.0 - next.unit(), y - 1.0), Point::new(1.0 + next.unit(), y)]
+        let at = |x: f64| Point::new(x, f64::from(i) / f64::from(n) + 0.1 * x);
+        [at(-1.0 - next.unit()), at(1.0 + next.unit())]
     };
     let bundle: Vec<[Point; 2]> = (0..n).map(slanted).collect();
     crowd("bundle", &bundle, places.iter().copied());
@@ -346,7 +348,8 @@ fn crowded_edges_cost_a_logarithm() {
     for i in 0..60 {
         for j in 0..60 {
             let (x, y) = (1e-9 * f64::from(i), 1e-9 * f64::from(j));
-            cluster.push([Point::new(x, y), Point::new(x + 1e-9 * next.unit().min(0.9), y + 1e-9 * next.unit().min(0.9))]);
+            cluster
+                .push([Point::new(x, y), Point::new(x + 1e-9 * next.unit().min(0.9), y + 1e-9 * next.unit().min(0.9))]);
         }
     }
     cluster.push([Point::new(0.9, 0.9), Point::new(1.0, 1.0)]);

@@ -42,8 +42,9 @@ pub(crate) trait Lines {
 pub(super) const TAG: u32 = 1 << 31;
 /// Cells with more edges than this get a tree.
 const CROWDED: u32 = 24;
-/// Edges listed, per edge, before the grid is made coarser.
-const MOST_LISTED: f64 = 8.0;
+/// Places in lists, for each edge beside its first one, with one cell for each edge. Where edges are so long that they
+/// would need more, the cells are made so large that one is enough: most will be crowded, and a tree is better then.
+const MOST_LISTED: f64 = 7.0;
 
 /// One cell: where its list starts, and the face at its corner. A crowded cell has the number of its crowd as list.
 #[derive(Clone, Copy, Default, Debug)]
@@ -331,8 +332,8 @@ impl Frame {
         let mut columns = (wanted * shape).sqrt().clamp(1.0, most(width));
         let mut rows = (wanted / columns).clamp(1.0, most(height));
         let listed = across * columns + up * rows;
-        if listed > (MOST_LISTED - 1.0) * n {
-            let smaller = (MOST_LISTED - 1.0) * n / listed;
+        if listed > (MOST_LISTED * density.max(1.0).sqrt() * n).min(3e9) {
+            let smaller = n / listed;
             (columns, rows) = ((columns * smaller).max(1.0), (rows * smaller).max(1.0));
         }
         let (columns, rows) = (columns.floor(), rows.floor());

@@ -4,7 +4,7 @@
 //!   ┌───┬───┬───┬───┐     A grid with about one cell for each edge. A query looks at the few edges of one cell:
 //!   │ ╱ │ ──┼─╲ │   │     O(1) where edges are spread like points of a random set, O(log k) in a cell that k edges
 //!   ├───┼───┼──╲┼───┤     crowd into (a star, a city on a map of a country). Edges that are long against the cells
-//!   │ ──┼───┼──┐│ · │     make the cells larger, so that all lists together hold at most about 8 n.
+//!   │ ──┼───┼──┐│ · │     make the cells larger, so that all lists together stay O(n).
 //!   └───┴───┴──┴┴───┘
 //! ```
 
