@@ -9,21 +9,11 @@
 
 use crate::plane::Point;
 use crate::plane::predicates::{left_to_right, orientation};
+pub(super) use crate::plane::sweep::is_above;
 use std::cmp::Ordering;
 
 /// Two ends. Edges run from left to right, vertical ones upwards.
 pub(super) type Ends = [Point; 2];
-
-/// Whether the first edge runs above the second where a vertical line cuts both. Edges run from left to right and do
-/// not cross.
-pub(super) fn is_above([a, b]: Ends, [c, d]: Ends) -> bool {
-    let turns = if left_to_right(c, a).is_le() {
-        [orientation(c, d, a), orientation(c, d, b)]
-    } else {
-        [orientation(a, b, c).reverse(), orientation(a, b, d).reverse()]
-    };
-    turns[0].then(turns[1]).is_gt()
-}
 
 /// Whether the first edge runs to the right of the second at a level that both cross.
 pub(super) fn is_right(e: Ends, g: Ends) -> bool {
