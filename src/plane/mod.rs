@@ -5,6 +5,7 @@
 //!   subdivision.rs              a Dcel with positions: f0 is the outer face, faces may have rings
 //!   convert/                    polygons and triangles -> subdivision       table.rs   tables -> subdivision
 //!   segments/                   any straight-line graph -> subdivision         meet/      all crossings, exactly
+//!   delaunay/                   of points, by flips, with fixed edges
 //!   check.rs                    the laws of the plane
 //!   edit/                       split_face, join_faces, split_edge, join_edges; insert and remove vertices, edges, segments
 //!   sweep.rs cycle.rs rings.rs  what lies below, which way round, which ring in which face
@@ -13,6 +14,7 @@
 mod check;
 mod convert;
 mod cycle;
+mod delaunay;
 pub mod edit;
 mod meet;
 mod point;
@@ -27,9 +29,11 @@ mod table;
 
 pub use check::{GEOMETRY_RULES, GeometryViolation};
 pub use convert::{ConvertError, ConvertOptions, Converted};
+pub use delaunay::{ConstrainedDelaunay, DelaunayBuilt, DelaunayError};
 pub use edit::{
-    InsertAntennaError, InsertEdgeError, InsertSegmentError, InsertVertexError, InsertedEdge, InsertedSegment,
-    JoinEdgesError, JoinFacesError, RemoveEdgeError, RemoveVertexError, SplitEdgeError, SplitFaceError,
+    FlipEdgeError, InsertAntennaError, InsertEdgeError, InsertSegmentError, InsertVertexError, InsertedEdge,
+    InsertedSegment, JoinEdgesError, JoinFacesError, RemoveEdgeError, RemoveVertexError, SplitEdgeError,
+    SplitFaceError,
 };
 pub use point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};
 pub use seed::LAB_RECTANGLE;
