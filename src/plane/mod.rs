@@ -6,8 +6,10 @@
 //!   convert/                    polygons and triangles -> subdivision       table.rs   tables -> subdivision
 //!   segments/                   any straight-line graph -> subdivision         meet/      all crossings, exactly
 //!   delaunay/                   of points, by flips, with fixed edges
+//!   overlay/                    two subdivisions on each other, and their regions
 //!   check.rs                    the laws of the plane
 //!   edit/                       split_face, join_faces, split_edge, join_edges; insert and remove vertices, edges, segments
+//!   locate/                     where a point lies: scan, walk, index
 //!   sweep.rs cycle.rs rings.rs  what lies below, which way round, which ring in which face
 //! ```
 
@@ -16,7 +18,9 @@ mod convert;
 mod cycle;
 mod delaunay;
 pub mod edit;
+mod locate;
 mod meet;
+mod overlay;
 mod point;
 pub mod predicates;
 mod rings;
@@ -35,6 +39,8 @@ pub use edit::{
     InsertedSegment, JoinEdgesError, JoinFacesError, RemoveEdgeError, RemoveVertexError, SplitEdgeError,
     SplitFaceError,
 };
+pub use locate::{Location, PointIndex, Walk};
+pub use overlay::{Operation, Overlay, ParseOperationError, Parts};
 pub use point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};
 pub use seed::LAB_RECTANGLE;
 pub use segments::{ArrangeOptions, Arranged, MarkHolesError, Residues, SegmentFault, SegmentsError};

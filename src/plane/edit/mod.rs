@@ -33,6 +33,7 @@ pub use join_faces::JoinFacesError;
 pub use remove_edge::{RemoveEdgeError, RemoveVertexError};
 pub use split_edge::SplitEdgeError;
 pub use split_face::SplitFaceError;
+pub(in crate::plane) use spot::Towards;
 
 use super::cycle::on_segment;
 use super::predicates::orientation;
