@@ -5,6 +5,7 @@
 //!   subdivision.rs              a Dcel with positions: f0 is the outer face, faces may have rings
 //!   convert/                    polygons and triangles -> subdivision       table.rs   tables -> subdivision
 //!   segments/                   any straight-line graph -> subdivision         meet/      all crossings, exactly
+//!   delaunay/                   of points, by flips, with fixed edges
 //!   overlay/                    two subdivisions on each other, and their regions
 //!   check.rs                    the laws of the plane
 //!   edit/                       split_face, join_faces, split_edge, join_edges; insert and remove vertices, edges, segments
@@ -16,6 +17,7 @@
 mod check;
 mod convert;
 mod cycle;
+mod delaunay;
 pub mod edit;
 mod locate;
 mod meet;
@@ -33,9 +35,11 @@ mod triangulate;
 
 pub use check::{GEOMETRY_RULES, GeometryViolation};
 pub use convert::{ConvertError, ConvertOptions, Converted};
+pub use delaunay::{ConstrainedDelaunay, DelaunayBuilt, DelaunayError};
 pub use edit::{
-    InsertAntennaError, InsertEdgeError, InsertSegmentError, InsertVertexError, InsertedEdge, InsertedSegment,
-    JoinEdgesError, JoinFacesError, RemoveEdgeError, RemoveVertexError, SplitEdgeError, SplitFaceError,
+    FlipEdgeError, InsertAntennaError, InsertEdgeError, InsertSegmentError, InsertVertexError, InsertedEdge,
+    InsertedSegment, JoinEdgesError, JoinFacesError, RemoveEdgeError, RemoveVertexError, SplitEdgeError,
+    SplitFaceError,
 };
 pub use locate::{Location, PointIndex, Walk};
 pub use overlay::{Operation, Overlay, ParseOperationError, Parts};
