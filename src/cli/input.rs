@@ -104,6 +104,11 @@ impl InputOptions {
         Ok(Opened::Subject(Box::new(Subject { kind, names, source, format, places })))
     }
 
+    /// Whether y points down in the file.
+    pub(crate) fn y_down(&self) -> bool {
+        self.y_down
+    }
+
     fn load_options(&self) -> LoadOptions {
         let mode = match (self.plane, self.surface) {
             (true, _) => Some(Mode::Plane),

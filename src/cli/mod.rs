@@ -24,8 +24,10 @@ mod input;
 mod lab;
 mod lab_figures;
 mod lesson;
+mod locate;
 mod looks;
 mod output;
+mod overlay;
 mod picture;
 mod references;
 mod script;
@@ -69,6 +71,8 @@ enum Command {
     Compare(compare::Args),
     Convert(convert::Args),
     Build(build::Args),
+    Locate(locate::Args),
+    Overlay(overlay::Args),
     Figure(Box<figure::Args>),
     Script(script::Args),
     Lab(lab::Args),
@@ -87,6 +91,8 @@ impl Command {
             Self::Compare(args) => compare::run(&args, out),
             Self::Convert(args) => convert::run(&args, out),
             Self::Build(args) => build::run(&args, out),
+            Self::Locate(args) => locate::run(&args, out),
+            Self::Overlay(args) => overlay::run(&args, out),
             Self::Figure(args) => figure::run(&args, out),
             Self::Script(args) => script::run(&args, out),
             Self::Lab(args) => lab::run(&args, out),

@@ -1,5 +1,6 @@
 //! What a command works on: a subdivision, a surface or a table.
 
+use super::Failure;
 use dcel_kit::io::{Format, Model, Places};
 use dcel_kit::plane::{PlanarView, Point, Subdivision};
 use dcel_kit::solid::Polyhedron;
@@ -29,6 +30,20 @@ impl Subject {
             Kind::Plane(subdivision) => subdivision,
             Kind::Surface(polyhedron) => polyhedron,
             Kind::Table(table) => table,
+        }
+    }
+
+    /// The subdivision of the plane.
+    ///
+    /// # Errors
+    /// If it is a surface, or a table that was kept as it is.
+    pub(crate) fn plane(&self) -> Result<&Subdivision, Failure> {
+        match &self.kind {
+            Kind::Plane(subdivision) => Ok(subdivision),
+            Kind::Surface(_) | Kind::Table(_) => {
+                let what = format!("{}: this is a surface in space, no subdivision of the plane", self.source);
+                Err(Failure::input(what, "drop z with --plane, if its faces do not overlap then"))
+            }
         }
     }
 

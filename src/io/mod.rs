@@ -19,7 +19,7 @@
 //!   soup.rs   points and polygons        rings.rs    joining equal points  model.rs           what is written
 //!   load.rs   from a file to a structure, with the places of what does not fit     arrange.rs  of segments
 //!   obj.rs off.rs ply/ triangle.rs mesh.rs geojson.rs topojson.rs (json.rs arrays.rs) wkt.rs poly.rs segments.rs
-//!   dcel.rs tables.rs   one format each
+//!   dcel.rs tables.rs   one format each     points.rs  points alone, of any of them or of plain text
 //! ```
 
 mod arrange;
@@ -35,6 +35,7 @@ mod near;
 pub mod obj;
 pub mod off;
 pub mod ply;
+mod points;
 pub mod poly;
 mod problem;
 mod read;
@@ -53,6 +54,7 @@ pub use format::{Format, UnknownFormat};
 pub use load::{LoadError, LoadOptions, Loaded, Structure, assemble, load};
 pub use model::Model;
 pub use near::closest;
+pub use points::{PointList, points_from_text, read_points};
 pub use problem::{ReadError, ReadProblem};
 pub use read::{Document, Read, ReadOptions, read_bytes, read_path, read_triangle, source_name};
 pub use segments::SegmentSoup;

@@ -169,7 +169,7 @@ fn partner_of(path: &Path, is_ele: bool) -> PathBuf {
     path.with_extension(if capitals { extension.to_ascii_uppercase() } else { extension.to_owned() })
 }
 
-fn load_path(path: &Path) -> Result<Vec<u8>, ReadError> {
+pub(super) fn load_path(path: &Path) -> Result<Vec<u8>, ReadError> {
     let source = path.display().to_string();
     if path.is_dir() {
         let problem = ReadProblem::Io { reason: "it is a directory".to_owned() };
@@ -182,7 +182,7 @@ fn load_path(path: &Path) -> Result<Vec<u8>, ReadError> {
 }
 
 /// All bytes, but not more than a file may have.
-fn load(from: impl std::io::Read, source: &str) -> Result<Vec<u8>, ReadError> {
+pub(super) fn load(from: impl std::io::Read, source: &str) -> Result<Vec<u8>, ReadError> {
     let mut bytes = Vec::new();
     match from.take(LARGEST_FILE).read_to_end(&mut bytes) {
         Ok(_) => Ok(bytes),

@@ -5,16 +5,23 @@
 //!   subdivision.rs              a Dcel with positions: f0 is the outer face, faces may have rings
 //!   convert/                    polygons and triangles -> subdivision       table.rs   tables -> subdivision
 //!   segments/                   any straight-line graph -> subdivision         meet/      all crossings, exactly
+//!   delaunay/                   of points, by flips, with fixed edges
+//!   overlay/                    two subdivisions on each other, and their regions
 //!   check.rs                    the laws of the plane
 //!   edit/                       split_face, join_faces, split_edge, join_edges; insert and remove vertices, edges, segments
+//!   locate/                     where a point lies: scan, walk, index
+//!   triangulate/                faces into triangles: ears, monotone pieces
 //!   sweep.rs cycle.rs rings.rs  what lies below, which way round, which ring in which face
 //! ```
 
 mod check;
 mod convert;
 mod cycle;
+mod delaunay;
 pub mod edit;
+mod locate;
 mod meet;
+mod overlay;
 mod point;
 pub mod predicates;
 mod rings;
@@ -24,15 +31,21 @@ mod status;
 mod subdivision;
 mod sweep;
 mod table;
+mod triangulate;
 
 pub use check::{GEOMETRY_RULES, GeometryViolation};
 pub use convert::{ConvertError, ConvertOptions, Converted};
+pub use delaunay::{ConstrainedDelaunay, DelaunayBuilt, DelaunayError};
 pub use edit::{
-    InsertAntennaError, InsertEdgeError, InsertSegmentError, InsertVertexError, InsertedEdge, InsertedSegment,
-    JoinEdgesError, JoinFacesError, RemoveEdgeError, RemoveVertexError, SplitEdgeError, SplitFaceError,
+    FlipEdgeError, InsertAntennaError, InsertEdgeError, InsertSegmentError, InsertVertexError, InsertedEdge,
+    InsertedSegment, JoinEdgesError, JoinFacesError, RemoveEdgeError, RemoveVertexError, SplitEdgeError,
+    SplitFaceError,
 };
+pub use locate::{Location, PointIndex, Walk};
+pub use overlay::{Operation, Overlay, ParseOperationError, Parts};
 pub use point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};
 pub use seed::LAB_RECTANGLE;
 pub use segments::{ArrangeOptions, Arranged, MarkHolesError, Residues, SegmentFault, SegmentsError};
 pub use subdivision::{PlanarView, Subdivision};
 pub use table::TableError;
+pub use triangulate::{TriangulateError, Triangulated, TriangulationMethod};

@@ -9,7 +9,7 @@
 use super::Obstacle;
 use super::insert_edge::End;
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
-use crate::plane::{CoordinateError, Point, Subdivision};
+use crate::plane::{CoordinateError, Location, Point, Subdivision};
 use crate::topology::{IdError, NoRecorder, Recorder, Ring, TooMany};
 
 /// Why a point cannot become a vertex.
@@ -74,7 +74,7 @@ impl Subdivision {
     /// Puts a vertex at `point`: on an edge it splits the edge, which keeps its id up to there; in a face it stands
     /// alone, as the last ring of the face. Returns the vertex.
     ///
-    /// Cost: O(V + E), to find the place. [`insert_vertex_in`](Self::insert_vertex_in) is quicker where the face is
+    /// Cost: that of [`locate`](Self::locate), to find the place. [`insert_vertex_in`](Self::insert_vertex_in) is quicker where the face is
     /// known.
     ///
     /// # Errors
@@ -97,15 +97,14 @@ impl Subdivision {
     pub fn insert_vertex_with(&mut self, point: Point, rec: &mut impl Recorder) -> Result<VertexId, InsertVertexError> {
         point.check()?;
         self.dcel.room_for(1, 1, 0)?;
-        match self.place_by_scan(point) {
-            Element::Vertex(vertex) => Err(InsertVertexError::Occupied { vertex, point }),
-            Element::HalfEdge(h) => {
+        match self.locate(point) {
+            Location::Vertex(vertex) => Err(InsertVertexError::Occupied { vertex, point }),
+            Location::Edge(h) => {
                 let (v, _) = self.dcel.split_edge_unchecked(h, rec);
                 self.points.set(v, point, Point::default());
                 Ok(v)
             }
-            Element::Face(f) => Ok(self.add_isolated(f, point, rec)),
-            Element::Edge(e) => Err(InsertVertexError::Id(IdError::Removed(e.into()))),
+            Location::Face(f) => Ok(self.add_isolated(f, point, rec)),
         }
     }
 

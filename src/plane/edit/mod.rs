@@ -2,7 +2,7 @@
 //! break components.
 //!
 //! ```text
-//!   split_face join_faces split_edge join_edges     by half-edges, as the lab does
+//!   split_face join_faces split_edge join_edges flip_edge     by half-edges, as the lab does
 //!   insert_vertex insert_edge insert_antenna        by points and vertices, wherever the faces and rings are
 //!   insert_segment                                  through everything
 //!   remove_edge remove_vertex                       spot.rs  where is it     whole.rs  all steps or none
@@ -12,6 +12,7 @@
 //! in their faces. `f0` is always the unbounded face, and rings go where they lie. A refused edit changes
 //! nothing.
 
+mod flip_edge;
 mod insert_edge;
 mod insert_segment;
 mod insert_vertex;
@@ -23,6 +24,7 @@ mod split_face;
 mod spot;
 mod whole;
 
+pub use flip_edge::FlipEdgeError;
 pub use insert_edge::{InsertEdgeError, InsertedEdge};
 pub use insert_segment::{InsertSegmentError, InsertedSegment};
 pub use insert_vertex::{InsertAntennaError, InsertVertexError};
@@ -31,6 +33,7 @@ pub use join_faces::JoinFacesError;
 pub use remove_edge::{RemoveEdgeError, RemoveVertexError};
 pub use split_edge::SplitEdgeError;
 pub use split_face::SplitFaceError;
+pub(in crate::plane) use spot::Towards;
 
 use super::cycle::on_segment;
 use super::predicates::orientation;

@@ -1,22 +1,20 @@
 //! Where a point lies, and what lies on the way between two points: plain looks at everything in question.
 //!
 //! ```text
-//!      ●────────● e1          Of the edges below p the highest tells the face: it lies above that edge.
-//!          · p
-//!    ●────────────● e0        From a vertex, a direction leads along an edge or into exactly one corner.
+//!        ╱ h1
+//!       ●────── h0        From a vertex, a direction leads along an edge or into exactly one corner.
+//!        · · · >
 //! ```
 
 use super::Obstacle;
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::cycle::{in_corner, on_segment, same_direction, surrounds};
-use crate::plane::predicates::{left_to_right, orientation};
 use crate::plane::sweep::cross;
 use crate::plane::{Point, Subdivision};
 use crate::topology::Ring;
-use std::cmp::Ordering;
 
 /// Where a direction leads from a vertex.
-pub(super) enum Towards {
+pub(in crate::plane) enum Towards {
     /// Along the half-edge.
     Along(HalfEdgeId),
     /// Into the corner at the origin of the half-edge, on its left.
@@ -26,34 +24,6 @@ pub(super) enum Towards {
 }
 
 impl Subdivision {
-    /// The vertex at the point, else the edge through it (by its half from left to right), else the face around it.
-    ///
-    /// Cost: O(V + E), all vertices and edges; exact.
-    pub(super) fn place_by_scan(&self, p: Point) -> Element {
-        if let Some(v) = self.dcel.vertices().find(|&v| self.points[v] == p) {
-            return v.into();
-        }
-        let mut highest: Option<[Point; 2]> = None;
-        let mut below = None;
-        for e in self.dcel.edges() {
-            let h = self.upper_half(e);
-            let [a, b] = [self.dcel.origin(h), self.dcel.destination(h)].map(|v| self.points[v]);
-            if left_to_right(a, p).is_ge() || left_to_right(p, b).is_ge() {
-                continue;
-            }
-            match orientation(a, b, p) {
-                Ordering::Equal => return h.into(),
-                Ordering::Less => {}
-                Ordering::Greater => {
-                    if highest.is_none_or(|edge| is_above([a, b], edge)) {
-                        (highest, below) = (Some([a, b]), Some(h));
-                    }
-                }
-            }
-        }
-        below.map_or(self.outer_face(), |h| self.dcel.face(h)).into()
-    }
-
     /// Where the point lies if not inside `f`: on a vertex or edge of it, or somewhere else.
     ///
     /// Cost: O(size of the face); exact.
@@ -76,7 +46,7 @@ impl Subdivision {
     }
 
     /// Where the direction from `v` to `to` leads. O(degree), or O(rings of all faces) for an isolated vertex.
-    pub(super) fn towards(&self, v: VertexId, to: Point) -> Towards {
+    pub(in crate::plane) fn towards(&self, v: VertexId, to: Point) -> Towards {
         let at = self.points[v];
         for h in self.dcel.outgoing_half_edges(v) {
             let after = self.points[self.dcel.destination(h)];
@@ -129,15 +99,4 @@ impl Subdivision {
         }
         None
     }
-}
-
-/// Whether the first edge runs above the second where the sweep line cuts both. Edges run from left to right and do
-/// not cross.
-fn is_above([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
-    let turns = if left_to_right(c, a).is_le() {
-        [orientation(c, d, a), orientation(c, d, b)]
-    } else {
-        [orientation(a, b, c).reverse(), orientation(a, b, d).reverse()]
-    };
-    turns[0].then(turns[1]).is_gt()
 }

@@ -4,11 +4,13 @@
 //! ids included. Each edit gathers what it needs, checks (`can_…` is exactly that phase), makes room, and then
 //! writes; the write phase cannot fail.
 
+mod flip_edge;
 mod join_edges;
 mod join_faces;
 mod split_edge;
 mod split_face;
 
+pub use flip_edge::FlipEdgeError;
 pub use join_edges::JoinEdgesError;
 pub use join_faces::JoinFacesError;
 pub use split_edge::SplitEdgeError;
@@ -80,7 +82,8 @@ mod tests {
                 chosen.set_outgoing(start.origin(one), Some(one), rec);
                 chosen.set_boundary(start.face(other), Some(other), rec);
                 for a in start.half_edges() {
-                    let edits: [fn(&mut Dcel, HalfEdgeId) -> bool; 3] = [
+                    let edits: [fn(&mut Dcel, HalfEdgeId) -> bool; 4] = [
+                        |d, a| d.flip_edge(a).is_ok(),
                         |d, a| d.join_faces(a).is_ok(),
                         |d, a| d.join_edges(a).is_ok(),
                         |d, a| d.split_edge(a).is_ok(),

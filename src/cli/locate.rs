@@ -1,0 +1,247 @@
+//! `dcel locate`: where points lie.
+
+use super::failure::{Failure, say};
+use super::input::InputOptions;
+use super::output::point;
+use super::picture::{Pixels, Target};
+use super::subject::Subject;
+use super::{Answer, Output};
+use dcel_kit::figure::sketch::{Backdrop, Role, Sketch};
+use dcel_kit::figure::{Figure, FigureOptions};
+use dcel_kit::io::{ReadOptions, read_points};
+use dcel_kit::plane::{Location, Point, Subdivision, Walk};
+use dcel_kit::{FaceId, VertexId};
+use serde::Serialize;
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+/// Tell where points lie: on a vertex, on an edge, in a face
+///
+/// Decided exactly, for any subdivision of the plane. Points are given as X Y X Y ..., or one on
+/// each line of a file, in the coordinates of the structure's file. An edge is told by its half from
+/// left to right, so that the first face is the one above it.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Examples:
+  dcel locate square.obj 1 1
+  dcel locate garden.json 3 3 -2 5.5 --json
+  dcel locate square.obj --points trees.txt -o trees.svg
+  dcel locate square.obj 1 2 --walk v0 -o walk.svg")]
+pub(crate) struct Args {
+    /// The file, or - for standard input
+    file: PathBuf,
+    /// The points: x and y of each
+    #[arg(value_name = "X Y", allow_negative_numbers = true, required_unless_present = "points")]
+    coordinates: Vec<f64>,
+    /// A file of points, one on each line
+    #[arg(long, value_name = "FILE", conflicts_with = "coordinates")]
+    points: Option<PathBuf>,
+    /// Walk there from a vertex, and tell the way
+    #[arg(long, value_name = "v0")]
+    walk: Option<VertexId>,
+    /// Draw the points and what they lie on
+    #[arg(short, long, value_name = "OUT.svg")]
+    output: Option<PathBuf>,
+    /// Answer in JSON
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    pixels: Pixels,
+    #[command(flatten)]
+    input: InputOptions,
+}
+
+/// The answer. The names are those of the JSON form.
+#[derive(Serialize)]
+struct Report {
+    source: String,
+    points: Vec<Found>,
+}
+
+#[derive(Serialize)]
+struct Found {
+    x: f64,
+    y: f64,
+    /// `vertex`, `edge`, `face`, `hole` or `outer`.
+    kind: &'static str,
+    element: String,
+    name: Option<String>,
+    /// The faces on both sides of an edge, that on the left of its half first.
+    between: Option<[String; 2]>,
+    walk: Option<Way>,
+}
+
+#[derive(Serialize)]
+struct Way {
+    faces: Vec<String>,
+    half_edges: usize,
+}
+
+/// Points with more than this are drawn without badges.
+const BADGES: usize = 30;
+/// Fewer points than this are not worth an index.
+const FEW: usize = 16;
+
+pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    let target = match &args.output {
+        Some(path) => Some(Target::new(Some(path), args.pixels)?),
+        None => None,
+    };
+    let own = [Some(&args.file), args.points.as_ref()];
+    for path in target.iter().filter_map(Target::path) {
+        if own.into_iter().flatten().any(|file| super::output::is_same_file(file, path)) {
+            let what = format!("{}: this is the input itself", path.display());
+            return Err(Failure::input(what, "choose another name"));
+        }
+    }
+    let given = args.given()?;
+    let subject = args.input.open_as(&args.file, false)?;
+    let s = subject.plane()?;
+    // The file says where y points; the points are given in its coordinates.
+    let asked: Vec<Point> = given.iter().map(|&p| if args.input.y_down() { Point::new(p.x, 0.0 - p.y) } else { p }).collect();
+    let walks = match args.walk {
+        Some(start) => Some(walks(s, start, &asked)?),
+        None => None,
+    };
+    let found = match &walks {
+        Some(walks) => walks.iter().map(|walk| walk.location).collect(),
+        None if asked.len() < FEW => asked.iter().map(|&p| s.locate(p)).collect(),
+        None => s.locate_all(&asked),
+    };
+    if let Some(target) = &target {
+        target.write(&draw(args, &subject, s, (&given, &asked), &found)?, out)?;
+        if matches!(target, Target::Stdout) {
+            return Ok(Answer::Yes);
+        }
+    }
+    let line = |i: usize| Found::new(&subject, s, given[i], found[i], walks.as_ref().map(|walks| &walks[i]));
+    let report = Report { source: subject.source.clone(), points: (0..given.len()).map(line).collect() };
+    if args.json {
+        out.json(&report)?;
+    } else {
+        report.print(out)?;
+    }
+    Ok(Answer::Yes)
+}
+
+impl Args {
+    /// The points as they are given, all of them within the exact range.
+    fn given(&self) -> Result<Vec<Point>, Failure> {
+        if let Some(path) = &self.points {
+            let list = read_points(path, &ReadOptions::default())?;
+            for (i, p) in list.points.iter().enumerate() {
+                p.check().map_err(|error| Failure::input(format!("{}: {error}", list.place(i)), ""))?;
+            }
+            return Ok(list.points);
+        }
+        let pairs = self.coordinates.chunks(2).map(|pair| match *pair {
+            [x, y] => {
+                let p = Point::new(x, y);
+                p.check().map_err(|error| Failure::input(error, "")).map(|()| p)
+            }
+            _ => {
+                let what = format!("{} coordinates are no points: the last one has no y", self.coordinates.len());
+                Err(Failure::input(what, "give x and y of each point: dcel locate FILE X Y X Y"))
+            }
+        });
+        pairs.collect()
+    }
+}
+
+fn walks(s: &Subdivision, start: VertexId, asked: &[Point]) -> Result<Vec<Walk>, Failure> {
+    let walk = |&p: &Point| s.walk_from(start, p);
+    let walks: Result<_, _> = asked.iter().map(walk).collect();
+    walks.map_err(|error| Failure::input(format!("--walk: {error}"), "dcel info tells how many vertices there are"))
+}
+
+impl Found {
+    fn new(subject: &Subject, s: &Subdivision, p: Point, at: Location, walk: Option<&Walk>) -> Self {
+        let kind = match at {
+            Location::Vertex(_) => "vertex",
+            Location::Edge(_) => "edge",
+            Location::Face(f) if f == s.outer_face() => "outer",
+            Location::Face(f) if s.is_hole(f) => "hole",
+            Location::Face(_) => "face",
+        };
+        let name = |f: FaceId| subject.name(f).map(str::to_owned);
+        let (name, between) = match at {
+            Location::Vertex(_) => (None, None),
+            Location::Edge(h) => (None, Some([h, h.twin()].map(|h| s.face(h).to_string()))),
+            Location::Face(f) => (name(f), None),
+        };
+        let walk = walk.map(|walk| Way {
+            faces: walk.faces.iter().map(ToString::to_string).collect(),
+            half_edges: walk.half_edges,
+        });
+        Self { x: p.x, y: p.y, kind, element: at.to_string(), name, between, walk }
+    }
+
+    /// `face f3 "Garden"`, `hole face f4`, `edge h7 between f1 and f0`.
+    fn words(&self) -> String {
+        let element = &self.element;
+        match (self.kind, &self.name, &self.between) {
+            ("edge", _, Some([left, right])) => format!("edge {element} between {left} and {right}"),
+            ("outer", ..) => format!("outer face {element}"),
+            ("hole", ..) => format!("hole face {element}"),
+            (kind, Some(name), _) => format!("{kind} {element} \"{name}\""),
+            (kind, ..) => format!("{kind} {element}"),
+        }
+    }
+}
+
+impl Report {
+    fn print(&self, out: &mut Output) -> io::Result<()> {
+        for found in &self.points {
+            writeln!(out, "{}  {}", point(&[found.x, found.y]), found.words())?;
+            if let Some(way) = &found.walk {
+                let faces = if way.faces.is_empty() { "along edges".to_owned() } else { way.faces.join(" ") };
+                writeln!(out, "  way: {faces}; {} half-edges looked at", way.half_edges)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The points over the structure, what they lie on in blue.
+fn draw(
+    args: &Args,
+    subject: &Subject,
+    s: &Subdivision,
+    (given, asked): (&[Point], &[Point]),
+    found: &[Location],
+) -> Result<Figure, Failure> {
+    let mut sketch = Sketch::new();
+    let mut faces: Vec<FaceId> = Vec::new();
+    for &at in found {
+        match at {
+            Location::Face(f) if f != s.outer_face() && !faces.contains(&f) => faces.push(f),
+            Location::Edge(h) => {
+                sketch.path(Role::Main, [h, h.twin()].map(|h| s.point(s.origin(h))));
+            }
+            _ => {}
+        }
+    }
+    for &f in &faces {
+        sketch.region(Role::Main, s.cycles(f).map(|h| s.cycle(h).map(|h| s.point(s.origin(h)))));
+    }
+    if let Some(start) = args.walk {
+        for &p in asked.iter().filter(|&&p| p != s.point(start)) {
+            sketch.path(Role::Secondary, [s.point(start), p]).arrow();
+        }
+        sketch.point(Role::Start, s.point(start)).key("where the walks start");
+    }
+    if given.len() > BADGES {
+        say("note", format_args!("more than {BADGES} points are drawn without numbers"));
+    }
+    for ((&p, &q), &at) in given.iter().zip(asked).zip(found) {
+        sketch.point(Role::Event, q);
+        if given.len() <= BADGES {
+            let words = Found::new(subject, s, p, at, None).words();
+            sketch.badge(Role::Event, q, format!("{}: {words}", point(&[p.x, p.y])));
+        }
+    }
+    let title = args.file.file_stem().map_or_else(|| "Points".into(), |stem| stem.to_string_lossy());
+    let names = subject.faces().filter_map(|f| Some((f, subject.name(f)?)));
+    let options = FigureOptions::new(format!("Points in {title}")).face_names(names);
+    sketch.over(s, Backdrop::Plain, &options).map_err(|error| Failure::input(format!("{}: {error}", subject.source), ""))
+}

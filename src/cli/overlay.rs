@@ -1,0 +1,307 @@
+//! `dcel overlay`: two subdivisions on each other.
+
+use super::failure::{Failure, say};
+use super::input::InputOptions;
+use super::picture::{Pixels, Target};
+use super::subject::Subject;
+use super::{Answer, Output};
+use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
+use dcel_kit::figure::{Figure, FigureOptions};
+use dcel_kit::io::{Format, Model, Number, write, write_path};
+use dcel_kit::plane::{Operation, Overlay, Parts, Subdivision};
+use dcel_kit::{FaceId, FaceMap};
+use serde::Serialize;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Lay two subdivisions of the plane over each other
+///
+/// The edges of both cut the plane into faces; each of them lies in one face of A and one of B.
+/// With --operation the bounded faces of A and of B, hole faces excepted, are taken as two regions,
+/// and the answer is a region.
+///
+/// What crosses is decided exactly; crossings become vertices at the nearest doubles, and it is told
+/// which of them moved.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Examples:
+  dcel overlay parcels.json floods.json --json
+  dcel overlay a.dcel b.dcel -o both.svg
+  dcel overlay a.dcel b.dcel --operation difference -o rest.dcel
+  dcel overlay a.dcel b.dcel --operation union --join -o union.svg")]
+pub(crate) struct Args {
+    /// The first file, or - for standard input
+    a: PathBuf,
+    /// The second file
+    b: PathBuf,
+    /// Make a region: union, intersection, difference (A without B) or xor
+    #[arg(long, value_name = "WHAT")]
+    operation: Option<Operation>,
+    /// Take edges with the region on both sides away
+    #[arg(long, requires = "operation")]
+    join: bool,
+    /// Draw it (.svg), or write the structure (.dcel, .geojson, ...); - for dcel text
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+    /// Answer in JSON
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    pixels: Pixels,
+    #[command(flatten)]
+    input: InputOptions,
+}
+
+/// The answer. The names are those of the JSON form.
+#[derive(Serialize)]
+struct Report {
+    a: String,
+    b: String,
+    vertices: usize,
+    edges: usize,
+    faces: usize,
+    crossings: Vec<String>,
+    moved: Vec<Moved>,
+    rounds: u32,
+    unsettled: Vec<String>,
+    /// The bounded faces.
+    labels: Vec<Labels>,
+    region: Option<Region>,
+}
+
+#[derive(Serialize)]
+struct Moved {
+    vertex: String,
+    by: f64,
+}
+
+#[derive(Serialize)]
+struct Labels {
+    face: String,
+    a: String,
+    b: String,
+}
+
+#[derive(Serialize)]
+struct Region {
+    operation: &'static str,
+    vertices: usize,
+    edges: usize,
+    /// Those of the region: neither the outer face nor hole faces.
+    faces: usize,
+    hole_faces: usize,
+    area: f64,
+}
+
+/// Where the answer goes.
+enum Goal {
+    Report,
+    Picture(Target),
+    Text,
+    File(PathBuf, Format),
+}
+
+pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    let goal = args.goal()?;
+    let [a, b] = [&args.a, &args.b].map(|file| args.input.open_as(file, false));
+    let (a, b) = (a?, b?);
+    let (source_a, source_b) = (a.plane()?, b.plane()?);
+    let fails = |error| Failure::input(format!("{} and {}: {error}", a.source, b.source), "");
+    let both = source_a.overlay(source_b).map_err(fails)?;
+    let parts = if args.join { Parts::Joined } else { Parts::Kept };
+    let region = match args.operation {
+        Some(operation) => Some((operation, both.region(operation, parts).map_err(fails)?)),
+        None => None,
+    };
+    let made = region.as_ref().map_or(&both.subdivision, |(_, region)| region);
+    let names = if region.is_none() { names(&a, &b, &both) } else { FaceMap::default() };
+    let model = || Model::planar(made).with_names(|f| names.get(f)?.as_deref());
+    match &goal {
+        Goal::Report => {}
+        Goal::Picture(target) => {
+            let figure = match &region {
+                None => draw_both(args, [source_a, source_b], &both),
+                Some((operation, region)) => draw_region(args, [source_a, source_b], *operation, region),
+            };
+            target.write(&figure?, out)?;
+        }
+        Goal::Text => {
+            write(out, &model(), Format::Dcel).map_err(|error| Failure::of_writing(Path::new("-"), error))?;
+        }
+        Goal::File(path, format) => {
+            write_path(path, &model(), *format).map_err(|error| Failure::of_writing(path, error))?;
+        }
+    }
+    tell_rounding(&both);
+    if matches!(goal, Goal::Text) {
+        return Ok(Answer::Yes);
+    }
+    let report = Report::of(&a, &b, &both, region.as_ref());
+    if args.json {
+        out.json(&report)?;
+    } else {
+        report.print(out)?;
+    }
+    Ok(Answer::Yes)
+}
+
+impl Args {
+    fn goal(&self) -> Result<Goal, Failure> {
+        let Some(path) = &self.output else { return Ok(Goal::Report) };
+        if [&self.a, &self.b].into_iter().any(|file| super::output::is_same_file(file, path)) {
+            let what = format!("{}: this is the input itself", path.display());
+            return Err(Failure::input(what, "choose another name"));
+        }
+        if path.as_os_str() == "-" {
+            return Ok(Goal::Text);
+        }
+        match Format::from_path(path) {
+            Some(format) => Ok(Goal::File(path.clone(), format)),
+            None if path.extension().is_none() => {
+                let what = format!("{}: the name does not tell what to write", path.display());
+                Err(Failure::input(what, "end it in .svg for a picture, in .dcel for the structure"))
+            }
+            None => Ok(Goal::Picture(Target::new(Some(path), self.pixels)?)),
+        }
+    }
+}
+
+/// `Garden & f2`: the names of the faces of both, ids where there is none; nothing outside of both.
+fn names(a: &Subject, b: &Subject, both: &Overlay) -> FaceMap<Option<String>> {
+    let mut names = FaceMap::default();
+    let name = |subject: &Subject, f: FaceId| subject.name(f).map_or_else(|| f.to_string(), str::to_owned);
+    for f in both.subdivision.faces().filter(|&f| f != both.subdivision.outer_face()) {
+        let words = format!("{} & {}", name(a, both.face_of_a[f]), name(b, both.face_of_b[f]));
+        names.set(f, Some(words), None);
+    }
+    names
+}
+
+fn tell_rounding(both: &Overlay) {
+    let furthest = both.moved.iter().map(|&(_, by)| by).fold(0.0, f64::max);
+    if !both.moved.is_empty() {
+        let (count, all) = (both.moved.len(), both.crossings.len());
+        say("note", format_args!("{count} of {all} crossings are rounded to doubles, by {} at most", Number(furthest)));
+    }
+    if !both.unsettled.is_empty() {
+        say("note", format_args!("{} faces are so thin that rounding turned them over", both.unsettled.len()));
+    }
+}
+
+impl Report {
+    fn of(a: &Subject, b: &Subject, both: &Overlay, region: Option<&(Operation, Subdivision)>) -> Self {
+        let s = &both.subdivision;
+        let bounded = s.faces().filter(|&f| f != s.outer_face());
+        let labels = bounded.map(|f| Labels {
+            face: f.to_string(),
+            a: both.face_of_a[f].to_string(),
+            b: both.face_of_b[f].to_string(),
+        });
+        Self {
+            a: a.source.clone(),
+            b: b.source.clone(),
+            vertices: s.vertex_count(),
+            edges: s.edge_count(),
+            faces: s.face_count(),
+            crossings: both.crossings.iter().map(ToString::to_string).collect(),
+            moved: both.moved.iter().map(|&(v, by)| Moved { vertex: v.to_string(), by }).collect(),
+            rounds: both.rounds,
+            unsettled: both.unsettled.iter().map(ToString::to_string).collect(),
+            labels: labels.collect(),
+            region: region.map(|(operation, region)| Region {
+                operation: operation.name(),
+                vertices: region.vertex_count(),
+                edges: region.edge_count(),
+                faces: region.face_count() - 1 - region.hole_faces().count(),
+                hole_faces: region.hole_faces().count(),
+                area: area(region),
+            }),
+        }
+    }
+
+    fn print(&self, out: &mut Output) -> io::Result<()> {
+        writeln!(out, "{} over {}", self.a, self.b)?;
+        let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
+        line("vertices", format!("{} ({} where edges cross)", self.vertices, self.crossings.len()))?;
+        line("edges", self.edges.to_string())?;
+        line("faces", format!("{} (with the outer face)", self.faces))?;
+        if let Some(region) = &self.region {
+            line(region.operation, format!("{} faces, area {}", region.faces, Number(region.area)))?;
+            if region.hole_faces > 0 {
+                line("hole faces", region.hole_faces.to_string())?;
+            }
+            return Ok(());
+        }
+        for labels in &self.labels {
+            line(&labels.face, format!("{} of a, {} of b", labels.a, labels.b))?;
+        }
+        Ok(())
+    }
+}
+
+/// The area of the region, rounded: neither the outer face nor hole faces.
+fn area(s: &Subdivision) -> f64 {
+    let inside = s.faces().filter(|&f| f != s.outer_face() && !s.is_hole(f));
+    let cross = |h| {
+        let (p, q) = (s.point(s.origin(h)), s.point(s.destination(h)));
+        p.x * q.y - p.y * q.x
+    };
+    inside.flat_map(|f| s.cycles(f)).flat_map(|h| s.cycle(h)).map(cross).sum::<f64>() / 2.0
+}
+
+/// The outlines of the faces for which `chosen` holds.
+fn region(sketch: &mut Sketch, role: Role, s: &Subdivision, chosen: impl Fn(FaceId) -> bool, key: &str) {
+    let faces = s.faces().filter(|&f| f != s.outer_face() && chosen(f));
+    let rings = |f| s.cycles(f).map(|h| s.cycle(h).map(|h| s.point(s.origin(h))).collect::<Vec<_>>());
+    let all: Vec<Vec<_>> = faces.flat_map(rings).collect();
+    if !all.is_empty() {
+        sketch.region(role, all).key(key);
+    }
+}
+
+/// All edges as lines.
+fn outlines(sketch: &mut Sketch, role: Role, s: &Subdivision, key: &str) {
+    for (i, e) in s.edges().enumerate() {
+        let path = sketch.path(role, e.half_edges().map(|h| s.point(s.origin(h))));
+        if i == 0 {
+            path.key(key);
+        }
+    }
+}
+
+fn title(args: &Args, what: &str) -> FigureOptions {
+    let [a, b] = [&args.a, &args.b].map(|path| path.file_stem().unwrap_or_default().to_string_lossy());
+    FigureOptions::new(format!("{what} {a} and {b}")).half_edge_labels(false)
+}
+
+/// a, b, and both: what belongs to one of them and what to both.
+fn draw_both(args: &Args, [a, b]: [&Subdivision; 2], both: &Overlay) -> Result<Figure, Failure> {
+    let s = &both.subdivision;
+    let mut labels = Sketch::new();
+    region(&mut labels, Role::Main, s, |f| both.is_in(f) == [true, false], "in a alone");
+    region(&mut labels, Role::Secondary, s, |f| both.is_in(f) == [false, true], "in b alone");
+    region(&mut labels, Role::Goal, s, |f| both.is_in(f) == [true; 2], "in both");
+    both.crossings.iter().for_each(|&v| {
+        labels.point(Role::Event, s.point(v));
+    });
+    let mut panels = Multiples::new();
+    panels.structure("a", &format!("{} faces", a.face_count()), a);
+    panels.structure("b", &format!("{} faces", b.face_count()), b);
+    let text = format!("{} faces, {} crossings", s.face_count(), both.crossings.len());
+    panels.over("overlay", &text, s, Backdrop::Plain, labels);
+    panels.figure(&title(args, "Overlay of")).map_err(|error| Failure::input(error, ""))
+}
+
+/// The region, and the edges it was made from.
+fn draw_region(
+    args: &Args,
+    [a, b]: [&Subdivision; 2],
+    operation: Operation,
+    made: &Subdivision,
+) -> Result<Figure, Failure> {
+    let mut sketch = Sketch::new();
+    region(&mut sketch, Role::Main, made, |f| !made.is_hole(f), operation.name());
+    outlines(&mut sketch, Role::Secondary, a, "edges of a");
+    outlines(&mut sketch, Role::Goal, b, "edges of b");
+    sketch.figure(&title(args, &format!("{operation} of"))).map_err(|error| Failure::input(error, ""))
+}

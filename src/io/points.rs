@@ -1,0 +1,147 @@
+//! Points: plain text with one point a line, or the points of any other format.
+//!
+//! ```text
+//!   x,y                a heading of words: may be left out
+//!   3                  the number of points: may be left out
+//!   0 0                x and y, parted by blanks, commas or semicolons
+//!   4, 0
+//!   0;3                # starts a comment
+//! ```
+
+use super::format::Format;
+use super::problem::{ReadError, ReadProblem};
+use super::read::{Document, ReadOptions, load, load_path, read_bytes, read_path, source_name};
+use super::soup::SoupBuilder;
+use super::text::{Scanner, Syntax, check_text};
+use super::triangle;
+use crate::ids::MAX_IDS;
+use crate::plane::Point;
+use std::path::Path;
+
+/// Points as a file gives them, in its order.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct PointList {
+    /// The points.
+    pub points: Vec<Point>,
+    /// The line of each point, from 1; empty where lines mean nothing.
+    pub lines: Vec<u32>,
+    /// The file.
+    pub source: String,
+}
+
+impl PointList {
+    /// Where a point stands: `sites.xy:12`.
+    #[must_use]
+    pub fn place(&self, point: usize) -> String {
+        self.lines.get(point).map_or_else(|| self.source.clone(), |line| format!("{}:{line}", self.source))
+    }
+}
+
+/// Reads the points of a file; `-` is standard input.
+///
+/// The format, or the end of the name, or the first bytes tell how: of formats with polygons, segments or tables the
+/// points are taken, and z is dropped; a `.node` file may stand alone. All other files are plain text, as above.
+/// y points up in the result, see [`ReadOptions::y_down`].
+///
+/// # Errors
+/// [`ReadError`] with the place of the first problem.
+pub fn read_points(path: &Path, options: &ReadOptions) -> Result<PointList, ReadError> {
+    let stdin = path.as_os_str() == "-";
+    let source = source_name(path);
+    let bytes = if stdin { load(std::io::stdin().lock(), &source)? } else { load_path(path)? };
+    let by_name = || if stdin { None } else { Format::from_path(path).filter(|format| format.can_read()) };
+    let is_node = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("node"));
+    let mut list = match options.format.or_else(by_name).or_else(|| Format::from_content(&bytes)) {
+        None => points_from_text(&bytes, &source)?,
+        Some(Format::Triangle) if is_node => {
+            let mut soup = SoupBuilder::default();
+            triangle::nodes(&mut Scanner::new(&bytes, &source, triangle::SYNTAX)?, &mut soup)?;
+            points_of(Document::Polygons(soup.finish(&source, false)?), source)
+        }
+        // These turn y themselves.
+        Some(format) if stdin => {
+            return Ok(points_of(read_bytes(&bytes, format, &source, options)?.document, source));
+        }
+        Some(_) => return Ok(points_of(read_path(path, options)?.document, source)),
+    };
+    if options.y_down {
+        list.points.iter_mut().for_each(|p| p.y = 0.0 - p.y);
+    }
+    Ok(list)
+}
+
+/// The points of what was read.
+fn points_of(document: Document, source: String) -> PointList {
+    match document {
+        Document::Polygons(soup) => {
+            let points = soup.points.iter().map(|&[x, y, _]| Point::new(x, y)).collect();
+            let same_file = soup.places.vertex_source.as_ref().is_none_or(|name| *name == source);
+            let lines = if same_file { soup.places.vertex_lines } else { Vec::new() };
+            PointList { points, lines, source }
+        }
+        Document::Segments(soup) => PointList { points: soup.points, lines: soup.point_lines, source },
+        Document::Table(table) => {
+            let positions = table.vertices.iter().filter_map(|row| row.as_ref()?.position);
+            PointList { points: positions.map(Point::from).collect(), lines: Vec::new(), source }
+        }
+    }
+}
+
+/// Reads plain points that are in memory. `source_name` is what errors call them. O(length).
+///
+/// # Errors
+/// [`ReadError`] with the place of the first problem.
+///
+/// ```
+/// let list = dcel_kit::io::points_from_text(b"x,y\n0,0\n4,0\n0,3\n", "sites.csv")?;
+/// assert_eq!((list.points.len(), list.place(2)), (3, "sites.csv:4".to_owned()));
+/// let error = dcel_kit::io::points_from_text(b"0 0\n4\n", "sites.xy").unwrap_err();
+/// assert_eq!(error.to_string(), "sites.xy:2:2: expected the y of the point, found the end of the line");
+/// # Ok::<(), dcel_kit::io::ReadError>(())
+/// ```
+pub fn points_from_text(bytes: &[u8], source_name: &str) -> Result<PointList, ReadError> {
+    const SYNTAX: Syntax = Syntax { comments: true, continuation: false, quotes: false };
+    check_text(bytes, source_name)?;
+    // As many bytes as before, so that places stay.
+    let blank = |&b: &u8| if matches!(b, b',' | b';') { b' ' } else { b };
+    let bytes: Vec<u8> = bytes.iter().map(blank).collect();
+    let mut scanner = Scanner::new(&bytes, source_name, SYNTAX)?;
+    let mut list = PointList { source: source_name.to_owned(), ..PointList::default() };
+    let (mut heading, mut announced) = (false, None);
+    while let Some(first) = scanner.word_anywhere() {
+        let line = scanner.line();
+        let at_start = list.points.is_empty() && announced.is_none();
+        if at_start && !heading && starts_with_letter(first.text) {
+            heading = true;
+            scanner.next_line();
+            continue;
+        }
+        let Some(second) = scanner.word() else {
+            if !at_start {
+                return Err(scanner.missing("the y of the point".to_owned()));
+            }
+            announced = Some((scanner.count(first)?, first));
+            continue;
+        };
+        list.points.push(Point::new(scanner.coordinate('x', first)?, scanner.coordinate('y', second)?));
+        list.lines.push(line);
+        scanner.end_of_line("a point is x y, one a line")?;
+    }
+    if let Some((count, word)) = announced
+        && count != list.points.len() as u64
+    {
+        let wanted = format!("the number of points, {}", list.points.len());
+        return Err(scanner.expected(word, wanted, "correct it or leave the line out"));
+    }
+    if list.points.len() > MAX_IDS {
+        let problem = ReadProblem::TooLarge { what: "points", limit: MAX_IDS as u64 };
+        return Err(ReadError::whole(source_name, problem, ""));
+    }
+    Ok(list)
+}
+
+/// Whether a word is no number, but not a number that has gone wrong either: `nan` and `inf` are.
+fn starts_with_letter(word: &[u8]) -> bool {
+    let number = std::str::from_utf8(word).is_ok_and(|text| text.parse::<f64>().is_ok());
+    !number && word.first().is_some_and(|b| b.is_ascii_alphabetic() || *b == b'"')
+}

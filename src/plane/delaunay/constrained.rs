@@ -1,0 +1,169 @@
+//! The constrained Delaunay triangulation: the edges of a subdivision stay, everything between them is Delaunay.
+//!
+//! ```text
+//!          ●───●                    First all vertices are triangulated. Then every edge u-w that is missing is
+//!        ╱ │ ╲ │ ╲                  made: of the edges across it, one between two triangles that form a convex
+//!    u ●┄┄┄│┄┄┄│┄┄┄● w              quadrilateral is flipped, again and again, until none is left. At the end flips
+//!        ╲ │ ╱ │ ╱                  make all the others locally Delaunay.
+//!          ●───●
+//! ```
+//!
+//! Source: Sloan, *A fast algorithm for generating constrained Delaunay triangulations*, 1993.
+
+use super::{Subdivision, assembled, ordered};
+use crate::ids::{EdgeId, EdgeMap, FaceId, FaceMap, HalfEdgeId, VertexId};
+use crate::plane::Point;
+use crate::plane::predicates::orientation;
+use crate::topology::{NoRecorder, TooMany};
+use std::cmp::Ordering;
+use std::collections::VecDeque;
+
+/// A constrained Delaunay triangulation of a subdivision.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ConstrainedDelaunay {
+    /// The triangulation of the convex hull. Vertices keep their numbers; a triangle is a hole face if it lies in a
+    /// hole face or in the outer face of the subdivision.
+    pub subdivision: Subdivision,
+    /// Whether the edge is one of the subdivision.
+    pub constrained: EdgeMap<bool>,
+    /// The face of the subdivision in which each triangle lies; `f0` for `f0`.
+    pub faces: FaceMap<FaceId>,
+}
+
+impl Subdivision {
+    /// The constrained Delaunay triangulation of all vertices of a subdivision, in which all its edges stay.
+    ///
+    /// Every other edge is locally Delaunay. Antennas, rings and isolated vertices are all taken in. If all vertices
+    /// lie on one line the result is a path.
+    ///
+    /// Cost: O(n log n), and for each edge that is not Delaunay itself O(k²) for the k edges across it, mostly O(k).
+    /// All decisions are exact.
+    ///
+    /// # Errors
+    /// [`TooMany`]: more triangles than there are ids.
+    ///
+    /// ```
+    /// use dcel_kit::plane::{Point, Subdivision};
+    /// let points = [(0., 0.), (3., -1.), (6., 0.), (3., 1.)].map(Point::from);
+    /// let graph = Subdivision::from_graph(&points, &[[0, 2]])?;
+    /// let kite = graph.constrained_delaunay()?;
+    /// assert_eq!(kite.constrained.iter().filter(|(_, constrained)| **constrained).count(), 1);
+    /// assert_eq!(kite.subdivision.non_delaunay_edges(|_| false).count(), 1);
+    /// assert_eq!(kite.subdivision.non_delaunay_edges(|e| kite.constrained[e]).count(), 0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn constrained_delaunay(&self) -> Result<ConstrainedDelaunay, TooMany> {
+        if self.dcel.vertex_bound() > crate::ids::MAX_IDS / 6 {
+            return Err(TooMany);
+        }
+        let live: Vec<VertexId> = self.dcel.vertices().collect();
+        let points: Vec<Point> = live.iter().map(|&v| self.points[v]).collect();
+        let order = ordered(&points);
+        let names: Vec<u32> = order.sites.iter().map(|site| live[site.index as usize].number()).collect();
+        let mut made = assembled(&order, &names, self.points.clone());
+        // From the last one on, so that the lowest free number is given out first.
+        let dead: Vec<VertexId> = made.dcel.vertices().rev().filter(|&v| !self.dcel.has_vertex(v)).collect();
+        dead.into_iter().for_each(|v| made.dcel.remove_vertex_record(v, &mut NoRecorder));
+
+        let mut constrained = EdgeMap::filled(made.dcel.edge_bound(), false);
+        let mut faces = vec![None; made.dcel.face_bound()];
+        let mut marked = Vec::new();
+        for e in self.dcel.edges() {
+            let [u, w] = e.half_edges().map(|h| self.dcel.origin(h));
+            let Some(h) = made.force_edge(u, w) else { continue };
+            constrained[h.edge()] = true;
+            marked.push((h, e.half_edges()[0]));
+        }
+        made.make_delaunay(|e| constrained[e]);
+        for (h, g) in marked {
+            faces[made.dcel.face(h).index()] = Some(self.dcel.face(g));
+            faces[made.dcel.face(h.twin()).index()] = Some(self.dcel.face(g.twin()));
+        }
+        let faces = made.spread_faces(faces, &constrained);
+        made.holes = made.dcel.faces().filter(|&f| faces[f] == self.outer_face() || self.is_hole(faces[f])).collect();
+        made.holes.remove(&self.outer_face());
+        Ok(ConstrainedDelaunay { subdivision: made, constrained, faces })
+    }
+
+    /// Makes the edge from `u` to `w` by flips, in a triangulation of the convex hull with no vertex between the two
+    /// and no fixed edge across. Returns its half from `u` to `w`.
+    fn force_edge(&mut self, u: VertexId, w: VertexId) -> Option<HalfEdgeId> {
+        if let Some(h) = self.dcel.find_half_edge(u, w) {
+            return Some(h);
+        }
+        let ends = [u, w].map(|v| self.points[v]);
+        let side = |s: &Self, v: VertexId| orientation(ends[0], ends[1], s.points[v]);
+        let mut across = self.edges_across(u, w);
+        let mut made = None;
+        while let Some(e) = across.pop_front() {
+            let h = e.half_edges()[0];
+            let ([a, b], [c, d]) = (self.ends(h), self.opposite(h));
+            let turns = |v: VertexId| orientation(self.points[c], self.points[d], self.points[v]);
+            // Convex if the other diagonal parts the ends strictly.
+            if turns(a).is_eq() || turns(b).is_eq() || turns(a) == turns(b) {
+                across.push_back(e);
+                continue;
+            }
+            self.dcel.flip_edge_unchecked(h, &mut NoRecorder);
+            if side(self, c).reverse() == side(self, d) && side(self, c).is_ne() {
+                across.push_back(e);
+            } else if [c, d] == [u, w] || [d, c] == [u, w] {
+                made = Some(h);
+            }
+        }
+        made.map(|h| if self.dcel.origin(h) == u { h } else { h.twin() })
+    }
+
+    fn ends(&self, h: HalfEdgeId) -> [VertexId; 2] {
+        [self.dcel.origin(h), self.dcel.destination(h)]
+    }
+
+    /// The third corners of the triangles at `h`: on its left and on its right.
+    fn opposite(&self, h: HalfEdgeId) -> [VertexId; 2] {
+        [h, h.twin()].map(|h| self.dcel.origin(self.dcel.prev(h)))
+    }
+
+    /// The edges that the segment from `u` to `w` crosses, in its order. O(degree of u + number of edges).
+    fn edges_across(&self, u: VertexId, w: VertexId) -> VecDeque<EdgeId> {
+        let (from, to) = (self.points[u], self.points[w]);
+        let side = |v: VertexId| orientation(from, to, self.points[v]);
+        // The triangle at u that the segment enters: its second corner lies on the right, its third on the left.
+        let enters = |&h: &HalfEdgeId| {
+            let (right, left) = (self.dcel.destination(h), self.dcel.origin(self.dcel.prev(h)));
+            self.dcel.face(h) != self.outer_face()
+                && side(right).is_lt()
+                && side(left).is_gt()
+                && orientation(self.points[right], self.points[left], from).is_gt()
+        };
+        let mut across = VecDeque::new();
+        let start = self.dcel.outgoing_half_edges(u).find(enters);
+        let mut at = start.map(|h| self.dcel.next(h).twin());
+        while let Some(h) = at {
+            across.push_back(h.edge());
+            let beyond = self.dcel.destination(self.dcel.next(h));
+            at = match side(beyond) {
+                Ordering::Greater => Some(self.dcel.next(h).twin()),
+                Ordering::Less => Some(self.dcel.prev(h).twin()),
+                Ordering::Equal => None,
+            };
+        }
+        across
+    }
+
+    /// Gives every triangle the face of its neighbours across edges that are not constrained. What is left then has
+    /// no constrained edge around it: it lies in the outer face. O(n).
+    fn spread_faces(&self, mut faces: Vec<Option<FaceId>>, constrained: &EdgeMap<bool>) -> FaceMap<FaceId> {
+        faces[0] = Some(self.outer_face());
+        let mut waiting: Vec<FaceId> = self.dcel.faces().skip(1).filter(|f| faces[f.index()].is_some()).collect();
+        while let Some(f) = waiting.pop() {
+            for h in self.dcel.incident_half_edges(f) {
+                let beside = self.dcel.face(h.twin());
+                if !constrained[h.edge()] && faces[beside.index()].is_none() {
+                    faces[beside.index()] = faces[f.index()];
+                    waiting.push(beside);
+                }
+            }
+        }
+        faces.into_iter().map(|f| f.unwrap_or(self.outer_face())).collect::<Vec<_>>().into()
+    }
+}

@@ -1,0 +1,226 @@
+//! The Delaunay triangulation by divide and conquer.
+//!
+//! ```text
+//!        ●─────────────●          Both halves are done. The lowest edge between them, w -> u, is found by walking
+//!      ╱  ╲  L   R   ╱  ╲         down both outlines. Then the seam rises: of the next corner on the left and the
+//!     ●    ●       ●     ●        next one on the right, that one makes a triangle with u and w whose circle does
+//!      ╲  ╱ <───────╲   ╱         not hold the other. Edges of L and R in whose way it is are taken out first.
+//!        u <──────── w
+//! ```
+//!
+//! The outer face lies on the left of the *outline*, which runs clockwise; so the outline's half-edges are those of
+//! the outer face. Only [`orientation`] and [`in_circle`] decide, and they are exact.
+//!
+//! Cost: O(n) for each level of division, O(n log n) in all; expected O(n log log n) for points spread evenly.
+//!
+//! Source: Guibas and Stolfi, *Primitives for the manipulation of general subdivisions and the computation of
+//! Voronoi diagrams*, 1985.
+
+use super::halves::{Half, Halves};
+use super::order::{Axis, Ordered, Site, middle};
+use crate::plane::Point;
+use crate::plane::predicates::{in_circle, orientation};
+use std::cmp::Ordering;
+
+/// A finished triangulation: half-edges whose origins are places in the order, and one of the outline.
+pub(super) struct Divided {
+    pub(super) half: Vec<Half>,
+    pub(super) outer: u32,
+}
+
+/// Triangulates at least two distinct points. Points on one line become a path.
+pub(super) fn divide_and_conquer(ordered: &Ordered) -> Divided {
+    let sites = &ordered.sites;
+    let mut work = Work { sites, halves: Halves::with_room(3 * sites.len()) };
+    let outer = match work.by_key(0, sites.len() as u32) {
+        Part::Edges(outer) => outer,
+        Part::Point(_) => 0,
+    };
+    let (half, outer) = work.halves.without_gaps(outer);
+    Divided { half, outer }
+}
+
+/// What is done of the points.
+#[derive(Clone, Copy)]
+enum Part {
+    /// A point alone.
+    Point(u32),
+    /// Edges, by a half-edge of their outline.
+    Edges(u32),
+}
+
+struct Work<'a> {
+    sites: &'a [Site],
+    halves: Halves,
+}
+
+impl Work<'_> {
+    #[inline]
+    fn at(&self, v: u32) -> Point {
+        self.sites[v as usize].point
+    }
+
+    /// Whether the point `v` lies strictly to the left of `h`.
+    #[inline]
+    fn is_left(&self, v: u32, h: u32) -> bool {
+        orientation(self.at(self.halves.origin(h)), self.at(self.halves.destination(h)), self.at(v)).is_gt()
+    }
+
+    /// The points from `low` to `high`, parted where the highest bit of their keys changes.
+    fn by_key(&mut self, low: u32, high: u32) -> Part {
+        if high - low <= 3 {
+            return self.few(low, high);
+        }
+        let range = &self.sites[low as usize..high as usize];
+        let Some(bit) = (range[0].key ^ range[range.len() - 1].key).checked_ilog2() else {
+            return self.by_middle(low, high, Axis::X);
+        };
+        let cut = low + range.partition_point(|site| site.key >> bit & 1 == 0) as u32;
+        let (left, right) = (self.by_key(low, cut), self.by_key(cut, high));
+        self.merge(left, right, if bit % 2 == 1 { Axis::X } else { Axis::Y })
+    }
+
+    /// The points from `low` to `high`, all of one cell, parted as they were put in order.
+    fn by_middle(&mut self, low: u32, high: u32, axis: Axis) -> Part {
+        if high - low <= 3 {
+            return self.few(low, high);
+        }
+        let cut = low + middle((high - low) as usize) as u32;
+        let (left, right) = (self.by_middle(low, cut, axis.other()), self.by_middle(cut, high, axis.other()));
+        self.merge(left, right, axis)
+    }
+
+    /// One, two or three points.
+    fn few(&mut self, low: u32, high: u32) -> Part {
+        let (mut a, mut b, mut c) = (low, low + 1, low + 2);
+        match high - low {
+            1 => return Part::Point(a),
+            2 => return Part::Edges(self.halves.edge(a, b)),
+            _ => {}
+        }
+        let turn = orientation(self.at(a), self.at(b), self.at(c));
+        if turn.is_eq() {
+            let mut path = [a, b, c];
+            path.sort_unstable_by(|&v, &w| Axis::X.compare(self.at(v), self.at(w)));
+            [a, b, c] = path;
+        }
+        let h = self.halves.edge(a, b);
+        let g = self.halves.extend(h, c);
+        if turn.is_eq() {
+            return Part::Edges(h);
+        }
+        self.halves.connect(g ^ 1, h);
+        Part::Edges(if turn.is_gt() { h ^ 1 } else { h })
+    }
+
+    /// The half-edge of the outline through `start` whose origin comes first along the axis, or last. O(outline).
+    fn extreme(&self, start: u32, axis: Axis, wanted: Ordering) -> u32 {
+        let (mut best, mut place) = (start, self.at(self.halves.origin(start)));
+        let mut h = self.halves.next(start);
+        while h != start {
+            let here = self.at(self.halves.origin(h));
+            if axis.compare(here, place) == wanted {
+                (best, place) = (h, here);
+            }
+            h = self.halves.next(h);
+        }
+        best
+    }
+
+    /// Joins two parts, of which `left` comes before `right` along the axis.
+    fn merge(&mut self, left: Part, right: Part, axis: Axis) -> Part {
+        let lowest = match (left, right) {
+            (Part::Point(u), Part::Point(w)) => self.halves.edge(w, u),
+            (Part::Point(u), Part::Edges(r)) => {
+                let mut r = self.halves.prev(self.extreme(r, axis, Ordering::Less));
+                while self.is_left(u, r) {
+                    r = self.halves.prev(r);
+                }
+                self.halves.extend(r, u)
+            }
+            (Part::Edges(l), Part::Point(w)) => {
+                let mut l = self.extreme(l, axis, Ordering::Greater);
+                while self.is_left(w, l) {
+                    l = self.halves.next(l);
+                }
+                let before = self.halves.prev(l);
+                self.halves.extend(before, w) ^ 1
+            }
+            (Part::Edges(l), Part::Edges(r)) => self.lowest(l, r, axis),
+        };
+        Part::Edges(self.rise(lowest))
+    }
+
+    /// Makes the lowest edge between two outlines; returns its half from right to left.
+    fn lowest(&mut self, l: u32, r: u32, axis: Axis) -> u32 {
+        let mut l = self.extreme(l, axis, Ordering::Greater);
+        let mut r = self.halves.prev(self.extreme(r, axis, Ordering::Less));
+        loop {
+            if self.is_left(self.halves.destination(r), l) {
+                l = self.halves.next(l);
+            } else if self.is_left(self.halves.origin(l), r) {
+                r = self.halves.prev(r);
+            } else {
+                let after = self.halves.next(r);
+                return self.halves.connect(after, l);
+            }
+        }
+    }
+
+    /// Closes the seam above its lowest edge, and returns a half-edge of the common outline: the twin of the highest.
+    ///
+    /// ```text
+    ///      x ●               ● y         base runs from w to u. Triangles over it are tried with x, the next corner
+    ///         ╲             ╱            counter-clockwise round u, and with y, the next one clockwise round w.
+    ///        u ●<── base ──● w
+    /// ```
+    fn rise(&mut self, lowest: u32) -> u32 {
+        let mut base = lowest;
+        loop {
+            let (w, u) = (self.halves.origin(base), self.halves.destination(base));
+            let (at_w, at_u) = (self.at(w), self.at(u));
+            let above = |v: Point| orientation(v, at_u, at_w).is_gt();
+
+            let mut left = self.halves.ccw(base ^ 1);
+            let mut x = self.at(self.halves.destination(left));
+            let left_fits = above(x);
+            if left_fits {
+                loop {
+                    let behind = self.halves.ccw(left);
+                    let next = self.at(self.halves.destination(behind));
+                    if !in_circle(at_u, at_w, x, next).is_gt() {
+                        break;
+                    }
+                    self.halves.remove(left);
+                    (left, x) = (behind, next);
+                }
+            }
+            let mut right = self.halves.cw(base);
+            let mut y = self.at(self.halves.destination(right));
+            let right_fits = above(y);
+            if right_fits {
+                loop {
+                    let behind = self.halves.cw(right);
+                    let next = self.at(self.halves.destination(behind));
+                    if !in_circle(at_u, at_w, y, next).is_gt() {
+                        break;
+                    }
+                    self.halves.remove(right);
+                    (right, y) = (behind, next);
+                }
+            }
+            let take_right = match (left_fits, right_fits) {
+                (false, false) => return base ^ 1,
+                (true, true) => in_circle(x, at_u, at_w, y).is_gt(),
+                (_, right) => right,
+            };
+            base = if take_right {
+                let after = self.halves.next(right);
+                self.halves.connect(after, base ^ 1)
+            } else {
+                let after = self.halves.next(base ^ 1);
+                self.halves.connect(after, left ^ 1)
+            };
+        }
+    }
+}

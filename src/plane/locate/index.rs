@@ -1,0 +1,124 @@
+//! An index of a subdivision that does not change, for very many points.
+//!
+//! ```text
+//!   ┌───┬───┬───┬───┐     A grid with about one cell for each edge. A query looks at the few edges of one cell:
+//!   │ ╱ │ ──┼─╲ │   │     O(1) where edges are spread like points of a random set, O(log k) in a cell that k edges
+//!   ├───┼───┼──╲┼───┤     crowd into (a star, a city on a map of a country). Edges that are long against the cells
+//!   │ ──┼───┼──┐│ · │     make the cells larger, so that all lists together stay O(n).
+//!   └───┴───┴──┴┴───┘
+//! ```
+
+use super::{Cells, Lines, Location};
+use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::plane::{Point, Subdivision};
+use std::borrow::Borrow;
+
+/// Point location in a subdivision that does not change.
+///
+/// It holds the subdivision or a reference to it, whichever it is made with: `PointIndex::new(&s)`,
+/// `PointIndex::new(s)`, `PointIndex::new(Arc::clone(&s))`.
+///
+/// ```
+/// use dcel_kit::plane::{Location, Point, PointIndex, Subdivision};
+/// let s = Subdivision::lab_rectangle();
+/// let index = PointIndex::new(&s);
+/// let points = [Point::new(10.0, 20.0), Point::new(0.0, -150.0), Point::new(9000.0, 0.0)];
+/// let answers: Vec<String> = index.locate_all(&points).iter().map(Location::to_string).collect();
+/// assert_eq!(answers, ["f1", "v1", "f0"]);
+/// assert_eq!(index.locate(points[0]), s.locate(points[0]));
+/// ```
+#[derive(Clone, Debug)]
+pub struct PointIndex<S = Subdivision> {
+    subdivision: S,
+    cells: Cells,
+}
+
+impl Lines for Subdivision {
+    #[inline]
+    fn origin(&self, h: HalfEdgeId) -> VertexId {
+        self.dcel.origin(h)
+    }
+    #[inline]
+    fn point(&self, v: VertexId) -> Point {
+        self.points[v]
+    }
+    #[inline]
+    fn face(&self, h: HalfEdgeId) -> FaceId {
+        self.dcel.face(h)
+    }
+}
+
+impl<S: Borrow<Subdivision>> PointIndex<S> {
+    /// The index of a subdivision, with one cell for each edge.
+    ///
+    /// Cost: O(n) where edges are spread evenly, O(n log^2 n) at worst. About 22 bytes for each edge of a random
+    /// triangulation, at worst O(n log n).
+    #[must_use]
+    pub fn new(subdivision: S) -> Self {
+        Self::with_density(subdivision, 1.0)
+    }
+
+    /// The index with `density` cells for each edge, between 1/16 and 16: more cells are quicker to ask and take
+    /// more memory.
+    #[must_use]
+    pub fn with_density(subdivision: S, density: f64) -> Self {
+        let s: &Subdivision = subdivision.borrow();
+        let edges = s.dcel.edges().map(|e| s.upper_half(e));
+        let isolated = s.dcel.vertices().filter(|&v| s.dcel.outgoing(v).is_none());
+        let density = if density.is_nan() { 1.0 } else { density.clamp(1.0 / 16.0, 16.0) };
+        let cells = Cells::new(s, edges, isolated, s.outer_face(), density);
+        Self { subdivision, cells }
+    }
+
+    /// The subdivision.
+    #[must_use]
+    pub fn subdivision(&self) -> &Subdivision {
+        self.subdivision.borrow()
+    }
+
+    /// Where the point lies: the same answer as [`Subdivision::locate`].
+    ///
+    /// Cost: exact; expected O(1) for edges spread like a random triangulation, never more than
+    /// [`worst_case`](Self::worst_case) edges, which is O(log n).
+    #[must_use]
+    #[inline]
+    pub fn locate(&self, p: Point) -> Location {
+        self.cells.locate(self.subdivision.borrow(), p)
+    }
+
+    /// Where each of the points lies, in their order. They are asked cell by cell, so that neighbours find the
+    /// structure in the cache.
+    ///
+    /// Cost: O(k log k) for the order of k points, and the queries.
+    #[must_use]
+    pub fn locate_all(&self, points: &[Point]) -> Vec<Location> {
+        let s: &Subdivision = self.subdivision.borrow();
+        let mut order: Vec<(u32, u32)> =
+            points.iter().enumerate().map(|(i, &p)| (self.cells.cell_of(p), i as u32)).collect();
+        order.sort_unstable();
+        let mut answers = vec![Location::Face(s.outer_face()); points.len()];
+        for (_, i) in order {
+            answers[i as usize] = self.cells.locate(s, points[i as usize]);
+        }
+        answers
+    }
+
+    /// The number of cells.
+    #[must_use]
+    pub fn cell_count(&self) -> usize {
+        self.cells.count()
+    }
+
+    /// The most edges that any query looks at: those of the fullest cell with a list, or the depth of the deepest
+    /// tree of a crowded cell and of its searches.
+    #[must_use]
+    pub fn worst_case(&self) -> usize {
+        self.cells.worst_case()
+    }
+
+    /// The bytes of the index, without the subdivision.
+    #[must_use]
+    pub fn memory_bytes(&self) -> usize {
+        self.cells.memory_bytes()
+    }
+}

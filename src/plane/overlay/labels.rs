@@ -1,0 +1,94 @@
+//! Which face of a, and of b, each face of the overlay is part of.
+//!
+//! ```text
+//!    a: P │ Q          Over an edge that comes from a, the label of a changes as it does in a: from P to Q.
+//!   ──────┼──── b      Over an edge that comes from b alone it stays. The outer face is part of the outer faces,
+//!    a: P │ Q          and over edges every face is reached from there.
+//! ```
+//!
+//! Where rounding has joined several edges of a, they are passed one after another: P | Q and Q | R make P | R.
+
+use crate::ids::{EdgeId, FaceId, FaceMap, HalfEdgeId};
+use crate::plane::Subdivision;
+
+/// The edges of a source along each edge of the overlay.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Sources {
+    /// Where the list of each edge starts, and the end.
+    starts: Vec<u32>,
+    /// Half-edges of the source, directed as the even half of the edge.
+    list: Vec<HalfEdgeId>,
+}
+
+impl Sources {
+    /// From the half-edges of a source and the half-edges of the overlay along each of them.
+    pub(super) fn new<'a>(
+        edges: usize,
+        halves: &[HalfEdgeId],
+        chain: impl Fn(usize) -> &'a [HalfEdgeId] + Copy,
+    ) -> Self {
+        let pairs = || halves.iter().enumerate().flat_map(|(i, &g)| chain(i).iter().map(move |&h| (h, g)));
+        let mut starts = vec![0_u32; edges + 1];
+        pairs().for_each(|(h, _)| starts[h.edge().index() + 1] += 1);
+        (0..edges).for_each(|e| starts[e + 1] += starts[e]);
+        let mut list = vec![HalfEdgeId::new(0); starts[edges] as usize];
+        let mut free = starts.clone();
+        for (h, g) in pairs() {
+            let place = &mut free[h.edge().index()];
+            list[*place as usize] = if h == h.edge().half_edges()[0] { g } else { g.twin() };
+            *place += 1;
+        }
+        Self { starts, list }
+    }
+
+    pub(super) fn along(&self, e: EdgeId) -> &[HalfEdgeId] {
+        &self.list[self.starts[e.index()] as usize..self.starts[e.index() + 1] as usize]
+    }
+
+    /// The label on the right of `h`, if that on its left is `label`.
+    fn across(&self, source: &Subdivision, h: HalfEdgeId, mut label: FaceId) -> FaceId {
+        let list = self.along(h.edge());
+        let even = h == h.edge().half_edges()[0];
+        let sides = |g: HalfEdgeId| {
+            let [left, right] = [g, g.twin()].map(|g| source.dcel.face(g));
+            if even { [left, right] } else { [right, left] }
+        };
+        let mut passed = false;
+        for _ in list {
+            let Some([_, right]) = list.iter().map(|&g| sides(g)).find(|&[left, right]| left == label && right != left)
+            else {
+                break;
+            };
+            (label, passed) = (right, true);
+        }
+        let fits = passed || list.iter().all(|&g| sides(g)[0] == label);
+        if fits { label } else { list.first().map_or(label, |&g| sides(g)[1]) }
+    }
+}
+
+impl Subdivision {
+    /// The face of the source that each face lies in, and the faces for which ways disagree. O(E).
+    pub(super) fn carry_labels(&self, source: &Self, from: &Sources) -> (FaceMap<FaceId>, Vec<FaceId>) {
+        let mut labels = FaceMap::filled(self.dcel.face_bound(), None);
+        let mut unsettled = Vec::new();
+        labels[self.outer_face()] = Some(source.outer_face());
+        let mut queue = vec![self.outer_face()];
+        while let Some(f) = queue.pop() {
+            let Some(label) = labels[f] else { continue };
+            for h in self.all_half_edges(f) {
+                let there = self.dcel.face(h.twin());
+                let expected = from.across(source, h, label);
+                match labels[there] {
+                    None => {
+                        labels[there] = Some(expected);
+                        queue.push(there);
+                    }
+                    Some(known) if known != expected => unsettled.push(there),
+                    Some(_) => {}
+                }
+            }
+        }
+        let outer = source.outer_face();
+        (labels.into_vec().into_iter().map(|label| label.unwrap_or(outer)).collect::<Vec<_>>().into(), unsettled)
+    }
+}

@@ -1,0 +1,154 @@
+//! Two subdivisions laid over each other.
+//!
+//! ```text
+//!      a            b            overlay: every face knows the face of a and the face of b that it is part of
+//!   ┌─────┐                       ┌─────┐
+//!   │ f1  │      ┌─────┐          │ 1,0 │               outside   0,0
+//!   │     │  +   │ f1  │    =     │  ┌──┼──┐            union     1,0  1,1  0,1
+//!   └─────┘      │     │          └──┼──┘  │            common    1,1
+//!                └─────┘             │ 0,1 │            a - b     1,0
+//!                                    └─────┘            either    1,0  0,1
+//! ```
+//!
+//! The edges of both are arranged by the splitter of [`arrange_graph`](Subdivision::arrange_graph), with its precision:
+//! what meets is decided exactly, the vertices of both stay where they are, crossings become vertices at the nearest
+//! doubles. Labels are then carried from face to face: see `labels.rs`.
+//!
+//! Source: de Berg et al., *Computational Geometry*, 3rd ed., section 2.3.
+
+mod labels;
+mod region;
+
+pub use region::{Operation, ParseOperationError, Parts};
+
+use super::{ArrangeOptions, Arranged, Point, SegmentsError, Subdivision};
+use crate::ids::{EdgeId, FaceId, FaceMap, HalfEdgeId, VertexId, VertexMap};
+use labels::Sources;
+
+/// What two subdivisions, a and b, cut the plane into together.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Overlay {
+    /// The subdivision with the edges of both. It has no hole faces.
+    pub subdivision: Subdivision,
+    /// The face of a that each face is part of.
+    pub face_of_a: FaceMap<FaceId>,
+    /// The face of b that each face is part of.
+    pub face_of_b: FaceMap<FaceId>,
+    /// Where each vertex of a is; a vertex that does not exist is nowhere.
+    pub vertices_of_a: VertexMap<Option<VertexId>>,
+    /// Where each vertex of b is.
+    pub vertices_of_b: VertexMap<Option<VertexId>>,
+    /// The vertices made where edges of a and b cross, in increasing order.
+    pub crossings: Vec<VertexId>,
+    /// The crossings that could not be kept in place, each with the distance it moved.
+    pub moved: Vec<(VertexId, f64)>,
+    /// How often everything was split; more than 1 if rounded crossings made edges meet anew.
+    pub rounds: u32,
+    /// Faces for which different ways lead to different labels, in increasing order. Empty unless rounding turned a
+    /// part of a or b over; such faces are as thin as what [`moved`](Self::moved) tells.
+    pub unsettled: Vec<FaceId>,
+    edges_of_a: Sources,
+    edges_of_b: Sources,
+    /// The hole faces of a and of b.
+    holes: [Vec<FaceId>; 2],
+}
+
+impl Overlay {
+    /// The half-edges of a along the even half of an edge: none, one, or several that rounding has joined.
+    #[must_use]
+    pub fn edges_of_a(&self, e: EdgeId) -> &[HalfEdgeId] {
+        self.edges_of_a.along(e)
+    }
+
+    /// The half-edges of b along the even half of an edge.
+    #[must_use]
+    pub fn edges_of_b(&self, e: EdgeId) -> &[HalfEdgeId] {
+        self.edges_of_b.along(e)
+    }
+}
+
+impl Subdivision {
+    /// Lays `other` over this subdivision: a is `self`, b is `other`.
+    ///
+    /// Vertices of a come first, in their order, then those of b that are new, then the crossings; faces are numbered
+    /// as in [`from_graph`](Self::from_graph).
+    ///
+    /// Cost: O((n + k) log n) for n edges of both with k crossings, a few times over if crossings have to be rounded.
+    ///
+    /// # Errors
+    /// [`SegmentsError::Unsettled`] if rounding made new crossings without end, [`SegmentsError::TooMany`] if there
+    /// are more elements than ids.
+    ///
+    /// ```
+    /// use dcel_kit::plane::{Operation, Parts, Point, Subdivision};
+    /// let square = |x, y| {
+    ///     let c = [(x, y), (x + 4., y), (x + 4., y + 4.), (x, y + 4.)].map(Point::from);
+    ///     Subdivision::from_graph(&c, &[[0, 1], [1, 2], [2, 3], [3, 0]])
+    /// };
+    /// let both = square(0., 0.)?.overlay(&square(2., 2.)?)?;
+    /// assert_eq!((both.crossings.len(), both.subdivision.face_count()), (2, 4));
+    /// let common = both.region(Operation::Intersection, Parts::Joined)?;
+    /// assert_eq!((common.vertex_count(), common.face_count()), (4, 2));
+    /// # Ok::<(), dcel_kit::plane::SegmentsError>(())
+    /// ```
+    pub fn overlay(&self, other: &Self) -> Result<Overlay, SegmentsError> {
+        let mut graph = Graph::default();
+        let [places_of_a, places_of_b] = [graph.add(self), graph.add(other)];
+        let options = ArrangeOptions { merge: true, split: true, ..ArrangeOptions::default() };
+        let arranged = Self::arrange_graph(&graph.points, &graph.segments, &options)?;
+        let (of_a, of_b) = graph.halves.split_at(self.dcel.edge_count());
+        let edges = arranged.subdivision.dcel.edge_bound();
+        let edges_of_a = Sources::new(edges, of_a, |i| arranged.chain(i));
+        let edges_of_b = Sources::new(edges, of_b, |i| arranged.chain(of_a.len() + i));
+        let place = |point: Option<u32>| point.map(|i| arranged.vertices[i as usize]);
+        let [vertices_of_a, vertices_of_b] =
+            [places_of_a, places_of_b].map(|list| list.into_iter().map(place).collect::<Vec<_>>().into());
+        let Arranged { subdivision, crossings, moved, rounds, .. } = arranged;
+        let (face_of_a, mut unsettled) = subdivision.carry_labels(self, &edges_of_a);
+        let (face_of_b, more) = subdivision.carry_labels(other, &edges_of_b);
+        unsettled.extend(more);
+        unsettled.sort_unstable();
+        unsettled.dedup();
+        Ok(Overlay {
+            subdivision,
+            face_of_a,
+            face_of_b,
+            vertices_of_a,
+            vertices_of_b,
+            crossings,
+            moved,
+            rounds,
+            unsettled,
+            edges_of_a,
+            edges_of_b,
+            holes: [self, other].map(|s| s.hole_faces().collect()),
+        })
+    }
+}
+
+/// The points and edges of both.
+#[derive(Default)]
+struct Graph {
+    points: Vec<Point>,
+    segments: Vec<[u32; 2]>,
+    /// The even half of each edge, where it comes from.
+    halves: Vec<HalfEdgeId>,
+}
+
+impl Graph {
+    /// Adds a subdivision; returns the number of the point of each vertex.
+    fn add(&mut self, s: &Subdivision) -> Vec<Option<u32>> {
+        let mut places = vec![None; s.dcel.vertex_bound()];
+        for v in s.dcel.vertices() {
+            places[v.index()] = Some(self.points.len() as u32);
+            self.points.push(s.points[v]);
+        }
+        for e in s.dcel.edges() {
+            if let [Some(from), Some(to)] = s.edge_ends(e).map(|v| places[v.index()]) {
+                self.segments.push([from, to]);
+                self.halves.push(e.half_edges()[0]);
+            }
+        }
+        places
+    }
+}

@@ -1,0 +1,159 @@
+//! Regions of an overlay: sets of its faces, as subdivisions of their own.
+//!
+//! ```text
+//!   ┌─────┐                ┌─────┐            ┌─────┐         What is not in the region becomes part of f0, or a
+//!   │  ┌──┼──┐   union     │  ┌──┼──┐         │     └──┐      hole face if the region surrounds it.
+//!   └──┼──┘  │   ────>     └──┼──┘  │         └──┐     │
+//!      └─────┘                └─────┘            └─────┘
+//!                          Parts::Kept         Parts::Joined
+//! ```
+
+use super::Overlay;
+use crate::ids::{EdgeId, FaceId, FaceMap};
+use crate::plane::{Point, SegmentsError, Subdivision};
+use std::fmt;
+use std::str::FromStr;
+
+/// What to make of two regions. The region of a subdivision is all its bounded faces but the hole faces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Operation {
+    /// What is in a or in b.
+    Union,
+    /// What is in a and in b.
+    Intersection,
+    /// What is in a and not in b.
+    Difference,
+    /// What is in a or in b, but not in both.
+    SymmetricDifference,
+}
+
+/// What becomes of edges with the region on both sides.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Parts {
+    /// They stay, so that the region consists of the faces of the overlay.
+    #[default]
+    Kept,
+    /// They go, and the faces at them are joined. Vertices on the outline stay, also where it runs straight on.
+    Joined,
+}
+
+impl Operation {
+    /// All four.
+    pub const ALL: [Self; 4] = [Self::Union, Self::Intersection, Self::Difference, Self::SymmetricDifference];
+
+    /// Whether a point belongs to the result, if it is known whether it is in a and in b.
+    #[must_use]
+    pub fn holds(self, in_a: bool, in_b: bool) -> bool {
+        match self {
+            Self::Union => in_a || in_b,
+            Self::Intersection => in_a && in_b,
+            Self::Difference => in_a && !in_b,
+            Self::SymmetricDifference => in_a != in_b,
+        }
+    }
+
+    /// `union`, `intersection`, `difference`, `xor`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Union => "union",
+            Self::Intersection => "intersection",
+            Self::Difference => "difference",
+            Self::SymmetricDifference => "xor",
+        }
+    }
+}
+
+impl fmt::Display for Operation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// The text is not the name of an operation.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("`{text}` is not an operation: union, intersection, difference or xor")]
+pub struct ParseOperationError {
+    text: String,
+}
+
+impl FromStr for Operation {
+    type Err = ParseOperationError;
+
+    fn from_str(text: &str) -> Result<Self, ParseOperationError> {
+        let named = Self::ALL.into_iter().find(|operation| operation.name() == text);
+        named.ok_or_else(|| ParseOperationError { text: text.to_owned() })
+    }
+}
+
+impl Overlay {
+    /// Whether a face of the overlay lies in the region of a, and whether in that of b.
+    #[must_use]
+    pub fn is_in(&self, f: FaceId) -> [bool; 2] {
+        let outer = self.subdivision.outer_face();
+        let within = |label: FaceId, holes: &[FaceId]| label != outer && holes.binary_search(&label).is_err();
+        [within(self.face_of_a[f], &self.holes[0]), within(self.face_of_b[f], &self.holes[1])]
+    }
+
+    /// The union, intersection, difference or symmetric difference of the regions of a and b.
+    ///
+    /// Bounded faces outside the result are hole faces. Vertices are those at edges that stay, in their order.
+    ///
+    /// Cost: O(n log n).
+    ///
+    /// # Errors
+    /// None are known: the edges meet at ends only. The error is that of [`from_graph`](Subdivision::from_graph).
+    pub fn region(&self, operation: Operation, parts: Parts) -> Result<Subdivision, SegmentsError> {
+        self.region_where(parts, |f| {
+            let [in_a, in_b] = self.is_in(f);
+            operation.holds(in_a, in_b)
+        })
+    }
+
+    /// The region of the bounded faces for which `inside` holds.
+    ///
+    /// ```
+    /// # use dcel_kit::plane::{Parts, Point, Subdivision};
+    /// # let c = [(0., 0.), (2., 0.), (2., 2.), (0., 2.)].map(Point::from);
+    /// # let s = Subdivision::from_graph(&c, &[[0, 1], [1, 2], [2, 3], [3, 0]])?;
+    /// let both = s.overlay(&s)?;
+    /// // Wherever a and b have the same face.
+    /// let same = both.region_where(Parts::Kept, |f| both.face_of_a[f] == both.face_of_b[f])?;
+    /// assert_eq!(same.face_count(), 2);
+    /// # Ok::<(), dcel_kit::plane::SegmentsError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`region`](Self::region).
+    pub fn region_where(&self, parts: Parts, inside: impl Fn(FaceId) -> bool) -> Result<Subdivision, SegmentsError> {
+        let s = &self.subdivision;
+        let mut chosen = FaceMap::filled(s.dcel.face_bound(), false);
+        for f in s.dcel.faces().filter(|&f| f != s.outer_face()) {
+            chosen[f] = inside(f);
+        }
+        let stays = |e: &EdgeId| {
+            let [left, right] = e.half_edges().map(|h| chosen[s.dcel.face(h)]);
+            left != right || (left && parts == Parts::Kept)
+        };
+        let edges: Vec<EdgeId> = s.dcel.edges().filter(stays).collect();
+        let mut number = vec![None; s.dcel.vertex_bound()];
+        edges.iter().flat_map(|&e| s.edge_ends(e)).for_each(|v| number[v.index()] = Some(0));
+        let mut points: Vec<Point> = Vec::new();
+        for v in s.dcel.vertices() {
+            if let Some(number) = &mut number[v.index()] {
+                *number = points.len() as u32;
+                points.push(s.points[v]);
+            }
+        }
+        let ends: Vec<[u32; 2]> =
+            edges.iter().map(|&e| s.edge_ends(e).map(|v| number[v.index()].unwrap_or_default())).collect();
+        let mut region = Subdivision::from_graph(&points, &ends)?;
+        // Half-edges of edge i run as those of edges[i]; faces at dropped edges are all inside, or all outside.
+        let is_hole = |&f: &FaceId| {
+            let old = |h: crate::HalfEdgeId| edges[h.edge().index()].half_edges()[h.index() & 1];
+            region.dcel.boundary(f).is_some_and(|h| !chosen[s.dcel.face(old(h))])
+        };
+        region.holes = region.dcel.faces().filter(|&f| f != region.outer_face()).filter(is_hole).collect();
+        Ok(region)
+    }
+}

@@ -1,0 +1,102 @@
+//! Promise: `dcel locate` tells where points lie, and `dcel overlay` what two subdivisions make together; both draw it,
+//! say it in JSON, and name what they refuse.
+
+#![cfg(feature = "cli")]
+
+mod shell;
+
+use serde_json::json;
+use shell::Folder;
+
+const TILES: &str = "v 2 1\nv 6 1\nv 6 2\nv 2 2\nf 1 2 3 4\n";
+
+#[test]
+fn every_kind_of_place_is_told() {
+    let folder = Folder::new();
+    let text = folder.dcel("locate garden.json 1 1 3 3 -2.5 1e2 0 0 10 5").fine();
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(
+        lines,
+        [
+            "(1, 1)  face f1 \"Garden\"",
+            "(3, 3)  hole face f3",
+            "(-2.5, 100)  outer face f0",
+            "(0, 0)  vertex v0",
+            "(10, 5)  edge h2 between f1 and f0"
+        ]
+    );
+    let report = folder.dcel("locate garden.json 10 5 21 1 --json").json();
+    assert_eq!(report["points"][0]["kind"], "edge");
+    assert_eq!(report["points"][0]["between"], json!(["f1", "f0"]));
+    assert_eq!((&report["points"][1]["element"], &report["points"][1]["name"]), (&json!("f2"), &json!("Shed")));
+    let walk = folder.dcel("locate garden.json 21 1 --walk v0 --json").json();
+    assert_eq!(walk["points"][0]["walk"]["faces"], json!(["f1", "f0", "f2"]));
+}
+
+#[test]
+fn points_come_from_files_in_the_coordinates_of_the_structure() {
+    let folder = Folder::new();
+    let many: String = (0..40).map(|i| format!("{} 0.5\n", 0.1 * f64::from(i))).collect();
+    folder.write("many.txt", &many);
+    let text = folder.dcel("locate square.obj --points many.txt -o many.svg").fine();
+    assert_eq!(text.lines().count(), 40);
+    assert!(text.lines().nth(10).unwrap().starts_with("(1, 0.5)  face f1"), "{text}");
+    assert!(folder.read("many.svg").contains("</svg>"));
+    // With y downwards, f1 lies below the diagonal of the picture and above it in the plane.
+    let down = folder.dcel("locate square.obj 3 1 --y-down --orient").fine();
+    assert_eq!(down, "(3, 1)  face f1\n");
+    folder.dcel("locate square.obj 3 1 1 2 --walk v1 -o walk.svg").fine();
+    assert!(folder.read("walk.svg").contains("where the walks start"));
+}
+
+#[test]
+fn wrong_points_are_refused() {
+    let folder = Folder::new();
+    folder.write("bad.txt", "1 2\n3 x\n");
+    folder.write("far.txt", "1 2\n3 1e99\n");
+    folder.dcel("locate square.obj 1 2 3").fails(2, "3 coordinates are no points", "x and y of each point");
+    folder.dcel("locate square.obj 1 nan").fails(2, "y is NaN", "");
+    folder.dcel("locate square.obj --points bad.txt").fails(2, "bad.txt:2:3", "");
+    folder.dcel("locate square.obj --points far.txt").fails(2, "far.txt:2: y = 1e99 is outside the exact range", "");
+    folder.dcel("locate cube.off 1 2").fails(2, "cube.off: this is a surface in space", "--plane");
+    folder.dcel("locate square.obj 1 2 --walk v9").fails(2, "--walk: v9", "dcel info");
+    folder.dcel("locate square.obj 1 2 -o square.obj").fails(2, "SVG", "");
+    folder.dcel("locate nowhere.obj 1 2").fails(2, "nowhere.obj", "");
+}
+
+#[test]
+fn an_overlay_tells_labels_regions_and_what_moved() {
+    let folder = Folder::new();
+    folder.write("tiles.obj", TILES);
+    let report = folder.dcel("overlay square.obj tiles.obj --json").json();
+    assert_eq!((&report["vertices"], &report["faces"]), (&json!(12), &json!(8)));
+    assert_eq!((&report["crossings"].as_array().unwrap().len(), &report["moved"]), (&4, &json!([{"vertex": "v8", "by": 4.440892098500626e-17}])));
+    let areas = ["union", "intersection", "difference", "xor"].map(|operation| {
+        folder.dcel(&format!("overlay square.obj tiles.obj --join --operation {operation} --json")).json()["region"]["area"]
+            .as_f64()
+            .unwrap()
+    });
+    assert_eq!(areas, [14.0, 2.0, 10.0, 12.0]);
+    let text = folder.dcel("overlay square.obj tiles.obj --operation difference --join -o rest.dcel").fine();
+    assert!(text.contains("difference      1 faces, area 10"), "{text}");
+    assert_eq!(folder.dcel("info rest.dcel --json").json()["valid"], json!(true));
+    assert_eq!(folder.dcel("overlay square.obj tiles.obj --operation difference --join -o -").fine(), folder.read("rest.dcel"));
+}
+
+#[test]
+fn overlays_are_drawn_and_named() {
+    let folder = Folder::new();
+    folder.write("tiles.obj", TILES);
+    folder.dcel("overlay garden.json tiles.obj -o both.svg").fine();
+    let svg = folder.read("both.svg");
+    assert!(svg.contains("in a alone") && svg.contains("in both") && svg.contains("in b alone"));
+    folder.dcel("overlay garden.json tiles.obj -o both.dcel").fine();
+    assert!(folder.read("both.dcel").contains("Garden & f1"));
+    folder.dcel("overlay garden.json tiles.obj --operation xor -o xor.svg").fine();
+    assert!(folder.read("xor.svg").contains("edges of b"));
+    let told = folder.dcel("overlay garden.json tiles.obj --operation and");
+    assert!(told.code == Some(2) && told.err.contains("union, intersection, difference or xor"), "{told:?}");
+    folder.dcel("overlay garden.json cube.off").fails(2, "cube.off: this is a surface", "--plane");
+    folder.dcel("overlay garden.json tiles.obj -o tiles.obj").fails(2, "this is the input itself", "another name");
+    folder.dcel("overlay garden.json tiles.obj -o both").fails(2, "the name does not tell", ".svg");
+}
