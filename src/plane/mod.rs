@@ -7,7 +7,7 @@
 //!   segments/                   any straight-line graph -> subdivision         meet/      all crossings, exactly
 //!   check.rs                    the laws of the plane
 //!   edit/                       split_face, join_faces, split_edge, join_edges; insert and remove vertices, edges, segments
-//!   triangulate/                faces into triangles: ears, monotone pieces
+//!   triangulate/                faces into triangles: ears, monotone pieces              hull.rs    points -> convex hull
 //!   sweep.rs cycle.rs rings.rs  what lies below, which way round, which ring in which face
 //! ```
 
@@ -15,6 +15,7 @@ mod check;
 mod convert;
 mod cycle;
 pub mod edit;
+mod hull;
 mod meet;
 mod point;
 pub mod predicates;
@@ -33,6 +34,7 @@ pub use edit::{
     InsertAntennaError, InsertEdgeError, InsertSegmentError, InsertVertexError, InsertedEdge, InsertedSegment,
     JoinEdgesError, JoinFacesError, RemoveEdgeError, RemoveVertexError, SplitEdgeError, SplitFaceError,
 };
+pub use hull::{HullError, convex_hull};
 pub use point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};
 pub use seed::LAB_RECTANGLE;
 pub use segments::{ArrangeOptions, Arranged, MarkHolesError, Residues, SegmentFault, SegmentsError};
