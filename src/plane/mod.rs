@@ -11,6 +11,7 @@
 //!   edit/                       split_face, join_faces, split_edge, join_edges; insert and remove vertices, edges, segments
 //!   locate/                     where a point lies: scan, walk, index
 //!   triangulate/                faces into triangles: ears, monotone pieces
+//!   triangulate/                faces into triangles: ears, monotone pieces              hull.rs    points -> convex hull
 //!   sweep.rs cycle.rs rings.rs  what lies below, which way round, which ring in which face
 //! ```
 
@@ -20,6 +21,7 @@ mod cycle;
 mod delaunay;
 pub mod edit;
 mod locate;
+mod hull;
 mod meet;
 mod overlay;
 mod point;
@@ -43,6 +45,7 @@ pub use edit::{
 };
 pub use locate::{Location, PointIndex, Walk};
 pub use overlay::{Operation, Overlay, ParseOperationError, Parts};
+pub use hull::{HullError, convex_hull};
 pub use point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};
 pub use seed::LAB_RECTANGLE;
 pub use segments::{ArrangeOptions, Arranged, MarkHolesError, Residues, SegmentFault, SegmentsError};

@@ -8,9 +8,11 @@
 //!   seed.rs      polygons to start from        build.rs     from lists of polygons
 //!   record.rs    watching an edit              view.rs, table.rs   reading any structure   replay.rs  an edit on a table
 //!   validate.rs  the laws                      same.rs      equality up to names      measure.rs  counts
+//!   dual.rs      faces become vertices
 //! ```
 
 mod build;
+mod dual;
 mod edit;
 mod flat;
 mod links;
@@ -29,6 +31,8 @@ mod walk;
 pub use build::{BuildError, Built};
 pub(crate) use build::{Faces, match_faces};
 pub use edit::{FlipEdgeError, JoinEdgesError, JoinFacesError, SplitEdgeError, SplitFaceError};
+pub use dual::DualError;
+pub use edit::{JoinEdgesError, JoinFacesError, SplitEdgeError, SplitFaceError};
 pub(crate) use links::Columns;
 pub use links::Dcel;
 pub use measure::{ComponentCounts, Components, Counts, Mode, components, measure, measure_with};

@@ -81,7 +81,7 @@ fn all_simple_polygons_on_small_grids() {
                     }
                     let walk = |i: usize| points[i].x * points[(i + 1) % n].y - points[(i + 1) % n].x * points[i].y;
                     let whole: f64 = (0..n).map(walk).sum();
-                    assert!(total == whole.abs(), "{method:?} {points:?}: triangles overlap");
+                    assert_eq!(total as i64, whole.abs() as i64, "{method:?} {points:?}: triangles overlap");
                 }
             });
         }

@@ -57,15 +57,18 @@ fn helper(
     let at = |[a, b]: [u32; 2]| [a, b].map(|place| patch.points[place as usize]);
     for h in given {
         let (a, b) = (patch.origin(h), patch.origin(patch.next(h)));
+        let edge = [a.min(b), a.max(b)];
+        if m <= edge[0] || edge[1] <= m {
+            continue;
+        }
         // The face lies above a half-edge that runs to the right, and below one that runs to the left.
-        if a < m && m < b && orientation(at([a, b])[0], at([a, b])[1], p).is_gt() {
-            if floor.is_none_or(|best| is_above(at([a, b]), at(best))) {
-                floor = Some([a, b]);
-            }
-        } else if b < m && m < a && orientation(at([b, a])[0], at([b, a])[1], p).is_lt() {
-            if ceiling.is_none_or(|best| is_above(at(best), at([b, a]))) {
-                ceiling = Some([b, a]);
-            }
+        let [from, to] = at(edge);
+        let side = orientation(from, to, p);
+        if a < b && side.is_gt() && floor.is_none_or(|best| is_above([from, to], at(best))) {
+            floor = Some(edge);
+        }
+        if b < a && side.is_lt() && ceiling.is_none_or(|best| is_above(at(best), [from, to])) {
+            ceiling = Some(edge);
         }
     }
     let (floor, ceiling) = (floor?, ceiling?);
@@ -73,10 +76,7 @@ fn helper(
     let first = floor[0].max(ceiling[0]);
     let between = |place: u32| {
         let q = patch.points[place as usize];
-        first <= place
-            && place < m
-            && (place == floor[0] || orientation(f, to_f, q).is_gt())
-            && (place == ceiling[0] || orientation(c, to_c, q).is_lt())
+        first <= place && place < m && orientation(f, to_f, q).is_ge() && orientation(c, to_c, q).is_le()
     };
     let last = corners.clone().map(|h| patch.origin(h)).filter(|&place| between(place)).max()?;
     corner_towards(patch, corners, last, p)

@@ -1,0 +1,147 @@
+//! The convex hull of points.
+//!
+//! ```text
+//!             ●───────●             Sorted from left to right, the points are taken one by one; a corner that does
+//!           ╱   ·   ·   ╲           not turn left is dropped again. Once for the lower side, once back for the
+//!         ●   ┌───────┐   ●         upper one.
+//!          ╲  │· · · ·│  ╱
+//!            ●└───────┘●            Before that, points in the middle are put aside: those with points right and left
+//!             ╲───────╱             of them both above and below.
+//! ```
+//!
+//! Source: Andrew, *Another efficient algorithm for convex hulls in two dimensions*, Information Processing Letters 9,
+//! 1979; de Berg et al., *Computational Geometry*, 3rd ed., section 1.1.
+
+use super::predicates::{orientation, sort_key};
+use super::{CoordinateError, Point, Subdivision};
+use crate::ids::MAX_IDS;
+use crate::topology::TooMany;
+
+/// Why points have no convex hull.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum HullError {
+    /// A point whose coordinates cannot be used.
+    #[error("point {point}: {error}")]
+    Coordinate {
+        /// Which of the points.
+        point: u32,
+        /// What is wrong with it.
+        error: CoordinateError,
+    },
+    /// More points than ids.
+    #[error(transparent)]
+    TooMany(#[from] TooMany),
+}
+
+/// The corners of the convex hull, by their numbers among the points: counter-clockwise from the leftmost one on, of
+/// several above each other the lowest.
+///
+/// Every corner turns left: points on a side are no corners. Of equal points the first one counts. If all points lie on
+/// one line, its two ends are the corners; if they are all at one place, it is one; without points there is none.
+///
+/// Cost: O(n log n), and O(n) for points that fill an area evenly. All decisions are exact.
+///
+/// # Errors
+/// [`HullError`] names the first point that cannot be used.
+///
+/// ```
+/// use dcel_kit::plane::convex_hull;
+/// let points = [(2., 1.), (0., 0.), (2., 2.), (4., 0.), (4., 3.), (2., 0.), (0., 3.)].map(Into::into);
+/// assert_eq!(convex_hull(&points)?, [1, 3, 4, 6]);
+/// # Ok::<(), dcel_kit::plane::HullError>(())
+/// ```
+pub fn convex_hull(points: &[Point]) -> Result<Vec<u32>, HullError> {
+    if points.len() > MAX_IDS {
+        return Err(TooMany.into());
+    }
+    for (point, p) in points.iter().enumerate() {
+        p.check().map_err(|error| HullError::Coordinate { point: point as u32, error })?;
+    }
+    let mut order = outer_points(points);
+    order.sort_unstable();
+    order.dedup_by_key(|&mut (x, y, _)| (x, y));
+    let order: Vec<u32> = order.into_iter().map(|(_, _, i)| i).collect();
+    let mut corners = Vec::new();
+    take_in(points, order.iter().copied(), &mut corners);
+    // The last point is the first of the way back, and the first is its end.
+    corners.pop();
+    take_in(points, order.iter().rev().copied(), &mut corners);
+    if corners.len() > 1 {
+        corners.pop();
+    }
+    Ok(corners)
+}
+
+/// Appends the corners of one side to those of the other.
+fn take_in(points: &[Point], order: impl Iterator<Item = u32>, corners: &mut Vec<u32>) {
+    let first = corners.len();
+    for i in order {
+        while let [.., a, b] = corners[first..]
+            && !orientation(points[a as usize], points[b as usize], points[i as usize]).is_gt()
+        {
+            corners.pop();
+        }
+        corners.push(i);
+    }
+}
+
+/// The points that may be corners, each with keys that order them from left to right.
+///
+/// ```text
+///     b       a       The four points that reach furthest along the diagonals. A point strictly inside the
+///      · ┌──┐·        rectangle between them has one of them in each of its four quadrants: it is no corner.
+///        │  │         That holds for any four points, so nothing here needs to be exact.
+///     c ·└──┘ · d
+/// ```
+fn outer_points(points: &[Point]) -> Vec<(u64, u64, u32)> {
+    let Some(&first) = points.first() else { return Vec::new() };
+    let [mut a, mut b, mut c, mut d] = [first; 4];
+    for &p in points {
+        if p.x + p.y > a.x + a.y {
+            a = p;
+        }
+        if p.y - p.x > b.y - b.x {
+            b = p;
+        }
+        if p.x + p.y < c.x + c.y {
+            c = p;
+        }
+        if p.y - p.x < d.y - d.x {
+            d = p;
+        }
+    }
+    let (left, right) = (b.x.max(c.x), a.x.min(d.x));
+    let (bottom, top) = (c.y.max(d.y), a.y.min(b.y));
+    let is_outer = |p: &Point| p.x <= left || right <= p.x || p.y <= bottom || top <= p.y;
+    let outer = points.iter().enumerate().filter(|(_, p)| is_outer(p));
+    outer.map(|(i, p)| (sort_key(p.x), sort_key(p.y), i as u32)).collect()
+}
+
+impl Subdivision {
+    /// The convex hull of points as a subdivision: its corners are v0, v1, ... in the order of [`convex_hull`], its
+    /// inside is `f1`. Points on one line give a single edge, points at one place a vertex.
+    ///
+    /// Cost: that of [`convex_hull`].
+    ///
+    /// # Errors
+    /// [`HullError`] names the first point that cannot be used.
+    ///
+    /// ```
+    /// use dcel_kit::plane::Subdivision;
+    /// let hull = Subdivision::convex_hull(&[(0., 0.), (2., 1.), (4., 0.), (2., 3.)].map(Into::into))?;
+    /// assert_eq!((hull.vertex_count(), hull.edge_count(), hull.face_count()), (3, 3, 2));
+    /// # Ok::<(), dcel_kit::plane::HullError>(())
+    /// ```
+    pub fn convex_hull(points: &[Point]) -> Result<Self, HullError> {
+        let corners: Vec<Point> = convex_hull(points)?.into_iter().map(|i| points[i as usize]).collect();
+        let n = corners.len() as u32;
+        let sides: Vec<[u32; 2]> = match n {
+            0 | 1 => Vec::new(),
+            2 => vec![[0, 1]],
+            _ => (0..n).map(|i| [i, (i + 1) % n]).collect(),
+        };
+        // The sides of a convex polygon meet at its corners only: nothing but their number can be refused.
+        Self::from_graph(&corners, &sides).map_err(|_| TooMany.into())
+    }
+}

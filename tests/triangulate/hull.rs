@@ -1,0 +1,159 @@
+//! Convex hulls: against a plain look at all pairs, and against those that others state (O03, O04, O14).
+
+use crate::common::Random;
+use dcel_kit::plane::predicates::orientation;
+use dcel_kit::plane::{HullError, Point, Subdivision, convex_hull};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+fn of(list: &[(i32, i32)]) -> Vec<Point> {
+    list.iter().map(|&(x, y)| Point::new(f64::from(x), f64::from(y))).collect()
+}
+
+fn order(p: Point) -> (f64, f64) {
+    (p.x, p.y)
+}
+
+/// The corners by all pairs: a side has all points on its left, or on the line between its ends.
+fn by_all_pairs(points: &[Point]) -> Vec<Point> {
+    let holds = |a: Point, b: Point| {
+        points.iter().all(|&p| match orientation(a, b, p) {
+            std::cmp::Ordering::Equal => {
+                (a.x.min(b.x)..=a.x.max(b.x)).contains(&p.x) && (a.y.min(b.y)..=a.y.max(b.y)).contains(&p.y)
+            }
+            side => side.is_gt(),
+        })
+    };
+    let Some(&start) = points.iter().min_by(|p, q| order(**p).partial_cmp(&order(**q)).unwrap()) else { return vec![] };
+    let mut corners = vec![start];
+    loop {
+        let last = corners[corners.len() - 1];
+        let next = points.iter().find(|&&p| p != last && holds(last, p));
+        match next {
+            Some(&next) if next != start => corners.push(next),
+            _ => return corners,
+        }
+    }
+}
+
+#[test]
+fn small_hulls_agree_with_all_pairs() {
+    for seed in 0..3000_u64 {
+        let mut random = Random(seed);
+        let (n, size) = (random.below(14), 1 + random.below(9));
+        let points: Vec<Point> =
+            (0..n).map(|_| Point::new(random.below(size) as f64, random.below(size) as f64)).collect();
+        let corners = convex_hull(&points).unwrap();
+        let places: Vec<Point> = corners.iter().map(|&i| points[i as usize]).collect();
+        assert_eq!(places, by_all_pairs(&points), "seed {seed}");
+        let firsts = corners.iter().all(|&i| points.iter().position(|&p| p == points[i as usize]) == Some(i as usize));
+        assert!(firsts, "seed {seed}: of equal points the first counts");
+        let s = Subdivision::convex_hull(&points).unwrap();
+        assert_eq!((dcel_kit::topology::violations(&s), s.geometry_violations()), (vec![], vec![]), "seed {seed}");
+        assert_eq!(s.vertices().map(|v| s.point(v)).collect::<Vec<_>>(), places);
+        let due = match corners.len() {
+            0 | 1 => 0,
+            2 => 1,
+            n => n,
+        };
+        assert_eq!((s.edge_count(), s.face_count()), (due, 1 + usize::from(due > 2)), "seed {seed}");
+    }
+}
+
+#[test]
+fn nearly_straight_sides_are_told_apart() {
+    // The middle point is one last place inside, on, or outside of the lower side.
+    let up = f64::from_bits(1.0_f64.to_bits() + 1);
+    let down = f64::from_bits(1.0_f64.to_bits() - 1);
+    for (y, corners) in [(1.0, 3), (up, 3), (down, 4)] {
+        let points = [(0., 0.), (1., y), (3., 3.), (0., 9.)].map(Point::from);
+        assert_eq!(convex_hull(&points).unwrap().len(), corners, "{y}");
+    }
+}
+
+#[test]
+fn points_that_cannot_be_used_are_named() {
+    let points = [Point::new(0.0, 1.0), Point::new(f64::NAN, 0.0)];
+    let Err(error @ HullError::Coordinate { point: 1, .. }) = convex_hull(&points) else { panic!() };
+    assert!(error.to_string().starts_with("point 1: "), "{error}");
+    assert_eq!(Subdivision::convex_hull(&points).unwrap_err().to_string(), error.to_string());
+    assert_eq!(Subdivision::convex_hull(&[]).unwrap(), Subdivision::new());
+    assert_eq!(convex_hull(&of(&[(3, 1), (3, 1)])).unwrap(), [0]);
+}
+
+fn data(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data").join(path)
+}
+
+fn json(path: &Path) -> Value {
+    serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
+}
+
+/// All pairs of numbers in the coordinates of a GeoJSON value, or in nested lists.
+fn pairs(value: &Value, points: &mut Vec<Point>) {
+    match value {
+        Value::Array(list) => match list[..] {
+            [Value::Number(ref x), Value::Number(ref y), ..] => {
+                points.push(Point::new(x.as_f64().unwrap(), y.as_f64().unwrap()));
+            }
+            _ => list.iter().for_each(|value| pairs(value, points)),
+        },
+        Value::Object(map) => map.iter().filter(|(key, _)| *key != "bbox").for_each(|(_, value)| pairs(value, points)),
+        _ => {}
+    }
+}
+
+/// A stated ring, closed or not, from its leftmost corner on counter-clockwise.
+fn stated(mut ring: Vec<Point>) -> Vec<Point> {
+    if ring.len() > 1 && ring.first() == ring.last() {
+        ring.pop();
+    }
+    let Some(start) = (0..ring.len()).min_by(|&i, &j| order(ring[i]).partial_cmp(&order(ring[j])).unwrap()) else {
+        return ring;
+    };
+    ring.rotate_left(start);
+    if ring.len() > 2 && orientation(ring[ring.len() - 1], ring[0], ring[1]).is_lt() {
+        ring[1..].reverse();
+    }
+    ring
+}
+
+fn hull(points: &[Point]) -> Vec<Point> {
+    convex_hull(points).unwrap().into_iter().map(|i| points[i as usize]).collect()
+}
+
+#[test]
+#[cfg_attr(not(shared_data), ignore = "needs ../shared/data")]
+fn hulls_that_others_state() {
+    let files = json(&data("O03-delaunator/expected.json"));
+    for (name, due) in files.as_object().unwrap() {
+        let mut points = Vec::new();
+        pairs(&json(&data("O03-delaunator/fixtures").join(name)), &mut points);
+        assert_eq!(due["points"].as_u64(), Some(points.len() as u64));
+        assert_eq!(due["hull_corners"].as_u64(), Some(hull(&points).len() as u64), "{name}");
+    }
+    for i in 1..=5 {
+        let [given, due] = ["in", "out"].map(|side| {
+            let mut points = Vec::new();
+            pairs(&json(&data(&format!("O04-turf/turf-convex/test/{side}/elevation{i}.geojson"))), &mut points);
+            points
+        });
+        assert_eq!(hull(&given), stated(due), "elevation{i}");
+    }
+    let mut cases = 0;
+    for file in ["TestConvexHull.xml", "TestConvexHull-big.xml"] {
+        let text = std::fs::read_to_string(data("O14-jts-xml").join(file)).unwrap();
+        let document = roxmltree::Document::parse(&text).unwrap();
+        let numbers = |node: roxmltree::Node<'_, '_>| {
+            let words = node.text().unwrap_or("").split(|c: char| !(c.is_ascii_digit() || "+-.eE".contains(c)));
+            let numbers: Vec<f64> = words.filter_map(|word| word.parse().ok()).collect();
+            numbers.chunks_exact(2).map(|p| Point::new(p[0], p[1])).collect::<Vec<_>>()
+        };
+        for case in document.descendants().filter(|node| node.has_tag_name("case")) {
+            let child = |name: &str| case.descendants().find(|node| node.has_tag_name(name)).unwrap();
+            assert_eq!(hull(&numbers(child("a"))), stated(numbers(child("op"))), "{file}, case {cases}");
+            cases += 1;
+        }
+    }
+    assert_eq!(cases, 14);
+}
