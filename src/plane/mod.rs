@@ -6,6 +6,7 @@
 //!   convert/                    polygons and triangles -> subdivision       table.rs   tables -> subdivision
 //!   segments/                   any straight-line graph -> subdivision         meet/      all crossings, exactly
 //!   delaunay/                   of points, by flips, with fixed edges
+//!   voronoi/                    cells of nearest sites: the dual of Delaunay
 //!   overlay/                    two subdivisions on each other, and their regions
 //!   check.rs                    the laws of the plane
 //!   edit/                       split_face, join_faces, split_edge, join_edges; insert and remove vertices, edges, segments
@@ -30,6 +31,7 @@ mod status;
 mod subdivision;
 mod sweep;
 mod table;
+mod voronoi;
 
 pub use check::{GEOMETRY_RULES, GeometryViolation};
 pub use convert::{ConvertError, ConvertOptions, Converted};
@@ -46,3 +48,4 @@ pub use seed::LAB_RECTANGLE;
 pub use segments::{ArrangeOptions, Arranged, MarkHolesError, Residues, SegmentFault, SegmentsError};
 pub use subdivision::{PlanarView, Subdivision};
 pub use table::TableError;
+pub use voronoi::{Voronoi, VoronoiCells, VoronoiEdge, VoronoiError, Window};
