@@ -6,6 +6,7 @@
 //!   convert/                    polygons and triangles -> subdivision       table.rs   tables -> subdivision
 //!   segments/                   any straight-line graph -> subdivision         meet/      all crossings, exactly
 //!   delaunay/                   of points, by flips, with fixed edges
+//!   voronoi/                    cells of nearest sites: the dual of Delaunay
 //!   overlay/                    two subdivisions on each other, and their regions
 //!   check.rs                    the laws of the plane
 //!   edit/                       split_face, join_faces, split_edge, join_edges; insert and remove vertices, edges, segments
@@ -34,6 +35,7 @@ mod subdivision;
 mod sweep;
 mod table;
 mod triangulate;
+mod voronoi;
 
 pub use check::{GEOMETRY_RULES, GeometryViolation};
 pub use convert::{ConvertError, ConvertOptions, Converted};
@@ -52,3 +54,4 @@ pub use segments::{ArrangeOptions, Arranged, MarkHolesError, Residues, SegmentFa
 pub use subdivision::{PlanarView, Subdivision};
 pub use table::TableError;
 pub use triangulate::{TriangulateError, Triangulated, TriangulationMethod};
+pub use voronoi::{Voronoi, VoronoiCells, VoronoiEdge, VoronoiError, Window};

@@ -28,6 +28,13 @@ pub fn in_circle(a: Point, b: Point, c: Point, d: Point) -> Ordering {
     sign(robust::incircle(coord(a), coord(b), coord(c), coord(d)))
 }
 
+/// Twice the area of the triangle a, b, c: positive if it runs counter-clockwise. The sign is exact, the size rounded.
+#[must_use]
+#[inline]
+pub fn twice_area(a: Point, b: Point, c: Point) -> f64 {
+    robust::orient2d(coord(a), coord(b), coord(c))
+}
+
 fn sign(value: f64) -> Ordering {
     value.partial_cmp(&0.0).unwrap_or(Ordering::Equal)
 }

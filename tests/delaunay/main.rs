@@ -12,3 +12,4 @@ mod families;
 mod lawson;
 mod points_in;
 mod shared;
+mod voronoi;
