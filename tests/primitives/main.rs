@@ -7,4 +7,6 @@ mod common;
 
 mod collapse;
 mod edits;
+mod extrude;
+mod grow;
 mod refusals;

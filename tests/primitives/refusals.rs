@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::fmt::Debug;
 
 /// Refuses and changes nothing, not even the ids of later edits.
-fn refused<T: Debug, E: Debug>(dcel: &Dcel, call: impl Fn(&mut Dcel) -> Result<T, E>) -> E {
+pub(crate) fn refused<T: Debug, E: Debug>(dcel: &Dcel, call: impl Fn(&mut Dcel) -> Result<T, E>) -> E {
     let mut after = dcel.clone();
     let error = call(&mut after).expect_err("this call must be refused");
     assert_eq!(&after, dcel, "refused with {error:?}, yet something changed");
@@ -14,7 +14,7 @@ fn refused<T: Debug, E: Debug>(dcel: &Dcel, call: impl Fn(&mut Dcel) -> Result<T
 }
 
 /// All variants of the enum are among the errors, but the unreachable.
-fn covers<E: Debug>(source: &str, name: &str, errors: &[E], unreachable: &[&str]) {
+pub(crate) fn covers<E: Debug>(source: &str, name: &str, errors: &[E], unreachable: &[&str]) {
     let word = |text: &str| text.split(|c: char| !c.is_alphanumeric()).next().unwrap().to_owned();
     let body = source.split(&format!("pub enum {name} {{")).nth(1).unwrap().split("\n}").next().unwrap();
     let lines = body.lines().filter_map(|line| line.strip_prefix("    "));
