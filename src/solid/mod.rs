@@ -14,6 +14,7 @@
 
 pub mod grow;
 mod selection;
+mod subdivide;
 
 use crate::ids::{FaceId, VertexId, VertexMap};
 use crate::plane::{CoordinateError, check_coordinate};
@@ -22,6 +23,7 @@ use std::collections::BTreeSet;
 use std::ops::Deref;
 
 pub use selection::Selection;
+pub use subdivide::{SubdivideError, Subdivided};
 
 /// Why points and polygons are no surface. Faces and vertices are numbered from 0 in the order of the input.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

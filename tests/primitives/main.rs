@@ -10,3 +10,4 @@ mod edits;
 mod extrude;
 mod grow;
 mod refusals;
+mod subdivide;
