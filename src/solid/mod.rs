@@ -12,11 +12,18 @@
 //! The base on which solids are built. Nothing is decided by coordinates here: a surface may pass through
 //! itself, and its faces need not be flat.
 
+pub mod grow;
+mod selection;
+mod subdivide;
+
 use crate::ids::{FaceId, VertexId, VertexMap};
 use crate::plane::{CoordinateError, check_coordinate};
 use crate::topology::{BuildError, Dcel, NoRecorder, PolygonList, View};
 use std::collections::BTreeSet;
 use std::ops::Deref;
+
+pub use selection::Selection;
+pub use subdivide::{SubdivideError, Subdivided};
 
 /// Why points and polygons are no surface. Faces and vertices are numbered from 0 in the order of the input.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -105,6 +112,11 @@ impl Polyhedron {
             dcel.remove_vertex_record(v, &mut NoRecorder);
         }
         Ok(Self { dcel, points: points.into(), boundary_faces: built.boundary_faces.into_iter().collect() })
+    }
+
+    /// A surface from its parts, which must fit together: a position for each vertex up to the bound.
+    fn from_parts(dcel: Dcel, points: VertexMap<[f64; 3]>, boundary_faces: BTreeSet<FaceId>) -> Self {
+        Self { dcel, points, boundary_faces }
     }
 
     /// The structure without its positions.
