@@ -12,11 +12,15 @@
 //! The base on which solids are built. Nothing is decided by coordinates here: a surface may pass through
 //! itself, and its faces need not be flat.
 
+mod dynamic;
+
 use crate::ids::{FaceId, VertexId, VertexMap};
 use crate::plane::{CoordinateError, check_coordinate};
 use crate::topology::{BuildError, Dcel, NoRecorder, PolygonList, View};
 use std::collections::BTreeSet;
 use std::ops::Deref;
+
+pub use dynamic::{AddFaceError, AddVertexError, RemoveFaceError, RemoveVertexError};
 
 /// Why points and polygons are no surface. Faces and vertices are numbered from 0 in the order of the input.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -56,7 +60,7 @@ impl SolidError {
 }
 
 /// A surface in space, closed or with borders. It dereferences to its [`Dcel`] for all walks and counts.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Default)]
 pub struct Polyhedron {
     dcel: Dcel,
     points: VertexMap<[f64; 3]>,
@@ -72,6 +76,13 @@ impl Deref for Polyhedron {
 }
 
 impl Polyhedron {
+    /// A surface without any element, to be grown with [`add_vertex`](Self::add_vertex) and
+    /// [`add_face`](Self::add_face).
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
     /// The surface of a list of polygons.
     ///
     /// Vertex i is v(i), polygon i is f(i), boundary faces follow; see [`Dcel::from_polygons`]. Points that no
