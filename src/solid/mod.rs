@@ -13,6 +13,9 @@
 //! itself, and its faces need not be flat.
 
 mod dynamic;
+pub mod grow;
+mod selection;
+mod subdivide;
 
 use crate::ids::{FaceId, VertexId, VertexMap};
 use crate::plane::{CoordinateError, check_coordinate};
@@ -21,6 +24,8 @@ use std::collections::BTreeSet;
 use std::ops::Deref;
 
 pub use dynamic::{AddFaceError, AddVertexError, RemoveFaceError, RemoveVertexError};
+pub use selection::Selection;
+pub use subdivide::{SubdivideError, Subdivided};
 
 /// Why points and polygons are no surface. Faces and vertices are numbered from 0 in the order of the input.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -116,6 +121,11 @@ impl Polyhedron {
             dcel.remove_vertex_record(v, &mut NoRecorder);
         }
         Ok(Self { dcel, points: points.into(), boundary_faces: built.boundary_faces.into_iter().collect() })
+    }
+
+    /// A surface from its parts, which must fit together: a position for each vertex up to the bound.
+    fn from_parts(dcel: Dcel, points: VertexMap<[f64; 3]>, boundary_faces: BTreeSet<FaceId>) -> Self {
+        Self { dcel, points, boundary_faces }
     }
 
     /// The structure without its positions.

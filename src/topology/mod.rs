@@ -4,7 +4,7 @@
 //!   links.rs     the memory layout, and nothing else knows it
 //!   pool.rs      records come and go: counts, free lists, undo, compact
 //!   walk.rs      round a face, round a vertex
-//!   edit/        split_face, join_faces, split_edge, join_edges
+//!   edit/        split_face, join_faces, split_edge, join_edges, split_vertex, join_vertices, collapse_edge
 //!   seed.rs      polygons to start from        build.rs     from lists of polygons
 //!   record.rs    watching an edit              view.rs, table.rs   reading any structure   replay.rs  an edit on a table
 //!   validate.rs  the laws                      same.rs      equality up to names      measure.rs  counts
@@ -28,6 +28,7 @@ mod walk;
 
 pub use build::{BuildError, Built};
 pub(crate) use build::{Faces, match_faces};
+pub use edit::{CollapseEdgeError, JoinVerticesError, SplitVertexError};
 pub use edit::{JoinEdgesError, JoinFacesError, SplitEdgeError, SplitFaceError};
 pub(crate) use links::Columns;
 pub use links::Dcel;

@@ -55,4 +55,36 @@ impl Dcel {
             boundary: vec![1, 0],
         }))
     }
+
+    /// The torus with 1 vertex, 1 face and 2 edges, a horizontal and a vertical one; both are loops.
+    ///
+    /// ```text
+    ///      v0 ●───────────────────● v0        the four sides are two edges, the four corners one vertex;
+    ///         │   <───── h1       │           the face f0 runs h0 right, h2 up, h1 back, h3 down
+    ///         │ │             ^   │
+    ///         │ │ h3   f0  h2 │   │
+    ///         │ v             │   │
+    ///         │       h0 ─────>   │
+    ///      v0 ●───────────────────● v0
+    /// ```
+    ///
+    /// Splits of vertices and faces keep the genus, so no polygon grows into a torus; from this one all grow.
+    ///
+    /// Source: the last section of the GenMesh article.
+    ///
+    /// ```
+    /// use dcel_kit::topology::{Dcel, measure};
+    /// assert_eq!(measure(&Dcel::torus()).genus(), 1);
+    /// ```
+    #[must_use]
+    pub fn torus() -> Self {
+        Self::from_columns(Columns {
+            origin: vec![0; 4],
+            next: vec![2, 3, 1, 0],
+            prev: vec![3, 2, 0, 1],
+            face: vec![0; 4],
+            outgoing: vec![0],
+            boundary: vec![0],
+        })
+    }
 }

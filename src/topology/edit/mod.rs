@@ -4,15 +4,21 @@
 //! ids included. Each edit gathers what it needs, checks (`can_…` is exactly that phase), makes room, and then
 //! writes; the write phase cannot fail.
 
+mod collapse_edge;
 mod join_edges;
 mod join_faces;
+mod join_vertices;
 mod split_edge;
 mod split_face;
+mod split_vertex;
 
+pub use collapse_edge::CollapseEdgeError;
 pub use join_edges::JoinEdgesError;
 pub use join_faces::JoinFacesError;
+pub use join_vertices::JoinVerticesError;
 pub use split_edge::SplitEdgeError;
 pub use split_face::SplitFaceError;
+pub use split_vertex::SplitVertexError;
 
 #[cfg(test)]
 mod tests {
@@ -53,8 +59,12 @@ mod tests {
         assert_eq!(dcel.room_for(MAX_IDS - 5, 0, 0), Err(TooMany));
         assert_eq!(dcel.room_for(0, (MAX_IDS - 12) / 2 + 1, 0), Err(TooMany));
         assert_eq!(dcel.room_for(0, 0, MAX_IDS - 2), Err(TooMany));
-        let texts = [SplitFaceError::from(TooMany).to_string(), SplitEdgeError::from(TooMany).to_string()];
-        assert_eq!(texts, ["the structure is full: at most 2147483646 elements of one kind"; 2]);
+        let texts = [
+            SplitFaceError::from(TooMany).to_string(),
+            SplitEdgeError::from(TooMany).to_string(),
+            SplitVertexError::from(TooMany).to_string(),
+        ];
+        assert_eq!(texts, ["the structure is full: at most 2147483646 elements of one kind"; 3]);
     }
 
     /// Every choice of the stored half-edges is legal, and no edit may rely on one: all edits with all arguments,
@@ -74,13 +84,15 @@ mod tests {
         tailed.join_edges(HalfEdgeId(9)).unwrap();
         assert_eq!(tailed.next(HalfEdgeId(9)), HalfEdgeId(9));
         let rec = &mut crate::topology::NoRecorder;
-        for start in [looped, halved, tailed, Dcel::polygon(1).unwrap(), Dcel::polygon(2).unwrap()] {
+        for start in [looped, halved, tailed, Dcel::polygon(1).unwrap(), Dcel::polygon(2).unwrap(), Dcel::torus()] {
             for (one, other) in start.half_edges().flat_map(|a| start.half_edges().map(move |b| (a, b))) {
                 let mut chosen = start.clone();
                 chosen.set_outgoing(start.origin(one), Some(one), rec);
                 chosen.set_boundary(start.face(other), Some(other), rec);
                 for a in start.half_edges() {
-                    let edits: [fn(&mut Dcel, HalfEdgeId) -> bool; 3] = [
+                    let edits: [fn(&mut Dcel, HalfEdgeId) -> bool; 5] = [
+                        |d, a| d.join_vertices(a).is_ok(),
+                        |d, a| d.collapse_edge(a).is_ok(),
                         |d, a| d.join_faces(a).is_ok(),
                         |d, a| d.join_edges(a).is_ok(),
                         |d, a| d.split_edge(a).is_ok(),
@@ -93,6 +105,9 @@ mod tests {
                     for b in start.half_edges() {
                         let mut after = chosen.clone();
                         let _ = after.split_face(a, b);
+                        assert_eq!(violations(&after), [], "{a} {b}, with {one} and {other} stored in {start:?}");
+                        let mut after = chosen.clone();
+                        let _ = after.split_vertex(a, b);
                         assert_eq!(violations(&after), [], "{a} {b}, with {one} and {other} stored in {start:?}");
                     }
                 }

@@ -1,0 +1,59 @@
+//! The tessellated cube: up, then back, then to the right.
+//!
+//! ```text
+//!      z              ●───●              ●───●───●             ●───●───●
+//!      │  y          ╱   ╱│             ╱   ╱   ╱│            ╱   ╱   ╱│
+//!      │╱            ●───● ●            ●───●   ╱ ●  ...      ●───●───● ●
+//!      ┼── x   ●───● │   │╱│    ==>     │   │  ...     ==>    │   │   │╱│
+//!     ╱   ring╱   ╱  ●───● ●            ●───●                 ●───●───● ●
+//!             ●───●  │   │╱             │   │                 │   │   │╱
+//!                    ●───●              ●───●                 ●───●───●
+//! ```
+//!
+//! Each extrusion moves the selected side by one step; a new wall continues the side below it.
+
+use super::shape::{Placed, part, stride};
+use super::{GrowError, Primitives, extrude};
+use crate::ids::FaceId;
+
+/// The walls round the first layer, in the order of the ring's half-edges.
+const ROUND: [u8; 4] = [part::FRONT, part::RIGHT, part::BACK, part::LEFT];
+
+/// Grows a box of `steps` cubes from a ring of four; its corners are at -1 and 1.
+pub(super) fn cuboid(on: &mut impl Primitives, steps: [usize; 3]) -> Result<Placed, GrowError> {
+    let mut placed = Placed::default();
+    placed.parts.add(FaceId::new(0), part::BOTTOM);
+    placed.parts.add(FaceId::new(1), part::TOP);
+    placed.points = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]].into();
+    for _ in 0..steps[2] {
+        push(on, &mut placed, part::TOP, 2)?;
+    }
+    for _ in 1..steps[1] {
+        push(on, &mut placed, part::BACK, 1)?;
+    }
+    for _ in 1..steps[0] {
+        push(on, &mut placed, part::RIGHT, 0)?;
+    }
+    let scaled = |p: [f64; 3]| std::array::from_fn(|axis| stride(p[axis] as usize, steps[axis]));
+    placed.points = placed.points.as_slice().iter().map(|&p| scaled(p)).collect::<Vec<_>>().into();
+    Ok(placed)
+}
+
+/// Extrudes one side of the box by one step along an axis.
+fn push(on: &mut impl Primitives, placed: &mut Placed, side: u8, axis: usize) -> Result<(), GrowError> {
+    let made = extrude(on, &placed.parts, side)?;
+    for (foot, above) in made.lifted {
+        let mut point = placed.points[foot];
+        point[axis] += 1.0;
+        placed.points.set(above, point, [0.0; 3]);
+    }
+    for v in made.inner {
+        placed.points[v][axis] += 1.0;
+    }
+    for (i, wall) in made.walls.iter().enumerate() {
+        let below = placed.parts.mask(wall.below);
+        let first_layer = side == part::TOP && below == part::BOTTOM;
+        placed.parts.add(wall.face, if first_layer { ROUND[i % 4] } else { below });
+    }
+    Ok(())
+}

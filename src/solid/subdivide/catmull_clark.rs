@@ -1,0 +1,83 @@
+//! Catmull–Clark: quads from all faces.
+//!
+//! ```text
+//!   face vertex     the mean of the corners
+//!   edge vertex     the mean of both ends and the two face vertices beside it;    on a sharp edge its middle
+//!   old vertex      (Q + 2R + (n - 3) v) / n, with Q the mean of the face vertices round it, R the mean of
+//!                   the middles of its n edges;                                   with sharp edges: sharp.rs
+//! ```
+
+use super::refine::{Coarse, Fine};
+use super::sharp::{Point, add, held, weighted};
+use super::{SubdivideError, Subdivided};
+use crate::ids::EdgeId;
+use crate::solid::{Polyhedron, Selection};
+
+pub(super) fn step(solid: &Polyhedron, creases: &Selection<EdgeId>) -> Result<Subdivided, SubdivideError> {
+    let coarse = Coarse::new(solid, creases);
+    let d = coarse.dcel();
+    let (old, edges) = (d.vertex_bound(), d.edge_bound());
+    // Faces that are refined get the numbers of their middles in order.
+    let mut middle_of = vec![0; d.face_bound()];
+    let mut middles = 0;
+    for f in d.faces().filter(|f| !coarse.is_boundary[f.index()]) {
+        middle_of[f.index()] = (old + edges + middles) as u32;
+        middles += 1;
+    }
+    let (vertices, corners) = (old + edges + middles, coarse.corners.len());
+    Coarse::room(vertices, 2 * edges + corners, corners + d.face_count() - middles)?;
+
+    let mut fine = Fine::new(&coarse, vertices, 2 * edges + corners, corners);
+    let spoke = |corner: u32| 2 * (2 * edges as u32 + corner);
+    for (k, &h) in coarse.corners.iter().enumerate() {
+        let (k, p) = (k as u32, d.prev(h));
+        let middle = middle_of[d.face(h).index()];
+        let down = spoke(coarse.corner[p.index()]) + 1;
+        fine.inner_edge(spoke(k), old as u32 + h.edge().number(), middle);
+        fine.face(k, &[2 * h.number(), spoke(k), down, 2 * p.twin().number() + 1]);
+        fine.set_outgoing(middle, spoke(k) + 1);
+    }
+    let points = points(&coarse, &middle_of, vertices);
+    Ok(Subdivided { polyhedron: fine.finish(points, corners), creases: coarse.finer_creases() })
+}
+
+fn points(coarse: &Coarse<'_>, middle_of: &[u32], vertices: usize) -> Vec<Point> {
+    let (d, solid) = (coarse.dcel(), &coarse.solid);
+    let old = d.vertex_bound();
+    let mut points = vec![[0.0; 3]; vertices];
+    for f in d.faces().filter(|f| !coarse.is_boundary[f.index()]) {
+        let (mut sum, mut sides) = ([0.0; 3], 0.0);
+        for v in d.incident_vertices(f) {
+            add(&mut sum, solid.point(v));
+            sides += 1.0;
+        }
+        points[middle_of[f.index()] as usize] = sum.map(|x| x / sides);
+    }
+    for e in d.edges() {
+        let [a, b] = e.half_edges();
+        let ends = weighted([(0.5, solid.point(d.origin(a))), (0.5, solid.point(d.origin(b)))]);
+        points[old + e.index()] = if coarse.is_sharp(a) {
+            ends
+        } else {
+            let [f, g] = [a, b].map(|h| points[middle_of[d.face(h).index()] as usize]);
+            weighted([(0.5, ends), (0.25, f), (0.25, g)])
+        };
+    }
+    for v in d.vertices() {
+        let here = solid.point(v);
+        points[v.index()] = match d.outgoing(v) {
+            None => here,
+            Some(_) => held(coarse, v).unwrap_or_else(|| {
+                let (mut ends, mut faces, mut n) = ([0.0; 3], [0.0; 3], 0.0);
+                for h in d.outgoing_half_edges(v) {
+                    add(&mut ends, solid.point(d.destination(h)));
+                    add(&mut faces, points[middle_of[d.face(h).index()] as usize]);
+                    n += 1.0;
+                }
+                // 2R = v + the mean of the other ends.
+                weighted([((n - 2.0) / n, here), (1.0 / (n * n), ends), (1.0 / (n * n), faces)])
+            }),
+        };
+    }
+    points
+}

@@ -1,0 +1,13 @@
+//! The two primitives, vertex split and face split, and what grows from them.
+
+#![allow(clippy::unwrap_used)] // a test may panic
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod collapse;
+mod edits;
+mod extrude;
+mod grow;
+mod refusals;
+mod subdivide;
