@@ -18,7 +18,7 @@
 //!   text.rs   words with places          problem.rs  what can be wrong     read.rs, write.rs  the ways in and out
 //!   soup.rs   points and polygons        rings.rs    joining equal points  model.rs           what is written
 //!   load.rs   from a file to a structure, with the places of what does not fit     arrange.rs  of segments
-//!   obj.rs off.rs ply/ triangle.rs mesh.rs geojson.rs topojson.rs (json.rs arrays.rs) wkt.rs poly.rs segments.rs
+//!   obj.rs off.rs ply/ stl.rs triangle.rs mesh.rs geojson.rs topojson.rs (json.rs arrays.rs) wkt.rs poly.rs segments.rs
 //!   dcel.rs tables.rs   one format each
 //! ```
 
@@ -41,6 +41,7 @@ mod read;
 mod rings;
 pub mod segments;
 mod soup;
+pub mod stl;
 pub mod tables;
 mod text;
 pub mod topojson;

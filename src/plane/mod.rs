@@ -31,6 +31,7 @@ pub use edit::{
     InsertAntennaError, InsertEdgeError, InsertSegmentError, InsertVertexError, InsertedEdge, InsertedSegment,
     JoinEdgesError, JoinFacesError, RemoveEdgeError, RemoveVertexError, SplitEdgeError, SplitFaceError,
 };
+pub(crate) use meet::Expansion;
 pub use point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};
 pub use seed::LAB_RECTANGLE;
 pub use segments::{ArrangeOptions, Arranged, MarkHolesError, Residues, SegmentFault, SegmentsError};

@@ -261,7 +261,12 @@ fn every_refusal_names_what_is_in_the_way() {
         refuse(&mut surface, &[v[0], v[1], missing]),
         AddFaceError::Id(IdError::OutOfRange { element: missing.into(), bound: 9 })
     );
-    let edge = AddFaceError::EdgeFull { edge: h.edge(), from: v[1], to: v[3], faces: [surface.face(h), surface.face(h.twin())] };
+    let edge = AddFaceError::EdgeFull {
+        edge: h.edge(),
+        from: v[1],
+        to: v[3],
+        faces: [surface.face(h), surface.face(h.twin())],
+    };
     assert_eq!(refuse(&mut surface, &[v[1], v[3], v[5]]), edge);
     let taken = surface.find_half_edge(v[0], v[2]).unwrap();
     let turned = AddFaceError::AgainstWinding { half_edge: taken, from: v[0], to: v[2], face: f(0) };

@@ -6,3 +6,10 @@
 mod common;
 
 mod dynamic;
+mod hull;
+mod measures;
+mod rejections;
+mod shapes;
+mod shared;
+mod stl;
+mod support;
