@@ -29,6 +29,7 @@ mod output;
 mod picture;
 mod references;
 mod script;
+mod solid;
 mod specimen;
 mod subject;
 mod tour;
@@ -71,6 +72,7 @@ enum Command {
     Build(build::Args),
     Figure(Box<figure::Args>),
     Script(script::Args),
+    Solid(solid::Args),
     Lab(lab::Args),
     Grade(Box<grade::Args>),
     Tour(tour::Args),
@@ -89,6 +91,7 @@ impl Command {
             Self::Build(args) => build::run(&args, out),
             Self::Figure(args) => figure::run(&args, out),
             Self::Script(args) => script::run(&args, out),
+            Self::Solid(args) => solid::run(&args, out),
             Self::Lab(args) => lab::run(&args, out),
             Self::Grade(args) => grade::run(&args, out),
             Self::Tour(args) => tour::run(&args, out),
