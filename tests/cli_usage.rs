@@ -22,7 +22,7 @@ fn wrong_calls_and_bad_files_give_2() {
         ("info empty.obj", "empty.obj: the file is empty", ""),
         ("info notes.md", "notes.md: the format is not known", "obj, off, ply"),
         ("info raw.obj", "raw.obj", "UTF-8"),
-        ("info square.obj --format stl", "`stl` is not a format", ""),
+        ("info square.obj --format step", "`step` is not a format", ""),
         ("info square.obj --format tables", "tables is written, not read", ".dcel"),
         ("info square.obj --format off", "square.obj:1:1", ""),
         ("info square.obj --plane --surface", "cannot be used with", ""),

@@ -22,7 +22,7 @@ pub(crate) struct InputOptions {
     /// Leave out rings that enclose nothing
     #[arg(long)]
     drop_degenerate_rings: bool,
-    /// Turn round faces that run clockwise
+    /// Turn round faces that run clockwise, or against the rest of a surface
     #[arg(long)]
     orient: bool,
     /// The object of a TopoJSON file to read
@@ -54,6 +54,11 @@ impl InputOptions {
     /// The same without the full check, for those who make it themselves.
     pub(crate) fn without_full_check(&self) -> Self {
         Self { full_check: false, ..self.clone() }
+    }
+
+    /// The same for those who work on surfaces in space only.
+    pub(crate) fn as_surface(&self) -> Self {
+        Self { surface: true, plane: false, ..self.clone() }
     }
 
     /// Reads a file. Tables stay tables, with the ids of the file, right or wrong. Tells the notes on stderr.

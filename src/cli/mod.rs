@@ -31,6 +31,7 @@ mod overlay;
 mod picture;
 mod references;
 mod script;
+mod solid;
 mod specimen;
 mod subject;
 mod tour;
@@ -75,6 +76,7 @@ enum Command {
     Overlay(overlay::Args),
     Figure(Box<figure::Args>),
     Script(script::Args),
+    Solid(solid::Args),
     Lab(lab::Args),
     Grade(Box<grade::Args>),
     Tour(tour::Args),
@@ -95,6 +97,7 @@ impl Command {
             Self::Overlay(args) => overlay::run(&args, out),
             Self::Figure(args) => figure::run(&args, out),
             Self::Script(args) => script::run(&args, out),
+            Self::Solid(args) => solid::run(&args, out),
             Self::Lab(args) => lab::run(&args, out),
             Self::Grade(args) => grade::run(&args, out),
             Self::Tour(args) => tour::run(&args, out),

@@ -7,6 +7,7 @@
 //!            vertices.rs  half_edges.rs  faces.rs  tints.rs   labels.rs captions.rs leaders.rs (crowd.rs, pole.rs)  tiles.rs
 //!   film/    edits, frame by frame
 //!   sketch/  paths, cones, circles, badges …: what the other rooms draw themselves with, alone or over a structure
+//!   solid/   solids in space, hidden lines dashed
 //!   chart/   series over linear and log axes
 //! ```
 //!
@@ -69,6 +70,7 @@ mod selectors;
 mod sheet;
 mod skeleton;
 pub mod sketch;
+mod solid;
 mod structure;
 mod style;
 mod style_file;
@@ -92,6 +94,7 @@ pub use png::PngError;
 pub use pointer::Pointers;
 pub use records::records;
 pub use robustness::{NearlyCollinear, robustness};
+pub use solid::{Camera, HiddenLines, solid};
 pub use structure::structure;
 pub use style::{Colour, Palette, Style, Theme};
 pub use style_file::{ParseColourError, StyleError};

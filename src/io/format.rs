@@ -6,6 +6,7 @@
 //!   off         .off               x     x      polygons, in space
 //!   ply         .ply               x     x      polygons, in space; text or binary
 //!   ply-binary  .ply               x     x      the same, written as binary (little endian)
+//!   stl         .stl               x     x      triangles in space, nothing shared; text or binary, written as text
 //!   triangle    .node + .ele       x     x      triangles in the plane, two files
 //!   geojson     .geojson .json     x     x      polygons with holes and names
 //!   topojson    .topojson .json    x            the same, with shared borders
@@ -33,6 +34,8 @@ pub enum Format {
     Ply,
     /// The same, written as binary, little endian.
     PlyBinary,
+    /// [Stereolithography](super::stl), text or binary; written as text.
+    Stl,
     /// The [`.node` and `.ele`](super::triangle) files of Triangle.
     Triangle,
     /// [GeoJSON](super::geojson) (RFC 7946).
@@ -62,11 +65,12 @@ pub struct UnknownFormat {
 
 impl Format {
     /// All formats, in the order in which they are listed to people.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Obj,
         Self::Off,
         Self::Ply,
         Self::PlyBinary,
+        Self::Stl,
         Self::Triangle,
         Self::GeoJson,
         Self::TopoJson,
@@ -86,6 +90,7 @@ impl Format {
             Self::Off => "off",
             Self::Ply => "ply",
             Self::PlyBinary => "ply-binary",
+            Self::Stl => "stl",
             Self::Triangle => "triangle",
             Self::GeoJson => "geojson",
             Self::TopoJson => "topojson",
@@ -105,6 +110,7 @@ impl Format {
             Self::Obj => &["obj"],
             Self::Off => &["off"],
             Self::Ply | Self::PlyBinary => &["ply"],
+            Self::Stl => &["stl"],
             Self::Triangle => &["node", "ele"],
             Self::GeoJson => &["geojson", "json"],
             Self::TopoJson => &["topojson"],
@@ -125,6 +131,7 @@ impl Format {
             Self::Off => "Geomview OFF: vertices and polygons in space",
             Self::Ply => "Stanford PLY, text or binary: vertices and polygons in space",
             Self::PlyBinary => "Stanford PLY, written as binary (little endian)",
+            Self::Stl => "STL, text or binary: triangles in space; written as text",
             Self::Triangle => "Triangle's .node and .ele: triangles in the plane, two files",
             Self::GeoJson => "GeoJSON: polygons with holes and names; lines, if there is no polygon",
             Self::TopoJson => "TopoJSON: polygons with shared borders (read only)",
@@ -160,6 +167,9 @@ impl Format {
     /// The format that the first bytes of a file speak for: for standard input and unknown names.
     #[must_use]
     pub fn from_content(bytes: &[u8]) -> Option<Self> {
+        if super::stl::is_binary(bytes) {
+            return Some(Self::Stl);
+        }
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         let text = String::from_utf8_lossy(&bytes[..bytes.len().min(4096)]);
         let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
@@ -167,6 +177,7 @@ impl Format {
         let word = first.split_ascii_whitespace().next()?;
         match word {
             "ply" => Some(Self::Ply),
+            "solid" => Some(Self::Stl),
             "mesh" => Some(Self::Mesh),
             "dcel" => Some(Self::Dcel),
             "v" | "vn" | "vt" | "f" | "o" | "g" | "s" | "mtllib" | "usemtl" => Some(Self::Obj),
@@ -210,12 +221,13 @@ mod tests {
         assert_eq!(Format::from_path(Path::new("spiral.1.ele")), Some(Format::Triangle));
         assert_eq!(Format::from_path(Path::new("states.json")), Some(Format::GeoJson));
         assert_eq!(Format::from_path(Path::new("obj")), None);
-        assert!("stl".parse::<Format>().is_err());
+        assert!("step".parse::<Format>().is_err());
     }
 
     #[test]
     fn first_bytes_tell_the_format() {
-        let cases: [(&[u8], Option<Format>); 11] = [
+        let cases: [(&[u8], Option<Format>); 12] = [
+            (b"solid cube\n facet normal 0 0 1\n", Some(Format::Stl)),
             (b"linestring(0 0, 1 1)", Some(Format::Wkt)),
             (b"# x y x y\n0 0 1.5 -2e3\n", Some(Format::Segments)),
             (b"0 0 1\n", None),

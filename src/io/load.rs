@@ -29,8 +29,8 @@ use std::path::Path;
 pub struct LoadOptions {
     /// How to read it.
     pub read: ReadOptions,
-    /// Turn round the faces of a plane that run clockwise. GeoJSON and TopoJSON are always treated so: their
-    /// rings may run either way.
+    /// Turn round the faces of a plane that run clockwise, and those of a surface that are wound against the rest.
+    /// GeoJSON and TopoJSON are always treated so: their rings may run either way.
     pub orient: bool,
     /// Split segments where they meet, instead of refusing them.
     pub split_crossings: bool,
@@ -245,12 +245,7 @@ pub fn assemble(read: Read, source_name: &str, options: &LoadOptions) -> Result<
             }
             (plane(points, &faces, &places, format, options, &mut notes)?, 1)
         }
-        Mode::Surface => {
-            if options.orient {
-                notes.push("no face was turned round: that is done in the plane only".to_owned());
-            }
-            (surface(points, &faces, &places, &mut notes)?, 0)
-        }
+        Mode::Surface => (surface(points, faces, &places, options, &mut notes)?, 0),
     };
     let mut by_face = FaceMap::default();
     for (i, name) in names.into_iter().enumerate().filter(|(_, name)| name.is_some()) {
@@ -287,15 +282,23 @@ fn plane(
 
 fn surface(
     points: Vec<[f64; 3]>,
-    faces: &PolygonList,
+    faces: PolygonList,
     places: &Places,
+    options: &LoadOptions,
     notes: &mut Vec<String>,
 ) -> Result<Structure, LoadError> {
-    let bound = points.len() as u32;
-    let polyhedron = Polyhedron::from_polygons(points, faces).map_err(|error| {
+    let (bound, count) = (points.len() as u32, faces.face_count());
+    let built = match options.orient {
+        true => Polyhedron::from_polygons_oriented(points, faces),
+        false => Polyhedron::from_polygons(points, &faces).map(|polyhedron| (polyhedron, Vec::new())),
+    };
+    let (polyhedron, turned) = built.map_err(|error| {
         let at = Whereabouts::new(places, &error.faces(), &error.vertices());
         LoadError::Surface { at: Box::new(at), error }
     })?;
+    if !turned.is_empty() {
+        notes.push(format!("{} of {count} faces were wound against the rest and were turned round", turned.len()));
+    }
     let unused: Vec<_> = (0..bound).map(VertexId::new).filter(|&v| !polyhedron.has_vertex(v)).collect();
     note_unused(notes, &unused);
     Ok(Structure::Surface(polyhedron))

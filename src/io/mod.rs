@@ -20,6 +20,8 @@
 //!   load.rs   from a file to a structure, with the places of what does not fit     arrange.rs  of segments
 //!   obj.rs off.rs ply/ triangle.rs mesh.rs geojson.rs topojson.rs (json.rs arrays.rs) wkt.rs poly.rs segments.rs
 //!   dcel.rs tables.rs   one format each     points.rs  points alone, of any of them or of plain text
+//!   obj.rs off.rs ply/ stl.rs triangle.rs mesh.rs geojson.rs topojson.rs (json.rs arrays.rs) wkt.rs poly.rs segments.rs
+//!   dcel.rs tables.rs   one format each
 //! ```
 
 mod arrange;
@@ -42,6 +44,7 @@ mod read;
 mod rings;
 pub mod segments;
 mod soup;
+pub mod stl;
 pub mod tables;
 mod text;
 pub mod topojson;

@@ -5,7 +5,7 @@ use super::problem::{ReadError, ReadProblem};
 use super::segments::SegmentSoup;
 use super::soup::PolygonSoup;
 use super::text::LARGEST_FILE;
-use super::{dcel, json, mesh, obj, off, ply, poly, segments, triangle, wkt};
+use super::{dcel, json, mesh, obj, off, ply, poly, segments, stl, triangle, wkt};
 use crate::topology::Table;
 use std::fs::File;
 use std::io::Read as _;
@@ -75,6 +75,7 @@ pub fn read_bytes(bytes: &[u8], format: Format, source_name: &str, options: &Rea
         Format::Obj => obj::read(bytes, source_name),
         Format::Off => off::read(bytes, source_name),
         Format::Ply | Format::PlyBinary => ply::read(bytes, source_name),
+        Format::Stl => stl::read(bytes, source_name),
         Format::Mesh => mesh::read(bytes, source_name),
         Format::GeoJson | Format::TopoJson => json::read(bytes, source_name, options),
         Format::Wkt => wkt::read(bytes, source_name),

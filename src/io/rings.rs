@@ -16,6 +16,7 @@ use super::soup::{Places, PolygonSoup, check_sizes};
 use crate::ids::MAX_IDS;
 use crate::plane::check_coordinate;
 use crate::topology::PolygonList;
+use std::cmp::Ordering;
 use std::fmt::{self, Write as _};
 
 /// Rings as they are read; [`finish`](Self::finish) makes faces of them.
@@ -155,16 +156,16 @@ impl Rings {
 
 /// Whether two points are equal, exactly and with -0 = 0.
 #[allow(clippy::float_cmp)] // exact equality is meant
-pub(super) fn same(a: [f64; 2], b: [f64; 2]) -> bool {
+pub(super) fn same<const N: usize>(a: [f64; N], b: [f64; N]) -> bool {
     a == b
 }
 
 /// For each point one of the points with the same coordinates, the same for all of them. O(n log n).
-fn representatives(points: &[[f64; 2]]) -> Vec<u32> {
+pub(super) fn representatives<const N: usize>(points: &[[f64; N]]) -> Vec<u32> {
     let mut order: Vec<u32> = (0..points.len() as u32).collect();
     order.sort_unstable_by(|&i, &j| {
         let (a, b) = (points[i as usize], points[j as usize]);
-        a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]))
+        a.iter().zip(&b).map(|(a, b)| a.total_cmp(b)).find(|order| order.is_ne()).unwrap_or(Ordering::Equal)
     });
     let mut chosen = vec![0; points.len()];
     let mut run = order.first().copied().unwrap_or(0);

@@ -6,7 +6,7 @@
 use super::dcel::quote;
 use super::format::Format;
 use super::model::{Model, Polygons};
-use super::tables;
+use super::{stl, tables};
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::topology::Ring;
 use std::fmt;
@@ -72,6 +72,14 @@ pub enum WriteError {
         /// How many corners it has.
         corners: usize,
     },
+    /// A face that is not convex, and a format that holds triangles only.
+    #[error("{face} is not convex, and {format} holds triangles only; try obj, off or ply, or cut the face first")]
+    NotConvex {
+        /// The face.
+        face: FaceId,
+        /// The format.
+        format: &'static str,
+    },
     /// An edge with the same face on both sides: an antenna, or a bridge to it.
     #[error("{half_edge} and its twin both bound {face}, which {format} cannot hold; dcel holds everything")]
     SameFaceTwice {
@@ -117,6 +125,7 @@ pub fn write(out: &mut impl Write, model: &Model<'_>, format: Format) -> Result<
         Format::Off => off(&mut out, &Polygons::of(model, format)?)?,
         Format::Ply => ply(&mut out, &Polygons::of(model, format)?)?,
         Format::PlyBinary => ply_binary(&mut out, &Polygons::of(model, format)?)?,
+        Format::Stl => stl::write(&mut out, &Polygons::of(model, format)?)?,
         Format::GeoJson => geojson(&mut out, model, &Polygons::of(in_plane(model, format)?, format)?)?,
         Format::Dcel => dcel(&mut out, in_plane(model, format)?)?,
         Format::Tables => tables::write(&mut out, model)?,

@@ -48,6 +48,7 @@ pub use edit::{
 pub use locate::{Location, PointIndex, Walk};
 pub use overlay::{Operation, Overlay, ParseOperationError, Parts};
 pub use hull::{HullError, convex_hull};
+pub(crate) use meet::Expansion;
 pub use point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};
 pub use seed::LAB_RECTANGLE;
 pub use segments::{ArrangeOptions, Arranged, MarkHolesError, Residues, SegmentFault, SegmentsError};

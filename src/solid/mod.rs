@@ -9,21 +9,56 @@
 //!      ●───────●╱
 //! ```
 //!
-//! The base on which solids are built. Nothing is decided by coordinates here: a surface may pass through
-//! itself, and its faces need not be flat.
+//! A surface may pass through itself, and its faces need not be flat. Where coordinates decide (is it convex? what is
+//! the hull? which vertex is furthest?), the decision is exact.
+//!
+//! ```text
+//!   dynamic/    add_face, remove_face, add_vertex, remove_vertex
+//!   measure.rs  counts, angles, curvatures, area, volume      flat.rs convex.rs   exact questions about shape
+//!   hull/       the convex hull of points                     support.rs          the furthest vertex
+//!   grow/       shapes out of rings and the torus seed        subdivide/          finer surfaces
+//!   platonic.rs archimedean.rs  solids to start from          dual.rs derived.rs  solids from solids
+//!   schlegel.rs seen through a face, in the plane               winged.rs           tables of the slides
+//! ```
 
+mod archimedean;
+mod convex;
+mod derived;
+mod dual;
+mod dynamic;
+mod flat;
 pub mod grow;
+mod hull;
+mod measure;
+mod platonic;
+pub mod predicates;
+mod schlegel;
 mod selection;
 mod subdivide;
+mod support;
+mod vector;
+mod winged;
 
 use crate::ids::{FaceId, VertexId, VertexMap};
 use crate::plane::{CoordinateError, check_coordinate};
-use crate::topology::{BuildError, Dcel, NoRecorder, PolygonList, View};
+use crate::topology::{BuildError, Dcel, NoRecorder, OneSided, PolygonList, View, faces_to_turn};
 use std::collections::BTreeSet;
 use std::ops::Deref;
 
+pub use archimedean::Archimedean;
+pub use convex::{Convex, NotConvex};
+pub use derived::TruncateError;
+pub use dual::{Dual, DualError, DualPositions};
+pub use dynamic::{AddFaceError, AddVertexError, RemoveFaceError, RemoveVertexError};
+pub use flat::FaceFault;
+pub use hull::{Hull, HullError, HullFaces};
+pub use measure::PartCounts;
+pub use platonic::Platonic;
+pub use schlegel::{Schlegel, SchlegelError};
 pub use selection::Selection;
 pub use subdivide::{SubdivideError, Subdivided};
+pub use support::Direction;
+pub use winged::WingedEdges;
 
 /// Why points and polygons are no surface. Faces and vertices are numbered from 0 in the order of the input.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -31,7 +66,26 @@ pub use subdivide::{SubdivideError, Subdivided};
 pub enum SolidError {
     /// The polygons do not fit together.
     #[error(transparent)]
-    Build(#[from] BuildError),
+    Build(BuildError),
+    /// Two faces, and no third, run along an edge in the same direction, and turning faces round helps.
+    #[error("faces {first} and {second} both run from vertex {u} to vertex {v}: reverse {}, or turn all that is needed with orient", to_reverse(*turn, *turns))]
+    Winding {
+        /// Where both run from.
+        u: u32,
+        /// Where both run to.
+        v: u32,
+        /// The earlier face.
+        first: u32,
+        /// The later one.
+        second: u32,
+        /// The one of them to turn, so that as few as possible are turned.
+        turn: u32,
+        /// How many faces of the whole surface are to be turned.
+        turns: usize,
+    },
+    /// No turning helps.
+    #[error(transparent)]
+    OneSided(#[from] OneSided),
     /// A vertex whose coordinates cannot be used.
     #[error("vertex {vertex}: {error}")]
     Coordinate {
@@ -42,12 +96,33 @@ pub enum SolidError {
     },
 }
 
+fn to_reverse(turn: u32, turns: usize) -> String {
+    match turns {
+        1 => format!("face {turn}"),
+        _ => format!("face {turn} ({turns} faces in all)"),
+    }
+}
+
 impl SolidError {
+    /// The builder's error, with more to say about faces that are wound the wrong way round.
+    fn of_building(error: BuildError, polygons: &PolygonList) -> Self {
+        let BuildError::MixedWinding { u, v, first, second } = error else { return Self::Build(error) };
+        match faces_to_turn(polygons) {
+            Ok(faces) => {
+                let turn = if faces.binary_search(&second).is_ok() { second } else { first };
+                Self::Winding { u, v, first, second, turn, turns: faces.len() }
+            }
+            Err(one_sided) => one_sided.into(),
+        }
+    }
+
     /// The faces the message speaks of, for callers who know where in a file they stand.
     #[must_use]
     pub fn faces(&self) -> Vec<u32> {
         match self {
             Self::Build(error) => error.faces(),
+            Self::Winding { first, second, .. } => vec![*first, *second],
+            Self::OneSided(error) => error.band.clone(),
             Self::Coordinate { .. } => Vec::new(),
         }
     }
@@ -57,13 +132,15 @@ impl SolidError {
     pub fn vertices(&self) -> Vec<u32> {
         match self {
             Self::Build(error) => error.vertices(),
+            Self::Winding { u, v, .. } => vec![*u, *v],
+            Self::OneSided(_) => Vec::new(),
             Self::Coordinate { vertex, .. } => vec![*vertex],
         }
     }
 }
 
 /// A surface in space, closed or with borders. It dereferences to its [`Dcel`] for all walks and counts.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Default)]
 pub struct Polyhedron {
     dcel: Dcel,
     points: VertexMap<[f64; 3]>,
@@ -79,6 +156,13 @@ impl Deref for Polyhedron {
 }
 
 impl Polyhedron {
+    /// A surface without any element, to be grown with [`add_vertex`](Self::add_vertex) and
+    /// [`add_face`](Self::add_face).
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
     /// The surface of a list of polygons.
     ///
     /// Vertex i is v(i), polygon i is f(i), boundary faces follow; see [`Dcel::from_polygons`]. Points that no
@@ -104,7 +188,8 @@ impl Polyhedron {
                     .map_err(|error| SolidError::Coordinate { vertex: vertex as u32, error })?;
             }
         }
-        let built = Dcel::from_polygons(points.len(), polygons)?;
+        let built =
+            Dcel::from_polygons(points.len(), polygons).map_err(|error| SolidError::of_building(error, polygons))?;
         let mut dcel = built.dcel;
         // From the last one on, so that the lowest free id is given out first.
         let unused: Vec<VertexId> = dcel.vertices().rev().filter(|&v| dcel.outgoing(v).is_none()).collect();
@@ -117,6 +202,27 @@ impl Polyhedron {
     /// A surface from its parts, which must fit together: a position for each vertex up to the bound.
     fn from_parts(dcel: Dcel, points: VertexMap<[f64; 3]>, boundary_faces: BTreeSet<FaceId>) -> Self {
         Self { dcel, points, boundary_faces }
+    }
+
+    /// The same as [`from_polygons`](Self::from_polygons) after turning round the faces that are wound against the
+    /// rest, as few as possible in each connected piece. Returns the numbers of those faces, too. Whether a closed
+    /// surface is inside out is not looked at; see [`signed_volume`](Self::signed_volume).
+    ///
+    /// Cost: O(n log n) for n corners.
+    ///
+    /// # Errors
+    /// [`SolidError`]; a surface with one side is refused with a Moebius strip in it.
+    pub fn from_polygons_oriented(
+        points: Vec<[f64; 3]>,
+        mut polygons: PolygonList,
+    ) -> Result<(Self, Vec<u32>), SolidError> {
+        let turned = faces_to_turn(&polygons)?;
+        for &face in &turned {
+            for cycle in polygons.cycle_range(face as usize) {
+                polygons.cycle_mut(cycle).reverse();
+            }
+        }
+        Ok((Self::from_polygons(points, &polygons)?, turned))
     }
 
     /// The structure without its positions.

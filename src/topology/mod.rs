@@ -7,6 +7,7 @@
 //!   edit/        split_face, join_faces, split_edge, join_edges, flip_edge
 //!   edit/        split_face, join_faces, split_edge, join_edges, split_vertex, join_vertices, collapse_edge
 //!   seed.rs      polygons to start from        build.rs     from lists of polygons
+//!   orient.rs    which faces to turn round
 //!   record.rs    watching an edit              view.rs, table.rs   reading any structure   replay.rs  an edit on a table
 //!   validate.rs  the laws                      same.rs      equality up to names      measure.rs  counts
 //!   dual.rs      faces become vertices
@@ -18,6 +19,7 @@ mod edit;
 mod flat;
 mod links;
 mod measure;
+mod orient;
 mod polygons;
 mod pool;
 mod record;
@@ -38,6 +40,7 @@ pub use edit::{JoinEdgesError, JoinFacesError, SplitEdgeError, SplitFaceError};
 pub(crate) use links::Columns;
 pub use links::Dcel;
 pub use measure::{ComponentCounts, Components, Counts, Mode, components, measure, measure_with};
+pub use orient::{OneSided, faces_to_turn};
 pub use polygons::PolygonList;
 pub use pool::{IdError, Renumbering, TooMany};
 pub use record::{Change, Journal, NoRecorder, Recorder, Slot, Step};

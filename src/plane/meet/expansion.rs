@@ -14,7 +14,7 @@ use std::cmp::Ordering;
 
 /// An exact number.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Expansion(Vec<f64>);
+pub(crate) struct Expansion(Vec<f64>);
 
 fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -36,12 +36,12 @@ fn two_product(a: f64, b: f64) -> (f64, f64) {
 
 impl Expansion {
     /// A double as it is.
-    pub(super) fn of(a: f64) -> Self {
+    pub(crate) fn of(a: f64) -> Self {
         Self(if a == 0.0 { Vec::new() } else { vec![a] })
     }
 
     /// a - b.
-    pub(super) fn difference(a: f64, b: f64) -> Self {
+    pub(crate) fn difference(a: f64, b: f64) -> Self {
         let (sum, rest) = two_sum(a, -b);
         Self([rest, sum].into_iter().filter(|&term| term != 0.0).collect())
     }
@@ -64,17 +64,17 @@ impl Expansion {
         }
     }
 
-    pub(super) fn plus(mut self, other: &Self) -> Self {
+    pub(crate) fn plus(mut self, other: &Self) -> Self {
         other.0.iter().for_each(|&term| self.grow(term));
         self
     }
 
-    pub(super) fn minus(mut self, other: &Self) -> Self {
+    pub(crate) fn minus(mut self, other: &Self) -> Self {
         other.0.iter().for_each(|&term| self.grow(-term));
         self
     }
 
-    pub(super) fn times(&self, other: &Self) -> Self {
+    pub(crate) fn times(&self, other: &Self) -> Self {
         let mut product = Self::default();
         for &a in &self.0 {
             for &b in &other.0 {
@@ -104,23 +104,23 @@ impl Expansion {
         Self(terms)
     }
 
-    pub(super) fn negated(mut self) -> Self {
+    pub(crate) fn negated(mut self) -> Self {
         self.0.iter_mut().for_each(|term| *term = -*term);
         self
     }
 
-    pub(super) fn sign(&self) -> Ordering {
+    pub(crate) fn sign(&self) -> Ordering {
         self.0.last().map_or(Ordering::Equal, |last| last.total_cmp(&0.0))
     }
 
     /// The double next to it, or one beside that.
-    pub(super) fn estimate(&self) -> f64 {
+    pub(crate) fn estimate(&self) -> f64 {
         self.0.iter().sum()
     }
 }
 
 /// a.x b.y - a.y b.x
-pub(super) fn cross(a: &[Expansion; 2], b: &[Expansion; 2]) -> Expansion {
+pub(crate) fn cross(a: &[Expansion; 2], b: &[Expansion; 2]) -> Expansion {
     a[0].times(&b[1]).minus(&a[1].times(&b[0]))
 }
 

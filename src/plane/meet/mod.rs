@@ -23,6 +23,7 @@ use super::predicates::{left_to_right, orientation};
 use super::status::{Place, Status};
 use super::sweep::{by_left_end, rightwards};
 use crossing::Crossing;
+pub(crate) use expansion::Expansion;
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 use std::ops::ControlFlow;

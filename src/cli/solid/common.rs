@@ -1,0 +1,133 @@
+//! What the commands on solids share: reading, writing, and the short answer.
+
+use crate::cli::failure::Failure;
+use crate::cli::input::InputOptions;
+use crate::cli::output::is_same_file;
+use crate::cli::subject::Kind;
+use crate::cli::{Answer, Output};
+use dcel_kit::io::{Format, Model, write, write_path};
+use dcel_kit::solid::{PartCounts, Polyhedron};
+use serde::Serialize;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// Reads a surface in space.
+pub(super) fn open(file: &Path, input: &InputOptions) -> Result<Polyhedron, Failure> {
+    let subject = input.as_surface().open_as(file, false)?;
+    match subject.kind {
+        Kind::Surface(polyhedron) => Ok(polyhedron),
+        Kind::Plane(_) | Kind::Table(_) => {
+            let what = format!("{}: {} holds a structure of the plane", subject.source, subject.format);
+            Err(Failure::input(what, "solids are read from obj, off, ply and stl"))
+        }
+    }
+}
+
+/// Where a solid goes.
+#[derive(clap::Args, Clone, Debug)]
+pub(super) struct Target {
+    /// The file to write, for example .off; - for OFF on standard output instead of the report
+    #[arg(short, long, value_name = "OUT")]
+    pub(super) output: Option<PathBuf>,
+    /// Answer in JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// The short answer. The names are those of the JSON form.
+#[derive(Serialize)]
+struct Made {
+    vertices: usize,
+    edges: usize,
+    faces: usize,
+    euler: i64,
+    genus: i64,
+    borders: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    note: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    output: Option<String>,
+}
+
+impl Target {
+    /// Refuses to write over `input`.
+    pub(super) fn check(&self, input: &Path) -> Result<(), Failure> {
+        match self.output.as_deref().filter(|output| is_same_file(input, output)) {
+            Some(output) => {
+                Err(Failure::input(format!("{}: this is the input itself", output.display()), "choose another name"))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Writes the solid, if asked to, and tells what it is.
+    pub(super) fn put(
+        &self,
+        name: &str,
+        solid: &Polyhedron,
+        note: Option<String>,
+        out: &mut Output,
+    ) -> Result<Answer, Failure> {
+        if let Some(path) = &self.output {
+            save(path, solid, out)?;
+            if path.as_os_str() == "-" {
+                return Ok(Answer::Yes);
+            }
+        }
+        let parts = solid.parts();
+        let sum = |of: fn(&PartCounts) -> i64| parts.iter().map(of).sum::<i64>();
+        let made = Made {
+            vertices: solid.vertex_count(),
+            edges: solid.edge_count(),
+            faces: solid.polygon_faces().count(),
+            euler: sum(PartCounts::euler),
+            genus: sum(PartCounts::genus),
+            borders: solid.boundary_faces().len(),
+            note,
+            output: self.output.as_ref().map(|path| path.display().to_string()),
+        };
+        if self.json {
+            out.json(&made)?;
+            return Ok(Answer::Yes);
+        }
+        let Made { vertices, edges, faces, euler, genus, .. } = made;
+        writeln!(out, "{name}: {vertices} vertices, {edges} edges, {faces} faces; V - E + F = {euler}, genus {genus}")?;
+        for line in made
+            .note
+            .iter()
+            .chain(made.output.iter().map(|path| format!("written to {path}")).collect::<Vec<_>>().iter())
+        {
+            writeln!(out, "  {line}")?;
+        }
+        Ok(Answer::Yes)
+    }
+}
+
+fn save(path: &Path, solid: &Polyhedron, out: &mut Output) -> Result<(), Failure> {
+    let model = Model::surface(solid, |v| Some(solid.point(v)), |f| solid.is_boundary_face(f));
+    let written = match Format::from_path(path) {
+        _ if path.as_os_str() == "-" => write(out, &model, Format::Off),
+        Some(format) => write_path(path, &model, format),
+        None => {
+            let what = format!("{}: the name does not tell the format to write", path.display());
+            return Err(Failure::input(what, "end it in .off, .obj, .ply or .stl"));
+        }
+    };
+    written.map_err(|error| Failure::of_writing(path, error))
+}
+
+/// A vector from the command line: `1,-2,0.5`.
+pub(super) fn vector(text: &str) -> Result<[f64; 3], String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|word| word.trim().parse::<f64>()).collect();
+    match numbers.ok().as_deref() {
+        Some(&[x, y, z]) if [x, y, z].iter().all(|x| x.is_finite()) => Ok([x, y, z]),
+        _ => Err("write three numbers with commas between, for example 1,-2,0.5".to_owned()),
+    }
+}
+
+/// Splits `what; help` as errors of the kit write it.
+pub(super) fn refused(place: &Path, error: &impl std::fmt::Display) -> Failure {
+    let text = error.to_string();
+    let (what, help) = text.split_once(": ").unwrap_or((&text, ""));
+    Failure::input(format!("{}: {what}", place.display()), help)
+}

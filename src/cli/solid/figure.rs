@@ -1,0 +1,71 @@
+//! `dcel solid figure`: a solid with its hidden lines.
+
+use super::common::{open, vector};
+use crate::cli::input::InputOptions;
+use crate::cli::picture::{Pixels, Target};
+use crate::cli::{Answer, Failure, Output};
+use dcel_kit::figure::{self, Camera, FigureOptions, HiddenLines};
+use std::path::PathBuf;
+
+/// Draw a solid
+///
+/// Faces that are seen whole are drawn with their half-edges; hidden edges, and hidden parts of
+/// edges, are dashed. z points up.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Examples:
+  dcel solid figure cube.off -o cube.svg
+  dcel solid figure torus.off --towards 1,-1,2 --distance 4 --no-hidden -o torus.svg")]
+pub(crate) struct Args {
+    /// The file, or - for standard input
+    file: PathBuf,
+    /// The figure to write, .svg or .png; standard output without it
+    #[arg(short, long, value_name = "OUT.svg")]
+    output: Option<PathBuf>,
+    /// From the solid towards the eye: three numbers with commas between
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
+    towards: Option<[f64; 3]>,
+    /// How far away the eye is, in sizes of the solid, at least 1.1; infinitely far without it
+    #[arg(long, value_name = "N")]
+    distance: Option<f64>,
+    /// Leave hidden lines out
+    #[arg(long)]
+    no_hidden: bool,
+    /// The title; the name of the file without it
+    #[arg(long)]
+    title: Option<String>,
+    /// Width in px
+    #[arg(long, value_name = "PX")]
+    width: Option<f64>,
+    #[command(flatten)]
+    pixels: Pixels,
+    #[command(flatten)]
+    input: InputOptions,
+}
+
+pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    let target = Target::new(args.output.as_deref(), args.pixels)?;
+    if let Some(distance) = args.distance.filter(|d| !(1.1..=1e6).contains(d)) {
+        let what = format!("--distance {distance}: the eye would be in the solid, or out of the world");
+        return Err(Failure::input(what, "give a number from 1.1 to 1000000"));
+    }
+    let usual = Camera::default();
+    let towards = args.towards.unwrap_or(usual.towards);
+    if towards == [0.0; 3] {
+        return Err(Failure::input("--towards 0,0,0 is no direction", "for example: --towards 1,-2,1"));
+    }
+    let solid = open(&args.file, &args.input)?;
+    let title = args.title.clone().unwrap_or_else(|| {
+        args.file.file_stem().map_or_else(|| "Solid".to_owned(), |stem| stem.to_string_lossy().into_owned())
+    });
+    let mut options = FigureOptions::new(title);
+    if let Some(width) = args.width {
+        options = options.width(width);
+    }
+    let lines = if args.no_hidden { HiddenLines::LeftOut } else { HiddenLines::Dashed };
+    let camera = Camera { towards, distance: args.distance };
+    let drawn = figure::solid(&solid, &camera, lines, &options)
+        .map_err(|error| Failure::input(format!("{}: {error}", args.file.display()), ""))?;
+    target.write(&drawn, out)?;
+    Ok(Answer::Yes)
+}

@@ -1,0 +1,45 @@
+//! `dcel solid`: solids made, measured, turned into their duals, and drawn.
+
+mod common;
+mod dual;
+mod figure;
+mod info;
+mod make;
+mod schlegel;
+mod subdivide;
+mod support;
+
+use super::{Answer, Failure, Output};
+
+/// Make solids, measure them, draw them
+///
+/// Solids are read from obj, off, ply and stl, and written to these. Faces run counter-clockwise as
+/// seen from outside.
+#[derive(clap::Args, Debug)]
+pub(crate) struct Args {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(clap::Subcommand, Debug)]
+enum Command {
+    Make(make::Args),
+    Info(info::Args),
+    Dual(dual::Args),
+    Subdivide(subdivide::Args),
+    Support(support::Args),
+    Figure(figure::Args),
+    Schlegel(schlegel::Args),
+}
+
+pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    match &args.command {
+        Command::Make(args) => make::run(args, out),
+        Command::Info(args) => info::run(args, out),
+        Command::Dual(args) => dual::run(args, out),
+        Command::Subdivide(args) => subdivide::run(args, out),
+        Command::Support(args) => support::run(args, out),
+        Command::Figure(args) => figure::run(args, out),
+        Command::Schlegel(args) => schlegel::run(args, out),
+    }
+}

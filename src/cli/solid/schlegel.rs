@@ -1,0 +1,64 @@
+//! `dcel solid schlegel`: a convex solid seen through a face, as a structure of the plane.
+
+use super::common::{open, refused};
+use crate::cli::input::InputOptions;
+use crate::cli::picture::{Pixels, Target};
+use crate::cli::{Answer, Failure, Output};
+use dcel_kit::figure::{self, FigureOptions};
+use dcel_kit::ids::FaceId;
+use dcel_kit::io::{Format, Model, write, write_path};
+use std::path::PathBuf;
+
+/// Look at a convex solid through one of its faces
+///
+/// The answer is a structure of the plane whose outer face, f0, is that face: the Schlegel diagram.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Examples:
+  dcel solid schlegel cube.off -o cube.dcel
+  dcel solid schlegel dodecahedron.off --through f3 --figure dodecahedron.svg")]
+pub(crate) struct Args {
+    /// The file, or - for standard input
+    file: PathBuf,
+    /// The face to look through; the first one without it
+    #[arg(long, value_name = "FACE")]
+    through: Option<FaceId>,
+    /// Write the structure, for example as .dcel; - for dcel text, which is also the answer without a figure
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+    /// Draw it, as .svg or .png
+    #[arg(long, value_name = "OUT.svg")]
+    figure: Option<PathBuf>,
+    #[command(flatten)]
+    pixels: Pixels,
+    #[command(flatten)]
+    input: InputOptions,
+}
+
+pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    let target = args.figure.as_deref().map(|path| Target::new(Some(path), args.pixels)).transpose()?;
+    let solid = open(&args.file, &args.input)?;
+    let face = args.through.or_else(|| solid.polygon_faces().next()).unwrap_or(FaceId::new(0));
+    let seen = solid.schlegel(face).map_err(|error| refused(&args.file, &error))?;
+    if let Some(target) = &target {
+        let names = seen.faces.iter().map(|(f, of)| (f, format!("{f} = {of}")));
+        let options = FigureOptions::new(format!("Seen through {face}")).face_names(names);
+        let drawn = figure::structure(&seen.diagram, &options)
+            .map_err(|error| Failure::input(format!("{}: {error}", args.file.display()), ""))?;
+        target.write(&drawn, out)?;
+    }
+    let model = Model::planar(&seen.diagram);
+    match &args.output {
+        None if target.is_some() => return Ok(Answer::Yes),
+        Some(path) if path.as_os_str() != "-" => {
+            let format = Format::from_path(path).ok_or_else(|| {
+                let what = format!("{}: the name does not tell the format to write", path.display());
+                Failure::input(what, "end it in .dcel")
+            })?;
+            write_path(path, &model, format)
+        }
+        _ => write(out, &model, Format::Dcel),
+    }
+    .map_err(|error| Failure::of_writing(args.output.as_deref().unwrap_or("-".as_ref()), error))?;
+    Ok(Answer::Yes)
+}

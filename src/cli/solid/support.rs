@@ -1,0 +1,71 @@
+//! `dcel solid support`: the vertex furthest in a direction, and the way there.
+
+use super::common::{open, refused, vector};
+use crate::cli::input::InputOptions;
+use crate::cli::output::point;
+use crate::cli::{Answer, Failure, Output};
+use dcel_kit::ids::VertexId;
+use dcel_kit::solid::Direction;
+use serde::Serialize;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// Find the vertex of a convex solid that lies furthest in a direction
+///
+/// Climbs from neighbour to neighbour and tells the way. Of equally far vertices the one with the
+/// greatest x, then y, then z is meant, so that flat places do not stop the climb. A solid that is
+/// not convex is refused by the edge or corner in the way.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Examples:
+  dcel solid support cube.off 1,2,3
+  dcel solid support sphere.off 0,0,1 --from v7 --json")]
+pub(crate) struct Args {
+    /// The file, or - for standard input
+    file: PathBuf,
+    /// The direction: three numbers with commas between
+    #[arg(value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
+    direction: [f64; 3],
+    /// The vertex to start from, for example the last answer
+    #[arg(long, value_name = "VERTEX")]
+    from: Option<VertexId>,
+    /// Answer in JSON
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    input: InputOptions,
+}
+
+#[derive(Serialize)]
+struct Found {
+    vertex: String,
+    position: [f64; 3],
+    /// Every vertex on the way, the first and the last included.
+    path: Vec<String>,
+    vertices: usize,
+}
+
+pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    let direction = Direction::try_from(args.direction)
+        .map_err(|error| Failure::input(format!("the direction: {error}"), "only its way counts, not its length"))?;
+    let solid = open(&args.file, &args.input)?;
+    let start = match args.from {
+        Some(v) => {
+            solid.check(v).map_err(|error| Failure::input(format!("--from: {error}"), ""))?;
+            v
+        }
+        None => solid.vertices().next().unwrap_or(VertexId::new(0)),
+    };
+    let convex = solid.check_convex().map_err(|error| refused(&args.file, &error))?;
+    let path = convex.climb(direction, start);
+    let last = path.last().copied().unwrap_or(start);
+    let names: Vec<String> = path.iter().map(ToString::to_string).collect();
+    if args.json {
+        let (vertex, position) = (last.to_string(), solid.point(last));
+        out.json(&Found { vertex, position, path: names, vertices: solid.vertex_count() })?;
+        return Ok(Answer::Yes);
+    }
+    writeln!(out, "{last} at {}", point(&solid.point(last)))?;
+    writeln!(out, "  {} of {} vertices met: {}", names.len(), solid.vertex_count(), names.join(" "))?;
+    Ok(Answer::Yes)
+}

@@ -1,0 +1,105 @@
+//! Where a solid is looked at from, and how it falls on the paper.
+//!
+//! ```text
+//!          up ^   ● eye             right = up x towards      z points up on the paper, unless the eye is above
+//!             │  ╱ towards          up    = towards x right   or below: then y does
+//!             │ ╱
+//!             ●────> right
+//! ```
+
+use crate::ids::VertexMap;
+use crate::plane::Point;
+use crate::solid::Polyhedron;
+
+type Vector = [f64; 3];
+
+/// Where the eye is.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Camera {
+    /// From the solid towards the eye, of any length. All zeros or not finite: the usual direction.
+    pub towards: [f64; 3],
+    /// How far away the eye is, in sizes of the solid; at least 1.1. None: infinitely far, so that parallel lines
+    /// stay parallel.
+    pub distance: Option<f64>,
+}
+
+impl Default for Camera {
+    /// From the front, somewhat from the right and from above, infinitely far.
+    fn default() -> Self {
+        Self { towards: [1.3, -2.4, 1.1], distance: None }
+    }
+}
+
+/// A solid on the paper.
+pub(super) struct Picture {
+    pub(super) points: VertexMap<Point>,
+    pub(super) size: f64,
+    towards: Vector,
+    /// For an eye at some distance, where it is.
+    eye: Option<Vector>,
+    middle: Vector,
+    right: Vector,
+    up: Vector,
+}
+
+impl Camera {
+    pub(super) fn view(&self, solid: &Polyhedron) -> Picture {
+        let good = |v: &Vector| v.iter().all(|x| x.is_finite() && x.abs() < 1e100) && dot(*v, *v) > 0.0;
+        let towards = unit(if good(&self.towards) { self.towards } else { Self::default().towards });
+        let side = cross([0.0, 0.0, 1.0], towards);
+        let side = if dot(side, side) > 1e-12 { side } else { cross([0.0, 1.0, 0.0], towards) };
+        let right = unit(side);
+        let up = cross(towards, right);
+        let middle = solid.mean_point();
+        let size = solid.vertices().map(|v| minus(solid.point(v), middle)).map(|p| dot(p, p)).fold(0.0, f64::max);
+        let size = size.sqrt();
+        let eye = self.distance.filter(|d| d.is_finite()).map(|distance| {
+            let far = distance.max(1.1) * size;
+            [0, 1, 2].map(|i| middle[i] + towards[i] * far)
+        });
+        let mut picture = Picture { points: VertexMap::default(), size, towards, eye, middle, right, up };
+        let mut points = VertexMap::filled(solid.vertex_bound(), Point::default());
+        solid.vertices().for_each(|v| points[v] = picture.place(solid.point(v)));
+        picture.points = points;
+        picture
+    }
+}
+
+impl Picture {
+    /// Where a point falls on the paper.
+    pub(super) fn place(&self, p: Vector) -> Point {
+        let q = minus(p, self.middle);
+        let scale = self.eye.map_or(1.0, |eye| {
+            let far = dot(minus(eye, self.middle), self.towards);
+            far / (far - dot(q, self.towards))
+        });
+        Point::new(dot(q, self.right) * scale, dot(q, self.up) * scale)
+    }
+
+    /// How far away a point is, along the direction of sight; the same for all if the eye is infinitely far.
+    pub(super) fn depth(&self, p: Vector) -> f64 {
+        self.eye.map_or(1.0, |eye| dot(minus(eye, p), self.towards))
+    }
+
+    /// From a point towards the eye.
+    pub(super) fn ray(&self, p: Vector) -> Vector {
+        self.eye.map_or(self.towards, |eye| minus(eye, p))
+    }
+}
+
+pub(super) fn minus(a: Vector, b: Vector) -> Vector {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+pub(super) fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: Vector, b: Vector) -> Vector {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn unit(a: Vector) -> Vector {
+    let length = dot(a, a).sqrt();
+    a.map(|x| x / length)
+}

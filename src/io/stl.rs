@@ -1,0 +1,209 @@
+//! STL: triangles by their coordinates, nothing shared.
+//!
+//! ```text
+//!   solid cube                      text: normals are read over, and so are names
+//!   facet normal 0 0 -1
+//!     outer loop
+//!       vertex 0 0 0
+//!       vertex 0 1 0                 binary: 80 bytes of anything, the number of triangles (u32), and for each
+//!       vertex 1 1 0                 twelve singles (normal, three corners) and two bytes of anything
+//!     endloop
+//!   endfacet
+//!   ...
+//!   endsolid cube
+//! ```
+//!
+//! Corners with equal coordinates become one point: exactly equal, with -0 = 0, and nothing else. Triangles with two
+//! equal corners are left out, with a note: their other two edges are one, and the triangles behind them meet there.
+//! A file is binary if its length is what the count says, whatever its first word.
+//!
+//! Written as text. Faces with more corners are cut into triangles from their first corner; faces for which that is
+//! wrong, because they are not convex, are refused.
+//!
+//! Source: 3D Systems, *StereoLithography Interface Specification*, 1988.
+
+use super::format::Format;
+use super::model::Polygons;
+use super::problem::{ReadError, ReadProblem};
+use super::read::{Document, Read};
+use super::rings::representatives;
+use super::soup::SoupBuilder;
+use super::text::{Scanner, Syntax};
+use super::write::{Number, WriteError};
+use crate::plane::check_coordinate;
+use std::io::Write;
+
+const SYNTAX: Syntax = Syntax { comments: false, continuation: false, quotes: false };
+/// Bytes before the first triangle of a binary file.
+const HEAD: usize = 84;
+/// Bytes of a triangle.
+const TRIANGLE: usize = 50;
+
+/// Whether the length of a file is that of a binary STL file with its count.
+pub(super) fn is_binary(bytes: &[u8]) -> bool {
+    let count = bytes.get(HEAD - 4..).and_then(<[u8]>::first_chunk).map(|count| u32::from_le_bytes(*count));
+    count.is_some_and(|count| bytes.len() as u64 == HEAD as u64 + u64::from(count) * TRIANGLE as u64)
+}
+
+/// Reads an STL file, text or binary. O(n log n), for finding equal corners.
+pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
+    let starts_solid = bytes.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
+    let corners = if is_binary(bytes) {
+        binary(bytes, source)?
+    } else if starts_solid || bytes.len() < HEAD {
+        text(bytes, source)?
+    } else {
+        let inside = format!("the triangles: {} bytes are not what the count says", bytes.len());
+        let help = "the file is neither text nor a whole binary file";
+        return Err(ReadError::whole(source, ReadProblem::Truncated { inside }, help));
+    };
+    let mut notes = Vec::new();
+    let soup = join(&corners, &mut notes).finish(source, true)?;
+    Ok(Read { document: Document::Polygons(soup), notes, format: Format::Stl })
+}
+
+/// Three corners for each triangle, each with its line; 0 where lines mean nothing.
+type Corners = Vec<([f64; 3], u32)>;
+
+fn text(bytes: &[u8], source: &str) -> Result<Corners, ReadError> {
+    let mut scanner = Scanner::new(bytes, source, SYNTAX)?;
+    expect(&mut scanner, "solid")?;
+    scanner.rest_of_line();
+    let mut corners = Vec::new();
+    loop {
+        let word = scanner.need_anywhere(|| "`facet` or `endsolid`".to_owned())?;
+        if word.text.eq_ignore_ascii_case(b"endsolid") {
+            scanner.rest_of_line();
+            // Some programs write several solids into a file.
+            match scanner.word_anywhere() {
+                None => return Ok(corners),
+                Some(next) if next.text.eq_ignore_ascii_case(b"solid") => {
+                    scanner.rest_of_line();
+                    continue;
+                }
+                Some(next) => return Err(scanner.expected(next, "`solid` or the end of the file", "")),
+            }
+        }
+        if !word.text.eq_ignore_ascii_case(b"facet") {
+            return Err(scanner.expected(word, "`facet` or `endsolid`", ""));
+        }
+        scanner.rest_of_line();
+        expect(&mut scanner, "outer")?;
+        expect(&mut scanner, "loop")?;
+        for _ in 0..3 {
+            expect(&mut scanner, "vertex")?;
+            let line = scanner.line();
+            let mut point = [0.0; 3];
+            for (value, axis) in point.iter_mut().zip(['x', 'y', 'z']) {
+                let word = scanner.need(|| format!("the {axis} of a vertex"))?;
+                *value = scanner.coordinate(axis, word)?;
+            }
+            corners.push((point, line));
+        }
+        expect(&mut scanner, "endloop")?;
+        expect(&mut scanner, "endfacet")?;
+    }
+}
+
+fn expect(scanner: &mut Scanner<'_>, wanted: &'static str) -> Result<(), ReadError> {
+    let word = scanner.need_anywhere(|| format!("`{wanted}`"))?;
+    if word.text.eq_ignore_ascii_case(wanted.as_bytes()) {
+        return Ok(());
+    }
+    Err(scanner.expected(word, format!("`{wanted}`"), "STL holds triangles only"))
+}
+
+fn binary(bytes: &[u8], source: &str) -> Result<Corners, ReadError> {
+    let mut corners = Vec::with_capacity(bytes.len() / TRIANGLE * 3);
+    for (i, triangle) in bytes[HEAD..].chunks_exact(TRIANGLE).enumerate() {
+        for k in 0..3 {
+            let mut point = [0.0; 3];
+            for (axis, value) in point.iter_mut().enumerate() {
+                let at = 12 + 12 * k + 4 * axis;
+                let single = triangle[at..].first_chunk().map_or(f32::NAN, |bytes| f32::from_le_bytes(*bytes));
+                *value = f64::from(single);
+                check_coordinate(['x', 'y', 'z'][axis], *value).map_err(|error| ReadError {
+                    offset: Some((HEAD + i * TRIANGLE + at) as u64),
+                    ..ReadError::whole(source, error.into(), "")
+                })?;
+            }
+            corners.push((point, 0));
+        }
+    }
+    Ok(corners)
+}
+
+/// Joins equal corners; points are numbered in the order in which they first come.
+fn join(corners: &[([f64; 3], u32)], notes: &mut Vec<String>) -> SoupBuilder {
+    // -0 + 0 = 0: the two zeros are one coordinate.
+    let points: Vec<[f64; 3]> = corners.iter().map(|(point, _)| point.map(|x| x + 0.0)).collect();
+    let same_as = representatives(&points);
+    let mut numbers = vec![u32::MAX; points.len()];
+    let mut soup = SoupBuilder::default();
+    let mut left_out = 0;
+    let has_lines = corners.first().is_some_and(|&(_, line)| line > 0);
+    for (start, triangle) in (0..).step_by(3).zip(same_as.chunks_exact(3)) {
+        let [a, b, c] = [triangle[0], triangle[1], triangle[2]];
+        if a == b || b == c || c == a {
+            left_out += 1;
+            continue;
+        }
+        let mut face = [0; 3];
+        for (k, &same) in triangle.iter().enumerate() {
+            if numbers[same as usize] == u32::MAX {
+                numbers[same as usize] = soup.points.len() as u32;
+                soup.points.push(points[same as usize]);
+                soup.vertex_lines.extend(has_lines.then_some(corners[start + k].1));
+            }
+            face[k] = numbers[same as usize];
+        }
+        soup.faces.push_face(&face);
+        soup.face_lines.extend(has_lines.then_some(corners[start].1));
+    }
+    if left_out > 0 {
+        notes.push(format!("{left_out} triangles with two equal corners were left out"));
+    }
+    soup
+}
+
+/// Writes the polygons as text.
+pub(super) fn write(out: &mut impl Write, polygons: &Polygons) -> Result<(), WriteError> {
+    let at = |corner: u32| polygons.points[corner as usize];
+    for (&face, cycle) in polygons.faces.iter().zip(polygons.list.outer_cycles()) {
+        let whole = fans(cycle).map(|t| normal(t.map(at))).fold([0.0; 3], |sum, n| plus(sum, n));
+        if cycle.len() > 3 && fans(cycle).any(|t| dot(normal(t.map(at)), whole) <= 0.0) {
+            return Err(WriteError::NotConvex { face, format: Format::Stl.name() });
+        }
+    }
+    writeln!(out, "solid")?;
+    for triangle in polygons.list.outer_cycles().flat_map(fans) {
+        let triangle = triangle.map(at);
+        let normal = normal(triangle);
+        let size = dot(normal, normal).sqrt();
+        let [x, y, z] = normal.map(|x| Number(if size > 0.0 { x / size } else { 0.0 }));
+        writeln!(out, "facet normal {x} {y} {z}\n  outer loop")?;
+        for [x, y, z] in triangle.map(|point| point.map(Number)) {
+            writeln!(out, "    vertex {x} {y} {z}")?;
+        }
+        writeln!(out, "  endloop\nendfacet")?;
+    }
+    Ok(writeln!(out, "endsolid")?)
+}
+
+/// The triangles from the first corner of a cycle.
+fn fans(cycle: &[u32]) -> impl Iterator<Item = [u32; 3]> + '_ {
+    cycle[1..].windows(2).map(|pair| [cycle[0], pair[0], pair[1]])
+}
+
+fn plus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|i| a[i] + b[i])
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
+    let (p, q): ([f64; 3], [f64; 3]) = (std::array::from_fn(|i| b[i] - a[i]), std::array::from_fn(|i| c[i] - a[i]));
+    [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
+}

@@ -1,0 +1,167 @@
+//! Whether a surface bounds a convex solid. Exact.
+//!
+//! ```text
+//!        c ●──────● b               d is not above a, b, c: the edge is convex or flat
+//!           ╲  f   ╲                (with f the left face, d a corner of the right face g)
+//!            ╲    h ^
+//!             ●─────● a             One piece, closed, no handles, convex faces, no reflex edge:
+//!               g                   then the solid is convex.
+//!           d ●
+//! ```
+//!
+//! Why the local test is enough: the normals of a surface without reflex edges never turn back, so they cover the
+//! sphere evenly, and without handles once.
+//!
+//! Faces that are flat only up to rounding count as bent: each corner of one face is then tested against each corner
+//! of the other, so that the test speaks for the exact hull of the corners, whichever way such a face is creased.
+
+use super::Polyhedron;
+use super::flat::FaceFault;
+use super::measure::PartCounts;
+use super::predicates::{are_collinear, side_of_plane};
+use super::vector::Vector;
+use crate::ids::{EdgeId, FaceId, FaceMap, HalfEdgeId, VertexId};
+use crate::plane::predicates::orientation;
+use std::cmp::Ordering;
+
+/// Why a surface does not bound a convex solid.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NotConvex {
+    /// There is no face.
+    #[error("there is no face: a solid needs at least four")]
+    Empty,
+    /// The surface has a border.
+    #[error("the surface has a border at {boundary_face}: fill it with faces first")]
+    Open {
+        /// A boundary face.
+        boundary_face: FaceId,
+    },
+    /// The surface has several pieces, or isolated vertices.
+    #[error("{vertex} and {other} belong to different pieces: take one piece, or the convex hull of all")]
+    Pieces {
+        /// A vertex.
+        vertex: VertexId,
+        /// A vertex of another piece.
+        other: VertexId,
+    },
+    /// The surface has handles.
+    #[error("the surface has {handles} handles: a convex solid has none")]
+    Handles {
+        /// How many.
+        handles: i64,
+    },
+    /// A face without area.
+    #[error("the corners of {face} lie on one line: join the face to its neighbour")]
+    NoArea {
+        /// The face.
+        face: FaceId,
+    },
+    /// A face that is not convex.
+    #[error("{face} has a reflex corner at {vertex}, the origin of {half_edge}: split the face there")]
+    ReflexCorner {
+        /// The face.
+        face: FaceId,
+        /// The corner.
+        vertex: VertexId,
+        /// The half-edge of the face that starts there.
+        half_edge: HalfEdgeId,
+    },
+    /// The solid is bent inwards along an edge, or folded back.
+    #[error("the solid is reflex at {edge} from {from} to {to}, between {} and {}: not convex there; its hull is", faces[0], faces[1])]
+    ReflexEdge {
+        /// The edge.
+        edge: EdgeId,
+        /// Where its even half starts.
+        from: VertexId,
+        /// Where its even half ends.
+        to: VertexId,
+        /// The faces of its two halves.
+        faces: [FaceId; 2],
+    },
+}
+
+/// A surface that is known to bound a convex solid; it cannot be edited while this exists.
+#[derive(Clone, Debug)]
+pub struct Convex<'a> {
+    pub(super) solid: &'a Polyhedron,
+    /// The faces that are not exactly flat.
+    pub(super) bent: FaceMap<bool>,
+    pub(super) first: VertexId,
+}
+
+impl Convex<'_> {
+    /// The surface.
+    #[must_use]
+    pub fn solid(&self) -> &Polyhedron {
+        self.solid
+    }
+}
+
+impl Polyhedron {
+    /// Checks that the surface bounds a convex solid; flat edges, and vertices in flat places, are allowed.
+    ///
+    /// Cost: O(V + E + F) if the faces are exactly flat; for others the product of the sizes of the two faces at
+    /// each edge.
+    ///
+    /// # Errors
+    /// [`NotConvex`] names the first edge, face or corner in the way.
+    ///
+    /// ```
+    /// use dcel_kit::solid::{Platonic, Polyhedron};
+    /// let solid = Polyhedron::platonic(Platonic::Dodecahedron);
+    /// let top = solid.check_convex()?.support([0.0, 0.0, 1.0].try_into()?);
+    /// assert!(solid.vertices().all(|v| solid.point(v)[2] <= solid.point(top)[2]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn check_convex(&self) -> Result<Convex<'_>, NotConvex> {
+        if let Some(boundary_face) = self.boundary_faces().next() {
+            return Err(NotConvex::Open { boundary_face });
+        }
+        let first = match self.parts()[..] {
+            [PartCounts { edges: 0, .. }] | [] => return Err(NotConvex::Empty),
+            [part] if part.genus() > 0 => return Err(NotConvex::Handles { handles: part.genus() }),
+            [part] => part.first_vertex,
+            [a, b, ..] => return Err(NotConvex::Pieces { vertex: a.first_vertex, other: b.first_vertex }),
+        };
+        let mut bent = FaceMap::filled(self.face_bound(), false);
+        for face in self.faces() {
+            self.check_convex_face(face).map_err(|fault| match fault {
+                FaceFault::NoArea => NotConvex::NoArea { face },
+                FaceFault::Reflex(half_edge) => {
+                    NotConvex::ReflexCorner { face, vertex: self.topology().origin(half_edge), half_edge }
+                }
+            })?;
+            bent[face] = !self.is_flat(face);
+        }
+        for edge in self.edges() {
+            if !self.is_convex_edge(edge, &bent) {
+                let [from, to] = edge.half_edges().map(|h| self.topology().origin(h));
+                let faces = edge.half_edges().map(|h| self.topology().face(h));
+                return Err(NotConvex::ReflexEdge { edge, from, to, faces });
+            }
+        }
+        Ok(Convex { solid: self, bent, first })
+    }
+
+    fn is_convex_edge(&self, edge: EdgeId, bent: &FaceMap<bool>) -> bool {
+        let dcel = self.topology();
+        let [h, twin] = edge.half_edges();
+        let (left, right) = (dcel.face(h), dcel.face(twin));
+        let (a, b) = (self.point(dcel.origin(h)), self.point(dcel.origin(twin)));
+        let others = |h: HalfEdgeId| dcel.cycle(dcel.next(dcel.next(h))).take_while(move |&g| g != h);
+        let points = |h: HalfEdgeId| others(h).map(|g| self.point(dcel.origin(g)));
+        let shadow = self.shadow(left);
+        let fits = |c: Vector, d: Vector| match side_of_plane(a, b, c, d) {
+            Ordering::Less => true,
+            Ordering::Greater => false,
+            // In one plane: the faces must lie on both sides of the edge.
+            Ordering::Equal => orientation(shadow(a), shadow(b), shadow(d)) != Ordering::Greater,
+        };
+        let apex = |h: HalfEdgeId| points(h).find(|&p| !are_collinear(a, b, p));
+        if !bent[left] && !bent[right] {
+            return matches!((apex(h), apex(twin)), (Some(c), Some(d)) if fits(c, d));
+        }
+        points(h).filter(|&c| !are_collinear(a, b, c)).all(|c| points(twin).all(|d| fits(c, d)))
+    }
+}

@@ -1,0 +1,172 @@
+//! Convex hulls against all planes through three points, in whole numbers.
+
+use super::common::Random;
+use super::shapes::{grid_points, round_solid};
+use dcel_kit::solid::{HullError, HullFaces, Polyhedron};
+use dcel_kit::topology::violations;
+use std::collections::{BTreeMap, BTreeSet};
+
+fn whole(p: [f64; 3]) -> [i64; 3] {
+    p.map(|x| x as i64)
+}
+
+fn minus(a: [i64; 3], b: [i64; 3]) -> [i64; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+fn cross(a: [i64; 3], b: [i64; 3]) -> [i64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn dot(a: [i64; 3], b: [i64; 3]) -> i64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// The sides of the hull as sets of positions: each set lies in a plane with all other points below. None if the
+/// points lie in a plane.
+fn sides(points: &[[f64; 3]]) -> Option<BTreeSet<BTreeSet<[i64; 3]>>> {
+    let p: Vec<[i64; 3]> = points.iter().map(|&p| whole(p)).collect();
+    let mut sides = BTreeSet::new();
+    for (i, &a) in p.iter().enumerate() {
+        for (j, &b) in p.iter().enumerate() {
+            for &c in p.iter().skip(i.max(j) + 1) {
+                let normal = cross(minus(b, a), minus(c, a));
+                let heights = || p.iter().map(|&q| dot(normal, minus(q, a)));
+                if normal == [0; 3] || heights().any(|height| height > 0) {
+                    continue;
+                }
+                if heights().all(|height| height == 0) {
+                    return None;
+                }
+                sides.insert(p.iter().copied().filter(|&q| dot(normal, minus(q, a)) == 0).collect());
+            }
+        }
+    }
+    (!sides.is_empty()).then_some(sides)
+}
+
+#[test]
+fn hulls_of_few_points_are_what_all_triples_say() {
+    let (mut solids, mut flat, mut inner, mut whole_sides) = (0, 0, 0, 0);
+    for seed in 0..1500 {
+        let mut random = Random(seed);
+        let (count, size) = (4 + random.below(9), 1 + random.below(3));
+        let points = grid_points(&mut random, count, size);
+        let answer = Polyhedron::convex_hull(&points, HullFaces::Whole);
+        let Some(sides) = sides(&points) else {
+            assert!(
+                matches!(
+                    answer,
+                    Err(HullError::Coplanar { .. } | HullError::Collinear { .. } | HullError::AllEqual { .. })
+                ),
+                "seed {seed}: {answer:?}"
+            );
+            flat += 1;
+            continue;
+        };
+        let hull = answer.unwrap_or_else(|error| panic!("seed {seed}: {error}"));
+        let solid = &hull.solid;
+        assert_eq!(violations(solid), [], "seed {seed}");
+        assert!(solid.check_convex().is_ok(), "seed {seed}: {:?}", solid.check_convex());
+        // Corners lie on three sides or more; a point on an edge lies on two.
+        let mut on: BTreeMap<[i64; 3], usize> = BTreeMap::new();
+        sides.iter().flatten().for_each(|&p| *on.entry(p).or_default() += 1);
+        let extreme: BTreeSet<_> = on.iter().filter(|&(_, &sides)| sides >= 3).map(|(&p, _)| p).collect();
+        let corners: BTreeSet<_> = solid.vertices().map(|v| whole(solid.point(v))).collect();
+        assert_eq!(corners, extreme, "seed {seed}");
+        assert_eq!(corners.len(), solid.vertex_count(), "seed {seed}");
+        for v in solid.vertices() {
+            assert_eq!(points[hull.points[v] as usize], solid.point(v), "seed {seed}");
+        }
+        assert!(hull.points.as_slice().is_sorted(), "seed {seed}");
+        let found: BTreeSet<BTreeSet<_>> =
+            solid.faces().map(|f| solid.incident_vertices(f).map(|v| whole(solid.point(v))).collect()).collect();
+        let expected: BTreeSet<BTreeSet<_>> =
+            sides.iter().map(|side| side.iter().copied().filter(|p| extreme.contains(p)).collect()).collect();
+        assert_eq!(found, expected, "seed {seed}");
+        assert!(solid.signed_volume() > 0.0, "seed {seed}");
+
+        let cut = Polyhedron::convex_hull(&points, HullFaces::Triangles).unwrap();
+        assert!(cut.solid.faces().all(|f| cut.solid.incident_half_edges(f).count() == 3));
+        assert_eq!(cut.points, hull.points);
+        assert_eq!(cut.solid.face_count(), 2 * cut.solid.vertex_count() - 4, "seed {seed}");
+        let difference = cut.solid.signed_volume() - solid.signed_volume();
+        assert!(difference.abs() < 1e-9, "seed {seed}");
+        solids += 1;
+        inner += usize::from(solid.vertex_count() < points.len());
+        whole_sides += usize::from(solid.faces().any(|f| solid.incident_half_edges(f).count() > 4));
+    }
+    assert!(solids > 1000 && flat > 20 && inner > 500 && whole_sides > 50, "{solids} {flat} {inner} {whole_sides}");
+}
+
+/// Many points of a small grid: long rows in one line and in one plane, most points given several times.
+#[test]
+fn crowded_grids_keep_only_their_corners() {
+    for seed in 0..20 {
+        let mut random = Random(seed);
+        let mut points = grid_points(&mut random, 3000, 5);
+        points.extend((0..8).map(|i| [i & 1, i >> 1 & 1, i >> 2].map(|bit| f64::from(10 * bit - 5))));
+        let solid = Polyhedron::convex_hull(&points, HullFaces::Whole).unwrap().solid;
+        assert_eq!((solid.vertex_count(), solid.edge_count(), solid.face_count()), (8, 12, 6), "seed {seed}");
+    }
+}
+
+/// A horizon with many edges: an apex over a wide base, in every order. Points have to search for their triangle.
+#[test]
+fn an_apex_over_a_wide_base_joins_all_its_corners() {
+    for (seed, n) in [(1, 40), (2, 300), (3, 1000)] {
+        // Points of a parabola are in convex position, in whole numbers; two heights.
+        let mut points: Vec<[f64; 3]> = (0..n)
+            .map(|i| {
+                let x = f64::from(i) - f64::from(n / 2);
+                [x, x * x, f64::from(i % 2)]
+            })
+            .collect();
+        points.push([0.0, f64::from(n * n), 1e7]);
+        points.push([0.25, f64::from(n), -1e7]);
+        let mut random = Random(seed);
+        let shuffled: Vec<_> = random.shuffled(points.len()).into_iter().map(|i| points[i]).collect();
+        let hull = Polyhedron::convex_hull(&shuffled, HullFaces::Triangles).unwrap();
+        assert!(hull.solid.check_convex().is_ok());
+        assert_eq!(violations(&hull.solid), []);
+        let at = |z: f64| hull.solid.vertices().find(|&v| hull.solid.point(v)[2] == z).unwrap();
+        assert!(hull.solid.degree(at(1e7)) + hull.solid.degree(at(-1e7)) > n as usize, "{n}");
+        for p in &points {
+            let above = hull.solid.faces().any(|f| {
+                let mut corners = hull.solid.incident_vertices(f).map(|v| hull.solid.point(v));
+                let [a, b, c] = std::array::from_fn(|_| corners.next().unwrap());
+                dcel_kit::solid::predicates::side_of_plane(a, b, c, *p).is_gt()
+            });
+            assert!(!above, "{p:?} lies outside, n = {n}");
+        }
+    }
+}
+
+#[test]
+fn hulls_of_round_clouds_are_convex_and_hold_all_points() {
+    let mut random = Random(7);
+    let solid = round_solid(&mut random, 4000);
+    assert!(solid.check_convex().is_ok());
+    assert!(solid.vertex_count() > 3900, "{}", solid.vertex_count());
+    let [part] = solid.parts()[..] else { panic!("one piece") };
+    assert_eq!((part.genus(), part.edges), (0, 3 * part.vertices - 6));
+}
+
+#[test]
+fn points_that_span_no_solid_are_named() {
+    let hull = |points: &[[f64; 3]]| Polyhedron::convex_hull(points, HullFaces::Whole).unwrap_err();
+    assert_eq!(hull(&[]), HullError::NoPoint);
+    assert_eq!(hull(&[[1.0, 2.0, 3.0]; 5]), HullError::AllEqual { points: 5 });
+    let line: Vec<_> = (0..9).map(|i| [f64::from(i % 5), 2.0 * f64::from(i % 5), 0.0]).collect();
+    assert_eq!(hull(&line), HullError::Collinear { through: [0, 4] });
+    let tenth: Vec<_> = (0..9).map(|i| [0.1 * f64::from(i), 0.1 * f64::from(i), f64::from(i % 2)]).collect();
+    assert!(matches!(hull(&tenth), HullError::Coplanar { .. }), "rounded coordinates, x = y");
+    let mut bad = line.clone();
+    bad[3][1] = f64::INFINITY;
+    assert!(matches!(hull(&bad), HullError::Coordinate { point: 3, .. }));
+    // One step of rounding out of the plane is a solid.
+    let mut thin = vec![[0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0], [1.0, 1.0, 1.0]];
+    thin[3][2] += f64::EPSILON;
+    let solid = Polyhedron::convex_hull(&thin, HullFaces::Whole).unwrap().solid;
+    assert_eq!((solid.vertex_count(), solid.face_count()), (4, 4));
+}

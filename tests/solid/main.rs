@@ -1,0 +1,15 @@
+//! Solids: surfaces that grow and shrink, measures, hulls, duals and support points, each against a second opinion.
+
+#![allow(clippy::unwrap_used)] // a test may panic
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod dynamic;
+mod hull;
+mod measures;
+mod rejections;
+mod shapes;
+mod shared;
+mod stl;
+mod support;

@@ -1,0 +1,189 @@
+//! Angles, areas, volumes and counts against what books say.
+
+use super::common::v;
+use super::shapes::{L, cut_cube, polygons, prism, torus};
+use dcel_kit::FaceId;
+use dcel_kit::solid::{Archimedean, DualError, DualPositions, FaceFault, Platonic, Polyhedron, TruncateError};
+use dcel_kit::topology::{same, violations};
+use std::f64::consts::{PI, TAU};
+
+fn near(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-12 * b.abs().max(1.0)
+}
+
+/// Dihedral angle, edge, volume for an edge of 1, area of a face for an edge of 1.
+fn book(solid: Platonic) -> (f64, f64, f64, f64) {
+    let (r2, r3, r5) = (2f64.sqrt(), 3f64.sqrt(), 5f64.sqrt());
+    let triangle = r3 / 4.0;
+    match solid {
+        Platonic::Tetrahedron => ((1.0 / 3.0_f64).acos(), 2.0 * r2, r2 / 12.0, triangle),
+        Platonic::Cube => (PI / 2.0, 2.0, 1.0, 1.0),
+        Platonic::Octahedron => ((-1.0 / 3.0_f64).acos(), r2, r2 / 3.0, triangle),
+        Platonic::Dodecahedron => {
+            ((-1.0 / r5).acos(), r5 - 1.0, (15.0 + 7.0 * r5) / 4.0, (25.0 + 10.0 * r5).sqrt() / 4.0)
+        }
+        Platonic::Icosahedron => ((-r5 / 3.0).acos(), 2.0, 5.0 * (3.0 + r5) / 12.0, triangle),
+    }
+}
+
+#[test]
+fn the_five_regular_solids_have_the_angles_and_volumes_of_the_books() {
+    let counts = [[4, 6, 4], [8, 12, 6], [6, 12, 8], [20, 30, 12], [12, 30, 20]];
+    for (kind, counts) in Platonic::ALL.into_iter().zip(counts) {
+        let solid = Polyhedron::platonic(kind);
+        assert_eq!(violations(&solid), []);
+        assert_eq!([solid.vertex_count(), solid.edge_count(), solid.face_count()], counts, "{kind}");
+        let (dihedral, edge, volume, face) = book(kind);
+        assert!(solid.edges().all(|e| near(solid.dihedral_angle(e).unwrap(), dihedral)), "{kind}");
+        for e in solid.edges() {
+            let [a, b] = e.half_edges().map(|h| solid.point(solid.topology().origin(h)));
+            let length = (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt();
+            assert!(near(length, edge), "{kind} {e}: {length}");
+        }
+        assert!(near(solid.signed_volume(), volume * edge.powi(3)), "{kind}: {}", solid.signed_volume());
+        assert!(near(solid.area(), face * edge.powi(2) * counts[2] as f64), "{kind}");
+        let deficit = 2.0 * TAU / counts[0] as f64;
+        assert!(solid.vertices().all(|v| near(solid.deficit_angle(v), deficit)), "{kind}");
+        assert!(solid.faces().all(|f| solid.bend_of_face(f) < 1e-15), "{kind}");
+        assert!(solid.check_convex().is_ok(), "{kind}: {:?}", solid.check_convex());
+    }
+}
+
+#[test]
+fn the_dual_of_a_regular_solid_is_the_other_one_and_back() {
+    for kind in Platonic::ALL {
+        let solid = Polyhedron::platonic(kind);
+        let dual = solid.dual().unwrap();
+        assert_eq!(dual.positions, DualPositions::Polar, "{kind}");
+        assert!(same(&dual.solid, &Polyhedron::platonic(kind.dual())).is_ok(), "{kind}");
+        let (dihedral, ..) = book(kind.dual());
+        assert!(dual.solid.edges().all(|e| near(dual.solid.dihedral_angle(e).unwrap(), dihedral)), "{kind}");
+        let back = dual.solid.dual().unwrap().solid;
+        for v in solid.vertices() {
+            let (a, b) = (solid.point(v), back.point(v));
+            assert!((0..3).all(|i| near(a[i], b[i])), "{kind} {v}: {a:?} {b:?}");
+        }
+    }
+}
+
+#[test]
+fn seven_archimedean_solids_have_equal_edges_and_regular_faces() {
+    let counts = [[12, 18, 8], [24, 36, 14], [24, 36, 14], [60, 90, 32], [60, 90, 32], [12, 24, 14], [30, 60, 32]];
+    for (kind, counts) in Archimedean::ALL.into_iter().zip(counts) {
+        let solid = Polyhedron::archimedean(kind);
+        assert_eq!(violations(&solid), []);
+        assert_eq!([solid.vertex_count(), solid.edge_count(), solid.face_count()], counts, "{kind}");
+        assert!(solid.check_convex().is_ok(), "{kind}: {:?}", solid.check_convex());
+        let lengths: Vec<f64> = solid
+            .edges()
+            .map(|e| {
+                let [a, b] = e.half_edges().map(|h| solid.point(solid.topology().origin(h)));
+                (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
+            })
+            .collect();
+        assert!(lengths.iter().all(|&length| near(length, lengths[0])), "{kind}: {lengths:?}");
+        for f in solid.faces() {
+            let n = solid.incident_half_edges(f).count() as f64;
+            let regular = PI * (n - 2.0) / n;
+            assert!(solid.incident_half_edges(f).all(|h| near(solid.corner_angle(h), regular)), "{kind} {f}");
+        }
+    }
+}
+
+#[test]
+fn a_reflex_corner_has_its_angles_and_the_deficits_still_add_up() {
+    let solid = prism(&L, 1.0);
+    assert!(near(solid.total_deficit(), 2.0 * TAU), "{}", solid.total_deficit());
+    assert!(near(solid.signed_volume(), 3.0) && near(solid.area(), 14.0));
+    let reflex = solid.find_half_edge(v(3), v(9)).unwrap();
+    assert!(near(solid.dihedral_angle(reflex.edge()).unwrap(), 1.5 * PI));
+    let below = solid.incident_half_edges(FaceId::new(0)).find(|&h| solid.topology().origin(h) == v(3)).unwrap();
+    assert!(near(solid.corner_angle(below), 1.5 * PI));
+    // 2 pi - (3 pi / 2 + pi / 2 + pi / 2)
+    assert!(near(solid.deficit_angle(v(3)), -PI / 2.0));
+    assert_eq!(solid.check_convex_face(FaceId::new(0)), Err(FaceFault::Reflex(below)));
+    // Steiner: a box with sides a, b, c bends by pi (a + b + c).
+    let bend = |solid: &Polyhedron| {
+        solid.vertices().map(|v| solid.mean_curvature(v).unwrap() * solid.vertex_area(v)).sum::<f64>()
+    };
+    let cuboid = prism(&[[0.0, 0.0], [3.0, 0.0], [3.0, 5.0], [0.0, 5.0]], 7.0);
+    assert!(near(bend(&cuboid), 15.0 * PI), "{}", bend(&cuboid));
+    assert!(near(cuboid.gauss_curvature(v(0)).unwrap() * cuboid.vertex_area(v(0)), PI / 2.0));
+    // Inside out, all signs change.
+    let mut inside_out = dcel_kit::topology::PolygonList::new();
+    for f in cuboid.faces() {
+        inside_out.push_face(&cuboid.incident_vertices(f).rev().map(|v| v.number()).collect::<Vec<_>>());
+    }
+    let points = cuboid.vertices().map(|v| cuboid.point(v)).collect();
+    let inside_out = Polyhedron::from_polygons(points, &inside_out).unwrap();
+    assert!(near(inside_out.signed_volume(), -105.0) && near(bend(&inside_out), -15.0 * PI));
+}
+
+#[test]
+fn deficits_add_up_to_the_euler_characteristic_with_handles_borders_and_touching_fans() {
+    let torus = torus(7, 5);
+    let [part] = torus.parts()[..] else { panic!("one piece") };
+    assert_eq!((part.euler(), part.genus(), part.borders), (0, 1, 0));
+    assert!(torus.total_deficit().abs() < 1e-12);
+    assert!(!part.is_genus_zero());
+
+    let mut open = cut_cube(3);
+    for f in [4, 21, 22, 50] {
+        open.remove_face(FaceId::new(f)).unwrap();
+    }
+    let [part] = open.parts()[..] else { panic!("one piece") };
+    assert_eq!((part.euler(), part.genus(), part.borders), (-1, 0, 3));
+    assert!(near(open.total_deficit(), -TAU), "{}", open.total_deficit());
+    assert_eq!(open.dual_graph().count(), open.edge_count() - 14);
+
+    let mut bow_tie = Polyhedron::new();
+    let p: Vec<_> = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [1.0, 3.0, 0.0], [-2.0, -1.0, 5.0], [-1.0, -4.0, 1.0]]
+        .into_iter()
+        .map(|point| bow_tie.add_vertex(point).unwrap())
+        .collect();
+    bow_tie.add_face(&[p[0], p[1], p[2]]).unwrap();
+    bow_tie.add_face(&[p[0], p[3], p[4]]).unwrap();
+    let [part] = bow_tie.parts()[..] else { panic!("one piece") };
+    assert_eq!((part.euler(), part.borders), (1, 1));
+    assert!(near(bow_tie.total_deficit(), TAU), "{}", bow_tie.total_deficit());
+}
+
+#[test]
+fn flat_is_exact_and_convex_goes_round_once() {
+    let tent = |z: f64| {
+        let points = vec![[0.0, 0.0, 0.1], [1.0, 0.0, 0.1], [1.0, 1.0, 0.1 + z], [0.0, 1.0, 0.1]];
+        Polyhedron::from_polygons(points, &polygons(&[&[0, 1, 2, 3]])).unwrap()
+    };
+    assert!(tent(0.0).is_flat(FaceId::new(0)));
+    assert!(!tent(f64::EPSILON / 8.0).is_flat(FaceId::new(0)));
+    // A pentagram turns left at each corner, twice round.
+    let corner = |i: f64| [(TAU * i / 5.0).cos(), (TAU * i / 5.0).sin(), 0.0];
+    let star =
+        Polyhedron::from_polygons([0.0, 2.0, 4.0, 1.0, 3.0].map(corner).to_vec(), &polygons(&[&[0, 1, 2, 3, 4]]));
+    assert!(matches!(star.unwrap().check_convex_face(FaceId::new(0)), Err(FaceFault::Reflex(_))));
+    let pentagon =
+        Polyhedron::from_polygons([0.0, 1.0, 2.0, 3.0, 4.0].map(corner).to_vec(), &polygons(&[&[0, 1, 2, 3, 4]]));
+    assert_eq!(pentagon.unwrap().check_convex_face(FaceId::new(0)), Ok(()));
+    let line = vec![[0.0; 3], [1.0, 1.0, 1.0], [3.0, 3.0, 3.0], [2.0, 2.0, 2.0]];
+    let line = Polyhedron::from_polygons(line, &polygons(&[&[0, 1, 2, 3]])).unwrap();
+    assert_eq!(line.check_convex_face(FaceId::new(0)), Err(FaceFault::NoArea));
+}
+
+#[test]
+fn what_has_no_dual_or_corners_to_cut_is_named() {
+    let mut open = Polyhedron::platonic(Platonic::Cube);
+    assert_eq!(open.truncated(0.5).unwrap_err(), TruncateError::Ratio { ratio: 0.5 });
+    assert!(matches!(open.truncated(f64::NAN), Err(TruncateError::Ratio { .. })));
+    open.remove_face(FaceId::new(2)).unwrap();
+    let border = open.boundary_faces().next().unwrap();
+    assert_eq!(open.dual().unwrap_err(), DualError::Open { boundary_face: border });
+    assert!(matches!(open.rectified(), Err(TruncateError::OnBorder { .. })));
+    let disc = Polyhedron::from_polygons(vec![[0.0; 3]; 3], &polygons(&[&[0, 1, 2], &[0, 2, 1]])).unwrap();
+    assert_eq!(disc.dual().unwrap_err(), DualError::TooFewEdges { vertex: v(0), degree: 2 });
+    assert_eq!(disc.rectified().unwrap_err(), TruncateError::TooFewEdges { vertex: v(0), degree: 2 });
+    // Without the origin inside: means of the corners.
+    let far = prism(&[[5.0, 5.0], [6.0, 5.0], [6.0, 6.0], [5.0, 6.0]], 1.0);
+    let dual = far.dual().unwrap();
+    assert_eq!(dual.positions, DualPositions::Means);
+    assert_eq!(dual.solid.point(v(0)), [5.5, 5.5, 0.0]);
+}

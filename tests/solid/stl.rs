@@ -1,0 +1,96 @@
+//! STL in both forms: corners are joined, faces are cut, and what is wrong has its place.
+
+use super::shapes::{L, prism};
+use dcel_kit::io::{Document, Format, Model, PolygonSoup, ReadOptions, WriteError, read_bytes, write};
+use dcel_kit::solid::{Platonic, Polyhedron};
+use dcel_kit::topology::same;
+
+fn written(solid: &Polyhedron) -> Result<Vec<u8>, WriteError> {
+    let model = Model::surface(solid, |v| Some(solid.point(v)), |f| solid.is_boundary_face(f));
+    let mut out = Vec::new();
+    write(&mut out, &model, Format::Stl)?;
+    Ok(out)
+}
+
+fn read(bytes: &[u8]) -> Result<(PolygonSoup, Vec<String>), String> {
+    let read = read_bytes(bytes, Format::Stl, "a.stl", &ReadOptions::default()).map_err(|error| error.to_string())?;
+    let Document::Polygons(soup) = read.document else { panic!("not polygons") };
+    Ok((soup, read.notes))
+}
+
+/// The same triangles as the text, as bytes; coordinates of `soup` must be singles.
+fn binary(soup: &PolygonSoup) -> Vec<u8> {
+    let mut bytes = b"solid by name only".to_vec();
+    bytes.resize(80, 0);
+    bytes.extend((soup.faces.face_count() as u32).to_le_bytes());
+    for cycle in soup.faces.outer_cycles() {
+        bytes.extend([0; 12]);
+        for &corner in cycle {
+            soup.points[corner as usize].iter().for_each(|&x| bytes.extend((x as f32).to_le_bytes()));
+        }
+        bytes.extend([0; 2]);
+    }
+    bytes
+}
+
+#[test]
+fn a_cube_goes_out_in_triangles_and_comes_back_joined_from_text_and_from_bytes() {
+    let cube = Polyhedron::platonic(Platonic::Cube);
+    let text = written(&cube).unwrap();
+    assert_eq!(Format::from_content(&text), Some(Format::Stl));
+    let (soup, notes) = read(&text).unwrap();
+    assert_eq!((soup.points.len(), soup.faces.face_count(), notes.len()), (8, 12, 0));
+    let again = Polyhedron::from_polygons(soup.points.clone(), &soup.faces).unwrap();
+    assert!((again.signed_volume() - 8.0).abs() < 1e-12);
+    // Line 4 is the first corner: solid, facet, outer loop, vertex.
+    assert_eq!((soup.places.vertex(0), soup.places.face(1)), ("a.stl:4".to_owned(), "a.stl:11".to_owned()));
+
+    let bytes = binary(&soup);
+    assert_eq!(Format::from_content(&bytes), Some(Format::Stl), "although it starts with the word of the text form");
+    let (from_bytes, _) = read(&bytes).unwrap();
+    assert_eq!((from_bytes.points.clone(), from_bytes.faces.clone()), (soup.points, soup.faces));
+    let from_bytes = Polyhedron::from_polygons(from_bytes.points, &from_bytes.faces).unwrap();
+    assert!(same(&from_bytes, &again).is_ok());
+}
+
+#[test]
+fn zeros_of_both_signs_are_one_and_triangles_without_three_corners_are_left_out() {
+    let facet = |corners: [&str; 3]| {
+        let lines = corners.map(|c| format!("vertex {c}\n")).concat();
+        format!("facet normal 0 0 0\nouter loop\n{lines}endloop\nendfacet\n")
+    };
+    let text = format!(
+        "SOLID two\n{}{}{}EndSolid two\nsolid more\n{}endsolid\n",
+        facet(["0 0 1", "1 0 1", "-0 1 1"]),
+        facet(["0 1 1", "1 -0 1", "1 1 2"]),
+        facet(["5 5 5", "6 6 6", "5.0 5e0 5"]),
+        facet(["0 0 1", "0 1 1", "-3 0.1 0.2"]),
+    );
+    let (soup, notes) = read(text.as_bytes()).unwrap();
+    assert_eq!((soup.points.len(), soup.faces.face_count()), (5, 3));
+    assert_eq!(soup.faces.cycle(1), [2, 1, 3]);
+    assert_eq!(notes, ["1 triangles with two equal corners were left out"]);
+}
+
+#[test]
+fn what_is_no_stl_is_named_with_its_place() {
+    let error = |text: &str| read(text.as_bytes()).unwrap_err();
+    assert!(
+        error("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 x\n").starts_with("a.stl:4:12: `x` is not a number")
+    );
+    assert!(
+        error("solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\n")
+            .starts_with("a.stl:7:1: expected `endloop`")
+    );
+    assert!(error("solid\nfacet\nouter loop\nvertex 0 0 0\n").contains("`vertex`"));
+    assert!(error("hello").starts_with("a.stl:1:1: expected `solid`"));
+    let (soup, _) = read(&written(&Polyhedron::platonic(Platonic::Tetrahedron)).unwrap()).unwrap();
+    let mut bytes = binary(&soup);
+    bytes[0] = b'x';
+    bytes[84 + 50 + 12 + 4..][..4].copy_from_slice(&f32::NAN.to_le_bytes());
+    assert!(read(&bytes).unwrap_err().starts_with("a.stl: byte 150: y is NaN"));
+    bytes.pop();
+    assert!(read(&bytes).unwrap_err().contains("are not what the count says"));
+    let refused = written(&prism(&L, 1.0)).unwrap_err().to_string();
+    assert!(refused.starts_with("f0 is not convex"), "{refused}");
+}
