@@ -7,8 +7,12 @@
 //!   └────┴──┘
 //! ```
 
+use super::NavMesh;
+use super::mesh::ID;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::Point;
+use crate::plane::predicates::orientation;
+use std::cmp::Ordering;
 use std::fmt;
 
 /// Where a point lies: exactly, on the smallest element that has it.
@@ -94,4 +98,146 @@ pub enum PlaceError {
         /// The face.
         face: FaceId,
     },
+}
+
+impl NavMesh {
+    /// Where `p` lies, exactly. A point with a coordinate that is no number is outside.
+    ///
+    /// Cost: O(1) for faces of about one size: those of one cell of the index are tested.
+    ///
+    /// ```
+    /// use dcel_kit::navmesh::{Location, NavMesh};
+    /// use dcel_kit::{FaceId, VertexId, plane::{Point, Subdivision}};
+    /// let corners = [(0., 0.), (4., 0.), (0., 3.)].map(Point::from);
+    /// let mesh = NavMesh::new(&Subdivision::polygon(&corners)?)?;
+    /// assert_eq!(mesh.locate(Point::new(1., 1.)), Location::Face(FaceId::new(1)));
+    /// assert_eq!(mesh.locate(Point::new(4., 0.)), Location::Vertex(VertexId::new(1)));
+    /// assert_eq!(mesh.locate(Point::new(4., 1e-300)), Location::Outer);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn locate(&self, p: Point) -> Location {
+        self.locate_with_face(p).0
+    }
+
+    /// Where `p` lies, and a face of the mesh that has it.
+    #[inline]
+    fn locate_with_face(&self, p: Point) -> (Location, Option<FaceId>) {
+        for f in self.grid.faces(self.grid.cell(p)).map(FaceId::new) {
+            if let Some(spot) = self.spot_in(f, p) {
+                return (spot, Some(f));
+            }
+        }
+        (self.gap_at(p), None)
+    }
+
+    /// The gap that has `p`, which is in no face.
+    fn gap_at(&self, p: Point) -> Location {
+        match self.grid.gap(self, p).number() {
+            0 => Location::Outer,
+            hole => Location::Hole(FaceId::new(hole)),
+        }
+    }
+
+    /// [`locate`](Self::locate) without the index: every face is tested. For tests and for lessons. O(n).
+    #[must_use]
+    pub fn locate_by_scan(&self, p: Point) -> Location {
+        let found = self.faces().find_map(|f| self.spot_in(f, p));
+        found.unwrap_or_else(|| self.gap_at(p))
+    }
+
+    /// Where in the closed face `f` the point lies, if it does. O(sides of f); exact.
+    #[inline]
+    pub(super) fn spot_in(&self, f: FaceId, p: Point) -> Option<Location> {
+        let range = self.range(f);
+        let mut a = self.points[(self.sides[range.end.checked_sub(1)?].origin & ID) as usize];
+        let mut on_line = false;
+        for side in &self.sides[range] {
+            let b = self.points[(side.origin & ID) as usize];
+            match orientation(a, b, p) {
+                Ordering::Less => return None,
+                Ordering::Equal => on_line = true,
+                Ordering::Greater => {}
+            }
+            a = b;
+        }
+        let inside = p.x.is_finite() && p.y.is_finite();
+        if on_line { self.spot_on_border(f, p) } else { inside.then_some(Location::Face(f)) }
+    }
+
+    /// The corner or side of `f` that has `p`, which is on the line of a side and not outside `f`.
+    fn spot_on_border(&self, f: FaceId, p: Point) -> Option<Location> {
+        if let Some(v) = self.corners(f).find(|&v| self.point(v) == p) {
+            return Some(Location::Vertex(v));
+        }
+        let s = self.range(f).find(|&s| {
+            let [a, b] = self.ends(f, s).map(|v| self.point(v));
+            orientation(a, b, p).is_eq() && is_between(a, b, p)
+        })?;
+        Some(Location::Edge(self.half_edges[s]))
+    }
+
+    /// The place at `p`.
+    ///
+    /// Cost: that of [`locate`](Self::locate), and O(faces there).
+    ///
+    /// # Errors
+    /// [`PlaceError`]: `p` is off the mesh or blocked, or there are several sides of a double corner or a wall to
+    /// choose from with [`place_in`](Self::place_in).
+    pub fn place(&self, point: Point) -> Result<Place, PlaceError> {
+        let (location, face) = self.locate_with_face(point);
+        let mut faces = face.map_or_else(Vec::new, |face| self.parts_of(location, face)).into_iter();
+        match (faces.next(), faces.len()) {
+            (Some(part), 0) => Ok(Place { point, location, face: part[0] }),
+            (Some(part), _) => {
+                let faces = std::iter::once(part).chain(faces).map(|part| part[0]).collect();
+                Err(PlaceError::Ambiguous { point, location, faces })
+            }
+            (None, _) if matches!(location, Location::Hole(_) | Location::Outer) => {
+                Err(PlaceError::OffMesh { point, location })
+            }
+            (None, _) => Err(PlaceError::Blocked { point, location }),
+        }
+    }
+
+    /// The place at `point` in the face `face`: in the wedge of a double corner, or on the side of a wall, to which
+    /// that face belongs.
+    ///
+    /// # Errors
+    /// [`PlaceError::NotInFace`] if the closed face does not have the point, or nobody may enter it.
+    pub fn place_in(&self, face: FaceId, point: Point) -> Result<Place, PlaceError> {
+        let spot = if self.is_walkable(face) { self.spot_in(face, point) } else { None };
+        let location = spot.ok_or_else(|| PlaceError::NotInFace { point, location: self.locate(point), face })?;
+        Ok(Place { point, location, face })
+    }
+
+    /// The faces one stands in at the place, all of them: those round an edge or vertex between which one may pass.
+    #[must_use]
+    pub fn faces_at(&self, place: &Place) -> Vec<FaceId> {
+        let parts = self.parts_of(place.location, place.face);
+        parts.into_iter().find(|part| part.contains(&place.face)).unwrap_or_else(|| vec![place.face])
+    }
+
+    /// The faces at a location that are not blocked, in parts between which nobody can pass there.
+    fn parts_of(&self, location: Location, face: FaceId) -> Vec<Vec<FaceId>> {
+        match location {
+            Location::Face(f) if self.is_walkable(f) => vec![vec![f]],
+            Location::Edge(h) => {
+                let Some(side) = self.sides(face).find(|side| side.half_edge.edge() == h.edge()) else {
+                    return Vec::new();
+                };
+                let here = [face, side.across].into_iter().filter(|&f| self.is_walkable(f));
+                if side.open { vec![here.collect()] } else { here.map(|f| vec![f]).collect() }
+            }
+            Location::Vertex(v) => self.wedges(v),
+            Location::Face(_) | Location::Hole(_) | Location::Outer => Vec::new(),
+        }
+    }
+}
+
+/// Whether `p`, which is on the line of a and b, lies strictly between them.
+#[inline]
+pub(super) fn is_between(a: Point, b: Point, p: Point) -> bool {
+    let inside = |a: f64, b: f64, p: f64| (a < p && p < b) || (b < p && p < a);
+    if (b.x - a.x).abs() > 0.0 { inside(a.x, b.x, p.x) } else { inside(a.y, b.y, p.y) }
 }

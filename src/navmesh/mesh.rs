@@ -16,6 +16,7 @@
 //! Memory: 52 bytes a triangle and 20 a vertex.
 
 use super::error::NavMeshError;
+use super::grid::Grid;
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::plane::predicates::{left_to_right, orientation};
 use crate::plane::{Point, Subdivision};
@@ -101,6 +102,7 @@ pub struct NavMesh {
     pub(super) walls: BTreeSet<EdgeId>,
     /// How many faces have each component number; 0 for numbers that are free.
     pub(super) component_sizes: Vec<u32>,
+    pub(super) grid: Grid,
 }
 
 impl NavMesh {
@@ -133,6 +135,7 @@ impl NavMesh {
             more_fans: BTreeMap::new(),
             walls: BTreeSet::new(),
             component_sizes: Vec::new(),
+            grid: Grid::default(),
         };
         for f in map.faces().filter(|&f| f != map.outer_face() && !map.is_hole(f)) {
             mesh.read_face(map, f)?;
@@ -146,6 +149,7 @@ impl NavMesh {
         mesh.mark_all_turns();
         mesh.label_components();
         mesh.peel_all();
+        mesh.grid = Grid::new(&mesh);
         Ok(mesh)
     }
 
@@ -174,6 +178,17 @@ impl NavMesh {
         let len = (self.sides.len() - start) as u32;
         self.faces[f.index()] = FaceRecord { start: start as u32, len, ..FaceRecord::ABSENT };
         Ok(())
+    }
+
+    /// Bytes of the arrays, the index for location among them.
+    #[must_use]
+    pub fn memory(&self) -> usize {
+        size_of_val(&*self.points)
+            + size_of_val(&*self.faces)
+            + size_of_val(&*self.sides)
+            + size_of_val(&*self.half_edges)
+            + size_of_val(&*self.fans)
+            + self.grid.memory()
     }
 
     /// Where `v` is. O(1).

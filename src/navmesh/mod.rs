@@ -24,13 +24,23 @@
 mod around;
 mod change;
 mod components;
+mod corridor;
 mod dead_ends;
 mod error;
+mod exact;
+mod funnel;
+mod grid;
 mod location;
 mod mesh;
+mod nearest;
+mod planner;
 mod route;
 
 pub use error::NavMeshError;
+pub use exact::Cone;
+pub use funnel::FunnelStep;
 pub use location::{Location, Place, PlaceError};
 pub use mesh::{ComponentId, NavMesh, Side};
+pub use nearest::Nearest;
+pub use planner::Planner;
 pub use route::{Portal, Route, RouteError, Rung, Work};
