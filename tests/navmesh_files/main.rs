@@ -2,6 +2,7 @@
 //! them, and refused with the place where they are wrong.
 
 mod bad_input;
+mod faults;
 mod grids;
 mod meshes;
 mod scenarios;
