@@ -18,7 +18,7 @@
 //!   text.rs   words with places          problem.rs  what can be wrong     read.rs, write.rs  the ways in and out
 //!   soup.rs   points and polygons        rings.rs    joining equal points  model.rs           what is written
 //!   load.rs   from a file to a structure, with the places of what does not fit     arrange.rs  of segments
-//!   obj.rs off.rs ply/ triangle.rs mesh.rs geojson.rs topojson.rs (json.rs arrays.rs) wkt.rs poly.rs segments.rs
+//!   obj.rs off.rs ply/ triangle.rs mesh/ grid.rs (scen.rs) geojson.rs topojson.rs (json.rs arrays.rs) wkt.rs poly.rs segments.rs
 //!   dcel.rs tables.rs   one format each
 //! ```
 
@@ -27,6 +27,7 @@ mod arrays;
 pub mod dcel;
 mod format;
 pub mod geojson;
+pub mod grid;
 mod json;
 mod load;
 pub mod mesh;
@@ -39,6 +40,7 @@ pub mod poly;
 mod problem;
 mod read;
 mod rings;
+pub mod scen;
 pub mod segments;
 mod soup;
 pub mod tables;
@@ -50,11 +52,13 @@ mod write;
 
 pub use arrange::{arrange, describe, faults_with_places};
 pub use format::{Format, UnknownFormat};
+pub use grid::Grid;
 pub use load::{LoadError, LoadOptions, Loaded, Structure, assemble, load};
 pub use model::Model;
 pub use near::closest;
 pub use problem::{ReadError, ReadProblem};
 pub use read::{Document, Read, ReadOptions, read_bytes, read_path, read_triangle, source_name};
+pub use scen::{Optimum, Query, Scenario};
 pub use segments::SegmentSoup;
 pub use soup::{Places, PolygonSoup};
 pub use write::{Number, WriteError, write, write_path, write_triangle};

@@ -10,6 +10,7 @@
 //!
 //! | rung | question | file |
 //! |---|---|---|
+//! | 0 | is it a navmesh at all, and what is wrong? | `validate.rs` |
 //! | 1 | which faces lie across the sides, round a vertex, in one piece? | `mesh.rs`, `around.rs`, `components.rs`, `dead_ends.rs` |
 //! | 2 | in which face is a point? | `grid.rs`, `location.rs`, `nearest.rs` |
 //! | 3 | which faces lead from here to there? | `corridor.rs` |
@@ -35,6 +36,7 @@ mod mesh;
 mod nearest;
 mod planner;
 mod route;
+mod validate;
 
 pub use error::NavMeshError;
 pub use exact::Cone;
@@ -44,3 +46,4 @@ pub use mesh::{ComponentId, NavMesh, Side};
 pub use nearest::Nearest;
 pub use planner::Planner;
 pub use route::{Portal, Route, RouteError, Rung, Work};
+pub use validate::{MeshFault, double_corners_of, mesh_faults};

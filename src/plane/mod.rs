@@ -7,6 +7,7 @@
 //!   segments/                   any straight-line graph -> subdivision         meet/      all crossings, exactly
 //!   check.rs                    the laws of the plane
 //!   edit/                       split_face, join_faces, split_edge, join_edges; insert and remove vertices, edges, segments
+//!   triangulate/                faces into triangles: ears, monotone pieces
 //!   sweep.rs cycle.rs rings.rs  what lies below, which way round, which ring in which face
 //! ```
 
@@ -24,6 +25,7 @@ mod status;
 mod subdivision;
 mod sweep;
 mod table;
+mod triangulate;
 
 pub use check::{GEOMETRY_RULES, GeometryViolation};
 pub use convert::{ConvertError, ConvertOptions, Converted};
@@ -36,3 +38,4 @@ pub use seed::LAB_RECTANGLE;
 pub use segments::{ArrangeOptions, Arranged, MarkHolesError, Residues, SegmentFault, SegmentsError};
 pub use subdivision::{PlanarView, Subdivision};
 pub use table::TableError;
+pub use triangulate::{TriangulateError, Triangulated, TriangulationMethod};

@@ -39,3 +39,10 @@ pub fn left_to_right(a: Point, b: Point) -> Ordering {
     let by = |a: f64, b: f64| a.partial_cmp(&b).unwrap_or(Ordering::Equal);
     by(a.x, b.x).then(by(a.y, b.y))
 }
+
+/// A whole number that orders finite numbers as they are, with -0 = 0.
+#[inline]
+pub(super) fn sort_key(x: f64) -> u64 {
+    let bits = (x + 0.0).to_bits();
+    if bits >> 63 == 0 { bits | 1 << 63 } else { !bits }
+}

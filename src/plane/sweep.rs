@@ -169,6 +169,17 @@ pub(super) fn cross(a: Point, b: Point, c: Point, d: Point) -> bool {
     opposite(orientation(a, b, c), orientation(a, b, d)) && opposite(orientation(c, d, a), orientation(c, d, b))
 }
 
+/// Whether the first edge runs above the second where the sweep line cuts both. Edges run from left to right and do
+/// not cross.
+pub(super) fn is_above([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
+    let turns = if left_to_right(c, a).is_le() {
+        [orientation(c, d, a), orientation(c, d, b)]
+    } else {
+        [orientation(a, b, c).reverse(), orientation(a, b, d).reverse()]
+    };
+    turns[0].then(turns[1]).is_gt()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -10,7 +10,7 @@ use super::Obstacle;
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::cycle::{in_corner, on_segment, same_direction, surrounds};
 use crate::plane::predicates::{left_to_right, orientation};
-use crate::plane::sweep::cross;
+use crate::plane::sweep::{cross, is_above};
 use crate::plane::{Point, Subdivision};
 use crate::topology::Ring;
 use std::cmp::Ordering;
@@ -129,15 +129,4 @@ impl Subdivision {
         }
         None
     }
-}
-
-/// Whether the first edge runs above the second where the sweep line cuts both. Edges run from left to right and do
-/// not cross.
-fn is_above([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
-    let turns = if left_to_right(c, a).is_le() {
-        [orientation(c, d, a), orientation(c, d, b)]
-    } else {
-        [orientation(a, b, c).reverse(), orientation(a, b, d).reverse()]
-    };
-    turns[0].then(turns[1]).is_gt()
 }

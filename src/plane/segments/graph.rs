@@ -9,7 +9,7 @@
 
 use super::error::SegmentFault;
 use crate::plane::Point;
-use crate::plane::predicates::left_to_right;
+use crate::plane::predicates::{left_to_right, sort_key};
 
 /// A straight-line graph: distinct points, and edges by the numbers of their ends.
 #[derive(Clone, Debug, Default)]
@@ -34,7 +34,7 @@ impl Distinct {
     /// Finds equal points. O(n log n).
     pub(super) fn new(given: &[Point]) -> Self {
         let mut order: Vec<(u64, u64, u32)> =
-            given.iter().enumerate().map(|(i, p)| (key(p.x), key(p.y), i as u32)).collect();
+            given.iter().enumerate().map(|(i, p)| (sort_key(p.x), sort_key(p.y), i as u32)).collect();
         order.sort_unstable();
         // The first point of each place stands for all of them.
         let mut number = vec![0; given.len()];
@@ -57,12 +57,6 @@ impl Distinct {
         by_place.iter_mut().for_each(|p| *p = number[*p as usize]);
         Self { points, by_place, number }
     }
-}
-
-/// A whole number that orders finite numbers as they are, with -0 = 0.
-fn key(x: f64) -> u64 {
-    let bits = (x + 0.0).to_bits();
-    if bits >> 63 == 0 { bits | 1 << 63 } else { !bits }
 }
 
 /// Edges of which no two join the same vertices, and which of them each given edge is.

@@ -1,0 +1,206 @@
+//! Triangulation: faces are cut into triangles by diagonals between their own vertices.
+//!
+//! ```text
+//!   faces ──> patch.rs ──> ears.rs                       ──> write.rs ──> subdivision
+//!             a copy of    bridges.rs  rings are joined      all diagonals
+//!             their links                                    at once, or
+//!                     ──> monotone.rs  pieces from left  ──>  none
+//!                                      to right
+//!                         chains.rs    each in one pass
+//! ```
+//!
+//! Every bounded face can be triangulated: with antennas, with vertices that it passes more than once, with rings
+//! and isolated vertices. With n half-edges and r rings (isolated vertices are rings, too) it falls into
+//! n + 2r - 2 triangles, **each of positive area**: a vertex in the middle of a straight side is a corner of some
+//! triangle, never a point on a side of one.
+//!
+//! Why that is always possible: add edges to a plane graph for as long as two vertices see each other along one. When
+//! none is left, no bounded face has a corner that is not convex, nor one that is straight.
+//!
+//! Source: de Berg et al., *Computational Geometry*, 3rd ed., chapter 3.
+
+mod bridges;
+mod chains;
+mod ears;
+mod error;
+mod monotone;
+mod patch;
+mod write;
+
+pub use error::TriangulateError;
+
+use super::Subdivision;
+use crate::ids::{EdgeId, FaceId};
+use crate::topology::{NoRecorder, Recorder};
+use patch::Patch;
+
+/// How faces are triangulated. The number of triangles is the same, their shapes are not.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum TriangulationMethod {
+    /// Ear clipping. A corner is an *ear* if it turns left and no vertex lies in its triangle: cut it off, go on.
+    ///
+    /// ```text
+    ///        b              Rings are joined to the rest first, each by a bridge from its leftmost vertex to the last
+    ///       ╱ ╲  ear        vertex before it that it sees.
+    ///      a - c
+    /// ```
+    ///
+    /// Cost: O(n (k + r)) for a face of n corners, k of them not convex, and r rings; so O(n²) at worst. Each ear
+    /// takes memory of its own size only.
+    ///
+    /// Source: Meisters, *Polygons have ears*, American Mathematical Monthly 82, 1975.
+    Ears,
+    /// Monotone pieces: a sweep from left to right cuts the faces into pieces that every upright line meets in one
+    /// stretch, and each of these is triangulated in one pass.
+    ///
+    /// Cost: O(n log n), whatever the shape.
+    ///
+    /// Source: de Berg et al., *Computational Geometry*, 3rd ed., sections 3.2 and 3.3.
+    #[default]
+    Monotone,
+}
+
+/// What a triangulation added.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Triangulated {
+    /// The diagonals, in the order in which they were found.
+    pub diagonals: Vec<EdgeId>,
+    /// The new faces, each with the face that it was a part of, in increasing order.
+    pub new_faces: Vec<(FaceId, FaceId)>,
+}
+
+/// Into what faces are cut.
+#[derive(Clone, Copy)]
+enum Goal {
+    Triangles(TriangulationMethod),
+    MonotonePieces,
+}
+
+impl Subdivision {
+    /// Cuts every bounded face that is no hole face into triangles. Vertices stay as they are; none is added.
+    ///
+    /// Each of the triangles has positive area. The triangle at `boundary(f)` keeps the number of the face `f`, and
+    /// `boundary(f)` stays. A face with n half-edges and r rings falls into n + 2r - 2 triangles; what was a
+    /// ring is part of the boundary of triangles afterwards. Hole faces stay whole.
+    ///
+    /// Cost: that of the [method](TriangulationMethod); all decisions are exact.
+    ///
+    /// # Errors
+    /// [`TriangulateError`]; then everything is bit for bit as it was.
+    ///
+    /// ```
+    /// use dcel_kit::plane::{Subdivision, TriangulationMethod};
+    /// let mut lab = Subdivision::lab_rectangle();
+    /// let added = lab.triangulate(TriangulationMethod::Monotone)?;
+    /// assert_eq!((added.diagonals.len(), lab.face_count()), (3, 5));
+    /// assert!(lab.faces().skip(1).all(|f| lab.incident_half_edges(f).count() == 3));
+    /// # Ok::<(), dcel_kit::plane::TriangulateError>(())
+    /// ```
+    pub fn triangulate(&mut self, method: TriangulationMethod) -> Result<Triangulated, TriangulateError> {
+        let faces: Vec<FaceId> = self.bounded_faces().filter(|&f| !self.is_hole(f)).collect();
+        self.cut(&faces, Goal::Triangles(method), &mut NoRecorder)
+    }
+
+    /// [`triangulate`](Self::triangulate) for all bounded faces: hole faces, too, are cut, and all their triangles
+    /// are hole faces. Every bounded face is a triangle then.
+    ///
+    /// # Errors
+    /// [`TriangulateError`]; then everything is bit for bit as it was.
+    pub fn triangulate_all(&mut self, method: TriangulationMethod) -> Result<Triangulated, TriangulateError> {
+        let faces: Vec<FaceId> = self.bounded_faces().collect();
+        self.cut(&faces, Goal::Triangles(method), &mut NoRecorder)
+    }
+
+    /// Cuts one bounded face into triangles, as [`triangulate`](Self::triangulate) does. If it is a hole face, so are
+    /// they.
+    ///
+    /// # Errors
+    /// [`TriangulateError`]; then everything is bit for bit as it was.
+    ///
+    /// ```
+    /// use dcel_kit::{FaceId, plane::{Subdivision, TriangulationMethod}};
+    /// // A square with a vertex in the middle: 4 + 2 - 2 triangles.
+    /// let points = [(0., 0.), (4., 0.), (4., 4.), (0., 4.), (1., 2.)].map(Into::into);
+    /// let mut s = Subdivision::from_graph(&points, &[[0, 1], [1, 2], [2, 3], [3, 0]])?;
+    /// let added = s.triangulate_face(FaceId::new(1), TriangulationMethod::Ears)?;
+    /// assert_eq!((added.diagonals.len(), added.new_faces.len()), (4, 3));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn triangulate_face(
+        &mut self,
+        f: FaceId,
+        method: TriangulationMethod,
+    ) -> Result<Triangulated, TriangulateError> {
+        self.triangulate_face_with(f, method, &mut NoRecorder)
+    }
+
+    /// [`triangulate_face`](Self::triangulate_face), watched by a recorder.
+    ///
+    /// # Errors
+    /// [`TriangulateError`]; then everything is bit for bit as it was.
+    pub fn triangulate_face_with(
+        &mut self,
+        f: FaceId,
+        method: TriangulationMethod,
+        rec: &mut impl Recorder,
+    ) -> Result<Triangulated, TriangulateError> {
+        self.check_bounded(f)?;
+        self.cut(&[f], Goal::Triangles(method), rec)
+    }
+
+    /// Cuts one bounded face into monotone pieces: faces without rings whose boundary runs from its leftmost vertex
+    /// to the right and back just once. Points above each other count from bottom to top.
+    ///
+    /// ```text
+    ///      ╱╲   ╱╲             Each corner that opens to the left only (split) is joined to the last vertex before it
+    ///     ╱  ╲ ╱  ╲            in its gap, each that opens to the right only (merge) to the next one after it.
+    ///    ╱    v----╲           All others need nothing.
+    ///    ╲_________╱
+    /// ```
+    ///
+    /// Numbers are kept as by [`triangulate`](Self::triangulate).
+    ///
+    /// Cost: O(n log n).
+    ///
+    /// Source: de Berg et al., *Computational Geometry*, 3rd ed., section 3.2.
+    ///
+    /// # Errors
+    /// [`TriangulateError`]; then everything is bit for bit as it was.
+    pub fn split_into_monotone(&mut self, f: FaceId) -> Result<Triangulated, TriangulateError> {
+        self.check_bounded(f)?;
+        self.cut(&[f], Goal::MonotonePieces, &mut NoRecorder)
+    }
+
+    fn bounded_faces(&self) -> impl Iterator<Item = FaceId> + '_ {
+        self.dcel.faces().filter(|&f| f != self.outer_face())
+    }
+
+    fn check_bounded(&self, f: FaceId) -> Result<(), TriangulateError> {
+        self.dcel.check(f)?;
+        if f == self.outer_face() { Err(TriangulateError::OuterFace) } else { Ok(()) }
+    }
+
+    /// Cuts different bounded faces.
+    fn cut(&mut self, faces: &[FaceId], goal: Goal, rec: &mut impl Recorder) -> Result<Triangulated, TriangulateError> {
+        let mut patch = Patch::new(self, faces)?;
+        match goal {
+            Goal::Triangles(TriangulationMethod::Ears) => {
+                bridges::join_rings(&mut patch)?;
+                ears::clip(&mut patch)?;
+            }
+            Goal::Triangles(TriangulationMethod::Monotone) => {
+                monotone::split(&mut patch)?;
+                chains::triangulate(&mut patch);
+            }
+            Goal::MonotonePieces => monotone::split(&mut patch)?,
+        }
+        let pieces = match goal {
+            Goal::Triangles(_) => patch.triangles()?,
+            Goal::MonotonePieces => patch.pieces()?,
+        };
+        let new_faces = pieces.len().saturating_sub(patch.parts.len());
+        let links = patch.into_links();
+        self.dcel.room_for(0, links.diagonals(), new_faces)?;
+        Ok(self.write_pieces(faces, &links, &pieces, rec))
+    }
+}

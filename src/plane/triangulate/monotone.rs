@@ -1,0 +1,243 @@
+//! Monotone pieces: a sweep from left to right that joins every corner at which a gap opens or closes.
+//!
+//! ```text
+//!      start        end         split        merge         upper        lower      In each picture the face is
+//!        ╱           ╲            ╲ : : :   : : : ╱       : : : :      ──v──       where the dots are.
+//!       v : :     : : v        : : v             v : :    ──v──        : : : :
+//!        ╲           ╱            ╱ : : :   : : : ╲
+//! ```
+//!
+//! The sweep line meets a face in *gaps*, each with an edge below and an edge above. Every gap remembers its
+//! *helper*, the corner at which it was last touched: the line from there to anything the sweep meets next in the
+//! gap is free. A split corner is joined to the helper of the gap it lies in; a merge corner, once it is the helper,
+//! to whatever touches the gap next. Then no corner opens to one side only, and the pieces are monotone.
+//!
+//! A corner is what is looked at, not a vertex: a vertex that a face passes several times has several corners, each of
+//! a kind of its own, in gaps of their own. Likewise the free end of an antenna is a split or a merge corner, and an
+//! isolated vertex is both at once.
+//!
+//! Each gap is found by its edges (`gap_of`), the sweep line is searched only where gaps open and close.
+//!
+//! Source: de Berg et al., *Computational Geometry*, 3rd ed., section 3.2; there for simple polygons.
+
+use super::TriangulateError;
+use super::patch::{Patch, PatchRing};
+use crate::plane::Point;
+use crate::plane::predicates::orientation;
+use crate::plane::status::{Place, Status};
+
+const NONE: u32 = u32::MAX;
+
+/// A stretch of the sweep line inside a face.
+struct Gap {
+    /// The ends of the edge below it.
+    floor: [Point; 2],
+    /// The half-edge below it, from left to right; `NONE` once the gap is closed.
+    below: u32,
+    /// The half-edge above it, from right to left.
+    above: u32,
+    /// The corner at which it was last touched.
+    helper: u32,
+    /// Whether that was a merge corner, or an isolated vertex.
+    merge: bool,
+}
+
+struct Sweep<'a> {
+    patch: &'a mut Patch,
+    gaps: Vec<Gap>,
+    /// The gap of each half-edge given that the sweep line cuts.
+    gap_of: Vec<u32>,
+    status: Status,
+    /// The gaps that open at the present vertex, and how many close there.
+    opened: Vec<u32>,
+    closed: usize,
+}
+
+/// Cuts all faces of the patch into monotone pieces. Rings are joined on the way. O(n log n).
+///
+/// # Errors
+/// [`TriangulateError::NotPlanar`] where edges do not come in the order they should.
+pub(super) fn split(patch: &mut Patch) -> Result<(), TriangulateError> {
+    let events = std::mem::take(&mut patch.events);
+    let given = patch.given();
+    let gap_of = vec![NONE; given as usize];
+    let mut sweep = Sweep { patch, gaps: Vec::new(), gap_of, status: Status::default(), opened: Vec::new(), closed: 0 };
+    let (mut here, mut last) = (0, 0);
+    for &event in &events {
+        let ring = event.checked_sub(given);
+        let place = ring.map_or_else(|| sweep.patch.origin(event), |ring| sweep.patch.place_of(ring));
+        if place != here {
+            sweep.settle(last)?;
+            here = place;
+        }
+        match ring {
+            None => {
+                sweep.corner(event)?;
+                last = event;
+            }
+            Some(ring) => sweep.isolated(ring)?,
+        }
+    }
+    sweep.settle(last)
+}
+
+impl Sweep<'_> {
+    /// Takes the sweep line over the corner of `h`.
+    fn corner(&mut self, h: u32) -> Result<(), TriangulateError> {
+        let (before, here, after) = (self.patch.prev(h), self.patch.origin(h), self.patch.next(h));
+        match (self.patch.origin(before) < here, self.patch.origin(after) < here) {
+            (true, false) => self.on_floor(before, h),
+            (false, true) => self.on_ceiling(before, h),
+            (true, true) if self.patch.turn(h).is_gt() => self.end(before, h),
+            (true, true) => self.merge(before, h),
+            (false, false) if self.patch.turn(h).is_gt() => {
+                self.open(h, before, h);
+                Ok(())
+            }
+            (false, false) => self.split(before, h),
+        }
+    }
+
+    /// The gap with the half-edge `g` below it.
+    fn gap_above(&self, g: u32) -> Result<usize, TriangulateError> {
+        let gap = self.gap_of.get(g as usize).copied().unwrap_or(NONE) as usize;
+        let fits = self.gaps.get(gap).is_some_and(|gap| gap.below == g);
+        if fits { Ok(gap) } else { Err(self.patch.fault(g)) }
+    }
+
+    /// The gap with the half-edge `g` above it.
+    fn gap_below(&self, g: u32) -> Result<usize, TriangulateError> {
+        let gap = self.gap_of.get(g as usize).copied().unwrap_or(NONE) as usize;
+        let fits = self.gaps.get(gap).is_some_and(|gap| gap.above == g && gap.below != NONE);
+        if fits { Ok(gap) } else { Err(self.patch.fault(g)) }
+    }
+
+    /// The edge below a gap goes on in `h`.
+    fn on_floor(&mut self, before: u32, h: u32) -> Result<(), TriangulateError> {
+        let gap = self.gap_above(before)?;
+        self.join_merge(gap, h);
+        let floor = [self.patch.point(h), self.patch.point(self.patch.next(h))];
+        self.gaps[gap] = Gap { floor, below: h, helper: h, merge: false, ..self.gaps[gap] };
+        self.gap_of[h as usize] = gap as u32;
+        Ok(())
+    }
+
+    /// The edge above a gap, `h`, goes on in `before`.
+    fn on_ceiling(&mut self, before: u32, h: u32) -> Result<(), TriangulateError> {
+        let gap = self.gap_below(h)?;
+        let helper = self.join_merge(gap, h).unwrap_or(h);
+        self.gaps[gap] = Gap { above: before, helper, merge: false, ..self.gaps[gap] };
+        self.gap_of[before as usize] = gap as u32;
+        Ok(())
+    }
+
+    fn end(&mut self, before: u32, h: u32) -> Result<(), TriangulateError> {
+        let gap = self.gap_above(before)?;
+        if self.gaps[gap].above != h {
+            return Err(self.patch.fault(h));
+        }
+        self.join_merge(gap, h);
+        self.close(gap);
+        Ok(())
+    }
+
+    /// The gap above the corner and the one below it become one.
+    fn merge(&mut self, before: u32, h: u32) -> Result<(), TriangulateError> {
+        let (upper, lower) = (self.gap_above(before)?, self.gap_below(h)?);
+        if upper == lower {
+            return Err(self.patch.fault(h));
+        }
+        self.join_merge(upper, h);
+        let helper = self.join_merge(lower, h).unwrap_or(h);
+        let above = self.gaps[upper].above;
+        self.gaps[lower] = Gap { above, helper, merge: true, ..self.gaps[lower] };
+        self.gap_of[above as usize] = lower as u32;
+        self.close(upper);
+        Ok(())
+    }
+
+    /// The gap around the corner falls into two.
+    fn split(&mut self, before: u32, h: u32) -> Result<(), TriangulateError> {
+        let gap = self.gap_around(self.patch.point(h)).ok_or_else(|| self.patch.fault(h))?;
+        let Gap { helper, above, .. } = self.gaps[gap];
+        if self.patch.face(helper) != self.patch.face(h) {
+            return Err(self.patch.fault(h));
+        }
+        let helper = self.patch.join(h, helper);
+        self.gaps[gap] = Gap { above: before, helper, merge: false, ..self.gaps[gap] };
+        self.gap_of[before as usize] = gap as u32;
+        self.open(h, above, h);
+        Ok(())
+    }
+
+    /// An isolated vertex: joined to the left now, and to the right as if it were a merge corner.
+    fn isolated(&mut self, ring: u32) -> Result<(), TriangulateError> {
+        let PatchRing::Isolated(place, face) = self.patch.rings[ring as usize] else { return Ok(()) };
+        let gap = self.gap_around(self.patch.points[place as usize]);
+        let gap = gap.filter(|&gap| self.patch.face(self.gaps[gap].helper) == face);
+        let gap = gap.ok_or_else(|| self.patch.fault_at(place, face))?;
+        let helper = self.patch.join_isolated(place, self.gaps[gap].helper);
+        self.gaps[gap] = Gap { helper, merge: true, ..self.gaps[gap] };
+        Ok(())
+    }
+
+    /// If the helper of the gap is a merge corner, joins the corner of `h` to it; returns the half-edge that leaves
+    /// the corner of `h`.
+    fn join_merge(&mut self, gap: usize, h: u32) -> Option<u32> {
+        let Gap { helper, merge, .. } = self.gaps[gap];
+        merge.then(|| self.patch.join(h, helper))
+    }
+
+    /// Opens a gap between two edges.
+    fn open(&mut self, below: u32, above: u32, helper: u32) {
+        let gap = self.gaps.len() as u32;
+        let floor = [self.patch.point(below), self.patch.point(self.patch.next(below))];
+        self.gaps.push(Gap { floor, below, above, helper, merge: false });
+        self.gap_of[below as usize] = gap;
+        self.gap_of[above as usize] = gap;
+        self.opened.push(gap);
+    }
+
+    fn close(&mut self, gap: usize) {
+        self.gaps[gap].below = NONE;
+        self.closed += 1;
+    }
+
+    /// Where on the sweep line the gaps begin whose floor is not below the point.
+    fn search(&self, p: Point) -> Place {
+        self.status.partition(|gap| {
+            let [a, b] = self.gaps[gap as usize].floor;
+            orientation(a, b, p).is_gt()
+        })
+    }
+
+    /// The gap with the point in it.
+    fn gap_around(&self, p: Point) -> Option<usize> {
+        self.status.before(self.search(p)).map(|gap| gap as usize)
+    }
+
+    /// Brings the sweep line up to date when all corners of a vertex are done; `h` leaves it.
+    fn settle(&mut self, h: u32) -> Result<(), TriangulateError> {
+        if self.closed == 0 && self.opened.is_empty() {
+            return Ok(());
+        }
+        let here = self.patch.point(h);
+        let mut at = self.search(here);
+        while self.closed > 0 {
+            // All gaps that close here follow each other.
+            let closes = |&gap: &u32| self.gaps[gap as usize].below == NONE;
+            if self.status.get(at).filter(closes).is_none() {
+                return Err(self.patch.fault(h));
+            }
+            self.status.remove(&mut at);
+            self.closed -= 1;
+        }
+        if self.opened.len() > 1 {
+            let far = |gap: u32| self.gaps[gap as usize].floor[1];
+            self.opened.sort_unstable_by(|&e, &g| orientation(here, far(g), far(e)).then(e.cmp(&g)));
+        }
+        self.status.insert(at, &self.opened);
+        self.opened.clear();
+        Ok(())
+    }
+}

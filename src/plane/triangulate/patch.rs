@@ -1,0 +1,342 @@
+//! A copy of the links of some faces, to cut them up before anything is written.
+//!
+//! ```text
+//!   half-edges of the patch   0 ........ n-1 | n  n+1 | n+2  n+3 | ...     next, prev, origin, face
+//!                             those given,     a diagonal is two half-edges
+//!                             face by face
+//!
+//!   places                    0 1 2 3 ....     the vertices from left to right, so that "further left" is a
+//!                                              comparison of two numbers
+//! ```
+//!
+//! A *corner* of a face is named by the half-edge that leaves it. A diagonal joins two corners.
+
+use super::TriangulateError;
+use crate::ids::{FaceId, HalfEdgeId, MAX_IDS, VertexId};
+use crate::plane::predicates::{orientation, sort_key};
+use crate::plane::{Point, Subdivision};
+use crate::topology::{Ring, TooMany};
+use std::cmp::Ordering;
+
+/// The links of the faces being cut. They hold no borrow, so that the subdivision can be written from them.
+pub(super) struct Links {
+    /// The half-edges given.
+    pub(super) given: Vec<HalfEdgeId>,
+    pub(super) next: Vec<u32>,
+    pub(super) prev: Vec<u32>,
+    /// The face each half-edge bounds in the subdivision.
+    pub(super) face: Vec<FaceId>,
+    /// The place that each half-edge leaves.
+    pub(super) origin: Vec<u32>,
+    /// The vertex at each place.
+    pub(super) vertex: Vec<VertexId>,
+}
+
+/// One face of a patch.
+pub(super) struct Part {
+    /// Its half-edges given, from this one ...
+    pub(super) first: u32,
+    /// ... to before this one.
+    pub(super) end: u32,
+    /// The rings of the patch before its own, and after them.
+    pub(super) rings: [u32; 2],
+}
+
+/// A ring of a face of the patch.
+#[derive(Clone, Copy)]
+pub(super) enum PatchRing {
+    /// A cycle, by the first and the last of its half-edges given.
+    Cycle(u32, u32),
+    /// An isolated vertex, by its place, in a face.
+    Isolated(u32, FaceId),
+}
+
+/// Faces being cut.
+pub(super) struct Patch {
+    links: Links,
+    pub(super) parts: Vec<Part>,
+    pub(super) rings: Vec<PatchRing>,
+    /// Where each place is.
+    pub(super) points: Vec<Point>,
+    /// The corners given from left to right, those of one vertex together; an isolated vertex is the number of
+    /// corners given plus the number of its ring.
+    pub(super) events: Vec<u32>,
+}
+
+impl Patch {
+    /// Copies the links of different bounded faces. Triangles without rings are left out. O(n log n).
+    pub(super) fn new(s: &Subdivision, faces: &[FaceId]) -> Result<Self, TooMany> {
+        let mut patch = Self::collect(s, faces);
+        // A diagonal for each corner and two for each ring are enough.
+        if 6 * (patch.links.given.len() + patch.rings.len()) > MAX_IDS {
+            return Err(TooMany);
+        }
+        patch.put_in_order(s);
+        Ok(patch)
+    }
+
+    /// The half-edges, face by face and cycle by cycle; origins are vertices for the time being.
+    fn collect(s: &Subdivision, faces: &[FaceId]) -> Self {
+        let (mut given, mut next, mut prev, mut face, mut origin) = (vec![], vec![], vec![], vec![], vec![]);
+        let (mut parts, mut rings) = (Vec::with_capacity(faces.len()), Vec::new());
+        for &f in faces {
+            let Some(boundary) = s.dcel.boundary(f) else { continue };
+            let own_rings = s.rings(f);
+            if own_rings.is_empty() && s.dcel.next(s.dcel.next(s.dcel.next(boundary))) == boundary {
+                continue;
+            }
+            let mut part = Part { first: given.len() as u32, end: 0, rings: [rings.len() as u32; 2] };
+            for ring in std::iter::once(Ring::Cycle(boundary)).chain(own_rings.iter().copied()) {
+                let first = given.len() as u32;
+                match ring {
+                    Ring::Isolated(v) => rings.push(PatchRing::Isolated(v.number(), f)),
+                    Ring::Cycle(start) => {
+                        for h in s.dcel.cycle(start) {
+                            let i = given.len() as u32;
+                            given.push(h);
+                            origin.push(s.dcel.origin(h).number());
+                            face.push(f);
+                            next.push(i + 1);
+                            prev.push(i.wrapping_sub(1));
+                        }
+                        let last = given.len() as u32 - 1;
+                        next[last as usize] = first;
+                        prev[first as usize] = last;
+                        if first != part.first {
+                            rings.push(PatchRing::Cycle(first, last));
+                        }
+                    }
+                }
+            }
+            part.end = given.len() as u32;
+            part.rings[1] = rings.len() as u32;
+            parts.push(part);
+        }
+        let links = Links { given, next, prev, face, origin, vertex: Vec::new() };
+        Self { links, parts, rings, points: Vec::new(), events: Vec::new() }
+    }
+
+    /// Finds the places: the corners and isolated vertices from left to right.
+    fn put_in_order(&mut self, s: &Subdivision) {
+        let corners = self.links.given.len();
+        let isolated = self.rings.iter().enumerate().filter_map(|(i, ring)| match *ring {
+            PatchRing::Isolated(v, _) => Some((v, (corners + i) as u32)),
+            PatchRing::Cycle(..) => None,
+        });
+        let all = self.links.origin.iter().zip(0..).map(|(&v, i)| (v, i)).chain(isolated);
+        let at = |v: u32| s.points[VertexId::new(v)];
+        let mut order: Vec<(u64, u32, u32)> = all.map(|(v, i)| (sort_key(at(v).x), v, i)).collect();
+        order.sort_unstable();
+        for above_each_other in order.chunk_by_mut(|a, b| a.0 == b.0) {
+            if above_each_other.first().map(|e| e.1) != above_each_other.last().map(|e| e.1) {
+                above_each_other.sort_unstable_by_key(|&(_, v, i)| (sort_key(at(v).y), v, i));
+            }
+        }
+        self.events.reserve(order.len());
+        for (_, v, event) in order {
+            if self.links.vertex.last() != Some(&VertexId::new(v)) {
+                self.links.vertex.push(VertexId::new(v));
+                self.points.push(at(v));
+            }
+            let place = self.links.vertex.len() as u32 - 1;
+            match event as usize {
+                corner if corner < corners => self.links.origin[corner] = place,
+                ring => {
+                    if let PatchRing::Isolated(v, _) = &mut self.rings[ring - corners] {
+                        *v = place;
+                    }
+                }
+            }
+            self.events.push(event);
+        }
+        // What the diagonals will need, at most.
+        let more = 2 * (corners + 2 * self.rings.len());
+        for column in [&mut self.links.next, &mut self.links.prev, &mut self.links.origin] {
+            column.reserve(more);
+        }
+        self.links.face.reserve(more);
+    }
+
+    /// The number of half-edges given: those of diagonals come after them.
+    pub(super) fn given(&self) -> u32 {
+        self.links.given.len() as u32
+    }
+
+    /// The number of half-edges, those of diagonals included.
+    pub(super) fn len(&self) -> u32 {
+        self.links.next.len() as u32
+    }
+
+    #[inline]
+    pub(super) fn next(&self, h: u32) -> u32 {
+        self.links.next[h as usize]
+    }
+
+    #[inline]
+    pub(super) fn prev(&self, h: u32) -> u32 {
+        self.links.prev[h as usize]
+    }
+
+    /// The place that `h` leaves.
+    #[inline]
+    pub(super) fn origin(&self, h: u32) -> u32 {
+        self.links.origin[h as usize]
+    }
+
+    /// The face of the subdivision that `h` bounds.
+    #[inline]
+    pub(super) fn face(&self, h: u32) -> FaceId {
+        self.links.face[h as usize]
+    }
+
+    /// Where `h` starts.
+    #[inline]
+    pub(super) fn point(&self, h: u32) -> Point {
+        self.points[self.origin(h) as usize]
+    }
+
+    /// Which way the corner of `h` turns: `Greater` = left, it is convex.
+    #[inline]
+    pub(super) fn turn(&self, h: u32) -> Ordering {
+        orientation(self.point(self.prev(h)), self.point(h), self.point(self.next(h)))
+    }
+
+    /// Joins the corners of `g` and `h` by a diagonal. Returns its half-edge that leaves the corner of `g`.
+    ///
+    /// ```text
+    ///        ╲      ^ g               Seen from the corner of g, the directions from g counter-clockwise to the
+    ///         v    ╱                  diagonal stay the corner of g; those from the diagonal on become the corner
+    ///          ● ─ ─ diagonal ─ ─>    of the half-edge returned.
+    /// ```
+    pub(super) fn join(&mut self, g: u32, h: u32) -> u32 {
+        let (before_g, before_h) = (self.prev(g), self.prev(h));
+        let a = self.add(self.origin(g), self.origin(h), self.face(g));
+        self.follow(before_g, a);
+        self.follow(a, h);
+        self.follow(before_h, a + 1);
+        self.follow(a + 1, g);
+        a
+    }
+
+    /// Joins an isolated vertex to the corner of `h`. Returns the half-edge that leaves the vertex.
+    pub(super) fn join_isolated(&mut self, place: u32, h: u32) -> u32 {
+        let before_h = self.prev(h);
+        let a = self.add(place, self.origin(h), self.face(h));
+        self.follow(before_h, a + 1);
+        self.follow(a + 1, a);
+        self.follow(a, h);
+        a
+    }
+
+    /// Cuts off the corner of `b`, which must be convex and free of others. Returns the half-edge that takes its
+    /// place: from the corner before to the one after.
+    ///
+    /// ```text
+    ///           b              prev(b), b and the first half-edge of the diagonal are a triangle; the second
+    ///          ╱ ╲             joins what is left.
+    ///     ──> ●──>● ──>
+    /// ```
+    #[inline]
+    pub(super) fn cut(&mut self, b: u32) -> u32 {
+        let (a, c) = (self.prev(b), self.next(b));
+        let before = self.prev(a);
+        let x = self.add(self.origin(c), self.origin(a), self.face(b));
+        self.follow(b, x);
+        self.follow(x, a);
+        self.follow(before, x + 1);
+        self.follow(x + 1, c);
+        x + 1
+    }
+
+    #[inline]
+    fn add(&mut self, from: u32, to: u32, face: FaceId) -> u32 {
+        let a = self.len();
+        self.links.origin.extend([from, to]);
+        self.links.face.extend([face; 2]);
+        self.links.next.extend([a, a]);
+        self.links.prev.extend([a, a]);
+        a
+    }
+
+    #[inline]
+    fn follow(&mut self, g: u32, h: u32) {
+        self.links.next[g as usize] = h;
+        self.links.prev[h as usize] = g;
+    }
+
+    /// The place of the leftmost vertex of a ring. O(length).
+    pub(super) fn place_of(&self, ring: u32) -> u32 {
+        match self.rings[ring as usize] {
+            PatchRing::Isolated(place, _) => place,
+            PatchRing::Cycle(first, last) => (first..=last).map(|h| self.origin(h)).min().unwrap_or_default(),
+        }
+    }
+
+    /// The error that names the face and the vertex of `h`.
+    pub(super) fn fault(&self, h: u32) -> TriangulateError {
+        self.fault_at(self.origin(h), self.face(h))
+    }
+
+    /// The error that names the face and the vertex at the place.
+    pub(super) fn fault_at(&self, place: u32, face: FaceId) -> TriangulateError {
+        TriangulateError::NotPlanar { face, vertex: self.links.vertex[place as usize] }
+    }
+
+    /// The cycles, each by its first half-edge, in increasing order, after a look that all are triangles of positive
+    /// area and as many as there must be. O(n).
+    pub(super) fn triangles(&self) -> Result<Vec<u32>, TriangulateError> {
+        let mut triangles = Vec::with_capacity(self.len() as usize / 3);
+        for a in 0..self.len() {
+            let b = self.next(a);
+            let c = self.next(b);
+            if self.next(c) != a || a == b {
+                return Err(self.fault(a));
+            }
+            if a < b && a < c {
+                if !self.turn(a).is_gt() {
+                    return Err(self.fault(a));
+                }
+                triangles.push(a);
+            }
+        }
+        self.counted(triangles)
+    }
+
+    /// The cycles, each by its first half-edge, in increasing order, after a look that they are as many as there must
+    /// be. O(n).
+    pub(super) fn pieces(&self) -> Result<Vec<u32>, TriangulateError> {
+        let mut seen = vec![false; self.len() as usize];
+        let mut pieces = Vec::new();
+        for start in 0..self.len() {
+            if seen[start as usize] {
+                continue;
+            }
+            pieces.push(start);
+            let mut h = start;
+            while !std::mem::replace(&mut seen[h as usize], true) {
+                h = self.next(h);
+            }
+        }
+        self.counted(pieces)
+    }
+
+    /// A diagonal that joins no ring adds one piece.
+    fn counted(&self, pieces: Vec<u32>) -> Result<Vec<u32>, TriangulateError> {
+        let expected = self.parts.len() + self.links.diagonals();
+        match self.parts.first() {
+            Some(part) if pieces.len() + self.rings.len() != expected => Err(self.fault(part.first)),
+            _ => Ok(pieces),
+        }
+    }
+
+    pub(super) fn into_links(self) -> Links {
+        self.links
+    }
+}
+
+impl Links {
+    /// The number of diagonals.
+    pub(super) fn diagonals(&self) -> usize {
+        (self.next.len() - self.given.len()) / 2
+    }
+}

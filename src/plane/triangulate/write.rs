@@ -1,0 +1,87 @@
+//! The write phase: all diagonals and faces at once.
+//!
+//! ```text
+//!   1. an edge for each diagonal   2. the links that changed   3. a face for each piece, but the one at
+//!                                                                 boundary(f) keeps f
+//! ```
+
+use super::Triangulated;
+use super::patch::Links;
+use crate::ids::{FaceId, HalfEdgeId};
+use crate::plane::Subdivision;
+use crate::topology::Recorder;
+
+impl Subdivision {
+    /// Writes the links of a patch of `faces` and their pieces, each by its first half-edge. O(patch).
+    pub(super) fn write_pieces(
+        &mut self,
+        faces: &[FaceId],
+        links: &Links,
+        pieces: &[u32],
+        rec: &mut impl Recorder,
+    ) -> Triangulated {
+        let mut added = Triangulated::default();
+        let mut ids = links.given.clone();
+        ids.reserve(2 * links.diagonals());
+        self.dcel.reserve(0, links.diagonals(), pieces.len());
+
+        rec.step(1, "Create two new half-edges for each diagonal.");
+        for i in links.given.len()..links.next.len() {
+            if ids.len() == i {
+                let edge = self.dcel.add_edge_record(rec);
+                ids.extend(edge.half_edges());
+                added.diagonals.push(edge);
+            }
+            let v = links.vertex[links.origin[i] as usize];
+            self.dcel.set_origin(ids[i], v, rec);
+            if self.dcel.outgoing(v).is_none() {
+                self.dcel.set_outgoing(v, Some(ids[i]), rec);
+            }
+        }
+
+        rec.step(2, "Insert them into the cyclic lists.");
+        for (i, &next) in links.next.iter().enumerate() {
+            let (h, next) = (ids[i], ids[next as usize]);
+            if i >= links.given.len() || self.dcel.next(h) != next {
+                self.dcel.set_next(h, next, rec);
+            }
+        }
+
+        rec.step(3, "Give each piece a face.");
+        for &start in pieces {
+            let old = links.face[start as usize];
+            let first = ids[start as usize];
+            let keeps = self.dcel.boundary(old) == Some(first);
+            let face = if keeps { old } else { self.dcel.add_face_record(rec) };
+            if !keeps {
+                self.dcel.set_boundary(face, Some(first), rec);
+                added.new_faces.push((face, old));
+            }
+            self.set_faces(start, face, links, &ids, rec);
+        }
+        for f in faces {
+            self.rings.remove(f);
+        }
+        if !self.holes.is_empty() {
+            let holes: Vec<FaceId> =
+                added.new_faces.iter().filter(|(_, old)| self.holes.contains(old)).map(|&(new, _)| new).collect();
+            self.holes.extend(holes);
+        }
+        added
+    }
+
+    /// Makes the half-edges of one piece point to their face.
+    fn set_faces(&mut self, start: u32, face: FaceId, links: &Links, ids: &[HalfEdgeId], rec: &mut impl Recorder) {
+        let mut i = start;
+        loop {
+            let h = ids[i as usize];
+            if i as usize >= links.given.len() || self.dcel.face(h) != face {
+                self.dcel.set_face(h, face, rec);
+            }
+            i = links.next[i as usize];
+            if i == start {
+                return;
+            }
+        }
+    }
+}
