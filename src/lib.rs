@@ -33,6 +33,7 @@
 //! | [`ids`] | `v3`, `h7`, `e3`, `f0`, and arrays indexed by them |
 //! | [`topology`] | [`Dcel`](topology::Dcel): the structure without any coordinate; walks, edits, laws, builder |
 //! | [`plane`] | [`Subdivision`](plane::Subdivision): positions, exact decisions, the converter from triangles |
+//! | [`navmesh`] | [`NavMesh`](navmesh::NavMesh): neighbours, location, ways over a map, up to the exact shortest one |
 //! | [`solid`] | [`Polyhedron`](solid::Polyhedron): positions in space |
 //! | [`script`] | edits as text: typed by a student, printed by a failing test |
 //! | [`io`] | formats in and out |
@@ -50,6 +51,7 @@ pub mod ids;
 pub mod io;
 #[cfg(feature = "lab")]
 pub mod lab;
+pub mod navmesh;
 pub mod plane;
 pub mod script;
 pub mod solid;

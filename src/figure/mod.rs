@@ -50,6 +50,7 @@ mod labels;
 mod leaders;
 mod log;
 mod multiples;
+pub mod navmesh;
 mod number;
 mod options;
 mod overrides;

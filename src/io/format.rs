@@ -10,7 +10,8 @@
 //!   triangle    .node + .ele       x     x      triangles in the plane, two files
 //!   geojson     .geojson .json     x     x      polygons with holes and names
 //!   topojson    .topojson .json    x            the same, with shared borders
-//!   mesh        .mesh              x            navigation meshes (polyanya, version 2)
+//!   mesh        .mesh              x     x      navigation meshes (polyanya; versions 2 and 3, written as 2)
+//!   map         .map               x            grid maps of Moving AI, read as rectangles
 //!   wkt         .wkt               x            points, lines and polygons, read as segments
 //!   poly        .poly              x            points, segments and holes of Triangle
 //!   segments    .segments .cin     x            four numbers a line
@@ -42,8 +43,10 @@ pub enum Format {
     GeoJson,
     /// [TopoJSON](super::topojson).
     TopoJson,
-    /// [Navigation mesh](super::mesh) of polyanya, version 2.
+    /// [Navigation mesh](super::mesh) of polyanya, version 2 or 3; written as version 2.
     Mesh,
+    /// [Grid map](super::grid) of the Moving AI benchmarks, read as rectangles.
+    Map,
     /// [Well-known text](super::wkt), read as segments.
     Wkt,
     /// The [`.poly`](super::poly) files of Triangle.
@@ -75,6 +78,7 @@ impl Format {
         Self::GeoJson,
         Self::TopoJson,
         Self::Mesh,
+        Self::Map,
         Self::Wkt,
         Self::Poly,
         Self::Segments,
@@ -95,6 +99,7 @@ impl Format {
             Self::GeoJson => "geojson",
             Self::TopoJson => "topojson",
             Self::Mesh => "mesh",
+            Self::Map => "map",
             Self::Wkt => "wkt",
             Self::Poly => "poly",
             Self::Segments => "segments",
@@ -115,6 +120,7 @@ impl Format {
             Self::GeoJson => &["geojson", "json"],
             Self::TopoJson => &["topojson"],
             Self::Mesh => &["mesh"],
+            Self::Map => &["map"],
             Self::Wkt => &["wkt"],
             Self::Poly => &["poly"],
             Self::Segments => &["segments", "seg", "cin"],
@@ -135,7 +141,8 @@ impl Format {
             Self::Triangle => "Triangle's .node and .ele: triangles in the plane, two files",
             Self::GeoJson => "GeoJSON: polygons with holes and names; lines, if there is no polygon",
             Self::TopoJson => "TopoJSON: polygons with shared borders (read only)",
-            Self::Mesh => "polyanya .mesh version 2: a navigation mesh (read only)",
+            Self::Mesh => "polyanya .mesh, versions 2 and 3: a navigation mesh",
+            Self::Map => "Moving AI .map: a grid of cells, as rectangles (read only)",
             Self::Wkt => "well-known text: points, lines and polygons, as segments (read only)",
             Self::Poly => "Triangle's .poly: points, segments and holes (read only)",
             Self::Segments => "plain segments: four numbers a line (read only)",
@@ -153,7 +160,7 @@ impl Format {
     /// Whether the kit can write it.
     #[must_use]
     pub const fn can_write(self) -> bool {
-        !matches!(self, Self::TopoJson | Self::Mesh | Self::Wkt | Self::Poly | Self::Segments)
+        !matches!(self, Self::TopoJson | Self::Map | Self::Wkt | Self::Poly | Self::Segments)
     }
 
     /// The format that the end of a file name stands for, in capitals or not. A `.json` file counts as
@@ -179,6 +186,7 @@ impl Format {
             "ply" => Some(Self::Ply),
             "solid" => Some(Self::Stl),
             "mesh" => Some(Self::Mesh),
+            "type" => Some(Self::Map),
             "dcel" => Some(Self::Dcel),
             "v" | "vn" | "vt" | "f" | "o" | "g" | "s" | "mtllib" | "usemtl" => Some(Self::Obj),
             _ if word.starts_with(['{', '[']) => Some(Self::GeoJson),
@@ -236,6 +244,7 @@ mod tests {
             (b"ply\nformat ascii 1.0\n", Some(Format::Ply)),
             (b"  {\"type\":\"Topology\"}", Some(Format::GeoJson)),
             (b"mesh\r\n2\r\n", Some(Format::Mesh)),
+            (b"type octile\nheight 1\n", Some(Format::Map)),
             (b"dcel 1\n", Some(Format::Dcel)),
             (b"hello\n", None),
             (b"", None),

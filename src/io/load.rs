@@ -237,13 +237,17 @@ pub fn assemble(read: Read, source_name: &str, options: &LoadOptions) -> Result<
         }
     };
     let mode = options.mode.unwrap_or(if soup.has_z { Mode::Surface } else { Mode::Plane });
-    let PolygonSoup { points, has_z, faces, names, places } = soup;
+    let PolygonSoup { points, has_z, faces, names, places, blocked, any_direction } = soup;
     let (structure, first_face) = match mode {
         Mode::Plane => {
             if has_z {
                 notes.push("the z of the points was dropped".to_owned());
             }
-            (plane(points, &faces, &places, format, options, &mut notes)?, 1)
+            let mut subdivision = plane(points, &faces, &places, any_direction, options, &mut notes)?;
+            for &face in &blocked {
+                subdivision.set_hole(FaceId::new(face + 1), true);
+            }
+            (Structure::Plane(subdivision), 1)
         }
         Mode::Surface => (surface(points, faces, &places, options, &mut notes)?, 0),
     };
@@ -258,11 +262,10 @@ fn plane(
     points: Vec<[f64; 3]>,
     faces: &PolygonList,
     places: &Places,
-    format: Format,
+    any_direction: bool,
     options: &LoadOptions,
     notes: &mut Vec<String>,
-) -> Result<Structure, LoadError> {
-    let any_direction = matches!(format, Format::GeoJson | Format::TopoJson);
+) -> Result<Subdivision, LoadError> {
     let convert = ConvertOptions { orient: options.orient || any_direction, full_check: options.full_check };
     let points = points.into_iter().map(|[x, y, _]| Point::new(x, y)).collect();
     let converted = match triangles(faces) {
@@ -277,7 +280,7 @@ fn plane(
         notes.push(format!("{} of {} faces ran clockwise and were turned round", turned.len(), faces.face_count()));
     }
     note_unused(notes, &unused_vertices);
-    Ok(Structure::Plane(subdivision))
+    Ok(subdivision)
 }
 
 fn surface(

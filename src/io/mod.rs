@@ -21,6 +21,7 @@
 //!   obj.rs off.rs ply/ triangle.rs mesh.rs geojson.rs topojson.rs (json.rs arrays.rs) wkt.rs poly.rs segments.rs
 //!   dcel.rs tables.rs   one format each     points.rs  points alone, of any of them or of plain text
 //!   obj.rs off.rs ply/ stl.rs triangle.rs mesh.rs geojson.rs topojson.rs (json.rs arrays.rs) wkt.rs poly.rs segments.rs
+//!   obj.rs off.rs ply/ triangle.rs mesh/ grid.rs (scen.rs) geojson.rs topojson.rs (json.rs arrays.rs) wkt.rs poly.rs segments.rs
 //!   dcel.rs tables.rs   one format each
 //! ```
 
@@ -29,6 +30,7 @@ mod arrays;
 pub mod dcel;
 mod format;
 pub mod geojson;
+pub mod grid;
 mod json;
 mod load;
 pub mod mesh;
@@ -42,6 +44,7 @@ pub mod poly;
 mod problem;
 mod read;
 mod rings;
+pub mod scen;
 pub mod segments;
 mod soup;
 pub mod stl;
@@ -54,12 +57,14 @@ mod write;
 
 pub use arrange::{arrange, describe, faults_with_places};
 pub use format::{Format, UnknownFormat};
+pub use grid::Grid;
 pub use load::{LoadError, LoadOptions, Loaded, Structure, assemble, load};
 pub use model::Model;
 pub use near::closest;
 pub use points::{PointList, points_from_text, read_points};
 pub use problem::{ReadError, ReadProblem};
 pub use read::{Document, Read, ReadOptions, read_bytes, read_path, read_triangle, source_name};
+pub use scen::{Optimum, Query, Scenario};
 pub use segments::SegmentSoup;
 pub use soup::{Places, PolygonSoup};
 pub use write::{Number, WriteError, write, write_path, write_triangle};

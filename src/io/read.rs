@@ -5,7 +5,7 @@ use super::problem::{ReadError, ReadProblem};
 use super::segments::SegmentSoup;
 use super::soup::PolygonSoup;
 use super::text::LARGEST_FILE;
-use super::{dcel, json, mesh, obj, off, ply, poly, segments, stl, triangle, wkt};
+use super::{dcel, grid, json, mesh, obj, off, ply, poly, segments, stl, triangle, wkt};
 use crate::topology::Table;
 use std::fs::File;
 use std::io::Read as _;
@@ -36,7 +36,7 @@ pub struct Read {
 /// How to read.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct ReadOptions {
-    /// The y of the file points down: negate it.
+    /// The y of the file points down: negate it. That of grid maps is known to, and negated without this.
     pub y_down: bool,
     /// Drop rings of GeoJSON and TopoJSON with fewer than three distinct points, with a note, instead of
     /// refusing them.
@@ -77,6 +77,7 @@ pub fn read_bytes(bytes: &[u8], format: Format, source_name: &str, options: &Rea
         Format::Ply | Format::PlyBinary => ply::read(bytes, source_name),
         Format::Stl => stl::read(bytes, source_name),
         Format::Mesh => mesh::read(bytes, source_name),
+        Format::Map => grid::read(bytes, source_name),
         Format::GeoJson | Format::TopoJson => json::read(bytes, source_name, options),
         Format::Wkt => wkt::read(bytes, source_name),
         Format::Poly => poly::read(triangle::File { bytes, source: source_name }, None),
@@ -193,7 +194,7 @@ pub(super) fn load(from: impl std::io::Read, source: &str) -> Result<Vec<u8>, Re
 
 /// Turns y upwards, if the file has it downwards.
 fn turned(mut read: Read, options: &ReadOptions) -> Read {
-    if options.y_down {
+    if options.y_down || read.format == Format::Map {
         // 0 - y, so that 0 stays 0 and does not become -0.
         match &mut read.document {
             Document::Polygons(soup) => soup.points.iter_mut().for_each(|p| p[1] = 0.0 - p[1]),

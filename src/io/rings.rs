@@ -107,8 +107,8 @@ impl Rings {
     ) -> Result<PolygonSoup, Fault> {
         let mut faces = Faces { same_as: representatives(&self.points), ..Faces::default() };
         faces.numbers = vec![u32::MAX; self.points.len()];
-        let mut soup =
-            PolygonSoup { places: Places { source: source.to_owned(), ..Places::default() }, ..PolygonSoup::default() };
+        let places = Places { source: source.to_owned(), ..Places::default() };
+        let mut soup = PolygonSoup { places, any_direction: true, ..PolygonSoup::default() };
         let (mut dropped, mut repeated) = (Vec::new(), Repeated::default());
         let (mut ring, mut point) = (0, 0);
         for (polygon, &end) in self.polygon_ends.iter().enumerate() {

@@ -20,6 +20,11 @@ pub struct PolygonSoup {
     pub names: Vec<Option<String>>,
     /// Where the points and faces stand in the file.
     pub places: Places,
+    /// The faces that are no part of the domain, in increasing order: they become hole faces.
+    pub blocked: Vec<u32>,
+    /// Whether the faces of the format may run either way, so that clockwise ones are turned round as a matter of
+    /// course.
+    pub any_direction: bool,
 }
 
 /// Where the points and faces of a [`PolygonSoup`] stand in their file, for messages.
@@ -109,7 +114,7 @@ impl SoupBuilder {
         let has_z =
             gives_z && points.iter().any(|p| p[2].partial_cmp(&points[0][2]) != Some(std::cmp::Ordering::Equal));
         let places = Places { source: source.to_owned(), vertex_lines, face_lines, ..Places::default() };
-        Ok(PolygonSoup { points, has_z, faces, names: Vec::new(), places })
+        Ok(PolygonSoup { points, has_z, faces, places, ..PolygonSoup::default() })
     }
 }
 

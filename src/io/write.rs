@@ -6,7 +6,7 @@
 use super::dcel::quote;
 use super::format::Format;
 use super::model::{Model, Polygons};
-use super::{stl, tables};
+use super::{mesh, stl, tables};
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::topology::Ring;
 use std::fmt;
@@ -90,6 +90,18 @@ pub enum WriteError {
         /// The format.
         format: &'static str,
     },
+    /// A face with a corner that points inwards, and a format of convex faces.
+    #[error(
+        "{face} is not convex at {vertex}, and {format} holds convex faces; cut it up first, for example into triangles"
+    )]
+    NotConvex {
+        /// The face.
+        face: FaceId,
+        /// The corner.
+        vertex: VertexId,
+        /// The format.
+        format: &'static str,
+    },
     /// An edge or vertex that belongs to no polygon.
     #[error("{element} belongs to no polygon and would be lost in {format}; dcel holds everything")]
     Lost {
@@ -127,10 +139,14 @@ pub fn write(out: &mut impl Write, model: &Model<'_>, format: Format) -> Result<
         Format::PlyBinary => ply_binary(&mut out, &Polygons::of(model, format)?)?,
         Format::Stl => stl::write(&mut out, &Polygons::of(model, format)?)?,
         Format::GeoJson => geojson(&mut out, model, &Polygons::of(in_plane(model, format)?, format)?)?,
+        Format::Mesh => {
+            let polygons = Polygons::of(in_plane(model, format)?, format)?;
+            mesh::write(&mut out, model, &polygons)?;
+        }
         Format::Dcel => dcel(&mut out, in_plane(model, format)?)?,
         Format::Tables => tables::write(&mut out, model)?,
         Format::Triangle => return Err(WriteError::TwoFiles),
-        Format::TopoJson | Format::Mesh | Format::Wkt | Format::Poly | Format::Segments => {
+        Format::TopoJson | Format::Map | Format::Wkt | Format::Poly | Format::Segments => {
             return Err(WriteError::ReadOnly { format: format.name() });
         }
     }

@@ -372,6 +372,8 @@ fn good_files() -> Vec<(Format, Vec<u8>)> {
         written(&island, Format::GeoJson),
         written(&island, Format::Dcel),
         (Format::Mesh, b"mesh\n2\n4 2\n0 0 2 0 -1\n1 0 3 0 1 -1\n1 1 2 1 -1\n0 1 3 -1 1 0\n3 0 1 3 -1 -1 1\n3 1 2 3 0 -1 -1\n".to_vec()),
+        (Format::Mesh, b"mesh\n3\n5 4\n0 0\n0 9\n9 9\n9 0\n5 5\n0 3 4 1 5 -4 0 -2\n1 3 1 2 5 -1 0 3\n1 3 2 3 5 2 0 4\n1 3 3 4 5 3 0 -1\n".to_vec()),
+        (Format::Map, b"type octile\nheight 3\nwidth 5\nmap\n..@GS\n.@.OT\n....W\n".to_vec()),
         (Format::TopoJson, br#"{"type":"Topology","transform":{"scale":[2,2],"translate":[0,1]},"objects":{"a":{"type":"GeometryCollection",
             "geometries":[{"type":"Polygon","arcs":[[0,1]]},{"type":"MultiPolygon","arcs":[[[-2,2]]],"id":3}]}},
             "arcs":[[[0,0],[4,0],[0,4]],[[4,4],[-4,-4]],[[4,4],[-4,0],[0,-4]]]}"#.to_vec()),

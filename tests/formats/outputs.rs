@@ -80,7 +80,8 @@ fn what_a_format_cannot_hold_is_refused_by_name() {
     );
     assert!(matches!(refused(&triangle(), Format::Obj), WriteError::FaceHasRings { face, .. } if face == f1));
     assert!(matches!(refused(&island, Format::TopoJson), WriteError::ReadOnly { format: "topojson" }));
-    assert!(matches!(refused(&island, Format::Mesh), WriteError::ReadOnly { format: "mesh" }));
+    assert!(matches!(refused(&island, Format::Map), WriteError::ReadOnly { format: "map" }));
+    assert!(matches!(refused(&island, Format::Mesh), WriteError::FaceHasRings { face, .. } if face == f1));
     assert!(matches!(refused(&island, Format::Triangle), WriteError::TwoFiles));
     let squares = grid(2, false);
     let error = write_triangle(&mut Vec::new(), &mut Vec::new(), &Model::table(&squares)).unwrap_err();

@@ -1,0 +1,82 @@
+//! Ways over a map, drawn: one figure for each idea.
+//!
+//! ```text
+//!   dual       which faces hang together          route    the corridor, its portals, the way
+//!   dead_ends  what is peeled, and its way out     funnel   how the string is pulled, door by door
+//!   apart      why there is no way                 cones    what the exact search looked at
+//!                                                  ladder   every rung beside the shortest way
+//! ```
+//!
+//! Under each figure lies the map in grey, with its gaps hatched. Roles are the same everywhere: blue is the way,
+//! orange a door, green the start, purple the goal.
+
+mod apart;
+mod ladder;
+mod mesh;
+mod route;
+
+use super::sketch::{Backdrop, Role, Sketch, SketchError};
+use super::{Detail, Figure, FigureOptions};
+use crate::ids::FaceId;
+use crate::navmesh::NavMesh;
+use crate::plane::{Point, Subdivision};
+
+/// With more edges than this, the map chooses its own level of detail.
+const EDGES: usize = 2000;
+
+/// A map and its navmesh, ready to be drawn.
+///
+/// ```
+/// use dcel_kit::figure::{FigureOptions, navmesh::Floor};
+/// use dcel_kit::{navmesh::NavMesh, plane::{Point, Subdivision}};
+/// let points = [(0., 0.), (2., 0.), (2., 2.), (0., 2.)].map(Point::from).to_vec();
+/// let map = Subdivision::from_triangles(points, &[[0, 1, 2], [0, 2, 3]])?;
+/// let mesh = NavMesh::new(&map)?;
+/// let svg = Floor::new(&map, &mesh).dual(&FigureOptions::new("Two triangles"))?.to_svg();
+/// assert!(svg.contains("id=\"two-triangles-s-path-1\""));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Floor<'a> {
+    map: &'a Subdivision,
+    mesh: &'a NavMesh,
+}
+
+impl<'a> Floor<'a> {
+    /// The mesh must be one of the map.
+    #[must_use]
+    pub fn new(map: &'a Subdivision, mesh: &'a NavMesh) -> Self {
+        Self { map, mesh }
+    }
+
+    /// The corners of a face.
+    fn ring(&self, f: FaceId) -> Vec<Point> {
+        self.mesh.corners(f).map(|v| self.mesh.point(v)).collect()
+    }
+
+    /// A point inside a face: the mean of its corners, as faces are convex.
+    fn middle(&self, f: FaceId) -> Point {
+        let ring = self.ring(f);
+        let share = 1.0 / ring.len() as f64;
+        ring.iter().fold(Point::default(), |sum, p| Point::new(sum.x + share * p.x, sum.y + share * p.y))
+    }
+
+    /// Adds one region made of many faces; nothing if there are none.
+    fn paint(&self, sketch: &mut Sketch, role: Role, faces: impl Iterator<Item = FaceId>, key: &str) {
+        let rings: Vec<Vec<Point>> = faces.map(|f| self.ring(f)).collect();
+        if !rings.is_empty() {
+            sketch.region(role, rings).plain().key(key);
+        }
+    }
+
+    /// The sketch over the map in grey.
+    fn over(&self, sketch: &Sketch, options: &FigureOptions) -> Result<Figure, SketchError> {
+        sketch.over(self.map, Backdrop::Dimmed, &self.quiet(options))
+    }
+
+    /// Options with which the map stays in the background.
+    fn quiet(&self, options: &FigureOptions) -> FigureOptions {
+        let quiet = options.clone().vertex_labels(false).half_edge_labels(false);
+        if self.map.edge_count() <= EDGES { quiet.detail(Detail::Edges) } else { quiet }
+    }
+}

@@ -1,0 +1,264 @@
+//! An index over the faces: the plane in equal cells, each with the faces that may reach into it.
+//!
+//! ```text
+//!   ┌────┬────┬────┐    A point's cell is found by two products; the faces of the cell are tested exactly. If none
+//!   │  ╲ │  . │    │    has the point it lies in a gap: most cells see one gap only, and know it. In a cell that
+//!   ├───╲┼────┼────┤    sees several, a ray to the left tells which: the first border it meets is the border of
+//!   │    ╲    │    │    that gap.
+//!   └────┴╲───┴────┘
+//! ```
+//!
+//! Point to cell is a monotone function of each coordinate, and cells take in too many faces rather than too few, so
+//! rounding never loses a face. About as many cells as faces: some 20 bytes a face.
+
+use super::mesh::{CLOSED, ID, NavMesh};
+use crate::ids::FaceId;
+use crate::plane::Point;
+use crate::plane::predicates::orientation;
+use std::collections::BTreeMap;
+
+/// In an item: no face, but the gap that the cell sees.
+const GAP: u32 = 1 << 31;
+/// The cell sees several gaps, or it is not known which.
+const SEVERAL: u32 = GAP | ID;
+
+#[derive(Clone, PartialEq, Debug, Default)]
+pub(super) struct Grid {
+    min: Point,
+    max: Point,
+    /// Cells per unit.
+    scale: [f64; 2],
+    columns: usize,
+    rows: usize,
+    starts: Vec<u32>,
+    /// Per cell its faces, then at most one gap.
+    items: Vec<u32>,
+    /// Faces that came later, per cell.
+    late: BTreeMap<u32, Vec<u32>>,
+    late_count: usize,
+}
+
+impl Grid {
+    /// An index over all faces of the mesh. O(n) for faces of about one size.
+    pub(super) fn new(mesh: &NavMesh) -> Self {
+        let corners = mesh.faces().flat_map(|f| mesh.corners(f)).map(|v| mesh.point(v));
+        let first = corners.clone().next().unwrap_or_default();
+        let (min, max) = corners.fold((first, first), |(min, max), p| {
+            (Point::new(min.x.min(p.x), min.y.min(p.y)), Point::new(max.x.max(p.x), max.y.max(p.y)))
+        });
+        let count = mesh.face_count().max(1) as f64;
+        let [width, height] = [max.x - min.x, max.y - min.y];
+        let columns = (count * (width / height)).sqrt().clamp(1.0, count).ceil();
+        let rows = (count / columns).ceil().max(1.0);
+        let mut grid = Self {
+            min,
+            max,
+            scale: [columns / width, rows / height],
+            columns: columns as usize,
+            rows: rows as usize,
+            starts: Vec::new(),
+            items: Vec::new(),
+            late: BTreeMap::new(),
+            late_count: 0,
+        };
+        grid.fill(mesh);
+        grid.name_empty_cells(mesh);
+        grid
+    }
+
+    /// Bytes of the arrays.
+    pub(super) fn memory(&self) -> usize {
+        4 * (self.starts.len() + self.items.len() + self.late_count)
+    }
+
+    /// The column and the row of a point; points outside go to the nearest cell.
+    #[inline]
+    pub(super) fn cell(&self, p: Point) -> [usize; 2] {
+        // A cast of a negative number gives 0.
+        let column = ((p.x - self.min.x) * self.scale[0]) as usize;
+        let row = ((p.y - self.min.y) * self.scale[1]) as usize;
+        [column.min(self.columns - 1), row.min(self.rows - 1)]
+    }
+
+    #[inline]
+    fn contains(&self, p: Point) -> bool {
+        p.x >= self.min.x && p.x <= self.max.x && p.y >= self.min.y && p.y <= self.max.y
+    }
+
+    /// How many columns and rows.
+    pub(super) fn size(&self) -> [usize; 2] {
+        [self.columns, self.rows]
+    }
+
+    /// The shorter side of a cell.
+    pub(super) fn step(&self) -> f64 {
+        (1.0 / self.scale[0]).min(1.0 / self.scale[1])
+    }
+
+    #[inline]
+    fn items(&self, cell: usize) -> &[u32] {
+        &self.items[self.starts[cell] as usize..self.starts[cell + 1] as usize]
+    }
+
+    /// The faces that may reach into a cell.
+    #[inline]
+    pub(super) fn faces(&self, [column, row]: [usize; 2]) -> impl Iterator<Item = u32> + '_ {
+        let cell = row * self.columns + column;
+        let late = if self.late.is_empty() { None } else { self.late.get(&(cell as u32)) };
+        let built = self.items(cell).iter().copied().take_while(|&item| item & GAP == 0);
+        built.chain(late.into_iter().flatten().copied())
+    }
+
+    fn fill(&mut self, mesh: &NavMesh) {
+        let mut pairs: Vec<(u32, u32)> = Vec::new();
+        let mut corners = Vec::new();
+        for f in mesh.faces() {
+            corners.clear();
+            corners.extend(mesh.corners(f).map(|v| mesh.point(v)));
+            self.visit_cells(&corners, |cell| pairs.push((cell, f.number())));
+            for (side, s) in mesh.sides_of(f).iter().zip(mesh.range(f)) {
+                let gap = side.across & ID;
+                if side.across & CLOSED != 0 && !mesh.has_face(FaceId::new(gap)) {
+                    let ends = mesh.ends(f, s).map(|v| mesh.point(v));
+                    self.visit_cells(&ends, |cell| pairs.push((cell, GAP | gap)));
+                }
+            }
+        }
+        let cells = self.columns * self.rows;
+        let mut ends = vec![0u32; cells + 1];
+        pairs.iter().for_each(|&(cell, _)| ends[cell as usize + 1] += 1);
+        (0..cells).for_each(|cell| ends[cell + 1] += ends[cell]);
+        let mut sorted = vec![0u32; pairs.len()];
+        let mut at = ends.clone();
+        for (cell, item) in pairs {
+            sorted[at[cell as usize] as usize] = item;
+            at[cell as usize] += 1;
+        }
+        self.starts = Vec::with_capacity(cells + 1);
+        self.items = Vec::with_capacity(sorted.len());
+        for cell in 0..cells {
+            self.starts.push(self.items.len() as u32);
+            let here = &sorted[ends[cell] as usize..ends[cell + 1] as usize];
+            self.items.extend(here.iter().filter(|&&item| item & GAP == 0));
+            let mut gaps = here.iter().copied().filter(|&item| item & GAP != 0);
+            if let Some(first) = gaps.next() {
+                self.items.push(if gaps.all(|gap| gap == first) { first } else { SEVERAL });
+            } else if here.is_empty() {
+                self.items.push(SEVERAL);
+            }
+        }
+        self.starts.push(self.items.len() as u32);
+        self.items.shrink_to_fit();
+    }
+
+    /// Cells without any face lie in one gap each: that of the cell on their left, or the first on a ray.
+    fn name_empty_cells(&mut self, mesh: &NavMesh) {
+        for row in 0..self.rows {
+            let mut left = Some(GAP);
+            for column in 0..self.columns {
+                let cell = row * self.columns + column;
+                let start = self.starts[cell] as usize;
+                if self.starts[cell + 1] as usize != start + 1 || self.items[start] != SEVERAL {
+                    left = None;
+                    continue;
+                }
+                let gap = left.unwrap_or_else(|| {
+                    let middle = [column, row].map(|i| i as f64 + 0.5);
+                    let [x, y] = [0, 1].map(|i| middle[i] / self.scale[i]);
+                    GAP | self.gap_by_ray(mesh, Point::new(self.min.x + x, self.min.y + y), [column, row])
+                });
+                self.items[start] = gap;
+                left = Some(gap);
+            }
+        }
+    }
+
+    /// The gap in which a point lies that is in no face. O(1) in most cells, else O(faces along the row).
+    pub(super) fn gap(&self, mesh: &NavMesh, p: Point) -> FaceId {
+        if !self.contains(p) {
+            return FaceId::new(0);
+        }
+        let cell = self.cell(p);
+        let known = self.items(cell[1] * self.columns + cell[0]).last().copied();
+        match known {
+            Some(gap) if gap & GAP != 0 && gap != SEVERAL => FaceId::new(gap & ID),
+            _ => FaceId::new(self.gap_by_ray(mesh, p, cell)),
+        }
+    }
+
+    /// The gap behind the first border that a ray from `p` to the left meets; an end of a border that lies at the
+    /// height of `p` counts as below. `p` is in no face, and in the cell or near it.
+    fn gap_by_ray(&self, mesh: &NavMesh, p: Point, [column, row]: [usize; 2]) -> u32 {
+        let mut nearest: Option<([Point; 2], u32)> = None;
+        for column in (0..=column).rev() {
+            for f in self.faces([column, row]) {
+                let f = FaceId::new(f);
+                for (side, s) in mesh.sides_of(f).iter().zip(mesh.range(f)) {
+                    let gap = side.across & ID;
+                    let [a, b] = mesh.ends(f, s).map(|v| mesh.point(v));
+                    // With the gap on its right, towards p, the border runs up.
+                    let met = a.y <= p.y && b.y > p.y && orientation(a, b, p).is_lt();
+                    let is_border = side.across & CLOSED != 0 && !mesh.has_face(FaceId::new(gap));
+                    if met && is_border && nearest.is_none_or(|(other, _)| is_right_of([a, b], other)) {
+                        nearest = Some(([a, b], gap));
+                    }
+                }
+            }
+            // A border found in this cell may be met further left; one that ends right of the cell's left side is not.
+            if let Some(([a, b], gap)) = nearest
+                && a.x.min(b.x) >= self.min.x + (column as f64 + 0.001) / self.scale[0]
+            {
+                return gap;
+            }
+        }
+        nearest.map_or(0, |(_, gap)| gap)
+    }
+
+    /// Calls `visit` with every cell that the convex polygon may reach into, and perhaps some beside it.
+    fn visit_cells(&self, corners: &[Point], mut visit: impl FnMut(u32)) {
+        let size = |of: fn(&Point) -> f64| corners.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+        let [bottom, top] = [-size(|p| -p.y), size(|p| p.y)];
+        let largest = [self.min, self.max].iter().flat_map(|p| [p.x.abs(), p.y.abs()]).fold(0.0, f64::max);
+        // More than the rounding of what follows: the line between two rows, and where a side meets it.
+        let slack = largest * 2f64.powi(-49);
+        let [_, first] = self.cell(Point::new(self.min.x, bottom));
+        let [_, last] = self.cell(Point::new(self.min.x, top));
+        for row in first..=last {
+            let below = self.min.y + row as f64 / self.scale[1] - slack;
+            let above = self.min.y + (row + 1) as f64 / self.scale[1] + slack;
+            let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
+            for (i, &a) in corners.iter().enumerate() {
+                let b = corners[(i + 1) % corners.len()];
+                let (low, high) = if a.y <= b.y { (a, b) } else { (b, a) };
+                if first != last && (high.y < below || low.y > above) {
+                    continue;
+                }
+                let at = |y: f64, end: Point, beyond: bool| {
+                    if beyond {
+                        low.x + (high.x - low.x) * ((y - low.y) / (high.y - low.y)).clamp(0.0, 1.0)
+                    } else {
+                        end.x
+                    }
+                };
+                for x in [at(below, low, low.y < below), at(above, high, high.y > above)] {
+                    (left, right) = (left.min(x), right.max(x));
+                }
+            }
+            let [from, _] = self.cell(Point::new(left - slack, self.min.y));
+            let [to, _] = self.cell(Point::new(right + slack, self.min.y));
+            (from..=to).for_each(|column| visit((row * self.columns + column) as u32));
+        }
+    }
+}
+
+/// Whether the first border runs right of the second where both meet a horizontal line. They do not cross.
+fn is_right_of(one: [Point; 2], other: [Point; 2]) -> bool {
+    let upwards = |[a, b]: [Point; 2]| if a.y <= b.y { [a, b] } else { [b, a] };
+    let ([a, b], [c, d]) = (upwards(one), upwards(other));
+    let turns = if c.y <= a.y {
+        [orientation(c, d, a), orientation(c, d, b)].map(std::cmp::Ordering::reverse)
+    } else {
+        [orientation(a, b, c), orientation(a, b, d)]
+    };
+    turns[0].then(turns[1]).is_gt()
+}

@@ -1,0 +1,243 @@
+//! Where a point lies, by name; and from where a way may start.
+//!
+//! ```text
+//!   ┌───────●────┐     ●  Vertex(v)           Nothing is snapped: a point a hair beside the map is outside, and
+//!   │  ·   ╱     │     │  Edge(h)             nearest_point is another question.
+//!   │     ╱ ┌────┘     ·  Face(f), Hole(f), Outer
+//!   └────┴──┘
+//! ```
+
+use super::NavMesh;
+use super::mesh::ID;
+use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::plane::Point;
+use crate::plane::predicates::orientation;
+use std::cmp::Ordering;
+use std::fmt;
+
+/// Where a point lies: exactly, on the smallest element that has it.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Location {
+    /// On a vertex of the mesh.
+    Vertex(VertexId),
+    /// Inside an edge of the mesh; the half-edge is one whose face is a face of the mesh.
+    Edge(HalfEdgeId),
+    /// Inside a face of the mesh, blocked or not.
+    Face(FaceId),
+    /// Inside a hole face, or on something in it.
+    Hole(FaceId),
+    /// In the outer face.
+    Outer,
+}
+
+impl fmt::Display for Location {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Vertex(v) => write!(f, "on vertex {v}"),
+            Self::Edge(h) => write!(f, "on edge {} ({h})", h.edge()),
+            Self::Face(x) => write!(f, "in face {x}"),
+            Self::Hole(x) => write!(f, "in the hole {x}"),
+            Self::Outer => f.write_str("outside"),
+        }
+    }
+}
+
+/// A point from or to which a way may lead, and the face in which one stands there. On an edge or vertex the face
+/// says on which side of a wall, or in which wedge of a double corner.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Place {
+    /// The point.
+    pub point: Point,
+    /// Where it lies.
+    pub location: Location,
+    /// A face of the mesh that has it, not blocked.
+    pub face: FaceId,
+}
+
+/// Why one cannot stand at a point.
+#[derive(Clone, PartialEq, Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum PlaceError {
+    /// The point is in no face of the mesh.
+    #[error("{point} is {location}, not on the mesh; nearest_point gives the nearest place that is")]
+    OffMesh {
+        /// The point.
+        point: Point,
+        /// Where it lies.
+        location: Location,
+    },
+    /// Every face that has the point is blocked.
+    #[error("{point} is {location}, and blocked; nearest_point gives the nearest place that is free")]
+    Blocked {
+        /// The point.
+        point: Point,
+        /// Where it lies.
+        location: Location,
+    },
+    /// The point is at a double corner, or on a wall: one has to say on which side.
+    #[error(
+        "{point} is {location}, where {} sides meet that nobody can pass between: choose one of the faces {} with place_in",
+        faces.len(),
+        faces.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
+    )]
+    Ambiguous {
+        /// The point.
+        point: Point,
+        /// Where it lies.
+        location: Location,
+        /// One face on each side.
+        faces: Vec<FaceId>,
+    },
+    /// The face does not have the point, or is blocked, or is no face of the mesh.
+    #[error("{point} is {location}, and {face} is no free face there")]
+    NotInFace {
+        /// The point.
+        point: Point,
+        /// Where it lies.
+        location: Location,
+        /// The face.
+        face: FaceId,
+    },
+}
+
+impl NavMesh {
+    /// Where `p` lies, exactly. A point with a coordinate that is no number is outside.
+    ///
+    /// Cost: O(1) for faces of about one size: those of one cell of the index are tested.
+    ///
+    /// ```
+    /// use dcel_kit::navmesh::{Location, NavMesh};
+    /// use dcel_kit::{FaceId, VertexId, plane::{Point, Subdivision}};
+    /// let corners = [(0., 0.), (4., 0.), (0., 3.)].map(Point::from);
+    /// let mesh = NavMesh::new(&Subdivision::polygon(&corners)?)?;
+    /// assert_eq!(mesh.locate(Point::new(1., 1.)), Location::Face(FaceId::new(1)));
+    /// assert_eq!(mesh.locate(Point::new(4., 0.)), Location::Vertex(VertexId::new(1)));
+    /// assert_eq!(mesh.locate(Point::new(4., 1e-300)), Location::Outer);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn locate(&self, p: Point) -> Location {
+        self.locate_with_face(p).0
+    }
+
+    /// Where `p` lies, and a face of the mesh that has it.
+    #[inline]
+    fn locate_with_face(&self, p: Point) -> (Location, Option<FaceId>) {
+        for f in self.grid.faces(self.grid.cell(p)).map(FaceId::new) {
+            if let Some(spot) = self.spot_in(f, p) {
+                return (spot, Some(f));
+            }
+        }
+        (self.gap_at(p), None)
+    }
+
+    /// The gap that has `p`, which is in no face.
+    fn gap_at(&self, p: Point) -> Location {
+        match self.grid.gap(self, p).number() {
+            0 => Location::Outer,
+            hole => Location::Hole(FaceId::new(hole)),
+        }
+    }
+
+    /// [`locate`](Self::locate) without the index: every face is tested. For tests and for lessons. O(n).
+    #[must_use]
+    pub fn locate_by_scan(&self, p: Point) -> Location {
+        let found = self.faces().find_map(|f| self.spot_in(f, p));
+        found.unwrap_or_else(|| self.gap_at(p))
+    }
+
+    /// Where in the closed face `f` the point lies, if it does. O(sides of f); exact.
+    #[inline]
+    pub(super) fn spot_in(&self, f: FaceId, p: Point) -> Option<Location> {
+        let range = self.range(f);
+        let mut a = self.points[(self.sides[range.end.checked_sub(1)?].origin & ID) as usize];
+        let mut on_line = false;
+        for side in &self.sides[range] {
+            let b = self.points[(side.origin & ID) as usize];
+            match orientation(a, b, p) {
+                Ordering::Less => return None,
+                Ordering::Equal => on_line = true,
+                Ordering::Greater => {}
+            }
+            a = b;
+        }
+        let inside = p.x.is_finite() && p.y.is_finite();
+        if on_line { self.spot_on_border(f, p) } else { inside.then_some(Location::Face(f)) }
+    }
+
+    /// The corner or side of `f` that has `p`, which is on the line of a side and not outside `f`.
+    fn spot_on_border(&self, f: FaceId, p: Point) -> Option<Location> {
+        if let Some(v) = self.corners(f).find(|&v| self.point(v) == p) {
+            return Some(Location::Vertex(v));
+        }
+        let s = self.range(f).find(|&s| {
+            let [a, b] = self.ends(f, s).map(|v| self.point(v));
+            orientation(a, b, p).is_eq() && is_between(a, b, p)
+        })?;
+        Some(Location::Edge(self.half_edges[s]))
+    }
+
+    /// The place at `p`.
+    ///
+    /// Cost: that of [`locate`](Self::locate), and O(faces there).
+    ///
+    /// # Errors
+    /// [`PlaceError`]: `p` is off the mesh or blocked, or there are several sides of a double corner or a wall to
+    /// choose from with [`place_in`](Self::place_in).
+    pub fn place(&self, point: Point) -> Result<Place, PlaceError> {
+        let (location, face) = self.locate_with_face(point);
+        let mut faces = face.map_or_else(Vec::new, |face| self.parts_of(location, face)).into_iter();
+        match (faces.next(), faces.len()) {
+            (Some(part), 0) => Ok(Place { point, location, face: part[0] }),
+            (Some(part), _) => {
+                let faces = std::iter::once(part).chain(faces).map(|part| part[0]).collect();
+                Err(PlaceError::Ambiguous { point, location, faces })
+            }
+            (None, _) if matches!(location, Location::Hole(_) | Location::Outer) => {
+                Err(PlaceError::OffMesh { point, location })
+            }
+            (None, _) => Err(PlaceError::Blocked { point, location }),
+        }
+    }
+
+    /// The place at `point` in the face `face`: in the wedge of a double corner, or on the side of a wall, to which
+    /// that face belongs.
+    ///
+    /// # Errors
+    /// [`PlaceError::NotInFace`] if the closed face does not have the point, or nobody may enter it.
+    pub fn place_in(&self, face: FaceId, point: Point) -> Result<Place, PlaceError> {
+        let spot = if self.is_walkable(face) { self.spot_in(face, point) } else { None };
+        let location = spot.ok_or_else(|| PlaceError::NotInFace { point, location: self.locate(point), face })?;
+        Ok(Place { point, location, face })
+    }
+
+    /// The faces one stands in at the place, all of them: those round an edge or vertex between which one may pass.
+    #[must_use]
+    pub fn faces_at(&self, place: &Place) -> Vec<FaceId> {
+        let parts = self.parts_of(place.location, place.face);
+        parts.into_iter().find(|part| part.contains(&place.face)).unwrap_or_else(|| vec![place.face])
+    }
+
+    /// The faces at a location that are not blocked, in parts between which nobody can pass there.
+    fn parts_of(&self, location: Location, face: FaceId) -> Vec<Vec<FaceId>> {
+        match location {
+            Location::Face(f) if self.is_walkable(f) => vec![vec![f]],
+            Location::Edge(h) => {
+                let Some(side) = self.sides(face).find(|side| side.half_edge.edge() == h.edge()) else {
+                    return Vec::new();
+                };
+                let here = [face, side.across].into_iter().filter(|&f| self.is_walkable(f));
+                if side.open { vec![here.collect()] } else { here.map(|f| vec![f]).collect() }
+            }
+            Location::Vertex(v) => self.wedges(v),
+            Location::Face(_) | Location::Hole(_) | Location::Outer => Vec::new(),
+        }
+    }
+}
+
+/// Whether `p`, which is on the line of a and b, lies strictly between them.
+#[inline]
+pub(super) fn is_between(a: Point, b: Point, p: Point) -> bool {
+    let inside = |a: f64, b: f64, p: f64| (a < p && p < b) || (b < p && p < a);
+    if (b.x - a.x).abs() > 0.0 { inside(a.x, b.x, p.x) } else { inside(a.y, b.y, p.y) }
+}

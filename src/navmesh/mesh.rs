@@ -1,0 +1,323 @@
+//! The flat view: corners and neighbours of a face side by side in memory.
+//!
+//! ```text
+//!        v7                   sides of f3:   origin   across            half-edge
+//!       ╱  ╲                  k = 0          v5       f9                h22
+//!  f4  ╱ f3 ╲  f9             k = 1          v7       f4, a dead end    h40
+//!     ╱      ╲                k = 2          v2       f0, closed        h17
+//!   v2 ────── v5
+//!        f0                   side k runs from corner k to corner k + 1, counter-clockwise, f3 on its left
+//! ```
+//!
+//! A side is *open* if one may cross it, else *closed*: a gap, a wall or a blocked face lies behind it. An open side
+//! into a face that leads nowhere else is marked as a *dead end* (see `dead_ends.rs`). A corner is marked as a
+//! *turn* if a shortest way may bend there: what is free round the vertex, in one piece, is more than half a turn.
+//!
+//! Memory: 52 bytes a triangle and 20 a vertex.
+
+use super::error::NavMeshError;
+use super::grid::Grid;
+use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
+use crate::plane::predicates::{left_to_right, orientation};
+use crate::plane::{Point, Subdivision};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Ids are smaller than this: two bits of a word are marks.
+pub(super) const MOST: usize = 1 << 30;
+/// No face, no door, no component.
+pub(super) const NONE: u32 = u32::MAX;
+/// In `across`: the side must not be crossed.
+pub(super) const CLOSED: u32 = 1 << 31;
+/// In `across`, on open sides: what lies behind leads nowhere else.
+pub(super) const DEAD_END: u32 = 1 << 30;
+/// In `origin`: a shortest way may bend here.
+pub(super) const TURN: u32 = 1 << 31;
+/// In `origin`: the vertex has several wedges.
+pub(super) const SHARED: u32 = 1 << 30;
+/// The id without its marks.
+pub(super) const ID: u32 = DEAD_END - 1;
+/// In `len`: the face is blocked.
+const BLOCKED: u32 = 1 << 31;
+
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct SideRecord {
+    /// The vertex the side starts from, with the marks [`TURN`] and [`SHARED`].
+    pub(super) origin: u32,
+    /// The face behind the side, with the marks [`CLOSED`] and [`DEAD_END`].
+    pub(super) across: u32,
+}
+
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct FaceRecord {
+    /// The first of the sides.
+    pub(super) start: u32,
+    /// How many sides, with the mark [`BLOCKED`]; 0 if this is no face of the mesh.
+    len: u32,
+    pub(super) component: u32,
+    /// The neighbour through which a dead end is left.
+    pub(super) door: u32,
+}
+
+impl FaceRecord {
+    const ABSENT: Self = Self { start: 0, len: 0, component: NONE, door: NONE };
+}
+
+/// A part of the mesh in which every face can be reached from every other.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct ComponentId(pub u32);
+
+impl std::fmt::Display for ComponentId {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "component {}", self.0)
+    }
+}
+
+/// One side of a face of the mesh.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Side {
+    /// The half-edge of the subdivision; the face is on its left.
+    pub half_edge: HalfEdgeId,
+    /// Where it starts.
+    pub from: VertexId,
+    /// Where it ends.
+    pub to: VertexId,
+    /// The face behind it: of the mesh, or a gap.
+    pub across: FaceId,
+    /// Whether one may cross it.
+    pub open: bool,
+}
+
+/// A flat view of a subdivision for finding ways. It does not hold the subdivision; its ids are the same.
+#[derive(Clone, Debug)]
+pub struct NavMesh {
+    pub(super) points: Vec<Point>,
+    pub(super) faces: Vec<FaceRecord>,
+    pub(super) sides: Vec<SideRecord>,
+    pub(super) half_edges: Vec<HalfEdgeId>,
+    /// For each vertex a face from which its first fan can be walked counter-clockwise to the end.
+    pub(super) fans: Vec<u32>,
+    /// Further fans of vertices where gaps touch.
+    pub(super) more_fans: BTreeMap<u32, Vec<u32>>,
+    /// Edges between two faces that must not be crossed.
+    pub(super) walls: BTreeSet<EdgeId>,
+    /// How many faces have each component number; 0 for numbers that are free.
+    pub(super) component_sizes: Vec<u32>,
+    pub(super) grid: Grid,
+}
+
+impl NavMesh {
+    /// The navmesh of a map: its faces are the bounded faces that are no holes, and they must be convex. Corners in
+    /// the middle of a straight side are allowed.
+    ///
+    /// Cost: O(n).
+    ///
+    /// # Errors
+    /// [`NavMeshError`] names the face that is not convex, or says that there is none.
+    ///
+    /// ```
+    /// use dcel_kit::{FaceId, navmesh::NavMesh, plane::Subdivision};
+    /// let points = [(0., 0.), (2., 0.), (2., 2.), (0., 2.)].map(dcel_kit::plane::Point::from).to_vec();
+    /// let mesh = NavMesh::new(&Subdivision::from_triangles(points, &[[0, 1, 2], [0, 2, 3]])?)?;
+    /// assert!(mesh.neighbours(FaceId::new(1)).eq([FaceId::new(2)]));
+    /// assert_eq!((mesh.face_count(), mesh.component_count()), (2, 1));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn new(map: &Subdivision) -> Result<Self, NavMeshError> {
+        if map.vertex_bound() >= MOST || map.half_edge_bound() >= MOST || map.face_bound() >= MOST {
+            return Err(NavMeshError::TooMany);
+        }
+        let mut mesh = Self {
+            points: (0..map.vertex_bound() as u32).map(|v| place_of(map, VertexId::new(v))).collect(),
+            faces: vec![FaceRecord::ABSENT; map.face_bound()],
+            sides: Vec::new(),
+            half_edges: Vec::new(),
+            fans: vec![NONE; map.vertex_bound()],
+            more_fans: BTreeMap::new(),
+            walls: BTreeSet::new(),
+            component_sizes: Vec::new(),
+            grid: Grid::default(),
+        };
+        for f in map.faces().filter(|&f| f != map.outer_face() && !map.is_hole(f)) {
+            mesh.read_face(map, f)?;
+        }
+        if mesh.sides.is_empty() {
+            return Err(NavMeshError::NoFaces);
+        }
+        mesh.sides.shrink_to_fit();
+        mesh.half_edges.shrink_to_fit();
+        mesh.find_fans();
+        mesh.mark_all_turns();
+        mesh.label_components();
+        mesh.peel_all();
+        mesh.grid = Grid::new(&mesh);
+        Ok(mesh)
+    }
+
+    /// Appends the sides of a face.
+    fn read_face(&mut self, map: &Subdivision, f: FaceId) -> Result<(), NavMeshError> {
+        if !map.rings(f).is_empty() {
+            return Err(NavMeshError::Rings { face: f, rings: map.rings(f).len() });
+        }
+        let start = self.sides.len();
+        for h in map.incident_half_edges(f) {
+            let corners = [map.origin(map.prev(h)), map.origin(h), map.destination(h)];
+            if !turns_left_or_runs_straight(corners.map(|v| map.point(v))) {
+                self.sides.truncate(start);
+                self.half_edges.truncate(start);
+                return Err(NavMeshError::Concave { face: f, corner: corners[1] });
+            }
+            let across = map.face(h.twin());
+            let closed = across == map.outer_face() || map.is_hole(across);
+            let mark = if closed { CLOSED } else { 0 };
+            self.sides.push(SideRecord { origin: corners[1].number(), across: across.number() | mark });
+            self.half_edges.push(h);
+        }
+        if self.sides.len() >= MOST {
+            return Err(NavMeshError::TooMany);
+        }
+        let len = (self.sides.len() - start) as u32;
+        self.faces[f.index()] = FaceRecord { start: start as u32, len, ..FaceRecord::ABSENT };
+        Ok(())
+    }
+
+    /// Bytes of the arrays, the index for location among them.
+    #[must_use]
+    pub fn memory(&self) -> usize {
+        size_of_val(&*self.points)
+            + size_of_val(&*self.faces)
+            + size_of_val(&*self.sides)
+            + size_of_val(&*self.half_edges)
+            + size_of_val(&*self.fans)
+            + self.grid.memory()
+    }
+
+    /// Where `v` is. O(1).
+    ///
+    /// # Panics
+    /// If there is no such vertex.
+    #[must_use]
+    #[inline]
+    pub fn point(&self, v: VertexId) -> Point {
+        self.points[v.index()]
+    }
+
+    /// One more than the greatest face number.
+    #[must_use]
+    pub fn face_bound(&self) -> usize {
+        self.faces.len()
+    }
+
+    /// One more than the greatest vertex number.
+    #[must_use]
+    pub fn vertex_bound(&self) -> usize {
+        self.points.len()
+    }
+
+    /// Whether `f` is a face of the mesh, blocked or not; gaps are not.
+    #[must_use]
+    #[inline]
+    pub fn has_face(&self, f: FaceId) -> bool {
+        self.faces.get(f.index()).is_some_and(|face| face.len != 0)
+    }
+
+    /// The faces of the mesh in the order of their numbers.
+    pub fn faces(&self) -> impl DoubleEndedIterator<Item = FaceId> + Clone + '_ {
+        (0..self.faces.len() as u32).map(FaceId::new).filter(|&f| self.has_face(f))
+    }
+
+    /// The number of faces of the mesh. O(number of faces).
+    #[must_use]
+    pub fn face_count(&self) -> usize {
+        self.faces().count()
+    }
+
+    /// Whether `f` is a face that was blocked: nobody may enter it. Its sides are closed.
+    #[must_use]
+    pub fn is_blocked(&self, f: FaceId) -> bool {
+        self.faces.get(f.index()).is_some_and(|face| face.len & BLOCKED != 0)
+    }
+
+    /// Whether one may stand in `f`: a face of the mesh that is not blocked.
+    #[must_use]
+    pub fn is_walkable(&self, f: FaceId) -> bool {
+        self.has_face(f) && !self.is_blocked(f)
+    }
+
+    /// The corners of `f`, counter-clockwise; none if it is no face of the mesh.
+    pub fn corners(&self, f: FaceId) -> impl ExactSizeIterator<Item = VertexId> + DoubleEndedIterator + Clone + '_ {
+        self.sides_of(f).iter().map(|side| VertexId::new(side.origin & ID))
+    }
+
+    /// The sides of `f`, counter-clockwise; none if it is no face of the mesh.
+    pub fn sides(&self, f: FaceId) -> impl ExactSizeIterator<Item = Side> + Clone + '_ {
+        self.range(f).map(move |s| self.side(f, s))
+    }
+
+    /// The faces that can be entered from `f`, one for each open side. O(1) each.
+    pub fn neighbours(&self, f: FaceId) -> impl DoubleEndedIterator<Item = FaceId> + Clone + '_ {
+        let open = |side: &SideRecord| side.across & CLOSED == 0;
+        self.sides_of(f).iter().copied().filter(open).map(|side| FaceId::new(side.across & ID))
+    }
+
+    /// The indices of the sides of `f`.
+    #[inline]
+    pub(super) fn range(&self, f: FaceId) -> std::ops::Range<usize> {
+        self.faces.get(f.index()).map_or(0..0, |face| {
+            let start = face.start as usize;
+            start..start + (face.len & !BLOCKED) as usize
+        })
+    }
+
+    /// The records of the sides of `f`.
+    #[inline]
+    pub(super) fn sides_of(&self, f: FaceId) -> &[SideRecord] {
+        &self.sides[self.range(f)]
+    }
+
+    /// Side `s`, which must be one of `f`.
+    pub(super) fn side(&self, f: FaceId, s: usize) -> Side {
+        let [from, to] = self.ends(f, s);
+        let SideRecord { across, .. } = self.sides[s];
+        let across_id = FaceId::new(across & ID);
+        Side { half_edge: self.half_edges[s], from, to, across: across_id, open: across & CLOSED == 0 }
+    }
+
+    /// The ends of side `s`, which must be one of `f`.
+    #[inline]
+    pub(super) fn ends(&self, f: FaceId, s: usize) -> [VertexId; 2] {
+        let range = self.range(f);
+        let next = if s + 1 == range.end { range.start } else { s + 1 };
+        [s, next].map(|s| VertexId::new(self.sides[s].origin & ID))
+    }
+
+    /// The side of `f` that starts at `v`. O(sides of f).
+    #[inline]
+    pub(super) fn side_from(&self, f: FaceId, v: u32) -> Option<usize> {
+        let start = self.range(f).start;
+        self.sides_of(f).iter().position(|side| side.origin & ID == v).map(|k| start + k)
+    }
+
+    /// The side of `f` that ends at `v`. O(sides of f).
+    pub(super) fn side_to(&self, f: FaceId, v: u32) -> Option<usize> {
+        let range = self.range(f);
+        self.side_from(f, v).map(|s| if s == range.start { range.end - 1 } else { s - 1 })
+    }
+
+    pub(super) fn set_blocked(&mut self, f: FaceId, blocked: bool) {
+        let face = &mut self.faces[f.index()];
+        face.len = face.len & !BLOCKED | if blocked { BLOCKED } else { 0 };
+    }
+}
+
+fn place_of(map: &Subdivision, v: VertexId) -> Point {
+    if map.has_vertex(v) { map.point(v) } else { Point::default() }
+}
+
+/// Whether the corner u -> v -> w turns left, or runs straight on.
+fn turns_left_or_runs_straight([u, v, w]: [Point; 3]) -> bool {
+    match orientation(u, v, w) {
+        std::cmp::Ordering::Greater => true,
+        std::cmp::Ordering::Equal => left_to_right(u, v) == left_to_right(v, w),
+        std::cmp::Ordering::Less => false,
+    }
+}

@@ -1,0 +1,201 @@
+//! The planner: one place for all searches, which keeps its memory from query to query.
+//!
+//! ```text
+//!   start, goal ──> the same component? ──> door paths of dead ends ──> search ──> faces ──> funnel ──> route
+//! ```
+//!
+//! A query writes a number of its own into whatever record it uses, so that nothing has to be cleared.
+
+use super::corridor::{self, Reached};
+use super::exact::Exact;
+use super::funnel::{self, Funnel, Post};
+use super::mesh::{CLOSED, DEAD_END, ID, NONE};
+use super::{NavMesh, Place, Route, RouteError, Rung, Work};
+use crate::ids::{FaceId, FaceMap, HalfEdgeId, VertexId};
+use crate::plane::Point;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// Finds routes. One planner serves any number of queries, on any mesh, and allocates next to nothing after the first.
+///
+/// ```
+/// use dcel_kit::navmesh::{NavMesh, Planner, Rung};
+/// use dcel_kit::plane::{Point, Subdivision};
+/// let at = |x, y| Point::new(x, y);
+/// let points = vec![at(0., 0.), at(4., 0.), at(4., 4.), at(3., 1.), at(0., 1.), at(3., 4.)];
+/// let mesh = NavMesh::new(&Subdivision::from_triangles(points, &[[0, 1, 3], [0, 3, 4], [1, 2, 3], [2, 5, 3]])?)?;
+/// let mut planner = Planner::new();
+/// let route = planner.route_between(&mesh, Rung::Exact, at(0., 1.), at(3., 4.))?;
+/// assert_eq!(route.points, [at(0., 1.), at(3., 1.), at(3., 4.)]);
+/// assert_eq!(route.length, 6.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Planner {
+    pub(super) scratch: Scratch,
+    pub(super) exact: Exact,
+}
+
+/// What all searches share.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Scratch {
+    /// The number of the query.
+    pub(super) query: u32,
+    /// Dead ends that may be entered, by number of query.
+    allowed: Vec<u32>,
+    pub(super) reached: Vec<Reached>,
+    /// Keys are the bits of a length, which is not negative: they are in the order of the lengths.
+    pub(super) queue: BinaryHeap<Reverse<(u64, u32)>>,
+    pub(super) funnel: Funnel,
+    pub(super) starts: Vec<FaceId>,
+    pub(super) goals: Vec<FaceId>,
+    pub(super) work: Work,
+    /// The doors of the corridor that was found, by side, from the goal to the start.
+    pub(super) doors: Vec<(u32, u32)>,
+}
+
+impl Planner {
+    /// A planner without any memory yet.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// A route between two points. Cost: that of [`NavMesh::place`] twice and of [`route`](Self::route).
+    ///
+    /// # Errors
+    /// [`RouteError`]: one cannot stand at an end, or there is no way.
+    pub fn route_between(
+        &mut self,
+        mesh: &NavMesh,
+        rung: Rung,
+        start: Point,
+        goal: Point,
+    ) -> Result<Route, RouteError> {
+        let start = mesh.place(start).map_err(RouteError::Start)?;
+        let goal = mesh.place(goal).map_err(RouteError::Goal)?;
+        self.route(mesh, rung, &start, &goal)
+    }
+
+    /// A route between two places of the mesh.
+    ///
+    /// [`Rung::Exact`] gives the shortest way of all; the others find a corridor of faces by a quicker rule and the
+    /// shortest way through that.
+    ///
+    /// Cost: O(n) breadth first, O(n log n) for A*; for the exact one see [`exact`](Rung::Exact). n is the number of
+    /// faces that are no dead ends.
+    ///
+    /// # Errors
+    /// [`RouteError::Apart`] if there is no way.
+    pub fn route(&mut self, mesh: &NavMesh, rung: Rung, start: &Place, goal: &Place) -> Result<Route, RouteError> {
+        self.search(mesh, start, goal, |planner| match rung {
+            Rung::Breadth => corridor::breadth_first(mesh, &mut planner.scratch),
+            Rung::Exact => planner.exact.search(mesh, &mut planner.scratch, start, goal.point),
+            metric => corridor::a_star(mesh, &mut planner.scratch, metric, None, start.point, goal.point),
+        })
+    }
+
+    /// A route for which a unit of length in a face costs as much as `costs` says, by A* with the metric of `rung`.
+    ///
+    /// Not exact: the corridor is a good one for these costs, and within it the way is the shortest, not the
+    /// cheapest. With costs below 1 the corridor, too, may be far from the best.
+    ///
+    /// # Errors
+    /// [`RouteError::Apart`] if there is no way.
+    ///
+    /// # Panics
+    /// If `costs` is shorter than [`face_bound`](NavMesh::face_bound).
+    pub fn weighted_route(
+        &mut self,
+        mesh: &NavMesh,
+        rung: Rung,
+        costs: &FaceMap<f64>,
+        start: &Place,
+        goal: &Place,
+    ) -> Result<Route, RouteError> {
+        assert!(costs.len() >= mesh.face_bound(), "{} costs for {} faces", costs.len(), mesh.face_bound());
+        let metric = if matches!(rung, Rung::Breadth | Rung::Exact) { Rung::Closest } else { rung };
+        self.search(mesh, start, goal, |planner| {
+            corridor::a_star(mesh, &mut planner.scratch, metric, Some(costs), start.point, goal.point)
+        })
+    }
+
+    fn search(
+        &mut self,
+        mesh: &NavMesh,
+        start: &Place,
+        goal: &Place,
+        find: impl FnOnce(&mut Self) -> bool,
+    ) -> Result<Route, RouteError> {
+        self.scratch.begin(mesh, start, goal);
+        let [from, to] = [start.face, goal.face];
+        let apart = |start, goal| RouteError::Apart { from, to, start, goal };
+        if let [Some(a), Some(b)] = [from, to].map(|f| mesh.component(f))
+            && a != b
+        {
+            return Err(apart(a, b));
+        }
+        if let Some(&common) = self.scratch.starts.iter().find(|f| self.scratch.goals.contains(f)) {
+            self.scratch.doors.clear();
+            return Ok(self.scratch.finish(mesh, common, start.point, goal.point));
+        }
+        if !find(self) {
+            let [a, b] = [from, to].map(|f| mesh.component(f).unwrap_or(super::ComponentId(NONE)));
+            return Err(apart(a, b));
+        }
+        let first = self.scratch.doors.last().map_or(from, |&(face, _)| FaceId::new(face));
+        Ok(self.scratch.finish(mesh, first, start.point, goal.point))
+    }
+}
+
+impl Scratch {
+    /// Takes a new number for the query, and lets it into the dead ends of its start and goal.
+    fn begin(&mut self, mesh: &NavMesh, start: &Place, goal: &Place) {
+        self.query = self.query.wrapping_add(1);
+        if self.query == 0 {
+            self.allowed.clear();
+            self.reached.clear();
+            self.query = 1;
+        }
+        let bound = mesh.face_bound().max(self.allowed.len());
+        self.allowed.resize(bound, 0);
+        self.queue.clear();
+        self.doors.clear();
+        self.work = Work::default();
+        self.starts = mesh.faces_at(start);
+        self.goals = mesh.faces_at(goal);
+        for &f in self.starts.iter().chain(&self.goals) {
+            for f in mesh.door_path(f) {
+                self.allowed[f.index()] = self.query;
+            }
+        }
+    }
+
+    /// Whether a search may cross a side with this word: it is open, and no useless dead end lies behind.
+    #[inline]
+    pub(super) fn may_cross(&self, across: u32) -> bool {
+        across & (CLOSED | DEAD_END) == 0
+            || (across & CLOSED == 0 && self.allowed[(across & ID) as usize] == self.query)
+    }
+
+    /// Pulls the way straight through the doors that were found.
+    fn finish(&mut self, mesh: &NavMesh, first: FaceId, start: Point, goal: Point) -> Route {
+        let mut faces = Vec::with_capacity(self.doors.len() + 1);
+        let mut doors: Vec<HalfEdgeId> = Vec::with_capacity(self.doors.len());
+        faces.push(first);
+        self.funnel.start(Post::free(start));
+        for &(face, side) in self.doors.iter().rev() {
+            let [right, left] = mesh.ends(FaceId::new(face), side as usize);
+            self.funnel.pass(Post::at(mesh, left), Post::at(mesh, right));
+            doors.push(mesh.half_edges[side as usize]);
+            faces.push(FaceId::new(mesh.sides[side as usize].across & ID));
+        }
+        let way = self.funnel.finish(Post::free(goal));
+        // A bend at the start or the goal itself is none.
+        let bends = way.iter().filter(|post| post.vertex != NONE && post.point != start && post.point != goal);
+        let corners: Vec<VertexId> = bends.map(|post| VertexId::new(post.vertex)).collect();
+        let bends = corners.iter().map(|&v| mesh.point(v));
+        let points: Vec<Point> = std::iter::once(start).chain(bends).chain([goal]).collect();
+        Route { faces, doors, length: funnel::length(&points), points, corners, work: self.work }
+    }
+}

@@ -1,0 +1,141 @@
+//! What every rung of the ladder gives: a route.
+//!
+//! ```text
+//!   faces      f3    f7    f8    f2          doors[i] leads from faces[i] to faces[i + 1]:
+//!   doors         h9    h15   h4             a half-edge whose face is faces[i]
+//!   points     s ─────●──────────── t        the start, the corners, the goal
+//! ```
+
+use super::{ComponentId, NavMesh, PlaceError};
+use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::plane::Point;
+use std::fmt;
+
+/// The rungs of the ladder: how a route is found.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[non_exhaustive]
+pub enum Rung {
+    /// Breadth first: the fewest faces.
+    Breadth,
+    /// A* from centroid to centroid of the faces.
+    Centroid,
+    /// A* from midpoint to midpoint of the doors.
+    Midpoint,
+    /// A* from each door to the closest point on the next.
+    Closest,
+    /// The shortest way of all.
+    Exact,
+}
+
+impl Rung {
+    /// All of them, from the lowest to the highest.
+    pub const ALL: [Self; 5] = [Self::Breadth, Self::Centroid, Self::Midpoint, Self::Closest, Self::Exact];
+
+    /// One word for it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Breadth => "breadth",
+            Self::Centroid => "centroid",
+            Self::Midpoint => "midpoint",
+            Self::Closest => "closest",
+            Self::Exact => "exact",
+        }
+    }
+}
+
+impl fmt::Display for Rung {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// How much work a search took: to be compared where times cannot be.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Work {
+    /// How often something was taken from the queue.
+    pub pops: u64,
+    /// How often something was put into the queue.
+    pub pushes: u64,
+    /// How many faces were entered, each as often as it was.
+    pub expansions: u64,
+}
+
+/// A way from one point to another: through which faces, by which doors, along which points.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Route {
+    /// The faces in order. At a point on an edge or vertex the first or last may be any face there.
+    pub faces: Vec<FaceId>,
+    /// One fewer: `doors[i]` is the half-edge of `faces[i]` by which `faces[i + 1]` is entered.
+    pub doors: Vec<HalfEdgeId>,
+    /// The start, where the way bends, the goal.
+    pub points: Vec<Point>,
+    /// The vertices it bends at: those of `points` without the first and the last. Empty for an agent with a
+    /// radius, whose way bends beside the vertices.
+    pub corners: Vec<VertexId>,
+    /// The length of the way, in units of the map.
+    pub length: f64,
+    /// What it took to find.
+    pub work: Work,
+}
+
+/// A door with its two posts, seen by who goes through.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Portal {
+    /// The half-edge of `from`.
+    pub door: HalfEdgeId,
+    /// The vertex on the left.
+    pub left: VertexId,
+    /// The vertex on the right.
+    pub right: VertexId,
+    /// The face that is left.
+    pub from: FaceId,
+    /// The face that is entered.
+    pub to: FaceId,
+}
+
+impl Route {
+    /// The doors of the route with their posts. O(sides of its faces).
+    pub fn portals<'a>(&'a self, mesh: &'a NavMesh) -> impl Iterator<Item = Portal> + Clone + 'a {
+        self.doors.iter().zip(self.faces.windows(2)).filter_map(move |(&door, pair)| {
+            let side = mesh.sides(pair[0]).find(|side| side.half_edge == door)?;
+            Some(Portal { door, left: side.to, right: side.from, from: pair[0], to: pair[1] })
+        })
+    }
+}
+
+/// Why there is no way between two places.
+#[derive(Clone, PartialEq, Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum RouteError {
+    /// The start is no place to stand.
+    #[error("the start: {0}")]
+    Start(PlaceError),
+    /// The goal is no place to stand.
+    #[error("the goal: {0}")]
+    Goal(PlaceError),
+    /// The two places are in different components: that is the proof that there is no way.
+    #[error(
+        "there is no way: {from} is in {start}, {to} is in {goal}; nearest_reachable gives the nearest place that can be reached"
+    )]
+    Apart {
+        /// A face at the start.
+        from: FaceId,
+        /// A face at the goal.
+        to: FaceId,
+        /// The component of the start.
+        start: ComponentId,
+        /// The component of the goal.
+        goal: ComponentId,
+    },
+    /// There is a way, but none is wide enough.
+    #[error("no way from {from} to {to} is wide enough for an agent of radius {radius}; try a smaller one")]
+    TooNarrow {
+        /// A face at the start.
+        from: FaceId,
+        /// A face at the goal.
+        to: FaceId,
+        /// The radius of the agent.
+        radius: f64,
+    },
+}
