@@ -68,7 +68,7 @@ pub struct UnknownFormat {
 
 impl Format {
     /// All formats, in the order in which they are listed to people.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::Obj,
         Self::Off,
         Self::Ply,
@@ -234,7 +234,7 @@ mod tests {
 
     #[test]
     fn first_bytes_tell_the_format() {
-        let cases: [(&[u8], Option<Format>); 12] = [
+        let cases: [(&[u8], Option<Format>); 13] = [
             (b"solid cube\n facet normal 0 0 1\n", Some(Format::Stl)),
             (b"linestring(0 0, 1 1)", Some(Format::Wkt)),
             (b"# x y x y\n0 0 1.5 -2e3\n", Some(Format::Segments)),

@@ -172,7 +172,7 @@ pub(super) fn write(out: &mut impl Write, polygons: &Polygons) -> Result<(), Wri
     for (&face, cycle) in polygons.faces.iter().zip(polygons.list.outer_cycles()) {
         let whole = fans(cycle).map(|t| normal(t.map(at))).fold([0.0; 3], |sum, n| plus(sum, n));
         if cycle.len() > 3 && fans(cycle).any(|t| dot(normal(t.map(at)), whole) <= 0.0) {
-            return Err(WriteError::NotConvex { face, format: Format::Stl.name() });
+            return Err(WriteError::NoFan { face, format: Format::Stl.name() });
         }
     }
     writeln!(out, "solid")?;

@@ -72,9 +72,9 @@ pub enum WriteError {
         /// How many corners it has.
         corners: usize,
     },
-    /// A face that is not convex, and a format that holds triangles only.
+    /// A face that does not fall into triangles from its first corner, and a format that holds triangles only.
     #[error("{face} is not convex, and {format} holds triangles only; try obj, off or ply, or cut the face first")]
-    NotConvex {
+    NoFan {
         /// The face.
         face: FaceId,
         /// The format.

@@ -11,7 +11,6 @@
 //!   check.rs                    the laws of the plane
 //!   edit/                       split_face, join_faces, split_edge, join_edges; insert and remove vertices, edges, segments
 //!   locate/                     where a point lies: scan, walk, index
-//!   triangulate/                faces into triangles: ears, monotone pieces
 //!   triangulate/                faces into triangles: ears, monotone pieces              hull.rs    points -> convex hull
 //!   sweep.rs cycle.rs rings.rs  what lies below, which way round, which ring in which face
 //! ```
@@ -21,8 +20,8 @@ mod convert;
 mod cycle;
 mod delaunay;
 pub mod edit;
-mod locate;
 mod hull;
+mod locate;
 mod meet;
 mod overlay;
 mod point;
@@ -45,10 +44,10 @@ pub use edit::{
     InsertedSegment, JoinEdgesError, JoinFacesError, RemoveEdgeError, RemoveVertexError, SplitEdgeError,
     SplitFaceError,
 };
-pub use locate::{Location, PointIndex, Walk};
-pub use overlay::{Operation, Overlay, ParseOperationError, Parts};
 pub use hull::{HullError, convex_hull};
+pub use locate::{Location, PointIndex, Walk};
 pub(crate) use meet::Expansion;
+pub use overlay::{Operation, Overlay, ParseOperationError, Parts};
 pub use point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};
 pub use seed::LAB_RECTANGLE;
 pub use segments::{ArrangeOptions, Arranged, MarkHolesError, Residues, SegmentFault, SegmentsError};

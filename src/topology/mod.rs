@@ -33,10 +33,11 @@ mod walk;
 
 pub use build::{BuildError, Built};
 pub(crate) use build::{Faces, match_faces};
-pub use edit::{FlipEdgeError, JoinEdgesError, JoinFacesError, SplitEdgeError, SplitFaceError};
 pub use dual::DualError;
-pub use edit::{CollapseEdgeError, JoinVerticesError, SplitVertexError};
-pub use edit::{JoinEdgesError, JoinFacesError, SplitEdgeError, SplitFaceError};
+pub use edit::{
+    CollapseEdgeError, FlipEdgeError, JoinEdgesError, JoinFacesError, JoinVerticesError, SplitEdgeError,
+    SplitFaceError, SplitVertexError,
+};
 pub(crate) use links::Columns;
 pub use links::Dcel;
 pub use measure::{ComponentCounts, Components, Counts, Mode, components, measure, measure_with};

@@ -4,8 +4,8 @@
 //! ids included. Each edit gathers what it needs, checks (`can_…` is exactly that phase), makes room, and then
 //! writes; the write phase cannot fail.
 
-mod flip_edge;
 mod collapse_edge;
+mod flip_edge;
 mod join_edges;
 mod join_faces;
 mod join_vertices;
@@ -13,8 +13,8 @@ mod split_edge;
 mod split_face;
 mod split_vertex;
 
-pub use flip_edge::FlipEdgeError;
 pub use collapse_edge::CollapseEdgeError;
+pub use flip_edge::FlipEdgeError;
 pub use join_edges::JoinEdgesError;
 pub use join_faces::JoinFacesError;
 pub use join_vertices::JoinVerticesError;
@@ -92,9 +92,8 @@ mod tests {
                 chosen.set_outgoing(start.origin(one), Some(one), rec);
                 chosen.set_boundary(start.face(other), Some(other), rec);
                 for a in start.half_edges() {
-                    let edits: [fn(&mut Dcel, HalfEdgeId) -> bool; 4] = [
+                    let edits: [fn(&mut Dcel, HalfEdgeId) -> bool; 6] = [
                         |d, a| d.flip_edge(a).is_ok(),
-                    let edits: [fn(&mut Dcel, HalfEdgeId) -> bool; 5] = [
                         |d, a| d.join_vertices(a).is_ok(),
                         |d, a| d.collapse_edge(a).is_ok(),
                         |d, a| d.join_faces(a).is_ok(),
