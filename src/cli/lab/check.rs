@@ -97,8 +97,13 @@ impl Bench {
         for test in &report.tests {
             writeln!(out, "  {} {:<30} {}", sign(test.verdict), test.name, test.verdict)?;
         }
-        let failing = report.tests.iter().filter(|test| !matches!(test.verdict, Verdict::Passed | Verdict::Skipped));
-        for test in failing.take(if self.all { usize::MAX } else { 1 }) {
+        // What was written comes before what is still to be written: tasks may be done in any order.
+        let (written, to_write) = report
+            .tests
+            .iter()
+            .filter(|test| !matches!(test.verdict, Verdict::Passed | Verdict::Skipped))
+            .partition::<Vec<_>, _>(|test| test.verdict != Verdict::Unattempted);
+        for test in written.into_iter().chain(to_write).take(if self.all { usize::MAX } else { 1 }) {
             let replay = self.case(test);
             writeln!(out, "\n{}", test_text(report, test, replay.as_deref()).trim_end())?;
         }
