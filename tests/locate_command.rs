@@ -70,17 +70,24 @@ fn an_overlay_tells_labels_regions_and_what_moved() {
     folder.write("tiles.obj", TILES);
     let report = folder.dcel("overlay square.obj tiles.obj --json").json();
     assert_eq!((&report["vertices"], &report["faces"]), (&json!(12), &json!(8)));
-    assert_eq!((&report["crossings"].as_array().unwrap().len(), &report["moved"]), (&4, &json!([{"vertex": "v8", "by": 4.440892098500626e-17}])));
+    assert_eq!(
+        (&report["crossings"].as_array().unwrap().len(), &report["moved"]),
+        (&4, &json!([{"vertex": "v8", "by": 4.440892098500626e-17}]))
+    );
     let areas = ["union", "intersection", "difference", "xor"].map(|operation| {
-        folder.dcel(&format!("overlay square.obj tiles.obj --join --operation {operation} --json")).json()["region"]["area"]
-            .as_f64()
-            .unwrap()
+        folder.dcel(&format!("overlay square.obj tiles.obj --join --operation {operation} --json")).json()["region"]
+                ["area"]
+                .as_f64()
+                .unwrap()
     });
     assert_eq!(areas, [14.0, 2.0, 10.0, 12.0]);
     let text = folder.dcel("overlay square.obj tiles.obj --operation difference --join -o rest.dcel").fine();
     assert!(text.contains("difference      1 faces, area 10"), "{text}");
     assert_eq!(folder.dcel("info rest.dcel --json").json()["valid"], json!(true));
-    assert_eq!(folder.dcel("overlay square.obj tiles.obj --operation difference --join -o -").fine(), folder.read("rest.dcel"));
+    assert_eq!(
+        folder.dcel("overlay square.obj tiles.obj --operation difference --join -o -").fine(),
+        folder.read("rest.dcel")
+    );
 }
 
 #[test]

@@ -98,7 +98,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let subject = args.input.open_as(&args.file, false)?;
     let s = subject.plane()?;
     // The file says where y points; the points are given in its coordinates.
-    let asked: Vec<Point> = given.iter().map(|&p| if args.input.y_down() { Point::new(p.x, 0.0 - p.y) } else { p }).collect();
+    let asked: Vec<Point> =
+        given.iter().map(|&p| if args.input.y_down() { Point::new(p.x, 0.0 - p.y) } else { p }).collect();
     let walks = match args.walk {
         Some(start) => Some(walks(s, start, &asked)?),
         None => None,
@@ -243,5 +244,7 @@ fn draw(
     let title = args.file.file_stem().map_or_else(|| "Points".into(), |stem| stem.to_string_lossy());
     let names = subject.faces().filter_map(|f| Some((f, subject.name(f)?)));
     let options = FigureOptions::new(format!("Points in {title}")).face_names(names);
-    sketch.over(s, Backdrop::Plain, &options).map_err(|error| Failure::input(format!("{}: {error}", subject.source), ""))
+    sketch
+        .over(s, Backdrop::Plain, &options)
+        .map_err(|error| Failure::input(format!("{}: {error}", subject.source), ""))
 }
