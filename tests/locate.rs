@@ -240,6 +240,22 @@ fn crossing_segments_that_are_split_at_rounded_points() {
 }
 
 #[test]
+fn full_cells_and_cells_with_lists_agree() {
+    for seed in 3100..3104 {
+        let mut next = Numbers::new(seed);
+        let mut place = || Point::new(next.unit(), next.unit());
+        let segments: Vec<[Point; 2]> = (0..60).map(|_| [place(), place()]).collect();
+        let options = dcel_kit::plane::ArrangeOptions { split: true, ..Default::default() };
+        let s = Subdivision::arrange_segments(&segments, &options).unwrap().subdivision;
+        let (full, lists) = (PointIndex::with_density(&s, 0.0), PointIndex::with_density(&s, 16.0));
+        for _ in 0..8000 {
+            let p = place();
+            assert_eq!(full.locate(p), lists.locate(p), "seed {seed}: {p}");
+        }
+    }
+}
+
+#[test]
 fn turning_moving_and_scaling_changes_nothing() {
     let maps: [fn(Point) -> Point; 4] = [
         |p| Point::new(-p.y, p.x),

@@ -1,10 +1,9 @@
 //! Which of two edges comes later on the way of a sweep, and which lie left of a point of a level.
 //!
 //! ```text
-//!     up, p above      above │          The level of y runs an infinitesimal d below it, and d is great against
-//!    ──────●────       ──────┼──────    all other infinitesimals. So edges that touch the level at an upper end
-//!          · b               ·          cross it, those at a lower end do not, and horizontal ones never do.
-//!   · · · ·└ · level      below
+//!        ╲   │   ╱             A level is the horizontal line just below a height y: edges with an upper end at y
+//!    ─────●──┼──╱────── y      cross it, those with a lower end there do not, and horizontal ones never do. Which
+//!    · · ·╲· │ ╱· · · · level  of two comes first on it is asked with x and y exchanged.
 //! ```
 
 use crate::plane::Point;

@@ -169,8 +169,6 @@ impl Subdivision {
                     continue;
                 }
                 if was_right != right
-                    && ends != s
-                    && b != s
                     && orientation(ends, b, s) == of_p.reverse()
                     && last.is_none_or(|(_, before)| is_later([ends, b], before, p))
                 {
