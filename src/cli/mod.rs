@@ -27,11 +27,13 @@ mod lesson;
 mod looks;
 mod output;
 mod picture;
+mod plane_figures;
 mod references;
 mod script;
 mod specimen;
 mod subject;
 mod tour;
+mod triangulate;
 mod validate;
 mod walk;
 
@@ -69,6 +71,7 @@ enum Command {
     Compare(compare::Args),
     Convert(convert::Args),
     Build(build::Args),
+    Triangulate(Box<triangulate::Args>),
     Figure(Box<figure::Args>),
     Script(script::Args),
     Lab(lab::Args),
@@ -87,6 +90,7 @@ impl Command {
             Self::Compare(args) => compare::run(&args, out),
             Self::Convert(args) => convert::run(&args, out),
             Self::Build(args) => build::run(&args, out),
+            Self::Triangulate(args) => triangulate::run(&args, out),
             Self::Figure(args) => figure::run(&args, out),
             Self::Script(args) => script::run(&args, out),
             Self::Lab(args) => lab::run(&args, out),
