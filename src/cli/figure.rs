@@ -5,8 +5,10 @@ use super::figure_kind::Kind;
 use super::input::InputOptions;
 use super::looks::Looks;
 use super::picture::{Pixels, Target, is_page};
+use super::subject::{self, Subject};
 use super::{Answer, Failure, Output};
-use dcel_kit::figure::{self, Detail, FaceLabels, FigureOptions};
+use dcel_kit::figure::{self, Detail, FaceLabels, Figure, FigureOptions};
+use dcel_kit::plane::Subdivision;
 use std::path::{Path, PathBuf};
 
 /// Draw a structure as SVG or PNG, or as a page to click through
@@ -23,6 +25,7 @@ Examples:
   dcel figure square.obj -o square.svg
   dcel figure square.dcel --pointers next,twin -o pointers.svg
   dcel figure square.dcel --tables --highlight h5 > row.svg
+  dcel figure square.obj --dual -o dual.svg
   dcel figure --records > records.svg
   dcel figure square.dcel --title \"Two rooms\" > two.svg
   dcel figure square.obj --interactive -o hover.svg
@@ -160,10 +163,25 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
             return Ok(Answer::Yes);
         }
     }
-    let figure = args.kind.draw(view, &options).map_err(refused)?;
+    let figure =
+        if args.kind.dual { dual(&subject, &options)? } else { args.kind.draw(view, &options).map_err(refused)? };
     figure.notes().iter().for_each(|note| say("note", note));
     target.write(&figure, out)?;
     Ok(Answer::Yes)
+}
+
+/// The dual graph. It is that of a sound subdivision only.
+fn dual(subject: &Subject, options: &FigureOptions) -> Result<Figure, Failure> {
+    let refused = |error: String| Failure::input(format!("{}: {error}", subject.source), "dcel validate says more");
+    let drawn = match &subject.kind {
+        subject::Kind::Plane(subdivision) => figure::dual(subdivision, options),
+        subject::Kind::Table(table) => {
+            let subdivision = Subdivision::from_table(table).map_err(|error| refused(error.to_string()))?;
+            figure::dual(&subdivision, options)
+        }
+        subject::Kind::Surface(_) => return Err(refused("a surface in space has no drawing in the plane".to_owned())),
+    };
+    drawn.map_err(|error| refused(error.to_string()))
 }
 
 impl Drawing {

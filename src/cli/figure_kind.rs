@@ -17,6 +17,9 @@ pub(crate) struct Kind {
     /// The vertex, half-edge and face tables beside the picture
     #[arg(long, group = "kind")]
     tables: bool,
+    /// The dual graph over the structure: a point in each face, a line across each edge
+    #[arg(long, group = "kind")]
+    pub(crate) dual: bool,
     /// The element marked in the picture and in its table, for example h5, v3 or f1
     #[arg(long, value_name = "ELEMENT", requires = "tables", value_parser = element)]
     highlight: Option<Element>,

@@ -29,12 +29,14 @@ mod looks;
 mod output;
 mod overlay;
 mod picture;
+mod plane_figures;
 mod references;
 mod script;
 mod solid;
 mod specimen;
 mod subject;
 mod tour;
+mod triangulate;
 mod validate;
 mod walk;
 
@@ -74,6 +76,7 @@ enum Command {
     Build(build::Args),
     Locate(locate::Args),
     Overlay(overlay::Args),
+    Triangulate(Box<triangulate::Args>),
     Figure(Box<figure::Args>),
     Script(script::Args),
     Solid(solid::Args),
@@ -95,6 +98,7 @@ impl Command {
             Self::Build(args) => build::run(&args, out),
             Self::Locate(args) => locate::run(&args, out),
             Self::Overlay(args) => overlay::run(&args, out),
+            Self::Triangulate(args) => triangulate::run(&args, out),
             Self::Figure(args) => figure::run(&args, out),
             Self::Script(args) => script::run(&args, out),
             Self::Solid(args) => solid::run(&args, out),

@@ -4,12 +4,13 @@ use super::Failure;
 use super::camera::film;
 use super::lab_figures;
 use super::lesson::{self, LessonError};
+use super::plane_figures;
 use super::specimen;
 use dcel_kit::figure::chart::ChartError;
 use dcel_kit::figure::sketch::SketchError;
-use dcel_kit::figure::{self, FigureError, FigureOptions, NearlyCollinear, OverridesError, Pointers};
+use dcel_kit::figure::{self, DualFigureError, FigureError, FigureOptions, NearlyCollinear, OverridesError, Pointers};
 use dcel_kit::ids::HalfEdgeId;
-use dcel_kit::plane::{CoordinateError, Subdivision};
+use dcel_kit::plane::{CoordinateError, MarkHolesError, SegmentsError, Subdivision, TriangulateError};
 use dcel_kit::script::{Script, ScriptError};
 use std::path::Path;
 
@@ -30,6 +31,14 @@ pub(crate) enum ReferenceError {
     Chart(#[from] ChartError),
     #[error(transparent)]
     Coordinate(#[from] CoordinateError),
+    #[error(transparent)]
+    Segments(#[from] SegmentsError),
+    #[error(transparent)]
+    MarkHoles(#[from] MarkHolesError),
+    #[error(transparent)]
+    Triangulate(#[from] TriangulateError),
+    #[error(transparent)]
+    Dual(#[from] DualFigureError),
 }
 
 /// A figure of the project, regenerated and compared by `dcel figures`.
@@ -62,6 +71,11 @@ static REFERENCES: &[Reference] = &[
             let options = FigureOptions::new("What differs").id_prefix("difference");
             Ok(figure::compare::diff_figure(&right, &wrong, &options)?.to_svg())
         },
+    },
+    Reference {
+        file: "dual.svg",
+        about: "the dual graph over its subdivision: a point in each face, a line across each edge",
+        draw: plane_figures::dual,
     },
     Reference {
         file: "film-join-faces.svg",
@@ -174,6 +188,11 @@ static REFERENCES: &[Reference] = &[
         },
     },
     Reference {
+        file: "triangulation.svg",
+        about: "a face with a hole and a vertex inside: its monotone pieces, their triangles, and those of the ears",
+        draw: plane_figures::triangulation,
+    },
+    Reference {
         file: "vocabulary.svg",
         about: "what other parts of the kit draw themselves with: one layout, six panels",
         draw: specimen::vocabulary,
@@ -244,6 +263,12 @@ fn command(file: &str) -> &'static str {
              dcel figure FILE --detail edges --colours figures/scripts/lab-04-drawing.colours -o OUT.svg"
         }
         "difference.svg" => "dcel compare EXPECTED.svg MINE.svg --diff OUT.svg",
+        "dual.svg" => "dcel figure FILE --dual -o OUT.svg",
+        "triangulation.svg" => {
+            "dcel triangulate FILE --pieces --figure PIECES.svg\n\
+             dcel triangulate FILE --figure OUT.svg\n\
+             dcel triangulate FILE --method ears --figure EARS.svg"
+        }
         "focus.svg" => "dcel figure FILE --focus h5 -o OUT.svg",
         "interactive.svg" => "dcel figure FILE --interactive -o OUT.svg",
         "pointers.svg" => "dcel figure FILE --pointers all -o OUT.svg",

@@ -38,6 +38,7 @@ pub mod chart;
 pub mod compare;
 mod crop;
 mod crowd;
+mod dual;
 mod face_arrows;
 mod faces;
 mod film;
@@ -84,6 +85,7 @@ mod unit;
 mod vector;
 mod vertices;
 
+pub use dual::{DualFigureError, dual};
 pub use film::{Fate, Film, Frame, Written};
 pub use focus::focus;
 pub use options::{Detail, FaceLabels, FigureOptions};

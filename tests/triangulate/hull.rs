@@ -89,6 +89,13 @@ fn json(path: &Path) -> Value {
     serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
 }
 
+/// All pairs of numbers in a text.
+fn numbers(text: &str) -> Vec<Point> {
+    let words = text.split(|c: char| !(c.is_ascii_digit() || "+-.eE".contains(c)));
+    let numbers: Vec<f64> = words.filter_map(|word| word.parse().ok()).collect();
+    numbers.chunks_exact(2).map(|p| Point::new(p[0], p[1])).collect()
+}
+
 /// All pairs of numbers in the coordinates of a GeoJSON value, or in nested lists.
 fn pairs(value: &Value, points: &mut Vec<Point>) {
     match value {
@@ -127,8 +134,8 @@ fn hull(points: &[Point]) -> Vec<Point> {
 fn hulls_that_others_state() {
     let files = json(&data("O03-delaunator/expected.json"));
     for (name, due) in files.as_object().unwrap() {
-        let mut points = Vec::new();
-        pairs(&json(&data("O03-delaunator/fixtures").join(name)), &mut points);
+        // Read by the standard library, which rounds correctly: one of these is straight to the last place.
+        let points = numbers(&std::fs::read_to_string(data("O03-delaunator/fixtures").join(name)).unwrap());
         assert_eq!(due["points"].as_u64(), Some(points.len() as u64));
         assert_eq!(due["hull_corners"].as_u64(), Some(hull(&points).len() as u64), "{name}");
     }
@@ -144,14 +151,10 @@ fn hulls_that_others_state() {
     for file in ["TestConvexHull.xml", "TestConvexHull-big.xml"] {
         let text = std::fs::read_to_string(data("O14-jts-xml").join(file)).unwrap();
         let document = roxmltree::Document::parse(&text).unwrap();
-        let numbers = |node: roxmltree::Node<'_, '_>| {
-            let words = node.text().unwrap_or("").split(|c: char| !(c.is_ascii_digit() || "+-.eE".contains(c)));
-            let numbers: Vec<f64> = words.filter_map(|word| word.parse().ok()).collect();
-            numbers.chunks_exact(2).map(|p| Point::new(p[0], p[1])).collect::<Vec<_>>()
-        };
         for case in document.descendants().filter(|node| node.has_tag_name("case")) {
             let child = |name: &str| case.descendants().find(|node| node.has_tag_name(name)).unwrap();
-            assert_eq!(hull(&numbers(child("a"))), stated(numbers(child("op"))), "{file}, case {cases}");
+            let text = |name: &str| numbers(child(name).text().unwrap_or(""));
+            assert_eq!(hull(&text("a")), stated(text("op")), "{file}, case {cases}");
             cases += 1;
         }
     }

@@ -45,8 +45,7 @@ pub enum TriangulationMethod {
     ///      a - c
     /// ```
     ///
-    /// Cost: O(n (k + r)) for a face of n corners, k of them not convex, and r rings; so O(n²) at worst. Each ear
-    /// takes memory of its own size only.
+    /// Cost: O(n (k + r)) for a face of n corners, k of them not convex, and r rings; so O(n²) at worst.
     ///
     /// Source: Meisters, *Polygons have ears*, American Mathematical Monthly 82, 1975.
     Ears,

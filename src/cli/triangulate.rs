@@ -1,0 +1,229 @@
+//! `dcel triangulate`: faces into triangles, or into monotone pieces.
+
+use super::failure::{Failure, say};
+use super::input::InputOptions;
+use super::subject::{Kind, Subject};
+use super::{Answer, Output};
+use dcel_kit::figure::sketch::{Backdrop, Role, Sketch, SketchError};
+use dcel_kit::figure::{self, Figure, FigureOptions};
+use dcel_kit::io::{Format, write, write_path};
+use dcel_kit::plane::{Subdivision, Triangulated, TriangulationMethod};
+use dcel_kit::{EdgeId, FaceId};
+use serde::Serialize;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// More diagonals than this are drawn as edges like all others.
+const SKETCHED: usize = 400;
+
+/// Cut the faces of a subdivision into triangles
+///
+/// Diagonals join vertices that are there; none is added. Every bounded face is cut, with its rings
+/// and isolated vertices, into triangles of positive area; hole faces stay whole. A face with n
+/// half-edges and r rings gives n + 2r - 2 triangles.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Examples:
+  dcel triangulate plan.poly -o plan.dcel
+  dcel triangulate garden.geojson --method ears --figure garden.svg
+  dcel triangulate square.dcel --face f1 --json
+  dcel triangulate plan.poly --pieces --figure pieces.svg")]
+pub(crate) struct Args {
+    /// The file to read, or - for standard input
+    #[arg(value_name = "IN")]
+    file: PathBuf,
+    /// How the triangles are found
+    #[arg(long, value_name = "METHOD", default_value = "monotone")]
+    method: Method,
+    /// Cut into monotone pieces only: the first half of that method
+    #[arg(long, conflicts_with = "method")]
+    pieces: bool,
+    /// Cut hole faces, too; their triangles are hole faces
+    #[arg(long)]
+    holes: bool,
+    /// Cut this face only
+    #[arg(long, value_name = "FACE", conflicts_with = "holes")]
+    face: Option<FaceId>,
+    /// Write the structure, for example as .dcel; - for dcel text instead of the report
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+    /// Draw it, with the diagonals
+    #[arg(long, value_name = "OUT.svg")]
+    figure: Option<PathBuf>,
+    /// Answer in JSON
+    #[arg(long, conflicts_with = "output")]
+    json: bool,
+    #[command(flatten)]
+    input: InputOptions,
+}
+
+/// How the triangles are found.
+#[derive(clap::ValueEnum, Clone, Copy, Debug)]
+enum Method {
+    /// Cut off one ear after another, O(n²) at worst
+    Ears,
+    /// Cut into monotone pieces first, O(n log n)
+    Monotone,
+}
+
+impl From<Method> for TriangulationMethod {
+    fn from(method: Method) -> Self {
+        match method {
+            Method::Ears => Self::Ears,
+            Method::Monotone => Self::Monotone,
+        }
+    }
+}
+
+/// The answer. The names are those of the JSON form.
+#[derive(Serialize)]
+struct Report {
+    source: String,
+    format: &'static str,
+    method: &'static str,
+    faces_cut: usize,
+    pieces: usize,
+    diagonals: usize,
+    vertices: usize,
+    edges: usize,
+    faces: usize,
+    hole_faces: usize,
+}
+
+pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    for target in args.output.iter().chain(&args.figure) {
+        if super::output::is_same_file(&args.file, target) {
+            let what = format!("{}: this is the input itself", target.display());
+            return Err(Failure::input(what, "choose another name"));
+        }
+    }
+    let mut subject = args.input.open_as(&args.file, false)?;
+    let source = subject.source.clone();
+    let Kind::Plane(subdivision) = &mut subject.kind else {
+        let what = format!("{source}: a surface in space is not cut into triangles here");
+        return Err(Failure::input(what, "--plane drops z: good for a terrain seen from above"));
+    };
+    let before = subdivision.clone();
+    let (chosen, added) = cut(args, subdivision).map_err(|error| {
+        let what = error.to_string();
+        let (what, help) = what.split_once("; ").unwrap_or((&what, ""));
+        Failure::input(format!("{source}: {what}"), help)
+    })?;
+    let after = subdivision.clone();
+    for &(new, old) in &added.new_faces {
+        if let Some(name) = subject.name(old).map(str::to_owned) {
+            subject.names.set(new, Some(name), None);
+        }
+    }
+    if let Some(path) = &args.figure {
+        let title = args.file.file_stem().map_or_else(|| "Triangles".into(), |stem| stem.to_string_lossy());
+        let drawn = draw(&before, &after, &added.diagonals, &FigureOptions::new(title))
+            .map_err(|error| Failure::input(format!("{source}: {error}"), ""))?;
+        drawn.notes().iter().for_each(|note| say("note", note));
+        std::fs::write(path, drawn.to_svg()).map_err(|error| Failure::writing(path.display(), &error))?;
+    }
+    if let Some(path) = &args.output {
+        save(path, &subject, out)?;
+        if path.as_os_str() == "-" {
+            return Ok(Answer::Yes);
+        }
+    }
+    let report = Report {
+        source,
+        format: subject.format.name(),
+        method: match (args.pieces, args.method) {
+            (true, _) => "monotone pieces",
+            (false, Method::Ears) => "ears",
+            (false, Method::Monotone) => "monotone",
+        },
+        faces_cut: chosen,
+        pieces: chosen + added.new_faces.len(),
+        diagonals: added.diagonals.len(),
+        vertices: after.vertex_count(),
+        edges: after.edge_count(),
+        faces: after.face_count(),
+        hole_faces: after.hole_faces().count(),
+    };
+    if args.json {
+        out.json(&report)?;
+    } else {
+        report.print(out)?;
+    }
+    Ok(Answer::Yes)
+}
+
+/// Cuts what is asked for; returns the number of faces it was, too.
+fn cut(args: &Args, s: &mut Subdivision) -> Result<(usize, Triangulated), dcel_kit::plane::TriangulateError> {
+    let method = args.method.into();
+    let bounded = s.faces().filter(|&f| f != s.outer_face() && (args.holes || !s.is_hole(f)));
+    let faces: Vec<FaceId> = args.face.map_or_else(|| bounded.collect(), |f| vec![f]);
+    if args.pieces {
+        let mut all = Triangulated::default();
+        for &f in &faces {
+            let added = s.split_into_monotone(f)?;
+            all.diagonals.extend(added.diagonals);
+            all.new_faces.extend(added.new_faces);
+        }
+        return Ok((faces.len(), all));
+    }
+    let added = match args.face {
+        Some(f) => s.triangulate_face(f, method)?,
+        None if args.holes => s.triangulate_all(method)?,
+        None => s.triangulate(method)?,
+    };
+    Ok((faces.len(), added))
+}
+
+/// The structure with its diagonals in another look, if they are few.
+pub(super) fn draw(
+    before: &Subdivision,
+    after: &Subdivision,
+    diagonals: &[EdgeId],
+    options: &FigureOptions,
+) -> Result<Figure, SketchError> {
+    if diagonals.len() > SKETCHED {
+        return Ok(figure::structure(after, options)?);
+    }
+    sketch(after, diagonals).over(before, Backdrop::Plain, options)
+}
+
+/// The diagonals as a sketch.
+pub(super) fn sketch(after: &Subdivision, diagonals: &[EdgeId]) -> Sketch {
+    let mut sketch = Sketch::new();
+    for diagonal in diagonals {
+        let ends = diagonal.half_edges().map(|h| after.point(after.origin(h)));
+        sketch.path(Role::Secondary, ends).title(format!("diagonal {diagonal}")).key("diagonal");
+    }
+    sketch
+}
+
+fn save(path: &Path, subject: &Subject, out: &mut Output) -> Result<(), Failure> {
+    let model = subject.model();
+    let written = match Format::from_path(path) {
+        _ if path.as_os_str() == "-" => write(out, &model, Format::Dcel),
+        Some(format) => write_path(path, &model, format),
+        None => {
+            let what = format!("{}: the name does not tell the format to write", path.display());
+            return Err(Failure::input(what, "end it in .dcel"));
+        }
+    };
+    written.map_err(|error| Failure::of_writing(path, error))
+}
+
+impl Report {
+    fn print(&self, out: &mut Output) -> io::Result<()> {
+        writeln!(out, "{}: plane, {}, by {}", self.source, self.format, self.method)?;
+        let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
+        let into = if self.method == "monotone pieces" { "monotone pieces" } else { "triangles" };
+        let faces = if self.faces_cut == 1 { "face" } else { "faces" };
+        line("cut", format!("{} {faces} into {} {into}", self.faces_cut, self.pieces))?;
+        line("diagonals", self.diagonals.to_string())?;
+        line("vertices", self.vertices.to_string())?;
+        line("edges", self.edges.to_string())?;
+        line("faces", format!("{} (with the outer face)", self.faces))?;
+        if self.hole_faces > 0 {
+            line("hole faces", self.hole_faces.to_string())?;
+        }
+        Ok(())
+    }
+}
