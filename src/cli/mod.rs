@@ -25,6 +25,7 @@ mod lab;
 mod lab_figures;
 mod lesson;
 mod looks;
+mod navmesh;
 mod output;
 mod picture;
 mod references;
@@ -69,6 +70,7 @@ enum Command {
     Compare(compare::Args),
     Convert(convert::Args),
     Build(build::Args),
+    Navmesh(navmesh::Args),
     Figure(Box<figure::Args>),
     Script(script::Args),
     Lab(lab::Args),
@@ -87,6 +89,7 @@ impl Command {
             Self::Compare(args) => compare::run(&args, out),
             Self::Convert(args) => convert::run(&args, out),
             Self::Build(args) => build::run(&args, out),
+            Self::Navmesh(args) => navmesh::run(&args, out),
             Self::Figure(args) => figure::run(&args, out),
             Self::Script(args) => script::run(&args, out),
             Self::Lab(args) => lab::run(&args, out),
