@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 /// Write a structure in another format
 ///
-/// Formats: obj, off, ply, ply-binary, stl, triangle, geojson, dcel, tables. Polygon formats hold no
+/// Formats: obj, off, ply, ply-binary, stl, triangle, geojson, mesh, dcel, tables. Polygon formats hold no
 /// structure: ids are numbered anew when such a file is read, and what they cannot hold is refused
 /// by name. What is lost without harm is told.
 #[derive(clap::Args, Debug)]

@@ -1,9 +1,9 @@
 //! The structures that the tour and the reference figures show.
 
 use dcel_kit::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
-use dcel_kit::io::{Document, Format, ReadError, ReadOptions, read_bytes};
+use dcel_kit::io::{Document, Format, Grid, ReadError, ReadOptions, read_bytes};
 use dcel_kit::plane::{
-    ConvertError, ConvertOptions, JoinFacesError, Point, SplitEdgeError, SplitFaceError, Subdivision,
+    ConvertError, ConvertOptions, JoinFacesError, Point, SegmentsError, SplitEdgeError, SplitFaceError, Subdivision,
 };
 use dcel_kit::topology::{PolygonList, Table};
 use std::collections::BTreeSet;
@@ -19,6 +19,8 @@ pub(crate) enum LessonError {
     Convert(#[from] ConvertError),
     #[error(transparent)]
     Read(#[from] ReadError),
+    #[error(transparent)]
+    Segments(#[from] SegmentsError),
     #[error(transparent)]
     JoinFaces(#[from] JoinFacesError),
     #[error("the map holds no polygons")]
@@ -157,6 +159,12 @@ pub(crate) struct States {
 
 /// The file, as it came: npm package us-atlas 3.0.1, ISC licence, shapes of the US Census Bureau.
 const STATES: &[u8] = include_bytes!("../../figures/data/states-albers-10m.json");
+/// A small grid map of rooms: the regions of its open cells.
+pub(crate) fn rooms() -> Result<Subdivision, LessonError> {
+    const FILE: &str = "figures/data/rooms.map";
+    Ok(Grid::parse(include_bytes!("../../figures/data/rooms.map"), FILE)?.regions()?)
+}
+
 /// What messages call it.
 pub(crate) const STATES_FILE: &str = "figures/data/states-albers-10m.json";
 

@@ -26,6 +26,7 @@ mod lab_figures;
 mod lesson;
 mod locate;
 mod looks;
+mod navmesh;
 mod output;
 mod overlay;
 mod picture;
@@ -77,6 +78,7 @@ enum Command {
     Locate(locate::Args),
     Overlay(overlay::Args),
     Triangulate(Box<triangulate::Args>),
+    Navmesh(navmesh::Args),
     Figure(Box<figure::Args>),
     Script(script::Args),
     Solid(solid::Args),
@@ -99,6 +101,7 @@ impl Command {
             Self::Locate(args) => locate::run(&args, out),
             Self::Overlay(args) => overlay::run(&args, out),
             Self::Triangulate(args) => triangulate::run(&args, out),
+            Self::Navmesh(args) => navmesh::run(&args, out),
             Self::Figure(args) => figure::run(&args, out),
             Self::Script(args) => script::run(&args, out),
             Self::Solid(args) => solid::run(&args, out),

@@ -10,6 +10,7 @@ use dcel_kit::figure::chart::ChartError;
 use dcel_kit::figure::sketch::SketchError;
 use dcel_kit::figure::{self, DualFigureError, FigureError, FigureOptions, NearlyCollinear, OverridesError, Pointers};
 use dcel_kit::ids::HalfEdgeId;
+use dcel_kit::navmesh::{NavMeshError, RouteError};
 use dcel_kit::plane::{CoordinateError, MarkHolesError, SegmentsError, Subdivision, TriangulateError};
 use dcel_kit::script::{Script, ScriptError};
 use std::path::Path;
@@ -39,6 +40,10 @@ pub(crate) enum ReferenceError {
     Triangulate(#[from] TriangulateError),
     #[error(transparent)]
     Dual(#[from] DualFigureError),
+    #[error(transparent)]
+    NavMesh(#[from] NavMeshError),
+    #[error(transparent)]
+    Route(#[from] RouteError),
 }
 
 /// A figure of the project, regenerated and compared by `dcel figures`.
@@ -124,6 +129,11 @@ static REFERENCES: &[Reference] = &[
         file: "lab-subdivision.svg",
         about: "what the tour makes of the rectangle with split_face and split_in_half alone",
         draw: || structure(&lesson::lab_subdivision()?, "The lab's subdivision"),
+    },
+    Reference {
+        file: "navmesh-ladder.svg",
+        about: "five ways through one map: how much longer each is than the shortest",
+        draw: specimen::ladder,
     },
     Reference {
         file: "pointers.svg",
@@ -274,6 +284,9 @@ fn command(file: &str) -> &'static str {
         "pointers.svg" => "dcel figure FILE --pointers all -o OUT.svg",
         "records.svg" => "dcel figure --records -o OUT.svg",
         "figure-sizes.svg" | "robustness.svg" | "vocabulary.svg" | "walk.svg" | "wrong-signs.svg" => "dcel figures",
+        "navmesh-ladder.svg" => {
+            "dcel navmesh path figures/data/rooms.map 21.5 5.5 0.5 4.5 --triangles --rung all -o OUT.svg"
+        }
         "states.svg" => "dcel figure FILE --width 960 -o OUT.svg",
         "tables.svg" => "dcel figure FILE --tables --highlight h5 -o OUT.svg",
         "stepper-split-face.svg" => "dcel script figures/scripts/split-face.dcels --film OUT.svg --stepper",

@@ -3,8 +3,11 @@
 use super::lesson;
 use super::references::ReferenceError;
 use dcel_kit::figure::chart::{Axis, Chart, Growth};
+use dcel_kit::figure::navmesh::Floor;
 use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
 use dcel_kit::figure::{self, Detail, FigureOptions, NearlyCollinear};
+use dcel_kit::navmesh::{NavMesh, Planner, Rung};
+use dcel_kit::plane::{Point, TriangulationMethod};
 
 /// One room with two pillars and a notch, for all panels: so that one can compare them.
 const ROOM: [[f64; 2]; 8] =
@@ -168,4 +171,19 @@ pub(super) fn walk() -> Result<String, ReferenceError> {
     sketch.point(Role::Goal, to).label("query");
     let options = FigureOptions::new("A walk to a point").id_prefix("walk").half_edge_labels(false).width(620.0);
     Ok(sketch.over(&cube, Backdrop::Dimmed, &options)?.to_svg())
+}
+
+/// Every rung of the ladder between two rooms of a map, cut into triangles.
+pub(super) fn ladder() -> Result<String, ReferenceError> {
+    let mut map = lesson::rooms()?;
+    map.triangulate(TriangulationMethod::default())?;
+    let mesh = NavMesh::new(&map)?;
+    let (start, goal) = (Point::new(21.5, -5.5), Point::new(0.5, -4.5));
+    let mut planner = Planner::new();
+    let mut routes = Vec::new();
+    for rung in Rung::ALL {
+        routes.push((rung, planner.route_between(&mesh, rung, start, goal)?));
+    }
+    let options = FigureOptions::new("Five ways through rooms").id_prefix("ladder");
+    Ok(Floor::new(&map, &mesh).ladder(&routes, &options)?.to_svg())
 }

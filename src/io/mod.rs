@@ -66,5 +66,5 @@ pub use problem::{ReadError, ReadProblem};
 pub use read::{Document, Read, ReadOptions, read_bytes, read_path, read_triangle, source_name};
 pub use scen::{Optimum, Query, Scenario};
 pub use segments::SegmentSoup;
-pub use soup::{Places, PolygonSoup};
+pub use soup::{Axis, Places, PolygonSoup};
 pub use write::{Number, WriteError, write, write_path, write_triangle};

@@ -65,6 +65,25 @@ pub struct Scenario {
 /// least so many.
 const PRINTED: f64 = 5e-5;
 
+impl Query {
+    /// Whether an answer is what the file states: no way where it states none, the length up to `tolerance` of it if
+    /// that is Euclidean, and if it is octile no more than that (but for the digits it is printed with) and no less than
+    /// the straight line.
+    #[must_use]
+    pub fn agrees(&self, found: Option<f64>, optimum: Optimum, tolerance: f64) -> bool {
+        match (self.length, found, optimum) {
+            (None, None, _) => true,
+            (Some(stated), Some(found), Optimum::Euclidean) => (found - stated).abs() <= tolerance * stated,
+            (Some(stated), Some(found), Optimum::Octile) => {
+                let [x, y] = [self.goal.x - self.start.x, self.goal.y - self.start.y];
+                let straight = (x * x + y * y).sqrt();
+                found <= stated * (1.0 + tolerance) + PRINTED && found >= straight * (1.0 - tolerance)
+            }
+            _ => false,
+        }
+    }
+}
+
 impl Scenario {
     /// Reads a `.scen` file. `source` is what errors call it. O(length).
     ///

@@ -27,6 +27,41 @@ pub struct PolygonSoup {
     pub any_direction: bool,
 }
 
+/// An axis of space.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Axis {
+    /// To the right.
+    X,
+    /// Upwards in many drawing programs.
+    Y,
+    /// Upwards on maps.
+    Z,
+}
+
+impl PolygonSoup {
+    /// Lays a floor in space flat, as it is seen from above: drops the axis that points up. Faces that run
+    /// counter-clockwise as seen from above still do. Floors above each other then overlap.
+    ///
+    /// ```text
+    ///   up      the point (x, y, z) becomes
+    ///   z       (x, y)
+    ///   y       (x, -z)
+    ///   x       (y, z)
+    /// ```
+    pub fn lay_flat(&mut self, up: Axis) {
+        for p in &mut self.points {
+            // 0 - z, so that 0 stays 0 and does not become -0.
+            let [x, y] = match up {
+                Axis::X => [p[1], p[2]],
+                Axis::Y => [p[0], 0.0 - p[2]],
+                Axis::Z => [p[0], p[1]],
+            };
+            *p = [x, y, 0.0];
+        }
+        self.has_z = false;
+    }
+}
+
 /// Where the points and faces of a [`PolygonSoup`] stand in their file, for messages.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Places {

@@ -1,6 +1,7 @@
 //! Promise: navigation meshes, grid maps and scenarios are read as they are meant, written so that others can read
 //! them, and refused with the place where they are wrong.
 
+mod answers;
 mod bad_input;
 mod faults;
 mod grids;

@@ -11,6 +11,8 @@
 //! orange a door, green the start, purple the goal.
 
 mod apart;
+mod cones;
+mod funnel;
 mod ladder;
 mod mesh;
 mod route;

@@ -1,0 +1,204 @@
+//! `dcel navmesh info`: what a map is, and what is wrong with it.
+
+use super::super::failure::Failure;
+use super::super::{Answer, Output};
+use super::drawing::{Drawing, save};
+use super::map::{Draft, Map, MapArgs};
+use clap::ValueEnum;
+use dcel_kit::figure;
+use dcel_kit::figure::navmesh::Floor;
+use dcel_kit::io::{Document, Places};
+use dcel_kit::navmesh::{MeshFault, double_corners_of};
+use serde::Serialize;
+use std::io::{self, Write};
+
+/// Count faces, components and dead ends of a map, and name everything that is wrong with it
+///
+/// Wrong are faces that run clockwise, that are not convex or have no area, that overlap, T-junctions
+/// and vertices at the same place. Double corners, where gaps touch, are told as a warning. Exit code
+/// 1 if something is wrong.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Examples:
+  dcel navmesh info figures/data/rooms.map
+  dcel navmesh info figures/data/rooms.map --triangles --json
+  dcel navmesh info figures/data/rooms.map --draw dead-ends -o dead-ends.svg")]
+pub(super) struct Args {
+    #[command(flatten)]
+    map: MapArgs,
+    /// What to draw
+    #[arg(long, value_name = "WHAT", default_value = "map", requires = "output", help_heading = "Figure")]
+    draw: Draw,
+    #[command(flatten)]
+    drawing: Drawing,
+    /// Answer in JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// What to draw of a map.
+#[derive(ValueEnum, Clone, Copy, Debug)]
+enum Draw {
+    /// The faces
+    Map,
+    /// A node for each face, a line for each pair of neighbours
+    Dual,
+    /// The faces that lead nowhere else, and the way out of them
+    DeadEnds,
+}
+
+/// The answer. The names are those of the JSON form.
+#[derive(Serialize)]
+struct Info {
+    source: String,
+    format: &'static str,
+    valid: bool,
+    faces: usize,
+    triangles: usize,
+    vertices: usize,
+    doors: usize,
+    hole_faces: usize,
+    components: Vec<usize>,
+    dead_ends: usize,
+    area: f64,
+    double_corners: usize,
+    faults: Vec<Told>,
+}
+
+#[derive(Serialize)]
+struct Told {
+    kind: &'static str,
+    warning: bool,
+    place: String,
+    message: String,
+}
+
+pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    let target = args.drawing.target(args.map.file())?;
+    let draft = args.map.read()?;
+    let mut told = Vec::new();
+    if let Draft::Polygons { read, faults } = &draft
+        && let Document::Polygons(soup) = &read.document
+    {
+        told.extend(faults.iter().map(|fault| Told::of(fault, &soup.places)));
+        // What is not convex can be cut up; the rest keeps a map from being made.
+        let cut_up = |kind| args.map.cuts_up() && kind == "not-convex";
+        if told.iter().any(|fault| !fault.warning && !cut_up(fault.kind)) {
+            return refuse(args, read.format.name(), told, out);
+        }
+        told.retain(|fault| !cut_up(fault.kind));
+    }
+    let map = args.map.finish(draft)?;
+    if let Some(target) = &target {
+        let floor = Floor::new(&map.subdivision, &map.mesh);
+        let title = args.map.title();
+        let drawn = match args.draw {
+            Draw::Map => figure::structure(&map.subdivision, &args.drawing.options(&map, &title)).map_err(Into::into),
+            Draw::Dual => floor.dual(&args.drawing.options(&map, &format!("Dual graph of {title}"))),
+            Draw::DeadEnds => floor.dead_ends(&args.drawing.options(&map, &format!("Dead ends of {title}"))),
+        };
+        save(target, drawn, out)?;
+    }
+    let info = Info::of(&map, told);
+    if args.json {
+        out.json(&info)?
+    } else {
+        info.print(out)?
+    }
+    Ok(Answer::Yes)
+}
+
+/// The answer for what is no map.
+fn refuse(args: &Args, format: &'static str, faults: Vec<Told>, out: &mut Output) -> Result<Answer, Failure> {
+    if args.json {
+        let info = Info { source: args.map.source(), format, faults, ..Info::nothing() };
+        out.json(&info)?;
+    } else {
+        faults.iter().try_for_each(|fault| fault.print(out))?;
+        let wrong = faults.iter().filter(|fault| !fault.warning).count();
+        writeln!(out, "{}: not a navmesh, {wrong} {}", args.map.source(), if wrong == 1 { "fault" } else { "faults" })?;
+    }
+    Ok(Answer::No)
+}
+
+impl Told {
+    fn of(fault: &MeshFault, places: &Places) -> Self {
+        let face = fault.faces().first().map(|&f| places.face(f as usize));
+        let place = face.or_else(|| fault.vertices().first().map(|&v| places.vertex(v as usize)));
+        Self {
+            kind: fault.kind(),
+            warning: fault.is_warning(),
+            place: place.unwrap_or_else(|| places.source.clone()),
+            message: fault.to_string(),
+        }
+    }
+
+    fn print(&self, out: &mut Output) -> io::Result<()> {
+        let kind = if self.warning { "warning" } else { self.kind };
+        writeln!(out, "{}: {kind}: {}", self.place, self.message)
+    }
+}
+
+impl Info {
+    fn nothing() -> Self {
+        Self {
+            source: String::new(),
+            format: "",
+            valid: false,
+            faces: 0,
+            triangles: 0,
+            vertices: 0,
+            doors: 0,
+            hole_faces: 0,
+            components: Vec::new(),
+            dead_ends: 0,
+            area: 0.0,
+            double_corners: 0,
+            faults: Vec::new(),
+        }
+    }
+
+    fn of(map: &Map, faults: Vec<Told>) -> Self {
+        let mesh = &map.mesh;
+        let mut components: Vec<usize> = mesh.components().map(|(_, faces)| faces).collect();
+        components.sort_unstable_by(|a, b| b.cmp(a));
+        let cross = |f| {
+            let corners: Vec<_> = mesh.corners(f).map(|v| mesh.point(v)).collect();
+            let next = corners.iter().cycle().skip(1);
+            corners.iter().zip(next).map(|(a, b)| a.x * b.y - b.x * a.y).sum::<f64>()
+        };
+        Self {
+            source: map.source.clone(),
+            format: map.format.name(),
+            valid: true,
+            faces: mesh.face_count(),
+            triangles: mesh.faces().filter(|&f| mesh.corners(f).len() == 3).count(),
+            vertices: map.subdivision.vertex_count(),
+            doors: mesh.faces().map(|f| mesh.neighbours(f).filter(|&g| f < g).count()).sum(),
+            hole_faces: map.subdivision.hole_faces().count(),
+            components,
+            dead_ends: mesh.faces().filter(|&f| mesh.is_dead_end(f)).count(),
+            area: 0.5 * mesh.faces().map(cross).sum::<f64>(),
+            double_corners: double_corners_of(&map.subdivision).len(),
+            faults,
+        }
+    }
+
+    fn print(&self, out: &mut Output) -> io::Result<()> {
+        writeln!(out, "{}: {}, a navmesh", self.source, self.format)?;
+        let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
+        line("faces", format!("{} ({} triangles)", self.faces, self.triangles))?;
+        line("vertices", self.vertices.to_string())?;
+        line("doors", self.doors.to_string())?;
+        line("hole faces", self.hole_faces.to_string())?;
+        const SHOWN: usize = 10;
+        let sizes: Vec<String> = self.components.iter().take(SHOWN).map(ToString::to_string).collect();
+        let rest = if self.components.len() > SHOWN { ", ..." } else { "" };
+        let plural = if self.components == [1] { "face" } else { "faces" };
+        line("components", format!("{}, of {}{rest} {plural}", self.components.len(), sizes.join(", ")))?;
+        line("dead ends", format!("{} faces peeled, {} left", self.dead_ends, self.faces - self.dead_ends))?;
+        line("area", dcel_kit::io::Number(self.area).to_string())?;
+        line("double corners", self.double_corners.to_string())?;
+        self.faults.iter().try_for_each(|fault| fault.print(out))
+    }
+}

@@ -1,0 +1,109 @@
+//! `dcel navmesh locate`: where points lie.
+
+use super::super::failure::Failure;
+use super::super::output::table;
+use super::super::{Answer, Output};
+use super::map::{Map, MapArgs};
+use super::tell::{Spot, point};
+use dcel_kit::navmesh::Location;
+use serde::Serialize;
+use std::io::Write;
+
+/// Tell where points lie: on a vertex, on an edge, in a face, in a hole, outside
+///
+/// The answer is exact: nothing is moved to what is near. For points off the mesh the nearest place
+/// on it is told, too.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Examples:
+  dcel navmesh locate figures/data/rooms.map 1.5 1.5
+  dcel navmesh locate figures/data/rooms.map 1 1 0 0 99 3 --json")]
+pub(super) struct Args {
+    #[command(flatten)]
+    map: MapArgs,
+    /// The points: x y, as the file has them, as many as you like
+    #[arg(value_name = "X Y", required = true, allow_negative_numbers = true)]
+    coordinates: Vec<f64>,
+    /// Answer in JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// The answer for one point. The names are those of the JSON form.
+#[derive(Serialize)]
+struct Found {
+    #[serde(flatten)]
+    spot: Spot,
+    /// The faces that have the point.
+    faces: Vec<String>,
+    component: Option<u32>,
+    dead_end: bool,
+    /// Where one can stand instead, if not there.
+    nearest: Option<[f64; 2]>,
+    distance: Option<f64>,
+    #[serde(skip)]
+    words: String,
+}
+
+pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    if args.coordinates.len() % 2 != 0 {
+        let what = format!("{} numbers are no points", args.coordinates.len());
+        return Err(Failure::input(what, "give x and y of each point"));
+    }
+    if let Some(bad) = args.coordinates.iter().find(|x| !x.is_finite()) {
+        return Err(Failure::input(format!("{bad} is no coordinate"), "give finite numbers"));
+    }
+    let map = args.map.open()?;
+    let found: Vec<Found> = args.coordinates.chunks_exact(2).map(|p| locate(&map, [p[0], p[1]])).collect();
+    if args.json {
+        out.json(&found)?;
+    } else {
+        let rows: Vec<[String; 2]> =
+            found.iter().map(|f| [super::super::output::point(&f.spot.point), f.words.clone()]).collect();
+        writeln!(out, "{}:", map.source)?;
+        table(out, &rows)?;
+    }
+    Ok(Answer::Yes)
+}
+
+fn locate(map: &Map, coordinates: [f64; 2]) -> Found {
+    let p = map.point(coordinates);
+    let mesh = &map.mesh;
+    let location = mesh.locate(p);
+    let faces = match location {
+        Location::Vertex(v) => mesh.faces_around(v),
+        Location::Edge(h) => {
+            let both = [h, h.twin()].map(|h| map.subdivision.face(h));
+            both.into_iter().filter(|&f| mesh.has_face(f)).collect()
+        }
+        Location::Face(f) => vec![f],
+        Location::Hole(_) | Location::Outer => vec![],
+    };
+    let walkable = faces.iter().copied().find(|&f| mesh.is_walkable(f));
+    let nearest = if walkable.is_none() { mesh.nearest_point(p) } else { None };
+    let component = walkable.and_then(|f| mesh.component(f));
+    let dead_end = !faces.is_empty() && faces.iter().all(|&f| mesh.is_dead_end(f));
+    let mut words = location.to_string();
+    if !matches!(location, Location::Face(_)) && !faces.is_empty() {
+        let names: Vec<String> = faces.iter().map(ToString::to_string).collect();
+        words += &format!(", of {}", names.join(" "));
+    }
+    if let Some(component) = component {
+        words += &format!(", {component}");
+    }
+    if dead_end {
+        words += ", a dead end";
+    }
+    if let Some(nearest) = &nearest {
+        words += &format!("; the nearest place is {} in {}", point(map, nearest.place.point), nearest.place.face);
+    }
+    Found {
+        spot: Spot::of(map, p, location),
+        faces: faces.iter().map(ToString::to_string).collect(),
+        component: component.map(|c| c.0),
+        dead_end,
+        nearest: nearest.map(|n| map.in_file(n.place.point)),
+        distance: nearest.map(|n| n.distance),
+        words,
+    }
+}

@@ -1,0 +1,205 @@
+//! From a file to a map with its navmesh.
+
+use super::super::failure::{Failure, say};
+use clap::ValueEnum;
+use dcel_kit::io::{
+    Axis, Document, Format, Grid, LoadOptions, PolygonSoup, Read, ReadOptions, Structure, assemble, read_path,
+    source_name,
+};
+use dcel_kit::navmesh::{MeshFault, NavMesh, NavMeshError, mesh_faults};
+use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
+use dcel_kit::topology::Mode;
+use std::io::Read as _;
+use std::path::{Path, PathBuf};
+
+/// The map, and how to read it.
+#[derive(clap::Args, Debug)]
+pub(super) struct MapArgs {
+    /// The map, or - for standard input
+    #[arg(value_name = "MAP")]
+    file: PathBuf,
+    /// The format, if the name does not tell
+    #[arg(long, value_name = "FORMAT", help_heading = "Reading")]
+    format: Option<Format>,
+    /// y points down in the file, as on screens; of a .map that is known
+    #[arg(long, help_heading = "Reading")]
+    y_down: bool,
+    /// The axis that points up, of a floor in space: it is dropped
+    #[arg(long, value_name = "AXIS", conflicts_with = "y_down", help_heading = "Reading")]
+    up: Option<Up>,
+    /// Turn round faces that run clockwise
+    #[arg(long, help_heading = "Reading")]
+    orient: bool,
+    /// Cut all faces into triangles; a .map is cut along the borders of its regions
+    #[arg(long, help_heading = "Reading")]
+    triangles: bool,
+}
+
+/// Which axis points up.
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+enum Up {
+    X,
+    Y,
+    Z,
+}
+
+/// A map, and a way between its coordinates and those of its file.
+pub(super) struct Map {
+    pub(super) source: String,
+    pub(super) format: Format,
+    pub(super) subdivision: Subdivision,
+    pub(super) mesh: NavMesh,
+    frame: Frame,
+}
+
+/// Whether the second coordinate of the file points down.
+#[derive(Clone, Copy)]
+struct Frame {
+    down: bool,
+}
+
+/// What was read, before it is a map.
+pub(super) enum Draft {
+    /// Polygons that are not joined yet, and what is wrong with them as a navmesh.
+    Polygons { read: Read, faults: Vec<MeshFault> },
+    /// The regions of a grid map.
+    Regions(Subdivision),
+    /// Anything else.
+    Other(Read),
+}
+
+impl Map {
+    /// A point of the file.
+    pub(super) fn point(&self, [x, y]: [f64; 2]) -> Point {
+        Point::new(x, if self.frame.down { 0.0 - y } else { y })
+    }
+
+    /// A point of the map, as the file has it.
+    pub(super) fn in_file(&self, p: Point) -> [f64; 2] {
+        [p.x, if self.frame.down { 0.0 - p.y } else { p.y }]
+    }
+}
+
+impl MapArgs {
+    /// What figures and messages call the map.
+    pub(super) fn title(&self) -> String {
+        self.file.file_stem().map_or_else(|| "Map".to_owned(), |stem| stem.to_string_lossy().into_owned())
+    }
+
+    pub(super) fn source(&self) -> String {
+        source_name(&self.file)
+    }
+
+    /// The file itself.
+    pub(super) fn file(&self) -> &Path {
+        &self.file
+    }
+
+    /// Whether faces are cut into triangles, so that they need not be convex.
+    pub(super) fn cuts_up(&self) -> bool {
+        self.triangles
+    }
+
+    fn is_grid(&self) -> bool {
+        self.format.or_else(|| Format::from_path(&self.file)) == Some(Format::Map)
+    }
+
+    /// Reads the file. Tells the notes.
+    pub(super) fn read(&self) -> Result<Draft, Failure> {
+        if self.is_grid() && self.triangles {
+            let grid = Grid::parse(&bytes(&self.file)?, &self.source())?;
+            let regions = grid.regions().map_err(|error| Failure::input(format!("{}: {error}", self.source()), ""))?;
+            return Ok(Draft::Regions(regions));
+        }
+        let options = ReadOptions { y_down: self.y_down, format: self.format, ..ReadOptions::default() };
+        let mut read = read_path(&self.file, &options)?;
+        let Document::Polygons(soup) = &mut read.document else { return Ok(Draft::Other(read)) };
+        match self.up {
+            Some(up) => soup.lay_flat(match up {
+                Up::X => Axis::X,
+                Up::Y => Axis::Y,
+                Up::Z => Axis::Z,
+            }),
+            None if soup.has_z => {
+                let what = format!("{}: this is a surface in space", self.source());
+                return Err(Failure::input(
+                    what,
+                    "say which axis points up: --up y in many drawing programs, else --up z",
+                ));
+            }
+            None => {}
+        }
+        let faults = faults_of(soup, self.orient);
+        Ok(Draft::Polygons { read, faults })
+    }
+
+    /// Reads the file and makes a map of it.
+    pub(super) fn open(&self) -> Result<Map, Failure> {
+        let draft = self.read()?;
+        self.finish(draft)
+    }
+
+    /// Makes a map of what was read.
+    pub(super) fn finish(&self, draft: Draft) -> Result<Map, Failure> {
+        let source = self.source();
+        let (mut subdivision, format) = match draft {
+            Draft::Regions(regions) => (regions, Format::Map),
+            Draft::Polygons { read, .. } | Draft::Other(read) => {
+                let format = read.format;
+                let mode = Some(Mode::Plane);
+                let options = LoadOptions { mode, orient: self.orient, full_check: true, ..LoadOptions::default() };
+                let loaded = assemble(read, &source, &options)?;
+                loaded.notes.iter().for_each(|note| say("note", note));
+                match loaded.structure {
+                    Structure::Plane(subdivision) => (subdivision, format),
+                    other => return Err(Failure::kit(format!("{source}: {other:?} is no plane"))),
+                }
+            }
+        };
+        if self.triangles {
+            let cut = subdivision.triangulate(TriangulationMethod::default());
+            cut.map_err(|error| Failure::input(format!("{source}: {error}"), ""))?;
+        }
+        let mesh = NavMesh::new(&subdivision).map_err(|error| {
+            let what = error.to_string();
+            let (what, own_help) = what.split_once(": ").unwrap_or((&what, ""));
+            let help = match error {
+                NavMeshError::Concave { .. } | NavMeshError::Rings { .. } => "cut the faces up with --triangles",
+                _ => own_help,
+            };
+            Failure::input(format!("{source}: {what}"), help)
+        })?;
+        let down = format == Format::Map || self.y_down || self.up == Some(Up::Y);
+        Ok(Map { source, format, subdivision, mesh, frame: Frame { down } })
+    }
+}
+
+/// What is wrong with polygons as a navmesh; clockwise ones are no fault if they are to be turned.
+fn faults_of(soup: &PolygonSoup, orient: bool) -> Vec<MeshFault> {
+    let points: Vec<Point> = soup.points.iter().map(|&[x, y, _]| Point::new(x, y)).collect();
+    let may_turn = orient || soup.any_direction;
+    let faults = mesh_faults(&points, &soup.faces, &soup.blocked);
+    if !may_turn || !faults.iter().any(|fault| matches!(fault, MeshFault::Clockwise { .. })) {
+        return faults;
+    }
+    let mut turned = soup.faces.clone();
+    for fault in &faults {
+        if let MeshFault::Clockwise { face } = fault {
+            let outline = turned.cycle_range(*face as usize).start;
+            turned.cycle_mut(outline).reverse();
+        }
+    }
+    mesh_faults(&points, &turned, &soup.blocked)
+}
+
+/// All bytes of a file, or of standard input for `-`.
+pub(super) fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
+    let mut bytes = Vec::new();
+    let read = match path.as_os_str() == "-" {
+        true => std::io::stdin().lock().read_to_end(&mut bytes),
+        false => std::fs::File::open(path).and_then(|mut file| file.read_to_end(&mut bytes)),
+    };
+    let refused = |error| Failure::input(format!("{}: cannot be read: {error}", path.display()), "check the name");
+    read.map_err(refused)?;
+    Ok(bytes)
+}

@@ -1,0 +1,54 @@
+//! `dcel navmesh`: maps to find ways on.
+//!
+//! ```text
+//!   info ── locate ── neighbours      what the map is, where a point lies, what lies next to a face
+//!   path ── scenario                  a way by any rung of the ladder; a file of questions and answers
+//! ```
+//!
+//! Points are given and told as the file has them: of a grid map with y pointing down, of a floor in space by the two
+//! axes that lie flat.
+
+mod drawing;
+mod info;
+mod locate;
+mod map;
+mod neighbours;
+mod path;
+mod scenario;
+mod tell;
+
+use super::{Answer, Failure, Output};
+
+/// Find ways on a map: neighbours, corridors, the exact shortest path
+///
+/// MAP is a grid map (.map), a navigation mesh (.mesh), a floor (.obj, .off, .ply) or any other file
+/// of convex faces. Points are given as the file has them; in a .map y points down.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Examples:
+  dcel navmesh info figures/data/rooms.map
+  dcel navmesh path figures/data/rooms.map 1 1 22 12 --rung all -o ladder.svg
+  dcel navmesh scenario figures/data/rooms.map figures/data/rooms.scen")]
+pub(crate) struct Args {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(clap::Subcommand, Debug)]
+enum Command {
+    Info(info::Args),
+    Locate(locate::Args),
+    Neighbours(neighbours::Args),
+    Path(Box<path::Args>),
+    Scenario(scenario::Args),
+}
+
+pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    match &args.command {
+        Command::Info(args) => info::run(args, out),
+        Command::Locate(args) => locate::run(args, out),
+        Command::Neighbours(args) => neighbours::run(args, out),
+        Command::Path(args) => path::run(args, out),
+        Command::Scenario(args) => scenario::run(args, out),
+    }
+}

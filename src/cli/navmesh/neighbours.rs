@@ -1,0 +1,108 @@
+//! `dcel navmesh neighbours`: what lies next to a face.
+
+use super::super::failure::Failure;
+use super::super::output::table;
+use super::super::{Answer, Output};
+use super::map::MapArgs;
+use super::tell::point;
+use dcel_kit::FaceId;
+use serde::Serialize;
+use std::io::Write;
+
+/// List the sides of a face and what lies behind each: one step each, without a search
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Examples:
+  dcel navmesh neighbours figures/data/rooms.map f2
+  dcel navmesh neighbours figures/data/rooms.map f2 --json")]
+pub(super) struct Args {
+    #[command(flatten)]
+    map: MapArgs,
+    /// The face
+    #[arg(value_name = "f3")]
+    face: FaceId,
+    /// Answer in JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// The answer. The names are those of the JSON form.
+#[derive(Serialize)]
+struct Sides {
+    face: String,
+    component: Option<u32>,
+    dead_end: bool,
+    /// The face by which a dead end is left.
+    door: Option<String>,
+    sides: Vec<SideRow>,
+}
+
+#[derive(Serialize)]
+struct SideRow {
+    half_edge: String,
+    from: [f64; 2],
+    to: [f64; 2],
+    length: f64,
+    /// What lies behind it.
+    across: String,
+    /// Whether one may go there.
+    open: bool,
+    /// `face`, `hole`, `outer` or `blocked`.
+    kind: &'static str,
+}
+
+pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    let map = args.map.open()?;
+    let mesh = &map.mesh;
+    let f = args.face;
+    if !mesh.has_face(f) {
+        let first_and_last = mesh.faces().next().zip(mesh.faces().next_back());
+        let help = first_and_last.map_or_else(String::new, |(a, b)| format!("they are among {a} to {b}"));
+        return Err(Failure::input(format!("{}: {f} is no face of the mesh", map.source), help));
+    }
+    let mut sides = Vec::new();
+    let mut rows = Vec::new();
+    for side in mesh.sides(f) {
+        let [a, b] = [side.from, side.to].map(|v| mesh.point(v));
+        let length = ((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y)).sqrt();
+        let kind = match side.across {
+            _ if side.open => "face",
+            g if g == map.subdivision.outer_face() => "outer",
+            g if map.subdivision.is_hole(g) => "hole",
+            _ => "blocked",
+        };
+        let ends = format!("{} -> {}", point(&map, a), point(&map, b));
+        rows.push([side.half_edge.to_string(), ends, kind.to_owned(), side.across.to_string()]);
+        sides.push(SideRow {
+            half_edge: side.half_edge.to_string(),
+            from: map.in_file(a),
+            to: map.in_file(b),
+            length,
+            across: side.across.to_string(),
+            open: side.open,
+            kind,
+        });
+    }
+    let answer = Sides {
+        face: f.to_string(),
+        component: mesh.component(f).map(|c| c.0),
+        dead_end: mesh.is_dead_end(f),
+        door: mesh.door(f).map(|door| door.to_string()),
+        sides,
+    };
+    if args.json {
+        out.json(&answer)?;
+        return Ok(Answer::Yes);
+    }
+    let open = answer.sides.iter().filter(|side| side.open).count();
+    write!(out, "{f}: {} sides, {open} of them doors", answer.sides.len())?;
+    if let Some(component) = mesh.component(f) {
+        write!(out, "; {component}")?;
+    }
+    match &answer.door {
+        Some(door) => writeln!(out, "; a dead end, left by {door}")?,
+        None => writeln!(out)?,
+    }
+    table(out, &rows)?;
+    Ok(Answer::Yes)
+}

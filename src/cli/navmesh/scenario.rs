@@ -1,0 +1,185 @@
+//! `dcel navmesh scenario`: every query of a file against its stated length.
+
+use super::super::failure::{Failure, say};
+use super::super::{Answer, Output};
+use super::map::{Map, MapArgs, bytes};
+use super::path::Which;
+use clap::ValueEnum;
+use dcel_kit::io::{Optimum, Query, Scenario, source_name};
+use dcel_kit::navmesh::{Planner, RouteError, Rung};
+use serde::Serialize;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// Check every query of a scenario against the length that the file states
+///
+/// The last column of a .scen file is the length of the shortest path in some files, and the octile
+/// cost from cell to cell in others, which is an upper bound here; the numbers tell which. A stated
+/// -1 means that there is no way, or no clear place to start or end. Exit code 1 if a query fails.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Examples:
+  dcel navmesh scenario figures/data/rooms.map figures/data/rooms.scen
+  dcel navmesh scenario figures/data/rooms.map figures/data/rooms.scen --rung closest --json")]
+pub(super) struct Args {
+    #[command(flatten)]
+    map: MapArgs,
+    /// The queries
+    #[arg(value_name = "SCEN")]
+    scenario: PathBuf,
+    /// How the ways are found
+    #[arg(long, value_name = "RUNG", default_value = "exact")]
+    rung: Which,
+    /// What the stated lengths are
+    #[arg(long, value_name = "KIND", default_value = "auto")]
+    optimum: Kind,
+    /// How much of its length a way may differ from what is stated
+    #[arg(long, value_name = "PART", default_value_t = 1e-9)]
+    tolerance: f64,
+    /// Answer in JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// What the stated lengths are.
+#[derive(ValueEnum, Clone, Copy, Debug)]
+enum Kind {
+    /// The numbers tell
+    Auto,
+    /// The lengths of shortest paths
+    Euclidean,
+    /// Costs from cell to cell: upper bounds
+    Octile,
+}
+
+/// The answer. The names are those of the JSON form.
+#[derive(Serialize)]
+struct Report {
+    map: String,
+    scenario: String,
+    rung: &'static str,
+    optimum: &'static str,
+    queries: usize,
+    right: usize,
+    /// Of the stated lengths.
+    mean_ratio: Option<f64>,
+    max_ratio: Option<f64>,
+    pops: u64,
+    expansions: u64,
+    wrong: Vec<Wrong>,
+}
+
+#[derive(Serialize)]
+struct Wrong {
+    line: u32,
+    stated: Option<f64>,
+    found: Option<f64>,
+    why: String,
+}
+
+pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    let [rung] = *args.rung.rungs() else {
+        return Err(Failure::input("a scenario is checked with one rung", "choose one, for example --rung closest"));
+    };
+    if !args.tolerance.is_finite() || args.tolerance < 0.0 {
+        return Err(Failure::input(format!("a tolerance of {}", args.tolerance), "give a number such as 1e-9"));
+    }
+    let scenario = Scenario::parse(&bytes(&args.scenario)?, &source_name(&args.scenario))?;
+    let map = args.map.open()?;
+    tell_other_maps(args, &scenario);
+    let optimum = match args.optimum {
+        Kind::Auto => scenario.optimum(),
+        Kind::Euclidean => Optimum::Euclidean,
+        Kind::Octile => Optimum::Octile,
+    };
+    let report = check(&map, &scenario, rung, optimum, args.tolerance);
+    if args.json {
+        out.json(&report)?;
+    } else {
+        report.print(optimum, out)?;
+    }
+    Ok(if report.wrong.is_empty() { Answer::Yes } else { Answer::No })
+}
+
+/// Tells if the queries are about a map of another name.
+fn tell_other_maps(args: &Args, scenario: &Scenario) {
+    let file = args.map.file().file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let name = |query: &Query| query.map.rsplit(['/', '\\']).next().unwrap_or_default().to_owned();
+    if let Some(query) = scenario.queries.iter().find(|query| name(query) != file) {
+        say("note", format_args!("{}:{}: this query is about {}, not {file}", scenario.source, query.line, query.map));
+    }
+}
+
+fn check(map: &Map, scenario: &Scenario, rung: Rung, optimum: Optimum, tolerance: f64) -> Report {
+    let mut planner = Planner::new();
+    let mut report = Report {
+        map: map.source.clone(),
+        scenario: scenario.source.clone(),
+        rung: rung.name(),
+        optimum: match optimum {
+            Optimum::Octile => "octile",
+            Optimum::Euclidean => "euclidean",
+        },
+        queries: scenario.queries.len(),
+        right: 0,
+        mean_ratio: None,
+        max_ratio: None,
+        pops: 0,
+        expansions: 0,
+        wrong: Vec::new(),
+    };
+    let mut ratios: Vec<f64> = Vec::new();
+    for query in &scenario.queries {
+        let [start, goal] = [query.start, query.goal].map(|p| map.point([p.x, p.y]));
+        let route = planner.route_between(&map.mesh, rung, start, goal);
+        let found = route.as_ref().ok().map(|route| route.length);
+        if let Ok(route) = &route {
+            report.pops += route.work.pops;
+            report.expansions += route.work.expansions;
+        }
+        if let (Some(stated), Some(found)) = (query.length.filter(|&stated| stated > 0.0), found) {
+            ratios.push(found / stated);
+        }
+        if query.agrees(found, optimum, tolerance) {
+            report.right += 1;
+        } else {
+            let why = why(query.length, found, route.err().as_ref());
+            report.wrong.push(Wrong { line: query.line, stated: query.length, found, why });
+        }
+    }
+    if !ratios.is_empty() {
+        report.mean_ratio = Some(ratios.iter().sum::<f64>() / ratios.len() as f64);
+        report.max_ratio = ratios.iter().copied().reduce(f64::max);
+    }
+    report
+}
+
+fn why(stated: Option<f64>, found: Option<f64>, error: Option<&RouteError>) -> String {
+    match (stated, found, error) {
+        (Some(stated), Some(found), _) => format!("{found} instead of {stated}, {:.9} of it", found / stated),
+        (None, Some(found), _) => format!("a way of length {found}, and none is stated"),
+        (Some(stated), None, Some(error)) => format!("no way, and {stated} is stated: {error}"),
+        _ => "no way".to_owned(),
+    }
+}
+
+impl Report {
+    fn print(&self, optimum: Optimum, out: &mut Output) -> Result<(), Failure> {
+        const SHOWN: usize = 10;
+        for wrong in self.wrong.iter().take(SHOWN) {
+            writeln!(out, "{}:{}: {}", self.scenario, wrong.line, wrong.why)?;
+        }
+        if self.wrong.len() > SHOWN {
+            writeln!(out, "and {} more", self.wrong.len() - SHOWN)?;
+        }
+        if let (Some(mean), Some(max)) = (self.mean_ratio, self.max_ratio) {
+            writeln!(out, "{}: {mean:.9} of the stated length on average, {max:.9} at most", self.rung)?;
+        }
+        let words = match optimum {
+            Optimum::Euclidean => "optimal",
+            Optimum::Octile => "within the octile cost",
+        };
+        writeln!(out, "{} of {} {words}", self.right, self.queries)?;
+        Ok(())
+    }
+}

@@ -1,0 +1,56 @@
+//! Words and JSON forms that several commands have in common.
+
+use super::super::output;
+use super::map::Map;
+use dcel_kit::navmesh::{Location, PlaceError};
+use dcel_kit::plane::Point;
+use serde::Serialize;
+
+/// Where a point lies. The names are those of the JSON form.
+#[derive(Serialize)]
+pub(super) struct Spot {
+    /// As the file has it.
+    pub(super) point: [f64; 2],
+    /// `vertex`, `edge`, `face`, `hole` or `outer`.
+    pub(super) on: &'static str,
+    /// The vertex, half-edge or face.
+    pub(super) element: Option<String>,
+}
+
+impl Spot {
+    pub(super) fn of(map: &Map, point: Point, location: Location) -> Self {
+        let (on, element) = match location {
+            Location::Vertex(v) => ("vertex", Some(v.to_string())),
+            Location::Edge(h) => ("edge", Some(h.to_string())),
+            Location::Face(f) => ("face", Some(f.to_string())),
+            Location::Hole(f) => ("hole", Some(f.to_string())),
+            Location::Outer => ("outer", None),
+        };
+        Self { point: map.in_file(point), on, element }
+    }
+}
+
+/// `(3, 4)`, as the file has it.
+pub(super) fn point(map: &Map, p: Point) -> String {
+    output::point(&map.in_file(p))
+}
+
+/// Why one cannot stand at a point of the file, with its numbers.
+pub(super) fn refusal(map: &Map, error: &PlaceError) -> String {
+    match error {
+        PlaceError::OffMesh { point: p, location } => {
+            format!("{} is not on the mesh: it is {location}", point(map, *p))
+        }
+        PlaceError::Blocked { point: p, location } => format!("{} is blocked: it is {location}", point(map, *p)),
+        PlaceError::Ambiguous { point: p, location, faces } => {
+            let faces: Vec<String> = faces.iter().map(ToString::to_string).collect();
+            let sides = faces.len();
+            let faces = faces.join(", ");
+            format!("{} is {location}, where {sides} sides meet that nobody passes between: {faces}", point(map, *p))
+        }
+        PlaceError::NotInFace { point: p, location, face } => {
+            format!("{} is {location}, and {face} is no free face there", point(map, *p))
+        }
+        other => other.to_string(),
+    }
+}

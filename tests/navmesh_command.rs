@@ -1,0 +1,241 @@
+//! Promise: `dcel navmesh` tells what a map is, where points lie, how to get from one to another, and checks files of
+//! queries; what it draws shows all of that.
+
+#![cfg(feature = "cli")]
+
+mod shell;
+
+use serde_json::json;
+use shell::Folder;
+
+/// A folder with the map of rooms, and a mesh of two squares that touch in a double corner.
+fn folder() -> Folder {
+    let folder = Folder::new();
+    folder.write("rooms.map", include_str!("../figures/data/rooms.map"));
+    folder.write("rooms.scen", include_str!("../figures/data/rooms.scen"));
+    let corner = "mesh\n2\n7 2\n0 0 2 0 -1\n1 0 2 0 -1\n1 1 4 0 -1 1 -1\n0 1 2 0 -1\n2 1 2 1 -1\n2 2 2 1 -1\n1 2 2 1 -1\n\
+        4 0 1 2 3  -1 -1 -1 -1\n4 2 4 5 6  -1 -1 -1 -1\n";
+    folder.write("corner.mesh", corner);
+    folder
+}
+
+#[test]
+fn info_counts_and_warns() {
+    let folder = folder();
+    let info = folder.dcel("navmesh info rooms.map --json").json();
+    assert_eq!((&info["valid"], &info["format"], &info["area"]), (&json!(true), &json!("map"), &json!(311.0)));
+    assert_eq!((&info["double_corners"], info["components"].as_array().map(Vec::len)), (&json!(2), Some(3)));
+    let triangles = folder.dcel("navmesh info rooms.map --triangles --json").json();
+    assert_eq!((&triangles["faces"], &triangles["area"]), (&triangles["triangles"], &json!(311.0)));
+    let sum = |info: &serde_json::Value| {
+        info["components"].as_array().into_iter().flatten().filter_map(|n| n.as_u64()).sum::<u64>()
+    };
+    assert_eq!(json!(sum(&info)), info["faces"]);
+    let text = folder.dcel("navmesh info corner.mesh").fine();
+    assert!(text.contains("components      2, of 1, 1 faces"), "{text}");
+    assert!(text.contains("corner.mesh:6: warning: double corner: at vertex 2 2 gaps touch"), "{text}");
+}
+
+#[test]
+fn info_names_every_fault_with_its_place() {
+    let folder = folder();
+    folder
+        .write("bad.obj", "v 0 0\nv 1 0\nv 2 0\nv 2 1\nv 1 1\nv 0 1\nv 2 2\nv 0 2\nf 1 2 5 6\nf 2 3 4 5\nf 6 4 7 8\n");
+    let told = folder.dcel("navmesh info bad.obj");
+    assert_eq!(told.code, Some(1), "{told:?}");
+    assert!(
+        told.out.contains("bad.obj:11: t-junction: T-junction: vertex 4 lies on the side 5 -> 3 of face 2"),
+        "{told:?}"
+    );
+    assert!(told.out.ends_with("bad.obj: not a navmesh, 1 fault\n"), "{told:?}");
+    // Clockwise and concave faces can be mended, and are then.
+    folder.write("turned.obj", "v 0 0\nv 4 0\nv 4 4\nv 2 1\nv 0 4\nf 5 4 3 2 1\n");
+    let report: serde_json::Value =
+        serde_json::from_str(&folder.dcel("navmesh info turned.obj --json").out).expect("JSON");
+    assert_eq!((&report["valid"], &report["faults"][0]["kind"]), (&json!(false), &json!("winding")));
+    let told = folder.dcel("navmesh info turned.obj --orient");
+    assert!(
+        told.code == Some(1) && told.out.contains("turned.obj:6: not-convex: face 0 is not convex at vertex 3"),
+        "{told:?}"
+    );
+    let mended = folder.dcel("navmesh info turned.obj --orient --triangles --json").json();
+    assert_eq!((&mended["valid"], &mended["faces"], &mended["area"]), (&json!(true), &json!(3), &json!(10.0)));
+}
+
+#[test]
+fn points_are_located_where_the_file_has_them() {
+    let folder = folder();
+    let found = folder.dcel("navmesh locate rooms.map 0.5 0.5 0 0 4 2 9 14.5 2.5 2.5 99 3 --json").json();
+    let on: Vec<_> = found.as_array().into_iter().flatten().map(|spot| spot["on"].clone()).collect();
+    assert_eq!(json!(on), json!(["face", "vertex", "edge", "face", "hole", "outer"]));
+    assert_eq!(
+        (&found[5]["point"], &found[5]["nearest"], &found[5]["distance"]),
+        (&json!([99.0, 3.0]), &json!([26.0, 3.0]), &json!(73.0))
+    );
+    assert_eq!(found[0]["nearest"], json!(null), "nothing is moved");
+    folder.dcel("navmesh locate rooms.map 1 2 3").fails(2, "3 numbers are no points", "x and y of each point");
+    folder.dcel("navmesh locate rooms.map nan 2").fails(2, "NaN is no coordinate", "finite");
+    // Below the x-axis of a mesh, negative numbers are numbers and no options.
+    let text = folder.dcel("navmesh locate corner.mesh 0.5 -1").fine();
+    assert!(text.contains("outside; the nearest place is (0.5, 0) in f1"), "{text}");
+}
+
+#[test]
+fn neighbours_are_listed_side_by_side() {
+    let folder = folder();
+    let sides = folder.dcel("navmesh neighbours rooms.map f1 --json").json();
+    assert_eq!((&sides["face"], &sides["dead_end"]), (&json!("f1"), &json!(false)));
+    let list = sides["sides"].as_array().expect("sides");
+    let open: Vec<_> = list.iter().filter(|side| side["open"] == json!(true)).collect();
+    assert!(!open.is_empty() && open.iter().all(|side| side["kind"] == json!("face")), "{sides}");
+    let round: f64 = list.iter().filter_map(|side| side["length"].as_f64()).sum();
+    assert!((round - 56.0).abs() < 1e-12, "two rows of 26 cells: {round}");
+    let back = format!("navmesh neighbours rooms.map {} --json", open[0]["across"].as_str().expect("a face"));
+    let other = folder.dcel(&back).json();
+    let returns = other["sides"].as_array().into_iter().flatten().any(|side| side["across"] == json!("f1"));
+    assert!(returns, "{other}");
+    folder.dcel("navmesh neighbours rooms.map f0").fails(2, "f0 is no face of the mesh", "f1 to f");
+}
+
+#[test]
+fn a_way_is_told_in_the_coordinates_of_the_file() {
+    let folder = folder();
+    let answer = folder.dcel("navmesh path rooms.map 1 1 22 12 --json").json();
+    let route = &answer["routes"][0];
+    assert_eq!((&answer["found"], &route["rung"]), (&json!(true), &json!("exact")));
+    let length = route["length"].as_f64().expect("a length");
+    assert!((length - 34.257_796_844).abs() < 1e-9, "{length}");
+    let points = route["points"].as_array().expect("points");
+    assert_eq!((&points[0], &points[points.len() - 1]), (&json!([1.0, 1.0]), &json!([22.0, 12.0])));
+    let count = |what: &str| route[what].as_array().map_or(0, Vec::len);
+    assert_eq!((count("faces"), count("corners")), (count("doors") + 1, count("points") - 2));
+    // The ladder: no rung is shorter than the exact one.
+    let all = folder.dcel("navmesh path rooms.map 21.5 5.5 0.5 4.5 --triangles --rung all --json").json();
+    let ratios: Vec<f64> = all["routes"].as_array().into_iter().flatten().filter_map(|r| r["ratio"].as_f64()).collect();
+    assert_eq!(ratios.len(), 5);
+    assert!(ratios.iter().all(|&ratio| ratio >= 1.0) && ratios[0] > 1.01, "{ratios:?}");
+    let table = folder.dcel("navmesh path rooms.map 21.5 5.5 0.5 4.5 --triangles --rung all").fine();
+    assert!(table.lines().count() == 6 && table.contains("  exact     23.236857  1.000000"), "{table}");
+    let bfs = folder.dcel("navmesh path rooms.map 21.5 5.5 0.5 4.5 --triangles --rung bfs").fine();
+    assert!(bfs.starts_with("breadth: 25."), "{bfs}");
+}
+
+#[test]
+fn no_way_is_proven_and_bad_ends_are_refused() {
+    let folder = folder();
+    let told = folder.dcel("navmesh path rooms.map 10 14 1 1 -o apart.svg");
+    assert_eq!(told.code, Some(1), "{told:?}");
+    assert!(told.out.starts_with("no way: (10, 14) is in component"), "{told:?}");
+    assert!(told.out.contains("nearest point that can be reached: (9, 13)"), "{told:?}");
+    let svg = folder.read("apart.svg");
+    assert!(svg.contains("can be reached from the start") && svg.contains("leads to the goal"));
+    let told = folder.dcel("navmesh path rooms.map 10 14 1 1 --json");
+    let answer: serde_json::Value = serde_json::from_str(&told.out).expect("JSON");
+    assert_eq!((&answer["found"], &answer["apart"]["start_faces"]), (&json!(false), &json!(1)));
+    folder.dcel("navmesh path rooms.map 2.5 2.5 1 1").fails(
+        2,
+        "rooms.map: the start (2.5, 2.5) is not on the mesh: it is in the hole",
+        "the nearest place is (2, 2.5)",
+    );
+    // At a double corner one has to say on which side one stands.
+    folder.dcel("navmesh path corner.mesh 0 0 1 1").fails(
+        2,
+        "the goal (1, 1) is on vertex v2, where 2 sides meet that nobody passes between: f1, f2",
+        "--goal-face",
+    );
+    let way = folder.dcel("navmesh path corner.mesh 0 0 1 1 --goal-face f1 --json").json();
+    assert_eq!(way["routes"][0]["length"], json!(2f64.sqrt()));
+    assert_eq!(folder.dcel("navmesh path corner.mesh 0 0 1 1 --goal-face f2").code, Some(1));
+    folder.dcel("navmesh path corner.mesh 0 0 1 1 --goal-face f9").fails(2, "f9 is no free face there", "");
+}
+
+#[test]
+fn scenarios_are_counted_and_failures_named() {
+    let folder = folder();
+    for more in ["", " --triangles"] {
+        let text = folder.dcel(&format!("navmesh scenario rooms.map rooms.scen{more}")).fine();
+        assert!(text.ends_with("\n24 of 24 optimal\n"), "{text}");
+    }
+    let wrong = include_str!("../figures/data/rooms.scen").replacen("34.257796844", "34.257796944", 1);
+    folder.write("wrong.scen", &wrong);
+    let told = folder.dcel("navmesh scenario rooms.map wrong.scen");
+    assert_eq!(told.code, Some(1), "{told:?}");
+    assert!(told.out.starts_with("wrong.scen:2: 34.2577968"), "{told:?}");
+    assert!(told.out.ends_with("\n23 of 24 optimal\n"), "{told:?}");
+    assert_eq!(folder.dcel("navmesh scenario rooms.map wrong.scen --tolerance 1e-8").code, Some(0));
+    let told = folder.dcel("navmesh scenario rooms.map rooms.scen --triangles --rung bfs --json");
+    let report: serde_json::Value = serde_json::from_str(&told.out).expect("JSON");
+    assert!(told.code == Some(1) && report["mean_ratio"].as_f64() > Some(1.01), "{report}");
+    assert_eq!((&report["optimum"], &report["queries"]), (&json!("euclidean"), &json!(24)));
+    // Costs from cell to cell are bounds, and -1 is a refusal.
+    folder.write(
+        "corner.scen",
+        "0 corner.mesh 2 2 0 0 1 0 1\n0 corner.mesh 2 2 0 0 2 2 -1\n0 other.mesh 2 2 1 1 0 0 -1\n",
+    );
+    let told = folder.dcel("navmesh scenario corner.mesh corner.scen");
+    assert!(told.err.contains("corner.scen:3: this query is about other.mesh, not corner.mesh"), "{told:?}");
+    assert!(told.fine().ends_with("3 of 3 within the octile cost\n"));
+    folder.dcel("navmesh scenario rooms.map rooms.map").fails(2, "rooms.map:1:1: expected bucket, map", "nine words");
+    folder.dcel("navmesh scenario rooms.map none.scen").fails(2, "none.scen: cannot be read", "check the name");
+    folder.dcel("navmesh scenario rooms.map rooms.scen --rung all").fails(2, "checked with one rung", "--rung closest");
+}
+
+#[test]
+fn figures_show_what_they_are_about() {
+    let folder = folder();
+    let draw = |arguments: &str, words: &[&str]| {
+        let told = folder.dcel(&format!("navmesh {arguments} -o out.svg"));
+        assert!(matches!(told.code, Some(0)), "{arguments}: {told:?}");
+        let svg = folder.read("out.svg");
+        roxmltree::Document::parse(&svg).unwrap_or_else(|error| panic!("{arguments}: {error}"));
+        words.iter().for_each(|word| assert!(svg.contains(word), "{arguments}: {word}"));
+        folder.dcel(&format!("navmesh {arguments} -o again.svg"));
+        assert_eq!(svg, folder.read("again.svg"), "{arguments}: the same bytes");
+    };
+    draw("info rooms.map", &["<title>rooms"]);
+    draw("info rooms.map --draw dual", &["neighbours", "to a dead end"]);
+    draw("info rooms.map --draw dead-ends", &["the core: searches look here", "the way out of a dead end"]);
+    let ends = "rooms.map 21.5 5.5 0.5 4.5 --triangles";
+    draw(&format!("path {ends}"), &["portal: its left post a square", "a corner of the way", "the corridor"]);
+    draw(&format!("path {ends} --draw funnel"), &["the apex", "left chain of the funnel", "the goal"]);
+    draw(&format!("path {ends} --draw cones"), &["what is seen from the root of a cone"]);
+    draw(&format!("path {ends} --rung all"), &["exact: 23.2369", "x the shortest", "all ways"]);
+    folder.dcel("navmesh path rooms.map 1 1 2 1 --draw cones --rung bfs -o x.svg").fails(
+        2,
+        "only the exact search has cones",
+        "",
+    );
+    folder.dcel("navmesh path rooms.map 1 1 2 1 --draw funnel --rung all -o x.svg").fails(
+        2,
+        "a funnel is drawn of one way",
+        "",
+    );
+    folder.dcel("navmesh path rooms.map 1 1 2 1 -o rooms.map").fails(2, "this is the input itself", "another name");
+    folder.dcel("navmesh path rooms.map 1 1 2 1 --draw cones").fails(2, "--output", "");
+}
+
+#[test]
+fn floors_in_space_say_which_axis_points_up() {
+    let folder = folder();
+    // Two triangles that are not level; z grows towards the reader, y upwards.
+    folder.write("floor.obj", "v 0 1 0\nv 4 2 0\nv 4 1 -3\nv 0 1 -3\nf 1 2 3\nf 1 3 4\n");
+    folder.dcel("navmesh path floor.obj 0 0 4 -3").fails(2, "floor.obj: this is a surface in space", "--up y");
+    let answer = folder.dcel("navmesh path floor.obj --up y 0 0 4 -3 --json").json();
+    assert_eq!((&answer["routes"][0]["length"], &answer["goal"]["point"]), (&json!(5.0), &json!([4.0, -3.0])));
+    folder.dcel("navmesh path floor.obj --up y 0 0 4 3").fails(2, "the goal (4, 3) is not on the mesh", "");
+}
+
+#[test]
+fn grid_maps_are_files_like_any_other() {
+    let folder = folder();
+    let info = folder.dcel("info rooms.map --json").json();
+    assert_eq!((&info["format"], &info["valid"]), (&json!("map"), &json!(true)));
+    folder.dcel("convert rooms.map rooms.mesh").fine();
+    let mesh = folder.dcel("navmesh info rooms.mesh --json").json();
+    let map = folder.dcel("navmesh info rooms.map --json").json();
+    for what in ["faces", "vertices", "doors", "components", "dead_ends", "area", "double_corners"] {
+        assert_eq!(mesh[what], map[what], "{what}");
+    }
+    folder.dcel("navmesh info square.dcel").fails(2, "square.dcel: cannot be read", "");
+    folder.dcel("convert square.obj square.map").fails(2, "map is read, not written", "");
+}
