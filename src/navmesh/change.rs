@@ -115,11 +115,11 @@ impl NavMesh {
     /// Makes all faces on the door path of `f` ordinary ones.
     fn unpeel(&mut self, f: u32, open_again: &mut Vec<u32>) {
         let mut at = f;
-        while self.faces[at as usize].door != NONE {
-            let door = std::mem::replace(&mut self.faces[at as usize].door, NONE);
-            self.mark_dead_end(door, at, false);
+        while let Some(door) = self.door(FaceId::new(at)) {
+            self.set_peeled(at, false);
+            self.mark_dead_end(door.number(), at, false);
             open_again.push(at);
-            at = door;
+            at = door.number();
         }
         open_again.push(at);
     }

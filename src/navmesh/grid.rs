@@ -9,7 +9,7 @@
 //! ```
 //!
 //! Point to cell is a monotone function of each coordinate, and cells take in too many faces rather than too few, so
-//! rounding never loses a face. About as many cells as faces: some 20 bytes a face.
+//! rounding never loses a face. One cell for two faces: some 20 bytes a face.
 
 use super::mesh::{CLOSED, ID, NavMesh};
 use crate::ids::FaceId;
@@ -46,7 +46,7 @@ impl Grid {
         let (min, max) = corners.fold((first, first), |(min, max), p| {
             (Point::new(min.x.min(p.x), min.y.min(p.y)), Point::new(max.x.max(p.x), max.y.max(p.y)))
         });
-        let count = mesh.face_count().max(1) as f64;
+        let count = (mesh.face_count() / 2).max(1) as f64;
         let [width, height] = [max.x - min.x, max.y - min.y];
         let columns = (count * (width / height)).sqrt().clamp(1.0, count).ceil();
         let rows = (count / columns).ceil().max(1.0);
@@ -63,6 +63,7 @@ impl Grid {
         };
         grid.fill(mesh);
         grid.name_empty_cells(mesh);
+        grid.put_middles_first(mesh);
         grid
     }
 
@@ -151,6 +152,27 @@ impl Grid {
         self.items.shrink_to_fit();
     }
 
+    /// Of the faces of a cell the one that has its middle comes first: most points are there, or next to it.
+    fn put_middles_first(&mut self, mesh: &NavMesh) {
+        for row in 0..self.rows {
+            for column in 0..self.columns {
+                let middle = self.middle([column, row]);
+                let cell = row * self.columns + column;
+                let here = &mut self.items[self.starts[cell] as usize..self.starts[cell + 1] as usize];
+                let has_it = |item: u32| item & GAP == 0 && mesh.spot_in(FaceId::new(item), middle).is_some();
+                if let Some(i) = here.iter().position(|&item| has_it(item)) {
+                    here.swap(0, i);
+                }
+            }
+        }
+    }
+
+    /// The middle of a cell, rounded.
+    fn middle(&self, [column, row]: [usize; 2]) -> Point {
+        let [x, y] = [(column, self.scale[0]), (row, self.scale[1])].map(|(i, scale)| (i as f64 + 0.5) / scale);
+        Point::new(self.min.x + x, self.min.y + y)
+    }
+
     /// Cells without any face lie in one gap each: that of the cell on their left, or the first on a ray.
     fn name_empty_cells(&mut self, mesh: &NavMesh) {
         for row in 0..self.rows {
@@ -162,11 +184,8 @@ impl Grid {
                     left = None;
                     continue;
                 }
-                let gap = left.unwrap_or_else(|| {
-                    let middle = [column, row].map(|i| i as f64 + 0.5);
-                    let [x, y] = [0, 1].map(|i| middle[i] / self.scale[i]);
-                    GAP | self.gap_by_ray(mesh, Point::new(self.min.x + x, self.min.y + y), [column, row])
-                });
+                let middle = self.middle([column, row]);
+                let gap = left.unwrap_or_else(|| GAP | self.gap_by_ray(mesh, middle, [column, row]));
                 self.items[start] = gap;
                 left = Some(gap);
             }
@@ -195,20 +214,23 @@ impl Grid {
                 let f = FaceId::new(f);
                 for (side, s) in mesh.sides_of(f).iter().zip(mesh.range(f)) {
                     let gap = side.across & ID;
+                    if side.across & CLOSED == 0 || mesh.has_face(FaceId::new(gap)) {
+                        continue;
+                    }
                     let [a, b] = mesh.ends(f, s).map(|v| mesh.point(v));
                     // With the gap on its right, towards p, the border runs up.
                     let met = a.y <= p.y && b.y > p.y && orientation(a, b, p).is_lt();
-                    let is_border = side.across & CLOSED != 0 && !mesh.has_face(FaceId::new(gap));
-                    if met && is_border && nearest.is_none_or(|(other, _)| is_right_of([a, b], other)) {
+                    if met && nearest.is_none_or(|(other, _)| is_right_of([a, b], other)) {
                         nearest = Some(([a, b], gap));
                     }
                 }
             }
-            // A border found in this cell may be met further left; one that ends right of the cell's left side is not.
-            if let Some(([a, b], gap)) = nearest
-                && a.x.min(b.x) >= self.min.x + (column as f64 + 0.001) / self.scale[0]
-            {
-                return gap;
+            // Whatever is met right of the left side of this cell has been seen by now.
+            if let Some(([a, b], gap)) = nearest {
+                let met = a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y)).clamp(0.0, 1.0);
+                if met >= self.min.x + (column as f64 + 0.001) / self.scale[0] {
+                    return gap;
+                }
             }
         }
         nearest.map_or(0, |(_, gap)| gap)

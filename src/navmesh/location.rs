@@ -123,12 +123,49 @@ impl NavMesh {
     /// Where `p` lies, and a face of the mesh that has it.
     #[inline]
     fn locate_with_face(&self, p: Point) -> (Location, Option<FaceId>) {
-        for f in self.grid.faces(self.grid.cell(p)).map(FaceId::new) {
+        let cell = self.grid.cell(p);
+        if let Some(found) = self.grid.faces(cell).next().and_then(|f| self.walk_few(FaceId::new(f), p)) {
+            return found;
+        }
+        for f in self.grid.faces(cell).map(FaceId::new) {
             if let Some(spot) = self.spot_in(f, p) {
                 return (spot, Some(f));
             }
         }
         (self.gap_at(p), None)
+    }
+
+    /// Walks from `f` a few faces towards `p`, each time across a side that has `p` on its right. A walk alone would
+    /// not do: a gap may be in the way.
+    fn walk_few(&self, f: FaceId, p: Point) -> Option<(Location, Option<FaceId>)> {
+        let mut at = f;
+        for _ in 0..5 {
+            let range = self.range(at);
+            let mut a = self.points[(self.sides[range.end.checked_sub(1)?].origin & ID) as usize];
+            // The side before a corner: the first step of the loop looks at the last side.
+            let mut before = range.end - 1;
+            let mut on_line = false;
+            let mut next = None;
+            for s in range {
+                let b = self.points[(self.sides[s].origin & ID) as usize];
+                match orientation(a, b, p) {
+                    Ordering::Less => {
+                        next = Some(self.sides[before].across & ID);
+                        break;
+                    }
+                    Ordering::Equal => on_line = true,
+                    Ordering::Greater => {}
+                }
+                (a, before) = (b, s);
+            }
+            match next {
+                None if on_line => return self.spot_on_border(at, p).map(|spot| (spot, Some(at))),
+                None => return (p.x.is_finite() && p.y.is_finite()).then_some((Location::Face(at), Some(at))),
+                Some(f) if self.has_face(FaceId::new(f)) => at = FaceId::new(f),
+                Some(_) => return None,
+            }
+        }
+        None
     }
 
     /// The gap that has `p`, which is in no face.

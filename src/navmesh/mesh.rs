@@ -13,7 +13,7 @@
 //! into a face that leads nowhere else is marked as a *dead end* (see `dead_ends.rs`). A corner is marked as a
 //! *turn* if a shortest way may bend there: what is free round the vertex, in one piece, is more than half a turn.
 //!
-//! Memory: 52 bytes a triangle and 20 a vertex.
+//! Memory: 48 bytes a triangle and 20 a vertex.
 
 use super::error::NavMeshError;
 use super::grid::Grid;
@@ -24,7 +24,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Ids are smaller than this: two bits of a word are marks.
 pub(super) const MOST: usize = 1 << 30;
-/// No face, no door, no component.
+/// No face, no component.
 pub(super) const NONE: u32 = u32::MAX;
 /// In `across`: the side must not be crossed.
 pub(super) const CLOSED: u32 = 1 << 31;
@@ -38,6 +38,8 @@ pub(super) const SHARED: u32 = 1 << 30;
 pub(super) const ID: u32 = DEAD_END - 1;
 /// In `len`: the face is blocked.
 const BLOCKED: u32 = 1 << 31;
+/// In `len`: the face is a dead end. Its door is its only open side that does not lead into another one.
+const PEELED: u32 = 1 << 30;
 
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct SideRecord {
@@ -51,15 +53,13 @@ pub(super) struct SideRecord {
 pub(super) struct FaceRecord {
     /// The first of the sides.
     pub(super) start: u32,
-    /// How many sides, with the mark [`BLOCKED`]; 0 if this is no face of the mesh.
+    /// How many sides, with the marks [`BLOCKED`] and [`PEELED`]; 0 if this is no face of the mesh.
     len: u32,
     pub(super) component: u32,
-    /// The neighbour through which a dead end is left.
-    pub(super) door: u32,
 }
 
 impl FaceRecord {
-    const ABSENT: Self = Self { start: 0, len: 0, component: NONE, door: NONE };
+    const ABSENT: Self = Self { start: 0, len: 0, component: NONE };
 }
 
 /// A part of the mesh in which every face can be reached from every other.
@@ -264,7 +264,7 @@ impl NavMesh {
     pub(super) fn range(&self, f: FaceId) -> std::ops::Range<usize> {
         self.faces.get(f.index()).map_or(0..0, |face| {
             let start = face.start as usize;
-            start..start + (face.len & !BLOCKED) as usize
+            start..start + (face.len & !(BLOCKED | PEELED)) as usize
         })
     }
 
@@ -301,6 +301,15 @@ impl NavMesh {
     pub(super) fn side_to(&self, f: FaceId, v: u32) -> Option<usize> {
         let range = self.range(f);
         self.side_from(f, v).map(|s| if s == range.start { range.end - 1 } else { s - 1 })
+    }
+
+    pub(super) fn is_peeled(&self, f: u32) -> bool {
+        self.faces.get(f as usize).is_some_and(|face| face.len & PEELED != 0)
+    }
+
+    pub(super) fn set_peeled(&mut self, f: u32, peeled: bool) {
+        let face = &mut self.faces[f as usize];
+        face.len = face.len & !PEELED | if peeled { PEELED } else { 0 };
     }
 
     pub(super) fn set_blocked(&mut self, f: FaceId, blocked: bool) {

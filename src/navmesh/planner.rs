@@ -44,6 +44,9 @@ pub(super) struct Scratch {
     /// Dead ends that may be entered, by number of query.
     allowed: Vec<u32>,
     pub(super) reached: Vec<Reached>,
+    /// Breadth first: in which query a face was reached, and from where.
+    pub(super) seen: Vec<(u32, u32)>,
+    pub(super) line: Vec<u32>,
     /// Keys are the bits of a length, which is not negative: they are in the order of the lengths.
     pub(super) queue: BinaryHeap<Reverse<(u64, u32)>>,
     pub(super) funnel: Funnel,
@@ -155,6 +158,7 @@ impl Scratch {
         if self.query == 0 {
             self.allowed.clear();
             self.reached.clear();
+            self.seen.clear();
             self.query = 1;
         }
         let bound = mesh.face_bound().max(self.allowed.len());
