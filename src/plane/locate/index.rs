@@ -66,7 +66,7 @@ impl<S: Borrow<Subdivision>> PointIndex<S> {
         let edges = s.dcel.edges().map(|e| s.upper_half(e));
         let isolated = s.dcel.vertices().filter(|&v| s.dcel.outgoing(v).is_none());
         let density = if density.is_nan() { 1.0 } else { density.clamp(1.0 / 16.0, 16.0) };
-        let cells = Cells::new(s, edges, isolated, s.outer_face(), density);
+        let cells = Cells::new(s, &edges, &isolated, s.outer_face(), density);
         Self { subdivision, cells }
     }
 
