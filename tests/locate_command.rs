@@ -79,7 +79,7 @@ fn an_overlay_tells_labels_regions_and_what_moved() {
                 .as_f64()
                 .unwrap()
     });
-    assert_eq!(areas, [14.0, 2.0, 10.0, 12.0]);
+    assert_eq!(areas.map(|area| area.to_string()), ["14", "2", "10", "12"]);
     let text = folder.dcel("overlay square.obj tiles.obj --operation difference --join -o rest.dcel").fine();
     assert!(text.contains("difference      1 faces, area 10"), "{text}");
     assert_eq!(folder.dcel("info rest.dcel --json").json()["valid"], json!(true));

@@ -62,10 +62,12 @@ fn helper(
             if floor.is_none_or(|best| is_above(at([a, b]), at(best))) {
                 floor = Some([a, b]);
             }
-        } else if b < m && m < a && orientation(at([b, a])[0], at([b, a])[1], p).is_lt() {
-            if ceiling.is_none_or(|best| is_above(at(best), at([b, a]))) {
-                ceiling = Some([b, a]);
-            }
+        } else if b < m
+            && m < a
+            && orientation(at([b, a])[0], at([b, a])[1], p).is_lt()
+            && ceiling.is_none_or(|best| is_above(at(best), at([b, a])))
+        {
+            ceiling = Some([b, a]);
         }
     }
     let (floor, ceiling) = (floor?, ceiling?);
