@@ -312,10 +312,11 @@ fn the_empty_plane_lonely_points_and_no_numbers() {
     assert_eq!(agreed(&lonely, &indices(&lonely), Point::new(1.0, 3.0), "lonely"), v(2));
     assert_eq!(agreed(&lonely, &indices(&lonely), Point::new(1.0, 2.5), "lonely"), f0);
     let lab = Subdivision::lab_rectangle();
-    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e308, 5e-324] {
+    let far = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e308].map(|bad| (bad, true));
+    for (bad, is_far) in far.into_iter().chain([(5e-324, false)]) {
         for p in [Point::new(bad, 0.5), Point::new(0.5, bad), Point::new(bad, bad)] {
             let found = agreed(&lab, &indices(&lab), p, "no place for a vertex");
-            assert_eq!(found == f0, bad != 5e-324, "{p}");
+            assert_eq!(found == f0, is_far, "{p}");
         }
     }
     assert!(lab.locate_from(VertexId::new(99), Point::default()).is_err());
@@ -451,4 +452,80 @@ fn a_triangulation_is_walked_by_its_cube_root_and_asked_in_constant_work() {
         looked_at += corner.half_edges;
     }
     assert!(looked_at / asked < 3 * 140, "{looked_at}");
+}
+
+// ---- stated answers ----------------------------------------------------------------------------------------
+
+fn data(path: &str) -> String {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data").join(path);
+    std::fs::read_to_string(path).unwrap()
+}
+
+/// The innermost brackets of a WKT text: lists of points.
+fn lists(wkt: &str) -> Vec<Vec<Point>> {
+    let list = |text: &str| -> Vec<Point> {
+        let numbers = |pair: &str| pair.split_whitespace().map(|word| word.parse().unwrap()).collect::<Vec<f64>>();
+        text.split(',').map(numbers).filter(|pair| pair.len() == 2).map(|p| Point::new(p[0], p[1])).collect()
+    };
+    let pieces = wkt.split(['(', ')']).filter(|piece| piece.contains(|c: char| c.is_ascii_digit()));
+    pieces.map(list).collect()
+}
+
+/// Points against polygons in TestRelatePA.xml: whether some of the points lie inside, on the rim, and outside.
+#[test]
+#[cfg_attr(not(shared_data), ignore = "needs ../shared/data")]
+fn points_and_polygons_of_jts_as_stated() {
+    let text = data("O14-jts-xml/TestRelatePA.xml");
+    let document = roxmltree::Document::parse(&text).unwrap();
+    let mut cases = 0;
+    for case in document.descendants().filter(|n| n.has_tag_name("case")) {
+        let part = |name: &str| case.descendants().find(|n| n.has_tag_name(name)).and_then(|n| n.text()).unwrap();
+        if !part("a").contains("POINT") {
+            continue;
+        }
+        cases += 1;
+        let relate = case.descendants().find(|n| n.attribute("name") == Some("relate")).unwrap();
+        let stated = relate.attribute("arg3").unwrap()[..3].replace(|c| c != 'F', "0");
+        let segments: Vec<[Point; 2]> = lists(part("b"))
+            .iter()
+            .flat_map(|ring| ring.windows(2).map(|w| [w[0], w[1]]).collect::<Vec<_>>())
+            .collect();
+        let s = Subdivision::from_segments(&segments).unwrap();
+        let mut seen = [false; 3];
+        for p in lists(part("a")).concat() {
+            let which = match agreed(&s, &indices(&s), p, part("desc")) {
+                Location::Face(f) if f == s.outer_face() => 2,
+                Location::Face(_) => 0,
+                _ => 1,
+            };
+            seen[which] = true;
+        }
+        let found: String = seen.map(|seen| if seen { '0' } else { 'F' }).iter().collect();
+        assert_eq!(found, stated, "{}", part("desc"));
+    }
+    assert_eq!(cases, 9);
+}
+
+/// The signs of nearly collinear points that come with robust-predicates; and the point beside the edge accordingly.
+#[test]
+#[cfg_attr(not(shared_data), ignore = "needs ../shared/data")]
+fn signs_of_nearly_collinear_points_as_stated() {
+    let mut on_or_beside = [0; 3];
+    for line in data("O10-robust-predicates/orient2d.txt").lines().filter(|line| !line.trim().is_empty()) {
+        let n: Vec<f64> = line.split_whitespace().map(|word| word.parse().unwrap()).collect();
+        let [a, b, c] = [(n[1], n[2]), (n[3], n[4]), (n[5], n[6])].map(Point::from);
+        let turn = dcel_kit::plane::predicates::orientation(a, b, c);
+        assert_eq!(turn as i8, n[7] as i8, "{line}");
+        on_or_beside[(turn as i8 + 1) as usize] += 1;
+        // A triangle as thin as this one: its corners and its middle.
+        let Ok(s) = Subdivision::from_segments(&[[a, b], [b, c], [c, a]]) else { continue };
+        let centre = Point::new(a.x / 3.0 + b.x / 3.0 + c.x / 3.0, a.y / 3.0 + b.y / 3.0 + c.y / 3.0);
+        for p in [a, b, c, centre] {
+            agreed(&s, &indices(&s), p, line);
+        }
+    }
+    assert!(
+        on_or_beside.iter().sum::<i32>() == 1000 && on_or_beside[0] > 300 && on_or_beside[2] > 300,
+        "{on_or_beside:?}"
+    );
 }

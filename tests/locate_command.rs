@@ -57,7 +57,7 @@ fn wrong_points_are_refused() {
     folder.dcel("locate square.obj 1 2 3").fails(2, "3 coordinates are no points", "x and y of each point");
     folder.dcel("locate square.obj 1 nan").fails(2, "y is NaN", "");
     folder.dcel("locate square.obj --points bad.txt").fails(2, "bad.txt:2:3", "");
-    folder.dcel("locate square.obj --points far.txt").fails(2, "far.txt:2: y = 1e99 is outside the exact range", "");
+    folder.dcel("locate square.obj --points far.txt").fails(2, "far.txt:2:3: y = 1e99 is outside the exact range", "");
     folder.dcel("locate cube.off 1 2").fails(2, "cube.off: this is a surface in space", "--plane");
     folder.dcel("locate square.obj 1 2 --walk v9").fails(2, "--walk: v9", "dcel info");
     folder.dcel("locate square.obj 1 2 -o square.obj").fails(2, "SVG", "");
@@ -69,18 +69,17 @@ fn an_overlay_tells_labels_regions_and_what_moved() {
     let folder = Folder::new();
     folder.write("tiles.obj", TILES);
     let report = folder.dcel("overlay square.obj tiles.obj --json").json();
-    assert_eq!((&report["vertices"], &report["faces"]), (&json!(12), &json!(8)));
-    assert_eq!(
-        (&report["crossings"].as_array().unwrap().len(), &report["moved"]),
-        (&4, &json!([{"vertex": "v8", "by": 4.440892098500626e-17}]))
-    );
+    assert_eq!((&report["vertices"], &report["faces"]), (&json!(12), &json!(7)));
+    assert_eq!(report["crossings"].as_array().unwrap().len(), 4);
+    let moved = report["moved"].as_array().unwrap();
+    assert!(moved.len() == 1 && moved[0]["by"].as_f64().unwrap() < 1e-15, "{moved:?}");
     let areas = ["union", "intersection", "difference", "xor"].map(|operation| {
         folder.dcel(&format!("overlay square.obj tiles.obj --join --operation {operation} --json")).json()["region"]
                 ["area"]
                 .as_f64()
                 .unwrap()
     });
-    assert_eq!(areas, [14.0, 2.0, 10.0, 12.0]);
+    assert_eq!(areas.map(|area| area.to_string()), ["14", "2", "10", "12"]);
     let text = folder.dcel("overlay square.obj tiles.obj --operation difference --join -o rest.dcel").fine();
     assert!(text.contains("difference      1 faces, area 10"), "{text}");
     assert_eq!(folder.dcel("info rest.dcel --json").json()["valid"], json!(true));
@@ -93,7 +92,7 @@ fn an_overlay_tells_labels_regions_and_what_moved() {
 #[test]
 fn overlays_are_drawn_and_named() {
     let folder = Folder::new();
-    folder.write("tiles.obj", TILES);
+    folder.write("tiles.obj", "v 3 1\nv 8 1\nv 12.5 8\nv 3 6\nf 1 2 3 4\n");
     folder.dcel("overlay garden.json tiles.obj -o both.svg").fine();
     let svg = folder.read("both.svg");
     assert!(svg.contains("in a alone") && svg.contains("in both") && svg.contains("in b alone"));

@@ -129,11 +129,7 @@ impl Args {
     /// The points as they are given, all of them within the exact range.
     fn given(&self) -> Result<Vec<Point>, Failure> {
         if let Some(path) = &self.points {
-            let list = read_points(path, &ReadOptions::default())?;
-            for (i, p) in list.points.iter().enumerate() {
-                p.check().map_err(|error| Failure::input(format!("{}: {error}", list.place(i)), ""))?;
-            }
-            return Ok(list.points);
+            return Ok(read_points(path, &ReadOptions::default())?.points);
         }
         let pairs = self.coordinates.chunks(2).map(|pair| match *pair {
             [x, y] => {

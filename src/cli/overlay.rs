@@ -6,7 +6,7 @@ use super::picture::{Pixels, Target};
 use super::subject::Subject;
 use super::{Answer, Output};
 use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
-use dcel_kit::figure::{Figure, FigureOptions};
+use dcel_kit::figure::{Detail, Figure, FigureOptions};
 use dcel_kit::io::{Format, Model, Number, write, write_path};
 use dcel_kit::plane::{Operation, Overlay, Parts, Subdivision};
 use dcel_kit::{FaceId, FaceMap};
@@ -271,24 +271,26 @@ fn outlines(sketch: &mut Sketch, role: Role, s: &Subdivision, key: &str) {
 
 fn title(args: &Args, what: &str) -> FigureOptions {
     let [a, b] = [&args.a, &args.b].map(|path| path.file_stem().unwrap_or_default().to_string_lossy());
-    FigureOptions::new(format!("{what} {a} and {b}")).half_edge_labels(false)
+    FigureOptions::new(format!("{what} {a} and {b}")).detail(Detail::Edges)
 }
 
-/// a, b, and both: what belongs to one of them and what to both.
+/// a, b, both with their crossings, and what belongs to one of them or to both.
 fn draw_both(args: &Args, [a, b]: [&Subdivision; 2], both: &Overlay) -> Result<Figure, Failure> {
     let s = &both.subdivision;
-    let mut labels = Sketch::new();
-    region(&mut labels, Role::Main, s, |f| both.is_in(f) == [true, false], "in a alone");
-    region(&mut labels, Role::Secondary, s, |f| both.is_in(f) == [false, true], "in b alone");
-    region(&mut labels, Role::Goal, s, |f| both.is_in(f) == [true; 2], "in both");
+    let mut crossings = Sketch::new();
     both.crossings.iter().for_each(|&v| {
-        labels.point(Role::Event, s.point(v));
+        crossings.point(Role::Event, s.point(v));
     });
+    let mut regions = Sketch::new();
+    region(&mut regions, Role::Main, s, |f| both.is_in(f) == [true, false], "in a alone");
+    region(&mut regions, Role::Secondary, s, |f| both.is_in(f) == [false, true], "in b alone");
+    region(&mut regions, Role::Goal, s, |f| both.is_in(f) == [true; 2], "in both");
     let mut panels = Multiples::new();
     panels.structure("a", &format!("{} faces", a.face_count()), a);
     panels.structure("b", &format!("{} faces", b.face_count()), b);
     let text = format!("{} faces, {} crossings", s.face_count(), both.crossings.len());
-    panels.over("overlay", &text, s, Backdrop::Plain, labels);
+    panels.over("overlay", &text, s, Backdrop::Plain, crossings);
+    panels.sketch("regions", "faces of a and of b, without hole faces", regions);
     panels.figure(&title(args, "Overlay of")).map_err(|error| Failure::input(error, ""))
 }
 

@@ -74,8 +74,8 @@ impl Cells {
     /// Cost: O(n) while cells are not crowded, O(n log n) expected for whatever is crowded.
     pub(crate) fn new(
         lines: &impl Lines,
-        edges: impl Iterator<Item = HalfEdgeId> + Clone,
-        isolated: impl Iterator<Item = VertexId> + Clone,
+        edges: &(impl Iterator<Item = HalfEdgeId> + Clone),
+        isolated: &(impl Iterator<Item = VertexId> + Clone),
         outer: FaceId,
         density: f64,
     ) -> Self {

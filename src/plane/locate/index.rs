@@ -62,11 +62,7 @@ impl<S: Borrow<Subdivision>> PointIndex<S> {
     /// more memory.
     #[must_use]
     pub fn with_density(subdivision: S, density: f64) -> Self {
-        let s: &Subdivision = subdivision.borrow();
-        let edges = s.dcel.edges().map(|e| s.upper_half(e));
-        let isolated = s.dcel.vertices().filter(|&v| s.dcel.outgoing(v).is_none());
-        let density = if density.is_nan() { 1.0 } else { density.clamp(1.0 / 16.0, 16.0) };
-        let cells = Cells::new(s, edges, isolated, s.outer_face(), density);
+        let cells = cells(subdivision.borrow(), density);
         Self { subdivision, cells }
     }
 
@@ -121,4 +117,11 @@ impl<S: Borrow<Subdivision>> PointIndex<S> {
     pub fn memory_bytes(&self) -> usize {
         self.cells.memory_bytes()
     }
+}
+
+fn cells(s: &Subdivision, density: f64) -> Cells {
+    let edges = s.dcel.edges().map(|e| s.upper_half(e));
+    let isolated = s.dcel.vertices().filter(|&v| s.dcel.outgoing(v).is_none());
+    let density = if density.is_nan() { 1.0 } else { density.clamp(1.0 / 16.0, 16.0) };
+    Cells::new(s, &edges, &isolated, s.outer_face(), density)
 }
