@@ -5,7 +5,7 @@ use dcel_kit::io::{Document, Format, ReadError, ReadOptions, read_bytes};
 use dcel_kit::plane::{
     ConvertError, ConvertOptions, JoinFacesError, Point, SplitEdgeError, SplitFaceError, Subdivision,
 };
-use dcel_kit::topology::{PolygonList, Table};
+use dcel_kit::topology::{PolygonList, SplitVertexError, Table};
 use std::collections::BTreeSet;
 
 /// Why a lesson's structure cannot be built. None of this depends on the user's input.
@@ -21,6 +21,8 @@ pub(crate) enum LessonError {
     Read(#[from] ReadError),
     #[error(transparent)]
     JoinFaces(#[from] JoinFacesError),
+    #[error(transparent)]
+    SplitVertex(#[from] SplitVertexError),
     #[error("the map holds no polygons")]
     NoPolygons,
 }

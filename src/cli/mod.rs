@@ -27,6 +27,7 @@ mod lesson;
 mod looks;
 mod output;
 mod picture;
+mod primitives;
 mod references;
 mod script;
 mod specimen;

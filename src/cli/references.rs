@@ -4,6 +4,7 @@ use super::Failure;
 use super::camera::film;
 use super::lab_figures;
 use super::lesson::{self, LessonError};
+use super::primitives;
 use super::specimen;
 use dcel_kit::figure::chart::ChartError;
 use dcel_kit::figure::sketch::SketchError;
@@ -118,6 +119,11 @@ static REFERENCES: &[Reference] = &[
             let options = FigureOptions::new("Pointers of the lab's subdivision").id_prefix("ptr").width(520.0);
             Ok(figure::pointers(&lesson::lab_subdivision()?, &Pointers::ALL, &options)?.to_svg())
         },
+    },
+    Reference {
+        file: "primitives.svg",
+        about: "vertex split and face split: from these two, and two seeds, all shapes grow",
+        draw: primitives::figure,
     },
     Reference {
         file: "records.svg",
@@ -248,7 +254,8 @@ fn command(file: &str) -> &'static str {
         "interactive.svg" => "dcel figure FILE --interactive -o OUT.svg",
         "pointers.svg" => "dcel figure FILE --pointers all -o OUT.svg",
         "records.svg" => "dcel figure --records -o OUT.svg",
-        "figure-sizes.svg" | "robustness.svg" | "vocabulary.svg" | "walk.svg" | "wrong-signs.svg" => "dcel figures",
+        "figure-sizes.svg" | "primitives.svg" | "robustness.svg" | "vocabulary.svg" | "walk.svg"
+        | "wrong-signs.svg" => "dcel figures",
         "states.svg" => "dcel figure FILE --width 960 -o OUT.svg",
         "tables.svg" => "dcel figure FILE --tables --highlight h5 -o OUT.svg",
         "stepper-split-face.svg" => "dcel script figures/scripts/split-face.dcels --film OUT.svg --stepper",
