@@ -1,7 +1,8 @@
 //! Random splits that grow a polygon to 10^4 edges, and joins that take it back, ns per operation.
 //!
 //! Each operation takes a random half-edge and either splits its edge or, if its face has more than three
-//! sides, cuts a triangle off. The choices are made beforehand, so that only the edits are measured.
+//! sides, cuts a triangle off. The choices are made beforehand, so that only the edits are measured. Then the same with
+//! the two primitives: in place of its edge its origin is split, and up to three half-edges move.
 
 use alum::{EditableTopology, HH, HasTopology, VH};
 use dcel_kit::topology::Dcel;
@@ -56,6 +57,51 @@ fn join(d: &mut Dcel, script: &[(Edit, HalfEdgeId)]) {
         match edit {
             Edit::SplitEdge(_) => drop(d.join_edges(h).expect("recorded")),
             Edit::SplitFace(..) => drop(d.join_faces(h).expect("recorded")),
+        }
+    }
+}
+
+/// A vertex split in place of the edge split; both arguments are half-edges.
+#[derive(Clone, Copy)]
+enum Primitive {
+    SplitVertex(HalfEdgeId, HalfEdgeId),
+    SplitFace(HalfEdgeId, HalfEdgeId),
+}
+
+/// The script of the two primitives, and the new half-edges, which take it back.
+fn primitives() -> Vec<(Primitive, HalfEdgeId)> {
+    let mut random = Random::new(6);
+    let mut d = square();
+    let mut script = Vec::new();
+    while d.edge_count() < EDGES {
+        let h = HalfEdgeId::new(random.below(d.half_edge_count()) as u32);
+        let third = d.next(d.next(h));
+        if random.below(2) == 0 && d.next(third) != h && third != h {
+            let (new, _) = d.split_face(third, h).expect("the face has more than three sides");
+            script.push((Primitive::SplitFace(third, h), new));
+        } else {
+            let last = (0..random.below(4)).fold(h, |x, _| d.ccw(x));
+            let (new, _) = d.split_vertex(h, last).expect("both start at one vertex");
+            script.push((Primitive::SplitVertex(h, last), new));
+        }
+    }
+    script
+}
+
+fn grow_by_primitives(d: &mut Dcel, script: &[(Primitive, HalfEdgeId)]) {
+    for &(edit, _) in script {
+        match edit {
+            Primitive::SplitVertex(first, last) => drop(d.split_vertex(first, last).expect("recorded")),
+            Primitive::SplitFace(h1, h2) => drop(d.split_face(h1, h2).expect("recorded")),
+        }
+    }
+}
+
+fn join_by_primitives(d: &mut Dcel, script: &[(Primitive, HalfEdgeId)]) {
+    for &(edit, h) in script.iter().rev() {
+        match edit {
+            Primitive::SplitVertex(..) => drop(d.join_vertices(h).expect("recorded")),
+            Primitive::SplitFace(..) => drop(d.join_faces(h).expect("recorded")),
         }
     }
 }
@@ -158,4 +204,14 @@ fn main() {
     ];
     let ns = compare(&mut programs, 15, TIMES * script.len());
     print("ns per edit (goal: splits <= 17 ns on a quiet machine, <= 0.17 alum)", &programs, &ns);
+
+    let script = primitives();
+    let mut grown = start.clone();
+    grow_by_primitives(&mut grown, &script);
+    let mut programs = [
+        on_copies("vertex and face splits", &start, |d| grow_by_primitives(d, &script)),
+        on_copies("vertex and face joins", &grown, |d| join_by_primitives(d, &script)),
+    ];
+    let ns = compare(&mut programs, 15, TIMES * script.len());
+    print("ns per edit, the two primitives", &programs, &ns);
 }

@@ -5,7 +5,7 @@ use dcel_kit::io::{Document, Format, Grid, ReadError, ReadOptions, read_bytes};
 use dcel_kit::plane::{
     ConvertError, ConvertOptions, JoinFacesError, Point, SegmentsError, SplitEdgeError, SplitFaceError, Subdivision,
 };
-use dcel_kit::topology::{PolygonList, Table};
+use dcel_kit::topology::{PolygonList, SplitVertexError, Table};
 use std::collections::BTreeSet;
 
 /// Why a lesson's structure cannot be built. None of this depends on the user's input.
@@ -23,6 +23,8 @@ pub(crate) enum LessonError {
     Segments(#[from] SegmentsError),
     #[error(transparent)]
     JoinFaces(#[from] JoinFacesError),
+    #[error(transparent)]
+    SplitVertex(#[from] SplitVertexError),
     #[error("the map holds no polygons")]
     NoPolygons,
 }

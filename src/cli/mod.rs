@@ -31,6 +31,7 @@ mod output;
 mod overlay;
 mod picture;
 mod plane_figures;
+mod primitives;
 mod references;
 mod script;
 mod solid;

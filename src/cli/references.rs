@@ -5,6 +5,7 @@ use super::camera::film;
 use super::lab_figures;
 use super::lesson::{self, LessonError};
 use super::plane_figures;
+use super::primitives;
 use super::specimen;
 use dcel_kit::figure::chart::ChartError;
 use dcel_kit::figure::sketch::SketchError;
@@ -142,6 +143,11 @@ static REFERENCES: &[Reference] = &[
             let options = FigureOptions::new("Pointers of the lab's subdivision").id_prefix("ptr").width(520.0);
             Ok(figure::pointers(&lesson::lab_subdivision()?, &Pointers::ALL, &options)?.to_svg())
         },
+    },
+    Reference {
+        file: "primitives.svg",
+        about: "vertex split and face split: from these two, and two seeds, all shapes grow",
+        draw: primitives::figure,
     },
     Reference {
         file: "records.svg",
@@ -283,7 +289,9 @@ fn command(file: &str) -> &'static str {
         "interactive.svg" => "dcel figure FILE --interactive -o OUT.svg",
         "pointers.svg" => "dcel figure FILE --pointers all -o OUT.svg",
         "records.svg" => "dcel figure --records -o OUT.svg",
-        "figure-sizes.svg" | "robustness.svg" | "vocabulary.svg" | "walk.svg" | "wrong-signs.svg" => "dcel figures",
+        "figure-sizes.svg" | "primitives.svg" | "robustness.svg" | "vocabulary.svg" | "walk.svg" | "wrong-signs.svg" => {
+            "dcel figures"
+        }
         "navmesh-ladder.svg" => {
             "dcel navmesh path figures/data/rooms.map 21.5 5.5 0.5 4.5 --triangles --rung all -o OUT.svg"
         }
