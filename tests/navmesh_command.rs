@@ -65,7 +65,7 @@ fn info_names_every_fault_with_its_place() {
 #[test]
 fn points_are_located_where_the_file_has_them() {
     let folder = folder();
-    let found = folder.dcel("navmesh locate rooms.map 0.5 0.5 0 0 4 2 9 14.5 2.5 2.5 99 3 --json").json();
+    let found = folder.dcel("navmesh locate rooms.map 0.5 0.5 0 0 4 2 10.5 13.5 2.5 2.5 99 3 --json").json();
     let on: Vec<_> = found.as_array().into_iter().flatten().map(|spot| spot["on"].clone()).collect();
     assert_eq!(json!(on), json!(["face", "vertex", "edge", "face", "hole", "outer"]));
     assert_eq!(
@@ -115,7 +115,7 @@ fn a_way_is_told_in_the_coordinates_of_the_file() {
     assert_eq!(ratios.len(), 5);
     assert!(ratios.iter().all(|&ratio| ratio >= 1.0) && ratios[0] > 1.01, "{ratios:?}");
     let table = folder.dcel("navmesh path rooms.map 21.5 5.5 0.5 4.5 --triangles --rung all").fine();
-    assert!(table.lines().count() == 6 && table.contains("  exact     23.236857  1.000000"), "{table}");
+    assert!(table.lines().count() == 6 && table.contains("  exact     23.236853  1.000000"), "{table}");
     let bfs = folder.dcel("navmesh path rooms.map 21.5 5.5 0.5 4.5 --triangles --rung bfs").fine();
     assert!(bfs.starts_with("breadth: 25."), "{bfs}");
 }
@@ -135,7 +135,7 @@ fn no_way_is_proven_and_bad_ends_are_refused() {
     folder.dcel("navmesh path rooms.map 2.5 2.5 1 1").fails(
         2,
         "rooms.map: the start (2.5, 2.5) is not on the mesh: it is in the hole",
-        "the nearest place is (2, 2.5)",
+        "the nearest place is (2.5, 2) in f1",
     );
     // At a double corner one has to say on which side one stands.
     folder.dcel("navmesh path corner.mesh 0 0 1 1").fails(
@@ -192,7 +192,7 @@ fn figures_show_what_they_are_about() {
         folder.dcel(&format!("navmesh {arguments} -o again.svg"));
         assert_eq!(svg, folder.read("again.svg"), "{arguments}: the same bytes");
     };
-    draw("info rooms.map", &["<title>rooms"]);
+    draw("info rooms.map", &[">rooms\n", "rooms-f1"]);
     draw("info rooms.map --draw dual", &["neighbours", "to a dead end"]);
     draw("info rooms.map --draw dead-ends", &["the core: searches look here", "the way out of a dead end"]);
     let ends = "rooms.map 21.5 5.5 0.5 4.5 --triangles";
@@ -238,4 +238,33 @@ fn grid_maps_are_files_like_any_other() {
     }
     folder.dcel("navmesh info square.dcel").fails(2, "square.dcel: cannot be read", "");
     folder.dcel("convert square.obj square.map").fails(2, "map is read, not written", "");
+}
+
+/// The commands below `Examples:`, with lines joined at `\`.
+fn examples(help: &str) -> Vec<String> {
+    let text = help.split("\nExamples:\n").nth(1).expect("examples").replace("\\\n", " ");
+    text.lines().map(str::trim).filter(|line| !line.is_empty()).map(str::to_owned).collect()
+}
+
+#[test]
+fn the_examples_of_the_help_run_and_the_help_fits_60_columns() {
+    let folder = folder();
+    std::fs::create_dir_all(folder.path("figures/data")).expect("a folder");
+    folder.write("figures/data/rooms.map", include_str!("../figures/data/rooms.map"));
+    folder.write("figures/data/rooms.scen", include_str!("../figures/data/rooms.scen"));
+    for command in
+        ["navmesh", "navmesh info", "navmesh locate", "navmesh neighbours", "navmesh path", "navmesh scenario"]
+    {
+        let output =
+            folder.command(&format!("{command} --help")).env("COLUMNS", "60").output().expect("the command starts");
+        let help = String::from_utf8(output.stdout).expect("UTF-8");
+        let long: Vec<&str> = help.lines().filter(|line| line.chars().count() > 60).collect();
+        assert!(long.is_empty(), "{command}: {long:?}");
+        let examples = examples(&help);
+        assert!(examples.len() >= 2, "{command}: {examples:?}");
+        for example in examples {
+            let call = example.strip_prefix("dcel ").unwrap_or_else(|| panic!("not a call: {example}"));
+            assert_eq!(folder.dcel(call).code, Some(0), "{example}");
+        }
+    }
 }

@@ -21,19 +21,20 @@ use std::io::{self, Write};
 #[command(after_help = "\
 Examples:
   dcel navmesh info figures/data/rooms.map
-  dcel navmesh info figures/data/rooms.map --triangles --json
-  dcel navmesh info figures/data/rooms.map --draw dead-ends -o dead-ends.svg")]
+  dcel navmesh info figures/data/rooms.map --json
+  dcel navmesh info figures/data/rooms.map --triangles \\
+    --draw dead-ends -o dead-ends.svg")]
 pub(super) struct Args {
     #[command(flatten)]
     map: MapArgs,
+    /// Answer in JSON
+    #[arg(long)]
+    json: bool,
     /// What to draw
     #[arg(long, value_name = "WHAT", default_value = "map", requires = "output", help_heading = "Figure")]
     draw: Draw,
     #[command(flatten)]
     drawing: Drawing,
-    /// Answer in JSON
-    #[arg(long)]
-    json: bool,
 }
 
 /// What to draw of a map.

@@ -17,7 +17,8 @@ use std::io::Write;
 #[command(after_help = "\
 Examples:
   dcel navmesh locate figures/data/rooms.map 1.5 1.5
-  dcel navmesh locate figures/data/rooms.map 1 1 0 0 99 3 --json")]
+  dcel navmesh locate figures/data/rooms.map \\
+    1 1 0 0 99 3 --json")]
 pub(super) struct Args {
     #[command(flatten)]
     map: MapArgs,

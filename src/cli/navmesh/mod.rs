@@ -27,8 +27,10 @@ use super::{Answer, Failure, Output};
 #[command(after_help = "\
 Examples:
   dcel navmesh info figures/data/rooms.map
-  dcel navmesh path figures/data/rooms.map 1 1 22 12 --rung all -o ladder.svg
-  dcel navmesh scenario figures/data/rooms.map figures/data/rooms.scen")]
+  dcel navmesh path figures/data/rooms.map 1 1 22 12 \\
+    --rung all -o ladder.svg
+  dcel navmesh scenario figures/data/rooms.map \\
+    figures/data/rooms.scen")]
 pub(crate) struct Args {
     #[command(subcommand)]
     command: Command,

@@ -6,7 +6,7 @@ use super::super::picture::Target;
 use super::super::{Answer, Output};
 use super::drawing::{Drawing, save};
 use super::map::{Map, MapArgs};
-use super::tell::{Spot, point, refusal};
+use super::tell::{Spot, faces, point, refusal};
 use clap::ValueEnum;
 use dcel_kit::FaceId;
 use dcel_kit::figure::navmesh::Floor;
@@ -20,12 +20,16 @@ use std::io::Write;
 /// faces by a quicker rule and pull the way straight in it; --rung all compares them. If there is no
 /// way, the answer is the proof: the two components. Exit code 1 then.
 #[derive(clap::Args, Debug)]
+#[command(override_usage = "dcel navmesh path [OPTIONS] <MAP> <X> <Y> <X> <Y>")]
 #[command(after_help = "\
 Examples:
   dcel navmesh path figures/data/rooms.map 1 1 22 12
-  dcel navmesh path figures/data/rooms.map 1 1 22 12 --rung all -o ladder.svg
-  dcel navmesh path figures/data/rooms.map 1 1 22 12 --rung bfs --draw funnel -o funnel.svg
-  dcel navmesh path figures/data/rooms.map 1 1 22 12 --draw cones -o cones.svg")]
+  dcel navmesh path figures/data/rooms.map 1 1 22 12 \\
+    --rung all -o ladder.svg
+  dcel navmesh path figures/data/rooms.map 1 1 22 12 \\
+    --triangles --rung bfs --draw funnel -o funnel.svg
+  dcel navmesh path figures/data/rooms.map 1 1 22 12 \\
+    --draw cones -o cones.svg")]
 pub(super) struct Args {
     #[command(flatten)]
     map: MapArgs,
@@ -41,14 +45,14 @@ pub(super) struct Args {
     /// The face to end in, where gaps touch in the goal
     #[arg(long, value_name = "f3")]
     goal_face: Option<FaceId>,
+    /// Answer in JSON
+    #[arg(long)]
+    json: bool,
     /// What to draw of a way
     #[arg(long, value_name = "WHAT", default_value = "route", requires = "output", help_heading = "Figure")]
     draw: Draw,
     #[command(flatten)]
     drawing: Drawing,
-    /// Answer in JSON
-    #[arg(long)]
-    json: bool,
 }
 
 /// The rungs of the ladder.
@@ -242,7 +246,8 @@ fn apart(
     }
     let [from, to] = ends.map(|place| point(map, place.point));
     let [a, b] = components;
-    writeln!(out, "no way: {from} is in {a} of {start_faces} faces, {to} is in {b} of {goal_faces} faces")?;
+    let [start_faces, goal_faces] = [start_faces, goal_faces].map(faces);
+    writeln!(out, "no way: {from} is in {a} of {start_faces}, {to} is in {b} of {goal_faces}")?;
     if let Some(nearest) = nearest {
         let (at, face) = (point(map, nearest.place.point), nearest.place.face);
         writeln!(out, "  nearest point that can be reached: {at} in {face}, {} away", nearest.distance)?;
@@ -267,7 +272,7 @@ impl Row {
     }
 
     fn print(&self, out: &mut Output) -> Result<(), Failure> {
-        writeln!(out, "{}: {}, through {} faces", self.rung, self.length, self.faces.len())?;
+        writeln!(out, "{}: {}, through {}", self.rung, self.length, faces(self.faces.len()))?;
         let points: Vec<String> = self.points.iter().map(|p| super::super::output::point(p)).collect();
         for (what, words) in
             [("way", &points), ("corners", &self.corners), ("faces", &self.faces), ("doors", &self.doors)]

@@ -19,8 +19,10 @@ use std::path::PathBuf;
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
-  dcel navmesh scenario figures/data/rooms.map figures/data/rooms.scen
-  dcel navmesh scenario figures/data/rooms.map figures/data/rooms.scen --rung closest --json")]
+  dcel navmesh scenario figures/data/rooms.map \\
+    figures/data/rooms.scen
+  dcel navmesh scenario figures/data/rooms.map \\
+    figures/data/rooms.scen --json")]
 pub(super) struct Args {
     #[command(flatten)]
     map: MapArgs,

@@ -35,6 +35,11 @@ pub(super) fn point(map: &Map, p: Point) -> String {
     output::point(&map.in_file(p))
 }
 
+/// `1 face`, `2 faces`.
+pub(super) fn faces(count: usize) -> String {
+    format!("{count} {}", if count == 1 { "face" } else { "faces" })
+}
+
 /// Why one cannot stand at a point of the file, with its numbers.
 pub(super) fn refusal(map: &Map, error: &PlaceError) -> String {
     match error {

@@ -23,7 +23,12 @@ impl Floor<'_> {
         for ((role, component), name) in [Role::Start, Role::Goal].into_iter().zip(components).zip(names) {
             let faces = self.mesh.component_faces(component);
             let count = self.mesh.component_faces(component).count();
-            self.paint(&mut sketch, role, faces, &format!("{component}, {count} faces: {name}"));
+            self.paint(
+                &mut sketch,
+                role,
+                faces,
+                &format!("{component}, {count} {}: {name}", if count == 1 { "face" } else { "faces" }),
+            );
         }
         sketch.point(Role::Start, ends[0]).label("start");
         sketch.point(Role::Goal, ends[1]).label("goal");

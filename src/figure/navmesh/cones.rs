@@ -37,6 +37,6 @@ impl Floor<'_> {
         sketch.path(Role::Main, route.points.iter().copied()).arrow().key("the shortest way");
         self.ends(&mut sketch, route);
         self.blocked(&mut sketch);
-        self.over(&sketch, options)
+        self.over(&sketch, &self.nameless(options))
     }
 }

@@ -39,7 +39,7 @@ impl Floor<'_> {
                 sketch.path(Role::Secondary, posts).key("door of the corridor");
             }
             sketch.path(Role::Main, route.points.iter().copied()).arrow().key("the way through the corridor");
-            self.ends(&mut sketch, route);
+            self.marks(&mut sketch, route);
             self.blocked(&mut sketch);
             let about =
                 format!("{}; {} faces, {} taken from the queue", how(*rung), route.faces.len(), route.work.pops);
@@ -53,10 +53,10 @@ impl Floor<'_> {
             together.path(role(*rung), route.points.iter().copied()).key(rung.name());
         }
         if let Some((_, route)) = routes.first() {
-            self.ends(&mut together, route);
+            self.marks(&mut together, route);
         }
         sheet.over("all ways", "where one line is seen, they agree", self.map, Backdrop::Dimmed, together);
-        sheet.columns(3).figure(&self.quiet(options))
+        sheet.columns(3).figure(&self.nameless(options))
     }
 }
 

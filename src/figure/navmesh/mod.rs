@@ -18,7 +18,7 @@ mod mesh;
 mod route;
 
 use super::sketch::{Backdrop, Role, Sketch, SketchError};
-use super::{Detail, Figure, FigureOptions};
+use super::{Colour, Detail, FaceLabels, Figure, FigureOptions};
 use crate::ids::FaceId;
 use crate::navmesh::NavMesh;
 use crate::plane::{Point, Subdivision};
@@ -76,9 +76,21 @@ impl<'a> Floor<'a> {
         sketch.over(self.map, Backdrop::Dimmed, &self.quiet(options))
     }
 
-    /// Options with which the map stays in the background.
+    /// Options with which the map stays in the background: all faces in one grey, so that what is painted over them is
+    /// seen.
     fn quiet(&self, options: &FigureOptions) -> FigureOptions {
-        let quiet = options.clone().vertex_labels(false).half_edge_labels(false);
+        let mut style = options.style.clone();
+        style.tints = [Colour(0x00c8_cdd4); 7];
+        style.light.tint_opacity = 0.36;
+        if let Some(dark) = &mut style.dark {
+            dark.tint_opacity = 0.3;
+        }
+        let quiet = options.clone().style(style).vertex_labels(false).half_edge_labels(false);
         if self.map.edge_count() <= EDGES { quiet.detail(Detail::Edges) } else { quiet }
+    }
+
+    /// The same without the names of the faces.
+    fn nameless(&self, options: &FigureOptions) -> FigureOptions {
+        self.quiet(options).face_labels(FaceLabels::Off)
     }
 }

@@ -36,6 +36,14 @@ impl Floor<'_> {
         self.paint(sketch, Role::Main, faces.into_iter(), "the corridor");
     }
 
+    /// Adds the start and the goal of a route, told in the legend: for pictures without room for words.
+    pub(super) fn marks(&self, sketch: &mut Sketch, route: &Route) {
+        if let [start, .., goal] = route.points.as_slice() {
+            sketch.point(Role::Start, *start).key("start");
+            sketch.point(Role::Goal, *goal).key("goal");
+        }
+    }
+
     /// Adds the start and the goal of a route.
     pub(super) fn ends(&self, sketch: &mut Sketch, route: &Route) {
         if let [start, .., goal] = route.points.as_slice() {
