@@ -81,8 +81,9 @@ impl Grid {
         [column.min(self.columns - 1), row.min(self.rows - 1)]
     }
 
+    /// Whether a point is in the box round all faces; never so for coordinates that are no numbers.
     #[inline]
-    fn contains(&self, p: Point) -> bool {
+    pub(super) fn contains(&self, p: Point) -> bool {
         p.x >= self.min.x && p.x <= self.max.x && p.y >= self.min.y && p.y <= self.max.y
     }
 
@@ -159,7 +160,7 @@ impl Grid {
                 let middle = self.middle([column, row]);
                 let cell = row * self.columns + column;
                 let here = &mut self.items[self.starts[cell] as usize..self.starts[cell + 1] as usize];
-                let has_it = |item: u32| item & GAP == 0 && mesh.spot_in(FaceId::new(item), middle).is_some();
+                let has_it = |item: u32| item & GAP == 0 && mesh.spot_of_near(FaceId::new(item), middle).is_some();
                 if let Some(i) = here.iter().position(|&item| has_it(item)) {
                     here.swap(0, i);
                 }

@@ -31,7 +31,7 @@ pub struct Node {
 impl<'a> Oracle<'a> {
     pub fn new(map: &'a Map, free: Vec<bool>) -> Self {
         let mut oracle = Self { map, free, borders: Vec::new(), wedges: Vec::new() };
-        for t in oracle.free_triangles() {
+        for t in oracle.free_triangles().collect::<Vec<_>>() {
             for side in sides(map.triangles[t]) {
                 if oracle.across(t, side).is_none() {
                     oracle.borders.push(side);
