@@ -289,9 +289,8 @@ fn command(file: &str) -> &'static str {
         "interactive.svg" => "dcel figure FILE --interactive -o OUT.svg",
         "pointers.svg" => "dcel figure FILE --pointers all -o OUT.svg",
         "records.svg" => "dcel figure --records -o OUT.svg",
-        "figure-sizes.svg" | "primitives.svg" | "robustness.svg" | "vocabulary.svg" | "walk.svg" | "wrong-signs.svg" => {
-            "dcel figures"
-        }
+        "figure-sizes.svg" | "primitives.svg" | "robustness.svg" | "vocabulary.svg" | "walk.svg"
+        | "wrong-signs.svg" => "dcel figures",
         "navmesh-ladder.svg" => {
             "dcel navmesh path figures/data/rooms.map 21.5 5.5 0.5 4.5 --triangles --rung all -o OUT.svg"
         }
