@@ -175,7 +175,7 @@ fn cut(args: &Args, s: &mut Subdivision) -> Result<(usize, Triangulated), dcel_k
 }
 
 /// The structure with its diagonals in another look, if they are few.
-pub(super) fn draw(
+fn draw(
     before: &Subdivision,
     after: &Subdivision,
     diagonals: &[EdgeId],
