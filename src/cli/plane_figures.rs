@@ -5,7 +5,7 @@ use super::references::ReferenceError;
 use super::triangulate::sketch;
 use dcel_kit::FaceId;
 use dcel_kit::figure::sketch::{Backdrop, Multiples};
-use dcel_kit::figure::{self, FigureOptions};
+use dcel_kit::figure::{self, Detail, FigureOptions};
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
 
 const OUTLINE: [[f64; 2]; 10] = [
@@ -43,14 +43,15 @@ pub(super) fn triangulation() -> Result<String, ReferenceError> {
     let text = "every upright line meets a piece in one stretch";
     sheet.over("Monotone pieces", text, &island, Backdrop::Plain, sketch(&pieces, &added.diagonals));
     for (method, heading, text) in [
-        (TriangulationMethod::Monotone, "Their triangles", "14 half-edges and 2 rings: 14 + 2 · 2 - 2 = 16 triangles"),
+        (TriangulationMethod::Monotone, "Their triangles", "14 half-edges, 2 rings: 14 + 2 · 2 - 2 = 16"),
         (TriangulationMethod::Ears, "Ears", "rings are joined by bridges, then corners are cut off"),
     ] {
         let mut triangles = island.clone();
         let added = triangles.triangulate(method)?;
         sheet.over(heading, text, &island, Backdrop::Plain, sketch(&triangles, &added.diagonals));
     }
-    Ok(sheet.figure(&FigureOptions::new("Triangulation").id_prefix("triangulation").width(420.0))?.to_svg())
+    let options = FigureOptions::new("Triangulation").id_prefix("triangulation").width(340.0).detail(Detail::Edges);
+    Ok(sheet.columns(3).figure(&options)?.to_svg())
 }
 
 /// The dual graph of the lab's subdivision.

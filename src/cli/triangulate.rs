@@ -5,7 +5,7 @@ use super::input::InputOptions;
 use super::subject::{Kind, Subject};
 use super::{Answer, Output};
 use dcel_kit::figure::sketch::{Backdrop, Role, Sketch, SketchError};
-use dcel_kit::figure::{self, Figure, FigureOptions};
+use dcel_kit::figure::{self, Detail, Figure, FigureOptions};
 use dcel_kit::io::{Format, write, write_path};
 use dcel_kit::plane::{Subdivision, Triangulated, TriangulationMethod};
 use dcel_kit::{EdgeId, FaceId};
@@ -175,7 +175,7 @@ fn cut(args: &Args, s: &mut Subdivision) -> Result<(usize, Triangulated), dcel_k
 }
 
 /// The structure with its diagonals in another look, if they are few.
-pub(super) fn draw(
+fn draw(
     before: &Subdivision,
     after: &Subdivision,
     diagonals: &[EdgeId],
@@ -184,7 +184,8 @@ pub(super) fn draw(
     if diagonals.len() > SKETCHED {
         return Ok(figure::structure(after, options)?);
     }
-    sketch(after, diagonals).over(before, Backdrop::Plain, options)
+    // Without half-edges there is room to tell diagonals from edges.
+    sketch(after, diagonals).over(before, Backdrop::Plain, &options.clone().detail(Detail::Edges))
 }
 
 /// The diagonals as a sketch.
@@ -192,7 +193,7 @@ pub(super) fn sketch(after: &Subdivision, diagonals: &[EdgeId]) -> Sketch {
     let mut sketch = Sketch::new();
     for diagonal in diagonals {
         let ends = diagonal.half_edges().map(|h| after.point(after.origin(h)));
-        sketch.path(Role::Secondary, ends).title(format!("diagonal {diagonal}")).key("diagonal");
+        sketch.path(Role::Main, ends).title(format!("diagonal {diagonal}")).key("diagonal");
     }
     sketch
 }

@@ -232,3 +232,74 @@ impl<'a> Rooms<'a> {
         std::iter::once(room.at).chain(bends.into_iter().rev().map(|gate| self.middle(gate))).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::topology::Ring;
+
+    fn closed(rings: &[&[(i32, i32)]], antennas: &[[(i32, i32); 2]]) -> Subdivision {
+        let at = |&(x, y): &(i32, i32)| Point::new(f64::from(x), f64::from(y));
+        let sides = |ring: &&[(i32, i32)]| -> Vec<[Point; 2]> {
+            (0..ring.len()).map(|i| [at(&ring[i]), at(&ring[(i + 1) % ring.len()])]).collect()
+        };
+        let mut segments: Vec<[Point; 2]> = rings.iter().flat_map(sides).collect();
+        segments.extend(antennas.iter().map(|ends| ends.map(|p| at(&p))));
+        Subdivision::from_segments(&segments).expect("segments that meet at their ends only")
+    }
+
+    fn examples() -> Vec<Subdivision> {
+        let u = [(0, 0), (12, 0), (12, 9), (9, 9), (9, 3), (3, 3), (3, 9), (0, 9)];
+        let comb: Vec<(i32, i32)> =
+            (0..20).rev().flat_map(|i| [(4 * i + 3, 90), (4 * i + 2, 1)]).chain([(0, 90), (0, 0), (80, 0)]).collect();
+        let square = [(0, 0), (90, 0), (90, 90), (0, 90)];
+        vec![
+            closed(&[&u, &[(5, 1), (7, 1), (6, 2)]], &[[(9, 3), (6, 7)], [(0, 0), (1, 1)]]),
+            closed(&[&comb], &[]),
+            closed(&[&square, &[(10, 10), (80, 10), (80, 80), (10, 80)], &[(44, 44), (46, 44), (45, 46)]], &[]),
+            // The label of the square would stand on its isolated vertex.
+            Subdivision::from_graph(
+                &[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0], [4.0, 4.0]].map(Point::from),
+                &[[0, 1], [1, 2], [2, 3], [3, 0]],
+            )
+            .expect("a square"),
+            Subdivision::polygon(&[[0.0, 0.0], [1e9, 1e-9], [2e9, 1.0]].map(Point::from)).expect("a sliver"),
+        ]
+    }
+
+    #[test]
+    fn every_place_lies_strictly_inside_its_face() {
+        for (i, s) in examples().iter().enumerate() {
+            let rooms = Rooms::new(s).expect("sound");
+            for f in s.faces().skip(1) {
+                let room = rooms.rooms[f].unwrap_or_else(|| panic!("example {i}: {f} has no place"));
+                let mut with = s.clone();
+                let v = with.insert_vertex(room.at).unwrap_or_else(|error| panic!("example {i}: {error}"));
+                assert_eq!(with.outgoing(v), None, "example {i}: {f} has its place on an edge");
+                assert!(with.rings(f).contains(&Ring::Isolated(v)), "example {i}: {f} has its place elsewhere");
+            }
+        }
+    }
+
+    #[test]
+    fn ways_cross_no_edge_before_their_own() {
+        let opposed = |a, b, p, q| {
+            let [one, other] = [p, q].map(|end| orientation(a, b, end));
+            one.is_ne() && one == other.reverse()
+        };
+        for (i, s) in examples().iter().enumerate() {
+            let rooms = Rooms::new(s).expect("sound");
+            for h in s.half_edges().filter(|&h| s.face(h) != s.outer_face()) {
+                let mut way = rooms.way(h);
+                way.push(rooms.middle(h));
+                for pair in way.windows(2) {
+                    for e in s.edges().filter(|&e| e != h.edge()) {
+                        let [p, q] = e.half_edges().map(|h| s.point(s.origin(h)));
+                        let crosses = opposed(pair[0], pair[1], p, q) && opposed(p, q, pair[0], pair[1]);
+                        assert!(!crosses, "example {i}: the way to {h} crosses {e}");
+                    }
+                }
+            }
+        }
+    }
+}

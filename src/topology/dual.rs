@@ -50,6 +50,8 @@ impl Dcel {
     /// and for every half-edge h one of the same name that runs from the vertex of its left face to that of its right
     /// one.
     ///
+    #[doc = include_str!("../../figures/dual.svg")]
+    ///
     /// Loops and parallel edges are usual: the dual of an antenna is a loop. The dual of the dual is the same
     /// structure with every half-edge turned round, so that `h` is what `twin(h)` was.
     ///

@@ -78,6 +78,8 @@ enum Goal {
 impl Subdivision {
     /// Cuts every bounded face that is no hole face into triangles. Vertices stay as they are; none is added.
     ///
+    #[doc = include_str!("../../../figures/triangulation.svg")]
+    ///
     /// Each of the triangles has positive area. The triangle at `boundary(f)` keeps the number of the face `f`, and
     /// `boundary(f)` stays. A face with n half-edges and r rings falls into n + 2r - 2 triangles; what was a
     /// ring is part of the boundary of triangles afterwards. Hole faces stay whole.
