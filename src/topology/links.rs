@@ -296,7 +296,8 @@ impl Dcel {
     #[inline]
     pub(super) fn push_edge(&mut self) -> EdgeId {
         for column in [&mut self.origin, &mut self.next, &mut self.prev, &mut self.face] {
-            column.extend([NONE, NONE]);
+            // Stays in line, however many edits add edges; `extend` of an array does not.
+            column.extend_from_slice(&[NONE; 2]);
         }
         EdgeId(self.next.len() as u32 / 2 - 1)
     }

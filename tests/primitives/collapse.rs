@@ -52,12 +52,17 @@ fn solids() -> Vec<(String, Dcel)> {
         ("two triangles, one vertex apart".to_owned(), Dcel::polygon(3).unwrap()),
         ("a double-sided square".to_owned(), Dcel::polygon(4).unwrap()),
     ];
+    // Two triangles beside an edge of degrees 3 and 3, yet no tetrahedron.
+    let (_, mut dented) = all[0].clone();
+    let opposite = dented.find_half_edge(v(2), v(3)).unwrap();
+    dented.split_edge(opposite).unwrap();
+    all.push(("a tetrahedron with a vertex on one edge".to_owned(), dented));
     // The 7-vertex torus: the smallest there is, no edge of it can go.
     let torus: Vec<[u32; 3]> =
         (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]).collect();
     all.push(("the torus of 7 vertices".to_owned(), Dcel::from_triangles(7, &torus).unwrap().dcel));
     for seed in 0..30 {
-        let name = all[if seed % 3 == 0 { 7 } else { 0 }].clone();
+        let name = all[if seed % 3 == 0 { 8 } else { 0 }].clone();
         let (mut random, mut d, mut log) = (Random(seed), name.1, format!("{}, seed {seed}:", name.0));
         for _ in 0..seed % 9 {
             // A vertex split over at least one triangle on each side, then the two corners closed by diagonals.
@@ -115,7 +120,7 @@ fn the_link_condition_is_what_doing_it_shows() {
 
 #[test]
 fn no_edge_of_the_torus_of_7_vertices_collapses_and_all_of_the_octahedron_do() {
-    let (_, torus) = solids().swap_remove(7);
+    let (_, torus) = solids().swap_remove(8);
     assert!(
         torus
             .half_edges()

@@ -262,6 +262,14 @@ fn no_two_vertices_of_a_solid_meet_and_the_sides_of_a_box_are_marked() {
             );
         }
     }
+    let grid = Shape::Grid { n: 4, m: 3 }.build().unwrap();
+    for (bits, up) in [(part::TOP, 1.0), (part::BOTTOM, -1.0)] {
+        assert_eq!(grid.parts.ids(bits).count(), 12);
+        for f in grid.parts.ids(bits) {
+            let [x, y, z] = normal(&grid, f);
+            assert!(x == 0.0 && y == 0.0 && (z - up / 1.5).abs() < 1e-12, "{f}: twice a cell of 1/2 by 2/3, {z}");
+        }
+    }
     assert_eq!(cuboid.creases.ids(1).count(), 4 * (x + y + z));
     assert_eq!(Shape::Torus { n: 4, m: 4 }.build().unwrap().creases.ids(1).count(), 0);
     assert_eq!(Shape::Cone { sides: 6, layers: 3 }.build().unwrap().creases.ids(1).count(), 6);

@@ -1,6 +1,7 @@
 //! The two primitives, vertex split and face split, and what grows from them.
 
 #![allow(clippy::unwrap_used)] // a test may panic
+#![allow(clippy::float_cmp)] // what stays, stays bit for bit
 
 #[path = "../common/mod.rs"]
 mod common;

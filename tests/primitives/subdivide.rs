@@ -138,7 +138,7 @@ impl Textbook {
                 finer.push((0..n).map(edge).collect());
             }
         }
-        normal_faces(finer)
+        normal_faces(&finer)
     }
 
     fn vertex(&self, v: usize, scheme: Scheme, centre: &[Point]) -> Point {
@@ -163,7 +163,7 @@ impl Textbook {
     }
 }
 
-fn normal_faces(faces: Vec<Vec<Point>>) -> Vec<Vec<[i64; 3]>> {
+fn normal_faces(faces: &[Vec<Point>]) -> Vec<Vec<[i64; 3]>> {
     let order: Vec<usize> = (0..faces.iter().map(Vec::len).max().unwrap_or(0)).collect();
     let mut all: Vec<_> = faces.iter().map(|face| normal_face(face, &order[..face.len()])).collect();
     all.sort();
@@ -171,9 +171,8 @@ fn normal_faces(faces: Vec<Vec<Point>>) -> Vec<Vec<[i64; 3]>> {
 }
 
 fn positions(solid: &Polyhedron) -> Vec<Vec<[i64; 3]>> {
-    normal_faces(
-        faces_of(solid).iter().map(|f| f.iter().map(|&v| solid.point(VertexId::new(v as u32))).collect()).collect(),
-    )
+    let place = |v: &usize| solid.point(VertexId::new(*v as u32));
+    normal_faces(&faces_of(solid).iter().map(|f| f.iter().map(place).collect()).collect::<Vec<_>>())
 }
 
 /// Every face with more than three sides as triangles from its first corner.
