@@ -4,11 +4,17 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+#[cfg(feature = "cli")]
+#[path = "../shell/mod.rs"]
+mod shell;
 
+#[cfg(feature = "cli")]
+mod command;
 mod dynamic;
 mod hull;
 mod measures;
 mod rejections;
+mod seen;
 mod shapes;
 mod shared;
 mod stl;
