@@ -1,6 +1,7 @@
 //! Solids: surfaces that grow and shrink, measures, hulls, duals and support points, each against a second opinion.
 
 #![allow(clippy::unwrap_used)] // a test may panic
+#![allow(clippy::float_cmp)] // exact equality is meant
 
 #[path = "../common/mod.rs"]
 mod common;
