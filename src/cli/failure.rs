@@ -1,13 +1,14 @@
 //! Why a command could not do its work.
 //!
 //! ```text
-//!   error: mesh.obj:17: faces 3 and 5 both run from vertex 2 to vertex 4: reverse one of them
+//!   error: mesh.obj:17: faces 3 and 5 both run from vertex 2 to vertex 4: reverse face 5
 //!   note: counted from 0; face 5: line 19
 //!   help: ...
 //! ```
 
 use dcel_kit::io::{LoadError, ReadError, WriteError};
 use dcel_kit::plane::{ConvertError, SegmentsError};
+use dcel_kit::solid::SolidError;
 use std::fmt::Display;
 use std::io::{self, Write};
 use std::path::Path;
@@ -130,6 +131,9 @@ fn flags(error: &LoadError) -> Option<&'static str> {
     match error {
         LoadError::Segments { error: SegmentsError::Faults { .. }, .. } => {
             Some("split segments where they meet with --split-crossings")
+        }
+        LoadError::Surface { error: SolidError::Winding { .. }, .. } => {
+            Some("list its corners the other way round, or turn all faces that need it with --orient")
         }
         LoadError::Plane { error: ConvertError::Clockwise { .. }, .. } => Some(
             "list its corners the other way round, or try --orient, or --y-down if y points down in the file, \

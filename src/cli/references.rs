@@ -9,11 +9,15 @@ use super::primitives;
 use super::specimen;
 use dcel_kit::figure::chart::ChartError;
 use dcel_kit::figure::sketch::SketchError;
-use dcel_kit::figure::{self, DualFigureError, FigureError, FigureOptions, NearlyCollinear, OverridesError, Pointers};
-use dcel_kit::ids::HalfEdgeId;
+use dcel_kit::figure::{
+    self, Camera, DualFigureError, FigureError, FigureOptions, HiddenLines, NearlyCollinear, OverridesError, Pointers,
+};
+use dcel_kit::ids::{FaceId, HalfEdgeId};
 use dcel_kit::navmesh::{NavMeshError, RouteError};
 use dcel_kit::plane::{CoordinateError, MarkHolesError, SegmentsError, Subdivision, TriangulateError};
 use dcel_kit::script::{Script, ScriptError};
+use dcel_kit::solid::grow::{GrowError, Shape};
+use dcel_kit::solid::{Platonic, Polyhedron, SchlegelError};
 use std::path::Path;
 
 /// Why a reference figure cannot be drawn.
@@ -45,6 +49,10 @@ pub(crate) enum ReferenceError {
     NavMesh(#[from] NavMeshError),
     #[error(transparent)]
     Route(#[from] RouteError),
+    #[error(transparent)]
+    Grow(#[from] GrowError),
+    #[error(transparent)]
+    Schlegel(#[from] SchlegelError),
 }
 
 /// A figure of the project, regenerated and compared by `dcel figures`.
@@ -179,6 +187,33 @@ static REFERENCES: &[Reference] = &[
         },
     },
     Reference {
+        file: "schlegel.svg",
+        about: "the dodecahedron seen through one of its faces, which is f0: a Schlegel diagram",
+        draw: || {
+            let seen = Polyhedron::platonic(Platonic::Dodecahedron).schlegel(FaceId::new(0))?;
+            let options = FigureOptions::new("A dodecahedron seen through a face").id_prefix("schlegel").width(720.0);
+            Ok(figure::structure(&seen.diagram, &options)?.to_svg())
+        },
+    },
+    Reference {
+        file: "solid-torus.svg",
+        about: "a torus of 20 by 10 faces: those that are seen whole have half-edges, hidden lines are left out",
+        draw: || {
+            let torus = Shape::Torus { n: 20, m: 10 }.build()?.polyhedron;
+            let options = FigureOptions::new("A torus").id_prefix("torus").width(900.0);
+            Ok(figure::solid(&torus, &Camera::default(), HiddenLines::LeftOut, &options)?.to_svg())
+        },
+    },
+    Reference {
+        file: "solid.svg",
+        about: "a dodecahedron: the half-edges of the faces that are seen, and the hidden edges dashed",
+        draw: || {
+            let solid = Polyhedron::platonic(Platonic::Dodecahedron);
+            let options = FigureOptions::new("A dodecahedron").id_prefix("solid").width(720.0);
+            Ok(figure::solid(&solid, &Camera::default(), HiddenLines::Dashed, &options)?.to_svg())
+        },
+    },
+    Reference {
         file: "states.svg",
         about: "the states of the USA as one subdivision: 198 faces, 143 components",
         draw: || {
@@ -294,6 +329,9 @@ fn command(file: &str) -> &'static str {
         "navmesh-ladder.svg" => {
             "dcel navmesh path figures/data/rooms.map 21.5 5.5 0.5 4.5 --triangles --rung all -o OUT.svg"
         }
+        "schlegel.svg" => "dcel solid schlegel FILE --through f0 --figure OUT.svg",
+        "solid-torus.svg" => "dcel solid figure FILE --no-hidden -o OUT.svg",
+        "solid.svg" => "dcel solid figure FILE -o OUT.svg",
         "states.svg" => "dcel figure FILE --width 960 -o OUT.svg",
         "tables.svg" => "dcel figure FILE --tables --highlight h5 -o OUT.svg",
         "stepper-split-face.svg" => "dcel script figures/scripts/split-face.dcels --film OUT.svg --stepper",

@@ -26,9 +26,9 @@ pub(super) fn faces<V: PlanarView + ?Sized>(view: &V) -> impl Iterator<Item = Fa
     ids(view.face_bound(), |f| view.has_face(f))
 }
 
-/// The twin of `h`, if that is another half-edge whose twin is `h`.
+/// The twin of `h`, if that is another half-edge of the view whose twin is `h`.
 pub(super) fn mutual_twin<V: PlanarView + ?Sized>(view: &V, h: HalfEdgeId) -> Option<HalfEdgeId> {
-    view.twin(h).filter(|&t| t != h && view.twin(t) == Some(h))
+    view.twin(h).filter(|&t| t != h && view.has_half_edge(t) && view.twin(t) == Some(h))
 }
 
 /// The vertex where `h` ends, as far as the view tells.

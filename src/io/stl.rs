@@ -170,7 +170,7 @@ fn join(corners: &[([f64; 3], u32)], notes: &mut Vec<String>) -> SoupBuilder {
 pub(super) fn write(out: &mut impl Write, polygons: &Polygons) -> Result<(), WriteError> {
     let at = |corner: u32| polygons.points[corner as usize];
     for (&face, cycle) in polygons.faces.iter().zip(polygons.list.outer_cycles()) {
-        let whole = fans(cycle).map(|t| normal(t.map(at))).fold([0.0; 3], |sum, n| plus(sum, n));
+        let whole = fans(cycle).map(|t| normal(t.map(at))).fold([0.0; 3], plus);
         if cycle.len() > 3 && fans(cycle).any(|t| dot(normal(t.map(at)), whole) <= 0.0) {
             return Err(WriteError::NoFan { face, format: Format::Stl.name() });
         }

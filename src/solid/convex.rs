@@ -46,7 +46,7 @@ pub enum NotConvex {
         other: VertexId,
     },
     /// The surface has handles.
-    #[error("the surface has {handles} handles: a convex solid has none")]
+    #[error("the surface has handles ({handles}): a convex solid has none")]
     Handles {
         /// How many.
         handles: i64,
@@ -68,7 +68,7 @@ pub enum NotConvex {
         half_edge: HalfEdgeId,
     },
     /// The solid is bent inwards along an edge, or folded back.
-    #[error("the solid is reflex at {edge} from {from} to {to}, between {} and {}: not convex there; its hull is", faces[0], faces[1])]
+    #[error("the solid is reflex at {edge} from {from} to {to}, between {} and {}: take the convex hull of its vertices, or move one of them", faces[0], faces[1])]
     ReflexEdge {
         /// The edge.
         edge: EdgeId,

@@ -10,7 +10,7 @@
 //! ```
 
 use super::Polyhedron;
-use super::predicates::{are_collinear, side_of_plane};
+use super::predicates::{are_collinear, by_position, side_of_plane};
 use super::vector::Vector;
 use crate::ids::{FaceId, HalfEdgeId};
 use crate::plane::Point;
@@ -38,7 +38,7 @@ impl Polyhedron {
     /// Three corners of `f` that do not lie on a line.
     fn spanning_corners(&self, f: FaceId) -> Option<[Vector; 3]> {
         let a = self.corners(f).next()?;
-        let b = self.corners(f).find(|&p| p != a)?;
+        let b = self.corners(f).find(|&p| by_position(p, a).is_ne())?;
         let c = self.corners(f).find(|&p| !are_collinear(a, b, p))?;
         Some([a, b, c])
     }

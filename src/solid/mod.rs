@@ -68,7 +68,7 @@ pub enum SolidError {
     #[error(transparent)]
     Build(BuildError),
     /// Two faces, and no third, run along an edge in the same direction, and turning faces round helps.
-    #[error("faces {first} and {second} both run from vertex {u} to vertex {v}: reverse {}, or turn all that is needed with orient", to_reverse(*turn, *turns))]
+    #[error("faces {first} and {second} both run from vertex {u} to vertex {v}: reverse {}", to_reverse(*turn, *turns))]
     Winding {
         /// Where both run from.
         u: u32,

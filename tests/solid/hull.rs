@@ -170,3 +170,29 @@ fn points_that_span_no_solid_are_named() {
     let solid = Polyhedron::convex_hull(&thin, HullFaces::Whole).unwrap().solid;
     assert_eq!((solid.vertex_count(), solid.face_count()), (4, 4));
 }
+
+/// A wide cap of points, all of them corners, and an apex that sees its middle: points that lose their triangle to
+/// the apex and are still outside must find another one, among many.
+#[test]
+fn points_beyond_a_wide_horizon_are_not_lost() {
+    for seed in 0..12 {
+        let mut points: Vec<[f64; 3]> = (0..29 * 29)
+            .map(|i| [f64::from(i % 29) - 14.0, f64::from(i / 29) - 14.0])
+            .map(|[x, y]| [x, y, -(x * x + y * y)])
+            .collect();
+        points.push([0.0, 0.0, 130.5]);
+        let mut random = Random(seed);
+        let shuffled: Vec<_> = random.shuffled(points.len()).into_iter().map(|i| points[i]).collect();
+        let hull = Polyhedron::convex_hull(&shuffled, HullFaces::Triangles).unwrap();
+        // The cone from the apex touches the cap where x^2 + y^2 = 130.5.
+        let outside = points.iter().filter(|p| p[0] * p[0] + p[1] * p[1] > 130.5).count();
+        let apex = hull.solid.vertices().find(|&v| hull.solid.point(v)[2] > 0.0).unwrap();
+        assert!(hull.solid.degree(apex) > 16, "seed {seed}");
+        let kept = hull.solid.vertices().filter(|&v| {
+            let [x, y, _] = hull.solid.point(v);
+            x * x + y * y > 130.5
+        });
+        assert_eq!(kept.count(), outside, "seed {seed}");
+        assert!(hull.solid.check_convex().is_ok(), "seed {seed}");
+    }
+}

@@ -2,9 +2,9 @@
 
 use super::common::v;
 use super::shapes::{L, cut_cube, polygons, prism, torus};
-use dcel_kit::FaceId;
 use dcel_kit::solid::{Archimedean, DualError, DualPositions, FaceFault, Platonic, Polyhedron, TruncateError};
 use dcel_kit::topology::{same, violations};
+use dcel_kit::{FaceId, VertexId};
 use std::f64::consts::{PI, TAU};
 
 fn near(a: f64, b: f64) -> bool {
@@ -112,7 +112,7 @@ fn a_reflex_corner_has_its_angles_and_the_deficits_still_add_up() {
     // Inside out, all signs change.
     let mut inside_out = dcel_kit::topology::PolygonList::new();
     for f in cuboid.faces() {
-        inside_out.push_face(&cuboid.incident_vertices(f).rev().map(|v| v.number()).collect::<Vec<_>>());
+        inside_out.push_face(&cuboid.incident_vertices(f).rev().map(VertexId::number).collect::<Vec<_>>());
     }
     let points = cuboid.vertices().map(|v| cuboid.point(v)).collect();
     let inside_out = Polyhedron::from_polygons(points, &inside_out).unwrap();

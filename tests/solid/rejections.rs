@@ -2,6 +2,7 @@
 
 use super::common::Random;
 use super::shapes::{grid_points, polygons};
+use dcel_kit::VertexId;
 use dcel_kit::solid::{HullFaces, Polyhedron, SolidError};
 use dcel_kit::topology::{BuildError, OneSided, PolygonList, faces_to_turn, violations};
 
@@ -84,7 +85,7 @@ fn faces_wound_against_the_rest_are_found_and_turned() {
         let share = 1 + random.below(all / 2 - 1);
         let chosen = random.shuffled(all);
         for (f, i) in solid.faces().zip(0..) {
-            let mut corners: Vec<u32> = solid.incident_vertices(f).map(|v| v.number()).collect();
+            let mut corners: Vec<u32> = solid.incident_vertices(f).map(VertexId::number).collect();
             if chosen[i as usize] < share && 2 * share < all {
                 corners.reverse();
                 wrong.push(i);

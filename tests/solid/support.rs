@@ -135,3 +135,40 @@ fn what_is_not_convex_is_refused_by_name() {
         Polyhedron::from_polygons(vec![[0.0; 3]; 4], &polygons(&[&[0, 2, 1], &[0, 1, 3], &[1, 2, 3], &[2, 0, 3]]));
     assert!(matches!(named(&flat.unwrap()), NotConvex::NoArea { .. }));
 }
+
+/// A roof whose left half is bent: it is convex along the ridge for one corner of that half and not for the other.
+#[test]
+fn each_corner_of_a_bent_face_has_a_say() {
+    let roof = |height: f64| {
+        let points = vec![
+            [0.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [1.0, 1.0, -0.125],
+            [0.0, 1.0, height],
+            [0.0, -1.0, -0.125],
+            [1.0, -1.0, -0.125],
+            [0.0, 0.0, -1.0],
+            [0.0, -1.0, -1.0],
+            [1.0, -1.0, -1.0],
+            [1.0, 1.0, -1.0],
+            [0.0, 1.0, -1.0],
+        ];
+        let faces = polygons(&[
+            &[0, 1, 2, 3],
+            &[1, 0, 4, 5],
+            &[5, 4, 7, 8],
+            &[1, 5, 8, 9, 2],
+            &[2, 9, 10, 3],
+            &[4, 0, 6],
+            &[0, 3, 10, 6],
+            &[4, 6, 7],
+            &[7, 6, 10, 9, 8],
+        ]);
+        Polyhedron::from_polygons(points, &faces).unwrap()
+    };
+    assert!(roof(-0.125).check_convex().is_ok(), "{:?}", roof(-0.125).check_convex());
+    assert!(roof(0.0625).check_convex().is_ok(), "{:?}", roof(0.0625).check_convex());
+    let solid = roof(0.25);
+    let ridge = solid.find_half_edge(v(0), v(1)).unwrap().edge();
+    assert!(matches!(solid.check_convex(), Err(NotConvex::ReflexEdge { edge, .. }) if edge == ridge));
+}

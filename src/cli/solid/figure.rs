@@ -51,7 +51,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     }
     let usual = Camera::default();
     let towards = args.towards.unwrap_or(usual.towards);
-    if towards == [0.0; 3] {
+    if towards.iter().all(|&x| x == 0.0) {
         return Err(Failure::input("--towards 0,0,0 is no direction", "for example: --towards 1,-2,1"));
     }
     let solid = open(&args.file, &args.input)?;

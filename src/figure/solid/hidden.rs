@@ -12,6 +12,9 @@ use crate::ids::{EdgeId, FaceId, FaceMap};
 use crate::plane::Point;
 use crate::solid::Polyhedron;
 
+/// Parts of an edge, from 0 at one end to 1 at the other: from, to, and whether it is hidden.
+type Stretches = Vec<(f64, f64, bool)>;
+
 /// A straight part of an edge on the paper.
 pub(super) struct Piece {
     pub(super) ends: [Point; 2],
@@ -42,7 +45,7 @@ impl Seen {
         let look = Look::new(solid, picture);
         let is_convex = solid.check_convex().is_ok();
         let mut whole = look.front.clone();
-        let mut cut: Vec<(EdgeId, Vec<(f64, f64, bool)>)> = Vec::new();
+        let mut cut: Vec<(EdgeId, Stretches)> = Vec::new();
         for e in solid.edges() {
             let sides = look.sides(e);
             let away = sides.iter().all(|&f| solid.is_boundary_face(f) || !look.front[f]);
@@ -111,8 +114,8 @@ impl<'a> Look<'a> {
         [0, 1, 2].map(|i| a[i] + t * (b[i] - a[i]))
     }
 
-    /// The parts of an edge: from, to, and whether it is hidden. Neighbours that are alike are one part.
-    fn cut(&self, e: EdgeId) -> Vec<(f64, f64, bool)> {
+    /// The parts of an edge. Neighbours that are alike are one part.
+    fn cut(&self, e: EdgeId) -> Stretches {
         let [a, b] = self.ends(e).map(|p| self.picture.place(p));
         let mut places = vec![0.0, 1.0];
         for &other in self.outline.iter().filter(|&&other| other != e) {
@@ -127,7 +130,7 @@ impl<'a> Look<'a> {
             }
         }
         places.sort_by(f64::total_cmp);
-        let mut pieces: Vec<(f64, f64, bool)> = Vec::new();
+        let mut pieces = Stretches::new();
         for pair in places.windows(2).filter(|pair| pair[1] - pair[0] > 1e-9) {
             let hidden = self.is_covered(self.along(e, f64::midpoint(pair[0], pair[1])), &self.sides(e));
             match pieces.last_mut() {

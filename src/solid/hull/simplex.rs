@@ -19,7 +19,7 @@ pub(super) fn spanning_points(points: &[[f64; 3]]) -> Result<[u32; 4], HullError
     let first = all.clone().min_by(by).ok_or(HullError::NoPoint)?;
     let last = all.clone().rev().max_by(by).ok_or(HullError::NoPoint)?;
     let (a, b) = (at(first), at(last));
-    if a == b {
+    if by_position(a, b).is_eq() {
         return Err(HullError::AllEqual { points: points.len() });
     }
     let far_from_line = |i: u32| {

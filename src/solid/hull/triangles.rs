@@ -229,10 +229,8 @@ impl<'a> Triangles<'a> {
     pub(super) fn triangles(self) -> Vec<([u32; 3], [u32; 3])> {
         let mut numbers = vec![0; self.triangles.len()];
         self.free.iter().for_each(|&t| numbers[t as usize] = NONE);
-        let mut count = 0;
-        for number in numbers.iter_mut().filter(|number| **number != NONE) {
+        for (number, count) in numbers.iter_mut().filter(|number| **number != NONE).zip(0..) {
             *number = count;
-            count += 1;
         }
         let live = self.triangles.iter().zip(&numbers).filter(|&(_, &number)| number != NONE);
         live.map(|(t, _)| (t.corners, t.beside.map(|t| numbers[t as usize]))).collect()
