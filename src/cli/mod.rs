@@ -14,6 +14,8 @@ mod camera;
 mod compare;
 mod completions;
 mod convert;
+mod delaunay;
+mod delaunay_figures;
 mod failure;
 mod figure;
 mod figure_kind;
@@ -28,11 +30,13 @@ mod looks;
 mod output;
 mod picture;
 mod references;
+mod save;
 mod script;
 mod specimen;
 mod subject;
 mod tour;
 mod validate;
+mod voronoi;
 mod walk;
 
 use answer::Answer;
@@ -69,6 +73,8 @@ enum Command {
     Compare(compare::Args),
     Convert(convert::Args),
     Build(build::Args),
+    Delaunay(Box<delaunay::Args>),
+    Voronoi(Box<voronoi::Args>),
     Figure(Box<figure::Args>),
     Script(script::Args),
     Lab(lab::Args),
@@ -87,6 +93,8 @@ impl Command {
             Self::Compare(args) => compare::run(&args, out),
             Self::Convert(args) => convert::run(&args, out),
             Self::Build(args) => build::run(&args, out),
+            Self::Delaunay(args) => delaunay::run(&args, out),
+            Self::Voronoi(args) => voronoi::run(&args, out),
             Self::Figure(args) => figure::run(&args, out),
             Self::Script(args) => script::run(&args, out),
             Self::Lab(args) => lab::run(&args, out),

@@ -2,6 +2,7 @@
 
 use super::Failure;
 use super::camera::film;
+use super::delaunay_figures;
 use super::lab_figures;
 use super::lesson::{self, LessonError};
 use super::specimen;
@@ -9,7 +10,7 @@ use dcel_kit::figure::chart::ChartError;
 use dcel_kit::figure::sketch::SketchError;
 use dcel_kit::figure::{self, FigureError, FigureOptions, NearlyCollinear, OverridesError, Pointers};
 use dcel_kit::ids::HalfEdgeId;
-use dcel_kit::plane::{CoordinateError, Subdivision};
+use dcel_kit::plane::{ConvertError, CoordinateError, DelaunayError, FlipEdgeError, Subdivision, VoronoiError};
 use dcel_kit::script::{Script, ScriptError};
 use std::path::Path;
 
@@ -30,6 +31,14 @@ pub(crate) enum ReferenceError {
     Chart(#[from] ChartError),
     #[error(transparent)]
     Coordinate(#[from] CoordinateError),
+    #[error(transparent)]
+    Delaunay(#[from] DelaunayError),
+    #[error(transparent)]
+    Voronoi(#[from] VoronoiError),
+    #[error(transparent)]
+    Convert(#[from] ConvertError),
+    #[error(transparent)]
+    FlipEdge(#[from] FlipEdgeError),
 }
 
 /// A figure of the project, regenerated and compared by `dcel figures`.
@@ -107,6 +116,11 @@ static REFERENCES: &[Reference] = &[
         draw: lab_figures::two_nexts,
     },
     Reference {
+        file: "lawson.svg",
+        about: "a triangulation becomes Delaunay by flips",
+        draw: delaunay_figures::lawson,
+    },
+    Reference {
         file: "lab-subdivision.svg",
         about: "what the tour makes of the rectangle with split_face and split_in_half alone",
         draw: || structure(&lesson::lab_subdivision()?, "The lab's subdivision"),
@@ -179,6 +193,11 @@ static REFERENCES: &[Reference] = &[
         draw: specimen::vocabulary,
     },
     Reference {
+        file: "voronoi.svg",
+        about: "the Voronoi diagram of some sites, and its dual, their Delaunay triangulation",
+        draw: delaunay_figures::voronoi,
+    },
+    Reference {
         file: "walk.svg",
         about: "a sketch over a structure: a straight walk from face to face",
         draw: specimen::walk,
@@ -249,6 +268,8 @@ fn command(file: &str) -> &'static str {
         "pointers.svg" => "dcel figure FILE --pointers all -o OUT.svg",
         "records.svg" => "dcel figure --records -o OUT.svg",
         "figure-sizes.svg" | "robustness.svg" | "vocabulary.svg" | "walk.svg" | "wrong-signs.svg" => "dcel figures",
+        "lawson.svg" => "dcel delaunay FILE --flips --circles --figure OUT.svg",
+        "voronoi.svg" => "dcel voronoi FILE --delaunay --figure OUT.svg",
         "states.svg" => "dcel figure FILE --width 960 -o OUT.svg",
         "tables.svg" => "dcel figure FILE --tables --highlight h5 -o OUT.svg",
         "stepper-split-face.svg" => "dcel script figures/scripts/split-face.dcels --film OUT.svg --stepper",
