@@ -1,18 +1,19 @@
 //! `dcel build`: from segments to a subdivision, and what became of them.
 
 use super::failure::{Failure, say};
+use super::save::{not_the_input, save};
 use super::{Answer, Output};
 use dcel_kit::figure::{self, FigureOptions};
 use dcel_kit::io::{
     Document, Format, LoadError, Model, ReadOptions, SegmentSoup, arrange, describe, faults_with_places, read_path,
-    source_name, write, write_path,
+    source_name,
 };
 use dcel_kit::plane::{Arranged, SegmentsError};
 use dcel_kit::topology::components;
 use serde::Serialize;
 use std::fmt::Display;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Build the subdivision that segments cut the plane into
 ///
@@ -86,14 +87,7 @@ struct Moved {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    for target in args.output.iter().chain(&args.figure) {
-        if super::output::is_same_file(&args.file, target) {
-            return Err(Failure::input(
-                format!("{}: this is the input itself", target.display()),
-                "choose another name",
-            ));
-        }
-    }
+    not_the_input(&args.file, args.output.iter().chain(&args.figure))?;
     let options = ReadOptions { y_down: args.y_down, outlines: true, format: args.from, ..ReadOptions::default() };
     let source = source_name(&args.file);
     let read = read_path(&args.file, &options)?;
@@ -110,7 +104,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         std::fs::write(path, drawn.to_svg()).map_err(|error| Failure::writing(path.display(), &error))?;
     }
     if let Some(path) = &args.output {
-        save(path, &arranged, out)?;
+        save(path, &Model::planar(&arranged.subdivision), out)?;
         if path.as_os_str() == "-" {
             describe(&arranged).iter().for_each(|note| say("note", note));
             return Ok(Answer::Yes);
@@ -134,19 +128,6 @@ fn refused(soup: &SegmentSoup, error: LoadError) -> Failure {
         _ => Vec::new(),
     };
     Failure::from(error).with_notes(rest)
-}
-
-fn save(path: &Path, arranged: &Arranged, out: &mut Output) -> Result<(), Failure> {
-    let model = Model::planar(&arranged.subdivision);
-    let written = match Format::from_path(path) {
-        _ if path.as_os_str() == "-" => write(out, &model, Format::Dcel),
-        Some(format) => write_path(path, &model, format),
-        None => {
-            let what = format!("{}: the name does not tell the format to write", path.display());
-            return Err(Failure::input(what, "end it in .dcel"));
-        }
-    };
-    written.map_err(|error| Failure::of_writing(path, error))
 }
 
 impl Report {

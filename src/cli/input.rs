@@ -114,6 +114,11 @@ impl InputOptions {
         self.y_down
     }
 
+    /// How the file itself is read.
+    pub(crate) fn read_options(&self) -> ReadOptions {
+        self.load_options().read
+    }
+
     fn load_options(&self) -> LoadOptions {
         let mode = match (self.plane, self.surface) {
             (true, _) => Some(Mode::Plane),

@@ -14,6 +14,8 @@ mod camera;
 mod compare;
 mod completions;
 mod convert;
+mod delaunay;
+mod delaunay_figures;
 mod failure;
 mod figure;
 mod figure_kind;
@@ -33,6 +35,7 @@ mod picture;
 mod plane_figures;
 mod primitives;
 mod references;
+mod save;
 mod script;
 mod solid;
 mod specimen;
@@ -40,6 +43,7 @@ mod subject;
 mod tour;
 mod triangulate;
 mod validate;
+mod voronoi;
 mod walk;
 
 use answer::Answer;
@@ -80,6 +84,8 @@ enum Command {
     Overlay(overlay::Args),
     Triangulate(Box<triangulate::Args>),
     Navmesh(navmesh::Args),
+    Delaunay(Box<delaunay::Args>),
+    Voronoi(Box<voronoi::Args>),
     Figure(Box<figure::Args>),
     Script(script::Args),
     Solid(solid::Args),
@@ -103,6 +109,8 @@ impl Command {
             Self::Overlay(args) => overlay::run(&args, out),
             Self::Triangulate(args) => triangulate::run(&args, out),
             Self::Navmesh(args) => navmesh::run(&args, out),
+            Self::Delaunay(args) => delaunay::run(&args, out),
+            Self::Voronoi(args) => voronoi::run(&args, out),
             Self::Figure(args) => figure::run(&args, out),
             Self::Script(args) => script::run(&args, out),
             Self::Solid(args) => solid::run(&args, out),

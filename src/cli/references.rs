@@ -2,6 +2,7 @@
 
 use super::Failure;
 use super::camera::film;
+use super::delaunay_figures;
 use super::lab_figures;
 use super::lesson::{self, LessonError};
 use super::plane_figures;
@@ -14,7 +15,10 @@ use dcel_kit::figure::{
 };
 use dcel_kit::ids::{FaceId, HalfEdgeId};
 use dcel_kit::navmesh::{NavMeshError, RouteError};
-use dcel_kit::plane::{CoordinateError, MarkHolesError, SegmentsError, Subdivision, TriangulateError};
+use dcel_kit::plane::{
+    ConvertError, CoordinateError, DelaunayError, FlipEdgeError, MarkHolesError, SegmentsError, Subdivision,
+    TriangulateError, VoronoiError,
+};
 use dcel_kit::script::{Script, ScriptError};
 use dcel_kit::solid::grow::{GrowError, Shape};
 use dcel_kit::solid::{Platonic, Polyhedron, SchlegelError};
@@ -53,6 +57,14 @@ pub(crate) enum ReferenceError {
     Grow(#[from] GrowError),
     #[error(transparent)]
     Schlegel(#[from] SchlegelError),
+    #[error(transparent)]
+    Delaunay(#[from] DelaunayError),
+    #[error(transparent)]
+    Voronoi(#[from] VoronoiError),
+    #[error(transparent)]
+    Convert(#[from] ConvertError),
+    #[error(transparent)]
+    FlipEdge(#[from] FlipEdgeError),
 }
 
 /// A figure of the project, regenerated and compared by `dcel figures`.
@@ -133,6 +145,11 @@ static REFERENCES: &[Reference] = &[
         file: "lab-04-two-nexts.svg",
         about: "an edge of two faces has two next edges; two half-edges have one each",
         draw: lab_figures::two_nexts,
+    },
+    Reference {
+        file: "lawson.svg",
+        about: "a triangulation becomes Delaunay by flips",
+        draw: delaunay_figures::lawson,
     },
     Reference {
         file: "lab-subdivision.svg",
@@ -249,6 +266,11 @@ static REFERENCES: &[Reference] = &[
         draw: specimen::vocabulary,
     },
     Reference {
+        file: "voronoi.svg",
+        about: "the Voronoi diagram of some sites, and its dual, their Delaunay triangulation",
+        draw: delaunay_figures::voronoi,
+    },
+    Reference {
         file: "walk.svg",
         about: "a sketch over a structure: a straight walk from face to face",
         draw: specimen::walk,
@@ -332,6 +354,8 @@ fn command(file: &str) -> &'static str {
         "schlegel.svg" => "dcel solid schlegel FILE --through f0 --figure OUT.svg",
         "solid-torus.svg" => "dcel solid figure FILE --no-hidden -o OUT.svg",
         "solid.svg" => "dcel solid figure FILE -o OUT.svg",
+        "lawson.svg" => "dcel delaunay FILE --flips --circles --figure OUT.svg",
+        "voronoi.svg" => "dcel voronoi FILE --delaunay --figure OUT.svg",
         "states.svg" => "dcel figure FILE --width 960 -o OUT.svg",
         "tables.svg" => "dcel figure FILE --tables --highlight h5 -o OUT.svg",
         "stepper-split-face.svg" => "dcel script figures/scripts/split-face.dcels --film OUT.svg --stepper",

@@ -7,8 +7,18 @@ use dcel_kit::{FaceId, VertexId};
 use std::collections::BTreeSet;
 
 /// The kinds of points, by name.
-pub(crate) const FAMILIES: [&str; 9] =
-    ["random", "grid", "line", "circle", "1-ulp", "slanted line", "far outlier", "long and thin", "clusters"];
+pub(crate) const FAMILIES: [&str; 10] = [
+    "random",
+    "grid",
+    "line",
+    "circle",
+    "1-ulp",
+    "slanted line",
+    "falling line",
+    "far outlier",
+    "long and thin",
+    "clusters",
+];
 
 pub(crate) fn unit(random: &mut Random) -> f64 {
     (random.next() >> 11) as f64 / (1_u64 << 53) as f64
@@ -33,6 +43,10 @@ pub(crate) fn points(family: &str, n: usize, random: &mut Random) -> Vec<Point> 
             "slanted line" => {
                 let x = below(7);
                 Point::new(x, 3.0 * x)
+            }
+            "falling line" => {
+                let x = below(12);
+                Point::new(x, 40.0 - x)
             }
             "far outlier" if i == 0 => Point::new(1e60, -1e60),
             "far outlier" => Point::new(below(6), below(3)),

@@ -85,6 +85,10 @@ fn every_refusal_of_a_flip_has_its_name() {
     let added = ringed.insert_vertex(square[4]).unwrap();
     assert!(ringed.rings(f(2)).iter().any(|ring| matches!(ring, Ring::Isolated(_))), "{added:?}");
     assert_eq!(refused(&ringed, diagonal), FlipEdgeError::NotTriangle { h: diagonal, face: f(2) });
+    // Flips leave such triangles alone, even if the edge is not Delaunay without what lies in them.
+    let kite = [(0., 0.), (3., -1.), (6., 0.), (3., 1.)].map(Point::from).to_vec();
+    let mut ringed = Subdivision::from_triangles(kite, &[[0, 1, 2], [0, 2, 3]]).unwrap();
+    ringed.insert_vertex(Point::new(3.0, 0.5)).unwrap();
     assert_eq!(ringed.make_delaunay(|_| false), 0);
 
     // A quadrilateral beside a triangle.

@@ -145,6 +145,21 @@ fn rounding_never_makes_an_invalid_subdivision() {
         let cells = sites.voronoi().unwrap().cells(Window::around(&places)).unwrap();
         check_cells(&sites, &cells, &format!("jitter, seed {seed}"));
     }
+    // Many corners about one place, where doubles are coarse.
+    for seed in 0..8 {
+        let mut random = Random(seed);
+        let places: Vec<Point> = circle()
+            .into_iter()
+            .map(|p| {
+                let mut jitter =
+                    |x: f64| (1000.0 + x) * (1.0 + random.below(3 + 20 * (seed as usize % 2)) as f64 * f64::EPSILON);
+                Point::new(jitter(p.x), jitter(p.y))
+            })
+            .collect();
+        let sites = delaunay(&places);
+        let cells = sites.voronoi().unwrap().cells(Window::around(&places)).unwrap();
+        check_cells(&sites, &cells, &format!("circle, seed {seed}"));
+    }
     let (mut made, mut refused) = (0, 0);
     for family in FAMILIES {
         for seed in 50..70 {

@@ -1,0 +1,82 @@
+//! Delaunay triangulations of points, into half-edge structures.
+//!
+//! `cargo bench --bench delaunay` measures 10^4, 10^5 and 10^6 points, random, on a grid and in clusters, beside
+//! spade's bulk load (exact, into its own half-edge structure) and delaunator (a list of triangles, by doubles).
+//! `-- parts` adds what else can be done with a million random points: delaunator and our converter and flips, a
+//! check of all edges, the Voronoi diagram and its cells.
+
+use dcel_kit::plane::{Point, Subdivision, Window};
+use dcel_kit_benches::{Random, compare, print, program};
+use spade::Triangulation as _;
+
+fn points(kind: &str, count: usize) -> Vec<Point> {
+    let mut random = Random::new(5);
+    let side = (count as f64).sqrt() as usize;
+    let centres: Vec<[f64; 2]> = (0..30).map(|_| [random.unit(), random.unit()]).collect();
+    (0..count)
+        .map(|i| match kind {
+            "grid" => Point::new((i % side) as f64, (i / side) as f64),
+            "clusters" => {
+                let [x, y] = centres[random.below(centres.len())];
+                let (radius, angle) = (1e-3 * random.unit() * random.unit(), 6.28 * random.unit());
+                Point::new(x + radius * angle.cos(), y + radius * angle.sin())
+            }
+            _ => Point::new(random.unit(), random.unit()),
+        })
+        .collect()
+}
+
+fn triangles_of(points: &[Point]) -> Vec<[u32; 3]> {
+    let points: Vec<_> = points.iter().map(|p| delaunator::Point { x: p.x, y: p.y }).collect();
+    let corners = delaunator::triangulate(&points).triangles;
+    corners.chunks_exact(3).map(|t| [t[0] as u32, t[2] as u32, t[1] as u32]).collect()
+}
+
+fn main() {
+    if std::env::args().any(|arg| arg == "parts") {
+        return parts();
+    }
+    for kind in ["random", "grid", "clusters"] {
+        for count in [10_000, 100_000, 1_000_000] {
+            let points = points(kind, count);
+            let ours = Subdivision::delaunay(&points).expect("good points").subdivision;
+            assert_eq!(ours.non_delaunay_edges(|_| false).count(), 0);
+            let mut programs = [
+                program("Subdivision::delaunay", || Subdivision::delaunay(&points).expect("good points")),
+                program("spade bulk_load", || {
+                    let points = points.iter().map(|p| spade::Point2::new(p.x, p.y)).collect();
+                    let made = spade::DelaunayTriangulation::<spade::Point2<f64>>::bulk_load(points);
+                    assert_eq!(made.as_ref().expect("good points").num_inner_faces(), ours.face_count() - 1);
+                    made
+                }),
+                program("delaunator", || {
+                    let points: Vec<_> = points.iter().map(|p| delaunator::Point { x: p.x, y: p.y }).collect();
+                    delaunator::triangulate(&points)
+                }),
+            ];
+            let ns = compare(&mut programs, 5, count);
+            print(&format!("{count} points, {kind}, ns per point"), &programs, &ns);
+        }
+    }
+}
+
+fn parts() {
+    let points = points("random", 1_000_000);
+    let delaunay = Subdivision::delaunay(&points).expect("good points").subdivision;
+    let mut programs = [
+        program("Subdivision::delaunay", || Subdivision::delaunay(&points).expect("good points")),
+        program("delaunator, then ours", || {
+            let triangles = triangles_of(&points);
+            let mut s = Subdivision::from_triangles(points.clone(), &triangles).expect("a triangulation");
+            s.make_delaunay(|_| false);
+            s
+        }),
+        program("check of all edges", || delaunay.non_delaunay_edges(|_| false).count()),
+        program("Voronoi diagram", || delaunay.voronoi().expect("Delaunay").edges().len()),
+        program("Voronoi cells", || {
+            delaunay.voronoi().expect("Delaunay").cells(Window::around(&points)).expect("no two sites too close")
+        }),
+    ];
+    let ns = compare(&mut programs, 3, points.len());
+    print("1000000 random points, ns per point", &programs, &ns);
+}

@@ -1,0 +1,228 @@
+//! `dcel delaunay`: of points, of a graph whose edges stay, or of a triangulation by flips.
+
+use super::failure::{Failure, say};
+use super::input::InputOptions;
+use super::save::{not_the_input, save};
+use super::subject::Kind;
+use super::{Answer, Output};
+use dcel_kit::figure::sketch::{Backdrop, Role, Sketch};
+use dcel_kit::figure::{Figure, FigureOptions};
+use dcel_kit::io::{Model, read_points, source_name};
+use dcel_kit::plane::Subdivision;
+use dcel_kit::{EdgeId, EdgeMap};
+use serde::Serialize;
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+/// Circles are drawn round so many triangles at most.
+const MOST_CIRCLES: usize = 60;
+
+/// Make the Delaunay triangulation of points
+///
+/// Reads points as lines `x y`, or the points of any other format. No point lies inside the circle
+/// round a triangle; that is decided exactly. Points at one place become one vertex. Points on one
+/// line become a path.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Examples:
+  dcel delaunay sites.xy --figure sites.svg --circles
+  dcel delaunay sites.csv -o triangles.dcel
+  dcel delaunay plan.poly --constrained --json
+  dcel delaunay mesh.obj --flips -o better.obj")]
+pub(crate) struct Args {
+    /// The file to read, or - for standard input
+    #[arg(value_name = "IN")]
+    file: PathBuf,
+    /// Keep the edges of the file: triangles outside its bounded faces are hole faces
+    #[arg(long, conflicts_with = "flips")]
+    constrained: bool,
+    /// Flip the edges of the triangulation in the file, and count the flips
+    #[arg(long)]
+    flips: bool,
+    /// Write the structure, for example as .dcel; - for dcel text instead of the report
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+    /// Draw it
+    #[arg(long, value_name = "OUT.svg")]
+    figure: Option<PathBuf>,
+    /// Draw the circles round the triangles, too
+    #[arg(long, requires = "figure")]
+    circles: bool,
+    /// Answer in JSON
+    #[arg(long, conflicts_with = "output")]
+    json: bool,
+    #[command(flatten)]
+    input: InputOptions,
+}
+
+/// The answer. The names are those of the JSON form.
+#[derive(Serialize)]
+struct Report {
+    source: String,
+    /// Points in the file; for a graph its vertices.
+    points: usize,
+    repeated: Vec<Repeated>,
+    vertices: usize,
+    edges: usize,
+    triangles: usize,
+    /// Half-edges of the outer face.
+    outline: usize,
+    hole_faces: usize,
+    constrained: usize,
+    /// Edges that are not locally Delaunay because they have to stay.
+    not_delaunay: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    flips: Option<usize>,
+}
+
+/// Points by number, from 0.
+#[derive(Serialize)]
+pub(super) struct Repeated {
+    point: u32,
+    repeats: u32,
+}
+
+impl Repeated {
+    pub(super) fn all(pairs: &[(u32, u32)]) -> Vec<Self> {
+        pairs.iter().map(|&(point, repeats)| Self { point, repeats }).collect()
+    }
+}
+
+/// What was made.
+struct Made {
+    subdivision: Subdivision,
+    points: usize,
+    repeated: Vec<(u32, u32)>,
+    constrained: EdgeMap<bool>,
+    flips: Option<usize>,
+}
+
+impl Made {
+    fn stays(&self, e: EdgeId) -> bool {
+        self.constrained.get(e).copied().unwrap_or_default()
+    }
+}
+
+pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    not_the_input(&args.file, args.output.iter().chain(&args.figure))?;
+    let made = if args.constrained || args.flips { of_graph(args)? } else { of_points(args)? };
+    let s = &made.subdivision;
+    if let Some(path) = &args.figure {
+        let title = args.file.file_stem().map_or_else(|| "Delaunay".into(), |stem| stem.to_string_lossy());
+        let drawn = draw(&made, args.circles, &title)?;
+        drawn.notes().iter().for_each(|note| say("note", note));
+        std::fs::write(path, drawn.to_svg()).map_err(|error| Failure::writing(path.display(), &error))?;
+    }
+    let report = Report {
+        source: source_name(&args.file),
+        points: made.points,
+        repeated: Repeated::all(&made.repeated),
+        vertices: s.vertex_count(),
+        edges: s.edge_count(),
+        triangles: s.face_count() - 1,
+        outline: s.cycles(s.outer_face()).map(|h| s.cycle(h).count()).sum(),
+        hole_faces: s.hole_faces().count(),
+        constrained: made.constrained.as_slice().iter().filter(|&&stays| stays).count(),
+        not_delaunay: s.non_delaunay_edges(|_| false).count(),
+        flips: made.flips,
+    };
+    report.say_notes();
+    if let Some(path) = &args.output {
+        save(path, &Model::planar(s), out)?;
+        if path.as_os_str() == "-" {
+            return Ok(Answer::Yes);
+        }
+    }
+    if args.json {
+        out.json(&report)?;
+    } else {
+        report.print(out)?;
+    }
+    Ok(Answer::Yes)
+}
+
+fn of_points(args: &Args) -> Result<Made, Failure> {
+    let list = read_points(&args.file, &args.input.read_options())?;
+    let built =
+        Subdivision::delaunay(&list.points).map_err(|error| Failure::input(format!("{}: {error}", list.source), ""))?;
+    Ok(Made {
+        subdivision: built.subdivision,
+        points: list.points.len(),
+        repeated: built.repeated,
+        constrained: EdgeMap::default(),
+        flips: None,
+    })
+}
+
+/// The structure in the file, its edges kept or flipped.
+fn of_graph(args: &Args) -> Result<Made, Failure> {
+    let subject = args.input.open_as(&args.file, false)?;
+    let source = subject.source;
+    let Kind::Plane(mut subdivision) = subject.kind else {
+        let what = format!("{source}: a surface in space has no Delaunay triangulation here");
+        return Err(Failure::input(what, "--plane drops z: good for a terrain seen from above"));
+    };
+    let points = subdivision.vertex_count();
+    if args.flips {
+        let flips = Some(subdivision.make_delaunay(|_| false));
+        return Ok(Made { subdivision, points, repeated: Vec::new(), constrained: EdgeMap::default(), flips });
+    }
+    let made = subdivision.constrained_delaunay().map_err(|error| Failure::input(format!("{source}: {error}"), ""))?;
+    let (subdivision, constrained) = (made.subdivision, made.constrained);
+    Ok(Made { subdivision, points, repeated: Vec::new(), constrained, flips: None })
+}
+
+fn draw(made: &Made, circles: bool, title: &str) -> Result<Figure, Failure> {
+    let s = &made.subdivision;
+    let mut sketch = Sketch::new();
+    if circles && s.face_count() > MOST_CIRCLES + 1 {
+        say("note", format_args!("{} circles would hide the picture: none is drawn", s.face_count() - 1));
+    } else if circles {
+        for f in s.faces().skip(1) {
+            let corners: Vec<_> = s.incident_vertices(f).map(|v| s.point(v)).collect();
+            if let &[a, b, c] = corners.as_slice() {
+                sketch.circumcircle(Role::Secondary, [a, b, c]).title(format!("circle of {f}")).key("empty circle");
+            }
+        }
+    }
+    for e in s.edges().filter(|&e| made.stays(e)) {
+        let ends = e.half_edges().map(|h| s.point(s.origin(h)));
+        sketch.path(Role::Main, ends).title(format!("{e} stays")).key("edge that stays");
+    }
+    let drawn = sketch.over(s, Backdrop::Plain, &FigureOptions::new(title));
+    drawn.map_err(|error| Failure::input(error, ""))
+}
+
+impl Report {
+    fn say_notes(&self) {
+        if !self.repeated.is_empty() {
+            let first: Vec<String> =
+                self.repeated.iter().take(5).map(|r| format!("{} = {}", r.point, r.repeats)).collect();
+            let rest = if self.repeated.len() > 5 { ", ..." } else { "" };
+            let count = self.repeated.len();
+            say("note", format_args!("points that repeat earlier ones, {count}: {}{rest}", first.join(", ")));
+        }
+        if self.triangles == 0 && self.vertices > 2 {
+            say("note", "all points lie on one line: this is a path");
+        }
+    }
+
+    fn print(&self, out: &mut Output) -> io::Result<()> {
+        writeln!(out, "{}: {} points", self.source, self.points)?;
+        let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
+        line("vertices", self.vertices.to_string())?;
+        line("edges", self.edges.to_string())?;
+        line("triangles", self.triangles.to_string())?;
+        line("outline", format!("{} half-edges of f0", self.outline))?;
+        if let Some(flips) = self.flips {
+            line("flips", flips.to_string())?;
+        }
+        if self.constrained > 0 {
+            line("constrained", format!("{} edges, {} of them not Delaunay", self.constrained, self.not_delaunay))?;
+        }
+        if self.hole_faces > 0 {
+            line("hole faces", self.hole_faces.to_string())?;
+        }
+        Ok(())
+    }
+}

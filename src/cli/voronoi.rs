@@ -1,0 +1,215 @@
+//! `dcel voronoi`: the cells of nearest sites.
+
+use super::delaunay::Repeated;
+use super::failure::{Failure, say};
+use super::input::InputOptions;
+use super::save::{not_the_input, save};
+use super::{Answer, Output};
+use dcel_kit::figure::sketch::{Backdrop, Role, Sketch, SketchError};
+use dcel_kit::figure::{Detail, Figure, FigureOptions};
+use dcel_kit::io::{Model, PointList, read_points};
+use dcel_kit::plane::{DelaunayBuilt, Point, Subdivision, Voronoi, VoronoiCells, VoronoiError, Window};
+use serde::Serialize;
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+/// Make the Voronoi diagram of points
+///
+/// Reads points as lines `x y`, or the points of any other format. The cells of a box are the faces
+/// of the result, one for each site; which cells meet is decided exactly, corners are rounded.
+/// Without --box the box holds all points with a margin of a quarter of its longer side.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Examples:
+  dcel voronoi sites.xy --figure cells.svg --delaunay
+  dcel voronoi sites.xy --box 0 0 100 50 -o cells.dcel
+  dcel voronoi sites.csv --rays --figure diagram.svg")]
+pub(crate) struct Args {
+    /// The file to read, or - for standard input
+    #[arg(value_name = "IN")]
+    file: PathBuf,
+    /// The box: left, bottom, right and top; all points must lie inside
+    #[arg(long = "box", value_names = ["LEFT", "BOTTOM", "RIGHT", "TOP"], num_args = 4, allow_negative_numbers = true)]
+    window: Option<Vec<f64>>,
+    /// Write the cells, for example as .dcel; - for dcel text instead of the report
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+    /// Draw it
+    #[arg(long, value_name = "OUT.svg")]
+    figure: Option<PathBuf>,
+    /// Draw the Delaunay triangulation over it
+    #[arg(long, requires = "figure")]
+    delaunay: bool,
+    /// Draw the edges alone, cut off at the box
+    #[arg(long, requires = "figure")]
+    rays: bool,
+    /// Answer in JSON
+    #[arg(long, conflicts_with = "output")]
+    json: bool,
+    #[command(flatten)]
+    input: InputOptions,
+}
+
+/// The answer. The names are those of the JSON form.
+#[derive(Serialize)]
+struct Report {
+    source: String,
+    points: usize,
+    repeated: Vec<Repeated>,
+    sites: usize,
+    corners: usize,
+    edges: usize,
+    unbounded_edges: usize,
+    #[serde(rename = "box")]
+    window: [f64; 4],
+    vertices_in_box: usize,
+    edges_in_box: usize,
+    /// Faces that rounding had made, joined to cells.
+    slivers: usize,
+    cells: Vec<Cell>,
+}
+
+#[derive(Serialize)]
+struct Cell {
+    site: String,
+    x: f64,
+    y: f64,
+    face: String,
+}
+
+pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    not_the_input(&args.file, args.output.iter().chain(&args.figure))?;
+    let list = read_points(&args.file, &args.input.read_options())?;
+    let built =
+        Subdivision::delaunay(&list.points).map_err(|error| Failure::input(format!("{}: {error}", list.source), ""))?;
+    let window = match args.window.as_deref() {
+        Some(&[left, bottom, right, top]) => Window { low: Point::new(left, bottom), high: Point::new(right, top) },
+        _ => Window::around(&list.points),
+    };
+    let voronoi = built.subdivision.voronoi().map_err(|error| refused(&list, &built, &error))?;
+    let cells = voronoi.cells(window).map_err(|error| refused(&list, &built, &error))?;
+    if let Some(path) = &args.figure {
+        let title = args.file.file_stem().map_or_else(|| "Voronoi".into(), |stem| stem.to_string_lossy());
+        let options = FigureOptions::new(title);
+        let drawn = if args.rays {
+            let Window { low, high } = window;
+            rays(&voronoi, &window, args.delaunay).figure(&options.crop([low.x, low.y], [high.x, high.y]))
+        } else {
+            draw(&voronoi, &cells, args.delaunay, &options)
+        };
+        let drawn = drawn.map_err(|error| Failure::input(format!("{}: {error}", list.source), ""))?;
+        drawn.notes().iter().for_each(|note| say("note", note));
+        std::fs::write(path, drawn.to_svg()).map_err(|error| Failure::writing(path.display(), &error))?;
+    }
+    let report = Report::of(&list, &built, &voronoi, &cells, &window);
+    if cells.slivers > 0 {
+        say("note", format_args!("faces that rounding had made and that were joined to cells: {}", cells.slivers));
+    }
+    if let Some(path) = &args.output {
+        save(path, &Model::planar(&cells.subdivision), out)?;
+        if path.as_os_str() == "-" {
+            return Ok(Answer::Yes);
+        }
+    }
+    if args.json {
+        out.json(&report)?;
+    } else {
+        report.print(out)?;
+    }
+    Ok(Answer::Yes)
+}
+
+/// The failure with the line of the site it speaks of.
+fn refused(list: &PointList, built: &DelaunayBuilt, error: &VoronoiError) -> Failure {
+    let (VoronoiError::SiteOutside { site, .. } | VoronoiError::TooClose { site, .. }) = error else {
+        return Failure::input(format!("{}: {error}", list.source), "");
+    };
+    let point = built.vertices.iter().position(|v| v == site);
+    Failure::input(format!("{}: {error}", list.place(point.unwrap_or(usize::MAX))), "")
+}
+
+/// The triangulation, if asked for, and the sites.
+fn sites(sketch: &mut Sketch, delaunay: &Subdivision, triangulation: bool) {
+    if triangulation {
+        for e in delaunay.edges() {
+            let ends = e.half_edges().map(|h| delaunay.point(delaunay.origin(h)));
+            sketch.path(Role::Secondary, ends).title(format!("{e} of the triangulation")).key("Delaunay edge");
+        }
+    }
+    for v in delaunay.vertices() {
+        sketch.point(Role::Plain, delaunay.point(v)).title(format!("site {v}")).key("site");
+    }
+}
+
+/// The cells, with their sites.
+pub(super) fn draw(
+    voronoi: &Voronoi<'_>,
+    cells: &VoronoiCells,
+    triangulation: bool,
+    options: &FigureOptions,
+) -> Result<Figure, SketchError> {
+    let mut sketch = Sketch::new();
+    sites(&mut sketch, voronoi.delaunay(), triangulation);
+    sketch.over(&cells.subdivision, Backdrop::Plain, &options.clone().detail(Detail::Edges))
+}
+
+/// The edges without any cells: what leaves the window runs on to the frame.
+fn rays(voronoi: &Voronoi<'_>, window: &Window, triangulation: bool) -> Sketch {
+    let mut sketch = Sketch::new();
+    for edge in voronoi.edges() {
+        let Some([from, to]) = voronoi.piece(edge, window) else { continue };
+        let item = match edge.ends {
+            [Some(_), Some(_)] => sketch.path(Role::Main, [from, to]),
+            [Some(_), None] => sketch.ray(Role::Main, from, to),
+            [None, Some(_)] => sketch.ray(Role::Main, to, from),
+            [None, None] => sketch.line(Role::Main, from, to),
+        };
+        let [left, right] = edge.sites;
+        item.title(format!("between {left} and {right}")).key("Voronoi edge");
+    }
+    sites(&mut sketch, voronoi.delaunay(), triangulation);
+    sketch
+}
+
+impl Report {
+    fn of(
+        list: &PointList,
+        built: &DelaunayBuilt,
+        voronoi: &Voronoi<'_>,
+        made: &VoronoiCells,
+        window: &Window,
+    ) -> Self {
+        let sites = &built.subdivision;
+        let cell = |v| {
+            let Point { x, y } = sites.point(v);
+            let face = made.cells[v].map_or_else(String::new, |f| f.to_string());
+            Cell { site: v.to_string(), x, y, face }
+        };
+        Self {
+            source: list.source.clone(),
+            points: list.points.len(),
+            repeated: Repeated::all(&built.repeated),
+            sites: sites.vertex_count(),
+            corners: voronoi.corners().len(),
+            edges: voronoi.edges().len(),
+            unbounded_edges: voronoi.edges().iter().filter(|edge| edge.ends.contains(&None)).count(),
+            window: [window.low.x, window.low.y, window.high.x, window.high.y],
+            vertices_in_box: made.subdivision.vertex_count(),
+            edges_in_box: made.subdivision.edge_count(),
+            slivers: made.slivers,
+            cells: sites.vertices().map(cell).collect(),
+        }
+    }
+
+    fn print(&self, out: &mut Output) -> io::Result<()> {
+        writeln!(out, "{}: {} points", self.source, self.points)?;
+        let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
+        line("sites", self.sites.to_string())?;
+        line("corners", self.corners.to_string())?;
+        line("edges", format!("{}, {} of them unbounded", self.edges, self.unbounded_edges))?;
+        let [left, bottom, right, top] = self.window;
+        line("box", format!("({left}, {bottom}) to ({right}, {top})"))?;
+        line("in the box", format!("{} vertices, {} edges", self.vertices_in_box, self.edges_in_box))?;
+        line("cells", self.cells.len().to_string())
+    }
+}
