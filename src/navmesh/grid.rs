@@ -12,7 +12,7 @@
 //! rounding never loses a face. One cell for two faces: some 20 bytes a face.
 
 use super::mesh::{CLOSED, ID, NavMesh};
-use crate::ids::{FaceId, HalfEdgeId};
+use crate::ids::{EdgeId, FaceId, HalfEdgeId};
 use crate::plane::predicates::orientation;
 use crate::plane::{Point, Subdivision};
 use std::collections::BTreeMap;
@@ -36,7 +36,7 @@ pub(super) struct GapEdge {
 impl GapEdge {
     /// All edges of the map between two different gaps. O(n).
     pub(super) fn all(map: &Subdivision, mesh: &NavMesh) -> Vec<Self> {
-        let halves = map.edges().flat_map(|e| e.half_edges());
+        let halves = map.edges().flat_map(EdgeId::half_edges);
         let is_up = |h: &HalfEdgeId| map.point(map.origin(*h)).y <= map.point(map.destination(*h)).y;
         let between = |h: &HalfEdgeId| {
             let gaps = [map.face(*h), map.face(h.twin())];

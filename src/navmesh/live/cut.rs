@@ -20,10 +20,10 @@ pub(super) fn cut(map: &mut Subdivision, rec: &mut Journal) -> Result<(), Obstac
     let mut faces: Vec<FaceId> = Vec::new();
     for change in rec.changes().to_vec() {
         match change {
-            Change::Write { slot: Slot::Face(_), old: Some(Element::Face(old)), new: Some(Element::Face(new)) } => {
-                if old == map.outer_face() {
-                    map.set_hole(new, true);
-                }
+            Change::Write { slot: Slot::Face(_), old: Some(Element::Face(old)), new: Some(Element::Face(new)) }
+                if old == map.outer_face() =>
+            {
+                map.set_hole(new, true);
             }
             Change::Write { slot: Slot::Next(h), .. } => faces.extend([map.face(h), map.face(h.twin())]),
             _ => {}
