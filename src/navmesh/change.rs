@@ -114,14 +114,13 @@ impl NavMesh {
 
     /// Makes all faces on the door path of `f` ordinary ones.
     fn unpeel(&mut self, f: u32, open_again: &mut Vec<u32>) {
-        let mut at = f;
-        while self.faces[at as usize].door != NONE {
-            let door = std::mem::replace(&mut self.faces[at as usize].door, NONE);
-            self.mark_dead_end(door, at, false);
-            open_again.push(at);
-            at = door;
+        // The doors are found by their marks, so the whole path comes first.
+        let path: Vec<FaceId> = self.door_path(FaceId::new(f)).collect();
+        for pair in path.windows(2) {
+            self.set_peeled(pair[0].number(), false);
+            self.mark_dead_end(pair[1].number(), pair[0].number(), false);
         }
-        open_again.push(at);
+        open_again.extend(path.into_iter().map(FaceId::number));
     }
 
     /// Decides anew which sides of `f` are closed.

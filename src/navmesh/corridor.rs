@@ -13,10 +13,10 @@
 //! A* looks at a face again if it is reached by a shorter line. Its guess, the distance to the goal as the crow
 //! flies, is never too long for these lines, or by little where faces cost less than 1.
 
-use super::mesh::{ID, NONE};
+use super::mesh::{CLOSED, ID, NONE};
 use super::nearest::{closest_on, distance};
 use super::planner::Scratch;
-use super::{NavMesh, Rung};
+use super::{NavMesh, Rung, Work};
 use crate::ids::{FaceId, FaceMap};
 use crate::plane::Point;
 use std::cmp::Reverse;
@@ -39,44 +39,53 @@ pub(super) struct Reached {
 
 /// The row of the fewest faces. Returns whether there is one.
 pub(super) fn breadth_first(mesh: &NavMesh, scratch: &mut Scratch) -> bool {
-    scratch.reached.resize(mesh.face_bound().max(scratch.reached.len()), Reached::default());
+    scratch.seen.resize(mesh.face_bound().max(scratch.seen.len()), (0, NONE));
     let query = scratch.query;
-    let mut line: Vec<u32> = scratch.starts.iter().map(|f| f.number()).collect();
-    for &f in &line {
-        scratch.reached[f as usize] = Reached { query, from: NONE, ..Reached::default() };
-    }
+    let mut line = std::mem::take(&mut scratch.line);
+    line.clear();
+    line.extend(scratch.starts.iter().map(|f| f.number()));
+    line.iter().for_each(|&f| scratch.seen[f as usize] = (query, NONE));
     let mut head = 0;
-    while let Some(&f) = line.get(head) {
+    let mut found = None;
+    'search: while let Some(&f) = line.get(head) {
         head += 1;
-        for s in mesh.range(FaceId::new(f)) {
-            let across = mesh.sides[s].across;
-            if !scratch.may_cross(across) || scratch.reached[(across & ID) as usize].query == query {
+        for side in mesh.sides_of(FaceId::new(f)) {
+            let next = side.across & ID;
+            if !scratch.may_cross(side.across) || scratch.seen[next as usize].0 == query {
                 continue;
             }
-            let next = across & ID;
-            let reached = &mut scratch.reached[next as usize];
-            (reached.query, reached.from, reached.side) = (query, f, s as u32);
-            if scratch.goals.contains(&FaceId::new(next)) {
-                scratch.work.pops = head as u64;
-                scratch.work.expansions = head as u64;
-                scratch.work.pushes = line.len() as u64 + 1;
-                scratch.trace(next);
-                return true;
-            }
+            scratch.seen[next as usize] = (query, f);
             line.push(next);
+            if scratch.goals.contains(&FaceId::new(next)) {
+                found = Some(next);
+                break 'search;
+            }
         }
     }
-    false
+    scratch.work = Work { pops: head as u64, pushes: line.len() as u64, expansions: head as u64 };
+    scratch.line = line;
+    let mut at = found.unwrap_or(NONE);
+    while at != NONE {
+        let from = scratch.seen[at as usize].1;
+        let is_door = |&s: &usize| mesh.sides[s].across & (CLOSED | ID) == at;
+        if from != NONE
+            && let Some(side) = mesh.range(FaceId::new(from)).find(is_door)
+        {
+            scratch.doors.push((from, side as u32));
+        }
+        at = from;
+    }
+    found.is_some()
 }
 
-/// A row of faces with a short line of the given kind. Returns whether there is one.
+/// A row of faces with a short line of the given kind, through sides that fit. Returns whether there is one.
 pub(super) fn a_star(
     mesh: &NavMesh,
     scratch: &mut Scratch,
     metric: Rung,
     costs: Option<&FaceMap<f64>>,
-    start: Point,
-    goal: Point,
+    fits: impl Fn(FaceId, usize) -> bool,
+    [start, goal]: [Point; 2],
 ) -> bool {
     scratch.reached.resize(mesh.face_bound().max(scratch.reached.len()), Reached::default());
     let query = scratch.query;
@@ -103,7 +112,7 @@ pub(super) fn a_star(
         for s in range.clone() {
             let across = mesh.sides[s].across;
             let next = across & ID;
-            if next == here.from || !scratch.may_cross(across) {
+            if next == here.from || !scratch.may_cross(across) || !fits(face, s) {
                 continue;
             }
             let post = |s: usize| mesh.points[(mesh.sides[s].origin & ID) as usize];

@@ -12,21 +12,24 @@
 //!
 //! Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (the tree parts of TRA*).
 
-use super::mesh::{CLOSED, DEAD_END, ID, NONE, NavMesh};
+use super::mesh::{CLOSED, DEAD_END, ID, NavMesh};
 use crate::ids::FaceId;
 
 impl NavMesh {
     /// Whether `f` leads nowhere but back. O(1).
     #[must_use]
     pub fn is_dead_end(&self, f: FaceId) -> bool {
-        self.door(f).is_some()
+        self.is_peeled(f.number())
     }
 
-    /// The neighbour through which a dead end is left; `None` if `f` is none. O(1).
+    /// The neighbour through which a dead end is left; `None` if `f` is none. O(sides of f).
     #[must_use]
     pub fn door(&self, f: FaceId) -> Option<FaceId> {
-        let face = self.faces.get(f.index())?;
-        (face.door != NONE).then_some(FaceId::new(face.door))
+        if !self.is_peeled(f.number()) {
+            return None;
+        }
+        let mut open = self.sides_of(f).iter().filter(|side| side.across & (CLOSED | DEAD_END) == 0);
+        open.next().map(|side| FaceId::new(side.across & ID))
     }
 
     /// The faces from `f` on, through door after door, to the first one that is no dead end; `f` is among them.
@@ -44,14 +47,14 @@ impl NavMesh {
     /// face that may have one now.
     pub(super) fn peel(&mut self, ends: &mut Vec<u32>) {
         while let Some(f) = ends.pop() {
-            if self.faces[f as usize].door != NONE {
+            if self.is_peeled(f) {
                 continue;
             }
             let mut ways_out =
                 self.sides_of(FaceId::new(f)).iter().filter(|side| side.across & (CLOSED | DEAD_END) == 0);
             let (Some(only), None) = (ways_out.next(), ways_out.next()) else { continue };
             let next = only.across;
-            self.faces[f as usize].door = next;
+            self.set_peeled(f, true);
             self.mark_dead_end(next, f, true);
             ends.push(next);
         }

@@ -9,18 +9,46 @@
 //! ```
 //!
 //! Point to cell is a monotone function of each coordinate, and cells take in too many faces rather than too few, so
-//! rounding never loses a face. About as many cells as faces: some 20 bytes a face.
+//! rounding never loses a face. One cell for two faces: some 20 bytes a face.
 
 use super::mesh::{CLOSED, ID, NavMesh};
-use crate::ids::FaceId;
-use crate::plane::Point;
+use crate::ids::{EdgeId, FaceId, HalfEdgeId};
 use crate::plane::predicates::orientation;
+use crate::plane::{Point, Subdivision};
 use std::collections::BTreeMap;
 
 /// In an item: no face, but the gap that the cell sees.
 const GAP: u32 = 1 << 31;
-/// The cell sees several gaps, or it is not known which.
+/// The cell sees several gaps.
 const SEVERAL: u32 = GAP | ID;
+/// The cell sees no border at all.
+const NOTHING: u32 = SEVERAL - 1;
+
+/// An edge between two gaps: a wall in the void, or a side of a triangle of a hole.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct GapEdge {
+    /// The ends, the lower one first.
+    ends: [Point; 2],
+    /// The gap on the left and the gap on the right.
+    gaps: [u32; 2],
+}
+
+impl GapEdge {
+    /// All edges of the map between two different gaps. O(n).
+    pub(super) fn all(map: &Subdivision, mesh: &NavMesh) -> Vec<Self> {
+        let halves = map.edges().flat_map(EdgeId::half_edges);
+        let is_up = |h: &HalfEdgeId| map.point(map.origin(*h)).y <= map.point(map.destination(*h)).y;
+        let between = |h: &HalfEdgeId| {
+            let gaps = [map.face(*h), map.face(h.twin())];
+            gaps[0] != gaps[1] && !gaps.into_iter().any(|f| mesh.has_face(f))
+        };
+        let edge = |h: HalfEdgeId| Self {
+            ends: [map.origin(h), map.destination(h)].map(|v| map.point(v)),
+            gaps: [map.face(h), map.face(h.twin())].map(FaceId::number),
+        };
+        halves.filter(is_up).filter(between).map(edge).collect()
+    }
+}
 
 #[derive(Clone, PartialEq, Debug, Default)]
 pub(super) struct Grid {
@@ -33,6 +61,8 @@ pub(super) struct Grid {
     starts: Vec<u32>,
     /// Per cell its faces, then at most one gap.
     items: Vec<u32>,
+    /// The edges between gaps that reach into each cell, by cell.
+    gap_edges: Vec<(u32, GapEdge)>,
     /// Faces that came later, per cell.
     late: BTreeMap<u32, Vec<u32>>,
     late_count: usize,
@@ -40,13 +70,14 @@ pub(super) struct Grid {
 
 impl Grid {
     /// An index over all faces of the mesh. O(n) for faces of about one size.
-    pub(super) fn new(mesh: &NavMesh) -> Self {
+    pub(super) fn new(mesh: &NavMesh, gap_edges: &[GapEdge]) -> Self {
         let corners = mesh.faces().flat_map(|f| mesh.corners(f)).map(|v| mesh.point(v));
+        let corners = corners.chain(gap_edges.iter().flat_map(|edge| edge.ends));
         let first = corners.clone().next().unwrap_or_default();
         let (min, max) = corners.fold((first, first), |(min, max), p| {
             (Point::new(min.x.min(p.x), min.y.min(p.y)), Point::new(max.x.max(p.x), max.y.max(p.y)))
         });
-        let count = mesh.face_count().max(1) as f64;
+        let count = (mesh.face_count() / 2).max(1) as f64;
         let [width, height] = [max.x - min.x, max.y - min.y];
         let columns = (count * (width / height)).sqrt().clamp(1.0, count).ceil();
         let rows = (count / columns).ceil().max(1.0);
@@ -58,17 +89,25 @@ impl Grid {
             rows: rows as usize,
             starts: Vec::new(),
             items: Vec::new(),
+            gap_edges: Vec::new(),
             late: BTreeMap::new(),
             late_count: 0,
         };
+        for edge in gap_edges {
+            let mut cells = Vec::new();
+            grid.visit_cells(&edge.ends, |cell| cells.push((cell, *edge)));
+            grid.gap_edges.append(&mut cells);
+        }
+        grid.gap_edges.sort_by_key(|&(cell, _)| cell);
         grid.fill(mesh);
         grid.name_empty_cells(mesh);
+        grid.put_middles_first(mesh);
         grid
     }
 
     /// Bytes of the arrays.
     pub(super) fn memory(&self) -> usize {
-        4 * (self.starts.len() + self.items.len() + self.late_count)
+        4 * (self.starts.len() + self.items.len() + self.late_count) + size_of_val(&*self.gap_edges)
     }
 
     /// The column and the row of a point; points outside go to the nearest cell.
@@ -80,8 +119,9 @@ impl Grid {
         [column.min(self.columns - 1), row.min(self.rows - 1)]
     }
 
+    /// Whether a point is in the box round all faces; never so for coordinates that are no numbers.
     #[inline]
-    fn contains(&self, p: Point) -> bool {
+    pub(super) fn contains(&self, p: Point) -> bool {
         p.x >= self.min.x && p.x <= self.max.x && p.y >= self.min.y && p.y <= self.max.y
     }
 
@@ -109,6 +149,25 @@ impl Grid {
         built.chain(late.into_iter().flatten().copied())
     }
 
+    /// Takes in a face that has come or changed its shape. O(number of cells it reaches into).
+    pub(super) fn add(&mut self, mesh: &NavMesh, f: u32) {
+        let mut cells = Vec::new();
+        let corners: Vec<Point> = mesh.corners(FaceId::new(f)).map(|v| mesh.point(v)).collect();
+        self.visit_cells(&corners, |cell| cells.push(cell));
+        for cell in cells {
+            let here = self.late.entry(cell).or_default();
+            if !here.contains(&f) {
+                here.push(f);
+                self.late_count += 1;
+            }
+        }
+    }
+
+    /// Whether so many faces came later that a new index is worth its cost.
+    pub(super) fn is_stale(&self) -> bool {
+        self.late_count > 64 + self.items.len() / 2
+    }
+
     fn fill(&mut self, mesh: &NavMesh) {
         let mut pairs: Vec<(u32, u32)> = Vec::new();
         let mut corners = Vec::new();
@@ -124,6 +183,7 @@ impl Grid {
                 }
             }
         }
+        pairs.extend(self.gap_edges.iter().flat_map(|(cell, edge)| edge.gaps.map(|gap| (*cell, GAP | gap))));
         let cells = self.columns * self.rows;
         let mut ends = vec![0u32; cells + 1];
         pairs.iter().for_each(|&(cell, _)| ends[cell as usize + 1] += 1);
@@ -144,11 +204,32 @@ impl Grid {
             if let Some(first) = gaps.next() {
                 self.items.push(if gaps.all(|gap| gap == first) { first } else { SEVERAL });
             } else if here.is_empty() {
-                self.items.push(SEVERAL);
+                self.items.push(NOTHING);
             }
         }
         self.starts.push(self.items.len() as u32);
         self.items.shrink_to_fit();
+    }
+
+    /// Of the faces of a cell the one that has its middle comes first: most points are there, or next to it.
+    fn put_middles_first(&mut self, mesh: &NavMesh) {
+        for row in 0..self.rows {
+            for column in 0..self.columns {
+                let middle = self.middle([column, row]);
+                let cell = row * self.columns + column;
+                let here = &mut self.items[self.starts[cell] as usize..self.starts[cell + 1] as usize];
+                let has_it = |item: u32| item & GAP == 0 && mesh.spot_of_near(FaceId::new(item), middle).is_some();
+                if let Some(i) = here.iter().position(|&item| has_it(item)) {
+                    here.swap(0, i);
+                }
+            }
+        }
+    }
+
+    /// The middle of a cell, rounded.
+    fn middle(&self, [column, row]: [usize; 2]) -> Point {
+        let [x, y] = [(column, self.scale[0]), (row, self.scale[1])].map(|(i, scale)| (i as f64 + 0.5) / scale);
+        Point::new(self.min.x + x, self.min.y + y)
     }
 
     /// Cells without any face lie in one gap each: that of the cell on their left, or the first on a ray.
@@ -158,15 +239,12 @@ impl Grid {
             for column in 0..self.columns {
                 let cell = row * self.columns + column;
                 let start = self.starts[cell] as usize;
-                if self.starts[cell + 1] as usize != start + 1 || self.items[start] != SEVERAL {
+                if self.items.get(start) != Some(&NOTHING) || self.starts[cell + 1] as usize == start {
                     left = None;
                     continue;
                 }
-                let gap = left.unwrap_or_else(|| {
-                    let middle = [column, row].map(|i| i as f64 + 0.5);
-                    let [x, y] = [0, 1].map(|i| middle[i] / self.scale[i]);
-                    GAP | self.gap_by_ray(mesh, Point::new(self.min.x + x, self.min.y + y), [column, row])
-                });
+                let middle = self.middle([column, row]);
+                let gap = left.unwrap_or_else(|| GAP | self.gap_by_ray(mesh, middle, [column, row]));
                 self.items[start] = gap;
                 left = Some(gap);
             }
@@ -195,20 +273,32 @@ impl Grid {
                 let f = FaceId::new(f);
                 for (side, s) in mesh.sides_of(f).iter().zip(mesh.range(f)) {
                     let gap = side.across & ID;
+                    if side.across & CLOSED == 0 || mesh.has_face(FaceId::new(gap)) {
+                        continue;
+                    }
                     let [a, b] = mesh.ends(f, s).map(|v| mesh.point(v));
                     // With the gap on its right, towards p, the border runs up.
                     let met = a.y <= p.y && b.y > p.y && orientation(a, b, p).is_lt();
-                    let is_border = side.across & CLOSED != 0 && !mesh.has_face(FaceId::new(gap));
-                    if met && is_border && nearest.is_none_or(|(other, _)| is_right_of([a, b], other)) {
+                    if met && nearest.is_none_or(|(other, _)| is_right_of([a, b], other)) {
                         nearest = Some(([a, b], gap));
                     }
                 }
             }
-            // A border found in this cell may be met further left; one that ends right of the cell's left side is not.
-            if let Some(([a, b], gap)) = nearest
-                && a.x.min(b.x) >= self.min.x + (column as f64 + 0.001) / self.scale[0]
-            {
-                return gap;
+            let cell = (row * self.columns + column) as u32;
+            let first = self.gap_edges.partition_point(|&(other, _)| other < cell);
+            for (_, edge) in self.gap_edges[first..].iter().take_while(|&&(other, _)| other == cell) {
+                let [a, b] = edge.ends;
+                let met = a.y <= p.y && b.y > p.y && orientation(a, b, p).is_lt();
+                if met && nearest.is_none_or(|(other, _)| is_right_of([a, b], other)) {
+                    nearest = Some(([a, b], edge.gaps[1]));
+                }
+            }
+            // Whatever is met right of the left side of this cell has been seen by now.
+            if let Some(([a, b], gap)) = nearest {
+                let met = a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y)).clamp(0.0, 1.0);
+                if met >= self.min.x + (column as f64 + 0.001) / self.scale[0] {
+                    return gap;
+                }
             }
         }
         nearest.map_or(0, |(_, gap)| gap)

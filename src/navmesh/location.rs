@@ -20,7 +20,7 @@ use std::fmt;
 pub enum Location {
     /// On a vertex of the mesh.
     Vertex(VertexId),
-    /// Inside an edge of the mesh; the half-edge is one whose face is a face of the mesh.
+    /// Inside an edge of the mesh: by its even half, or by the odd one if the face of the even one is a gap.
     Edge(HalfEdgeId),
     /// Inside a face of the mesh, blocked or not.
     Face(FaceId),
@@ -123,12 +123,52 @@ impl NavMesh {
     /// Where `p` lies, and a face of the mesh that has it.
     #[inline]
     fn locate_with_face(&self, p: Point) -> (Location, Option<FaceId>) {
-        for f in self.grid.faces(self.grid.cell(p)).map(FaceId::new) {
-            if let Some(spot) = self.spot_in(f, p) {
+        if !self.grid.contains(p) {
+            return (Location::Outer, None);
+        }
+        let cell = self.grid.cell(p);
+        if let Some(found) = self.grid.faces(cell).next().and_then(|f| self.walk_few(FaceId::new(f), p)) {
+            return found;
+        }
+        for f in self.grid.faces(cell).map(FaceId::new) {
+            if let Some(spot) = self.spot_of_near(f, p) {
                 return (spot, Some(f));
             }
         }
         (self.gap_at(p), None)
+    }
+
+    /// Walks from `f` a few faces towards `p`, each time across a side that has `p` on its right. A walk alone would
+    /// not do: a gap may be in the way.
+    fn walk_few(&self, f: FaceId, p: Point) -> Option<(Location, Option<FaceId>)> {
+        let mut at = f;
+        for _ in 0..5 {
+            let range = self.range(at);
+            let mut a = self.points[(self.sides[range.end.checked_sub(1)?].origin & ID) as usize];
+            // The side before a corner: the first step of the loop looks at the last side.
+            let mut before = range.end - 1;
+            let mut on_line = false;
+            let mut next = None;
+            for s in range {
+                let b = self.points[(self.sides[s].origin & ID) as usize];
+                match orientation(a, b, p) {
+                    Ordering::Less => {
+                        next = Some(self.sides[before].across & ID);
+                        break;
+                    }
+                    Ordering::Equal => on_line = true,
+                    Ordering::Greater => {}
+                }
+                (a, before) = (b, s);
+            }
+            match next {
+                None if on_line => return self.spot_on_border(at, p).map(|spot| (spot, Some(at))),
+                None => return Some((Location::Face(at), Some(at))),
+                Some(f) if self.has_face(FaceId::new(f)) => at = FaceId::new(f),
+                Some(_) => return None,
+            }
+        }
+        None
     }
 
     /// The gap that has `p`, which is in no face.
@@ -147,8 +187,13 @@ impl NavMesh {
     }
 
     /// Where in the closed face `f` the point lies, if it does. O(sides of f); exact.
-    #[inline]
     pub(super) fn spot_in(&self, f: FaceId, p: Point) -> Option<Location> {
+        if self.grid.contains(p) { self.spot_of_near(f, p) } else { None }
+    }
+
+    /// [`spot_in`](Self::spot_in) for a point that is no further away than the map is wide: there the signs are exact.
+    #[inline]
+    pub(super) fn spot_of_near(&self, f: FaceId, p: Point) -> Option<Location> {
         let range = self.range(f);
         let mut a = self.points[(self.sides[range.end.checked_sub(1)?].origin & ID) as usize];
         let mut on_line = false;
@@ -161,8 +206,7 @@ impl NavMesh {
             }
             a = b;
         }
-        let inside = p.x.is_finite() && p.y.is_finite();
-        if on_line { self.spot_on_border(f, p) } else { inside.then_some(Location::Face(f)) }
+        if on_line { self.spot_on_border(f, p) } else { Some(Location::Face(f)) }
     }
 
     /// The corner or side of `f` that has `p`, which is on the line of a side and not outside `f`.
@@ -174,7 +218,9 @@ impl NavMesh {
             let [a, b] = self.ends(f, s).map(|v| self.point(v));
             orientation(a, b, p).is_eq() && is_between(a, b, p)
         })?;
-        Some(Location::Edge(self.half_edges[s]))
+        let half_edge = self.half_edges[s];
+        let both = self.has_face(FaceId::new(self.sides[s].across & ID));
+        Some(Location::Edge(if both { half_edge.edge().half_edges()[0] } else { half_edge }))
     }
 
     /// The place at `p`.

@@ -13,10 +13,10 @@
 //! into a face that leads nowhere else is marked as a *dead end* (see `dead_ends.rs`). A corner is marked as a
 //! *turn* if a shortest way may bend there: what is free round the vertex, in one piece, is more than half a turn.
 //!
-//! Memory: 52 bytes a triangle and 20 a vertex.
+//! Memory: 48 bytes a triangle and 20 a vertex.
 
 use super::error::NavMeshError;
-use super::grid::Grid;
+use super::grid::{GapEdge, Grid};
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::plane::predicates::{left_to_right, orientation};
 use crate::plane::{Point, Subdivision};
@@ -24,7 +24,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Ids are smaller than this: two bits of a word are marks.
 pub(super) const MOST: usize = 1 << 30;
-/// No face, no door, no component.
+/// No face, no component.
 pub(super) const NONE: u32 = u32::MAX;
 /// In `across`: the side must not be crossed.
 pub(super) const CLOSED: u32 = 1 << 31;
@@ -38,6 +38,8 @@ pub(super) const SHARED: u32 = 1 << 30;
 pub(super) const ID: u32 = DEAD_END - 1;
 /// In `len`: the face is blocked.
 const BLOCKED: u32 = 1 << 31;
+/// In `len`: the face is a dead end. Its door is its only open side that does not lead into another one.
+const PEELED: u32 = 1 << 30;
 
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct SideRecord {
@@ -51,15 +53,13 @@ pub(super) struct SideRecord {
 pub(super) struct FaceRecord {
     /// The first of the sides.
     pub(super) start: u32,
-    /// How many sides, with the mark [`BLOCKED`]; 0 if this is no face of the mesh.
+    /// How many sides, with the marks [`BLOCKED`] and [`PEELED`]; 0 if this is no face of the mesh.
     len: u32,
     pub(super) component: u32,
-    /// The neighbour through which a dead end is left.
-    pub(super) door: u32,
 }
 
 impl FaceRecord {
-    const ABSENT: Self = Self { start: 0, len: 0, component: NONE, door: NONE };
+    const ABSENT: Self = Self { start: 0, len: 0, component: NONE };
 }
 
 /// A part of the mesh in which every face can be reached from every other.
@@ -149,7 +149,7 @@ impl NavMesh {
         mesh.mark_all_turns();
         mesh.label_components();
         mesh.peel_all();
-        mesh.grid = Grid::new(&mesh);
+        mesh.index_all(map);
         Ok(mesh)
     }
 
@@ -189,6 +189,52 @@ impl NavMesh {
             + size_of_val(&*self.half_edges)
             + size_of_val(&*self.fans)
             + self.grid.memory()
+    }
+
+    /// Reads faces anew from the map they come from, after edits there that concern no others; says which of them are
+    /// blocked, and which edges are walls. Cost: as for [`block`](Self::block) of all of them.
+    pub(super) fn read_again(
+        &mut self,
+        map: &Subdivision,
+        faces: &[FaceId],
+        blocked: &[bool],
+        walls: &[(EdgeId, bool)],
+    ) -> Result<(), NavMeshError> {
+        if map.vertex_bound() >= MOST || map.half_edge_bound() >= MOST || map.face_bound() >= MOST {
+            return Err(NavMeshError::TooMany);
+        }
+        let mut result = Ok(());
+        self.change(faces, |mesh| {
+            for v in mesh.points.len()..map.vertex_bound() {
+                mesh.points.push(place_of(map, VertexId::new(v as u32)));
+                mesh.fans.push(NONE);
+            }
+            mesh.faces.resize(map.face_bound().max(mesh.faces.len()), FaceRecord::ABSENT);
+            walls.iter().for_each(|&(edge, wall)| mesh.put_wall(edge, wall));
+            for (&f, &blocked) in faces.iter().zip(blocked) {
+                mesh.faces[f.index()] = FaceRecord::ABSENT;
+                result = result.and(mesh.read_face(map, f));
+                if mesh.has_face(f) {
+                    mesh.set_blocked(f, blocked);
+                }
+            }
+            for v in faces.iter().flat_map(|&f| map.incident_vertices(f)) {
+                mesh.points[v.index()] = map.point(v);
+                mesh.find_fans_of(map, v);
+            }
+        });
+        let mut grid = std::mem::take(&mut self.grid);
+        faces.iter().for_each(|f| grid.add(self, f.number()));
+        self.grid = grid;
+        if self.grid.is_stale() {
+            self.index_all(map);
+        }
+        result
+    }
+
+    /// Makes the index anew. O(n).
+    pub(super) fn index_all(&mut self, map: &Subdivision) {
+        self.grid = Grid::new(self, &GapEdge::all(map, self));
     }
 
     /// Where `v` is. O(1).
@@ -264,7 +310,7 @@ impl NavMesh {
     pub(super) fn range(&self, f: FaceId) -> std::ops::Range<usize> {
         self.faces.get(f.index()).map_or(0..0, |face| {
             let start = face.start as usize;
-            start..start + (face.len & !BLOCKED) as usize
+            start..start + (face.len & !(BLOCKED | PEELED)) as usize
         })
     }
 
@@ -303,6 +349,15 @@ impl NavMesh {
         self.side_from(f, v).map(|s| if s == range.start { range.end - 1 } else { s - 1 })
     }
 
+    pub(super) fn is_peeled(&self, f: u32) -> bool {
+        self.faces.get(f as usize).is_some_and(|face| face.len & PEELED != 0)
+    }
+
+    pub(super) fn set_peeled(&mut self, f: u32, peeled: bool) {
+        let face = &mut self.faces[f as usize];
+        face.len = face.len & !PEELED | if peeled { PEELED } else { 0 };
+    }
+
     pub(super) fn set_blocked(&mut self, f: FaceId, blocked: bool) {
         let face = &mut self.faces[f.index()];
         face.len = face.len & !BLOCKED | if blocked { BLOCKED } else { 0 };
@@ -314,7 +369,7 @@ fn place_of(map: &Subdivision, v: VertexId) -> Point {
 }
 
 /// Whether the corner u -> v -> w turns left, or runs straight on.
-fn turns_left_or_runs_straight([u, v, w]: [Point; 3]) -> bool {
+pub(super) fn turns_left_or_runs_straight([u, v, w]: [Point; 3]) -> bool {
     match orientation(u, v, w) {
         std::cmp::Ordering::Greater => true,
         std::cmp::Ordering::Equal => left_to_right(u, v) == left_to_right(v, w),

@@ -1,0 +1,165 @@
+//! Points are located exactly; what is near is near.
+
+use crate::maps::{Map, Random};
+use crate::oracle::{distance, triangles_with};
+use dcel_kit::FaceId;
+use dcel_kit::navmesh::{Location, NavMesh, Place, PlaceError};
+use dcel_kit::plane::predicates::orientation;
+use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
+
+/// Where the point lies, by all triangles and by the parity of what a ray crosses.
+fn check(map: &Map, s: &Subdivision, mesh: &NavMesh, p: Point, context: &str) {
+    let found = mesh.locate(p);
+    assert_eq!(mesh.locate_by_scan(p), found, "{context}: {p}");
+    let triangles = triangles_with(map, p);
+    match found {
+        Location::Vertex(v) => assert_eq!(s.point(v), p, "{context}: {v}"),
+        Location::Edge(h) => {
+            let [a, b] = [s.origin(h), s.destination(h)].map(|v| s.point(v));
+            assert!(orientation(a, b, p).is_eq() && crate::oracle::between(a, p, b), "{context}: {p} on {h}");
+            assert!(mesh.has_face(s.face(h)), "{context}: {h} has a gap on its left");
+        }
+        Location::Face(f) => assert_eq!(triangles, [f.index() - 1], "{context}: {p}"),
+        Location::Hole(_) | Location::Outer => {
+            assert!(triangles.is_empty(), "{context}: {p} is in {triangles:?}");
+            // Of the holes, the one whose cycles a ray to the right crosses an odd number of times.
+            let odd = |f: FaceId| {
+                let sides = s.cycles(f).flat_map(|h| s.cycle(h));
+                let crossed = sides.filter(|&h| {
+                    let [a, b] = [s.origin(h), s.destination(h)].map(|v| s.point(v));
+                    (a.y > p.y) != (b.y > p.y) && orientation(a, b, p).is_gt() == (b.y > a.y)
+                });
+                crossed.count() % 2 == 1
+            };
+            let expected = s.hole_faces().find(|&f| odd(f)).map_or(Location::Outer, Location::Hole);
+            assert_eq!(found, expected, "{context}: {p}");
+        }
+    }
+}
+
+#[test]
+fn every_point_is_where_a_scan_finds_it() {
+    for seed in 0..40 {
+        let jitter = [0.0, 0.5][seed as usize % 2];
+        let map = Map::random(seed, 3 + seed as usize % 6, 0.6, jitter);
+        let (s, mesh) = (map.subdivision(), map.mesh());
+        let mut random = Random::new(seed + 1000);
+        for _ in 0..60 {
+            let p = Point::new(random.unit() * 9.0 - 0.5, random.unit() * 9.0 - 0.5);
+            check(&map, &s, &mesh, p, &format!("seed {seed}"));
+        }
+        for [a, b, c] in (0..map.triangles.len()).map(|t| map.corners(t)) {
+            let middle = Point::new((a.x + b.x) / 2.0, (a.y + b.y) / 2.0);
+            let beside = Point::new(middle.x, middle.y.next_up());
+            for p in [a, b, c, middle, beside, Point::new(a.x, a.y.next_down()), Point::new(a.x.next_up(), a.y)] {
+                check(&map, &s, &mesh, p, &format!("seed {seed}"));
+            }
+        }
+    }
+}
+
+#[test]
+fn far_away_and_no_number_are_outside() {
+    let mesh = Map::random(1, 4, 0.8, 0.3).mesh();
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1e300] {
+        for p in [Point::new(bad, 1.0), Point::new(1.0, bad), Point::new(bad, bad)] {
+            assert_eq!(mesh.locate(p), Location::Outer, "{p}");
+        }
+    }
+    assert_eq!(mesh.nearest_point(Point::new(f64::NAN, 0.0)), None);
+}
+
+#[test]
+fn the_nearest_point_is_on_the_mesh_and_none_is_nearer() {
+    for seed in 0..30 {
+        let map = Map::random(seed, 3 + seed as usize % 5, 0.5, 0.5);
+        let mesh = map.mesh();
+        let mut random = Random::new(seed + 2000);
+        for _ in 0..20 {
+            let p = Point::new(random.unit() * 12.0 - 2.0, random.unit() * 12.0 - 2.0);
+            let near = mesh.nearest_point(p).expect("some face is free");
+            let Place { point, face, .. } = near.place;
+            assert!(mesh.place_in(face, point).is_ok(), "seed {seed}: {p} -> {point} is not in {face}");
+            assert!((near.distance - distance(p, point)).abs() <= 1e-12, "seed {seed}: {p}");
+            let least = (0..map.triangles.len()).map(|t| distance_to(map.corners(t), p)).fold(f64::INFINITY, f64::min);
+            assert!((near.distance - least).abs() <= 1e-12, "seed {seed}: {p}: {} but {least}", near.distance);
+        }
+    }
+}
+
+fn distance_to([a, b, c]: [Point; 3], p: Point) -> f64 {
+    let inside = [(a, b), (b, c), (c, a)].into_iter().all(|(a, b)| orientation(a, b, p).is_ge());
+    if inside {
+        return 0.0;
+    }
+    let to_side = |(a, b): (Point, Point)| {
+        let d = [b.x - a.x, b.y - a.y];
+        let t = ((p.x - a.x) * d[0] + (p.y - a.y) * d[1]) / (d[0] * d[0] + d[1] * d[1]);
+        let t = t.clamp(0.0, 1.0);
+        distance(p, Point::new(a.x + d[0] * t, a.y + d[1] * t))
+    };
+    [(a, b), (b, c), (c, a)].into_iter().map(to_side).fold(f64::INFINITY, f64::min)
+}
+
+/// Walks from face to face, always across a side that has the point on its right, and gives up at a gap.
+fn walk(s: &Subdivision, is_gap: impl Fn(FaceId) -> bool, start: FaceId, p: Point) -> Option<FaceId> {
+    let mut at = start;
+    for _ in 0..1000 {
+        let beyond = s.incident_half_edges(at).find(|&h| {
+            let [a, b] = [s.origin(h), s.destination(h)].map(|v| s.point(v));
+            orientation(a, b, p).is_lt()
+        });
+        let Some(h) = beyond else { return Some(at) };
+        at = s.face(h.twin());
+        if is_gap(at) {
+            return None;
+        }
+    }
+    None
+}
+
+#[test]
+fn a_walk_fails_where_gaps_are_no_faces_and_not_where_they_are() {
+    // A square with a wide hole: from the left to the right a walk runs into it.
+    let at = |x, y| Point::new(x, y);
+    let corners = [at(0., 0.), at(9., 0.), at(9., 9.), at(0., 9.), at(1., 1.), at(8., 1.), at(8., 8.), at(1., 8.)];
+    let edges = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]];
+    let mut s = Subdivision::from_graph(&corners, &edges).expect("two squares");
+    let inner = s.face(dcel_kit::HalfEdgeId::new(8));
+    assert_eq!(s.set_hole(inner, true), Some(false));
+    s.triangulate(TriangulationMethod::Ears).expect("a ring");
+    let mesh = NavMesh::new(&s).expect("triangles");
+    let goal = at(8.5, 4.5);
+    let starts: Vec<FaceId> = mesh.faces().collect();
+    let lost = |s: &Subdivision, gap: &dyn Fn(FaceId) -> bool| {
+        starts.iter().filter(|&&f| walk(s, gap, f, goal).is_none()).count()
+    };
+    let by_gaps = lost(&s, &|f| f == s.outer_face() || s.is_hole(f));
+    assert!(by_gaps > 0, "every walk came through");
+    // With the hole cut into faces that are only flagged, every walk arrives.
+    let mut whole = s.clone();
+    whole.triangulate_all(TriangulationMethod::Ears).expect("a square");
+    assert_eq!(lost(&whole, &|f| f == whole.outer_face()), 0);
+    // Gaps that border on gaps are told apart, too.
+    let cut = NavMesh::new(&whole).expect("triangles");
+    for (x, y) in [(2., 4.), (4., 2.), (7., 5.), (5., 7.)] {
+        let Location::Hole(f) = cut.locate(at(x, y)) else { panic!("({x}, {y}) is in the hole") };
+        assert_eq!(walk(&whole, |f| f == whole.outer_face(), f, at(x, y)), Some(f), "({x}, {y})");
+    }
+    // The index needs no walk.
+    assert!(matches!(mesh.locate(goal), Location::Face(_) | Location::Edge(_)));
+    assert!(matches!(mesh.locate(at(4., 5.)), Location::Hole(_)));
+}
+
+#[test]
+fn places_are_refused_by_name() {
+    let map = Map::random(3, 4, 1.0, 0.0);
+    let mut mesh = map.mesh();
+    assert!(matches!(mesh.place(Point::new(-1., 0.)), Err(PlaceError::OffMesh { .. })));
+    let p = map.inside(0, &mut Random::new(1));
+    let place = mesh.place(p).expect("inside the first triangle");
+    mesh.block(place.face);
+    assert!(matches!(mesh.place(p), Err(PlaceError::Blocked { .. })));
+    assert!(matches!(mesh.place_in(place.face, p), Err(PlaceError::NotInFace { .. })));
+    assert_eq!(mesh.locate(p), Location::Face(place.face), "a blocked face is still a face");
+}

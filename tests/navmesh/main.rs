@@ -1,0 +1,13 @@
+//! What the navmesh promises: location, components, dead ends, routes and lengths, against plain programs.
+//!
+//! `maps.rs` makes maps from seeds, `oracle.rs` answers slowly: a visibility graph and Dijkstra, scans, floods. Every
+//! failure names its seed. Lengths are compared to 1e-9 of their size, work by its counters, never by time.
+
+mod blocking;
+mod live;
+mod location;
+mod maps;
+mod oracle;
+mod reach;
+mod routes;
+mod traps;

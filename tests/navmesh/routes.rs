@@ -1,0 +1,181 @@
+//! Routes: the exact one is as short as the visibility graph says, and no rung is shorter; all run where they may.
+
+use crate::maps::{Map, Random};
+use crate::oracle::{Node, Oracle, distance};
+use dcel_kit::FaceId;
+use dcel_kit::navmesh::{NavMesh, Place, Planner, Route, RouteError, Rung};
+use dcel_kit::plane::Point;
+
+pub fn is_close(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-9 * a.abs().max(b.abs())
+}
+
+/// The place of a node: triangle i is f(i + 1).
+pub fn place(mesh: &NavMesh, node: &Node) -> Place {
+    mesh.place_in(FaceId::new(node.triangles[0] as u32 + 1), node.point).expect("the triangle has the node")
+}
+
+/// Ends for queries: points inside triangles and vertices in one of their wedges.
+pub fn ends(map: &Map, oracle: &Oracle, random: &mut Random, count: usize) -> Vec<Node> {
+    let vertices = oracle.vertex_nodes();
+    let free: Vec<usize> = oracle.free_triangles().collect();
+    let end = |i: usize| {
+        let t = free[random.below(free.len())];
+        if i % 3 == 0 {
+            vertices[random.below(vertices.len())].clone()
+        } else {
+            Oracle::inner_node(map.inside(t, random), t)
+        }
+    };
+    if free.is_empty() { Vec::new() } else { (0..count).map(end).collect() }
+}
+
+/// Faces, doors and points of a route fit each other and the mesh.
+fn check_shape(mesh: &NavMesh, route: &Route, start: Point, goal: Point, context: &str) {
+    assert_eq!(route.faces.len(), route.doors.len() + 1, "{context}");
+    assert_eq!(route.portals(mesh).count(), route.doors.len(), "{context}: a door is no side of its face");
+    assert_eq!((route.points[0], route.points[route.points.len() - 1]), (start, goal), "{context}");
+    assert_eq!(route.corners.len() + 2, route.points.len(), "{context}");
+    for (portal, pair) in route.portals(mesh).zip(route.faces.windows(2)) {
+        let side = mesh.sides(pair[0]).find(|side| side.half_edge == portal.door).expect("a side");
+        assert!(side.open && side.across == pair[1] && mesh.is_walkable(pair[1]), "{context}: {portal:?}");
+    }
+    let length: f64 = route.points.windows(2).map(|pair| distance(pair[0], pair[1])).sum();
+    assert!(is_close(length, route.length), "{context}: {length} but {}", route.length);
+}
+
+/// Checks all rungs between two nodes.
+pub fn check(mesh: &NavMesh, planner: &mut Planner, oracle: &Oracle, [start, goal]: [&Node; 2], context: &str) {
+    let [from, to] = [start, goal].map(|node| place(mesh, node));
+    let expected = oracle.shortest(start, goal);
+    for rung in Rung::ALL {
+        let context = format!("{context}, {rung}: {} -> {}", start.point, goal.point);
+        match (planner.route(mesh, rung, &from, &to), expected) {
+            (Ok(route), Some(expected)) => {
+                check_shape(mesh, &route, start.point, goal.point, &context);
+                let exact = is_close(route.length, expected);
+                let longer = route.length >= expected * (1.0 - 1e-9);
+                let good = if rung == Rung::Exact { exact } else { longer };
+                assert!(good, "{context}: {} but the shortest is {expected}: {:?}", route.length, route.points);
+            }
+            (Err(RouteError::Apart { start, goal, .. }), None) => assert_ne!(start, goal, "{context}"),
+            (answer, expected) => panic!("{context}: {answer:?} but {expected:?}"),
+        }
+    }
+}
+
+#[test]
+fn exact_routes_are_as_short_as_the_visibility_graph_says() {
+    let mut planner = Planner::new();
+    for seed in 0..120 {
+        let jitter = [0.0, 0.6][seed as usize % 2];
+        let map = Map::random(seed, 2 + seed as usize % 4, [0.55, 0.75][seed as usize / 2 % 2], jitter);
+        let (mesh, oracle) = (map.mesh(), Oracle::all_free(&map));
+        let mut random = Random::new(seed + 3000);
+        for pair in ends(&map, &oracle, &mut random, 8).chunks_exact(2) {
+            check(&mesh, &mut planner, &oracle, [&pair[0], &pair[1]], &format!("seed {seed}"));
+        }
+    }
+}
+
+#[test]
+fn lengths_stay_under_rotation_shift_scale_and_reversal() {
+    let mut planner = Planner::new();
+    let (sin, cos) = 0.3f64.sin_cos();
+    for seed in 0..25 {
+        let map = Map::random(seed, 8, 0.75, [0.0, 0.6][seed as usize % 2]);
+        let turn = |p: Point| Point::new(p.x * cos - p.y * sin, p.x * sin + p.y * cos);
+        let shift = |p: Point| Point::new(p.x + 1e5, p.y - 1e5);
+        let scale = |p: Point| Point::new(p.x * 1e-3, p.y * 1e-3);
+        let moved: [(Map, f64); 4] = [
+            (map.moved(turn), 1.0),
+            (map.moved(shift), 1.0),
+            (map.moved(|p| shift(turn(p))), 1.0),
+            (map.moved(|p| scale(turn(p))), 1e-3),
+        ];
+        let oracle = Oracle::all_free(&map);
+        let mut random = Random::new(seed + 4000);
+        let (mesh, original) = (map.mesh(), map.clone());
+        let moved: Vec<(Map, NavMesh, f64)> = moved.into_iter().map(|(m, unit)| (m.clone(), m.mesh(), unit)).collect();
+        // From vertex to vertex, so that the ends move with the map.
+        let nodes = oracle.vertex_nodes();
+        for _ in 0..12 {
+            let [a, b] = [(); 2].map(|()| nodes[random.below(nodes.len())].clone());
+            let length = |planner: &mut Planner, mesh: &NavMesh, map: &Map, [from, to]: [&Node; 2]| {
+                let place = |node: &Node| {
+                    let t = node.triangles[0];
+                    let k = original.corners(t).iter().position(|&p| p == node.point).expect("a corner");
+                    mesh.place_in(FaceId::new(t as u32 + 1), map.corners(t)[k]).expect("a corner")
+                };
+                planner.route(mesh, Rung::Exact, &place(from), &place(to)).ok().map(|route| route.length)
+            };
+            let expected = length(&mut planner, &mesh, &map, [&a, &b]);
+            let back = length(&mut planner, &mesh, &map, [&b, &a]);
+            let same = |x: Option<f64>, y: Option<f64>| match (x, y) {
+                (Some(x), Some(y)) => is_close(x, y),
+                (x, y) => x == y,
+            };
+            assert!(same(expected, back), "seed {seed}: {} <-> {}: {expected:?} but back {back:?}", a.point, b.point);
+            for (map, mesh, unit) in &moved {
+                let found = length(&mut planner, mesh, map, [&a, &b]).map(|length| length / unit);
+                assert!(same(expected, found), "seed {seed}: {} -> {}: {expected:?} but {found:?}", a.point, b.point);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_work_is_bounded_and_dead_ends_are_left_out() {
+    // A comb: a corridor with many teeth that lead nowhere.
+    let mut triangles = Vec::new();
+    let mut points = Vec::new();
+    let teeth = 200u32;
+    for i in 0..=2 * teeth {
+        points.extend([0., 1., 9.].map(|y| Point::new(f64::from(i), y)));
+    }
+    for i in 0..2 * teeth {
+        let [a, b] = [3 * i, 3 * i + 3];
+        triangles.extend([[a, b, b + 1], [a, b + 1, a + 1]]);
+        if i % 2 == 0 {
+            triangles.extend([[a + 1, b + 1, b + 2], [a + 1, b + 2, a + 2]]);
+        }
+    }
+    let map = Map { points, triangles };
+    let mesh = map.mesh();
+    let mut planner = Planner::new();
+    let [start, goal] = [Point::new(0.25, 0.5), Point::new(f64::from(2 * teeth) - 0.25, 0.5)];
+    for rung in Rung::ALL {
+        let route = planner.route_between(&mesh, rung, start, goal).expect("a corridor");
+        assert!(is_close(route.length, distance(start, goal)), "{rung}");
+        // The corridor has 4 triangles for each tooth; else only the tooth that the doors lead to may be entered.
+        assert!(route.work.expansions <= 4 * u64::from(teeth) + 2, "{rung}: {:?}", route.work);
+    }
+    // A cone with one successor does not go through the queue.
+    let route = planner.route_between(&mesh, Rung::Exact, start, goal).expect("a corridor");
+    assert!(route.work.pops <= 2, "{:?}", route.work);
+    // Into a tooth and out of one the door paths are open.
+    let [start, goal] = [Point::new(0.5, 8.0), Point::new(f64::from(2 * teeth) - 1.5, 8.0)];
+    let route = planner.route_between(&mesh, Rung::Exact, start, goal).expect("a corridor");
+    assert_eq!(route.corners.len(), 2);
+}
+
+#[test]
+fn costs_lead_round_what_is_dear() {
+    let map = Map::random(1, 7, 1.0, 0.0);
+    let mesh = map.mesh();
+    let mut planner = Planner::new();
+    let [start, goal] = [Point::new(0.5, 3.4), Point::new(6.5, 3.4)].map(|p| mesh.place(p).expect("free"));
+    let mut costs = dcel_kit::FaceMap::filled(mesh.face_bound(), 1.0);
+    let in_the_way = |f: FaceId| {
+        let [a, b, c] = map.corners(f.index() - 1);
+        let middle = Point::new((a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0);
+        (middle.x - 3.5).abs() < 0.5 && middle.y < 6.0
+    };
+    mesh.faces().filter(|&f| in_the_way(f)).for_each(|f| costs[f] = 100.0);
+    for rung in [Rung::Centroid, Rung::Midpoint, Rung::Closest] {
+        let cheap = planner.weighted_route(&mesh, rung, &costs, &start, &goal).expect("a way");
+        assert!(!cheap.faces.iter().any(|&f| in_the_way(f)), "{rung} goes through {:?}", cheap.faces);
+        let plain = planner.route(&mesh, rung, &start, &goal).expect("a way");
+        assert!(plain.faces.iter().any(|&f| in_the_way(f)), "{rung}");
+    }
+}

@@ -1,0 +1,188 @@
+//! The traps of the trade: each was fallen into by somebody.
+
+use crate::maps::Map;
+use crate::routes::is_close;
+use dcel_kit::navmesh::{Location, NavMesh, NavMeshError, PlaceError, Planner, RouteError, Rung};
+use dcel_kit::plane::{Point, Subdivision};
+use dcel_kit::topology::PolygonList;
+use dcel_kit::{FaceId, VertexId};
+
+fn at(x: f64, y: f64) -> Point {
+    Point::new(x, y)
+}
+
+fn polygons(points: &[(f64, f64)], faces: &[&[u32]]) -> Subdivision {
+    let mut list = PolygonList::new();
+    faces.iter().for_each(|face| list.push_face(face));
+    Subdivision::from_polygons(points.iter().map(|&p| p.into()).collect(), &list).expect("faces that fit")
+}
+
+/// The start lies inside the first door: left and right of it are opposite, which is no crossing.
+#[test]
+fn the_funnel_starts_inside_the_first_door() {
+    // Squares in a row, and a last one above: the way turns left at v6.
+    let s = polygons(
+        &[(0., 0.), (2., 0.), (4., 0.), (0., 2.), (2., 2.), (4., 2.), (2., 4.), (4., 4.)],
+        &[&[0, 1, 4, 3], &[1, 2, 5, 4], &[4, 5, 7, 6]],
+    );
+    let mesh = NavMesh::new(&s).expect("squares");
+    let mut planner = Planner::new();
+    // On the door between the first two squares, in the first one; and on the line of the second door, at its end.
+    for (start, goal, expected) in [
+        (at(2., 1.), at(3., 3.), 5f64.sqrt()),
+        (at(2., 0.), at(2., 4.), 4.0),
+        (at(2., 2.), at(4., 4.), 8f64.sqrt()),
+        (at(0., 2.), at(4., 2.), 4.0),
+        (at(0., 2.), at(2., 4.), 4.0),
+    ] {
+        for rung in Rung::ALL {
+            for face in mesh.faces().filter(|&f| mesh.place_in(f, start).is_ok()) {
+                let [from, to] = [mesh.place_in(face, start), mesh.place(goal)].map(|place| place.expect("free"));
+                let route = planner.route(&mesh, rung, &from, &to).expect("one component");
+                assert!(is_close(route.length, expected), "{rung} {start} -> {goal} in {face}: {}", route.length);
+            }
+        }
+    }
+}
+
+/// A wall that is straight but for the last place of a coordinate turns a way all the same.
+#[test]
+fn a_corner_of_one_last_place_is_a_turn() {
+    let low = 1.0f64.next_down();
+    // Below y = 1 everything is blocked; v1 stands out of the line v0 -> v2, or lies below it, by a last place.
+    for (top, is_turn) in [(1.0f64, true), (low.next_down(), false)] {
+        let s = polygons(&[(0., low), (2., top), (4., low), (4., 3.), (0., 3.)], &[&[0, 1, 3, 4], &[1, 2, 3]]);
+        let mesh = NavMesh::new(&s).expect("convex but for v1");
+        let mut planner = Planner::new();
+        let route = planner.route_between(&mesh, Rung::Exact, at(0., low), at(4., low)).expect("one component");
+        assert_eq!(route.corners.contains(&VertexId::new(1)), is_turn, "{route:?}");
+    }
+}
+
+/// Two gaps touch in a vertex: nobody squeezes through, and who stands there says in which wedge.
+#[test]
+fn a_double_corner_has_two_wedges() {
+    // A ring of faces round two gaps that touch in v4.
+    let map = [".....", ".#...", "..#..", "....."];
+    let s = cells(&map);
+    let mesh = NavMesh::new(&s).expect("squares");
+    let corner = at(2., -2.);
+    let Location::Vertex(v) = mesh.locate(corner) else { panic!("{corner} is no vertex") };
+    assert_eq!(mesh.wedges(v).len(), 2);
+    let PlaceError::Ambiguous { faces, .. } = mesh.place(corner).expect_err("two wedges") else { panic!("ambiguous") };
+    assert_eq!(faces.len(), 2);
+    let mut planner = Planner::new();
+    // Past the corner: (2.5, -1.5) and (1.5, -2.5) see each other but for it.
+    let [a, b] = [at(2.5, -1.5), at(1.5, -2.5)];
+    let route = planner.route_between(&mesh, Rung::Exact, a, b).expect("round one of the gaps");
+    assert!(route.length > 2.0, "squeezed through: {:?}", route.points);
+    assert!(!route.corners.contains(&v), "{:?}", route.points);
+    // From the corner itself: in the wedge of each face, and every face of the wedge is a start.
+    for (face, near, far) in [(faces[0], a, b), (faces[1], a, b)] {
+        let place = mesh.place_in(face, corner).expect("a corner of the face");
+        let all = mesh.faces_at(&place);
+        assert!(all.contains(&face) && mesh.wedges(v).contains(&all), "{all:?}");
+        let [to_a, to_b] = [near, far].map(|p| {
+            planner.route(&mesh, Rung::Exact, &place, &mesh.place(p).expect("free")).expect("one component").length
+        });
+        let step = 0.5f64.hypot(0.5);
+        let short = to_a.min(to_b);
+        assert!(is_close(short, step), "{face}: {to_a} and {to_b}");
+        assert!(to_a.max(to_b) > 2.0, "{face}: squeezed through, {to_a} and {to_b}");
+    }
+    assert!(matches!(planner.route_between(&mesh, Rung::Exact, corner, a), Err(RouteError::Start(_))));
+}
+
+/// Squares for the dots of a picture, y down in it.
+fn cells(rows: &[&str]) -> Subdivision {
+    let width = rows[0].len() as u32;
+    let points = (0..=rows.len() as u32).flat_map(|y| (0..=width).map(move |x| at(f64::from(x), -f64::from(y))));
+    let mut list = PolygonList::new();
+    for (y, row) in (0u32..).zip(rows) {
+        for (x, cell) in (0u32..).zip(row.chars()) {
+            let corner = |dx: u32, dy: u32| (y + dy) * (width + 1) + x + dx;
+            if cell == '.' {
+                list.push_face(&[corner(0, 1), corner(1, 1), corner(1, 0), corner(0, 0)]);
+            }
+        }
+    }
+    Subdivision::from_polygons(points.collect(), &list).expect("cells")
+}
+
+/// Faces that were merged have corners in the middle of straight sides: they stay convex, and doors on one line too.
+#[test]
+fn straight_corners_are_no_concave_ones() {
+    let s = polygons(
+        &[(0., 0.), (6., 0.), (6., 2.), (4., 2.), (2., 2.), (0., 2.), (2., 4.), (4., 4.), (6., 4.), (0., 4.)],
+        &[&[0, 1, 2, 3, 4, 5], &[5, 4, 6, 9], &[3, 2, 8, 7]],
+    );
+    let mesh = NavMesh::new(&s).expect("convex with straight corners");
+    assert_eq!(mesh.locate(at(2., 2.)), Location::Vertex(VertexId::new(4)));
+    assert!(matches!(mesh.locate(at(3., 2.)), Location::Edge(_)));
+    assert!(matches!(mesh.locate(at(3., 2.5)), Location::Outer));
+    let mut planner = Planner::new();
+    for (start, goal, expected) in [
+        (at(1., 3.), at(5., 3.), 2.0 + 2.0 * 2f64.sqrt()),
+        (at(0., 2.), at(6., 2.), 6.0),
+        (at(2., 3.), at(4., 3.), 4.0),
+        (at(3., 2.), at(1., 4.), 1.0 + 5f64.sqrt()),
+    ] {
+        let route = planner.route_between(&mesh, Rung::Exact, start, goal).expect("one component");
+        assert!(is_close(route.length, expected), "{start} -> {goal}: {}", route.length);
+        let back = planner.route_between(&mesh, Rung::Exact, goal, start).expect("one component");
+        assert!(is_close(back.length, expected), "{goal} -> {start}: {}", back.length);
+    }
+}
+
+/// What is no navmesh is refused by name.
+#[test]
+fn concave_faces_rings_and_empty_maps_are_refused() {
+    let concave = polygons(&[(0., 0.), (4., 0.), (1., 1.), (0., 4.)], &[&[0, 1, 2, 3]]);
+    let expected = NavMeshError::Concave { face: FaceId::new(1), corner: VertexId::new(2) };
+    assert_eq!(NavMesh::new(&concave).expect_err("concave"), expected);
+    let mut ring = Subdivision::lab_rectangle();
+    assert!(NavMesh::new(&ring).is_ok());
+    ring.insert_vertex(at(10., 20.)).expect("inside");
+    assert_eq!(NavMesh::new(&ring).expect_err("a ring"), NavMeshError::Rings { face: FaceId::new(1), rings: 1 });
+    let mut spur = Subdivision::lab_rectangle();
+    spur.insert_antenna(VertexId::new(0), at(0., 0.)).expect("inside");
+    assert!(matches!(NavMesh::new(&spur), Err(NavMeshError::Concave { .. })));
+    let mut hole = Subdivision::lab_rectangle();
+    hole.set_hole(FaceId::new(1), true);
+    assert_eq!(NavMesh::new(&hole).expect_err("only a hole"), NavMeshError::NoFaces);
+}
+
+/// "No way" names the two components.
+#[test]
+fn apart_is_proved_by_two_components() {
+    let mesh = NavMesh::new(&cells(&["..#..", "..#.."])).expect("squares");
+    let error = Planner::new().route_between(&mesh, Rung::Exact, at(0.5, -0.5), at(4.5, -0.5)).expect_err("apart");
+    let RouteError::Apart { from, to, start, goal } = error else { panic!("{error}") };
+    assert_ne!(start, goal);
+    assert_eq!((mesh.component(from), mesh.component(to)), (Some(start), Some(goal)));
+    let near = mesh.nearest_reachable(start, at(4.5, -0.5)).expect("some face");
+    assert_eq!((near.place.point, near.distance), (at(2., -0.5), 2.5));
+}
+
+/// Start and goal at the same place, at corners, on the border.
+#[test]
+fn ends_on_vertices_and_edges_are_ends_like_others() {
+    let map = Map::random(5, 4, 1.0, 0.0);
+    let mesh = map.mesh();
+    let mut planner = Planner::new();
+    for (a, b) in
+        [((0., 0.), (4., 4.)), ((0., 0.), (0., 0.)), ((1., 1.), (3., 1.)), ((0.5, 0.), (4., 3.5)), ((2., 2.), (2., 4.))]
+    {
+        let (a, b) = (Point::from(a), Point::from(b));
+        for rung in Rung::ALL {
+            let route = planner.route_between(&mesh, rung, a, b).expect("one component");
+            let straight = (b.x - a.x).hypot(b.y - a.y);
+            let good = if rung == Rung::Exact {
+                is_close(route.length, straight)
+            } else {
+                route.length >= straight * (1. - 1e-9)
+            };
+            assert!(good, "{rung}: {a} -> {b}: {}", route.length);
+        }
+    }
+}
