@@ -28,7 +28,7 @@ fn info_counts_and_warns() {
     let triangles = folder.dcel("navmesh info rooms.map --triangles --json").json();
     assert_eq!((&triangles["faces"], &triangles["area"]), (&triangles["triangles"], &json!(311.0)));
     let sum = |info: &serde_json::Value| {
-        info["components"].as_array().into_iter().flatten().filter_map(|n| n.as_u64()).sum::<u64>()
+        info["components"].as_array().into_iter().flatten().filter_map(serde_json::Value::as_u64).sum::<u64>()
     };
     assert_eq!(json!(sum(&info)), info["faces"]);
     let text = folder.dcel("navmesh info corner.mesh").fine();
@@ -192,7 +192,7 @@ fn figures_show_what_they_are_about() {
         folder.dcel(&format!("navmesh {arguments} -o again.svg"));
         assert_eq!(svg, folder.read("again.svg"), "{arguments}: the same bytes");
     };
-    draw("info rooms.map", &[">rooms\n", "rooms-f1"]);
+    draw("info rooms.map", &[">rooms</title>", "rooms-f1"]);
     draw("info rooms.map --draw dual", &["neighbours", "to a dead end"]);
     draw("info rooms.map --draw dead-ends", &["the core: searches look here", "the way out of a dead end"]);
     let ends = "rooms.map 21.5 5.5 0.5 4.5 --triangles";

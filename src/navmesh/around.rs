@@ -9,7 +9,8 @@
 //! ```
 
 use super::mesh::{CLOSED, ID, NONE, NavMesh, SHARED, TURN};
-use crate::ids::{FaceId, VertexId};
+use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::plane::Subdivision;
 use crate::plane::predicates::{left_to_right, orientation};
 use std::cmp::Ordering;
 
@@ -38,6 +39,19 @@ impl NavMesh {
                     self.fans[v as usize] = f;
                 }
             }
+        }
+    }
+
+    /// Finds the fans of one vertex anew, from the map. O(degree of v).
+    pub(super) fn find_fans_of(&mut self, map: &Subdivision, v: VertexId) {
+        let behind_gap = |&h: &HalfEdgeId| self.has_face(map.face(h)) && !self.has_face(map.face(h.twin()));
+        let starts: Vec<u32> = map.outgoing_half_edges(v).filter(behind_gap).map(|h| map.face(h).number()).collect();
+        let any = map.incident_faces(v).find(|&f| self.has_face(f)).map_or(NONE, FaceId::number);
+        self.fans[v.index()] = starts.first().copied().unwrap_or(any);
+        if starts.len() > 1 {
+            self.more_fans.insert(v.number(), starts[1..].to_vec());
+        } else {
+            self.more_fans.remove(&v.number());
         }
     }
 
@@ -76,6 +90,30 @@ impl NavMesh {
             }
         }
         wedges
+    }
+
+    /// The side that starts at the first corner, clockwise, of the wedge to which the corner at the start of side `s`
+    /// belongs. O(faces of the wedge).
+    pub(super) fn first_corner_of_wedge(&self, s: usize) -> usize {
+        let v = self.sides[s].origin & ID;
+        let mut at = s;
+        while self.sides[at].across & CLOSED == 0
+            && let Some(next) = self.side_from(FaceId::new(self.sides[at].across & ID), v)
+            && next != s
+        {
+            at = next;
+        }
+        at
+    }
+
+    /// Whether a closed side starts or ends at `v`. O(sides of the faces round v).
+    pub(super) fn is_on_border(&self, v: VertexId) -> bool {
+        self.faces_around(v).into_iter().any(|f| {
+            [self.side_from(f, v.number()), self.side_to(f, v.number())]
+                .into_iter()
+                .flatten()
+                .any(|s| self.sides[s].across & CLOSED != 0)
+        })
     }
 
     /// Marks at which corners round `v` a way may bend, and whether it has several wedges.

@@ -78,14 +78,14 @@ pub(super) fn breadth_first(mesh: &NavMesh, scratch: &mut Scratch) -> bool {
     found.is_some()
 }
 
-/// A row of faces with a short line of the given kind. Returns whether there is one.
+/// A row of faces with a short line of the given kind, through sides that fit. Returns whether there is one.
 pub(super) fn a_star(
     mesh: &NavMesh,
     scratch: &mut Scratch,
     metric: Rung,
     costs: Option<&FaceMap<f64>>,
-    start: Point,
-    goal: Point,
+    fits: impl Fn(FaceId, usize) -> bool,
+    [start, goal]: [Point; 2],
 ) -> bool {
     scratch.reached.resize(mesh.face_bound().max(scratch.reached.len()), Reached::default());
     let query = scratch.query;
@@ -112,7 +112,7 @@ pub(super) fn a_star(
         for s in range.clone() {
             let across = mesh.sides[s].across;
             let next = across & ID;
-            if next == here.from || !scratch.may_cross(across) {
+            if next == here.from || !scratch.may_cross(across) || !fits(face, s) {
                 continue;
             }
             let post = |s: usize| mesh.points[(mesh.sides[s].origin & ID) as usize];

@@ -12,15 +12,43 @@
 //! rounding never loses a face. One cell for two faces: some 20 bytes a face.
 
 use super::mesh::{CLOSED, ID, NavMesh};
-use crate::ids::FaceId;
-use crate::plane::Point;
+use crate::ids::{EdgeId, FaceId, HalfEdgeId};
 use crate::plane::predicates::orientation;
+use crate::plane::{Point, Subdivision};
 use std::collections::BTreeMap;
 
 /// In an item: no face, but the gap that the cell sees.
 const GAP: u32 = 1 << 31;
-/// The cell sees several gaps, or it is not known which.
+/// The cell sees several gaps.
 const SEVERAL: u32 = GAP | ID;
+/// The cell sees no border at all.
+const NOTHING: u32 = SEVERAL - 1;
+
+/// An edge between two gaps: a wall in the void, or a side of a triangle of a hole.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct GapEdge {
+    /// The ends, the lower one first.
+    ends: [Point; 2],
+    /// The gap on the left and the gap on the right.
+    gaps: [u32; 2],
+}
+
+impl GapEdge {
+    /// All edges of the map between two different gaps. O(n).
+    pub(super) fn all(map: &Subdivision, mesh: &NavMesh) -> Vec<Self> {
+        let halves = map.edges().flat_map(EdgeId::half_edges);
+        let is_up = |h: &HalfEdgeId| map.point(map.origin(*h)).y <= map.point(map.destination(*h)).y;
+        let between = |h: &HalfEdgeId| {
+            let gaps = [map.face(*h), map.face(h.twin())];
+            gaps[0] != gaps[1] && !gaps.into_iter().any(|f| mesh.has_face(f))
+        };
+        let edge = |h: HalfEdgeId| Self {
+            ends: [map.origin(h), map.destination(h)].map(|v| map.point(v)),
+            gaps: [map.face(h), map.face(h.twin())].map(FaceId::number),
+        };
+        halves.filter(is_up).filter(between).map(edge).collect()
+    }
+}
 
 #[derive(Clone, PartialEq, Debug, Default)]
 pub(super) struct Grid {
@@ -33,6 +61,8 @@ pub(super) struct Grid {
     starts: Vec<u32>,
     /// Per cell its faces, then at most one gap.
     items: Vec<u32>,
+    /// The edges between gaps that reach into each cell, by cell.
+    gap_edges: Vec<(u32, GapEdge)>,
     /// Faces that came later, per cell.
     late: BTreeMap<u32, Vec<u32>>,
     late_count: usize,
@@ -40,8 +70,9 @@ pub(super) struct Grid {
 
 impl Grid {
     /// An index over all faces of the mesh. O(n) for faces of about one size.
-    pub(super) fn new(mesh: &NavMesh) -> Self {
+    pub(super) fn new(mesh: &NavMesh, gap_edges: &[GapEdge]) -> Self {
         let corners = mesh.faces().flat_map(|f| mesh.corners(f)).map(|v| mesh.point(v));
+        let corners = corners.chain(gap_edges.iter().flat_map(|edge| edge.ends));
         let first = corners.clone().next().unwrap_or_default();
         let (min, max) = corners.fold((first, first), |(min, max), p| {
             (Point::new(min.x.min(p.x), min.y.min(p.y)), Point::new(max.x.max(p.x), max.y.max(p.y)))
@@ -58,9 +89,16 @@ impl Grid {
             rows: rows as usize,
             starts: Vec::new(),
             items: Vec::new(),
+            gap_edges: Vec::new(),
             late: BTreeMap::new(),
             late_count: 0,
         };
+        for edge in gap_edges {
+            let mut cells = Vec::new();
+            grid.visit_cells(&edge.ends, |cell| cells.push((cell, *edge)));
+            grid.gap_edges.append(&mut cells);
+        }
+        grid.gap_edges.sort_by_key(|&(cell, _)| cell);
         grid.fill(mesh);
         grid.name_empty_cells(mesh);
         grid.put_middles_first(mesh);
@@ -69,7 +107,7 @@ impl Grid {
 
     /// Bytes of the arrays.
     pub(super) fn memory(&self) -> usize {
-        4 * (self.starts.len() + self.items.len() + self.late_count)
+        4 * (self.starts.len() + self.items.len() + self.late_count) + size_of_val(&*self.gap_edges)
     }
 
     /// The column and the row of a point; points outside go to the nearest cell.
@@ -111,6 +149,25 @@ impl Grid {
         built.chain(late.into_iter().flatten().copied())
     }
 
+    /// Takes in a face that has come or changed its shape. O(number of cells it reaches into).
+    pub(super) fn add(&mut self, mesh: &NavMesh, f: u32) {
+        let mut cells = Vec::new();
+        let corners: Vec<Point> = mesh.corners(FaceId::new(f)).map(|v| mesh.point(v)).collect();
+        self.visit_cells(&corners, |cell| cells.push(cell));
+        for cell in cells {
+            let here = self.late.entry(cell).or_default();
+            if !here.contains(&f) {
+                here.push(f);
+                self.late_count += 1;
+            }
+        }
+    }
+
+    /// Whether so many faces came later that a new index is worth its cost.
+    pub(super) fn is_stale(&self) -> bool {
+        self.late_count > 64 + self.items.len() / 2
+    }
+
     fn fill(&mut self, mesh: &NavMesh) {
         let mut pairs: Vec<(u32, u32)> = Vec::new();
         let mut corners = Vec::new();
@@ -126,6 +183,7 @@ impl Grid {
                 }
             }
         }
+        pairs.extend(self.gap_edges.iter().flat_map(|(cell, edge)| edge.gaps.map(|gap| (*cell, GAP | gap))));
         let cells = self.columns * self.rows;
         let mut ends = vec![0u32; cells + 1];
         pairs.iter().for_each(|&(cell, _)| ends[cell as usize + 1] += 1);
@@ -146,7 +204,7 @@ impl Grid {
             if let Some(first) = gaps.next() {
                 self.items.push(if gaps.all(|gap| gap == first) { first } else { SEVERAL });
             } else if here.is_empty() {
-                self.items.push(SEVERAL);
+                self.items.push(NOTHING);
             }
         }
         self.starts.push(self.items.len() as u32);
@@ -181,7 +239,7 @@ impl Grid {
             for column in 0..self.columns {
                 let cell = row * self.columns + column;
                 let start = self.starts[cell] as usize;
-                if self.starts[cell + 1] as usize != start + 1 || self.items[start] != SEVERAL {
+                if self.items.get(start) != Some(&NOTHING) || self.starts[cell + 1] as usize == start {
                     left = None;
                     continue;
                 }
@@ -224,6 +282,15 @@ impl Grid {
                     if met && nearest.is_none_or(|(other, _)| is_right_of([a, b], other)) {
                         nearest = Some(([a, b], gap));
                     }
+                }
+            }
+            let cell = (row * self.columns + column) as u32;
+            let first = self.gap_edges.partition_point(|&(other, _)| other < cell);
+            for (_, edge) in self.gap_edges[first..].iter().take_while(|&&(other, _)| other == cell) {
+                let [a, b] = edge.ends;
+                let met = a.y <= p.y && b.y > p.y && orientation(a, b, p).is_lt();
+                if met && nearest.is_none_or(|(other, _)| is_right_of([a, b], other)) {
+                    nearest = Some(([a, b], edge.gaps[1]));
                 }
             }
             // Whatever is met right of the left side of this cell has been seen by now.

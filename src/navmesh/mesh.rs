@@ -16,7 +16,7 @@
 //! Memory: 48 bytes a triangle and 20 a vertex.
 
 use super::error::NavMeshError;
-use super::grid::Grid;
+use super::grid::{GapEdge, Grid};
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::plane::predicates::{left_to_right, orientation};
 use crate::plane::{Point, Subdivision};
@@ -149,7 +149,7 @@ impl NavMesh {
         mesh.mark_all_turns();
         mesh.label_components();
         mesh.peel_all();
-        mesh.grid = Grid::new(&mesh);
+        mesh.index_all(map);
         Ok(mesh)
     }
 
@@ -189,6 +189,52 @@ impl NavMesh {
             + size_of_val(&*self.half_edges)
             + size_of_val(&*self.fans)
             + self.grid.memory()
+    }
+
+    /// Reads faces anew from the map they come from, after edits there that concern no others; says which of them are
+    /// blocked, and which edges are walls. Cost: as for [`block`](Self::block) of all of them.
+    pub(super) fn read_again(
+        &mut self,
+        map: &Subdivision,
+        faces: &[FaceId],
+        blocked: &[bool],
+        walls: &[(EdgeId, bool)],
+    ) -> Result<(), NavMeshError> {
+        if map.vertex_bound() >= MOST || map.half_edge_bound() >= MOST || map.face_bound() >= MOST {
+            return Err(NavMeshError::TooMany);
+        }
+        let mut result = Ok(());
+        self.change(faces, |mesh| {
+            for v in mesh.points.len()..map.vertex_bound() {
+                mesh.points.push(place_of(map, VertexId::new(v as u32)));
+                mesh.fans.push(NONE);
+            }
+            mesh.faces.resize(map.face_bound().max(mesh.faces.len()), FaceRecord::ABSENT);
+            walls.iter().for_each(|&(edge, wall)| mesh.put_wall(edge, wall));
+            for (&f, &blocked) in faces.iter().zip(blocked) {
+                mesh.faces[f.index()] = FaceRecord::ABSENT;
+                result = result.and(mesh.read_face(map, f));
+                if mesh.has_face(f) {
+                    mesh.set_blocked(f, blocked);
+                }
+            }
+            for v in faces.iter().flat_map(|&f| map.incident_vertices(f)) {
+                mesh.points[v.index()] = map.point(v);
+                mesh.find_fans_of(map, v);
+            }
+        });
+        let mut grid = std::mem::take(&mut self.grid);
+        faces.iter().for_each(|f| grid.add(self, f.number()));
+        self.grid = grid;
+        if self.grid.is_stale() {
+            self.index_all(map);
+        }
+        result
+    }
+
+    /// Makes the index anew. O(n).
+    pub(super) fn index_all(&mut self, map: &Subdivision) {
+        self.grid = Grid::new(self, &GapEdge::all(map, self));
     }
 
     /// Where `v` is. O(1).
@@ -323,7 +369,7 @@ fn place_of(map: &Subdivision, v: VertexId) -> Point {
 }
 
 /// Whether the corner u -> v -> w turns left, or runs straight on.
-fn turns_left_or_runs_straight([u, v, w]: [Point; 3]) -> bool {
+pub(super) fn turns_left_or_runs_straight([u, v, w]: [Point; 3]) -> bool {
     match orientation(u, v, w) {
         std::cmp::Ordering::Greater => true,
         std::cmp::Ordering::Equal => left_to_right(u, v) == left_to_right(v, w),

@@ -10,7 +10,7 @@ use super::corridor::{self, Reached};
 use super::exact::Exact;
 use super::funnel::{self, Funnel, Post};
 use super::mesh::{CLOSED, DEAD_END, ID, NONE};
-use super::{NavMesh, Place, Route, RouteError, Rung, Work};
+use super::{DistanceField, NavMesh, Place, Route, RouteError, Rung, Work, doors};
 use crate::ids::{FaceId, FaceMap, HalfEdgeId, VertexId};
 use crate::plane::Point;
 use std::cmp::Reverse;
@@ -94,7 +94,10 @@ impl Planner {
         self.search(mesh, start, goal, |planner| match rung {
             Rung::Breadth => corridor::breadth_first(mesh, &mut planner.scratch),
             Rung::Exact => planner.exact.search(mesh, &mut planner.scratch, start, goal.point),
-            metric => corridor::a_star(mesh, &mut planner.scratch, metric, None, start.point, goal.point),
+            metric => {
+                let ends = [start.point, goal.point];
+                corridor::a_star(mesh, &mut planner.scratch, metric, None, |_, _| true, ends)
+            }
         })
     }
 
@@ -119,8 +122,66 @@ impl Planner {
         assert!(costs.len() >= mesh.face_bound(), "{} costs for {} faces", costs.len(), mesh.face_bound());
         let metric = if matches!(rung, Rung::Breadth | Rung::Exact) { Rung::Closest } else { rung };
         self.search(mesh, start, goal, |planner| {
-            corridor::a_star(mesh, &mut planner.scratch, metric, Some(costs), start.point, goal.point)
+            corridor::a_star(mesh, &mut planner.scratch, metric, Some(costs), |_, _| true, [start.point, goal.point])
         })
+    }
+
+    /// How far it is from a place to all vertices that are no further than `limit`, by the shortest ways.
+    ///
+    /// Cost: as an exact search that visits everything within the limit; O(n) more to begin.
+    ///
+    /// ```
+    /// use dcel_kit::navmesh::{NavMesh, Planner};
+    /// use dcel_kit::{VertexId, plane::{Point, Subdivision}};
+    /// let corners = [(0., 0.), (4., 0.), (0., 3.)].map(Point::from);
+    /// let mesh = NavMesh::new(&Subdivision::polygon(&corners)?)?;
+    /// let field = Planner::new().distance_field(&mesh, &mesh.place(corners[1])?, f64::INFINITY);
+    /// assert_eq!(field.distance(VertexId::new(2)), Some(5.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn distance_field(&mut self, mesh: &NavMesh, start: &Place, limit: f64) -> DistanceField {
+        self.scratch.begin(mesh, start, start);
+        self.scratch.allow_all();
+        let mut field = DistanceField::new(mesh, start, limit);
+        self.exact.survey(mesh, &mut self.scratch, start, limit, |v, length| field.see(v, length));
+        field.work = self.scratch.work;
+        field
+    }
+
+    /// A route for an agent of a radius, by the doors it fits through.
+    ///
+    /// What it is: A* with the metric *closest* through doors at least twice the radius wide (once, if one post only
+    /// is on a border, and any if none is), pulled straight between posts that are moved inwards by the radius. So
+    /// the middle of the agent passes every post of a door at that distance, measured along the door. What it is not:
+    /// beside a door that runs aslant, and along walls between two doors, the way may be nearer to the border; and a
+    /// door that is narrow although there is room beside it (a mesh with slivers) is not passed. A start or goal
+    /// nearer to the border than the radius is accepted.
+    ///
+    /// # Errors
+    /// [`RouteError::Apart`], or [`RouteError::TooNarrow`] if no row of such doors leads to the goal.
+    pub fn wide_route(
+        &mut self,
+        mesh: &NavMesh,
+        radius: f64,
+        start: &Place,
+        goal: &Place,
+    ) -> Result<Route, RouteError> {
+        let fits = |face: FaceId, s: usize| doors::fits(mesh, face, s, radius);
+        let (from, to) = (start.face, goal.face);
+        let route = self.search(mesh, start, goal, |planner| {
+            let ends = [start.point, goal.point];
+            corridor::a_star(mesh, &mut planner.scratch, Rung::Closest, None, fits, ends)
+        });
+        match route {
+            Ok(mut route) => {
+                doors::keep_off(mesh, radius, &mut route, &mut self.scratch.funnel);
+                Ok(route)
+            }
+            Err(RouteError::Apart { start, goal, .. }) if start == goal => {
+                Err(RouteError::TooNarrow { from, to, radius })
+            }
+            Err(other) => Err(other),
+        }
     }
 
     fn search(
@@ -173,6 +234,11 @@ impl Scratch {
                 self.allowed[f.index()] = self.query;
             }
         }
+    }
+
+    /// Lets the query into all dead ends.
+    fn allow_all(&mut self) {
+        self.allowed.fill(self.query);
     }
 
     /// Whether a search may cross a side with this word: it is open, and no useless dead end lies behind.

@@ -369,7 +369,7 @@ fn meetings(points: &[Point], sides: &[Side], faults: &mut Vec<MeshFault>) {
             if left_to_right(p, q).is_lt() { (there, back) } else { (back, there) }
         };
         let ((a_there, a_back), (b_there, b_back)) = (ways(a), ways(b));
-        !(a_there && b_there) && !(a_back && b_back)
+        !(a_there && b_there || a_back && b_back)
     };
     for fault in found {
         let edge = |i: u32| edges[i as usize];

@@ -140,6 +140,12 @@ fn a_walk_fails_where_gaps_are_no_faces_and_not_where_they_are() {
     let mut whole = s.clone();
     whole.triangulate_all(TriangulationMethod::Ears).expect("a square");
     assert_eq!(lost(&whole, &|f| f == whole.outer_face()), 0);
+    // Gaps that border on gaps are told apart, too.
+    let cut = NavMesh::new(&whole).expect("triangles");
+    for (x, y) in [(2., 4.), (4., 2.), (7., 5.), (5., 7.)] {
+        let Location::Hole(f) = cut.locate(at(x, y)) else { panic!("({x}, {y}) is in the hole") };
+        assert_eq!(walk(&whole, |f| f == whole.outer_face(), f, at(x, y)), Some(f), "({x}, {y})");
+    }
     // The index needs no walk.
     assert!(matches!(mesh.locate(goal), Location::Face(_) | Location::Edge(_)));
     assert!(matches!(mesh.locate(at(4., 5.)), Location::Hole(_)));

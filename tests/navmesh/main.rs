@@ -4,8 +4,10 @@
 //! failure names its seed. Lengths are compared to 1e-9 of their size, work by its counters, never by time.
 
 mod blocking;
+mod live;
 mod location;
 mod maps;
 mod oracle;
+mod reach;
 mod routes;
 mod traps;

@@ -34,7 +34,7 @@ impl Floor<'_> {
             };
             let mut sketch = Sketch::new();
             self.corridor(&mut sketch, route);
-            for portal in route.portals(self.mesh) {
+            for portal in self.portals(route) {
                 let posts = [portal.left, portal.right].map(|v| self.mesh.point(v));
                 sketch.path(Role::Secondary, posts).key("door of the corridor");
             }

@@ -26,6 +26,9 @@ use crate::plane::{Point, Subdivision};
 /// With more edges than this, the map chooses its own level of detail.
 const EDGES: usize = 2000;
 
+/// With more doors than this, those of a corridor are left out: they would hide the way.
+const DOORS: usize = 60;
+
 /// A map and its navmesh, ready to be drawn.
 ///
 /// ```

@@ -1,19 +1,19 @@
 //! A route: the corridor of faces, the portals between them, the way.
 
-use super::Floor;
+use super::{DOORS, Floor};
 use crate::figure::sketch::{Role, Sketch, SketchError};
 use crate::figure::{Figure, FigureOptions};
-use crate::navmesh::Route;
+use crate::navmesh::{Portal, Route};
 
 impl Floor<'_> {
-    /// The corridor, its portals with their left and right posts, and the way with its corners.
+    /// The corridor, its portals with their left and right posts (up to 60 of them), and the way with its corners.
     ///
     /// # Errors
     /// [`SketchError`]: a coordinate that cannot be drawn.
     pub fn route(&self, route: &Route, options: &FigureOptions) -> Result<Figure, SketchError> {
         let mut sketch = Sketch::new();
         self.corridor(&mut sketch, route);
-        for portal in route.portals(self.mesh) {
+        for portal in self.portals(route) {
             let [left, right] = [portal.left, portal.right].map(|v| self.mesh.point(v));
             let key = "portal: its left post a square, its right post a ring";
             sketch.portal(Role::Secondary, left, right).key(key).title(format!("{} to {}", portal.from, portal.to));
@@ -25,6 +25,11 @@ impl Floor<'_> {
         self.ends(&mut sketch, route);
         self.blocked(&mut sketch);
         self.over(&sketch, options)
+    }
+
+    /// The portals of a route, if they are few enough to be drawn.
+    pub(super) fn portals(&self, route: &Route) -> Vec<Portal> {
+        if route.doors.len() <= DOORS { route.portals(self.mesh).collect() } else { Vec::new() }
     }
 
     /// Adds the faces of a route.

@@ -123,10 +123,10 @@ impl Exact {
                 }
                 // Edge-on along a ray, further on than the post.
                 if i > 0 && of_right.is_eq() && next_of_right.is_eq() {
-                    self.bend_round(room, i, corner(i), node.length + distance(root, place(corner(i))));
+                    self.bend_round(room, i, i, node.length + distance(root, place(corner(i))));
                 }
                 if i + 1 < last && of_left.is_eq() && next_of_left.is_eq() {
-                    self.bend_round(room, i, corner(i + 1), node.length + distance(root, place(corner(i + 1))));
+                    self.bend_round(room, i, i + 1, node.length + distance(root, place(corner(i + 1))));
                 }
             }
             (of_right, of_left) = (next_of_right, next_of_left);
@@ -155,10 +155,11 @@ impl Exact {
     /// Side i, or the part of it out of sight, seen from the post round which the way bends. `whole` if all of the
     /// side is out of sight.
     fn bend(&mut self, room: &Room, i: usize, node: &Node, at: u32, whole: bool) {
-        let post = room.corner(if at == ENDS_RIGHT { 0 } else { room.behind.len - 1 });
+        let end = if at == ENDS_RIGHT { 0 } else { room.behind.len - 1 };
+        let post = room.corner(end);
         let (root, p) = (self.point(room.mesh, node.root), room.mesh.points[(post & ID) as usize]);
         let length = node.length + distance(root, p);
-        if !self.may_bend(room.scratch, post, length) {
+        if !self.may_bend(room, end, length) {
             return;
         }
         let limit = (!whole).then_some(node.root);
@@ -192,31 +193,35 @@ impl Exact {
             }
             Ordering::Equal => {
                 let [near, far] = if is_nearer(p, a, b) { [i, i + 1] } else { [i + 1, i] };
-                let (near_origin, q) = (room.corner(near), room.mesh.points[room.id(near)]);
+                let q = room.mesh.points[room.id(near)];
                 // A start inside the side itself leaves it for both faces by their other sides; so does one at its end.
                 let inside = q == p || !is_beyond(p, q, room.mesh.points[room.id(far)]);
                 if !inside {
-                    self.bend_round(room, i, near_origin, length + distance(p, q));
+                    self.bend_round(room, i, near, length + distance(p, q));
                 }
             }
             Ordering::Less => {}
         }
     }
 
-    /// Side i from its own end, if the way may bend there.
-    fn bend_round(&mut self, room: &Room, i: usize, origin: u32, length: f64) {
-        if origin & TURN != 0 && self.may_bend(room.scratch, origin, length) {
+    /// Side i from the corner at its one end, if the way may bend there.
+    fn bend_round(&mut self, room: &Room, i: usize, end: usize, length: f64) {
+        let origin = room.corner(end);
+        if origin & TURN != 0 && self.may_bend(room, end, length) {
             self.fresh.push(room.cone(i, origin & ID, length));
         }
     }
 
-    /// Whether no shorter way to the vertex is known. In a double corner the wedges are different places, so that
-    /// one does not tell about the other.
-    fn may_bend(&mut self, scratch: &Scratch, origin: u32, length: f64) -> bool {
-        if origin & SHARED != 0 {
-            return true;
-        }
-        let (query, least) = &mut self.roots[(origin & ID) as usize];
+    /// Whether no shorter way to corner i is known. In a double corner the wedges are different places: there the
+    /// first corner of the wedge, clockwise, stands for it.
+    fn may_bend(&mut self, room: &Room, i: usize, length: f64) -> bool {
+        let (scratch, origin) = (room.scratch, room.corner(i));
+        let (query, least) = if origin & SHARED == 0 {
+            &mut self.roots[(origin & ID) as usize]
+        } else {
+            let wedge = room.mesh.first_corner_of_wedge(room.corner_side(i));
+            self.shared_roots.entry(wedge).or_default()
+        };
         if *query == scratch.query && *least < length {
             return false;
         }
@@ -229,7 +234,13 @@ impl Room<'_> {
     /// Corner i with its marks.
     #[inline]
     fn corner(&self, i: usize) -> u32 {
-        self.mesh.sides[self.behind.side(if i == self.behind.len { 0 } else { i })].origin
+        self.mesh.sides[self.corner_side(i)].origin
+    }
+
+    /// The side that starts at corner i.
+    #[inline]
+    fn corner_side(&self, i: usize) -> usize {
+        self.behind.side(if i == self.behind.len { 0 } else { i })
     }
 
     fn id(&self, i: usize) -> usize {

@@ -2,7 +2,7 @@
 
 use super::super::Place;
 use super::super::mesh::{ID, NONE, NavMesh};
-use super::super::nearest::distance;
+use super::super::nearest::{closest_on, distance};
 use super::super::planner::{Planner, Scratch};
 use super::cone::{AT_POST, BENT_LEFT, BENT_RIGHT, Cone, ENDS_LEFT, ENDS_RIGHT, Node, START};
 use super::estimate::{between, estimate};
@@ -10,6 +10,7 @@ use crate::ids::FaceId;
 use crate::plane::Point;
 use crate::plane::predicates::orientation;
 use std::cmp::{Ordering, Reverse};
+use std::collections::BTreeMap;
 
 /// The memory of the exact search.
 #[derive(Clone, Debug, Default)]
@@ -19,6 +20,8 @@ pub(in super::super) struct Exact {
     pub(super) fresh: Vec<Node>,
     /// For each vertex in which query it was a root, and the shortest way there.
     pub(super) roots: Vec<(u32, f64)>,
+    /// The same for the wedges of double corners, by their first side.
+    pub(super) shared_roots: BTreeMap<usize, (u32, f64)>,
     start: Point,
 }
 
@@ -32,6 +35,7 @@ impl Exact {
     fn begin(&mut self, mesh: &NavMesh, scratch: &Scratch, start: Point) {
         if scratch.query == 1 {
             self.roots.clear();
+            self.shared_roots.clear();
         }
         self.roots.resize(mesh.vertex_bound().max(self.roots.len()), (0, 0.0));
         self.nodes.clear();
@@ -110,6 +114,55 @@ impl Exact {
         }
         let (query, least) = self.roots[node.root as usize];
         query == scratch.query && least < node.length
+    }
+
+    /// Looks at every cone that begins within `limit`, without a goal, and tells `see` the shortest length to each
+    /// corner in sight, again whenever it is seen.
+    pub(in super::super) fn survey(
+        &mut self,
+        mesh: &NavMesh,
+        scratch: &mut Scratch,
+        start: &Place,
+        limit: f64,
+        mut see: impl FnMut(u32, f64),
+    ) {
+        self.begin(mesh, scratch, start.point);
+        self.fresh.clear();
+        for &face in &scratch.starts {
+            self.leave(mesh, scratch, face, NONE);
+            for v in mesh.corners(face) {
+                see(v.number(), distance(start.point, mesh.point(v)));
+            }
+        }
+        loop {
+            while let Some(node) = self.fresh.pop() {
+                let (root, [right, left]) = (self.point(mesh, node.root), posts(mesh, &node));
+                let part = if node.flags & AT_POST != 0 {
+                    [0.0, 1.0]
+                } else {
+                    seen(&node, [right, left], |v| self.point(mesh, v))
+                };
+                let ends = part.map(|t| between(right, left, t));
+                let nearest = node.length + distance(root, closest_on(ends, root));
+                if nearest <= limit {
+                    scratch.push(nearest, self.nodes.len() as u32);
+                    self.nodes.push(node);
+                }
+            }
+            let Some(Reverse((_, i))) = scratch.queue.pop() else { return };
+            scratch.work.pops += 1;
+            let node = self.nodes[i as usize];
+            if self.is_outdone(scratch, &node) {
+                continue;
+            }
+            scratch.work.expansions += 1;
+            for v in mesh.corners(FaceId::new(node.face)) {
+                if let Some(length) = self.length_to(mesh, &node, mesh.point(v)) {
+                    see(v.number(), length);
+                }
+            }
+            self.expand(mesh, scratch, i, &node);
+        }
     }
 
     /// The length of the shortest way to the goal, which lies in the face behind the door, through the cone; `None`

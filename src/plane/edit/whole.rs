@@ -12,7 +12,7 @@ use crate::topology::{Journal, Recorder};
 impl Subdivision {
     /// Runs `edit`; if it fails, everything is bit for bit as before. Copies rings and hole flags, and if any vertex
     /// was removed before, positions.
-    pub(super) fn all_or_nothing<T, E>(
+    pub(crate) fn all_or_nothing<T, E>(
         &mut self,
         rec: &mut impl Recorder,
         edit: impl FnOnce(&mut Self, &mut Journal) -> Result<T, E>,

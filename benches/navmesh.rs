@@ -1,0 +1,199 @@
+//! Ways over maps, against crate polyanya.
+//!
+//! `cargo bench --bench navmesh` makes two maps of more than 30,000 triangles, caves on a grid and a plain with convex
+//! blocks, and, if the folder `../shared/data` is there, reads the map O15. On each it locates random points and
+//! answers queries by every rung; peer and kit take turns, query by query, and the least of several rounds counts.
+//! The peer searches the same triangles, and its own merged polygons.
+
+use dcel_kit::HalfEdgeId;
+use dcel_kit::io::{Grid, Scenario};
+use dcel_kit::navmesh::{Location, NavMesh, Planner, Rung};
+use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
+use dcel_kit_benches::Random;
+use glam::Vec2;
+use std::hint::black_box;
+use std::time::Instant;
+
+const POINTS: usize = 50_000;
+const QUERIES: usize = 150;
+const ROUNDS: usize = 3;
+
+type Ends = (Point, Point);
+
+fn main() {
+    let mut random = Random::new(5);
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data/O15-gppc-acrossthecape/AcrosstheCape.map");
+    if let (Ok(map), Ok(queries)) = (std::fs::read(folder), std::fs::read(format!("{folder}.scen"))) {
+        let grid = Grid::parse(&map, "O15").expect("a map");
+        let scenario = Scenario::parse(&queries, "O15").expect("its queries");
+        let up = |p: Point| Point::new(p.x, -p.y);
+        let queries = scenario.queries.iter().map(|query| (up(query.start), up(query.goal))).collect();
+        measure("O15", triangles(grid.regions().expect("regions")), Some(queries), &mut random);
+    }
+    measure("caves", triangles(caves(400, &mut random).regions().expect("regions")), None, &mut random);
+    measure("blocks", blocks(75, &mut random), None, &mut random);
+}
+
+fn triangles(mut map: Subdivision) -> Subdivision {
+    map.triangulate(TriangulationMethod::Monotone).expect("regions are simple");
+    map
+}
+
+/// A grid of random cells, smoothed twice: a cell is open if five of its neighbourhood are.
+fn caves(size: usize, random: &mut Random) -> Grid {
+    let mut open: Vec<bool> = (0..size * size).map(|_| random.unit() < 0.55).collect();
+    for _ in 0..2 {
+        let before = open.clone();
+        let at = |x: usize, y: usize| x > 0 && y > 0 && x <= size && y <= size && before[(y - 1) * size + x - 1];
+        for y in 0..size {
+            for x in 0..size {
+                let around = (0..9).filter(|i| at(x + i % 3, y + i / 3)).count();
+                open[y * size + x] = around >= 5;
+            }
+        }
+    }
+    let mut text = format!("type octile\nheight {size}\nwidth {size}\nmap\n");
+    for row in open.chunks(size) {
+        text.extend(row.iter().map(|&open| if open { '.' } else { '@' }));
+        text.push('\n');
+    }
+    Grid::parse(text.as_bytes(), "caves").expect("a map")
+}
+
+/// A square with convex blocks in three of four cells; coordinates fit into single precision.
+fn blocks(size: usize, random: &mut Random) -> Subdivision {
+    let width = 4.0 * size as f64;
+    let mut points: Vec<Point> = [(0., 0.), (width, 0.), (width, width), (0., width)].map(Point::from).to_vec();
+    let mut edges = vec![[0, 1], [1, 2], [2, 3], [3, 0]];
+    for cell in 0..size * size {
+        if random.unit() > 0.75 {
+            continue;
+        }
+        let [x, y] = [cell % size, cell / size].map(|i| 4.0 * i as f64 + 2.0);
+        let (corners, turn, radius) = (4 + random.below(5), random.unit(), 0.8 + random.unit());
+        let first = points.len() as u32;
+        for i in 0..corners {
+            let (sin, cos) = (turn + std::f64::consts::TAU * i as f64 / corners as f64).sin_cos();
+            points.push(Point::new(f64::from((x + radius * cos) as f32), f64::from((y + radius * sin) as f32)));
+        }
+        let corners = corners as u32;
+        edges.extend((0..corners).map(|i| [first + i, first + (i + 1) % corners]));
+    }
+    let mut map = Subdivision::from_graph(&points, &edges).expect("blocks do not touch");
+    for i in 4..edges.len() as u32 {
+        let inside = map.face(HalfEdgeId::new(2 * i));
+        map.set_hole(inside, true);
+    }
+    triangles(map)
+}
+
+/// The same triangles for the peer.
+fn peer(map: &Subdivision, mesh: &NavMesh) -> polyanya::Mesh {
+    let mut numbers = vec![u32::MAX; mesh.face_bound()];
+    mesh.faces().enumerate().for_each(|(i, f)| numbers[f.index()] = i as u32);
+    let vertices = (0..mesh.vertex_bound() as u32).map(dcel_kit::VertexId::new).map(|v| {
+        let p = mesh.point(v);
+        let mut around: Vec<u32> = map.incident_faces(v).map(|f| numbers[f.index()]).collect();
+        around.dedup();
+        if around.len() > 1 && around.first() == around.last() {
+            around.pop();
+        }
+        polyanya::Vertex::new(Vec2::new(p.x as f32, p.y as f32), around)
+    });
+    let polygons = mesh.faces().map(|f| {
+        let one_way = mesh.neighbours(f).count() <= 1;
+        polyanya::Polygon::new(mesh.corners(f).map(|v| v.number()).collect(), one_way)
+    });
+    let mut peer = polyanya::Mesh::new(vertices.collect(), polygons.collect()).expect("a mesh");
+    peer.bake();
+    peer
+}
+
+fn vec(p: Point) -> Vec2 {
+    Vec2::new(p.x as f32, p.y as f32)
+}
+
+/// The seconds a call takes, if they are less than `least`.
+fn timed<T>(least: &mut f64, run: impl FnOnce() -> T) -> T {
+    let start = Instant::now();
+    let answer = black_box(run());
+    *least = least.min(start.elapsed().as_secs_f64());
+    answer
+}
+
+fn measure(name: &str, map: Subdivision, queries: Option<Vec<Ends>>, random: &mut Random) {
+    let mesh = NavMesh::new(&map).expect("triangles");
+    let whole = peer(&map, &mesh);
+    let mut merged = peer(&map, &mesh);
+    for layer in &mut merged.layers {
+        while layer.merge_polygons() {}
+    }
+    merged.bake();
+    let dead_ends = mesh.faces().filter(|&f| mesh.is_dead_end(f)).count();
+    println!(
+        "{name}: {} triangles, {dead_ends} dead ends, {:.1} bytes a triangle; merged by the peer: {} polygons",
+        mesh.face_count(),
+        mesh.memory() as f64 / mesh.face_count() as f64,
+        merged.layers[0].polygons.len()
+    );
+    let inside = locate(&mesh, &whole, random);
+    let queries = queries.unwrap_or_else(|| pairs(&mesh, &inside));
+    routes(&mesh, &[whole, merged], &queries);
+}
+
+/// Points of one component, two by two.
+fn pairs(mesh: &NavMesh, inside: &[Point]) -> Vec<Ends> {
+    let component = |p| mesh.place(p).ok().and_then(|place| mesh.component(place.face));
+    let joined = inside.chunks_exact(2).filter(|pair| component(pair[0]) == component(pair[1]));
+    joined.map(|pair| (pair[0], pair[1])).take(QUERIES).collect()
+}
+
+/// Locates random points; returns those inside.
+fn locate(mesh: &NavMesh, peer: &polyanya::Mesh, random: &mut Random) -> Vec<Point> {
+    let corners = || mesh.faces().flat_map(|f| mesh.corners(f)).map(|v| mesh.point(v));
+    let least = |of: fn(Point) -> f64| corners().map(of).fold(f64::INFINITY, f64::min);
+    let ([left, right], [low, high]) = ([least(|p| p.x), -least(|p| -p.x)], [least(|p| p.y), -least(|p| -p.y)]);
+    let mut point = || Point::new(left + (right - left) * random.unit(), low + (high - low) * random.unit());
+    let points: Vec<Point> = (0..POINTS).map(|_| point()).collect();
+    let is_inside = |p: &Point| matches!(mesh.locate(*p), Location::Face(_));
+    let inside: Vec<Point> = points.iter().copied().filter(is_inside).collect();
+    for (what, points) in [("anywhere", &points), ("inside", &inside)] {
+        let mut least = [f64::INFINITY; 2];
+        for _ in 0..ROUNDS {
+            timed(&mut least[0], || points.iter().filter(|p| is_inside(p)).count());
+            timed(&mut least[1], || points.iter().filter(|p| peer.point_in_mesh(vec(**p))).count());
+        }
+        let [ours, theirs] = least.map(|time| time * 1e9 / points.len() as f64);
+        println!("  points {what}: {ours:.0} ns, peer {theirs:.0} ns, share {:.3}", ours / theirs);
+    }
+    inside
+}
+
+fn routes(mesh: &NavMesh, peers: &[polyanya::Mesh; 2], queries: &[Ends]) {
+    let mut planner = Planner::new();
+    let mut least = vec![[f64::INFINITY; 7]; queries.len()];
+    let mut lengths = vec![[0.0; 5]; queries.len()];
+    for _ in 0..ROUNDS {
+        for (i, &(start, goal)) in queries.iter().enumerate() {
+            for (k, rung) in Rung::ALL.into_iter().enumerate() {
+                let route = timed(&mut least[i][k], || planner.route_between(mesh, rung, start, goal));
+                lengths[i][k] = route.expect("one component").length;
+            }
+            for (k, peer) in peers.iter().enumerate() {
+                timed(&mut least[i][5 + k], || peer.path(vec(start), vec(goal)));
+            }
+        }
+    }
+    let mean = |k: usize| least.iter().map(|times| times[k]).sum::<f64>() * 1e6 / queries.len() as f64;
+    println!("  {} routes; peer {:.0} us, merged {:.0} us", queries.len(), mean(5), mean(6));
+    for (k, rung) in Rung::ALL.into_iter().enumerate() {
+        let ratio = lengths.iter().map(|lengths| lengths[k] / lengths[4]).sum::<f64>() / queries.len() as f64;
+        println!(
+            "  {:10} {:8.1} us, share {:.3}, of merged {:.3}, mean length ratio {ratio:.4}",
+            rung.name(),
+            mean(k),
+            mean(k) / mean(5),
+            mean(k) / mean(6)
+        );
+    }
+}

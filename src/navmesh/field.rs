@@ -1,0 +1,53 @@
+//! How far everything is from one place.
+//!
+//! ```text
+//!        3.6 ●──────● 5.1       The shortest ways to all vertices, and so what can be reached within a length.
+//!           ╱ ╲   ╱
+//!      s · ●───● 2.2            At a double corner the nearer of its wedges counts.
+//! ```
+
+use super::{NavMesh, Place, Work};
+use crate::ids::{FaceId, VertexId, VertexMap};
+
+/// The lengths of the shortest ways from a place to the vertices of the mesh.
+#[derive(Clone, PartialEq, Debug)]
+pub struct DistanceField {
+    /// The length to each vertex; infinite if it is further than the limit.
+    lengths: VertexMap<f64>,
+    limit: f64,
+    start: Place,
+    /// What it took.
+    pub work: Work,
+}
+
+impl DistanceField {
+    pub(super) fn new(mesh: &NavMesh, start: &Place, limit: f64) -> Self {
+        let lengths = VertexMap::filled(mesh.vertex_bound(), f64::INFINITY);
+        Self { lengths, limit, start: *start, work: Work::default() }
+    }
+
+    pub(super) fn see(&mut self, v: u32, length: f64) {
+        let least = &mut self.lengths[VertexId::new(v)];
+        if length < *least && length <= self.limit {
+            *least = length;
+        }
+    }
+
+    /// Where the ways start.
+    #[must_use]
+    pub fn start(&self) -> &Place {
+        &self.start
+    }
+
+    /// The length of the shortest way to `v`; `None` if there is no vertex, no way, or none within the limit.
+    #[must_use]
+    pub fn distance(&self, v: VertexId) -> Option<f64> {
+        self.lengths.get(v).copied().filter(|length| length.is_finite())
+    }
+
+    /// The faces of which every corner can be reached within the limit, in the order of their numbers.
+    pub fn faces_within<'a>(&'a self, mesh: &'a NavMesh) -> impl Iterator<Item = FaceId> + 'a {
+        let reached = move |f: &FaceId| mesh.is_walkable(*f) && mesh.corners(*f).all(|v| self.distance(v).is_some());
+        mesh.faces().filter(reached)
+    }
+}

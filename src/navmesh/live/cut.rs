@@ -1,0 +1,87 @@
+//! Cutting faces until they are convex, after something was cut into them.
+//!
+//! ```text
+//!   ┌─────────┐      a corner that turns the wrong way, or the free end of a wall, is cut off by the first diagonal
+//!   │    ●────┤      that fits; something inside a face is first tied to its boundary by an edge
+//!   │  ╱      │
+//!   └─────────┘
+//! ```
+
+use super::ObstacleError;
+use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId};
+use crate::navmesh::mesh::turns_left_or_runs_straight;
+use crate::plane::Subdivision;
+use crate::topology::{Change, Journal, Ring, Slot};
+use std::collections::BTreeSet;
+
+/// Makes every face convex that the changes in the journal have left otherwise, and hole faces of the bounded pieces
+/// of the outer face.
+pub(super) fn cut(map: &mut Subdivision, rec: &mut Journal) -> Result<(), ObstacleError> {
+    let mut faces: Vec<FaceId> = Vec::new();
+    for change in rec.changes().to_vec() {
+        match change {
+            Change::Write { slot: Slot::Face(_), old: Some(Element::Face(old)), new: Some(Element::Face(new)) }
+                if old == map.outer_face() =>
+            {
+                map.set_hole(new, true);
+            }
+            Change::Write { slot: Slot::Next(h), .. } => faces.extend([map.face(h), map.face(h.twin())]),
+            _ => {}
+        }
+    }
+    faces.sort_unstable();
+    faces.dedup();
+    faces.retain(|&f| f != map.outer_face() && !map.is_hole(f));
+    while let Some(face) = faces.pop() {
+        if let Some(&ring) = map.rings(face).first() {
+            tie(map, face, ring, rec)?;
+            faces.push(face);
+        } else if let Some(corner) = wrong_corner(map, face) {
+            let others: Vec<HalfEdgeId> = map.cycle(corner).collect();
+            let fit = others.into_iter().find(|&h| map.can_split_face(corner, h).is_ok());
+            let split = fit.and_then(|h| map.split_face_with(corner, h, rec).ok());
+            let (_, new) = split.ok_or(ObstacleError::Concave { face })?;
+            faces.extend([face, new]);
+        }
+    }
+    Ok(())
+}
+
+/// A half-edge of the face at whose origin the boundary turns the wrong way.
+fn wrong_corner(map: &Subdivision, face: FaceId) -> Option<HalfEdgeId> {
+    map.incident_half_edges(face).find(|&h| {
+        let corner = [map.origin(map.prev(h)), map.origin(h), map.destination(h)];
+        !turns_left_or_runs_straight(corner.map(|v| map.point(v)))
+    })
+}
+
+/// Joins something inside a face to its boundary by an edge.
+fn tie(map: &mut Subdivision, face: FaceId, ring: Ring, rec: &mut Journal) -> Result<(), ObstacleError> {
+    let inner: Vec<_> = match ring {
+        Ring::Cycle(h) => map.cycle(h).map(|h| map.origin(h)).collect(),
+        Ring::Isolated(v) => vec![v],
+    };
+    let outer: Vec<_> = map.incident_vertices(face).collect();
+    let pairs = inner.iter().flat_map(|&v| outer.iter().map(move |&w| [v, w]));
+    let fit = pairs.into_iter().find(|&[v, w]| map.can_insert_edge(v, w).is_ok());
+    let [v, w] = fit.ok_or(ObstacleError::Concave { face })?;
+    map.insert_edge_with(v, w, rec).map(drop).map_err(|_| ObstacleError::Concave { face })
+}
+
+/// The bounded faces inside a border: those on its left, and what hangs together with them without crossing it.
+pub(super) fn inside(map: &Subdivision, border: &[HalfEdgeId]) -> BTreeSet<FaceId> {
+    let edges: BTreeSet<EdgeId> = border.iter().map(|h| h.edge()).collect();
+    let mut inside: BTreeSet<FaceId> = border.iter().map(|&h| map.face(h)).collect();
+    let mut stack: Vec<FaceId> = inside.iter().copied().collect();
+    while let Some(f) = stack.pop() {
+        let sides = map.cycles(f).flat_map(|h| map.cycle(h));
+        for h in sides.filter(|h| !edges.contains(&h.edge())) {
+            let next = map.face(h.twin());
+            if inside.insert(next) {
+                stack.push(next);
+            }
+        }
+    }
+    inside.remove(&map.outer_face());
+    inside
+}

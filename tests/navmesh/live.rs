@@ -1,0 +1,186 @@
+//! Obstacles come and go: what is brought up to date near the cut is what building anew finds.
+
+use crate::maps::{Map, Random};
+use crate::routes::is_close;
+use dcel_kit::navmesh::{LiveMesh, NavMesh, ObstacleError, ObstacleId, Planner, RouteError, Rung};
+use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
+use dcel_kit::{FaceId, HalfEdgeId};
+
+fn at(x: f64, y: f64) -> Point {
+    Point::new(x, y)
+}
+
+/// The navmesh of the map of `live`, built anew, with everything closed that is closed there.
+fn anew(live: &LiveMesh) -> NavMesh {
+    let mut mesh = NavMesh::new(live.map()).expect("the map stays one of convex faces");
+    for f in live.map().faces().filter(|&f| live.mesh().has_face(f)) {
+        for h in live.map().incident_half_edges(f) {
+            if live.mesh().is_wall(h.edge()) {
+                mesh.set_wall(f, h.edge(), true);
+            }
+        }
+        if live.mesh().is_blocked(f) {
+            mesh.block(f);
+        }
+    }
+    mesh
+}
+
+/// Faces, neighbours, components, locations and lengths agree.
+fn check(live: &LiveMesh, planner: &mut Planner, random: &mut Random, width: f64, context: &str) {
+    let (mesh, fresh) = (live.mesh(), anew(live));
+    assert!(mesh.faces().eq(fresh.faces()), "{context}: faces");
+    assert_eq!(mesh.component_count(), fresh.component_count(), "{context}: components");
+    for f in mesh.faces() {
+        assert!(mesh.sides(f).eq(fresh.sides(f)), "{context}: sides of {f}");
+        let size = |mesh: &NavMesh| mesh.component(f).map(|c| mesh.component_faces(c).count());
+        assert_eq!(size(mesh), size(&fresh), "{context}: component of {f}");
+        for v in mesh.corners(f) {
+            let sorted = |mesh: &NavMesh| {
+                let mut wedges = mesh.wedges(v);
+                wedges.iter_mut().for_each(|wedge| wedge.sort_unstable());
+                wedges.sort_unstable();
+                wedges
+            };
+            assert_eq!(sorted(mesh), sorted(&fresh), "{context}: {v}");
+        }
+    }
+    for _ in 0..12 {
+        let [a, b] = [(); 2].map(|()| at(random.unit() * width, random.unit() * width));
+        assert_eq!(mesh.locate(a), fresh.locate(a), "{context}: {a}");
+        let length = |mesh: &NavMesh, planner: &mut Planner| {
+            planner.route_between(mesh, Rung::Exact, a, b).ok().map(|route| route.length)
+        };
+        match (length(mesh, planner), length(&fresh, planner)) {
+            (Some(x), Some(y)) => assert!(is_close(x, y), "{context}: {a} -> {b}: {x} but {y}"),
+            (x, y) => assert_eq!(x, y, "{context}: {a} -> {b}"),
+        }
+    }
+}
+
+#[test]
+fn walls_and_obstacles_that_come_and_go_leave_what_building_anew_finds() {
+    let mut planner = Planner::new();
+    for seed in 0..12 {
+        let map = Map::random(seed, 4, 0.9, [0.0, 0.4][seed as usize % 2]);
+        let mut live = LiveMesh::new(map.subdivision()).expect("triangles");
+        let mut random = Random::new(seed + 6000);
+        let mut inside: Vec<ObstacleId> = Vec::new();
+        for step in 0..10 {
+            let context = format!("seed {seed}, step {step}");
+            let [p, q] = [(); 2].map(|()| at(random.unit() * 4.0, random.unit() * 4.0));
+            match random.below(5) {
+                0 | 1 => inside.push(live.insert_wall(p, q).unwrap_or_else(|error| panic!("{context}: {error}"))),
+                2 | 3 => {
+                    let size = 0.2 + random.unit();
+                    let corners = [p, at(p.x + size, p.y + 0.1), at(p.x + size / 2.0, p.y + size)];
+                    inside.push(live.insert_obstacle(&corners).unwrap_or_else(|error| panic!("{context}: {error}")));
+                }
+                _ if !inside.is_empty() => {
+                    let gone = inside.swap_remove(random.below(inside.len()));
+                    live.remove(gone).unwrap_or_else(|error| panic!("{context}: {error}"));
+                    assert_eq!(live.remove(gone), Err(ObstacleError::NoSuchObstacle { obstacle: gone }));
+                }
+                _ => {}
+            }
+            assert_eq!(live.map().geometry_violations(), [], "{context}");
+            check(&live, &mut planner, &mut random, 4.0, &context);
+        }
+        // All taken out: the lengths are those of the map as it was.
+        inside.into_iter().for_each(|obstacle| live.remove(obstacle).expect("in the map"));
+        assert!(live.obstacles().is_empty());
+        let before = map.mesh();
+        assert_eq!(live.mesh().component_count(), before.component_count(), "seed {seed}");
+        for _ in 0..10 {
+            let [a, b] = [(); 2].map(|()| at(random.unit() * 4.0, random.unit() * 4.0));
+            let mut length = |mesh: &NavMesh| planner.route_between(mesh, Rung::Exact, a, b).ok().map(|r| r.length);
+            match (length(&before), length(live.mesh())) {
+                // A rounded crossing bends an edge by a last place, and the border with it.
+                (Some(x), Some(y)) => assert!(is_close(x, y), "seed {seed}: {a} -> {b}: {x} but {y}"),
+                (x, y) => assert_eq!(x, y, "seed {seed}: {a} -> {b}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn obstacles_are_as_if_they_had_been_holes_from_the_beginning() {
+    let mut planner = Planner::new();
+    for seed in 0..10 {
+        let mut random = Random::new(seed + 7000);
+        let corners = [at(0., 0.), at(9., 0.), at(9., 9.), at(0., 9.)];
+        let mut live = LiveMesh::new(Subdivision::polygon(&corners).expect("a square")).expect("convex");
+        let (mut points, mut edges) = (corners.to_vec(), vec![[0, 1], [1, 2], [2, 3], [3, 0]]);
+        for i in 0..9 {
+            let [x, y] = [i % 3, i / 3].map(|k| 3.0 * f64::from(k) + 1.5);
+            let turn = random.unit();
+            let obstacle: Vec<Point> = (0..5)
+                .map(|k| (turn + std::f64::consts::TAU * f64::from(k) / 5.0).sin_cos())
+                .map(|(sin, cos)| at(x + 1.3 * cos, y + 1.3 * sin))
+                .collect();
+            live.insert_obstacle(&obstacle).unwrap_or_else(|error| panic!("seed {seed}: {error}"));
+            let first = points.len() as u32;
+            points.extend(&obstacle);
+            edges.extend((0..5).map(|k| [first + k, first + (k + 1) % 5]));
+        }
+        let mut s = Subdivision::from_graph(&points, &edges).expect("disjoint");
+        for i in 0..9 {
+            let inner = s.face(HalfEdgeId::new(2 * (4 + 5 * i)));
+            s.set_hole(inner, true);
+        }
+        s.triangulate(TriangulationMethod::Ears).expect("a square with holes");
+        let mesh = NavMesh::new(&s).expect("triangles");
+        for _ in 0..25 {
+            let [a, b] = [(); 2].map(|()| at(random.unit() * 9.0, random.unit() * 9.0));
+            let mut length = |mesh: &NavMesh| planner.route_between(mesh, Rung::Exact, a, b).ok().map(|r| r.length);
+            match (length(&mesh), length(live.mesh())) {
+                (Some(x), Some(y)) => assert!(is_close(x, y), "seed {seed}: {a} -> {b}: {x} but {y}"),
+                (x, y) => assert_eq!(x, y, "seed {seed}: {a} -> {b}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn a_wall_has_two_sides_and_ends_that_are_turned_round() {
+    let corners = [at(0., 0.), at(8., 0.), at(8., 4.), at(0., 4.)];
+    let mut live = LiveMesh::new(Subdivision::polygon(&corners).expect("a hall")).expect("convex");
+    let wall = live.insert_wall(at(4., 1.), at(4., 3.)).expect("inside the hall");
+    let mut planner = Planner::new();
+    let [left, right] = [3.0, 5.0].map(|x| live.mesh().place(at(x, 2.)).expect("free"));
+    let route = planner.route(live.mesh(), Rung::Exact, &left, &right).expect("round an end");
+    assert!(is_close(route.length, 2.0 * 2f64.sqrt()), "{}", route.length);
+    // On the wall one stands on one of its sides; from one to the other is a way.
+    let on_wall = at(4., 2.);
+    assert!(live.mesh().place(on_wall).is_err());
+    let sides: Vec<FaceId> = live.mesh().faces().filter(|&f| live.mesh().place_in(f, on_wall).is_ok()).collect();
+    assert_eq!(sides.len(), 2);
+    let [one, other] = [0, 1].map(|i| live.mesh().place_in(sides[i], on_wall).expect("a side"));
+    assert!(is_close(planner.route(live.mesh(), Rung::Exact, &one, &other).expect("round").length, 2.0));
+    // From wall to wall the hall falls apart, and together again.
+    let upper = live.insert_wall(at(4., 3.), at(4., 4.)).expect("to the border");
+    let lower = live.insert_wall(at(4., 0.), at(4., 1.)).expect("to the border");
+    assert_eq!(live.mesh().component_count(), 2);
+    assert!(matches!(planner.route(live.mesh(), Rung::Exact, &left, &right), Err(RouteError::Apart { .. })));
+    for obstacle in [upper, wall, lower] {
+        live.remove(obstacle).expect("in the map");
+        assert_eq!(live.mesh().component_count(), 1);
+    }
+    assert!(is_close(
+        planner.route_between(live.mesh(), Rung::Exact, at(3., 2.), at(5., 2.)).expect("free").length,
+        2.0
+    ));
+}
+
+#[test]
+fn bad_obstacles_change_nothing() {
+    let map = Map::random(2, 3, 1.0, 0.3).subdivision();
+    let mut live = LiveMesh::new(map.clone()).expect("triangles");
+    let [a, b, c] = [at(1., 1.), at(2., 1.), at(1., 2.)];
+    assert!(matches!(live.insert_wall(a, a), Err(ObstacleError::Side { side: 0, .. })));
+    assert!(matches!(live.insert_wall(a, at(f64::NAN, 0.)), Err(ObstacleError::Side { .. })));
+    assert!(matches!(live.insert_obstacle(&[a, c, b]), Err(ObstacleError::Polygon(_))), "clockwise");
+    assert!(matches!(live.insert_obstacle(&[a, b]), Err(ObstacleError::Polygon(_))));
+    assert!(matches!(live.remove(ObstacleId(0)), Err(ObstacleError::NoSuchObstacle { .. })));
+    assert_eq!(live.map(), &map);
+}

@@ -1,0 +1,88 @@
+//! How far everything is, and where a wide agent fits.
+
+use crate::maps::{Map, Random};
+use crate::oracle::{Node, Oracle};
+use crate::routes::{is_close, place};
+use dcel_kit::VertexId;
+use dcel_kit::navmesh::{NavMesh, Planner, RouteError, Rung};
+use dcel_kit::plane::{Point, Subdivision};
+
+#[test]
+fn the_field_has_the_length_of_the_shortest_way_to_every_vertex() {
+    let mut planner = Planner::new();
+    for seed in 0..40 {
+        let map = Map::random(seed, 2 + seed as usize % 3, 0.7, [0.0, 0.6][seed as usize % 2]);
+        let (mesh, oracle) = (map.mesh(), Oracle::all_free(&map));
+        let mut random = Random::new(seed + 8000);
+        let t = random.below(map.triangles.len());
+        let start = Oracle::inner_node(map.inside(t, &mut random), t);
+        let goals: Vec<Node> = oracle.vertex_nodes();
+        let lengths = oracle.distances(&start, &goals);
+        let limit = 2.0 + random.unit();
+        let whole = planner.distance_field(&mesh, &place(&mesh, &start), f64::INFINITY);
+        let part = planner.distance_field(&mesh, &place(&mesh, &start), limit);
+        for v in 0..map.points.len() as u32 {
+            // At a double corner the nearer wedge counts.
+            let here = goals.iter().zip(&lengths).filter(|(goal, _)| goal.point == map.points[v as usize]);
+            let least = here.filter_map(|(_, length)| *length).min_by(f64::total_cmp);
+            let within = least.filter(|&length| length <= limit);
+            for (field, expected) in [(&whole, least), (&part, within)] {
+                match (field.distance(VertexId::new(v)), expected) {
+                    (Some(x), Some(y)) => assert!(is_close(x, y), "seed {seed}: v{v}: {x} but {y}"),
+                    (x, y) => assert_eq!(x, y, "seed {seed}: v{v}, limit {limit}"),
+                }
+            }
+        }
+        assert!(
+            part.faces_within(&mesh).all(|f| mesh.corners(f).all(|v| part.distance(v).is_some_and(|d| d <= limit)))
+        );
+    }
+}
+
+/// Two rooms joined by a narrow gap below and a wide one above.
+fn two_gaps() -> NavMesh {
+    let at = |x: f64, y: f64| Point::new(x, y);
+    let walls = [[at(5., 0.), at(6., 0.), at(6., 1.), at(5., 1.)], [at(5., 2.), at(6., 2.), at(6., 7.), at(5., 7.)]];
+    let mut points = vec![at(0., 0.), at(5., 0.), at(6., 0.), at(11., 0.), at(11., 10.), at(0., 10.)];
+    let mut edges = vec![[0, 1], [1, 2], [2, 3], [3, 4], [4, 5], [5, 0]];
+    let first = points.len() as u32;
+    points.extend([walls[0][2], walls[0][3]]);
+    edges.extend([[2, first], [first, first + 1], [first + 1, 1]]);
+    let second = points.len() as u32;
+    points.extend(walls[1]);
+    edges.extend((0..4).map(|k| [second + k, second + (k + 1) % 4]));
+    let mut s = Subdivision::from_graph(&points, &edges).expect("two blocks");
+    for (x, y) in [(5.5, 0.5), (5.5, 4.5)] {
+        let inside = s.faces().skip(1).find(|&f| {
+            let corners: Vec<Point> = s.incident_vertices(f).map(|v| s.point(v)).collect();
+            corners.len() == 4 && corners.iter().all(|p| (p.x - x).abs() <= 0.5 && (p.y - y).abs() <= 2.5)
+        });
+        s.set_hole(inside.expect("a block"), true);
+    }
+    s.triangulate(dcel_kit::plane::TriangulationMethod::Monotone).expect("rooms");
+    NavMesh::new(&s).expect("triangles")
+}
+
+#[test]
+fn a_wide_agent_takes_the_wide_gap_and_a_very_wide_one_none() {
+    let mesh = two_gaps();
+    let mut planner = Planner::new();
+    let [start, goal] = [(2.0, 1.5), (9.0, 1.5)].map(|p| mesh.place(p.into()).expect("free"));
+    let thin = planner.route(&mesh, Rung::Exact, &start, &goal).expect("straight");
+    assert!(is_close(thin.length, 7.0));
+    let point = planner.wide_route(&mesh, 0.0, &start, &goal).expect("as a point");
+    assert!(point.length >= thin.length - 1e-9);
+    // 0.6 does not fit through the gap of 1.
+    let wide = planner.wide_route(&mesh, 0.6, &start, &goal).expect("through the upper gap");
+    assert!(wide.points.iter().any(|p| p.y >= 7.0), "{:?}", wide.points);
+    assert!(wide.length > 12.0 && wide.corners.is_empty());
+    // Off every post of every door.
+    for portal in wide.portals(&mesh) {
+        for v in [portal.left, portal.right] {
+            let p = mesh.point(v);
+            assert!(wide.points[1..wide.points.len() - 1].iter().all(|q| (q.x - p.x).hypot(q.y - p.y) >= 0.6 - 1e-9));
+        }
+    }
+    let error = planner.wide_route(&mesh, 4.0, &start, &goal).expect_err("no gap is 8 wide");
+    assert!(matches!(error, RouteError::TooNarrow { .. }), "{error}");
+}
