@@ -10,9 +10,9 @@ use dcel_kit::plane::Point;
 use dcel_kit::plane::predicates::{left_to_right, orientation};
 
 /// The free triangles of a map and what follows from them.
-pub struct Oracle<'a> {
+pub(crate) struct Oracle<'a> {
     map: &'a Map,
-    pub free: Vec<bool>,
+    pub(crate) free: Vec<bool>,
     /// Sides of free triangles that no other free triangle has.
     borders: Vec<[u32; 2]>,
     /// (vertex, free triangles of one wedge)
@@ -21,15 +21,15 @@ pub struct Oracle<'a> {
 
 /// A node of the visibility graph.
 #[derive(Clone, Debug)]
-pub struct Node {
-    pub point: Point,
+pub(crate) struct Node {
+    pub(crate) point: Point,
     /// The triangles one stands in there.
-    pub triangles: Vec<usize>,
+    pub(crate) triangles: Vec<usize>,
     vertex: Option<u32>,
 }
 
 impl<'a> Oracle<'a> {
-    pub fn new(map: &'a Map, free: Vec<bool>) -> Self {
+    pub(crate) fn new(map: &'a Map, free: Vec<bool>) -> Self {
         let mut oracle = Self { map, free, borders: Vec::new(), wedges: Vec::new() };
         for t in oracle.free_triangles().collect::<Vec<_>>() {
             for side in sides(map.triangles[t]) {
@@ -57,25 +57,25 @@ impl<'a> Oracle<'a> {
         oracle
     }
 
-    pub fn all_free(map: &'a Map) -> Self {
+    pub(crate) fn all_free(map: &'a Map) -> Self {
         Self::new(map, vec![true; map.triangles.len()])
     }
 
-    pub fn free_triangles(&self) -> impl Iterator<Item = usize> + '_ {
+    pub(crate) fn free_triangles(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.free.len()).filter(|&t| self.free[t])
     }
 
     /// The free triangle on the other side of a side.
-    pub fn across(&self, t: usize, [a, b]: [u32; 2]) -> Option<usize> {
+    pub(crate) fn across(&self, t: usize, [a, b]: [u32; 2]) -> Option<usize> {
         self.free_triangles().find(|&u| u != t && sides(self.map.triangles[u]).contains(&[b, a]))
     }
 
-    pub fn neighbours(&self, t: usize) -> Vec<usize> {
+    pub(crate) fn neighbours(&self, t: usize) -> Vec<usize> {
         sides(self.map.triangles[t]).into_iter().filter_map(|side| self.across(t, side)).collect()
     }
 
     /// All nodes at vertices.
-    pub fn vertex_nodes(&self) -> Vec<Node> {
+    pub(crate) fn vertex_nodes(&self) -> Vec<Node> {
         let node = |(v, triangles): &(u32, Vec<usize>)| Node {
             point: self.map.points[*v as usize],
             triangles: triangles.clone(),
@@ -84,7 +84,7 @@ impl<'a> Oracle<'a> {
         self.wedges.iter().map(node).collect()
     }
 
-    pub fn inner_node(point: Point, triangle: usize) -> Node {
+    pub(crate) fn inner_node(point: Point, triangle: usize) -> Node {
         Node { point, triangles: vec![triangle], vertex: None }
     }
 
@@ -111,12 +111,12 @@ impl<'a> Oracle<'a> {
     }
 
     /// The length of the shortest way; `None` if there is none.
-    pub fn shortest(&self, start: &Node, goal: &Node) -> Option<f64> {
+    pub(crate) fn shortest(&self, start: &Node, goal: &Node) -> Option<f64> {
         self.distances(start, std::slice::from_ref(goal))[0]
     }
 
     /// The lengths of the shortest ways to the goals.
-    pub fn distances(&self, start: &Node, goals: &[Node]) -> Vec<Option<f64>> {
+    pub(crate) fn distances(&self, start: &Node, goals: &[Node]) -> Vec<Option<f64>> {
         let mut nodes = self.vertex_nodes();
         nodes.push(start.clone());
         let first_goal = nodes.len();
@@ -141,16 +141,16 @@ impl<'a> Oracle<'a> {
     }
 }
 
-pub fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
+pub(crate) fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
     [[a, b], [b, c], [c, a]]
 }
 
-pub fn distance(a: Point, b: Point) -> f64 {
+pub(crate) fn distance(a: Point, b: Point) -> f64 {
     (b.x - a.x).hypot(b.y - a.y)
 }
 
 /// Of three points on a line, whether `p` is strictly between the others.
-pub fn between(a: Point, p: Point, b: Point) -> bool {
+pub(crate) fn between(a: Point, p: Point, b: Point) -> bool {
     p != a && p != b && left_to_right(a, p) == left_to_right(p, b)
 }
 
@@ -164,7 +164,7 @@ fn cross([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
 }
 
 /// The triangles that closed have the point.
-pub fn triangles_with(map: &Map, p: Point) -> Vec<usize> {
+pub(crate) fn triangles_with(map: &Map, p: Point) -> Vec<usize> {
     let has = |&t: &usize| {
         let [a, b, c] = map.corners(t);
         orientation(a, b, p).is_ge() && orientation(b, c, p).is_ge() && orientation(c, a, p).is_ge()

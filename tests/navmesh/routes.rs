@@ -6,17 +6,17 @@ use dcel_kit::FaceId;
 use dcel_kit::navmesh::{NavMesh, Place, Planner, Route, RouteError, Rung};
 use dcel_kit::plane::Point;
 
-pub fn is_close(a: f64, b: f64) -> bool {
+pub(crate) fn is_close(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-9 * a.abs().max(b.abs())
 }
 
 /// The place of a node: triangle i is f(i + 1).
-pub fn place(mesh: &NavMesh, node: &Node) -> Place {
+pub(crate) fn place(mesh: &NavMesh, node: &Node) -> Place {
     mesh.place_in(FaceId::new(node.triangles[0] as u32 + 1), node.point).expect("the triangle has the node")
 }
 
 /// Ends for queries: points inside triangles and vertices in one of their wedges.
-pub fn ends(map: &Map, oracle: &Oracle, random: &mut Random, count: usize) -> Vec<Node> {
+pub(crate) fn ends(map: &Map, oracle: &Oracle, random: &mut Random, count: usize) -> Vec<Node> {
     let vertices = oracle.vertex_nodes();
     let free: Vec<usize> = oracle.free_triangles().collect();
     let end = |i: usize| {
@@ -45,7 +45,7 @@ fn check_shape(mesh: &NavMesh, route: &Route, start: Point, goal: Point, context
 }
 
 /// Checks all rungs between two nodes.
-pub fn check(mesh: &NavMesh, planner: &mut Planner, oracle: &Oracle, [start, goal]: [&Node; 2], context: &str) {
+pub(crate) fn check(mesh: &NavMesh, planner: &mut Planner, oracle: &Oracle, [start, goal]: [&Node; 2], context: &str) {
     let [from, to] = [start, goal].map(|node| place(mesh, node));
     let expected = oracle.shortest(start, goal);
     for rung in Rung::ALL {
