@@ -140,12 +140,18 @@ fn hulls_that_others_state() {
         assert_eq!(due["hull_corners"].as_u64(), Some(hull(&points).len() as u64), "{name}");
     }
     for i in 1..=5 {
-        let [given, due] = ["in", "out"].map(|side| {
-            let mut points = Vec::new();
-            pairs(&json(&data(&format!("O04-turf/turf-convex/test/{side}/elevation{i}.geojson"))), &mut points);
-            points
+        let file = |side: &str| json(&data(&format!("O04-turf/turf-convex/test/{side}/elevation{i}.geojson")));
+        let mut given = Vec::new();
+        pairs(&file("in"), &mut given);
+        // The answer holds what was given once more, beside the hull.
+        let answer = file("out");
+        let polygons = answer["features"].as_array().unwrap().iter().filter(|f| f["geometry"]["type"] == "Polygon");
+        let mut stated_hulls = polygons.map(|f| {
+            let mut corners = Vec::new();
+            pairs(&f["geometry"], &mut corners);
+            stated(corners)
         });
-        assert_eq!(hull(&given), stated(due), "elevation{i}");
+        assert!(stated_hulls.any(|due| due == hull(&given)), "elevation{i}");
     }
     let mut cases = 0;
     for file in ["TestConvexHull.xml", "TestConvexHull-big.xml"] {
