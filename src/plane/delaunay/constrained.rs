@@ -79,7 +79,7 @@ impl Subdivision {
             faces[made.dcel.face(h).index()] = Some(self.dcel.face(g));
             faces[made.dcel.face(h.twin()).index()] = Some(self.dcel.face(g.twin()));
         }
-        let faces = made.spread_faces(faces, &constrained);
+        let faces = made.spread_faces(faces);
         made.holes = made.dcel.faces().filter(|&f| faces[f] == self.outer_face() || self.is_hole(faces[f])).collect();
         made.holes.remove(&self.outer_face());
         Ok(ConstrainedDelaunay { subdivision: made, constrained, faces })
@@ -150,15 +150,15 @@ impl Subdivision {
         across
     }
 
-    /// Gives every triangle the face of its neighbours across edges that are not constrained. What is left then has
-    /// no constrained edge around it: it lies in the outer face. O(n).
-    fn spread_faces(&self, mut faces: Vec<Option<FaceId>>, constrained: &EdgeMap<bool>) -> FaceMap<FaceId> {
+    /// Gives every triangle without one the face of its neighbours: those beside constrained edges have theirs already,
+    /// so that no face spreads across one. Without any constrained edge all lie in the outer face. O(n).
+    fn spread_faces(&self, mut faces: Vec<Option<FaceId>>) -> FaceMap<FaceId> {
         faces[0] = Some(self.outer_face());
         let mut waiting: Vec<FaceId> = self.dcel.faces().skip(1).filter(|f| faces[f.index()].is_some()).collect();
         while let Some(f) = waiting.pop() {
             for h in self.dcel.incident_half_edges(f) {
                 let beside = self.dcel.face(h.twin());
-                if !constrained[h.edge()] && faces[beside.index()].is_none() {
+                if faces[beside.index()].is_none() {
                     faces[beside.index()] = faces[f.index()];
                     waiting.push(beside);
                 }

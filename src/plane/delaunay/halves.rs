@@ -146,3 +146,27 @@ impl Halves {
         self.link(if prev == from { to } else { prev }, to);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gaps_are_filled_from_the_end_and_the_kept_half_edge_is_followed() {
+        let mut halves = Halves::with_room(4);
+        let first = halves.edge(0, 1);
+        let second = halves.extend(first, 2);
+        let third = halves.extend(second, 3);
+        let fourth = halves.extend(third, 4);
+        halves.remove(first);
+        halves.remove(third);
+        // The second edge is alone now, and the last one, too; it moves to the front.
+        let (half, keep) = halves.without_gaps(fourth ^ 1);
+        assert_eq!((half.len(), keep), (4, 1));
+        assert_eq!([0, 1, 2, 3].map(|h: usize| half[h].origin), [3, 4, 1, 2]);
+        for (h, record) in half.iter().enumerate() {
+            assert_eq!((record.next as usize, record.prev as usize), (h ^ 1, h ^ 1));
+        }
+        assert_eq!(second, 2);
+    }
+}
