@@ -121,6 +121,21 @@ fn a_way_is_told_in_the_coordinates_of_the_file() {
 }
 
 #[test]
+fn wide_agents_keep_off_the_posts_or_find_no_way() {
+    let folder = folder();
+    let length = |more: &str| {
+        let answer = folder.dcel(&format!("navmesh path rooms.map 1 1 22 12 --json {more}")).json();
+        answer["routes"][0]["length"].as_f64().expect("a length")
+    };
+    let (point, thin, wide) = (length("--rung closest"), length("--radius 0"), length("--radius 0.25"));
+    assert!(point.to_bits() == thin.to_bits() && wide > thin, "{point} {thin} {wide}");
+    let told = folder.dcel("navmesh path rooms.map 1 1 22 12 --radius 5");
+    assert!(told.code == Some(1) && told.out.contains("wide enough for an agent of radius 5"), "{told:?}");
+    folder.dcel("navmesh path rooms.map 1 1 2 2 --radius -1").fails(2, "an agent of radius -1", "0.5");
+    folder.dcel("navmesh path rooms.map 1 1 2 2 --radius 1 --rung bfs").fails(2, "cannot be used with", "");
+}
+
+#[test]
 fn no_way_is_proven_and_bad_ends_are_refused() {
     let folder = folder();
     let told = folder.dcel("navmesh path rooms.map 10 14 1 1 -o apart.svg");

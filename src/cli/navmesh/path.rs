@@ -39,6 +39,10 @@ pub(super) struct Args {
     /// How the way is found
     #[arg(long, value_name = "RUNG", default_value = "exact")]
     rung: Which,
+    /// The radius of the agent: its way leads through doors that are wide enough, and keeps off their
+    /// posts; not exact
+    #[arg(long, value_name = "R", conflicts_with = "rung")]
+    radius: Option<f64>,
     /// The face to start from, where gaps touch in the start
     #[arg(long, value_name = "f3")]
     start_face: Option<FaceId>,
@@ -134,7 +138,10 @@ struct Row {
 }
 
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    if args.draw == Draw::Cones && args.rung != Which::Exact {
+    if let Some(radius) = args.radius.filter(|radius| !radius.is_finite() || *radius < 0.0) {
+        return Err(Failure::input(format!("an agent of radius {radius}"), "give a number such as 0.5"));
+    }
+    if args.draw == Draw::Cones && (args.rung != Which::Exact || args.radius.is_some()) {
         return Err(Failure::input("only the exact search has cones", "leave --rung out, or draw the route"));
     }
     if args.draw == Draw::Funnel && args.rung == Which::All {
@@ -152,9 +159,15 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let goal = place(&map, "goal", [x1, y1], args.goal_face)?;
     let mut planner = Planner::new();
     let mut routes: Vec<(Rung, Route)> = Vec::new();
-    for &rung in args.rung.rungs() {
-        match planner.route(&map.mesh, rung, &start, &goal) {
+    let rungs: &[Rung] = if args.radius.is_some() { &[Rung::Closest] } else { args.rung.rungs() };
+    for &rung in rungs {
+        let route = match args.radius {
+            Some(radius) => planner.wide_route(&map.mesh, radius, &start, &goal),
+            None => planner.route(&map.mesh, rung, &start, &goal),
+        };
+        match route {
             Ok(route) => routes.push((rung, route)),
+            Err(error @ RouteError::TooNarrow { .. }) => return too_narrow(args, &map, [start, goal], &error, out),
             Err(RouteError::Apart { start: from, goal: to, .. }) => {
                 return apart(args, &map, [start, goal], [from, to], target.as_ref(), out);
             }
@@ -213,6 +226,24 @@ fn draw(
         _ => floor.ladder(routes, &options("Five ways")),
     };
     save(target, drawn, out)
+}
+
+/// The answer if there is a way, but not for so wide an agent.
+fn too_narrow(
+    args: &Args,
+    map: &Map,
+    ends: [Place; 2],
+    error: &RouteError,
+    out: &mut Output,
+) -> Result<Answer, Failure> {
+    if args.json {
+        let [start, goal] = ends.map(|place| Spot::of(map, place.point, place.location));
+        let source = map.source.clone();
+        out.json(&Answered { source, start, goal, found: false, apart: None, routes: Vec::new() })?;
+    } else {
+        writeln!(out, "{error}")?;
+    }
+    Ok(Answer::No)
 }
 
 /// The answer if there is no way.
