@@ -160,7 +160,7 @@ fn triangles_know_the_face_they_lie_in() {
     for face in graph.faces().skip(1) {
         let triangles = s.faces().filter(|&t| made.faces[t] == face);
         let sum: f64 = triangles.map(|t| area(s, t)).sum();
-        assert_eq!(sum, area(&graph, face), "{face}");
+        assert!(sum.total_cmp(&area(&graph, face)).is_eq(), "{face}: {sum}");
     }
     for t in s.faces().skip(1) {
         assert_eq!(s.is_hole(t), made.faces[t] == f(0) || made.faces[t] == inner, "{t}");

@@ -21,7 +21,7 @@ pub(crate) fn ends(map: &Map, oracle: &Oracle, random: &mut Random, count: usize
     let free: Vec<usize> = oracle.free_triangles().collect();
     let end = |i: usize| {
         let t = free[random.below(free.len())];
-        if i % 3 == 0 {
+        if i.is_multiple_of(3) {
             vertices[random.below(vertices.len())].clone()
         } else {
             Oracle::inner_node(map.inside(t, random), t)

@@ -60,7 +60,7 @@ fn the_degenerate_meshes_have_their_stated_lengths_and_refusals() {
         ("bad-collinear2-rot0", &[Some(6.0)], 1e-12),
         ("bad-collinear2-rot45", &[Some(6.0)], 1e-12),
         ("bad-collinear2-rot90", &[Some(6.0)], 1e-12),
-        ("square", &[Some(0.707_106_781_186_547_6)], 1e-12),
+        ("square", &[Some(std::f64::consts::FRAC_1_SQRT_2)], 1e-12),
     ];
     for (name, stated, tolerance) in cases {
         let read =

@@ -102,9 +102,9 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     }
     let info = Info::of(&map, told);
     if args.json {
-        out.json(&info)?
+        out.json(&info)?;
     } else {
-        info.print(out)?
+        info.print(out)?;
     }
     Ok(Answer::Yes)
 }

@@ -47,7 +47,7 @@ struct Found {
 }
 
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    if args.coordinates.len() % 2 != 0 {
+    if !args.coordinates.len().is_multiple_of(2) {
         let what = format!("{} numbers are no points", args.coordinates.len());
         return Err(Failure::input(what, "give x and y of each point"));
     }

@@ -93,11 +93,13 @@ fn border(window: &Window, segments: &[[Point; 2]]) -> Vec<[Point; 2]> {
         on.dedup();
         border.extend(on.windows(2).map(|pair| [pair[0], pair[1]]));
     };
+    // Ends on the border have its very coordinate.
+    let same = |a: f64, b: f64| along(a, b).is_eq();
     for y in [low.y, high.y] {
-        side(ends.iter().copied().filter(|p| p.y == y).collect(), |p| p.x);
+        side(ends.iter().copied().filter(|p| same(p.y, y)).collect(), |p| p.x);
     }
     for x in [low.x, high.x] {
-        side(ends.iter().copied().filter(|p| p.x == x).collect(), |p| p.y);
+        side(ends.iter().copied().filter(|p| same(p.x, x)).collect(), |p| p.y);
     }
     border
 }
