@@ -226,7 +226,7 @@ fn figures_show_what_they_are_about() {
         "",
     );
     folder.dcel("navmesh path rooms.map 1 1 2 1 -o rooms.map").fails(2, "this is the input itself", "another name");
-    folder.dcel("navmesh path rooms.map 1 1 2 1 --draw cones").fails(2, "--output", "");
+    folder.dcel("navmesh path rooms.map 1 1 2 1 --draw cones").fails(2, "required arguments", "--output");
 }
 
 #[test]

@@ -28,7 +28,7 @@ impl Polyhedron {
     /// ```
     /// use dcel_kit::solid::{Platonic, Polyhedron};
     /// let text = Polyhedron::platonic(Platonic::Tetrahedron).winged_edges().to_string();
-    /// assert!(text.starts_with("Vertex list\nid   x   y   z  h\nv0  -1  -1   1  h"));
+    /// assert!(text.starts_with("Vertex list\nid   x   y   z  h\nv0   1   1   1  h0"));
     /// ```
     #[must_use]
     pub fn winged_edges(&self) -> WingedEdges<'_> {

@@ -184,3 +184,17 @@ fn bad_obstacles_change_nothing() {
     assert!(matches!(live.remove(ObstacleId(0)), Err(ObstacleError::NoSuchObstacle { .. })));
     assert_eq!(live.map(), &map);
 }
+
+#[test]
+fn what_an_obstacle_closes_stays_closed_when_another_cuts_it() {
+    let corners = [at(0., 0.), at(8., 0.), at(8., 4.), at(0., 4.)];
+    let mut live = LiveMesh::new(Subdivision::polygon(&corners).expect("a hall")).expect("convex");
+    live.insert_wall(at(4., 0.), at(4., 4.)).expect("from side to side");
+    live.insert_wall(at(2., 2.), at(6., 2.)).expect("across the wall");
+    assert_eq!(live.mesh().component_count(), 2, "the wall has a gap where it is crossed");
+    live.insert_obstacle(&[at(5., 1.), at(7., 1.), at(7., 3.), at(5., 3.)]).expect("a block");
+    live.insert_wall(at(6.5, 0.5), at(6.5, 3.5)).expect("across the block");
+    for (x, y) in [(5.5, 1.5), (6.75, 1.5), (6.25, 2.5), (6.75, 2.5)] {
+        assert!(live.mesh().place(at(x, y)).is_err(), "({x}, {y}) is free inside the block");
+    }
+}

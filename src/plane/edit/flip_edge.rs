@@ -87,7 +87,7 @@ impl Subdivision {
     ///
     /// ```
     /// use dcel_kit::plane::{FlipEdgeError, Point, Subdivision};
-    /// let points = [(0., 0.), (4., 0.), (4., 3.), (1., 1.)].map(Point::from).to_vec();
+    /// let points = [(0., 0.), (4., 0.), (4., 3.), (2., 1.)].map(Point::from).to_vec();
     /// let mut arrow = Subdivision::from_triangles(points, &[[0, 1, 3], [1, 2, 3]])?;
     /// let [v1, v3] = [1, 3].map(dcel_kit::VertexId::new);
     /// let h = arrow.find_half_edge(v1, v3).unwrap();
