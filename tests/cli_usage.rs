@@ -4,10 +4,24 @@
 
 mod shell;
 
-use shell::{Folder, SQUARE, TRIANGLE, grid};
+use shell::{Folder, GARDEN, SQUARE, TRIANGLE, grid};
 use std::process::Stdio;
 
-const COMMANDS: [&str; 8] = ["info", "validate", "walk", "compare", "convert", "build", "figure", "completions"];
+const COMMANDS: [&str; 13] = [
+    "info",
+    "validate",
+    "walk",
+    "compare",
+    "convert",
+    "build",
+    "locate",
+    "overlay",
+    "triangulate",
+    "delaunay",
+    "voronoi",
+    "figure",
+    "completions",
+];
 
 #[test]
 fn wrong_calls_and_bad_files_give_2() {
@@ -57,12 +71,12 @@ fn misfits_name_lines_and_options() {
     folder.dcel("info flat.obj").fails(2, "flat.obj:6: face 1 has no area", "remove it");
     folder.write("huge.obj", &SQUARE.replace("v 4 3", "v 4 1e300"));
     folder.dcel("info huge.obj").fails(2, "huge.obj:3", "scale the input");
-    let garden = shell::GARDEN.replace("[[20,0],[21,2],[22,0],[20,0]]", "[[20,0],[21,0],[20,0]]");
+    let garden = GARDEN.replace("[[20,0],[21,2],[22,0],[20,0]]", "[[20,0],[21,0],[20,0]]");
     folder.write("thin.json", &garden);
     folder.dcel("info thin.json").fails(2, "\"Shed\"", "--drop-degenerate-rings");
     let told = folder.dcel("info thin.json --drop-degenerate-rings");
     assert!(told.err.contains("dropped") && told.code == Some(0), "{told:?}");
-    folder.write("shed.json", &shell::GARDEN.replace("[[20,0],[21,2],[22,0],[20,0]]", "[[5,5],[6,6],[6,5],[5,5]]"));
+    folder.write("shed.json", &GARDEN.replace("[[20,0],[21,2],[22,0],[20,0]]", "[[5,5],[6,6],[6,5],[5,5]]"));
     folder.dcel("info shed.json").fails(2, "\"Garden\"", "");
     folder
         .write("spare.obj", &format!("v 9 9\n{}", SQUARE.replace("f 1 2 3", "f 2 3 4").replace("f 1 3 4", "f 2 4 5")));
@@ -126,7 +140,7 @@ fn standard_input_and_line_ends() {
         assert_eq!((&info["source"], &info["edges"]), (&"<stdin>".into(), &5.into()), "{text:?}");
     }
     assert_eq!(folder.dcel_with(TRIANGLE, "validate -").fine(), "<stdin>: valid\n");
-    assert_eq!(folder.dcel_with(shell::GARDEN, "info - --json").json()["faces"], 4);
+    assert_eq!(folder.dcel_with(GARDEN, "info - --json").json()["faces"], 4);
     folder.dcel_with("v 0 0\nv 1 x\n", "info -").fails(2, "<stdin>:2:5: `x` is not a number", "");
     folder.dcel_with("", "info -").fails(2, "<stdin>: the file is empty", "");
     folder.dcel_with("hello\n", "info -").fails(2, "<stdin>: the format is not known", "say it");
@@ -172,6 +186,15 @@ fn the_examples_of_the_help_run() {
     folder.write("rooms.txt", "f1 #aabbcc \"hall\"\n");
     folder.write("plan.poly", "3 2 0 0\n1 0 0\n2 4 0\n3 0 3\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n");
     folder.write("roads.wkt", "LINESTRING (0 0, 4 4)\nLINESTRING (0 4, 4 0)\n");
+    folder.write("trees.txt", "1 1\n3 2.5\n");
+    folder.write("sites.xy", "5 5\n40 5\n20 30\n70 20\n");
+    folder.write("sites.csv", "x,y\n0,0\n4,0\n2,3\n");
+    for (copy, of) in
+        [("garden.geojson", GARDEN), ("parcels.json", GARDEN), ("floods.json", GARDEN), ("mesh.obj", SQUARE)]
+    {
+        folder.write(copy, of);
+    }
+    ["a.dcel", "b.dcel"].iter().for_each(|to| drop(folder.dcel(&format!("convert square.obj {to}")).fine()));
     std::fs::create_dir_all(folder.path("figures/data")).expect("a folder");
     let map = "figures/data/states-albers-10m.json";
     std::fs::copy(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(map), folder.path(map)).expect("the map");

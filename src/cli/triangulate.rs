@@ -2,16 +2,16 @@
 
 use super::failure::{Failure, say};
 use super::input::InputOptions;
-use super::subject::{Kind, Subject};
+use super::save::save;
+use super::subject::Kind;
 use super::{Answer, Output};
 use dcel_kit::figure::sketch::{Backdrop, Role, Sketch, SketchError};
 use dcel_kit::figure::{self, Detail, Figure, FigureOptions};
-use dcel_kit::io::{Format, write, write_path};
 use dcel_kit::plane::{Subdivision, Triangulated, TriangulationMethod};
 use dcel_kit::{EdgeId, FaceId};
 use serde::Serialize;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// More diagonals than this are drawn as edges like all others.
 const SKETCHED: usize = 400;
@@ -123,7 +123,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         std::fs::write(path, drawn.to_svg()).map_err(|error| Failure::writing(path.display(), &error))?;
     }
     if let Some(path) = &args.output {
-        save(path, &subject, out)?;
+        save(path, &subject.model(), out)?;
         if path.as_os_str() == "-" {
             return Ok(Answer::Yes);
         }
@@ -196,19 +196,6 @@ pub(super) fn sketch(after: &Subdivision, diagonals: &[EdgeId]) -> Sketch {
         sketch.path(Role::Main, ends).title(format!("diagonal {diagonal}")).key("diagonal");
     }
     sketch
-}
-
-fn save(path: &Path, subject: &Subject, out: &mut Output) -> Result<(), Failure> {
-    let model = subject.model();
-    let written = match Format::from_path(path) {
-        _ if path.as_os_str() == "-" => write(out, &model, Format::Dcel),
-        Some(format) => write_path(path, &model, format),
-        None => {
-            let what = format!("{}: the name does not tell the format to write", path.display());
-            return Err(Failure::input(what, "end it in .dcel"));
-        }
-    };
-    written.map_err(|error| Failure::of_writing(path, error))
 }
 
 impl Report {

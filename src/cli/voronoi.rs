@@ -17,7 +17,7 @@ use std::path::PathBuf;
 ///
 /// Reads points as lines `x y`, or the points of any other format. The cells of a box are the faces
 /// of the result, one for each site; which cells meet is decided exactly, corners are rounded.
-/// Without --box the box holds all points with a margin of a quarter of its longer side.
+/// If none is given, the box holds all points with a margin of a quarter of its longer side.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
