@@ -1,4 +1,4 @@
-//! A program that does what the word on its standard input says. Compiled by `tests/attacks.rs` and run behind walls.
+//! A program that does what the word on its standard input says. Compiled by `walls.rs` and run behind walls.
 //!
 //! What it starts ends by itself after a few seconds, so that it does no harm even where a wall is down.
 

@@ -1,13 +1,11 @@
 //! Promise: any list of triangles or polygons becomes the subdivision that its edges cut out, or is refused with
 //! an error that names the elements.
 
-mod tracer;
-
+use crate::tracer::{Face, Numbers, assert_traced, canonical, faces_of};
 use dcel_kit::plane::{ConvertError, ConvertOptions, GeometryViolation, Point, Subdivision};
 use dcel_kit::topology::{BuildError, PolygonList};
 use dcel_kit::{FaceId, VertexId};
 use std::collections::BTreeSet;
-use tracer::{Face, Numbers, assert_traced, canonical, faces_of};
 
 fn points(list: &[(i32, i32)]) -> Vec<Point> {
     list.iter().map(|&(x, y)| Point::new(f64::from(x), f64::from(y))).collect()

@@ -10,11 +10,7 @@
 //! All of it is harmless where a wall is down: what is started ends by itself after a few seconds.
 #![cfg(target_os = "linux")]
 
-#[path = "attacks/behind.rs"]
 mod behind;
-#[path = "attacks/class.rs"]
 mod class;
-#[path = "attacks/handed_in.rs"]
 mod handed_in;
-#[path = "attacks/walls.rs"]
 mod walls;

@@ -1,11 +1,7 @@
 //! Promise: `flip_edge` moves both ends of an edge one corner on and touches nothing else; refused, it changes
 //! nothing; enough flips come back to the start.
 
-#![allow(clippy::unwrap_used)] // a test may panic
-
-mod common;
-
-use common::{Random, f, h, triangle_grid, zoo};
+use crate::common::{Random, f, h, triangle_grid, zoo};
 use dcel_kit::topology::{Dcel, FlipEdgeError, IdError, Journal, Table, same, violations};
 use dcel_kit::{Element, HalfEdgeId};
 

@@ -1,10 +1,6 @@
 //! The validator finds every broken law, calls nothing broken that is not, and never panics, hangs or walks far.
 
-#![allow(clippy::unwrap_used)] // a test may panic
-
-mod common;
-
-use common::{Random, brute, f, garbage, h, planar, row, triangle_grid, v};
+use crate::common::{Random, brute, f, garbage, h, planar, row, triangle_grid, v};
 use dcel_kit::topology::{
     Dcel, HalfEdgeRow, Ring, Rule, Table, VertexRow, View, first_violation, violations, visit_violations,
 };
@@ -51,7 +47,7 @@ fn nested() -> Table {
 
 #[test]
 fn legal_structures_break_no_law() {
-    for (name, dcel) in common::zoo() {
+    for (name, dcel) in crate::common::zoo() {
         assert!(brute::legal(&Table::from_view(&dcel)), "{name}");
         assert_eq!(texts(&Table::from_view(&dcel)), [""; 0], "{name}");
     }
@@ -293,7 +289,7 @@ fn a_round_over_links_that_are_reported_already_is_not_judged() {
 
 #[test]
 fn the_table_of_rules_in_the_docs_is_the_table_of_rules() {
-    let docs = include_str!("../src/topology/validate.rs");
+    let docs = include_str!("../../src/topology/validate.rs");
     let rows: Vec<&str> = docs.lines().filter_map(|line| line.strip_prefix("//! | ")).skip(1).collect();
     let rules: Vec<String> = Rule::all().iter().map(|rule| format!("{} | {} |", rule.id, rule.law)).collect();
     assert_eq!(rows, rules);
@@ -387,7 +383,7 @@ fn every_single_corruption_is_found_unless_it_gives_another_legal_structure() {
 
 fn samples() -> Vec<(&'static str, Table)> {
     let live = |dcel: &Dcel| dcel.half_edge_count() == dcel.half_edge_bound() && dcel.face_count() == dcel.face_bound();
-    let small = common::zoo().into_iter().filter(|(_, d)| d.half_edge_count() <= 12 && live(d));
+    let small = crate::common::zoo().into_iter().filter(|(_, d)| d.half_edge_count() <= 12 && live(d));
     let small = small.map(|(name, dcel)| (name, Table::from_view(&dcel)));
     small.chain([("islands", islands()), ("nested", nested()), ("a plane triangle", plane_triangle())]).collect()
 }

@@ -1,10 +1,6 @@
 //! The manners of the command: exit codes, help, pipes, bad files, standard input.
 
-#![cfg(feature = "cli")]
-
-mod shell;
-
-use shell::{Folder, GARDEN, SQUARE, TRIANGLE, grid};
+use crate::shell::{Folder, GARDEN, SQUARE, TRIANGLE, grid};
 use std::process::Stdio;
 
 const COMMANDS: [&str; 13] = [

@@ -1,12 +1,8 @@
 //! Promise: `dcel triangulate` cuts the faces of a file into triangles, counts them, writes and draws them; `dcel
 //! figure --dual` draws the dual graph.
 
-#![cfg(feature = "cli")]
-
-mod shell;
-
+use crate::shell::Folder;
 use serde_json::json;
-use shell::Folder;
 
 const HOUSE: &str = "0 0 4 0\n4 0 4 3\n4 3 2 5\n2 5 0 3\n0 3 0 0\n2 1\n1 2 3 2\n";
 
@@ -56,7 +52,7 @@ fn figures_show_the_diagonals_and_the_dual() {
     folder.dcel("triangulate garden.json --figure garden.svg").fine();
     let drawn = folder.read("garden.svg");
     assert_eq!(drawn.matches(">diagonal e").count(), 8, "{drawn}");
-    folder.write("grid.obj", &shell::grid(3));
+    folder.write("grid.obj", &crate::shell::grid(3));
     let dual = folder.dcel("figure grid.obj --dual").fine();
     assert!(dual.contains("across an edge: from face to face") && dual.contains(">e0: f0, f1<"), "{dual}");
     assert!(folder.dcel("figure triangle.dcel --dual").fine().contains("<svg"));

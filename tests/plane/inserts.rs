@@ -1,15 +1,13 @@
 //! Promise: vertices, edges and segments can be put in and taken out wherever faces, rings and components are; after
 //! each call the subdivision is what its edges cut out of the plane, and a refused call changes nothing.
 
-mod tracer;
-
+use crate::tracer::{Numbers, assert_traced};
 use dcel_kit::plane::{
     InsertAntennaError, InsertEdgeError, InsertSegmentError, InsertVertexError, JoinFacesError, Point, RemoveEdgeError,
     RemoveVertexError, SplitEdgeError, Subdivision,
 };
 use dcel_kit::topology::{IdError, Journal, Ring, Table, components, violations};
 use dcel_kit::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
-use tracer::{Numbers, assert_traced};
 
 fn v(number: u32) -> VertexId {
     VertexId::new(number)
@@ -150,19 +148,21 @@ fn inserting_and_removing_undo_each_other() {
         for _ in 0..25 {
             let vertices: Vec<VertexId> = s.vertices().collect();
             let (a, b) = (vertices[numbers.below(vertices.len())], vertices[numbers.below(vertices.len())]);
-            let before = tracer::faces_of(&s);
+            let before = crate::tracer::faces_of(&s);
             if let Ok(new) = s.insert_edge(a, b) {
                 let mut back = s.clone();
                 let gone = back.remove_edge(new.half_edge.edge()).unwrap();
                 assert_eq!(gone.is_some(), new.new_face.is_some(), "seed {seed}: {a} {b}");
-                assert_eq!(shapes(&tracer::faces_of(&back)), shapes(&before), "seed {seed}: {a} {b}");
+                assert_eq!(shapes(&crate::tracer::faces_of(&back)), shapes(&before), "seed {seed}: {a} {b}");
             }
         }
     }
 }
 
 /// The faces without their numbers.
-fn shapes((outer, faces): &(tracer::Face, std::collections::BTreeMap<tracer::Face, u32>)) -> Vec<tracer::Face> {
+fn shapes(
+    (outer, faces): &(crate::tracer::Face, std::collections::BTreeMap<crate::tracer::Face, u32>),
+) -> Vec<crate::tracer::Face> {
     std::iter::once(outer).chain(faces.keys()).cloned().collect()
 }
 

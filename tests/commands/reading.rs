@@ -1,11 +1,7 @@
 //! The answers of the commands on small files.
 
-#![cfg(feature = "cli")]
-
-mod shell;
-
+use crate::shell::{CUBE, Folder, GARDEN, SQUARE, TRIANGLE, grid};
 use serde_json::{Value, json};
-use shell::{CUBE, Folder, GARDEN, SQUARE, TRIANGLE, grid};
 use std::collections::BTreeSet;
 
 /// Vertices, edges, faces, components, boundary cycles, V - E + F.

@@ -1,13 +1,11 @@
 //! Promise: segments give exactly the subdivision they cut the plane into, whatever their order and direction; what
 //! meets elsewhere than at common ends is named completely, or split so that nothing meets any more.
 
-mod tracer;
-
+use crate::tracer::{Numbers, assert_traced};
 use dcel_kit::plane::{ArrangeOptions, Arranged, CoordinateError, Point, SegmentFault, SegmentsError, Subdivision};
 use dcel_kit::topology::{Ring, violations};
 use dcel_kit::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeSet;
-use tracer::{Numbers, assert_traced};
 
 type Segment = [Point; 2];
 
@@ -159,11 +157,11 @@ fn order_direction_and_rotation_of_the_list_change_names_only() {
         }
         for (i, variant) in variants.iter().enumerate() {
             let s = Subdivision::from_segments(variant).unwrap();
-            let key = |s: &Subdivision| tracer::faces_of(s);
+            let key = |s: &Subdivision| crate::tracer::faces_of(s);
             let by_place = |s: &Subdivision| -> BTreeSet<String> {
                 let name = |v: u32| s.point(VertexId::new(v)).to_string();
                 let (outer, faces) = key(s);
-                let show = |f: &tracer::Face| {
+                let show = |f: &crate::tracer::Face| {
                     let cycles: BTreeSet<Vec<String>> = f
                         .iter()
                         .map(|c| {

@@ -1,11 +1,7 @@
 //! Promise: `dcel delaunay` and `dcel voronoi` tell what they made, write it, draw it, and name what they refuse.
 
-#![cfg(feature = "cli")]
-
-mod shell;
-
+use crate::shell::Folder;
 use serde_json::json;
-use shell::Folder;
 
 /// Six sites, one of them twice.
 const SITES: &str = "# x y\n0 0\n4 0\n4 3\n0 3\n2 1\n4 0\n";

@@ -5,12 +5,8 @@
 //! kernel's own edits never make (the plane does), and `TooMany` needs 2^31 elements. Both are reached by unit
 //! tests in `src/topology/edit/mod.rs`.
 
-#![allow(clippy::unwrap_used)] // a test may panic
-
-mod common;
-
-use common::script::{Call, Log, config, scripts};
-use common::{f, h, v, zoo};
+use crate::common::script::{Call, Log, config, scripts};
+use crate::common::{f, h, v, zoo};
 use dcel_kit::HalfEdgeId;
 use dcel_kit::topology::{
     Dcel, IdError, JoinEdgesError, JoinFacesError, NoRecorder, PolygonError, SplitEdgeError, SplitFaceError,
@@ -93,7 +89,7 @@ fn split_face_refuses() {
             "h0 is prev of h2: their origins are the two ends of h0; choose corners further apart",
         ]
     );
-    let source = include_str!("../src/topology/edit/split_face.rs");
+    let source = include_str!("../../src/topology/edit/split_face.rs");
     covers(source, "SplitFaceError", &errors.map(|(error, _)| error), &["DifferentCycles", "TooMany"]);
 }
 
@@ -104,7 +100,7 @@ fn split_edge_refuses() {
     let errors = [call(14), call(15), call(99)];
     assert_eq!(errors[0], SplitEdgeError::Id(REMOVED));
     assert_eq!(errors[2], SplitEdgeError::Id(missing()));
-    covers(include_str!("../src/topology/edit/split_edge.rs"), "SplitEdgeError", &errors, &["TooMany"]);
+    covers(include_str!("../../src/topology/edit/split_edge.rs"), "SplitEdgeError", &errors, &["TooMany"]);
 }
 
 #[test]
@@ -126,7 +122,7 @@ fn join_faces_refuses() {
     assert_eq!(errors[2], JoinFacesError::SameFace { h: a, face: path.face(a) });
     assert_eq!(errors[3..], [0, 1].map(|i| JoinFacesError::LastEdge { h: h(i) }));
     assert_eq!(errors[3].to_string(), "h0 is a loop and the only edge of both faces: without it no boundary is left");
-    covers(include_str!("../src/topology/edit/join_faces.rs"), "JoinFacesError", &errors, &[]);
+    covers(include_str!("../../src/topology/edit/join_faces.rs"), "JoinFacesError", &errors, &[]);
 }
 
 #[test]
@@ -155,14 +151,14 @@ fn join_edges_refuses() {
     for (error, h) in errors[5..].iter().zip([looped, looped.twin()]) {
         assert_eq!(*error, JoinEdgesError::NotDegreeTwo { h, vertex, degree: busy.degree(vertex) });
     }
-    covers(include_str!("../src/topology/edit/join_edges.rs"), "JoinEdgesError", &errors, &[]);
+    covers(include_str!("../../src/topology/edit/join_edges.rs"), "JoinEdgesError", &errors, &[]);
 }
 
 #[test]
 fn polygons_without_or_with_too_many_corners_are_refused() {
     let errors = [0, dcel_kit::ids::MAX_IDS / 2 + 1, usize::MAX].map(|n| Dcel::polygon(n).unwrap_err());
     assert_eq!(errors[0], PolygonError::NoCorner);
-    covers(include_str!("../src/topology/seed.rs"), "PolygonError", &errors, &[]);
+    covers(include_str!("../../src/topology/seed.rs"), "PolygonError", &errors, &[]);
 }
 
 #[test]

@@ -1,12 +1,8 @@
 //! Every promise that the documentation of an edit makes, on every kind of small structure and for all arguments,
 //! and the journal: its steps, its changes, its undo.
 
-#![allow(clippy::unwrap_used)] // a test may panic
-
-mod common;
-
-use common::script::{Call, Log, all_calls, config, scripts};
-use common::{f, h, zoo};
+use crate::common::script::{Call, Log, all_calls, config, scripts};
+use crate::common::{f, h, zoo};
 use dcel_kit::topology::{Change, Dcel, Journal, Slot, Table};
 use dcel_kit::{Element, HalfEdgeId};
 use proptest::prelude::*;
@@ -157,7 +153,7 @@ fn replay(table: &mut Table, change: &Change, context: &str) {
             Element::Edge(e) => {
                 for a in e.half_edges() {
                     grow(&mut table.half_edges, a.index(), reused, context);
-                    common::row(table, a).twin = Some(a.twin());
+                    crate::common::row(table, a).twin = Some(a.twin());
                 }
             }
             Element::HalfEdge(_) => panic!("half-edges come in pairs, {context}"),
@@ -176,10 +172,12 @@ fn replay(table: &mut Table, change: &Change, context: &str) {
             let face =
                 |to: Option<Element>| to.map(|to| if let Element::Face(x) = to { x } else { panic!("{context}") });
             let found: Option<Element> = match slot {
-                Slot::Origin(a) => std::mem::replace(&mut common::row(table, a).origin, vertex(new)).map(Into::into),
-                Slot::Next(a) => std::mem::replace(&mut common::row(table, a).next, half(new)).map(Into::into),
-                Slot::Prev(a) => std::mem::replace(&mut common::row(table, a).prev, half(new)).map(Into::into),
-                Slot::Face(a) => std::mem::replace(&mut common::row(table, a).face, face(new)).map(Into::into),
+                Slot::Origin(a) => {
+                    std::mem::replace(&mut crate::common::row(table, a).origin, vertex(new)).map(Into::into)
+                }
+                Slot::Next(a) => std::mem::replace(&mut crate::common::row(table, a).next, half(new)).map(Into::into),
+                Slot::Prev(a) => std::mem::replace(&mut crate::common::row(table, a).prev, half(new)).map(Into::into),
+                Slot::Face(a) => std::mem::replace(&mut crate::common::row(table, a).face, face(new)).map(Into::into),
                 Slot::Outgoing(x) => {
                     let row = table.vertices[x.index()].as_mut().unwrap();
                     std::mem::replace(&mut row.outgoing, half(new)).map(Into::into)

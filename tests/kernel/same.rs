@@ -1,11 +1,7 @@
 //! Equality up to numbers: found wherever it holds, refused wherever it does not, with the first difference named.
 
-#![allow(clippy::unwrap_used)] // a test may panic
-
-mod common;
-
-use common::script::{Call, Log, all_calls, config, scripts};
-use common::{Random, brute, f, garbage, h, planar, renumbered, row, triangle_grid, v, zoo};
+use crate::common::script::{Call, Log, all_calls, config, scripts};
+use crate::common::{Random, brute, f, garbage, h, planar, renumbered, row, triangle_grid, v, zoo};
 use dcel_kit::topology::{
     Dcel, Difference, FaceRow, HalfEdgeRow, Matching, NoRecorder, Ring, SameOptions, Table, VertexRow, View, Which,
     position_key, same, same_with,
@@ -454,7 +450,7 @@ fn every_difference_says_what_differs_first() {
         same(&circle, &circle),
         "f0 joins components in a circle, which cannot be so in the plane: such structures are not compared",
     );
-    let source = include_str!("../src/topology/same/difference.rs");
+    let source = include_str!("../../src/topology/same/difference.rs");
     let body = source.split("pub enum Difference {").nth(1).unwrap().split("\n}").next().unwrap();
     let names = body.lines().filter_map(|line| line.strip_prefix("    "));
     let names = names.filter(|line| line.starts_with(|c: char| c.is_ascii_uppercase()));

@@ -1,12 +1,8 @@
 //! Every edit does what a naive model of face lists does, call by call, and the laws hold after each.
 
-#![allow(clippy::unwrap_used)] // a test may panic
-
-mod common;
-
-use common::model::{Model, No};
-use common::script::{Call, Log, Op, all_calls, config, scripts};
-use common::{brute, h};
+use crate::common::model::{Model, No};
+use crate::common::script::{Call, Log, Op, all_calls, config, scripts};
+use crate::common::{brute, h};
 use dcel_kit::HalfEdgeId;
 use dcel_kit::topology::{Dcel, NoRecorder, Table, measure, violations};
 use proptest::prelude::*;
@@ -69,7 +65,7 @@ proptest! {
 #[test]
 fn long_scripts_agree_with_the_model() {
     for seed in 0..6 {
-        let mut random = common::Random(seed);
+        let mut random = crate::common::Random(seed);
         let corners = 1 + random.below(7) as u32;
         let (mut dcel, mut model) = (Dcel::polygon(corners as usize).unwrap(), Model::polygon(corners));
         let mut accepted = 0;
@@ -116,7 +112,7 @@ fn on_everything_two_edits_from_a_small_polygon_exactly_the_legal_calls_are_acce
 
 #[test]
 fn halves_of_every_kind_of_structure_can_be_split_and_joined_as_the_model_does() {
-    for (name, dcel) in common::zoo() {
+    for (name, dcel) in crate::common::zoo() {
         assert_eq!(violations(&dcel), [], "{name}");
         for call in all_calls(&dcel) {
             let (mut after, mut model) = (dcel.clone(), Model::of(&dcel));

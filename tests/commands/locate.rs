@@ -1,12 +1,8 @@
 //! Promise: `dcel locate` tells where points lie, and `dcel overlay` what two subdivisions make together; both draw it,
 //! say it in JSON, and name what they refuse.
 
-#![cfg(feature = "cli")]
-
-mod shell;
-
+use crate::shell::Folder;
 use serde_json::json;
-use shell::Folder;
 
 const TILES: &str = "v 2 1\nv 6 1\nv 6 2\nv 2 2\nf 1 2 3 4\n";
 

@@ -1,15 +1,13 @@
 //! Promise: after any sequence of edits a subdivision is exactly what its edges cut out of the plane; a refused
 //! edit changes nothing; splitting and joining undo each other.
 
-mod tracer;
-
+use crate::tracer::{Numbers, assert_traced, faces_of};
 use dcel_kit::plane::{
     JoinEdgesError, JoinFacesError, LAB_RECTANGLE, Point, SplitEdgeError, SplitFaceError, Subdivision,
 };
 use dcel_kit::topology::{self, IdError, PolygonList};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeSet;
-use tracer::{Numbers, assert_traced, faces_of};
 
 fn h(number: u32) -> HalfEdgeId {
     HalfEdgeId::new(number)

@@ -1,10 +1,6 @@
 //! `dcel compare` in a shell: exit codes, the answer as text and JSON, the picture.
 
-#![cfg(feature = "cli")]
-
-mod shell;
-
-use shell::Folder;
+use crate::shell::Folder;
 
 const LINE: &str = "<svg xmlns='http://www.w3.org/2000/svg'>\n<g stroke='black' fill='none'>\n\
                     <path d='M0 0H90V60H0Z'/>\n<line x2='90' y2='60'/>\n</g>\n</svg>\n";

@@ -1,18 +1,14 @@
 //! Promise: `dcel navmesh` tells what a map is, where points lie, how to get from one to another, and checks files of
 //! queries; what it draws shows all of that.
 
-#![cfg(feature = "cli")]
-
-mod shell;
-
+use crate::shell::Folder;
 use serde_json::json;
-use shell::Folder;
 
 /// A folder with the map of rooms, and a mesh of two squares that touch in a double corner.
 fn folder() -> Folder {
     let folder = Folder::new();
-    folder.write("rooms.map", include_str!("../figures/data/rooms.map"));
-    folder.write("rooms.scen", include_str!("../figures/data/rooms.scen"));
+    folder.write("rooms.map", include_str!("../../figures/data/rooms.map"));
+    folder.write("rooms.scen", include_str!("../../figures/data/rooms.scen"));
     let corner = "mesh\n2\n7 2\n0 0 2 0 -1\n1 0 2 0 -1\n1 1 4 0 -1 1 -1\n0 1 2 0 -1\n2 1 2 1 -1\n2 2 2 1 -1\n1 2 2 1 -1\n\
         4 0 1 2 3  -1 -1 -1 -1\n4 2 4 5 6  -1 -1 -1 -1\n";
     folder.write("corner.mesh", corner);
@@ -171,7 +167,7 @@ fn scenarios_are_counted_and_failures_named() {
         let text = folder.dcel(&format!("navmesh scenario rooms.map rooms.scen{more}")).fine();
         assert!(text.ends_with("\n24 of 24 optimal\n"), "{text}");
     }
-    let wrong = include_str!("../figures/data/rooms.scen").replacen("34.257796844", "34.257796944", 1);
+    let wrong = include_str!("../../figures/data/rooms.scen").replacen("34.257796844", "34.257796944", 1);
     folder.write("wrong.scen", &wrong);
     let told = folder.dcel("navmesh scenario rooms.map wrong.scen");
     assert_eq!(told.code, Some(1), "{told:?}");
@@ -265,8 +261,8 @@ fn examples(help: &str) -> Vec<String> {
 fn the_examples_of_the_help_run_and_the_help_fits_60_columns() {
     let folder = folder();
     std::fs::create_dir_all(folder.path("figures/data")).expect("a folder");
-    folder.write("figures/data/rooms.map", include_str!("../figures/data/rooms.map"));
-    folder.write("figures/data/rooms.scen", include_str!("../figures/data/rooms.scen"));
+    folder.write("figures/data/rooms.map", include_str!("../../figures/data/rooms.map"));
+    folder.write("figures/data/rooms.scen", include_str!("../../figures/data/rooms.scen"));
     for command in
         ["navmesh", "navmesh info", "navmesh locate", "navmesh neighbours", "navmesh path", "navmesh scenario"]
     {

@@ -1,11 +1,7 @@
 //! Promise: `dcel build` makes a structure of segments, tells what became of them, and names what it refuses.
 
-#![cfg(feature = "cli")]
-
-mod shell;
-
+use crate::shell::Folder;
 use serde_json::json;
-use shell::Folder;
 
 const CROSS: &str = "LINESTRING (0 0, 4 4)\nLINESTRING (0 4, 4 0)\nLINESTRING (9 0, 9 4)\nLINESTRING (8 2, 10 2)\n";
 const HOUSE: &str = "0 0 4 0\n4 0 4 3\n4 3 0 3\n0 3 0 0\n4 3 6 5\n2 1\n0 0 4 0\n";

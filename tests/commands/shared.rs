@@ -1,11 +1,7 @@
 //! The command on files made by others, against counts made by others.
 
-#![cfg(feature = "cli")]
-
-mod shell;
-
+use crate::shell::Folder;
 use serde_json::Value;
-use shell::Folder;
 use std::path::{Path, PathBuf};
 
 fn shared(name: &str) -> PathBuf {

@@ -1,12 +1,8 @@
 //! An edit and its inverse give back the structure: the same elements under the same numbers, up to which
 //! half-edge of a face or vertex is the stored one. And `compact`, which changes nothing but numbers.
 
-#![allow(clippy::unwrap_used)] // a test may panic
-
-mod common;
-
-use common::script::{Call, Log, config, scripts};
-use common::{Random, h, v, zoo};
+use crate::common::script::{Call, Log, config, scripts};
+use crate::common::{Random, h, v, zoo};
 use dcel_kit::topology::{
     Dcel, Journal, NoRecorder, SameOptions, SplitFaceError, Table, View, same, same_with, violations,
 };
@@ -189,5 +185,5 @@ fn a_table_of_a_structure_with_removed_elements_shows_exactly_the_live_ones() {
     assert_eq!((View::next(&dcel, dead), View::origin(&dcel, dead), View::twin(&dcel, dead)), (None, None, None));
     assert_eq!(View::outgoing(&dcel, v(99)), None);
     let mut random = Random(1);
-    assert_eq!(same(&dcel, &common::renumbered(&table, &mut random)).map(drop), Ok(()));
+    assert_eq!(same(&dcel, &crate::common::renumbered(&table, &mut random)).map(drop), Ok(()));
 }

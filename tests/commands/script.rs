@@ -1,5 +1,4 @@
 //! `dcel script`: what is told, what is drawn, and the exit codes.
-#![cfg(feature = "cli")]
 
 use std::io::Write;
 use std::path::Path;

@@ -1,0 +1,15 @@
+//! The command line as its users type it, a file for each group of commands.
+#![cfg(feature = "cli")]
+
+mod build;
+mod compare;
+mod delaunay;
+mod locate;
+mod manners;
+mod navmesh;
+mod reading;
+mod script;
+mod shared;
+#[path = "../shell/mod.rs"]
+mod shell;
+mod triangulate;

@@ -1,0 +1,16 @@
+//! The structure without coordinates: a file for each promise.
+#![allow(clippy::unwrap_used)] // a test may panic
+
+mod builder;
+#[path = "../common/mod.rs"]
+mod common;
+mod degenerate;
+mod edits;
+mod flips;
+mod inverses;
+mod oracles;
+mod refusals;
+mod same;
+mod script;
+mod tables;
+mod validator;

@@ -1,0 +1,8 @@
+//! The labs: every bug is caught and named, and the commands do what students and instructors type.
+#![cfg(feature = "cli")]
+#![allow(clippy::unwrap_used)]
+
+mod commands;
+#[path = "../shell/mod.rs"]
+mod shell;
+mod verified;
