@@ -14,6 +14,7 @@
 //! Source: Shamos and Hoey, *Geometric intersection problems*, FOCS 1976.
 
 use super::Point;
+use super::group::grouped;
 use super::predicates::{left_to_right, orientation};
 use super::status::Status;
 use std::cmp::Ordering;
@@ -92,7 +93,7 @@ pub(super) fn sweep_in_order(
     events.iter().enumerate().for_each(|(i, &p)| rank[p as usize] = i as u32);
     let ranks = |&[a, b]: &[u32; 2]| [rank[a as usize], rank[b as usize]];
     let rightwards: Vec<[u32; 2]> = edges.iter().map(ranks).map(|[a, b]| [a.min(b), a.max(b)]).collect();
-    let (firsts, by_left_end) = by_left_end(events.len(), &rightwards);
+    let (firsts, by_left_end) = grouped(events.len(), edges.len(), |e| rightwards[e][0] as usize);
     let half_edge = |&e: &u32| {
         let [a, b] = ranks(&edges[e as usize]);
         2 * e + u32::from(a > b)
@@ -139,21 +140,6 @@ pub(super) fn rightwards(points: &[Point], edges: &[[u32; 2]]) -> Vec<[u32; 2]> 
         _ => [a, b],
     };
     edges.iter().map(turned).collect()
-}
-
-/// The edges by their first point: those of point `p` are `list[firsts[p]..firsts[p + 1]]`, in increasing order.
-pub(super) fn by_left_end(points: usize, edges: &[[u32; 2]]) -> (Vec<u32>, Vec<u32>) {
-    let mut firsts = vec![0_u32; points + 1];
-    edges.iter().for_each(|edge| firsts[edge[0] as usize + 1] += 1);
-    (0..points).for_each(|p| firsts[p + 1] += firsts[p]);
-    let mut list = vec![0; edges.len()];
-    let mut next = firsts.clone();
-    for (e, edge) in edges.iter().enumerate() {
-        let place = &mut next[edge[0] as usize];
-        list[*place as usize] = e as u32;
-        *place += 1;
-    }
-    (firsts, list)
 }
 
 impl Sweep {

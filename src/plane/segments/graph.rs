@@ -8,8 +8,9 @@
 //! Equal points are found in cells of a grid (`places.rs`); their order from left to right serves the sweep.
 
 use super::error::SegmentFault;
-use super::places::{FEW, first_at_each_place, grouped};
+use super::places::{FEW, first_at_each_place};
 use crate::plane::Point;
+use crate::plane::group::grouped;
 use crate::plane::predicates::left_to_right;
 
 /// A straight-line graph: distinct points, and edges by the numbers of their ends.

@@ -11,30 +11,11 @@
 //! A cell or a column that most points crowd into is sorted: never worse than O(n log n).
 
 use crate::plane::Point;
+use crate::plane::group::grouped;
 use crate::plane::predicates::sort_key;
 
 /// So many things are compared pair by pair; more are sorted.
 pub(super) const FEW: usize = 12;
-
-/// Which group each of `count` things belongs to decides where it goes: the things of group g are
-/// `list[starts[g]..starts[g + 1]]`, in increasing order. O(groups + count).
-pub(super) fn grouped(groups: usize, count: usize, group: impl Fn(usize) -> usize) -> (Vec<u32>, Vec<u32>) {
-    let mut starts = vec![0_u32; groups + 1];
-    (0..count).for_each(|i| starts[group(i)] += 1);
-    let mut sum = 0;
-    for start in &mut starts {
-        sum += *start;
-        *start = sum;
-    }
-    // From the last one down, so that every start ends where its group begins.
-    let mut list = vec![0; count];
-    for i in (0..count).rev() {
-        let place = &mut starts[group(i)];
-        *place -= 1;
-        list[*place as usize] = i as u32;
-    }
-    (starts, list)
-}
 
 /// A grid of columns and rows over points.
 struct Grid {
@@ -152,11 +133,5 @@ mod tests {
             }
             assert_eq!(first_at_each_place(&points), by_one_map(&points), "seed {seed}");
         }
-    }
-
-    #[test]
-    fn things_keep_their_order_in_their_groups() {
-        let groups = [2, 0, 2, 3, 0, 2];
-        assert_eq!(grouped(5, groups.len(), |i| groups[i]), (vec![0, 2, 2, 5, 6, 6], vec![1, 4, 0, 2, 5, 3]));
     }
 }
