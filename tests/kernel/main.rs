@@ -14,3 +14,4 @@ mod same;
 mod script;
 mod tables;
 mod validator;
+mod walks;
