@@ -16,7 +16,7 @@
 //! | 3 | which faces lead from here to there? | `corridor.rs` |
 //! | 4 | what is the shortest way through these faces? | `funnel.rs` |
 //! | 5 | what is the shortest way of all? | `exact/` |
-//! | 6 | which of them are wide enough? how far is everything? | `doors.rs`, `field.rs` |
+//! | 6 | which of them are wide enough? how far is everything? | `inset.rs`, `doors.rs`, `field.rs` |
 //! | 7 | and when walls come and go? | `change.rs`, `live/` |
 //!
 //! Every decision is a sign of [`orientation`](crate::plane::predicates::orientation) on points that were given, so
@@ -33,6 +33,7 @@ mod exact;
 mod field;
 mod funnel;
 mod grid;
+mod inset;
 mod live;
 mod location;
 mod mesh;
@@ -45,6 +46,7 @@ pub use error::NavMeshError;
 pub use exact::Cone;
 pub use field::DistanceField;
 pub use funnel::FunnelStep;
+pub use inset::{Inset, InsetError};
 pub use live::{LiveMesh, ObstacleError, ObstacleId};
 pub use location::{Location, Place, PlaceError};
 pub use mesh::{ComponentId, NavMesh, Side};

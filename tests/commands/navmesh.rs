@@ -117,18 +117,33 @@ fn a_way_is_told_in_the_coordinates_of_the_file() {
 }
 
 #[test]
-fn wide_agents_keep_off_the_posts_or_find_no_way() {
+fn wide_agents_keep_off_the_border_or_find_no_way() {
     let folder = folder();
     let length = |more: &str| {
         let answer = folder.dcel(&format!("navmesh path rooms.map 1 1 22 12 --json {more}")).json();
         answer["routes"][0]["length"].as_f64().expect("a length")
     };
-    let (point, thin, wide) = (length("--rung closest"), length("--radius 0"), length("--radius 0.25"));
+    let (point, thin, wide) = (length(""), length("--radius 0"), length("--radius 0.25"));
     assert!(point.to_bits() == thin.to_bits() && wide > thin, "{point} {thin} {wide}");
-    let told = folder.dcel("navmesh path rooms.map 1 1 22 12 --radius 5");
-    assert!(told.code == Some(1) && told.out.contains("wide enough for an agent of radius 5"), "{told:?}");
+    // Every rung keeps the radius, and none is shorter than the exact one.
+    let told = folder.dcel("navmesh path rooms.map 1 1 22 12 --radius 0.4 --rung all --json").json();
+    let routes = told["routes"].as_array().expect("five ways");
+    let lengths: Vec<f64> = routes.iter().map(|route| route["length"].as_f64().expect("a length")).collect();
+    assert!(lengths.len() == 5 && lengths.iter().all(|&length| length >= lengths[4] * (1.0 - 1e-9)), "{lengths:?}");
+    assert_eq!(told["radius"], 0.4);
+    let told = folder.dcel("navmesh path rooms.map 1 1 22 12 --radius 0.4 -o wide.svg");
+    assert_eq!(told.code, Some(0), "{told:?}");
+    assert!(folder.read("wide.svg").contains("nearer to a border than the radius, 0.4"));
+    // The agent fits at both ends, and not through what lies between.
+    let told = folder.dcel("navmesh path rooms.map 13 5 16 13.5 --radius 1");
+    assert!(told.code == Some(1) && told.out.starts_with("no way for a radius of 1: (13, 5) is in"), "{told:?}");
+    folder.dcel("navmesh path rooms.map 0.2 1 22 12 --radius 0.4").fails(
+        2,
+        "nearer to a border than the radius",
+        "0.4",
+    );
+    folder.dcel("navmesh path rooms.map 1 1 22 12 --radius 50").fails(2, "radius 50 fits nowhere", "smaller");
     folder.dcel("navmesh path rooms.map 1 1 2 2 --radius -1").fails(2, "an agent of radius -1", "0.5");
-    folder.dcel("navmesh path rooms.map 1 1 2 2 --radius 1 --rung bfs").fails(2, "cannot be used with", "");
 }
 
 #[test]

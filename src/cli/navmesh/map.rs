@@ -6,7 +6,7 @@ use dcel_kit::io::{
     Axis, Document, Format, Grid, LoadOptions, PolygonSoup, Read, ReadOptions, Structure, assemble, read_path,
     source_name,
 };
-use dcel_kit::navmesh::{MeshFault, NavMesh, NavMeshError, mesh_faults};
+use dcel_kit::navmesh::{Inset, MeshFault, NavMesh, NavMeshError, mesh_faults};
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
 use dcel_kit::topology::Mode;
 use std::io::Read as _;
@@ -72,6 +72,12 @@ impl Map {
     /// A point of the file.
     pub(super) fn point(&self, [x, y]: [f64; 2]) -> Point {
         Point::new(x, if self.frame.down { 0.0 - y } else { y })
+    }
+
+    /// The same map without the margin of a radius.
+    pub(super) fn inset(&self, inset: Inset) -> Self {
+        let (subdivision, mesh) = inset.into_parts();
+        Self { source: self.source.clone(), format: self.format, subdivision, mesh, frame: self.frame }
     }
 
     /// A point of the map, as the file has it.
