@@ -15,7 +15,7 @@
 //! | 2 | in which face is a point? | `grid.rs`, `location.rs`, `nearest.rs` |
 //! | 3 | which faces lead from here to there? | `corridor.rs` |
 //! | 4 | what is the shortest way through these faces? | `funnel.rs` |
-//! | 5 | what is the shortest way of all? | `exact/` |
+//! | 5 | what is the shortest way of all? | `exact/`, over larger faces `merged.rs` |
 //! | 6 | which of them are wide enough? how far is everything? | `doors.rs`, `field.rs` |
 //! | 7 | and when walls come and go? | `change.rs`, `live/` |
 //!
@@ -35,9 +35,11 @@ mod funnel;
 mod grid;
 mod live;
 mod location;
+mod merged;
 mod mesh;
 mod nearest;
 mod planner;
+mod rooms;
 mod route;
 mod validate;
 
@@ -47,6 +49,7 @@ pub use field::DistanceField;
 pub use funnel::FunnelStep;
 pub use live::{LiveMesh, ObstacleError, ObstacleId};
 pub use location::{Location, Place, PlaceError};
+pub use merged::MergedFace;
 pub use mesh::{ComponentId, NavMesh, Side};
 pub use nearest::Nearest;
 pub use planner::Planner;

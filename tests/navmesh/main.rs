@@ -7,6 +7,7 @@ mod blocking;
 mod live;
 mod location;
 mod maps;
+mod merged;
 mod oracle;
 mod reach;
 mod routes;
