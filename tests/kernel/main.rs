@@ -8,6 +8,7 @@ mod degenerate;
 mod edits;
 mod flips;
 mod inverses;
+mod kernel_script;
 mod oracles;
 mod refusals;
 mod same;
