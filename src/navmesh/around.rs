@@ -92,20 +92,6 @@ impl NavMesh {
         wedges
     }
 
-    /// The side that starts at the first corner, clockwise, of the wedge to which the corner at the start of side `s`
-    /// belongs. O(faces of the wedge).
-    pub(super) fn first_corner_of_wedge(&self, s: usize) -> usize {
-        let v = self.sides[s].origin & ID;
-        let mut at = s;
-        while self.sides[at].across & CLOSED == 0
-            && let Some(next) = self.side_from(FaceId::new(self.sides[at].across & ID), v)
-            && next != s
-        {
-            at = next;
-        }
-        at
-    }
-
     /// Whether a closed side starts or ends at `v`. O(sides of the faces round v).
     pub(super) fn is_on_border(&self, v: VertexId) -> bool {
         self.faces_around(v).into_iter().any(|f| {

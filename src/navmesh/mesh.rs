@@ -17,6 +17,7 @@
 
 use super::error::NavMeshError;
 use super::grid::{GapEdge, Grid};
+use super::merged::Merged;
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::plane::predicates::{left_to_right, orientation};
 use crate::plane::{Point, Subdivision};
@@ -60,6 +61,18 @@ pub(super) struct FaceRecord {
 
 impl FaceRecord {
     pub(super) const ABSENT: Self = Self { start: 0, len: 0, component: NONE };
+
+    /// A face with sides `start .. end` and no marks.
+    pub(super) fn new(start: usize, end: usize) -> Self {
+        Self { start: start as u32, len: (end - start) as u32, ..Self::ABSENT }
+    }
+
+    /// The indices of the sides.
+    #[inline]
+    pub(super) fn range(&self) -> std::ops::Range<usize> {
+        let start = self.start as usize;
+        start..start + (self.len & !(BLOCKED | PEELED)) as usize
+    }
 }
 
 /// A part of the mesh in which every face can be reached from every other.
@@ -105,6 +118,8 @@ pub struct NavMesh {
     /// How many faces have each component number; 0 for numbers that are free.
     pub(super) component_sizes: Vec<u32>,
     pub(super) grid: Grid,
+    /// Larger faces for the exact search, if they were asked for.
+    pub(super) merged: Option<Merged>,
 }
 
 impl NavMesh {
@@ -139,6 +154,7 @@ impl NavMesh {
             walls: BTreeSet::new(),
             component_sizes: Vec::new(),
             grid: Grid::default(),
+            merged: None,
         };
         for f in map.faces().filter(|&f| f != map.outer_face() && !map.is_hole(f)) {
             mesh.read_face(map, f)?;
@@ -178,12 +194,11 @@ impl NavMesh {
         if self.sides.len() >= MOST {
             return Err(NavMeshError::TooMany);
         }
-        let len = (self.sides.len() - start) as u32;
-        self.faces[f.index()] = FaceRecord { start: start as u32, len, ..FaceRecord::ABSENT };
+        self.faces[f.index()] = FaceRecord::new(start, self.sides.len());
         Ok(())
     }
 
-    /// Bytes of the arrays, the index for location among them.
+    /// Bytes of the arrays, the index for location and the merged faces, if there are any, among them.
     #[must_use]
     pub fn memory(&self) -> usize {
         size_of_val(&*self.points)
@@ -192,6 +207,7 @@ impl NavMesh {
             + size_of_val(&*self.half_edges)
             + size_of_val(&*self.fans)
             + self.grid.memory()
+            + self.merged.as_ref().map_or(0, Merged::memory)
     }
 
     /// Makes the index anew. O(n).
@@ -270,10 +286,7 @@ impl NavMesh {
     /// The indices of the sides of `f`.
     #[inline]
     pub(super) fn range(&self, f: FaceId) -> std::ops::Range<usize> {
-        self.faces.get(f.index()).map_or(0..0, |face| {
-            let start = face.start as usize;
-            start..start + (face.len & !(BLOCKED | PEELED)) as usize
-        })
+        self.faces.get(f.index()).map_or(0..0, FaceRecord::range)
     }
 
     /// The records of the sides of `f`.

@@ -15,7 +15,7 @@
 //! | 2 | in which face is a point? | `grid.rs`, `location.rs`, `nearest.rs` |
 //! | 3 | which faces lead from here to there? | `corridor.rs` |
 //! | 4 | what is the shortest way through these faces? | `funnel.rs` |
-//! | 5 | what is the shortest way of all? | `exact/` |
+//! | 5 | what is the shortest way of all? | `exact/`, over larger faces `merged.rs` |
 //! | 6 | which of them are wide enough? how far is everything? | `inset.rs`, `doors.rs`, `field.rs` |
 //! | 7 | and when walls come and go? | `change.rs`, `live/` |
 //!
@@ -36,9 +36,11 @@ mod grid;
 mod inset;
 mod live;
 mod location;
+mod merged;
 mod mesh;
 mod nearest;
 mod planner;
+mod rooms;
 mod route;
 mod validate;
 
@@ -49,6 +51,7 @@ pub use funnel::FunnelStep;
 pub use inset::{Inset, InsetError};
 pub use live::{LiveMesh, ObstacleError, ObstacleId};
 pub use location::{Location, Place, PlaceError};
+pub use merged::MergedFace;
 pub use mesh::{ComponentId, NavMesh, Side};
 pub use nearest::Nearest;
 pub use planner::Planner;

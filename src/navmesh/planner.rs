@@ -9,6 +9,7 @@
 use super::corridor::{self, Reached};
 use super::exact::Exact;
 use super::funnel::{self, Funnel, Post};
+use super::merged::Merged;
 use super::mesh::{CLOSED, DEAD_END, ID, NONE};
 use super::{DistanceField, NavMesh, Place, Route, RouteError, Rung, Work, doors};
 use crate::ids::{FaceId, FaceMap, HalfEdgeId, VertexId};
@@ -91,7 +92,8 @@ impl Planner {
     /// # Errors
     /// [`RouteError::Apart`] if there is no way.
     pub fn route(&mut self, mesh: &NavMesh, rung: Rung, start: &Place, goal: &Place) -> Result<Route, RouteError> {
-        self.search(mesh, start, goal, |planner| match rung {
+        let merged = mesh.merged.as_ref().filter(|_| rung == Rung::Exact);
+        self.search(mesh, start, goal, merged, |planner| match rung {
             Rung::Breadth => corridor::breadth_first(mesh, &mut planner.scratch),
             Rung::Exact => planner.exact.search(mesh, &mut planner.scratch, start, goal.point),
             metric => {
@@ -121,7 +123,7 @@ impl Planner {
     ) -> Result<Route, RouteError> {
         assert!(costs.len() >= mesh.face_bound(), "{} costs for {} faces", costs.len(), mesh.face_bound());
         let metric = if matches!(rung, Rung::Breadth | Rung::Exact) { Rung::Closest } else { rung };
-        self.search(mesh, start, goal, |planner| {
+        self.search(mesh, start, goal, None, |planner| {
             corridor::a_star(mesh, &mut planner.scratch, metric, Some(costs), |_, _| true, [start.point, goal.point])
         })
     }
@@ -140,7 +142,7 @@ impl Planner {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn distance_field(&mut self, mesh: &NavMesh, start: &Place, limit: f64) -> DistanceField {
-        self.scratch.begin(mesh, start, start);
+        self.scratch.begin(mesh, start, start, mesh.merged.as_ref());
         self.scratch.allow_all();
         let mut field = DistanceField::new(mesh, start, limit);
         self.exact.survey(mesh, &mut self.scratch, start, limit, |v, length| field.see(v, length));
@@ -168,7 +170,7 @@ impl Planner {
     ) -> Result<Route, RouteError> {
         let fits = |face: FaceId, s: usize| doors::fits(mesh, face, s, radius);
         let (from, to) = (start.face, goal.face);
-        let route = self.search(mesh, start, goal, |planner| {
+        let route = self.search(mesh, start, goal, None, |planner| {
             let ends = [start.point, goal.point];
             corridor::a_star(mesh, &mut planner.scratch, Rung::Closest, None, fits, ends)
         });
@@ -184,14 +186,16 @@ impl Planner {
         }
     }
 
+    /// Runs a search over the faces, or over the merged ones.
     fn search(
         &mut self,
         mesh: &NavMesh,
         start: &Place,
         goal: &Place,
+        merged: Option<&Merged>,
         find: impl FnOnce(&mut Self) -> bool,
     ) -> Result<Route, RouteError> {
-        self.scratch.begin(mesh, start, goal);
+        self.scratch.begin(mesh, start, goal, merged);
         let [from, to] = [start.face, goal.face];
         let apart = |start, goal| RouteError::Apart { from, to, start, goal };
         if let [Some(a), Some(b)] = [from, to].map(|f| mesh.component(f))
@@ -199,22 +203,27 @@ impl Planner {
         {
             return Err(apart(a, b));
         }
-        if let Some(&common) = self.scratch.starts.iter().find(|f| self.scratch.goals.contains(f)) {
-            self.scratch.doors.clear();
-            return Ok(self.scratch.finish(mesh, common, start.point, goal.point));
-        }
-        if !find(self) {
+        let common = self.scratch.starts.iter().find(|f| self.scratch.goals.contains(f)).copied();
+        if common.is_none() && !find(self) {
             let [a, b] = [from, to].map(|f| mesh.component(f).unwrap_or(super::ComponentId(NONE)));
             return Err(apart(a, b));
         }
-        let first = self.scratch.doors.last().map_or(from, |&(face, _)| FaceId::new(face));
+        let Scratch { doors, .. } = &mut self.scratch;
+        let mut first = doors.last().map_or(common.unwrap_or(from), |&(face, _)| FaceId::new(face));
+        if let Some(merged) = merged {
+            let last = doors.first().map_or(first, |&(_, side)| merged.behind(side));
+            let ends = [(start, first), (goal, last)].map(|(place, whole)| merged.face_at(mesh, place, whole));
+            merged.refine(mesh, ends, doors);
+            first = ends[0];
+        }
         Ok(self.scratch.finish(mesh, first, start.point, goal.point))
     }
 }
 
 impl Scratch {
-    /// Takes a new number for the query, and lets it into the dead ends of its start and goal.
-    fn begin(&mut self, mesh: &NavMesh, start: &Place, goal: &Place) {
+    /// Takes a new number for the query, and lets it into the dead ends of its start and goal. Starts, goals and dead
+    /// ends are merged faces, if there are any.
+    fn begin(&mut self, mesh: &NavMesh, start: &Place, goal: &Place, merged: Option<&Merged>) {
         self.query = self.query.wrapping_add(1);
         if self.query == 0 {
             self.allowed.clear();
@@ -229,9 +238,16 @@ impl Scratch {
         self.work = Work::default();
         self.starts = mesh.faces_at(start);
         self.goals = mesh.faces_at(goal);
+        let room = |f: FaceId| merged.map_or(f, |merged| merged.whole(f));
         for &f in self.starts.iter().chain(&self.goals) {
             for f in mesh.door_path(f) {
-                self.allowed[f.index()] = self.query;
+                self.allowed[room(f).index()] = self.query;
+            }
+        }
+        if merged.is_some() {
+            for ends in [&mut self.starts, &mut self.goals] {
+                ends.iter_mut().for_each(|f| *f = room(*f));
+                ends.dedup();
             }
         }
     }

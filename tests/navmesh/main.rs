@@ -8,6 +8,7 @@ mod inset;
 mod live;
 mod location;
 mod maps;
+mod merged;
 mod oracle;
 mod reach;
 mod routes;

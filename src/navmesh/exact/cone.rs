@@ -1,45 +1,76 @@
 //! A cone, as the search keeps it and as a figure wants it.
 //!
 //! ```text
-//!     left post  ●══╲════════●  right post      ENDS_LEFT, ENDS_RIGHT: the ray runs through the post itself.
-//!                    ╲      ╱                   BENT_LEFT, BENT_RIGHT: the ray is the continuation of the line from
-//!              left ray    ╱  right ray         the root before to the root; the way may not bend further.
-//!                      ╲  ╱                     AT_POST: the root is one of the posts, and everything behind the
+//!     left post  ●══╲════════●  right post      ENDS: the ray runs through the post itself; the word has the post.
+//!                    ╲      ╱                   BENT: the ray is the continuation of the line from the root before
+//!              left ray    ╱  right ray         to the root; the way may not bend further.
+//!                      ╲  ╱                     At a post: the root is one of the posts, and everything behind the
 //!                      root                     door is in sight.
 //! ```
 
+use super::super::mesh::ID;
+use super::super::rooms::Rooms;
+use super::ray::Ray;
 use crate::ids::FaceId;
 use crate::plane::Point;
 
-/// The ray runs through the post: what is out of sight may be reached by a bend there.
-pub(super) const ENDS_LEFT: u32 = 1;
-pub(super) const ENDS_RIGHT: u32 = 2;
-/// The ray continues the line from `before` to `root`.
-pub(super) const BENT_LEFT: u32 = 4;
-pub(super) const BENT_RIGHT: u32 = 8;
-/// The root is a post.
-pub(super) const AT_POST: u32 = 16;
+/// In `left` and `right`: what is out of sight may be reached by a bend at the post.
+pub(super) const ENDS: u32 = 1 << 31;
+/// In `left` and `right`: the ray continues the line from `before` to `root`.
+pub(super) const BENT: u32 = 1 << 30;
 
-/// The start as a root; all others are numbers of vertices.
-pub(super) const START: u32 = u32::MAX;
+/// The start as a root: greater than all ids of vertices.
+pub(super) const START: u32 = ID;
+/// As the root before: the root is a post of the door.
+pub(super) const AT_POST: u32 = u32::MAX;
 
+/// A cone in 32 bytes.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Node {
     /// The length of the way to the root.
     pub(super) length: f64,
     /// A vertex, or [`START`].
     pub(super) root: u32,
-    /// The root before, for bent rays.
+    /// The root before, for bent rays, or [`AT_POST`].
     pub(super) before: u32,
-    /// A vertex on the left ray, and one on the right; meaningless if it is bent.
+    /// A vertex on the left ray, and one on the right, with marks; meaningless if it is bent.
     pub(super) left: u32,
     pub(super) right: u32,
-    /// The face that is entered, and the side of the face before by which it is.
-    pub(super) face: u32,
+    /// The side by which the room behind is entered, of the room before.
     pub(super) side: u32,
     /// The node it came from.
     pub(super) parent: u32,
-    pub(super) flags: u32,
+}
+
+impl Node {
+    #[inline]
+    pub(super) fn is_at_post(&self) -> bool {
+        self.before == AT_POST
+    }
+
+    /// The point of a vertex or of the start.
+    #[inline]
+    fn point(rooms: &Rooms, start: Point, v: u32) -> Point {
+        if v & ID == START { start } else { rooms.points[(v & ID) as usize] }
+    }
+
+    #[inline]
+    pub(super) fn root(&self, rooms: &Rooms, start: Point) -> Point {
+        Self::point(rooms, start, self.root)
+    }
+
+    /// The left and the right ray, from the root on or from the root before.
+    #[inline]
+    pub(super) fn rays(&self, rooms: &Rooms, start: Point) -> [Ray; 2] {
+        let root = self.root(rooms, start);
+        [self.left, self.right].map(|end| {
+            if end & BENT == 0 {
+                Ray::new(root, Self::point(rooms, start, end))
+            } else {
+                Ray::new(Self::point(rooms, start, self.before), root)
+            }
+        })
+    }
 }
 
 /// A cone that the last exact search looked at, for figures.

@@ -10,7 +10,8 @@
 //!
 //! The cones are taken in the order of the shortest length that a way through them may have. A cone is stored as two
 //! rays, each through two points that were given: what falls on what is decided by exact signs on input points, and
-//! points are constructed for that guess alone. A cone with a single successor passes it on without the queue.
+//! points are constructed for that guess alone. A cone with a single successor passes it on without the queue. The rooms
+//! it runs through are the faces of the mesh, or larger ones that were merged from them.
 //!
 //! It ends: there is a way, for start and goal are in one component, so only cones with shorter guesses are ever
 //! taken, and there are but finitely many taut ways shorter than a given length. No count is limited, and no
@@ -21,6 +22,7 @@
 mod cone;
 mod estimate;
 mod expand;
+mod ray;
 mod search;
 
 pub use cone::Cone;

@@ -1,0 +1,204 @@
+//! Merged faces: convex, made of every face once, and ways over them are the same, told by the faces of the mesh.
+
+use crate::maps::{Map, Random};
+use crate::oracle::{Oracle, sides};
+use crate::routes::{check, ends, is_close, place};
+use dcel_kit::navmesh::{NavMesh, Planner, Rung};
+use dcel_kit::plane::Point;
+use dcel_kit::plane::predicates::{left_to_right, orientation};
+use dcel_kit::{FaceId, VertexId};
+use std::collections::BTreeSet;
+
+fn merged(map: &Map) -> NavMesh {
+    let mut mesh = map.mesh();
+    let count = mesh.merge_faces();
+    assert_eq!(mesh.merged_faces().len(), count);
+    mesh
+}
+
+/// Each merged face is convex, and its border is that of the union of its faces; every free face is in one of them.
+fn check_faces(map: &Map, mesh: &NavMesh, context: &str) {
+    let mut free: BTreeSet<FaceId> = mesh.faces().filter(|&f| mesh.is_walkable(f)).collect();
+    for face in mesh.merged_faces() {
+        let corners: Vec<u32> = face.corners.iter().map(|v| v.number()).collect();
+        let ring = |i: usize| corners[i % corners.len()];
+        for i in 0..corners.len() {
+            let [a, b, c] = [i, i + 1, i + 2].map(|i| map.points[ring(i) as usize]);
+            let straight = || left_to_right(a, b) == left_to_right(b, c);
+            let convex = orientation(a, b, c).is_gt() || (orientation(a, b, c).is_eq() && straight());
+            assert!(convex, "{context}: {face:?} at v{}", ring(i + 1));
+        }
+        let mut border: BTreeSet<[u32; 2]> = BTreeSet::new();
+        for f in &face.faces {
+            assert!(free.remove(f), "{context}: {f} is blocked, or in two merged faces");
+            for [a, b] in sides(map.triangles[f.index() - 1]) {
+                if !border.remove(&[b, a]) {
+                    border.insert([a, b]);
+                }
+            }
+        }
+        let found: BTreeSet<[u32; 2]> = (0..corners.len()).map(|i| [ring(i), ring(i + 1)]).collect();
+        assert_eq!(found, border, "{context}: the border of {face:?}");
+        assert_eq!(found.len(), corners.len(), "{context}: {face:?}");
+    }
+    assert_eq!(free, BTreeSet::new(), "{context}: faces that were left out");
+}
+
+/// The way through the doors of the route, pulled straight, is the route.
+fn check_doors(mesh: &NavMesh, planner: &mut Planner, [start, goal]: [Point; 2], context: &str) {
+    let Ok(route) = planner.route_between(mesh, Rung::Exact, start, goal) else { return };
+    let straight = route.funnel_steps(mesh).pop().expect("a last step");
+    let way: Vec<Point> = straight.way.iter().chain(&straight.left[1..]).copied().collect();
+    let length: f64 = way.windows(2).map(|pair| crate::oracle::distance(pair[0], pair[1])).sum();
+    assert!(is_close(length, route.length), "{context}: {} but by its doors {length}", route.length);
+    let faces: BTreeSet<FaceId> = route.faces.iter().copied().collect();
+    assert_eq!(faces.len(), route.faces.len(), "{context}: a face is entered twice: {:?}", route.faces);
+}
+
+#[test]
+fn merged_faces_are_convex_and_have_every_face_once() {
+    for seed in 0..60 {
+        let map = Map::random(seed, 3 + seed as usize % 8, 0.8, [0.0, 0.4, 0.6][seed as usize % 3]);
+        let mut mesh = map.mesh();
+        let mut random = Random::new(seed + 9000);
+        for _ in 0..seed % 4 {
+            mesh.block(FaceId::new(random.below(map.triangles.len()) as u32 + 1));
+        }
+        assert!(mesh.merged_faces().is_empty(), "none before they are asked for");
+        let free = mesh.faces().filter(|&f| mesh.is_walkable(f)).count();
+        let count = mesh.merge_faces();
+        assert!(count <= free);
+        check_faces(&map, &mesh, &format!("seed {seed}"));
+        let dead_ends = |f: &FaceId| mesh.is_dead_end(*f);
+        for face in mesh.merged_faces() {
+            let dead = face.faces.iter().filter(|f| dead_ends(f)).count();
+            assert!(dead == 0 || dead == face.faces.len(), "seed {seed}: {face:?} mixes dead ends with others");
+        }
+    }
+}
+
+#[test]
+fn ways_over_merged_faces_are_as_short_as_the_visibility_graph_says() {
+    let mut planner = Planner::new();
+    for seed in 0..60 {
+        let jitter = [0.0, 0.6][seed as usize % 2];
+        let map = Map::random(seed, 2 + seed as usize % 4, [0.55, 0.75, 0.95][seed as usize / 2 % 3], jitter);
+        let (mesh, oracle) = (merged(&map), Oracle::all_free(&map));
+        let mut random = Random::new(seed + 3000);
+        for pair in ends(&map, &oracle, &mut random, 8).chunks_exact(2) {
+            let context = format!("seed {seed}");
+            check(&mesh, &mut planner, &oracle, [&pair[0], &pair[1]], &context);
+            check_doors(&mesh, &mut planner, [pair[0].point, pair[1].point], &context);
+        }
+    }
+}
+
+#[test]
+fn merged_faces_give_the_same_answers_with_less_work() {
+    let mut planner = Planner::new();
+    let mut work = [0, 0];
+    for seed in 0..12 {
+        let map = Map::random(seed, 16, 0.85, [0.0, 0.5][seed as usize % 2]);
+        let meshes = [map.mesh(), merged(&map)];
+        let mut random = Random::new(seed + 9500);
+        for _ in 0..12 {
+            let [a, b] = [(); 2].map(|()| map.inside(random.below(map.triangles.len()), &mut random));
+            let [one, other] =
+                meshes.each_ref().map(|mesh| planner.route_between(mesh, Rung::Exact, a, b).map_err(|e| e.to_string()));
+            match (one, other) {
+                (Ok(one), Ok(other)) => {
+                    assert!(is_close(one.length, other.length), "seed {seed}: {a} -> {b}");
+                    work[0] += one.work.expansions;
+                    work[1] += other.work.expansions;
+                    check_doors(&meshes[1], &mut planner, [a, b], &format!("seed {seed}: {a} -> {b}"));
+                }
+                (one, other) => assert_eq!(one.err(), other.err(), "seed {seed}: {a} -> {b}"),
+            }
+        }
+        let start = meshes[0].place(map.inside(0, &mut random)).expect("free");
+        let [one, other] = meshes.each_ref().map(|mesh| planner.distance_field(mesh, &start, 9.0));
+        for v in 0..map.points.len() as u32 {
+            let [x, y] = [&one, &other].map(|field| field.distance(VertexId::new(v)));
+            assert!(x == y || x.zip(y).is_some_and(|(x, y)| is_close(x, y)), "seed {seed}: v{v}: {x:?} but {y:?}");
+        }
+        assert!(other.work.expansions < one.work.expansions, "seed {seed}: {:?} {:?}", other.work, one.work);
+    }
+    assert!(work[1] * 10 <= work[0] * 6, "{} faces were entered instead of {}", work[1], work[0]);
+}
+
+#[test]
+fn a_change_gives_the_merged_faces_up() {
+    let map = Map::random(4, 6, 0.9, 0.4);
+    let (mut mesh, mut planner) = (merged(&map), Planner::new());
+    let bytes = mesh.memory();
+    let mut free = vec![true; map.triangles.len()];
+    let mut random = Random::new(77);
+    for step in 0..12 {
+        let t = random.below(free.len());
+        free[t] = !free[t];
+        let f = FaceId::new(t as u32 + 1);
+        if free[t] {
+            mesh.unblock(f)
+        } else {
+            mesh.block(f)
+        };
+        assert!(mesh.merged_faces().is_empty() && mesh.memory() < bytes);
+        let oracle = Oracle::new(&map, free.clone());
+        for round in 0..2 {
+            for pair in ends(&map, &oracle, &mut random, 2).chunks_exact(2) {
+                check(&mesh, &mut planner, &oracle, [&pair[0], &pair[1]], &format!("step {step}, round {round}"));
+            }
+            mesh.merge_faces();
+        }
+        check_faces(&map, &mesh, &format!("step {step}"));
+    }
+}
+
+#[test]
+fn cones_over_merged_faces_lie_between_faces_of_the_mesh() {
+    let map = Map::random(4, 8, 0.8, 0.5);
+    let (mesh, mut planner) = (merged(&map), Planner::new());
+    let mut random = Random::new(78);
+    let mut count = 0;
+    for _ in 0..20 {
+        let [a, b] = [(); 2].map(|()| map.inside(random.below(map.triangles.len()), &mut random));
+        if planner.route_between(&mesh, Rung::Exact, a, b).is_err() {
+            continue;
+        }
+        for cone in planner.cones(&mesh) {
+            let side = mesh.sides(cone.from).find(|side| side.across == cone.to).expect("neighbours");
+            let [p, q] = [side.from, side.to].map(|v| mesh.point(v));
+            // The part that is seen is on the door, and the root is not behind it.
+            for end in [cone.left, cone.right] {
+                let off = (q.x - p.x) * (end.y - p.y) - (q.y - p.y) * (end.x - p.x);
+                assert!(off.abs() < 1e-12, "{cone:?} is not on {side:?}");
+            }
+            assert!(orientation(p, q, cone.root).is_ge(), "{cone:?} comes from behind {side:?}");
+            count += 1;
+        }
+        // Another mesh has no cones of this search.
+        assert_eq!(planner.cones(&map.mesh()).count(), 0);
+    }
+    assert!(count > 100, "{count}");
+}
+
+/// Across a few faces of an octagon: straight, and the doors between are told.
+#[test]
+fn within_merged_faces_the_way_is_straight_and_its_doors_are_told() {
+    let points: Vec<Point> = (0..8)
+        .map(|i| (std::f64::consts::TAU * f64::from(i) / 8.0).sin_cos())
+        .map(|(sin, cos)| Point::new(cos, sin))
+        .collect();
+    let map = Map { points, triangles: (1..7).map(|i| [0, i, i + 1]).collect() };
+    let (mesh, mut planner, oracle) = (merged(&map), Planner::new(), Oracle::all_free(&map));
+    // Without a round trip all are dead ends but one face, which stays apart.
+    assert_eq!(mesh.merged_faces().len(), 2);
+    let mut random = Random::new(79);
+    for [t, u] in [[0, 5], [5, 0], [2, 3], [1, 1], [4, 1]] {
+        let nodes = [t, u].map(|t| Oracle::inner_node(map.inside(t, &mut random), t));
+        let route =
+            planner.route(&mesh, Rung::Exact, &place(&mesh, &nodes[0]), &place(&mesh, &nodes[1])).expect("one face");
+        assert_eq!(route.doors.len(), t.abs_diff(u), "{route:?}");
+        check(&mesh, &mut planner, &oracle, [&nodes[0], &nodes[1]], "octagon");
+    }
+}
