@@ -70,7 +70,11 @@ fn points_are_located_where_the_file_has_them() {
     );
     assert_eq!(found[0]["nearest"], json!(null), "nothing is moved");
     folder.dcel("navmesh locate rooms.map 1 2 3").fails(2, "3 numbers are no points", "x and y of each point");
-    folder.dcel("navmesh locate rooms.map nan 2").fails(2, "NaN is no coordinate", "finite");
+    folder.dcel("navmesh locate rooms.map 1").fails(2, "1 number is no point", "x and y of each point");
+    for bad in ["nan", "inf", "1,5"] {
+        folder.dcel(&format!("navmesh locate rooms.map {bad} 2")).fails(2, "this is no finite number", "1.5");
+        folder.dcel(&format!("navmesh path rooms.map 1 1 {bad} 2")).fails(2, "this is no finite number", "1.5");
+    }
     // Below the x-axis of a mesh, negative numbers are numbers and no options.
     let text = folder.dcel("navmesh locate corner.mesh 0.5 -1").fine();
     assert!(text.contains("outside; the nearest place is (0.5, 0) in f1"), "{text}");
@@ -158,6 +162,15 @@ fn no_way_is_proven_and_bad_ends_are_refused() {
     let told = folder.dcel("navmesh path rooms.map 10 14 1 1 --json");
     let answer: serde_json::Value = serde_json::from_str(&told.out).expect("JSON");
     assert_eq!((&answer["found"], &answer["apart"]["start_faces"]), (&json!(false), &json!(1)));
+    // At a double corner, and with a face that is elsewhere.
+    folder.dcel("navmesh path rooms.map 18 14 1 1").fails(2, "2 sides meet that nobody passes", "--start-face f25");
+    let chosen = folder.dcel("navmesh path rooms.map 18 14 1 1 --start-face f25");
+    assert_eq!(chosen.code, Some(0), "{chosen:?}");
+    folder.dcel("navmesh path rooms.map 18 14 1 1 --start-face f1").fails(2, "f1 is no free face", "--start-face out");
+    folder.dcel("navmesh path rooms.map 18 14 1 1 --radius 0.2").fails(2, "nearer to a border", "nearest place for it");
+    let here = folder.dcel("navmesh path rooms.map 1 1 1 1 --rung all --json").json();
+    assert!(here["routes"].as_array().is_some_and(|ways| ways.iter().all(|way| way["length"] == 0.0)), "{here}");
+    folder.dcel("navmesh scenario rooms.map .").fails(2, "it is a directory", "give a file in it");
     folder.dcel("navmesh path rooms.map 2.5 2.5 1 1").fails(
         2,
         "rooms.map: the start (2.5, 2.5) is not on the mesh: it is in the hole",

@@ -205,7 +205,11 @@ pub(super) fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
         true => std::io::stdin().lock().read_to_end(&mut bytes),
         false => std::fs::File::open(path).and_then(|mut file| file.read_to_end(&mut bytes)),
     };
-    let refused = |error| Failure::input(format!("{}: cannot be read: {error}", path.display()), "check the name");
-    read.map_err(refused)?;
+    read.map_err(|error| match error.kind() {
+        std::io::ErrorKind::IsADirectory => {
+            Failure::input(format!("{}: cannot be read: it is a directory", path.display()), "give a file in it")
+        }
+        _ => Failure::input(format!("{}: cannot be read: {error}", path.display()), "check the name of the file"),
+    })?;
     Ok(bytes)
 }

@@ -6,11 +6,12 @@ use super::super::picture::Target;
 use super::super::{Answer, Output};
 use super::drawing::{Drawing, save};
 use super::map::{Map, MapArgs};
-use super::tell::{Spot, faces, point, refusal};
+use super::tell::{Spot, faces, number, point, refusal};
 use clap::ValueEnum;
 use dcel_kit::FaceId;
 use dcel_kit::figure::navmesh::Floor;
-use dcel_kit::navmesh::{ComponentId, Inset, Place, PlaceError, Planner, Route, RouteError, Rung};
+use dcel_kit::navmesh::{ComponentId, Inset, Location, Place, PlaceError, Planner, Route, RouteError, Rung};
+use dcel_kit::plane::Point;
 use serde::Serialize;
 use std::io::Write;
 
@@ -36,7 +37,7 @@ pub(super) struct Args {
     #[command(flatten)]
     map: MapArgs,
     /// The start and the goal: x y x y, as the file has them
-    #[arg(value_names = ["X", "Y", "X", "Y"], num_args = 4, required = true, allow_negative_numbers = true)]
+    #[arg(value_names = ["X", "Y", "X", "Y"], num_args = 4, required = true, allow_negative_numbers = true, value_parser = number)]
     ends: Vec<f64>,
     /// How the way is found
     #[arg(long, value_name = "RUNG", default_value = "exact")]
@@ -44,7 +45,7 @@ pub(super) struct Args {
     /// The radius of the agent: its way keeps that far from every border. Corners are rounded by
     /// tangents, so the exact way may be 0.5 % of the arcs too long. Faces, doors and corners are
     /// then those of the map without its margin
-    #[arg(long, value_name = "R")]
+    #[arg(long, value_name = "R", value_parser = number)]
     radius: Option<f64>,
     /// The face to start from, where gaps touch in the start
     #[arg(long, value_name = "f3")]
@@ -143,7 +144,7 @@ struct Row {
 }
 
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    if let Some(radius) = args.radius.filter(|radius| !radius.is_finite() || *radius < 0.0) {
+    if let Some(radius) = args.radius.filter(|radius| *radius < 0.0) {
         return Err(Failure::input(format!("an agent of radius {radius}"), "give a number such as 0.5"));
     }
     if args.draw == Draw::Cones && args.rung != Which::Exact {
@@ -155,9 +156,6 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let [x0, y0, x1, y1] = args.ends[..] else {
         return Err(Failure::input("a way has two ends", "give x y of the start and x y of the goal"));
     };
-    if let Some(bad) = args.ends.iter().find(|x| !x.is_finite()) {
-        return Err(Failure::input(format!("{bad} is no coordinate"), "give finite numbers"));
-    }
     let target = args.drawing.target(args.map.file())?;
     let whole = args.map.open()?;
     let inset = match args.radius.filter(|&radius| radius > 0.0) {
@@ -211,6 +209,11 @@ impl Maps {
         self.ways.as_ref().unwrap_or(&self.whole)
     }
 
+    /// Whether a point is on the mesh of the file.
+    fn is_on_whole(&self, p: Point) -> bool {
+        !matches!(self.whole.mesh.locate(p), Location::Hole(_) | Location::Outer)
+    }
+
     /// Where a way starts or ends.
     fn place(&self, what: &str, coordinates: [f64; 2], face: Option<FaceId>) -> Result<Place, Failure> {
         let map = self.ways();
@@ -220,13 +223,18 @@ impl Maps {
             let nearest = map.mesh.nearest_point(p);
             let nearest = nearest.map(|nearest| (point(map, nearest.place.point), nearest.place.face));
             let help = match (&error, nearest) {
-                (PlaceError::Ambiguous { .. }, _) => format!("choose one of them with --{what}-face"),
+                (PlaceError::Ambiguous { faces, .. }, _) => {
+                    format!("choose one of them, for example with --{what}-face {}", faces[0])
+                }
+                (PlaceError::NotInFace { .. }, Some((_, face))) => {
+                    format!("leave --{what}-face out, or name a face at the point: {face} is the nearest")
+                }
                 (_, Some((at, _))) if self.inset.is_some() => format!("the nearest place for it is {at}"),
                 (_, Some((at, face))) => format!("the nearest place is {at} in {face}"),
                 (_, None) => String::new(),
             };
             let why = match &self.inset {
-                Some(inset) if self.whole.mesh.place(p).is_ok() && !matches!(error, PlaceError::Ambiguous { .. }) => {
+                Some(inset) if matches!(error, PlaceError::OffMesh { .. }) && self.is_on_whole(p) => {
                     format!("{} is nearer to a border than the radius, {}", point(map, p), inset.radius())
                 }
                 _ => refusal(map, &error),

@@ -43,11 +43,8 @@ pub(super) fn clear(
             bends.push(v);
         }
     }
-    // One may stand in the way of another.
-    let mut before = usize::MAX;
-    while bends.len() < before {
-        before = bends.len();
-        bends.retain(|&v| !straighten(map, book, v, &mut faces, rec));
+    for v in bends {
+        straighten(map, book, v, &mut faces, rec);
     }
     book.follow(&rec.changes()[begin..]);
     let convex_from = rec.len();
@@ -123,21 +120,15 @@ fn give_up(
     Ok(!lines.is_empty())
 }
 
-/// Makes one edge of two at a vertex that has no other. Returns whether nothing is in the way of the straight line; if
-/// something is, it belongs to another obstacle, and the vertex goes with that one.
-fn straighten(
-    map: &mut Subdivision,
-    book: &Book,
-    v: VertexId,
-    faces: &mut BTreeSet<FaceId>,
-    rec: &mut Journal,
-) -> bool {
+/// Makes one edge of two at a vertex that has no other. What may be in the way of the straight line belongs to another
+/// obstacle; then the vertex stays, and goes with that one.
+fn straighten(map: &mut Subdivision, book: &Book, v: VertexId, faces: &mut BTreeSet<FaceId>, rec: &mut Journal) {
     let mut at = map.outgoing_half_edges(v);
-    let (Some(a), Some(b)) = (at.next(), at.next()) else { return false };
+    let (Some(a), Some(b)) = (at.next(), at.next()) else { return };
     // The edge that was there first keeps its name.
     let stays = if book.is_first(b.edge()) { b } else { a };
     faces.extend([map.face(stays), map.face(stays.twin())]);
-    map.join_edges_with(stays.twin(), rec).is_ok()
+    let _ = map.join_edges_with(stays.twin(), rec);
 }
 
 /// Whether the faces on both sides of a cut are convex in one piece.

@@ -103,6 +103,12 @@ impl LiveMesh {
         &self.mesh
     }
 
+    /// Makes exact queries quicker until the next obstacle comes or goes: see
+    /// [`merge_faces`](NavMesh::merge_faces).
+    pub fn merge_faces(&mut self) -> usize {
+        self.mesh.merge_faces()
+    }
+
     /// The map as it is now, with the obstacles and the cuts they need.
     #[must_use]
     pub fn map(&self) -> &Subdivision {
