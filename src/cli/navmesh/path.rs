@@ -71,6 +71,8 @@ pub(super) enum Which {
     Midpoint,
     /// A* to the closest point of each door
     Closest,
+    /// A* to where the straight line to the goal meets each door
+    Aimed,
     /// The shortest way of all
     Exact,
     /// All of them, compared
@@ -84,6 +86,7 @@ impl Which {
             Self::Centroid => &[Rung::Centroid],
             Self::Midpoint => &[Rung::Midpoint],
             Self::Closest => &[Rung::Closest],
+            Self::Aimed => &[Rung::Aimed],
             Self::Exact => &[Rung::Exact],
             Self::All => &Rung::ALL,
         }
@@ -223,7 +226,7 @@ fn draw(
             floor.cones(&cones, route, &options("What an exact search sees"))
         }
         (_, [(_, route)]) => floor.route(route, &options("A way")),
-        _ => floor.ladder(routes, &options("Five ways")),
+        _ => floor.ladder(routes, &options("Six ways")),
     };
     save(target, drawn, out)
 }
