@@ -12,8 +12,8 @@
 //! |---|---|---|
 //! | 0 | is it a navmesh at all, and what is wrong? | `validate.rs` |
 //! | 1 | which faces lie across the sides, round a vertex, in one piece? | `mesh.rs`, `around.rs`, `components.rs`, `dead_ends.rs` |
-//! | 2 | in which face is a point? | `grid.rs`, `location.rs`, `nearest.rs` |
-//! | 3 | which faces lead from here to there? | `corridor.rs` |
+//! | 2 | in which face is a point? | `grid.rs`, `coarse.rs`, `location.rs`, `nearest.rs` |
+//! | 3 | which faces lead from here to there? | `waves.rs`, `corridor.rs` |
 //! | 4 | what is the shortest way through these faces? | `funnel.rs` |
 //! | 5 | what is the shortest way of all? | `exact/`, over larger faces `merged.rs` |
 //! | 6 | which of them are wide enough? how far is everything? | `inset.rs`, `doors.rs`, `field.rs` |
@@ -24,6 +24,7 @@
 
 mod around;
 mod change;
+mod coarse;
 mod components;
 mod corridor;
 mod dead_ends;
@@ -43,6 +44,7 @@ mod planner;
 mod rooms;
 mod route;
 mod validate;
+mod waves;
 
 pub use error::NavMeshError;
 pub use exact::Cone;

@@ -30,7 +30,8 @@ pub(super) struct MapArgs {
     /// Turn round faces that run clockwise
     #[arg(long, help_heading = "Reading")]
     orient: bool,
-    /// Cut all faces into triangles; a .map is cut along the borders of its regions
+    /// Cut all faces into triangles without needless slivers (constrained Delaunay); a .map is cut along the
+    /// borders of its regions
     #[arg(long, help_heading = "Reading")]
     triangles: bool,
 }
@@ -163,8 +164,11 @@ impl MapArgs {
             }
         };
         if self.triangles {
+            let given = subdivision.edge_bound();
             let cut = subdivision.triangulate(TriangulationMethod::default());
             cut.map_err(|error| Failure::input(format!("{source}: {error}"), ""))?;
+            // Slivers lead astray whoever goes from door to door.
+            subdivision.make_delaunay(|edge| edge.index() < given);
         }
         let mesh = NavMesh::new(&subdivision).map_err(|error| {
             let what = error.to_string();
