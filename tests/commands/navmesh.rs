@@ -133,7 +133,8 @@ fn wide_agents_keep_off_the_border_or_find_no_way() {
     let told = folder.dcel("navmesh path rooms.map 1 1 22 12 --radius 0.4 --rung all --json").json();
     let routes = told["routes"].as_array().expect("five ways");
     let lengths: Vec<f64> = routes.iter().map(|route| route["length"].as_f64().expect("a length")).collect();
-    assert!(lengths.len() == 5 && lengths.iter().all(|&length| length >= lengths[4] * (1.0 - 1e-9)), "{lengths:?}");
+    let exact = lengths[lengths.len() - 1];
+    assert!(lengths.len() >= 5 && lengths.iter().all(|&length| length >= exact * (1.0 - 1e-9)), "{lengths:?}");
     assert_eq!(told["radius"], 0.4);
     let told = folder.dcel("navmesh path rooms.map 1 1 22 12 --radius 0.4 -o wide.svg");
     assert_eq!(told.code, Some(0), "{told:?}");
