@@ -39,6 +39,10 @@ pub(super) struct Args {
     /// How the way is found
     #[arg(long, value_name = "RUNG", default_value = "exact")]
     rung: Which,
+    /// Look for the exact way over larger faces, merged from those of the map: the same answer with
+    /// less work
+    #[arg(long)]
+    merged: bool,
     /// The radius of the agent: its way leads through doors that are wide enough, and keeps off their
     /// posts; not exact
     #[arg(long, value_name = "R", conflicts_with = "rung")]
@@ -154,7 +158,10 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Err(Failure::input(format!("{bad} is no coordinate"), "give finite numbers"));
     }
     let target = args.drawing.target(args.map.file())?;
-    let map = args.map.open()?;
+    let mut map = args.map.open()?;
+    if args.merged {
+        map.mesh.merge_faces();
+    }
     let start = place(&map, "start", [x0, y0], args.start_face)?;
     let goal = place(&map, "goal", [x1, y1], args.goal_face)?;
     let mut planner = Planner::new();
