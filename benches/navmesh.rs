@@ -4,7 +4,7 @@
 //! caves with rough walls, whose notches are dead ends, and a plain with convex blocks, which has none. If the folder
 //! `../shared/data` is there, it reads the map O15, too. All are cut into constrained Delaunay triangles, as navmeshes
 //! are. On each it locates random points and answers queries by every rung; peer and kit take turns, query by query,
-//! and the least of several rounds counts. The peer searches the same triangles, and its own merged polygons.
+//! and the least of several rounds counts. The peer searches the same triangles, and its own merged polygons; so does the kit.
 
 use dcel_kit::HalfEdgeId;
 use dcel_kit::io::{Grid, Scenario};
@@ -190,9 +190,16 @@ fn locate(mesh: &NavMesh, peer: &polyanya::Mesh, random: &mut Random) -> Vec<Poi
 }
 
 fn routes(mesh: &NavMesh, peers: &[polyanya::Mesh; 2], queries: &[Ends]) {
-    let mut planner = Planner::new();
+    let (mut planner, mut merging) = (Planner::new(), Planner::new());
+    let mut merged = mesh.clone();
+    let count = merged.merge_faces();
+    println!(
+        "  merged by the kit: {count} faces, {:.1} bytes a triangle more",
+        (merged.memory() - mesh.memory()) as f64 / mesh.face_count() as f64
+    );
     const RUNGS: usize = Rung::ALL.len();
-    let mut least = vec![[f64::INFINITY; RUNGS + 2]; queries.len()];
+    // The rungs, the exact one over merged faces, the peers.
+    let mut least = vec![[f64::INFINITY; RUNGS + 3]; queries.len()];
     let mut lengths = vec![[0.0; RUNGS]; queries.len()];
     for _ in 0..ROUNDS {
         for (i, &(start, goal)) in queries.iter().enumerate() {
@@ -200,21 +207,26 @@ fn routes(mesh: &NavMesh, peers: &[polyanya::Mesh; 2], queries: &[Ends]) {
                 let route = timed(&mut least[i][k], || planner.route_between(mesh, rung, start, goal));
                 lengths[i][k] = route.expect("one component").length;
             }
+            // As above, another rung goes before the exact one.
+            black_box(merging.route_between(&merged, Rung::Closest, start, goal).is_ok());
+            let route = timed(&mut least[i][RUNGS], || merging.route_between(&merged, Rung::Exact, start, goal));
+            assert!((route.expect("one component").length / lengths[i][RUNGS - 1] - 1.0).abs() < 1e-9);
             for (k, peer) in peers.iter().enumerate() {
-                timed(&mut least[i][RUNGS + k], || peer.path(vec(start), vec(goal)));
+                timed(&mut least[i][RUNGS + 1 + k], || peer.path(vec(start), vec(goal)));
             }
         }
     }
     let mean = |k: usize| least.iter().map(|times| times[k]).sum::<f64>() * 1e6 / queries.len() as f64;
-    println!("  {} routes; peer {:.0} us, merged {:.0} us", queries.len(), mean(RUNGS), mean(RUNGS + 1));
-    for (k, rung) in Rung::ALL.into_iter().enumerate() {
-        let ratio = lengths.iter().map(|lengths| lengths[k] / lengths[RUNGS - 1]).sum::<f64>() / queries.len() as f64;
+    println!("  {} routes; peer {:.0} us, merged {:.0} us", queries.len(), mean(RUNGS + 1), mean(RUNGS + 2));
+    let rungs = Rung::ALL.into_iter().enumerate().map(|(k, rung)| (k, k, rung.name()));
+    for (k, length, name) in rungs.chain([(RUNGS, RUNGS - 1, "exact, merged")]) {
+        let exact = |lengths: &[f64; RUNGS]| lengths[length] / lengths[RUNGS - 1];
+        let ratio = lengths.iter().map(exact).sum::<f64>() / queries.len() as f64;
         println!(
-            "  {:10} {:8.1} us, share {:.3}, of merged {:.3}, mean length ratio {ratio:.4}",
-            rung.name(),
+            "  {name:13} {:8.1} us, share {:.3}, of merged {:.3}, mean length ratio {ratio:.4}",
             mean(k),
-            mean(k) / mean(RUNGS),
-            mean(k) / mean(RUNGS + 1)
+            mean(k) / mean(RUNGS + 1),
+            mean(k) / mean(RUNGS + 2)
         );
     }
 }
