@@ -33,6 +33,7 @@ use super::text::{Scanner, Syntax};
 use super::write::{Number, WriteError};
 use crate::plane::check_coordinate;
 use crate::topology::PolygonList;
+use std::cmp::Ordering;
 use std::io::Write;
 
 const SYNTAX: Syntax = Syntax { comments: false, continuation: false, quotes: false };
@@ -217,7 +218,7 @@ pub(super) fn write_binary(out: &mut impl Write, polygons: &Polygons) -> Result<
     let singles: Vec<[f64; 3]> = polygons.points.iter().map(|p| p.map(|x| f64::from(x as f32) + 0.0)).collect();
     for (&point, same) in polygons.points.iter().zip(representatives(&singles)) {
         let other = polygons.points[same as usize];
-        if other != point {
+        if other.partial_cmp(&point) != Some(Ordering::Equal) {
             return Err(WriteError::TooClose { points: [other, point] });
         }
     }

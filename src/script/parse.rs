@@ -4,7 +4,7 @@ use super::cursor::{Complaint, Cursor, show};
 use super::edit::EditKind;
 use super::error::{Problem, ScriptError};
 use super::ground::{Call, Ground};
-use super::starts::{OF_THE_KERNEL, OF_THE_PLANE, WORDS};
+use super::starts::{OF_THE_KERNEL, OF_THE_PLANE, WORDS, kernel_start, plane_start};
 use super::syntax::{Action, Base, Kind, Link, Name, Path, Script, Statement};
 use super::words::{Word, lines};
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
@@ -22,7 +22,7 @@ impl Script {
     /// # Errors
     /// [`ScriptError`] names the first word that does not fit, its place, and what is known there.
     pub fn parse(text: &str, source: &str) -> Result<Self, ScriptError> {
-        read(text, source, |first| first.plane_start(), OF_THE_PLANE)
+        read(text, source, plane_start, OF_THE_PLANE)
     }
 }
 
@@ -42,7 +42,7 @@ impl Script<Dcel> {
     /// # Ok::<(), dcel_kit::script::ScriptError>(())
     /// ```
     pub fn parse_kernel(text: &str, source: &str) -> Result<Self, ScriptError> {
-        read(text, source, |first| first.kernel_start(), OF_THE_KERNEL)
+        read(text, source, kernel_start, OF_THE_KERNEL)
     }
 }
 

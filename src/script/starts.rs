@@ -29,23 +29,37 @@ pub fn is_kernel_script(text: &str) -> bool {
     lines(text).next().is_some_and(|line| WORDS[3..].contains(&line.words[0].text))
 }
 
-impl Cursor<'_> {
-    /// The first line of a script of the plane.
-    pub(super) fn plane_start(&mut self) -> Result<Subdivision, Complaint> {
-        let word = self.need("a start", OF_THE_PLANE)?;
-        self.statement = word.text;
-        let built = match word.text {
-            "rectangle" => {
-                self.done()?;
-                return Ok(Subdivision::lab_rectangle());
-            }
-            "polygon" => self.polygon()?,
-            "triangles" => self.triangles()?,
-            other => return Err(self.at(word, Problem::Start { word: show(other), first: true }, OF_THE_PLANE)),
-        };
-        built.map_err(|error| self.at(word, Problem::Convert(error), ""))
-    }
+/// The first line of a script of the plane.
+pub(super) fn plane_start(line: &mut Cursor<'_>) -> Result<Subdivision, Complaint> {
+    let word = line.need("a start", OF_THE_PLANE)?;
+    line.statement = word.text;
+    let built = match word.text {
+        "rectangle" => {
+            line.done()?;
+            return Ok(Subdivision::lab_rectangle());
+        }
+        "polygon" => line.polygon()?,
+        "triangles" => line.triangles()?,
+        other => return Err(line.at(word, Problem::Start { word: show(other), first: true }, OF_THE_PLANE)),
+    };
+    built.map_err(|error| line.at(word, Problem::Convert(error), ""))
+}
 
+/// The first line of a script of the kernel.
+pub(super) fn kernel_start(line: &mut Cursor<'_>) -> Result<Dcel, Complaint> {
+    let word = line.need("a start", OF_THE_KERNEL)?;
+    line.statement = word.text;
+    let start = match word.text {
+        "torus" => KernelStart::Torus,
+        "ring" => KernelStart::Ring(line.count("`ring` takes the number of its corners: ring 5")?),
+        "surface" => line.surface()?,
+        other => return Err(line.at(word, Problem::Start { word: show(other), first: true }, OF_THE_KERNEL)),
+    };
+    line.done()?;
+    start.build().map_err(|error| line.at(word, Problem::KernelStart(error), ""))
+}
+
+impl Cursor<'_> {
     fn polygon(&mut self) -> Result<Result<Subdivision, ConvertError>, Complaint> {
         let help = "`polygon` takes x and y of at least three corners, counter-clockwise";
         let mut corners = Vec::new();
@@ -76,20 +90,6 @@ impl Cursor<'_> {
         }
         let options = ConvertOptions { full_check: true, ..ConvertOptions::default() };
         Ok(Subdivision::convert_triangles(points, &triangles, &options).map(|converted| converted.subdivision))
-    }
-
-    /// The first line of a script of the kernel.
-    pub(super) fn kernel_start(&mut self) -> Result<Dcel, Complaint> {
-        let word = self.need("a start", OF_THE_KERNEL)?;
-        self.statement = word.text;
-        let start = match word.text {
-            "torus" => KernelStart::Torus,
-            "ring" => KernelStart::Ring(self.count("`ring` takes the number of its corners: ring 5")?),
-            "surface" => self.surface()?,
-            other => return Err(self.at(word, Problem::Start { word: show(other), first: true }, OF_THE_KERNEL)),
-        };
-        self.done()?;
-        start.build().map_err(|error| self.at(word, Problem::KernelStart(error), ""))
     }
 
     fn surface(&mut self) -> Result<KernelStart, Complaint> {
