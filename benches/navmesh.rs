@@ -3,7 +3,7 @@
 //! `cargo bench --bench navmesh` makes two maps of more than 30,000 triangles, caves on a grid and a plain with convex
 //! blocks, and, if the folder `../shared/data` is there, reads the map O15. On each it locates random points and
 //! answers queries by every rung; peer and kit take turns, query by query, and the least of several rounds counts.
-//! The peer searches the same triangles, and its own merged polygons.
+//! The peer searches the same triangles, and its own merged polygons; so does the kit.
 
 use dcel_kit::HalfEdgeId;
 use dcel_kit::io::{Grid, Scenario};
@@ -170,8 +170,14 @@ fn locate(mesh: &NavMesh, peer: &polyanya::Mesh, random: &mut Random) -> Vec<Poi
 }
 
 fn routes(mesh: &NavMesh, peers: &[polyanya::Mesh; 2], queries: &[Ends]) {
-    let mut planner = Planner::new();
-    let mut least = vec![[f64::INFINITY; 7]; queries.len()];
+    let (mut planner, mut merging) = (Planner::new(), Planner::new());
+    let mut merged = mesh.clone();
+    let count = merged.merge_faces();
+    println!(
+        "  merged by the kit: {count} faces, {:.1} bytes a triangle more",
+        (merged.memory() - mesh.memory()) as f64 / mesh.face_count() as f64
+    );
+    let mut least = vec![[f64::INFINITY; 8]; queries.len()];
     let mut lengths = vec![[0.0; 5]; queries.len()];
     for _ in 0..ROUNDS {
         for (i, &(start, goal)) in queries.iter().enumerate() {
@@ -179,6 +185,10 @@ fn routes(mesh: &NavMesh, peers: &[polyanya::Mesh; 2], queries: &[Ends]) {
                 let route = timed(&mut least[i][k], || planner.route_between(mesh, rung, start, goal));
                 lengths[i][k] = route.expect("one component").length;
             }
+            // As above, another rung goes before the exact one.
+            black_box(merging.route_between(&merged, Rung::Closest, start, goal).is_ok());
+            let route = timed(&mut least[i][7], || merging.route_between(&merged, Rung::Exact, start, goal));
+            assert!((route.expect("one component").length / lengths[i][4] - 1.0).abs() < 1e-9);
             for (k, peer) in peers.iter().enumerate() {
                 timed(&mut least[i][5 + k], || peer.path(vec(start), vec(goal)));
             }
@@ -186,11 +196,11 @@ fn routes(mesh: &NavMesh, peers: &[polyanya::Mesh; 2], queries: &[Ends]) {
     }
     let mean = |k: usize| least.iter().map(|times| times[k]).sum::<f64>() * 1e6 / queries.len() as f64;
     println!("  {} routes; peer {:.0} us, merged {:.0} us", queries.len(), mean(5), mean(6));
-    for (k, rung) in Rung::ALL.into_iter().enumerate() {
-        let ratio = lengths.iter().map(|lengths| lengths[k] / lengths[4]).sum::<f64>() / queries.len() as f64;
+    let rungs = Rung::ALL.into_iter().enumerate().map(|(k, rung)| (k, k, rung.name()));
+    for (k, length, name) in rungs.chain([(7, 4, "exact, merged")]) {
+        let ratio = lengths.iter().map(|lengths| lengths[length] / lengths[4]).sum::<f64>() / queries.len() as f64;
         println!(
-            "  {:10} {:8.1} us, share {:.3}, of merged {:.3}, mean length ratio {ratio:.4}",
-            rung.name(),
+            "  {name:13} {:8.1} us, share {:.3}, of merged {:.3}, mean length ratio {ratio:.4}",
             mean(k),
             mean(k) / mean(5),
             mean(k) / mean(6)

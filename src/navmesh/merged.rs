@@ -17,20 +17,98 @@
 //!
 //! Source: Hertel and Mehlhorn, *Fast triangulation of simple polygons*, 1983, for taking doors away.
 
-use super::mesh::{CLOSED, DEAD_END, FaceRecord, ID, NONE, SideRecord, turns_left_or_runs_straight};
+use super::mesh::{CLOSED, DEAD_END, ID, NONE, SideRecord, turns_left_or_runs_straight};
+use super::rooms::Rooms;
 use super::{NavMesh, Place};
 use crate::ids::{FaceId, VertexId};
 use crate::plane::Point;
+use std::ops::Range;
 
-/// The merged faces of a mesh, as the exact search takes them.
+/// The merged faces of a mesh, as the exact search takes them. One is named by the index of its first side.
 #[derive(Clone, Debug)]
 pub(super) struct Merged {
-    pub(super) faces: Vec<FaceRecord>,
-    pub(super) sides: Vec<SideRecord>,
+    /// In the order of a curve that fills the plane, so that what is near is near in memory.
+    sides: Vec<WideSide>,
     /// For each of these sides which one of the mesh it is.
-    origins: Vec<u32>,
+    originals: Vec<u32>,
     /// For each face of the mesh the merged one that has it; [`NONE`] for those nobody may enter.
     wholes: Vec<u32>,
+}
+
+/// A side in 32 bytes: what there is to know about a room lies in one piece, and the next one is one step away.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct WideSide {
+    /// Where it starts.
+    at: Point,
+    /// The vertex it starts from, with its marks.
+    origin: u32,
+    /// The same side of the merged face behind it, with the marks of an `across`.
+    twin: u32,
+    /// The sides of its own face.
+    start: u32,
+    end: u32,
+}
+
+impl WideSide {
+    #[inline]
+    fn range(&self) -> Range<usize> {
+        self.start as usize..self.end as usize
+    }
+}
+
+/// The merged faces and the points of the mesh, to search through. A door is the side of the face behind it.
+pub(super) struct MergedRooms<'a> {
+    sides: &'a [WideSide],
+    points: &'a [Point],
+}
+
+impl Rooms for MergedRooms<'_> {
+    #[inline]
+    fn origin(&self, s: usize) -> u32 {
+        self.sides[s].origin
+    }
+
+    #[inline]
+    fn marks(&self, s: usize) -> u32 {
+        self.sides[s].twin
+    }
+
+    #[inline]
+    fn place(&self, s: usize) -> Point {
+        self.sides[s].at
+    }
+
+    #[inline]
+    fn point(&self, v: u32) -> Point {
+        self.points[v as usize]
+    }
+
+    #[inline]
+    fn door(&self, s: usize) -> u32 {
+        self.sides[s].twin & ID
+    }
+
+    #[inline]
+    fn side(&self, door: u32) -> usize {
+        (self.sides[door as usize].twin & ID) as usize
+    }
+
+    #[inline]
+    fn behind(&self, door: u32) -> u32 {
+        self.sides[door as usize].start
+    }
+
+    #[inline]
+    fn enter(&self, door: u32) -> (Range<usize>, usize) {
+        let range = self.sides[door as usize].range();
+        let first = self.next(&range, door as usize);
+        (range, first)
+    }
+
+    #[inline]
+    fn range(&self, room: u32) -> Range<usize> {
+        self.sides[room as usize].range()
+    }
 }
 
 /// A convex face that was put together.
@@ -51,7 +129,7 @@ impl NavMesh {
     /// Worth it from a handful of queries on. The merged faces are given up when a face is blocked or freed, or a
     /// wall or an obstacle comes or goes; call this again when things have come to rest.
     ///
-    /// Cost: O(n log n); about 30 bytes a triangle.
+    /// Cost: O(n log n); about 70 bytes a triangle.
     ///
     /// ```
     /// use dcel_kit::navmesh::{NavMesh, Planner, Rung};
@@ -65,7 +143,7 @@ impl NavMesh {
     /// ```
     pub fn merge_faces(&mut self) -> usize {
         let merged = Merged::new(self);
-        let count = merged.faces.len();
+        let count = merged.faces().count();
         self.merged = Some(merged);
         count
     }
@@ -75,16 +153,16 @@ impl NavMesh {
     #[must_use]
     pub fn merged_faces(&self) -> Vec<MergedFace> {
         let Some(merged) = &self.merged else { return Vec::new() };
-        let corners =
-            |face: &FaceRecord| merged.sides[face.range()].iter().map(|side| VertexId::new(side.origin & ID)).collect();
-        let mut faces: Vec<MergedFace> =
-            merged.faces.iter().map(|face| MergedFace { corners: corners(face), faces: Vec::new() }).collect();
-        for (f, &whole) in (0..).zip(&merged.wholes) {
-            if let Some(face) = faces.get_mut(whole as usize) {
-                face.faces.push(FaceId::new(f));
-            }
+        let mut members: Vec<Vec<FaceId>> = vec![Vec::new(); merged.sides.len()];
+        for (f, &whole) in (0..).zip(&merged.wholes).filter(|&(_, &whole)| whole != NONE) {
+            members[whole as usize].push(FaceId::new(f));
         }
-        faces
+        let corner = |side: &WideSide| VertexId::new(side.origin & ID);
+        let face = |range: Range<usize>| {
+            let faces = std::mem::take(&mut members[range.start]);
+            MergedFace { corners: merged.sides[range].iter().map(corner).collect(), faces }
+        };
+        merged.faces().map(face).collect()
     }
 }
 
@@ -103,15 +181,37 @@ impl Merged {
         FaceId::new(self.wholes[f.index()])
     }
 
+    /// To search through.
+    pub(super) fn rooms<'a>(&'a self, mesh: &'a NavMesh) -> MergedRooms<'a> {
+        MergedRooms { sides: &self.sides, points: &mesh.points }
+    }
+
+    /// The sides of the merged faces, one after the other.
+    fn faces(&self) -> impl Iterator<Item = Range<usize>> {
+        let after = |start: usize| self.sides.get(start).map(WideSide::range);
+        std::iter::successors(after(0), move |range| after(range.end))
+    }
+
+    /// More than the names of all merged faces.
+    pub(super) fn bound(&self) -> usize {
+        self.sides.len()
+    }
+
     /// The side of the mesh that a side of a merged face is.
-    #[inline]
-    pub(super) fn origin(&self, side: u32) -> u32 {
-        self.origins[side as usize]
+    pub(super) fn original(&self, side: u32) -> u32 {
+        self.originals[side as usize]
+    }
+
+    /// The posts of a side of a merged face, the right one first.
+    pub(super) fn ends(&self, side: u32) -> [VertexId; 2] {
+        let WideSide { start, end, .. } = self.sides[side as usize];
+        let next = if side + 1 == end { start } else { side + 1 };
+        [side, next].map(|s| VertexId::new(self.sides[s as usize].origin & ID))
     }
 
     /// The merged face behind a side of another.
-    pub(super) fn behind(&self, side: u32) -> FaceId {
-        FaceId::new(self.sides[side as usize].across & ID)
+    pub(super) fn beyond(&self, side: u32) -> FaceId {
+        FaceId::new(self.sides[(self.sides[side as usize].twin & ID) as usize].start)
     }
 
     /// The face of the merged one `whole` in which one stands at the place.
@@ -123,21 +223,22 @@ impl Merged {
     }
 
     pub(super) fn memory(&self) -> usize {
-        size_of_val(&*self.faces) + size_of_val(&*self.sides) + size_of_val(&*self.origins) + size_of_val(&*self.wholes)
+        size_of_val(&*self.sides) + size_of_val(&*self.originals) + size_of_val(&*self.wholes)
     }
 
     /// Makes of a row of doors of merged faces one of doors of the mesh, from a face in the first to a face in the
-    /// last of them. Both rows run from the goal to the start. O(sides of the merged faces on the way).
+    /// last of them. Both rows run from the goal to the start. O(k^2) for each merged face of k sides on the way.
     pub(super) fn refine(&self, mesh: &NavMesh, [start, goal]: [FaceId; 2], doors: &mut Vec<(u32, u32)>) {
         let mut row = Vec::with_capacity(2 * doors.len());
+        let mut stack = Vec::new();
         let mut at = start;
         for &(_, side) in doors.iter().rev() {
-            let side = self.origin(side);
-            at = self.walk(mesh, at, |f| mesh.range(f).contains(&(side as usize)), &mut row);
+            let side = self.original(side);
+            at = self.walk(mesh, at, |f| mesh.range(f).contains(&(side as usize)), &mut row, &mut stack);
             row.push((at.number(), side));
             at = FaceId::new(mesh.sides[side as usize].across & ID);
         }
-        self.walk(mesh, at, |f| f == goal, &mut row);
+        self.walk(mesh, at, |f| f == goal, &mut row, &mut stack);
         row.reverse();
         *doors = row;
     }
@@ -150,17 +251,21 @@ impl Merged {
         from: FaceId,
         is_there: impl Fn(FaceId) -> bool,
         row: &mut Vec<(u32, u32)>,
+        untried: &mut Vec<Range<usize>>,
     ) -> FaceId {
         let (first, whole) = (row.len(), self.whole(from));
-        let borders = &self.origins[self.faces[whole.index()].range()];
-        // The sides of the face on top that have not been tried yet; those below are on the path.
-        let mut untried = vec![mesh.range(from)];
+        let borders = &self.originals[self.sides[whole.index()].range()];
+        // For each face on the path the sides that have not been tried yet.
+        untried.clear();
+        untried.push(mesh.range(from));
         let mut at = from;
         while !is_there(at) {
             let before = row[first..].last().map_or(NONE, |&(face, _)| face);
             let leads_on = |s: usize| {
                 let across = mesh.sides[s].across;
-                across & CLOSED == 0 && across & ID != before && !borders.contains(&(s as u32))
+                let next = across & ID;
+                let is_inside = || self.wholes[next as usize] == whole.number() && !borders.contains(&(s as u32));
+                across & CLOSED == 0 && next != before && is_inside()
             };
             if let Some(s) = untried.last_mut().and_then(|sides| sides.find(|&s| leads_on(s))) {
                 row.push((at.number(), s as u32));
@@ -187,6 +292,8 @@ struct Rings<'a> {
     prev: Vec<u32>,
     /// The face on the left of each side.
     owner: Vec<u32>,
+    /// The same side of the face behind it; [`NONE`] if it is closed.
+    twin: Vec<u32>,
     /// For each face one of the faces it was joined to; itself for one of each merged face.
     joined: Vec<u32>,
 }
@@ -196,7 +303,8 @@ impl<'a> Rings<'a> {
     fn new(mesh: &'a NavMesh) -> Self {
         let none = vec![NONE; mesh.sides.len()];
         let joined = (0..mesh.faces.len() as u32).collect();
-        let mut rings = Self { mesh, next: none.clone(), prev: none.clone(), owner: none, joined };
+        let [next, prev, owner, twin] = [(); 4].map(|()| none.clone());
+        let mut rings = Self { mesh, next, prev, owner, twin, joined };
         for f in mesh.faces().filter(|&f| mesh.is_walkable(f)) {
             let range = mesh.range(f);
             for s in range.clone() {
@@ -204,7 +312,17 @@ impl<'a> Rings<'a> {
                 rings.link(s, if s + 1 == range.end { range.start } else { s + 1 });
             }
         }
+        rings.find_twins();
         rings
+    }
+
+    fn find_twins(&mut self) {
+        let bound = self.mesh.half_edges.iter().map(|h| h.index() + 1).max().unwrap_or(0);
+        let mut side_of = vec![NONE; bound + 1];
+        let open = |s: usize| self.owner[s] != NONE && self.mesh.sides[s].across & CLOSED == 0;
+        let sides = || self.mesh.half_edges.iter().enumerate().filter(|&(s, _)| open(s));
+        sides().for_each(|(s, h)| side_of[h.index()] = s as u32);
+        sides().for_each(|(s, h)| self.twin[s] = side_of[h.twin().index()]);
     }
 
     fn link(&mut self, s: usize, next: usize) {
@@ -214,21 +332,13 @@ impl<'a> Rings<'a> {
 
     /// The doors that may be taken away, each with its two sides, the longest first.
     fn doors(&self) -> Vec<[u32; 2]> {
-        let Self { mesh, owner, .. } = self;
-        let bound = mesh.half_edges.iter().map(|h| h.index() + 1).max().unwrap_or(0);
-        let mut side_of = vec![NONE; bound + 1];
-        for (s, h) in mesh.half_edges.iter().enumerate().filter(|&(s, _)| owner[s] != NONE) {
-            side_of[h.index()] = s as u32;
-        }
         let mut doors: Vec<(f64, [u32; 2])> = Vec::new();
-        for (s, h) in mesh.half_edges.iter().enumerate().filter(|&(s, _)| owner[s] != NONE) {
-            let across = mesh.sides[s].across;
-            let twin = side_of[h.twin().index()];
-            let alike = || mesh.is_peeled(owner[s]) == mesh.is_peeled(across & ID);
-            if across & CLOSED == 0 && twin != NONE && h.index() & 1 == 0 && alike() {
-                let [a, b] = [s, twin as usize].map(|s| self.origin(s));
+        for (s, &t) in (0..).zip(&self.twin) {
+            let is_dead_end = |s: u32| self.mesh.is_peeled(self.owner[s as usize]);
+            if t != NONE && s < t && is_dead_end(s) == is_dead_end(t) {
+                let [a, b] = [s, t].map(|s| self.origin(s as usize));
                 let [x, y] = [b.x - a.x, b.y - a.y];
-                doors.push((x * x + y * y, [s as u32, twin]));
+                doors.push((x * x + y * y, [s, t]));
             }
         }
         doors.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
@@ -274,44 +384,67 @@ impl<'a> Rings<'a> {
         at
     }
 
-    /// Writes the rings down one after the other, in the order of their first faces.
+    /// Writes the rings down one after the other, in the order of a curve.
     fn collect(mut self) -> Merged {
         let mesh = self.mesh;
-        let mut merged =
-            Merged { faces: Vec::new(), sides: Vec::new(), origins: Vec::new(), wholes: vec![NONE; mesh.faces.len()] };
-        for f in mesh.faces().filter(|&f| mesh.is_walkable(f)) {
-            let root = self.root(f.number()) as usize;
-            for first in mesh.range(f) {
-                let start = merged.origins.len();
-                let mut s = first;
-                while self.next[s] != NONE {
-                    merged.origins.push(s as u32);
-                    s = std::mem::replace(&mut self.next[s], NONE) as usize;
-                }
-                if merged.origins.len() > start {
-                    merged.wholes[root] = merged.faces.len() as u32;
-                    merged.faces.push(FaceRecord::new(start, merged.origins.len()));
-                }
+        let free = || mesh.faces().filter(|&f| mesh.is_walkable(f));
+        let mut wholes = vec![NONE; mesh.faces.len()];
+        let mut firsts: Vec<(u64, u32)> = Vec::new();
+        let curve = Curve::over(mesh);
+        for s in free().flat_map(|f| mesh.range(f)) {
+            if self.next[s] == NONE {
+                continue;
+            }
+            let root = self.root(self.owner[s]) as usize;
+            if std::mem::replace(&mut wholes[root], 0) == NONE {
+                firsts.push((curve.key(self.origin(s)), s as u32));
             }
         }
-        for f in mesh.faces().filter(|&f| mesh.is_walkable(f)) {
-            merged.wholes[f.index()] = merged.wholes[self.root(f.number()) as usize];
+        firsts.sort_unstable();
+        let mut originals: Vec<u32> = Vec::new();
+        let mut ranges: Vec<Range<u32>> = Vec::new();
+        let mut placed = vec![NONE; self.next.len()];
+        for &(_, first) in &firsts {
+            let start = originals.len() as u32;
+            let ring = std::iter::successors(Some(first), |&s| Some(self.next[s as usize]).filter(|&s| s != first));
+            originals.extend(ring);
+            let range = start..originals.len() as u32;
+            range.clone().for_each(|i| placed[originals[i as usize] as usize] = i);
+            wholes[self.root(self.owner[first as usize]) as usize] = start;
+            ranges.push(range);
         }
-        merged.sides = merged.origins.iter().map(|&s| merged.renumbered(mesh.sides[s as usize])).collect();
-        merged.faces.shrink_to_fit();
-        merged.origins.shrink_to_fit();
-        merged
+        for f in free() {
+            wholes[f.index()] = wholes[self.root(f.number()) as usize];
+        }
+        originals.shrink_to_fit();
+        let side = |range: &Range<u32>, i: u32| {
+            let s = originals[i as usize] as usize;
+            let SideRecord { origin, across } = mesh.sides[s];
+            let twin = if self.twin[s] == NONE { CLOSED } else { placed[self.twin[s] as usize] | across & DEAD_END };
+            WideSide { at: self.origin(s), origin, twin, start: range.start, end: range.end }
+        };
+        let mut sides = Vec::with_capacity(originals.len());
+        ranges.iter().for_each(|range| sides.extend(range.clone().map(|i| side(range, i))));
+        Merged { sides, originals, wholes }
     }
 }
 
-impl Merged {
-    /// The record of a side with the merged face behind it.
-    fn renumbered(&self, side: SideRecord) -> SideRecord {
-        let across = if side.across & CLOSED == 0 {
-            self.wholes[(side.across & ID) as usize] | side.across & DEAD_END
-        } else {
-            CLOSED
-        };
-        SideRecord { across, ..side }
+/// A curve that fills the plane: the bits of both coordinates, in turns.
+struct Curve {
+    low: Point,
+    scale: f64,
+}
+
+impl Curve {
+    fn over(mesh: &NavMesh) -> Self {
+        let corners = || mesh.faces().flat_map(|f| mesh.corners(f)).map(|v| mesh.point(v));
+        let low = corners().fold([f64::INFINITY; 2], |low, p| [low[0].min(p.x), low[1].min(p.y)]);
+        let size = corners().map(|p| (p.x - low[0]).max(p.y - low[1])).fold(0.0, f64::max);
+        Self { low: low.into(), scale: f64::from(1 << 15) / size }
+    }
+
+    fn key(&self, p: Point) -> u64 {
+        let spread = |x: f64| (0..16).fold(0, |key, bit| key | ((x as u64 >> bit & 1) << (2 * bit)));
+        spread((p.x - self.low.x) * self.scale) | spread((p.y - self.low.y) * self.scale) << 1
     }
 }

@@ -208,15 +208,15 @@ impl Planner {
             let [a, b] = [from, to].map(|f| mesh.component(f).unwrap_or(super::ComponentId(NONE)));
             return Err(apart(a, b));
         }
-        let Scratch { doors, .. } = &mut self.scratch;
-        let mut first = doors.last().map_or(common.unwrap_or(from), |&(face, _)| FaceId::new(face));
-        if let Some(merged) = merged {
-            let last = doors.first().map_or(first, |&(_, side)| merged.behind(side));
-            let ends = [(start, first), (goal, last)].map(|(place, whole)| merged.face_at(mesh, place, whole));
-            merged.refine(mesh, ends, doors);
-            first = ends[0];
-        }
-        Ok(self.scratch.finish(mesh, first, start.point, goal.point))
+        let doors = &self.scratch.doors;
+        let first = doors.last().map_or(common.unwrap_or(from), |&(face, _)| FaceId::new(face));
+        let way = self.scratch.pull(mesh, merged, [start.point, goal.point]);
+        let Some(merged) = merged else { return Ok(self.scratch.finish(mesh, first, way)) };
+        let doors = &mut self.scratch.doors;
+        let last = doors.first().map_or(first, |&(_, side)| merged.beyond(side));
+        let ends = [(start, first), (goal, last)].map(|(place, whole)| merged.face_at(mesh, place, whole));
+        merged.refine(mesh, ends, doors);
+        Ok(self.scratch.finish(mesh, ends[0], way))
     }
 }
 
@@ -231,8 +231,8 @@ impl Scratch {
             self.seen.clear();
             self.query = 1;
         }
-        let bound = mesh.face_bound().max(self.allowed.len());
-        self.allowed.resize(bound, 0);
+        let bound = merged.map_or(mesh.face_bound(), Merged::bound);
+        self.allowed.resize(bound.max(self.allowed.len()), 0);
         self.queue.clear();
         self.doors.clear();
         self.work = Work::default();
@@ -260,28 +260,45 @@ impl Scratch {
     /// Whether a search may cross a side with this word: it is open, and no useless dead end lies behind.
     #[inline]
     pub(super) fn may_cross(&self, across: u32) -> bool {
-        across & (CLOSED | DEAD_END) == 0
-            || (across & CLOSED == 0 && self.allowed[(across & ID) as usize] == self.query)
+        across & (CLOSED | DEAD_END) == 0 || (across & CLOSED == 0 && self.is_allowed(across & ID))
     }
 
-    /// Pulls the way straight through the doors that were found.
-    fn finish(&mut self, mesh: &NavMesh, first: FaceId, start: Point, goal: Point) -> Route {
-        let mut faces = Vec::with_capacity(self.doors.len() + 1);
-        let mut doors: Vec<HalfEdgeId> = Vec::with_capacity(self.doors.len());
-        faces.push(first);
+    /// Whether a dead end is no useless one.
+    #[inline]
+    pub(super) fn is_allowed(&self, dead_end: u32) -> bool {
+        self.allowed[dead_end as usize] == self.query
+    }
+
+    /// Pulls the way straight through the doors that were found: its points, and the vertices it bends at.
+    fn pull(
+        &mut self,
+        mesh: &NavMesh,
+        merged: Option<&Merged>,
+        [start, goal]: [Point; 2],
+    ) -> (Vec<Point>, Vec<VertexId>) {
         self.funnel.start(Post::free(start));
         for &(face, side) in self.doors.iter().rev() {
-            let [right, left] = mesh.ends(FaceId::new(face), side as usize);
+            let face = FaceId::new(face);
+            let [right, left] = merged.map_or_else(|| mesh.ends(face, side as usize), |merged| merged.ends(side));
             self.funnel.pass(Post::at(mesh, left), Post::at(mesh, right));
-            doors.push(mesh.half_edges[side as usize]);
-            faces.push(FaceId::new(mesh.sides[side as usize].across & ID));
         }
         let way = self.funnel.finish(Post::free(goal));
         // A bend at the start or the goal itself is none.
         let bends = way.iter().filter(|post| post.vertex != NONE && post.point != start && post.point != goal);
         let corners: Vec<VertexId> = bends.map(|post| VertexId::new(post.vertex)).collect();
         let bends = corners.iter().map(|&v| mesh.point(v));
-        let points: Vec<Point> = std::iter::once(start).chain(bends).chain([goal]).collect();
+        (std::iter::once(start).chain(bends).chain([goal]).collect(), corners)
+    }
+
+    /// The route along the way, through the doors of the mesh.
+    fn finish(&self, mesh: &NavMesh, first: FaceId, (points, corners): (Vec<Point>, Vec<VertexId>)) -> Route {
+        let mut faces = Vec::with_capacity(self.doors.len() + 1);
+        let mut doors: Vec<HalfEdgeId> = Vec::with_capacity(self.doors.len());
+        faces.push(first);
+        for &(_, side) in self.doors.iter().rev() {
+            doors.push(mesh.half_edges[side as usize]);
+            faces.push(FaceId::new(mesh.sides[side as usize].across & ID));
+        }
         Route { faces, doors, length: funnel::length(&points), points, corners, work: self.work }
     }
 }

@@ -1,58 +1,111 @@
 //! What the exact search runs through: the faces of the mesh, or the merged ones.
 //!
-//! Both are convex faces in flat arrays with the marks of `mesh.rs`; ids of vertices and places in the list of points
-//! are the same.
+//! Both are convex faces with the marks of `mesh.rs`, and the same vertices; the records differ. What is written for
+//! rooms is compiled for each of them.
 
 use super::NavMesh;
-use super::mesh::{CLOSED, FaceRecord, ID, SideRecord};
+use super::mesh::{CLOSED, ID, SideRecord};
 use crate::plane::Point;
 use std::ops::Range;
 
-/// The arrays of a search.
-#[derive(Clone, Copy)]
-pub(super) struct Rooms<'a> {
-    pub(super) points: &'a [Point],
-    pub(super) faces: &'a [FaceRecord],
-    pub(super) sides: &'a [SideRecord],
-}
+/// Convex faces in flat arrays. Side s runs from corner s to the next one of its room.
+pub(super) trait Rooms {
+    /// The vertex that side `s` starts from, with its marks.
+    fn origin(&self, s: usize) -> u32;
 
-impl<'a> Rooms<'a> {
-    /// The merged faces, if there are any, else the faces themselves.
-    pub(super) fn of(mesh: &'a NavMesh) -> Self {
-        let own = (&*mesh.faces, &*mesh.sides);
-        let (faces, sides) = mesh.merged.as_ref().map_or(own, |merged| (&*merged.faces, &*merged.sides));
-        Self { points: &mesh.points, faces, sides }
-    }
+    /// Whether side `s` is closed, or leads into a dead end, by the marks.
+    fn marks(&self, s: usize) -> u32;
+
+    /// Where side `s` starts.
+    fn place(&self, s: usize) -> Point;
+
+    /// Where a vertex is.
+    fn point(&self, v: u32) -> Point;
+
+    /// What a cone keeps of the side `s` that it crosses.
+    fn door(&self, s: usize) -> u32;
+
+    /// The side that a door is, as seen from the room before.
+    fn side(&self, door: u32) -> usize;
+
+    /// The room behind a door.
+    fn behind(&self, door: u32) -> u32;
+
+    /// The indices of the sides of the room behind a door, and among them the one that starts at its right post.
+    fn enter(&self, door: u32) -> (Range<usize>, usize);
 
     /// The indices of the sides of a room.
-    #[inline]
-    pub(super) fn range(&self, room: u32) -> Range<usize> {
-        self.faces[room as usize].range()
-    }
+    fn range(&self, room: u32) -> Range<usize>;
 
-    /// The vertex at which side `s`, one of `range`, ends; without marks.
+    /// The side after `s`, one of `range`.
     #[inline]
-    pub(super) fn end(&self, range: &Range<usize>, s: usize) -> u32 {
-        self.sides[if s + 1 == range.end { range.start } else { s + 1 }].origin & ID
-    }
-
-    /// The side of a room that starts at `v`. O(sides of the room).
-    #[inline]
-    pub(super) fn side_from(&self, room: u32, v: u32) -> Option<usize> {
-        self.range(room).find(|&s| self.sides[s].origin & ID == v)
+    fn next(&self, range: &Range<usize>, s: usize) -> usize {
+        if s + 1 == range.end { range.start } else { s + 1 }
     }
 
     /// The side that starts at the first corner, clockwise, of the wedge to which the corner at the start of side `s`
     /// belongs. O(sides of the rooms of the wedge).
-    pub(super) fn first_corner_of_wedge(&self, s: usize) -> usize {
-        let v = self.sides[s].origin & ID;
+    fn first_corner_of_wedge(&self, s: usize) -> usize {
         let mut at = s;
-        while self.sides[at].across & CLOSED == 0
-            && let Some(next) = self.side_from(self.sides[at].across & ID, v)
-            && next != s
-        {
+        while self.marks(at) & CLOSED == 0 {
+            // Where the side starts is its right post, seen from its room.
+            let (_, next) = self.enter(self.door(at));
+            if next == s {
+                break;
+            }
             at = next;
         }
         at
+    }
+}
+
+impl Rooms for NavMesh {
+    #[inline]
+    fn origin(&self, s: usize) -> u32 {
+        self.sides[s].origin
+    }
+
+    #[inline]
+    fn marks(&self, s: usize) -> u32 {
+        self.sides[s].across
+    }
+
+    #[inline]
+    fn place(&self, s: usize) -> Point {
+        self.points[(self.sides[s].origin & ID) as usize]
+    }
+
+    #[inline]
+    fn point(&self, v: u32) -> Point {
+        self.points[v as usize]
+    }
+
+    #[inline]
+    fn door(&self, s: usize) -> u32 {
+        s as u32
+    }
+
+    #[inline]
+    fn side(&self, door: u32) -> usize {
+        door as usize
+    }
+
+    #[inline]
+    fn behind(&self, door: u32) -> u32 {
+        self.sides[door as usize].across & ID
+    }
+
+    #[inline]
+    fn enter(&self, door: u32) -> (Range<usize>, usize) {
+        let SideRecord { origin, across } = self.sides[door as usize];
+        let range = self.faces[(across & ID) as usize].range();
+        let first = self.sides[range.clone()].iter().position(|side| (side.origin ^ origin) & ID == 0);
+        let first = range.start + first.unwrap_or(0);
+        (range, first)
+    }
+
+    #[inline]
+    fn range(&self, room: u32) -> Range<usize> {
+        self.faces[room as usize].range()
     }
 }

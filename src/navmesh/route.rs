@@ -23,7 +23,7 @@ pub enum Rung {
     Midpoint,
     /// A* from each door to the closest point on the next.
     Closest,
-    /// The shortest way of all.
+    /// The shortest way of all; quicker over merged faces, see [`merge_faces`](NavMesh::merge_faces).
     Exact,
 }
 

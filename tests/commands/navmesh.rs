@@ -192,10 +192,16 @@ fn no_way_is_proven_and_bad_ends_are_refused() {
 #[test]
 fn scenarios_are_counted_and_failures_named() {
     let folder = folder();
-    for more in ["", " --triangles"] {
+    for more in ["", " --triangles", " --merged", " --triangles --merged"] {
         let text = folder.dcel(&format!("navmesh scenario rooms.map rooms.scen{more}")).fine();
         assert!(text.ends_with("\n24 of 24 optimal\n"), "{text}");
     }
+    let entered = ["", " --merged"].map(|more| {
+        let told = folder.dcel(&format!("navmesh scenario rooms.map rooms.scen --triangles --json{more}")).fine();
+        let report: serde_json::Value = serde_json::from_str(&told).expect("JSON");
+        report["expansions"].as_u64().expect("a number")
+    });
+    assert!(entered[1] * 2 < entered[0], "merged faces save less than half: {entered:?}");
     let wrong = include_str!("../../figures/data/rooms.scen").replacen("34.257796844", "34.257796944", 1);
     folder.write("wrong.scen", &wrong);
     let told = folder.dcel("navmesh scenario rooms.map wrong.scen");

@@ -42,6 +42,10 @@ pub(super) struct Args {
     /// How the way is found
     #[arg(long, value_name = "RUNG", default_value = "exact")]
     rung: Which,
+    /// Look for the exact way over larger faces, merged from those of the map: the same answer with
+    /// less work
+    #[arg(long)]
+    merged: bool,
     /// The radius of the agent: its way keeps that far from every border. Corners are rounded by
     /// tangents, so the exact way may be 0.5 % of the arcs too long. Faces, doors and corners are
     /// then those of the map without its margin
@@ -157,7 +161,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Err(Failure::input("a way has two ends", "give x y of the start and x y of the goal"));
     };
     let target = args.drawing.target(args.map.file())?;
-    let whole = args.map.open()?;
+    let mut whole = args.map.open()?;
     let inset = match args.radius.filter(|&radius| radius > 0.0) {
         Some(radius) => {
             let inset = whole.mesh.inset(radius);
@@ -165,7 +169,11 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         }
         None => None,
     };
-    let maps = Maps { ways: inset.as_ref().map(|inset| whole.inset(inset.clone())), whole, inset };
+    let mut ways = inset.as_ref().map(|inset| whole.inset(inset.clone()));
+    if args.merged {
+        ways.as_mut().unwrap_or(&mut whole).mesh.merge_faces();
+    }
+    let maps = Maps { whole, inset, ways };
     let start = maps.place("start", [x0, y0], args.start_face)?;
     let goal = maps.place("goal", [x1, y1], args.goal_face)?;
     let map = maps.ways();

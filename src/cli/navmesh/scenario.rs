@@ -22,7 +22,7 @@ Examples:
   dcel navmesh scenario figures/data/rooms.map \\
     figures/data/rooms.scen
   dcel navmesh scenario figures/data/rooms.map \\
-    figures/data/rooms.scen --json")]
+    figures/data/rooms.scen --merged --json")]
 pub(super) struct Args {
     #[command(flatten)]
     map: MapArgs,
@@ -32,6 +32,10 @@ pub(super) struct Args {
     /// How the ways are found
     #[arg(long, value_name = "RUNG", default_value = "exact")]
     rung: Which,
+    /// Look for the exact way over larger faces, merged from those of the map: the same answer with
+    /// less work
+    #[arg(long)]
+    merged: bool,
     /// What the stated lengths are
     #[arg(long, value_name = "KIND", default_value = "auto")]
     optimum: Kind,
@@ -87,7 +91,10 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Err(Failure::input(format!("a tolerance of {}", args.tolerance), "give a number such as 1e-9"));
     }
     let scenario = Scenario::parse(&bytes(&args.scenario)?, &source_name(&args.scenario))?;
-    let map = args.map.open()?;
+    let mut map = args.map.open()?;
+    if args.merged {
+        map.mesh.merge_faces();
+    }
     tell_other_maps(args, &scenario);
     let optimum = match args.optimum {
         Kind::Auto => scenario.optimum(),

@@ -1,7 +1,7 @@
 //! A cone, as the search keeps it and as a figure wants it.
 //!
 //! ```text
-//!     left post  ●══╲════════●  right post      ENDS: the ray runs through the post itself; the word has the post.
+//!     left post  ●══╲════════●  right post      ENDS: the ray runs through the post itself.
 //!                    ╲      ╱                   BENT: the ray is the continuation of the line from the root before
 //!              left ray    ╱  right ray         to the root; the way may not bend further.
 //!                      ╲  ╱                     At a post: the root is one of the posts, and everything behind the
@@ -33,11 +33,12 @@ pub(super) struct Node {
     pub(super) root: u32,
     /// The root before, for bent rays, or [`AT_POST`].
     pub(super) before: u32,
-    /// A vertex on the left ray, and one on the right, with marks; meaningless if it is bent.
+    /// A corner on the left ray, and one on the right, by the side that starts there, with marks; meaningless if the
+    /// ray is bent.
     pub(super) left: u32,
     pub(super) right: u32,
-    /// The side by which the room behind is entered, of the room before.
-    pub(super) side: u32,
+    /// The door by which the room behind is entered.
+    pub(super) door: u32,
     /// The node it came from.
     pub(super) parent: u32,
 }
@@ -48,28 +49,25 @@ impl Node {
         self.before == AT_POST
     }
 
-    /// The point of a vertex or of the start.
     #[inline]
-    fn point(rooms: &Rooms, start: Point, v: u32) -> Point {
-        if v & ID == START { start } else { rooms.points[(v & ID) as usize] }
-    }
-
-    #[inline]
-    pub(super) fn root(&self, rooms: &Rooms, start: Point) -> Point {
-        Self::point(rooms, start, self.root)
+    pub(super) fn root<R: Rooms>(&self, rooms: &R, start: Point) -> Point {
+        if self.root == START { start } else { rooms.point(self.root) }
     }
 
     /// The left and the right ray, from the root on or from the root before.
     #[inline]
-    pub(super) fn rays(&self, rooms: &Rooms, start: Point) -> [Ray; 2] {
+    pub(super) fn rays<R: Rooms>(&self, rooms: &R, start: Point) -> [Ray; 2] {
         let root = self.root(rooms, start);
-        [self.left, self.right].map(|end| {
-            if end & BENT == 0 {
-                Ray::new(root, Self::point(rooms, start, end))
-            } else {
-                Ray::new(Self::point(rooms, start, self.before), root)
-            }
-        })
+        [self.ray(rooms, start, root, self.left), self.ray(rooms, start, root, self.right)]
+    }
+
+    #[inline]
+    fn ray<R: Rooms>(&self, rooms: &R, start: Point, root: Point, end: u32) -> Ray {
+        if end & BENT == 0 {
+            Ray::new(root, rooms.place((end & ID) as usize))
+        } else {
+            Ray::new(if self.before == START { start } else { rooms.point(self.before) }, root)
+        }
     }
 }
 

@@ -42,7 +42,7 @@ pub(super) fn between(a: Point, b: Point, t: f64) -> Point {
 
 /// Which fractions of the door, from right to left, the cone sees at most.
 #[inline]
-pub(super) fn seen(rooms: &Rooms, start: Point, node: &Node, [right, left]: [Point; 2]) -> [f64; 2] {
+pub(super) fn seen<R: Rooms>(rooms: &R, start: Point, node: &Node, [right, left]: [Point; 2]) -> [f64; 2] {
     if node.is_at_post() || node.left & node.right & ENDS != 0 {
         return [0.0, 1.0];
     }
@@ -59,7 +59,7 @@ pub(super) fn seen(rooms: &Rooms, start: Point, node: &Node, [right, left]: [Poi
 
 /// The guess of the length from the root of a node to the goal, by way of the door with these posts.
 #[inline]
-pub(super) fn guess(rooms: &Rooms, start: Point, node: &Node, posts: [Point; 2], goal: Point) -> f64 {
+pub(super) fn guess<R: Rooms>(rooms: &R, start: Point, node: &Node, posts: [Point; 2], goal: Point) -> f64 {
     let root = node.root(rooms, start);
     if node.is_at_post() {
         return distance(root, goal);

@@ -11,7 +11,7 @@
 //! Sides out of sight on the right are reached by a bend at the right post, if the cone ends there and a way may bend
 //! there; so on the left. A side seen edge-on is passed by a bend at its nearer end.
 
-use super::super::mesh::{ID, SHARED, TURN};
+use super::super::mesh::{CLOSED, DEAD_END, ID, SHARED, TURN};
 use super::super::nearest::distance;
 use super::super::planner::Scratch;
 use super::super::rooms::Rooms;
@@ -24,8 +24,8 @@ use std::ops::Range;
 
 /// The room behind the door of a cone, with its corners from the right post on, and what else all cones behind the
 /// door have in common.
-struct Behind<'a> {
-    rooms: &'a Rooms<'a>,
+struct Behind<'a, R> {
+    rooms: &'a R,
     scratch: &'a Scratch,
     parent: u32,
     range: Range<usize>,
@@ -46,11 +46,8 @@ struct Post {
 impl Exact {
     /// Appends the cones behind the cone of node `parent`. Returns the sides of the room that was entered.
     #[inline]
-    pub(super) fn expand(&mut self, rooms: &Rooms, scratch: &Scratch, parent: u32, node: &Node) -> Range<usize> {
-        let door = rooms.sides[node.side as usize];
-        let range = rooms.range(door.across & ID);
-        let first = rooms.sides[range.clone()].iter().position(|side| (side.origin ^ door.origin) & ID == 0);
-        let first = range.start + first.unwrap_or(0);
+    pub(super) fn expand<R: Rooms>(&mut self, rooms: &R, scratch: &Scratch, parent: u32, node: &Node) -> Range<usize> {
+        let (range, first) = rooms.enter(node.door);
         let behind = Behind { rooms, scratch, parent, range, first };
         if node.is_at_post() {
             for i in 0..behind.range.len() - 1 {
@@ -63,7 +60,7 @@ impl Exact {
     }
 
     /// Appends the cones from the start, which lies in or on the closed room.
-    pub(super) fn leave(&mut self, rooms: &Rooms, scratch: &Scratch, room: u32, none: u32) -> Range<usize> {
+    pub(super) fn leave<R: Rooms>(&mut self, rooms: &R, scratch: &Scratch, room: u32, none: u32) -> Range<usize> {
         let range = rooms.range(room);
         let behind = Behind { rooms, scratch, parent: none, first: range.start, range };
         for i in 0..behind.range.len() {
@@ -72,7 +69,7 @@ impl Exact {
         behind.range
     }
 
-    fn see_through_door(&mut self, behind: &Behind, node: &Node) {
+    fn see_through_door<R: Rooms>(&mut self, behind: &Behind<R>, node: &Node) {
         let [left_ray, right_ray] = node.rays(behind.rooms, self.start);
         let last = behind.range.len() - 1;
         let post = |corner: usize, end: u32| {
@@ -131,7 +128,7 @@ impl Exact {
     /// The part of side i in sight of the root of the node: its first corner is at `of_right` from the right ray, and
     /// its second at `next_of_left` from the left one.
     #[inline]
-    fn see(&mut self, behind: &Behind, i: usize, node: &Node, [of_right, next_of_left]: [Ordering; 2]) {
+    fn see<R: Rooms>(&mut self, behind: &Behind<R>, i: usize, node: &Node, [of_right, next_of_left]: [Ordering; 2]) {
         let [right, left] = behind.ends(i);
         self.nodes.push(Node {
             right: if of_right.is_ge() { right | ENDS } else { node.right & !ENDS },
@@ -143,7 +140,7 @@ impl Exact {
 
     /// Side i, or the part of it out of sight, seen from the post round which the way bends. A limit on the left or on
     /// the right is the root before.
-    fn bend(&mut self, behind: &Behind, i: usize, node: &Node, post: &mut Post, limits: [Option<u32>; 2]) {
+    fn bend<R: Rooms>(&mut self, behind: &Behind<R>, i: usize, node: &Node, post: &mut Post, limits: [Option<u32>; 2]) {
         if post.length.is_none() {
             let root = node.root(behind.rooms, self.start);
             let length = node.length + distance(root, behind.place(post.corner));
@@ -156,17 +153,24 @@ impl Exact {
 
     /// Side i seen from a point of the room: a corner, or the start. A limit on the left or on the right is the root
     /// before: the cone ends on the continuation of the line from there.
-    fn see_from_corner(&mut self, behind: &Behind, i: usize, root: u32, length: f64, limits: [Option<u32>; 2]) {
+    fn see_from_corner<R: Rooms>(
+        &mut self,
+        behind: &Behind<R>,
+        i: usize,
+        root: u32,
+        length: f64,
+        limits: [Option<u32>; 2],
+    ) {
         if !behind.may_cross(i) {
             return;
         }
         let [right, left] = behind.ends(i);
-        if right == root || left == root {
+        if [i, i + 1].iter().any(|&i| behind.corner(i) & ID == root) {
             self.nodes.push(behind.cone(i, root, length));
             return;
         }
-        let p = if root == START { self.start } else { behind.rooms.points[root as usize] };
-        let [a, b] = [right, left].map(|v| behind.rooms.points[v as usize]);
+        let p = if root == START { self.start } else { behind.rooms.point(root) };
+        let [a, b] = [i, i + 1].map(|i| behind.place(i));
         match orientation(p, a, b) {
             Ordering::Greater => {
                 let [left_limit, right_limit] = limits;
@@ -191,7 +195,7 @@ impl Exact {
     }
 
     /// Side i from the corner at its one end, if the way may bend there.
-    fn bend_round(&mut self, behind: &Behind, i: usize, end: usize, length: f64) {
+    fn bend_round<R: Rooms>(&mut self, behind: &Behind<R>, i: usize, end: usize, length: f64) {
         let corner = behind.corner(end);
         if corner & TURN != 0 && self.may_bend(behind, end, length) {
             self.nodes.push(behind.cone(i, corner & ID, length));
@@ -200,7 +204,7 @@ impl Exact {
 
     /// Whether no shorter way to corner i is known. In a double corner the wedges are different places: there the
     /// first corner of the wedge, clockwise, stands for it.
-    fn may_bend(&mut self, behind: &Behind, i: usize, length: f64) -> bool {
+    fn may_bend<R: Rooms>(&mut self, behind: &Behind<R>, i: usize, length: f64) -> bool {
         let (scratch, corner) = (behind.scratch, behind.corner(i));
         let (query, least) = if corner & SHARED == 0 {
             &mut self.roots[(corner & ID) as usize]
@@ -216,7 +220,7 @@ impl Exact {
     }
 }
 
-impl Behind<'_> {
+impl<R: Rooms> Behind<'_, R> {
     /// The side from corner i to corner i + 1; i may be the number of corners.
     #[inline]
     fn side(&self, i: usize) -> usize {
@@ -227,30 +231,36 @@ impl Behind<'_> {
     /// Corner i with its marks.
     #[inline]
     fn corner(&self, i: usize) -> u32 {
-        self.rooms.sides[self.side(i)].origin
+        self.rooms.origin(self.side(i))
     }
 
     /// The point of corner i.
     #[inline]
     fn place(&self, i: usize) -> Point {
-        self.rooms.points[(self.corner(i) & ID) as usize]
+        self.rooms.place(self.side(i))
     }
 
+    /// The corners at the ends of side i, by the sides that start there.
     #[inline]
     fn ends(&self, i: usize) -> [u32; 2] {
-        [i, i + 1].map(|i| self.corner(i) & ID)
+        [i, i + 1].map(|i| self.side(i) as u32)
     }
 
     #[inline]
     fn may_cross(&self, i: usize) -> bool {
-        self.scratch.may_cross(self.rooms.sides[self.side(i)].across)
+        let s = self.side(i);
+        match self.rooms.marks(s) & (CLOSED | DEAD_END) {
+            0 => true,
+            DEAD_END => self.scratch.is_allowed(self.rooms.behind(self.rooms.door(s))),
+            _ => false,
+        }
     }
 
     /// A cone behind side i with the root at one of its posts.
     #[inline]
     fn cone(&self, i: usize, root: u32, length: f64) -> Node {
-        let (side, parent) = (self.side(i) as u32, self.parent);
-        Node { length, root, before: AT_POST, left: START, right: START, side, parent }
+        let (door, parent) = (self.rooms.door(self.side(i)), self.parent);
+        Node { length, root, before: AT_POST, left: START, right: START, door, parent }
     }
 }
 

@@ -47,8 +47,14 @@ impl Exact {
         start: &Place,
         goal: Point,
     ) -> bool {
-        let rooms = &Rooms::of(mesh);
         self.begin(mesh, scratch, start.point);
+        match &mesh.merged {
+            Some(merged) => self.search_in(&merged.rooms(mesh), scratch, goal),
+            None => self.search_in(mesh, scratch, goal),
+        }
+    }
+
+    fn search_in<R: Rooms>(&mut self, rooms: &R, scratch: &mut Scratch, goal: Point) -> bool {
         let mut best = (f64::INFINITY, NONE);
         for i in 0..scratch.starts.len() {
             let first = self.nodes.len();
@@ -67,7 +73,7 @@ impl Exact {
             // A single successor is looked at straight away.
             loop {
                 scratch.work.expansions += 1;
-                let room = rooms.sides[node.side as usize].across & ID;
+                let room = rooms.behind(node.door);
                 if scratch.goals.contains(&FaceId::new(room))
                     && let Some(length) = self.length_to(rooms, &node, goal)
                     && length < best.0
@@ -90,21 +96,21 @@ impl Exact {
         while at != NONE {
             let node = self.nodes[at as usize];
             let from = if node.parent == NONE {
-                let is_first = |f: &&FaceId| rooms.range(f.number()).contains(&(node.side as usize));
+                let is_first = |f: &&FaceId| rooms.range(f.number()).contains(&rooms.side(node.door));
                 scratch.starts.iter().find(is_first).map_or(NONE, |f| f.number())
             } else {
-                rooms.sides[self.nodes[node.parent as usize].side as usize].across & ID
+                rooms.behind(self.nodes[node.parent as usize].door)
             };
-            scratch.doors.push((from, node.side));
+            scratch.doors.push((from, rooms.side(node.door) as u32));
             at = node.parent;
         }
         best.1 != NONE
     }
 
     /// Puts the nodes from `first` on into the queue, but for those with too long a guess. Their sides are in `range`.
-    fn enqueue(
+    fn enqueue<R: Rooms>(
         &mut self,
-        rooms: &Rooms,
+        rooms: &R,
         scratch: &mut Scratch,
         first: usize,
         range: &Range<usize>,
@@ -143,15 +149,21 @@ impl Exact {
         scratch: &mut Scratch,
         start: &Place,
         limit: f64,
-        mut see: impl FnMut(u32, f64),
+        see: impl FnMut(u32, f64),
     ) {
-        let rooms = &Rooms::of(mesh);
         self.begin(mesh, scratch, start.point);
-        let corner = |s: usize| rooms.sides[s].origin & ID;
+        match &mesh.merged {
+            Some(merged) => self.survey_in(&merged.rooms(mesh), scratch, limit, see),
+            None => self.survey_in(mesh, scratch, limit, see),
+        }
+    }
+
+    fn survey_in<R: Rooms>(&mut self, rooms: &R, scratch: &mut Scratch, limit: f64, mut see: impl FnMut(u32, f64)) {
+        let corner = |s: usize| rooms.origin(s) & ID;
         for i in 0..scratch.starts.len() {
             let first = self.nodes.len();
             let range = self.leave(rooms, scratch, scratch.starts[i].number(), NONE);
-            range.clone().map(corner).for_each(|v| see(v, distance(start.point, rooms.points[v as usize])));
+            range.clone().map(corner).for_each(|v| see(v, distance(self.start, rooms.point(v))));
             self.enqueue_near(rooms, scratch, first, &range, limit);
         }
         while let Some(Reverse((_, i))) = scratch.queue.pop() {
@@ -164,7 +176,7 @@ impl Exact {
             let first = self.nodes.len();
             let range = self.expand(rooms, scratch, i, &node);
             for v in range.clone().map(corner) {
-                if let Some(length) = self.length_to(rooms, &node, rooms.points[v as usize]) {
+                if let Some(length) = self.length_to(rooms, &node, rooms.point(v)) {
                     see(v, length);
                 }
             }
@@ -173,7 +185,14 @@ impl Exact {
     }
 
     /// Puts the nodes from `first` on into the queue by how far their doors are, but for those beyond the limit.
-    fn enqueue_near(&mut self, rooms: &Rooms, scratch: &mut Scratch, first: usize, range: &Range<usize>, limit: f64) {
+    fn enqueue_near<R: Rooms>(
+        &mut self,
+        rooms: &R,
+        scratch: &mut Scratch,
+        first: usize,
+        range: &Range<usize>,
+        limit: f64,
+    ) {
         let mut kept = first;
         for i in first..self.nodes.len() {
             let node = self.nodes[i];
@@ -192,11 +211,11 @@ impl Exact {
 
     /// The length of the shortest way to the goal, which lies in the room behind the door, through the cone; `None`
     /// if another cone has a shorter one.
-    fn length_to(&self, rooms: &Rooms, node: &Node, goal: Point) -> Option<f64> {
+    fn length_to<R: Rooms>(&self, rooms: &R, node: &Node, goal: Point) -> Option<f64> {
         let root = node.root(rooms, self.start);
         if !node.is_at_post() {
             let round = |end: u32| {
-                let post = rooms.points[(end & ID) as usize];
+                let post = rooms.place((end & ID) as usize);
                 node.length + distance(root, post) + distance(post, goal)
             };
             let [left_ray, right_ray] = node.rays(rooms, self.start);
@@ -214,28 +233,40 @@ impl Exact {
 
 /// The posts of the door of a node, which is one of the sides in `range`, the right one first.
 #[inline]
-fn posts(rooms: &Rooms, range: &Range<usize>, node: &Node) -> [Point; 2] {
-    let side = node.side as usize;
-    [rooms.sides[side].origin & ID, rooms.end(range, side)].map(|v| rooms.points[v as usize])
+fn posts<R: Rooms>(rooms: &R, range: &Range<usize>, node: &Node) -> [Point; 2] {
+    let side = rooms.side(node.door);
+    [rooms.place(side), rooms.place(rooms.next(range, side))]
 }
 
 impl Planner {
     /// The cones of the last exact search, in the order in which they came up. Their points are rounded: for figures.
     /// None if the faces of the mesh have been merged, or given up, since. On merged faces the doors are theirs, told
     /// by the faces of the mesh that they lie between.
-    pub fn cones<'a>(&'a self, mesh: &'a NavMesh) -> impl Iterator<Item = Cone> + 'a {
-        let (exact, rooms) = (&self.exact, Rooms::of(mesh));
-        let nodes = if exact.merged == mesh.merged.is_some() { &*exact.nodes } else { &[] };
-        nodes.iter().filter_map(move |node| {
-            let side = mesh.merged.as_ref().map_or(node.side, |merged| merged.origin(node.side)) as usize;
+    pub fn cones(&self, mesh: &NavMesh) -> impl Iterator<Item = Cone> {
+        let exact = &self.exact;
+        let cones: Vec<Cone> = match &mesh.merged {
+            Some(merged) if exact.merged => exact.cones_of(mesh, &merged.rooms(mesh), |s| merged.original(s)),
+            None if !exact.merged => exact.cones_of(mesh, mesh, |s| s),
+            _ => Vec::new(),
+        };
+        cones.into_iter()
+    }
+}
+
+impl Exact {
+    /// The cones of all nodes; `original` is the side of the mesh that a side of a room is.
+    fn cones_of<R: Rooms>(&self, mesh: &NavMesh, rooms: &R, original: impl Fn(u32) -> u32) -> Vec<Cone> {
+        let cone = |node: &Node| {
+            let side = original(rooms.side(node.door) as u32) as usize;
             let to = FaceId::new(mesh.sides[side].across & ID);
             let twin = mesh.half_edges[side].twin();
             let entry = mesh.range(to).find(|&s| mesh.half_edges[s] == twin)?;
             let from = FaceId::new(mesh.sides[entry].across & ID);
             let posts = mesh.ends(from, side).map(|v| mesh.point(v));
-            let part = seen(&rooms, exact.start, node, posts);
+            let part = seen(rooms, self.start, node, posts);
             let [right, left] = part.map(|t| between(posts[0], posts[1], t));
-            Some(Cone { root: node.root(&rooms, exact.start), left, right, from, to, length: node.length })
-        })
+            Some(Cone { root: node.root(rooms, self.start), left, right, from, to, length: node.length })
+        };
+        self.nodes.iter().filter_map(cone).collect()
     }
 }
