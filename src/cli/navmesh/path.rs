@@ -79,8 +79,6 @@ pub(super) enum Which {
     Midpoint,
     /// A* to the closest point of each door
     Closest,
-    /// A* to where the straight line to the goal meets each door
-    Aimed,
     /// The shortest way of all
     Exact,
     /// All of them, compared
@@ -94,7 +92,6 @@ impl Which {
             Self::Centroid => &[Rung::Centroid],
             Self::Midpoint => &[Rung::Midpoint],
             Self::Closest => &[Rung::Closest],
-            Self::Aimed => &[Rung::Aimed],
             Self::Exact => &[Rung::Exact],
             Self::All => &Rung::ALL,
         }
@@ -164,7 +161,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Err(Failure::input("a way has two ends", "give x y of the start and x y of the goal"));
     };
     let target = args.drawing.target(args.map.file())?;
-    let whole = args.map.open()?;
+    let mut whole = args.map.open()?;
     let inset = match args.radius.filter(|&radius| radius > 0.0) {
         Some(radius) => {
             let inset = whole.mesh.inset(radius);
@@ -172,10 +169,11 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         }
         None => None,
     };
-    let mut maps = Maps { ways: inset.as_ref().map(|inset| whole.inset(inset.clone())), whole, inset };
+    let mut ways = inset.as_ref().map(|inset| whole.inset(inset.clone()));
     if args.merged {
-        maps.ways.as_mut().unwrap_or(&mut maps.whole).mesh.merge_faces();
+        ways.as_mut().unwrap_or(&mut whole).mesh.merge_faces();
     }
+    let maps = Maps { whole, inset, ways };
     let start = maps.place("start", [x0, y0], args.start_face)?;
     let goal = maps.place("goal", [x1, y1], args.goal_face)?;
     let map = maps.ways();
@@ -287,7 +285,7 @@ fn draw(
             whole.clearance(inset, route, &options("The way of an agent with a radius"))
         }
         (_, [(_, route)], None) => floor.route(route, &options("A way")),
-        _ => floor.ladder(routes, &options("Six ways")),
+        _ => floor.ladder(routes, &options("Five ways")),
     };
     save(target, drawn, out)
 }
