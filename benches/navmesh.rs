@@ -1,9 +1,10 @@
 //! Ways over maps, against crate polyanya.
 //!
-//! `cargo bench --bench navmesh` makes two maps of more than 30,000 triangles, caves on a grid and a plain with convex
-//! blocks, and, if the folder `../shared/data` is there, reads the map O15. On each it locates random points and
-//! answers queries by every rung; peer and kit take turns, query by query, and the least of several rounds counts.
-//! The peer searches the same triangles, and its own merged polygons; so does the kit.
+//! `cargo bench --bench navmesh` makes three maps of more than 30,000 triangles: caves on a grid, the same kind of
+//! caves with rough walls, whose notches are dead ends, and a plain with convex blocks, which has none. If the folder
+//! `../shared/data` is there, it reads the map O15, too. All are cut into constrained Delaunay triangles, as navmeshes
+//! are. On each it locates random points and answers queries by every rung; peer and kit take turns, query by query,
+//! and the least of several rounds counts. The peer searches the same triangles, and its own merged polygons; so does the kit.
 
 use dcel_kit::HalfEdgeId;
 use dcel_kit::io::{Grid, Scenario};
@@ -30,17 +31,22 @@ fn main() {
         let queries = scenario.queries.iter().map(|query| (up(query.start), up(query.goal))).collect();
         measure("O15", triangles(grid.regions().expect("regions")), Some(queries), &mut random);
     }
-    measure("caves", triangles(caves(400, &mut random).regions().expect("regions")), None, &mut random);
+    for (name, size, rough) in [("caves", 400, false), ("rough caves", 180, true)] {
+        measure(name, triangles(caves(size, rough, &mut random).regions().expect("regions")), None, &mut random);
+    }
     measure("blocks", blocks(75, &mut random), None, &mut random);
 }
 
 fn triangles(mut map: Subdivision) -> Subdivision {
+    let borders = map.edge_bound();
     map.triangulate(TriangulationMethod::Monotone).expect("regions are simple");
+    map.make_delaunay(|edge| edge.index() < borders);
     map
 }
 
-/// A grid of random cells, smoothed twice: a cell is open if five of its neighbourhood are.
-fn caves(size: usize, random: &mut Random) -> Grid {
+/// A grid of random cells, smoothed twice: a cell is open if five of its neighbourhood are. For rough walls each cell
+/// becomes three by three, and of those at a wall every third is closed.
+fn caves(size: usize, rough: bool, random: &mut Random) -> Grid {
     let mut open: Vec<bool> = (0..size * size).map(|_| random.unit() < 0.55).collect();
     for _ in 0..2 {
         let before = open.clone();
@@ -51,6 +57,18 @@ fn caves(size: usize, random: &mut Random) -> Grid {
                 open[y * size + x] = around >= 5;
             }
         }
+    }
+    let (mut open, mut size) = (open, size);
+    if rough {
+        let fine: Vec<bool> =
+            (0..9 * size * size).map(|i| open[i / (3 * size) / 3 * size + i % (3 * size) / 3]).collect();
+        size *= 3;
+        let is_open = |x: usize, y: usize| x < size && y < size && fine[y * size + x];
+        let inner =
+            |x: usize, y: usize| (0..9).all(|i| is_open((x + i % 3).wrapping_sub(1), (y + i / 3).wrapping_sub(1)));
+        open = (0..size * size)
+            .map(|i| is_open(i % size, i / size) && (inner(i % size, i / size) || random.unit() < 2.0 / 3.0))
+            .collect();
     }
     let mut text = format!("type octile\nheight {size}\nwidth {size}\nmap\n");
     for row in open.chunks(size) {
@@ -131,8 +149,10 @@ fn measure(name: &str, map: Subdivision, queries: Option<Vec<Ends>>, random: &mu
     merged.bake();
     let dead_ends = mesh.faces().filter(|&f| mesh.is_dead_end(f)).count();
     println!(
-        "{name}: {} triangles, {dead_ends} dead ends, {:.1} bytes a triangle; merged by the peer: {} polygons",
+        "{name}: {} vertices, {} triangles, {:.0} % dead ends, {:.1} bytes a triangle; merged by the peer: {} polygons",
+        map.vertex_count(),
         mesh.face_count(),
+        dead_ends as f64 * 100.0 / mesh.face_count() as f64,
         mesh.memory() as f64 / mesh.face_count() as f64,
         merged.layers[0].polygons.len()
     );
@@ -170,6 +190,8 @@ fn locate(mesh: &NavMesh, peer: &polyanya::Mesh, random: &mut Random) -> Vec<Poi
 }
 
 fn routes(mesh: &NavMesh, peers: &[polyanya::Mesh; 2], queries: &[Ends]) {
+    const RUNGS: usize = Rung::ALL.len();
+    const MERGED: usize = RUNGS + 2;
     let (mut planner, mut merging) = (Planner::new(), Planner::new());
     let mut merged = mesh.clone();
     let count = merged.merge_faces();
@@ -177,8 +199,8 @@ fn routes(mesh: &NavMesh, peers: &[polyanya::Mesh; 2], queries: &[Ends]) {
         "  merged by the kit: {count} faces, {:.1} bytes a triangle more",
         (merged.memory() - mesh.memory()) as f64 / mesh.face_count() as f64
     );
-    let mut least = vec![[f64::INFINITY; 8]; queries.len()];
-    let mut lengths = vec![[0.0; 5]; queries.len()];
+    let mut least = vec![[f64::INFINITY; RUNGS + 3]; queries.len()];
+    let mut lengths = vec![[0.0; RUNGS]; queries.len()];
     for _ in 0..ROUNDS {
         for (i, &(start, goal)) in queries.iter().enumerate() {
             for (k, rung) in Rung::ALL.into_iter().enumerate() {
@@ -187,23 +209,23 @@ fn routes(mesh: &NavMesh, peers: &[polyanya::Mesh; 2], queries: &[Ends]) {
             }
             // As above, another rung goes before the exact one.
             black_box(merging.route_between(&merged, Rung::Closest, start, goal).is_ok());
-            let route = timed(&mut least[i][7], || merging.route_between(&merged, Rung::Exact, start, goal));
-            assert!((route.expect("one component").length / lengths[i][4] - 1.0).abs() < 1e-9);
+            let route = timed(&mut least[i][MERGED], || merging.route_between(&merged, Rung::Exact, start, goal));
+            assert!((route.expect("one component").length / lengths[i][RUNGS - 1] - 1.0).abs() < 1e-9);
             for (k, peer) in peers.iter().enumerate() {
-                timed(&mut least[i][5 + k], || peer.path(vec(start), vec(goal)));
+                timed(&mut least[i][RUNGS + k], || peer.path(vec(start), vec(goal)));
             }
         }
     }
     let mean = |k: usize| least.iter().map(|times| times[k]).sum::<f64>() * 1e6 / queries.len() as f64;
-    println!("  {} routes; peer {:.0} us, merged {:.0} us", queries.len(), mean(5), mean(6));
+    println!("  {} routes; peer {:.0} us, merged {:.0} us", queries.len(), mean(RUNGS), mean(RUNGS + 1));
     let rungs = Rung::ALL.into_iter().enumerate().map(|(k, rung)| (k, k, rung.name()));
-    for (k, length, name) in rungs.chain([(7, 4, "exact, merged")]) {
-        let ratio = lengths.iter().map(|lengths| lengths[length] / lengths[4]).sum::<f64>() / queries.len() as f64;
+    for (k, length, name) in rungs.chain([(MERGED, RUNGS - 1, "exact, merged")]) {
+        let ratio = lengths.iter().map(|of| of[length] / of[RUNGS - 1]).sum::<f64>() / queries.len() as f64;
         println!(
             "  {name:13} {:8.1} us, share {:.3}, of merged {:.3}, mean length ratio {ratio:.4}",
             mean(k),
-            mean(k) / mean(5),
-            mean(k) / mean(6)
+            mean(k) / mean(RUNGS),
+            mean(k) / mean(RUNGS + 1)
         );
     }
 }

@@ -5,7 +5,7 @@
 
 use chull::ConvexHull;
 use dcel_kit::VertexId;
-use dcel_kit::solid::{Convex, Direction, HullFaces, Polyhedron};
+use dcel_kit::solid::{Convex, Direction, HullFaces, Polyhedron, SurfaceJournal};
 use dcel_kit_benches::{Random, compare, print, program};
 use std::cell::Cell;
 
@@ -53,8 +53,12 @@ fn loop_over_all(points: &[Point], d: Point) -> usize {
     best.0
 }
 
+/// Sizes of the spheres, from which growth is told.
+const SIZES: [usize; 5] = [100, 1_000, 10_000, 100_000, 1_000_000];
+
 fn support() {
-    for count in [100, 1_000, 10_000, 100_000, 1_000_000] {
+    let mut table: Vec<(&str, Vec<f64>)> = Vec::new();
+    for count in SIZES {
         let solid = solid(&sphere(count));
         let convex: Convex<'_> = solid.check_convex().expect("a hull is convex");
         let points: Vec<Point> = solid.vertices().map(|v| solid.point(v)).collect();
@@ -72,14 +76,22 @@ fn support() {
             list.iter().map(|&d| Direction::try_from(d).expect("finite")).collect()
         };
         let (any, turning) = (directions(&far), directions(&near));
-        let last = Cell::new(VertexId::new(0));
+        let (last, last_prepared) = (Cell::new(VertexId::new(0)), Cell::new(VertexId::new(0)));
+        let map = convex.support_map();
         let mut programs = [
             program("climbing", || any.iter().map(|&d| convex.support(d).index()).sum::<usize>()),
-            program("climbing, last answer as hint", || {
+            program("climbing, with hint", || {
                 for &d in &turning {
                     last.set(convex.support_from(d, last.get()));
                 }
                 last.get()
+            }),
+            program("prepared", || any.iter().map(|&d| map.support(d).index()).sum::<usize>()),
+            program("prepared, with hint", || {
+                for &d in &turning {
+                    last_prepared.set(map.support_from(d, last_prepared.get()));
+                }
+                last_prepared.get()
             }),
             program("all vertices, exactly", || {
                 any.iter().map(|&d| convex.support_by_search(d).index()).sum::<usize>()
@@ -88,7 +100,21 @@ fn support() {
         ];
         let ns = compare(&mut programs, 5, queries);
         print(&format!("support point on a sphere of {count} vertices, ns per query"), &programs, &ns);
+        let bytes = map.memory() as f64 / count as f64;
+        println!("  the prepared solid takes {bytes:.0} bytes for each vertex\n");
+        table.resize_with(ns.len(), Default::default);
+        for (((name, _), time), row) in programs.iter().zip(ns).zip(&mut table) {
+            row.0 = name;
+            row.1.push(time);
+        }
     }
+    println!("growth of the time with the number of vertices: how many times as long for ten times as many");
+    for (name, times) in &table {
+        let factors: Vec<String> = times.windows(2).map(|pair| format!("{:6.2}", pair[1] / pair[0])).collect();
+        let power = (times[times.len() - 1] / times[0]).log10() / 4.0;
+        println!("  {name:30} {}   about n^{power:.2}", factors.join(" "));
+    }
+    println!();
 }
 
 fn hulls() {
@@ -146,8 +172,21 @@ fn edits() {
         }
         surface
     };
-    let mut programs =
-        [program("one by one", apart), program("all, then back", together), program("copy", || start.clone())];
+    let recorded = || {
+        let (mut surface, mut journal) = (start.clone(), SurfaceJournal::new());
+        for &f in &chosen {
+            let corners: Vec<_> = surface.incident_vertices(f).collect();
+            surface.remove_face_with(f, &mut journal).expect("it is there");
+            surface.add_face_with(&corners, &mut journal).expect("its place is free");
+        }
+        surface
+    };
+    let mut programs = [
+        program("one by one", apart),
+        program("one by one, recorded", recorded),
+        program("all, then back", together),
+        program("copy", || start.clone()),
+    ];
     let ns = compare(&mut programs, 3, 100_000);
     print("10^5 edits of a surface of 2 x 10^5 triangles, ns per edit with the copy", &programs, &ns);
 }

@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 
 /// Write a structure in another format
 ///
-/// Formats: obj, off, ply, ply-binary, stl, triangle, geojson, mesh, dcel, tables. Polygon formats hold no
-/// structure: ids are numbered anew when such a file is read, and what they cannot hold is refused
+/// Formats: obj, off, ply, ply-binary, stl, stl-binary, triangle, geojson, mesh, dcel, tables. Polygon
+/// formats hold no structure: ids are numbered anew when such a file is read, and what they cannot hold is refused
 /// by name. What is lost without harm is told.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\

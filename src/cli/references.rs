@@ -158,7 +158,7 @@ static REFERENCES: &[Reference] = &[
     },
     Reference {
         file: "navmesh-ladder.svg",
-        about: "five ways through one map: how much longer each is than the shortest",
+        about: "six ways through one map: how much longer each is than the shortest",
         draw: specimen::ladder,
     },
     Reference {

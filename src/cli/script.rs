@@ -12,7 +12,8 @@ use super::{Answer, Failure, Output, failure};
 use dcel_kit::figure::{FigureOptions, Film};
 use dcel_kit::io::{Format, Model, write};
 use dcel_kit::plane::Subdivision;
-use dcel_kit::script::{Outcome, Script, ScriptError, Step};
+use dcel_kit::script::{Ground, Outcome, Script, ScriptError, Step, is_kernel_script};
+use dcel_kit::topology::{Dcel, Table};
 use serde_json::{Value, json};
 use std::io::{Read, Write};
 use std::ops::ControlFlow;
@@ -26,10 +27,14 @@ use std::path::{Path, PathBuf};
 #[command(after_help = "\
 A script is one statement a line: a start, then edits, walks, marks. `#` starts a comment.
   rectangle | polygon X Y X Y ... | triangles X Y ... / I J K ...
-  split_face A B     split_in_half A     split_edge A X Y     join_faces A     join_edges A
+  split_face A B     split_in_half A     split_edge A X Y     join_faces A     join_edges A     flip_edge A
   walk_face A        walk_vertex A       highlight A ...      caption TEXT     dump
   let NAME = ...     names what a split makes, or any element
 A, B: h0, h1, ... of the start, a NAME, or links from one: h0.next.twin, a.origin, a.face
+Without coordinates, whatever is combinatorially legal:
+  torus | ring N | surface N / I J K ... / ...
+  split_face A B     split_edge A        split_vertex A B     split_isolated_vertex V
+  join_faces A       join_edges A        join_vertices A      collapse_edge A      flip_edge A
 
 Examples:
   dcel script figures/scripts/lab.dcels
@@ -39,7 +44,10 @@ Examples:
   dcel script figures/scripts/split-face.dcels --film split.png
   echo 'rectangle
   split_face h2 h8
-  dump' | dcel script -")]
+  dump' | dcel script -
+  echo 'torus
+  let a = split_vertex h0 h1
+  join_vertices a' | dcel script -")]
 pub(crate) struct Args {
     /// The script, or - for standard input
     file: PathBuf,
@@ -64,36 +72,71 @@ pub(crate) struct Args {
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let (text, source) = read(&args.file)?;
+    if is_kernel_script(&text) {
+        if let Some(path) = &args.film {
+            let what = format!("--film {}: this script has no coordinates to draw", path.display());
+            return Err(Failure::input(what, "start with rectangle, polygon or triangles, or leave out --film"));
+        }
+        let script = Script::parse_kernel(&text, &source)?;
+        return play(args, &script, &source, |_, _| (), out)?.put(out);
+    }
     let script = Script::parse(&text, &source)?;
-    let mut teller = Teller { args, script: &script, source: &source, answer: Answer::Yes, told: Vec::new() };
-    let mut result = Ok(());
     let mut camera = Camera::new(&script);
+    let played = play(args, &script, &source, |step, structure| camera.watch(step, structure), out)?;
+    if let Some(path) = &args.film {
+        let stem = args.file.file_stem().filter(|stem| *stem != "-");
+        let title = stem.map_or_else(|| "script".to_owned(), |stem| stem.to_string_lossy().into_owned());
+        write_film(path, &camera.finish(), &title, args, out)?;
+    }
+    played.put(out)
+}
+
+/// What is left to be said when a script has been played.
+struct Played {
+    answer: Answer,
+    json: Option<Value>,
+    dump: Option<String>,
+}
+
+impl Played {
+    fn put(self, out: &mut Output) -> Result<Answer, Failure> {
+        match (self.json, self.dump) {
+            (Some(mut answer), dump) => {
+                if let Some(dump) = dump {
+                    answer["dump"] = dump.into();
+                }
+                out.json(&answer)?;
+            }
+            (None, Some(dump)) => out.write_all(dump.as_bytes())?,
+            (None, None) => {}
+        }
+        Ok(self.answer)
+    }
+}
+
+/// Plays a script and tells it; `watch` sees each step and the structure after it.
+fn play<G: Dump>(
+    args: &Args,
+    script: &Script<G>,
+    source: &str,
+    mut watch: impl FnMut(&Step<G::Edit>, &G),
+    out: &mut Output,
+) -> Result<Played, Failure> {
+    let mut teller = Teller { args, script, source, answer: Answer::Yes, told: Vec::new() };
+    let mut result = Ok(());
     let end = script.play(|step, structure| {
         result = teller.tell(&step, structure, out);
-        camera.watch(&step, structure);
+        watch(&step, structure);
         if result.is_err() || (step.outcome.is_refused() && !args.keep_going) {
             return ControlFlow::Break(());
         }
         ControlFlow::Continue(())
     });
     result?;
-    if let Some(path) = &args.film {
-        let stem = args.file.file_stem().filter(|stem| *stem != "-");
-        let title = stem.map_or_else(|| "script".to_owned(), |stem| stem.to_string_lossy().into_owned());
-        write_film(path, &camera.finish(), &title, args, out)?;
-    }
-    if args.json {
-        let mut answer = json!({ "source": source, "steps": teller.told });
-        if args.dump {
-            answer["dump"] = dump(&end)?.into();
-        }
-        out.json(&answer)?;
-    } else if args.dump {
-        out.write_all(dump(&end)?.as_bytes())?;
-    }
-    Ok(teller.answer)
+    let json = args.json.then(|| json!({ "source": source, "steps": teller.told }));
+    let dump = args.dump.then(|| end.dump()).transpose()?;
+    Ok(Played { answer: teller.answer, json, dump })
 }
-
 fn write_film(path: &Path, film: &Film, title: &str, args: &Args, out: &mut Output) -> Result<(), Failure> {
     let options = FigureOptions::new(title);
     let refused = |error| Failure::input(error, "leave out --film");
@@ -146,24 +189,41 @@ impl From<ScriptError> for Failure {
     }
 }
 
-/// The structure as a .dcel file.
-fn dump(structure: &Subdivision) -> Result<String, Failure> {
+/// A structure that can be written out.
+trait Dump: Ground {
+    /// It as a .dcel file.
+    fn dump(&self) -> Result<String, Failure>;
+}
+
+impl Dump for Subdivision {
+    fn dump(&self) -> Result<String, Failure> {
+        dump(&Model::planar(self))
+    }
+}
+
+impl Dump for Dcel {
+    fn dump(&self) -> Result<String, Failure> {
+        dump(&Model::table(&Table::from_view(self)))
+    }
+}
+
+fn dump(model: &Model<'_>) -> Result<String, Failure> {
     let mut bytes = Vec::new();
-    write(&mut bytes, &Model::planar(structure), Format::Dcel).map_err(Failure::kit)?;
+    write(&mut bytes, model, Format::Dcel).map_err(Failure::kit)?;
     String::from_utf8(bytes).map_err(Failure::kit)
 }
 
-struct Teller<'a> {
+struct Teller<'a, G> {
     args: &'a Args,
-    script: &'a Script,
+    script: &'a Script<G>,
     source: &'a str,
     answer: Answer,
     /// The steps for the answer in JSON.
     told: Vec<Value>,
 }
 
-impl Teller<'_> {
-    fn tell(&mut self, step: &Step, structure: &Subdivision, out: &mut Output) -> Result<(), Failure> {
+impl<G: Dump> Teller<'_, G> {
+    fn tell(&mut self, step: &Step<G::Edit>, structure: &G, out: &mut Output) -> Result<(), Failure> {
         let said = &self.script.statements()[step.statement];
         if let Outcome::Refused { reason, .. } = &step.outcome {
             self.answer = Answer::No;
@@ -186,7 +246,7 @@ impl Teller<'_> {
                 writeln!(out, "   returned {returned}")?;
             }
             Outcome::Refused { .. } => writeln!(out, "   refused")?,
-            Outcome::Dump => out.write_all(dump(structure)?.as_bytes())?,
+            Outcome::Dump => out.write_all(structure.dump()?.as_bytes())?,
             Outcome::Caption(_) => {}
             other => writeln!(out, "   {other}")?,
         }
@@ -194,7 +254,7 @@ impl Teller<'_> {
     }
 }
 
-fn to_json(outcome: &Outcome, structure: &Subdivision) -> Result<Value, Failure> {
+fn to_json<G: Dump>(outcome: &Outcome<G::Edit>, structure: &G) -> Result<Value, Failure> {
     let strings = |items: &mut dyn Iterator<Item = String>| Value::from_iter(items);
     Ok(match outcome {
         Outcome::Edited { edit, returned, journal } => {
@@ -223,6 +283,6 @@ fn to_json(outcome: &Outcome, structure: &Subdivision) -> Result<Value, Failure>
             json!({ "highlighted": strings(&mut elements.iter().map(ToString::to_string)) })
         }
         Outcome::Caption(text) => json!({ "caption": text }),
-        Outcome::Dump => json!({ "dump": dump(structure)? }),
+        Outcome::Dump => json!({ "dump": structure.dump()? }),
     })
 }

@@ -176,7 +176,9 @@ pub(super) fn walk() -> Result<String, ReferenceError> {
 /// Every rung of the ladder between two rooms of a map, cut into triangles.
 pub(super) fn ladder() -> Result<String, ReferenceError> {
     let mut map = lesson::rooms()?;
+    let borders = map.edge_bound();
     map.triangulate(TriangulationMethod::default())?;
+    map.make_delaunay(|edge| edge.index() < borders);
     let mesh = NavMesh::new(&map)?;
     let (start, goal) = (Point::new(21.5, -5.5), Point::new(0.5, -4.5));
     let mut planner = Planner::new();
@@ -184,6 +186,6 @@ pub(super) fn ladder() -> Result<String, ReferenceError> {
     for rung in Rung::ALL {
         routes.push((rung, planner.route_between(&mesh, rung, start, goal)?));
     }
-    let options = FigureOptions::new("Five ways through rooms").id_prefix("ladder");
+    let options = FigureOptions::new("Six ways through rooms").id_prefix("ladder");
     Ok(Floor::new(&map, &mesh).ladder(&routes, &options)?.to_svg())
 }

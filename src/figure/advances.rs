@@ -1,4 +1,4 @@
-//! Advance widths of the bundled fonts. Written by `BLESS=1 cargo test --test font`, which reads the fonts.
+//! Advance widths of the bundled fonts. Written by `BLESS=1 cargo test --test figures`, which reads the fonts.
 
 /// How many units the em has.
 pub(super) const EM: u16 = 2048;

@@ -7,6 +7,7 @@
 //!   ply         .ply               x     x      polygons, in space; text or binary
 //!   ply-binary  .ply               x     x      the same, written as binary (little endian)
 //!   stl         .stl               x     x      triangles in space, nothing shared; text or binary, written as text
+//!   stl-binary  .stl               x     x      the same, written as binary, in single precision
 //!   triangle    .node + .ele       x     x      triangles in the plane, two files
 //!   geojson     .geojson .json     x     x      polygons with holes and names
 //!   topojson    .topojson .json    x            the same, with shared borders
@@ -37,6 +38,8 @@ pub enum Format {
     PlyBinary,
     /// [Stereolithography](super::stl), text or binary; written as text.
     Stl,
+    /// The same, written as binary, in single precision.
+    StlBinary,
     /// The [`.node` and `.ele`](super::triangle) files of Triangle.
     Triangle,
     /// [GeoJSON](super::geojson) (RFC 7946).
@@ -68,12 +71,13 @@ pub struct UnknownFormat {
 
 impl Format {
     /// All formats, in the order in which they are listed to people.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Obj,
         Self::Off,
         Self::Ply,
         Self::PlyBinary,
         Self::Stl,
+        Self::StlBinary,
         Self::Triangle,
         Self::GeoJson,
         Self::TopoJson,
@@ -95,6 +99,7 @@ impl Format {
             Self::Ply => "ply",
             Self::PlyBinary => "ply-binary",
             Self::Stl => "stl",
+            Self::StlBinary => "stl-binary",
             Self::Triangle => "triangle",
             Self::GeoJson => "geojson",
             Self::TopoJson => "topojson",
@@ -115,7 +120,7 @@ impl Format {
             Self::Obj => &["obj"],
             Self::Off => &["off"],
             Self::Ply | Self::PlyBinary => &["ply"],
-            Self::Stl => &["stl"],
+            Self::Stl | Self::StlBinary => &["stl"],
             Self::Triangle => &["node", "ele"],
             Self::GeoJson => &["geojson", "json"],
             Self::TopoJson => &["topojson"],
@@ -138,6 +143,7 @@ impl Format {
             Self::Ply => "Stanford PLY, text or binary: vertices and polygons in space",
             Self::PlyBinary => "Stanford PLY, written as binary (little endian)",
             Self::Stl => "STL, text or binary: triangles in space; written as text",
+            Self::StlBinary => "STL, written as binary, in single precision",
             Self::Triangle => "Triangle's .node and .ele: triangles in the plane, two files",
             Self::GeoJson => "GeoJSON: polygons with holes and names; lines, if there is no polygon",
             Self::TopoJson => "TopoJSON: polygons with shared borders (read only)",

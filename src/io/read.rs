@@ -75,7 +75,7 @@ pub fn read_bytes(bytes: &[u8], format: Format, source_name: &str, options: &Rea
         Format::Obj => obj::read(bytes, source_name),
         Format::Off => off::read(bytes, source_name),
         Format::Ply | Format::PlyBinary => ply::read(bytes, source_name),
-        Format::Stl => stl::read(bytes, source_name),
+        Format::Stl | Format::StlBinary => stl::read(bytes, source_name),
         Format::Mesh => mesh::read(bytes, source_name),
         Format::Map => grid::read(bytes, source_name),
         Format::GeoJson | Format::TopoJson => json::read(bytes, source_name, options),

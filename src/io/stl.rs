@@ -17,7 +17,8 @@
 //! equal corners are left out, with a note: their other two edges are one, and the triangles behind them meet there.
 //! A file is binary if its length is what the count says, whatever its first word.
 //!
-//! Written as text. Faces with more corners are cut into triangles from their first corner; faces for which that is
+//! Written as text, or as binary in single precision: then each coordinate is rounded to the nearest single, and
+//! a structure with two points that become one is refused, for it would come back as another one. Faces with more corners are cut into triangles from their first corner; faces for which that is
 //! wrong, because they are not convex, are refused.
 //!
 //! Source: 3D Systems, *StereoLithography Interface Specification*, 1988.
@@ -31,6 +32,7 @@ use super::soup::SoupBuilder;
 use super::text::{Scanner, Syntax};
 use super::write::{Number, WriteError};
 use crate::plane::check_coordinate;
+use crate::topology::PolygonList;
 use std::io::Write;
 
 const SYNTAX: Syntax = Syntax { comments: false, continuation: false, quotes: false };
@@ -166,8 +168,8 @@ fn join(corners: &[([f64; 3], u32)], notes: &mut Vec<String>) -> SoupBuilder {
     soup
 }
 
-/// Writes the polygons as text.
-pub(super) fn write(out: &mut impl Write, polygons: &Polygons) -> Result<(), WriteError> {
+/// Refuses faces that do not fall into triangles from their first corner.
+fn check_fans(polygons: &Polygons) -> Result<(), WriteError> {
     let at = |corner: u32| polygons.points[corner as usize];
     for (&face, cycle) in polygons.faces.iter().zip(polygons.list.outer_cycles()) {
         let whole = fans(cycle).map(|t| normal(t.map(at))).fold([0.0; 3], plus);
@@ -175,19 +177,63 @@ pub(super) fn write(out: &mut impl Write, polygons: &Polygons) -> Result<(), Wri
             return Err(WriteError::NoFan { face, format: Format::Stl.name() });
         }
     }
-    writeln!(out, "solid")?;
-    for triangle in polygons.list.outer_cycles().flat_map(fans) {
-        let triangle = triangle.map(at);
-        let normal = normal(triangle);
+    Ok(())
+}
+
+/// The corners of each triangle and its unit normal; a normal of 0 if it has no area.
+fn facets<'a>(list: &'a PolygonList, points: &'a [[f64; 3]]) -> impl Iterator<Item = [[f64; 3]; 4]> + 'a {
+    list.outer_cycles().flat_map(fans).map(move |triangle| {
+        let [a, b, c] = triangle.map(|corner| points[corner as usize]);
+        let normal = normal([a, b, c]);
         let size = dot(normal, normal).sqrt();
-        let [x, y, z] = normal.map(|x| Number(if size > 0.0 { x / size } else { 0.0 }));
+        [normal.map(|x| if size > 0.0 { x / size } else { 0.0 }), a, b, c]
+    })
+}
+
+/// Writes the polygons as text.
+pub(super) fn write(out: &mut impl Write, polygons: &Polygons) -> Result<(), WriteError> {
+    check_fans(polygons)?;
+    writeln!(out, "solid")?;
+    for [normal, corners @ ..] in facets(&polygons.list, &polygons.points) {
+        let [x, y, z] = normal.map(Number);
         writeln!(out, "facet normal {x} {y} {z}\n  outer loop")?;
-        for [x, y, z] in triangle.map(|point| point.map(Number)) {
+        for [x, y, z] in corners.map(|point| point.map(Number)) {
             writeln!(out, "    vertex {x} {y} {z}")?;
         }
         writeln!(out, "  endloop\nendfacet")?;
     }
     Ok(writeln!(out, "endsolid")?)
+}
+
+/// Writes the polygons as binary, each coordinate as the nearest single. O(n log n), for finding equal points.
+pub(super) fn write_binary(out: &mut impl Write, polygons: &Polygons) -> Result<(), WriteError> {
+    check_fans(polygons)?;
+    for (&face, cycle) in polygons.faces.iter().zip(polygons.list.outer_cycles()) {
+        let coordinates = cycle.iter().flat_map(|&corner| polygons.points[corner as usize]);
+        if let Some(coordinate) = { coordinates }.find(|&x| !(x as f32).is_finite()) {
+            return Err(WriteError::TooLarge { face, coordinate });
+        }
+    }
+    let singles: Vec<[f64; 3]> = polygons.points.iter().map(|p| p.map(|x| f64::from(x as f32) + 0.0)).collect();
+    for (&point, same) in polygons.points.iter().zip(representatives(&singles)) {
+        let other = polygons.points[same as usize];
+        if other != point {
+            return Err(WriteError::TooClose { points: [other, point] });
+        }
+    }
+    let count: usize = polygons.list.outer_cycles().map(|cycle| cycle.len() - 2).sum();
+    let mut head = [0; HEAD];
+    head[..HEAD - 4].fill(b' ');
+    // A count beyond 32 bits does not fit into ids either.
+    head[HEAD - 4..].copy_from_slice(&(count as u32).to_le_bytes());
+    out.write_all(&head)?;
+    for facet in facets(&polygons.list, &singles) {
+        for value in facet.as_flattened() {
+            out.write_all(&(*value as f32).to_le_bytes())?;
+        }
+        out.write_all(&[0; 2])?;
+    }
+    Ok(())
 }
 
 /// The triangles from the first corner of a cycle.

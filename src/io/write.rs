@@ -80,6 +80,20 @@ pub enum WriteError {
         /// The format.
         format: &'static str,
     },
+    /// A coordinate that is too large for single precision, in which the format holds numbers.
+    #[error("{coordinate:e} at a corner of {face} is too large for single precision; write stl, which is text")]
+    TooLarge {
+        /// A face with that corner.
+        face: FaceId,
+        /// The coordinate.
+        coordinate: f64,
+    },
+    /// Two corners that are the same in single precision, in which the format holds numbers.
+    #[error("{} and {} are the same in single precision, and so is what hangs on them; write stl, which is text", Place(points[0]), Place(points[1]))]
+    TooClose {
+        /// The two corners.
+        points: [[f64; 3]; 2],
+    },
     /// An edge with the same face on both sides: an antenna, or a bridge to it.
     #[error("{half_edge} and its twin both bound {face}, which {format} cannot hold; dcel holds everything")]
     SameFaceTwice {
@@ -126,6 +140,16 @@ impl fmt::Display for Number {
     }
 }
 
+/// `(1, 2, 3)`
+struct Place([f64; 3]);
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [x, y, z] = self.0.map(Number);
+        write!(f, "({x}, {y}, {z})")
+    }
+}
+
 /// Writes a model. Cost: O(size of the model).
 ///
 /// # Errors
@@ -138,6 +162,7 @@ pub fn write(out: &mut impl Write, model: &Model<'_>, format: Format) -> Result<
         Format::Ply => ply(&mut out, &Polygons::of(model, format)?)?,
         Format::PlyBinary => ply_binary(&mut out, &Polygons::of(model, format)?)?,
         Format::Stl => stl::write(&mut out, &Polygons::of(model, format)?)?,
+        Format::StlBinary => stl::write_binary(&mut out, &Polygons::of(model, format)?)?,
         Format::GeoJson => geojson(&mut out, model, &Polygons::of(in_plane(model, format)?, format)?)?,
         Format::Mesh => {
             let polygons = Polygons::of(in_plane(model, format)?, format)?;

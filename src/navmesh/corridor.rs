@@ -1,25 +1,29 @@
 //! Corridors: rows of faces from start to goal, found by simple rules.
 //!
 //! ```text
-//!   breadth       the fewest faces
+//!   breadth       the fewest faces (`waves.rs`)
 //!   centroid      ·───·───·      A*: the length of the line through the centroids (the means of the corners)
 //!   midpoint      ·─|─·─|─·      ... through the midpoints of the doors
 //!   closest       ·|·|·          ... from where one is to the closest point on the next door
+//!   aimed         ·─|──|──·      ... to where the straight line to the goal meets the next door, or its nearer end
 //! ```
 //!
 //! None of them is the shortest way: how good a corridor is shows only when it is pulled straight. That is why
 //! people complain of detours, and what the exact search is for.
 //!
-//! A* looks at a face again if it is reached by a shorter line. Its guess, the distance to the goal as the crow
-//! flies, is never too long for these lines, or by little where faces cost less than 1.
+//! A* looks at a face again if it is reached with a better guess: the length of the line, and from its end to the goal
+//! as the crow flies. (The length alone would not do: lines through different doors end at different points.) The
+//! guess never falls from face to face, nor does the length, so that a face is never reached again from itself: there
+//! is an end. In the open the aimed line is the straight one, and the guess is right: little else is looked at.
 
-use super::mesh::{CLOSED, ID, NONE};
+use super::mesh::{ID, NONE};
 use super::nearest::{closest_on, distance};
 use super::planner::Scratch;
-use super::{NavMesh, Rung, Work};
+use super::{NavMesh, Rung};
 use crate::ids::{FaceId, FaceMap};
 use crate::plane::Point;
 use std::cmp::Reverse;
+use std::collections::binary_heap::PeekMut;
 
 /// What a search knows about a face.
 #[derive(Clone, Copy, Debug, Default)]
@@ -29,53 +33,14 @@ pub(super) struct Reached {
     /// From which face, by which side of it; `NONE` for a start.
     from: u32,
     side: u32,
-    /// Whether it was taken from the queue with this length.
+    /// Whether it was taken from the queue with this guess.
     done: bool,
+    /// The guess, as the queue has it.
+    key: u64,
     /// The length of the line so far.
     length: f64,
     /// Where the line ends.
     at: Point,
-}
-
-/// The row of the fewest faces. Returns whether there is one.
-pub(super) fn breadth_first(mesh: &NavMesh, scratch: &mut Scratch) -> bool {
-    scratch.seen.resize(mesh.face_bound().max(scratch.seen.len()), (0, NONE));
-    let query = scratch.query;
-    let mut line = std::mem::take(&mut scratch.line);
-    line.clear();
-    line.extend(scratch.starts.iter().map(|f| f.number()));
-    line.iter().for_each(|&f| scratch.seen[f as usize] = (query, NONE));
-    let mut head = 0;
-    let mut found = None;
-    'search: while let Some(&f) = line.get(head) {
-        head += 1;
-        for side in mesh.sides_of(FaceId::new(f)) {
-            let next = side.across & ID;
-            if !scratch.may_cross(side.across) || scratch.seen[next as usize].0 == query {
-                continue;
-            }
-            scratch.seen[next as usize] = (query, f);
-            line.push(next);
-            if scratch.goals.contains(&FaceId::new(next)) {
-                found = Some(next);
-                break 'search;
-            }
-        }
-    }
-    scratch.work = Work { pops: head as u64, pushes: line.len() as u64, expansions: head as u64 };
-    scratch.line = line;
-    let mut at = found.unwrap_or(NONE);
-    while at != NONE {
-        let from = scratch.seen[at as usize].1;
-        let is_door = |&s: &usize| mesh.sides[s].across & (CLOSED | ID) == at;
-        if from != NONE
-            && let Some(side) = mesh.range(FaceId::new(from)).find(is_door)
-        {
-            scratch.doors.push((from, side as u32));
-        }
-        at = from;
-    }
-    found.is_some()
 }
 
 /// A row of faces with a short line of the given kind, through sides that fit. Returns whether there is one.
@@ -94,7 +59,9 @@ pub(super) fn a_star(
         scratch.reached[f.index()] = Reached { query, from: NONE, at: start, ..Reached::default() };
         scratch.push(distance(start, goal), f.number());
     }
-    while let Some(Reverse((_, f))) = scratch.queue.pop() {
+    // The best face that was reached last waits here: mostly it is the next one, and never gets into the queue.
+    let mut hand: Option<(u64, u32)> = None;
+    while let Some((least, f)) = scratch.next(&mut hand) {
         scratch.work.pops += 1;
         let here = scratch.reached[f as usize];
         if here.done {
@@ -120,21 +87,37 @@ pub(super) fn a_star(
             let at = match metric {
                 Rung::Centroid => mesh.centroid(FaceId::new(next)),
                 Rung::Midpoint => Point::new((posts[0].x + posts[1].x) / 2.0, (posts[0].y + posts[1].y) / 2.0),
-                _ => closest_on(posts, here.at),
+                Rung::Closest => closest_on(posts, here.at),
+                _ => aimed_at(goal, posts, here.at),
             };
             let length = here.length + cost * distance(here.at, at);
+            let key = (length + distance(at, goal)).to_bits().max(least);
             let reached = &mut scratch.reached[next as usize];
-            if reached.query == query && reached.length <= length {
+            if reached.query == query && (reached.key, reached.length) <= (key, length) {
                 continue;
             }
-            *reached = Reached { query, from: f, side: s as u32, done: false, length, at };
-            scratch.push(length + distance(at, goal), next);
+            *reached = Reached { query, from: f, side: s as u32, done: false, key, length, at };
+            let worse = match hand {
+                Some(best) if best <= (key, next) => Some((key, next)),
+                best => std::mem::replace(&mut hand, Some((key, next))).and(best),
+            };
+            scratch.work.pushes += 1;
+            scratch.queue.extend(worse.map(Reverse));
         }
     }
     false
 }
 
 impl Scratch {
+    /// Takes the least of the queue and of what is in the hand.
+    fn next(&mut self, hand: &mut Option<(u64, u32)>) -> Option<(u64, u32)> {
+        match (hand.take(), self.queue.peek_mut()) {
+            (None, least) => least.map(PeekMut::pop).map(|Reverse(least)| least),
+            (Some(held), Some(mut least)) if least.0 < held => Some(std::mem::replace(&mut least.0, held)),
+            (held, _) => held,
+        }
+    }
+
     pub(super) fn push(&mut self, key: f64, item: u32) {
         self.work.pushes += 1;
         self.queue.push(Reverse((key.to_bits(), item)));
@@ -147,5 +130,26 @@ impl Scratch {
             self.doors.push((at.from, at.side));
             at = self.reached[at.from as usize];
         }
+    }
+}
+
+/// Where the straight line from `from` to the goal goes through a door, rounded: if it passes beside the door, the end
+/// that is nearer to it; if it leads away from the door, the closest point.
+#[inline]
+fn aimed_at(goal: Point, [right, left]: [Point; 2], from: Point) -> Point {
+    let line = [goal.x - from.x, goal.y - from.y];
+    let height = |p: Point| line[0] * (p.y - from.y) - line[1] * (p.x - from.x);
+    let [of_right, of_left] = [right, left].map(height);
+    if of_left > of_right {
+        let t = of_right / (of_right - of_left);
+        if t <= 0.0 {
+            right
+        } else if t >= 1.0 {
+            left
+        } else {
+            Point::new(right.x + (left.x - right.x) * t, right.y + (left.y - right.y) * t)
+        }
+    } else {
+        closest_on([right, left], from)
     }
 }

@@ -1,24 +1,29 @@
 //! An index over the faces: the plane in equal cells, each with the faces that may reach into it.
 //!
 //! ```text
-//!   ┌────┬────┬────┐    A point's cell is found by two products; the faces of the cell are tested exactly. If none
-//!   │  ╲ │  . │    │    has the point it lies in a gap: most cells see one gap only, and know it. In a cell that
-//!   ├───╲┼────┼────┤    sees several, a ray to the left tells which: the first border it meets is the border of
-//!   │    ╲    │    │    that gap.
-//!   └────┴╲───┴────┘
+//!   ┌────┬────┬────┐    A point's cell is found by two products. A cell with one face, or with one gap and no face,
+//!   │  ╲ │  . │    │    is the answer. Else its faces are looked at, most of them on a lattice only (`coarse.rs`).
+//!   ├───╲┼────┼────┤    If none has the point it lies in a gap: most cells see one gap only, and know it. In a cell
+//!   │    ╲    │    │    that sees several, a ray to the left tells which: the first border it meets is the border of
+//!   └────┴╲───┴────┘    that gap.
 //! ```
 //!
 //! Point to cell is a monotone function of each coordinate, and cells take in too many faces rather than too few, so
-//! rounding never loses a face. One cell for two faces: some 20 bytes a face.
+//! rounding never loses a face. One cell for two faces: some 16 bytes a face, and 12 for the lattice.
 
+use super::coarse::Coarse;
 use super::mesh::{CLOSED, ID, NavMesh};
 use crate::ids::{EdgeId, FaceId, HalfEdgeId};
 use crate::plane::predicates::orientation;
 use crate::plane::{Point, Subdivision};
 use std::collections::BTreeMap;
 
-/// In an item: no face, but the gap that the cell sees.
+/// In an item: no face, but the gap that the cell sees. It is the last item of its cell.
 const GAP: u32 = 1 << 31;
+/// In an item: a face, and the last item of its cell.
+const LAST: u32 = 1 << 30;
+/// The most cells there are, so that items can be numbered without these two marks.
+const MOST_CELLS: f64 = 134_217_728.0;
 /// The cell sees several gaps.
 const SEVERAL: u32 = GAP | ID;
 /// The cell sees no border at all.
@@ -50,6 +55,23 @@ impl GapEdge {
     }
 }
 
+/// What the index says of a point at first sight.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Look {
+    /// Strictly inside this face.
+    Face(u32),
+    /// In no face, but in this gap.
+    Gap(u32),
+    /// In no face.
+    SomeGap,
+    /// The signs have to be asked.
+    Unclear,
+}
+
+fn look_at_gap(item: u32) -> Look {
+    if item == SEVERAL { Look::SomeGap } else { Look::Gap(item & ID) }
+}
+
 #[derive(Clone, PartialEq, Debug, Default)]
 pub(super) struct Grid {
     min: Point,
@@ -58,9 +80,11 @@ pub(super) struct Grid {
     scale: [f64; 2],
     columns: usize,
     rows: usize,
-    starts: Vec<u32>,
-    /// Per cell its faces, then at most one gap.
+    /// Per cell its only item, which is marked as the last one, or where its items start.
+    cells: Vec<u32>,
+    /// Per cell with several items its faces, then at most one gap.
     items: Vec<u32>,
+    coarse: Coarse,
     /// The edges between gaps that reach into each cell, by cell.
     gap_edges: Vec<(u32, GapEdge)>,
     /// Faces that came later, per cell.
@@ -77,7 +101,7 @@ impl Grid {
         let (min, max) = corners.fold((first, first), |(min, max), p| {
             (Point::new(min.x.min(p.x), min.y.min(p.y)), Point::new(max.x.max(p.x), max.y.max(p.y)))
         });
-        let count = (mesh.face_count() / 2).max(1) as f64;
+        let count = (mesh.face_count() as f64 / 2.0).clamp(1.0, MOST_CELLS);
         let [width, height] = [max.x - min.x, max.y - min.y];
         let columns = (count * (width / height)).sqrt().clamp(1.0, count).ceil();
         let rows = (count / columns).ceil().max(1.0);
@@ -87,8 +111,9 @@ impl Grid {
             scale: [columns / width, rows / height],
             columns: columns as usize,
             rows: rows as usize,
-            starts: Vec::new(),
+            cells: Vec::new(),
             items: Vec::new(),
+            coarse: Coarse::new(min, max),
             gap_edges: Vec::new(),
             late: BTreeMap::new(),
             late_count: 0,
@@ -101,13 +126,15 @@ impl Grid {
         grid.gap_edges.sort_by_key(|&(cell, _)| cell);
         grid.fill(mesh);
         grid.name_empty_cells(mesh);
-        grid.put_middles_first(mesh);
+        grid.order_items(mesh);
         grid
     }
 
     /// Bytes of the arrays.
     pub(super) fn memory(&self) -> usize {
-        4 * (self.starts.len() + self.items.len() + self.late_count) + size_of_val(&*self.gap_edges)
+        4 * (self.cells.len() + self.items.len() + self.late_count)
+            + size_of_val(&*self.gap_edges)
+            + self.coarse.memory()
     }
 
     /// The column and the row of a point; points outside go to the nearest cell.
@@ -135,9 +162,11 @@ impl Grid {
         (1.0 / self.scale[0]).min(1.0 / self.scale[1])
     }
 
+    /// The items of a cell as it was built, and some that are not its own behind the last one.
     #[inline]
     fn items(&self, cell: usize) -> &[u32] {
-        &self.items[self.starts[cell] as usize..self.starts[cell + 1] as usize]
+        let word = &self.cells[cell];
+        if *word & (GAP | LAST) == 0 { &self.items[*word as usize..] } else { std::slice::from_ref(word) }
     }
 
     /// The faces that may reach into a cell.
@@ -145,11 +174,43 @@ impl Grid {
     pub(super) fn faces(&self, [column, row]: [usize; 2]) -> impl Iterator<Item = u32> + '_ {
         let cell = row * self.columns + column;
         let late = if self.late.is_empty() { None } else { self.late.get(&(cell as u32)) };
-        let built = self.items(cell).iter().copied().take_while(|&item| item & GAP == 0);
+        let mut more = true;
+        let built = self.items(cell).iter().map_while(move |&item| {
+            let is_face = more && item & GAP == 0;
+            more = item & LAST == 0;
+            is_face.then_some(item & ID)
+        });
         built.chain(late.into_iter().flatten().copied())
     }
 
-    /// Takes in a face that has come or changed its shape. O(number of cells it reaches into).
+    /// What is plain to see of a point of the box.
+    #[inline]
+    pub(super) fn look(&self, p: Point) -> Look {
+        let [column, row] = self.cell(p);
+        let cell = row * self.columns + column;
+        if !self.late.is_empty() && self.late.contains_key(&(cell as u32)) {
+            return Look::Unclear;
+        }
+        let word = self.cells[cell];
+        if word & (GAP | LAST) != 0 {
+            return if word & GAP == 0 { Look::Face(word & ID) } else { look_at_gap(word) };
+        }
+        let place = self.coarse.place(p);
+        for &item in &self.items[word as usize..] {
+            if item & GAP != 0 {
+                return look_at_gap(item);
+            }
+            match self.coarse.is_inside(item & ID, place) {
+                Some(true) => return Look::Face(item & ID),
+                Some(false) if item & LAST == 0 => {}
+                _ => break,
+            }
+        }
+        Look::Unclear
+    }
+
+    /// Takes in a face that has come or changed its shape. Whatever another face has lost, one of these must have got.
+    /// O(number of cells it reaches into).
     pub(super) fn add(&mut self, mesh: &NavMesh, f: u32) {
         let mut cells = Vec::new();
         let corners: Vec<Point> = mesh.corners(FaceId::new(f)).map(|v| mesh.point(v)).collect();
@@ -175,6 +236,7 @@ impl Grid {
             corners.clear();
             corners.extend(mesh.corners(f).map(|v| mesh.point(v)));
             self.visit_cells(&corners, |cell| pairs.push((cell, f.number())));
+            self.coarse.put(f.number(), &corners);
             for (side, s) in mesh.sides_of(f).iter().zip(mesh.range(f)) {
                 let gap = side.across & ID;
                 if side.across & CLOSED != 0 && !mesh.has_face(FaceId::new(gap)) {
@@ -194,35 +256,43 @@ impl Grid {
             sorted[at[cell as usize] as usize] = item;
             at[cell as usize] += 1;
         }
-        self.starts = Vec::with_capacity(cells + 1);
+        self.cells = Vec::with_capacity(cells);
         self.items = Vec::with_capacity(sorted.len());
         for cell in 0..cells {
-            self.starts.push(self.items.len() as u32);
+            let start = self.items.len();
             let here = &sorted[ends[cell] as usize..ends[cell + 1] as usize];
             self.items.extend(here.iter().filter(|&&item| item & GAP == 0));
             let mut gaps = here.iter().copied().filter(|&item| item & GAP != 0);
             if let Some(first) = gaps.next() {
                 self.items.push(if gaps.all(|gap| gap == first) { first } else { SEVERAL });
-            } else if here.is_empty() {
-                self.items.push(NOTHING);
             }
+            self.cells.push(match self.items[start..] {
+                [] => NOTHING,
+                [only] => {
+                    self.items.truncate(start);
+                    only | if only & GAP == 0 { LAST } else { 0 }
+                }
+                _ => start as u32,
+            });
         }
-        self.starts.push(self.items.len() as u32);
         self.items.shrink_to_fit();
     }
 
-    /// Of the faces of a cell the one that has its middle comes first: most points are there, or next to it.
-    fn put_middles_first(&mut self, mesh: &NavMesh) {
-        for row in 0..self.rows {
-            for column in 0..self.columns {
-                let middle = self.middle([column, row]);
-                let cell = row * self.columns + column;
-                let here = &mut self.items[self.starts[cell] as usize..self.starts[cell + 1] as usize];
-                let has_it = |item: u32| item & GAP == 0 && mesh.spot_of_near(FaceId::new(item), middle).is_some();
-                if let Some(i) = here.iter().position(|&item| has_it(item)) {
-                    here.swap(0, i);
-                }
+    /// Of the faces of a cell the one that has its middle comes first: most points are there. The last item is marked.
+    fn order_items(&mut self, mesh: &NavMesh) {
+        let mut end = self.items.len();
+        for cell in (0..self.cells.len()).rev().filter(|&cell| self.cells[cell] & (GAP | LAST) == 0) {
+            let middle = self.middle([cell % self.columns, cell / self.columns]);
+            let start = self.cells[cell] as usize;
+            let here = &mut self.items[start..end];
+            let has_it = |item: u32| item & GAP == 0 && mesh.spot_of_near(FaceId::new(item), middle).is_some();
+            if let Some(i) = here.iter().position(|&item| has_it(item)) {
+                here.swap(0, i);
             }
+            if let Some(last) = here.last_mut().filter(|last| **last & GAP == 0) {
+                *last |= LAST;
+            }
+            end = start;
         }
     }
 
@@ -238,14 +308,13 @@ impl Grid {
             let mut left = Some(GAP);
             for column in 0..self.columns {
                 let cell = row * self.columns + column;
-                let start = self.starts[cell] as usize;
-                if self.items.get(start) != Some(&NOTHING) || self.starts[cell + 1] as usize == start {
+                if self.cells[cell] != NOTHING {
                     left = None;
                     continue;
                 }
                 let middle = self.middle([column, row]);
                 let gap = left.unwrap_or_else(|| GAP | self.gap_by_ray(mesh, middle, [column, row]));
-                self.items[start] = gap;
+                self.cells[cell] = gap;
                 left = Some(gap);
             }
         }
@@ -257,7 +326,8 @@ impl Grid {
             return FaceId::new(0);
         }
         let cell = self.cell(p);
-        let known = self.items(cell[1] * self.columns + cell[0]).last().copied();
+        let mut items = self.items(cell[1] * self.columns + cell[0]).iter().copied();
+        let known = items.find(|item| item & (GAP | LAST) != 0);
         match known {
             Some(gap) if gap & GAP != 0 && gap != SEVERAL => FaceId::new(gap & ID),
             _ => FaceId::new(self.gap_by_ray(mesh, p, cell)),

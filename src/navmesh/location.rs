@@ -8,6 +8,7 @@
 //! ```
 
 use super::NavMesh;
+use super::grid::Look;
 use super::mesh::ID;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::Point;
@@ -126,57 +127,21 @@ impl NavMesh {
         if !self.grid.contains(p) {
             return (Location::Outer, None);
         }
-        let cell = self.grid.cell(p);
-        if let Some(found) = self.grid.faces(cell).next().and_then(|f| self.walk_few(FaceId::new(f), p)) {
-            return found;
-        }
-        for f in self.grid.faces(cell).map(FaceId::new) {
-            if let Some(spot) = self.spot_of_near(f, p) {
-                return (spot, Some(f));
+        match self.grid.look(p) {
+            Look::Face(f) => (Location::Face(FaceId::new(f)), Some(FaceId::new(f))),
+            Look::Gap(gap) => (gap_location(FaceId::new(gap)), None),
+            Look::SomeGap => (self.gap_at(p), None),
+            Look::Unclear => {
+                let faces = self.grid.faces(self.grid.cell(p)).map(FaceId::new);
+                let mut spots = faces.filter_map(|f| Some((self.spot_of_near(f, p)?, Some(f))));
+                spots.next().unwrap_or_else(|| (self.gap_at(p), None))
             }
         }
-        (self.gap_at(p), None)
-    }
-
-    /// Walks from `f` a few faces towards `p`, each time across a side that has `p` on its right. A walk alone would
-    /// not do: a gap may be in the way.
-    fn walk_few(&self, f: FaceId, p: Point) -> Option<(Location, Option<FaceId>)> {
-        let mut at = f;
-        for _ in 0..5 {
-            let range = self.range(at);
-            let mut a = self.points[(self.sides[range.end.checked_sub(1)?].origin & ID) as usize];
-            // The side before a corner: the first step of the loop looks at the last side.
-            let mut before = range.end - 1;
-            let mut on_line = false;
-            let mut next = None;
-            for s in range {
-                let b = self.points[(self.sides[s].origin & ID) as usize];
-                match orientation(a, b, p) {
-                    Ordering::Less => {
-                        next = Some(self.sides[before].across & ID);
-                        break;
-                    }
-                    Ordering::Equal => on_line = true,
-                    Ordering::Greater => {}
-                }
-                (a, before) = (b, s);
-            }
-            match next {
-                None if on_line => return self.spot_on_border(at, p).map(|spot| (spot, Some(at))),
-                None => return Some((Location::Face(at), Some(at))),
-                Some(f) if self.has_face(FaceId::new(f)) => at = FaceId::new(f),
-                Some(_) => return None,
-            }
-        }
-        None
     }
 
     /// The gap that has `p`, which is in no face.
     fn gap_at(&self, p: Point) -> Location {
-        match self.grid.gap(self, p).number() {
-            0 => Location::Outer,
-            hole => Location::Hole(FaceId::new(hole)),
-        }
+        gap_location(self.grid.gap(self, p))
     }
 
     /// [`locate`](Self::locate) without the index: every face is tested. For tests and for lessons. O(n).
@@ -232,6 +197,10 @@ impl NavMesh {
     /// choose from with [`place_in`](Self::place_in).
     pub fn place(&self, point: Point) -> Result<Place, PlaceError> {
         let (location, face) = self.locate_with_face(point);
+        if let Location::Face(face) = location {
+            let place = Place { point, location, face };
+            return if self.is_walkable(face) { Ok(place) } else { Err(PlaceError::Blocked { point, location }) };
+        }
         let mut faces = face.map_or_else(Vec::new, |face| self.parts_of(location, face)).into_iter();
         match (faces.next(), faces.len()) {
             (Some(part), 0) => Ok(Place { point, location, face: part[0] }),
@@ -260,14 +229,26 @@ impl NavMesh {
     /// The faces one stands in at the place, all of them: those round an edge or vertex between which one may pass.
     #[must_use]
     pub fn faces_at(&self, place: &Place) -> Vec<FaceId> {
-        let parts = self.parts_of(place.location, place.face);
-        parts.into_iter().find(|part| part.contains(&place.face)).unwrap_or_else(|| vec![place.face])
+        let mut faces = Vec::new();
+        self.add_faces_at(place, &mut faces);
+        faces
+    }
+
+    /// Appends the [`faces_at`](Self::faces_at) the place.
+    pub(super) fn add_faces_at(&self, place: &Place, faces: &mut Vec<FaceId>) {
+        let parts = match place.location {
+            Location::Face(_) => Vec::new(),
+            location => self.parts_of(location, place.face),
+        };
+        match parts.into_iter().find(|part| part.contains(&place.face)) {
+            Some(part) => faces.extend(part),
+            None => faces.push(place.face),
+        }
     }
 
     /// The faces at a location that are not blocked, in parts between which nobody can pass there.
     fn parts_of(&self, location: Location, face: FaceId) -> Vec<Vec<FaceId>> {
         match location {
-            Location::Face(f) if self.is_walkable(f) => vec![vec![f]],
             Location::Edge(h) => {
                 let Some(side) = self.sides(face).find(|side| side.half_edge.edge() == h.edge()) else {
                     return Vec::new();
@@ -279,6 +260,10 @@ impl NavMesh {
             Location::Face(_) | Location::Hole(_) | Location::Outer => Vec::new(),
         }
     }
+}
+
+fn gap_location(gap: FaceId) -> Location {
+    if gap.number() == 0 { Location::Outer } else { Location::Hole(gap) }
 }
 
 /// Whether `p`, which is on the line of a and b, lies strictly between them.

@@ -60,7 +60,7 @@ pub(super) struct FaceRecord {
 }
 
 impl FaceRecord {
-    const ABSENT: Self = Self { start: 0, len: 0, component: NONE };
+    pub(super) const ABSENT: Self = Self { start: 0, len: 0, component: NONE };
 
     /// A face with sides `start .. end` and no marks.
     pub(super) fn new(start: usize, end: usize) -> Self {
@@ -107,6 +107,8 @@ pub struct NavMesh {
     pub(super) faces: Vec<FaceRecord>,
     pub(super) sides: Vec<SideRecord>,
     pub(super) half_edges: Vec<HalfEdgeId>,
+    /// How many sides no face has any more.
+    pub(super) spent_sides: usize,
     /// For each vertex a face from which its first fan can be walked counter-clockwise to the end.
     pub(super) fans: Vec<u32>,
     /// Further fans of vertices where gaps touch.
@@ -146,6 +148,7 @@ impl NavMesh {
             faces: vec![FaceRecord::ABSENT; map.face_bound()],
             sides: Vec::new(),
             half_edges: Vec::new(),
+            spent_sides: 0,
             fans: vec![NONE; map.vertex_bound()],
             more_fans: BTreeMap::new(),
             walls: BTreeSet::new(),
@@ -170,7 +173,7 @@ impl NavMesh {
     }
 
     /// Appends the sides of a face.
-    fn read_face(&mut self, map: &Subdivision, f: FaceId) -> Result<(), NavMeshError> {
+    pub(super) fn read_face(&mut self, map: &Subdivision, f: FaceId) -> Result<(), NavMeshError> {
         if !map.rings(f).is_empty() {
             return Err(NavMeshError::Rings { face: f, rings: map.rings(f).len() });
         }
@@ -205,47 +208,6 @@ impl NavMesh {
             + size_of_val(&*self.fans)
             + self.grid.memory()
             + self.merged.as_ref().map_or(0, Merged::memory)
-    }
-
-    /// Reads faces anew from the map they come from, after edits there that concern no others; says which of them are
-    /// blocked, and which edges are walls. Cost: as for [`block`](Self::block) of all of them.
-    pub(super) fn read_again(
-        &mut self,
-        map: &Subdivision,
-        faces: &[FaceId],
-        blocked: &[bool],
-        walls: &[(EdgeId, bool)],
-    ) -> Result<(), NavMeshError> {
-        if map.vertex_bound() >= MOST || map.half_edge_bound() >= MOST || map.face_bound() >= MOST {
-            return Err(NavMeshError::TooMany);
-        }
-        let mut result = Ok(());
-        self.change(faces, |mesh| {
-            for v in mesh.points.len()..map.vertex_bound() {
-                mesh.points.push(place_of(map, VertexId::new(v as u32)));
-                mesh.fans.push(NONE);
-            }
-            mesh.faces.resize(map.face_bound().max(mesh.faces.len()), FaceRecord::ABSENT);
-            walls.iter().for_each(|&(edge, wall)| mesh.put_wall(edge, wall));
-            for (&f, &blocked) in faces.iter().zip(blocked) {
-                mesh.faces[f.index()] = FaceRecord::ABSENT;
-                result = result.and(mesh.read_face(map, f));
-                if mesh.has_face(f) {
-                    mesh.set_blocked(f, blocked);
-                }
-            }
-            for v in faces.iter().flat_map(|&f| map.incident_vertices(f)) {
-                mesh.points[v.index()] = map.point(v);
-                mesh.find_fans_of(map, v);
-            }
-        });
-        let mut grid = std::mem::take(&mut self.grid);
-        faces.iter().for_each(|f| grid.add(self, f.number()));
-        self.grid = grid;
-        if self.grid.is_stale() {
-            self.index_all(map);
-        }
-        result
     }
 
     /// Makes the index anew. O(n).
@@ -377,7 +339,7 @@ impl NavMesh {
     }
 }
 
-fn place_of(map: &Subdivision, v: VertexId) -> Point {
+pub(super) fn place_of(map: &Subdivision, v: VertexId) -> Point {
     if map.has_vertex(v) { map.point(v) } else { Point::default() }
 }
 

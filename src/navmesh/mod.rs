@@ -12,11 +12,11 @@
 //! |---|---|---|
 //! | 0 | is it a navmesh at all, and what is wrong? | `validate.rs` |
 //! | 1 | which faces lie across the sides, round a vertex, in one piece? | `mesh.rs`, `around.rs`, `components.rs`, `dead_ends.rs` |
-//! | 2 | in which face is a point? | `grid.rs`, `location.rs`, `nearest.rs` |
-//! | 3 | which faces lead from here to there? | `corridor.rs` |
+//! | 2 | in which face is a point? | `grid.rs`, `coarse.rs`, `location.rs`, `nearest.rs` |
+//! | 3 | which faces lead from here to there? | `waves.rs`, `corridor.rs` |
 //! | 4 | what is the shortest way through these faces? | `funnel.rs` |
 //! | 5 | what is the shortest way of all? | `exact/`, over larger faces `merged.rs` |
-//! | 6 | which of them are wide enough? how far is everything? | `doors.rs`, `field.rs` |
+//! | 6 | which of them are wide enough? how far is everything? | `inset.rs`, `doors.rs`, `field.rs` |
 //! | 7 | and when walls come and go? | `change.rs`, `live/` |
 //!
 //! Every decision is a sign of [`orientation`](crate::plane::predicates::orientation) on points that were given, so
@@ -24,6 +24,7 @@
 
 mod around;
 mod change;
+mod coarse;
 mod components;
 mod corridor;
 mod dead_ends;
@@ -33,6 +34,7 @@ mod exact;
 mod field;
 mod funnel;
 mod grid;
+mod inset;
 mod live;
 mod location;
 mod merged;
@@ -42,11 +44,13 @@ mod planner;
 mod rooms;
 mod route;
 mod validate;
+mod waves;
 
 pub use error::NavMeshError;
 pub use exact::Cone;
 pub use field::DistanceField;
 pub use funnel::FunnelStep;
+pub use inset::{Inset, InsetError};
 pub use live::{LiveMesh, ObstacleError, ObstacleId};
 pub use location::{Location, Place, PlaceError};
 pub use merged::MergedFace;

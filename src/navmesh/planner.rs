@@ -11,6 +11,7 @@ use super::exact::Exact;
 use super::funnel::{self, Funnel, Post};
 use super::merged::Merged;
 use super::mesh::{CLOSED, DEAD_END, ID, NONE};
+use super::waves::{self, Waves};
 use super::{DistanceField, NavMesh, Place, Route, RouteError, Rung, Work, doors};
 use crate::ids::{FaceId, FaceMap, HalfEdgeId, VertexId};
 use crate::plane::Point;
@@ -42,12 +43,13 @@ pub struct Planner {
 pub(super) struct Scratch {
     /// The number of the query.
     pub(super) query: u32,
-    /// Dead ends that may be entered, by number of query.
-    allowed: Vec<u32>,
+    /// A bit for each face: whether it is a dead end that may be entered.
+    allowed: Vec<u64>,
+    /// The words of these bits that are not 0.
+    allowed_words: Vec<usize>,
     pub(super) reached: Vec<Reached>,
-    /// Breadth first: in which query a face was reached, and from where.
-    pub(super) seen: Vec<(u32, u32)>,
-    pub(super) line: Vec<u32>,
+    /// Breadth first: what was reached.
+    pub(super) waves: Waves,
     /// Keys are the bits of a length, which is not negative: they are in the order of the lengths.
     pub(super) queue: BinaryHeap<Reverse<(u64, u32)>>,
     pub(super) funnel: Funnel,
@@ -94,7 +96,7 @@ impl Planner {
     pub fn route(&mut self, mesh: &NavMesh, rung: Rung, start: &Place, goal: &Place) -> Result<Route, RouteError> {
         let merged = mesh.merged.as_ref().filter(|_| rung == Rung::Exact);
         self.search(mesh, start, goal, merged, |planner| match rung {
-            Rung::Breadth => corridor::breadth_first(mesh, &mut planner.scratch),
+            Rung::Breadth => waves::breadth_first(mesh, &mut planner.scratch),
             Rung::Exact => planner.exact.search(mesh, &mut planner.scratch, start, goal.point),
             metric => {
                 let ends = [start.point, goal.point];
@@ -226,22 +228,28 @@ impl Scratch {
     fn begin(&mut self, mesh: &NavMesh, start: &Place, goal: &Place, merged: Option<&Merged>) {
         self.query = self.query.wrapping_add(1);
         if self.query == 0 {
-            self.allowed.clear();
             self.reached.clear();
-            self.seen.clear();
             self.query = 1;
         }
+        self.allowed_words.drain(..).for_each(|word| self.allowed[word] = 0);
         let bound = merged.map_or(mesh.face_bound(), Merged::bound);
-        self.allowed.resize(bound.max(self.allowed.len()), 0);
+        self.allowed.resize((bound / 64 + 1).max(self.allowed.len()), 0);
         self.queue.clear();
         self.doors.clear();
         self.work = Work::default();
-        self.starts = mesh.faces_at(start);
-        self.goals = mesh.faces_at(goal);
+        self.starts.clear();
+        mesh.add_faces_at(start, &mut self.starts);
+        self.goals.clear();
+        mesh.add_faces_at(goal, &mut self.goals);
         let room = |f: FaceId| merged.map_or(f, |merged| merged.whole(f));
         for &f in self.starts.iter().chain(&self.goals) {
             for f in mesh.door_path(f) {
-                self.allowed[room(f).index()] = self.query;
+                let f = room(f).index();
+                let word = &mut self.allowed[f / 64];
+                if *word == 0 {
+                    self.allowed_words.push(f / 64);
+                }
+                *word |= 1 << (f % 64);
             }
         }
         if merged.is_some() {
@@ -254,19 +262,22 @@ impl Scratch {
 
     /// Lets the query into all dead ends.
     fn allow_all(&mut self) {
-        self.allowed.fill(self.query);
+        self.allowed.fill(u64::MAX);
+        self.allowed_words.clear();
+        self.allowed_words.extend(0..self.allowed.len());
     }
 
     /// Whether a search may cross a side with this word: it is open, and no useless dead end lies behind.
     #[inline]
     pub(super) fn may_cross(&self, across: u32) -> bool {
-        across & (CLOSED | DEAD_END) == 0 || (across & CLOSED == 0 && self.is_allowed(across & ID))
+        // Without a branch: what lies where is not to be guessed.
+        (across & CLOSED == 0) & ((across & DEAD_END == 0) | self.is_allowed(across & ID))
     }
 
     /// Whether a dead end is no useless one.
     #[inline]
     pub(super) fn is_allowed(&self, dead_end: u32) -> bool {
-        self.allowed[dead_end as usize] == self.query
+        self.allowed[dead_end as usize / 64] >> (dead_end % 64) & 1 != 0
     }
 
     /// Pulls the way straight through the doors that were found: its points, and the vertices it bends at.

@@ -23,13 +23,15 @@ pub enum Rung {
     Midpoint,
     /// A* from each door to the closest point on the next.
     Closest,
+    /// A* from each door to where the straight line to the goal meets the next.
+    Aimed,
     /// The shortest way of all; quicker over merged faces, see [`merge_faces`](NavMesh::merge_faces).
     Exact,
 }
 
 impl Rung {
     /// All of them, from the lowest to the highest.
-    pub const ALL: [Self; 5] = [Self::Breadth, Self::Centroid, Self::Midpoint, Self::Closest, Self::Exact];
+    pub const ALL: [Self; 6] = [Self::Breadth, Self::Centroid, Self::Midpoint, Self::Closest, Self::Aimed, Self::Exact];
 
     /// One word for it.
     #[must_use]
@@ -39,6 +41,7 @@ impl Rung {
             Self::Centroid => "centroid",
             Self::Midpoint => "midpoint",
             Self::Closest => "closest",
+            Self::Aimed => "aimed",
             Self::Exact => "exact",
         }
     }

@@ -20,6 +20,7 @@ mod convert;
 mod cycle;
 mod delaunay;
 pub mod edit;
+mod group;
 mod hull;
 mod locate;
 mod meet;

@@ -14,9 +14,11 @@
 //! Source: Shamos and Hoey, *Geometric intersection problems*, FOCS 1976.
 
 use super::Point;
+use super::group::grouped;
 use super::predicates::{left_to_right, orientation};
 use super::status::Status;
 use std::cmp::Ordering;
+use std::ops::Range;
 
 /// Two things that meet where they should not. Numbers are indices into the slices given to the sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,15 +36,17 @@ pub(super) enum Meeting {
 /// Says nothing lies below.
 pub(super) const NOTHING: u32 = u32::MAX;
 
-/// For every point of `order_of`, the edge directly below it (or `NOTHING`); and the first meeting, if
-/// `look_for_meetings`.
-///
-/// `points` are all points; only those used by `edges` and those of `extra` (points without edges) take part.
-/// Without `look_for_meetings` the input must have none; then the answer is right, otherwise it is some answer.
-pub(super) struct Sweep<'a> {
-    points: &'a [Point],
-    edges: &'a [[u32; 2]],
+/// The sweep. Its points are numbered in the order in which it comes to them, and its edges in that of their left
+/// ends, so that what it looks at together lies together in memory.
+struct Sweep {
+    points: Vec<Point>,
+    /// The left and the right end of each edge.
+    edges: Vec<[u32; 2]>,
     status: Status,
+    /// The edges that end at the event, from bottom to top.
+    ending: Vec<u32>,
+    /// Those that start there.
+    starting: Vec<u32>,
     look_for_meetings: bool,
 }
 
@@ -54,32 +58,79 @@ pub(super) struct Swept {
     pub(super) meeting: Option<Meeting>,
 }
 
-/// Sweeps over `edges` and the further points `extra`, all by their numbers in `points`.
+/// The edges round one point as half-edges that leave it, with h0 and h1 of edge 0, h2 and h3 of edge 1, and so on;
+/// the even ones run as the edges are given.
+pub(super) struct Star<'a> {
+    /// The number of the point.
+    pub(super) point: u32,
+    /// To the left, from bottom to top; straight down is left.
+    pub(super) left: &'a [u32],
+    /// To the right, from bottom to top; straight up is right.
+    pub(super) right: &'a [u32],
+}
+
+/// Sweeps over `edges` and the further points `extra`, all by their numbers in `points`: finds, for each of these
+/// points, the edge directly below it, and the first meeting, if `look_for_meetings`.
+///
+/// Without `look_for_meetings` the input must have none; then the answer is right, otherwise it is some answer.
 pub(super) fn sweep(points: &[Point], edges: &[[u32; 2]], extra: &[u32], look_for_meetings: bool) -> Swept {
     let mut events: Vec<u32> = edges.iter().flatten().chain(extra).copied().collect();
     events.sort_unstable_by(|&a, &b| left_to_right(points[a as usize], points[b as usize]).then(a.cmp(&b)));
     events.dedup();
-    sweep_in_order(points, edges, &events, look_for_meetings)
+    sweep_in_order(points, edges, &events, look_for_meetings, |_| ())
 }
 
 /// The same, for callers who know the order of the points: `events` holds every point that takes part once, from
-/// left to right, points above each other from bottom to top.
-pub(super) fn sweep_in_order(points: &[Point], edges: &[[u32; 2]], events: &[u32], look_for_meetings: bool) -> Swept {
-    let edges = rightwards(points, edges);
-    let (firsts, mut starts) = by_left_end(points.len(), &edges);
+/// left to right, points above each other from bottom to top. `see` is shown the star of each point.
+pub(super) fn sweep_in_order(
+    points: &[Point],
+    edges: &[[u32; 2]],
+    events: &[u32],
+    look_for_meetings: bool,
+    mut see: impl FnMut(Star<'_>),
+) -> Swept {
+    let mut rank = vec![0_u32; points.len()];
+    events.iter().enumerate().for_each(|(i, &p)| rank[p as usize] = i as u32);
+    let ranks = |&[a, b]: &[u32; 2]| [rank[a as usize], rank[b as usize]];
+    let rightwards: Vec<[u32; 2]> = edges.iter().map(ranks).map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    let (firsts, by_left_end) = grouped(events.len(), edges.len(), |e| rightwards[e][0] as usize);
+    let half_edge = |&e: &u32| {
+        let [a, b] = ranks(&edges[e as usize]);
+        2 * e + u32::from(a > b)
+    };
+    let half_edges: Vec<u32> = by_left_end.iter().map(half_edge).collect();
+    let mut sweep = Sweep {
+        points: events.iter().map(|&p| points[p as usize]).collect(),
+        edges: by_left_end.iter().map(|&e| rightwards[e as usize]).collect(),
+        status: Status::default(),
+        ending: Vec::new(),
+        starting: Vec::new(),
+        look_for_meetings,
+    };
+    let name = |edge: u32| by_left_end[edge as usize];
     let mut below = vec![NOTHING; points.len()];
-    let mut sweep = Sweep { points, edges: &edges, status: Status::default(), look_for_meetings };
-    for (i, &event) in events.iter().enumerate() {
-        if i > 0 && look_for_meetings && points[events[i - 1] as usize] == points[event as usize] {
-            return Swept { below, meeting: Some(Meeting::SamePlace(events[i - 1], event)) };
+    let mut meeting = None;
+    for (event, &point) in events.iter().enumerate() {
+        match sweep.step(event as u32, firsts[event]..firsts[event + 1]) {
+            Ok(edge) => below[point as usize] = edge.map_or(NOTHING, name),
+            Err(found) => {
+                let point = |p: u32| events[p as usize];
+                meeting = Some(match found {
+                    Meeting::SamePlace(p, q) => Meeting::SamePlace(point(p), point(q)),
+                    Meeting::PointOnEdge { point: p, edge } => {
+                        Meeting::PointOnEdge { point: point(p), edge: name(edge) }
+                    }
+                    Meeting::Crossing(e, g) => Meeting::Crossing(name(e).min(name(g)), name(e).max(name(g))),
+                    Meeting::Overlap(e, g) => Meeting::Overlap(name(e), name(g)),
+                });
+                break;
+            }
         }
-        let starting = firsts[event as usize] as usize..firsts[event as usize + 1] as usize;
-        match sweep.step(event, &mut starts[starting]) {
-            Ok(edge) => below[event as usize] = edge,
-            Err(meeting) => return Swept { below, meeting: Some(meeting) },
-        }
+        sweep.starting.iter_mut().for_each(|edge| *edge = half_edges[*edge as usize]);
+        sweep.ending.iter_mut().for_each(|edge| *edge = half_edges[*edge as usize] ^ 1);
+        see(Star { point, left: &sweep.ending, right: &sweep.starting });
     }
-    Swept { below, meeting: None }
+    Swept { below, meeting }
 }
 
 /// Each edge from its left end to its right end.
@@ -91,22 +142,7 @@ pub(super) fn rightwards(points: &[Point], edges: &[[u32; 2]]) -> Vec<[u32; 2]> 
     edges.iter().map(turned).collect()
 }
 
-/// The edges by their first point: those of point `p` are `list[firsts[p]..firsts[p + 1]]`, in increasing order.
-pub(super) fn by_left_end(points: usize, edges: &[[u32; 2]]) -> (Vec<u32>, Vec<u32>) {
-    let mut firsts = vec![0_u32; points + 1];
-    edges.iter().for_each(|edge| firsts[edge[0] as usize + 1] += 1);
-    (0..points).for_each(|p| firsts[p + 1] += firsts[p]);
-    let mut list = vec![0; edges.len()];
-    let mut next = firsts.clone();
-    for (e, edge) in edges.iter().enumerate() {
-        let place = &mut next[edge[0] as usize];
-        list[*place as usize] = e as u32;
-        *place += 1;
-    }
-    (firsts, list)
-}
-
-impl Sweep<'_> {
+impl Sweep {
     fn ends(&self, edge: u32) -> [Point; 2] {
         self.edges[edge as usize].map(|p| self.points[p as usize])
     }
@@ -117,13 +153,19 @@ impl Sweep<'_> {
         orientation(a, b, self.points[point as usize])
     }
 
-    /// Takes the sweep line over `event`; returns the edge directly below.
-    fn step(&mut self, event: u32, starting: &mut [u32]) -> Result<u32, Meeting> {
+    /// Takes the sweep line over `event`, where the edges `starting` start; returns the edge directly below.
+    fn step(&mut self, event: u32, starting: Range<u32>) -> Result<Option<u32>, Meeting> {
+        let here = self.points[event as usize];
+        if self.look_for_meetings && event > 0 && self.points[event as usize - 1] == here {
+            return Err(Meeting::SamePlace(event - 1, event));
+        }
         let mut at = self.status.partition(|edge| self.side(edge, event).is_gt());
         let below = self.status.before(at);
+        self.ending.clear();
         while let Some(edge) = self.status.get(at) {
             if self.edges[edge as usize][1] == event {
                 self.status.remove(&mut at);
+                self.ending.push(edge);
             } else if self.side(edge, event).is_eq() {
                 if self.look_for_meetings {
                     return Err(Meeting::PointOnEdge { point: event, edge });
@@ -133,33 +175,36 @@ impl Sweep<'_> {
                 break;
             }
         }
-        let here = self.points[event as usize];
+        self.starting.clear();
+        self.starting.extend(starting);
         let far = |edge: u32| self.points[self.edges[edge as usize][1] as usize];
-        starting.sort_unstable_by(|&e, &g| orientation(here, far(g), far(e)).then(e.cmp(&g)));
+        self.starting.sort_unstable_by(|&e, &g| orientation(here, far(g), far(e)).then(e.cmp(&g)));
         if self.look_for_meetings {
-            for pair in starting.windows(2) {
+            for pair in self.starting.windows(2) {
                 if orientation(here, far(pair[0]), far(pair[1])).is_eq() {
                     return Err(Meeting::Overlap(pair[0], pair[1]));
                 }
             }
             let above = self.status.get(at);
-            let (lowest, highest) = (starting.first().copied(), starting.last().copied());
-            let neighbours =
-                if starting.is_empty() { [(below, above), (None, None)] } else { [(below, lowest), (highest, above)] };
+            let neighbours = match self.starting[..] {
+                [] => [(below, above), (None, None)],
+                [lowest, .., highest] => [(below, Some(lowest)), (Some(highest), above)],
+                [only] => [(below, Some(only)), (Some(only), above)],
+            };
             for pair in neighbours {
                 if let (Some(e), Some(g)) = pair {
                     self.meet(e, g)?;
                 }
             }
         }
-        self.status.insert(at, starting);
-        Ok(below.unwrap_or(NOTHING))
+        self.status.insert(at, &self.starting);
+        Ok(below)
     }
 
     /// Fails if the two neighbours cross in their interiors. A touching end is found when the sweep gets there.
     fn meet(&self, e: u32, g: u32) -> Result<(), Meeting> {
         let ([a, b], [c, d]) = (self.ends(e), self.ends(g));
-        if cross(a, b, c, d) { Err(Meeting::Crossing(e.min(g), e.max(g))) } else { Ok(()) }
+        if cross(a, b, c, d) { Err(Meeting::Crossing(e, g)) } else { Ok(()) }
     }
 }
 

@@ -5,6 +5,7 @@
 //!   └─ source ─┘ └ line:column, both from 1, the column in characters
 //! ```
 
+use super::kernel::KernelStartError;
 use crate::plane::{ConvertError, CoordinateError};
 use std::fmt;
 
@@ -74,6 +75,9 @@ pub enum Problem {
     /// The start is no subdivision of the plane.
     #[error(transparent)]
     Convert(#[from] ConvertError),
+    /// The start is no structure of the kernel.
+    #[error(transparent)]
+    KernelStart(#[from] KernelStartError),
     /// A word that names nothing.
     #[error("`{word}` is not known")]
     Name {

@@ -20,6 +20,12 @@
 //! in a script, because whoever allocates it chooses the number: it is named by `let`, or by links from a known
 //! half-edge, as in `h0.next.twin`. `v0`, `f1`, `e2` of the start are given in the same way.
 //!
+//! **Without coordinates.** A script that starts with `torus`, `ring N` (a double-sided disc) or
+//! `surface N / i j k ... / ...` (N vertices and their faces) is played on the kernel, where whatever is
+//! combinatorially legal may be done: `split_face A B`, `split_edge A`, `split_vertex A B`,
+//! `split_isolated_vertex V`, `join_faces A`, `join_edges A`, `join_vertices A`, `collapse_edge A`, `flip_edge A`.
+//! [`Script::parse_kernel`] reads it.
+//!
 //! | link | from | to |
 //! |---|---|---|
 //! | `next prev twin` | half-edge | half-edge |
@@ -32,8 +38,9 @@
 //! been given out again.
 //!
 //! ```text
-//!   syntax.rs  what a script says     words.rs, parse.rs  from text     error.rs  file:line:column
-//!   edit.rs    one call of an edit    play.rs             step by step  replay.rs edits back to text
+//!   syntax.rs  what a script says                  words.rs, cursor.rs, starts.rs, parse.rs  from text
+//!   edit.rs    one call of an edit of the plane    play.rs    step by step      error.rs  file:line:column
+//!   kernel.rs  and of the kernel                   ground.rs  what both share   replay.rs edits back to text
 //! ```
 //!
 //! ```
@@ -45,16 +52,23 @@
 //! # Ok::<(), dcel_kit::script::ScriptError>(())
 //! ```
 
+mod cursor;
 mod edit;
 mod error;
+mod ground;
+mod kernel;
 mod parse;
 mod play;
 mod replay;
+mod starts;
 mod syntax;
 mod words;
 
-pub use edit::{Edit, EditError, Returned};
+pub use edit::{Edit, EditError, EditKind, Returned};
 pub use error::{Problem, ScriptError};
+pub use ground::{Call, Ground};
+pub use kernel::{KernelEdit, KernelEditError, KernelStart, KernelStartError};
 pub use play::{Outcome, Refusal, Run, Step};
-pub use replay::of_edits;
+pub use replay::{of_edits, of_kernel_edits};
+pub use starts::is_kernel_script;
 pub use syntax::{Link, Script, Statement};

@@ -1,170 +1,84 @@
 //! From text to a script: every word is looked up, so that only edits can fail later.
 
+use super::cursor::{Complaint, Cursor, show};
 use super::edit::EditKind;
 use super::error::{Problem, ScriptError};
+use super::ground::{Call, Ground};
+use super::starts::{OF_THE_KERNEL, OF_THE_PLANE, WORDS};
 use super::syntax::{Action, Base, Kind, Link, Name, Path, Script, Statement};
-use super::words::{Line, Word, lines};
+use super::words::{Word, lines};
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
-use crate::plane::{ConvertError, ConvertOptions, Point, Subdivision, check_coordinate};
+use crate::topology::Dcel;
 
 /// The statements that are no edits.
 const OTHERS: [&str; 5] = ["walk_face", "walk_vertex", "highlight", "caption", "dump"];
-const STARTS: &str = "a script starts with `rectangle`, `polygon x y x y …` or `triangles x y … / i j k …`";
 const LET: &str = "let";
 
 impl Script {
-    /// Reads a script. `source` is what messages call the text.
+    /// Reads a script of the plane. `source` is what messages call the text.
     ///
     /// Cost: O(length of the text), and that of building the start.
     ///
     /// # Errors
     /// [`ScriptError`] names the first word that does not fit, its place, and what is known there.
     pub fn parse(text: &str, source: &str) -> Result<Self, ScriptError> {
-        Self::read(text).map_err(|Complaint { line, column, what, help }| ScriptError {
-            source: source.to_owned(),
-            line,
-            column,
-            what: Box::new(what),
-            help,
-        })
+        read(text, source, |first| first.plane_start(), OF_THE_PLANE)
     }
+}
 
-    fn read(text: &str) -> Result<Self, Complaint> {
+impl Script<Dcel> {
+    /// Reads a script of the kernel: no coordinates, and the edits of the [`Dcel`].
+    ///
+    /// Cost: O(length of the text), and that of building the start.
+    ///
+    /// # Errors
+    /// [`ScriptError`] names the first word that does not fit, its place, and what is known there.
+    ///
+    /// ```
+    /// use dcel_kit::script::Script;
+    /// let run = Script::parse_kernel("torus\nlet a = split_vertex h0 h1\njoin_vertices a\n", "example")?.run();
+    /// assert_eq!(run.steps[0].outcome.to_string(), "split_vertex h0 h1 returned h4, v1");
+    /// assert_eq!(run.end.vertex_count(), 1);
+    /// # Ok::<(), dcel_kit::script::ScriptError>(())
+    /// ```
+    pub fn parse_kernel(text: &str, source: &str) -> Result<Self, ScriptError> {
+        read(text, source, |first| first.kernel_start(), OF_THE_KERNEL)
+    }
+}
+
+fn read<G: Ground>(
+    text: &str,
+    source: &str,
+    start: impl FnOnce(&mut Cursor<'_>) -> Result<G, Complaint>,
+    starts: &str,
+) -> Result<Script<G>, ScriptError> {
+    let read = || {
         let mut lines = lines(text);
         let Some(first) = lines.next() else {
-            return Err(Complaint { line: 1, column: 1, what: Problem::Empty, help: STARTS.to_owned() });
+            return Err(Complaint { line: 1, column: 1, what: Problem::Empty, help: starts.to_owned() });
         };
-        let start = Cursor::new(&first).start()?;
-        let mut parser = Parser { script: Self { start, statements: Vec::new(), names: Vec::new() } };
+        let start = start(&mut Cursor::new(&first))?;
+        let mut parser = Parser { script: Script { start, statements: Vec::new(), names: Vec::new() } };
         for line in lines {
             let action = parser.action(&mut Cursor::new(&line))?;
             parser.script.statements.push(Statement { line: line.number, text: line.text.to_owned(), action });
         }
         Ok(parser.script)
-    }
+    };
+    read().map_err(|Complaint { line, column, what, help }| ScriptError {
+        source: source.to_owned(),
+        line,
+        column,
+        what: Box::new(what),
+        help,
+    })
 }
 
-/// A [`ScriptError`] whose source is not known yet.
-struct Complaint {
-    line: u32,
-    column: u32,
-    what: Problem,
-    help: String,
+struct Parser<G> {
+    script: Script<G>,
 }
 
-/// The words of a line that have not been read yet.
-struct Cursor<'a> {
-    line: &'a Line<'a>,
-    at: usize,
-    /// The word that says what statement it is.
-    statement: &'a str,
-}
-
-impl<'a> Cursor<'a> {
-    fn new(line: &'a Line<'a>) -> Self {
-        Self { line, at: 0, statement: "" }
-    }
-
-    fn at(&self, word: Word<'_>, what: Problem, help: impl Into<String>) -> Complaint {
-        Complaint { line: self.line.number, column: word.column, what, help: help.into() }
-    }
-
-    fn peek(&self) -> Option<Word<'a>> {
-        self.line.words.get(self.at).copied()
-    }
-
-    fn next(&mut self) -> Option<Word<'a>> {
-        let word = self.peek()?;
-        self.at += 1;
-        Some(word)
-    }
-
-    fn need(&mut self, wanted: &'static str, help: &str) -> Result<Word<'a>, Complaint> {
-        self.next().ok_or_else(|| Complaint {
-            line: self.line.number,
-            column: self.line.end,
-            what: Problem::Missing { statement: self.statement.to_owned(), wanted },
-            help: help.to_owned(),
-        })
-    }
-
-    fn done(&self) -> Result<(), Complaint> {
-        self.peek().map_or(Ok(()), |word| {
-            let what = Problem::Extra { word: show(word.text), statement: self.statement.to_owned() };
-            Err(self.at(word, what, "write one statement a line; `#` starts a comment"))
-        })
-    }
-
-    fn number(&mut self, wanted: &'static str, help: &str) -> Result<f64, Complaint> {
-        let word = self.need(wanted, help)?;
-        let not = || Problem::Number { word: show(word.text), wanted: "a number" };
-        let value: f64 = word.text.parse().map_err(|_| self.at(word, not(), "write a number such as 1.5 or -250"))?;
-        check_coordinate('x', value).map_err(|_| {
-            let axis = if wanted == "y" { 'y' } else { 'x' };
-            let error = check_coordinate(axis, value).err();
-            self.at(word, error.map_or_else(not, Problem::Coordinate), "")
-        })?;
-        Ok(value)
-    }
-
-    fn point(&mut self, help: &str) -> Result<Point, Complaint> {
-        Ok(Point::new(self.number("x", help)?, self.number("y", help)?))
-    }
-
-    /// The first line.
-    fn start(&mut self) -> Result<Subdivision, Complaint> {
-        let word = self.need("a start", STARTS)?;
-        self.statement = word.text;
-        let built = match word.text {
-            "rectangle" => {
-                self.done()?;
-                return Ok(Subdivision::lab_rectangle());
-            }
-            "polygon" => self.polygon()?,
-            "triangles" => self.triangles()?,
-            other => return Err(self.at(word, Problem::Start { word: show(other), first: true }, STARTS)),
-        };
-        built.map_err(|error| self.at(word, Problem::Convert(error), ""))
-    }
-
-    fn polygon(&mut self) -> Result<Result<Subdivision, ConvertError>, Complaint> {
-        let help = "`polygon` takes x and y of at least three corners, counter-clockwise";
-        let mut corners = Vec::new();
-        while corners.len() < 3 || self.peek().is_some() {
-            corners.push(self.point(help)?);
-        }
-        Ok(Subdivision::polygon(&corners))
-    }
-
-    fn triangles(&mut self) -> Result<Result<Subdivision, ConvertError>, Complaint> {
-        let help = "`triangles` takes x and y of the points, a `/`, and three points for each triangle: \
-                    triangles 0 0 4 0 4 3 / 0 1 2";
-        let mut points = Vec::new();
-        while self.peek().is_none_or(|word| word.text != "/") {
-            points.push(self.point(help)?);
-        }
-        self.next();
-        let mut triangles = Vec::new();
-        while triangles.is_empty() || self.peek().is_some() {
-            let mut corner = || -> Result<u32, Complaint> {
-                let word = self.need("three points for each triangle", help)?;
-                let known = format!("the points are numbered from 0 to {}", points.len().saturating_sub(1));
-                let number = word.text.parse().ok().filter(|&number: &u32| (number as usize) < points.len());
-                let wanted = "the number of a point";
-                number.ok_or_else(|| self.at(word, Problem::Number { word: show(word.text), wanted }, known))
-            };
-            triangles.push([corner()?, corner()?, corner()?]);
-        }
-        let options = ConvertOptions { full_check: true, ..ConvertOptions::default() };
-        Ok(Subdivision::convert_triangles(points, &triangles, &options).map(|converted| converted.subdivision))
-    }
-}
-
-struct Parser {
-    script: Script,
-}
-
-impl Parser {
+impl<G: Ground> Parser<G> {
     fn action(&mut self, cursor: &mut Cursor<'_>) -> Result<Action, Complaint> {
         let Some(first) = cursor.next() else { return Ok(Action::Dump) };
         if first.text != LET {
@@ -180,7 +94,7 @@ impl Parser {
             return Err(cursor.at(sign, what, help));
         }
         let word = cursor.need("an edit or a half-edge after `=`", help)?;
-        let is_statement = OTHERS.contains(&word.text) || edit(word.text).is_some();
+        let is_statement = OTHERS.contains(&word.text) || edit::<G>(word.text).is_some();
         if is_statement || !(word.text.contains('.') || self.base(word.text).is_some()) {
             return self.statement(cursor, word, Some(name));
         }
@@ -200,11 +114,11 @@ impl Parser {
         let mut rest = Cursor { line: cursor.line, at: cursor.at, statement: &statement };
         let cursor = &mut rest;
         let nothing_to_name = |cursor: &Cursor<'_>| {
-            let help = "names go to what split_face, split_in_half and split_edge make, and to half-edges";
+            let help = "names go to what splits make, and to elements: let a = split_face h0 h3, let b = h0.next";
             let complain = |_| cursor.at(word, Problem::NothingToName { statement: statement.clone() }, help);
             name.map_or(Ok(()), |name| Err(complain(name)))
         };
-        if let Some(kind) = edit(word.text) {
+        if let Some(kind) = edit::<G>(word.text) {
             if !kind.makes_an_edge() {
                 nothing_to_name(cursor)?;
             }
@@ -229,12 +143,12 @@ impl Parser {
                 Action::Caption(cursor.line.text["caption".len()..].trim().to_owned())
             }
             "dump" => Action::Dump,
-            "rectangle" | "polygon" | "triangles" => {
-                let what = Problem::Start { word: show(word.text), first: false };
+            other if WORDS.contains(&other) => {
+                let what = Problem::Start { word: show(other), first: false };
                 return Err(cursor.at(word, what, "only the first statement is a start"));
             }
             other => {
-                let mut known: Vec<&str> = EditKind::ALL.iter().map(|kind| kind.word()).collect();
+                let mut known: Vec<&str> = G::Edit::KINDS.iter().map(|kind| kind.word()).collect();
                 known.extend(OTHERS);
                 let help = format!("known: {} {LET}", known.join(" "));
                 return Err(cursor.at(word, Problem::Statement { word: show(other) }, help));
@@ -245,13 +159,10 @@ impl Parser {
     }
 
     fn edit(&mut self, cursor: &mut Cursor<'_>, kind: EditKind, name: Option<Word<'_>>) -> Result<Action, Complaint> {
-        let count = if kind == EditKind::SplitFace { 2 } else { 1 };
-        let mut arguments = Vec::new();
-        for _ in 0..count {
-            arguments.push(self.element(cursor, &[Kind::HalfEdge])?);
-        }
+        let arguments = kind.takes().iter().map(|&taken| self.element(cursor, &[taken]));
+        let arguments = arguments.collect::<Result<Vec<_>, _>>()?;
         let help = "write split_edge A x y: the half-edge and the place of the new vertex";
-        let point = if kind == EditKind::SplitEdge { Some(cursor.point(help)?) } else { None };
+        let point = if kind == EditKind::SplitEdgeAt { Some(cursor.point(help)?) } else { None };
         cursor.done()?;
         let name = name.map(|name| self.give(cursor, name, Kind::HalfEdge));
         Ok(Action::Edit { kind, arguments, point, name })
@@ -261,6 +172,7 @@ impl Parser {
     fn element(&self, cursor: &mut Cursor<'_>, kinds: &[Kind]) -> Result<Path, Complaint> {
         let wanted = match kinds {
             [Kind::HalfEdge] => "a half-edge",
+            [Kind::Vertex] => "a vertex",
             [Kind::HalfEdge, Kind::Face] => "a half-edge or a face",
             [Kind::HalfEdge, Kind::Vertex] => "a half-edge or a vertex",
             _ => "an element",
@@ -272,7 +184,7 @@ impl Parser {
         }
         let statement = cursor.statement.to_owned();
         let what = Problem::Kind { word: show(word.text), kind: kind.a(), statement, wanted };
-        let way = Link::ALL.into_iter().find(|link| link.from() == kind && link.to() == Kind::HalfEdge);
+        let way = Link::ALL.into_iter().find(|link| link.from() == kind && kinds.contains(&link.to()));
         let help = way.map_or_else(String::new, |link| format!("try {}.{}", show(word.text), link.word()));
         Err(cursor.at(word, what, help))
     }
@@ -309,12 +221,12 @@ impl Parser {
         if let Some(index) = self.script.names.iter().position(|name| name.text == word) {
             return Some((Base::Named(index), self.script.names[index].kind));
         }
-        let element = id(word).filter(|element| self.script.start.check(*element).is_ok())?;
+        let element = id(word).filter(|element| self.script.start.topology().check(*element).is_ok())?;
         Some((Base::Given(element), Kind::of(element)))
     }
 
     fn unknown(&self, cursor: &Cursor<'_>, word: Word<'_>) -> Complaint {
-        let start = &self.script.start;
+        let start = self.script.start.topology();
         let Some(element) = id(word.text) else {
             let mut known = format!("given are h0 .. h{}", start.half_edge_bound().saturating_sub(1));
             for name in self.script.names.iter().rev().take(10) {
@@ -337,7 +249,7 @@ impl Parser {
     fn check_name(&self, cursor: &Cursor<'_>, word: Word<'_>) -> Result<(), Complaint> {
         let letters = word.text.chars().all(|c| c.is_alphanumeric() || c == '_');
         let begins = word.text.chars().next().is_some_and(char::is_alphabetic);
-        let reserved = word.text == LET || OTHERS.contains(&word.text) || edit(word.text).is_some();
+        let reserved = word.text == LET || OTHERS.contains(&word.text) || edit::<G>(word.text).is_some();
         if id(word.text).is_some() || !letters || !begins || reserved {
             let help = "a name begins with a letter, holds letters, digits and `_`, and is neither a statement nor \
                         an id such as h12";
@@ -358,8 +270,8 @@ impl Parser {
     }
 }
 
-fn edit(word: &str) -> Option<EditKind> {
-    EditKind::ALL.into_iter().find(|kind| kind.word() == word)
+fn edit<G: Ground>(word: &str) -> Option<EditKind> {
+    G::Edit::KINDS.iter().copied().find(|kind| kind.word() == word)
 }
 
 /// `h3`, `v0`, `e1` or `f2`.
@@ -369,13 +281,4 @@ fn id(word: &str) -> Option<Element> {
     let edge = || word.parse::<EdgeId>().map(Element::from);
     let face = || word.parse::<FaceId>().map(Element::from);
     half_edge().or_else(|_| vertex()).or_else(|_| edge()).or_else(|_| face()).ok()
-}
-
-/// A word for a message.
-fn show(word: &str) -> String {
-    let mut text: String = word.chars().take(40).collect();
-    if text.len() < word.len() {
-        text.push('…');
-    }
-    text.escape_debug().to_string()
 }

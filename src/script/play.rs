@@ -7,6 +7,7 @@
 //! ```
 
 use super::edit::{Edit, EditError, Returned};
+use super::ground::{Call, Ground};
 use super::syntax::{Action, Base, Link, Path, Script, Statement};
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::Subdivision;
@@ -17,20 +18,20 @@ use std::ops::ControlFlow;
 
 /// A statement that has been carried out, or refused.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Step {
+pub struct Step<E = Edit> {
     /// Its number among the statements of the script, from 0.
     pub statement: usize,
     /// What came of it.
-    pub outcome: Outcome,
+    pub outcome: Outcome<E>,
 }
 
 /// What came of a statement.
 #[derive(Clone, PartialEq, Debug)]
-pub enum Outcome {
+pub enum Outcome<E = Edit> {
     /// An edit was made.
     Edited {
         /// The call with its ids.
-        edit: Edit,
+        edit: E,
         /// What it gave back.
         returned: Returned,
         /// Every change it made, by the steps of the operation.
@@ -39,7 +40,7 @@ pub enum Outcome {
     /// Nothing was done.
     Refused {
         /// The call with its ids, if the words could be resolved.
-        edit: Option<Edit>,
+        edit: Option<E>,
         /// Why not.
         reason: Refusal,
     },
@@ -67,7 +68,7 @@ pub enum Outcome {
     Dump,
 }
 
-impl Outcome {
+impl<E> Outcome<E> {
     /// Whether the statement was refused.
     #[must_use]
     pub fn is_refused(&self) -> bool {
@@ -75,7 +76,7 @@ impl Outcome {
     }
 }
 
-impl fmt::Display for Outcome {
+impl<E: fmt::Display> fmt::Display for Outcome<E> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let pairs = |f: &mut fmt::Formatter<'_>, pairs: &[(HalfEdgeId, VertexId)]| {
             pairs.iter().try_for_each(|(h, v)| write!(f, " {h} ({v})"))
@@ -143,17 +144,29 @@ pub enum Refusal {
 
 /// A script that has been carried out.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Run {
+pub struct Run<G: Ground = Subdivision> {
     /// One for each statement.
-    pub steps: Vec<Step>,
+    pub steps: Vec<Step<G::Edit>>,
     /// The structure at the end.
-    pub end: Subdivision,
+    pub end: G,
 }
 
-impl Script {
+impl<G: Ground> Run<G> {
+    /// The edits that were made, in order: [`of_edits`](super::of_edits) prints them.
+    #[must_use]
+    pub fn edits(&self) -> Vec<G::Edit> {
+        let made = self.steps.iter().filter_map(|step| match &step.outcome {
+            Outcome::Edited { edit, .. } => Some(*edit),
+            _ => None,
+        });
+        made.collect()
+    }
+}
+
+impl<G: Ground> Script<G> {
     /// Carries out all statements. Refused ones change nothing, and the script goes on.
     #[must_use]
-    pub fn run(&self) -> Run {
+    pub fn run(&self) -> Run<G> {
         let mut steps = Vec::with_capacity(self.statements.len());
         let end = self.play(|step, _| {
             steps.push(step);
@@ -166,19 +179,19 @@ impl Script {
     /// play. Returns the structure as it is then.
     ///
     /// Cost: that of the edits and walks.
-    pub fn play(&self, mut watch: impl FnMut(Step, &Subdivision) -> ControlFlow<()>) -> Subdivision {
+    pub fn play(&self, mut watch: impl FnMut(Step<G::Edit>, &G) -> ControlFlow<()>) -> G {
         let mut stage = Stage {
-            subdivision: self.start.clone(),
+            ground: self.start.clone(),
             names: self.names.iter().map(|name| Bound::Refused { line: name.line }).collect(),
             gone: BTreeMap::new(),
         };
         for (statement, said) in self.statements.iter().enumerate() {
             let outcome = stage.act(said);
-            if watch(Step { statement, outcome }, &stage.subdivision).is_break() {
+            if watch(Step { statement, outcome }, &stage.ground).is_break() {
                 break;
             }
         }
-        stage.subdivision
+        stage.ground
     }
 }
 
@@ -190,23 +203,23 @@ enum Bound {
     Refused { line: u32 },
 }
 
-struct Stage {
-    subdivision: Subdivision,
+struct Stage<G> {
+    ground: G,
     names: Vec<Bound>,
     /// Given elements that were removed, with the line that did it.
     gone: BTreeMap<Element, u32>,
 }
 
-impl Stage {
-    fn act(&mut self, said: &Statement) -> Outcome {
+impl<G: Ground> Stage<G> {
+    fn act(&mut self, said: &Statement) -> Outcome<G::Edit> {
         self.try_act(said).unwrap_or_else(|reason| Outcome::Refused { edit: None, reason })
     }
 
-    fn try_act(&mut self, said: &Statement) -> Result<Outcome, Refusal> {
+    fn try_act(&mut self, said: &Statement) -> Result<Outcome<G::Edit>, Refusal> {
         Ok(match &said.action {
             Action::Edit { kind, arguments, point, name } => {
-                let arguments = arguments.iter().map(|path| self.half_edge(path)).collect::<Result<Vec<_>, _>>()?;
-                match kind.call(&arguments, *point) {
+                let arguments = arguments.iter().map(|path| self.resolve(path)).collect::<Result<Vec<_>, _>>()?;
+                match G::Edit::of(*kind, &arguments, *point) {
                     Some(edit) => self.edit(edit, said.line, *name),
                     None => Outcome::Dump,
                 }
@@ -218,19 +231,19 @@ impl Stage {
             }
             Action::WalkFace(path) => {
                 let h = self.half_edge(path)?;
-                let cycle = self.subdivision.cycle(h).map(|h| (h, self.subdivision.origin(h))).collect();
-                Outcome::WalkedFace { face: self.subdivision.face(h), cycle }
+                let cycle = self.ground.topology().cycle(h).map(|h| (h, self.ground.topology().origin(h))).collect();
+                Outcome::WalkedFace { face: self.ground.topology().face(h), cycle }
             }
             Action::WalkVertex(path) => {
                 let (vertex, start) = match self.resolve(path)? {
-                    Element::Vertex(v) => (v, self.subdivision.outgoing(v)),
+                    Element::Vertex(v) => (v, self.ground.topology().outgoing(v)),
                     _ => {
                         let h = self.half_edge(path)?;
-                        (self.subdivision.origin(h), Some(h))
+                        (self.ground.topology().origin(h), Some(h))
                     }
                 };
-                let star = start.into_iter().flat_map(|h| self.subdivision.star(h));
-                let star = star.map(|h| (h, self.subdivision.destination(h))).collect();
+                let star = start.into_iter().flat_map(|h| self.ground.topology().star(h));
+                let star = star.map(|h| (h, self.ground.topology().destination(h))).collect();
                 Outcome::WalkedVertex { vertex, star }
             }
             Action::Highlight(paths) => {
@@ -241,9 +254,9 @@ impl Stage {
         })
     }
 
-    fn edit(&mut self, edit: Edit, line: u32, name: Option<usize>) -> Outcome {
+    fn edit(&mut self, edit: G::Edit, line: u32, name: Option<usize>) -> Outcome<G::Edit> {
         let mut journal = Journal::new();
-        let returned = match edit.apply(&mut self.subdivision, &mut journal) {
+        let returned = match self.ground.make(edit, &mut journal) {
             Ok(returned) => returned,
             Err(reason) => return Outcome::Refused { edit: Some(edit), reason: reason.into() },
         };
@@ -278,8 +291,8 @@ impl Stage {
         let element = self.resolve(path)?;
         let (target, link) = match element {
             Element::HalfEdge(h) => (Some(h), Link::Next),
-            Element::Vertex(v) => (self.subdivision.outgoing(v), Link::Outgoing),
-            Element::Face(f) => (self.subdivision.boundary(f), Link::Boundary),
+            Element::Vertex(v) => (self.ground.topology().outgoing(v), Link::Outgoing),
+            Element::Face(f) => (self.ground.topology().boundary(f), Link::Boundary),
             Element::Edge(e) => (Some(e.half_edges()[0]), Link::Edge),
         };
         target.ok_or_else(|| Refusal::NoTarget { word: path.text.clone(), element, link })
@@ -305,7 +318,7 @@ impl Stage {
     }
 
     fn follow(&self, element: Element, link: Link) -> Option<Element> {
-        let on = &self.subdivision;
+        let on = self.ground.topology();
         Some(match (element, link) {
             (Element::HalfEdge(h), Link::Next) => on.next(h).into(),
             (Element::HalfEdge(h), Link::Prev) => on.prev(h).into(),

@@ -1,23 +1,24 @@
 //! What a script says, after all its words have been looked up.
 
 use super::edit::EditKind;
+use super::ground::Ground;
 use crate::ids::Element;
 use crate::plane::{Point, Subdivision};
 
-/// A checked script: a start and the statements after it. [`Script::parse`] makes it,
-/// [`run`](Script::run) and [`play`](Script::play) carry it out.
+/// A checked script: a start and the statements after it. [`Script::parse`] makes one of the plane,
+/// [`Script::parse_kernel`] one without coordinates; [`run`](Script::run) and [`play`](Script::play) carry it out.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Script {
-    pub(super) start: Subdivision,
+pub struct Script<G = Subdivision> {
+    pub(super) start: G,
     pub(super) statements: Vec<Statement>,
     /// The names given by `let`, each once.
     pub(super) names: Vec<Name>,
 }
 
-impl Script {
+impl<G: Ground> Script<G> {
     /// The structure that the script starts from.
     #[must_use]
-    pub fn start(&self) -> &Subdivision {
+    pub fn start(&self) -> &G {
         &self.start
     }
 

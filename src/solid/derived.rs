@@ -37,6 +37,14 @@ pub enum TruncateError {
         /// What was asked for.
         ratio: f64,
     },
+    /// Points outside the flags, or at their corners.
+    #[error(
+        "weights of {weights:?}: those of the corner and of the face must be positive, that of the edge not negative"
+    )]
+    Weights {
+        /// What was asked for.
+        weights: [f64; 3],
+    },
     /// The pieces do not fit together: edges are loops, or a face passes a vertex twice.
     #[error(transparent)]
     Solid(#[from] SolidError),
@@ -78,7 +86,8 @@ impl Polyhedron {
             points.push(plus(self.point(self.topology().origin(h)), times(self.edge_vector(h), ratio)));
         }
         let both = |h: HalfEdgeId| [number[h], number[h.twin()]];
-        self.derive(points, |h, corners| corners.extend(both(h)), |h| number[h])
+        let faces = self.faces_and_stars(|h, corners| corners.extend(both(h)), |h, corners| corners.push(number[h]));
+        Ok(Self::from_polygons(points, &faces)?)
     }
 
     /// The surface whose vertices are the middles of the edges. Faces come first, in their old order, then a face
@@ -102,16 +111,16 @@ impl Polyhedron {
             number[e] = points.len() as u32;
             points.push(times(plus(a, b), 0.5));
         }
-        self.derive(points, |h, corners| corners.push(number[h.edge()]), |h| number[h.edge()])
+        let corner = |h: HalfEdgeId, corners: &mut Vec<u32>| corners.push(number[h.edge()]);
+        Ok(Self::from_polygons(points, &self.faces_and_stars(corner, corner))?)
     }
 
     /// A face for each face, from its half-edges, and one for each vertex, from those that start there.
-    fn derive(
+    pub(super) fn faces_and_stars(
         &self,
-        points: Vec<[f64; 3]>,
         of_face: impl Fn(HalfEdgeId, &mut Vec<u32>),
-        of_vertex: impl Fn(HalfEdgeId) -> u32,
-    ) -> Result<Self, TruncateError> {
+        of_vertex: impl Fn(HalfEdgeId, &mut Vec<u32>),
+    ) -> PolygonList {
         let mut faces = PolygonList::new();
         let mut corners = Vec::new();
         for f in self.faces() {
@@ -121,14 +130,14 @@ impl Polyhedron {
         }
         for v in self.vertices() {
             corners.clear();
-            corners.extend(self.outgoing_half_edges(v).map(&of_vertex));
+            self.outgoing_half_edges(v).for_each(|h| of_vertex(h, &mut corners));
             faces.push_face(&corners);
         }
-        Ok(Self::from_polygons(points, &faces)?)
+        faces
     }
 
     /// Whether the surface is closed and has three edges or more at each vertex.
-    fn check_corners(&self) -> Result<(), TruncateError> {
+    pub(super) fn check_corners(&self) -> Result<(), TruncateError> {
         if let Some(f) = self.boundary_faces().next() {
             let vertex = self.incident_vertices(f).next().expect("a boundary face has a cycle");
             return Err(TruncateError::OnBorder { vertex });

@@ -44,7 +44,12 @@ impl PartCounts {
         if self.edges == 0 { 0 } else { (2 - self.euler() - self.borders as i64) / 2 }
     }
 
-    /// Whether each closed curve cuts the piece in two: no handles.
+    /// Whether the piece has no handles, by counting: of a closed piece that says that each closed curve of edges
+    /// cuts it in two, which is the slides' definition, by the classification of surfaces. A curve that does not is
+    /// found by [`Polyhedron::curve_without_sides`].
+    ///
+    /// The slides let curves from border to border count as closed, too; then a piece with two borders or more fails
+    /// the definition even without handles. Borders are counted apart here: see [`borders`](Self::borders).
     #[must_use]
     pub const fn is_genus_zero(&self) -> bool {
         self.genus() == 0

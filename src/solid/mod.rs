@@ -13,12 +13,15 @@
 //! the hull? which vertex is furthest?), the decision is exact.
 //!
 //! ```text
-//!   dynamic/    add_face, remove_face, add_vertex, remove_vertex
+//!   dynamic/    add_face, remove_face, add_vertex,            surface_journal.rs  watching them, undo
+//!               remove_vertex, collapse_edge
 //!   measure.rs  counts, angles, curvatures, area, volume      flat.rs convex.rs   exact questions about shape
-//!   hull/       the convex hull of points                     support.rs          the furthest vertex
+//!   hull/       the convex hull of points                     support.rs          the furthest vertex, by climbing
+//!                                                             support_map.rs      the same, prepared
 //!   grow/       shapes out of rings and the torus seed        subdivide/          finer surfaces
-//!   platonic.rs archimedean.rs  solids to start from          dual.rs derived.rs  solids from solids
-//!   schlegel.rs seen through a face, in the plane               winged.rs           tables of the slides
+//!   platonic.rs archimedean.rs  solids to start from          dual.rs derived.rs wythoff.rs  solids from solids
+//!   handles.rs  a curve that does not cut the surface         winged.rs           tables of the slides
+//!   schlegel.rs seen through a face, in the plane
 //! ```
 
 mod archimedean;
@@ -28,6 +31,7 @@ mod dual;
 mod dynamic;
 mod flat;
 pub mod grow;
+mod handles;
 mod hull;
 mod measure;
 mod platonic;
@@ -36,8 +40,11 @@ mod schlegel;
 mod selection;
 mod subdivide;
 mod support;
+mod support_map;
+mod surface_journal;
 mod vector;
 mod winged;
+mod wythoff;
 
 use crate::ids::{FaceId, VertexId, VertexMap};
 use crate::plane::{CoordinateError, check_coordinate};
@@ -49,7 +56,7 @@ pub use archimedean::Archimedean;
 pub use convex::{Convex, NotConvex};
 pub use derived::TruncateError;
 pub use dual::{Dual, DualError, DualPositions};
-pub use dynamic::{AddFaceError, AddVertexError, RemoveFaceError, RemoveVertexError};
+pub use dynamic::{AddFaceError, AddVertexError, CollapseError, RemoveFaceError, RemoveVertexError};
 pub use flat::FaceFault;
 pub use hull::{Hull, HullError, HullFaces};
 pub use measure::PartCounts;
@@ -58,7 +65,10 @@ pub use schlegel::{Schlegel, SchlegelError};
 pub use selection::Selection;
 pub use subdivide::{SubdivideError, Subdivided};
 pub use support::Direction;
+pub use support_map::SupportMap;
+pub use surface_journal::{SurfaceChange, SurfaceJournal, SurfaceRecorder};
 pub use winged::WingedEdges;
+pub use wythoff::{FlagWeights, Hand};
 
 /// Why points and polygons are no surface. Faces and vertices are numbered from 0 in the order of the input.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -59,6 +59,12 @@ impl Platonic {
         }
     }
 
+    /// The edges at a vertex.
+    #[must_use]
+    pub const fn edges_at_a_vertex(self) -> u32 {
+        self.dual().corners()
+    }
+
     /// The corners of a face.
     #[must_use]
     pub const fn corners(self) -> u32 {

@@ -33,10 +33,23 @@ impl TryFrom<[f64; 3]> for Direction {
     }
 }
 
+impl Direction {
+    /// Its coordinates.
+    pub(super) fn vector(self) -> [f64; 3] {
+        self.0
+    }
+
+    /// A direction whose coordinates are known to be in range.
+    pub(super) fn of_checked(direction: [f64; 3]) -> Self {
+        Self(direction)
+    }
+}
+
 impl Convex<'_> {
     /// The vertex furthest in `direction`; of equally far ones that with the greatest x, then y, then z. Exact.
     ///
-    /// Cost: about the square root of V on round solids; a cone with one vertex of degree V costs V.
+    /// Cost: about the square root of V steps on round solids; a cone with one vertex of degree V costs V. For many
+    /// questions about one solid see [`support_map`](Self::support_map).
     #[must_use]
     pub fn support(&self, direction: Direction) -> VertexId {
         self.support_from(direction, self.first)

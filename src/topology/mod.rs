@@ -4,8 +4,7 @@
 //!   links.rs     the memory layout, and nothing else knows it
 //!   pool.rs      records come and go: counts, free lists, undo, compact
 //!   walk.rs      round a face, round a vertex
-//!   edit/        split_face, join_faces, split_edge, join_edges, flip_edge
-//!   edit/        split_face, join_faces, split_edge, join_edges, split_vertex, join_vertices, collapse_edge
+//!   edit/        split_face, join_faces, split_edge, join_edges, split_vertex, join_vertices, collapse_edge, flip_edge
 //!   seed.rs      polygons to start from        build.rs     from lists of polygons
 //!   orient.rs    which faces to turn round
 //!   record.rs    watching an edit              view.rs, table.rs   reading any structure   replay.rs  an edit on a table

@@ -51,12 +51,36 @@ fn step_back(rest: &mut Rest, before: impl Fn(HalfEdgeId) -> HalfEdgeId) -> Opti
     Some(last)
 }
 
+/// What is left in one tight loop, for walks that are not asked step by step.
+#[inline]
+fn fold_forward<B>(
+    rest: Rest,
+    init: B,
+    mut fold: impl FnMut(B, HalfEdgeId) -> B,
+    after: impl Fn(HalfEdgeId) -> HalfEdgeId,
+) -> B {
+    let Some((mut at, end)) = rest else { return init };
+    let mut so_far = init;
+    loop {
+        so_far = fold(so_far, at);
+        at = after(at);
+        if at == end {
+            return so_far;
+        }
+    }
+}
+
 impl Iterator for Cycle<'_> {
     type Item = HalfEdgeId;
 
     #[inline]
     fn next(&mut self) -> Option<HalfEdgeId> {
         step_forward(&mut self.rest, |h| self.dcel.next(h))
+    }
+
+    #[inline]
+    fn fold<B, F: FnMut(B, HalfEdgeId) -> B>(self, init: B, fold: F) -> B {
+        fold_forward(self.rest, init, fold, |h| self.dcel.next(h))
     }
 }
 
@@ -75,6 +99,11 @@ impl Iterator for Star<'_> {
     #[inline]
     fn next(&mut self) -> Option<HalfEdgeId> {
         step_forward(&mut self.rest, |h| self.dcel.ccw(h))
+    }
+
+    #[inline]
+    fn fold<B, F: FnMut(B, HalfEdgeId) -> B>(self, init: B, fold: F) -> B {
+        fold_forward(self.rest, init, fold, |h| self.dcel.ccw(h))
     }
 }
 

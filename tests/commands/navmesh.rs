@@ -70,7 +70,11 @@ fn points_are_located_where_the_file_has_them() {
     );
     assert_eq!(found[0]["nearest"], json!(null), "nothing is moved");
     folder.dcel("navmesh locate rooms.map 1 2 3").fails(2, "3 numbers are no points", "x and y of each point");
-    folder.dcel("navmesh locate rooms.map nan 2").fails(2, "NaN is no coordinate", "finite");
+    folder.dcel("navmesh locate rooms.map 1").fails(2, "1 number is no point", "x and y of each point");
+    for bad in ["nan", "inf", "1,5"] {
+        folder.dcel(&format!("navmesh locate rooms.map {bad} 2")).fails(2, "this is no finite number", "1.5");
+        folder.dcel(&format!("navmesh path rooms.map 1 1 {bad} 2")).fails(2, "this is no finite number", "1.5");
+    }
     // Below the x-axis of a mesh, negative numbers are numbers and no options.
     let text = folder.dcel("navmesh locate corner.mesh 0.5 -1").fine();
     assert!(text.contains("outside; the nearest place is (0.5, 0) in f1"), "{text}");
@@ -117,18 +121,33 @@ fn a_way_is_told_in_the_coordinates_of_the_file() {
 }
 
 #[test]
-fn wide_agents_keep_off_the_posts_or_find_no_way() {
+fn wide_agents_keep_off_the_border_or_find_no_way() {
     let folder = folder();
     let length = |more: &str| {
         let answer = folder.dcel(&format!("navmesh path rooms.map 1 1 22 12 --json {more}")).json();
         answer["routes"][0]["length"].as_f64().expect("a length")
     };
-    let (point, thin, wide) = (length("--rung closest"), length("--radius 0"), length("--radius 0.25"));
+    let (point, thin, wide) = (length(""), length("--radius 0"), length("--radius 0.25"));
     assert!(point.to_bits() == thin.to_bits() && wide > thin, "{point} {thin} {wide}");
-    let told = folder.dcel("navmesh path rooms.map 1 1 22 12 --radius 5");
-    assert!(told.code == Some(1) && told.out.contains("wide enough for an agent of radius 5"), "{told:?}");
+    // Every rung keeps the radius, and none is shorter than the exact one.
+    let told = folder.dcel("navmesh path rooms.map 1 1 22 12 --radius 0.4 --rung all --json").json();
+    let routes = told["routes"].as_array().expect("five ways");
+    let lengths: Vec<f64> = routes.iter().map(|route| route["length"].as_f64().expect("a length")).collect();
+    assert!(lengths.len() == 5 && lengths.iter().all(|&length| length >= lengths[4] * (1.0 - 1e-9)), "{lengths:?}");
+    assert_eq!(told["radius"], 0.4);
+    let told = folder.dcel("navmesh path rooms.map 1 1 22 12 --radius 0.4 -o wide.svg");
+    assert_eq!(told.code, Some(0), "{told:?}");
+    assert!(folder.read("wide.svg").contains("nearer to a border than the radius, 0.4"));
+    // The agent fits at both ends, and not through what lies between.
+    let told = folder.dcel("navmesh path rooms.map 13 5 16 13.5 --radius 1");
+    assert!(told.code == Some(1) && told.out.starts_with("no way for a radius of 1: (13, 5) is in"), "{told:?}");
+    folder.dcel("navmesh path rooms.map 0.2 1 22 12 --radius 0.4").fails(
+        2,
+        "nearer to a border than the radius",
+        "0.4",
+    );
+    folder.dcel("navmesh path rooms.map 1 1 22 12 --radius 50").fails(2, "radius 50 fits nowhere", "smaller");
     folder.dcel("navmesh path rooms.map 1 1 2 2 --radius -1").fails(2, "an agent of radius -1", "0.5");
-    folder.dcel("navmesh path rooms.map 1 1 2 2 --radius 1 --rung bfs").fails(2, "cannot be used with", "");
 }
 
 #[test]
@@ -143,6 +162,15 @@ fn no_way_is_proven_and_bad_ends_are_refused() {
     let told = folder.dcel("navmesh path rooms.map 10 14 1 1 --json");
     let answer: serde_json::Value = serde_json::from_str(&told.out).expect("JSON");
     assert_eq!((&answer["found"], &answer["apart"]["start_faces"]), (&json!(false), &json!(1)));
+    // At a double corner, and with a face that is elsewhere.
+    folder.dcel("navmesh path rooms.map 18 14 1 1").fails(2, "2 sides meet that nobody passes", "--start-face f25");
+    let chosen = folder.dcel("navmesh path rooms.map 18 14 1 1 --start-face f25");
+    assert_eq!(chosen.code, Some(0), "{chosen:?}");
+    folder.dcel("navmesh path rooms.map 18 14 1 1 --start-face f1").fails(2, "f1 is no free face", "--start-face out");
+    folder.dcel("navmesh path rooms.map 18 14 1 1 --radius 0.2").fails(2, "nearer to a border", "nearest place for it");
+    let here = folder.dcel("navmesh path rooms.map 1 1 1 1 --rung all --json").json();
+    assert!(here["routes"].as_array().is_some_and(|ways| ways.iter().all(|way| way["length"] == 0.0)), "{here}");
+    folder.dcel("navmesh scenario rooms.map .").fails(2, "it is a directory", "give a file in it");
     folder.dcel("navmesh path rooms.map 2.5 2.5 1 1").fails(
         2,
         "rooms.map: the start (2.5, 2.5) is not on the mesh: it is in the hole",

@@ -97,3 +97,25 @@ fn the_scripts_of_the_project_run() {
     }
     assert!(count >= 5, "{count} scripts");
 }
+
+#[test]
+fn scripts_without_coordinates_are_played_on_the_kernel() {
+    let text = "torus\nlet a = split_vertex h0 h1\njoin_vertices a\nflip_edge h0\n";
+    let (code, out, err) = told(&script(text, &["--dump"]));
+    let expected = "2: let a = split_vertex h0 h1\n   returned h4, v1\n3: join_vertices a\n   join_vertices h4\n   returned v1\n\
+                    4: flip_edge h0\n   refused\n";
+    assert!(out.starts_with(expected), "{out}");
+    assert_eq!(code, Some(1), "{err}");
+    assert!(err.starts_with("refused: <stdin>:4: f0 lies on both sides of h0"), "{err}");
+    assert!(out.contains("dcel 1\nv0 out h"), "{out}");
+    let (code, _, err) = told(&script("ring 4\n", &["--film", "x.svg"]));
+    assert_eq!(code, Some(2));
+    assert!(err.contains("--film x.svg: this script has no coordinates to draw"), "{err}");
+    let (code, out, _) = told(&script("surface 2\nlet a = split_isolated_vertex v1\nsplit_edge a\n", &["--json"]));
+    let json: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!((code, &json["steps"][0]["returned"]), (Some(0), &serde_json::json!(["h0", "f0"])));
+    assert_eq!(json["steps"][1]["call"], "split_edge h0");
+    let (code, _, err) = told(&script("surface 3 / 0 1\n", &[]));
+    assert_eq!(code, Some(2));
+    assert!(err.starts_with("error: <stdin>:1:1: face 0 has a cycle with 2 corners"), "{err}");
+}

@@ -73,8 +73,10 @@ fn slow_check_edges(faces: &[Vec<u32>]) -> Result<(), BuildError> {
                 }
                 return Err(match uses[&edge][..] {
                     [(first, _), (second, _)] => BuildError::MixedWinding { u, v, first, second },
-                    [(a, _), (b, _), (c, _), ..] => BuildError::ThreeFaces { u: edge.0, v: edge.1, faces: [a, b, c] },
-                    _ => unreachable!(),
+                    _ => {
+                        let all = uses[&edge].iter().map(|&(face, _)| face).collect();
+                        BuildError::ThreeFaces { u: edge.0, v: edge.1, faces: all }
+                    }
                 });
             }
             earlier.push((face, u < v));
@@ -227,7 +229,7 @@ fn each_error_names_its_elements() {
     assert_eq!(refused(4, &[tri, &[2, 1, 4]]), IndexOutOfRange { face: 1, vertex: 4, vertices: 4 });
     assert_eq!(refused(4, &[tri, &[2, 1, 3, 1]]), RepeatedVertex { face: 1, vertex: 1 });
     assert_eq!(refused(4, &[tri, &[2, 1, 3], &[1, 2, 0]]), SameFaceTwice { first: 0, second: 2 });
-    assert_eq!(refused(5, &[tri, &[2, 1, 3], &[2, 1, 4]]), ThreeFaces { u: 1, v: 2, faces: [0, 1, 2] });
+    assert_eq!(refused(5, &[tri, &[2, 1, 3], &[2, 1, 4]]), ThreeFaces { u: 1, v: 2, faces: vec![0, 1, 2] });
     assert_eq!(refused(4, &[tri, &[3, 1, 2]]), MixedWinding { u: 1, v: 2, first: 0, second: 1 });
     assert_eq!(refused(4, &[&[2, 1, 0], &[2, 1, 3]]), MixedWinding { u: 2, v: 1, first: 0, second: 1 });
     assert_eq!(refused(6, &[&[5, 1, 2], &[5, 3, 4]]), NonManifoldVertex { vertex: 5, fans: vec![0, 1] });

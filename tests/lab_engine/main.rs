@@ -5,6 +5,8 @@
 mod answers;
 mod fake;
 mod kernel;
+#[cfg(feature = "grade")]
+mod reports;
 
 use dcel_kit::HalfEdgeId;
 use dcel_kit::lab::checks::spec::TwinSide;

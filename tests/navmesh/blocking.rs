@@ -5,6 +5,7 @@ use crate::oracle::Oracle;
 use crate::routes::{check, ends};
 use dcel_kit::FaceId;
 use dcel_kit::navmesh::{NavMesh, Planner};
+use dcel_kit::plane::Point;
 
 /// Components, dead ends and doors of the mesh against plain floods and peeling.
 fn check_derived(map: &Map, mesh: &NavMesh, oracle: &Oracle, context: &str) {
@@ -105,6 +106,24 @@ fn a_wall_is_closed_from_both_sides_and_opens_again() {
     }
     assert_eq!(mesh.component_count(), 1);
     check_derived(&map, &mesh, &Oracle::all_free(&map), "walls taken away");
+}
+
+/// What is cut off gets a new number, be it on whichever side; so the cost is that of the smaller part.
+#[test]
+fn the_larger_part_keeps_its_number() {
+    let points = (0..=40).flat_map(|x| [0.0, 1.0].map(|y| Point::new(f64::from(x), y))).collect();
+    let triangles: Vec<[u32; 3]> = (0..40).flat_map(|x| [[0, 2, 3], [0, 3, 1]].map(|t| t.map(|v| v + 2 * x))).collect();
+    let mut mesh = Map { points, triangles }.mesh();
+    let [left, right] = [1, 80].map(FaceId::new);
+    let number = mesh.component(left);
+    mesh.block(FaceId::new(10));
+    assert_eq!(mesh.component(right), number);
+    assert_ne!(mesh.component(left), number);
+    mesh.unblock(FaceId::new(10));
+    assert_eq!((mesh.component(left), mesh.component(right)), (number, number));
+    mesh.block(FaceId::new(70));
+    assert_eq!(mesh.component(left), number);
+    assert_ne!(mesh.component(right), number);
 }
 
 #[test]

@@ -59,6 +59,43 @@ fn every_point_is_where_a_scan_finds_it() {
 }
 
 #[test]
+fn points_near_sides_and_on_borders_of_cells_are_where_a_scan_finds_them() {
+    for seed in 0..24 {
+        let jitter = [0.0, 0.5][seed as usize % 2];
+        let map = Map::random(seed, 4 + seed as usize % 9, 0.7, jitter);
+        let (s, mesh) = (map.subdivision(), map.mesh());
+        let mut random = Random::new(seed + 4000);
+        // Up to some steps of a lattice of 65,536 beside a side, and a few last places.
+        for t in 0..map.triangles.len() {
+            let [a, b, _] = map.corners(t);
+            let u = random.unit();
+            for size in [1e-3, 2e-4, 5e-5, 1e-15] {
+                let [dx, dy] = [(); 2].map(|()| (random.unit() - 0.5) * size);
+                let p = Point::new(a.x + (b.x - a.x) * u + dx, a.y + (b.y - a.y) * u + dy);
+                check(&map, &s, &mesh, p, &format!("seed {seed}, triangle {t}"));
+            }
+        }
+        // Whatever the number of columns and rows: the lines between them, and a last place to both sides.
+        let corners = || (0..map.triangles.len()).flat_map(|t| map.corners(t));
+        let least = |of: fn(Point) -> f64| corners().map(of).fold(f64::INFINITY, f64::min);
+        let [left, right, low, high] = [least(|p| p.x), -least(|p| -p.x), least(|p| p.y), -least(|p| -p.y)];
+        for cells in 1..=12 {
+            for i in 0..=cells {
+                let t = f64::from(i) / f64::from(cells);
+                let (x, y) = (left + (right - left) * t, low + (high - low) * random.unit());
+                for x in [x.next_down(), x, x.next_up()] {
+                    check(&map, &s, &mesh, Point::new(x, y), &format!("seed {seed}"));
+                }
+                let (x, y) = (left + (right - left) * random.unit(), low + (high - low) * t);
+                for y in [y.next_down(), y, y.next_up()] {
+                    check(&map, &s, &mesh, Point::new(x, y), &format!("seed {seed}"));
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn far_away_and_no_number_are_outside() {
     let mesh = Map::random(1, 4, 0.8, 0.3).mesh();
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1e300] {

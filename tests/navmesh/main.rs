@@ -4,6 +4,8 @@
 //! failure names its seed. Lengths are compared to 1e-9 of their size, work by its counters, never by time.
 
 mod blocking;
+mod corridors;
+mod inset;
 mod live;
 mod location;
 mod maps;

@@ -74,6 +74,25 @@ impl<'a> Oracle<'a> {
         sides(self.map.triangles[t]).into_iter().filter_map(|side| self.across(t, side)).collect()
     }
 
+    /// How far a point is from the nearest border.
+    pub(crate) fn clearance(&self, p: Point) -> f64 {
+        self.clearance_along([p, p])
+    }
+
+    /// How far a segment that crosses no border is from the nearest one.
+    pub(crate) fn clearance_along(&self, [a, b]: [Point; 2]) -> f64 {
+        let borders = self.borders.iter().map(|side| side.map(|v| self.map.points[v as usize]));
+        let ends = |[c, d]: [Point; 2]| {
+            [to_segment(a, [c, d]), to_segment(b, [c, d]), to_segment(c, [a, b]), to_segment(d, [a, b])]
+        };
+        borders.flat_map(ends).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Whether a segment crosses a border.
+    pub(crate) fn crosses_border(&self, segment: [Point; 2]) -> bool {
+        self.borders.iter().any(|side| cross(segment, side.map(|v| self.map.points[v as usize])))
+    }
+
     /// All nodes at vertices.
     pub(crate) fn vertex_nodes(&self) -> Vec<Node> {
         let node = |(v, triangles): &(u32, Vec<usize>)| Node {
@@ -147,6 +166,14 @@ pub(crate) fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
 
 pub(crate) fn distance(a: Point, b: Point) -> f64 {
     (b.x - a.x).hypot(b.y - a.y)
+}
+
+fn to_segment(p: Point, [a, b]: [Point; 2]) -> f64 {
+    let d = [b.x - a.x, b.y - a.y];
+    let t = ((p.x - a.x) * d[0] + (p.y - a.y) * d[1]) / (d[0] * d[0] + d[1] * d[1]);
+    // No number if the segment is a point.
+    let t = if t > 0.0 { t.min(1.0) } else { 0.0 };
+    distance(p, Point::new(a.x + d[0] * t, a.y + d[1] * t))
 }
 
 /// Of three points on a line, whether `p` is strictly between the others.

@@ -1,6 +1,6 @@
 //! The traps of the trade: each was fallen into by somebody.
 
-use crate::maps::Map;
+use crate::maps::{Map, Random};
 use crate::routes::is_close;
 use dcel_kit::navmesh::{Location, NavMesh, NavMeshError, PlaceError, Planner, RouteError, Rung};
 use dcel_kit::plane::{Point, Subdivision};
@@ -132,6 +132,110 @@ fn straight_corners_are_no_concave_ones() {
         let back = planner.route_between(&mesh, Rung::Exact, goal, start).expect("one component");
         assert!(is_close(back.length, expected), "{goal} -> {start}: {}", back.length);
     }
+}
+
+/// A side seen edge-on: the way runs along a wall, in line with a door behind it, and bends where the door begins.
+///
+/// ```text
+///    8 ───── 3 ───────────── 4           The wall ends in v6; the door v6 - v5 to the lowest face lies on its line.
+///    │       │               │
+///    0 ───── 2 ═══════ 6 ┄┄┄ 5           Ways from the left, straight or round v2, and from the wall itself.
+///    │       ║         │     │
+///    9 ───── 1        10 ─── 7
+/// ```
+#[test]
+fn a_side_seen_edge_on_is_passed_at_its_nearer_end() {
+    let points: [(f64, f64); 11] = [
+        (0., 0.),
+        (2., -2.),
+        (2., 0.),
+        (2., 2.),
+        (7., 2.),
+        (7., 0.),
+        (4., 0.),
+        (7., -2.),
+        (0., 2.),
+        (0., -2.),
+        (4., -2.),
+    ];
+    // Left of the first door one face, or two: then the first ray runs through the post, not from a corner of its face.
+    let left: [&[&[u32]]; 2] = [&[&[9, 1, 2, 3, 8]], &[&[9, 1, 2, 0], &[0, 2, 3, 8]]];
+    let right: [&[u32]; 2] = [&[2, 6, 5, 4, 3], &[10, 7, 5, 6]];
+    for (left, symmetry) in left.into_iter().flat_map(|left| (0..8).map(move |symmetry| (left, symmetry))) {
+        let moved = |(x, y): (f64, f64)| {
+            let (x, y) = (if symmetry & 1 == 0 { x } else { -x }, if symmetry & 2 == 0 { y } else { -y });
+            if symmetry & 4 == 0 { (x, y) } else { (y, x) }
+        };
+        let mirrored = (symmetry & 1) + (symmetry >> 1 & 1) + (symmetry >> 2 & 1) == 1 || symmetry == 7;
+        let mut faces: Vec<Vec<u32>> = left.iter().chain(&right).map(|face| face.to_vec()).collect();
+        if mirrored {
+            faces.iter_mut().for_each(|face| face.reverse());
+        }
+        let faces: Vec<&[u32]> = faces.iter().map(Vec::as_slice).collect();
+        let mesh = NavMesh::new(&polygons(&points.map(moved), &faces)).expect("convex with straight corners");
+        let mut planner = Planner::new();
+        let goal = (4.5, -1.5);
+        let last = 0.5f64.hypot(1.5);
+        for (start, expected) in [
+            ((0., 0.), 4.0 + last),
+            ((1., 0.), 3.0 + last),
+            ((2., 0.), 2.0 + last),
+            ((3., 0.), 1.0 + last),
+            ((4., 0.), last),
+            ((1., -1.), 2f64.sqrt() + 2.0 + last),
+            ((2., -1.), 1.0 + 2.0 + last),
+        ] {
+            let [from, to] = [start, goal].map(|p| Point::from(moved(p)));
+            for [a, b] in [[from, to], [to, from]] {
+                let route = planner.route_between(&mesh, Rung::Exact, a, b).expect("one component");
+                let way = &route.points;
+                assert!(is_close(route.length, expected), "{symmetry}: {a} -> {b}: {} by {way:?}", route.length);
+            }
+        }
+    }
+}
+
+/// Of the wedges at a vertex one at most is more than half a turn: at a double corner ways bend in that one only, and
+/// one length a vertex is enough to know the shortest way there.
+#[test]
+fn a_way_bends_in_one_wedge_of_a_double_corner() {
+    let mut bends = 0;
+    for seed in 0..60 {
+        let map = Map::random(seed, 6, 0.9, [0.0, 0.6][seed as usize % 2]);
+        let (mut mesh, mut random) = (map.mesh(), Random::new(seed));
+        for t in 0..map.triangles.len() {
+            if random.unit() < 0.3 {
+                mesh.block(FaceId::new(t as u32 + 1));
+            }
+        }
+        let turns = |v: VertexId, wedge: &[FaceId]| -> f64 {
+            let here = mesh.point(v);
+            let direction = |w: VertexId| (mesh.point(w).y - here.y).atan2(mesh.point(w).x - here.x);
+            let angle = |&f: &FaceId| {
+                let from = mesh.sides(f).find(|side| side.from == v).expect("a corner").to;
+                let to = mesh.sides(f).find(|side| side.to == v).expect("a corner").from;
+                (direction(to) - direction(from)).rem_euclid(std::f64::consts::TAU)
+            };
+            wedge.iter().map(angle).sum()
+        };
+        let mut planner = Planner::new();
+        for v in (0..map.points.len() as u32).map(VertexId::new) {
+            let wedges = mesh.wedges(v);
+            if wedges.len() < 2 {
+                continue;
+            }
+            let wide: Vec<&Vec<FaceId>> =
+                wedges.iter().filter(|wedge| turns(v, wedge) > std::f64::consts::PI + 1e-9).collect();
+            assert!(wide.len() <= 1, "seed {seed}: {v}");
+            // From the first face of the wide wedge to its last: straight to the vertex, and on.
+            let Some([first, .., last]) = wide.first().map(|wedge| wedge.as_slice()) else { continue };
+            let [a, b] = [first, last].map(|f| map.inside(f.index() - 1, &mut random));
+            let [from, to] = [(first, a), (last, b)].map(|(&f, p)| mesh.place_in(f, p).expect("inside"));
+            let route = planner.route(&mesh, Rung::Exact, &from, &to).expect("one wedge");
+            bends += usize::from(route.corners == [v]);
+        }
+    }
+    assert!(bends > 10, "only {bends} ways bend at a double corner");
 }
 
 /// What is no navmesh is refused by name.

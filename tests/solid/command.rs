@@ -31,6 +31,14 @@ fn every_shape_of_the_help_is_made_and_closed() {
         "truncated-cube",
         "cuboctahedron",
         "icosidodecahedron",
+        "rhombicuboctahedron",
+        "rhombicosidodecahedron",
+        "truncated-cuboctahedron",
+        "truncated-icosidodecahedron",
+        "snub-cube-left",
+        "snub-cube-right",
+        "snub-dodecahedron-left",
+        "snub-dodecahedron-right",
         "ring 5",
         "grid 3 2",
         "box 1 2 3",
@@ -46,6 +54,11 @@ fn every_shape_of_the_help_is_made_and_closed() {
         assert_eq!((&made["euler"], &made["borders"]), (&json!(euler), &json!(0)), "{shape}");
     }
     folder.dcel("solid make prism 5").fails(2, "`prism` is no shape", "truncated-octahedron");
+    folder.dcel("solid make snub-cube").fails(
+        2,
+        "`snub-cube` is no shape",
+        "did you mean snub-cube-left? choose one of",
+    );
     folder.dcel("solid make torus 7").fails(2, "torus takes 2 whole numbers: N M", "make torus 7 5");
     folder.dcel("solid make cube 3").fails(2, "cube takes no numbers", "box 3 3 3");
     folder.dcel("solid make cone 2 2").fails(2, "2", "");
@@ -62,6 +75,7 @@ fn hulls_duals_and_supports_go_from_file_to_file() {
     let found = folder.dcel("solid support cube.off 1,2,-3 --from v7 --json").json();
     assert_eq!((&found["vertex"], &found["path"]), (&json!("v2"), &json!(["v7", "v3", "v2"])));
     folder.dcel("solid support cube.off 1,2").fails(2, "", "three numbers");
+    folder.dcel("solid support cube.off 0,0,0").fails(2, "0,0,0 is no direction", "for example: 0,0,1");
     folder.dcel("solid support cube.off 0,0,1 --from v9").fails(2, "--from: v9 does not exist", "");
 
     folder.write("cloud.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nv 0.1 0.1 0.1\nv 1 1 0\nf 1 2 3\n");
@@ -89,20 +103,101 @@ fn the_report_has_angles_volume_and_tables() {
     let text = folder.dcel("solid info cube.off").fine();
     for line in [
         "8 - 12 + 6 = 2",
-        "90.0000 to 90.0000 degrees",
-        "720.0000 in all",
-        "area            6.0",
-        "volume          1.0",
-        "convex          yes",
+        "dihedral         90.0000 degrees everywhere",
+        "deficit          90.0000 degrees everywhere",
+        "deficit sum      720.0000 degrees; 360 x (V - E + F)\n",
+        "Gauss curvature  2.0944 everywhere",
+        "mean curvature   1.5708 everywhere",
+        "area             6.000000",
+        "volume           1.000000",
+        "convex           yes",
     ] {
         assert!(text.contains(line), "{line} in {text}");
     }
+    let json = folder.dcel("solid info cube.off --json").json();
+    assert_eq!((&json["dihedral_angles"], &json["dihedral_angles_at"]), (&json!([90.0, 90.0]), &json!(["e0", "e0"])));
+    // Three edges of length 1 at a corner, each half of it, each bent by a quarter turn; the area is 3 / 4.
+    let bend = json["mean_curvature"][0].as_f64().unwrap();
+    assert!((bend - 3.0 * std::f64::consts::FRAC_PI_2 / 4.0 / 0.75).abs() < 1e-12, "{bend}");
+    let gauss = json["gauss_curvature"][1].as_f64().unwrap();
+    assert!((gauss - std::f64::consts::FRAC_PI_2 / 0.75).abs() < 1e-12, "{gauss}");
     let tables = folder.dcel("solid info cube.off --winged").fine();
     let rows: Vec<&str> = tables.lines().collect();
     assert_eq!(rows.len(), 3 + 3 + 2 + 8 + 6 + 24);
     assert!(tables.contains("Half-edge list\nid   o    w_i  w_o  v   f\nh0   h1   h6   h2   v3  f0\n"), "{tables}");
     folder.write("plan.wkt", "POLYGON ((0 0, 1 0, 0 1, 0 0))\n");
     folder.dcel("solid info plan.wkt").fails(2, "holds a structure of the plane", "obj, off, ply and stl");
+}
+
+/// Flat places round to zero, and zero has no sign; border vertices have no curvature of their own.
+#[test]
+fn ranges_say_where_and_zeros_have_no_sign() {
+    let folder = Folder::new();
+    folder.dcel("solid make torus 9 6 -o t.off").fine();
+    let text = folder.dcel("solid info t.off").fine();
+    assert!(!text.contains("-0.0000"), "{text}");
+    let at = |what: &str| text.lines().find(|line| line.trim_start().starts_with(what)).unwrap_or("").to_owned();
+    assert!(at("dihedral").contains(" degrees at e") && at("Gauss curvature").contains(" at v"), "{text}");
+    assert!(at("Gauss curvature").contains(" -") && at("deficit sum").contains(" 0.0000 degrees"), "{text}");
+    folder.dcel("solid make grid 3 3 -o g.off").fine();
+    let text = folder.dcel("solid info g.off").fine();
+    assert!(!text.contains("-0.0000") && text.contains("volume           0.000000\n"), "{text}");
+    folder.write("open.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
+    let json = folder.dcel("solid info open.off --json").json();
+    assert_eq!(
+        (&json["gauss_curvature"], &json["mean_curvature_at"], &json["volume"]),
+        (&json!(null), &json!(null), &json!(null))
+    );
+    assert_eq!(json["dihedral_angles"], json!([180.0, 180.0]));
+    assert!((json["deficit_sum"].as_f64().unwrap() - 360.0).abs() < 1e-9, "{json}");
+}
+
+#[test]
+fn what_is_too_much_is_refused_before_memory_goes() {
+    let folder = Folder::new();
+    for shape in [
+        "torus 1000000000 1000000000",
+        "ring 1000000000",
+        "sphere 30000 30000",
+        "box 99999 99999 99999",
+        "grid 18446744073709551615 3",
+    ] {
+        let told = folder.dcel(&format!("solid make {shape}"));
+        told.fails(2, "this command makes at most 20000000", "take smaller numbers");
+    }
+    folder.dcel("solid make torus 10000000000000000000000 3").fails(2, "torus takes 2 whole numbers", "make torus 7 5");
+    folder.dcel("solid make torus -1 3").fails(2, "", "");
+    folder.dcel("solid make sphere 0 0").fails(2, "sides: 0 is too few, take at least 3", "");
+    folder.dcel("solid make box 20 20 20 -o b.off").fine();
+    folder.dcel("solid subdivide b.off --steps 8").fails(2, "the finer surface would have", "take fewer steps");
+}
+
+#[test]
+fn stl_goes_out_as_text_and_as_binary() {
+    let folder = Folder::new();
+    folder.dcel("solid make truncated-cube -o t.stl").fine();
+    folder.dcel("solid make truncated-cube -o b.stl --to stl-binary").fine();
+    let [text, binary] = ["t.stl", "b.stl"].map(|name| folder.dcel(&format!("solid info {name} --json")).json());
+    for key in ["vertices", "edges", "faces", "euler"] {
+        assert_eq!(text[key], binary[key], "{key}");
+    }
+    assert!(folder.dcel("convert t.stl again.stl --to stl-binary").code == Some(0));
+    assert_eq!(std::fs::read(folder.path("again.stl")).unwrap(), std::fs::read(folder.path("b.stl")).unwrap());
+    folder.dcel("solid make cube --to stl-binary").fails(2, "", "--output");
+    folder.dcel("solid make cube -o c.solid").fails(2, "c.solid: the name does not tell", "--to");
+}
+
+#[test]
+fn all_faces_on_an_edge_are_named_with_their_lines() {
+    let folder = Folder::new();
+    let points = "OFF\n6 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n0 0 -1\n";
+    folder.write("book.off", &format!("{points}3 0 1 2\n3 1 0 3\n3 0 1 4\n3 1 0 5\n"));
+    for command in ["solid info", "info", "validate"] {
+        let told = folder.dcel(&format!("{command} book.off --surface"));
+        let text = format!("{}{}", told.out, told.err);
+        assert!(text.contains("has 4 faces (0, 1, 2, 3)"), "{command}: {told:?}");
+        assert!(text.contains("face 3"), "the line of each: {command}: {told:?}");
+    }
 }
 
 #[test]

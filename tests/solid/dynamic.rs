@@ -1,8 +1,8 @@
 //! Faces come and go one by one, against a model that is a list of faces and nothing else.
 
 use super::common::{Random, f, v};
-use dcel_kit::solid::{AddFaceError, AddVertexError, Polyhedron, RemoveFaceError, RemoveVertexError};
-use dcel_kit::topology::{IdError, PolygonList, measure_with, same, violations};
+use dcel_kit::solid::{AddFaceError, AddVertexError, Polyhedron, RemoveFaceError, RemoveVertexError, SurfaceJournal};
+use dcel_kit::topology::{IdError, PolygonList, Table, measure_with, same, violations};
 use dcel_kit::{FaceId, VertexId};
 use std::collections::BTreeMap;
 
@@ -94,24 +94,27 @@ fn random_scripts_keep_all_laws_and_agree_with_a_list_of_faces() {
         let n = 4 + random.below(9);
         let mut script = format!("seed {seed}:");
         let mut vertices: Vec<VertexId> = (0..n).map(|i| surface.add_vertex([i as f64, 0.0, 0.0]).unwrap()).collect();
+        let (mut journal, mut pages) = (SurfaceJournal::new(), Vec::new());
+        let mut table = Table::from_view(&surface);
         for _ in 0..60 {
             let before = surface.clone();
+            let mark = journal.len();
             match random.below(12) {
                 0..3 if !model.is_empty() => {
                     let face = *model.keys().nth(random.below(model.len())).unwrap();
                     script.push_str(&format!(" remove_face {face}"));
-                    surface.remove_face(face).unwrap();
+                    surface.remove_face_with(face, &mut journal).unwrap();
                     model.remove(&face);
                 }
                 3 if random.below(3) == 0 => {
                     let gone = vertices.swap_remove(random.below(vertices.len()));
                     script.push_str(&format!(" remove_vertex {gone}"));
-                    let mut faces = surface.remove_vertex(gone).unwrap();
+                    let mut faces = surface.remove_vertex_with(gone, &mut journal).unwrap();
                     faces.sort_unstable();
                     let expected: Vec<_> = model.iter().filter(|(_, c)| c.contains(&gone)).map(|(&f, _)| f).collect();
                     assert_eq!(faces, expected, "{script}");
                     model.retain(|_, corners| !corners.contains(&gone));
-                    let again = surface.add_vertex([0.0; 3]).unwrap();
+                    let again = surface.add_vertex_with([0.0; 3], &mut journal).unwrap();
                     assert_eq!(again, gone, "the free slot is used again: {script}");
                     vertices.push(again);
                 }
@@ -121,13 +124,13 @@ fn random_scripts_keep_all_laws_and_agree_with_a_list_of_faces() {
                     script.push_str(&format!(" add_face {corners:?}"));
                     let mut after = model.clone();
                     after.insert(f(u32::MAX), corners.clone());
-                    let answer = surface.add_face(&corners);
+                    let answer = surface.add_face_with(&corners, &mut journal);
                     assert_eq!(answer.is_ok(), is_surface(&after), "{answer:?}: {script}");
                     match answer {
                         Ok(face) => drop(model.insert(face, corners)),
                         Err(error) => {
                             assert_eq!(surface, before, "{error}: a refusal left a trace: {script}");
-                            assert_eq!(before.can_add_face(&corners), Err(error));
+                            assert_eq!((before.can_add_face(&corners), journal.len()), (Err(error), mark));
                             refused += 1;
                         }
                     }
@@ -138,9 +141,24 @@ fn random_scripts_keep_all_laws_and_agree_with_a_list_of_faces() {
             let gaps = |&v: &VertexId| surface.incident_faces(v).filter(|&f| surface.is_boundary_face(f)).count();
             pinched += usize::from(vertices.iter().any(|v| gaps(v) > 1));
             compare_with_the_builder(&surface, &model, &script);
+            journal.kernel().changes()[mark..].iter().for_each(|change| table.apply(change));
+            assert_eq!(rows(&table), rows(&Table::from_view(&surface)), "{script}");
+            pages.push((mark, before));
         }
+        for (mark, before) in pages.into_iter().rev() {
+            surface.undo(&mut journal, mark);
+            assert_eq!(surface, before, "undo to {mark}: {script}");
+        }
+        assert!(journal.is_empty() && journal.surface().is_empty(), "{script}");
     }
     assert!(pinched > 500 && refused > 500 && largest > 8, "{pinched} {refused} {largest}");
+}
+
+/// What the rows of a table say, positions apart.
+fn rows(table: &Table) -> impl PartialEq + std::fmt::Debug + use<> {
+    let outgoing: Vec<_> = table.vertices.iter().flatten().map(|row| row.outgoing).collect();
+    let halves: Vec<_> = table.half_edges.iter().flatten().copied().collect();
+    (outgoing, halves, table.faces.iter().flatten().cloned().collect::<Vec<_>>())
 }
 
 /// Where no vertex has two fans, the builder makes the same structure of the same faces.
@@ -283,4 +301,21 @@ fn every_refusal_names_what_is_in_the_way() {
     let error = refuse(&mut surface, &[v[2], v[0], v[3]]);
     assert!(matches!(error, AddFaceError::ClosesFan { vertex, .. } if vertex == v[0]), "{error}");
     assert_eq!(surface, before);
+}
+
+/// An edge or a vertex that came back from the journal is used again in the same order as if nothing had been.
+#[test]
+fn undo_gives_back_positions_and_boundary_faces() {
+    let mut surface = Polyhedron::new();
+    let v: Vec<_> = (0..4).map(|i| surface.add_vertex([f64::from(i), 1.0, 2.0]).unwrap()).collect();
+    let face = surface.add_face(&[v[0], v[1], v[2]]).unwrap();
+    let (start, mut journal) = (surface.clone(), SurfaceJournal::new());
+    surface.remove_vertex_with(v[3], &mut journal).unwrap();
+    let again = surface.add_vertex_with([9.0; 3], &mut journal).unwrap();
+    surface.add_vertex_with([8.0; 3], &mut journal).unwrap();
+    surface.remove_face_with(face, &mut journal).unwrap();
+    assert_eq!((surface.point(again), surface.boundary_faces().len()), ([9.0; 3], 0));
+    surface.undo(&mut journal, 0);
+    assert_eq!((surface.point(v[3]), surface.boundary_faces().len()), ([3.0, 1.0, 2.0], 1));
+    assert_eq!(surface, start);
 }

@@ -9,6 +9,7 @@ mod common;
 #[path = "../shell/mod.rs"]
 mod shell;
 
+mod collapse;
 #[cfg(feature = "cli")]
 mod command;
 mod dynamic;

@@ -2,7 +2,7 @@
 
 use super::common::v;
 use super::shapes::{L, cut_cube, polygons, prism, torus};
-use dcel_kit::solid::{Archimedean, DualError, DualPositions, FaceFault, Platonic, Polyhedron, TruncateError};
+use dcel_kit::solid::{Archimedean, DualError, DualPositions, FaceFault, Hand, Platonic, Polyhedron, TruncateError};
 use dcel_kit::topology::{same, violations};
 use dcel_kit::{FaceId, VertexId};
 use std::f64::consts::{PI, TAU};
@@ -66,10 +66,28 @@ fn the_dual_of_a_regular_solid_is_the_other_one_and_back() {
     }
 }
 
+/// V, E, F, and the faces round each vertex: in the order of [`Archimedean::ALL`].
+const ARCHIMEDEAN: [([usize; 3], &[usize]); 15] = [
+    ([12, 18, 8], &[3, 6, 6]),
+    ([24, 36, 14], &[3, 8, 8]),
+    ([24, 36, 14], &[4, 6, 6]),
+    ([60, 90, 32], &[3, 10, 10]),
+    ([60, 90, 32], &[5, 6, 6]),
+    ([12, 24, 14], &[3, 4, 3, 4]),
+    ([30, 60, 32], &[3, 5, 3, 5]),
+    ([24, 48, 26], &[3, 4, 4, 4]),
+    ([60, 120, 62], &[3, 4, 5, 4]),
+    ([48, 72, 26], &[4, 6, 8]),
+    ([120, 180, 62], &[4, 6, 10]),
+    ([24, 60, 38], &[3, 3, 3, 3, 4]),
+    ([24, 60, 38], &[3, 3, 3, 3, 4]),
+    ([60, 150, 92], &[3, 3, 3, 3, 5]),
+    ([60, 150, 92], &[3, 3, 3, 3, 5]),
+];
+
 #[test]
-fn seven_archimedean_solids_have_equal_edges_and_regular_faces() {
-    let counts = [[12, 18, 8], [24, 36, 14], [24, 36, 14], [60, 90, 32], [60, 90, 32], [12, 24, 14], [30, 60, 32]];
-    for (kind, counts) in Archimedean::ALL.into_iter().zip(counts) {
+fn the_archimedean_solids_have_equal_edges_regular_faces_and_equal_corners() {
+    for (kind, (counts, corner)) in Archimedean::ALL.into_iter().zip(ARCHIMEDEAN) {
         let solid = Polyhedron::archimedean(kind);
         assert_eq!(violations(&solid), []);
         assert_eq!([solid.vertex_count(), solid.edge_count(), solid.face_count()], counts, "{kind}");
@@ -81,12 +99,78 @@ fn seven_archimedean_solids_have_equal_edges_and_regular_faces() {
                 (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
             })
             .collect();
-        assert!(lengths.iter().all(|&length| near(length, lengths[0])), "{kind}: {lengths:?}");
+        let equal = |length: &f64| (length - lengths[0]).abs() <= 1e-12 * lengths[0];
+        assert!(lengths.iter().all(equal), "{kind}: {lengths:?}");
+        let sides = |f: FaceId| solid.incident_half_edges(f).count();
         for f in solid.faces() {
-            let n = solid.incident_half_edges(f).count() as f64;
+            let n = sides(f) as f64;
             let regular = PI * (n - 2.0) / n;
             assert!(solid.incident_half_edges(f).all(|h| near(solid.corner_angle(h), regular)), "{kind} {f}");
         }
+        for v in solid.vertices() {
+            let round: Vec<usize> = solid.incident_faces(v).map(sides).collect();
+            let n = round.len();
+            let turned = |k: usize| (0..n).map(|i| round[(i + k) % n]).collect::<Vec<_>>();
+            let ways = (0..n).map(turned).flat_map(|way| [way.iter().rev().copied().collect(), way]);
+            assert_eq!(ways.min().as_deref(), Some(corner), "{kind} {v}");
+        }
+    }
+}
+
+#[test]
+fn snub_solids_are_twisted_to_the_side_they_say_and_are_mirror_images() {
+    for (of, one, other) in [
+        (Platonic::Cube, Archimedean::SnubCube(Hand::Left), Archimedean::SnubCube(Hand::Right)),
+        (Platonic::Dodecahedron, Archimedean::SnubDodecahedron(Hand::Left), Archimedean::SnubDodecahedron(Hand::Right)),
+    ] {
+        let (of, left, right) =
+            (Polyhedron::platonic(of), Polyhedron::archimedean(one), Polyhedron::archimedean(other));
+        for (solid, sign) in [(&left, 1.0), (&right, -1.0)] {
+            for f in of.faces() {
+                let (mean, normal) = (of.face_mean(f), of.normal(f).unwrap());
+                // The faces keep their numbers, and so do the places of their corners.
+                for (a, b) in of.incident_vertices(f).zip(solid.incident_vertices(f)) {
+                    let from: [f64; 3] = std::array::from_fn(|i| of.point(a)[i] - mean[i]);
+                    let to: [f64; 3] = std::array::from_fn(|i| solid.point(b)[i] - mean[i]);
+                    let turn = [
+                        from[1] * to[2] - from[2] * to[1],
+                        from[2] * to[0] - from[0] * to[2],
+                        from[0] * to[1] - from[1] * to[0],
+                    ];
+                    assert!((0..3).map(|i| turn[i] * normal[i]).sum::<f64>() * sign > 0.1, "{one} {f}");
+                }
+            }
+        }
+        let mirrored = |v| left.point(v).map(|x| -x);
+        let is_there = |p: [f64; 3]| right.vertices().any(|w| (0..3).all(|i| (right.point(w)[i] - p[i]).abs() < 1e-12));
+        assert!(left.vertices().all(|v| is_there(mirrored(v))) && !left.vertices().all(|v| is_there(left.point(v))));
+    }
+}
+
+#[test]
+fn solids_by_flags_refuse_what_they_cannot_place() {
+    let cube = Polyhedron::platonic(Platonic::Cube);
+    for weights in [[0.0, 1.0, 1.0], [1.0, -1.0, 1.0], [1.0, 1.0, f64::NAN], [1.0, 1.0, 0.0]] {
+        assert!(matches!(cube.omnitruncated(weights), Err(TruncateError::Weights { .. })), "{weights:?}");
+        assert!(matches!(cube.snub(weights, Hand::Left), Err(TruncateError::Weights { .. })), "{weights:?}");
+    }
+    assert!(matches!(cube.cantellated(1.0), Err(TruncateError::Weights { .. })));
+    let mut open = cube.clone();
+    open.remove_face(FaceId::new(0)).unwrap();
+    assert!(matches!(open.cantellated(0.5), Err(TruncateError::OnBorder { .. })));
+    // Any closed surface will do: V' = sum of degrees and so on.
+    let torus = torus(5, 4);
+    let counts = |solid: &Polyhedron| [solid.vertex_count(), solid.edge_count(), solid.face_count()];
+    let [v, e, f] = counts(&torus);
+    let made = [
+        torus.cantellated(0.5).unwrap(),
+        torus.omnitruncated([1.0; 3]).unwrap(),
+        torus.snub([1.0; 3], Hand::Right).unwrap(),
+    ];
+    let expected = [[2 * e, 4 * e, v + e + f], [4 * e, 6 * e, v + e + f], [2 * e, 5 * e, v + 2 * e + f]];
+    for (made, expected) in made.iter().zip(expected) {
+        assert_eq!((counts(made), violations(made)), (expected, vec![]));
+        assert_eq!(made.parts()[0].genus(), 1);
     }
 }
 
@@ -186,4 +270,45 @@ fn what_has_no_dual_or_corners_to_cut_is_named() {
     let dual = far.dual().unwrap();
     assert_eq!(dual.positions, DualPositions::Means);
     assert_eq!(dual.solid.point(v(0)), [5.5, 5.5, 0.0]);
+}
+
+/// The curve is closed, and the faces hang together without the edges of the curve.
+#[test]
+fn a_handle_is_shown_by_a_curve_that_does_not_cut() {
+    let check = |solid: &Polyhedron| {
+        let curve = solid.curve_without_sides().expect("a handle");
+        let dcel = solid.topology();
+        for (i, &h) in curve.iter().enumerate() {
+            assert_eq!(dcel.destination(h), dcel.origin(curve[(i + 1) % curve.len()]), "{curve:?}");
+        }
+        let mut edges: Vec<_> = curve.iter().map(|h| h.edge()).collect();
+        edges.sort_unstable();
+        edges.dedup();
+        assert_eq!(edges.len(), curve.len(), "an edge twice: {curve:?}");
+        let mut met = vec![dcel.face(curve[0])];
+        let mut done = 0;
+        while let Some(&face) = met.get(done) {
+            done += 1;
+            for h in dcel.incident_half_edges(face).filter(|h| edges.binary_search(&h.edge()).is_err()) {
+                if !met.contains(&dcel.face(h.twin())) {
+                    met.push(dcel.face(h.twin()));
+                }
+            }
+        }
+        let piece = solid.parts().into_iter().find(|part| part.genus() > 0).unwrap();
+        assert_eq!(met.len(), piece.faces + piece.borders, "{curve:?}");
+    };
+    for (n, m) in [(3, 3), (7, 5), (4, 9)] {
+        let mut solid = torus(n, m);
+        check(&solid);
+        solid.remove_face(FaceId::new(2)).unwrap();
+        check(&solid);
+    }
+    check(&dcel_kit::solid::grow::Shape::Torus { n: 1, m: 1 }.build().unwrap().polyhedron);
+    let mut open = cut_cube(3);
+    assert_eq!(open.curve_without_sides(), None);
+    open.remove_face(FaceId::new(0)).unwrap();
+    open.remove_face(FaceId::new(30)).unwrap();
+    assert_eq!(open.curve_without_sides(), None);
+    assert_eq!(prism(&L, 1.0).curve_without_sides(), None);
 }

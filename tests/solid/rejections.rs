@@ -109,8 +109,11 @@ fn faces_wound_against_the_rest_are_found_and_turned() {
 
 #[test]
 fn what_turning_does_not_help_keeps_its_own_name() {
-    let three = polygons(&[&[0, 1, 2], &[1, 0, 3], &[0, 1, 4]]);
-    let error = BuildError::ThreeFaces { u: 0, v: 1, faces: [0, 1, 2] };
+    let three = polygons(&[&[0, 1, 2], &[1, 0, 3], &[0, 1, 4], &[2, 3, 4], &[4, 1, 0]]);
+    let error = BuildError::ThreeFaces { u: 0, v: 1, faces: vec![0, 1, 2, 4] };
+    let told = "the edge between vertices 0 and 1 has 4 faces (0, 1, 2, 4): an edge has two sides";
+    assert!(error.to_string().starts_with(told), "{error}");
+    assert_eq!(error.faces(), [0, 1, 2, 4]);
     assert_eq!(build(5, &three), Err(SolidError::Build(error.clone())));
     let points = vec![[0.0; 3]; 5];
     assert_eq!(Polyhedron::from_polygons_oriented(points, three).unwrap_err(), SolidError::Build(error));

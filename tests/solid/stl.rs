@@ -2,13 +2,20 @@
 
 use super::shapes::{L, prism};
 use dcel_kit::io::{Document, Format, Model, PolygonSoup, ReadOptions, WriteError, read_bytes, write};
-use dcel_kit::solid::{Platonic, Polyhedron};
+use dcel_kit::solid::{Archimedean, Hand, Platonic, Polyhedron};
 use dcel_kit::topology::same;
 
 fn written(solid: &Polyhedron) -> Result<Vec<u8>, WriteError> {
     let model = Model::surface(solid, |v| Some(solid.point(v)), |f| solid.is_boundary_face(f));
     let mut out = Vec::new();
     write(&mut out, &model, Format::Stl)?;
+    Ok(out)
+}
+
+fn written_as_binary(solid: &Polyhedron) -> Result<Vec<u8>, WriteError> {
+    let model = Model::surface(solid, |v| Some(solid.point(v)), |f| solid.is_boundary_face(f));
+    let mut out = Vec::new();
+    write(&mut out, &model, Format::StlBinary)?;
     Ok(out)
 }
 
@@ -51,6 +58,34 @@ fn a_cube_goes_out_in_triangles_and_comes_back_joined_from_text_and_from_bytes()
     assert_eq!((from_bytes.points.clone(), from_bytes.faces.clone()), (soup.points, soup.faces));
     let from_bytes = Polyhedron::from_polygons(from_bytes.points, &from_bytes.faces).unwrap();
     assert!(same(&from_bytes, &again).is_ok());
+}
+
+#[test]
+fn binary_files_come_back_as_they_went() {
+    for solid in [
+        Polyhedron::platonic(Platonic::Cube),
+        Polyhedron::platonic(Platonic::Dodecahedron),
+        Polyhedron::archimedean(Archimedean::SnubCube(Hand::Left)),
+    ] {
+        let bytes = written_as_binary(&solid).unwrap();
+        assert_eq!((Format::from_content(&bytes), bytes.len() % 50), (Some(Format::Stl), 34));
+        let (text, (soup, notes)) = (read(&written(&solid).unwrap()).unwrap().0, read(&bytes).unwrap());
+        let singles: Vec<[f64; 3]> = text.points.iter().map(|p| p.map(|x| f64::from(x as f32))).collect();
+        assert_eq!((soup.points.clone(), &soup.faces, notes.len()), (singles, &text.faces, 0));
+        let again = Polyhedron::from_polygons(soup.points, &soup.faces).unwrap();
+        assert!(written_as_binary(&again).unwrap() == bytes, "not byte for byte");
+    }
+    let bytes = written_as_binary(&Polyhedron::platonic(Platonic::Cube)).unwrap();
+    let normal: Vec<f32> = bytes[84..96].chunks(4).map(|b| f32::from_le_bytes(b.try_into().unwrap())).collect();
+    assert_eq!(normal.iter().map(|x| x.abs()).sum::<f32>(), 1.0);
+    let error = |base: &[[f64; 2]], height: f64| written_as_binary(&prism(base, height)).unwrap_err().to_string();
+    let near = [[1.0, 1.0], [2.0, 1.0], [2.00000001, 1.00000001], [1.0, 2.0]];
+    let close = error(&near, 1.0);
+    assert!(close.starts_with("(2, 1, 0) and (2.00000001, 1.00000001, 0) are the same in single precision"), "{close}");
+    let large = error(&near[..2].iter().chain(&near[3..]).copied().collect::<Vec<_>>(), 1e40);
+    assert!(large.starts_with("1e40 at a corner of f1 is too large for single precision"), "{large}");
+    let refused = written_as_binary(&prism(&L, 1.0)).unwrap_err().to_string();
+    assert!(refused.starts_with("f0 is not convex"), "{refused}");
 }
 
 #[test]

@@ -24,6 +24,11 @@ fn check_all_hints(convex: &Convex<'_>, d: [f64; 3], expected: VertexId) {
     }
     let path = convex.climb(direction(d), VertexId::new(0));
     assert_eq!(path.last(), Some(&expected), "{d:?}");
+    let map = convex.support_map();
+    assert_eq!(map.support(direction(d)), expected, "{d:?}, prepared");
+    for hint in convex.solid().vertices() {
+        assert_eq!(map.support_from(direction(d), hint), expected, "{d:?} from {hint}, prepared");
+    }
 }
 
 #[test]
@@ -83,6 +88,34 @@ fn climbing_and_searching_agree_on_round_solids_and_a_hint_saves_steps() {
         convex.support(direction([1.0, 0.0, 0.0]))
     );
     assert!(Direction::try_from([f64::NAN, 0.0, 0.0]).is_err());
+}
+
+/// Prepared, a question is a few steps wherever it points; the plain climb is tens of them.
+#[test]
+fn a_prepared_solid_is_near_every_answer() {
+    let mut random = Random(11);
+    let solid = round_solid(&mut random, 4000);
+    let convex = solid.check_convex().unwrap();
+    let map = convex.support_map();
+    let (mut plain, mut steps, mut longest) = (0, 0, 0);
+    for i in 0..600 {
+        let d: [f64; 3] = std::array::from_fn(|_| random.below(2001) as f64 - 1000.0);
+        // The directions on the seams of the cells, too.
+        let d = if i % 3 == 0 { d.map(|x| if x < 0.0 { -1.0 } else { 1.0 }) } else { d };
+        let path = map.climb(direction(d));
+        assert_eq!(path.last(), Some(&convex.support(direction(d))), "{d:?}");
+        assert_eq!(map.support(direction(d)), convex.support_by_search(direction(d)), "{d:?}");
+        plain += convex.climb(direction(d), VertexId::new(0)).len();
+        steps += path.len();
+        longest = longest.max(path.len());
+    }
+    assert!(plain > 600 * 15 && steps < 600 * 6 && longest < 20, "{plain} {steps} {longest}");
+    let (v, e) = (solid.vertex_count(), solid.edge_count());
+    assert!(map.memory() <= 37 * v + 8 * e + 64, "{} bytes for {v} vertices and {e} edges", map.memory());
+    assert_eq!(
+        map.support_from(direction([0.0, 0.0, 1.0]), VertexId::new(1 << 30)),
+        convex.support(direction([0.0, 0.0, 1.0]))
+    );
 }
 
 /// Pentagons that are flat only up to rounding: the exact maximum may lie across one.

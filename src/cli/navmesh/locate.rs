@@ -4,7 +4,7 @@ use super::super::failure::Failure;
 use super::super::output::table;
 use super::super::{Answer, Output};
 use super::map::{Map, MapArgs};
-use super::tell::{Spot, point};
+use super::tell::{Spot, number, point};
 use dcel_kit::navmesh::Location;
 use serde::Serialize;
 use std::io::Write;
@@ -23,7 +23,7 @@ pub(super) struct Args {
     #[command(flatten)]
     map: MapArgs,
     /// The points: x y, as the file has them, as many as you like
-    #[arg(value_name = "X Y", required = true, allow_negative_numbers = true)]
+    #[arg(value_name = "X Y", required = true, allow_negative_numbers = true, value_parser = number)]
     coordinates: Vec<f64>,
     /// Answer in JSON
     #[arg(long)]
@@ -48,11 +48,11 @@ struct Found {
 
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if !args.coordinates.len().is_multiple_of(2) {
-        let what = format!("{} numbers are no points", args.coordinates.len());
+        let what = match args.coordinates.len() {
+            1 => "1 number is no point".to_owned(),
+            count => format!("{count} numbers are no points"),
+        };
         return Err(Failure::input(what, "give x and y of each point"));
-    }
-    if let Some(bad) = args.coordinates.iter().find(|x| !x.is_finite()) {
-        return Err(Failure::input(format!("{bad} is no coordinate"), "give finite numbers"));
     }
     let map = args.map.open()?;
     let found: Vec<Found> = args.coordinates.chunks_exact(2).map(|p| locate(&map, [p[0], p[1]])).collect();

@@ -6,7 +6,7 @@ use dcel_kit::io::{
     Axis, Document, Format, Grid, LoadOptions, PolygonSoup, Read, ReadOptions, Structure, assemble, read_path,
     source_name,
 };
-use dcel_kit::navmesh::{MeshFault, NavMesh, NavMeshError, mesh_faults};
+use dcel_kit::navmesh::{Inset, MeshFault, NavMesh, NavMeshError, mesh_faults};
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
 use dcel_kit::topology::Mode;
 use std::io::Read as _;
@@ -30,7 +30,8 @@ pub(super) struct MapArgs {
     /// Turn round faces that run clockwise
     #[arg(long, help_heading = "Reading")]
     orient: bool,
-    /// Cut all faces into triangles; a .map is cut along the borders of its regions
+    /// Cut all faces into triangles without needless slivers (constrained Delaunay); a .map is cut along the
+    /// borders of its regions
     #[arg(long, help_heading = "Reading")]
     triangles: bool,
 }
@@ -72,6 +73,12 @@ impl Map {
     /// A point of the file.
     pub(super) fn point(&self, [x, y]: [f64; 2]) -> Point {
         Point::new(x, if self.frame.down { 0.0 - y } else { y })
+    }
+
+    /// The same map without the margin of a radius.
+    pub(super) fn inset(&self, inset: Inset) -> Self {
+        let (subdivision, mesh) = inset.into_parts();
+        Self { source: self.source.clone(), format: self.format, subdivision, mesh, frame: self.frame }
     }
 
     /// A point of the map, as the file has it.
@@ -157,8 +164,11 @@ impl MapArgs {
             }
         };
         if self.triangles {
+            let given = subdivision.edge_bound();
             let cut = subdivision.triangulate(TriangulationMethod::default());
             cut.map_err(|error| Failure::input(format!("{source}: {error}"), ""))?;
+            // Slivers lead astray whoever goes from door to door.
+            subdivision.make_delaunay(|edge| edge.index() < given);
         }
         let mesh = NavMesh::new(&subdivision).map_err(|error| {
             let what = error.to_string();
@@ -199,7 +209,11 @@ pub(super) fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
         true => std::io::stdin().lock().read_to_end(&mut bytes),
         false => std::fs::File::open(path).and_then(|mut file| file.read_to_end(&mut bytes)),
     };
-    let refused = |error| Failure::input(format!("{}: cannot be read: {error}", path.display()), "check the name");
-    read.map_err(refused)?;
+    read.map_err(|error| match error.kind() {
+        std::io::ErrorKind::IsADirectory => {
+            Failure::input(format!("{}: cannot be read: it is a directory", path.display()), "give a file in it")
+        }
+        _ => Failure::input(format!("{}: cannot be read: {error}", path.display()), "check the name of the file"),
+    })?;
     Ok(bytes)
 }

@@ -6,11 +6,12 @@ use super::super::picture::Target;
 use super::super::{Answer, Output};
 use super::drawing::{Drawing, save};
 use super::map::{Map, MapArgs};
-use super::tell::{Spot, faces, point, refusal};
+use super::tell::{Spot, faces, number, point, refusal};
 use clap::ValueEnum;
 use dcel_kit::FaceId;
 use dcel_kit::figure::navmesh::Floor;
-use dcel_kit::navmesh::{ComponentId, Place, PlaceError, Planner, Route, RouteError, Rung};
+use dcel_kit::navmesh::{ComponentId, Inset, Location, Place, PlaceError, Planner, Route, RouteError, Rung};
+use dcel_kit::plane::Point;
 use serde::Serialize;
 use std::io::Write;
 
@@ -29,12 +30,14 @@ Examples:
   dcel navmesh path figures/data/rooms.map 1 1 22 12 \\
     --triangles --rung bfs --draw funnel -o funnel.svg
   dcel navmesh path figures/data/rooms.map 1 1 22 12 \\
-    --draw cones -o cones.svg")]
+    --draw cones -o cones.svg
+  dcel navmesh path figures/data/rooms.map 1 1 22 12 \\
+    --radius 0.4 --rung closest -o wide.svg")]
 pub(super) struct Args {
     #[command(flatten)]
     map: MapArgs,
     /// The start and the goal: x y x y, as the file has them
-    #[arg(value_names = ["X", "Y", "X", "Y"], num_args = 4, required = true, allow_negative_numbers = true)]
+    #[arg(value_names = ["X", "Y", "X", "Y"], num_args = 4, required = true, allow_negative_numbers = true, value_parser = number)]
     ends: Vec<f64>,
     /// How the way is found
     #[arg(long, value_name = "RUNG", default_value = "exact")]
@@ -43,9 +46,10 @@ pub(super) struct Args {
     /// less work
     #[arg(long)]
     merged: bool,
-    /// The radius of the agent: its way leads through doors that are wide enough, and keeps off their
-    /// posts; not exact
-    #[arg(long, value_name = "R", conflicts_with = "rung")]
+    /// The radius of the agent: its way keeps that far from every border. Corners are rounded by
+    /// tangents, so the exact way may be 0.5 % of the arcs too long. Faces, doors and corners are
+    /// then those of the map without its margin
+    #[arg(long, value_name = "R", value_parser = number)]
     radius: Option<f64>,
     /// The face to start from, where gaps touch in the start
     #[arg(long, value_name = "f3")]
@@ -75,6 +79,8 @@ pub(super) enum Which {
     Midpoint,
     /// A* to the closest point of each door
     Closest,
+    /// A* to where the straight line to the goal meets each door
+    Aimed,
     /// The shortest way of all
     Exact,
     /// All of them, compared
@@ -88,6 +94,7 @@ impl Which {
             Self::Centroid => &[Rung::Centroid],
             Self::Midpoint => &[Rung::Midpoint],
             Self::Closest => &[Rung::Closest],
+            Self::Aimed => &[Rung::Aimed],
             Self::Exact => &[Rung::Exact],
             Self::All => &Rung::ALL,
         }
@@ -109,6 +116,8 @@ enum Draw {
 #[derive(Serialize)]
 struct Answered {
     source: String,
+    /// The radius of the agent, if it has one.
+    radius: Option<f64>,
     start: Spot,
     goal: Spot,
     found: bool,
@@ -142,10 +151,10 @@ struct Row {
 }
 
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    if let Some(radius) = args.radius.filter(|radius| !radius.is_finite() || *radius < 0.0) {
+    if let Some(radius) = args.radius.filter(|radius| *radius < 0.0) {
         return Err(Failure::input(format!("an agent of radius {radius}"), "give a number such as 0.5"));
     }
-    if args.draw == Draw::Cones && (args.rung != Which::Exact || args.radius.is_some()) {
+    if args.draw == Draw::Cones && args.rung != Which::Exact {
         return Err(Failure::input("only the exact search has cones", "leave --rung out, or draw the route"));
     }
     if args.draw == Draw::Funnel && args.rung == Which::All {
@@ -154,41 +163,40 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let [x0, y0, x1, y1] = args.ends[..] else {
         return Err(Failure::input("a way has two ends", "give x y of the start and x y of the goal"));
     };
-    if let Some(bad) = args.ends.iter().find(|x| !x.is_finite()) {
-        return Err(Failure::input(format!("{bad} is no coordinate"), "give finite numbers"));
-    }
     let target = args.drawing.target(args.map.file())?;
-    let mut map = args.map.open()?;
+    let whole = args.map.open()?;
+    let inset = match args.radius.filter(|&radius| radius > 0.0) {
+        Some(radius) => {
+            let inset = whole.mesh.inset(radius);
+            Some(inset.map_err(|error| Failure::input(format!("{}: {error}", whole.source), ""))?)
+        }
+        None => None,
+    };
+    let mut maps = Maps { ways: inset.as_ref().map(|inset| whole.inset(inset.clone())), whole, inset };
     if args.merged {
-        map.mesh.merge_faces();
+        maps.ways.as_mut().unwrap_or(&mut maps.whole).mesh.merge_faces();
     }
-    let start = place(&map, "start", [x0, y0], args.start_face)?;
-    let goal = place(&map, "goal", [x1, y1], args.goal_face)?;
+    let start = maps.place("start", [x0, y0], args.start_face)?;
+    let goal = maps.place("goal", [x1, y1], args.goal_face)?;
+    let map = maps.ways();
     let mut planner = Planner::new();
     let mut routes: Vec<(Rung, Route)> = Vec::new();
-    let rungs: &[Rung] = if args.radius.is_some() { &[Rung::Closest] } else { args.rung.rungs() };
-    for &rung in rungs {
-        let route = match args.radius {
-            Some(radius) => planner.wide_route(&map.mesh, radius, &start, &goal),
-            None => planner.route(&map.mesh, rung, &start, &goal),
-        };
-        match route {
+    for &rung in args.rung.rungs() {
+        match planner.route(&map.mesh, rung, &start, &goal) {
             Ok(route) => routes.push((rung, route)),
-            Err(error @ RouteError::TooNarrow { .. }) => return too_narrow(args, &map, [start, goal], &error, out),
             Err(RouteError::Apart { start: from, goal: to, .. }) => {
-                return apart(args, &map, [start, goal], [from, to], target.as_ref(), out);
+                return apart(args, &maps, [start, goal], [from, to], target.as_ref(), out);
             }
             Err(error) => return Err(Failure::input(format!("{}: {error}", map.source), "")),
         }
     }
     if let Some(target) = &target {
-        draw(args, &map, &planner, &routes, target, out)?;
+        draw(args, &maps, &planner, &routes, target, out)?;
     }
     let exact = routes.iter().find(|(rung, _)| *rung == Rung::Exact).map(|(_, route)| route.length);
-    let rows: Vec<Row> = routes.iter().map(|(rung, route)| Row::of(&map, *rung, route, exact)).collect();
+    let rows: Vec<Row> = routes.iter().map(|(rung, route)| Row::of(map, *rung, route, exact)).collect();
     if args.json {
-        let [start, goal] = [start, goal].map(|place| Spot::of(&map, place.point, place.location));
-        out.json(&Answered { source: map.source.clone(), start, goal, found: true, apart: None, routes: rows })?;
+        out.json(&Answered::of(&maps, [start, goal], rows))?;
     } else if let [row] = rows.as_slice() {
         row.print(out)?;
     } else {
@@ -197,71 +205,103 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     Ok(Answer::Yes)
 }
 
-/// Where a way starts or ends.
-fn place(map: &Map, what: &str, coordinates: [f64; 2], face: Option<FaceId>) -> Result<Place, Failure> {
-    let p = map.point(coordinates);
-    let found = face.map_or_else(|| map.mesh.place(p), |face| map.mesh.place_in(face, p));
-    found.map_err(|error| {
-        let help = match &error {
-            PlaceError::Ambiguous { .. } => format!("choose one of them with --{what}-face"),
-            _ => map.mesh.nearest_point(p).map_or_else(String::new, |nearest| {
-                format!("the nearest place is {} in {}", point(map, nearest.place.point), nearest.place.face)
-            }),
-        };
-        Failure::input(format!("{}: the {what} {}", map.source, refusal(map, &error)), help)
-    })
+/// The map of the file, and what is left of it for an agent with a radius.
+struct Maps {
+    whole: Map,
+    inset: Option<Inset>,
+    /// The inset as a map.
+    ways: Option<Map>,
+}
+
+impl Maps {
+    /// The map on which ways are looked for.
+    fn ways(&self) -> &Map {
+        self.ways.as_ref().unwrap_or(&self.whole)
+    }
+
+    /// Whether a point is on the mesh of the file.
+    fn is_on_whole(&self, p: Point) -> bool {
+        !matches!(self.whole.mesh.locate(p), Location::Hole(_) | Location::Outer)
+    }
+
+    /// Where a way starts or ends.
+    fn place(&self, what: &str, coordinates: [f64; 2], face: Option<FaceId>) -> Result<Place, Failure> {
+        let map = self.ways();
+        let p = map.point(coordinates);
+        let found = face.map_or_else(|| map.mesh.place(p), |face| map.mesh.place_in(face, p));
+        found.map_err(|error| {
+            let nearest = map.mesh.nearest_point(p);
+            let nearest = nearest.map(|nearest| (point(map, nearest.place.point), nearest.place.face));
+            let help = match (&error, nearest) {
+                (PlaceError::Ambiguous { faces, .. }, _) => {
+                    format!("choose one of them, for example with --{what}-face {}", faces[0])
+                }
+                (PlaceError::NotInFace { .. }, Some((_, face))) => {
+                    format!("leave --{what}-face out, or name a face at the point: {face} is the nearest")
+                }
+                (_, Some((at, _))) if self.inset.is_some() => format!("the nearest place for it is {at}"),
+                (_, Some((at, face))) => format!("the nearest place is {at} in {face}"),
+                (_, None) => String::new(),
+            };
+            let why = match &self.inset {
+                Some(inset) if matches!(error, PlaceError::OffMesh { .. }) && self.is_on_whole(p) => {
+                    format!("{} is nearer to a border than the radius, {}", point(map, p), inset.radius())
+                }
+                _ => refusal(map, &error),
+            };
+            Failure::input(format!("{}: the {what} {why}", map.source), help)
+        })
+    }
+}
+
+impl Answered {
+    /// The answer with these routes; there may be none.
+    fn of(maps: &Maps, ends: [Place; 2], routes: Vec<Row>) -> Self {
+        let map = maps.ways();
+        let [start, goal] = ends.map(|place| Spot::of(map, place.point, place.location));
+        let radius = maps.inset.as_ref().map(Inset::radius);
+        Self { source: map.source.clone(), radius, start, goal, found: !routes.is_empty(), apart: None, routes }
+    }
 }
 
 fn draw(
     args: &Args,
-    map: &Map,
+    maps: &Maps,
     planner: &Planner,
     routes: &[(Rung, Route)],
     target: &Target,
     out: &mut Output,
 ) -> Result<(), Failure> {
+    let map = maps.ways();
     let floor = Floor::new(&map.subdivision, &map.mesh);
     let title = args.map.title();
     let options = |what: &str| args.drawing.options(map, &format!("{what} through {title}"));
-    let drawn = match (args.draw, routes) {
-        (Draw::Funnel, [(_, route)]) => floor.funnel(route, &options("The funnel")),
-        (Draw::Cones, [(_, route)]) => {
+    let drawn = match (args.draw, routes, &maps.inset) {
+        (Draw::Funnel, [(_, route)], _) => floor.funnel(route, &options("The funnel")),
+        (Draw::Cones, [(_, route)], _) => {
             let cones: Vec<_> = planner.cones(&map.mesh).collect();
             floor.cones(&cones, route, &options("What an exact search sees"))
         }
-        (_, [(_, route)]) => floor.route(route, &options("A way")),
-        _ => floor.ladder(routes, &options("Five ways")),
+        (_, [(_, route)], Some(inset)) => {
+            let whole = Floor::new(&maps.whole.subdivision, &maps.whole.mesh);
+            whole.clearance(inset, route, &options("The way of an agent with a radius"))
+        }
+        (_, [(_, route)], None) => floor.route(route, &options("A way")),
+        _ => floor.ladder(routes, &options("Six ways")),
     };
     save(target, drawn, out)
-}
-
-/// The answer if there is a way, but not for so wide an agent.
-fn too_narrow(
-    args: &Args,
-    map: &Map,
-    ends: [Place; 2],
-    error: &RouteError,
-    out: &mut Output,
-) -> Result<Answer, Failure> {
-    if args.json {
-        let [start, goal] = ends.map(|place| Spot::of(map, place.point, place.location));
-        let source = map.source.clone();
-        out.json(&Answered { source, start, goal, found: false, apart: None, routes: Vec::new() })?;
-    } else {
-        writeln!(out, "{error}")?;
-    }
-    Ok(Answer::No)
 }
 
 /// The answer if there is no way.
 fn apart(
     args: &Args,
-    map: &Map,
+    maps: &Maps,
     ends: [Place; 2],
     components: [ComponentId; 2],
     target: Option<&Target>,
     out: &mut Output,
 ) -> Result<Answer, Failure> {
+    let map = maps.ways();
     if let Some(target) = target {
         let options = args.drawing.options(map, &format!("No way through {}", args.map.title()));
         let floor = Floor::new(&map.subdivision, &map.mesh);
@@ -270,7 +310,6 @@ fn apart(
     let [start_faces, goal_faces] = components.map(|c| map.mesh.component_faces(c).count());
     let nearest = map.mesh.nearest_reachable(components[0], ends[1].point);
     if args.json {
-        let [start, goal] = ends.map(|place| Spot::of(map, place.point, place.location));
         let apart = Apart {
             start_component: components[0].0,
             start_faces,
@@ -278,14 +317,14 @@ fn apart(
             goal_faces,
             nearest_reachable: nearest.map(|nearest| map.in_file(nearest.place.point)),
         };
-        let source = map.source.clone();
-        out.json(&Answered { source, start, goal, found: false, apart: Some(apart), routes: Vec::new() })?;
+        out.json(&Answered { apart: Some(apart), ..Answered::of(maps, ends, Vec::new()) })?;
         return Ok(Answer::No);
     }
     let [from, to] = ends.map(|place| point(map, place.point));
     let [a, b] = components;
     let [start_faces, goal_faces] = [start_faces, goal_faces].map(faces);
-    writeln!(out, "no way: {from} is in {a} of {start_faces}, {to} is in {b} of {goal_faces}")?;
+    let agent = maps.inset.as_ref().map(|inset| format!(" for a radius of {}", inset.radius())).unwrap_or_default();
+    writeln!(out, "no way{agent}: {from} is in {a} of {start_faces}, {to} is in {b} of {goal_faces}")?;
     if let Some(nearest) = nearest {
         let (at, face) = (point(map, nearest.place.point), nearest.place.face);
         writeln!(out, "  nearest point that can be reached: {at} in {face}, {} away", nearest.distance)?;

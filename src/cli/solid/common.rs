@@ -29,6 +29,9 @@ pub(super) struct Target {
     /// The file to write, for example .off; - for OFF on standard output instead of the report
     #[arg(short, long, value_name = "OUT")]
     pub(super) output: Option<PathBuf>,
+    /// The format to write, if the name does not tell, for example stl-binary
+    #[arg(long, value_name = "FORMAT", requires = "output")]
+    to: Option<Format>,
     /// Answer in JSON
     #[arg(long)]
     json: bool,
@@ -69,7 +72,7 @@ impl Target {
         out: &mut Output,
     ) -> Result<Answer, Failure> {
         if let Some(path) = &self.output {
-            save(path, solid, out)?;
+            save(path, self.to, solid, out)?;
             if path.as_os_str() == "-" {
                 return Ok(Answer::Yes);
             }
@@ -103,17 +106,32 @@ impl Target {
     }
 }
 
-fn save(path: &Path, solid: &Polyhedron, out: &mut Output) -> Result<(), Failure> {
+fn save(path: &Path, to: Option<Format>, solid: &Polyhedron, out: &mut Output) -> Result<(), Failure> {
     let model = Model::surface(solid, |v| Some(solid.point(v)), |f| solid.is_boundary_face(f));
-    let written = match Format::from_path(path) {
-        _ if path.as_os_str() == "-" => write(out, &model, Format::Off),
+    let written = match to.or_else(|| Format::from_path(path)) {
+        format if path.as_os_str() == "-" => write(out, &model, format.unwrap_or(Format::Off)),
         Some(format) => write_path(path, &model, format),
         None => {
             let what = format!("{}: the name does not tell the format to write", path.display());
-            return Err(Failure::input(what, "end it in .off, .obj, .ply or .stl"));
+            return Err(Failure::input(what, "end it in .off, .obj, .ply or .stl, or say it with --to"));
         }
     };
     written.map_err(|error| Failure::of_writing(path, error))
+}
+
+/// Refuses what would fill the memory of a small machine.
+pub(super) fn check_size(name: &str, elements: usize, help: &str) -> Result<(), Failure> {
+    /// A solid with so many edges takes about two gigabytes on its way.
+    const MOST: usize = 20_000_000;
+    if elements <= MOST {
+        return Ok(());
+    }
+    let many = if elements < usize::MAX / 2 {
+        format!("{elements} edges")
+    } else {
+        "more edges than there are ids".to_owned()
+    };
+    Err(Failure::input(format!("{name} would have {many}, and this command makes at most {MOST}"), help))
 }
 
 /// A vector from the command line: `1,-2,0.5`.

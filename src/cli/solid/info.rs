@@ -5,15 +5,19 @@ use crate::cli::input::InputOptions;
 use crate::cli::{Answer, Failure, Output};
 use dcel_kit::solid::{PartCounts, Polyhedron};
 use serde::Serialize;
+use std::fmt::Display;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
 /// Measure a solid
 ///
-/// Told are the counts and handles of each piece, angles between faces, deficit angles (their sum is
-/// 2 pi for each unit of V - E + F, if faces are flat), area and volume, and whether the solid is
-/// convex: if not, the first edge or corner in the way is named. Whether it is convex is decided
-/// exactly; faces that are flat only up to rounding count as bent.
+/// Told are the counts and handles of each piece, the angles between faces, the deficit angles of the
+/// vertices (their sum is 360 degrees for each unit of V - E + F, if faces are flat), the curvatures of
+/// vertices off the border (Gauss: deficit for each unit of area; mean: half the bend of the edges for
+/// each unit of area), each from the least to the greatest with a place where it is so, area and volume,
+/// and whether the solid is convex: if not, the first edge or corner in the way is named. Whether it is
+/// convex is decided exactly; faces that are flat only up to rounding count as bent. Handles are counted
+/// by V - E + F = 2 - 2 handles - borders, piece by piece.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -49,8 +53,16 @@ struct Info {
     faces_not_flat: usize,
     greatest_bend: f64,
     dihedral_angles: Option<[f64; 2]>,
+    dihedral_angles_at: Option<[String; 2]>,
     deficit_angles: Option<[f64; 2]>,
+    deficit_angles_at: Option<[String; 2]>,
     deficit_sum: f64,
+    /// Of vertices off the border, for each square of a unit of length.
+    gauss_curvature: Option<[f64; 2]>,
+    gauss_curvature_at: Option<[String; 2]>,
+    /// Of vertices off the border, for each unit of length.
+    mean_curvature: Option<[f64; 2]>,
+    mean_curvature_at: Option<[String; 2]>,
     area: f64,
     /// Of closed surfaces.
     volume: Option<f64>,
@@ -98,12 +110,28 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     Ok(Answer::Yes)
 }
 
-/// The least and the greatest of some angles, in degrees.
-fn spread(angles: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
-    angles.map(f64::to_degrees).fold(None, |range, angle| {
-        let [low, high] = range.unwrap_or([angle; 2]);
-        Some([angle.min(low), angle.max(high)])
-    })
+/// The least and the greatest of some values, each with the first element that has it.
+fn spread<T: Display + Copy>(values: impl Iterator<Item = (T, f64)>) -> Option<([f64; 2], [String; 2])> {
+    let mut ends: Option<[(T, f64); 2]> = None;
+    for (at, value) in values {
+        ends = Some(match ends {
+            None => [(at, value); 2],
+            Some([low, high]) if value < low.1 => [(at, value), high],
+            Some([low, high]) if value > high.1 => [low, (at, value)],
+            Some(same) => same,
+        });
+    }
+    // A zero without a sign.
+    ends.map(|[(p, low), (q, high)]| ([low + 0.0, high + 0.0], [p.to_string(), q.to_string()]))
+}
+
+/// A number with so many digits after the point; what rounds to zero has no sign.
+fn fixed(value: f64, digits: usize) -> String {
+    let text = format!("{value:.digits$}");
+    match text.strip_prefix('-') {
+        Some(zero) if zero.bytes().all(|c| b"0.".contains(&c)) => zero.to_owned(),
+        _ => text,
+    }
 }
 
 impl Info {
@@ -111,6 +139,12 @@ impl Info {
         let pieces: Vec<Piece> = solid.parts().into_iter().map(Piece::from).collect();
         let closed = solid.boundary_faces().len() == 0;
         let not_convex = solid.check_convex().err().map(|error| error.to_string());
+        let degrees = |angle: f64| angle.to_degrees();
+        let inner = || solid.vertices().filter(|&v| solid.incident_faces(v).all(|f| !solid.is_boundary_face(f)));
+        let dihedral = spread(solid.edges().filter_map(|e| Some((e, solid.dihedral_angle(e).map(degrees)?))));
+        let deficit = spread(solid.vertices().map(|v| (v, degrees(solid.deficit_angle(v)))));
+        let gauss = spread(inner().filter_map(|v| Some((v, solid.gauss_curvature(v)?))));
+        let mean = spread(inner().filter_map(|v| Some((v, solid.mean_curvature(v)?))));
         let bends = solid.polygon_faces().map(|f| solid.bend_of_face(f));
         Self {
             source,
@@ -124,18 +158,24 @@ impl Info {
             not_convex,
             faces_not_flat: solid.polygon_faces().filter(|&f| !solid.is_flat(f)).count(),
             greatest_bend: bends.fold(0.0, f64::max),
-            dihedral_angles: spread(solid.edges().filter_map(|e| solid.dihedral_angle(e))),
-            deficit_angles: spread(solid.vertices().map(|v| solid.deficit_angle(v))),
-            deficit_sum: solid.total_deficit().to_degrees(),
+            dihedral_angles: dihedral.as_ref().map(|(range, _)| *range),
+            dihedral_angles_at: dihedral.map(|(_, at)| at),
+            deficit_angles: deficit.as_ref().map(|(range, _)| *range),
+            deficit_angles_at: deficit.map(|(_, at)| at),
+            deficit_sum: solid.total_deficit().to_degrees() + 0.0,
+            gauss_curvature: gauss.as_ref().map(|(range, _)| *range),
+            gauss_curvature_at: gauss.map(|(_, at)| at),
+            mean_curvature: mean.as_ref().map(|(range, _)| *range),
+            mean_curvature_at: mean.map(|(_, at)| at),
             area: solid.area(),
-            volume: closed.then(|| solid.signed_volume()),
+            volume: closed.then(|| solid.signed_volume() + 0.0),
         }
     }
 
     fn print(&self, out: &mut Output) -> io::Result<()> {
         let Self { vertices, edges, faces, euler, .. } = self;
         writeln!(out, "{}: {vertices} vertices, {edges} edges, {faces} faces; V - E + F = {euler}", self.source)?;
-        let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
+        let mut line = |what: &str, value: String| writeln!(out, "  {what:<17}{value}");
         for piece in &self.pieces {
             let Piece { first_vertex, vertices: v, edges: e, faces: f, euler, genus, borders, .. } = piece;
             line(
@@ -143,16 +183,33 @@ impl Info {
                 format!("of {first_vertex}: {v} - {e} + {f} = {euler} = 2 - 2 x {genus} handles - {borders} borders"),
             )?;
         }
-        if let Some([low, high]) = self.dihedral_angles {
-            line("dihedral", format!("{low:.4} to {high:.4} degrees"))?;
+        let from_to = |range: &Option<[f64; 2]>, at: &Option<[String; 2]>, unit: &str| {
+            let (values, [low_at, high_at]) = (range.as_ref()?.map(|x| fixed(x, 4)), at.as_ref()?);
+            Some(match &values {
+                [low, high] if low == high => format!("{low}{unit} everywhere"),
+                [low, high] => format!("{low}{unit} at {low_at} to {high}{unit} at {high_at}"),
+            })
+        };
+        if let Some(text) = from_to(&self.dihedral_angles, &self.dihedral_angles_at, " degrees") {
+            line("dihedral", text)?;
         }
-        if let Some([low, high]) = self.deficit_angles {
-            line("deficit", format!("{low:.4} to {high:.4} degrees, {:.4} in all", self.deficit_sum))?;
+        if let Some(text) = from_to(&self.deficit_angles, &self.deficit_angles_at, " degrees") {
+            line("deficit", text)?;
+            let (sum, flat) = (fixed(self.deficit_sum, 4), fixed(360.0 * *euler as f64, 4));
+            let rest = if sum == flat { String::new() } else { format!(" = {flat}, if all faces were flat") };
+            line("deficit sum", format!("{sum} degrees; 360 x (V - E + F){rest}"))?;
         }
-        line("area", format!("{:.6}", self.area))?;
+        if let Some(text) = from_to(&self.gauss_curvature, &self.gauss_curvature_at, "") {
+            line("Gauss curvature", text)?;
+        }
+        if let Some(text) = from_to(&self.mean_curvature, &self.mean_curvature_at, "") {
+            line("mean curvature", text)?;
+        }
+        line("area", fixed(self.area, 6))?;
         if let Some(volume) = self.volume {
-            let inside_out = if volume < 0.0 { " (inside out)" } else { "" };
-            line("volume", format!("{volume:.6}{inside_out}"))?;
+            let text = fixed(volume, 6);
+            let inside_out = if text.starts_with('-') { " (inside out)" } else { "" };
+            line("volume", format!("{text}{inside_out}"))?;
         }
         if self.faces_not_flat > 0 {
             line("not flat", format!("{} faces, by at most {:e}", self.faces_not_flat, self.greatest_bend))?;

@@ -1,8 +1,8 @@
 //! `dcel solid make`: regular solids, grown ones, and convex hulls.
 
-use super::common::Target;
+use super::common::{Target, check_size};
 use crate::cli::{Answer, Failure, Output};
-use dcel_kit::io::{Document, ReadOptions, read_path, source_name};
+use dcel_kit::io::{Document, ReadOptions, closest, read_path, source_name};
 use dcel_kit::solid::grow::Shape;
 use dcel_kit::solid::{Archimedean, HullFaces, Platonic, Polyhedron};
 use std::path::PathBuf;
@@ -11,7 +11,9 @@ use std::path::PathBuf;
 ///
 /// SHAPE is one of:
 ///   tetrahedron cube octahedron dodecahedron icosahedron      the regular solids
-///   truncated-cube (and so on) cuboctahedron icosidodecahedron
+///   truncated-cube (and so on), cuboctahedron, icosidodecahedron, rhombicuboctahedron,
+///   rhombicosidodecahedron, truncated-cuboctahedron, truncated-icosidodecahedron,
+///   snub-cube-left, snub-cube-right, snub-dodecahedron-left, snub-dodecahedron-right
 ///   ring N, grid N M, box X Y Z, cylinder N M, cone N M, sphere N M, flat-sphere N M, torus N M
 ///                                      grown from a ring or a torus seed by two splits alone
 ///   hull FILE                          the convex hull of the points of a file
@@ -22,6 +24,7 @@ use std::path::PathBuf;
 Examples:
   dcel solid make torus 7 5 -o t.off
   dcel solid make dodecahedron -o d.stl
+  dcel solid make snub-cube-left -o s.stl --to stl-binary
   dcel solid make hull cloud.obj --triangles -o hull.ply --json"
 )]
 pub(crate) struct Args {
@@ -53,9 +56,15 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         }
         (Some(solid), _) => Polyhedron::platonic(solid),
         (_, Some(solid)) => Polyhedron::archimedean(solid),
-        _ => shape(args)?.build().map_err(|error| Failure::input(error, ""))?.polyhedron,
+        _ => grown(&name, shape(args)?)?.build().map_err(|error| Failure::input(error, ""))?.polyhedron,
     };
     args.target.put(&name, &solid, None, out)
+}
+
+fn grown(name: &str, shape: Shape) -> Result<Shape, Failure> {
+    let [vertices, edges, faces] = shape.counts();
+    check_size(name, vertices.max(edges).max(faces), "take smaller numbers")?;
+    Ok(shape)
 }
 
 /// The shapes that grow, with the names of their numbers.
@@ -76,8 +85,10 @@ fn shape(args: &Args) -> Result<Shape, Failure> {
         let others: Vec<String> = Archimedean::ALL.iter().map(ToString::to_string).collect();
         let grown: Vec<&str> = GROWN.iter().map(|(name, _)| *name).collect();
         let what = format!("`{}` is no shape", args.shape);
+        let names = known.iter().chain(&others).map(String::as_str).chain(grown.iter().copied()).chain(["hull"]);
+        let close = closest(&args.shape, names).map_or(String::new(), |close| format!("did you mean {close}? "));
         let all = [known.join(", "), others.join(", "), grown.join(", ")].join(", ");
-        return Err(Failure::input(what, format!("choose one of {all}, hull")));
+        return Err(Failure::input(what, format!("{close}choose one of {all}, hull")));
     };
     let numbers: Option<Vec<usize>> = args.numbers.iter().map(|word| word.parse().ok()).collect();
     let usage = || {

@@ -72,6 +72,7 @@ const fn how(rung: Rung) -> &'static str {
         Rung::Centroid => "A* from centroid to centroid, then the funnel",
         Rung::Midpoint => "A* from midpoint to midpoint of the doors, then the funnel",
         Rung::Closest => "A* to the closest point of each door, then the funnel",
+        Rung::Aimed => "A* along the straight line to the goal, then the funnel",
         Rung::Exact => "cones instead of faces: the shortest way of all",
     }
 }
@@ -83,6 +84,7 @@ const fn role(rung: Rung) -> Role {
         Rung::Centroid => Role::Event,
         Rung::Midpoint => Role::Wrong,
         Rung::Closest => Role::Right,
+        Rung::Aimed => Role::Goal,
         Rung::Exact => Role::Main,
     }
 }

@@ -4,13 +4,14 @@
 //!   dual       which faces hang together          route    the corridor, its portals, the way
 //!   dead_ends  what is peeled, and its way out     funnel   how the string is pulled, door by door
 //!   apart      why there is no way                 cones    what the exact search looked at
-//!                                                  ladder   every rung beside the shortest way
+//!   clearance  the margin a wide agent keeps       ladder   every rung beside the shortest way
 //! ```
 //!
 //! Under each figure lies the map in grey, with its gaps hatched. Roles are the same everywhere: blue is the way,
 //! orange a door, green the start, purple the goal.
 
 mod apart;
+mod clearance;
 mod cones;
 mod funnel;
 mod ladder;

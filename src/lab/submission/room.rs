@@ -25,11 +25,7 @@ impl Rooms {
         })?;
         let folder = place.canonicalize()?.join(format!("dcel-{}", unguessable()));
         let mut builder = DirBuilder::new();
-        #[cfg(unix)]
-        {
-            use std::os::unix::fs::DirBuilderExt;
-            builder.mode(if walls.up().own_user { 0o711 } else { 0o700 });
-        }
+        let_in(&mut builder, if walls.up().own_user { 0o711 } else { 0o700 });
         builder.create(&folder)?;
         Ok(Self { folder, taken: AtomicU64::new(0) })
     }
@@ -47,6 +43,19 @@ impl Rooms {
 impl Drop for Rooms {
     fn drop(&mut self) {
         let _ = fs::remove_dir_all(&self.folder);
+    }
+}
+
+/// Says who may enter a folder that is made, where the system knows such a thing.
+fn let_in(builder: &mut DirBuilder, mode: u32) {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::DirBuilderExt;
+        builder.mode(mode);
+    }
+    #[cfg(not(unix))]
+    {
+        let _ = (builder, mode);
     }
 }
 

@@ -14,14 +14,13 @@ use crate::plane::Subdivision;
 use crate::topology::{Change, Journal, Ring, Slot};
 use std::collections::BTreeSet;
 
-/// Makes every face convex that the changes in the journal have left otherwise, and hole faces of the bounded pieces
-/// of the outer face.
-pub(super) fn cut(map: &mut Subdivision, rec: &mut Journal) -> Result<(), ObstacleError> {
-    let mut faces: Vec<FaceId> = Vec::new();
-    for change in rec.changes().to_vec() {
-        match change {
+/// The faces whose shape the changes have changed. Bounded pieces of the outer face become hole faces, and pieces of these.
+pub(super) fn changed_faces(map: &mut Subdivision, changes: &[Change]) -> BTreeSet<FaceId> {
+    let mut faces = BTreeSet::new();
+    for change in changes {
+        match *change {
             Change::Write { slot: Slot::Face(_), old: Some(Element::Face(old)), new: Some(Element::Face(new)) }
-                if old == map.outer_face() =>
+                if old == map.outer_face() || map.is_hole(old) =>
             {
                 map.set_hole(new, true);
             }
@@ -29,9 +28,18 @@ pub(super) fn cut(map: &mut Subdivision, rec: &mut Journal) -> Result<(), Obstac
             _ => {}
         }
     }
-    faces.sort_unstable();
-    faces.dedup();
-    faces.retain(|&f| f != map.outer_face() && !map.is_hole(f));
+    faces
+}
+
+/// Makes the faces convex, gaps left out. Returns those that are no gaps, and the new ones.
+pub(super) fn make_convex(
+    map: &mut Subdivision,
+    faces: BTreeSet<FaceId>,
+    rec: &mut Journal,
+) -> Result<BTreeSet<FaceId>, ObstacleError> {
+    let is_gap = |f: FaceId| f == map.outer_face() || map.is_hole(f);
+    let mut done: BTreeSet<FaceId> = faces.into_iter().filter(|&f| !is_gap(f)).collect();
+    let mut faces: Vec<FaceId> = done.iter().copied().collect();
     while let Some(face) = faces.pop() {
         if let Some(&ring) = map.rings(face).first() {
             tie(map, face, ring, rec)?;
@@ -42,9 +50,10 @@ pub(super) fn cut(map: &mut Subdivision, rec: &mut Journal) -> Result<(), Obstac
             let split = fit.and_then(|h| map.split_face_with(corner, h, rec).ok());
             let (_, new) = split.ok_or(ObstacleError::Concave { face })?;
             faces.extend([face, new]);
+            done.insert(new);
         }
     }
-    Ok(())
+    Ok(done)
 }
 
 /// A half-edge of the face at whose origin the boundary turns the wrong way.
@@ -68,14 +77,14 @@ fn tie(map: &mut Subdivision, face: FaceId, ring: Ring, rec: &mut Journal) -> Re
     map.insert_edge_with(v, w, rec).map(drop).map_err(|_| ObstacleError::Concave { face })
 }
 
-/// The bounded faces inside a border: those on its left, and what hangs together with them without crossing it.
-pub(super) fn inside(map: &Subdivision, border: &[HalfEdgeId]) -> BTreeSet<FaceId> {
-    let edges: BTreeSet<EdgeId> = border.iter().map(|h| h.edge()).collect();
+/// The bounded faces inside a border: those on the left of these half-edges, and what hangs together with them without
+/// crossing an edge of the border.
+pub(super) fn inside(map: &Subdivision, border: &[HalfEdgeId], is_border: impl Fn(EdgeId) -> bool) -> BTreeSet<FaceId> {
     let mut inside: BTreeSet<FaceId> = border.iter().map(|&h| map.face(h)).collect();
     let mut stack: Vec<FaceId> = inside.iter().copied().collect();
     while let Some(f) = stack.pop() {
         let sides = map.cycles(f).flat_map(|h| map.cycle(h));
-        for h in sides.filter(|h| !edges.contains(&h.edge())) {
+        for h in sides.filter(|h| !is_border(h.edge())) {
             let next = map.face(h.twin());
             if inside.insert(next) {
                 stack.push(next);

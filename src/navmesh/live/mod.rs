@@ -3,30 +3,31 @@
 //! ```text
 //!   ┌─────────┐   insert_wall     ┌──●──────┐   the wall is cut into the map by the edits of the plane; faces that
 //!   │  f1     │  ────────────>    │  ║╲ f3  │   are no longer convex are cut further; the edges along it are closed
-//!   │         │                   │f1║ ╲    │
-//!   └─────────┘                   └──●──╲───┘   remove: they are doors again. The cuts stay.
+//!   │         │  <────────────    │f1║ ╲    │
+//!   └─────────┘   remove          └──●──╲───┘   remove: the wall goes, and the cuts with it
 //! ```
 //!
 //! The flat view is brought up to date near the cut only: faces, fans, turns, dead ends, components, index.
+//!
+//! ```text
+//!   book.rs    what every edge is there for      clear.rs    what goes with an obstacle
+//!   cut.rs     making faces convex               refresh.rs  the flat view, read anew in parts
+//! ```
 
+mod book;
+mod clear;
 mod cut;
+mod refresh;
 
 use super::{NavMesh, NavMeshError};
-use crate::ids::{EdgeId, FaceId, HalfEdgeId};
+use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId};
 use crate::plane::{ConvertError, InsertSegmentError, Point, Subdivision};
 use crate::topology::{Change, Journal, Slot};
-use cut::{cut, inside};
-use std::collections::{BTreeMap, BTreeSet};
-
-/// An obstacle of a [`LiveMesh`].
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub struct ObstacleId(pub u32);
-
-impl std::fmt::Display for ObstacleId {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "obstacle {}", self.0)
-    }
-}
+use book::Book;
+pub use book::ObstacleId;
+use clear::clear;
+use cut::{changed_faces, inside, make_convex};
+use std::collections::BTreeSet;
 
 /// Why an obstacle cannot be put in or taken out.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -58,16 +59,6 @@ pub enum ObstacleError {
         /// The obstacle.
         obstacle: ObstacleId,
     },
-}
-
-/// Who closes what.
-#[derive(Clone, Debug, Default, PartialEq)]
-struct Book {
-    /// The obstacles whose border runs along an edge.
-    borders: BTreeMap<EdgeId, BTreeSet<ObstacleId>>,
-    /// The obstacles that cover a face.
-    covers: BTreeMap<FaceId, BTreeSet<ObstacleId>>,
-    next: u32,
 }
 
 /// A map, its navmesh, and the obstacles in it.
@@ -102,7 +93,8 @@ impl LiveMesh {
     /// [`NavMeshError`], as for [`NavMesh::new`].
     pub fn new(map: Subdivision) -> Result<Self, NavMeshError> {
         let mesh = NavMesh::new(&map)?;
-        Ok(Self { map, mesh, book: Book::default() })
+        let book = Book::new(&map);
+        Ok(Self { map, mesh, book })
     }
 
     /// The navmesh as it is now.
@@ -111,7 +103,13 @@ impl LiveMesh {
         &self.mesh
     }
 
-    /// The map, with all cuts that were ever made.
+    /// Makes exact queries quicker until the next obstacle comes or goes: see
+    /// [`merge_faces`](NavMesh::merge_faces).
+    pub fn merge_faces(&mut self) -> usize {
+        self.mesh.merge_faces()
+    }
+
+    /// The map as it is now, with the obstacles and the cuts they need.
     #[must_use]
     pub fn map(&self) -> &Subdivision {
         &self.map
@@ -120,8 +118,7 @@ impl LiveMesh {
     /// The obstacles in the map.
     #[must_use]
     pub fn obstacles(&self) -> Vec<ObstacleId> {
-        let all: BTreeSet<ObstacleId> = self.book.borders.values().flatten().copied().collect();
-        all.into_iter().collect()
+        self.book.obstacles().into_iter().collect()
     }
 
     /// Puts up a wall from `p` to `q`: a segment that nobody crosses. It may begin and end anywhere.
@@ -148,128 +145,106 @@ impl LiveMesh {
         self.insert(&sides, true)
     }
 
-    /// Takes an obstacle out: its borders are doors again, and the faces it covered are free, unless another obstacle
-    /// closes them. The cuts stay in the map, as doors between convex faces: the next obstacle at the same place
-    /// costs less, and a map of many obstacles that came and went is finer than it has to be.
+    /// Takes an obstacle out, and what it brought in: its borders are gone, the faces it covered are free unless another
+    /// obstacle covers them, and so are the cuts and the corners that only it needed. With the last obstacle the map is
+    /// what it was in the beginning: the same vertices, edges and faces, with the same ids, at the same points.
     ///
-    /// Cost: that of [`block`](NavMesh::block) for its faces, and O(number of all borders).
+    /// While other obstacles are there, their cuts may stay, and a line that was bent by rounding where it was crossed
+    /// stays bent if something stands in the way of the straight one. Should the faces that are left be finer than
+    /// doubles can tell, nothing but the borders goes now, and the rest with a later obstacle nearby.
+    ///
+    /// Cost: O(size of the faces the obstacle touches, and of the gaps it reaches into), that of
+    /// [`block`](NavMesh::block) for these faces, and O(number of all borders); a copy of all positions to be able to go
+    /// back. If a piece of a gap goes, O(n) to name the gaps anew.
     ///
     /// # Errors
     /// [`ObstacleError::NoSuchObstacle`].
     pub fn remove(&mut self, obstacle: ObstacleId) -> Result<(), ObstacleError> {
-        let edges: Vec<EdgeId> = with(&self.book.borders, obstacle);
-        let faces: Vec<FaceId> = with(&self.book.covers, obstacle);
+        let (edges, covered) = self.book.strike(obstacle);
         if edges.is_empty() {
             return Err(ObstacleError::NoSuchObstacle { obstacle });
         }
-        edges.iter().for_each(|e| drop_owner(&mut self.book.borders, *e, obstacle));
-        faces.iter().for_each(|f| drop_owner(&mut self.book.covers, *f, obstacle));
-        let beside = edges.iter().flat_map(|e| e.half_edges()).map(|h| self.map.face(h));
-        let touched: BTreeSet<FaceId> = beside.chain(faces.iter().copied()).collect();
-        self.refresh(&touched, &edges)
+        let mut touched: BTreeSet<FaceId> = covered.into_iter().collect();
+        touched.extend(edges.iter().flat_map(|e| e.half_edges()).map(|h| self.map.face(h)));
+        let mut book = self.book.clone();
+        let mut journal = Journal::new();
+        let cleared = self.map.all_or_nothing(&mut journal, |map, rec| clear(map, &mut book, &edges, rec));
+        if cleared.is_ok() {
+            self.book = book;
+        }
+        self.refresh(touched, &edges, &journal)
     }
 
     fn insert(&mut self, sides: &[[Point; 2]], covers: bool) -> Result<ObstacleId, ObstacleError> {
         let mut book = self.book.clone();
-        let obstacle = ObstacleId(book.next);
-        book.next += 1;
+        let obstacle = book.number();
         let mut journal = Journal::new();
         let border = self.map.all_or_nothing(&mut journal, |map, rec| {
             let mut border: Vec<HalfEdgeId> = Vec::new();
             for (side, &[p, q]) in sides.iter().enumerate() {
+                let begin = rec.len();
                 let inserted = map.insert_segment_with(p, q, rec);
-                border.extend(inserted.map_err(|error| ObstacleError::Side { side, error })?.half_edges);
+                let inserted = inserted.map_err(|error| ObstacleError::Side { side, error })?.half_edges;
+                book.follow(&rec.changes()[begin..]);
+                inserted.iter().for_each(|h| book.put_border(h.edge(), (obstacle, side)));
+                border.extend(inserted);
             }
-            cut(map, rec)?;
+            let begin = rec.len();
+            let faces = changed_faces(map, rec.changes());
+            make_convex(map, faces, rec)?;
+            book.follow(&rec.changes()[begin..]);
             Ok::<_, ObstacleError>(border)
         })?;
-        book.follow(&journal);
-        let edges: Vec<EdgeId> = border.iter().map(|h| h.edge()).collect();
-        for &edge in &edges {
-            book.borders.entry(edge).or_default().insert(obstacle);
-        }
-        let mut touched = touched_faces(&self.map, &journal);
-        touched.extend(edges.iter().flat_map(|e| e.half_edges()).map(|h| self.map.face(h)));
+        let edges = book.border_of(obstacle);
+        let mut touched: BTreeSet<FaceId> =
+            edges.iter().flat_map(|e| e.half_edges()).map(|h| self.map.face(h)).collect();
         if covers {
-            let inside = inside(&self.map, &border);
-            for &face in &inside {
-                book.covers.entry(face).or_default().insert(obstacle);
-            }
+            let own: BTreeSet<EdgeId> = edges.iter().copied().collect();
+            let inside = inside(&self.map, &border, |e| own.contains(&e));
+            inside.iter().for_each(|&face| book.cover(face, obstacle));
             touched.extend(inside);
         }
         self.book = book;
-        self.refresh(&touched, &edges)?;
-        let new_gap = |change: &Change| match *change {
-            Change::Added { element: crate::Element::Face(f), .. } => self.map.is_hole(f),
-            _ => false,
-        };
-        if journal.changes().iter().any(new_gap) {
-            self.mesh.index_all(&self.map);
-        }
+        self.refresh(touched, &edges, &journal)?;
         Ok(obstacle)
     }
 
-    /// Reads the faces anew, and what is closed among them.
-    fn refresh(&mut self, touched: &BTreeSet<FaceId>, edges: &[EdgeId]) -> Result<(), ObstacleError> {
-        let is_face = |f: &FaceId| *f != self.map.outer_face() && !self.map.is_hole(*f);
-        let faces: Vec<FaceId> = touched.iter().copied().filter(is_face).collect();
-        let of_faces = faces.iter().flat_map(|&f| self.map.incident_edges(f));
-        let edges: BTreeSet<EdgeId> = of_faces.chain(edges.iter().copied()).collect();
-        let walls: Vec<(EdgeId, bool)> = edges.into_iter().map(|e| (e, self.book.borders.contains_key(&e))).collect();
-        let blocked: Vec<bool> = faces.iter().map(|f| self.book.covers.contains_key(f)).collect();
-        self.mesh.read_again(&self.map, &faces, &blocked, &walls)?;
-        Ok(())
-    }
-}
-
-/// The elements that an obstacle closes.
-fn with<K: Copy + Ord>(owners: &BTreeMap<K, BTreeSet<ObstacleId>>, obstacle: ObstacleId) -> Vec<K> {
-    owners.iter().filter(|(_, owners)| owners.contains(&obstacle)).map(|(&key, _)| key).collect()
-}
-
-fn drop_owner<K: Copy + Ord>(owners: &mut BTreeMap<K, BTreeSet<ObstacleId>>, key: K, obstacle: ObstacleId) {
-    if let Some(set) = owners.get_mut(&key) {
-        set.remove(&obstacle);
-        if set.is_empty() {
-            owners.remove(&key);
-        }
-    }
-}
-
-impl Book {
-    /// What was split hands its owners on to both parts.
-    fn follow(&mut self, journal: &Journal) {
-        let mut last_edge = None;
+    /// Reads anew what an edit has touched: these faces, those beside the edges, and all that the journal speaks of.
+    fn refresh(
+        &mut self,
+        mut faces: BTreeSet<FaceId>,
+        edges: &[EdgeId],
+        journal: &Journal,
+    ) -> Result<(), ObstacleError> {
+        let map = &self.map;
+        let mut edges: BTreeSet<EdgeId> = edges.iter().copied().collect();
+        let mut gaps_changed = false;
         for change in journal.changes() {
             match *change {
-                Change::Added { element: crate::Element::Edge(e), .. } => last_edge = Some(e),
-                // The twin of the half-edge that is split starts at the new vertex from now on.
-                Change::Write { slot: Slot::Origin(h), old: Some(_), new: Some(_) } => {
-                    if let (Some(e), Some(owners)) = (last_edge, self.borders.get(&h.edge()).cloned()) {
-                        self.borders.insert(e, owners);
-                    }
+                Change::Write { slot: Slot::Origin(h) | Slot::Next(h) | Slot::Prev(h) | Slot::Face(h), .. } => {
+                    let beside = [h, h.twin()].into_iter().filter(|&h| map.has_half_edge(h));
+                    faces.extend(beside.map(|h| map.face(h)));
                 }
-                Change::Write {
-                    slot: Slot::Face(_),
-                    old: Some(crate::Element::Face(old)),
-                    new: Some(crate::Element::Face(new)),
-                } => {
-                    if let Some(owners) = self.covers.get(&old).cloned() {
-                        self.covers.insert(new, owners);
-                    }
+                Change::Added { element: Element::Face(f), .. } => gaps_changed |= map.is_hole(f),
+                Change::Removed { element: Element::Face(f) } => {
+                    gaps_changed |= !self.mesh.has_face(f);
+                    faces.insert(f);
+                }
+                Change::Removed { element: Element::Edge(e) } => {
+                    edges.insert(e);
                 }
                 _ => {}
             }
         }
+        faces.retain(|&f| f != map.outer_face() && !map.is_hole(f));
+        let here = faces.iter().filter(|&&f| map.has_face(f));
+        edges.extend(here.flat_map(|&f| map.incident_edges(f)));
+        let walls: Vec<(EdgeId, bool)> = edges.into_iter().map(|e| (e, self.book.is_border(e))).collect();
+        let faces: Vec<(FaceId, bool)> = faces.into_iter().map(|f| (f, self.book.is_covered(f))).collect();
+        self.mesh.read_again(map, &faces, &walls)?;
+        if gaps_changed {
+            self.mesh.index_all(map);
+        }
+        Ok(())
     }
-}
-
-/// The faces beside every half-edge that the changes speak of.
-fn touched_faces(map: &Subdivision, journal: &Journal) -> BTreeSet<FaceId> {
-    let half_edge = |change: &Change| match *change {
-        Change::Write { slot: Slot::Origin(h) | Slot::Next(h) | Slot::Prev(h) | Slot::Face(h), .. } => Some(h),
-        _ => None,
-    };
-    let changed = journal.changes().iter().filter_map(half_edge).filter(|&h| map.has_half_edge(h));
-    changed.flat_map(|h| [map.face(h), map.face(h.twin())]).collect()
 }

@@ -169,8 +169,8 @@ impl Cells {
     }
 
     /// The cell of a point, to ask for points of one cell together; points outside come last.
-    pub(crate) fn cell_of(&self, p: Point) -> u32 {
-        self.frame.place_of(p).map_or(u32::MAX, |place| self.frame.number(place) as u32)
+    pub(crate) fn cell_of(&self, p: Point) -> usize {
+        self.frame.place_of(p).map_or(self.frame.count(), |place| self.frame.number(place))
     }
 
     /// The number of cells.

@@ -10,6 +10,7 @@
 
 use super::{Cells, Lines, Location};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::plane::group::grouped;
 use crate::plane::{Point, Subdivision};
 use std::borrow::Borrow;
 
@@ -85,15 +86,20 @@ impl<S: Borrow<Subdivision>> PointIndex<S> {
     /// Where each of the points lies, in their order. They are asked cell by cell, so that neighbours find the
     /// structure in the cache.
     ///
-    /// Cost: O(k log k) for the order of k points, and the queries.
+    /// Cost: O(k) for the order of k points, O(k log k) for few of them, and the queries.
     #[must_use]
     pub fn locate_all(&self, points: &[Point]) -> Vec<Location> {
         let s: &Subdivision = self.subdivision.borrow();
-        let mut order: Vec<(u32, u32)> =
-            points.iter().enumerate().map(|(i, &p)| (self.cells.cell_of(p), i as u32)).collect();
-        order.sort_unstable();
+        let cell = |i: usize| self.cells.cell_of(points[i]);
+        let order = if points.len() < self.cells.count() / 8 {
+            let mut few: Vec<u32> = (0..points.len() as u32).collect();
+            few.sort_by_cached_key(|&i| cell(i as usize));
+            few
+        } else {
+            grouped(self.cells.count() + 1, points.len(), cell).1
+        };
         let mut answers = vec![Location::Face(s.outer_face()); points.len()];
-        for (_, i) in order {
+        for i in order {
             answers[i as usize] = self.cells.locate(s, points[i as usize]);
         }
         answers

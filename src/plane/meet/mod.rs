@@ -19,9 +19,10 @@ mod expansion;
 mod interval;
 
 use super::Point;
+use super::group::grouped;
 use super::predicates::{left_to_right, orientation};
 use super::status::{Place, Status};
-use super::sweep::{by_left_end, rightwards};
+use super::sweep::rightwards;
 use crossing::Crossing;
 pub(crate) use expansion::Expansion;
 use std::cmp::{Ordering, Reverse};
@@ -111,7 +112,7 @@ pub(super) fn all_meetings(
     mut visit: impl FnMut(&Stop<'_>) -> ControlFlow<()>,
 ) -> ControlFlow<()> {
     let edges = rightwards(points, edges);
-    let (firsts, starts) = by_left_end(points.len(), &edges);
+    let (firsts, starts) = grouped(points.len(), edges.len(), |e| edges[e][0] as usize);
     let mut sweep = Sweep { points, edges: &edges, status: Status::default(), heap: BinaryHeap::new(), reach };
     let mut vertices = by_place.iter().copied().peekable();
     loop {

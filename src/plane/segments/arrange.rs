@@ -4,11 +4,12 @@ use super::error::{SegmentFault, SegmentsError};
 use super::faults::all_faults;
 use super::graph::{Distinct, Graph, Single};
 use super::split::{Split, split};
-use super::trace::trace;
+use super::trace::{Stars, trace};
 use super::{ArrangeOptions, Arranged};
 use crate::ids::{HalfEdgeId, VertexId};
 use crate::plane::Point;
 use crate::plane::sweep::{Swept, sweep_in_order};
+use crate::topology::TooMany;
 
 /// Segments whose points are distinct.
 pub(super) struct Input {
@@ -76,7 +77,7 @@ fn without_length(count: usize, is_point: impl Fn(usize) -> bool, at: impl Fn(us
 
 pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arranged, SegmentsError> {
     let mut repeated = Vec::new();
-    let Single { edges, half } = Single::new(&input.long, |second, first| {
+    let Single { edges, half } = Single::new(input.distinct.points.len(), &input.long, |second, first| {
         repeated.push((input.name(second as usize), input.name(first as usize)));
     });
     if !(options.merge || options.split) {
@@ -86,16 +87,15 @@ pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arra
     let points = std::mem::take(&mut input.distinct.points);
     let mut graph = Graph { points, edges, by_place: std::mem::take(&mut input.distinct.by_place) };
     let given = graph.points.len();
-    let look = |graph: &Graph| sweep_in_order(&graph.points, &graph.edges, &graph.by_place, true);
-    let mut swept = look(&graph);
+    let (mut stars, mut swept) = look(&graph)?;
     let mut pieces = Split::none(graph.edges.len());
     if swept.meeting.is_some() && options.split {
         pieces = split(&mut graph)?;
-        swept = look(&graph);
+        (stars, swept) = look(&graph)?;
     }
     refuse(&input, &half, &graph, &swept, options.most_faults.max(1))?;
 
-    let subdivision = trace(graph, &swept.below)?;
+    let subdivision = trace(graph, stars, &swept.below)?;
     let (chain_starts, chains) = chains(&input, &half, &pieces);
     let vertices = if input.points_given { input.distinct.number } else { Vec::new() };
     Ok(Arranged {
@@ -109,6 +109,13 @@ pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arra
         chains,
         subdivision,
     })
+}
+
+/// Sweeps over the graph: the first meeting, what lies below each vertex, and, if nothing meets, all stars.
+fn look(graph: &Graph) -> Result<(Stars, Swept), TooMany> {
+    let mut stars = Stars::new(graph)?;
+    let swept = sweep_in_order(&graph.points, &graph.edges, &graph.by_place, true, |star| stars.link(star));
+    Ok((stars, swept))
 }
 
 /// Fails if anything was found that the options do not allow, with not more than `limit` faults.

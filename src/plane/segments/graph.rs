@@ -5,11 +5,13 @@
 //!   vertices  v0          v1          v1          v0                 is joined, however close
 //! ```
 //!
-//! Equal points are found by sorting; the same order serves the sweep.
+//! Equal points are found in cells of a grid (`places.rs`); their order from left to right serves the sweep.
 
 use super::error::SegmentFault;
+use super::places::{FEW, first_at_each_place};
 use crate::plane::Point;
-use crate::plane::predicates::{left_to_right, sort_key};
+use crate::plane::group::grouped;
+use crate::plane::predicates::left_to_right;
 
 /// A straight-line graph: distinct points, and edges by the numbers of their ends.
 #[derive(Clone, Debug, Default)]
@@ -31,19 +33,9 @@ pub(super) struct Distinct {
 }
 
 impl Distinct {
-    /// Finds equal points. O(n log n).
+    /// Finds equal points. O(n) to find them and O(n log n) to order them; less where they are spread evenly.
     pub(super) fn new(given: &[Point]) -> Self {
-        let mut order: Vec<(u64, u64, u32)> =
-            given.iter().enumerate().map(|(i, p)| (sort_key(p.x), sort_key(p.y), i as u32)).collect();
-        order.sort_unstable();
-        // The first point of each place stands for all of them.
-        let mut number = vec![0; given.len()];
-        let mut by_place = Vec::new();
-        for same in order.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
-            let first = same[0].2;
-            same.iter().for_each(|&(_, _, i)| number[i as usize] = first);
-            by_place.push(first);
-        }
+        let (mut number, by_place) = first_at_each_place(given);
         let mut points = Vec::with_capacity(by_place.len());
         for i in 0..given.len() {
             let first = number[i] as usize;
@@ -54,7 +46,7 @@ impl Distinct {
                 number[i] = number[first];
             }
         }
-        by_place.iter_mut().for_each(|p| *p = number[*p as usize]);
+        let by_place = by_place.into_iter().map(|first| number[first as usize]).collect();
         Self { points, by_place, number }
     }
 }
@@ -68,14 +60,26 @@ pub(super) struct Single {
 }
 
 impl Single {
-    /// Finds repeated edges; `repeated` hears of each with the earlier one. O(n log n).
-    pub(super) fn new(given: &[[u32; 2]], mut repeated: impl FnMut(u32, u32)) -> Self {
-        let mut order: Vec<(u32, u32, u32)> =
-            given.iter().enumerate().map(|(e, &[a, b])| (a.min(b), a.max(b), e as u32)).collect();
-        order.sort_unstable();
-        let mut first_of = vec![0; given.len()];
-        for same in order.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
-            same.iter().for_each(|&(_, _, e)| first_of[e as usize] = same[0].2);
+    /// Finds repeated edges; `repeated` hears of each with the earlier one. `vertices` is more than the greatest number
+    /// of an end. O(n), and O(k log k) for a vertex with k edges.
+    pub(super) fn new(vertices: usize, given: &[[u32; 2]], mut repeated: impl FnMut(u32, u32)) -> Self {
+        let (starts, mut list) = grouped(vertices, given.len(), |e| given[e][0].min(given[e][1]) as usize);
+        let high = |e: u32| given[e as usize][0].max(given[e as usize][1]);
+        let mut first_of: Vec<u32> = (0..given.len() as u32).collect();
+        for ends in starts.windows(2) {
+            let here = &mut list[ends[0] as usize..ends[1] as usize];
+            if here.len() > FEW {
+                here.sort_unstable_by_key(|&e| (high(e), e));
+                for same in here.chunk_by(|&e, &g| high(e) == high(g)) {
+                    same.iter().for_each(|&e| first_of[e as usize] = same[0]);
+                }
+                continue;
+            }
+            for (i, &e) in here.iter().enumerate() {
+                if let Some(&first) = here[..i].iter().find(|&&g| high(g) == high(e)) {
+                    first_of[e as usize] = first;
+                }
+            }
         }
         let mut edges = Vec::with_capacity(given.len());
         let mut half = vec![0; given.len()];
@@ -145,4 +149,38 @@ pub(super) fn same_places(given: &[Point], number: &[u32], limit: usize) -> Vec<
         }
     }
     faults
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn repeated_edges_are_those_of_all_pairs_also_at_a_vertex_of_many() {
+        let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+        let mut next = |below: u64| {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            ((state >> 20) % below) as u32
+        };
+        for vertices in [2, 5, 30] {
+            // Every second edge is one of vertex 0.
+            let ends = (0..60_u64).map(|i| (if i % 2 == 0 { 0 } else { next(vertices) }, next(vertices)));
+            let given: Vec<[u32; 2]> = ends.filter(|(a, b)| a != b).map(|(a, b)| [a, b]).collect();
+            let mut heard = Vec::new();
+            let Single { edges, half } =
+                Single::new(vertices as usize, &given, |second, first| heard.push((second, first)));
+            let same = |e: usize, g: usize| given[e] == given[g] || given[e] == [given[g][1], given[g][0]];
+            let first = |e: usize| (0..e).find(|&g| same(e, g));
+            let expected: Vec<(u32, u32)> =
+                (0..given.len()).filter_map(|e| first(e).map(|g| (e as u32, g as u32))).collect();
+            assert_eq!(heard, expected);
+            assert_eq!(edges.len(), given.len() - expected.len());
+            for (e, ends) in given.iter().enumerate() {
+                let [a, b] = edges[(half[e] >> 1) as usize];
+                assert_eq!(if half[e] & 1 == 0 { [a, b] } else { [b, a] }, *ends, "edge {e}");
+            }
+        }
+    }
 }

@@ -14,6 +14,7 @@ mod error;
 mod faults;
 mod graph;
 mod holes;
+mod places;
 mod residues;
 mod split;
 mod trace;

@@ -74,7 +74,7 @@ pub(super) fn split(graph: &mut Graph) -> Result<Split, SegmentsError> {
         }
         let place = |p: u32| if p < old { p } else { numbers[(p - old) as usize] };
         let (starts, pieces) = cut(graph, &cuts, place);
-        let Single { edges, half } = Single::new(&pieces, |_, _| {});
+        let Single { edges, half } = Single::new(graph.points.len(), &pieces, |_, _| {});
         graph.edges = edges;
         split.follow(&starts, &half);
     }

@@ -1,7 +1,7 @@
 //! From a plane graph to a subdivision: stars, links, cycles, rings.
 //!
 //! ```text
-//!        h4 ╲   ╱ h2        1. round each vertex the half-edges in counter-clockwise order, h0 h2 h4
+//!        h4 ╲   ╱ h2        1. the sweep gives the half-edges round each vertex in their order, h0 h2 h4
 //!            ╲ ╱            2. each corner is a link: next(twin(h2)) = h0, next(twin(h4)) = h2, ...
 //!             ●── h0        3. the links close to cycles; a cycle whose corner at its leftmost vertex looks
 //!                              to the left runs round something: a ring. All others bound a face.
@@ -13,28 +13,75 @@
 
 use super::graph::Graph;
 use crate::ids::{EdgeId, HalfEdgeId, MAX_IDS, VertexId};
-use crate::plane::convert::by_direction;
+use crate::plane::Subdivision;
 use crate::plane::rings::Loose;
-use crate::plane::sweep::NOTHING;
-use crate::plane::{Point, Subdivision};
+use crate::plane::sweep::{NOTHING, Star};
 use crate::topology::{Columns, Dcel, Ring, TooMany};
 
 const NONE: u32 = Columns::NONE;
 
-/// The subdivision that the edges of a graph cut the plane into. The graph must have no meetings; `below` is what
-/// the sweep found below each vertex.
+/// The half-edges of a graph with their origins; the links come star by star.
+pub(super) struct Stars {
+    columns: Columns,
+}
+
+impl Stars {
+    /// No link yet.
+    ///
+    /// # Errors
+    /// [`TooMany`] if the vertices or half-edges have no ids.
+    pub(super) fn new(graph: &Graph) -> Result<Self, TooMany> {
+        let Graph { points, edges, .. } = graph;
+        if points.len() > MAX_IDS || 2 * edges.len() > MAX_IDS {
+            return Err(TooMany);
+        }
+        let origin: Vec<u32> = edges.as_flattened().to_vec();
+        let columns = Columns {
+            next: vec![NONE; origin.len()],
+            prev: vec![NONE; origin.len()],
+            face: vec![NONE; origin.len()],
+            outgoing: vec![NONE; points.len()],
+            boundary: vec![NONE],
+            origin,
+        };
+        Ok(Self { columns })
+    }
+
+    /// Links a star. Counter-clockwise from straight down it begins with the half-edges to the right, upwards; then
+    /// come those to the left, downwards.
+    #[inline]
+    pub(super) fn link(&mut self, star: Star<'_>) {
+        let mut last = None;
+        for &h in star.right.iter().chain(star.left.iter().rev()) {
+            match last.replace(h) {
+                None => self.columns.outgoing[star.point as usize] = h,
+                Some(before) => self.meet(before, h),
+            }
+        }
+        if let Some(last) = last {
+            self.meet(last, self.columns.outgoing[star.point as usize]);
+        }
+    }
+
+    /// Of two half-edges of a star the second follows the first, counter-clockwise.
+    #[inline]
+    fn meet(&mut self, g: u32, h: u32) {
+        self.columns.next[(h ^ 1) as usize] = g;
+        self.columns.prev[g as usize] = h ^ 1;
+    }
+}
+
+/// The subdivision that the edges of a graph cut the plane into. The graph must have no meetings; `stars` has the
+/// stars of all its vertices; `below` is what the sweep found below each vertex.
 ///
 /// Vertex i of the graph is v(i), edge i is e(i), its even half runs as given. `outgoing(v)` is the first half-edge
 /// counter-clockwise from straight down. Bounded faces are numbered from 1 in the order of their smallest
 /// half-edge, which is their `boundary`.
 ///
 /// Cost: O(n log n).
-pub(super) fn trace(graph: Graph, below: &[u32]) -> Result<Subdivision, TooMany> {
-    let Graph { points, edges, by_place } = graph;
-    if points.len() > MAX_IDS || 2 * edges.len() > MAX_IDS {
-        return Err(TooMany);
-    }
-    let mut columns = links(&points, &edges);
+pub(super) fn trace(graph: Graph, stars: Stars, below: &[u32]) -> Result<Subdivision, TooMany> {
+    let Graph { points, by_place, .. } = graph;
+    let mut columns = stars.columns;
     let loose = cycles(&mut columns, &by_place)?;
     let mut subdivision = Subdivision::from_parts(Dcel::from_columns(columns), points.into());
     let edge_below = |v: VertexId| match below[v.index()] {
@@ -44,41 +91,6 @@ pub(super) fn trace(graph: Graph, below: &[u32]) -> Result<Subdivision, TooMany>
     let fits = |_: &Subdivision, _, _, _| Ok::<(), std::convert::Infallible>(());
     let Ok(()) = subdivision.hang_rings(loose, edge_below, fits);
     Ok(subdivision)
-}
-
-/// Origins, links and `outgoing`.
-fn links(points: &[Point], edges: &[[u32; 2]]) -> Columns {
-    let origin: Vec<u32> = edges.as_flattened().to_vec();
-    let mut firsts = vec![0_u32; points.len() + 1];
-    origin.iter().for_each(|&v| firsts[v as usize + 1] += 1);
-    (0..points.len()).for_each(|v| firsts[v + 1] += firsts[v]);
-    let mut stars = vec![0_u32; origin.len()];
-    let mut free = firsts.clone();
-    for (h, &v) in origin.iter().enumerate() {
-        stars[free[v as usize] as usize] = h as u32;
-        free[v as usize] += 1;
-    }
-    let mut columns = Columns {
-        next: vec![NONE; origin.len()],
-        prev: vec![NONE; origin.len()],
-        face: vec![NONE; origin.len()],
-        outgoing: vec![NONE; points.len()],
-        boundary: vec![NONE],
-        origin,
-    };
-    let to = |h: u32| points[columns.origin[(h ^ 1) as usize] as usize];
-    for (v, ends) in firsts.windows(2).enumerate() {
-        let star = &mut stars[ends[0] as usize..ends[1] as usize];
-        star.sort_unstable_by(|&g, &h| by_direction(points[v], to(g), to(h)));
-        let Some(&first) = star.first() else { continue };
-        columns.outgoing[v] = first;
-        for (i, &h) in star.iter().enumerate() {
-            let after = star.get(i + 1).copied().unwrap_or(first);
-            columns.next[(after ^ 1) as usize] = h;
-            columns.prev[h as usize] = after ^ 1;
-        }
-    }
-    columns
 }
 
 /// Gives every half-edge its face, rings for the time being `f0`. Returns the rings and the isolated vertices.

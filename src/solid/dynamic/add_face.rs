@@ -13,6 +13,7 @@
 
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::solid::Polyhedron;
+use crate::solid::surface_journal::SurfaceRecorder;
 use crate::topology::{IdError, NoRecorder, TooMany};
 
 /// Why a face cannot be added.
@@ -134,8 +135,17 @@ impl Polyhedron {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn add_face(&mut self, corners: &[VertexId]) -> Result<FaceId, AddFaceError> {
+        self.add_face_with(corners, &mut NoRecorder)
+    }
+
+    /// [`add_face`](Self::add_face), watched by a recorder.
+    pub fn add_face_with(
+        &mut self,
+        corners: &[VertexId],
+        rec: &mut impl SurfaceRecorder,
+    ) -> Result<FaceId, AddFaceError> {
         let plan = self.plan_face(corners)?;
-        Ok(self.add_planned_face(corners, &plan))
+        Ok(self.add_planned_face(corners, &plan, rec))
     }
 
     /// Whether [`add_face`](Self::add_face) would succeed, and if not, why. Changes nothing.
@@ -207,8 +217,7 @@ impl Polyhedron {
         }
     }
 
-    fn add_planned_face(&mut self, vertices: &[VertexId], plan: &Plan) -> FaceId {
-        let rec = &mut NoRecorder;
+    fn add_planned_face(&mut self, vertices: &[VertexId], plan: &Plan, rec: &mut impl SurfaceRecorder) -> FaceId {
         let n = vertices.len();
         let face = self.dcel.add_face_record(rec);
         let mut touched = Vec::with_capacity(n);
@@ -224,25 +233,32 @@ impl Polyhedron {
         }
         let mut starts = Vec::with_capacity(2 * n);
         for (i, &corner) in plan.corners.iter().enumerate() {
-            self.link_corner(sides[(i + n - 1) % n], sides[i], corner, &mut starts);
+            self.link_corner(sides[(i + n - 1) % n], sides[i], corner, &mut starts, rec);
         }
         for &h in &sides {
             self.dcel.set_face(h, face, rec);
         }
         self.dcel.set_boundary(face, Some(sides[0]), rec);
-        self.renew_borders(starts, touched);
+        self.renew_borders(starts, touched, rec);
         for (i, &v) in vertices.iter().enumerate() {
-            self.point_to_gap(v, sides[(i + n - 1) % n], sides[i], plan.corners[i]);
+            self.point_to_gap(v, sides[(i + n - 1) % n], sides[i], plan.corners[i], rec);
         }
         face
     }
 
     /// Makes `out` follow `into`, and closes the border round them. Only pointers at this vertex are read and
     /// written, so the corners of a face do not disturb each other.
-    fn link_corner(&mut self, into: HalfEdgeId, out: HalfEdgeId, corner: Corner, starts: &mut Vec<HalfEdgeId>) {
+    fn link_corner(
+        &mut self,
+        into: HalfEdgeId,
+        out: HalfEdgeId,
+        corner: Corner,
+        starts: &mut Vec<HalfEdgeId>,
+        rec: &mut impl SurfaceRecorder,
+    ) {
         let dcel = &mut self.dcel;
         let mut link = |before: HalfEdgeId, after: HalfEdgeId, rest: &mut crate::topology::Dcel| {
-            rest.set_next(before, after, &mut NoRecorder);
+            rest.set_next(before, after, rec);
             starts.push(after);
         };
         match corner {
@@ -260,11 +276,18 @@ impl Polyhedron {
             }
             Corner::Alone => link(out.twin(), into.twin(), dcel),
         }
-        dcel.set_next(into, out, &mut NoRecorder);
+        dcel.set_next(into, out, rec);
     }
 
     /// Lets `outgoing(v)` be a border half-edge if there is one, so that the next face finds a gap at once.
-    fn point_to_gap(&mut self, v: VertexId, into: HalfEdgeId, out: HalfEdgeId, corner: Corner) {
+    fn point_to_gap(
+        &mut self,
+        v: VertexId,
+        into: HalfEdgeId,
+        out: HalfEdgeId,
+        corner: Corner,
+        rec: &mut impl SurfaceRecorder,
+    ) {
         let gap = match corner {
             Corner::Closes if self.dcel.outgoing(v) == Some(out) => self.gap_at(v).or(Some(out)),
             Corner::Closes => return,
@@ -272,7 +295,7 @@ impl Polyhedron {
             Corner::After => Some(self.dcel.next(out.twin())),
             Corner::Before | Corner::Opens(_) | Corner::Alone => Some(into.twin()),
         };
-        self.dcel.set_outgoing(v, gap, &mut NoRecorder);
+        self.dcel.set_outgoing(v, gap, rec);
     }
 }
 

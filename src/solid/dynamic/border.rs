@@ -11,7 +11,7 @@
 
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::solid::Polyhedron;
-use crate::topology::NoRecorder;
+use crate::solid::surface_journal::{SurfaceChange, SurfaceRecorder};
 use std::collections::BTreeSet;
 
 impl Polyhedron {
@@ -31,7 +31,12 @@ impl Polyhedron {
     /// cycle are removed.
     ///
     /// Cost: O(k log k) for k starts, and k times the second longest arc.
-    pub(super) fn renew_borders(&mut self, mut starts: Vec<HalfEdgeId>, mut touched: Vec<FaceId>) {
+    pub(super) fn renew_borders(
+        &mut self,
+        mut starts: Vec<HalfEdgeId>,
+        mut touched: Vec<FaceId>,
+        rec: &mut impl SurfaceRecorder,
+    ) {
         starts.sort_unstable();
         starts.dedup();
         let label = |this: &Self, h| Some(this.dcel.face(h)).filter(|f| this.boundary_faces.contains(f));
@@ -55,16 +60,17 @@ impl Polyhedron {
             }
             let old = cycle.iter().filter_map(|&arc| labels[arc]).find(|f| !taken.contains(f));
             let face = old.unwrap_or_else(|| {
-                let new = self.dcel.add_face_record(&mut NoRecorder);
+                let new = self.dcel.add_face_record(rec);
                 self.boundary_faces.insert(new);
+                rec.surface(SurfaceChange::Border { face: new, is_border: true });
                 new
             });
             taken.insert(face);
-            self.dcel.set_boundary(face, Some(starts[first]), &mut NoRecorder);
+            self.dcel.set_boundary(face, Some(starts[first]), rec);
             for &arc in cycle.iter().filter(|&&arc| labels[arc] != Some(face)) {
                 let (mut h, end) = (starts[arc], starts[follow[arc]]);
                 loop {
-                    self.dcel.set_face(h, face, &mut NoRecorder);
+                    self.dcel.set_face(h, face, rec);
                     h = self.dcel.next(h);
                     if h == end {
                         break;
@@ -74,7 +80,8 @@ impl Polyhedron {
         }
         for gone in touched.into_iter().filter(|f| !taken.contains(f)) {
             self.boundary_faces.remove(&gone);
-            self.dcel.remove_face_record(gone, &mut NoRecorder);
+            self.dcel.remove_face_record(gone, rec);
+            rec.surface(SurfaceChange::Border { face: gone, is_border: false });
         }
     }
 

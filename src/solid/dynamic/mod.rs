@@ -22,14 +22,19 @@
 //! between them moves into the first other gap counter-clockwise. The boundary faces are the border cycles this
 //! gives. Once each vertex has one fan, the order has left no trace but the numbers.
 //!
+//! **Watched.** Each edit has a form `..._with` that takes a recorder, as those of the kernel:
+//! [`SurfaceJournal`](super::SurfaceJournal) can take everything back. Without one it costs nothing.
+//!
 //! **Boundary faces keep their numbers** as long as their cycle stays one cycle. When an edit cuts or joins border
 //! cycles, the longest stretch keeps its face; so an edit costs no more than the second longest stretch.
 
 mod add_face;
 mod border;
+mod collapse_edge;
 mod remove_face;
 mod vertex;
 
 pub use add_face::AddFaceError;
+pub use collapse_edge::CollapseError;
 pub use remove_face::RemoveFaceError;
 pub use vertex::{AddVertexError, RemoveVertexError};

@@ -10,6 +10,7 @@
 
 use crate::ids::{FaceId, HalfEdgeId};
 use crate::solid::Polyhedron;
+use crate::solid::surface_journal::SurfaceRecorder;
 use crate::topology::{IdError, NoRecorder, TooMany};
 
 /// Why a face cannot be removed.
@@ -51,19 +52,23 @@ impl Polyhedron {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn remove_face(&mut self, f: FaceId) -> Result<(), RemoveFaceError> {
+        self.remove_face_with(f, &mut NoRecorder)
+    }
+
+    /// [`remove_face`](Self::remove_face), watched by a recorder.
+    pub fn remove_face_with(&mut self, f: FaceId, rec: &mut impl SurfaceRecorder) -> Result<(), RemoveFaceError> {
         self.dcel.check(f)?;
         if self.is_boundary_face(f) {
             return Err(RemoveFaceError::BoundaryFace { face: f });
         }
         let sides: Vec<HalfEdgeId> = self.dcel.incident_half_edges(f).collect();
         self.dcel.room_for(0, 0, sides.len())?;
-        self.remove_face_unchecked(f, &sides);
+        self.remove_face_unchecked(f, &sides, rec);
         Ok(())
     }
 
     /// The write phase: `sides` are the half-edges of `f`.
-    pub(super) fn remove_face_unchecked(&mut self, f: FaceId, sides: &[HalfEdgeId]) {
-        let rec = &mut NoRecorder;
+    pub(super) fn remove_face_unchecked(&mut self, f: FaceId, sides: &[HalfEdgeId], rec: &mut impl SurfaceRecorder) {
         let mut starts = Vec::with_capacity(2 * sides.len());
         let mut touched = Vec::with_capacity(sides.len());
         for &h in sides {
@@ -74,21 +79,20 @@ impl Polyhedron {
             let behind = self.dcel.face(h.twin());
             if behind == f || self.boundary_faces.contains(&behind) {
                 touched.extend(Some(behind).filter(|&behind| behind != f));
-                self.splice_out(h, &mut starts);
+                self.splice_out(h, &mut starts, rec);
             } else {
                 starts.push(h);
                 self.dcel.set_outgoing(self.dcel.origin(h), Some(h), rec);
             }
         }
         starts.retain(|&h| self.dcel.has_half_edge(h));
-        self.renew_borders(starts, touched);
+        self.renew_borders(starts, touched, rec);
         self.dcel.remove_face_record(f, rec);
     }
 
     /// Takes an edge out that has no face any more on either side. What follows it on the border is added to
     /// `starts`. O(1).
-    pub(super) fn splice_out(&mut self, h: HalfEdgeId, starts: &mut Vec<HalfEdgeId>) {
-        let rec = &mut NoRecorder;
+    pub(super) fn splice_out(&mut self, h: HalfEdgeId, starts: &mut Vec<HalfEdgeId>, rec: &mut impl SurfaceRecorder) {
         for half in [h, h.twin()] {
             let v = self.dcel.origin(half);
             let (before, after) = (self.dcel.prev(half), self.dcel.next(half.twin()));

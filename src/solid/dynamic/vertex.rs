@@ -11,6 +11,7 @@
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::{CoordinateError, check_coordinate};
 use crate::solid::Polyhedron;
+use crate::solid::surface_journal::{SurfaceChange, SurfaceRecorder};
 use crate::topology::{IdError, NoRecorder, TooMany};
 use std::collections::BTreeSet;
 
@@ -44,12 +45,23 @@ impl Polyhedron {
     /// # Errors
     /// [`AddVertexError`]; then nothing has changed.
     pub fn add_vertex(&mut self, point: [f64; 3]) -> Result<VertexId, AddVertexError> {
+        self.add_vertex_with(point, &mut NoRecorder)
+    }
+
+    /// [`add_vertex`](Self::add_vertex), watched by a recorder.
+    pub fn add_vertex_with(
+        &mut self,
+        point: [f64; 3],
+        rec: &mut impl SurfaceRecorder,
+    ) -> Result<VertexId, AddVertexError> {
         for (axis, value) in ['x', 'y', 'z'].into_iter().zip(point) {
             check_coordinate(axis, value)?;
         }
         self.dcel.room_for(1, 0, 0)?;
-        let v = self.dcel.add_vertex_record(&mut NoRecorder);
+        let v = self.dcel.add_vertex_record(rec);
+        let old = self.points.get(v).copied();
         self.points.set(v, point, [0.0; 3]);
+        rec.surface(SurfaceChange::Placed { vertex: v, old, new: point });
         Ok(v)
     }
 
@@ -60,6 +72,15 @@ impl Polyhedron {
     /// # Errors
     /// [`RemoveVertexError`]; a refused call leaves everything bit for bit as it was.
     pub fn remove_vertex(&mut self, v: VertexId) -> Result<Vec<FaceId>, RemoveVertexError> {
+        self.remove_vertex_with(v, &mut NoRecorder)
+    }
+
+    /// [`remove_vertex`](Self::remove_vertex), watched by a recorder.
+    pub fn remove_vertex_with(
+        &mut self,
+        v: VertexId,
+        rec: &mut impl SurfaceRecorder,
+    ) -> Result<Vec<FaceId>, RemoveVertexError> {
         self.dcel.check(v)?;
         // A face that passes the vertex twice is met twice.
         let mut met = BTreeSet::new();
@@ -69,17 +90,17 @@ impl Polyhedron {
         self.dcel.room_for(0, 0, corners)?;
         for &f in &faces {
             let sides: Vec<HalfEdgeId> = self.dcel.incident_half_edges(f).collect();
-            self.remove_face_unchecked(f, &sides);
+            self.remove_face_unchecked(f, &sides, rec);
         }
         // Edges with a border on both sides belong to no face.
         while let Some(h) = self.dcel.outgoing(v) {
             let touched = h.edge().half_edges().map(|h| self.dcel.face(h)).to_vec();
             let mut starts = Vec::new();
-            self.splice_out(h, &mut starts);
+            self.splice_out(h, &mut starts, rec);
             starts.retain(|&h| self.dcel.has_half_edge(h));
-            self.renew_borders(starts, touched);
+            self.renew_borders(starts, touched, rec);
         }
-        self.dcel.remove_vertex_record(v, &mut NoRecorder);
+        self.dcel.remove_vertex_record(v, rec);
         Ok(faces)
     }
 }

@@ -28,6 +28,7 @@ use crate::ids::{MAX_IDS, VertexMap};
 use crate::plane::{CoordinateError, check_coordinate};
 use crate::topology::TooMany;
 use facets::Facets;
+pub(super) use order::places;
 use triangles::Triangles;
 
 /// Why points have no convex hull that is a solid. Points are numbered from 0 in the order given.

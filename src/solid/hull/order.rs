@@ -34,7 +34,7 @@ fn random(seed: &mut u64) -> u64 {
 }
 
 /// The place of a point along a curve through 1024³ cells (Morton, 1966).
-fn places(points: &[[f64; 3]]) -> impl Fn([f64; 3]) -> u32 + use<> {
+pub(in crate::solid) fn places(points: &[[f64; 3]]) -> impl Fn([f64; 3]) -> u32 + use<> {
     let mut low = [f64::INFINITY; 3];
     let mut high = [f64::NEG_INFINITY; 3];
     for p in points {

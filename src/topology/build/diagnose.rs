@@ -21,8 +21,8 @@ struct Use {
 ///
 /// That is the first face with a half-edge that an earlier face has already, or with an edge that has two
 /// faces already; the report is about its first such corner. If an earlier face at that edge has the same
-/// corners in the same cyclic order, it is a repetition; else, if the edge has three faces, counting those that
-/// come later, the first three are named; else two faces run in the same direction.
+/// corners in the same cyclic order, it is a repetition; else, if the edge has three faces or more, all of them
+/// are named, those that come later, too; else two faces run in the same direction.
 ///
 /// Cost: O(n log n) for n corners. The caller knows that there is a clash.
 pub(super) fn clash<F: Faces + ?Sized>(faces: &F) -> BuildError {
@@ -60,7 +60,7 @@ pub(super) fn clash<F: Faces + ?Sized>(faces: &F) -> BuildError {
             BuildError::MixedWinding { u, v, first: first.face, second: second.face }
         }
         [ref first, ref second] => BuildError::MixedWinding { u: v, v: u, first: first.face, second: second.face },
-        _ => BuildError::ThreeFaces { u, v, faces: [places[0].face, places[1].face, places[2].face] },
+        _ => BuildError::ThreeFaces { u, v, faces: places.iter().map(|place| place.face).collect() },
     }
 }
 

@@ -50,17 +50,17 @@ pub enum BuildError {
     },
     /// Three or more faces use the same edge.
     #[error(
-        "the edge between vertices {u} and {v} has three faces or more, {}, {} and {}: \
-         an edge has two sides; leave one face out or give it vertices of its own",
-        faces[0], faces[1], faces[2]
+        "the edge between vertices {u} and {v} has {} faces ({}): \
+         an edge has two sides; leave faces out or give them vertices of their own",
+        faces.len(), list(faces)
     )]
     ThreeFaces {
         /// The smaller end of the edge.
         u: u32,
         /// The greater end.
         v: u32,
-        /// The first three faces that use it.
-        faces: [u32; 3],
+        /// All faces that use it, in increasing order; a face that runs along it twice stands here twice.
+        faces: Vec<u32>,
     },
     /// Two faces, and no third, run along an edge in the same direction, so one of them is wound the wrong
     /// way round. A one-sided surface always ends here, whichever faces are turned.
@@ -96,8 +96,12 @@ pub enum BuildError {
     TooMany(#[from] TooMany),
 }
 
+/// All of them, unless they would fill pages.
 fn list(numbers: &[u32]) -> String {
-    numbers.iter().map(u32::to_string).collect::<Vec<_>>().join(", ")
+    const SHOWN: usize = 100;
+    let shown: Vec<String> = numbers.iter().take(SHOWN).map(u32::to_string).collect();
+    let rest = if numbers.len() > SHOWN { format!(" and {} more", numbers.len() - SHOWN) } else { String::new() };
+    shown.join(", ") + &rest
 }
 
 impl BuildError {
@@ -110,8 +114,7 @@ impl BuildError {
             | Self::RepeatedVertex { face, .. }
             | Self::HoleInFace { face } => vec![*face],
             Self::SameFaceTwice { first, second } | Self::MixedWinding { first, second, .. } => vec![*first, *second],
-            Self::ThreeFaces { faces, .. } => faces.to_vec(),
-            Self::NonManifoldVertex { fans, .. } => fans.clone(),
+            Self::ThreeFaces { faces: all, .. } | Self::NonManifoldVertex { fans: all, .. } => all.clone(),
             Self::TooMany(_) => Vec::new(),
         }
     }

@@ -15,8 +15,9 @@
 //! The link condition decides whether it may be done. In words: u and w have no neighbour in common but the tips
 //! of the triangles beside `h`, and no face but the two beside `h` touches both; and the surface is more than a
 //! tetrahedron. Then no loop, no parallel edge, no two-sided face and no face that passes a vertex twice comes to be.
-//! A face with more than three sides loses one. A boundary face counts as a face, so two vertices of one border
-//! are never pinched together.
+//! A face with more than three sides loses one. A boundary face counts as a face like any other: two vertices of one
+//! border are never pinched together, but a hole of three edges closes, and two holes may come to touch. A surface
+//! that knows its borders refuses both (`Polyhedron::collapse_edge`).
 //!
 //! [`join_vertices`](Dcel::join_vertices) is the plain contraction without conditions.
 //!

@@ -1,12 +1,6 @@
 //! Films tell the truth: frame by frame they are the journal, and the last frame is the structure.
 
-#[path = "figures/cases.rs"]
-#[allow(dead_code)] // the films have structures of their own
-mod cases;
-#[path = "figures/drawn.rs"]
-#[allow(dead_code)] // more is read there than here
-mod drawn;
-
+use crate::drawn;
 use dcel_kit::figure::{Fate, FigureOptions, Film, Frame};
 use dcel_kit::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use dcel_kit::plane::{PlanarView, Subdivision};

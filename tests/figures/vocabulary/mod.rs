@@ -1,16 +1,11 @@
 //! The drawing vocabulary keeps its promises: what is cut ends on the frame, what is said stands where it can be
 //! read, one layout serves all that is drawn together, and every colour that means something can be seen.
 
-#[path = "vocabulary/read.rs"]
 mod read;
 
-#[path = "vocabulary/chart.rs"]
 mod chart;
-#[path = "vocabulary/contrast.rs"]
 mod contrast;
-#[path = "vocabulary/geometry.rs"]
 mod geometry;
-#[path = "vocabulary/words.rs"]
 mod words;
 
 use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch, SketchError};

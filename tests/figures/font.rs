@@ -4,9 +4,9 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use ttf_parser::Face;
 
-const REGULAR: &[u8] = include_bytes!("../src/figure/fonts/DejaVuSans.ttf");
-const BOLD: &[u8] = include_bytes!("../src/figure/fonts/DejaVuSans-Bold.ttf");
-const OBLIQUE: &[u8] = include_bytes!("../src/figure/fonts/DejaVuSans-BoldOblique.ttf");
+const REGULAR: &[u8] = include_bytes!("../../src/figure/fonts/DejaVuSans.ttf");
+const BOLD: &[u8] = include_bytes!("../../src/figure/fonts/DejaVuSans-Bold.ttf");
+const OBLIQUE: &[u8] = include_bytes!("../../src/figure/fonts/DejaVuSans-BoldOblique.ttf");
 
 fn faces() -> [Face<'static>; 3] {
     [REGULAR, BOLD, OBLIQUE].map(|bytes| Face::parse(bytes, 0).unwrap())
@@ -31,7 +31,7 @@ fn characters(face: &Face<'_>) -> Vec<char> {
 fn table() -> String {
     let [regular, bold, oblique] = faces();
     let characters = characters(&regular);
-    assert!(characters == crate::characters(&bold) && characters == crate::characters(&oblique));
+    assert!(characters == self::characters(&bold) && characters == self::characters(&oblique));
     let mut runs: Vec<Vec<char>> = Vec::new();
     for c in characters {
         match runs.last_mut() {
@@ -40,7 +40,7 @@ fn table() -> String {
         }
     }
     let mut out = String::from(
-        "//! Advance widths of the bundled fonts. Written by `BLESS=1 cargo test --test font`, which reads the fonts.\n\n\
+        "//! Advance widths of the bundled fonts. Written by `BLESS=1 cargo test --test figures`, which reads the fonts.\n\n\
          /// How many units the em has.\npub(super) const EM: u16 = ",
     );
     let _ = write!(
@@ -79,7 +79,7 @@ fn the_width_table_is_that_of_the_bundled_fonts() {
         std::fs::write(&path, table()).unwrap();
     }
     let written = std::fs::read_to_string(&path).unwrap();
-    assert!(written == table(), "advances.rs is not of these fonts: BLESS=1 cargo test --test font");
+    assert!(written == table(), "advances.rs is not of these fonts: BLESS=1 cargo test --test figures");
 }
 
 #[test]

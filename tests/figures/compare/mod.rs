@@ -1,14 +1,11 @@
 //! Drawings that mean the same are equal, and of others the difference is named.
 
-#![allow(clippy::unwrap_used, reason = "a test helper that fails is a failed test")]
 #![allow(clippy::float_cmp, reason = "points are found again by the numbers they were made of")]
 
-#[path = "common/mod.rs"]
-mod common;
-#[path = "compare/pen.rs"]
 mod pen;
 
-use common::Random;
+use crate::common;
+use crate::common::Random;
 use dcel_kit::figure::compare::{Comparison, Layer, Options, Problem, Side, compare, compare_tables, diff_figure};
 use dcel_kit::figure::{Detail, FigureOptions, Theme, structure};
 use dcel_kit::plane::Subdivision;
@@ -20,7 +17,7 @@ use std::time::{Duration, Instant};
 
 /// The drawing of lab 04: a ship, with no symmetry.
 fn ship() -> Subdivision {
-    let script = Script::parse(include_str!("../figures/scripts/lab-04-drawing.dcels"), "ship").unwrap();
+    let script = Script::parse(include_str!("../../../figures/scripts/lab-04-drawing.dcels"), "ship").unwrap();
     script.play(|_, _| ControlFlow::Continue(()))
 }
 
@@ -30,7 +27,7 @@ fn kit(table: &Table) -> String {
 
 /// The reference as the kit's figure with its structure, as the kit's figure of the lab, and as plain shapes.
 fn references() -> [(&'static str, String); 3] {
-    let lab = include_str!("../figures/lab-04-drawing.svg").to_owned();
+    let lab = include_str!("../../../figures/lab-04-drawing.svg").to_owned();
     [("declared", kit(&table(&ship()))), ("figure", lab), ("plain", Pen::new(&ship()).svg())]
 }
 

@@ -1,7 +1,7 @@
 //! Labels, badges and the legend.
 
-use crate::read::{Drawing, overlap};
-use crate::{alone, everything};
+use super::read::{Drawing, overlap};
+use super::{alone, everything};
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
 use dcel_kit::plane::Subdivision;

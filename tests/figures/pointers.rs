@@ -1,16 +1,11 @@
 //! Arrows of pointers: from where to where, clear of what, told apart by what.
 
-#[path = "figures/cases.rs"]
-#[allow(dead_code)] // some structures are for other figures
-mod cases;
-#[path = "figures/drawn.rs"]
-#[allow(dead_code)] // the helpers of the structure figure are more than is read here
-mod drawn;
-
-use cases::{P, h};
+use crate::cases;
+use crate::cases::{P, h};
+use crate::drawn;
+use crate::drawn::{Drawn, length, minus, read};
 use dcel_kit::figure::{FigureError, FigureOptions, Pointers, focus, pointers};
 use dcel_kit::topology::{Table, View};
-use drawn::{Drawn, length, minus, read};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A drawn arrow: its line in small steps, the letters of its commands, its heads by their tips.

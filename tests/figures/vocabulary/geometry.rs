@@ -1,7 +1,7 @@
 //! What is cut by the frame.
 
-use crate::alone;
-use crate::read::{Drawing, P, inside};
+use super::alone;
+use super::read::{Drawing, P, inside};
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Role, Sketch};
 use dcel_kit::plane::Point;
@@ -71,7 +71,7 @@ fn rays_and_lines_end_on_the_frame() {
 #[test]
 fn everything_stays_inside_the_frame_of_a_cropped_picture() {
     let options = FigureOptions::new("Test").crop([2.0, 2.0], [7.0, 6.0]).width(500.0);
-    let drawn = Drawing::read(&crate::everything().figure(&options).unwrap().to_svg());
+    let drawn = Drawing::read(&super::everything().figure(&options).unwrap().to_svg());
     let mut seen = 0;
     // Below a wide picture there is the legend: the picture is 500 px times 400.
     for (id, group) in drawn.groups.iter().filter(|(id, _)| id.starts_with("s-") && !id.starts_with("s-key")) {

@@ -1,7 +1,7 @@
 //! Charts: places by values, names that can be read.
 
-use crate::is_sound;
-use crate::read::{Drawing, Group, P, overlap};
+use super::is_sound;
+use super::read::{Drawing, Group, P, overlap};
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::chart::{Axis, Chart, ChartError, Growth, Sample};
 use std::collections::BTreeMap;

@@ -1,19 +1,12 @@
 //! Figures of structures and options that are hard to draw: read back from the SVG text.
 
-#![allow(clippy::unwrap_used, reason = "a test helper that fails is a failed test")]
-
-#[allow(dead_code, reason = "the cases of another test, too")]
-#[path = "figures/cases.rs"]
-mod cases;
-#[allow(dead_code, reason = "the reader of another test, too")]
-#[path = "figures/drawn.rs"]
-mod drawn;
-
-use cases::P;
+use crate::cases;
+use crate::cases::P;
+use crate::drawn;
+use crate::drawn::{Drawn, inside, read};
 use dcel_kit::figure::{Colour, FigureError, FigureOptions, NearlyCollinear, Overrides, Style, Theme, Unit, structure};
 use dcel_kit::topology::Table;
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
-use drawn::{Drawn, inside, read};
 use roxmltree::Document;
 
 fn draw(table: &Table, options: &FigureOptions) -> String {

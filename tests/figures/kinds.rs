@@ -1,19 +1,13 @@
 //! Tables, records and panels say what the structure says; marks mark what they name; no option is ignored.
 
-#[path = "figures/cases.rs"]
-#[allow(dead_code)] // some structures are for other figures
-mod cases;
-#[path = "figures/drawn.rs"]
-#[allow(dead_code)] // more is read there than here
-mod drawn;
-mod shell;
-
-use cases::{P, h};
+use crate::cases;
+use crate::cases::{P, h};
+use crate::drawn;
+use crate::shell::Folder;
 use dcel_kit::figure::{FigureError, FigureOptions, Pointers, focus, pointers, records, tables};
 use dcel_kit::topology::{Ring, Table, View};
 use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
 use roxmltree::{Document, Node};
-use shell::Folder;
 use std::collections::{BTreeMap, BTreeSet};
 
 fn has_class(node: Node<'_, '_>, class: &str) -> bool {

@@ -1,8 +1,5 @@
 //! The looks of figures by the command line: what is refused, and where the fault lies.
 
-#![cfg(feature = "cli")]
-#![allow(clippy::unwrap_used, reason = "a test helper that fails is a failed test")]
-
 use std::path::Path;
 use std::process::Command;
 

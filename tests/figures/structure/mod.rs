@@ -1,23 +1,16 @@
 //! What a figure shows is what the structure says: read back from the SVG text.
 
-#![allow(clippy::unwrap_used, reason = "a test helper that fails is a failed test")]
-
-#[path = "figures/broken.rs"]
 mod broken;
-#[path = "figures/cases.rs"]
-mod cases;
-#[path = "figures/conventions.rs"]
 mod conventions;
-#[path = "figures/drawn.rs"]
-mod drawn;
-#[path = "figures/states.rs"]
 mod states;
 
-use cases::{P, h};
+use crate::cases;
+use crate::cases::{P, h};
+use crate::drawn;
+use crate::drawn::{Drawn, inside, left_of, length, minus, read};
 use dcel_kit::figure::{Detail, FigureOptions, structure};
 use dcel_kit::topology::{Table, View};
 use dcel_kit::{FaceId, HalfEdgeId, Id, VertexId};
-use drawn::{Drawn, inside, left_of, length, minus, read};
 use std::collections::{BTreeMap, BTreeSet};
 
 fn draw(name: &str, table: &Table) -> String {

@@ -1,6 +1,4 @@
 //! Reports hold what each format promises, for good and for hostile submissions.
-#![cfg(feature = "grade")]
-#![allow(clippy::unwrap_used)]
 
 use dcel_kit::lab::reports::Format;
 use dcel_kit::lab::{Adjustment, Finding, Picture, Report, TestResult, Verdict, Visibility, Wall};

@@ -1,0 +1,142 @@
+//! Clearing up where an obstacle has been.
+//!
+//! ```text
+//!   ┌──────●───┐       ┌──────●───┐       ┌──────────┐     Its sides go, then every vertex that is in the middle of
+//!   │ ╲   ╱║ ╲ │  ==>  │      │   │  ==>  │          │     one line, or of none: first the cuts there, then the vertex
+//!   │  ╲ ╱ ║  ╲│       │      │   │       │          │     itself. What is left is made convex again, and cuts that
+//!   └───●══●───┘       └──────●───┘       └──────────┘     need not be are taken out.
+//! ```
+//!
+//! Each cut has an end that an obstacle brought in, so with the last obstacle the last cut goes. A line that is joined
+//! again runs straight between two points that were there before it was crossed: rounding leaves no trace.
+
+use super::ObstacleError;
+use super::book::Book;
+use super::cut::make_convex;
+use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
+use crate::navmesh::mesh::turns_left_or_runs_straight;
+use crate::plane::Subdivision;
+use crate::topology::Journal;
+use std::collections::BTreeSet;
+
+/// Takes out what nobody needs near the edges, which an obstacle has given up.
+///
+/// Cost: O(size of the faces at the ends of the edges, and of the gaps the obstacle reached into).
+///
+/// # Errors
+/// [`ObstacleError::Concave`]: what is left cannot be made convex. The caller goes back.
+pub(super) fn clear(
+    map: &mut Subdivision,
+    book: &mut Book,
+    edges: &[EdgeId],
+    rec: &mut Journal,
+) -> Result<(), ObstacleError> {
+    let begin = rec.len();
+    let mut faces = BTreeSet::new();
+    let vertices = vertices_near(map, edges);
+    for &e in edges.iter().filter(|&&e| book.is_cut(e)) {
+        take_out(map, book, e, &mut faces, rec)?;
+    }
+    let mut bends = Vec::new();
+    for v in vertices.into_iter().filter(|&v| !book.is_first(v)) {
+        if give_up(map, book, v, &mut faces, rec)? {
+            bends.push(v);
+        }
+    }
+    for v in bends {
+        straighten(map, book, v, &mut faces, rec);
+    }
+    book.follow(&rec.changes()[begin..]);
+    let convex_from = rec.len();
+    faces.retain(|&f| map.has_face(f));
+    let faces = make_convex(map, faces, rec)?;
+    book.follow(&rec.changes()[convex_from..]);
+    let joined_from = rec.len();
+    let cuts: BTreeSet<EdgeId> =
+        faces.iter().flat_map(|&f| map.incident_edges(f)).filter(|&e| book.is_cut(e)).collect();
+    for e in cuts {
+        if is_needless(map, e) {
+            take_out(map, book, e, &mut BTreeSet::new(), rec)?;
+        }
+    }
+    book.follow(&rec.changes()[joined_from..]);
+    Ok(())
+}
+
+/// The ends of the edges, and the corners of the faces there; of gaps the ends only.
+fn vertices_near(map: &Subdivision, edges: &[EdgeId]) -> BTreeSet<VertexId> {
+    let ends = edges.iter().flat_map(|e| e.half_edges()).map(|h| map.origin(h));
+    let mut near: BTreeSet<VertexId> = ends.collect();
+    let is_gap = |f: &FaceId| *f == map.outer_face() || map.is_hole(*f);
+    let faces: BTreeSet<FaceId> = near.iter().flat_map(|&v| map.incident_faces(v)).filter(|f| !is_gap(f)).collect();
+    near.extend(faces.into_iter().flat_map(|f| map.incident_vertices(f)));
+    near
+}
+
+/// Takes out an edge. Of two faces the one stays that was there first, so that it has its name again in the end.
+fn take_out(
+    map: &mut Subdivision,
+    book: &Book,
+    e: EdgeId,
+    faces: &mut BTreeSet<FaceId>,
+    rec: &mut Journal,
+) -> Result<(), ObstacleError> {
+    let [h, t] = e.half_edges();
+    let [f, g] = [map.face(h), map.face(t)];
+    let (goes, stays) = if book.is_first(f) { (t, f) } else { (h, g) };
+    let done = match f == g {
+        true => map.remove_edge_with(e, rec).is_ok(),
+        false => map.join_faces_with(goes, rec).is_ok(),
+    };
+    faces.insert(stays);
+    if done { Ok(()) } else { Err(ObstacleError::Concave { face: stays }) }
+}
+
+/// Takes out the cuts at a vertex that is in the middle of one line or of none, and then, if it is of none, the vertex.
+/// Returns whether there is a line.
+fn give_up(
+    map: &mut Subdivision,
+    book: &Book,
+    v: VertexId,
+    faces: &mut BTreeSet<FaceId>,
+    rec: &mut Journal,
+) -> Result<bool, ObstacleError> {
+    let (cuts, lines): (Vec<HalfEdgeId>, Vec<HalfEdgeId>) =
+        map.outgoing_half_edges(v).partition(|h| book.is_cut(h.edge()));
+    let is_needed = match lines[..] {
+        [] => false,
+        [a, b] => !book.is_one_line(a.edge(), b.edge()),
+        _ => true,
+    };
+    if is_needed {
+        return Ok(false);
+    }
+    for h in cuts {
+        take_out(map, book, h.edge(), faces, rec)?;
+    }
+    if lines.is_empty() {
+        map.remove_vertex_with(v, rec).expect("it exists, and has no edge any more");
+    }
+    Ok(!lines.is_empty())
+}
+
+/// Makes one edge of two at a vertex that has no other. What may be in the way of the straight line belongs to another
+/// obstacle; then the vertex stays, and goes with that one.
+fn straighten(map: &mut Subdivision, book: &Book, v: VertexId, faces: &mut BTreeSet<FaceId>, rec: &mut Journal) {
+    let mut at = map.outgoing_half_edges(v);
+    let (Some(a), Some(b)) = (at.next(), at.next()) else { return };
+    // The edge that was there first keeps its name.
+    let stays = if book.is_first(b.edge()) { b } else { a };
+    faces.extend([map.face(stays), map.face(stays.twin())]);
+    let _ = map.join_edges_with(stays.twin(), rec);
+}
+
+/// Whether the faces on both sides of a cut are convex in one piece.
+fn is_needless(map: &Subdivision, e: EdgeId) -> bool {
+    let [h, t] = e.half_edges();
+    let is_convex = |h: HalfEdgeId| {
+        let corner = [map.origin(map.prev(h)), map.origin(h), map.destination(map.next(h.twin()))];
+        turns_left_or_runs_straight(corner.map(|v| map.point(v)))
+    };
+    map.face(h) != map.face(t) && is_convex(h) && is_convex(t)
+}

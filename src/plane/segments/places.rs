@@ -1,0 +1,137 @@
+//! Equal points, and all places from left to right, with the help of a grid.
+//!
+//! ```text
+//!   ┌───┬───┬───┐     Columns of cells from left to right: a point's column and row are monotone functions of its
+//!   │. :│   │ . │     coordinates, so equal points meet in one cell, and every point of a column comes before every
+//!   ├───┼───┼───┤     point of the next one. What is left is to compare the few points of a cell with each other,
+//!   │   │ . │...│     and to sort the distinct ones of a column.
+//!   └───┴───┴───┘
+//! ```
+//!
+//! A cell or a column that most points crowd into is sorted: never worse than O(n log n).
+
+use crate::plane::Point;
+use crate::plane::group::grouped;
+use crate::plane::predicates::sort_key;
+
+/// So many things are compared pair by pair; more are sorted.
+pub(super) const FEW: usize = 12;
+
+/// A grid of columns and rows over points.
+struct Grid {
+    low: Point,
+    scale: [f64; 2],
+    columns: usize,
+    rows: usize,
+}
+
+impl Grid {
+    /// About one cell for two points.
+    fn new(points: &[Point]) -> Self {
+        let first = points.first().copied().unwrap_or_default();
+        let (low, high) = points.iter().fold((first, first), |(low, high), p| {
+            (Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y)))
+        });
+        let side = ((points.len() / 2) as f64).sqrt().ceil().max(1.0);
+        // Too small a difference gives an infinite scale: then all points are in the last column or the first.
+        let scale = [high.x - low.x, high.y - low.y].map(|length| if length > 0.0 { side / length } else { 0.0 });
+        Self { low, scale, columns: side as usize, rows: side as usize }
+    }
+
+    /// The cell of a point, column by column. A cast takes what is no number for 0.
+    #[inline]
+    fn cell(&self, p: Point) -> usize {
+        let column = ((p.x - self.low.x) * self.scale[0]) as usize;
+        let row = ((p.y - self.low.y) * self.scale[1]) as usize;
+        column.min(self.columns - 1) * self.rows + row.min(self.rows - 1)
+    }
+}
+
+/// For each point the number of the first one at its place; and these first ones from left to right, those above each
+/// other from bottom to top.
+///
+/// Cost: expected O(n) where points are spread over the plane, apart from the sort of the distinct points of each
+/// column; O(n log n) at worst.
+pub(super) fn first_at_each_place(points: &[Point]) -> (Vec<u32>, Vec<u32>) {
+    let grid = Grid::new(points);
+    let (starts, mut list) = grouped(grid.columns * grid.rows, points.len(), |i| grid.cell(points[i]));
+    let key = |i: u32| {
+        let p = points[i as usize];
+        (sort_key(p.x), sort_key(p.y))
+    };
+    let mut first_of: Vec<u32> = vec![0; points.len()];
+    let mut by_place = Vec::new();
+    let mut column: Vec<(u64, u64, u32)> = Vec::new();
+    for starts in starts.windows(grid.rows + 1).step_by(grid.rows) {
+        column.clear();
+        for ends in starts.windows(2) {
+            let cell = &mut list[ends[0] as usize..ends[1] as usize];
+            if cell.len() > FEW {
+                cell.sort_unstable_by_key(|&i| (key(i), i));
+                for same in cell.chunk_by(|&i, &j| key(i) == key(j)) {
+                    same.iter().for_each(|&i| first_of[i as usize] = same[0]);
+                    let (x, y) = key(same[0]);
+                    column.push((x, y, same[0]));
+                }
+                continue;
+            }
+            let start = column.len();
+            for &mut i in cell {
+                let (x, y) = key(i);
+                let same = column[start..].iter().find(|&&(other_x, other_y, _)| (other_x, other_y) == (x, y));
+                first_of[i as usize] = same.map_or(i, |&(_, _, first)| first);
+                if same.is_none() {
+                    column.push((x, y, i));
+                }
+            }
+        }
+        column.sort_unstable();
+        by_place.extend(column.iter().map(|&(_, _, first)| first));
+    }
+    (first_of, by_place)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeMap;
+
+    /// All the work with one sort, in the plainest way.
+    fn by_one_map(points: &[Point]) -> (Vec<u32>, Vec<u32>) {
+        let mut first_at: BTreeMap<(u64, u64), u32> = BTreeMap::new();
+        let key = |p: &Point| (sort_key(p.x), sort_key(p.y));
+        let first = points.iter().zip(0..).map(|(p, i)| *first_at.entry(key(p)).or_insert(i)).collect();
+        (first, first_at.into_values().collect())
+    }
+
+    #[test]
+    fn places_are_those_of_one_sort_however_the_points_crowd() {
+        for seed in 1..200_u64 {
+            let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+            let mut next = |below: u64| {
+                state ^= state << 13;
+                state ^= state >> 7;
+                state ^= state << 17;
+                (state >> 20) % below
+            };
+            let kind = seed % 6;
+            let count = 1 + next(300);
+            let mut points: Vec<Point> = Vec::new();
+            for i in 0..count {
+                let [a, b] = [next(40), next(40)].map(|x| x as f64 - 20.0);
+                points.push(match kind {
+                    0 => Point::new(a, b),
+                    1 => Point::new(0.0, b),
+                    2 => Point::new(a, -7.5),
+                    // All but one crowd into one cell; many are equal.
+                    3 if i > 0 => Point::new(a * 1e-9, b * 1e-9),
+                    4 => Point::new(if a < 0.0 { -0.0 } else { 0.0 }, if b < 0.0 { -0.0 } else { 0.0 }),
+                    // The differences are of all sizes.
+                    5 => Point::new(a * 2_f64.powi(-(next(600) as i32)), b * 2_f64.powi(next(200) as i32)),
+                    _ => Point::new(1e6, 1e6),
+                });
+            }
+            assert_eq!(first_at_each_place(&points), by_one_map(&points), "seed {seed}");
+        }
+    }
+}
