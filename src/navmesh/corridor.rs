@@ -99,7 +99,7 @@ pub(super) fn a_star(
             *reached = Reached { query, from: f, side: s as u32, done: false, key, length, at };
             let worse = match hand {
                 Some(best) if best <= (key, next) => Some((key, next)),
-                best => std::mem::replace(&mut hand, Some((key, next))).and(best),
+                _ => hand.replace((key, next)),
             };
             scratch.work.pushes += 1;
             scratch.queue.extend(worse.map(Reverse));

@@ -4,6 +4,8 @@
 //!   ▨●──┄┄┄──────┄┄┄──●▨      Of the door only the part is left whose ends are the radius away from posts on a
 //!       r          r           border. A post with free ground all round may be passed at any distance.
 //! ```
+//!
+//! Quick, on the mesh as it is, and no promise about what lies between two doors; for that see `inset.rs`.
 
 use super::funnel::{self, Funnel, Post};
 use super::nearest::distance;

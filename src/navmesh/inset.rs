@@ -14,7 +14,7 @@
 //! Source: Lozano-Pérez and Wesley, *An algorithm for planning collision-free paths among polyhedral obstacles*, 1979.
 
 use super::{NavMesh, NavMeshError};
-use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::plane::predicates::{left_to_right, orientation};
 use crate::plane::{ArrangeOptions, Point, SegmentsError, Subdivision, TriangulateError, TriangulationMethod};
 use std::cmp::Ordering;
@@ -242,7 +242,7 @@ impl Outlines {
             }
         }
         let is_free = |f: FaceId| matches!(rounds[f.index()], Some([border, 0]) if border > 0);
-        let halves = map.edges().flat_map(|e| e.half_edges());
+        let halves = map.edges().flat_map(EdgeId::half_edges);
         let sides = halves.filter(|&h| is_free(map.face(h)) && !is_free(map.face(h.twin())));
         let sides: Vec<[Point; 2]> = sides.map(|h| [map.origin(h), map.destination(h)].map(|v| map.point(v))).collect();
         if sides.is_empty() {

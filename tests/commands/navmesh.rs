@@ -112,10 +112,10 @@ fn a_way_is_told_in_the_coordinates_of_the_file() {
     // The ladder: no rung is shorter than the exact one.
     let all = folder.dcel("navmesh path rooms.map 21.5 5.5 0.5 4.5 --triangles --rung all --json").json();
     let ratios: Vec<f64> = all["routes"].as_array().into_iter().flatten().filter_map(|r| r["ratio"].as_f64()).collect();
-    assert_eq!(ratios.len(), 5);
+    assert_eq!(ratios.len(), 6);
     assert!(ratios.iter().all(|&ratio| ratio >= 1.0) && ratios[0] > 1.01, "{ratios:?}");
     let table = folder.dcel("navmesh path rooms.map 21.5 5.5 0.5 4.5 --triangles --rung all").fine();
-    assert!(table.lines().count() == 6 && table.contains("  exact     23.236853  1.000000"), "{table}");
+    assert!(table.lines().count() == 7 && table.contains("  exact     23.236853  1.000000"), "{table}");
     let bfs = folder.dcel("navmesh path rooms.map 21.5 5.5 0.5 4.5 --triangles --rung bfs").fine();
     assert!(bfs.starts_with("breadth: 25."), "{bfs}");
 }
@@ -133,7 +133,8 @@ fn wide_agents_keep_off_the_border_or_find_no_way() {
     let told = folder.dcel("navmesh path rooms.map 1 1 22 12 --radius 0.4 --rung all --json").json();
     let routes = told["routes"].as_array().expect("five ways");
     let lengths: Vec<f64> = routes.iter().map(|route| route["length"].as_f64().expect("a length")).collect();
-    assert!(lengths.len() == 5 && lengths.iter().all(|&length| length >= lengths[4] * (1.0 - 1e-9)), "{lengths:?}");
+    let exact = lengths[lengths.len() - 1];
+    assert!(lengths.len() >= 5 && lengths.iter().all(|&length| length >= exact * (1.0 - 1e-9)), "{lengths:?}");
     assert_eq!(told["radius"], 0.4);
     let told = folder.dcel("navmesh path rooms.map 1 1 22 12 --radius 0.4 -o wide.svg");
     assert_eq!(told.code, Some(0), "{told:?}");

@@ -85,8 +85,10 @@ fn shape(args: &Args) -> Result<Shape, Failure> {
         let others: Vec<String> = Archimedean::ALL.iter().map(ToString::to_string).collect();
         let grown: Vec<&str> = GROWN.iter().map(|(name, _)| *name).collect();
         let what = format!("`{}` is no shape", args.shape);
-        let names = known.iter().chain(&others).map(String::as_str).chain(grown.iter().copied()).chain(["hull"]);
-        let close = closest(&args.shape, names).map_or(String::new(), |close| format!("did you mean {close}? "));
+        let names = || known.iter().chain(&others).map(String::as_str).chain(grown.iter().copied()).chain(["hull"]);
+        let begun = names().find(|name| !args.shape.is_empty() && name.starts_with(&args.shape));
+        let close = begun.or_else(|| closest(&args.shape, names()));
+        let close = close.map_or(String::new(), |close| format!("did you mean {close}? "));
         let all = [known.join(", "), others.join(", "), grown.join(", ")].join(", ");
         return Err(Failure::input(what, format!("{close}choose one of {all}, hull")));
     };

@@ -176,10 +176,7 @@ impl Book {
     }
 }
 
-fn drop_owners<K: Ord, T>(owners: &mut BTreeMap<K, BTreeSet<T>>, key: K, goes: impl Fn(&T) -> bool)
-where
-    T: Ord,
-{
+fn drop_owners<K: Ord + Copy, T: Ord>(owners: &mut BTreeMap<K, BTreeSet<T>>, key: K, goes: impl Fn(&T) -> bool) {
     if let Some(set) = owners.get_mut(&key) {
         set.retain(|owner| !goes(owner));
         if set.is_empty() {
