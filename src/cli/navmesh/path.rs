@@ -79,6 +79,8 @@ pub(super) enum Which {
     Midpoint,
     /// A* to the closest point of each door
     Closest,
+    /// A* to where the straight line to the goal meets each door
+    Aimed,
     /// The shortest way of all
     Exact,
     /// All of them, compared
@@ -92,6 +94,7 @@ impl Which {
             Self::Centroid => &[Rung::Centroid],
             Self::Midpoint => &[Rung::Midpoint],
             Self::Closest => &[Rung::Closest],
+            Self::Aimed => &[Rung::Aimed],
             Self::Exact => &[Rung::Exact],
             Self::All => &Rung::ALL,
         }
@@ -285,7 +288,7 @@ fn draw(
             whole.clearance(inset, route, &options("The way of an agent with a radius"))
         }
         (_, [(_, route)], None) => floor.route(route, &options("A way")),
-        _ => floor.ladder(routes, &options("Five ways")),
+        _ => floor.ladder(routes, &options("Six ways")),
     };
     save(target, drawn, out)
 }
