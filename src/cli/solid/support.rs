@@ -48,7 +48,7 @@ struct Found {
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let direction = Direction::try_from(args.direction)
         .map_err(|error| Failure::input(format!("the direction: {error}"), "only its way counts, not its length"))?;
-    if args.direction == [0.0; 3] {
+    if args.direction.iter().all(|&x| x == 0.0) {
         return Err(Failure::input("0,0,0 is no direction: all vertices lie equally far in it", "for example: 0,0,1"));
     }
     let solid = open(&args.file, &args.input)?;
