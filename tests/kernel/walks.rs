@@ -20,8 +20,8 @@ fn pentagon() -> Dcel {
 
 fn all_ways<I: DoubleEndedIterator<Item = HalfEdgeId> + Clone>(walk: &I, name: &str) {
     let mut steps = Vec::new();
-    let mut by_steps = walk.clone();
-    while let Some(h) = by_steps.next() {
+    let by_steps = walk.clone();
+    for h in by_steps {
         steps.push(h);
     }
     for front in 0..=steps.len() {

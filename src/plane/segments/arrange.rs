@@ -114,7 +114,7 @@ pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arra
 /// Sweeps over the graph: the first meeting, what lies below each vertex, and, if nothing meets, all stars.
 fn look(graph: &Graph) -> Result<(Stars, Swept), TooMany> {
     let mut stars = Stars::new(graph)?;
-    let swept = sweep_in_order(&graph.points, &graph.edges, &graph.by_place, true, |star| stars.link(star));
+    let swept = sweep_in_order(&graph.points, &graph.edges, &graph.by_place, true, |star| stars.link(&star));
     Ok((stars, swept))
 }
 

@@ -50,7 +50,7 @@ impl Stars {
     /// Links a star. Counter-clockwise from straight down it begins with the half-edges to the right, upwards; then
     /// come those to the left, downwards.
     #[inline]
-    pub(super) fn link(&mut self, star: Star<'_>) {
+    pub(super) fn link(&mut self, star: &Star<'_>) {
         let mut last = None;
         for &h in star.right.iter().chain(star.left.iter().rev()) {
             match last.replace(h) {
