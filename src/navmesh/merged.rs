@@ -134,11 +134,14 @@ impl NavMesh {
     /// ```
     /// use dcel_kit::navmesh::{NavMesh, Planner, Rung};
     /// use dcel_kit::plane::{Point, Subdivision};
-    /// let points = [(0., 0.), (2., 0.), (2., 2.), (0., 2.)].map(Point::from).to_vec();
-    /// let mut mesh = NavMesh::new(&Subdivision::from_triangles(points, &[[0, 1, 2], [0, 2, 3]])?)?;
-    /// assert_eq!(mesh.merge_faces(), 1);
-    /// let route = Planner::new().route_between(&mesh, Rung::Exact, (1.5, 0.5).into(), (0.5, 1.5).into())?;
-    /// assert_eq!(route.faces.len(), 2);
+    /// // Eight triangles round a square gap: four trapezoids.
+    /// let points = [(0., 0.), (3., 0.), (3., 3.), (0., 3.), (1., 1.), (2., 1.), (2., 2.), (1., 2.)].map(Point::from);
+    /// let sides = [0, 1, 2, 3].map(|i| [i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4]);
+    /// let triangles = sides.map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).concat();
+    /// let mut mesh = NavMesh::new(&Subdivision::from_triangles(points.to_vec(), &triangles)?)?;
+    /// assert_eq!((mesh.face_count(), mesh.merge_faces()), (8, 4));
+    /// let route = Planner::new().route_between(&mesh, Rung::Exact, (1.2, 0.5).into(), (2.5, 1.8).into())?;
+    /// assert_eq!(route.points[1], Point::new(2.0, 1.0));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn merge_faces(&mut self) -> usize {
