@@ -57,7 +57,7 @@ fn loop_over_all(points: &[Point], d: Point) -> usize {
 const SIZES: [usize; 5] = [100, 1_000, 10_000, 100_000, 1_000_000];
 
 fn support() {
-    let mut table: Vec<(&str, Vec<f64>)> = Vec::new();
+    let mut table: Vec<(String, Vec<f64>)> = Vec::new();
     for count in SIZES {
         let solid = solid(&sphere(count));
         let convex: Convex<'_> = solid.check_convex().expect("a hull is convex");
@@ -104,7 +104,7 @@ fn support() {
         println!("  the prepared solid takes {bytes:.0} bytes for each vertex\n");
         table.resize_with(ns.len(), Default::default);
         for (((name, _), time), row) in programs.iter().zip(ns).zip(&mut table) {
-            row.0 = name;
+            row.0 = (*name).to_owned();
             row.1.push(time);
         }
     }
