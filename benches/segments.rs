@@ -4,7 +4,8 @@
 //! parts; `-- linear` the growth from 10^4 to 10^6; `-- split` random segments that cross.
 //!
 //! No crate builds a half-edge structure from segments, so the peers are lower bounds: the sort of all ends that
-//! finds equal points, and the copy of the result. GEOS and CGAL are measured outside, see the goals of the project.
+//! finds equal points, and the copy of the result. GEOS and CGAL were measured beside it;
+//! the figures are in README.md.
 
 use dcel_kit::plane::{ArrangeOptions, Point, Subdivision};
 use dcel_kit_benches::{Random, compare, delaunay, ordered, print, program, shuffled};
