@@ -8,7 +8,7 @@
 //!                           If a wedge is more than half a turn, a shortest way may bend round the vertex in it.
 //! ```
 
-use super::mesh::{CLOSED, ID, NONE, NavMesh, SHARED, TURN};
+use super::mesh::{CLOSED, ID, NONE, NavMesh, TURN};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::Subdivision;
 use crate::plane::predicates::{left_to_right, orientation};
@@ -102,20 +102,19 @@ impl NavMesh {
         })
     }
 
-    /// Marks at which corners round `v` a way may bend, and whether it has several wedges.
+    /// Marks at which corners round `v` a way may bend: those of one wedge at most.
     pub(super) fn mark_turns(&mut self, v: VertexId) {
         for f in self.faces_around(v) {
             if let Some(s) = self.side_from(f, v.number()) {
                 self.sides[s].origin = v.number();
             }
         }
-        let wedges = self.wedges(v);
-        let shared = if wedges.len() > 1 { SHARED } else { 0 };
-        for wedge in wedges {
-            let turn = if self.is_more_than_half_a_turn(v, &wedge) { TURN } else { 0 };
-            for f in wedge {
-                if let Some(s) = self.side_from(f, v.number()) {
-                    self.sides[s].origin = v.number() | turn | shared;
+        for wedge in self.wedges(v) {
+            if self.is_more_than_half_a_turn(v, &wedge) {
+                for f in wedge {
+                    if let Some(s) = self.side_from(f, v.number()) {
+                        self.sides[s].origin |= TURN;
+                    }
                 }
             }
         }

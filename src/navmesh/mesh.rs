@@ -33,8 +33,6 @@ pub(super) const CLOSED: u32 = 1 << 31;
 pub(super) const DEAD_END: u32 = 1 << 30;
 /// In `origin`: a shortest way may bend here.
 pub(super) const TURN: u32 = 1 << 31;
-/// In `origin`: the vertex has several wedges.
-pub(super) const SHARED: u32 = 1 << 30;
 /// The id without its marks.
 pub(super) const ID: u32 = DEAD_END - 1;
 /// In `len`: the face is blocked.
@@ -44,7 +42,7 @@ const PEELED: u32 = 1 << 30;
 
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct SideRecord {
-    /// The vertex the side starts from, with the marks [`TURN`] and [`SHARED`].
+    /// The vertex the side starts from, with the mark [`TURN`].
     pub(super) origin: u32,
     /// The face behind the side, with the marks [`CLOSED`] and [`DEAD_END`].
     pub(super) across: u32,

@@ -4,7 +4,7 @@
 //! rooms is compiled for each of them.
 
 use super::NavMesh;
-use super::mesh::{CLOSED, ID, SideRecord};
+use super::mesh::{ID, SideRecord};
 use crate::plane::Point;
 use std::ops::Range;
 
@@ -41,21 +41,6 @@ pub(super) trait Rooms {
     #[inline]
     fn next(&self, range: &Range<usize>, s: usize) -> usize {
         if s + 1 == range.end { range.start } else { s + 1 }
-    }
-
-    /// The side that starts at the first corner, clockwise, of the wedge to which the corner at the start of side `s`
-    /// belongs. O(sides of the rooms of the wedge).
-    fn first_corner_of_wedge(&self, s: usize) -> usize {
-        let mut at = s;
-        while self.marks(at) & CLOSED == 0 {
-            // Where the side starts is its right post, seen from its room.
-            let (_, next) = self.enter(self.door(at));
-            if next == s {
-                break;
-            }
-            at = next;
-        }
-        at
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::cases;
 use crate::cases::{P, h};
 use crate::drawn;
+#[cfg(feature = "cli")]
 use crate::shell::Folder;
 use dcel_kit::figure::{FigureError, FigureOptions, Pointers, focus, pointers, records, tables};
 use dcel_kit::topology::{Ring, Table, View};
@@ -286,6 +287,7 @@ fn windows_end_where_panels_and_tables_begin() {
 }
 
 /// Every option of looks and drawing changes every kind of figure, or is refused.
+#[cfg(feature = "cli")]
 #[test]
 fn no_option_is_ignored() {
     let folder = Folder::new();

@@ -1,30 +1,13 @@
 //! Promise: scan, walk and index find where a point lies, exactly, in every subdivision; they agree with crossing
 //! numbers in whole numbers; and the index keeps its bound on the edges a query looks at, however edges crowd.
 
+use crate::numbers::Numbers;
 use dcel_kit::plane::{Location, Point, PointIndex, Subdivision};
 use dcel_kit::topology::Ring;
 use dcel_kit::{HalfEdgeId, VertexId};
 use std::collections::BTreeSet;
 
 type Whole = (i64, i64);
-
-/// A small generator of numbers (xorshift).
-struct Numbers(u64);
-
-impl Numbers {
-    fn new(seed: u64) -> Self {
-        Self(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1)
-    }
-    fn below(&mut self, bound: u64) -> i64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % bound) as i64
-    }
-    fn unit(&mut self) -> f64 {
-        self.below(1 << 53) as f64 / (1u64 << 53) as f64
-    }
-}
 
 fn turn(a: Whole, b: Whole, c: Whole) -> i64 {
     ((b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0)).signum()

@@ -4,6 +4,7 @@ mod convert;
 mod edits;
 mod inserts;
 mod locate;
+mod numbers;
 mod overlay;
 mod segments;
 mod shared_plane;

@@ -1,28 +1,11 @@
 //! Promise: an overlay has the edges of both subdivisions, every face knows the faces of both that it lies in, and
 //! regions are what set theory says; exactly where crossings need no rounding, and without contradiction elsewhere.
 
+use crate::numbers::Numbers;
 use dcel_kit::plane::{ArrangeOptions, Location, Operation, Overlay, Parts, Point, Subdivision};
 use dcel_kit::topology::{components, same, violations};
 use dcel_kit::{EdgeId, FaceId};
 use std::collections::BTreeSet;
-
-/// A small generator of numbers (xorshift).
-struct Numbers(u64);
-
-impl Numbers {
-    fn new(seed: u64) -> Self {
-        Self(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1)
-    }
-    fn below(&mut self, bound: u64) -> i64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % bound) as i64
-    }
-    fn unit(&mut self) -> f64 {
-        self.below(1 << 53) as f64 / (1u64 << 53) as f64
-    }
-}
 
 fn split(segments: &[[Point; 2]]) -> Subdivision {
     let options = ArrangeOptions { merge: true, split: true, ..ArrangeOptions::default() };

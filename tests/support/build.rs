@@ -11,7 +11,9 @@ use std::path::{Path, PathBuf};
 const BROWSERS: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
 
 fn main() {
-    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data");
+    // Asked now, not when this was compiled: a target folder may outlive the place of the checkout.
+    let package = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from).unwrap_or_default();
+    let data = package.join("../shared/data");
     println!("cargo::rustc-check-cfg=cfg(shared_data)");
     println!("cargo::rustc-check-cfg=cfg(chromium)");
     println!("cargo::rerun-if-changed=tests/support/build.rs");

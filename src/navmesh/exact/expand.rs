@@ -11,7 +11,7 @@
 //! Sides out of sight on the right are reached by a bend at the right post, if the cone ends there and a way may bend
 //! there; so on the left. A side seen edge-on is passed by a bend at its nearer end.
 
-use super::super::mesh::{CLOSED, DEAD_END, ID, SHARED, TURN};
+use super::super::mesh::{CLOSED, DEAD_END, ID, TURN};
 use super::super::nearest::distance;
 use super::super::planner::Scratch;
 use super::super::rooms::Rooms;
@@ -202,20 +202,15 @@ impl Exact {
         }
     }
 
-    /// Whether no shorter way to corner i is known. In a double corner the wedges are different places: there the
-    /// first corner of the wedge, clockwise, stands for it.
+    /// Whether no shorter way to the vertex at corner i is known. At a double corner there is no question which wedge:
+    /// ways bend in a wedge of more than half a turn, and no vertex has two of those.
     fn may_bend<R: Rooms>(&mut self, behind: &Behind<R>, i: usize, length: f64) -> bool {
-        let (scratch, corner) = (behind.scratch, behind.corner(i));
-        let (query, least) = if corner & SHARED == 0 {
-            &mut self.roots[(corner & ID) as usize]
-        } else {
-            let wedge = behind.rooms.first_corner_of_wedge(behind.side(i));
-            self.shared_roots.entry(wedge).or_default()
-        };
-        if *query == scratch.query && *least < length {
+        let query = behind.scratch.query;
+        let known = &mut self.roots[(behind.corner(i) & ID) as usize];
+        if known.0 == query && known.1 < length {
             return false;
         }
-        (*query, *least) = (scratch.query, length);
+        *known = (query, length);
         true
     }
 }

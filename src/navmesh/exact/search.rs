@@ -10,7 +10,6 @@ use super::estimate::{between, guess, seen};
 use crate::ids::FaceId;
 use crate::plane::Point;
 use std::cmp::{Ordering, Reverse};
-use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// The memory of the exact search.
@@ -19,8 +18,6 @@ pub(in super::super) struct Exact {
     pub(super) nodes: Vec<Node>,
     /// For each vertex in which query it was a root, and the shortest way there.
     pub(super) roots: Vec<(u32, f64)>,
-    /// The same for the wedges of double corners, by their first side.
-    pub(super) shared_roots: BTreeMap<usize, (u32, f64)>,
     pub(super) start: Point,
     /// Whether the rooms of the last search were merged faces.
     merged: bool,
@@ -28,8 +25,6 @@ pub(in super::super) struct Exact {
 
 impl Exact {
     fn begin(&mut self, mesh: &NavMesh, scratch: &Scratch, start: Point) {
-        // The wedges are those of the mesh that was searched last: few, and other ones in another mesh.
-        self.shared_roots.clear();
         if scratch.query == 1 {
             self.roots.clear();
         }
