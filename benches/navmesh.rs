@@ -3,8 +3,9 @@
 //! `cargo bench --bench navmesh` makes three maps of more than 30,000 triangles: caves on a grid, the same kind of
 //! caves with rough walls, whose notches are dead ends, and a plain with convex blocks, which has none. If the folder
 //! `../shared/data` is there, it reads the map O15, too. All are cut into constrained Delaunay triangles, as navmeshes
-//! are. On each it locates random points and answers queries by every rung; peer and kit take turns, query by query,
-//! and the least of several rounds counts. The peer searches the same triangles, and its own merged polygons; so does the kit.
+//! are. On each it locates random points and answers queries by every rung. Of each query the
+//! programs take turns, four times, and the least time of each counts. The peer searches the same triangles, and its own merged polygons; so does the kit, which also
+//! goes from crossing to crossing.
 
 use dcel_kit::HalfEdgeId;
 use dcel_kit::io::{Grid, Scenario};
@@ -17,7 +18,7 @@ use std::time::Instant;
 
 const POINTS: usize = 50_000;
 const QUERIES: usize = 150;
-const ROUNDS: usize = 3;
+const ROUNDS: usize = 4;
 
 type Ends = (Point, Point);
 
@@ -189,44 +190,61 @@ fn locate(mesh: &NavMesh, peer: &polyanya::Mesh, random: &mut Random) -> Vec<Poi
     inside
 }
 
+/// What is measured: a rung on the mesh as it is, or on the one that was prepared, or a peer.
+#[derive(Clone, Copy)]
+enum Program {
+    Plain(Rung),
+    Prepared(Rung),
+    Peer(usize),
+}
+
 fn routes(mesh: &NavMesh, peers: &[polyanya::Mesh; 2], queries: &[Ends]) {
-    let (mut planner, mut merging) = (Planner::new(), Planner::new());
-    let mut merged = mesh.clone();
-    let count = merged.merge_faces();
-    println!(
-        "  merged by the kit: {count} faces, {:.1} bytes a triangle more",
-        (merged.memory() - mesh.memory()) as f64 / mesh.face_count() as f64
-    );
-    const RUNGS: usize = Rung::ALL.len();
-    // The rungs, the exact one over merged faces, the peers.
-    let mut least = vec![[f64::INFINITY; RUNGS + 3]; queries.len()];
-    let mut lengths = vec![[0.0; RUNGS]; queries.len()];
-    for _ in 0..ROUNDS {
-        for (i, &(start, goal)) in queries.iter().enumerate() {
-            for (k, rung) in Rung::ALL.into_iter().enumerate() {
-                let route = timed(&mut least[i][k], || planner.route_between(mesh, rung, start, goal));
-                lengths[i][k] = route.expect("one component").length;
-            }
-            // As above, another rung goes before the exact one.
-            black_box(merging.route_between(&merged, Rung::Closest, start, goal).is_ok());
-            let route = timed(&mut least[i][RUNGS], || merging.route_between(&merged, Rung::Exact, start, goal));
-            assert!((route.expect("one component").length / lengths[i][RUNGS - 1] - 1.0).abs() < 1e-9);
-            for (k, peer) in peers.iter().enumerate() {
-                timed(&mut least[i][RUNGS + 1 + k], || peer.path(vec(start), vec(goal)));
-            }
+    let mut prepared = mesh.clone();
+    let per_triangle = |bytes: usize| bytes as f64 / mesh.face_count() as f64;
+    let count = prepared.merge_faces();
+    let bytes = prepared.memory();
+    println!("  merged by the kit: {count} faces, {:.1} bytes a triangle more", per_triangle(bytes - mesh.memory()));
+    let count = prepared.link_crossings();
+    println!("  crossings: {count}, {:.1} bytes a triangle more", per_triangle(prepared.memory() - bytes));
+
+    let prepared_rungs = [Rung::Breadth, Rung::Exact].map(Program::Prepared);
+    let programs: Vec<Program> =
+        Rung::ALL.map(Program::Plain).into_iter().chain(prepared_rungs).chain([0, 1].map(Program::Peer)).collect();
+    let mut planner = Planner::new();
+    let mut least = vec![vec![f64::INFINITY; queries.len()]; programs.len()];
+    let mut lengths = vec![vec![0.0; queries.len()]; programs.len()];
+    for (i, &(start, goal)) in queries.iter().enumerate() {
+        for (k, &program) in (0..ROUNDS).flat_map(|_| programs.iter().enumerate()) {
+            let least = &mut least[k][i];
+            let mut find = |mesh, rung| timed(least, || planner.route_between(mesh, rung, start, goal));
+            lengths[k][i] = match program {
+                Program::Plain(rung) => find(mesh, rung).expect("one component").length,
+                Program::Prepared(rung) => find(&prepared, rung).expect("one component").length,
+                Program::Peer(p) => {
+                    timed(least, || peers[p].path(vec(start), vec(goal))).map_or(0.0, |path| path.length.into())
+                }
+            };
         }
     }
-    let mean = |k: usize| least.iter().map(|times| times[k]).sum::<f64>() * 1e6 / queries.len() as f64;
-    println!("  {} routes; peer {:.0} us, merged {:.0} us", queries.len(), mean(RUNGS + 1), mean(RUNGS + 2));
-    let rungs = Rung::ALL.into_iter().enumerate().map(|(k, rung)| (k, k, rung.name()));
-    for (k, length, name) in rungs.chain([(RUNGS, RUNGS - 1, "exact, merged")]) {
-        let exact = |lengths: &[f64; RUNGS]| lengths[length] / lengths[RUNGS - 1];
-        let ratio = lengths.iter().map(exact).sum::<f64>() / queries.len() as f64;
+    let mean = |k: usize| least[k].iter().sum::<f64>() * 1e6 / queries.len() as f64;
+    let [peer, merged] = [2, 1].map(|back| mean(programs.len() - back));
+    println!("  {} routes; peer {peer:.0} us, merged {merged:.0} us", queries.len());
+    let exact = &lengths[Rung::ALL.len() - 1];
+    for (k, program) in programs.iter().enumerate() {
+        let (rung, how) = match program {
+            Program::Plain(rung) => (rung, ""),
+            Program::Prepared(Rung::Breadth) => (&Rung::Breadth, ", crossings"),
+            Program::Prepared(rung) => (rung, ", merged"),
+            Program::Peer(_) => continue,
+        };
+        let ratio = lengths[k].iter().zip(exact).map(|(a, b)| a / b).sum::<f64>() / queries.len() as f64;
+        assert!(*rung != Rung::Exact || (ratio - 1.0).abs() < 1e-9, "two exact lengths");
         println!(
-            "  {name:13} {:8.1} us, share {:.3}, of merged {:.3}, mean length ratio {ratio:.4}",
+            "  {:20} {:8.1} us, share {:.3}, of merged {:.3}, mean length ratio {ratio:.4}",
+            format!("{rung}{how}"),
             mean(k),
-            mean(k) / mean(RUNGS + 1),
-            mean(k) / mean(RUNGS + 2)
+            mean(k) / peer,
+            mean(k) / merged
         );
     }
 }

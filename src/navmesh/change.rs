@@ -80,9 +80,11 @@ impl NavMesh {
     }
 
     /// Runs `edit`, which changes the marks or the sides of `faces` and of no others, and brings up to date what
-    /// follows from them. Faces may come and go, provided that they are among `faces`. Merged faces are given up.
+    /// follows from them. Faces may come and go, provided that they are among `faces`. Merged faces and
+    /// crossings are given up.
     pub(super) fn change(&mut self, faces: &[FaceId], edit: impl FnOnce(&mut Self)) {
         self.merged = None;
+        self.crossings = None;
         let mut near = BTreeSet::new();
         self.gather_near(faces, &mut near);
         let mut open_again: Vec<u32> = Vec::new();

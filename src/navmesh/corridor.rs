@@ -14,9 +14,10 @@
 //! A* looks at a face again if it is reached with a better guess: the length of the line, and from its end to the goal
 //! as the crow flies. (The length alone would not do: lines through different doors end at different points.) The
 //! guess never falls from face to face, nor does the length, so that a face is never reached again from itself: there
-//! is an end. In the open the aimed line is the straight one, and the guess is right: little else is looked at.
+//! is an end. In the open the aimed line is the straight one, and the guess is right: little else is looked at. Where
+//! only one way leads on it is taken at once, up to the next face with a choice, whatever else waits in the queue.
 
-use super::mesh::{ID, NONE};
+use super::mesh::{ID, NONE, SideRecord};
 use super::nearest::{closest_on, distance};
 use super::planner::Scratch;
 use super::{NavMesh, Rung};
@@ -61,54 +62,84 @@ pub(super) fn a_star(
     }
     // The best face that was reached last waits here: mostly it is the next one, and never gets into the queue.
     let mut hand: Option<(u64, u32)> = None;
-    while let Some((least, f)) = scratch.next(&mut hand) {
+    while let Some((mut least, mut f)) = scratch.next(&mut hand) {
         scratch.work.pops += 1;
-        let here = scratch.reached[f as usize];
+        let mut here = scratch.reached[f as usize];
         if here.done {
             continue;
         }
         scratch.reached[f as usize].done = true;
-        let face = FaceId::new(f);
-        if scratch.goals.contains(&face) {
+        if scratch.goals.contains(&FaceId::new(f)) {
             scratch.trace(f);
             return true;
         }
-        scratch.work.expansions += 1;
-        let cost = costs.map_or(1.0, |costs| costs[face].max(0.0));
-        let range = mesh.range(face);
-        for s in range.clone() {
-            let across = mesh.sides[s].across;
-            let next = across & ID;
-            if next == here.from || !scratch.may_cross(across) || !fits(face, s) {
-                continue;
-            }
-            let post = |s: usize| mesh.points[(mesh.sides[s].origin & ID) as usize];
-            let posts = [post(s), post(if s + 1 == range.end { range.start } else { s + 1 })];
-            let at = match metric {
-                Rung::Centroid => mesh.centroid(FaceId::new(next)),
-                Rung::Midpoint => Point::new((posts[0].x + posts[1].x) / 2.0, (posts[0].y + posts[1].y) / 2.0),
-                Rung::Closest => closest_on(posts, here.at),
-                _ => aimed_at(goal, posts, here.at),
+        // Where there is but one way on, it is taken at once.
+        loop {
+            scratch.work.expansions += 1;
+            let face = FaceId::new(f);
+            let cost = costs.map_or(1.0, |costs| costs[face].max(0.0));
+            let (first, sides) = (mesh.range(face).start, mesh.sides_of(face));
+            // Without a branch: which sides lead on is not to be guessed.
+            let leads_on = |scratch: &Scratch, k: usize, side: &SideRecord| {
+                (side.across & ID != here.from) & scratch.may_cross(side.across) & fits(face, first + k)
             };
-            let length = here.length + cost * distance(here.at, at);
-            let key = (length + distance(at, goal)).to_bits().max(least);
-            let reached = &mut scratch.reached[next as usize];
-            if reached.query == query && (reached.key, reached.length) <= (key, length) {
-                continue;
+            let (mut ways, mut last) = (0, 0);
+            for (k, side) in sides.iter().enumerate() {
+                let on = leads_on(scratch, k, side);
+                ways += usize::from(on);
+                last = if on { k } else { last };
             }
-            *reached = Reached { query, from: f, side: s as u32, done: false, key, length, at };
-            let worse = match hand {
-                Some(best) if best <= (key, next) => Some((key, next)),
-                _ => hand.replace((key, next)),
-            };
-            scratch.work.pushes += 1;
-            scratch.queue.extend(worse.map(Reverse));
+            let mut only = None;
+            for k in if ways > 1 { 0..sides.len() } else { last..last + ways } {
+                let side = &sides[k];
+                if ways > 1 && !leads_on(scratch, k, side) {
+                    continue;
+                }
+                let next = side.across & ID;
+                let post = |side: &SideRecord| mesh.points[(side.origin & ID) as usize];
+                let posts = [post(side), post(sides.get(k + 1).unwrap_or(&sides[0]))];
+                let at = match metric {
+                    Rung::Centroid => mesh.centroid(FaceId::new(next)),
+                    Rung::Midpoint => Point::new((posts[0].x + posts[1].x) / 2.0, (posts[0].y + posts[1].y) / 2.0),
+                    Rung::Closest => closest_on(posts, here.at),
+                    _ => aimed_at(goal, posts, here.at),
+                };
+                let length = here.length + cost * distance(here.at, at);
+                let key = (length + distance(at, goal)).to_bits().max(least);
+                let reached = &mut scratch.reached[next as usize];
+                if reached.query == query && (reached.key, reached.length) <= (key, length) {
+                    continue;
+                }
+                *reached = Reached { query, from: f, side: (first + k) as u32, done: false, key, length, at };
+                if let Some(before) = only.replace((key, next)) {
+                    scratch.offer(&mut hand, before);
+                }
+            }
+            let Some((key, next)) = only else { break };
+            if ways > 1 || scratch.goals.contains(&FaceId::new(next)) {
+                scratch.offer(&mut hand, (key, next));
+                break;
+            }
+            scratch.reached[next as usize].done = true;
+            here = scratch.reached[next as usize];
+            (least, f) = (key, next);
         }
     }
     false
 }
 
 impl Scratch {
+    /// Puts the lesser of what is in the hand and a face that was reached into the hand, the other into the queue.
+    #[inline]
+    fn offer(&mut self, hand: &mut Option<(u64, u32)>, reached: (u64, u32)) {
+        let worse = match *hand {
+            Some(best) if best <= reached => Some(reached),
+            _ => hand.replace(reached),
+        };
+        self.work.pushes += 1;
+        self.queue.extend(worse.map(Reverse));
+    }
+
     /// Takes the least of the queue and of what is in the hand.
     fn next(&mut self, hand: &mut Option<(u64, u32)>) -> Option<(u64, u32)> {
         match (hand.take(), self.queue.peek_mut()) {

@@ -81,6 +81,16 @@ impl Funnel {
         }
     }
 
+    /// Goes through a door between two vertices. Mostly one of them is a post of the door before.
+    #[inline]
+    pub(super) fn pass_between(&mut self, mesh: &NavMesh, left: VertexId, right: VertexId) {
+        for (side, v) in [(LEFT, left), (RIGHT, right)] {
+            if self.chains[side].posts.last().is_none_or(|post| post.vertex != v.number()) {
+                self.put(side, Post::at(mesh, v));
+            }
+        }
+    }
+
     /// Ends at the goal and returns the way there.
     pub(super) fn finish(&mut self, goal: Post) -> &[Post] {
         self.put(LEFT, goal);
@@ -143,7 +153,7 @@ impl Route {
         funnel.start(Post::free(start));
         let mut steps = Vec::new();
         for portal in self.portals(mesh) {
-            funnel.pass(Post::at(mesh, portal.left), Post::at(mesh, portal.right));
+            funnel.pass_between(mesh, portal.left, portal.right);
             steps.push(funnel.step());
         }
         funnel.pass(Post::free(goal), Post::free(goal));

@@ -18,7 +18,7 @@
 //! Source: Hertel and Mehlhorn, *Fast triangulation of simple polygons*, 1983, for taking doors away.
 
 use super::mesh::{CLOSED, DEAD_END, ID, NONE, SideRecord, turns_left_or_runs_straight};
-use super::rooms::Rooms;
+use super::rooms::{Corner, Rooms};
 use super::{NavMesh, Place};
 use crate::ids::{FaceId, VertexId};
 use crate::plane::Point;
@@ -33,6 +33,9 @@ pub(super) struct Merged {
     originals: Vec<u32>,
     /// For each face of the mesh the merged one that has it; [`NONE`] for those nobody may enter.
     wholes: Vec<u32>,
+    /// For each face of the mesh the next one on the path to a certain face of the same merged one, its root;
+    /// [`NONE`] for roots.
+    ups: Vec<u32>,
 }
 
 /// A side in 32 bytes: what there is to know about a room lies in one piece, and the next one is one step away.
@@ -64,13 +67,9 @@ pub(super) struct MergedRooms<'a> {
 
 impl Rooms for MergedRooms<'_> {
     #[inline]
-    fn origin(&self, s: usize) -> u32 {
-        self.sides[s].origin
-    }
-
-    #[inline]
-    fn marks(&self, s: usize) -> u32 {
-        self.sides[s].twin
+    fn corner(&self, s: usize) -> Corner {
+        let WideSide { at, origin, twin, .. } = self.sides[s];
+        Corner { at, vertex: origin, marks: twin }
     }
 
     #[inline]
@@ -129,7 +128,7 @@ impl NavMesh {
     /// Worth it from a handful of queries on. The merged faces are given up when a face is blocked or freed, or a
     /// wall or an obstacle comes or goes; call this again when things have come to rest.
     ///
-    /// Cost: O(n log n); about 70 bytes a triangle.
+    /// Cost: O(n log n); about 75 bytes a triangle.
     ///
     /// ```
     /// use dcel_kit::navmesh::{NavMesh, Planner, Rung};
@@ -184,6 +183,11 @@ impl Merged {
         FaceId::new(self.wholes[f.index()])
     }
 
+    /// The sides of a merged face.
+    pub(super) fn range(&self, whole: FaceId) -> Range<usize> {
+        self.sides[whole.index()].range()
+    }
+
     /// To search through.
     pub(super) fn rooms<'a>(&'a self, mesh: &'a NavMesh) -> MergedRooms<'a> {
         MergedRooms { sides: &self.sides, points: &mesh.points }
@@ -226,64 +230,46 @@ impl Merged {
     }
 
     pub(super) fn memory(&self) -> usize {
-        size_of_val(&*self.sides) + size_of_val(&*self.originals) + size_of_val(&*self.wholes)
+        size_of_val(&*self.sides) + size_of_val(&*self.originals) + size_of_val(&*self.wholes) + size_of_val(&*self.ups)
     }
 
     /// Makes of a row of doors of merged faces one of doors of the mesh, from a face in the first to a face in the
-    /// last of them. Both rows run from the goal to the start. O(k^2) for each merged face of k sides on the way.
+    /// last of them. Both rows run from the goal to the start. O(k) for each merged face of k faces on the way.
     pub(super) fn refine(&self, mesh: &NavMesh, [start, goal]: [FaceId; 2], doors: &mut Vec<(u32, u32)>) {
-        let mut row = Vec::with_capacity(2 * doors.len());
-        let mut stack = Vec::new();
-        let mut at = start;
+        let mut row = Vec::with_capacity(3 * doors.len());
+        let (mut at, mut down) = (start.number(), Vec::new());
         for &(_, side) in doors.iter().rev() {
-            let side = self.original(side);
-            at = self.walk(mesh, at, |f| mesh.range(f).contains(&(side as usize)), &mut row, &mut stack);
-            row.push((at.number(), side));
-            at = FaceId::new(mesh.sides[side as usize].across & ID);
+            // Behind a side lies the face that its twin belongs to, and the other way round.
+            let [out, back] = [side, self.sides[side as usize].twin & ID].map(|side| self.original(side));
+            self.walk(mesh, at, mesh.sides[back as usize].across & ID, &mut row, &mut down);
+            row.push((mesh.sides[back as usize].across & ID, out));
+            at = mesh.sides[out as usize].across & ID;
         }
-        self.walk(mesh, at, |f| f == goal, &mut row, &mut stack);
+        self.walk(mesh, at, goal.number(), &mut row, &mut down);
         row.reverse();
         *doors = row;
     }
 
-    /// The doors from one face to another of the same merged face: the path between them in its tree. Returns where
-    /// it ends.
-    fn walk(
-        &self,
-        mesh: &NavMesh,
-        from: FaceId,
-        is_there: impl Fn(FaceId) -> bool,
-        row: &mut Vec<(u32, u32)>,
-        untried: &mut Vec<Range<usize>>,
-    ) -> FaceId {
-        let (first, whole) = (row.len(), self.whole(from));
-        let borders = &self.originals[self.sides[whole.index()].range()];
-        // For each face on the path the sides that have not been tried yet.
-        untried.clear();
-        untried.push(mesh.range(from));
-        let mut at = from;
-        while !is_there(at) {
-            let before = row[first..].last().map_or(NONE, |&(face, _)| face);
-            let leads_on = |s: usize| {
-                let across = mesh.sides[s].across;
-                let next = across & ID;
-                let is_inside = || self.wholes[next as usize] == whole.number() && !borders.contains(&(s as u32));
-                across & CLOSED == 0 && next != before && is_inside()
-            };
-            if let Some(s) = untried.last_mut().and_then(|sides| sides.find(|&s| leads_on(s))) {
-                row.push((at.number(), s as u32));
-                at = FaceId::new(mesh.sides[s].across & ID);
-                untried.push(mesh.range(at));
-            } else if row.len() > first
-                && let Some((back, _)) = row.pop()
-            {
-                untried.pop();
-                at = FaceId::new(back);
-            } else {
-                return from;
-            }
+    /// The doors from one face to another of the same merged face: the path between them in its tree, up from the
+    /// one to where it meets the path up from the other, and `down` that.
+    fn walk(&self, mesh: &NavMesh, from: u32, to: u32, row: &mut Vec<(u32, u32)>, down: &mut Vec<u32>) {
+        if from == to {
+            return;
         }
-        at
+        let path = |f: u32| std::iter::successors(Some(f), |&f| Some(self.ups[f as usize]).filter(|&up| up != NONE));
+        down.clear();
+        down.extend(path(to));
+        let mut at = from;
+        let meeting = loop {
+            if let Some(i) = down.iter().position(|&f| f == at) {
+                break i;
+            }
+            let up = self.ups[at as usize];
+            debug_assert_ne!(up, NONE, "{from} and {to} are in different merged faces");
+            row.push(mesh.door_to(at, up));
+            at = up;
+        };
+        row.extend(down[..=meeting].windows(2).rev().map(|pair| mesh.door_to(pair[1], pair[0])));
     }
 }
 
@@ -387,6 +373,24 @@ impl<'a> Rings<'a> {
         at
     }
 
+    /// The trees of faces that were put together, each by the next face on the way to its root.
+    fn ups(&self) -> Vec<u32> {
+        let mut ups = vec![NONE; self.mesh.faces.len()];
+        let is_root = |f: &u32| self.joined[*f as usize] == *f;
+        let mut stack: Vec<u32> = (0..self.mesh.faces.len() as u32).filter(is_root).collect();
+        while let Some(f) = stack.pop() {
+            for s in self.mesh.range(FaceId::new(f)) {
+                let beyond = self.mesh.sides[s].across & ID;
+                let was_opened = self.next[s] == NONE && self.twin[s] != NONE;
+                if was_opened && ups[f as usize] != beyond {
+                    ups[beyond as usize] = f;
+                    stack.push(beyond);
+                }
+            }
+        }
+        ups
+    }
+
     /// Writes the rings down one after the other, in the order of a curve.
     fn collect(mut self) -> Merged {
         let mesh = self.mesh;
@@ -420,6 +424,7 @@ impl<'a> Rings<'a> {
             wholes[f.index()] = wholes[self.root(f.number()) as usize];
         }
         originals.shrink_to_fit();
+        let ups = self.ups();
         let side = |range: &Range<u32>, i: u32| {
             let s = originals[i as usize] as usize;
             let SideRecord { origin, across } = mesh.sides[s];
@@ -428,7 +433,7 @@ impl<'a> Rings<'a> {
         };
         let mut sides = Vec::with_capacity(originals.len());
         ranges.iter().for_each(|range| sides.extend(range.clone().map(|i| side(range, i))));
-        Merged { sides, originals, wholes }
+        Merged { sides, originals, wholes, ups }
     }
 }
 

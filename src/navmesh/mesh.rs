@@ -15,6 +15,7 @@
 //!
 //! Memory: 48 bytes a triangle and 20 a vertex.
 
+use super::crossings::Crossings;
 use super::error::NavMeshError;
 use super::grid::{GapEdge, Grid};
 use super::merged::Merged;
@@ -118,6 +119,8 @@ pub struct NavMesh {
     pub(super) grid: Grid,
     /// Larger faces for the exact search, if they were asked for.
     pub(super) merged: Option<Merged>,
+    /// Crossings for the fewest faces, if they were asked for.
+    pub(super) crossings: Option<Crossings>,
 }
 
 impl NavMesh {
@@ -153,6 +156,7 @@ impl NavMesh {
             component_sizes: Vec::new(),
             grid: Grid::default(),
             merged: None,
+            crossings: None,
         };
         for f in map.faces().filter(|&f| f != map.outer_face() && !map.is_hole(f)) {
             mesh.read_face(map, f)?;
@@ -196,7 +200,7 @@ impl NavMesh {
         Ok(())
     }
 
-    /// Bytes of the arrays, the index for location and the merged faces, if there are any, among them.
+    /// Bytes of the arrays; the index for location, and merged faces and crossings, if there are any, among them.
     #[must_use]
     pub fn memory(&self) -> usize {
         size_of_val(&*self.points)
@@ -206,6 +210,7 @@ impl NavMesh {
             + size_of_val(&*self.fans)
             + self.grid.memory()
             + self.merged.as_ref().map_or(0, Merged::memory)
+            + self.crossings.as_ref().map_or(0, Crossings::memory)
     }
 
     /// Makes the index anew. O(n).
@@ -307,6 +312,16 @@ impl NavMesh {
         let range = self.range(f);
         let next = if s + 1 == range.end { range.start } else { s + 1 };
         [s, next].map(|s| VertexId::new(self.sides[s].origin & ID))
+    }
+
+    /// A door from a face to one beside it: the face, and its side. O(sides of the face).
+    ///
+    /// # Panics
+    /// If there is none.
+    pub(super) fn door_to(&self, from: u32, to: u32) -> (u32, u32) {
+        let is_door = |&s: &usize| self.sides[s].across & (CLOSED | ID) == to;
+        let side = self.range(FaceId::new(from)).find(is_door);
+        (from, side.expect("one may pass from the one to the other") as u32)
     }
 
     /// The side of `f` that starts at `v`. O(sides of f).

@@ -9,6 +9,7 @@
 use super::corridor::{self, Reached};
 use super::exact::Exact;
 use super::funnel::{self, Funnel, Post};
+use super::jumps::{self, Jumps};
 use super::merged::Merged;
 use super::mesh::{CLOSED, DEAD_END, ID, NONE};
 use super::waves::{self, Waves};
@@ -43,13 +44,16 @@ pub struct Planner {
 pub(super) struct Scratch {
     /// The number of the query.
     pub(super) query: u32,
-    /// A bit for each face: whether it is a dead end that may be entered.
+    /// A bit for each face, or for each side of the merged ones: whether what it belongs to may be entered even if it
+    /// is a dead end.
     allowed: Vec<u64>,
     /// The words of these bits that are not 0.
     allowed_words: Vec<usize>,
     pub(super) reached: Vec<Reached>,
     /// Breadth first: what was reached.
     pub(super) waves: Waves,
+    /// The same from crossing to crossing.
+    pub(super) jumps: Jumps,
     /// Keys are the bits of a length, which is not negative: they are in the order of the lengths.
     pub(super) queue: BinaryHeap<Reverse<(u64, u32)>>,
     pub(super) funnel: Funnel,
@@ -96,7 +100,10 @@ impl Planner {
     pub fn route(&mut self, mesh: &NavMesh, rung: Rung, start: &Place, goal: &Place) -> Result<Route, RouteError> {
         let merged = mesh.merged.as_ref().filter(|_| rung == Rung::Exact);
         self.search(mesh, start, goal, merged, |planner| match rung {
-            Rung::Breadth => waves::breadth_first(mesh, &mut planner.scratch),
+            Rung::Breadth => match &mesh.crossings {
+                Some(crossings) => jumps::fewest_faces(mesh, crossings, &mut planner.scratch),
+                None => waves::breadth_first(mesh, &mut planner.scratch),
+            },
             Rung::Exact => planner.exact.search(mesh, &mut planner.scratch, start, goal.point),
             metric => {
                 let ends = [start.point, goal.point];
@@ -244,12 +251,14 @@ impl Scratch {
         let room = |f: FaceId| merged.map_or(f, |merged| merged.whole(f));
         for &f in self.starts.iter().chain(&self.goals) {
             for f in mesh.door_path(f) {
-                let f = room(f).index();
-                let word = &mut self.allowed[f / 64];
-                if *word == 0 {
-                    self.allowed_words.push(f / 64);
+                let bits = merged.map_or(f.index()..f.index() + 1, |merged| merged.range(room(f)));
+                for bit in bits {
+                    let word = &mut self.allowed[bit / 64];
+                    if *word == 0 {
+                        self.allowed_words.push(bit / 64);
+                    }
+                    *word |= 1 << (bit % 64);
                 }
-                *word |= 1 << (f % 64);
             }
         }
         if merged.is_some() {
@@ -274,7 +283,7 @@ impl Scratch {
         (across & CLOSED == 0) & ((across & DEAD_END == 0) | self.is_allowed(across & ID))
     }
 
-    /// Whether a dead end is no useless one.
+    /// Whether a dead end, by the face or by the side of the merged one, is no useless one.
     #[inline]
     pub(super) fn is_allowed(&self, dead_end: u32) -> bool {
         self.allowed[dead_end as usize / 64] >> (dead_end % 64) & 1 != 0
@@ -291,7 +300,7 @@ impl Scratch {
         for &(face, side) in self.doors.iter().rev() {
             let face = FaceId::new(face);
             let [right, left] = merged.map_or_else(|| mesh.ends(face, side as usize), |merged| merged.ends(side));
-            self.funnel.pass(Post::at(mesh, left), Post::at(mesh, right));
+            self.funnel.pass_between(mesh, left, right);
         }
         let way = self.funnel.finish(Post::free(goal));
         // A bend at the start or the goal itself is none.

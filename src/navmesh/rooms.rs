@@ -8,13 +8,21 @@ use super::mesh::{ID, SideRecord};
 use crate::plane::Point;
 use std::ops::Range;
 
+/// A corner of a room, and the side that starts there.
+#[derive(Clone, Copy)]
+pub(super) struct Corner {
+    /// Where it is.
+    pub(super) at: Point,
+    /// The vertex, with its marks.
+    pub(super) vertex: u32,
+    /// Whether the side is closed, or leads into a dead end, by the marks.
+    pub(super) marks: u32,
+}
+
 /// Convex faces in flat arrays. Side s runs from corner s to the next one of its room.
 pub(super) trait Rooms {
-    /// The vertex that side `s` starts from, with its marks.
-    fn origin(&self, s: usize) -> u32;
-
-    /// Whether side `s` is closed, or leads into a dead end, by the marks.
-    fn marks(&self, s: usize) -> u32;
+    /// What there is to know of side `s` and the corner it starts from.
+    fn corner(&self, s: usize) -> Corner;
 
     /// Where side `s` starts.
     fn place(&self, s: usize) -> Point;
@@ -42,17 +50,19 @@ pub(super) trait Rooms {
     fn next(&self, range: &Range<usize>, s: usize) -> usize {
         if s + 1 == range.end { range.start } else { s + 1 }
     }
+
+    /// The side before `s`, one of `range`.
+    #[inline]
+    fn prev(&self, range: &Range<usize>, s: usize) -> usize {
+        if s == range.start { range.end - 1 } else { s - 1 }
+    }
 }
 
 impl Rooms for NavMesh {
     #[inline]
-    fn origin(&self, s: usize) -> u32 {
-        self.sides[s].origin
-    }
-
-    #[inline]
-    fn marks(&self, s: usize) -> u32 {
-        self.sides[s].across
+    fn corner(&self, s: usize) -> Corner {
+        let SideRecord { origin, across } = self.sides[s];
+        Corner { at: self.points[(origin & ID) as usize], vertex: origin, marks: across }
     }
 
     #[inline]

@@ -15,7 +15,8 @@ use std::fmt;
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 #[non_exhaustive]
 pub enum Rung {
-    /// Breadth first: the fewest faces.
+    /// Breadth first: the fewest faces; quicker from crossing to crossing, see
+    /// [`link_crossings`](NavMesh::link_crossings).
     Breadth,
     /// A* from centroid to centroid of the faces.
     Centroid,

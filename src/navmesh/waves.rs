@@ -15,7 +15,7 @@
 //! The neighbours of some faces are gathered before any of them is looked at: so the processor waits for the memory
 //! once for all of them, and not at every branch.
 
-use super::mesh::{CLOSED, ID, NONE};
+use super::mesh::{ID, NONE};
 use super::planner::Scratch;
 use super::{NavMesh, Work};
 use crate::ids::FaceId;
@@ -132,10 +132,12 @@ pub(super) fn breadth_first(mesh: &NavMesh, scratch: &mut Scratch) -> bool {
     waves.begin(mesh, &scratch.starts, &scratch.goals);
     let met = waves.meet(mesh, scratch);
     if let Some([here, there]) = met {
-        scratch.doors.extend(waves.back(1, there).zip(waves.back(1, there).skip(1)).map(|pair| door(mesh, pair)));
+        scratch
+            .doors
+            .extend(waves.back(1, there).zip(waves.back(1, there).skip(1)).map(|(from, to)| mesh.door_to(from, to)));
         scratch.doors.reverse();
         let onwards = std::iter::once(waves.waves[1][there].0).chain(waves.back(0, here));
-        scratch.doors.extend(waves.back(0, here).zip(onwards).map(|pair| door(mesh, pair)));
+        scratch.doors.extend(waves.back(0, here).zip(onwards).map(|(from, to)| mesh.door_to(from, to)));
     }
     let looked_at = waves.fronts.iter().sum::<usize>() as u64;
     let reached = waves.waves.iter().map(|wave| wave.len() as u64).sum();
@@ -145,11 +147,4 @@ pub(super) fn breadth_first(mesh: &NavMesh, scratch: &mut Scratch) -> bool {
     }
     scratch.waves = waves;
     met.is_some()
-}
-
-/// The door from a face to one beside it: the face, and its side.
-fn door(mesh: &NavMesh, (from, to): (u32, u32)) -> (u32, u32) {
-    let is_door = |&s: &usize| mesh.sides[s].across & (CLOSED | ID) == to;
-    let side = mesh.range(FaceId::new(from)).find(is_door);
-    (from, side.expect("the waves crossed it") as u32)
 }

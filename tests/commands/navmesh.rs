@@ -202,6 +202,13 @@ fn scenarios_are_counted_and_failures_named() {
         report["expansions"].as_u64().expect("a number")
     });
     assert!(entered[1] * 2 < entered[0], "merged faces save less than half: {entered:?}");
+    let [plain, prepared] = ["", " --merged"].map(|more| {
+        folder.dcel(&format!("navmesh path rooms.map 1 1 22 12 --triangles --rung breadth --json{more}")).json()["routes"][0].clone()
+    });
+    let count = |route: &serde_json::Value| route["faces"].as_array().map(Vec::len);
+    assert!(count(&plain).is_some() && count(&plain) == count(&prepared), "{plain} {prepared}");
+    let work = |route: &serde_json::Value| route["expansions"].as_u64().expect("a number");
+    assert!(work(&prepared) * 2 < work(&plain), "{plain} {prepared}");
     let wrong = include_str!("../../figures/data/rooms.scen").replacen("34.257796844", "34.257796944", 1);
     folder.write("wrong.scen", &wrong);
     let told = folder.dcel("navmesh scenario rooms.map wrong.scen");
@@ -279,7 +286,9 @@ fn grid_maps_are_files_like_any_other() {
     folder.dcel("convert rooms.map rooms.mesh").fine();
     let mesh = folder.dcel("navmesh info rooms.mesh --json").json();
     let map = folder.dcel("navmesh info rooms.map --json").json();
-    for what in ["faces", "vertices", "doors", "components", "dead_ends", "area", "double_corners"] {
+    for what in
+        ["faces", "vertices", "doors", "components", "dead_ends", "crossings", "passages", "area", "double_corners"]
+    {
         assert_eq!(mesh[what], map[what], "{what}");
     }
     folder.dcel("navmesh info square.dcel").fails(2, "square.dcel: cannot be read", "");

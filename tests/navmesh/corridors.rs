@@ -8,7 +8,7 @@ use dcel_kit::navmesh::{NavMesh, Place, Planner, Rung};
 use dcel_kit::plane::Point;
 
 /// The fewest doors from a face at the start to one at the goal: plainly, and through dead ends, too.
-fn fewest_doors(mesh: &NavMesh, start: &Place, goal: &Place) -> Option<usize> {
+pub(crate) fn fewest_doors(mesh: &NavMesh, start: &Place, goal: &Place) -> Option<usize> {
     let goals = mesh.faces_at(goal);
     let mut reached: Vec<(FaceId, usize)> = mesh.faces_at(start).into_iter().map(|f| (f, 0)).collect();
     let mut at = 0;

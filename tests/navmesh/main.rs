@@ -5,6 +5,7 @@
 
 mod blocking;
 mod corridors;
+mod crossings;
 mod inset;
 mod live;
 mod location;

@@ -12,7 +12,10 @@ use dcel_kit::navmesh::{MeshFault, double_corners_of};
 use serde::Serialize;
 use std::io::{self, Write};
 
-/// Count faces, components and dead ends of a map, and name everything that is wrong with it
+/// Count faces, components, dead ends and crossings of a map, and name everything that is wrong with it
+///
+/// A crossing is a face with three or more ways on that are no dead ends; between crossings lie
+/// passages, rows of faces without a choice.
 ///
 /// Wrong are faces that run clockwise, that are not convex or have no area, that overlap, T-junctions
 /// and vertices at the same place. Double corners, where gaps touch, are told as a warning. Exit code
@@ -61,6 +64,8 @@ struct Info {
     hole_faces: usize,
     components: Vec<usize>,
     dead_ends: usize,
+    crossings: usize,
+    passages: usize,
     area: f64,
     double_corners: usize,
     faults: Vec<Told>,
@@ -89,7 +94,8 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         }
         told.retain(|fault| !cut_up(fault.kind));
     }
-    let map = args.map.finish(draft)?;
+    let mut map = args.map.finish(draft)?;
+    map.mesh.link_crossings();
     if let Some(target) = &target {
         let floor = Floor::new(&map.subdivision, &map.mesh);
         let title = args.map.title();
@@ -153,6 +159,8 @@ impl Info {
             hole_faces: 0,
             components: Vec::new(),
             dead_ends: 0,
+            crossings: 0,
+            passages: 0,
             area: 0.0,
             double_corners: 0,
             faults: Vec::new(),
@@ -179,6 +187,8 @@ impl Info {
             hole_faces: map.subdivision.hole_faces().count(),
             components,
             dead_ends: mesh.faces().filter(|&f| mesh.is_dead_end(f)).count(),
+            crossings: mesh.crossings().len(),
+            passages: mesh.passages().len(),
             area: 0.5 * mesh.faces().map(cross).sum::<f64>(),
             double_corners: double_corners_of(&map.subdivision).len(),
             faults,
@@ -198,6 +208,7 @@ impl Info {
         let plural = if self.components == [1] { "face" } else { "faces" };
         line("components", format!("{}, of {}{rest} {plural}", self.components.len(), sizes.join(", ")))?;
         line("dead ends", format!("{} faces peeled, {} left", self.dead_ends, self.faces - self.dead_ends))?;
+        line("crossings", format!("{}, {} passages between them", self.crossings, self.passages))?;
         line("area", dcel_kit::io::Number(self.area).to_string())?;
         line("double corners", self.double_corners.to_string())?;
         self.faults.iter().try_for_each(|fault| fault.print(out))

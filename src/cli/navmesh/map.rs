@@ -70,6 +70,12 @@ pub(super) enum Draft {
 }
 
 impl Map {
+    /// Merges faces and links crossings, so that there is less to search.
+    pub(super) fn prepare(&mut self) {
+        self.mesh.merge_faces();
+        self.mesh.link_crossings();
+    }
+
     /// A point of the file.
     pub(super) fn point(&self, [x, y]: [f64; 2]) -> Point {
         Point::new(x, if self.frame.down { 0.0 - y } else { y })

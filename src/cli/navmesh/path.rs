@@ -42,8 +42,8 @@ pub(super) struct Args {
     /// How the way is found
     #[arg(long, value_name = "RUNG", default_value = "exact")]
     rung: Which,
-    /// Look for the exact way over larger faces, merged from those of the map: the same answer with
-    /// less work
+    /// Prepare the map: the exact way is looked for over larger faces, merged from those of the map,
+    /// and the fewest faces from crossing to crossing. As good an answer, with less work
     #[arg(long)]
     merged: bool,
     /// The radius of the agent: its way keeps that far from every border. Corners are rounded by
@@ -174,7 +174,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     };
     let mut ways = inset.as_ref().map(|inset| whole.inset(inset.clone()));
     if args.merged {
-        ways.as_mut().unwrap_or(&mut whole).mesh.merge_faces();
+        ways.as_mut().unwrap_or(&mut whole).prepare();
     }
     let maps = Maps { whole, inset, ways };
     let start = maps.place("start", [x0, y0], args.start_face)?;

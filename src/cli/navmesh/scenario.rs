@@ -32,8 +32,8 @@ pub(super) struct Args {
     /// How the ways are found
     #[arg(long, value_name = "RUNG", default_value = "exact")]
     rung: Which,
-    /// Look for the exact way over larger faces, merged from those of the map: the same answer with
-    /// less work
+    /// Prepare the map: the exact way is looked for over larger faces, merged from those of the map,
+    /// and the fewest faces from crossing to crossing. As good an answer, with less work
     #[arg(long)]
     merged: bool,
     /// What the stated lengths are
@@ -93,7 +93,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let scenario = Scenario::parse(&bytes(&args.scenario)?, &source_name(&args.scenario))?;
     let mut map = args.map.open()?;
     if args.merged {
-        map.mesh.merge_faces();
+        map.prepare();
     }
     tell_other_maps(args, &scenario);
     let optimum = match args.optimum {

@@ -10,9 +10,11 @@
 
 use super::super::mesh::ID;
 use super::super::rooms::Rooms;
-use super::ray::Ray;
+use super::ray::{Ray, Turn, difference};
 use crate::ids::FaceId;
 use crate::plane::Point;
+use crate::plane::predicates::orientation;
+use std::cmp::Ordering;
 
 /// In `left` and `right`: what is out of sight may be reached by a bend at the post.
 pub(super) const ENDS: u32 = 1 << 31;
@@ -24,7 +26,7 @@ pub(super) const START: u32 = ID;
 /// As the root before: the root is a post of the door.
 pub(super) const AT_POST: u32 = u32::MAX;
 
-/// A cone in 32 bytes.
+/// A cone in 32 bytes: what is kept of it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Node {
     /// The length of the way to the root.
@@ -48,27 +50,73 @@ impl Node {
     pub(super) fn is_at_post(&self) -> bool {
         self.before == AT_POST
     }
+}
 
+/// A cone with its points at hand.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Beam {
+    pub(super) node: Node,
+    /// The place of the root.
+    pub(super) root: Point,
+    /// The directions of the left and of the right ray; meaningless if the root is at a post.
+    pub(super) left: [f64; 2],
+    pub(super) right: [f64; 2],
+    /// The posts of the door, the right one first.
+    pub(super) posts: [Point; 2],
+}
+
+impl Beam {
+    /// The cone of a node, whose door has these posts.
     #[inline]
-    pub(super) fn root<R: Rooms>(&self, rooms: &R, start: Point) -> Point {
-        if self.root == START { start } else { rooms.point(self.root) }
+    pub(super) fn new<R: Rooms>(rooms: &R, start: Point, node: Node, posts: [Point; 2]) -> Self {
+        let root = place(rooms, start, node.root);
+        let along = |end: u32| {
+            if node.is_at_post() {
+                [0.0; 2]
+            } else if end & BENT == 0 {
+                difference(root, rooms.place((end & ID) as usize))
+            } else {
+                difference(place(rooms, start, node.before), root)
+            }
+        };
+        Self { node, root, left: along(node.left), right: along(node.right), posts }
     }
 
-    /// The left and the right ray, from the root on or from the root before.
-    #[inline]
-    pub(super) fn rays<R: Rooms>(&self, rooms: &R, start: Point) -> [Ray; 2] {
-        let root = self.root(rooms, start);
-        [self.ray(rooms, start, root, self.left), self.ray(rooms, start, root, self.right)]
+    pub(super) fn left_ray(&self) -> Ray {
+        Ray { from: self.root, along: self.left }
     }
 
+    pub(super) fn right_ray(&self) -> Ray {
+        Ray { from: self.root, along: self.right }
+    }
+
+    /// On which side of the left ray a point is.
     #[inline]
-    fn ray<R: Rooms>(&self, rooms: &R, start: Point, root: Point, end: u32) -> Ray {
+    pub(super) fn of_left<R: Rooms>(&self, rooms: &R, start: Point, p: Point) -> Turn {
+        self.left_ray().turn(p, || self.exactly(rooms, start, self.node.left, p))
+    }
+
+    /// On which side of the right ray a point is.
+    #[inline]
+    pub(super) fn of_right<R: Rooms>(&self, rooms: &R, start: Point, p: Point) -> Turn {
+        self.right_ray().turn(p, || self.exactly(rooms, start, self.node.right, p))
+    }
+
+    /// On which side of the ray with this end a point is, by the points that were given.
+    #[cold]
+    fn exactly<R: Rooms>(&self, rooms: &R, start: Point, end: u32, p: Point) -> Ordering {
         if end & BENT == 0 {
-            Ray::new(root, rooms.place((end & ID) as usize))
+            orientation(self.root, rooms.place((end & ID) as usize), p)
         } else {
-            Ray::new(if self.before == START { start } else { rooms.point(self.before) }, root)
+            orientation(place(rooms, start, self.node.before), self.root, p)
         }
     }
+}
+
+/// Where a root is.
+#[inline]
+fn place<R: Rooms>(rooms: &R, start: Point, root: u32) -> Point {
+    if root == START { start } else { rooms.point(root) }
 }
 
 /// A cone that the last exact search looked at, for figures.

@@ -12,9 +12,8 @@
 //! places. A guess that is too short costs work, not the answer.
 
 use super::super::nearest::distance;
-use super::super::rooms::Rooms;
-use super::cone::{ENDS, Node};
-use super::ray::Ray;
+use super::cone::{Beam, ENDS};
+use super::ray::{Ray, difference};
 use crate::plane::Point;
 
 /// More than rounding may change of the products that are compared.
@@ -22,10 +21,6 @@ const DOUBT: f64 = 4e-15;
 
 fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[1] - a[1] * b[0]
-}
-
-fn minus(a: Point, b: Point) -> [f64; 2] {
-    [a.x - b.x, a.y - b.y]
 }
 
 /// The point at the fraction `t` of the way from `a` to `b`.
@@ -42,32 +37,32 @@ pub(super) fn between(a: Point, b: Point, t: f64) -> Point {
 
 /// Which fractions of the door, from right to left, the cone sees at most.
 #[inline]
-pub(super) fn seen<R: Rooms>(rooms: &R, start: Point, node: &Node, [right, left]: [Point; 2]) -> [f64; 2] {
+pub(super) fn seen(beam: &Beam) -> [f64; 2] {
+    let (node, [right, left]) = (&beam.node, beam.posts);
     if node.is_at_post() || node.left & node.right & ENDS != 0 {
         return [0.0, 1.0];
     }
-    let [left_ray, right_ray] = node.rays(rooms, start);
     // The right post is on the right of either ray, and the left one on its left.
-    let fraction = |ray: &Ray, outwards: f64| {
+    let fraction = |ray: Ray, outwards: f64| {
         let ([a, one], [b, other]) = (ray.height(right), ray.height(left));
         if b > a { (outwards * one.max(other) - a) / (b - a) } else { outwards }
     };
-    let low = if node.right & ENDS != 0 { 0.0 } else { fraction(&right_ray, -4.0) };
-    let high = if node.left & ENDS != 0 { 1.0 } else { fraction(&left_ray, 4.0) };
+    let low = if node.right & ENDS != 0 { 0.0 } else { fraction(beam.right_ray(), -4.0) };
+    let high = if node.left & ENDS != 0 { 1.0 } else { fraction(beam.left_ray(), 4.0) };
     [if low > 0.0 { low } else { 0.0 }, if high < 1.0 { high } else { 1.0 }]
 }
 
-/// The guess of the length from the root of a node to the goal, by way of the door with these posts.
+/// The guess of the length from the root of a cone to the goal, by way of its door.
 #[inline]
-pub(super) fn guess<R: Rooms>(rooms: &R, start: Point, node: &Node, posts: [Point; 2], goal: Point) -> f64 {
-    let root = node.root(rooms, start);
-    if node.is_at_post() {
+pub(super) fn guess(beam: &Beam, goal: Point) -> f64 {
+    let root = beam.root;
+    if beam.node.is_at_post() {
         return distance(root, goal);
     }
-    let [right, left] = posts;
-    let [low, high] = seen(rooms, start, node, posts);
-    let door = minus(left, right);
-    let [height, goal_height] = [root, goal].map(|p| cross(door, minus(p, right)));
+    let [right, left] = beam.posts;
+    let [low, high] = seen(beam);
+    let door = difference(right, left);
+    let [height, goal_height] = [root, goal].map(|p| cross(door, difference(right, p)));
     let goal = if height * goal_height > 0.0 {
         let t = 2.0 * goal_height / (door[0] * door[0] + door[1] * door[1]);
         Point::new(goal.x + door[1] * t, goal.y - door[0] * t)
@@ -76,7 +71,7 @@ pub(super) fn guess<R: Rooms>(rooms: &R, start: Point, node: &Node, posts: [Poin
     };
     // The line from the root to the goal meets the door at the fraction at / slope. If that cannot be told from a
     // point that is seen, the straight line is a guess that is not too long.
-    let (line, off) = (minus(goal, root), minus(root, right));
+    let (line, off) = (difference(root, goal), difference(right, root));
     let (slope, at) = (cross(line, door), cross(line, off));
     let doubt =
         DOUBT * (line[0].abs() * (door[1].abs() + off[1].abs()) + line[1].abs() * (door[0].abs() + off[0].abs()));

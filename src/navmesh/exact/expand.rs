@@ -14,199 +14,247 @@
 use super::super::mesh::{CLOSED, DEAD_END, ID, TURN};
 use super::super::nearest::distance;
 use super::super::planner::Scratch;
-use super::super::rooms::Rooms;
-use super::cone::{AT_POST, BENT, ENDS, Node, START};
+use super::super::rooms::{Corner, Rooms};
+use super::cone::{AT_POST, BENT, Beam, ENDS, Node, START};
+use super::ray::{Turn, difference};
 use super::search::Exact;
 use crate::plane::Point;
 use crate::plane::predicates::{left_to_right, orientation};
 use std::cmp::Ordering;
 use std::ops::Range;
 
-/// The room behind the door of a cone, with its corners from the right post on, and what else all cones behind the
-/// door have in common.
+/// The room behind the door of a cone, and what all cones behind the door have in common.
 struct Behind<'a, R> {
     rooms: &'a R,
     scratch: &'a Scratch,
+    start: Point,
     parent: u32,
     range: Range<usize>,
-    /// The place of the right post.
-    first: usize,
 }
 
-/// A post round which the way may bend.
+/// A side of the room.
+#[derive(Clone, Copy)]
+struct Side {
+    /// Its number, and that of the next one, which starts at its left end.
+    number: usize,
+    next: usize,
+    /// Its ends, as seen from within the room.
+    right: Corner,
+    left: Corner,
+}
+
+/// What sides are seen from.
+#[derive(Clone, Copy)]
+struct Root {
+    /// A vertex, or [`START`].
+    vertex: u32,
+    at: Point,
+    /// The length of the way to it.
+    length: f64,
+}
+
+/// A ray that continues the line from a root before: that root, and the direction.
+type Limit = (u32, [f64; 2]);
+
+/// A post of the door, round which the way may bend.
 struct Post {
-    /// The corner at which it is.
-    corner: usize,
+    corner: Corner,
     /// Whether a way may bend here at all.
     may_turn: bool,
-    /// The length of the way to it, once it was asked for; none if a shorter one is known.
-    length: Option<Option<f64>>,
+    /// The post as a root, once it was asked for; none if a shorter way to it is known.
+    root: Option<Option<Root>>,
+}
+
+impl Post {
+    #[inline]
+    fn new(corner: Corner, end: u32) -> Self {
+        Self { corner, may_turn: end & ENDS != 0 && corner.vertex & TURN != 0, root: None }
+    }
 }
 
 impl Exact {
-    /// Appends the cones behind the cone of node `parent`. Returns the sides of the room that was entered.
+    /// Finds the cones behind a cone, which is node `parent`. Returns the sides of the room that was entered.
     #[inline]
-    pub(super) fn expand<R: Rooms>(&mut self, rooms: &R, scratch: &Scratch, parent: u32, node: &Node) -> Range<usize> {
-        let (range, first) = rooms.enter(node.door);
-        let behind = Behind { rooms, scratch, parent, range, first };
-        if node.is_at_post() {
-            for i in 0..behind.range.len() - 1 {
-                self.see_from_corner(&behind, i, node.root, node.length, [None, None]);
-            }
+    pub(super) fn expand<R: Rooms>(&mut self, rooms: &R, scratch: &Scratch, parent: u32, beam: &Beam) -> Range<usize> {
+        self.found.clear();
+        let (range, first) = rooms.enter(beam.node.door);
+        let behind = Behind { rooms, scratch, start: self.start, parent, range };
+        if beam.node.is_at_post() {
+            let root = Root { vertex: beam.node.root, at: beam.root, length: beam.node.length };
+            let door = rooms.prev(&behind.range, first);
+            self.see_all(&behind, first, door, root);
         } else {
-            self.see_through_door(&behind, node);
+            self.see_through_door(&behind, first, beam);
         }
         behind.range
     }
 
-    /// Appends the cones from the start, which lies in or on the closed room.
+    /// Finds the cones from the start, which lies in or on the closed room, besides those that were found already.
     pub(super) fn leave<R: Rooms>(&mut self, rooms: &R, scratch: &Scratch, room: u32, none: u32) -> Range<usize> {
-        let range = rooms.range(room);
-        let behind = Behind { rooms, scratch, parent: none, first: range.start, range };
-        for i in 0..behind.range.len() {
-            self.see_from_corner(&behind, i, START, 0.0, [None, None]);
+        let behind = Behind { rooms, scratch, start: self.start, parent: none, range: rooms.range(room) };
+        let root = Root { vertex: START, at: self.start, length: 0.0 };
+        let (first, last) = (behind.range.start, behind.range.end - 1);
+        self.see_all(&behind, first, last, root);
+        let side = Side { number: last, next: first, right: rooms.corner(last), left: rooms.corner(first) };
+        if behind.may_cross(&side) {
+            self.see_from(&behind, &side, root, [None, None]);
         }
         behind.range
     }
 
-    fn see_through_door<R: Rooms>(&mut self, behind: &Behind<R>, node: &Node) {
-        let [left_ray, right_ray] = node.rays(behind.rooms, self.start);
-        let last = behind.range.len() - 1;
-        let post = |corner: usize, end: u32| {
-            let may_turn = end & ENDS != 0 && behind.corner(corner) & TURN != 0;
-            Post { corner, may_turn, length: None }
-        };
-        let (mut right_post, mut left_post) = (post(0, node.right), post(last, node.left));
+    /// Sees all sides from `first` on up to the one before `last`.
+    fn see_all<R: Rooms>(&mut self, behind: &Behind<R>, first: usize, last: usize, root: Root) {
+        let (mut number, mut right) = (first, behind.rooms.corner(first));
+        while number != last {
+            let next = behind.rooms.next(&behind.range, number);
+            let left = behind.rooms.corner(next);
+            let side = Side { number, next, right, left };
+            if behind.may_cross(&side) {
+                self.see_from(behind, &side, root, [None, None]);
+            }
+            (number, right) = (next, left);
+        }
+    }
 
-        // Where each corner is, seen from the right ray and from the left.
-        let mut of_right = if node.right & ENDS != 0 { Ordering::Equal } else { Ordering::Less };
-        let mut of_left = Ordering::Less;
-        for i in 0..last {
-            let (next_of_right, next_of_left) = if i + 1 == last {
-                (Ordering::Greater, if node.left & ENDS != 0 { Ordering::Equal } else { Ordering::Greater })
+    fn see_through_door<R: Rooms>(&mut self, behind: &Behind<R>, first: usize, beam: &Beam) {
+        let (rooms, node, start) = (behind.rooms, &beam.node, behind.start);
+        // The side that is the door: it starts at the left post.
+        let door = rooms.prev(&behind.range, first);
+        let mut right_post = Post::new(rooms.corner(first), node.right);
+        let mut left_post = Post::new(rooms.corner(door), node.left);
+
+        // Where the ends of the side are, seen from the right ray and from the left.
+        let mut of_right = if node.right & ENDS != 0 { 0 } else { -1 };
+        let mut of_left = -1;
+        let (mut number, mut right) = (first, right_post.corner);
+        loop {
+            let next = rooms.next(&behind.range, number);
+            let left = rooms.corner(next);
+            let (at_right_post, at_left_post) = (number == first, next == door);
+            let (next_of_right, next_of_left) = if at_left_post {
+                (1, if node.left & ENDS != 0 { 0 } else { 1 })
             } else {
-                let p = behind.place(i + 1);
-                let of_right = if of_right.is_gt() { of_right } else { right_ray.turn(p) };
-                let of_left = match (of_right, of_left) {
-                    (_, Ordering::Greater) => Ordering::Greater,
-                    (Ordering::Greater, _) => left_ray.turn(p),
-                    _ => Ordering::Less,
+                let of_right = if of_right > 0 { 1 } else { beam.of_right(rooms, start, left.at) };
+                let of_left = if of_left > 0 {
+                    1
+                } else if of_right > 0 {
+                    beam.of_left(rooms, start, left.at)
+                } else {
+                    -1
                 };
                 (of_right, of_left)
             };
-            if behind.may_cross(i) {
-                if next_of_right.is_gt() && of_left.is_lt() {
-                    self.see(behind, i, node, [of_right, next_of_left]);
+            let side = Side { number, next, right, left };
+            if behind.may_cross(&side) {
+                if next_of_right > 0 && of_left < 0 {
+                    self.see(behind, &side, beam, [of_right, next_of_left]);
                 }
-                if right_post.may_turn && (if i == 0 { next_of_right.is_le() } else { of_right.is_lt() }) {
-                    let limit = next_of_right.is_gt().then_some(node.root);
-                    self.bend(behind, i, node, &mut right_post, [limit, None]);
+                if right_post.may_turn && (if at_right_post { next_of_right <= 0 } else { of_right < 0 }) {
+                    self.bend(behind, &side, beam, &mut right_post, [next_of_right > 0, false]);
                 }
-                if left_post.may_turn && (if i + 1 == last { of_left.is_ge() } else { next_of_left.is_gt() }) {
-                    let limit = of_left.is_lt().then_some(node.root);
-                    self.bend(behind, i, node, &mut left_post, [None, limit]);
+                if left_post.may_turn && (if at_left_post { of_left >= 0 } else { next_of_left > 0 }) {
+                    self.bend(behind, &side, beam, &mut left_post, [false, of_left < 0]);
                 }
                 // Edge-on along a ray, further on than the post.
-                let edge_on = |one: Ordering, other: Ordering| one.is_eq() && other.is_eq();
-                for (end, seen) in [
-                    (i, i > 0 && edge_on(of_right, next_of_right)),
-                    (i + 1, i + 1 < last && edge_on(of_left, next_of_left)),
-                ] {
-                    if seen {
-                        let far = distance(node.root(behind.rooms, self.start), behind.place(end));
-                        self.bend_round(behind, i, end, node.length + far);
-                    }
+                if !at_right_post && of_right == 0 && next_of_right == 0 {
+                    self.bend_round(behind, &side, right, node.length + distance(beam.root, right.at));
+                }
+                if !at_left_post && of_left == 0 && next_of_left == 0 {
+                    self.bend_round(behind, &side, left, node.length + distance(beam.root, left.at));
                 }
             }
-            (of_right, of_left) = (next_of_right, next_of_left);
-            if of_left.is_gt() && !left_post.may_turn {
+            if at_left_post || (next_of_left > 0 && !left_post.may_turn) {
                 break;
             }
+            (of_right, of_left) = (next_of_right, next_of_left);
+            (number, right) = (next, left);
         }
     }
 
-    /// The part of side i in sight of the root of the node: its first corner is at `of_right` from the right ray, and
-    /// its second at `next_of_left` from the left one.
+    /// The part of a side in sight of the root: its right end is at `of_right` from the right ray, and its left end
+    /// at `of_left` from the left one.
     #[inline]
-    fn see<R: Rooms>(&mut self, behind: &Behind<R>, i: usize, node: &Node, [of_right, next_of_left]: [Ordering; 2]) {
-        let [right, left] = behind.ends(i);
-        self.nodes.push(Node {
-            right: if of_right.is_ge() { right | ENDS } else { node.right & !ENDS },
-            left: if next_of_left.is_le() { left | ENDS } else { node.left & !ENDS },
-            before: node.before,
-            ..behind.cone(i, node.root, node.length)
-        });
+    fn see<R: Rooms>(&mut self, behind: &Behind<R>, side: &Side, beam: &Beam, [of_right, of_left]: [Turn; 2]) {
+        let Beam { node, root, .. } = *beam;
+        let (right, right_end) = if of_right >= 0 {
+            (difference(root, side.right.at), side.number as u32 | ENDS)
+        } else {
+            (beam.right, node.right & !ENDS)
+        };
+        let (left, left_end) = if of_left <= 0 {
+            (difference(root, side.left.at), side.next as u32 | ENDS)
+        } else {
+            (beam.left, node.left & !ENDS)
+        };
+        let door = behind.rooms.door(side.number);
+        let node = Node { right: right_end, left: left_end, door, parent: behind.parent, ..node };
+        self.found.push(Beam { node, root, left, right, posts: side.posts() });
     }
 
-    /// Side i, or the part of it out of sight, seen from the post round which the way bends. A limit on the left or on
-    /// the right is the root before.
-    fn bend<R: Rooms>(&mut self, behind: &Behind<R>, i: usize, node: &Node, post: &mut Post, limits: [Option<u32>; 2]) {
-        if post.length.is_none() {
-            let root = node.root(behind.rooms, self.start);
-            let length = node.length + distance(root, behind.place(post.corner));
-            post.length = Some(self.may_bend(behind, post.corner, length).then_some(length));
+    /// A side, or the part of it out of sight, seen from the post round which the way bends; on the left or on the
+    /// right the cone may be limited by the line from the root before.
+    #[inline]
+    fn bend<R: Rooms>(&mut self, behind: &Behind<R>, side: &Side, beam: &Beam, post: &mut Post, limited: [bool; 2]) {
+        let Corner { at, vertex, .. } = post.corner;
+        if post.root.is_none() {
+            let length = beam.node.length + distance(beam.root, at);
+            let vertex = vertex & ID;
+            post.root = Some(self.may_bend(behind, vertex, length).then_some(Root { vertex, at, length }));
         }
-        if let Some(Some(length)) = post.length {
-            self.see_from_corner(behind, i, behind.corner(post.corner) & ID, length, limits);
+        if let Some(Some(root)) = post.root {
+            let limit = (beam.node.root, difference(beam.root, at));
+            self.see_from(behind, side, root, limited.map(|limited| limited.then_some(limit)));
         }
     }
 
-    /// Side i seen from a point of the room: a corner, or the start. A limit on the left or on the right is the root
-    /// before: the cone ends on the continuation of the line from there.
-    fn see_from_corner<R: Rooms>(
-        &mut self,
-        behind: &Behind<R>,
-        i: usize,
-        root: u32,
-        length: f64,
-        limits: [Option<u32>; 2],
-    ) {
-        if !behind.may_cross(i) {
+    /// A side seen from a point of the room: a corner, or the start.
+    fn see_from<R: Rooms>(&mut self, behind: &Behind<R>, side: &Side, root: Root, limits: [Option<Limit>; 2]) {
+        if [side.right, side.left].iter().any(|corner| corner.vertex & ID == root.vertex) {
+            self.found.push(behind.from_post(side, root));
             return;
         }
-        let [right, left] = behind.ends(i);
-        if [i, i + 1].iter().any(|&i| behind.corner(i) & ID == root) {
-            self.nodes.push(behind.cone(i, root, length));
-            return;
-        }
-        let p = if root == START { self.start } else { behind.rooms.point(root) };
-        let [a, b] = [i, i + 1].map(|i| behind.place(i));
-        match orientation(p, a, b) {
+        let [right, left] = side.posts();
+        match orientation(root.at, right, left) {
             Ordering::Greater => {
+                let end = |limit: Option<Limit>, number: usize, at: Point| match limit {
+                    Some((_, along)) => (along, BENT),
+                    None => (difference(root.at, at), number as u32 | ENDS),
+                };
                 let [left_limit, right_limit] = limits;
-                self.nodes.push(Node {
-                    before: left_limit.or(right_limit).unwrap_or(START),
-                    left: if left_limit.is_some() { BENT } else { left | ENDS },
-                    right: if right_limit.is_some() { BENT } else { right | ENDS },
-                    ..behind.cone(i, root, length)
-                });
+                let ((left, left_end), (right, right_end)) =
+                    (end(left_limit, side.next, left), end(right_limit, side.number, right));
+                let beam = behind.from_post(side, root);
+                let before = left_limit.or(right_limit).map_or(START, |(before, _)| before);
+                let node = Node { before, left: left_end, right: right_end, ..beam.node };
+                self.found.push(Beam { node, left, right, ..beam });
             }
             Ordering::Equal => {
-                let [near, far] = if is_nearer(p, a, b) { [i, i + 1] } else { [i + 1, i] };
-                let q = behind.place(near);
+                let [near, far] =
+                    if is_nearer(root.at, right, left) { [side.right, side.left] } else { [side.left, side.right] };
                 // A start inside the side itself leaves it for both rooms by their other sides; so does one at its end.
-                let inside = q == p || !is_beyond(p, q, behind.place(far));
+                let inside = near.at == root.at || !is_beyond(root.at, near.at, far.at);
                 if !inside {
-                    self.bend_round(behind, i, near, length + distance(p, q));
+                    self.bend_round(behind, side, near, root.length + distance(root.at, near.at));
                 }
             }
             Ordering::Less => {}
         }
     }
 
-    /// Side i from the corner at its one end, if the way may bend there.
-    fn bend_round<R: Rooms>(&mut self, behind: &Behind<R>, i: usize, end: usize, length: f64) {
-        let corner = behind.corner(end);
-        if corner & TURN != 0 && self.may_bend(behind, end, length) {
-            self.nodes.push(behind.cone(i, corner & ID, length));
+    /// A side from the corner at its one end, if the way may bend there.
+    fn bend_round<R: Rooms>(&mut self, behind: &Behind<R>, side: &Side, corner: Corner, length: f64) {
+        let vertex = corner.vertex & ID;
+        if corner.vertex & TURN != 0 && self.may_bend(behind, vertex, length) {
+            self.found.push(behind.from_post(side, Root { vertex, at: corner.at, length }));
         }
     }
 
-    /// Whether no shorter way to the vertex at corner i is known. At a double corner there is no question which wedge:
-    /// ways bend in a wedge of more than half a turn, and no vertex has two of those.
-    fn may_bend<R: Rooms>(&mut self, behind: &Behind<R>, i: usize, length: f64) -> bool {
+    /// Whether no shorter way to a vertex is known. At a double corner there is no question which wedge: ways bend in
+    /// a wedge of more than half a turn, and no vertex has two of those.
+    #[inline]
+    fn may_bend<R: Rooms>(&mut self, behind: &Behind<R>, vertex: u32, length: f64) -> bool {
         let query = behind.scratch.query;
-        let known = &mut self.roots[(behind.corner(i) & ID) as usize];
+        let known = &mut self.roots[vertex as usize];
         if known.0 == query && known.1 < length {
             return false;
         }
@@ -215,47 +263,34 @@ impl Exact {
     }
 }
 
+impl Side {
+    /// The places of its ends, the right one first.
+    #[inline]
+    fn posts(&self) -> [Point; 2] {
+        [self.right.at, self.left.at]
+    }
+}
+
 impl<R: Rooms> Behind<'_, R> {
-    /// The side from corner i to corner i + 1; i may be the number of corners.
     #[inline]
-    fn side(&self, i: usize) -> usize {
-        let s = self.first + i;
-        if s < self.range.end { s } else { s - self.range.len() }
+    fn may_cross(&self, side: &Side) -> bool {
+        let marks = side.right.marks & (CLOSED | DEAD_END);
+        (marks == 0) | (marks == DEAD_END && self.is_allowed(side))
     }
 
-    /// Corner i with its marks.
-    #[inline]
-    fn corner(&self, i: usize) -> u32 {
-        self.rooms.origin(self.side(i))
+    /// Whether the dead end behind a side is no useless one.
+    #[cold]
+    fn is_allowed(&self, side: &Side) -> bool {
+        self.scratch.is_allowed(side.right.marks & ID)
     }
 
-    /// The point of corner i.
+    /// A cone behind a side with the root at one of its posts.
     #[inline]
-    fn place(&self, i: usize) -> Point {
-        self.rooms.place(self.side(i))
-    }
-
-    /// The corners at the ends of side i, by the sides that start there.
-    #[inline]
-    fn ends(&self, i: usize) -> [u32; 2] {
-        [i, i + 1].map(|i| self.side(i) as u32)
-    }
-
-    #[inline]
-    fn may_cross(&self, i: usize) -> bool {
-        let s = self.side(i);
-        match self.rooms.marks(s) & (CLOSED | DEAD_END) {
-            0 => true,
-            DEAD_END => self.scratch.is_allowed(self.rooms.behind(self.rooms.door(s))),
-            _ => false,
-        }
-    }
-
-    /// A cone behind side i with the root at one of its posts.
-    #[inline]
-    fn cone(&self, i: usize, root: u32, length: f64) -> Node {
-        let (door, parent) = (self.rooms.door(self.side(i)), self.parent);
-        Node { length, root, before: AT_POST, left: START, right: START, door, parent }
+    fn from_post(&self, side: &Side, root: Root) -> Beam {
+        let Root { vertex, at, length } = root;
+        let (door, parent) = (self.rooms.door(side.number), self.parent);
+        let node = Node { length, root: vertex, before: AT_POST, left: START, right: START, door, parent };
+        Beam { node, root: at, left: [0.0; 2], right: [0.0; 2], posts: side.posts() }
     }
 }
 

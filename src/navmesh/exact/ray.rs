@@ -7,72 +7,83 @@
 //! ```
 //!
 //! A ray is asked about many points, so its direction is kept. If the product is greater than the bound its sign is
-//! right; else [`orientation`] decides. Either way the sign is exact.
+//! right; else the exact sign of the points that were given decides. Either way the sign is exact.
 //!
 //! Source: Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric predicates*, 1997, for
 //! the bound.
 
 use crate::plane::Point;
-use crate::plane::predicates::orientation;
 use std::cmp::Ordering;
 
 /// How much of the sum of the two products rounding may change: (3 + 16 e) e, with e = 2^-53.
 const ROUNDING: f64 = 3.330_669_073_875_472e-16;
 
-/// A directed line through two points that were given.
+/// 1 on the left, -1 on the right, 0 on the line.
+pub(super) type Turn = i8;
+
+/// A ray by its direction: the difference of two points that were given, on the line of the ray.
 #[derive(Clone, Copy)]
 pub(super) struct Ray {
-    from: Point,
-    to: Point,
-    along: [f64; 2],
+    pub(super) from: Point,
+    pub(super) along: [f64; 2],
 }
 
 impl Ray {
+    /// On which side of the ray `p` is. If that cannot be told from the direction, `exactly` does.
     #[inline]
-    pub(super) fn new(from: Point, to: Point) -> Self {
-        Self { from, to, along: [to.x - from.x, to.y - from.y] }
-    }
-
-    /// `Greater` if `p` is on the left, `Less` if it is on the right, `Equal` if it is on the line.
-    #[inline]
-    pub(super) fn turn(&self, p: Point) -> Ordering {
+    pub(super) fn turn(&self, p: Point, exactly: impl FnOnce() -> Ordering) -> Turn {
         let [height, bound] = self.height(p);
         if height > bound {
-            Ordering::Greater
+            1
         } else if height < -bound {
-            Ordering::Less
+            -1
         } else {
-            orientation(self.from, self.to, p)
+            exactly() as Turn
         }
     }
 
     /// How far left `p` is, times the distance of the two points, and by how much that may be wrong.
     #[inline]
     pub(super) fn height(&self, p: Point) -> [f64; 2] {
-        let [x, y] = [p.x - self.from.x, p.y - self.from.y];
+        let [x, y] = difference(self.from, p);
         let [a, b] = [self.along[0] * y, self.along[1] * x];
         [a - b, ROUNDING * (a.abs() + b.abs())]
     }
 }
 
+/// The way from `a` to `b`.
+#[inline]
+pub(super) fn difference(a: Point, b: Point) -> [f64; 2] {
+    [b.x - a.x, b.y - a.y]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::plane::predicates::orientation;
 
     #[test]
     fn the_quick_sign_is_the_exact_one() {
-        // Points a few last places beside a line, as far from it as rounding may matter, and a little further.
+        // Points a few last places beside a line, as far from it as rounding may matter, and a little further; the
+        // ray begins at the first point, or at the second and goes on.
         let line = [Point::new(0.1, 0.1), Point::new(12.3, 12.3)];
-        let ray = Ray::new(line[0], line[1]);
-        let [mut clear, mut close] = [0, 0];
-        for i in -10..=10_i64 {
-            for (x, step) in [(24.7, 1), (0.5, 1), (1e-3, 64), (1e6, 1)] {
-                let p = Point::new(x, f64::from_bits((f64::to_bits(x) as i64 + i * step) as u64));
-                assert_eq!(ray.turn(p), orientation(line[0], line[1], p), "{p}");
-                let [height, bound] = ray.height(p);
-                if height.abs() > bound { clear += 1 } else { close += 1 }
+        for from in line {
+            let ray = Ray { from, along: difference(line[0], line[1]) };
+            let [mut clear, mut close] = [0, 0];
+            for i in -10..=10_i64 {
+                for (x, step) in [(24.7, 1), (0.5, 1), (1e-3, 64), (1e6, 1)] {
+                    let p = Point::new(x, f64::from_bits((f64::to_bits(x) as i64 + i * step) as u64));
+                    let exact = orientation(line[0], line[1], p);
+                    let quick = ray.turn(p, || {
+                        close += 1;
+                        exact
+                    });
+                    clear += 1;
+                    assert_eq!(quick, exact as Turn, "{p}");
+                }
             }
+            clear -= close;
+            assert!(clear >= 20 && close >= 20, "{clear} are clear, {close} are not: the bound is not put to the test");
         }
-        assert!(clear >= 20 && close >= 20, "{clear} are clear, {close} are not: the bound is not put to the test");
     }
 }

@@ -5,17 +5,18 @@ use super::super::mesh::{ID, NONE, NavMesh};
 use super::super::nearest::{closest_on, distance};
 use super::super::planner::{Planner, Scratch};
 use super::super::rooms::Rooms;
-use super::cone::{Cone, ENDS, Node, START};
+use super::cone::{Beam, Cone, ENDS, Node, START};
 use super::estimate::{between, guess, seen};
 use crate::ids::FaceId;
 use crate::plane::Point;
-use std::cmp::{Ordering, Reverse};
-use std::ops::Range;
+use std::cmp::Reverse;
 
 /// The memory of the exact search.
 #[derive(Clone, Debug, Default)]
 pub(in super::super) struct Exact {
     pub(super) nodes: Vec<Node>,
+    /// The cones behind the one that was looked at last.
+    pub(super) found: Vec<Beam>,
     /// For each vertex in which query it was a root, and the shortest way there.
     pub(super) roots: Vec<(u32, f64)>,
     pub(super) start: Point,
@@ -51,40 +52,42 @@ impl Exact {
 
     fn search_in<R: Rooms>(&mut self, rooms: &R, scratch: &mut Scratch, goal: Point) -> bool {
         let mut best = (f64::INFINITY, NONE);
+        self.found.clear();
         for i in 0..scratch.starts.len() {
-            let first = self.nodes.len();
-            let range = self.leave(rooms, scratch, scratch.starts[i].number(), NONE);
-            self.enqueue(rooms, scratch, first, &range, goal, best.0);
+            self.leave(rooms, scratch, scratch.starts[i].number(), NONE);
         }
+        self.enqueue(scratch, goal, best.0);
         while let Some(Reverse((key, mut i))) = scratch.queue.pop() {
             if f64::from_bits(key) >= best.0 {
                 break;
             }
             scratch.work.pops += 1;
-            let mut node = self.nodes[i as usize];
+            let node = self.nodes[i as usize];
             if self.is_outdone(scratch, &node) {
                 continue;
             }
+            let mut beam = self.beam(rooms, node);
             // A single successor is looked at straight away.
             loop {
                 scratch.work.expansions += 1;
-                let room = rooms.behind(node.door);
+                let room = rooms.behind(beam.node.door);
                 if scratch.goals.contains(&FaceId::new(room))
-                    && let Some(length) = self.length_to(rooms, &node, goal)
+                    && let Some(length) = self.length_to(rooms, &beam, goal)
                     && length < best.0
                 {
                     best = (length, i);
                 }
-                let first = self.nodes.len();
-                let range = self.expand(rooms, scratch, i, &node);
-                if self.nodes.len() != first + 1 {
-                    self.enqueue(rooms, scratch, first, &range, goal, best.0);
+                self.expand(rooms, scratch, i, &beam);
+                let &[only] = &*self.found else {
+                    self.enqueue(scratch, goal, best.0);
+                    break;
+                };
+                if only.node.length >= best.0 {
                     break;
                 }
-                (i, node) = (first as u32, self.nodes[first]);
-                if node.length >= best.0 {
-                    break;
-                }
+                beam = only;
+                i = self.nodes.len() as u32;
+                self.nodes.push(beam.node);
             }
         }
         let mut at = best.1;
@@ -102,28 +105,20 @@ impl Exact {
         best.1 != NONE
     }
 
-    /// Puts the nodes from `first` on into the queue, but for those with too long a guess. Their sides are in `range`.
-    fn enqueue<R: Rooms>(
-        &mut self,
-        rooms: &R,
-        scratch: &mut Scratch,
-        first: usize,
-        range: &Range<usize>,
-        goal: Point,
-        best: f64,
-    ) {
-        let mut kept = first;
-        for i in first..self.nodes.len() {
-            let node = self.nodes[i];
-            let posts = posts(rooms, range, &node);
-            let guess = node.length + guess(rooms, self.start, &node, posts, goal);
+    /// Puts the cones that were found into the queue, but for those with too long a guess.
+    fn enqueue(&mut self, scratch: &mut Scratch, goal: Point, best: f64) {
+        for beam in &self.found {
+            let guess = beam.node.length + guess(beam, goal);
             if guess < best {
-                self.nodes[kept] = node;
-                scratch.push(guess, kept as u32);
-                kept += 1;
+                scratch.push(guess, self.nodes.len() as u32);
+                self.nodes.push(beam.node);
             }
         }
-        self.nodes.truncate(kept);
+    }
+
+    /// The cone of a node with its points.
+    fn beam<R: Rooms>(&self, rooms: &R, node: Node) -> Beam {
+        Beam::new(rooms, self.start, node, posts(rooms, node.door))
     }
 
     /// Whether a shorter way to the root of the node has been found since.
@@ -154,13 +149,13 @@ impl Exact {
     }
 
     fn survey_in<R: Rooms>(&mut self, rooms: &R, scratch: &mut Scratch, limit: f64, mut see: impl FnMut(u32, f64)) {
-        let corner = |s: usize| rooms.origin(s) & ID;
+        let corner = |s: usize| rooms.corner(s).vertex & ID;
+        self.found.clear();
         for i in 0..scratch.starts.len() {
-            let first = self.nodes.len();
             let range = self.leave(rooms, scratch, scratch.starts[i].number(), NONE);
-            range.clone().map(corner).for_each(|v| see(v, distance(self.start, rooms.point(v))));
-            self.enqueue_near(rooms, scratch, first, &range, limit);
+            range.map(corner).for_each(|v| see(v, distance(self.start, rooms.point(v))));
         }
+        self.enqueue_near(scratch, limit);
         while let Some(Reverse((_, i))) = scratch.queue.pop() {
             scratch.work.pops += 1;
             let node = self.nodes[i as usize];
@@ -168,69 +163,57 @@ impl Exact {
                 continue;
             }
             scratch.work.expansions += 1;
-            let first = self.nodes.len();
-            let range = self.expand(rooms, scratch, i, &node);
-            for v in range.clone().map(corner) {
-                if let Some(length) = self.length_to(rooms, &node, rooms.point(v)) {
+            let beam = self.beam(rooms, node);
+            let range = self.expand(rooms, scratch, i, &beam);
+            for v in range.map(corner) {
+                if let Some(length) = self.length_to(rooms, &beam, rooms.point(v)) {
                     see(v, length);
                 }
             }
-            self.enqueue_near(rooms, scratch, first, &range, limit);
+            self.enqueue_near(scratch, limit);
         }
     }
 
-    /// Puts the nodes from `first` on into the queue by how far their doors are, but for those beyond the limit.
-    fn enqueue_near<R: Rooms>(
-        &mut self,
-        rooms: &R,
-        scratch: &mut Scratch,
-        first: usize,
-        range: &Range<usize>,
-        limit: f64,
-    ) {
-        let mut kept = first;
-        for i in first..self.nodes.len() {
-            let node = self.nodes[i];
-            let [right, left] = posts(rooms, range, &node);
-            let ends = seen(rooms, self.start, &node, [right, left]).map(|t| between(right, left, t));
-            let root = node.root(rooms, self.start);
-            let nearest = node.length + distance(root, closest_on(ends, root));
+    /// Puts the cones that were found into the queue by how far their doors are, but for those beyond the limit.
+    fn enqueue_near(&mut self, scratch: &mut Scratch, limit: f64) {
+        for beam in &self.found {
+            let [right, left] = beam.posts;
+            let ends = seen(beam).map(|t| between(right, left, t));
+            let nearest = beam.node.length + distance(beam.root, closest_on(ends, beam.root));
             if nearest <= limit {
-                self.nodes[kept] = node;
-                scratch.push(nearest, kept as u32);
-                kept += 1;
+                scratch.push(nearest, self.nodes.len() as u32);
+                self.nodes.push(beam.node);
             }
         }
-        self.nodes.truncate(kept);
     }
 
     /// The length of the shortest way to the goal, which lies in the room behind the door, through the cone; `None`
     /// if another cone has a shorter one.
-    fn length_to<R: Rooms>(&self, rooms: &R, node: &Node, goal: Point) -> Option<f64> {
-        let root = node.root(rooms, self.start);
+    fn length_to<R: Rooms>(&self, rooms: &R, beam: &Beam, goal: Point) -> Option<f64> {
+        let Beam { node, root, .. } = beam;
         if !node.is_at_post() {
             let round = |end: u32| {
                 let post = rooms.place((end & ID) as usize);
-                node.length + distance(root, post) + distance(post, goal)
+                node.length + distance(*root, post) + distance(post, goal)
             };
-            let [left_ray, right_ray] = node.rays(rooms, self.start);
-            for (ray, end, outside) in
-                [(left_ray, node.left, Ordering::Greater), (right_ray, node.right, Ordering::Less)]
-            {
-                if ray.turn(goal) == outside {
+            for (turn, end, outside) in [
+                (beam.of_left(rooms, self.start, goal), node.left, 1),
+                (beam.of_right(rooms, self.start, goal), node.right, -1),
+            ] {
+                if turn == outside {
                     return (end & ENDS != 0).then(|| round(end));
                 }
             }
         }
-        Some(node.length + distance(root, goal))
+        Some(node.length + distance(*root, goal))
     }
 }
 
-/// The posts of the door of a node, which is one of the sides in `range`, the right one first.
+/// The posts of a door, the right one first.
 #[inline]
-fn posts<R: Rooms>(rooms: &R, range: &Range<usize>, node: &Node) -> [Point; 2] {
-    let side = rooms.side(node.door);
-    [rooms.place(side), rooms.place(rooms.next(range, side))]
+fn posts<R: Rooms>(rooms: &R, door: u32) -> [Point; 2] {
+    let (range, first) = rooms.enter(door);
+    [first, rooms.prev(&range, first)].map(|s| rooms.place(s))
 }
 
 impl Planner {
@@ -258,9 +241,9 @@ impl Exact {
             let entry = mesh.range(to).find(|&s| mesh.half_edges[s] == twin)?;
             let from = FaceId::new(mesh.sides[entry].across & ID);
             let posts = mesh.ends(from, side).map(|v| mesh.point(v));
-            let part = seen(rooms, self.start, node, posts);
-            let [right, left] = part.map(|t| between(posts[0], posts[1], t));
-            Some(Cone { root: node.root(rooms, self.start), left, right, from, to, length: node.length })
+            let beam = Beam::new(rooms, self.start, *node, posts);
+            let [right, left] = seen(&beam).map(|t| between(posts[0], posts[1], t));
+            Some(Cone { root: beam.root, left, right, from, to, length: node.length })
         };
         self.nodes.iter().filter_map(cone).collect()
     }

@@ -109,6 +109,12 @@ impl LiveMesh {
         self.mesh.merge_faces()
     }
 
+    /// Makes queries for the fewest faces quicker until the next obstacle comes or goes: see
+    /// [`link_crossings`](NavMesh::link_crossings).
+    pub fn link_crossings(&mut self) -> usize {
+        self.mesh.link_crossings()
+    }
+
     /// The map as it is now, with the obstacles and the cuts they need.
     #[must_use]
     pub fn map(&self) -> &Subdivision {

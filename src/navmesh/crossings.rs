@@ -1,0 +1,263 @@
+//! Crossings and passages: the few faces at which there is a choice, and what lies between them.
+//!
+//! ```text
+//!   ┌───┬───┬───┬───┐      Leave the dead ends away. A face with three or more ways on is a crossing (X). The others
+//!   │ · │ · │ X │ · │ ..   have two, and stand in rows from one crossing to the next: passages. Whoever is in one can
+//!   ├───┼───┼───┼───┘      but go on; so a search for the fewest faces may take a passage in one step.
+//!   │ · │gap│ · │
+//!   ├───┼───┼───┤          A component with one round trip, or none, has no crossing: it is a single passage, whose
+//!   │ · │ · │ · │          last face is beside its first.
+//!   └───┴───┴───┘
+//! ```
+//!
+//! With h gaps in a component of triangles there are at most 2 (h - 1) crossings, however fine the triangles are.
+//!
+//! Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (the reduced graph of TRA*: their
+//! level-3 nodes are the crossings, their corridors the passages).
+
+use super::NavMesh;
+use super::mesh::{CLOSED, DEAD_END, ID, NONE};
+use crate::ids::FaceId;
+use std::ops::Range;
+
+/// In the spot of a face: it is a crossing, and the rest is its number.
+pub(super) const CROSSING: u32 = 1 << 31;
+
+/// Crossings and passages in flat arrays.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Crossings {
+    /// The face of each crossing.
+    faces: Vec<u32>,
+    /// Where the links of each crossing begin, and, at last, where they end.
+    starts: Vec<u32>,
+    links: Vec<Link>,
+    passages: Vec<PassageRecord>,
+    /// The faces of all passages, one passage after the other.
+    row: Vec<u32>,
+    /// Where each face is: [`CROSSING`] and a number, a place in `row`, or [`NONE`].
+    spots: Vec<u32>,
+}
+
+/// A way on from a crossing.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Link {
+    /// The crossing it leads to.
+    pub(super) to: u32,
+    /// How many doors there are on the way.
+    pub(super) doors: u32,
+    /// Twice the number of the passage; one more if it is run through from its second end to its first.
+    pub(super) by: u32,
+}
+
+/// A passage: `row[first .. end]` between two crossings.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct PassageRecord {
+    /// The crossings before the first face and behind the last one; [`NONE`] if it goes round in a circle.
+    pub(super) ends: [u32; 2],
+    pub(super) first: u32,
+    pub(super) end: u32,
+}
+
+impl PassageRecord {
+    #[inline]
+    pub(super) fn range(&self) -> Range<usize> {
+        self.first as usize..self.end as usize
+    }
+}
+
+/// A row of faces without a choice: each has two ways on that are no dead ends.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Passage {
+    /// The crossings beside its first and beside its last face; they may be the same. `None` if the last face is
+    /// beside the first, or there is but one face.
+    pub ends: Option<[FaceId; 2]>,
+    /// The faces in order. There are none between crossings that are neighbours.
+    pub faces: Vec<FaceId>,
+}
+
+impl NavMesh {
+    /// Finds the crossings of the map, so that [`Rung::Breadth`](super::Rung::Breadth) goes from crossing to crossing
+    /// instead of from face to face. The number of faces on its routes stays the same; of several rows with the fewest
+    /// faces it may take another. Returns how many crossings there are.
+    ///
+    /// They are given up when a face is blocked or freed, or a wall or an obstacle comes or goes, just like
+    /// [merged faces](Self::merge_faces).
+    ///
+    /// Cost: O(n); 4 bytes a face, 4 more for one that is no dead end, and 60 for a crossing.
+    ///
+    /// ```
+    /// use dcel_kit::navmesh::NavMesh;
+    /// use dcel_kit::plane::Subdivision;
+    /// // Eight triangles round a square gap: once round, without a choice.
+    /// let points = [(0., 0.), (3., 0.), (3., 3.), (0., 3.), (1., 1.), (2., 1.), (2., 2.), (1., 2.)].map(Into::into);
+    /// let sides = [0, 1, 2, 3].map(|i| [i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4]);
+    /// let triangles = sides.map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).concat();
+    /// let mut mesh = NavMesh::new(&Subdivision::from_triangles(points.to_vec(), &triangles)?)?;
+    /// assert_eq!(mesh.link_crossings(), 0);
+    /// assert_eq!(mesh.passages().len(), 1);
+    /// assert_eq!(mesh.passages()[0].faces.len(), 8);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn link_crossings(&mut self) -> usize {
+        let crossings = Crossings::new(self);
+        let count = crossings.faces.len();
+        self.crossings = Some(crossings);
+        count
+    }
+
+    /// The faces with three or more ways on that are no dead ends, in the order of their numbers; none if
+    /// [`link_crossings`](Self::link_crossings) was not called, or something has changed since.
+    pub fn crossings(&self) -> impl ExactSizeIterator<Item = FaceId> + Clone + '_ {
+        let faces = self.crossings.as_ref().map_or(&[][..], |crossings| &crossings.faces);
+        faces.iter().map(|&f| FaceId::new(f))
+    }
+
+    /// The rows of faces between the crossings; none if [`link_crossings`](Self::link_crossings) was not called, or
+    /// something has changed since. O(n).
+    #[must_use]
+    pub fn passages(&self) -> Vec<Passage> {
+        let Some(crossings) = &self.crossings else { return Vec::new() };
+        let passage = |record: &PassageRecord| Passage {
+            ends: (record.ends[0] != NONE).then(|| record.ends.map(|c| FaceId::new(crossings.face(c)))),
+            faces: crossings.row[record.range()].iter().map(|&f| FaceId::new(f)).collect(),
+        };
+        crossings.passages.iter().map(passage).collect()
+    }
+
+    /// The sides of `f` that lead on: they are open, and no dead end lies behind.
+    fn ways_on(&self, f: u32) -> impl Iterator<Item = usize> + '_ {
+        self.range(FaceId::new(f)).filter(|&s| self.sides[s].across & (CLOSED | DEAD_END) == 0)
+    }
+
+    /// The face behind the open side `s`, and its side on the way back.
+    fn beyond(&self, s: usize) -> (u32, usize) {
+        let (f, back) = (self.sides[s].across & ID, self.half_edges[s].twin());
+        let entry = self.range(FaceId::new(f)).find(|&t| self.half_edges[t] == back);
+        (f, entry.expect("behind an open side is a face of the mesh"))
+    }
+}
+
+impl Crossings {
+    fn new(mesh: &NavMesh) -> Self {
+        let mut result = Self { spots: vec![NONE; mesh.faces.len()], ..Self::default() };
+        let core = || (0..mesh.faces.len() as u32).filter(|&f| mesh.is_walkable(FaceId::new(f)) && !mesh.is_peeled(f));
+        let mut link_of = vec![NONE; mesh.sides.len()];
+        for f in core() {
+            let first = result.links.len();
+            for s in mesh.ways_on(f) {
+                link_of[s] = result.links.len() as u32;
+                result.links.push(Link { to: NONE, doors: 0, by: NONE });
+            }
+            if result.links.len() < first + 3 {
+                result.links.truncate(first);
+            } else {
+                result.spots[f as usize] = CROSSING | result.faces.len() as u32;
+                result.faces.push(f);
+                result.starts.push(first as u32);
+            }
+        }
+        result.starts.push(result.links.len() as u32);
+        for c in 0..result.faces.len() as u32 {
+            for s in mesh.ways_on(result.face(c)) {
+                result.follow(mesh, c, s, &link_of);
+            }
+        }
+        for f in core() {
+            if result.spots[f as usize] == NONE {
+                result.go_round(mesh, f);
+            }
+        }
+        result.row.shrink_to_fit();
+        result.links.shrink_to_fit();
+        result
+    }
+
+    /// Follows side `s` of crossing `c` to the next crossing, unless this was done from there already.
+    fn follow(&mut self, mesh: &NavMesh, c: u32, s: usize, link_of: &[u32]) {
+        if self.links[link_of[s] as usize].by != NONE {
+            return;
+        }
+        let first = self.row.len();
+        let (mut f, mut entry) = mesh.beyond(s);
+        while self.spots[f as usize] == NONE {
+            self.stand(f);
+            let on = mesh.ways_on(f).find(|&on| on != entry).expect("no crossing and no dead end: two ways on");
+            (f, entry) = mesh.beyond(on);
+        }
+        let (to, doors) = (self.spots[f as usize] & !CROSSING, (self.row.len() - first + 1) as u32);
+        let by = 2 * self.end_passage([c, to], first);
+        self.links[link_of[s] as usize] = Link { to, doors, by };
+        self.links[link_of[entry] as usize] = Link { to: c, doors, by: by + 1 };
+    }
+
+    /// Follows a component without a crossing round to where it began.
+    fn go_round(&mut self, mesh: &NavMesh, start: u32) {
+        let first = self.row.len();
+        self.stand(start);
+        let mut side = mesh.ways_on(start).next();
+        while let Some((f, entry)) = side.map(|s| mesh.beyond(s)).filter(|&(f, _)| f != start) {
+            self.stand(f);
+            side = mesh.ways_on(f).find(|&on| on != entry);
+        }
+        self.end_passage([NONE; 2], first);
+    }
+
+    /// Puts a face at the end of the row.
+    fn stand(&mut self, f: u32) {
+        self.spots[f as usize] = self.row.len() as u32;
+        self.row.push(f);
+    }
+
+    fn end_passage(&mut self, ends: [u32; 2], first: usize) -> u32 {
+        self.passages.push(PassageRecord { ends, first: first as u32, end: self.row.len() as u32 });
+        self.passages.len() as u32 - 1
+    }
+
+    /// How many crossings there are.
+    pub(super) fn len(&self) -> usize {
+        self.faces.len()
+    }
+
+    /// The face of a crossing.
+    #[inline]
+    pub(super) fn face(&self, c: u32) -> u32 {
+        self.faces[c as usize]
+    }
+
+    /// The ways on from a crossing.
+    #[inline]
+    pub(super) fn links(&self, c: u32) -> &[Link] {
+        &self.links[self.starts[c as usize] as usize..self.starts[c as usize + 1] as usize]
+    }
+
+    #[inline]
+    pub(super) fn passage(&self, p: u32) -> PassageRecord {
+        self.passages[p as usize]
+    }
+
+    /// The faces of all passages, one passage after the other.
+    #[inline]
+    pub(super) fn row(&self) -> &[u32] {
+        &self.row
+    }
+
+    /// Where a face is that is no dead end: see `spots`.
+    #[inline]
+    pub(super) fn spot(&self, f: u32) -> u32 {
+        self.spots[f as usize]
+    }
+
+    /// The passage that has a place in `row`. O(log n).
+    pub(super) fn passage_at(&self, place: u32) -> u32 {
+        self.passages.partition_point(|passage| passage.end <= place) as u32
+    }
+
+    pub(super) fn memory(&self) -> usize {
+        size_of_val(&*self.faces)
+            + size_of_val(&*self.starts)
+            + size_of_val(&*self.links)
+            + size_of_val(&*self.passages)
+            + size_of_val(&*self.row)
+            + size_of_val(&*self.spots)
+    }
+}

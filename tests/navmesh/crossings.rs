@@ -1,0 +1,196 @@
+//! Crossings and passages: every face that is no dead end is in one of them, and ways over them have the fewest faces.
+
+use crate::corridors::fewest_doors;
+use crate::maps::{Map, Random};
+use crate::oracle::Oracle;
+use crate::routes::{check, ends, place};
+use dcel_kit::FaceId;
+use dcel_kit::navmesh::{NavMesh, Planner, Rung};
+use dcel_kit::plane::Point;
+use std::collections::BTreeSet;
+
+fn linked(map: &Map) -> NavMesh {
+    let mut mesh = map.mesh();
+    let count = mesh.link_crossings();
+    assert_eq!(mesh.crossings().len(), count);
+    mesh
+}
+
+/// The neighbours that are no dead ends, one for each door.
+fn ways_on(mesh: &NavMesh, f: FaceId) -> Vec<FaceId> {
+    mesh.neighbours(f).filter(|&g| !mesh.is_dead_end(g)).collect()
+}
+
+/// Crossings have three ways on, faces of passages two; each is told once, and each way from a crossing is one end.
+fn check_network(mesh: &NavMesh, context: &str) {
+    let mut rest: BTreeSet<FaceId> = mesh.faces().filter(|&f| mesh.is_walkable(f) && !mesh.is_dead_end(f)).collect();
+    let mut ways = 0;
+    for f in mesh.crossings() {
+        assert!(ways_on(mesh, f).len() >= 3, "{context}: {f} is no crossing");
+        assert!(rest.remove(&f), "{context}: {f} is told twice, or a dead end");
+        ways += ways_on(mesh, f).len();
+    }
+    for passage in mesh.passages() {
+        let faces = &passage.faces;
+        for &f in faces {
+            assert!(rest.remove(&f), "{context}: {f} is told twice, or a dead end");
+            let expected = if passage.ends.is_none() && faces.len() == 1 { 0 } else { 2 };
+            assert_eq!(ways_on(mesh, f).len(), expected, "{context}: {f} in {passage:?}");
+        }
+        let mut row = faces.clone();
+        if let Some([before, behind]) = passage.ends {
+            row.insert(0, before);
+            row.push(behind);
+            ways -= 2;
+        } else if faces.len() > 1 {
+            row.push(faces[0]);
+        }
+        for pair in row.windows(2) {
+            assert!(ways_on(mesh, pair[0]).contains(&pair[1]), "{context}: {pair:?} of {passage:?}");
+        }
+    }
+    assert_eq!(rest, BTreeSet::new(), "{context}: faces that were left out");
+    assert_eq!(ways, 0, "{context}: ways from crossings into no passage");
+}
+
+#[test]
+fn every_face_that_is_no_dead_end_is_in_one_passage_or_a_crossing() {
+    let (mut crossings, mut circles, mut empty, mut loops) = (0, 0, 0, 0);
+    for seed in 0..80 {
+        let map = Map::random(seed, 3 + seed as usize % 12, [0.6, 0.75, 0.9][seed as usize % 3], 0.4);
+        let mut mesh = linked(&map);
+        check_network(&mesh, &format!("seed {seed}"));
+        for passage in mesh.passages() {
+            circles += usize::from(passage.ends.is_none() && passage.faces.len() > 1);
+            empty += usize::from(passage.faces.is_empty());
+            loops += usize::from(passage.ends.is_some_and(|[a, b]| a == b));
+        }
+        crossings += mesh.crossings().len();
+        // And when some faces are blocked.
+        let mut random = Random::new(seed);
+        for _ in 0..3 {
+            mesh.block(FaceId::new(1 + random.below(map.triangles.len()) as u32));
+        }
+        mesh.link_crossings();
+        check_network(&mesh, &format!("seed {seed}, blocked"));
+    }
+    assert!([crossings, circles, empty, loops].iter().all(|&n| n > 10), "{crossings} {circles} {empty} {loops}");
+}
+
+#[test]
+fn routes_over_crossings_have_the_fewest_faces() {
+    let mut planner = Planner::new();
+    for seed in 0..60 {
+        let map = Map::random(seed, 3 + seed as usize % 10, [0.65, 0.8, 1.0][seed as usize % 3], 0.4);
+        let mesh = linked(&map);
+        let oracle = Oracle::all_free(&map);
+        let mut random = Random::new(seed + 5000);
+        for pair in ends(&map, &oracle, &mut random, 24).chunks_exact(2) {
+            let context = format!("seed {seed}: {} -> {}", pair[0].point, pair[1].point);
+            let [start, goal] = [&pair[0], &pair[1]].map(|node| place(&mesh, node));
+            let found = planner.route(&mesh, Rung::Breadth, &start, &goal).ok();
+            let found = found.map(|route| {
+                let faces: BTreeSet<FaceId> = route.faces.iter().copied().collect();
+                assert_eq!(faces.len(), route.faces.len(), "{context}: a face is entered twice: {:?}", route.faces);
+                route.doors.len()
+            });
+            assert_eq!(found, fewest_doors(&mesh, &start, &goal), "{context}");
+        }
+    }
+}
+
+/// A ring of `n` trapezoids round a gap, each cut in two, with a dead end of `depth` triangles beside the first.
+fn ring(n: u32, depth: u32) -> Map {
+    let at = |i: u32, radius: f64| {
+        let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / f64::from(n)).sin_cos();
+        Point::new(radius * cos, radius * sin)
+    };
+    let mut points: Vec<Point> = (0..n).flat_map(|i| [at(i, 1.0), at(i, 2.0)]).collect();
+    let quad = |i: u32| [2 * i, 2 * i + 1, 2 * ((i + 1) % n) + 1, 2 * ((i + 1) % n)];
+    let mut triangles: Vec<[u32; 3]> = (0..n).map(quad).flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+    // A strip outwards from the outer side of the first trapezoid.
+    let [mut a, mut b] = [1, 3];
+    for i in 0..depth {
+        let c = points.len() as u32;
+        let radius = 3.0 + f64::from(i);
+        points.push(at(i % 2, radius));
+        triangles.push([b, a, c]);
+        if i % 2 == 0 { a = c } else { b = c }
+    }
+    Map { points, triangles }
+}
+
+#[test]
+fn without_a_crossing_the_way_goes_round_the_shorter_side_or_up_and_down_a_dead_end() {
+    let mut planner = Planner::new();
+    for (n, depth) in [(3, 0), (5, 4), (8, 7)] {
+        let map = ring(n, depth);
+        let mesh = linked(&map);
+        assert_eq!(mesh.crossings().len(), 0);
+        check_network(&mesh, &format!("ring of {n}"));
+        let oracle = Oracle::all_free(&map);
+        let mut random = Random::new(3);
+        let count = map.triangles.len();
+        for (t, u) in (0..count).flat_map(|t| (0..count).map(move |u| (t, u))) {
+            let nodes = [t, u].map(|t| Oracle::inner_node(map.inside(t, &mut random), t));
+            let context = format!("ring of {n}: triangles {t} -> {u}");
+            let [start, goal] = [&nodes[0], &nodes[1]].map(|node| place(&mesh, node));
+            let route = planner.route(&mesh, Rung::Breadth, &start, &goal).expect(&context);
+            assert_eq!(Some(route.doors.len()), fewest_doors(&mesh, &start, &goal), "{context}");
+            assert_eq!(route.work.pops, 0, "{context}");
+            check(&mesh, &mut planner, &oracle, [&nodes[0], &nodes[1]], &context);
+        }
+    }
+}
+
+#[test]
+fn a_change_gives_the_crossings_up() {
+    let map = Map::random(4, 7, 0.9, 0.4);
+    let (mut mesh, mut planner) = (linked(&map), Planner::new());
+    let bytes = mesh.memory();
+    let mut free = vec![true; map.triangles.len()];
+    let mut random = Random::new(77);
+    for step in 0..12 {
+        let t = random.below(free.len());
+        free[t] = !free[t];
+        let f = FaceId::new(t as u32 + 1);
+        if free[t] {
+            mesh.unblock(f)
+        } else {
+            mesh.block(f)
+        };
+        assert!(mesh.crossings().len() == 0 && mesh.passages().is_empty() && mesh.memory() < bytes);
+        let oracle = Oracle::new(&map, free.clone());
+        for round in 0..2 {
+            for pair in ends(&map, &oracle, &mut random, 2).chunks_exact(2) {
+                check(&mesh, &mut planner, &oracle, [&pair[0], &pair[1]], &format!("step {step}, round {round}"));
+            }
+            mesh.link_crossings();
+        }
+    }
+}
+
+/// However many triangles there are, the work is that of the crossings.
+#[test]
+fn the_work_grows_with_the_gaps_and_not_with_the_triangles() {
+    let mut planner = Planner::new();
+    for n in [9_usize, 99, 999] {
+        // Two long corridors, joined at both ends and in the middle: two gaps.
+        let is_free = |x: usize, y: usize| y != 1 || [0, n / 2, n - 1].contains(&x);
+        let points = (0..=3).flat_map(|y| (0..=n).map(move |x| Point::new(x as f64, f64::from(y)))).collect();
+        let corner = |x: usize, y: usize| (y * (n + 1) + x) as u32;
+        let cells = (0..3).flat_map(|y| (0..n).map(move |x| (x, y))).filter(|&(x, y)| is_free(x, y));
+        let halves = |(x, y)| {
+            let [a, b, c, d] = [corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)];
+            [[a, b, c], [a, c, d]]
+        };
+        let mut mesh = Map { points, triangles: cells.flat_map(halves).collect() }.mesh();
+        let ends = [Point::new(1.3, 0.4), Point::new(n as f64 - 1.3, 2.6)];
+        let plain = planner.route_between(&mesh, Rung::Breadth, ends[0], ends[1]).expect("a way");
+        assert_eq!(mesh.link_crossings(), 2);
+        let route = planner.route_between(&mesh, Rung::Breadth, ends[0], ends[1]).expect("a way");
+        assert_eq!(route.faces.len(), plain.faces.len());
+        assert!(plain.work.pops > n as u64 && route.work.pops <= 4, "{n}: {:?}, {:?}", plain.work, route.work);
+        check_network(&mesh, &format!("{n}"));
+    }
+}
