@@ -210,7 +210,7 @@ impl Exact {
     /// A side seen from a point of the room: a corner, or the start.
     fn see_from<R: Rooms>(&mut self, behind: &Behind<R>, side: &Side, root: Root, limits: [Option<Limit>; 2]) {
         if [side.right, side.left].iter().any(|corner| corner.vertex & ID == root.vertex) {
-            self.found.push(behind.from_post(side, root));
+            self.found.push(behind.seen_from_post(side, root));
             return;
         }
         let [right, left] = side.posts();
@@ -223,7 +223,7 @@ impl Exact {
                 let [left_limit, right_limit] = limits;
                 let ((left, left_end), (right, right_end)) =
                     (end(left_limit, side.next, left), end(right_limit, side.number, right));
-                let beam = behind.from_post(side, root);
+                let beam = behind.seen_from_post(side, root);
                 let before = left_limit.or(right_limit).map_or(START, |(before, _)| before);
                 let node = Node { before, left: left_end, right: right_end, ..beam.node };
                 self.found.push(Beam { node, left, right, ..beam });
@@ -245,7 +245,7 @@ impl Exact {
     fn bend_round<R: Rooms>(&mut self, behind: &Behind<R>, side: &Side, corner: Corner, length: f64) {
         let vertex = corner.vertex & ID;
         if corner.vertex & TURN != 0 && self.may_bend(behind, vertex, length) {
-            self.found.push(behind.from_post(side, Root { vertex, at: corner.at, length }));
+            self.found.push(behind.seen_from_post(side, Root { vertex, at: corner.at, length }));
         }
     }
 
@@ -286,7 +286,7 @@ impl<R: Rooms> Behind<'_, R> {
 
     /// A cone behind a side with the root at one of its posts.
     #[inline]
-    fn from_post(&self, side: &Side, root: Root) -> Beam {
+    fn seen_from_post(&self, side: &Side, root: Root) -> Beam {
         let Root { vertex, at, length } = root;
         let (door, parent) = (self.rooms.door(side.number), self.parent);
         let node = Node { length, root: vertex, before: AT_POST, left: START, right: START, door, parent };
