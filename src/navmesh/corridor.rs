@@ -78,7 +78,8 @@ pub(super) fn a_star(
             scratch.work.expansions += 1;
             let face = FaceId::new(f);
             let cost = costs.map_or(1.0, |costs| costs[face].max(0.0));
-            let (first, sides) = (mesh.range(face).start, mesh.sides_of(face));
+            let range = mesh.faces[f as usize].range();
+            let (first, sides) = (range.start, &mesh.sides[range]);
             // Without a branch: which sides lead on is not to be guessed.
             let leads_on = |scratch: &Scratch, k: usize, side: &SideRecord| {
                 (side.across & ID != here.from) & scratch.may_cross(side.across) & fits(face, first + k)
@@ -172,14 +173,8 @@ fn aimed_at(goal: Point, [right, left]: [Point; 2], from: Point) -> Point {
     let height = |p: Point| line[0] * (p.y - from.y) - line[1] * (p.x - from.x);
     let [of_right, of_left] = [right, left].map(height);
     if of_left > of_right {
-        let t = of_right / (of_right - of_left);
-        if t <= 0.0 {
-            right
-        } else if t >= 1.0 {
-            left
-        } else {
-            Point::new(right.x + (left.x - right.x) * t, right.y + (left.y - right.y) * t)
-        }
+        let t = (of_right / (of_right - of_left)).clamp(0.0, 1.0);
+        Point::new(right.x + (left.x - right.x) * t, right.y + (left.y - right.y) * t)
     } else {
         closest_on([right, left], from)
     }

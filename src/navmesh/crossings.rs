@@ -16,6 +16,7 @@
 //! level-3 nodes are the crossings, their corridors the passages).
 
 use super::NavMesh;
+use super::curve::Curve;
 use super::mesh::{CLOSED, DEAD_END, ID, NONE};
 use crate::ids::FaceId;
 use std::ops::Range;
@@ -105,7 +106,7 @@ impl NavMesh {
         count
     }
 
-    /// The faces with three or more ways on that are no dead ends, in the order of their numbers; none if
+    /// The faces with three or more ways on that are no dead ends, along a curve that fills the plane; none if
     /// [`link_crossings`](Self::link_crossings) was not called, or something has changed since.
     pub fn crossings(&self) -> impl ExactSizeIterator<Item = FaceId> + Clone + '_ {
         let faces = self.crossings.as_ref().map_or(&[][..], |crossings| &crossings.faces);
@@ -124,6 +125,16 @@ impl NavMesh {
         crossings.passages.iter().map(passage).collect()
     }
 
+    /// The faces that are no dead ends, in the order of a curve that fills the plane: so crossings that are near are
+    /// near in memory.
+    fn core_along_curve(&self) -> Vec<u32> {
+        let curve = Curve::over(self);
+        let is_core = |&f: &u32| self.is_walkable(FaceId::new(f)) && !self.is_peeled(f);
+        let mut core: Vec<u32> = (0..self.faces.len() as u32).filter(is_core).collect();
+        core.sort_by_cached_key(|&f| self.corners(FaceId::new(f)).next().map(|v| curve.key(self.point(v))));
+        core
+    }
+
     /// The sides of `f` that lead on: they are open, and no dead end lies behind.
     fn ways_on(&self, f: u32) -> impl Iterator<Item = usize> + '_ {
         self.range(FaceId::new(f)).filter(|&s| self.sides[s].across & (CLOSED | DEAD_END) == 0)
@@ -140,9 +151,9 @@ impl NavMesh {
 impl Crossings {
     fn new(mesh: &NavMesh) -> Self {
         let mut result = Self { spots: vec![NONE; mesh.faces.len()], ..Self::default() };
-        let core = || (0..mesh.faces.len() as u32).filter(|&f| mesh.is_walkable(FaceId::new(f)) && !mesh.is_peeled(f));
+        let core = mesh.core_along_curve();
         let mut link_of = vec![NONE; mesh.sides.len()];
-        for f in core() {
+        for &f in &core {
             let first = result.links.len();
             for s in mesh.ways_on(f) {
                 link_of[s] = result.links.len() as u32;
@@ -162,7 +173,7 @@ impl Crossings {
                 result.follow(mesh, c, s, &link_of);
             }
         }
-        for f in core() {
+        for &f in &core {
             if result.spots[f as usize] == NONE {
                 result.go_round(mesh, f);
             }

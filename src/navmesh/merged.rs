@@ -17,6 +17,7 @@
 //!
 //! Source: Hertel and Mehlhorn, *Fast triangulation of simple polygons*, 1983, for taking doors away.
 
+use super::curve::Curve;
 use super::mesh::{CLOSED, DEAD_END, ID, NONE, SideRecord, turns_left_or_runs_straight};
 use super::rooms::{Corner, Rooms};
 use super::{NavMesh, Place};
@@ -434,25 +435,5 @@ impl<'a> Rings<'a> {
         let mut sides = Vec::with_capacity(originals.len());
         ranges.iter().for_each(|range| sides.extend(range.clone().map(|i| side(range, i))));
         Merged { sides, originals, wholes, ups }
-    }
-}
-
-/// A curve that fills the plane: the bits of both coordinates, in turns.
-struct Curve {
-    low: Point,
-    scale: f64,
-}
-
-impl Curve {
-    fn over(mesh: &NavMesh) -> Self {
-        let corners = || mesh.faces().flat_map(|f| mesh.corners(f)).map(|v| mesh.point(v));
-        let low = corners().fold([f64::INFINITY; 2], |low, p| [low[0].min(p.x), low[1].min(p.y)]);
-        let size = corners().map(|p| (p.x - low[0]).max(p.y - low[1])).fold(0.0, f64::max);
-        Self { low: low.into(), scale: f64::from(1 << 15) / size }
-    }
-
-    fn key(&self, p: Point) -> u64 {
-        let spread = |x: f64| (0..16).fold(0, |key, bit| key | ((x as u64 >> bit & 1) << (2 * bit)));
-        spread((p.x - self.low.x) * self.scale) | spread((p.y - self.low.y) * self.scale) << 1
     }
 }

@@ -28,6 +28,7 @@ mod coarse;
 mod components;
 mod corridor;
 mod crossings;
+mod curve;
 mod dead_ends;
 mod doors;
 mod error;
