@@ -13,10 +13,8 @@
 //! the bound.
 
 use crate::plane::Point;
+use crate::plane::predicates::ROUNDING;
 use std::cmp::Ordering;
-
-/// How much of the sum of the two products rounding may change: (3 + 16 e) e, with e = 2^-53.
-const ROUNDING: f64 = 3.330_669_073_875_472e-16;
 
 /// 1 on the left, -1 on the right, 0 on the line.
 pub(super) type Turn = i8;
