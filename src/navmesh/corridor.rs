@@ -99,12 +99,7 @@ pub(super) fn a_star(
                 let next = side.across & ID;
                 let post = |side: &SideRecord| mesh.points[(side.origin & ID) as usize];
                 let posts = [post(side), post(sides.get(k + 1).unwrap_or(&sides[0]))];
-                let at = match metric {
-                    Rung::Centroid => mesh.centroid(FaceId::new(next)),
-                    Rung::Midpoint => Point::new((posts[0].x + posts[1].x) / 2.0, (posts[0].y + posts[1].y) / 2.0),
-                    Rung::Closest => closest_on(posts, here.at),
-                    _ => aimed_at(goal, posts, here.at),
-                };
+                let at = point_of_line(mesh, metric, goal, posts, here.at, || FaceId::new(next));
                 let length = here.length + cost * distance(here.at, at);
                 let key = (length + distance(at, goal)).to_bits().max(least);
                 let reached = &mut scratch.reached[next as usize];
@@ -162,6 +157,24 @@ impl Scratch {
             self.doors.push((at.from, at.side));
             at = self.reached[at.from as usize];
         }
+    }
+}
+
+/// To which point the line of a metric goes from `from` through a door into the next face.
+#[inline]
+pub(super) fn point_of_line(
+    mesh: &NavMesh,
+    metric: Rung,
+    goal: Point,
+    posts: [Point; 2],
+    from: Point,
+    next: impl FnOnce() -> FaceId,
+) -> Point {
+    match metric {
+        Rung::Centroid => mesh.centroid(next()),
+        Rung::Midpoint => Point::new((posts[0].x + posts[1].x) / 2.0, (posts[0].y + posts[1].y) / 2.0),
+        Rung::Closest => closest_on(posts, from),
+        _ => aimed_at(goal, posts, from),
     }
 }
 

@@ -21,7 +21,7 @@ use std::ops::Range;
 /// In `by`: reached from an end; the rest is four times its number, and how.
 const FROM_END: u32 = 1 << 31;
 /// How: the end leads to the crossing itself, or stands before the first or the second end of a passage.
-const AT_CROSSING: u32 = 0;
+pub(super) const AT_CROSSING: u32 = 0;
 
 /// What a search knows of a crossing.
 #[derive(Clone, Copy, Debug, Default)]
@@ -36,18 +36,18 @@ struct Seen {
 
 /// One of the faces at which the way starts, or ends.
 #[derive(Clone, Debug)]
-struct End {
+pub(super) struct End {
     /// Its door path in `trails`, up to the first face that is no dead end.
     trail: Range<usize>,
     /// Where that face is.
-    spot: u32,
+    pub(super) spot: u32,
     /// The passage, if it is in one.
-    passage: u32,
+    pub(super) passage: u32,
 }
 
-/// How the two searches met.
+/// How the start and the goal are joined.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Meeting {
+pub(super) enum Meeting {
     At(u32),
     /// Without a crossing, from one of the starts to one of the goals.
     Direct([usize; 2]),
@@ -56,10 +56,10 @@ enum Meeting {
 /// A list of crossings for each number of doors.
 #[derive(Clone, Debug, Default)]
 struct Queue {
-    /// The first of each list, in `items`.
+    /// The first of each list, in `items`. There are as many lists as any query took.
     heads: Vec<u32>,
-    /// A crossing, and the next item of its list.
-    items: Vec<(u32, u32)>,
+    /// A crossing, the next item of its list, and which list that is.
+    items: Vec<(u32, u32, u32)>,
     /// No list before this one has any items.
     least: usize,
     /// How many items there are in all lists.
@@ -68,8 +68,7 @@ struct Queue {
 
 impl Queue {
     fn clear(&mut self) {
-        self.heads.clear();
-        self.items.clear();
+        self.items.drain(..).for_each(|(_, _, doors)| self.heads[doors as usize] = NONE);
         (self.least, self.len) = (0, 0);
     }
 
@@ -79,7 +78,7 @@ impl Queue {
             self.heads.resize(doors as usize + 1, NONE);
         }
         let head = &mut self.heads[doors as usize];
-        self.items.push((crossing, *head));
+        self.items.push((crossing, *head, doors));
         *head = self.items.len() as u32 - 1;
         self.len += 1;
     }
@@ -88,7 +87,7 @@ impl Queue {
     #[inline]
     fn pop(&mut self) -> Option<u32> {
         let head = &mut self.heads[self.least];
-        let &(crossing, next) = self.items.get(*head as usize)?;
+        let &(crossing, next, _) = self.items.get(*head as usize)?;
         *head = next;
         self.len -= 1;
         Some(crossing)
@@ -97,6 +96,9 @@ impl Queue {
     /// The number of doors of the first list that has any items.
     #[inline]
     fn least(&mut self) -> Option<u32> {
+        if self.len == 0 {
+            return None;
+        }
         self.least += self.heads.get(self.least..)?.iter().position(|&head| head != NONE)?;
         Some(self.least as u32)
     }
@@ -119,8 +121,15 @@ pub(super) struct Jumps {
     faces: Vec<u32>,
 }
 
+/// What is noted of a crossing that was reached from end `i`: see [`AT_CROSSING`].
+pub(super) fn from_end(i: usize, how: u32) -> u32 {
+    FROM_END | (i as u32) << 2 | how
+}
+
 impl Jumps {
-    fn begin(&mut self, crossings: &Crossings, query: u32) {
+    /// Begins a query: takes in the faces at which the way starts (0) or ends (1).
+    pub(super) fn begin(&mut self, mesh: &NavMesh, crossings: &Crossings, scratch: &Scratch) {
+        let query = scratch.query;
         if query == 1 {
             self.seen.clear();
         }
@@ -131,33 +140,56 @@ impl Jumps {
         self.trails.clear();
         self.best = None;
         self.settled = 0;
-        self.faces.clear();
+        for (which, faces) in [&scratch.starts, &scratch.goals].into_iter().enumerate() {
+            faces.iter().for_each(|&f| self.add_end(mesh, crossings, which, f));
+        }
     }
 
-    /// Takes in a face at which the way starts (0) or ends (1).
     fn add_end(&mut self, mesh: &NavMesh, crossings: &Crossings, which: usize, f: FaceId) {
         let first = self.trails.len();
         self.trails.extend(mesh.door_path(f).map(FaceId::number));
-        let depth = (self.trails.len() - first - 1) as u32;
         let spot = crossings.spot(self.trails[self.trails.len() - 1]);
         let passage = if spot & CROSSING == 0 { crossings.passage_at(spot) } else { NONE };
-        let by = FROM_END | (self.ends[which].len() as u32) << 2;
         self.ends[which].push(End { trail: first..self.trails.len(), spot, passage });
+    }
+
+    /// The faces at which the way starts, or ends.
+    pub(super) fn ends(&self, which: usize) -> &[End] {
+        &self.ends[which]
+    }
+
+    /// The door path of one of them.
+    pub(super) fn trail(&self, end: &End) -> &[u32] {
+        &self.trails[end.trail.clone()]
+    }
+
+    /// The faces of the way that was told last.
+    pub(super) fn faces(&self) -> &[u32] {
+        &self.faces
+    }
+
+    /// Reaches the crossings next to an end.
+    fn set_out(&mut self, crossings: &Crossings, which: usize, i: usize) {
+        let End { ref trail, spot, passage } = self.ends[which][i];
+        let depth = trail.len() as u32 - 1;
         if passage == NONE {
-            self.reach(which, spot & !CROSSING, depth, by | AT_CROSSING);
+            self.reach(which, spot & !CROSSING, depth, from_end(i, AT_CROSSING));
             return;
         }
         let PassageRecord { ends, first, end } = crossings.passage(passage);
         for (how, crossing, doors) in [(1, ends[0], spot - first + 1), (2, ends[1], end - spot)] {
             if crossing != NONE {
-                self.reach(which, crossing, depth + doors, by | how);
+                self.reach(which, crossing, depth + doors, from_end(i, how));
             }
         }
     }
 
-    /// Reaches a crossing, unless it was reached through no more doors before.
+    /// Reaches a crossing, unless it was reached through no more doors before, or a row with no more is known.
     #[inline]
     fn reach(&mut self, which: usize, crossing: u32, doors: u32, by: u32) {
+        if self.best.is_some_and(|(least, _)| least <= doors) {
+            return;
+        }
         let query = self.query;
         let seen = &mut self.seen[crossing as usize];
         if seen[which].query == query && seen[which].doors <= doors {
@@ -198,7 +230,7 @@ impl Jumps {
     }
 
     /// The number of doors from a start to a goal if there need not be a crossing between them.
-    fn doors_between(&self, crossings: &Crossings, [a, b]: [&End; 2]) -> Option<u32> {
+    pub(super) fn doors_between(&self, crossings: &Crossings, [a, b]: [&End; 2]) -> Option<u32> {
         let [up, down] = [a, b].map(|end| end.trail.len());
         let common = self.common([a, b]);
         if common > 0 {
@@ -218,9 +250,22 @@ impl Jumps {
         a.zip(b).take_while(|(f, g)| f == g).count()
     }
 
-    /// Writes the faces of the best way down, from the start to the goal.
-    fn tell(&mut self, crossings: &Crossings, meeting: Meeting) {
+    /// Notes by which link, or from which end, a crossing was reached.
+    pub(super) fn note(&mut self, which: usize, crossing: u32, by: u32) {
+        self.seen[crossing as usize][which] = Seen { query: self.query, doors: 0, by };
+    }
+
+    /// The passage through which the search from the start came to a crossing; [`NONE`] if the start is a crossing, or
+    /// has its door there.
+    pub(super) fn passage_before(&self, crossing: u32) -> u32 {
+        let by = self.seen[crossing as usize][0].by;
+        if by & FROM_END == 0 { by >> 1 } else { self.ends[0][(by & !FROM_END) as usize >> 2].passage }
+    }
+
+    /// Writes the faces of a way down, from the start to the goal.
+    pub(super) fn tell(&mut self, crossings: &Crossings, meeting: Meeting) {
         let mut faces = std::mem::take(&mut self.faces);
+        faces.clear();
         match meeting {
             Meeting::At(crossing) => {
                 self.tell_back(crossings, 0, crossing, &mut faces);
@@ -297,16 +342,16 @@ impl PassageRecord {
 /// The row of the fewest faces. Returns whether there is one. No start may be a goal.
 pub(super) fn fewest_faces(mesh: &NavMesh, crossings: &Crossings, scratch: &mut Scratch) -> bool {
     let mut jumps = std::mem::take(&mut scratch.jumps);
-    jumps.begin(crossings, scratch.query);
-    for (which, faces) in [&scratch.starts, &scratch.goals].into_iter().enumerate() {
-        faces.iter().for_each(|&f| jumps.add_end(mesh, crossings, which, f));
-    }
+    jumps.begin(mesh, crossings, scratch);
     for i in 0..jumps.ends[0].len() {
         for k in 0..jumps.ends[1].len() {
             if let Some(doors) = jumps.doors_between(crossings, [&jumps.ends[0][i], &jumps.ends[1][k]]) {
                 jumps.improve(doors, Meeting::Direct([i, k]));
             }
         }
+    }
+    for which in [0, 1] {
+        (0..jumps.ends[which].len()).for_each(|i| jumps.set_out(crossings, which, i));
     }
     jumps.search(crossings);
     let best = jumps.best;

@@ -12,6 +12,7 @@ use super::funnel::{self, Funnel, Post};
 use super::jumps::{self, Jumps};
 use super::merged::Merged;
 use super::mesh::{CLOSED, DEAD_END, ID, NONE};
+use super::strides::{self, Strides};
 use super::waves::{self, Waves};
 use super::{DistanceField, NavMesh, Place, Route, RouteError, Rung, Work, doors};
 use crate::ids::{FaceId, FaceMap, HalfEdgeId, VertexId};
@@ -54,6 +55,8 @@ pub(super) struct Scratch {
     pub(super) waves: Waves,
     /// The same from crossing to crossing.
     pub(super) jumps: Jumps,
+    /// A* from crossing to crossing.
+    pub(super) strides: Strides,
     /// Keys are the bits of a length, which is not negative: they are in the order of the lengths.
     pub(super) queue: BinaryHeap<Reverse<(u64, u32)>>,
     pub(super) funnel: Funnel,
@@ -106,8 +109,11 @@ impl Planner {
             },
             Rung::Exact => planner.exact.search(mesh, &mut planner.scratch, start, goal.point),
             metric => {
-                let ends = [start.point, goal.point];
-                corridor::a_star(mesh, &mut planner.scratch, metric, None, |_, _| true, ends)
+                let (ends, scratch) = ([start.point, goal.point], &mut planner.scratch);
+                let crossings = mesh.crossings.as_ref();
+                crossings
+                    .and_then(|crossings| strides::a_star(mesh, crossings, scratch, metric, ends))
+                    .unwrap_or_else(|| corridor::a_star(mesh, scratch, metric, None, |_, _| true, ends))
             }
         })
     }
