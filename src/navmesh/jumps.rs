@@ -56,10 +56,10 @@ enum Meeting {
 /// A list of crossings for each number of doors.
 #[derive(Clone, Debug, Default)]
 struct Queue {
-    /// The first of each list, in `items`.
+    /// The first of each list, in `items`. There are as many lists as any query took.
     heads: Vec<u32>,
-    /// A crossing, and the next item of its list.
-    items: Vec<(u32, u32)>,
+    /// A crossing, the next item of its list, and which list that is.
+    items: Vec<(u32, u32, u32)>,
     /// No list before this one has any items.
     least: usize,
     /// How many items there are in all lists.
@@ -68,8 +68,7 @@ struct Queue {
 
 impl Queue {
     fn clear(&mut self) {
-        self.heads.clear();
-        self.items.clear();
+        self.items.drain(..).for_each(|(_, _, doors)| self.heads[doors as usize] = NONE);
         (self.least, self.len) = (0, 0);
     }
 
@@ -79,7 +78,7 @@ impl Queue {
             self.heads.resize(doors as usize + 1, NONE);
         }
         let head = &mut self.heads[doors as usize];
-        self.items.push((crossing, *head));
+        self.items.push((crossing, *head, doors));
         *head = self.items.len() as u32 - 1;
         self.len += 1;
     }
@@ -88,7 +87,7 @@ impl Queue {
     #[inline]
     fn pop(&mut self) -> Option<u32> {
         let head = &mut self.heads[self.least];
-        let &(crossing, next) = self.items.get(*head as usize)?;
+        let &(crossing, next, _) = self.items.get(*head as usize)?;
         *head = next;
         self.len -= 1;
         Some(crossing)
@@ -97,6 +96,9 @@ impl Queue {
     /// The number of doors of the first list that has any items.
     #[inline]
     fn least(&mut self) -> Option<u32> {
+        if self.len == 0 {
+            return None;
+        }
         self.least += self.heads.get(self.least..)?.iter().position(|&head| head != NONE)?;
         Some(self.least as u32)
     }
@@ -138,11 +140,15 @@ impl Jumps {
     fn add_end(&mut self, mesh: &NavMesh, crossings: &Crossings, which: usize, f: FaceId) {
         let first = self.trails.len();
         self.trails.extend(mesh.door_path(f).map(FaceId::number));
-        let depth = (self.trails.len() - first - 1) as u32;
         let spot = crossings.spot(self.trails[self.trails.len() - 1]);
         let passage = if spot & CROSSING == 0 { crossings.passage_at(spot) } else { NONE };
-        let by = FROM_END | (self.ends[which].len() as u32) << 2;
         self.ends[which].push(End { trail: first..self.trails.len(), spot, passage });
+    }
+
+    /// Reaches the crossings next to an end.
+    fn set_out(&mut self, crossings: &Crossings, which: usize, i: usize) {
+        let End { ref trail, spot, passage } = self.ends[which][i];
+        let (depth, by) = (trail.len() as u32 - 1, FROM_END | (i as u32) << 2);
         if passage == NONE {
             self.reach(which, spot & !CROSSING, depth, by | AT_CROSSING);
             return;
@@ -155,9 +161,12 @@ impl Jumps {
         }
     }
 
-    /// Reaches a crossing, unless it was reached through no more doors before.
+    /// Reaches a crossing, unless it was reached through no more doors before, or a row with no more is known.
     #[inline]
     fn reach(&mut self, which: usize, crossing: u32, doors: u32, by: u32) {
+        if self.best.is_some_and(|(least, _)| least <= doors) {
+            return;
+        }
         let query = self.query;
         let seen = &mut self.seen[crossing as usize];
         if seen[which].query == query && seen[which].doors <= doors {
@@ -307,6 +316,9 @@ pub(super) fn fewest_faces(mesh: &NavMesh, crossings: &Crossings, scratch: &mut 
                 jumps.improve(doors, Meeting::Direct([i, k]));
             }
         }
+    }
+    for which in [0, 1] {
+        (0..jumps.ends[which].len()).for_each(|i| jumps.set_out(crossings, which, i));
     }
     jumps.search(crossings);
     let best = jumps.best;
