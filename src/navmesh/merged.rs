@@ -238,39 +238,36 @@ impl Merged {
     /// last of them. Both rows run from the goal to the start. O(k) for each merged face of k faces on the way.
     pub(super) fn refine(&self, mesh: &NavMesh, [start, goal]: [FaceId; 2], doors: &mut Vec<(u32, u32)>) {
         let mut row = Vec::with_capacity(3 * doors.len());
-        let (mut at, mut down) = (start.number(), Vec::new());
+        let (mut at, mut paths) = (start.number(), [Vec::new(), Vec::new()]);
         for &(_, side) in doors.iter().rev() {
             // Behind a side lies the face that its twin belongs to, and the other way round.
             let [out, back] = [side, self.sides[side as usize].twin & ID].map(|side| self.original(side));
-            self.walk(mesh, at, mesh.sides[back as usize].across & ID, &mut row, &mut down);
+            self.walk(mesh, at, mesh.sides[back as usize].across & ID, &mut row, &mut paths);
             row.push((mesh.sides[back as usize].across & ID, out));
             at = mesh.sides[out as usize].across & ID;
         }
-        self.walk(mesh, at, goal.number(), &mut row, &mut down);
+        self.walk(mesh, at, goal.number(), &mut row, &mut paths);
         row.reverse();
         *doors = row;
     }
 
-    /// The doors from one face to another of the same merged face: the path between them in its tree, up from the
-    /// one to where it meets the path up from the other, and `down` that.
-    fn walk(&self, mesh: &NavMesh, from: u32, to: u32, row: &mut Vec<(u32, u32)>, down: &mut Vec<u32>) {
+    /// The doors from one face to another of the same merged face: up its tree to where the paths of both to the root
+    /// meet, and down again.
+    fn walk(&self, mesh: &NavMesh, from: u32, to: u32, row: &mut Vec<(u32, u32)>, paths: &mut [Vec<u32>; 2]) {
         if from == to {
             return;
         }
-        let path = |f: u32| std::iter::successors(Some(f), |&f| Some(self.ups[f as usize]).filter(|&up| up != NONE));
-        down.clear();
-        down.extend(path(to));
-        let mut at = from;
-        let meeting = loop {
-            if let Some(i) = down.iter().position(|&f| f == at) {
-                break i;
-            }
-            let up = self.ups[at as usize];
-            debug_assert_ne!(up, NONE, "{from} and {to} are in different merged faces");
-            row.push(mesh.door_to(at, up));
-            at = up;
-        };
-        row.extend(down[..=meeting].windows(2).rev().map(|pair| mesh.door_to(pair[1], pair[0])));
+        let up = |&f: &u32| Some(self.ups[f as usize]).filter(|&up| up != NONE);
+        for (path, f) in paths.iter_mut().zip([from, to]) {
+            path.clear();
+            path.extend(std::iter::successors(Some(f), up));
+        }
+        let [up, down] = paths;
+        let common = up.iter().rev().zip(down.iter().rev()).take_while(|(f, g)| f == g).count();
+        debug_assert_ne!(common, 0, "{from} and {to} are in different merged faces");
+        let [up, down] = [up, down].map(|path| &path[..=path.len() - common]);
+        row.extend(up.windows(2).map(|pair| mesh.door_to(pair[0], pair[1])));
+        row.extend(down.windows(2).rev().map(|pair| mesh.door_to(pair[1], pair[0])));
     }
 }
 

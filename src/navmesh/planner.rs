@@ -258,6 +258,10 @@ impl Scratch {
         for &f in self.starts.iter().chain(&self.goals) {
             for f in mesh.door_path(f) {
                 let bits = merged.map_or(f.index()..f.index() + 1, |merged| merged.range(room(f)));
+                // A merged face is let in once, however many of its faces the path has.
+                if self.is_allowed(bits.start as u32) {
+                    continue;
+                }
                 for bit in bits {
                     let word = &mut self.allowed[bit / 64];
                     if *word == 0 {
@@ -309,9 +313,10 @@ impl Scratch {
             self.funnel.pass_between(mesh, left, right);
         }
         let way = self.funnel.finish(Post::free(goal));
-        // A bend at the start or the goal itself is none.
-        let bends = way.iter().filter(|post| post.vertex != NONE && post.point != start && post.point != goal);
-        let corners: Vec<VertexId> = bends.map(|post| VertexId::new(post.vertex)).collect();
+        // A bend at the start or the goal itself is none; but a way may come back to that corner in another wedge.
+        let begin = way.iter().position(|post| post.point != start).unwrap_or(way.len());
+        let end = way.iter().rposition(|post| post.point != goal).map_or(begin, |last| begin.max(last + 1));
+        let corners: Vec<VertexId> = way[begin..end].iter().map(|post| VertexId::new(post.vertex)).collect();
         let bends = corners.iter().map(|&v| mesh.point(v));
         (std::iter::once(start).chain(bends).chain([goal]).collect(), corners)
     }

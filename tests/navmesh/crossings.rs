@@ -3,7 +3,7 @@
 use crate::corridors::fewest_doors;
 use crate::maps::{Map, Random};
 use crate::oracle::Oracle;
-use crate::routes::{check, ends, place};
+use crate::routes::{check, check_shape, ends, is_close, place};
 use dcel_kit::FaceId;
 use dcel_kit::navmesh::{NavMesh, Planner, Rung};
 use dcel_kit::plane::Point;
@@ -96,6 +96,41 @@ fn routes_over_crossings_have_the_fewest_faces() {
             });
             assert_eq!(found, fewest_doors(&mesh, &start, &goal), "{context}");
         }
+    }
+}
+
+/// What is put together from whole passages is what is found face by face, but where guesses are alike.
+#[test]
+fn a_star_over_crossings_finds_what_it_finds_over_faces() {
+    let (mut planner, mut other) = (Planner::new(), Planner::new());
+    for rung in [Rung::Centroid, Rung::Midpoint, Rung::Closest, Rung::Aimed] {
+        let (mut sums, mut work, mut alike, mut count) = ([0.0; 2], [0; 2], 0, 0);
+        for seed in 0..40 {
+            let map = Map::random(seed, 4 + seed as usize % 16, [0.65, 0.8, 0.9][seed as usize % 3], 0.4);
+            let meshes = [map.mesh(), linked(&map)];
+            let oracle = Oracle::all_free(&map);
+            let mut random = Random::new(seed + 6000);
+            for pair in ends(&map, &oracle, &mut random, 24).chunks_exact(2) {
+                let context = format!("{rung}, seed {seed}: {} -> {}", pair[0].point, pair[1].point);
+                let [start, goal] = [&pair[0], &pair[1]].map(|node| place(&meshes[0], node));
+                let plain = planner.route(&meshes[0], rung, &start, &goal);
+                let over = other.route(&meshes[1], rung, &start, &goal);
+                let (Ok(plain), Ok(over)) = (&plain, &over) else {
+                    assert_eq!(plain.is_err(), over.is_err(), "{context}");
+                    continue;
+                };
+                check_shape(&meshes[1], over, start.point, goal.point, &context);
+                let faces: BTreeSet<FaceId> = over.faces.iter().copied().collect();
+                assert_eq!(faces.len(), over.faces.len(), "{context}: a face is entered twice: {:?}", over.faces);
+                sums = [sums[0] + plain.length, sums[1] + over.length];
+                work = [work[0] + plain.work.expansions, work[1] + over.work.expansions];
+                alike += u32::from(is_close(plain.length, over.length));
+                count += 1;
+            }
+        }
+        let context = format!("{rung}: {sums:?}, {work:?}, {alike} of {count}");
+        assert!(count > 200 && alike * 10 >= count * 9, "{context}");
+        assert!((sums[1] / sums[0] - 1.0).abs() < 0.005, "{context}");
     }
 }
 

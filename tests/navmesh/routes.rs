@@ -31,7 +31,7 @@ pub(crate) fn ends(map: &Map, oracle: &Oracle, random: &mut Random, count: usize
 }
 
 /// Faces, doors and points of a route fit each other and the mesh.
-fn check_shape(mesh: &NavMesh, route: &Route, start: Point, goal: Point, context: &str) {
+pub(crate) fn check_shape(mesh: &NavMesh, route: &Route, start: Point, goal: Point, context: &str) {
     assert_eq!(route.faces.len(), route.doors.len() + 1, "{context}");
     assert_eq!(route.portals(mesh).count(), route.doors.len(), "{context}: a door is no side of its face");
     assert_eq!((route.points[0], route.points[route.points.len() - 1]), (start, goal), "{context}");

@@ -93,6 +93,43 @@ fn a_double_corner_has_two_wedges() {
     assert!(matches!(planner.route_between(&mesh, Rung::Exact, corner, a), Err(RouteError::Start(_))));
 }
 
+/// A way may come back to the corner it starts from, in another wedge, and bend there.
+///
+/// ```text
+///    ┌───┬───┐
+///    │ g │   │      Walls above and right of the lower left square s, which meet in v: from there the way to g leads
+///    ├═══v   │      down to the end of the one wall, round it, up to v again and along the other.
+///    │ s ║   │
+///    │   u   │
+///    └───┴───┘
+/// ```
+#[test]
+fn a_way_bends_at_its_own_start_in_another_wedge() {
+    let mut mesh = NavMesh::new(&cells(&["..", "..", ".."])).expect("squares");
+    let [v, u, end] = [at(1., -1.), at(1., -2.), at(0.25, -0.75)];
+    let below = mesh.place(at(0.5, -1.5)).expect("free").face;
+    for side in
+        mesh.sides(below).filter(|side| [side.from, side.to].map(|v| mesh.point(v)).contains(&v)).collect::<Vec<_>>()
+    {
+        assert_eq!(mesh.set_wall(below, side.half_edge.edge(), true), Some(false));
+    }
+    let mut planner = Planner::new();
+    for ready in [false, true] {
+        if ready {
+            mesh.merge_faces();
+            mesh.link_crossings();
+        }
+        let [from, to] = [mesh.place_in(below, v), mesh.place(end)].map(|place| place.expect("free"));
+        for rung in Rung::ALL {
+            let way = planner.route(&mesh, rung, &from, &to).expect("one component");
+            assert_eq!(way.points, [v, u, v, end], "{rung}");
+            assert_eq!(way.corners.len(), 2, "{rung}");
+            let back = planner.route(&mesh, rung, &to, &from).expect("one component");
+            assert_eq!(back.points, [end, v, u, v], "{rung}");
+        }
+    }
+}
+
 /// Squares for the dots of a picture, y down in it.
 fn cells(rows: &[&str]) -> Subdivision {
     let width = rows[0].len() as u32;
