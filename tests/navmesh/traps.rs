@@ -105,12 +105,14 @@ fn a_double_corner_has_two_wedges() {
 /// ```
 #[test]
 fn a_way_bends_at_its_own_start_in_another_wedge() {
-    let mut mesh = NavMesh::new(&cells(&["..", "..", ".."])).expect("squares");
-    let [v, u, end] = [at(1., -1.), at(1., -2.), at(0.25, -0.75)];
+    let corner = |i: u32| (if i == 7 { 1.25 } else { f64::from(i % 3) }, -f64::from(i / 3));
+    let squares = [0u32, 1, 3, 4, 6, 7].map(|i| [i + 3, i + 4, i + 1, i]);
+    let points: Vec<(f64, f64)> = (0..12).map(corner).collect();
+    let mut mesh = NavMesh::new(&polygons(&points, &squares.each_ref().map(|square| &square[..]))).expect("convex");
+    let [v, u, end] = [at(1., -1.), at(1.25, -2.), at(0.25, -0.75)];
     let below = mesh.place(at(0.5, -1.5)).expect("free").face;
-    for side in
-        mesh.sides(below).filter(|side| [side.from, side.to].map(|v| mesh.point(v)).contains(&v)).collect::<Vec<_>>()
-    {
+    let at_v = mesh.sides(below).filter(|side| [side.from, side.to].map(|v| mesh.point(v)).contains(&v));
+    for side in at_v.collect::<Vec<_>>() {
         assert_eq!(mesh.set_wall(below, side.half_edge.edge(), true), Some(false));
     }
     let mut planner = Planner::new();

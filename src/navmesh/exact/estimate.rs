@@ -62,8 +62,10 @@ pub(super) fn guess(beam: &Beam, goal: Point) -> f64 {
     let [right, left] = beam.posts;
     let [low, high] = seen(beam);
     let door = difference(right, left);
-    let [height, goal_height] = [root, goal].map(|p| cross(door, difference(right, p)));
-    let goal = if height * goal_height > 0.0 {
+    // The root is on the left of the line from the right post to the left, or so close to it that rounding could say
+    // otherwise: then a goal that was mirrored, or not, by that would be on the wrong side.
+    let goal_height = cross(door, difference(right, goal));
+    let goal = if goal_height > 0.0 {
         let t = 2.0 * goal_height / (door[0] * door[0] + door[1] * door[1]);
         Point::new(goal.x + door[1] * t, goal.y - door[0] * t)
     } else {
@@ -83,4 +85,26 @@ pub(super) fn guess(beam: &Beam, goal: Point) -> f64 {
         return distance(root, goal);
     };
     distance(root, bend) + distance(bend, goal)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::cone::{Node, START};
+    use super::*;
+    use crate::plane::predicates::orientation;
+
+    #[test]
+    fn a_door_on_the_line_of_the_root_is_not_guessed_too_long() {
+        // The root is on the left of the door's line, but rounding says right; the near post is the left one.
+        let [root, left, right] = [(0.3, 2.1), (0.2, 1.4000000000000001), (0.1, 0.7000000000000001)].map(Point::from);
+        assert!(orientation(root, right, left).is_gt());
+        assert!(cross(difference(right, left), difference(right, root)) < 0.0);
+        let node = Node { length: 0.0, root: START, before: START, left: ENDS, right: ENDS, door: 0, parent: 0 };
+        let [to_left, to_right] = [left, right].map(|post| difference(root, post));
+        let beam = Beam { node, root, left: to_left, right: to_right, posts: [right, left] };
+        for goal in [(0.27, 1.39), (0.13, 1.41)].map(Point::from) {
+            let shortest = distance(root, left) + distance(left, goal);
+            assert!(guess(&beam, goal) <= shortest * (1.0 + 1e-15), "{goal}: {} > {shortest}", guess(&beam, goal));
+        }
+    }
 }
