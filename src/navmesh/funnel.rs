@@ -9,6 +9,8 @@
 //!                 r1  r2
 //! ```
 //!
+//! A post on the line of its own chain, but back towards the apex, lies behind a door that is seen edge-on, and beside
+//! a wall without area: the way turns round at the nearer end of the door.
 //! Across means strictly across: a post on the line of the other chain changes nothing, be it in front or behind. (The
 //! funnel as it is commonly printed fails there when the start lies inside the first door, left and right of it are
 //! opposite, and no area is taken for a crossing.)
@@ -22,7 +24,7 @@ use super::nearest::distance;
 use super::{NavMesh, Route};
 use crate::ids::VertexId;
 use crate::plane::Point;
-use crate::plane::predicates::orientation;
+use crate::plane::predicates::{left_to_right, orientation};
 use std::cmp::Ordering;
 
 /// A point of a chain: a vertex, or the start or the goal.
@@ -104,16 +106,28 @@ impl Funnel {
         let Self { way, chains } = self;
         let [left, right] = chains;
         let (own, other) = if side == LEFT { (left, right) } else { (right, left) };
+        // Whether the way turns back at the other end of a door that is seen edge-on.
+        let mut turns_at_other = false;
         while own.posts.len() > own.apex + 1 {
             let [a, b] = [own.posts.len() - 2, own.posts.len() - 1].map(|i| own.posts[i].point);
-            if orientation(a, b, post.point) == inwards.reverse() {
+            let turn = orientation(a, b, post.point);
+            if turn == inwards.reverse() {
                 break;
+            }
+            if turn.is_eq() && turns_back(a, b, post.point) {
+                let is_nearer = |end: &Post| orientation(a, b, end.point).is_eq() && is_between(a, end.point, b);
+                turns_at_other =
+                    own.posts.len() == own.apex + 2 && other.posts.get(other.apex + 1).is_some_and(is_nearer);
+                if !turns_at_other {
+                    break;
+                }
             }
             own.posts.pop();
         }
         if own.posts.len() == own.apex + 1 {
             while let Some(&next) = other.posts.get(other.apex + 1) {
-                if orientation(other.posts[other.apex].point, next.point, post.point) != inwards {
+                let crosses = orientation(other.posts[other.apex].point, next.point, post.point) == inwards;
+                if !crosses && !std::mem::take(&mut turns_at_other) {
                     break;
                 }
                 other.apex += 1;
@@ -160,6 +174,19 @@ impl Route {
         steps.push(funnel.step());
         steps
     }
+}
+
+/// Whether of three points on a line the third is on the same side of the second as the first: so a way turns round the
+/// end of a wall without area.
+fn turns_back(a: Point, b: Point, c: Point) -> bool {
+    let there = left_to_right(a, b);
+    there.is_ne() && left_to_right(b, c) == there.reverse()
+}
+
+/// Whether of three points on a line the second lies strictly between the others.
+fn is_between(a: Point, b: Point, c: Point) -> bool {
+    let there = left_to_right(a, b);
+    there.is_ne() && left_to_right(b, c) == there
 }
 
 /// The length of a way.

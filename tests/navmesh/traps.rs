@@ -105,29 +105,65 @@ fn a_double_corner_has_two_wedges() {
 /// ```
 #[test]
 fn a_way_bends_at_its_own_start_in_another_wedge() {
-    let corner = |i: u32| (if i == 7 { 1.25 } else { f64::from(i % 3) }, -f64::from(i / 3));
-    let squares = [0u32, 1, 3, 4, 6, 7].map(|i| [i + 3, i + 4, i + 1, i]);
-    let points: Vec<(f64, f64)> = (0..12).map(corner).collect();
-    let mut mesh = NavMesh::new(&polygons(&points, &squares.each_ref().map(|square| &square[..]))).expect("convex");
-    let [v, u, end] = [at(1., -1.), at(1.25, -2.), at(0.25, -0.75)];
-    let below = mesh.place(at(0.5, -1.5)).expect("free").face;
-    let at_v = mesh.sides(below).filter(|side| [side.from, side.to].map(|v| mesh.point(v)).contains(&v));
-    for side in at_v.collect::<Vec<_>>() {
-        assert_eq!(mesh.set_wall(below, side.half_edge.edge(), true), Some(false));
+    // With u straight below v the way goes back on the line on which it came.
+    for x in [1.0, 1.25, 0.75] {
+        let corner = |i: u32| (if i == 7 { x } else { f64::from(i % 3) }, -f64::from(i / 3));
+        let squares = [0u32, 1, 3, 4, 6, 7].map(|i| [i + 3, i + 4, i + 1, i]);
+        let points: Vec<(f64, f64)> = (0..12).map(corner).collect();
+        let mut mesh = NavMesh::new(&polygons(&points, &squares.each_ref().map(|square| &square[..]))).expect("convex");
+        let [v, u, end] = [at(1., -1.), at(x, -2.), at(0.25, -0.75)];
+        let below = mesh.place(at(0.5, -1.5)).expect("free").face;
+        let at_v = mesh.sides(below).filter(|side| [side.from, side.to].map(|v| mesh.point(v)).contains(&v));
+        for side in at_v.collect::<Vec<_>>() {
+            assert_eq!(mesh.set_wall(below, side.half_edge.edge(), true), Some(false));
+        }
+        let mut planner = Planner::new();
+        for ready in [false, true] {
+            if ready {
+                mesh.merge_faces();
+                mesh.link_crossings();
+            }
+            let [from, to] = [mesh.place_in(below, v), mesh.place(end)].map(|place| place.expect("free"));
+            for rung in Rung::ALL {
+                let context = format!("{rung}, u at {x}, prepared: {ready}");
+                let way = planner.route(&mesh, rung, &from, &to).expect("one component");
+                assert_eq!(way.points, [v, u, v, end], "{context}");
+                assert_eq!(way.corners.len(), 2, "{context}");
+                let back = planner.route(&mesh, rung, &to, &from).expect("one component");
+                assert_eq!(back.points, [end, v, u, v], "{context}");
+            }
+        }
     }
+}
+
+/// From one side of a wall without area to the other, at the same point, the way goes to its end and back.
+#[test]
+fn a_way_goes_round_a_wall_without_area_and_back_on_the_same_line() {
+    let mut mesh = NavMesh::new(&cells(&["....", "...."])).expect("squares");
     let mut planner = Planner::new();
+    // A wall along the middle line, from the left side to x = 3.
+    for x in 0..3 {
+        let above = mesh.place(at(f64::from(x) + 0.5, -0.5)).expect("free").face;
+        let below = mesh.place(at(f64::from(x) + 0.5, -1.5)).expect("free").face;
+        let wall = mesh.sides(above).find(|side| side.across == below).expect("neighbours");
+        assert_eq!(mesh.set_wall(above, wall.half_edge.edge(), true), Some(false));
+    }
+    let face = |p| mesh.place(p).expect("free").face;
+    let [above, below] = [face(at(0.5, -0.5)), face(at(0.5, -1.5))];
     for ready in [false, true] {
+        let mut mesh = mesh.clone();
         if ready {
             mesh.merge_faces();
             mesh.link_crossings();
         }
-        let [from, to] = [mesh.place_in(below, v), mesh.place(end)].map(|place| place.expect("free"));
-        for rung in Rung::ALL {
-            let way = planner.route(&mesh, rung, &from, &to).expect("one component");
-            assert_eq!(way.points, [v, u, v, end], "{rung}");
-            assert_eq!(way.corners.len(), 2, "{rung}");
-            let back = planner.route(&mesh, rung, &to, &from).expect("one component");
-            assert_eq!(back.points, [end, v, u, v], "{rung}");
+        for (x, back) in [(0.0, 0.0), (0.25, 0.25), (1.0, 0.5), (0.5, 1.0)] {
+            let [from, to] = [(above, x), (below, back)].map(|(f, x)| mesh.place_in(f, at(x, -1.0)).expect("its side"));
+            for rung in Rung::ALL {
+                let context = format!("{rung}, from {x} to {back}, prepared: {ready}");
+                let way = planner.route(&mesh, rung, &from, &to).expect("one component");
+                assert_eq!(way.points, [at(x, -1.0), at(3.0, -1.0), at(back, -1.0)], "{context}");
+                assert_eq!(way.length, 6.0 - x - back, "{context}");
+            }
         }
     }
 }
