@@ -315,7 +315,7 @@ fn neighbours_have_different_tints_and_countries_have_one() {
         let tint =
             |f: FaceId| drawn.areas.get(&f.to_string()).and_then(|a| a[0].0.strip_prefix("face ").map(str::to_owned));
         let country = |f: FaceId| drawn.data.get(&f.to_string()).and_then(|data| data.get("data-name").cloned());
-        for h in half_edges(&table) {
+        for h in half_edges(table) {
             let faces = [h, View::twin(table, h).unwrap()].map(|h| View::face(table, h).unwrap());
             if let [Some(a), Some(b)] = faces.map(tint)
                 && faces[0] != faces[1]
