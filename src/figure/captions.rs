@@ -7,7 +7,7 @@
 //!   └──────────────┘
 //! ```
 
-use super::crowd::Shape;
+use super::crowd::{FATTEST, Shape};
 use super::faces::Region;
 use super::options::FaceLabels;
 use super::pole::{area, pole};
@@ -92,6 +92,23 @@ impl Caption {
         bounds(Xy::default(), size, width(&self.lines), self.lines.len()).max
     }
 
+    /// Width and height at size 1.
+    fn shape(&self) -> Xy {
+        bounds(Xy::default(), 1.0, self.width, self.lines.len()).size()
+    }
+
+    /// By how much x is squeezed in the search for a place. A box as wide as 2.4 times its height fits a circle well
+    /// enough; a wider one needs a flat room.
+    fn squeeze(&self) -> f64 {
+        (self.shape().x / self.shape().y / 2.4).max(1.0)
+    }
+
+    /// What is further away from a region than this does not matter to a place in it: with x squeezed, a line
+    /// outside can reach into the region by half its width times that much, a side of the region by nothing.
+    pub(super) fn reach(&self) -> f64 {
+        FATTEST * self.squeeze()
+    }
+
     /// The text at a place, whatever is there.
     pub(super) fn at(&self, at: Xy, size: f64) -> Label {
         Label { at, size, lines: self.lines.clone() }
@@ -145,9 +162,7 @@ impl Caption {
         mut obstacles: Vec<Shape>,
         blocker: impl Fn(&Bounds) -> Option<Shape>,
     ) -> Option<Label> {
-        let shape = bounds(Xy::default(), 1.0, self.width, self.lines.len()).size();
-        // A box as wide as 2.4 times its height fits a circle well enough; a wider one needs a flat room.
-        let squeeze = (shape.x / shape.y / 2.4).max(1.0);
+        let (shape, squeeze) = (self.shape(), self.squeeze());
         let enough = 1.45 * sizes.largest * shape.y;
         for _ in 0..4 {
             let pole = pole(&region.rings, &obstacles, squeeze, enough)?;

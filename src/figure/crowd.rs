@@ -13,7 +13,7 @@ use super::vector::{Bounds, Xy, segment_distance, xy};
 /// Side of a bucket in px.
 const CELL: f64 = 24.0;
 /// No shape is fatter than this beyond its outline.
-const FATTEST: f64 = 3.0;
+pub(super) const FATTEST: f64 = 3.0;
 
 /// A disc this near to the start of a way does not bar it.
 const OWN: f64 = 6.0;
@@ -118,12 +118,24 @@ impl Crowd {
 
     /// The shapes in the buckets under `bounds`; a shape may come several times.
     fn under(&self, bounds: &Bounds) -> impl Iterator<Item = &(Shape, u32)> {
+        self.numbers_under(bounds).map(|number| &self.shapes[number as usize])
+    }
+
+    fn numbers_under(&self, bounds: &Bounds) -> impl Iterator<Item = u32> {
         let bounds = bounds.grown(FATTEST);
         let (left, right) = (self.column(bounds.min.x), self.column(bounds.max.x));
         (self.row(bounds.min.y)..=self.row(bounds.max.y))
             .flat_map(move |row| &self.cells[row * self.columns + left..=row * self.columns + right])
             .flatten()
-            .map(|&number| &self.shapes[number as usize])
+            .copied()
+    }
+
+    /// All shapes with this tag that may touch `bounds`, each once, in the order in which they were added.
+    pub(super) fn tagged(&self, bounds: &Bounds, tag: u32) -> Vec<Shape> {
+        let mut numbers: Vec<u32> = self.numbers_under(bounds).filter(|&i| self.shapes[i as usize].1 == tag).collect();
+        numbers.sort_unstable();
+        numbers.dedup();
+        numbers.into_iter().map(|i| self.shapes[i as usize].0).collect()
     }
 
     /// A shape that a box would cover.
@@ -212,6 +224,16 @@ mod tests {
         }
         assert_eq!(crowd.nearest(xy(10.0, 280.0), 50.0, |tag| tag != 7).to_bits(), 50f64.to_bits());
         assert!(crowd.nearest(xy(10.0, 280.0), 50.0, |tag| tag == 7) < 10.0);
+    }
+
+    #[test]
+    fn ink_is_found_once_and_without_what_is_not_ink() {
+        let mut crowd = Crowd::new(xy(500.0, 300.0));
+        let line = |y: f64| Shape::Segment(xy(0.0, y), xy(500.0, y), 1.0);
+        for (y, tag) in [(60.0, INK), (61.0, 4), (59.0, INK), (250.0, INK)] {
+            crowd.add(line(y), tag);
+        }
+        assert_eq!(crowd.tagged(&Bounds::around(xy(250.0, 60.0), 200.0, 5.0), INK), [line(60.0), line(59.0)]);
     }
 
     #[test]

@@ -189,7 +189,7 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
             if self.view.outer_face() == Some(region.face) {
                 continue;
             }
-            let obstacles = self.obstacles(region);
+            let obstacles = self.obstacles(region, caption, crowd);
             let is_full = |label: &Label| label.size >= largest;
             if small && caption.place(region, sizes, &obstacles, |_| None).as_ref().is_none_or(is_full) {
                 continue;
@@ -212,8 +212,8 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
         lead_out(self.view, self.regions, captions, labels, size, self.size, crowd)
     }
 
-    /// Shafts and discs in a face.
-    fn obstacles(&self, region: &Region) -> Vec<Shape> {
+    /// Shafts, discs and further ink in a face: what can push its caption aside.
+    fn obstacles(&self, region: &Region, caption: &Caption, crowd: &Crowd) -> Vec<Shape> {
         let style = &self.options.style;
         let mut out = Vec::new();
         let shafts = region.walk(self.view).filter_map(|h| self.shafts.get(h)?.as_ref());
@@ -224,7 +224,8 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
             Ring::Cycle(_) => None,
         });
         out.extend(corners.chain(isolated).filter_map(|v| self.disc(v)));
-        out.extend_from_slice(self.ink);
+        let bounds = Bounds::of(region.rings.iter().flatten().copied());
+        out.extend(bounds.into_iter().flat_map(|bounds| crowd.tagged(&bounds.grown(caption.reach()), INK)));
         out
     }
 }

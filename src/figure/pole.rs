@@ -19,6 +19,7 @@ use super::crowd::Shape;
 use super::vector::{Bounds, Xy, doubled_area, segment_distance, xy};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
+use std::ops::Range;
 
 /// Loss for each px between the label and the centroid.
 const PULL: f64 = 0.03;
@@ -29,6 +30,9 @@ const CELLS: usize = 1500;
 /// Cells times points and obstacles of one search.
 const EFFORT: usize = 20_000_000;
 
+/// More than distances on a canvas are wrong by.
+const ROUNDING: f64 = 1e-6;
+
 /// A place for a label.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Pole {
@@ -37,9 +41,10 @@ pub(super) struct Pole {
     pub(super) clearance: f64,
 }
 
-/// The region and what stands in it; `squeeze` >= 1 divides all x.
+/// The region and what stands in it, all x divided by the squeeze.
 struct Field {
-    rings: Vec<Vec<Xy>>,
+    /// Of all rings.
+    sides: Vec<(Xy, Xy)>,
     obstacles: Vec<Shape>,
     centroid: Xy,
     enough: f64,
@@ -49,6 +54,15 @@ struct Cell {
     centre: Xy,
     half: f64,
     bound: f64,
+    /// Which of the lists of the search names all that can be nearest to a point of the cell.
+    near: Range<usize>,
+}
+
+impl Cell {
+    /// From the centre to a corner.
+    fn radius(&self) -> f64 {
+        self.half * std::f64::consts::SQRT_2
+    }
 }
 
 impl PartialEq for Cell {
@@ -73,41 +87,42 @@ impl Ord for Cell {
 }
 
 impl Field {
-    /// Positive inside the rings (even-odd) and outside all obstacles.
-    fn clearance(&self, p: Xy) -> f64 {
-        let (mut inside, mut nearest) = (false, f64::INFINITY);
-        for ring in &self.rings {
-            let Some(&last) = ring.last() else { continue };
-            let mut a = last;
-            for &b in ring {
-                if (a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x {
-                    inside = !inside;
-                }
-                nearest = nearest.min(segment_distance(p, a, b));
-                a = b;
+    /// Of side `i`, or of the obstacle that many numbers after the last side.
+    fn distance(&self, i: u32, p: Xy) -> f64 {
+        let i = i as usize;
+        match self.sides.get(i) {
+            Some(&(a, b)) => segment_distance(p, a, b),
+            None => self.obstacles[i - self.sides.len()].distance(p),
+        }
+    }
+
+    fn is_inside(&self, p: Xy) -> bool {
+        let mut inside = false;
+        for &(a, b) in &self.sides {
+            if (a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x {
+                inside = !inside;
             }
         }
-        if !inside {
-            return -nearest;
-        }
-        self.obstacles.iter().map(|shape| shape.distance(p)).fold(nearest, f64::min)
+        inside
+    }
+
+    /// Positive inside the rings (even-odd) and outside all obstacles. `near` names, in ascending order, the sides
+    /// and obstacles that can be nearest.
+    fn clearance(&self, p: Xy, near: &[u32]) -> f64 {
+        let (sides, obstacles) = near.split_at(near.partition_point(|&i| (i as usize) < self.sides.len()));
+        let nearest = |start: f64, list: &[u32]| list.iter().map(|&i| self.distance(i, p)).fold(start, f64::min);
+        let nearest_side = nearest(f64::INFINITY, sides);
+        if self.is_inside(p) { nearest(nearest_side, obstacles) } else { -nearest_side }
     }
 
     fn value(&self, p: Xy, clearance: f64) -> f64 {
         clearance.min(self.enough) - PULL * (p - self.centroid).length()
     }
-
-    fn cell(&self, centre: Xy, half: f64) -> (Cell, Pole, f64) {
-        let clearance = self.clearance(centre);
-        let radius = half * std::f64::consts::SQRT_2;
-        let nearest = ((centre - self.centroid).length() - radius).max(0.0);
-        let bound = (clearance + radius).min(self.enough) - PULL * nearest;
-        (Cell { centre, half, bound }, Pole { at: centre, clearance }, self.value(centre, clearance))
-    }
 }
 
 /// The best place in the region, or `None` if no place inside was found. `enough` is the clearance beyond
-/// which only the distance to the centroid counts. O(points + obstacles) for each of at most 1500 cells.
+/// which only the distance to the centroid counts. At most 1500 cells, each O(points + those obstacles that can be
+/// nearest in the cell it is a quarter of).
 pub(super) fn pole(rings: &[Vec<Xy>], obstacles: &[Shape], squeeze: f64, enough: f64) -> Option<Pole> {
     let squeezed = |p: Xy| xy(p.x / squeeze, p.y);
     let rings: Vec<Vec<Xy>> = rings.iter().map(|ring| ring.iter().copied().map(squeezed).collect()).collect();
@@ -119,31 +134,33 @@ pub(super) fn pole(rings: &[Vec<Xy>], obstacles: &[Shape], squeeze: f64, enough:
     });
     let obstacles = obstacles.collect();
     let centroid = centroid(&rings).unwrap_or_else(|| bounds.centre());
-    let field = Field { rings, obstacles, centroid, enough };
+    let before = |ring: &Vec<Xy>| ring.last().copied().into_iter().chain(ring.iter().copied()).collect::<Vec<Xy>>();
+    let sides = rings.iter().flat_map(|ring| before(ring).into_iter().zip(ring.iter().copied())).collect();
+    let field = Field { sides, obstacles, centroid, enough };
 
     let size = bounds.size();
     let side = size.x.min(size.y).max(size.x.max(size.y) / 32.0);
     if side <= 0.0 {
         return None;
     }
-    let (_, best, most) = field.cell(centroid, 0.0);
-    let mut search = Search { field, best, most, open: BinaryHeap::new() };
+    let mut search = Search::new(field);
+    let all = 0..search.near.len();
     let count = |length: f64| ((length / side).ceil() as usize).max(1);
     for row in 0..count(size.y) {
         for column in 0..count(size.x) {
             let step = xy((column as f64 + 0.5) * side, (row as f64 + 0.5) * side);
-            search.visit(bounds.min + step, 0.5 * side);
+            search.visit(bounds.min + step, 0.5 * side, all.clone());
         }
     }
-    let weight = search.field.rings.iter().map(Vec::len).sum::<usize>() + search.field.obstacles.len();
-    for _ in 0..CELLS.min(EFFORT / weight.max(1)) / 4 {
+    for _ in 0..CELLS.min(EFFORT / all.len().max(1)) / 4 {
         let Some(cell) = search.open.pop() else { break };
         if cell.bound <= search.most + PRECISION {
             break;
         }
+        let near = search.narrow(&cell);
         let half = 0.5 * cell.half;
         for (dx, dy) in [(-half, -half), (half, -half), (-half, half), (half, half)] {
-            search.visit(cell.centre + xy(dx, dy), half);
+            search.visit(cell.centre + xy(dx, dy), half, near.clone());
         }
     }
     let best = search.best;
@@ -156,17 +173,44 @@ struct Search {
     best: Pole,
     most: f64,
     open: BinaryHeap<Cell>,
+    /// Lists of sides and obstacles, the first with all of them.
+    near: Vec<u32>,
 }
 
 impl Search {
-    fn visit(&mut self, centre: Xy, half: f64) {
-        let (cell, pole, value) = self.field.cell(centre, half);
+    fn new(field: Field) -> Self {
+        let near: Vec<u32> = (0..(field.sides.len() + field.obstacles.len()) as u32).collect();
+        let best = Pole { at: field.centroid, clearance: field.clearance(field.centroid, &near) };
+        Self { most: field.value(best.at, best.clearance), field, best, open: BinaryHeap::new(), near }
+    }
+
+    fn visit(&mut self, centre: Xy, half: f64, near: Range<usize>) {
+        let clearance = self.field.clearance(centre, &self.near[near.clone()]);
+        let value = self.field.value(centre, clearance);
         if value > self.most {
-            (self.best, self.most) = (pole, value);
+            (self.best, self.most) = (Pole { at: centre, clearance }, value);
         }
+        let mut cell = Cell { centre, half, bound: 0.0, near };
+        let nearest = ((centre - self.field.centroid).length() - cell.radius()).max(0.0);
+        cell.bound = (clearance + cell.radius()).min(self.field.enough) - PULL * nearest;
         if cell.bound > self.most + PRECISION {
             self.open.push(cell);
         }
+    }
+
+    /// A list for the quarters of a cell. What is nearest to the centre at d is at most d + r away from any other
+    /// point of the cell, and what is more than d + 2r away from the centre is further from it than that.
+    fn narrow(&mut self, cell: &Cell) -> Range<usize> {
+        let nearest = self.field.clearance(cell.centre, &self.near[cell.near.clone()]).abs();
+        let reach = nearest + 2.0 * cell.radius() + ROUNDING;
+        let start = self.near.len();
+        for at in cell.near.clone() {
+            let i = self.near[at];
+            if self.field.distance(i, cell.centre) <= reach {
+                self.near.push(i);
+            }
+        }
+        start..self.near.len()
     }
 }
 
@@ -224,6 +268,24 @@ mod tests {
         let narrow = pole(std::slice::from_ref(&tower), &[], 1.0, 30.0).unwrap();
         let wide = pole(&[tower], &[], 5.0, 30.0).unwrap();
         assert!(narrow.at.x < 60.0 && wide.at.y > 160.0, "{narrow:?} {wide:?}");
+    }
+
+    #[test]
+    fn nothing_near_is_forgotten_on_the_way_to_a_place() {
+        let square = ring(&[(0.0, 200.0), (200.0, 200.0), (200.0, 0.0), (0.0, 0.0)]);
+        // Short strokes at every slope, the slope and the start by multiples of two numbers without a common factor.
+        let stroke = |i: usize| {
+            let from = xy((i * 71 % 197) as f64, (i * 113 % 199) as f64);
+            Shape::Segment(from, from + xy((i * 7 % 23) as f64 - 11.0, (i * 5 % 19) as f64 - 9.0), 1.0)
+        };
+        for count in [3, 30, 120, 500] {
+            let strokes: Vec<Shape> = (0..count).map(stroke).collect();
+            let found = pole(std::slice::from_ref(&square), &strokes, 1.0, 60.0).unwrap();
+            let border = [found.at.x, 200.0 - found.at.x, found.at.y, 200.0 - found.at.y];
+            let walls = border.into_iter().chain(strokes.iter().map(|shape| shape.distance(found.at)));
+            let nearest = walls.fold(f64::INFINITY, f64::min);
+            assert!((found.clearance - nearest).abs() < 1e-9, "{count} strokes: {found:?}, {nearest}");
+        }
     }
 
     #[test]

@@ -12,7 +12,7 @@
 use super::grade::grade_and_sign;
 use super::student::{Kit, student_files};
 use super::zoo::{Signature, Signatures};
-use super::{Driver, Lab, Plan, Report, Verdict, starter};
+use super::{Driver, Lab, Limits, Plan, Report, Verdict, starter};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::io;
@@ -23,6 +23,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The seed of every verification: two of them give the same bytes.
 const SEED: u64 = 4;
+/// Where processor time is limited, a program that hangs has used it up long before; and no machine is so busy that a
+/// right program is this late.
+const ASLEEP: f64 = 60.0;
 /// The file that the solution and every bug stand in for.
 const GRADED: &str = "src/lab.rs";
 /// The one marked source.
@@ -250,12 +253,15 @@ fn grade_all(lab: &Lab, room: &Path, variants: &[(Variant, String)]) -> io::Resu
     let outcomes: Mutex<BTreeMap<usize, io::Result<Result<Outcome, String>>>> = Mutex::default();
     let workers = std::thread::available_parallelism().map_or(1, usize::from);
     std::thread::scope(|scope| {
-        for _ in 0..workers.min(variants.len()) {
-            scope.spawn(|| {
+        for worker in 0..workers.min(variants.len()) {
+            let (next, outcomes) = (&next, &outcomes);
+            scope.spawn(move || {
+                let folder = room.join(worker.to_string());
                 loop {
                     let i = next.fetch_add(1, Ordering::Relaxed);
                     let Some((variant, text)) = variants.get(i) else { break };
-                    let outcome = grade_variant(lab, &room.join(i.to_string()), variant, text);
+                    let program = room.join(format!("program-{i}{}", std::env::consts::EXE_SUFFIX));
+                    let outcome = grade_variant(lab, &folder, program, variant, text);
                     outcomes.lock().unwrap_or_else(std::sync::PoisonError::into_inner).insert(i, outcome);
                 }
             });
@@ -264,13 +270,21 @@ fn grade_all(lab: &Lab, room: &Path, variants: &[(Variant, String)]) -> io::Resu
     outcomes.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner).into_values().collect()
 }
 
-fn grade_variant(lab: &Lab, folder: &Path, variant: &Variant, text: &str) -> io::Result<Result<Outcome, String>> {
+fn grade_variant(
+    lab: &Lab,
+    folder: &Path,
+    program: PathBuf,
+    variant: &Variant,
+    text: &str,
+) -> io::Result<Result<Outcome, String>> {
     // The solution and the starter are handed out: they compile without a warning.
     let strict = !matches!(variant, Variant::Bug(_));
-    let program = match compile(lab, folder, text, strict)? {
-        Ok(program) => Driver::new(program, lab.manifest.limits),
-        Err(error) => return Ok(Err(format!("does not compile: {error}"))),
-    };
+    if let Err(error) = compile(lab, folder, &program, text, strict)? {
+        return Ok(Err(format!("does not compile: {error}")));
+    }
+    let limits = lab.manifest.limits;
+    let seconds = if cfg!(unix) { ASLEEP } else { limits.seconds };
+    let program = Driver::new(program, Limits { seconds, ..limits });
     let graded = || {
         let (report, signature) = grade_and_sign(lab, &program, &Plan::with_seed(SEED));
         Outcome { report: Report { millis: 0, ..report }, signature }
@@ -282,14 +296,14 @@ fn grade_variant(lab: &Lab, folder: &Path, variant: &Variant, text: &str) -> io:
     Ok(Ok(outcome))
 }
 
-/// The lab's program with this text as the student's file.
-fn compile(lab: &Lab, folder: &Path, text: &str, strict: bool) -> io::Result<Result<PathBuf, String>> {
+/// Makes the lab's program with this text as the student's file. What the compiler knows of the other files stays in
+/// the folder, for the next text.
+fn compile(lab: &Lab, folder: &Path, program: &Path, text: &str, strict: bool) -> io::Result<Result<(), String>> {
     for (path, given) in lab.files.iter().filter(|(path, _)| path.starts_with("src/")) {
         let path_there = folder.join(path);
         std::fs::create_dir_all(path_there.parent().unwrap_or(folder))?;
         std::fs::write(path_there, if path == GRADED { text } else { given })?;
     }
-    let program = folder.join(format!("program{}", std::env::consts::EXE_SUFFIX));
     let compiler = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let mut command = Command::new(compiler);
     command.args([
@@ -297,14 +311,15 @@ fn compile(lab: &Lab, folder: &Path, text: &str, strict: bool) -> io::Result<Res
         "--crate-name=lab",
         "-Cdebuginfo=0",
         "-Copt-level=0",
+        "-Cincremental=known",
         "--color=never",
         "-Funsafe_code",
     ]);
     command.arg(if strict { "-Dwarnings" } else { "-Awarnings" });
-    command.arg("-o").arg(&program).arg("src/main.rs").current_dir(folder);
+    command.arg("-o").arg(program).arg("src/main.rs").current_dir(folder);
     let compiled = command.output()?;
     if compiled.status.success() {
-        return Ok(Ok(program));
+        return Ok(Ok(()));
     }
     Ok(Err(String::from_utf8_lossy(&compiled.stderr).into_owned()))
 }

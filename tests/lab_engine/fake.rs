@@ -5,8 +5,9 @@ use dcel_kit::lab::{End, Program, Ran};
 use dcel_kit::plane::PlanarView;
 use dcel_kit::script::Script;
 use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
-use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
+use dcel_kit::{Element, FaceId, HalfEdgeId, Id, VertexId};
 use std::fmt::Write;
+use std::sync::OnceLock;
 
 /// What a call did.
 pub(crate) struct Done {
@@ -88,7 +89,9 @@ impl Talk<'_> {
                 end = self.line(line, &mut said);
             }
             for line in said.lines() {
-                let _ = writeln!(self.out, "\n{token}{line}");
+                for words in ["\n", &token, line, "\n"] {
+                    self.out.push_str(words);
+                }
             }
             if let Some(end) = end {
                 return end;
@@ -230,24 +233,43 @@ fn resolve(table: &Table, word: &str) -> Option<u32> {
     })
 }
 
-fn word<T: std::fmt::Display>(id: Option<T>) -> String {
-    id.map_or_else(|| "-".to_owned(), |id| id.to_string()[1..].to_owned())
+/// Adds a reference, or `-`, and a blank before it. Most of what a program prints are references.
+fn reference<T: Id>(out: &mut String, to: Option<T>) {
+    const SMALL: usize = 100;
+    static WORDS: OnceLock<Vec<String>> = OnceLock::new();
+    let words = WORDS.get_or_init(|| (0..SMALL).map(|number| format!(" {number}")).collect());
+    match to.map(T::index) {
+        None => out.push_str(" -"),
+        Some(number) if number < SMALL => out.push_str(&words[number]),
+        Some(number) => out.push_str(&format!(" {number}")),
+    }
 }
 
 fn dump(table: &Table) -> String {
-    let mut out = format!("outer {}\n", word(table.outer_face));
+    let mut out = String::from("outer");
+    reference(&mut out, table.outer_face);
+    out.push('\n');
     for (i, row) in table.vertices.iter().enumerate() {
         let row = row.unwrap();
         let [x, y] = row.position.unwrap();
-        let _ = writeln!(out, "vertex {i} {x} {y} {}", word(row.outgoing));
+        let _ = write!(out, "vertex {i} {x} {y}");
+        reference(&mut out, row.outgoing);
+        out.push('\n');
     }
     for (i, row) in table.half_edges.iter().enumerate() {
         let row = row.unwrap();
-        let pointers = [word(row.twin), word(row.next), word(row.prev)].join(" ");
-        let _ = writeln!(out, "half_edge {i} {} {pointers} {}", word(row.origin), word(row.face));
+        out.push_str("half_edge");
+        reference(&mut out, Some(HalfEdgeId::new(i as u32)));
+        reference(&mut out, row.origin);
+        [row.twin, row.next, row.prev].into_iter().for_each(|to| reference(&mut out, to));
+        reference(&mut out, row.face);
+        out.push('\n');
     }
     for (i, row) in table.faces.iter().enumerate() {
-        let _ = writeln!(out, "face {i} {}", word(row.as_ref().unwrap().boundary));
+        out.push_str("face");
+        reference(&mut out, Some(FaceId::new(i as u32)));
+        reference(&mut out, row.as_ref().unwrap().boundary);
+        out.push('\n');
     }
     out
 }

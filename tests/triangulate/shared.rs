@@ -31,26 +31,52 @@ fn arrange(rings: &[Vec<Point>], split: bool) -> Option<Subdivision> {
     Some(Subdivision::arrange_segments(&segments, &options).ok()?.subdivision)
 }
 
-/// Whether the place is inside by the even-odd rule.
-fn inside(rings: &[Vec<Point>], p: Point) -> bool {
-    let crossings = rings.iter().map(|ring| {
-        (0..ring.len())
-            .filter(|&i| {
-                let (a, b) = (ring[i], ring[(i + 1) % ring.len()]);
-                (a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x
-            })
-            .count()
-    });
-    crossings.sum::<usize>() % 2 == 1
+/// The sides of closed lines, each in all the strips of equal height that it touches.
+struct Strips {
+    low: f64,
+    height: f64,
+    sides: Vec<Vec<[Point; 2]>>,
+}
+
+impl Strips {
+    fn new(rings: &[Vec<Point>]) -> Self {
+        let ys = || rings.iter().flatten().map(|p| p.y);
+        let (low, high) = (ys().fold(f64::INFINITY, f64::min), ys().fold(f64::NEG_INFINITY, f64::max));
+        let count = ys().count().max(1);
+        let mut out = Self { low, height: (high - low) / count as f64, sides: vec![Vec::new(); count] };
+        for ring in rings {
+            for (i, &a) in ring.iter().enumerate() {
+                let b = ring[(i + 1) % ring.len()];
+                for strip in out.strip(a.y.min(b.y))..=out.strip(a.y.max(b.y)) {
+                    out.sides[strip].push([a, b]);
+                }
+            }
+        }
+        out
+    }
+
+    fn strip(&self, y: f64) -> usize {
+        (((y - self.low) / self.height) as usize).min(self.sides.len() - 1)
+    }
+
+    /// Whether the place is inside by the even-odd rule.
+    fn holds(&self, p: Point) -> bool {
+        let mut inside = false;
+        for &[a, b] in &self.sides[self.strip(p.y)] {
+            inside ^= (a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x;
+        }
+        inside
+    }
 }
 
 /// The area of the triangles inside the rings.
 fn area_inside(s: &Subdivision, rings: &[Vec<Point>]) -> f64 {
+    let strips = Strips::new(rings);
     let mut area = 0.0;
     for f in s.faces().skip(1) {
         let corners: Vec<Point> = s.incident_vertices(f).map(|v| s.point(v)).collect();
         let [a, b, c] = corners[..] else { panic!("{f}") };
-        if inside(rings, Point::new((a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0)) {
+        if strips.holds(Point::new((a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0)) {
             area += doubled_area(&corners);
         }
     }

@@ -13,17 +13,27 @@ use std::fmt::Write;
 /// The lines of a dump.
 pub fn dump(dcel: &Dcel) -> String {
     let mut text = format!("outer {}\n", dcel.outer_face);
-    let reference = |to: Option<usize>| to.map_or_else(|| "-".to_owned(), |number| number.to_string());
+    let end_line = |text: &mut String, references: &[Option<usize>]| {
+        for to in references {
+            let _ = match to {
+                Some(number) => write!(text, " {number}"),
+                None => write!(text, " -"),
+            };
+        }
+        text.push('\n');
+    };
     for (v, record) in dcel.vertices.iter().enumerate() {
         let Point { x, y } = record.pos;
-        let _ = writeln!(text, "vertex {v} {x} {y} {}", reference(record.outgoing_half_edge));
+        let _ = write!(text, "vertex {v} {x} {y}");
+        end_line(&mut text, &[record.outgoing_half_edge]);
     }
     for (h, record) in dcel.half_edges.iter().enumerate() {
-        let fields = [record.origin, record.twin, record.next, record.prev, record.face].map(reference);
-        let _ = writeln!(text, "half_edge {h} {}", fields.join(" "));
+        let _ = write!(text, "half_edge {h}");
+        end_line(&mut text, &[record.origin, record.twin, record.next, record.prev, record.face]);
     }
     for (f, record) in dcel.faces.iter().enumerate() {
-        let _ = writeln!(text, "face {f} {}", reference(record.incident_half_edge));
+        let _ = write!(text, "face {f}");
+        end_line(&mut text, &[record.incident_half_edge]);
     }
     text
 }

@@ -65,13 +65,13 @@ fn a_cycle_is_drawn_for_one_face_only() {
 /// Any table can be drawn: missing and wrong pointers, missing rows, missing positions.
 #[test]
 fn broken_tables_are_drawn_without_panic() {
+    let cases = [cases::cube(), cases::islands(), cases::stress(), cases::grid(6, true)];
     for seed in 0..600u64 {
         let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x1234_5678;
         let mut random = move |below: usize| {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             (state >> 33) as usize % below.max(1)
         };
-        let cases = [cases::cube(), cases::islands(), cases::stress(), cases::grid(6, true)];
         let mut table = cases[random(cases.len())].clone();
         let (n, v, f) = (table.half_edges.len(), table.vertices.len(), table.faces.len());
         for _ in 0..1 + random(12) {

@@ -12,6 +12,7 @@ use dcel_kit::figure::{Detail, FigureOptions, structure};
 use dcel_kit::topology::{Table, View};
 use dcel_kit::{FaceId, HalfEdgeId, Id, VertexId};
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::OnceLock;
 
 fn draw(name: &str, table: &Table) -> String {
     structure(table, &FigureOptions::new(name)).unwrap().to_svg()
@@ -33,12 +34,14 @@ fn gallery() -> Vec<(String, Table, FigureOptions)> {
     out
 }
 
-fn pictures() -> Vec<(String, Table, Drawn)> {
+/// What the figures of the gallery show: drawn once for all who look at them.
+fn pictures() -> &'static [(String, Table, Drawn)] {
+    static PICTURES: OnceLock<Vec<(String, Table, Drawn)>> = OnceLock::new();
     let read_back = |(name, table, options): (String, Table, FigureOptions)| {
         let drawn = read(&structure(&table, &options).unwrap().to_svg());
         (name, table, drawn)
     };
-    gallery().into_iter().map(read_back).collect()
+    PICTURES.get_or_init(|| gallery().into_iter().map(read_back).collect())
 }
 
 fn half_edges(table: &Table) -> impl Iterator<Item = HalfEdgeId> {
@@ -128,7 +131,7 @@ fn arrows_run_on_the_left_and_their_barbs_point_to_the_face() {
     let mut arrows = 0;
     for (name, table, drawn) in pictures() {
         for (id, arrow) in &drawn.arrows {
-            let (a, b) = ends(&table, &drawn, id.parse().unwrap());
+            let (a, b) = ends(table, drawn, id.parse().unwrap());
             if length(minus(b, a)) < 2.0 {
                 continue; // 2 decimals do not tell the sides of an edge of one px
             }
@@ -157,7 +160,7 @@ fn shafts_lie_in_their_faces_even_in_sharp_corners() {
             continue; // faces thinner than a line
         }
         for (id, arrow) in &drawn.arrows {
-            let (a, b) = ends(&table, &drawn, id.parse().unwrap());
+            let (a, b) = ends(table, drawn, id.parse().unwrap());
             let face = &drawn.data[id]["data-face"];
             let area = &drawn.areas[face][0].1;
             for p in [arrow.tail, arrow.head] {
@@ -176,7 +179,7 @@ fn a_tip_never_touches_the_next_tail_or_a_disc() {
         for (id, arrow) in &drawn.arrows {
             let row = table.half_edges[id.parse::<HalfEdgeId>().unwrap().index()].unwrap();
             let next = &drawn.arrows[&row.next.unwrap().to_string()];
-            let (a, b) = ends(&table, &drawn, id.parse().unwrap());
+            let (a, b) = ends(table, drawn, id.parse().unwrap());
             let gap = length(minus(arrow.barb[0], next.tail));
             let long = length(minus(b, a)) > 40.0;
             assert!(gap > if long { 6.0 } else { 1.5 }, "{name}: {id} ends {gap} px before {}", row.next.unwrap());
@@ -312,8 +315,8 @@ fn neighbours_have_different_tints_and_countries_have_one() {
         let tint =
             |f: FaceId| drawn.areas.get(&f.to_string()).and_then(|a| a[0].0.strip_prefix("face ").map(str::to_owned));
         let country = |f: FaceId| drawn.data.get(&f.to_string()).and_then(|data| data.get("data-name").cloned());
-        for h in half_edges(&table) {
-            let faces = [h, View::twin(&table, h).unwrap()].map(|h| View::face(&table, h).unwrap());
+        for h in half_edges(table) {
+            let faces = [h, View::twin(table, h).unwrap()].map(|h| View::face(table, h).unwrap());
             if let [Some(a), Some(b)] = faces.map(tint)
                 && faces[0] != faces[1]
             {
