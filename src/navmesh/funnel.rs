@@ -9,7 +9,8 @@
 //!                 r1  r2
 //! ```
 //!
-//! Across means strictly across: a post on the line of the other chain changes nothing, be it in front or behind. (The
+//! Across means strictly across: a post on the line of the other chain changes nothing, be it in front or behind, but
+//! for a whole door on a line with the apex: the way leads by its nearer post, and may go back from there. (The
 //! funnel as it is commonly printed fails there when the start lies inside the first door, left and right of it are
 //! opposite, and no area is taken for a crossing.)
 //!
@@ -22,7 +23,7 @@ use super::nearest::distance;
 use super::{NavMesh, Route};
 use crate::ids::VertexId;
 use crate::plane::Point;
-use crate::plane::predicates::orientation;
+use crate::plane::predicates::{left_to_right, orientation};
 use std::cmp::Ordering;
 
 /// A point of a chain: a vertex, or the start or the goal.
@@ -49,6 +50,8 @@ pub(super) struct Funnel {
     way: Vec<Post>,
     /// The left and the right chain, each from the apex on, which is their first point.
     chains: [Chain; 2],
+    /// Whether there are posts in the way that it may run straight through.
+    touched: bool,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -65,6 +68,7 @@ impl Funnel {
     pub(super) fn start(&mut self, start: Post) {
         self.way.clear();
         self.way.push(start);
+        self.touched = false;
         for chain in &mut self.chains {
             chain.posts.clear();
             chain.posts.push(start);
@@ -74,34 +78,72 @@ impl Funnel {
 
     /// Goes through a door.
     pub(super) fn pass(&mut self, left: Post, right: Post) {
+        let mut in_line = false;
         for (side, post) in [(LEFT, left), (RIGHT, right)] {
             if self.chains[side].posts.last() != Some(&post) {
-                self.put(side, post);
+                in_line |= self.put(side, post);
             }
+        }
+        if in_line {
+            self.touch();
         }
     }
 
     /// Goes through a door between two vertices. Mostly one of them is a post of the door before.
     #[inline]
     pub(super) fn pass_between(&mut self, mesh: &NavMesh, left: VertexId, right: VertexId) {
+        let mut in_line = false;
         for (side, v) in [(LEFT, left), (RIGHT, right)] {
             if self.chains[side].posts.last().is_none_or(|post| post.vertex != v.number()) {
-                self.put(side, Post::at(mesh, v));
+                in_line |= self.put(side, Post::at(mesh, v));
             }
+        }
+        if in_line {
+            self.touch();
         }
     }
 
     /// Ends at the goal and returns the way there.
     pub(super) fn finish(&mut self, goal: Post) -> &[Post] {
         self.put(LEFT, goal);
-        let Self { way, chains } = self;
+        let Self { way, chains, touched } = self;
         way.extend(&chains[LEFT].posts[chains[LEFT].apex + 1..]);
+        if *touched {
+            let mut kept: Vec<Post> = Vec::with_capacity(way.len());
+            for (i, &post) in way.iter().enumerate() {
+                let straight = |(before, after): (&Post, &Post)| runs_straight(before.point, post.point, after.point);
+                if !kept.last().zip(way.get(i + 1)).is_some_and(straight) {
+                    kept.push(post);
+                }
+            }
+            *way = kept;
+        }
         way
     }
 
-    fn put(&mut self, side: usize, post: Post) {
+    /// If the last door is on one line with the apex, on one side of it: makes its nearer post the apex. The way leads
+    /// there in any case, be it straight through or back on the same line, as round the end of a wall.
+    fn touch(&mut self) {
+        let Self { way, chains, touched } = self;
+        let [&[apex, left], &[_, right]] = chains.each_ref().map(|chain| &chain.posts[chain.apex..]) else { return };
+        let near = if runs_straight(apex.point, left.point, right.point) {
+            LEFT
+        } else if runs_straight(apex.point, right.point, left.point) {
+            RIGHT
+        } else {
+            return;
+        };
+        let (post, other) = ([left, right][near], &mut chains[1 - near]);
+        other.posts.insert(other.apex + 1, post);
+        chains.iter_mut().for_each(|chain| chain.apex += 1);
+        way.push(post);
+        *touched = true;
+    }
+
+    /// Puts a post at the end of a chain. Returns whether it is on one line with the apex and the other chain.
+    fn put(&mut self, side: usize, post: Post) -> bool {
         let inwards = if side == LEFT { Ordering::Less } else { Ordering::Greater };
-        let Self { way, chains } = self;
+        let Self { way, chains, .. } = self;
         let [left, right] = chains;
         let (own, other) = if side == LEFT { (left, right) } else { (right, left) };
         while own.posts.len() > own.apex + 1 {
@@ -111,9 +153,12 @@ impl Funnel {
             }
             own.posts.pop();
         }
+        let mut in_line = false;
         if own.posts.len() == own.apex + 1 {
             while let Some(&next) = other.posts.get(other.apex + 1) {
-                if orientation(other.posts[other.apex].point, next.point, post.point) != inwards {
+                let turn = orientation(other.posts[other.apex].point, next.point, post.point);
+                if turn != inwards {
+                    in_line = turn.is_eq();
                     break;
                 }
                 other.apex += 1;
@@ -123,6 +168,7 @@ impl Funnel {
             }
         }
         own.posts.push(post);
+        in_line
     }
 
     fn step(&self) -> FunnelStep {
@@ -160,6 +206,11 @@ impl Route {
         steps.push(funnel.step());
         steps
     }
+}
+
+/// Whether the way over three different points is straight.
+fn runs_straight(a: Point, b: Point, c: Point) -> bool {
+    a != b && b != c && orientation(a, b, c).is_eq() && left_to_right(a, b) == left_to_right(b, c)
 }
 
 /// The length of a way.
