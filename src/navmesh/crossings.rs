@@ -181,7 +181,11 @@ impl Crossings {
                 result.go_round(mesh, f);
             }
         }
+        result.faces.shrink_to_fit();
+        result.starts.shrink_to_fit();
+        result.passages.shrink_to_fit();
         result.row.shrink_to_fit();
+        result.doors.shrink_to_fit();
         result.links.shrink_to_fit();
         result
     }

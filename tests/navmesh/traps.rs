@@ -168,6 +168,37 @@ fn a_way_goes_round_a_wall_without_area_and_back_on_the_same_line() {
     }
 }
 
+/// Round the end of a wall and back on the same line, through doors that lie on it: the wall is not walked through.
+#[test]
+fn a_way_turns_back_on_its_own_line() {
+    let mut mesh = NavMesh::new(&cells(&["..", "..", ".."])).expect("squares");
+    let [here, there] = [at(0.5, -1.5), at(1.5, -1.5)].map(|p| mesh.place(p).expect("free").face);
+    let corner = at(1., -1.);
+    let walls = mesh.sides(here).filter(|side| [side.from, side.to].map(|v| mesh.point(v)).contains(&corner));
+    for side in walls.collect::<Vec<_>>() {
+        assert_eq!(mesh.set_wall(here, side.half_edge.edge(), true), Some(false));
+    }
+    let mut planner = Planner::new();
+    for merged in [false, true] {
+        if merged {
+            mesh.merge_faces();
+        }
+        // On both sides of the wall, and from its upper end on one to behind that end.
+        let ends = [(here, at(1., -1.25), there, at(1., -1.5), 1.25), (here, corner, there, corner, 2.0)];
+        for (from, start, to, goal, length) in ends {
+            let [from, to] =
+                [mesh.place_in(from, start), mesh.place_in(to, goal)].map(|place| place.expect("on the wall"));
+            for rung in Rung::ALL {
+                for (from, to) in [(&from, &to), (&to, &from)] {
+                    let way = planner.route(&mesh, rung, from, to).expect("one component");
+                    assert_eq!(way.points, [from.point, at(1., -2.), to.point], "{rung}, merged: {merged}");
+                    assert!(is_close(way.length, length), "{rung}: {}", way.length);
+                }
+            }
+        }
+    }
+}
+
 /// Squares for the dots of a picture, y down in it.
 fn cells(rows: &[&str]) -> Subdivision {
     let width = rows[0].len() as u32;
