@@ -9,9 +9,8 @@
 //!                 r1  r2
 //! ```
 //!
-//! A post on the line of its own chain, but back towards the apex, lies behind a door that is seen edge-on, and beside
-//! a wall without area: the way turns round at the nearer end of the door.
-//! Across means strictly across: a post on the line of the other chain changes nothing, be it in front or behind. (The
+//! Across means strictly across: a post on the line of the other chain changes nothing, be it in front or behind, but
+//! for a whole door on a line with the apex: the way leads by its nearer post, and may go back from there. (The
 //! funnel as it is commonly printed fails there when the start lies inside the first door, left and right of it are
 //! opposite, and no area is taken for a crossing.)
 //!
@@ -51,6 +50,8 @@ pub(super) struct Funnel {
     way: Vec<Post>,
     /// The left and the right chain, each from the apex on, which is their first point.
     chains: [Chain; 2],
+    /// Whether there are posts in the way that it may run straight through.
+    touched: bool,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -67,6 +68,7 @@ impl Funnel {
     pub(super) fn start(&mut self, start: Post) {
         self.way.clear();
         self.way.push(start);
+        self.touched = false;
         for chain in &mut self.chains {
             chain.posts.clear();
             chain.posts.push(start);
@@ -76,58 +78,87 @@ impl Funnel {
 
     /// Goes through a door.
     pub(super) fn pass(&mut self, left: Post, right: Post) {
+        let mut in_line = false;
         for (side, post) in [(LEFT, left), (RIGHT, right)] {
             if self.chains[side].posts.last() != Some(&post) {
-                self.put(side, post);
+                in_line |= self.put(side, post);
             }
+        }
+        if in_line {
+            self.touch();
         }
     }
 
     /// Goes through a door between two vertices. Mostly one of them is a post of the door before.
     #[inline]
     pub(super) fn pass_between(&mut self, mesh: &NavMesh, left: VertexId, right: VertexId) {
+        let mut in_line = false;
         for (side, v) in [(LEFT, left), (RIGHT, right)] {
             if self.chains[side].posts.last().is_none_or(|post| post.vertex != v.number()) {
-                self.put(side, Post::at(mesh, v));
+                in_line |= self.put(side, Post::at(mesh, v));
             }
+        }
+        if in_line {
+            self.touch();
         }
     }
 
     /// Ends at the goal and returns the way there.
     pub(super) fn finish(&mut self, goal: Post) -> &[Post] {
         self.put(LEFT, goal);
-        let Self { way, chains } = self;
+        let Self { way, chains, touched } = self;
         way.extend(&chains[LEFT].posts[chains[LEFT].apex + 1..]);
+        if *touched {
+            let mut kept: Vec<Post> = Vec::with_capacity(way.len());
+            for (i, &post) in way.iter().enumerate() {
+                let straight = |(before, after): (&Post, &Post)| runs_straight(before.point, post.point, after.point);
+                if !kept.last().zip(way.get(i + 1)).is_some_and(straight) {
+                    kept.push(post);
+                }
+            }
+            *way = kept;
+        }
         way
     }
 
-    fn put(&mut self, side: usize, post: Post) {
+    /// If the last door is on one line with the apex, on one side of it: makes its nearer post the apex. The way leads
+    /// there in any case, be it straight through or back on the same line, as round the end of a wall.
+    fn touch(&mut self) {
+        let Self { way, chains, touched } = self;
+        let [&[apex, left], &[_, right]] = chains.each_ref().map(|chain| &chain.posts[chain.apex..]) else { return };
+        let near = if runs_straight(apex.point, left.point, right.point) {
+            LEFT
+        } else if runs_straight(apex.point, right.point, left.point) {
+            RIGHT
+        } else {
+            return;
+        };
+        let (post, other) = ([left, right][near], &mut chains[1 - near]);
+        other.posts.insert(other.apex + 1, post);
+        chains.iter_mut().for_each(|chain| chain.apex += 1);
+        way.push(post);
+        *touched = true;
+    }
+
+    /// Puts a post at the end of a chain. Returns whether it is on one line with the apex and the other chain.
+    fn put(&mut self, side: usize, post: Post) -> bool {
         let inwards = if side == LEFT { Ordering::Less } else { Ordering::Greater };
-        let Self { way, chains } = self;
+        let Self { way, chains, .. } = self;
         let [left, right] = chains;
         let (own, other) = if side == LEFT { (left, right) } else { (right, left) };
-        // Whether the way turns back at the other end of a door that is seen edge-on.
-        let mut turns_at_other = false;
         while own.posts.len() > own.apex + 1 {
             let [a, b] = [own.posts.len() - 2, own.posts.len() - 1].map(|i| own.posts[i].point);
-            let turn = orientation(a, b, post.point);
-            if turn == inwards.reverse() {
+            if orientation(a, b, post.point) == inwards.reverse() {
                 break;
-            }
-            if turn.is_eq() && turns_back(a, b, post.point) {
-                let is_nearer = |end: &Post| orientation(a, b, end.point).is_eq() && is_between(a, end.point, b);
-                turns_at_other =
-                    own.posts.len() == own.apex + 2 && other.posts.get(other.apex + 1).is_some_and(is_nearer);
-                if !turns_at_other {
-                    break;
-                }
             }
             own.posts.pop();
         }
+        let mut in_line = false;
         if own.posts.len() == own.apex + 1 {
             while let Some(&next) = other.posts.get(other.apex + 1) {
-                let crosses = orientation(other.posts[other.apex].point, next.point, post.point) == inwards;
-                if !crosses && !std::mem::take(&mut turns_at_other) {
+                let turn = orientation(other.posts[other.apex].point, next.point, post.point);
+                if turn != inwards {
+                    in_line = turn.is_eq();
                     break;
                 }
                 other.apex += 1;
@@ -137,6 +168,7 @@ impl Funnel {
             }
         }
         own.posts.push(post);
+        in_line
     }
 
     fn step(&self) -> FunnelStep {
@@ -176,17 +208,9 @@ impl Route {
     }
 }
 
-/// Whether of three points on a line the third is on the same side of the second as the first: so a way turns round the
-/// end of a wall without area.
-fn turns_back(a: Point, b: Point, c: Point) -> bool {
-    let there = left_to_right(a, b);
-    there.is_ne() && left_to_right(b, c) == there.reverse()
-}
-
-/// Whether of three points on a line the second lies strictly between the others.
-fn is_between(a: Point, b: Point, c: Point) -> bool {
-    let there = left_to_right(a, b);
-    there.is_ne() && left_to_right(b, c) == there
+/// Whether the way over three different points is straight.
+fn runs_straight(a: Point, b: Point, c: Point) -> bool {
+    a != b && b != c && orientation(a, b, c).is_eq() && left_to_right(a, b) == left_to_right(b, c)
 }
 
 /// The length of a way.

@@ -216,7 +216,9 @@ impl Strides {
         least: u64,
     ) {
         let crossings = drawing.crossings;
-        for (k, end) in jumps.ends(1).iter().enumerate() {
+        // Back through the passage by which the line came there is nothing new: neither a goal nor a crossing.
+        let came_through = jumps.passage_before(crossing);
+        for (k, end) in jumps.ends(1).iter().enumerate().filter(|(_, end)| !is_in(end, came_through)) {
             let mut arrive = |how: u32, line: Line| {
                 let line = drawing.along(line, jumps.trail(end).iter().rev());
                 self.wait(drawing, scratch, line, least, Stride::From { crossing, goal: k, how });
@@ -234,7 +236,6 @@ impl Strides {
                 }
             }
         }
-        let came_through = jumps.passage_before(crossing);
         for &Link { to: next, doors, by } in crossings.links(crossing) {
             let passage = by >> 1;
             if passage != came_through {
@@ -282,4 +283,9 @@ impl Strides {
 fn places(crossings: &Crossings, end: &End) -> (u32, u32) {
     let PassageRecord { first, end: behind, .. } = crossings.passage(end.passage);
     (end.spot - first + 1, behind - first + 1)
+}
+
+/// Whether an end is in a passage, if that is one.
+fn is_in(end: &End, passage: u32) -> bool {
+    passage != NONE && end.passage == passage
 }

@@ -105,14 +105,21 @@ fn a_star_over_crossings_finds_what_it_finds_over_faces() {
     let (mut planner, mut other) = (Planner::new(), Planner::new());
     for rung in [Rung::Centroid, Rung::Midpoint, Rung::Closest, Rung::Aimed] {
         let (mut sums, mut work, mut alike, mut count) = ([0.0; 2], [0; 2], 0, 0);
-        for seed in 0..40 {
-            let map = Map::random(seed, 4 + seed as usize % 16, [0.65, 0.8, 0.9][seed as usize % 3], 0.4);
+        for seed in 0..24 {
+            let jitter = [0.0, 0.4][seed as usize % 2];
+            let map = Map::random(seed, 4 + seed as usize % 16, [0.65, 0.8, 0.9][seed as usize % 3], jitter);
             let meshes = [map.mesh(), linked(&map)];
             let oracle = Oracle::all_free(&map);
             let mut random = Random::new(seed + 6000);
             for pair in ends(&map, &oracle, &mut random, 24).chunks_exact(2) {
                 let context = format!("{rung}, seed {seed}: {} -> {}", pair[0].point, pair[1].point);
-                let [start, goal] = [&pair[0], &pair[1]].map(|node| place(&meshes[0], node));
+                let [mut start, goal] = [&pair[0], &pair[1]].map(|node| place(&meshes[0], node));
+                // On a lattice some ways start in the middle of a door, that is, in two faces.
+                if jitter == 0.0 && count % 2 == 0 {
+                    let side = meshes[0].sides(start.face).next().expect("a side");
+                    let [a, b] = [side.from, side.to].map(|v| map.points[v.index()]);
+                    start = meshes[0].place(Point::new((a.x + b.x) / 2.0, (a.y + b.y) / 2.0)).expect("on a side");
+                }
                 let plain = planner.route(&meshes[0], rung, &start, &goal);
                 let over = other.route(&meshes[1], rung, &start, &goal);
                 let (Ok(plain), Ok(over)) = (&plain, &over) else {
@@ -129,9 +136,42 @@ fn a_star_over_crossings_finds_what_it_finds_over_faces() {
             }
         }
         let context = format!("{rung}: {sums:?}, {work:?}, {alike} of {count}");
-        assert!(count > 200 && alike * 10 >= count * 9, "{context}");
+        assert!(count > 120 && alike * 10 >= count * 9, "{context}");
         assert!((sums[1] / sums[0] - 1.0).abs() < 0.005, "{context}");
     }
+}
+
+/// A passage that begins and ends at the same crossing, with start and goal in it: a line to the crossing and back may
+/// be as long as the straight one, but nobody goes back.
+#[test]
+fn nobody_goes_back_through_the_passage_in_which_he_started() {
+    let points: Vec<Point> = (0..12).map(|i| Point::new(f64::from(i % 4), f64::from(i / 4))).collect();
+    let squares = [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [4, 5, 9, 8], [5, 6, 10, 9], [6, 7, 11, 10]];
+    let cut = |[a, b, c, d]: [u32; 4], slash: bool| {
+        if slash { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] }
+    };
+    let mut planner = Planner::new();
+    let mut looked_at = 0;
+    for cuts in 0..64 {
+        let triangles = (0..6).flat_map(|i| cut(squares[i], cuts >> i & 1 == 1)).collect();
+        let map = Map { points: points.clone(), triangles };
+        let mesh = linked(&map);
+        let middle = |t: usize| map.corners(t).iter().fold([0.0; 2], |[x, y], p| [x + p.x / 3.0, y + p.y / 3.0]);
+        // All points in the middle of the sides, so that some starts are in two faces.
+        for [a, b] in map.triangles.iter().flat_map(|&triangle| crate::oracle::sides(triangle)) {
+            let [a, b] = [a, b].map(|v| points[v as usize]);
+            let start = Point::new((a.x + b.x) / 2.0, (a.y + b.y) / 2.0);
+            for goal in (0..map.triangles.len()).map(|t| Point::from(middle(t))) {
+                for rung in [Rung::Breadth, Rung::Midpoint, Rung::Closest, Rung::Aimed] {
+                    let route = planner.route_between(&mesh, rung, start, goal).expect("one component");
+                    let faces: BTreeSet<FaceId> = route.faces.iter().copied().collect();
+                    assert_eq!(faces.len(), route.faces.len(), "{cuts}, {rung}: {start} -> {goal}: {:?}", route.faces);
+                    looked_at += 1;
+                }
+            }
+        }
+    }
+    assert_eq!(looked_at, 64 * 36 * 12 * 4);
 }
 
 /// A ring of `n` trapezoids round a gap, each cut in two, with a dead end of `depth` triangles beside the first.

@@ -1,6 +1,7 @@
 //! The search itself: cones in the order of their guesses.
 
 use super::super::Place;
+use super::super::merged::Merged;
 use super::super::mesh::{ID, NONE, NavMesh};
 use super::super::nearest::{closest_on, distance};
 use super::super::planner::{Planner, Scratch};
@@ -20,8 +21,23 @@ pub(in super::super) struct Exact {
     /// For each vertex in which query it was a root, and the shortest way there.
     pub(super) roots: Vec<(u32, f64)>,
     pub(super) start: Point,
-    /// Whether the rooms of the last search were merged faces.
-    merged: bool,
+    /// What the last search ran through.
+    searched: Searched,
+}
+
+/// How many sides and points a mesh has, and how many sides its merged faces, if there are any.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+struct Searched {
+    sides: usize,
+    points: usize,
+    merged: Option<usize>,
+}
+
+impl Searched {
+    fn of(mesh: &NavMesh) -> Self {
+        let merged = mesh.merged.as_ref().map(Merged::bound);
+        Self { sides: mesh.sides.len(), points: mesh.points.len(), merged }
+    }
 }
 
 impl Exact {
@@ -32,7 +48,7 @@ impl Exact {
         self.roots.resize(mesh.vertex_bound().max(self.roots.len()), (0, 0.0));
         self.nodes.clear();
         self.start = start;
-        self.merged = mesh.merged.is_some();
+        self.searched = Searched::of(mesh);
     }
 
     /// Finds the doors of the shortest way, from room to room. Returns whether there is one.
@@ -218,14 +234,14 @@ fn posts<R: Rooms>(rooms: &R, door: u32) -> [Point; 2] {
 
 impl Planner {
     /// The cones of the last exact search, in the order in which they came up. Their points are rounded: for figures.
-    /// None if the faces of the mesh have been merged, or given up, since. On merged faces the doors are theirs, told
+    /// None if this is plainly another mesh, or its faces have been merged, or given up, since. On merged faces the doors are theirs, told
     /// by the faces of the mesh that they lie between.
     pub fn cones(&self, mesh: &NavMesh) -> impl Iterator<Item = Cone> {
         let exact = &self.exact;
         let cones: Vec<Cone> = match &mesh.merged {
-            Some(merged) if exact.merged => exact.cones_of(mesh, &merged.rooms(mesh), |s| merged.original(s)),
-            None if !exact.merged => exact.cones_of(mesh, mesh, |s| s),
-            _ => Vec::new(),
+            _ if exact.searched != Searched::of(mesh) => Vec::new(),
+            Some(merged) => exact.cones_of(mesh, &merged.rooms(mesh), |s| merged.original(s)),
+            None => exact.cones_of(mesh, mesh, |s| s),
         };
         cones.into_iter()
     }
