@@ -207,7 +207,8 @@ fn routes(mesh: &NavMesh, peers: &[polyanya::Mesh; 2], queries: &[Ends]) {
     let count = prepared.link_crossings();
     println!("  crossings: {count}, {:.1} bytes a triangle more", per_triangle(prepared.memory() - bytes));
 
-    let prepared_rungs = [Rung::Breadth, Rung::Exact].map(Program::Prepared);
+    let prepared_rungs =
+        [Rung::Breadth, Rung::Midpoint, Rung::Closest, Rung::Aimed, Rung::Exact].map(Program::Prepared);
     let programs: Vec<Program> =
         Rung::ALL.map(Program::Plain).into_iter().chain(prepared_rungs).chain([0, 1].map(Program::Peer)).collect();
     let mut planner = Planner::new();
@@ -233,8 +234,8 @@ fn routes(mesh: &NavMesh, peers: &[polyanya::Mesh; 2], queries: &[Ends]) {
     for (k, program) in programs.iter().enumerate() {
         let (rung, how) = match program {
             Program::Plain(rung) => (rung, ""),
-            Program::Prepared(Rung::Breadth) => (&Rung::Breadth, ", crossings"),
-            Program::Prepared(rung) => (rung, ", merged"),
+            Program::Prepared(Rung::Exact) => (&Rung::Exact, ", merged"),
+            Program::Prepared(rung) => (rung, ", crossings"),
             Program::Peer(_) => continue,
         };
         let ratio = lengths[k].iter().zip(exact).map(|(a, b)| a / b).sum::<f64>() / queries.len() as f64;

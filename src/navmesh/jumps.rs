@@ -255,11 +255,15 @@ impl Jumps {
         self.seen[crossing as usize][which] = Seen { query: self.query, doors: 0, by };
     }
 
-    /// The passage through which the search from the start came to a crossing; [`NONE`] if the start is a crossing, or
-    /// has its door there.
-    pub(super) fn passage_before(&self, crossing: u32) -> u32 {
+    /// Whether who goes into a passage from the crossing at its first (1) or second (2) end goes back on the way by which
+    /// the search from the start came to that crossing.
+    pub(super) fn is_back(&self, crossing: u32, passage: u32, end: u32) -> bool {
         let by = self.seen[crossing as usize][0].by;
-        if by & FROM_END == 0 { by >> 1 } else { self.ends[0][(by & !FROM_END) as usize >> 2].passage }
+        if by & FROM_END == 0 {
+            by >> 1 == passage
+        } else {
+            by & 3 == end && self.ends[0][(by & !FROM_END) as usize >> 2].passage == passage
+        }
     }
 
     /// Writes the faces of a way down, from the start to the goal.

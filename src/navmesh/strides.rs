@@ -205,7 +205,8 @@ impl Strides {
         }
     }
 
-    /// Draws lines on from a crossing, through all passages there, and to goals before their next crossing.
+    /// Draws lines on from a crossing, through all passages there, and to goals before their next crossing. Where the
+    /// line came from there is nothing new.
     fn go_on(
         &mut self,
         drawing: &Drawing,
@@ -216,9 +217,7 @@ impl Strides {
         least: u64,
     ) {
         let crossings = drawing.crossings;
-        // Back through the passage by which the line came there is nothing new: neither a goal nor a crossing.
-        let came_through = jumps.passage_before(crossing);
-        for (k, end) in jumps.ends(1).iter().enumerate().filter(|(_, end)| !is_in(end, came_through)) {
+        for (k, end) in jumps.ends(1).iter().enumerate() {
             let mut arrive = |how: u32, line: Line| {
                 let line = drawing.along(line, jumps.trail(end).iter().rev());
                 self.wait(drawing, scratch, line, least, Stride::From { crossing, goal: k, how });
@@ -231,14 +230,15 @@ impl Strides {
             }
             let (place, far) = places(crossings, end);
             for (how, from) in [(1, 0), (2, far)] {
-                if crossings.passage(end.passage).ends[how as usize - 1] == crossing {
+                let is_here = crossings.passage(end.passage).ends[how as usize - 1] == crossing;
+                if is_here && !jumps.is_back(crossing, end.passage, how) {
                     arrive(how, drawing.run(line, end.passage, from, place));
                 }
             }
         }
         for &Link { to: next, doors, by } in crossings.links(crossing) {
             let passage = by >> 1;
-            if passage != came_through {
+            if !jumps.is_back(crossing, passage, (by & 1) + 1) {
                 let [at, first, to] = if by & 1 == 0 { [0, 1, doors] } else { [doors, doors - 1, 0] };
                 let line = drawing.run(line, passage, at, first);
                 let on = Stride::On { line, passage, from: first, to, crossing: next, by };
@@ -283,9 +283,4 @@ impl Strides {
 fn places(crossings: &Crossings, end: &End) -> (u32, u32) {
     let PassageRecord { first, end: behind, .. } = crossings.passage(end.passage);
     (end.spot - first + 1, behind - first + 1)
-}
-
-/// Whether an end is in a passage, if that is one.
-fn is_in(end: &End, passage: u32) -> bool {
-    passage != NONE && end.passage == passage
 }

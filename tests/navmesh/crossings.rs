@@ -174,6 +174,35 @@ fn nobody_goes_back_through_the_passage_in_which_he_started() {
     assert_eq!(looked_at, 64 * 36 * 12 * 4);
 }
 
+/// Two rings joined by a bridge: in each ring a passage leads from a crossing to the same crossing, and the shorter way
+/// from the one part of it to the other may lead through that.
+#[test]
+fn a_way_may_leave_its_passage_and_come_back_by_the_other_end() {
+    let is_free = |x: usize, y: usize| if x == 3 { y == 1 } else { (x % 4, y) != (1, 1) };
+    let points = (0..4).flat_map(|y| (0..8).map(move |x| Point::new(f64::from(x), f64::from(y)))).collect();
+    let corner = |x: usize, y: usize| (8 * y + x) as u32;
+    let cells = (0..3).flat_map(|y| (0..7).map(move |x| (x, y))).filter(|&(x, y)| is_free(x, y));
+    let halves = |(x, y)| {
+        let [a, b, c, d] = [corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)];
+        [[a, b, c], [a, c, d]]
+    };
+    let map = Map { points, triangles: cells.flat_map(halves).collect() };
+    let mesh = linked(&map);
+    assert_eq!(mesh.crossings().len(), 2);
+    assert!(mesh.passages().iter().any(|passage| passage.ends.is_some_and(|[a, b]| a == b)));
+    let mut planner = Planner::new();
+    // Below and above the crossing of each ring; the other way round is three times as long.
+    for x in [2.5, 4.5] {
+        for (from, to) in [(0.5, 2.5), (2.5, 0.5)] {
+            for rung in Rung::ALL {
+                let [start, goal] = [from, to].map(|y| Point::new(x + 0.01, y));
+                let route = planner.route_between(&mesh, rung, start, goal).expect("one component");
+                assert!(route.length < 2.1, "{rung}: {start} -> {goal}: {:?}", route.points);
+            }
+        }
+    }
+}
+
 /// A ring of `n` trapezoids round a gap, each cut in two, with a dead end of `depth` triangles beside the first.
 fn ring(n: u32, depth: u32) -> Map {
     let at = |i: u32, radius: f64| {
