@@ -176,8 +176,9 @@ fn cones_over_merged_faces_lie_between_faces_of_the_mesh() {
             assert!(orientation(p, q, cone.root).is_ge(), "{cone:?} comes from behind {side:?}");
             count += 1;
         }
-        // Another mesh has no cones of this search.
+        // Another mesh has no cones of this search, be it smaller and merged, too.
         assert_eq!(planner.cones(&map.mesh()).count(), 0);
+        assert_eq!(planner.cones(&merged(&Map::random(4, 3, 0.8, 0.5))).count(), 0);
     }
     assert!(count > 100, "{count}");
 }
