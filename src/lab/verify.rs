@@ -12,7 +12,7 @@
 use super::grade::grade_and_sign;
 use super::student::{Kit, student_files};
 use super::zoo::{Signature, Signatures};
-use super::{Driver, Lab, Limits, Plan, Report, Verdict, starter};
+use super::{Driver, Lab, Plan, Report, Verdict, starter};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::io;
@@ -23,9 +23,6 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The seed of every verification: two of them give the same bytes.
 const SEED: u64 = 4;
-/// Where processor time is limited, a program that hangs has used it up long before; and no machine is so busy that a
-/// right program is this late.
-const ASLEEP: f64 = 60.0;
 /// The file that the solution and every bug stand in for.
 const GRADED: &str = "src/lab.rs";
 /// The one marked source.
@@ -282,9 +279,7 @@ fn grade_variant(
     if let Err(error) = compile(lab, folder, &program, text, strict)? {
         return Ok(Err(format!("does not compile: {error}")));
     }
-    let limits = lab.manifest.limits;
-    let seconds = if cfg!(unix) { ASLEEP } else { limits.seconds };
-    let program = Driver::new(program, Limits { seconds, ..limits });
+    let program = Driver::new(program, lab.manifest.limits);
     let graded = || {
         let (report, signature) = grade_and_sign(lab, &program, &Plan::with_seed(SEED));
         Outcome { report: Report { millis: 0, ..report }, signature }

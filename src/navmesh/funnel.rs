@@ -78,24 +78,22 @@ impl Funnel {
 
     /// Goes through a door.
     pub(super) fn pass(&mut self, left: Post, right: Post) {
-        let mut in_line = false;
-        for (side, post) in [(LEFT, left), (RIGHT, right)] {
-            if self.chains[side].posts.last() != Some(&post) {
-                in_line |= self.put(side, post);
-            }
-        }
-        if in_line {
-            self.touch();
-        }
+        self.put_new(&[left, right], |post, last| post != last, |post| *post);
     }
 
     /// Goes through a door between two vertices. Mostly one of them is a post of the door before.
     #[inline]
     pub(super) fn pass_between(&mut self, mesh: &NavMesh, left: VertexId, right: VertexId) {
+        self.put_new(&[left, right], |v, last| v.number() != last.vertex, |v| Post::at(mesh, *v));
+    }
+
+    /// Puts those posts of a door at the ends of the chains that are not there already.
+    #[inline]
+    fn put_new<T>(&mut self, posts: &[T; 2], is_new: impl Fn(&T, &Post) -> bool, make: impl Fn(&T) -> Post) {
         let mut in_line = false;
-        for (side, v) in [(LEFT, left), (RIGHT, right)] {
-            if self.chains[side].posts.last().is_none_or(|post| post.vertex != v.number()) {
-                in_line |= self.put(side, Post::at(mesh, v));
+        for (side, post) in [LEFT, RIGHT].into_iter().zip(posts) {
+            if self.chains[side].posts.last().is_none_or(|last| is_new(post, last)) {
+                in_line |= self.put(side, make(post));
             }
         }
         if in_line {

@@ -208,7 +208,8 @@ impl Info {
         let plural = if self.components == [1] { "face" } else { "faces" };
         line("components", format!("{}, of {}{rest} {plural}", self.components.len(), sizes.join(", ")))?;
         line("dead ends", format!("{} faces peeled, {} left", self.dead_ends, self.faces - self.dead_ends))?;
-        line("crossings", format!("{}, {} passages between them", self.crossings, self.passages))?;
+        let passages = if self.passages == 1 { "passage" } else { "passages" };
+        line("crossings", format!("{}, and {} {passages}", self.crossings, self.passages))?;
         line("area", dcel_kit::io::Number(self.area).to_string())?;
         line("double corners", self.double_corners.to_string())?;
         self.faults.iter().try_for_each(|fault| fault.print(out))

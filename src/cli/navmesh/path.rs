@@ -43,7 +43,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "RUNG", default_value = "exact")]
     rung: Which,
     /// Prepare the map: the exact way is looked for over larger faces, merged from those of the map,
-    /// and the fewest faces from crossing to crossing. As good an answer, with less work
+    /// and the other rungs go from crossing to crossing. As good an answer, with less work
     #[arg(long)]
     merged: bool,
     /// The radius of the agent: its way keeps that far from every border. Corners are rounded by

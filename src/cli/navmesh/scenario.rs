@@ -33,7 +33,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "RUNG", default_value = "exact")]
     rung: Which,
     /// Prepare the map: the exact way is looked for over larger faces, merged from those of the map,
-    /// and the fewest faces from crossing to crossing. As good an answer, with less work
+    /// and the other rungs go from crossing to crossing. As good an answer, with less work
     #[arg(long)]
     merged: bool,
     /// What the stated lengths are
