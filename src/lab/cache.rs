@@ -95,6 +95,8 @@ mod tests {
             printed: String::new(),
             attachments: Vec::new(),
             adjustments: Vec::new(),
+            notes: Vec::new(),
+            similar: Vec::new(),
             millis: 1,
         }
     }

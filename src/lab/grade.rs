@@ -144,6 +144,8 @@ fn empty_report(lab: &Lab, plan: &Plan, program: &dyn Program) -> Report {
         printed: String::new(),
         attachments: Vec::new(),
         adjustments: Vec::new(),
+        notes: Vec::new(),
+        similar: Vec::new(),
         millis: 0,
     }
 }

@@ -60,7 +60,7 @@ pub use manifest::{Manifest, Task, Test};
 pub use marked::{MarkError, starter};
 pub use plan::{Plan, Secret};
 pub use program::{Driver, End, Limits, Program, Ran, end_of, signal_name};
-pub use report::{Adjustment, Finding, Picture, Report, TestResult, Visibility, Wall};
+pub use report::{Adjustment, Finding, Picture, Report, Similar, TestResult, Visibility, Wall};
 #[cfg(feature = "grade")]
 pub use student::{Kit, student_files};
 #[cfg(feature = "grade")]

@@ -33,6 +33,14 @@ pub struct Report {
     /// Points that no test gives or takes: for answers that a person read, for lateness.
     #[serde(default)]
     pub adjustments: Vec<Adjustment>,
+    /// What was odd about what was handed in, but did not keep it from being graded: `took src/Lab.rs for
+    /// src/lab.rs`.
+    #[serde(default)]
+    pub notes: Vec<String>,
+    /// Other submissions of the class that look like this one, the most alike first. For the instructor: no report
+    /// on one submission for its author shows it.
+    #[serde(default)]
+    pub similar: Vec<Similar>,
     /// How long building and running took, in milliseconds; left out of comparisons.
     pub millis: u64,
 }
@@ -54,6 +62,8 @@ impl Report {
             printed: String::new(),
             attachments: Vec::new(),
             adjustments: Vec::new(),
+            notes: Vec::new(),
+            similar: Vec::new(),
             millis: 0,
         }
     }
@@ -80,6 +90,17 @@ pub struct Adjustment {
     pub reason: String,
     /// How many; negative to take some.
     pub points: i32,
+}
+
+/// Another submission whose graded files look like this one's.
+#[derive(Clone, PartialEq, Eq, Hash, Debug, Serialize, Deserialize)]
+pub struct Similar {
+    /// What the other one is called in the reports.
+    pub submission: String,
+    /// How much of what both wrote is in both, names and comments aside, in percent.
+    pub percent: u8,
+    /// Whether the files are the same, byte by byte.
+    pub identical: bool,
 }
 
 /// The outcome of one graded test.
@@ -205,6 +226,8 @@ mod tests {
             printed: String::new(),
             attachments: Vec::new(),
             adjustments: vec![Adjustment { reason: "answers".to_owned(), points: 5 }],
+            notes: Vec::new(),
+            similar: Vec::new(),
             millis: 0,
         };
         assert_eq!(report.points(), 5);

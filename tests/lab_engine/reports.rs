@@ -1,7 +1,7 @@
 //! Reports hold what each format promises, for good and for hostile submissions.
 
 use dcel_kit::lab::reports::Format;
-use dcel_kit::lab::{Adjustment, Finding, Picture, Report, TestResult, Verdict, Visibility, Wall};
+use dcel_kit::lab::{Adjustment, Finding, Picture, Report, Similar, TestResult, Verdict, Visibility, Wall};
 use serde_json::Value;
 
 /// A name that tries to break out of every format.
@@ -68,6 +68,8 @@ fn report() -> Report {
         printed: "debugging\n".to_owned(),
         attachments: vec![("answers.md".to_owned(), "By next.origin.\n".to_owned())],
         adjustments: vec![Adjustment { reason: "answers".to_owned(), points: 2 }],
+        notes: Vec::new(),
+        similar: Vec::new(),
         millis: 700,
     }
 }
@@ -322,4 +324,67 @@ answers.md:
   By next.origin.
 ";
     assert_eq!(text, expected);
+}
+
+#[test]
+fn a_name_with_a_line_break_cannot_break_a_table() {
+    for name in ["anna\nben  100/100  passed", "anna\r| x | y |", "a\u{2028}b\tc"] {
+        let named = Report { submission: Some(name.to_owned()), ..report() };
+        let class = [named, report()];
+        for format in [Format::Text, Format::Markdown, Format::Html, Format::Csv, Format::Junit] {
+            let (hostile, plain) = (format.class(&class).unwrap(), format.class(&[report(), report()]).unwrap());
+            let lines = |text: &str| text.lines().count();
+            assert_eq!(lines(&hostile), lines(&plain), "{format}: {hostile}");
+        }
+        let sheet = Format::Csv.class(&class).unwrap();
+        assert_eq!(csv::Reader::from_reader(sheet.as_bytes()).records().map(Result::unwrap).count(), 2);
+    }
+}
+
+#[test]
+fn blanks_before_a_formula_do_not_bring_it_into_a_spreadsheet() {
+    for name in [" =1+1", "\u{a0}=1+1", "  +1+1", " -1+1", " @x", "\t=1+1", "＝1+1", " \t=1+1"] {
+        let text = Format::Csv.one(&Report { submission: Some(name.to_owned()), ..report() });
+        let mut reader = csv::Reader::from_reader(text.as_bytes());
+        let cell = reader.records().next().unwrap().unwrap()[0].to_owned();
+        assert!(cell.starts_with('\''), "{name:?} gives {cell:?}");
+    }
+    let number = Report {
+        adjustments: vec![Adjustment { reason: "late".to_owned(), points: -4 }],
+        submission: Some("-4".to_owned()),
+        ..report()
+    };
+    assert!(Format::Csv.one(&number).contains("\n-4,crashed,"), "numbers stay numbers");
+}
+
+#[test]
+fn a_failure_of_the_grader_is_no_grade() {
+    let text = Format::Csv.one(&Report { verdict: Verdict::GraderFault, ..report() });
+    assert!(text.contains("\nanna,grader fault,,34,"), "{text}");
+}
+
+#[test]
+fn those_that_look_alike_are_named_to_the_instructor_and_not_to_each_other() {
+    let similar =
+        |submission: &str, percent, identical| Similar { submission: submission.to_owned(), percent, identical };
+    let alike = Report { similar: vec![similar("dora", 100, true), similar("carl", 93, false)], ..report() };
+    let class = [alike.clone(), Report { submission: Some("ben".to_owned()), ..report() }];
+    for format in Format::ALL.into_iter().filter(|format| format.holds_a_class() && *format != Format::Bugs) {
+        let text = format.class(&class).unwrap();
+        assert!(text.contains("dora") && text.contains("carl") && text.contains("93"), "{format}: {text}");
+        let plain = format.class(&[class[1].clone(), class[1].clone()]).unwrap();
+        assert!(!plain.contains("look alike") && !plain.contains("dora"), "{format}: {plain}");
+    }
+    for format in [Format::Text, Format::Html, Format::Markdown, Format::Classroom50, Format::Exercism] {
+        let text = format.one(&alike);
+        assert!(!text.contains("dora"), "{format} tells a student of another: {text}");
+    }
+}
+
+#[test]
+fn what_was_odd_is_noted_in_what_the_student_reads() {
+    let noted = Report { notes: vec!["took src/Lab.rs for src/lab.rs".to_owned()], ..report() };
+    for format in [Format::Text, Format::Html, Format::Markdown, Format::Gradescope, Format::Json, Format::Csv] {
+        assert!(format.one(&noted).contains("took src/Lab.rs for src/lab.rs"), "{format}");
+    }
 }

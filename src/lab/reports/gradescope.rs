@@ -41,6 +41,7 @@ pub(super) fn write(report: &Report) -> String {
             "lab_version": report.lab_version,
             "seed": report.seed.to_string(),
             "verdict": report.verdict.word(),
+            "similar": words::similar(report),
         },
         "tests": tests,
     }))

@@ -46,6 +46,7 @@ pub(super) fn class(reports: &[Report]) -> String {
         );
     }
     body.push_str("</tbody></table>\n");
+    similar(&mut body, reports);
     let named = bugs::count(reports);
     if !named.is_empty() {
         body.push_str("<h2>Named bugs</h2>\n<ul>\n");
@@ -64,6 +65,20 @@ pub(super) fn class(reports: &[Report]) -> String {
         submission(&mut body, report, i, false);
     }
     document(&format!("{lab}: {} submissions", reports.len()), &body)
+}
+
+/// Those that look alike, each linked to its section.
+fn similar(out: &mut String, reports: &[Report]) {
+    let alike: Vec<_> = reports.iter().enumerate().filter(|(_, report)| !report.similar.is_empty()).collect();
+    if alike.is_empty() {
+        return;
+    }
+    let _ = write!(out, "<h2>Look alike</h2>\n<p>{}</p>\n<ul>\n", words::LOOK_ALIKE);
+    for (i, report) in alike {
+        let (author, others) = (words::author(report), words::similar(report).join(", "));
+        let _ = writeln!(out, "<li><a href=\"#s{i}\">{}</a>: {}</li>", escaped(&author), escaped(&others));
+    }
+    out.push_str("</ul>\n");
 }
 
 fn submission(out: &mut String, report: &Report, number: usize, alone: bool) {

@@ -15,6 +15,9 @@ pub(super) fn write(reports: &[Report]) -> String {
         suite.add_property(("kit", report.kit.as_str()));
         suite.add_property(("seed", report.seed.to_string().as_str()));
         suite.add_property(("points", words::points(report).as_str()));
+        if !report.similar.is_empty() {
+            suite.add_property(("similar", words::similar(report).join("; ").as_str()));
+        }
         suite.add_test_cases(report.tests.iter().map(|test| case(report, test)));
         if !report.printed.is_empty() {
             suite.set_system_out(words::clean(&report.printed));

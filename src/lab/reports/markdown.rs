@@ -23,6 +23,14 @@ pub(super) fn class(reports: &[Report]) -> String {
     for report in reports {
         let _ = writeln!(out, "| {} | {} | {} |", cell(&words::author(report)), words::points(report), report.verdict);
     }
+    let alike: Vec<&Report> = reports.iter().filter(|report| !report.similar.is_empty()).collect();
+    if !alike.is_empty() {
+        let _ = write!(out, "\n{}\n\n", words::LOOK_ALIKE);
+        for report in alike {
+            let similar = words::similar(report).join(", ");
+            let _ = writeln!(out, "- {}: {}", cell(&words::author(report)), cell(&similar));
+        }
+    }
     for report in reports {
         let _ = write!(out, "\n## {}: {} points\n\n", cell(&words::author(report)), words::points(report));
         submission(&mut out, report);
@@ -63,9 +71,8 @@ fn fenced(out: &mut String, text: &str) {
 /// A text for a cell of a table or a heading: one line, nothing in it is Markdown or HTML.
 fn cell(text: &str) -> String {
     let mut out = String::new();
-    for c in words::clean(text).chars() {
+    for c in words::line(text).chars() {
         match c {
-            '\n' => out.push(' '),
             '<' => out.push_str("&lt;"),
             '&' => out.push_str("&amp;"),
             '|' | '`' | '*' | '_' | '[' | ']' | '\\' | '#' | '!' => out.extend(['\\', c]),

@@ -1,7 +1,10 @@
 //! Comma-separated values for a spreadsheet, one row for each submission.
 //!
-//! A cell that begins with `=`, `+`, `-`, `@`, a tab or a line break gets an apostrophe in front, because a spreadsheet would
-//! take it for a formula, and the name of a submission is chosen by its author.
+//! A cell that begins with `=`, `+`, `-`, `@` (also the wide ones), a tab or a line break gets an apostrophe in front,
+//! because a spreadsheet would take it for a formula, and the name of a submission is chosen by its author. Blanks
+//! before such a sign do not help: spreadsheets pass over them.
+//!
+//! Where the grader failed there are no points, because that is no grade: the cell is empty.
 
 use super::words;
 use crate::lab::Report;
@@ -17,12 +20,12 @@ pub(super) fn write(reports: &[Report]) -> String {
         }
     }
     head.extend(&tests);
-    head.extend(["adjustments", "bugs", "message", "seed", "lab_version", "kit"]);
+    head.extend(["adjustments", "bugs", "message", "notes", "similar", "seed", "lab_version", "kit"]);
     let row = |report: &Report| {
         let mut row = vec![
             words::author(report),
             report.verdict.to_string(),
-            report.points().to_string(),
+            words::points_or_nothing(report),
             report.max_points().to_string(),
         ];
         row.extend(tests.iter().map(|name| {
@@ -37,6 +40,8 @@ pub(super) fn write(reports: &[Report]) -> String {
             adjustments.join("; "),
             bugs.join("; "),
             message.to_owned(),
+            report.notes.join("; "),
+            words::similar(report).join("; "),
             report.seed.to_string(),
             report.lab_version.clone(),
             report.kit.clone(),
@@ -59,6 +64,7 @@ pub(super) fn rows(head: &[&str], rows: Vec<Vec<String>>) -> String {
 
 /// The cell, with an apostrophe where a spreadsheet would see a formula. Numbers stay numbers.
 fn harmless(cell: &str) -> String {
-    let formula = cell.starts_with(['=', '+', '-', '@', '\t', '\r', '\n']) && cell.parse::<f64>().is_err();
-    if formula { format!("'{cell}") } else { cell.to_owned() }
+    let bare = cell.trim_start_matches(|c: char| c.is_whitespace() && !"\t\r\n".contains(c));
+    let formula = bare.starts_with(['=', '+', '-', '@', '＝', '＋', '－', '＠', '\t', '\r', '\n']);
+    if formula && cell.parse::<f64>().is_err() { format!("'{cell}") } else { cell.to_owned() }
 }

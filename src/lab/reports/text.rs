@@ -67,6 +67,13 @@ pub(super) fn class(reports: &[Report]) -> String {
             let _ = writeln!(out, "{:>5}  {bug}", authors.len());
         }
     }
+    let alike: Vec<&Report> = reports.iter().filter(|report| !report.similar.is_empty()).collect();
+    if !alike.is_empty() {
+        let _ = write!(out, "\n{}\n", words::LOOK_ALIKE);
+        for report in alike {
+            let _ = writeln!(out, "  {}: {}", words::author(report), words::similar(report).join(", "));
+        }
+    }
     out
 }
 

@@ -1,6 +1,6 @@
 //! What a test found, as lines of plain text: the same words in every format.
 
-use crate::lab::{Report, TestResult};
+use crate::lab::{Report, Similar, TestResult, Verdict};
 use std::fmt::Write;
 
 /// What happened in one test, without its name and verdict: message, place, findings, bug, script, replay, what to
@@ -52,9 +52,35 @@ pub(super) fn same_failures(bugs: &[String]) -> String {
     format!("Same failures as: {}", bugs.join(", or: "))
 }
 
-/// Who handed it in.
+/// Who handed it in, on one line.
 pub(super) fn author(report: &Report) -> String {
-    report.submission.as_deref().map_or_else(|| "your files".to_owned(), clean)
+    report.submission.as_deref().map_or_else(|| "your files".to_owned(), line)
+}
+
+/// The text on one line: what would break it, or move what follows in a table, is a blank.
+pub(super) fn line(text: &str) -> String {
+    let flat = |c: char| {
+        if matches!(c, '\n' | '\r' | '\t' | '\u{2028}' | '\u{2029}' | '\u{b}' | '\u{c}' | '\u{85}') { ' ' } else { c }
+    };
+    clean(&text.chars().map(flat).collect::<String>())
+}
+
+/// What stands above a list of submissions that look alike.
+pub(super) const LOOK_ALIKE: &str =
+    "Submissions that look alike, names and comments aside. Compare them yourself: small tasks have similar answers.";
+
+/// The submissions that look like this one: `anna (identical), ben (93 %)`. Not for its author.
+pub(super) fn similar(report: &Report) -> Vec<String> {
+    let one = |similar: &Similar| {
+        let how = if similar.identical { "identical".to_owned() } else { format!("{} %", similar.percent) };
+        format!("{} ({how})", line(&similar.submission))
+    };
+    report.similar.iter().map(one).collect()
+}
+
+/// The points as a cell of a table: nothing where the grader failed, because that is no grade.
+pub(super) fn points_or_nothing(report: &Report) -> String {
+    if report.verdict == Verdict::GraderFault { String::new() } else { report.points().to_string() }
 }
 
 /// The points as `62 of 100`.
@@ -68,6 +94,7 @@ pub(super) fn circumstances(report: &Report) -> Vec<String> {
         format!("Lab {} version {}, kit {}.", report.lab, report.lab_version, report.kit),
         format!("Seed {}: LAB_SEED={} gives the same random cases.", report.seed, report.seed),
     ];
+    lines.extend(report.notes.iter().map(|note| format!("Note: {}.", line(note))));
     let up: Vec<&str> = report.walls.iter().filter(|w| w.missing.is_none()).map(|w| w.name.as_str()).collect();
     if !up.is_empty() {
         lines.push(format!("Walls: {}.", up.join(", ")));
