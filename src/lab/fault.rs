@@ -1,6 +1,7 @@
 //! A broken promise at one step of a case, before it becomes part of a report.
 
-use super::protocol::{CallEnd, Case, CaseAnswer, Reply, Step};
+use super::protocol::{CallEnd, Case, CaseAnswer, Pattern, Reply, Step};
+use super::verdict::Verdict;
 use crate::Element;
 use crate::topology::Table;
 use std::sync::Arc;
@@ -39,7 +40,17 @@ pub enum FaultKind {
         /// Where.
         place: Option<String>,
     },
-    /// It did not come back.
+    /// It read far more records than there are, and was stopped.
+    DoesNotComeBack {
+        /// Where it read last, in the student's file.
+        place: Option<String>,
+    },
+    /// Its answers are right, but it looks at everything.
+    TooSlow {
+        /// Where it read last, in the student's file.
+        place: Option<String>,
+    },
+    /// It was still running at the deadline.
     TimedOut,
     /// It wanted too much memory.
     OutOfMemory,
@@ -48,15 +59,43 @@ pub enum FaultKind {
 }
 
 impl FaultKind {
-    /// Of a call that did not return: what is still to do, or a crash.
+    /// Of a call that did not return: what is still to do, a crash, or a loop that was stopped.
     #[must_use]
-    pub fn of_panic(end: &CallEnd) -> Option<Self> {
+    pub fn of_end(end: &CallEnd) -> Option<Self> {
         match end {
             CallEnd::Returned(_) => None,
             _ if end.is_todo() => Some(Self::Unattempted),
             CallEnd::Panicked { message, place } => {
                 Some(Self::Crashed { message: message.clone(), place: place.clone() })
             }
+            CallEnd::Stopped(stopped) if stopped.pattern == Pattern::Scan => {
+                Some(Self::TooSlow { place: stopped.place.clone() })
+            }
+            CallEnd::Stopped(stopped) => Some(Self::DoesNotComeBack { place: stopped.place.clone() }),
+        }
+    }
+
+    /// The line of the student's file that the fault points to.
+    #[must_use]
+    pub fn place(&self) -> Option<&str> {
+        match self {
+            Self::Crashed { place, .. } | Self::DoesNotComeBack { place } | Self::TooSlow { place } => place.as_deref(),
+            _ => None,
+        }
+    }
+
+    /// The verdict on a test whose first fault is of this kind.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        match self {
+            Self::Unattempted => Verdict::Unattempted,
+            Self::Wrong => Verdict::Wrong,
+            Self::Crashed { .. } => Verdict::Crashed,
+            Self::DoesNotComeBack { .. } => Verdict::DoesNotComeBack,
+            Self::TooSlow { .. } => Verdict::TooSlow,
+            Self::TimedOut => Verdict::TimedOut,
+            Self::OutOfMemory => Verdict::OutOfMemory,
+            Self::GraderFault => Verdict::GraderFault,
         }
     }
 }

@@ -97,7 +97,7 @@ pub fn grade_and_sign(lab: &Lab, program: &dyn Program, plan: &Plan) -> (Report,
     for state in &states {
         let mut result = TestResult::new(state.test, state.verdict);
         describe(&mut result, state, &graded, lab, &states);
-        if matches!(state.verdict, Verdict::Wrong | Verdict::Crashed | Verdict::TimedOut | Verdict::OutOfMemory) {
+        if state.verdict.is_failure() {
             let task = state.test.task;
             result.bugs = zoo::names(&lab.signatures, &lab.bugs, &lab.manifest, task, &signature, &skipped);
             if let Some((suite, case)) = state.failing {
@@ -196,7 +196,7 @@ fn state<'a>(test: &'a Test, graded: &[Graded]) -> Option<State<'a>> {
         Some((case, fault))
     });
     let verdict = match first {
-        Some((_, fault)) => verdict_of(&fault.kind),
+        Some((_, fault)) => fault.kind.verdict(),
         // Every case must have been answered: a suite that was broken off has a fault, but be sure.
         None if run.faults.len() == asked.asked.len() && !asked.asked.is_empty() => Verdict::Passed,
         None => Verdict::GraderFault,
@@ -212,6 +212,8 @@ fn hash_of(suite: &Suite, run: &SuiteRun, test: &str) -> Option<String> {
     let line = |case: &str, fault: &Fault| {
         let kind = match &fault.kind {
             FaultKind::Crashed { .. } => "crashed".to_owned(),
+            FaultKind::DoesNotComeBack { .. } => "DoesNotComeBack".to_owned(),
+            FaultKind::TooSlow { .. } => "TooSlow".to_owned(),
             kind => format!("{kind:?}"),
         };
         format!("{case} {} {} {} {kind}", fault.step, fault.rule, fault.tag)
@@ -222,17 +224,6 @@ fn hash_of(suite: &Suite, run: &SuiteRun, test: &str) -> Option<String> {
         })
         .collect();
     (!lines.is_empty()).then(|| zoo::hash(&lines))
-}
-
-fn verdict_of(kind: &FaultKind) -> Verdict {
-    match kind {
-        FaultKind::Unattempted => Verdict::Unattempted,
-        FaultKind::Wrong => Verdict::Wrong,
-        FaultKind::Crashed { .. } => Verdict::Crashed,
-        FaultKind::TimedOut => Verdict::TimedOut,
-        FaultKind::OutOfMemory => Verdict::OutOfMemory,
-        FaultKind::GraderFault => Verdict::GraderFault,
-    }
 }
 
 /// The message, the place and the findings.
@@ -263,9 +254,7 @@ fn describe(result: &mut TestResult, state: &State, graded: &[Graded], lab: &Lab
     let failing = run.faults.iter().filter(|faults| faults.iter().any(|fault| fault.test == name)).count();
     let hidden = suite.asked[case].source == Source::Hidden;
     let faults: Vec<&Fault> = run.faults[case].iter().filter(|fault| fault.test == name).collect();
-    if let Some(FaultKind::Crashed { place, .. }) = faults.first().map(|fault| &fault.kind) {
-        result.place.clone_from(place);
-    }
+    result.place = faults.first().and_then(|fault| fault.kind.place()).map(str::to_owned);
     if state.verdict == Verdict::Unattempted {
         result.message = "It is still to be written.".to_owned();
         return;
@@ -297,7 +286,10 @@ pub(super) fn findings(faults: &[&Fault], section: &str, hidden: bool) -> Vec<Fi
 fn promise(fault: &Fault) -> String {
     let sentence = match (&fault.kind, fault.rule.as_str()) {
         (FaultKind::Crashed { .. }, _) => "after some splits, the next one panics or ends the program",
-        (FaultKind::TimedOut | FaultKind::OutOfMemory, _) => "after some splits, the next one does not come back",
+        (FaultKind::TooSlow { .. }, _) => "each call looks at a few records only, however large the structure is",
+        (FaultKind::DoesNotComeBack { .. } | FaultKind::TimedOut | FaultKind::OutOfMemory, _) => {
+            "after some splits, the next one does not come back"
+        }
         (_, "split_face.0") => "split_face refuses illegal calls, and only these, without changing anything",
         (_, "split_face.1") => "split_face makes one face and no vertex",
         (_, "split_face.2") => "split_face makes two half-edges, twins with the right origins",

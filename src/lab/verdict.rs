@@ -15,8 +15,12 @@ pub enum Verdict {
     Skipped,
     /// The program ran and a promise was broken.
     Wrong,
+    /// The answers are right, but the code looks at everything where a few records would do.
+    TooSlow,
     /// A panic in the student's code, a stack overflow, an abort.
     Crashed,
+    /// A call read far more records than there are: a walk that never comes back to where it began.
+    DoesNotComeBack,
     /// The deadline passed before the answer was complete.
     TimedOut,
     /// The memory limit was reached.
@@ -31,12 +35,14 @@ pub enum Verdict {
 
 impl Verdict {
     /// All verdicts, in their order.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 12] = [
         Self::Passed,
         Self::Unattempted,
         Self::Skipped,
         Self::Wrong,
+        Self::TooSlow,
         Self::Crashed,
+        Self::DoesNotComeBack,
         Self::TimedOut,
         Self::OutOfMemory,
         Self::Refused,
@@ -52,7 +58,9 @@ impl Verdict {
             Self::Unattempted => "unattempted",
             Self::Skipped => "skipped",
             Self::Wrong => "wrong",
+            Self::TooSlow => "too slow: looks at everything",
             Self::Crashed => "crashed",
+            Self::DoesNotComeBack => "walk does not come back",
             Self::TimedOut => "timed out",
             Self::OutOfMemory => "out of memory",
             Self::Refused => "refused",
@@ -70,12 +78,23 @@ impl Verdict {
             Self::Skipped => "Make the test that it builds on pass first.",
             Self::Wrong => "Read the first finding, look at the picture, then replay the script.",
             Self::Crashed => "Go to the line of the panic; replay the script to get there.",
-            Self::TimedOut => "Look for a loop that never comes back to where it began.",
+            Self::TooSlow => "Reach what you need from the element that you are given, by its references.",
+            Self::DoesNotComeBack => {
+                "Go to the loop at that line: ask what ends it, and whether the references that it follows lead there."
+            }
+            Self::TimedOut => "Look for a loop that never ends, although it follows no references.",
             Self::OutOfMemory => "Look for a list that grows in a loop which never ends.",
             Self::Refused => "Take out what is named; the lab needs nothing beyond ordinary code.",
             Self::DoesNotCompile => "Run `cargo build` and mend the first error.",
             Self::GraderFault => "This is not your fault: tell your instructor, with this report.",
         }
+    }
+
+    /// Whether the code was run and something is wrong with it, so that there are findings to show.
+    #[must_use]
+    pub fn is_failure(self) -> bool {
+        use Verdict::{Crashed, DoesNotComeBack, OutOfMemory, TimedOut, TooSlow, Wrong};
+        matches!(self, Wrong | TooSlow | Crashed | DoesNotComeBack | TimedOut | OutOfMemory)
     }
 
     /// Whether the points are earned.

@@ -1,6 +1,6 @@
 //! Answers are read strictly: whatever is missing, doubled, forged or too much breaks its case, and no other.
 
-use dcel_kit::lab::protocol::{Answers, Broken, CallEnd, Case, Reply, Start, Step, Value, read_answers};
+use dcel_kit::lab::protocol::{Answers, Broken, CallEnd, Case, Pattern, Reply, Start, Step, Value, read_answers};
 
 const DUMP: &str = "dump\nouter 0\nvertex 0 0 -1.5 0\nhalf_edge 0 0 - 0 0 1\nface 0 -\nface 1 0\nend_dump\n";
 
@@ -148,4 +148,24 @@ fn the_input_is_what_a_student_would_type() {
     assert_eq!(case("a").script(), "rectangle\ndump\nsplit_face h0 h4\ndump\n");
     let triangles = Start::Triangles(vec![[0.0, 0.5], [2.0, 0.0], [1.0, 3.0]], vec![[0, 1, 2]]);
     assert_eq!(Case::new("x", triangles).script(), "triangles 0 0.5 2 0 1 3 / 0 1 2\n");
+}
+
+#[test]
+fn stopped_calls_are_read_with_what_they_did_last() {
+    let with = |line: &str| {
+        let answers = read(&good("a").replacen("returned true", line, 1));
+        match &answers.cases[0].replies[1] {
+            Reply::Called(called) => called.end.clone(),
+            other => panic!("{other:?}"),
+        }
+    };
+    let CallEnd::Stopped(circle) = with("stopped 1401 circle src/lab.rs:41:9 h3 h7") else { panic!("no stop") };
+    assert_eq!((circle.reads, circle.pattern, circle.elements.len()), (1401, Pattern::Circle, 2));
+    assert_eq!(circle.place.as_deref(), Some("src/lab.rs:41:9"));
+    assert_eq!(circle.words(), "does not come back: after 1,401 reads it goes round and round, h3, h7, h3, h7 …");
+    let CallEnd::Stopped(open) = with("stopped 20 open - h1 x<y h99999999999999999999999") else { panic!("no stop") };
+    assert_eq!((open.place, open.elements), (None, vec!["h1".to_owned()]));
+    for wrong in ["stopped", "stopped x circle - h1", "stopped 1 round - h1", "stopped 1"] {
+        assert!(matches!(broken(&good("a").replacen("returned true", wrong, 1)), Broken::Expected { .. }), "{wrong}");
+    }
 }

@@ -65,9 +65,7 @@ impl Context<'_> {
         if let Some(fault) = faults.first() {
             let count = result.message.rfind(" (").map_or("", |at| &result.message[at..]);
             result.message = format!("{}{count}", fault.words);
-            if let FaultKind::Crashed { place, .. } = &fault.kind {
-                result.place.clone_from(place);
-            }
+            result.place = fault.kind.place().map(str::to_owned).or_else(|| result.place.take());
             let exchange = exchanges(&shown.case, &shown.answer).into_iter().find(|e| e.step == fault.step);
             result.picture = exchange.and_then(|exchange| picture::of(self.course, &exchange, &faults));
         }

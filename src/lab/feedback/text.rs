@@ -1,6 +1,6 @@
 //! The result of a test in words: what a failing `cargo test` prints.
 
-use crate::lab::{Report, TestResult, Verdict};
+use crate::lab::{Report, TestResult};
 use std::fmt::Write;
 
 /// Everything that a student is told about one test. `replay` is the command that shows the failing case again, if
@@ -40,7 +40,7 @@ pub fn test_text(report: &Report, test: &TestResult, replay: Option<&str>) -> St
         }
     }
     line(format!("\n{}", test.verdict.next_action()));
-    if matches!(test.verdict, Verdict::Wrong | Verdict::Crashed | Verdict::TimedOut | Verdict::OutOfMemory) {
+    if test.verdict.is_failure() {
         line(format!("The same cases again: LAB_SEED={}", report.seed));
     }
     out

@@ -4,7 +4,7 @@
 use crate::figure::compare::{Options, compare};
 use crate::lab::checks::spec::cycle;
 use crate::lab::fault::{Exchange, Fault, FaultKind, exchanges};
-use crate::lab::protocol::{CallEnd, Called, Case, CaseAnswer, Reply, Step};
+use crate::lab::protocol::{Called, Case, CaseAnswer, Reply, Step};
 use crate::plane::PlanarView;
 use crate::script::Script;
 use crate::topology::{SameOptions, Table, View, position_key, same_with, violations};
@@ -80,9 +80,9 @@ fn picture(step: usize, reply: &Reply) -> Vec<Fault> {
     };
     let svg = match reply {
         Reply::Svg(svg) => svg,
-        Reply::Called(Called { end: end @ CallEnd::Panicked { message, .. }, .. }) => {
-            let kind = FaultKind::of_panic(end).unwrap_or(FaultKind::Wrong);
-            return vec![fault(kind, "picture", format!("the picture panicked: {message}"))];
+        Reply::Called(Called { end, .. }) => {
+            let kind = FaultKind::of_end(end).unwrap_or(FaultKind::Wrong);
+            return vec![fault(kind, "picture", format!("the picture {}", end.words()))];
         }
         _ => return vec![fault(FaultKind::Wrong, "picture", "there is no picture".to_owned())],
     };
@@ -107,9 +107,8 @@ fn faults(exchange: &Exchange) -> Vec<Fault> {
         elements,
     };
     let (Some((_, end)), Some(after)) = (exchange.called, exchange.after) else { return Vec::new() };
-    if let CallEnd::Panicked { message, .. } = end {
-        let kind = FaultKind::of_panic(end).unwrap_or(FaultKind::Wrong);
-        return vec![fault(kind, "drawing", format!("drawing panicked: {message}"), Vec::new())];
+    if let Some(kind) = FaultKind::of_end(end) {
+        return vec![fault(kind, "drawing", format!("drawing {}", end.words()), Vec::new())];
     }
     let Some(reference) = &reference() else {
         let words = "the reference of the drawing is missing from the lab".to_owned();

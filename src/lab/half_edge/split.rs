@@ -45,7 +45,7 @@ impl Steps<'_> {
 
     /// The kind of a fault of a step: if the call panicked, whether anything of the step was done decides.
     pub(super) fn kind(&self, touched: bool) -> FaultKind {
-        match FaultKind::of_panic(self.end) {
+        match FaultKind::of_end(self.end) {
             None => FaultKind::Wrong,
             Some(FaultKind::Unattempted) if touched => FaultKind::Wrong,
             Some(kind) => kind,
@@ -138,7 +138,7 @@ impl Steps<'_> {
 
     /// A call that panicked although all of its steps are done: the last step is not finished.
     pub(super) fn must_have_returned(&mut self) {
-        if let (true, Some(kind)) = (self.faults.is_empty(), FaultKind::of_panic(self.end)) {
+        if let (true, Some(kind)) = (self.faults.is_empty(), FaultKind::of_end(self.end)) {
             let last = self.tests.len() - 1;
             self.add(last, kind, "panic", "all is done, but the call does not return", &[]);
         }

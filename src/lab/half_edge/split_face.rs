@@ -54,15 +54,10 @@ fn refused(steps: &mut Steps, reason: Legal, h1: HalfEdgeId, h2: HalfEdgeId) {
     let both = [h1.into(), h2.into()];
     let wrong = FaultKind::Wrong;
     match steps.end {
-        CallEnd::Panicked { message, .. } => {
+        end @ (CallEnd::Panicked { .. } | CallEnd::Stopped(_)) => {
             let kind = steps.kind(false);
-            steps.add(
-                0,
-                kind,
-                "panic",
-                &format!("panicked ({message}); it should return false, because {because}"),
-                &both,
-            );
+            let words = format!("{}; it should return false, because {because}", end.words());
+            steps.add(0, kind, "panic", &words, &both);
         }
         CallEnd::Returned(values) if values[..] != [Value::Truth(false)] => {
             let words = format!("returned true, but the call is illegal: {because}");
@@ -89,7 +84,8 @@ fn legal(steps: &mut Steps, h1: HalfEdgeId, h2: HalfEdgeId) {
         // Nothing was done: of a legal call, that is not even step 0.
         let kind = steps.kind(false);
         if kind != FaultKind::Unattempted {
-            steps.add(0, kind, "panic", "panicked before anything was done", &[h1.into(), h2.into()]);
+            let words = format!("{}, and nothing is done", steps.end.words());
+            steps.add(0, kind, "panic", &words, &[h1.into(), h2.into()]);
         }
     }
     let Some((expected, new)) = spec::split_face(before, h1, h2) else { return };

@@ -30,8 +30,8 @@ fn fault(test: &'static str, exchange: &Exchange) -> Option<Fault> {
     };
     let values = match end {
         CallEnd::Returned(values) => values,
-        CallEnd::Panicked { message, .. } => {
-            let kind = FaultKind::of_panic(end)?;
+        CallEnd::Panicked { .. } | CallEnd::Stopped(_) => {
+            let kind = FaultKind::of_end(end)?;
             let h = HalfEdgeId::new(*arguments.first()?);
             let alone = exchange.before.is_some_and(|table| match function {
                 "destination" => table.next(h).is_none(),
@@ -43,7 +43,7 @@ fn fault(test: &'static str, exchange: &Exchange) -> Option<Fault> {
                 (true, _) => "; no twin is set here: find the destination without it",
                 _ => "",
             };
-            return fault(kind, "panic".to_owned(), format!("{call} panicked: {message}{why}"), Vec::new());
+            return fault(kind, "panic".to_owned(), format!("{call} {}{why}", end.words()), Vec::new());
         }
     };
     let found: Vec<u32> = values.iter().filter_map(|value| number(*value)).collect();

@@ -61,9 +61,77 @@ pub enum CallEnd {
         /// `src/lab.rs:41:9`, if the driver's hook saw it.
         place: Option<String>,
     },
+    /// It read more records than any right answer needs, and was stopped.
+    Stopped(Stopped),
+}
+
+/// A call that was stopped, and what it was doing.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Stopped {
+    /// How many records it had looked at.
+    pub reads: u64,
+    /// How its last reads follow each other.
+    pub pattern: Pattern,
+    /// `src/lab.rs:41:9`, where the last read came from.
+    pub place: Option<String>,
+    /// What it read last, in order, as words such as `h3`: one round of a circle, else the last few.
+    pub elements: Vec<String>,
+}
+
+/// How the last reads of a call follow each other.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Pattern {
+    /// Round and round through the same few records.
+    Circle,
+    /// Through all records in the order of their numbers, again and again.
+    Scan,
+    /// Neither.
+    Open,
+}
+
+impl Stopped {
+    /// What happened, as the end of a sentence about the call.
+    #[must_use]
+    pub fn words(&self) -> String {
+        let reads = grouped(self.reads);
+        let list = self.elements.join(", ");
+        match (self.pattern, self.elements.len()) {
+            (Pattern::Circle, 1) => format!("does not come back: after {reads} reads it stays at {list}"),
+            (Pattern::Circle, _) => {
+                format!("does not come back: after {reads} reads it goes round and round, {list}, {list} …")
+            }
+            (Pattern::Scan, _) => format!("looks at everything, again and again: {reads} reads and no end"),
+            (Pattern::Open, 0) => format!("does not come back: {reads} reads and no end"),
+            (Pattern::Open, _) => format!("does not come back: {reads} reads and no end, the last of them {list}"),
+        }
+    }
+}
+
+/// A number with its digits in groups of three.
+#[must_use]
+pub fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut out = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            out.push(',');
+        }
+        out.push(digit);
+    }
+    out
 }
 
 impl CallEnd {
+    /// How it ended, as the end of a sentence about the call.
+    #[must_use]
+    pub fn words(&self) -> String {
+        match self {
+            Self::Returned(_) => "returned".to_owned(),
+            Self::Panicked { message, .. } => format!("panicked: {message}"),
+            Self::Stopped(stopped) => stopped.words(),
+        }
+    }
+
     /// Whether the code is still a `todo!()` there.
     #[must_use]
     pub fn is_todo(&self) -> bool {

@@ -3,7 +3,7 @@
 //! Only lines with the token are the driver's; every other line was printed by the student's code, and is kept
 //! aside. A line of the driver's that is not due breaks its case; reading goes on with the next case.
 
-use super::answer::{Answers, Broken, CallEnd, Called, CaseAnswer, Reply, Value};
+use super::answer::{Answers, Broken, CallEnd, Called, CaseAnswer, Pattern, Reply, Stopped, Value};
 use super::case::{Case, Step};
 use super::dump::{Dump, id};
 use crate::topology::Table;
@@ -17,6 +17,8 @@ const LINE: usize = 64 * 1024;
 const PRINTED: usize = 4 * 1024;
 /// How many lines a drawing may have.
 const SVG_LINES: usize = 20_000;
+/// How many elements are named of a call that was stopped.
+const ELEMENTS: usize = 24;
 /// How many values a call may return.
 const VALUES: usize = 20_000;
 
@@ -151,8 +153,10 @@ impl<'a, I: Iterator<Item = (usize, &'a [u8])>> Lines<'a, I> {
             returned(number, rest)?
         } else if let Some(rest) = line.strip_prefix("panicked ") {
             panicked(rest).ok_or_else(|| expected(number, "a message in quotes".to_owned(), &line))?
+        } else if let Some(rest) = line.strip_prefix("stopped ") {
+            stopped(rest).ok_or_else(|| expected(number, "a number of reads and what they were".to_owned(), &line))?
         } else {
-            return Err(expected(number, "`returned` or `panicked`".to_owned(), &line));
+            return Err(expected(number, "`returned`, `panicked` or `stopped`".to_owned(), &line));
         };
         Ok(Some(Reply::Called(Called { arguments: numbers, end })))
     }
@@ -165,6 +169,10 @@ impl<'a, I: Iterator<Item = (usize, &'a [u8])>> Lines<'a, I> {
         if let Some(rest) = line.strip_prefix("panicked ") {
             let end = panicked(rest).ok_or_else(|| expected(number, "a message in quotes".to_owned(), &line))?;
             return Ok(Some(Reply::Called(Called { arguments: Vec::new(), end })));
+        }
+        if let Some(rest) = line.strip_prefix("stopped ") {
+            let what = || expected(number, "a number of reads and what they were".to_owned(), &line);
+            return Ok(Some(Reply::Called(Called { arguments: Vec::new(), end: stopped(rest).ok_or_else(what)? })));
         }
         if line != "svg" {
             return Err(expected(number, "`svg` or `panicked`".to_owned(), &line));
@@ -222,6 +230,25 @@ fn returned(line: usize, rest: &str) -> Result<CallEnd, Broken> {
         return Ok(CallEnd::Returned(values));
     }
     Err(Broken::Expected { line, expected: "`returned`".to_owned(), found: cut(rest) })
+}
+
+/// `1401 circle src/lab.rs:41:9 h3 h7`: reads, how they follow each other, where the last came from, what was read.
+fn stopped(rest: &str) -> Option<CallEnd> {
+    let mut words = rest.split(' ');
+    let reads = words.next()?.parse().ok()?;
+    let pattern = match words.next()? {
+        "circle" => Pattern::Circle,
+        "scan" => Pattern::Scan,
+        "open" => Pattern::Open,
+        _ => return None,
+    };
+    let place = words.next().filter(|place| !matches!(*place, "-" | "")).map(cut);
+    let is_element = |word: &&str| {
+        let digits = word.trim_start_matches(|c: char| c.is_ascii_lowercase());
+        digits.len() < word.len() && word.len() <= 16 && id(digits).is_some()
+    };
+    let elements = words.filter(is_element).take(ELEMENTS).map(str::to_owned).collect();
+    Some(CallEnd::Stopped(Stopped { reads, pattern, place, elements }))
 }
 
 /// `"message" place`, where the message has `\"`, `\\` and `\n` for the characters that would end it.
