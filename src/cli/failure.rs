@@ -52,10 +52,14 @@ impl Failure {
         Self { kind, what: format!("{target}: cannot be written: {error}"), notes: Vec::new(), help: help.to_owned() }
     }
 
+    /// The machine lacks something that the work needs: exit code 3.
+    pub(crate) fn machine(what: impl Display, help: impl Into<String>) -> Self {
+        Self { kind: Kind::Machine, what: what.to_string(), notes: Vec::new(), help: help.into() }
+    }
+
     /// The kit failed at its own work, whatever the input: exit code 3.
     pub(crate) fn kit(error: impl Display) -> Self {
-        let help = "this should not happen: please report it with the command you gave".to_owned();
-        Self { kind: Kind::Machine, what: error.to_string(), notes: Vec::new(), help }
+        Self::machine(error, "this should not happen: please report it with the command you gave")
     }
 
     /// The same with more to tell, before the help.

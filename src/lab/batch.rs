@@ -250,11 +250,11 @@ impl Grader {
             Ok(resident) => Arc::new(resident),
             Err(error) => return fault(error.to_string()),
         };
-        let tree = match Tree::lay(self.rooms.next(), &self.lab, intake, &resident) {
+        let tree = match Tree::lay(self.rooms.next(), &self.lab, intake, &*resident) {
             Ok(tree) => tree,
             Err(error) => return fault(format!("no room for the submission: {error}")),
         };
-        let report = self.judge_built(build(&tree, toolchain, self.build, &resident), &resident, plan);
+        let report = self.judge_built(build(&tree, toolchain, self.build, &*resident), &resident, plan);
         // The room goes last: nothing may run that still writes there.
         if resident.leave() { report } else { fault("something that it started could not be ended".to_owned()) }
     }

@@ -28,6 +28,7 @@ mod grade;
 mod half_edge;
 mod manifest;
 mod marked;
+mod own_folder;
 mod plan;
 mod program;
 pub mod protocol;
@@ -37,10 +38,11 @@ pub mod reports;
 mod run;
 #[cfg(feature = "grade")]
 mod student;
-#[cfg(feature = "grade")]
 mod submission;
+mod task;
 mod the_lab;
 mod toml_file;
+mod typed;
 mod verdict;
 #[cfg(feature = "grade")]
 mod verify;
@@ -58,15 +60,16 @@ pub use files::{LabFiles, LabFilesError};
 pub use grade::{grade_and_sign, grade_program};
 pub use manifest::{Manifest, Task, Test};
 pub use marked::{MarkError, starter};
+pub use own_folder::{FolderCheck, check_folder};
 pub use plan::{Plan, Secret};
 pub use program::{Driver, End, Limits, Program, Ran, end_of, signal_name};
 pub use report::{Adjustment, Finding, Picture, Report, Similar, TestResult, Visibility, Wall};
 #[cfg(feature = "grade")]
 pub use student::{Kit, student_files};
-#[cfg(feature = "grade")]
 pub use submission::{Forbidden, Intake, IntakeError, ScanError, scan, take_in};
 pub use the_lab::{Lab, LabError};
 pub use toml_file::ManifestError;
+pub use typed::typed;
 pub use verdict::Verdict;
 #[cfg(feature = "grade")]
 pub use verify::{BugRow, Verification, verify};

@@ -1,14 +1,16 @@
 //! The graded tests, one for each line of the table of points in the handout.
 //!
-//! They start the program of this package, give it cases and look at what it answers; your code is not linked to them.
-//! The program is graded once, and each test says what came of it. `LAB_SEED=17` gives the random cases the seed 17.
+//! They take your file as it will be handed in, build it with the given ones, give the program cases and look at what
+//! it answers; your code is not linked to them. The program is graded once, and each test says what came of it.
+//! `LAB_SEED=17` gives the random cases the seed 17.
 
 use std::path::Path;
 
 /// Panics with the feedback, unless the test of that name has passed.
 #[track_caller]
 fn graded(test: &str) {
-    dcel_kit::lab::graded("04-half-edge", Path::new(env!("CARGO_BIN_EXE_lab-04-half-edge")), test);
+    let (folder, work) = (Path::new(env!("CARGO_MANIFEST_DIR")), Path::new(env!("CARGO_TARGET_TMPDIR")));
+    dcel_kit::lab::graded("04-half-edge", folder, work, test);
 }
 
 #[test]

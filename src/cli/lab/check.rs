@@ -1,19 +1,19 @@
 //! `dcel lab check`: how far the work is, and what to do next.
 
-use super::super::{Answer, Failure, Output};
+use super::super::{Answer, Failure, Output, failure};
 use super::folder;
 use dcel_kit::lab::reports::Format;
-use dcel_kit::lab::{Driver, Lab, Manifest, Plan, Report, TestResult, Verdict, grade_program, test_text};
+use dcel_kit::lab::{Lab, Manifest, Plan, Report, TestResult, Verdict, check_folder, test_text};
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 /// Build your code, run the graded tests, and say what to do next
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
-Shows a line for each test and, in full, the first one that fails: it is the next thing to do. The verdicts are those
-of `cargo test` and of your instructor's grader. Pictures of what went wrong are in target/check/report.html.
+Shows a line for each test and, in full, the first one that fails: it is the next thing to do. Only the file that you
+hand in is taken, and built with the given ones: so the verdicts are those of `cargo test` and of your instructor's
+grader. A note says what else you have changed. Pictures of what went wrong are in target/check/report.html.
 
 Examples:
   dcel lab check
@@ -72,16 +72,19 @@ impl Bench {
 
     /// Builds, grades, tells.
     pub(super) fn check(&self, out: &mut Output) -> Result<Answer, Failure> {
-        // What was said before must stand before what cargo says.
+        // What was said before must stand before what the compiler says.
         out.flush()?;
-        let Some(program) = self.build()? else {
-            let graded = self.lab.manifest.graded.join(", ");
-            writeln!(out, "{graded}: {}. Next: mend the first error above.", Verdict::DoesNotCompile)?;
-            return Ok(Answer::No);
-        };
         let mut plan = self.seed.map_or_else(Plan::from_environment, Plan::with_seed);
         plan.only.clone_from(&self.test);
-        let report = grade_program(&self.lab, &Driver::new(program, self.lab.manifest.limits), &plan);
+        let check = check_folder(&self.lab, &self.dir, &self.target(), &plan);
+        for note in &check.notes {
+            failure::say("note", note);
+        }
+        if let Some(why) = check.set_up_fault() {
+            let help = "your file is not to blame: a Rust toolchain must be installed and work; see rustup.rs";
+            return Err(Failure::machine(why, help));
+        }
+        let report = check.report;
         let page = self.target().join("report.html");
         let written = fs::write(&page, Format::Html.one(&report)).is_ok();
         self.tell(out, &report, written.then_some(page.as_path()))?;
@@ -92,7 +95,8 @@ impl Bench {
     fn tell(&self, out: &mut Output, report: &Report, page: Option<&Path>) -> io::Result<()> {
         writeln!(out, "{}: {} of {} points", report.lab, report.points(), report.max_points())?;
         if let Some(message) = &report.message {
-            writeln!(out, "{}: {message}", report.verdict)?;
+            // Nothing could be run: there is one thing to do, and nothing to say of any test.
+            return writeln!(out, "\n{}: {message}\n\n{}", report.verdict, report.verdict.next_action());
         }
         for test in &report.tests {
             writeln!(out, "  {} {:<30} {}", sign(test.verdict), test.name, test.verdict)?;
@@ -132,25 +136,6 @@ impl Bench {
     /// A target folder of its own: an editor that builds at the same time is never in the way.
     fn target(&self) -> PathBuf {
         self.dir.join("target").join("check")
-    }
-
-    /// The program, or nothing if it does not compile: then cargo has said why.
-    fn build(&self) -> Result<Option<PathBuf>, Failure> {
-        let package = &self.lab.manifest.package;
-        let status = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
-            .args(["build", "--quiet", "--bin", package])
-            .env("CARGO_TARGET_DIR", self.target())
-            .current_dir(&self.dir)
-            .status()
-            .map_err(|error| {
-                let what = format!("cargo cannot be started: {error}");
-                Failure::input(what, "install Rust as rustup.rs says, and open a new terminal")
-            })?;
-        if !status.success() {
-            return Ok(None);
-        }
-        let name = format!("{package}{}", std::env::consts::EXE_SUFFIX);
-        Ok(Some(self.target().join("debug").join(name)))
     }
 }
 

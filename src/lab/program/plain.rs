@@ -1,7 +1,7 @@
 //! A program run as the user who asked for it, within limits that every system can hold.
 //!
 //! ```text
-//!   unix:     sh -c 'ulimit -v ... ; exec "$0"' PROGRAM       own process group
+//!   unix:     sh -c 'ulimit -v ... ; exec "$0" "$@"' PROGRAM      own process group
 //!   windows:  PROGRAM                                          deadline and output cap only
 //! ```
 
@@ -39,7 +39,7 @@ impl Driver {
 
 impl Program for Driver {
     fn run(&self, input: &str) -> Ran {
-        run_within(command(&self.path, &self.limits), input, &self.limits)
+        run_within(limited(&self.path, &self.limits), input, &self.limits)
     }
 
     fn walls(&self) -> Vec<Wall> {
@@ -192,22 +192,24 @@ fn ulimits(limits: &Limits) -> [(String, String); 5] {
     ]
 }
 
+/// The program, to be run within what the system can limit before it starts. Arguments may be added.
 #[cfg(unix)]
-fn command(path: &Path, limits: &Limits) -> Command {
+pub(crate) fn limited(path: &Path, limits: &Limits) -> Command {
     use std::os::unix::process::CommandExt;
     if !path.is_file() {
         // The shell would hide that the program is missing behind an exit code of its own.
         return Command::new(path);
     }
     let mut script: String = ulimits(limits).iter().map(|(words, _)| format!("ulimit {words} 2>&-; ")).collect();
-    script.push_str("exec \"$0\"");
+    script.push_str("exec \"$0\" \"$@\"");
     let mut command = Command::new("/bin/sh");
     command.arg("-c").arg(script).arg(path).process_group(0);
     command
 }
 
+/// The program; this system limits nothing before it starts.
 #[cfg(not(unix))]
-fn command(path: &Path, _: &Limits) -> Command {
+pub(crate) fn limited(path: &Path, _: &Limits) -> Command {
     Command::new(path)
 }
 

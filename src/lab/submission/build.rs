@@ -6,7 +6,7 @@
 
 use super::toolchain::Toolchain;
 use super::tree::{Tree, own_only};
-use crate::lab::walls::{Resident, Task, View};
+use crate::lab::task::{Sandbox, Task, View};
 use crate::lab::{End, Limits, Verdict};
 use serde::Deserialize;
 use std::fs;
@@ -40,19 +40,22 @@ pub(crate) const USUAL: Limits = Limits {
     processes: 256,
 };
 
-/// Builds a tree as the resident.
-pub(crate) fn build(tree: &Tree, toolchain: &Toolchain, limits: Limits, resident: &Resident) -> Built {
-    if let Some(settings) = settings_above(&tree.folder()) {
+/// Builds a tree in a sandbox.
+pub(crate) fn build(tree: &Tree, toolchain: &Toolchain, limits: Limits, sandbox: &dyn Sandbox) -> Built {
+    if let Some(settings) = settings_above(&tree.folder()).filter(|_| !sandbox.obeys_settings()) {
         return fault(format!("{} would change how submissions are built; move it away", settings.display()));
     }
-    let ran = resident.run(&task(tree, toolchain, limits), "");
+    let ran = sandbox.run(&task(tree, toolchain, limits), "");
     let messages: Vec<Message> =
         String::from_utf8_lossy(&ran.stdout).lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
     let complaints = String::from_utf8_lossy(&ran.stderr).into_owned();
     match ran.end {
         End::Exited(0) => take_program(tree, &messages),
         End::Exited(_) => match first_error(tree, &messages) {
-            Some(message) => not(message),
+            Some(Complaint::OfTheCode(message)) => not(message),
+            Some(Complaint::OfTheMachine(message)) => {
+                fault(format!("the compiler cannot do its work on this machine: {message}"))
+            }
             None if complaints.contains("error: ") && complaints.contains("could not compile") => not(cut(&complaints)),
             None => fault(format!("the build failed without an error in the code: {}", cut(&complaints))),
         },
@@ -138,19 +141,31 @@ fn take_program(tree: &Tree, messages: &[Message]) -> Built {
     }
 }
 
-/// The first error: where, what, and the compiler's own picture of it.
-fn first_error(tree: &Tree, messages: &[Message]) -> Option<String> {
-    let error = messages.iter().find_map(|message| match message {
+/// What the compiler complains of.
+enum Complaint {
+    /// Something in a file: where, what, and the compiler's own picture of it.
+    OfTheCode(String),
+    /// Something that is in no file: no linker, no standard library.
+    OfTheMachine(String),
+}
+
+/// The first error in the code, or else the first one at all.
+fn first_error(tree: &Tree, messages: &[Message]) -> Option<Complaint> {
+    let errors = messages.iter().filter_map(|message| match message {
         Message::Said { message } if message.level.starts_with("error") => Some(message),
         _ => None,
-    })?;
+    });
+    let Some(error) = errors.clone().find(|error| !error.spans.is_empty()) else {
+        let error = errors.clone().next()?;
+        return Some(Complaint::OfTheMachine(cut(error.rendered.as_deref().unwrap_or(&error.message))));
+    };
     let span = error.spans.iter().find(|span| span.is_primary).or(error.spans.first());
     let place = span.map(|span| {
         let given = if tree.graded.contains(&span.file_name) { "" } else { " (a given file, which calls yours)" };
         format!("{}:{}:{}{given}: ", span.file_name, span.line_start, span.column_start)
     });
     let rendered = error.rendered.as_deref().unwrap_or_default();
-    Some(cut(&format!("{}{}\n\n{rendered}", place.unwrap_or_default(), error.message)))
+    Some(Complaint::OfTheCode(cut(&format!("{}{}\n\n{rendered}", place.unwrap_or_default(), error.message))))
 }
 
 fn cut(text: &str) -> String {

@@ -12,14 +12,17 @@
 
 mod build;
 mod intake;
+#[cfg(feature = "grade")]
 mod room;
 mod scan;
 mod toolchain;
 mod tree;
 
 pub(crate) use build::{Built, USUAL as USUAL_BUILD, build};
+#[cfg(feature = "grade")]
 pub(crate) use intake::take_in_unscanned;
 pub use intake::{Intake, IntakeError, take_in};
+#[cfg(feature = "grade")]
 pub(crate) use room::Rooms;
 pub use scan::{Forbidden, ScanError, scan};
 pub(crate) use toolchain::Toolchain;

@@ -11,7 +11,7 @@
 
 use super::intake::Intake;
 use crate::lab::Lab;
-use crate::lab::walls::Resident;
+use crate::lab::task::Sandbox;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -28,16 +28,16 @@ pub(crate) struct Tree {
 
 impl Tree {
     /// Lays the tree out in a new folder `room`.
-    pub(crate) fn lay(room: PathBuf, lab: &Lab, intake: &Intake, resident: &Resident) -> io::Result<Self> {
+    pub(crate) fn lay(room: PathBuf, lab: &Lab, intake: &Intake, sandbox: &dyn Sandbox) -> io::Result<Self> {
         let manifest = &lab.manifest;
         let tree = Self { room, package: manifest.package.clone(), graded: manifest.graded.clone() };
         fs::create_dir(&tree.room)?;
         own_only(&tree.room, 0o750)?;
-        resident.let_in(&tree.room)?;
+        sandbox.let_in(&tree.room)?;
         for folder in [tree.target(), tree.tmp(), tree.home()] {
             fs::create_dir(&folder)?;
             own_only(&folder, 0o700)?;
-            resident.give(&folder)?;
+            sandbox.give(&folder)?;
         }
         let given =
             lab.files.iter().filter(|(path, _)| path.starts_with("src/") && !manifest.graded.iter().any(|g| g == path));
@@ -95,8 +95,11 @@ pub(super) fn own_only(path: &Path, mode: u32) -> io::Result<()> {
 
 /// The manifest. Overflow is checked as in the student's own build, so that the same cases panic.
 fn manifest_of(package: &str) -> String {
+    // An older compiler is told so by cargo, and not by errors in files that nobody here wrote.
+    let oldest = env!("CARGO_PKG_RUST_VERSION");
     format!(
-        "[package]\nname = \"{package}\"\nversion = \"0.0.0\"\nedition = \"2024\"\npublish = false\nbuild = false\n\
+        "[package]\nname = \"{package}\"\nversion = \"0.0.0\"\nedition = \"2024\"\nrust-version = \"{oldest}\"\n\
+         publish = false\nbuild = false\n\
          autolib = false\nautobins = false\nautotests = false\nautoexamples = false\nautobenches = false\n\n\
          [[bin]]\nname = \"{package}\"\npath = \"src/main.rs\"\ntest = false\n\n\
          [lints.rust]\nunsafe_code = \"forbid\"\n\n\

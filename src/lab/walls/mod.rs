@@ -65,6 +65,7 @@ use elsewhere as system;
 #[cfg(target_os = "linux")]
 use linux as system;
 
+pub(crate) use super::task::{Sandbox, Task, View};
 use super::{Limits, Program, Ran, Wall};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -164,34 +165,6 @@ impl Walls {
     }
 }
 
-/// What a program behind walls may do with the file system.
-#[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub(crate) struct View {
-    /// Files and folders that it may read and execute.
-    pub(crate) run: Vec<PathBuf>,
-    /// Folders in which it may do everything.
-    pub(crate) write: Vec<PathBuf>,
-    /// Whether it sees the whole of the system's programs, as a compiler must, or only the libraries.
-    pub(crate) tools: bool,
-}
-
-/// Something to be run behind walls.
-#[derive(Clone, PartialEq, Debug)]
-pub(crate) struct Task {
-    /// The program.
-    pub(crate) program: PathBuf,
-    /// Its arguments.
-    pub(crate) args: Vec<String>,
-    /// Its whole environment.
-    pub(crate) env: Vec<(String, String)>,
-    /// Where it starts.
-    pub(crate) folder: PathBuf,
-    /// What it sees.
-    pub(crate) view: View,
-    /// What it may use.
-    pub(crate) limits: Limits,
-}
-
 /// A student's program behind walls.
 #[derive(Debug)]
 pub struct WalledProgram {
@@ -223,6 +196,20 @@ impl Program for WalledProgram {
         walls.extend(self.resident.limits_said(limits));
         walls.extend(self.resident.said().iter().cloned());
         walls
+    }
+}
+
+impl Sandbox for Resident {
+    fn run(&self, task: &Task, input: &str) -> Ran {
+        Self::run(self, task, input)
+    }
+
+    fn give(&self, path: &Path) -> std::io::Result<()> {
+        Self::give(self, path)
+    }
+
+    fn let_in(&self, path: &Path) -> std::io::Result<()> {
+        Self::let_in(self, path)
     }
 }
 
