@@ -12,14 +12,16 @@
 //! Why the local test is enough: the normals of a surface without reflex edges never turn back, so they cover the
 //! sphere evenly, and without handles once.
 //!
-//! Faces that are flat only up to rounding count as bent: each corner of one face is then tested against each corner
-//! of the other, so that the test speaks for the exact hull of the corners, whichever way such a face is creased.
+//! Faces that are flat only up to rounding count as bent: then every corner of the one face and every corner of the
+//! other must fit, so that the test speaks for the exact hull of the corners, whichever way such a face is creased.
+//! Of each face the highest corner beside the edge is enough, see `wings.rs`.
 
 use super::Polyhedron;
-use super::flat::FaceFault;
+use super::flat::{FaceFault, Shadow};
 use super::measure::PartCounts;
 use super::predicates::{are_collinear, side_of_plane};
 use super::vector::Vector;
+use super::wings::{Wings, other_corners};
 use crate::ids::{EdgeId, FaceId, FaceMap, HalfEdgeId, VertexId};
 use crate::plane::predicates::orientation;
 use std::cmp::Ordering;
@@ -101,8 +103,8 @@ impl Convex<'_> {
 impl Polyhedron {
     /// Checks that the surface bounds a convex solid; flat edges, and vertices in flat places, are allowed.
     ///
-    /// Cost: O(V + E + F) if the faces are exactly flat; for others the product of the sizes of the two faces at
-    /// each edge.
+    /// Cost: O(V + E + F) if the faces are exactly flat. A bent face of n corners costs O(n log n), and O(n) for each
+    /// of its edges that goes straight on into the next one up to rounding.
     ///
     /// # Errors
     /// [`NotConvex`] names the first edge, face or corner in the way.
@@ -125,6 +127,7 @@ impl Polyhedron {
             [a, b, ..] => return Err(NotConvex::Pieces { vertex: a.first_vertex, other: b.first_vertex }),
         };
         let mut bent = FaceMap::filled(self.face_bound(), false);
+        let mut looks = FaceMap::filled(self.face_bound(), None);
         for face in self.faces() {
             self.check_convex_face(face).map_err(|fault| match fault {
                 FaceFault::NoArea => NotConvex::NoArea { face },
@@ -132,10 +135,13 @@ impl Polyhedron {
                     NotConvex::ReflexCorner { face, vertex: self.topology().origin(half_edge), half_edge }
                 }
             })?;
-            bent[face] = !self.is_flat(face);
+            let corners = self.spanning_corners(face).ok_or(NotConvex::NoArea { face })?;
+            bent[face] = !self.is_in_plane(face, corners);
+            looks[face] = Some(Look { shadow: self.shadow(face), corners });
         }
+        let wings = Wings::new(self, &bent);
         for edge in self.edges() {
-            if !self.is_convex_edge(edge, &bent) {
+            if !self.is_convex_edge(edge, &bent, &looks, &wings) {
                 let [from, to] = edge.half_edges().map(|h| self.topology().origin(h));
                 let faces = edge.half_edges().map(|h| self.topology().face(h));
                 return Err(NotConvex::ReflexEdge { edge, from, to, faces });
@@ -144,24 +150,41 @@ impl Polyhedron {
         Ok(Convex { solid: self, bent, first })
     }
 
-    fn is_convex_edge(&self, edge: EdgeId, bent: &FaceMap<bool>) -> bool {
+    fn is_convex_edge(&self, edge: EdgeId, bent: &FaceMap<bool>, looks: &FaceMap<Option<Look>>, wings: &Wings) -> bool {
         let dcel = self.topology();
-        let [h, twin] = edge.half_edges();
-        let (left, right) = (dcel.face(h), dcel.face(twin));
-        let (a, b) = (self.point(dcel.origin(h)), self.point(dcel.origin(twin)));
-        let others = |h: HalfEdgeId| dcel.cycle(dcel.next(dcel.next(h))).take_while(move |&g| g != h);
-        let points = |h: HalfEdgeId| others(h).map(|g| self.point(dcel.origin(g)));
-        let shadow = self.shadow(left);
+        let halves = edge.half_edges();
+        let faces = halves.map(|h| dcel.face(h));
+        let [Some(left), Some(right)] = faces.map(|f| looks[f]) else { return false };
+        let [a, b] = halves.map(|h| self.point(dcel.origin(h)));
         let fits = |c: Vector, d: Vector| match side_of_plane(a, b, c, d) {
             Ordering::Less => true,
             Ordering::Greater => false,
             // In one plane: the faces must lie on both sides of the edge.
-            Ordering::Equal => orientation(shadow(a), shadow(b), shadow(d)) != Ordering::Greater,
+            Ordering::Equal => {
+                let [a, b, d] = [a, b, d].map(|p| left.shadow.of(p));
+                orientation(a, b, d) != Ordering::Greater
+            }
         };
-        let apex = |h: HalfEdgeId| points(h).find(|&p| !are_collinear(a, b, p));
-        if !bent[left] && !bent[right] {
-            return matches!((apex(h), apex(twin)), (Some(c), Some(d)) if fits(c, d));
+        let [h, twin] = halves;
+        if !bent[faces[0]] && !bent[faces[1]] {
+            // Any corner of a flat face that is not in line with the edge stands for all.
+            let apex = |look: Look| look.corners.into_iter().find(|&p| !are_collinear(a, b, p));
+            return matches!((apex(left), apex(right)), (Some(c), Some(d)) if fits(c, d));
         }
-        points(h).filter(|&c| !are_collinear(a, b, c)).all(|c| points(twin).all(|d| fits(c, d)))
+        match (wings.highest(self, h, left.shadow), wings.highest(self, twin, right.shadow)) {
+            (Some(c), Some(d)) => fits(c, d),
+            _ => {
+                let corners = |h: HalfEdgeId| other_corners(self, h).filter(|&p| !are_collinear(a, b, p));
+                corners(h).all(|c| corners(twin).all(|d| fits(c, d)))
+            }
+        }
     }
+}
+
+/// What is asked of a face at each of its edges.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Look {
+    shadow: Shadow,
+    /// Three that are not in line.
+    corners: [Vector; 3],
 }

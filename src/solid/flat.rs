@@ -31,12 +31,16 @@ impl Polyhedron {
     /// Whether all corners of `f` lie in one plane. Exact. O(corners).
     #[must_use]
     pub fn is_flat(&self, f: FaceId) -> bool {
-        let Some([a, b, c]) = self.spanning_corners(f) else { return true };
+        self.spanning_corners(f).is_none_or(|corners| self.is_in_plane(f, corners))
+    }
+
+    /// Whether all corners of `f` lie in the plane of three of them.
+    pub(super) fn is_in_plane(&self, f: FaceId, [a, b, c]: [Vector; 3]) -> bool {
         self.corners(f).all(|p| side_of_plane(a, b, c, p) == Ordering::Equal)
     }
 
-    /// Three corners of `f` that do not lie on a line.
-    fn spanning_corners(&self, f: FaceId) -> Option<[Vector; 3]> {
+    /// Three corners of `f` that do not lie on a line. O(corners).
+    pub(super) fn spanning_corners(&self, f: FaceId) -> Option<[Vector; 3]> {
         let a = self.corners(f).next()?;
         let b = self.corners(f).find(|&p| by_position(p, a).is_ne())?;
         let c = self.corners(f).find(|&p| !are_collinear(a, b, p))?;
@@ -50,6 +54,7 @@ impl Polyhedron {
     /// The first corner that is reflex.
     pub fn check_convex_face(&self, f: FaceId) -> Result<(), FaceFault> {
         let shadow = self.shadow(f);
+        let shadow = |p| shadow.of(p);
         let mut turns_back = 0;
         let mut area = false;
         for h in self.incident_half_edges(f) {
@@ -68,12 +73,22 @@ impl Polyhedron {
         if area { Ok(()) } else { Err(FaceFault::NoArea) }
     }
 
-    /// How the corners of `f` look along the axis its normal is closest to, from outside.
-    pub(super) fn shadow(&self, f: FaceId) -> impl Fn(Vector) -> Point + use<> {
+    /// How the corners of `f` look along the axis its normal is closest to, from outside. O(corners).
+    pub(super) fn shadow(&self, f: FaceId) -> Shadow {
         let vector = self.area_vector(f);
         let axis = (0..3).max_by(|&i, &j| vector[i].abs().total_cmp(&vector[j].abs())).unwrap_or(2);
-        let (x, y) = ((axis + 1) % 3, (axis + 2) % 3);
-        let (x, y) = if vector[axis] < 0.0 { (y, x) } else { (x, y) };
-        move |p| Point::new(p[x], p[y])
+        let axes = [(axis + 1) % 3, (axis + 2) % 3];
+        if vector[axis] < 0.0 { Shadow([axes[1], axes[0]]) } else { Shadow(axes) }
+    }
+}
+
+/// Points of space seen along one of the three axes: the coordinates that are left, in the order in which they turn
+/// to the left.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Shadow([usize; 2]);
+
+impl Shadow {
+    pub(super) fn of(self, p: Vector) -> Point {
+        Point::new(p[self.0[0]], p[self.0[1]])
     }
 }

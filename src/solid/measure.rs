@@ -1,20 +1,11 @@
-//! Counts, angles, curvatures, areas and volume of a surface.
-//!
-//! ```text
-//!   face on the left of h          dihedral angle of an edge: inside, between its two faces. Less than pi at a
-//!       ╲  θ  ╱  face of twin      convex edge, pi in a flat place, more at a reflex edge.
-//!        ╲   ╱
-//!         ╲ ╱                      deficit angle of a vertex: 2 pi - the angles of its faces there; each gap of
-//!      ●───h───>●                  the border takes another pi. Their sum is 2 pi (V - E + F): Gauss and Bonnet.
-//! ```
+//! Counts, areas and volume of a surface. Angles and curvatures are in `angles.rs`.
 //!
 //! These are doubles, good for looking at; decisions are in `flat.rs` and `convex.rs`, and exact.
 
 use super::Polyhedron;
-use super::vector::{Vector, cross, dot, length, mean, minus, plus, times};
-use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
+use super::vector::{Vector, cross, dot, length, mean, minus, plus, times, unit};
+use crate::ids::{EdgeId, FaceId, VertexId};
 use crate::topology::components;
-use std::f64::consts::{PI, TAU};
 
 /// The counts of one connected piece of a surface.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -135,9 +126,7 @@ impl Polyhedron {
     /// The unit vector at right angles to `f`, outwards; none if `f` has no area.
     #[must_use]
     pub fn normal(&self, f: FaceId) -> Option<[f64; 3]> {
-        let vector = self.area_vector(f);
-        let size = length(vector);
-        (size > 0.0).then(|| times(vector, 1.0 / size))
+        unit(self.area_vector(f))
     }
 
     /// The mean of the corners of `f`.
@@ -162,82 +151,6 @@ impl Polyhedron {
             dot(self.area_vector(f), minus(first, base)) / 3.0
         };
         self.polygon_faces().map(cone).sum()
-    }
-
-    /// The angle of the face of `h` at the origin of `h`, inside the face: between 0 and 2 pi.
-    #[must_use]
-    pub fn corner_angle(&self, h: HalfEdgeId) -> f64 {
-        let dcel = self.topology();
-        let [at, to, from] = [h, h.twin(), dcel.prev(h)].map(|h| self.point(dcel.origin(h)));
-        let (a, b) = (minus(to, at), minus(from, at));
-        let turn = cross(a, b);
-        let angle = length(turn).atan2(dot(a, b));
-        if dot(turn, self.area_vector(dcel.face(h))) < 0.0 { TAU - angle } else { angle }
-    }
-
-    /// The angle inside the solid between the two faces of `e`: between 0 and 2 pi, less than pi if the edge is
-    /// convex. None if the edge lies on the border, or if one of the faces has no area.
-    #[must_use]
-    pub fn dihedral_angle(&self, e: EdgeId) -> Option<f64> {
-        let [h, twin] = e.half_edges();
-        let faces = [h, twin].map(|h| self.topology().face(h));
-        if faces.iter().any(|&f| self.is_boundary_face(f)) {
-            return None;
-        }
-        let (left, right) = (self.normal(faces[0])?, self.normal(faces[1])?);
-        let along = self.edge_vector(h);
-        let size = length(along);
-        let bend = if size > 0.0 { dot(cross(left, right), along) / size } else { 0.0 };
-        Some(PI - bend.atan2(dot(left, right)))
-    }
-
-    /// From the origin of `h` to its destination.
-    pub(super) fn edge_vector(&self, h: HalfEdgeId) -> Vector {
-        minus(self.point(self.topology().destination(h)), self.point(self.topology().origin(h)))
-    }
-
-    /// 2 pi minus the angles of the faces at `v`, and minus pi for each gap of the border at `v`. It is the
-    /// curvature of Gauss that the vertex holds; over a whole surface with flat faces it adds up to
-    /// 2 pi (V - E + F). O(sizes of the faces at `v`).
-    #[must_use]
-    pub fn deficit_angle(&self, v: VertexId) -> f64 {
-        let used = |h: HalfEdgeId| {
-            if self.is_boundary_face(self.topology().face(h)) { PI } else { self.corner_angle(h) }
-        };
-        TAU - self.outgoing_half_edges(v).map(used).sum::<f64>()
-    }
-
-    /// The sum of all deficit angles. O(sum of degree times face size).
-    #[must_use]
-    pub fn total_deficit(&self) -> f64 {
-        self.vertices().map(|v| self.deficit_angle(v)).sum()
-    }
-
-    /// The area that belongs to `v`: an equal part of each face at `v`.
-    #[must_use]
-    pub fn vertex_area(&self, v: VertexId) -> f64 {
-        let share = |f: FaceId| length(self.area_vector(f)) / self.incident_half_edges(f).count() as f64;
-        self.incident_faces(v).filter(|&f| !self.is_boundary_face(f)).map(share).sum()
-    }
-
-    /// The curvature of Gauss at `v`: its deficit angle for each unit of area. 1 / r² on a fine mesh of a sphere.
-    /// None if the faces at `v` have no area.
-    #[must_use]
-    pub fn gauss_curvature(&self, v: VertexId) -> Option<f64> {
-        let area = self.vertex_area(v);
-        (area > 0.0).then(|| self.deficit_angle(v) / area)
-    }
-
-    /// The mean curvature at `v`: half of what its edges bend, each by (pi - dihedral angle) times half of its
-    /// length, for each unit of area. 1 / r on a fine mesh of a sphere, positive where the solid is convex. None
-    /// if the faces at `v` have no area. Edges of the border do not count.
-    ///
-    /// Source: J. Steiner's formula for polyhedra, 1840.
-    #[must_use]
-    pub fn mean_curvature(&self, v: VertexId) -> Option<f64> {
-        let area = self.vertex_area(v);
-        let bend = |h: HalfEdgeId| Some((PI - self.dihedral_angle(h.edge())?) * length(self.edge_vector(h)) / 4.0);
-        (area > 0.0).then(|| self.outgoing_half_edges(v).filter_map(bend).sum::<f64>() / area)
     }
 
     /// The mean of the vertices.

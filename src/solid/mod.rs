@@ -15,7 +15,8 @@
 //! ```text
 //!   dynamic/    add_face, remove_face, add_vertex,            surface_journal.rs  watching them, undo
 //!               remove_vertex, collapse_edge
-//!   measure.rs  counts, angles, curvatures, area, volume      flat.rs convex.rs   exact questions about shape
+//!   measure.rs  counts, area, volume                          flat.rs convex.rs wings.rs  exact questions about shape
+//!   angles.rs   angles and curvatures
 //!   hull/       the convex hull of points                     support.rs          the furthest vertex, by climbing
 //!                                                             support_map.rs      the same, prepared
 //!   grow/       shapes out of rings and the torus seed        subdivide/          finer surfaces
@@ -24,6 +25,7 @@
 //!   schlegel.rs seen through a face, in the plane
 //! ```
 
+mod angles;
 mod archimedean;
 mod convex;
 mod derived;
@@ -44,6 +46,7 @@ mod support_map;
 mod surface_journal;
 mod vector;
 mod winged;
+mod wings;
 mod wythoff;
 
 use crate::ids::{FaceId, VertexId, VertexMap};
@@ -52,6 +55,7 @@ use crate::topology::{BuildError, Dcel, NoRecorder, OneSided, PolygonList, View,
 use std::collections::BTreeSet;
 use std::ops::Deref;
 
+pub use angles::Measures;
 pub use archimedean::Archimedean;
 pub use convex::{Convex, NotConvex};
 pub use derived::TruncateError;

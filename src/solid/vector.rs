@@ -31,3 +31,9 @@ pub(super) fn mean(points: impl Iterator<Item = Vector>) -> Vector {
     let (sum, count) = points.fold(([0.0; 3], 0.0), |(sum, count), p| (plus(sum, p), count + 1.0));
     times(sum, 1.0 / f64::max(count, 1.0))
 }
+
+/// The vector of length 1 in the same direction; none of a vector without length.
+pub(super) fn unit(vector: Vector) -> Option<Vector> {
+    let size = length(vector);
+    (size > 0.0).then(|| times(vector, 1.0 / size))
+}

@@ -9,6 +9,7 @@ mod common;
 #[path = "../shell/mod.rs"]
 mod shell;
 
+mod bent;
 mod collapse;
 #[cfg(feature = "cli")]
 mod command;

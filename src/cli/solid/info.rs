@@ -139,12 +139,13 @@ impl Info {
         let pieces: Vec<Piece> = solid.parts().into_iter().map(Piece::from).collect();
         let closed = solid.boundary_faces().len() == 0;
         let not_convex = solid.check_convex().err().map(|error| error.to_string());
+        let measures = solid.measures();
         let degrees = |angle: f64| angle.to_degrees();
         let inner = || solid.vertices().filter(|&v| solid.incident_faces(v).all(|f| !solid.is_boundary_face(f)));
-        let dihedral = spread(solid.edges().filter_map(|e| Some((e, solid.dihedral_angle(e).map(degrees)?))));
-        let deficit = spread(solid.vertices().map(|v| (v, degrees(solid.deficit_angle(v)))));
-        let gauss = spread(inner().filter_map(|v| Some((v, solid.gauss_curvature(v)?))));
-        let mean = spread(inner().filter_map(|v| Some((v, solid.mean_curvature(v)?))));
+        let dihedral = spread(solid.edges().filter_map(|e| Some((e, measures.dihedral_angle(e).map(degrees)?))));
+        let deficit = spread(solid.vertices().map(|v| (v, degrees(measures.deficit_angle(v)))));
+        let gauss = spread(inner().filter_map(|v| Some((v, measures.gauss_curvature(v)?))));
+        let mean = spread(inner().filter_map(|v| Some((v, measures.mean_curvature(v)?))));
         let bends = solid.polygon_faces().map(|f| solid.bend_of_face(f));
         Self {
             source,
@@ -162,7 +163,7 @@ impl Info {
             dihedral_angles_at: dihedral.map(|(_, at)| at),
             deficit_angles: deficit.as_ref().map(|(range, _)| *range),
             deficit_angles_at: deficit.map(|(_, at)| at),
-            deficit_sum: solid.total_deficit().to_degrees() + 0.0,
+            deficit_sum: measures.total_deficit().to_degrees() + 0.0,
             gauss_curvature: gauss.as_ref().map(|(range, _)| *range),
             gauss_curvature_at: gauss.map(|(_, at)| at),
             mean_curvature: mean.as_ref().map(|(range, _)| *range),

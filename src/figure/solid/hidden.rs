@@ -37,6 +37,8 @@ struct Look<'a> {
     front: FaceMap<bool>,
     /// The corners of each face on the paper, and the least and greatest x and y of them.
     shapes: FaceMap<(Vec<Point>, [f64; 4])>,
+    /// The area vector of each face, and the mean of its corners.
+    planes: FaceMap<[[f64; 3]; 2]>,
     outline: Vec<EdgeId>,
 }
 
@@ -83,14 +85,17 @@ impl<'a> Look<'a> {
     fn new(solid: &'a Polyhedron, picture: &'a Picture) -> Self {
         let mut front = FaceMap::filled(solid.face_bound(), false);
         let mut shapes = FaceMap::filled(solid.face_bound(), (Vec::new(), [0.0; 4]));
+        let mut planes = FaceMap::filled(solid.face_bound(), [[0.0; 3]; 2]);
         for f in solid.polygon_faces() {
-            front[f] = dot(solid.area_vector(f), picture.ray(solid.face_mean(f))) > 0.0;
+            let [normal, mean] = [solid.area_vector(f), solid.face_mean(f)];
+            planes[f] = [normal, mean];
+            front[f] = dot(normal, picture.ray(mean)) > 0.0;
             let corners: Vec<Point> = solid.incident_vertices(f).map(|v| picture.points[v]).collect();
             let empty = [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
             let bounds = corners.iter().fold(empty, |[a, b, c, d], p| [a.min(p.x), b.max(p.x), c.min(p.y), d.max(p.y)]);
             shapes[f] = (corners, bounds);
         }
-        let mut look = Self { solid, picture, front, shapes, outline: Vec::new() };
+        let mut look = Self { solid, picture, front, shapes, planes, outline: Vec::new() };
         look.outline = solid
             .edges()
             .filter(|&e| {
@@ -158,9 +163,9 @@ impl<'a> Look<'a> {
         if at.x < *left || at.x > *right || at.y < *low || at.y > *high || !is_inside(corners, at) {
             return false;
         }
-        let normal = self.solid.area_vector(f);
+        let [normal, mean] = self.planes[f];
         let ray = self.picture.ray(p);
-        let steps = dot(normal, minus(self.solid.face_mean(f), p)) / dot(normal, ray);
+        let steps = dot(normal, minus(mean, p)) / dot(normal, ray);
         let size = dot(ray, ray).sqrt();
         steps.is_finite() && steps * size > 1e-7 * self.picture.size
     }
