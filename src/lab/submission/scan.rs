@@ -4,11 +4,17 @@
 //!   std::process::exit(0)          refused: `std::process`                 use std::{fs as f, fmt};
 //!   let process = 3;               fine: a name is no path                 // std::process, "std::fs": fine
 //!   m!(process exit)               refused where m's body says std::$a     r#include!("x"): refused
+//!   #[$a = $p] mod $n;             refused: write the attribute in full    let path = vec![h]: fine
 //! ```
 //!
 //! The scan goes over tokens, not over a syntax tree: so it sees the inside of every macro call and of every macro's
 //! body, and needs to know nothing of the grammar around. Comments and strings are no names. It is the friendly half
-//! of the defence, which says at line and column what to take out; what it overlooks meets the walls.
+//! of the defence, which says at line and column what to take out; what it overlooks meets the walls, and the list of
+//! files that the compiler read.
+//!
+//! The macros that read files die by their names, wherever these stand, so that no other name can be given to them.
+//! Two of these names are ordinary words, `include` and `env`: a variable or a field may be called so, but not in a
+//! `use`, not before `!`, and not inside a macro call or a macro's body of a file that defines macros of its own.
 //!
 //! Refused are paths into the parts of the standard library that reach out of the program, other names for the
 //! library as a whole, macros that read files or variables at compile time or hold machine code, `unsafe` and
@@ -39,8 +45,11 @@ const FUNCTIONS: [(&str, &str); 3] = [("panic", "set_hook"), ("panic", "take_hoo
 /// Macros that look beyond the file when it is compiled, or hold machine code.
 const MACROS: [&str; 8] =
     ["include", "include_str", "include_bytes", "env", "option_env", "asm", "global_asm", "naked_asm"];
+/// Those of them whose names are ordinary words: refused only where a macro can be meant.
+const WORDS: [&str; 2] = ["include", "env"];
 /// Attributes that change what is linked or compiled.
-const ATTRIBUTES: [&str; 15] = [
+const ATTRIBUTES: [&str; 16] = [
+    "debugger_visualizer",
     "no_mangle",
     "export_name",
     "link",
@@ -94,7 +103,7 @@ pub fn scan(text: &str) -> Result<(), ScanError> {
     let mut scan = Scan { found: Vec::new(), has_macros: false };
     let tokens = scan.tokens(stream, 0);
     scan.has_macros = mentions(&tokens, "macro_rules");
-    scan.walk(&tokens, false);
+    scan.walk(&tokens, Around::default());
     scan.found.sort();
     scan.found.dedup();
     scan.found.truncate(MOST);
@@ -112,7 +121,7 @@ enum Token {
     Name(String, LineColumn),
     /// `::`
     Path,
-    Mark(char),
+    Mark(char, LineColumn),
     Group(Delimiter, Vec<Token>, LineColumn),
     /// A literal or a lifetime.
     Other,
@@ -124,7 +133,7 @@ impl Token {
     }
 
     fn is(&self, mark: char) -> bool {
-        matches!(self, Self::Mark(c) if *c == mark)
+        matches!(self, Self::Mark(c, _) if *c == mark)
     }
 }
 
@@ -134,6 +143,15 @@ fn mentions(tokens: &[Token], word: &str) -> bool {
         Token::Group(_, inner, _) => mentions(inner, word),
         _ => false,
     })
+}
+
+/// Where a token stands.
+#[derive(Clone, Copy, Default)]
+struct Around {
+    /// Within a macro's body or the arguments of a call.
+    in_macro: bool,
+    /// Within a `use`.
+    in_use: bool,
 }
 
 struct Scan {
@@ -164,7 +182,7 @@ impl Scan {
                 }
                 TokenTree::Punct(punct) => {
                     now_joint = punct.spacing() == Spacing::Joint;
-                    out.push(Token::Mark(punct.as_char()));
+                    out.push(Token::Mark(punct.as_char(), punct.span().start()));
                 }
                 TokenTree::Group(group) => {
                     let place = group.span_open().start();
@@ -183,41 +201,56 @@ impl Scan {
         out
     }
 
-    /// `in_macro`: within a macro's body or the arguments of a call.
-    fn walk(&mut self, tokens: &[Token], in_macro: bool) {
+    fn walk(&mut self, tokens: &[Token], around: Around) {
+        let mut in_use = around.in_use;
         for (i, token) in tokens.iter().enumerate() {
             match token {
-                Token::Name(name, place) => self.name(tokens, i, name, *place, in_macro),
-                Token::Mark('#') => self.attribute(&tokens[i + 1..]),
-                Token::Group(_, inner, _) => {
+                Token::Name(name, place) => {
+                    // Not the `use<'a>` of a type.
+                    in_use |= name == "use" && !tokens.get(i + 1).is_some_and(|t| t.is('<'));
+                    self.name(tokens, i, name, *place, Around { in_use, ..around });
+                }
+                Token::Mark('#', place) => self.attribute(&tokens[i + 1..], *place),
+                Token::Mark(';', _) => in_use = around.in_use,
+                Token::Group(delimiter, inner, place) => {
                     let called = i > 0 && tokens[i - 1].is('!');
                     let defined = i > 1 && tokens[i - 2].is('!') && tokens[i - 1].name().is_some();
-                    self.walk(inner, in_macro || called || defined);
+                    // An attribute in the making: a macro may put the `#` before it.
+                    if *delimiter == Delimiter::Bracket && sets_path(inner) {
+                        self.refuse(*place, PATH);
+                    }
+                    self.walk(inner, Around { in_macro: around.in_macro || called || defined, in_use });
                 }
                 _ => {}
             }
         }
     }
 
-    fn name(&mut self, tokens: &[Token], i: usize, name: &str, place: LineColumn, in_macro: bool) {
+    fn name(&mut self, tokens: &[Token], i: usize, name: &str, place: LineColumn, around: Around) {
         let next = tokens.get(i + 1);
         let after = tokens.get(i + 2);
         match name {
             "unsafe" => self.refuse(place, "`unsafe` is not for this lab: nothing in it needs it"),
             "extern" => self.refuse(place, "`extern` is not for this lab: it needs nothing but the standard library"),
-            "mod" if after.is_some_and(|t| t.is(';')) => {
+            "mod" if after.is_some_and(|t| t.is(';')) || next.is_some_and(|t| t.is('$')) => {
                 self.refuse(place, "a module of another file: only this file is handed in, so write it here in braces");
             }
-            _ if MACROS.contains(&name) && next.is_some_and(|t| t.is('!')) && !after.is_some_and(|t| t.is('=')) => {
-                self.refuse(place, format!("`{name}!` is not for this lab: it looks beyond the file"));
+            _ if MACROS.contains(&name) => {
+                let called = next.is_some_and(|t| t.is('!')) && !after.is_some_and(|t| t.is('='));
+                let by_macro = around.in_macro && self.has_macros;
+                if called || around.in_use || by_macro || !WORDS.contains(&name) {
+                    self.refuse(place, beyond(name, called));
+                }
             }
             // Wherever it stands: a path may begin after `return ::` as well as after `0..`.
             _ if LIBRARIES.contains(&name) => {
                 match next {
-                    Some(Token::Path) => self.path(&tokens[i + 2..], &mut vec![name.to_owned()], place, in_macro),
+                    Some(Token::Path) => {
+                        self.path(&tokens[i + 2..], &mut vec![name.to_owned()], place, around.in_macro);
+                    }
                     Some(next) if next.name() == Some("as") => self.another_name(name, place),
                     // `use std;` and a call such as m!(std), whose body goes on with the path.
-                    _ if in_macro && self.has_macros => self.put_together(name, place),
+                    _ if around.in_macro && self.has_macros => self.put_together(name, place),
                     _ => {}
                 }
             }
@@ -247,16 +280,16 @@ impl Scan {
                     self.path(part, so_far, *here, in_macro);
                 }
             }
-            Some(Token::Mark('*')) if so_far.len() == 1 => {
+            Some(Token::Mark('*', _)) if so_far.len() == 1 => {
                 self.refuse(place, format!("`{root}::*` brings in too much: name what you use"));
             }
-            Some(Token::Mark('*')) => {
+            Some(Token::Mark('*', _)) => {
                 let prefix = so_far.join("::");
                 if FUNCTIONS.iter().any(|(module, _)| so_far.len() == 2 && so_far[1] == *module) {
                     self.refuse(place, format!("`{prefix}::*` brings in too much: name what you use"));
                 }
             }
-            Some(Token::Mark('$')) => self.put_together(&root, place),
+            Some(Token::Mark('$', _)) => self.put_together(&root, place),
             None if in_macro => self.put_together(&root, place),
             _ => {}
         }
@@ -266,8 +299,6 @@ impl Scan {
         if let [root, module] = path {
             if let Some((_, why)) = MODULES.iter().find(|(name, _)| name == module) {
                 self.refuse(place, format!("`{root}::{module}` is not for this lab: {why}"));
-            } else if MACROS.contains(&module.as_str()) {
-                self.refuse(place, format!("`{root}::{module}` is not for this lab: it looks beyond the file"));
             }
         } else if let [root, module, function] = path
             && FUNCTIONS.iter().any(|(m, f)| m == module && f == function)
@@ -287,11 +318,16 @@ impl Scan {
     }
 
     /// What follows `#`.
-    fn attribute(&mut self, rest: &[Token]) {
+    fn attribute(&mut self, rest: &[Token], mark: LineColumn) {
         let of_the_file = rest.first().is_some_and(|t| t.is('!'));
-        let Some(Token::Group(Delimiter::Bracket, inner, place)) = rest.get(usize::from(of_the_file)) else { return };
+        let Some(Token::Group(Delimiter::Bracket, inner, place)) = rest.get(usize::from(of_the_file)) else {
+            self.refuse(mark, "a `#` that no attribute follows: write the attribute in full, `#[...]`");
+            return;
+        };
         let head = inner.first().and_then(Token::name).unwrap_or_default();
-        if of_the_file && !OF_THE_FILE.contains(&head) {
+        if mentions_mark(inner, '$') {
+            self.refuse(*place, "a macro puts an attribute together: write the attribute in full where it is used");
+        } else if of_the_file && !OF_THE_FILE.contains(&head) {
             self.refuse(*place, format!("`#![{head}]` is not for this lab: it changes how the whole is compiled"));
         }
         self.words(inner);
@@ -300,18 +336,44 @@ impl Scan {
     fn words(&mut self, attribute: &[Token]) {
         for (i, token) in attribute.iter().enumerate() {
             match token {
-                Token::Name(name, place) => {
-                    let is_path = name == "path" && attribute.get(i + 1).is_some_and(|t| t.is('='));
-                    if is_path || ATTRIBUTES.contains(&name.as_str()) {
-                        let what = format!("the attribute `{name}` is not for this lab: it changes what is compiled");
-                        self.refuse(*place, what);
-                    }
+                Token::Name(name, place) if name == "path" && attribute.get(i + 1).is_some_and(|t| t.is('=')) => {
+                    self.refuse(*place, PATH);
+                }
+                Token::Name(name, place) if ATTRIBUTES.contains(&name.as_str()) => {
+                    let what = format!("the attribute `{name}` is not for this lab: it changes what is compiled");
+                    self.refuse(*place, what);
                 }
                 Token::Group(_, inner, _) => self.words(inner),
                 _ => {}
             }
         }
     }
+}
+
+/// What is said of `#[path = "..."]`, however it comes about.
+const PATH: &str = "the attribute `path` is not for this lab: only this file is handed in, so write the module here";
+
+/// What is said of a macro that reads when the file is compiled.
+fn beyond(name: &str, called: bool) -> String {
+    match (called, WORDS.contains(&name)) {
+        (true, _) => format!("`{name}!` is not for this lab: it looks beyond the file"),
+        (false, false) => format!("`{name}` is not for this lab: it looks beyond the file; use another name"),
+        (false, true) => {
+            format!("`{name}` can stand for the macro `{name}!` here, which looks beyond the file; use another name")
+        }
+    }
+}
+
+/// `path = ...`
+fn sets_path(tokens: &[Token]) -> bool {
+    tokens.first().and_then(Token::name) == Some("path") && tokens.get(1).is_some_and(|t| t.is('='))
+}
+
+fn mentions_mark(tokens: &[Token], mark: char) -> bool {
+    tokens.iter().any(|token| match token {
+        Token::Group(_, inner, _) => mentions_mark(inner, mark),
+        token => token.is(mark),
+    })
 }
 
 #[cfg(test)]
@@ -385,6 +447,33 @@ mod tests {
             "macro_rules! m { () => { std::process::exit(0) } }",
             "macro_rules! m { ($p:path) => { $p(0) } } fn f() { m!(std::process::exit) }",
             "fn f() { vec![{ std::process::exit(0) }] }",
+            // An attribute that a macro makes.
+            "macro_rules! m { ($a:ident $p:literal $n:ident $s:tt) => { #[$a = $p] mod $n $s } } m!(path \"/x.rs\" a ;);",
+            "macro_rules! m { ($a:meta) => { #[$a] mod a {} } }",
+            "macro_rules! m { ($a:ident) => { #[cfg_attr(all(), $a = \"x\")] mod a {} } }",
+            "macro_rules! m { ($($t:tt)*) => { $($t)* } } m!(#[path = \"x\"] mod a {});",
+            "macro_rules! m { ($h:tt $n:ident $g:tt) => { $h $g mod a {} } } m!(# x [path = \"x\"]);",
+            "macro_rules! m { ($h:tt) => { $h[inline] fn f() {} } } m!(#);",
+            "macro_rules! m { ($n:ident $s:tt) => { mod $n $s } } m!(a ;);",
+            "macro_rules! m { ($n:ident) => { mod $n; } } m!(a);",
+            "#[cfg_attr(all(), path = \"x\")] mod a {}",
+            "#[r#path = \"x\"] mod a {}",
+            "#[debugger_visualizer(natvis_file = \"/x\")] mod a {}",
+            // Other names for the macros that read files.
+            "use std::prelude::v1::include_str as p; const S: &str = p!(\"x\");",
+            "use include_str as p;",
+            "use r#include_str as p;",
+            "use include as p; p!(\"x\");",
+            "use core::prelude::rust_2024::{fmt, include as p};",
+            "use {include as p};",
+            "pub use env as e;",
+            "use std::prelude::v1::option_env;",
+            "macro_rules! m { ($p:ident) => { $p!(\"x\") } } fn f() { m!(include_str); }",
+            "macro_rules! m { ($p:ident) => { $p!(\"x\") } } fn f() { m!(include); }",
+            "macro_rules! m { ($p:ident) => { $p!(\"x\") } } fn f() { m!(r#env); }",
+            "macro_rules! m { ($p:path) => { $p!(\"x\") } } fn f() { m!(self::env); }",
+            "macro_rules! m { () => { n! { include } } } macro_rules! n { ($p:ident) => { $p!(\"x\") } }",
+            "fn f() { println!(\"{}\", include_bytes!(\"x\").len()) }",
         ] {
             assert!(first(text).is_some(), "let through: {text}");
         }
@@ -402,6 +491,13 @@ mod tests {
             "use std::collections::{BTreeMap, HashSet}; use std::fmt; use std::{cmp::Ordering, mem};",
             "use std::collections::*; use super::*; use crate::dcel::*;",
             "fn f(a: bool) -> bool { let include = a; include != false }",
+            "fn f() { let mut path = vec![1]; path = vec![path[0]]; let env = [path.len()]; println!(\"{env:?} {}\", env[0]); }",
+            "struct S { include: bool, path: u8 } fn f(s: &mut S) { s.include = true; s.path = 1; }",
+            "use std::fmt; fn f(env: u8) -> u8 { env }",
+            "fn f<'a>(a: &'a u8) -> impl Fn() -> u8 + use<'a> { let env = *a; move || env }",
+            "macro_rules! next { ($d:ident, $path:expr) => { $d.next($path) } } fn f(env: u8) -> u8 { env }",
+            "#[cfg(test)] mod tests { use super::*; #[test] fn t() { assert_eq!(1, 1, \"path = {}\", 2); } }",
+            "#[derive(Debug)] #[allow(clippy::all)] struct A; /** path = x */ fn f() {}",
             "#![allow(dead_code)]\n#![warn(missing_docs)]\nfn f() {}",
             "#[derive(Clone, Debug)] #[must_use] struct A; #[inline] fn f() { todo!(\"x\") }",
             "mod helpers { pub fn walk() {} } fn f() { self::helpers::walk(); }",
