@@ -33,7 +33,7 @@ fn whereabouts(soup: &SegmentSoup, error: &SegmentsError) -> Whereabouts {
         }
         SegmentsError::Coordinate { point, .. } => (Vec::new(), vec![*point]),
         SegmentsError::NoSuchPoint { segment, .. } => (vec![*segment], Vec::new()),
-        SegmentsError::Unsettled { .. } | SegmentsError::TooMany(_) => (Vec::new(), Vec::new()),
+        SegmentsError::Grid { .. } | SegmentsError::TooMany(_) => (Vec::new(), Vec::new()),
     };
     let segments = segments.into_iter().map(|i| (format!("segment {i}"), soup.place(i as usize)));
     let points = points.into_iter().map(|i| (format!("point {i}"), soup.point_place(i as usize)));

@@ -51,7 +51,7 @@ pub(crate) use meet::Expansion;
 pub use overlay::{Operation, Overlay, ParseOperationError, Parts};
 pub use point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};
 pub use seed::LAB_RECTANGLE;
-pub use segments::{ArrangeOptions, Arranged, MarkHolesError, Residues, SegmentFault, SegmentsError};
+pub use segments::{ArrangeOptions, Arranged, MarkHolesError, Residues, SegmentFault, SegmentsAlong, SegmentsError};
 pub use subdivision::{PlanarView, Subdivision};
 pub use table::TableError;
 pub use triangulate::{TriangulateError, Triangulated, TriangulationMethod};

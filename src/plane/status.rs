@@ -35,22 +35,6 @@ impl Status {
         }
     }
 
-    /// The edges from `at` on, from bottom to top.
-    pub(super) fn upwards(&self, (chunk, offset): Place) -> impl Iterator<Item = u32> + '_ {
-        let first = self.chunks.get(chunk).map_or(&[][..], |edges| &edges[offset..]);
-        first.iter().chain(self.chunks.iter().skip(chunk + 1).flatten()).copied()
-    }
-
-    /// The edges before `at`, from top to bottom.
-    pub(super) fn downwards(&self, (chunk, offset): Place) -> impl Iterator<Item = u32> + '_ {
-        let first = self.chunks.get(chunk).map_or(&[][..], |edges| &edges[..offset]);
-        first
-            .iter()
-            .rev()
-            .chain(self.chunks[..chunk.min(self.chunks.len())].iter().rev().flat_map(|c| c.iter().rev()))
-            .copied()
-    }
-
     /// Removes the edge at `at`; `at` then stands before the edge after it.
     pub(super) fn remove(&mut self, at: &mut Place) {
         let chunk = &mut self.chunks[at.0];

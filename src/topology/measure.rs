@@ -221,7 +221,9 @@ pub(super) fn parts(flat: &Flat) -> Components {
     components
 }
 
-fn find(leader: &mut [u32], v: u32) -> u32 {
+/// The leader of the group of `v`: each leads itself or is led by one with a lower number. The way there is halved for
+/// the next one.
+pub(crate) fn find(leader: &mut [u32], v: u32) -> u32 {
     let mut at = v as usize;
     while leader[at] as usize != at {
         leader[at] = leader[leader[at] as usize];

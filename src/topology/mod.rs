@@ -39,6 +39,7 @@ pub use edit::{
 };
 pub(crate) use links::Columns;
 pub use links::Dcel;
+pub(crate) use measure::find;
 pub use measure::{ComponentCounts, Components, Counts, Mode, components, measure, measure_with};
 pub use orient::{OneSided, faces_to_turn};
 pub use polygons::PolygonList;

@@ -2,11 +2,13 @@
 
 mod convert;
 mod edits;
+mod exact;
 mod inserts;
 mod locate;
 mod numbers;
 mod overlay;
 mod segments;
+mod settled;
 mod shared_plane;
 mod shared_segments;
 mod tracer;

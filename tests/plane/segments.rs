@@ -22,7 +22,7 @@ fn square(x: f64, y: f64, r: f64) -> Vec<Segment> {
     polygon(&[(x - r, y - r), (x + r, y - r), (x + r, y + r), (x - r, y + r)])
 }
 
-const SPLIT: ArrangeOptions = ArrangeOptions { merge: true, split: true, most_faults: 100 };
+const SPLIT: ArrangeOptions = ArrangeOptions { merge: true, split: true, grid: None, most_faults: 100 };
 
 fn faults(segments: &[Segment], most_faults: usize) -> (Vec<SegmentFault>, bool) {
     let options = ArrangeOptions { most_faults, ..ArrangeOptions::default() };
@@ -307,7 +307,6 @@ fn all_meetings_are_named_and_no_other() {
             Err(SegmentsError::Faults { faults, more: false }) => faults,
             Err(other) => panic!("seed {seed}: {other}"),
         };
-        // A touching end is told once for all segments that end there: the others follow from the point.
         let mut named: BTreeSet<(Kind, usize, usize)> = BTreeSet::new();
         for fault in &found {
             let (kind, i, j) = match *fault {
@@ -319,13 +318,8 @@ fn all_meetings_are_named_and_no_other() {
                 SegmentFault::Overlapping { first, second, .. } => (Kind::Overlap, first, second),
                 SegmentFault::Touching { segment, at, on } => {
                     assert!(segments[segment as usize].contains(&at), "seed {seed}: {fault}");
-                    for (k, _) in segments.iter().enumerate().filter(|(_, s)| s.contains(&at)) {
-                        let pair = (k.min(on as usize), k.max(on as usize));
-                        if meeting(list[k], list[on as usize]) == Some(Kind::Touch) {
-                            named.insert((Kind::Touch, pair.0, pair.1));
-                        }
-                    }
-                    continue;
+                    assert!(!segments[on as usize].contains(&at), "seed {seed}: {fault}");
+                    (Kind::Touch, segment, on)
                 }
                 other => panic!("seed {seed}: {other}"),
             };
@@ -372,7 +366,12 @@ fn check_split(arranged: &Arranged, given: &[Segment], context: &str) {
             continue;
         }
         let (first, last) = (chain[0], chain[chain.len() - 1]);
-        assert_eq!([s.point(s.origin(first)), s.point(s.destination(last))], [a, b], "{context}: ends of {i}");
+        let ends = [s.origin(first), s.destination(last)];
+        for (v, p) in ends.into_iter().zip([a, b]) {
+            let off = (s.point(v).x - p.x).hypot(s.point(v).y - p.y);
+            let told = arranged.displaced.iter().find(|moved| moved.0 == v).map_or(0.0, |moved| moved.1);
+            assert!(off <= told, "{context}: {v}, an end of {i}, moved by {off:e}, not {told:e}");
+        }
         for pair in chain.windows(2) {
             assert_eq!(s.destination(pair[0]), s.origin(pair[1]), "{context}: chain {i}");
         }
@@ -577,8 +576,10 @@ fn splitting_random_doubles_ends_without_any_meeting() {
             .collect();
         let arranged = Subdivision::arrange_segments(&segments, &SPLIT).unwrap_or_else(|e| panic!("seed {seed}: {e}"));
         check_split(&arranged, &segments, &format!("seed {seed}"));
-        let worst = arranged.moved.iter().map(|m| m.1).fold(0.0, f64::max);
-        assert!(worst <= f64::EPSILON && arranged.rounds < 20, "seed {seed}: {worst:e} in {} rounds", arranged.rounds);
+        // Four rounds in place, then one on a grid of 2^-52; of 2^-51 where 1 is a coordinate.
+        let worst = arranged.moved.iter().chain(&arranged.displaced).map(|m| m.1).fold(0.0, f64::max);
+        let bound = if arranged.grid.is_some() { 0.7072 * f64::EPSILON * 2.0 } else { f64::EPSILON };
+        assert!(worst <= bound && arranged.rounds <= 5, "seed {seed}: {worst:e} in {} rounds", arranged.rounds);
         // Splitting again changes nothing.
         let s = &arranged.subdivision;
         let edges: Vec<Segment> = s.edges().map(|e| e.half_edges().map(|h| s.point(s.origin(h)))).collect();

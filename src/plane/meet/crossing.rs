@@ -9,6 +9,7 @@
 //! ```
 
 use super::expansion::{Expansion, cross};
+use super::grid::Grid;
 use super::interval::Interval;
 use crate::plane::{Point, SMALLEST};
 use std::cell::OnceCell;
@@ -83,6 +84,32 @@ impl Crossing {
             let along = [Expansion::difference(b.x, a.x), Expansion::difference(b.y, a.y)];
             cross(&along, &[from_a(x, a.x), from_a(y, a.y)]).sign()
         })
+    }
+
+    /// The point of the grid in whose pixel it lies, exactly, and an upper bound of the distance.
+    pub(super) fn on_grid(&self, grid: Grid) -> (Point, f64) {
+        let exact = |part: fn(&Exact) -> &Expansion, line: f64| {
+            let Exact { w, .. } = self.exact();
+            part(self.exact()).clone().minus(&Expansion::of(line).times(w)).sign()
+        };
+        let round = |bounds: Interval, part: fn(&Exact) -> &Expansion| {
+            let [mut centre, last] = [bounds.low, bounds.high].map(|x| grid.round(x));
+            if centre < last {
+                let Exact { w, .. } = self.exact();
+                // Near enough to begin; lines between pixels are doubles, so the steps from there are exact.
+                centre = grid.round(part(self.exact()).estimate() / w.estimate()).clamp(centre, last);
+                while exact(part, centre - grid.half()).is_lt() {
+                    centre -= grid.size();
+                }
+                while exact(part, centre + grid.half()).is_ge() {
+                    centre += grid.size();
+                }
+            }
+            let off = (centre - bounds.low).abs().max((bounds.high - centre).abs()).next_up();
+            (centre + 0.0, off.min(grid.half()))
+        };
+        let ((x, off_x), (y, off_y)) = (round(self.x, |e| &e.x), round(self.y, |e| &e.y));
+        (Point::new(x, y), off_x.hypot(off_y).next_up())
     }
 
     /// The nearest point with doubles as coordinates, within the range of the door, and how far it is from the

@@ -16,15 +16,17 @@
 
 mod crossing;
 mod expansion;
+mod grid;
 mod interval;
 
 use super::Point;
 use super::group::grouped;
 use super::predicates::{left_to_right, orientation};
-use super::status::{Place, Status};
+use super::status::Status;
 use super::sweep::rightwards;
 use crossing::Crossing;
-pub(crate) use expansion::Expansion;
+pub(crate) use expansion::{Expansion, cross};
+pub(super) use grid::Grid;
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 use std::ops::ControlFlow;
@@ -52,6 +54,11 @@ impl Crossed {
         self.0.rounded()
     }
 
+    /// The point of the grid in whose pixel it lies, and how far off that is at most; see [`Grid`].
+    pub(super) fn on_grid(&self, grid: Grid) -> (Point, f64) {
+        self.0.on_grid(grid)
+    }
+
     /// Where it lies from a point in the order from left to right. Exact.
     pub(super) fn order_to_point(&self, p: Point) -> Ordering {
         self.0.order_to_point(p)
@@ -72,8 +79,6 @@ pub(super) struct Stop<'a> {
     pub(super) ending: &'a [u32],
     /// The edges that start here, in the order of their directions from bottom to top.
     pub(super) starting: &'a [u32],
-    /// The edges that pass above or below a vertex within the reach asked for.
-    pub(super) near: &'a [u32],
 }
 
 /// An edge in the heap's order: the leftmost crossing first.
@@ -102,18 +107,16 @@ impl Eq for Waiting {}
 /// Calls `visit` for every stop at which edges meet that should not, from left to right, until it breaks off.
 ///
 /// `by_place` holds all points from left to right; they are distinct. Edges have two different ends, no two the same
-/// ones. With a `reach`, stops are also vertices that an edge passes, straight above or below, not further off than
-/// so many last places of their y.
+/// ones.
 pub(super) fn all_meetings(
     points: &[Point],
     edges: &[[u32; 2]],
     by_place: &[u32],
-    reach: f64,
     mut visit: impl FnMut(&Stop<'_>) -> ControlFlow<()>,
 ) -> ControlFlow<()> {
     let edges = rightwards(points, edges);
     let (firsts, starts) = grouped(points.len(), edges.len(), |e| edges[e][0] as usize);
-    let mut sweep = Sweep { points, edges: &edges, status: Status::default(), heap: BinaryHeap::new(), reach };
+    let mut sweep = Sweep { points, edges: &edges, status: Status::default(), heap: BinaryHeap::new() };
     let mut vertices = by_place.iter().copied().peekable();
     loop {
         let vertex = vertices.peek().copied();
@@ -142,7 +145,6 @@ struct Sweep<'a> {
     edges: &'a [[u32; 2]],
     status: Status,
     heap: BinaryHeap<Reverse<Waiting>>,
-    reach: f64,
 }
 
 impl Sweep<'_> {
@@ -190,7 +192,6 @@ impl Sweep<'_> {
             }
             self.status.remove(&mut at);
         }
-        let near = self.near(spot, at);
         let leaving = match *spot {
             Spot::Crossing(_) => through.iter().rev().copied().collect(),
             Spot::Vertex(v) => self.by_direction(v, starting.iter().chain(&through).copied().collect()),
@@ -208,24 +209,10 @@ impl Sweep<'_> {
             Spot::Vertex(v) => leaving.into_iter().filter(|&edge| self.edges[edge as usize][0] == v).collect(),
             Spot::Crossing(_) => Vec::new(),
         };
-        if through.is_empty() && near.is_empty() && !self.overlap(spot, &starting) {
+        if through.is_empty() && !self.overlap(spot, &starting) {
             return ControlFlow::Continue(());
         }
-        visit(&Stop { spot: *spot, through: &through, ending: &ending, starting: &starting, near: &near })
-    }
-
-    /// The edges round the place `at`, where those through the stop were, that pass it within reach.
-    fn near(&self, spot: &Spot<'_>, at: Place) -> Vec<u32> {
-        let (Spot::Vertex(v), true) = (*spot, self.reach > 0.0) else { return Vec::new() };
-        let here = self.points[v as usize];
-        let reach = self.reach * (here.y.abs().next_up() - here.y.abs());
-        let passes = |edge: &u32, y: f64, side: Ordering| {
-            let [a, b] = self.ends(*edge);
-            orientation(a, b, Point::new(here.x, y)) != side.reverse()
-        };
-        let above = self.status.upwards(at).take_while(|edge| passes(edge, here.y + reach, Ordering::Greater));
-        let below = self.status.downwards(at).take_while(|edge| passes(edge, here.y - reach, Ordering::Less));
-        above.chain(below).collect()
+        visit(&Stop { spot: *spot, through: &through, ending: &ending, starting: &starting })
     }
 
     /// Edges through or from a vertex, from bottom to top just after it.

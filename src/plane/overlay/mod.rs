@@ -76,8 +76,7 @@ impl Subdivision {
     /// Cost: O((n + k) log n) for n edges of both with k crossings, a few times over if crossings have to be rounded.
     ///
     /// # Errors
-    /// [`SegmentsError::Unsettled`] if rounding made new crossings without end, [`SegmentsError::TooMany`] if there
-    /// are more elements than ids.
+    /// [`SegmentsError::TooMany`] if there are more elements than ids; nothing is refused for being close.
     ///
     /// ```
     /// use dcel_kit::plane::{Operation, Parts, Point, Subdivision};

@@ -1,15 +1,18 @@
 //! The way from given segments to a subdivision, step by step.
 
+use super::collinear::{Pieces, Stretch};
 use super::error::{SegmentFault, SegmentsError};
 use super::faults::all_faults;
 use super::graph::{Distinct, Graph, Single};
-use super::split::{Split, split};
+use super::split::{Split, split as split_all};
 use super::trace::{Stars, trace};
 use super::{ArrangeOptions, Arranged};
 use crate::ids::{HalfEdgeId, VertexId};
 use crate::plane::Point;
+use crate::plane::meet::Grid;
 use crate::plane::sweep::{Swept, sweep_in_order};
 use crate::topology::TooMany;
+use std::ops::Range;
 
 /// Segments whose points are distinct.
 pub(super) struct Input {
@@ -86,29 +89,56 @@ pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arra
     }
     let points = std::mem::take(&mut input.distinct.points);
     let mut graph = Graph { points, edges, by_place: std::mem::take(&mut input.distinct.by_place) };
-    let given = graph.points.len();
+    let mut given = graph.points.len();
     let (mut stars, mut swept) = look(&graph)?;
-    let mut pieces = Split::none(graph.edges.len());
-    if swept.meeting.is_some() && options.split {
-        pieces = split(&mut graph)?;
+    let mut pieces = Pieces::whole(&graph.edges);
+    let mut split = Split::none(graph.edges.len());
+    let grid = if options.split { options.grid.map(|size| checked(size, &graph.points)).transpose()? } else { None };
+    if options.split && (swept.meeting.is_some() || grid.is_some()) {
+        pieces = Pieces::new(&graph);
+        graph.edges.clone_from(&pieces.edges);
+        split = split_all(&mut graph, grid);
         (stars, swept) = look(&graph)?;
     }
     refuse(&input, &half, &graph, &swept, options.most_faults.max(1))?;
 
+    let chains = Chains::new(&input, &half, &pieces, &split);
+    let mut vertices = if input.points_given { input.distinct.number } else { Vec::new() };
+    let mut displaced = Vec::new();
+    let mut grid = None;
+    if let Some(snapped) = split.snapped {
+        vertices.iter_mut().for_each(|v| *v = snapped.number[*v as usize]);
+        given = snapped.given;
+        displaced = worst(snapped.displaced);
+        grid = Some(snapped.grid.size());
+    }
     let subdivision = trace(graph, stars, &swept.below)?;
-    let (chain_starts, chains) = chains(&input, &half, &pieces);
-    let vertices = if input.points_given { input.distinct.number } else { Vec::new() };
+    let collapsed = (0..chains.spans.len()).filter(|&i| chains.spans[i].is_empty()).map(|i| i as u32);
+    let zero_length: Vec<u32> = input.zero.into_iter().map(|(segment, _)| segment).collect();
     Ok(Arranged {
         vertices: vertices.into_iter().map(VertexId::new).collect(),
-        zero_length: input.zero.into_iter().map(|(segment, _)| segment).collect(),
+        collapsed: collapsed.filter(|i| zero_length.binary_search(i).is_err()).collect(),
+        zero_length,
         repeated,
         crossings: (given as u32..subdivision.vertex_bound() as u32).map(VertexId::new).collect(),
-        moved: moved(&pieces),
-        rounds: pieces.rounds,
-        chain_starts,
+        moved: worst(split.made),
+        displaced,
+        grid,
+        farthest: split.farthest,
+        rounds: split.rounds,
         chains,
         subdivision,
     })
+}
+
+/// The grid that was asked for, if it fits the points.
+fn checked(size: f64, points: &[Point]) -> Result<Grid, SegmentsError> {
+    let reach = points.iter().map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max);
+    let finest = Grid::finest(reach).size();
+    match Grid::of(size) {
+        Some(grid) if grid.size() >= finest => Ok(grid),
+        _ => Err(SegmentsError::Grid { size, finest }),
+    }
 }
 
 /// Sweeps over the graph: the first meeting, what lies below each vertex, and, if nothing meets, all stars.
@@ -137,32 +167,67 @@ fn refuse(input: &Input, half: &[u32], graph: &Graph, swept: &Swept, limit: usiz
     if faults.is_empty() { Ok(()) } else { Err(SegmentsError::Faults { faults, more }) }
 }
 
-/// For every given segment the half-edges it has become: where they start, and all of them.
-fn chains(input: &Input, half: &[u32], pieces: &Split) -> (Vec<u32>, Vec<HalfEdgeId>) {
-    let mut starts = Vec::with_capacity(input.count + 1);
-    let mut list = Vec::with_capacity(pieces.chain.len());
-    let mut zero = input.zero.iter().map(|&(segment, _)| segment).peekable();
-    let mut long = half.iter();
-    for segment in 0..input.count as u32 {
-        starts.push(list.len() as u32);
-        if zero.next_if_eq(&segment).is_some() {
-            continue;
-        }
-        let Some(&h) = long.next() else { break };
-        let edge = (h >> 1) as usize;
-        let range = pieces.starts[edge] as usize..pieces.starts[edge + 1] as usize;
-        let chain = pieces.chain[range].iter().map(|&piece| HalfEdgeId::new(piece));
-        if h & 1 == 0 { list.extend(chain) } else { list.extend(chain.rev().map(HalfEdgeId::twin)) }
-    }
-    starts.push(list.len() as u32);
-    (starts, list)
+/// For every given segment the half-edges it has become. Segments that overlap share them: each has a stretch of the
+/// chain of its line.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Chains {
+    /// The half-edges, line by line; behind them, if a segment runs against its line, all of them once more, backwards.
+    halves: Vec<HalfEdgeId>,
+    /// By segment: where its half-edges are.
+    spans: Vec<Range<u32>>,
 }
 
-/// The vertices whose crossings do not lie exactly there, and the greatest distance of each.
-fn moved(pieces: &Split) -> Vec<(VertexId, f64)> {
-    let mut moved: Vec<(VertexId, f64)> =
-        pieces.made.iter().filter(|made| made.1 > 0.0).map(|&(v, off)| (VertexId::new(v), off)).collect();
+impl Chains {
+    pub(super) fn of(&self, segment: usize) -> &[HalfEdgeId] {
+        let Range { start, end } = self.spans[segment];
+        &self.halves[start as usize..end as usize]
+    }
+
+    pub(super) fn count(&self) -> usize {
+        self.spans.len()
+    }
+
+    fn new(input: &Input, half: &[u32], pieces: &Pieces, split: &Split) -> Self {
+        let mut halves: Vec<HalfEdgeId> = Vec::with_capacity(split.chain.len());
+        let mut starts = Vec::with_capacity(pieces.runs.len() + 1);
+        for &piece in &pieces.runs {
+            starts.push(halves.len() as u32);
+            let e = (piece >> 1) as usize;
+            let chain = &split.chain[split.starts[e] as usize..split.starts[e + 1] as usize];
+            let chain = chain.iter().map(|&h| HalfEdgeId::new(h));
+            if piece & 1 == 0 { halves.extend(chain) } else { halves.extend(chain.rev().map(HalfEdgeId::twin)) }
+        }
+        starts.push(halves.len() as u32);
+        let forwards = halves.len() as u32;
+        let mut zero = input.zero.iter().map(|&(segment, _)| segment).peekable();
+        let mut long = half.iter();
+        let mut spans = Vec::with_capacity(input.count);
+        let mut backwards = false;
+        for segment in 0..input.count as u32 {
+            let long = if zero.next_if_eq(&segment).is_some() { None } else { long.next() };
+            spans.push(long.map_or(0..0, |&h| {
+                let Stretch { range, backwards: against } = &pieces.stretches[(h >> 1) as usize];
+                let [start, end] = [range.start, range.end].map(|place| starts[place as usize]);
+                if *against == (h & 1 == 1) {
+                    return start..end;
+                }
+                backwards = true;
+                2 * forwards - end..2 * forwards - start
+            }));
+        }
+        if backwards {
+            halves.extend_from_within(..);
+            halves[forwards as usize..].reverse();
+            halves[forwards as usize..].iter_mut().for_each(|h| *h = h.twin());
+        }
+        Self { halves, spans }
+    }
+}
+
+/// The vertices that do not lie where they should, each with the greatest of its distances.
+fn worst(mut moved: Vec<(u32, f64)>) -> Vec<(VertexId, f64)> {
+    moved.retain(|moved| moved.1 > 0.0);
     moved.sort_by(|a, b| a.0.cmp(&b.0).then(b.1.total_cmp(&a.1)));
-    moved.dedup_by_key(|made| made.0);
-    moved
+    moved.dedup_by_key(|moved| moved.0);
+    moved.into_iter().map(|(v, by)| (VertexId::new(v), by)).collect()
 }

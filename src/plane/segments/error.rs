@@ -134,15 +134,13 @@ pub enum SegmentsError {
         /// Whether the search ended at the limit of the options.
         more: bool,
     },
-    /// Splitting made new crossings again and again, by rounding.
-    #[error(
-        "after {rounds} rounds of splitting there are still segments that cross, near {near}: the input is finer than doubles can tell there; round it to a coarser grid"
-    )]
-    Unsettled {
-        /// How often all crossings were split.
-        rounds: u32,
-        /// Where the leftmost of the remaining crossings is.
-        near: Point,
+    /// A grid that points cannot be rounded to.
+    #[error("the grid {size} cannot be used: give a number from {finest} (finer, doubles do not reach) to 2^201")]
+    Grid {
+        /// The grid asked for.
+        size: f64,
+        /// The finest one for these points.
+        finest: f64,
     },
     /// More elements than ids.
     #[error(transparent)]

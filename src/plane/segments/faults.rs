@@ -17,7 +17,7 @@ pub(super) fn all_faults(
 ) -> (Vec<SegmentFault>, bool) {
     let edges = rightwards(&graph.points, &graph.edges);
     let mut faults = Faults { graph, edges: &edges, found: Vec::new(), limit, names };
-    let stopped = all_meetings(&graph.points, &graph.edges, &graph.by_place, 0.0, |stop| faults.at(stop)).is_break();
+    let stopped = all_meetings(&graph.points, &graph.edges, &graph.by_place, |stop| faults.at(stop)).is_break();
     (faults.found, stopped)
 }
 
@@ -85,12 +85,11 @@ impl Faults<'_> {
             new.extend(along.clone().take(self.limit + 1).map(|&s| overlap(c, s)));
             let ends = stop.starting.iter().filter(|&&s| !same(c, s));
             let ends = ends.chain(stop.ending.iter().filter(|&&e| !on_line(c, e)));
-            match ends.min() {
-                Some(&segment) => new.push(SegmentFault::Touching { segment: number(segment), at, on: number(c) }),
-                None if stop.starting.is_empty() && stop.ending.is_empty() => {
-                    new.push(SegmentFault::PointOnSegment { point: (self.names.1)(v), at, on: number(c) });
-                }
-                None => {}
+            let mut touching: Vec<u32> = ends.take(self.limit + 1).map(|&e| number(e)).collect();
+            touching.sort_unstable();
+            new.extend(touching.iter().map(|&segment| SegmentFault::Touching { segment, at, on: number(c) }));
+            if stop.starting.is_empty() && stop.ending.is_empty() {
+                new.push(SegmentFault::PointOnSegment { point: (self.names.1)(v), at, on: number(c) });
             }
         }
         for [e, g] in pairs(stop.through, self.limit + 1).filter(|&[e, g]| !same(e, g)) {

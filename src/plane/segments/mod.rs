@@ -7,15 +7,20 @@
 //!                                                                                             or split (split.rs)
 //! ```
 //!
+//! Before it is split, what overlaps is cut (`collinear.rs`); what does not settle in doubles goes to a grid (`snap.rs`).
+//!
 //! Antennas, single edges, isolated points, nested rings and several components are all legal.
 
 mod arrange;
+mod collinear;
 mod error;
 mod faults;
 mod graph;
 mod holes;
+mod pixels;
 mod places;
 mod residues;
+mod snap;
 mod split;
 mod trace;
 
@@ -24,11 +29,11 @@ pub use holes::MarkHolesError;
 pub use residues::Residues;
 
 use super::{Point, Subdivision};
-use crate::ids::{HalfEdgeId, VertexId};
-use arrange::{Input, arrange};
+use crate::ids::{EdgeId, HalfEdgeId, VertexId};
+use arrange::{Chains, Input, arrange};
 
 /// What to do with segments that are no plane graph.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ArrangeOptions {
     /// Leave out segments without length and segments that repeat an earlier one, and join points at the same place,
     /// instead of refusing them.
@@ -38,18 +43,24 @@ pub struct ArrangeOptions {
     ///
     /// What meets is decided exactly. Points of the input stay where they are; a crossing becomes a vertex at the
     /// nearest doubles, and the edges through it bend by as little. The bent edges are looked at in the same way
-    /// again, and again, until nothing meets: no crossing is made by rounding and left unsplit. Where that does not
-    /// come to an end in four rounds (bundles of lines a few last places apart), vertices also take in edges that pass
-    /// them within a last place of their coordinates; more if that is not enough, after every four rounds twice as
-    /// much.
+    /// again, so that no crossing is made by rounding and left unsplit. Nearly always that ends in two rounds.
+    ///
+    /// Where it does not end in four (bundles of lines a few last places apart), the connected parts concerned are
+    /// rounded to a grid of about 2^-52 of their greatest coordinate: every point goes to the grid point next to it,
+    /// and every segment through the middles of the grid squares in which an end or a crossing lies and that it passes
+    /// (snap rounding). That always ends, after one pass, with no crossing left. Points that lie on the grid stay, and so
+    /// do all parts of the input that have settled. [`Arranged`] says what moved, and how far.
     pub split: bool,
+    /// When splitting, round everything to the multiples of this number, or rather of the largest power of two that is
+    /// not above it; `None`: only what needs it, and as finely as possible.
+    pub grid: Option<f64>,
     /// How many faults are named before the search ends.
     pub most_faults: usize,
 }
 
 impl Default for ArrangeOptions {
     fn default() -> Self {
-        Self { merge: false, split: false, most_faults: 100 }
+        Self { merge: false, split: false, grid: None, most_faults: 100 }
     }
 }
 
@@ -68,21 +79,81 @@ pub struct Arranged {
     pub crossings: Vec<VertexId>,
     /// The crossings that could not be kept in place, each with the distance it moved.
     pub moved: Vec<(VertexId, f64)>,
+    /// The vertices of the input that a grid moved, each with the greatest distance of a point of the input that it
+    /// stands for. Empty unless there is a [`grid`](Self::grid).
+    pub displaced: Vec<(VertexId, f64)>,
+    /// The segments that have length, but on the grid none: both ends came to the same grid point.
+    pub collapsed: Vec<u32>,
+    /// The distance of neighbours of the grid, if points were rounded to one: a power of two.
+    pub grid: Option<f64>,
+    /// No point of a segment is further from its chain, and no point of a chain from its segment. 0 if nothing moved.
+    pub farthest: f64,
     /// How often everything was split; more than 1 if rounded crossings made edges meet anew.
     pub rounds: u32,
-    chain_starts: Vec<u32>,
-    chains: Vec<HalfEdgeId>,
+    chains: Chains,
 }
 
 impl Arranged {
     /// The half-edges that segment `segment` has become, from its first end to its second; none if it has no length.
-    /// A repeated segment, or one that overlaps another, shares edges with it. O(1).
+    /// A repeated segment, or one that overlaps another, shares edges with it, and memory. O(1).
     ///
     /// # Panics
     /// If there is no such segment.
     #[must_use]
     pub fn chain(&self, segment: usize) -> &[HalfEdgeId] {
-        &self.chains[self.chain_starts[segment] as usize..self.chain_starts[segment + 1] as usize]
+        self.chains.of(segment)
+    }
+
+    /// The segments that run along each edge.
+    ///
+    /// The answer is as long as all chains together: for segments that all overlap each other the square of their
+    /// number, which is why it is made only when it is asked for. O(edges + length of the answer).
+    ///
+    /// ```
+    /// use dcel_kit::plane::{ArrangeOptions, Point, Subdivision};
+    /// use dcel_kit::EdgeId;
+    /// let segment = |x0, x1| [Point::new(x0, 0.), Point::new(x1, 0.)];
+    /// let options = ArrangeOptions { split: true, ..ArrangeOptions::default() };
+    /// let line = Subdivision::arrange_segments(&[segment(0., 2.), segment(3., 1.)], &options)?;
+    /// let along = line.segments_along();
+    /// assert_eq!([0, 1, 2].map(|e| along.of(EdgeId::new(e))), [&[0][..], &[0, 1], &[1]]);
+    /// # Ok::<(), dcel_kit::plane::SegmentsError>(())
+    /// ```
+    #[must_use]
+    pub fn segments_along(&self) -> SegmentsAlong {
+        let edges = self.subdivision.edge_bound();
+        let mut starts = vec![0_usize; edges + 1];
+        let chains = || (0..self.chains.count()).map(|i| (i as u32, self.chains.of(i)));
+        chains().flat_map(|(_, chain)| chain).for_each(|h| starts[h.edge().index() + 1] += 1);
+        (0..edges).for_each(|e| starts[e + 1] += starts[e]);
+        let mut list = vec![0; starts[edges]];
+        let mut free = starts.clone();
+        for (i, chain) in chains() {
+            for h in chain {
+                let place = &mut free[h.edge().index()];
+                list[*place] = i;
+                *place += 1;
+            }
+        }
+        SegmentsAlong { starts, list }
+    }
+}
+
+/// Which segments run along each edge; made by [`Arranged::segments_along`].
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct SegmentsAlong {
+    starts: Vec<usize>,
+    list: Vec<u32>,
+}
+
+impl SegmentsAlong {
+    /// The numbers of the segments along an edge, in increasing order. At least one. O(1).
+    ///
+    /// # Panics
+    /// If there is no such edge.
+    #[must_use]
+    pub fn of(&self, e: EdgeId) -> &[u32] {
+        &self.list[self.starts[e.index()]..self.starts[e.index() + 1]]
     }
 }
 
@@ -148,10 +219,13 @@ impl Subdivision {
     /// segment 0 come first, then those of segment 1 that are new, and so on; vertices made for crossings follow
     /// those of the input, from left to right.
     ///
-    /// Cost: O((n + k) log n) for n segments with k meetings, a few times over if they are split.
+    /// Cost: O((n + k) log n) time for n segments with k meetings, a few times over if they are split; memory O(n + k).
+    /// Where m segments overlap on one line, k counts their ends, not their pairs. A grid takes O(√n) for each long
+    /// segment beside.
     ///
     /// # Errors
-    /// [`SegmentsError`] names what the options do not allow.
+    /// [`SegmentsError`] names what the options do not allow. With `split` only what is no number, or out of range, or
+    /// too much: no input is refused for being close.
     ///
     /// ```
     /// use dcel_kit::plane::{ArrangeOptions, Point, Subdivision};

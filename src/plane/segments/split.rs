@@ -8,26 +8,20 @@
 //!           ╱ ╲                                ╱ ╲                      ... until a round finds nothing
 //! ```
 //!
-//! Points of the input never move; a crossing moves to the nearest doubles. So the last round is the proof that the
-//! result has no meetings, whatever was rounded before.
+//! In these rounds points of the input do not move; a crossing moves to the nearest doubles. So the last round is the
+//! proof that the result has no meetings, whatever was rounded before.
 //!
-//! In bundles of lines a few last bits apart, every round may make new crossings between the doubles. From the fifth
-//! round on a vertex therefore attracts the edges that pass it, above or below and in the next round left or right,
-//! within one last place of its coordinates; later within 2, 4, 8, ...
-//!
-//! Source: the rounding of crossings, the bending of edges and vertices that attract them are those of Hobby,
-//! *Practical segment intersection with finite precision output*, 1999.
+//! In bundles of lines a few last bits apart, every round may make new crossings between the doubles. What has not
+//! settled after four rounds is therefore rounded to a grid, which always settles: see `snap.rs`.
 
-use super::error::SegmentsError;
 use super::graph::{Graph, Single};
+use super::snap::{Plain, snap};
 use crate::plane::Point;
-use crate::plane::meet::{Spot, all_meetings};
+use crate::plane::meet::{Grid, Spot, all_meetings};
 use crate::plane::predicates::left_to_right;
 use std::ops::ControlFlow;
 
-/// Rounds after which splitting gives up. One or two are usual.
-const MOST_ROUNDS: u32 = 40;
-/// Rounds in which vertices attract nothing.
+/// Rounds after which a grid is used. One or two are usual.
 const PLAIN_ROUNDS: u32 = 4;
 
 /// What became of the edges of a graph.
@@ -39,6 +33,21 @@ pub(super) struct Split {
     /// The points made for crossings, and how far each lies from its crossing.
     pub(super) made: Vec<(u32, f64)>,
     pub(super) rounds: u32,
+    /// What the grid did, if one was used.
+    pub(super) snapped: Option<Snapped>,
+    /// No point of an edge is further from its chain, nor the other way round.
+    pub(super) farthest: f64,
+}
+
+/// What became of the points of a graph that was rounded to a grid.
+pub(super) struct Snapped {
+    pub(super) grid: Grid,
+    /// The new number of each point; those of the points that were there before come first.
+    pub(super) number: Vec<u32>,
+    /// How many points those before have become.
+    pub(super) given: usize,
+    /// The points that moved, by their new numbers, and how far.
+    pub(super) displaced: Vec<(u32, f64)>,
 }
 
 impl Split {
@@ -49,22 +58,26 @@ impl Split {
             chain: (0..edges as u32).map(|e| 2 * e).collect(),
             made: Vec::new(),
             rounds: 0,
+            snapped: None,
+            farthest: 0.0,
         }
     }
 }
 
-/// Splits the edges of `graph` until nothing meets. O((n + k) log n) a round, with k meetings.
-pub(super) fn split(graph: &mut Graph) -> Result<Split, SegmentsError> {
-    let mut split = Split::none(graph.edges.len());
-    loop {
-        let Cuts { cuts, new } = find_cuts(graph, split.rounds);
+/// Splits the edges of `graph` until nothing meets; on the grid, if there is one, else in place where that settles.
+///
+/// Cost: O((n + k) log n) a round, with k meetings; see [`snap`] for the grid.
+pub(super) fn split(graph: &mut Graph, grid: Option<Grid>) -> Split {
+    let given = graph.points.len();
+    let edges = graph.edges.clone();
+    let mut split = Split::none(edges.len());
+    while grid.is_none() {
+        let Cuts { cuts, new } = find_cuts(graph);
         if cuts.is_empty() {
-            return Ok(split);
+            return split;
         }
-        if split.rounds == MOST_ROUNDS {
-            let (first, old) = (cuts[0].1, graph.points.len() as u32);
-            let near = if first < old { graph.points[first as usize] } else { new[(first - old) as usize].0 };
-            return Err(SegmentsError::Unsettled { rounds: split.rounds, near });
+        if split.rounds == PLAIN_ROUNDS {
+            break;
         }
         split.rounds += 1;
         let old = graph.points.len() as u32;
@@ -72,12 +85,15 @@ pub(super) fn split(graph: &mut Graph) -> Result<Split, SegmentsError> {
         for (&number, &(_, off)) in numbers.iter().zip(&new) {
             split.made.push((number, off));
         }
+        // The edges of this round are no further from those of the input than the bends of all rounds together.
+        split.farthest = (split.farthest + new.iter().map(|&(_, off)| off).fold(0.0, f64::max)).next_up();
         let place = |p: u32| if p < old { p } else { numbers[(p - old) as usize] };
         let (starts, pieces) = cut(graph, &cuts, place);
         let Single { edges, half } = Single::new(graph.points.len(), &pieces, |_, _| {});
         graph.edges = edges;
         split.follow(&starts, &half);
     }
+    snap(graph, Plain { split, given, edges: &edges }, grid)
 }
 
 /// The cuts of one round.
@@ -89,66 +105,21 @@ struct Cuts {
     new: Vec<(Point, f64)>,
 }
 
-fn find_cuts(graph: &Graph, round: u32) -> Cuts {
+fn find_cuts(graph: &Graph) -> Cuts {
     let mut found = Cuts { cuts: Vec::new(), new: Vec::new() };
     let old = graph.points.len() as u32;
-    let turned = Turned::new(graph, round);
-    let (points, by_place) = turned.as_ref().map_or((&graph.points, &graph.by_place), |t| (&t.points, &t.by_place));
-    let reach = if round < PLAIN_ROUNDS { 0.0 } else { f64::from((round - PLAIN_ROUNDS) / 4).exp2() };
-    let mut meetings = 0;
-    let _ = all_meetings(points, &graph.edges, by_place, reach, |stop| {
+    let _ = all_meetings(&graph.points, &graph.edges, &graph.by_place, |stop| {
         let point = match stop.spot {
             Spot::Vertex(v) => v,
             Spot::Crossing(crossing) => {
-                let (p, off) = crossing.rounded();
-                found.new.push((if turned.is_some() { Point::new(p.y, p.x) } else { p }, off));
+                found.new.push(crossing.rounded());
                 old + found.new.len() as u32 - 1
             }
         };
-        meetings += stop.through.len();
-        let near = stop.near.iter().filter(|&&edge| graph.is_beside(edge, point));
-        found.cuts.extend(stop.through.iter().chain(near).map(|&edge| (edge, point)));
+        found.cuts.extend(stop.through.iter().map(|&edge| (edge, point)));
         ControlFlow::Continue(())
     });
-    if meetings == 0 {
-        found.cuts.clear();
-    }
     found
-}
-
-/// The graph with x and y exchanged, for every second of the rounds in which vertices attract.
-struct Turned {
-    points: Vec<Point>,
-    by_place: Vec<u32>,
-}
-
-impl Turned {
-    fn new(graph: &Graph, round: u32) -> Option<Self> {
-        if round < PLAIN_ROUNDS || (round - PLAIN_ROUNDS).is_multiple_of(2) {
-            return None;
-        }
-        let points: Vec<Point> = graph.points.iter().map(|p| Point::new(p.y, p.x)).collect();
-        let mut by_place = graph.by_place.clone();
-        by_place.sort_by(|&p, &q| left_to_right(points[p as usize], points[q as usize]));
-        Some(Self { points, by_place })
-    }
-}
-
-impl Graph {
-    /// How far along the edge the point lies, in some unit: rounding keeps the order of points that follow each other
-    /// in x and in y.
-    fn along(&self, edge: u32, p: Point) -> f64 {
-        let [a, b] = self.edges[edge as usize].map(|v| self.points[v as usize]);
-        (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)
-    }
-
-    /// Whether a point near the line of the edge lies beside the edge, not behind one of its ends.
-    fn is_beside(&self, edge: u32, point: u32) -> bool {
-        let [_, b] = self.edges[edge as usize];
-        let [p, b] = [point, b].map(|v| self.points[v as usize]);
-        let along = self.along(edge, p);
-        along > 0.0 && along < self.along(edge, b)
-    }
 }
 
 /// The pieces of all edges, and where those of each edge start. A piece has two different ends.
@@ -165,15 +136,13 @@ fn cut(graph: &Graph, cuts: &[(u32, u32)], place: impl Fn(u32) -> u32) -> (Vec<u
     }
     let mut starts = Vec::with_capacity(graph.edges.len() + 1);
     let mut pieces = Vec::with_capacity(graph.edges.len() + cuts.len());
-    for (edge, (&[a, b], range)) in graph.edges.iter().zip(firsts.windows(2)).enumerate() {
+    for (&[a, b], range) in graph.edges.iter().zip(firsts.windows(2)) {
         starts.push(pieces.len() as u32);
         let cuts = &mut by_edge[range[0] as usize..range[1] as usize];
         let at = |v: u32| graph.points[v as usize];
         if left_to_right(at(a), at(b)).is_gt() {
             cuts.reverse();
         }
-        // Exactly in order, unless vertices attracted the edge.
-        cuts.sort_by(|&u, &v| graph.along(edge as u32, at(u)).total_cmp(&graph.along(edge as u32, at(v))));
         let mut last = a;
         for &to in cuts.iter().chain([&b]) {
             if to != last {

@@ -1,0 +1,229 @@
+//! Snap rounding: everything that meets is rounded to a grid, and nothing crosses any more.
+//!
+//! ```text
+//!   ┆ ●╲┆   ┆ ╱●┆          ┆ ●╲┆   ┆ ╱●┆         Hot are the pixels with an end or a crossing of segments in them.
+//!   ┄┄┄╲┄┄┄┄╱┄┄┄    ──>    ┄┄┄┄╲┄┄╱┄┄┄┄          Every segment becomes the chain of the middles of the hot pixels
+//!   ┆   ┆╲╱ ┆   ┆          ┆   ┆ ●┆   ┆          that it passes, in its order.
+//!   ┄┄┄┄┄╱╲┄┄┄┄┄           ┄┄┄┄╱┄┄╲┄┄┄┄
+//! ```
+//!
+//! **Once is enough.** A segment passes each pixel of its chain at some point: the middle plus an offset, and offsets
+//! lie in one and the same convex set, a pixel round 0. Let all offsets shrink to nothing at the same speed.
+//!
+//! 1. *No chain runs over a middle that is not its own.* Say that the piece of a chain from the middle c to the next
+//!    one, d, has the middle m on it or comes over it while it shrinks: (1 - s)(c + t e) + s (d + t f) = m + t g with
+//!    offsets e, f, g and 0 <= t < 1. Then the segment itself had the point (1 - s)(c + e) + s (d + f) =
+//!    m + t g + (1 - t)((1 - s) e + s f), which is m plus an offset, since these are convex: it passes the pixel of m,
+//!    so m stands in the chain.
+//! 2. *No two chains cross.* Outside of the hot pixels no two segments cross, since crossings make pixels hot. While
+//!    the pieces between them shrink, two can begin to cross only where an end of one comes over the other; that is
+//!    point 1. So in the end they share middles, or run along each other from middle to middle.
+//!
+//! Grid points and the sides of pixels are doubles (see [`Grid`]), and whether a segment passes a pixel, and in which one
+//! a crossing lies, is decided exactly. No chain is further from its segment than half the diagonal of a pixel.
+//!
+//! Only the parts of the input are rounded in which edges still meet, and those that meet what they have become.
+//!
+//! Source: Hobby, *Practical segment intersection with finite precision output*, Computational Geometry 13, 1999; Guibas
+//! and Marimont, *Rounding arrangements dynamically*, 1998; Goodrich, Guibas, Hershberger and Tanenbaum, *Snap rounding
+//! line segments efficiently in two and three dimensions*, 1997.
+
+use super::graph::{Distinct, Graph, Single};
+use super::pixels::Pixels;
+use super::split::{Snapped, Split};
+use crate::plane::Point;
+use crate::plane::meet::{Grid, Spot, all_meetings};
+use crate::plane::predicates::left_to_right;
+use crate::topology::find;
+use std::ops::ControlFlow;
+
+/// So often parts are added one after another; then all are rounded.
+const GENTLE: u32 = 3;
+
+/// What splitting in place has reached.
+pub(super) struct Plain<'a> {
+    pub(super) split: Split,
+    /// How many points were there before, and the edges.
+    pub(super) given: usize,
+    pub(super) edges: &'a [[u32; 2]],
+}
+
+/// Rounds the parts of the graph in which edges meet; all of it if there is a `grid`. The graph becomes the result.
+///
+/// Cost: O((n + k) log n) for n edges with k crossings that are not yet rounded, and O(√n) for each long edge.
+pub(super) fn snap(graph: &mut Graph, plain: Plain<'_>, grid: Option<Grid>) -> Split {
+    let mut parts = Parts::new(graph);
+    if grid.is_some() {
+        parts.choose_all();
+    } else {
+        parts.choose(meeting_points(graph));
+    }
+    for attempt in 1.. {
+        if attempt == GENTLE {
+            parts.choose_all();
+        }
+        let made = round(graph, &plain, &mut parts, grid);
+        let missed = if parts.all { Vec::new() } else { meeting_points(&made.graph) };
+        if missed.is_empty() {
+            *graph = made.graph;
+            return made.split;
+        }
+        parts.choose(missed.into_iter().filter_map(|v| made.origin[v as usize]).collect());
+    }
+    unreachable!("rounding everything ends it")
+}
+
+/// The connected parts of a graph, and which of them are to be rounded.
+struct Parts {
+    leader: Vec<u32>,
+    /// By leader.
+    chosen: Vec<bool>,
+    all: bool,
+}
+
+impl Parts {
+    fn new(graph: &Graph) -> Self {
+        let mut leader: Vec<u32> = (0..graph.points.len() as u32).collect();
+        for &[a, b] in &graph.edges {
+            let (a, b) = (find(&mut leader, a), find(&mut leader, b));
+            leader[a.max(b) as usize] = a.min(b);
+        }
+        Self { chosen: vec![false; leader.len()], leader, all: false }
+    }
+
+    fn choose_all(&mut self) {
+        self.all = true;
+    }
+
+    /// Chooses the parts of points. If they are all chosen already, everything.
+    fn choose(&mut self, points: Vec<u32>) {
+        let mut news = false;
+        for p in points {
+            let leader = find(&mut self.leader, p) as usize;
+            news |= !std::mem::replace(&mut self.chosen[leader], true);
+        }
+        self.all |= !news;
+    }
+
+    fn is_chosen(&mut self, p: u32) -> bool {
+        self.all || self.chosen[find(&mut self.leader, p) as usize]
+    }
+}
+
+/// Points of all edges that meet others where they should not, and of the points on them.
+fn meeting_points(graph: &Graph) -> Vec<u32> {
+    let mut points = Vec::new();
+    let _ = all_meetings(&graph.points, &graph.edges, &graph.by_place, |stop| {
+        points.extend(stop.through.iter().map(|&e| graph.edges[e as usize][0]));
+        if let Spot::Vertex(v) = stop.spot {
+            points.push(v);
+        }
+        ControlFlow::Continue(())
+    });
+    points
+}
+
+/// A graph with the chosen parts on the grid.
+struct Made {
+    graph: Graph,
+    split: Split,
+    /// By point of the graph: the one of the graph before, if it was not rounded.
+    origin: Vec<Option<u32>>,
+}
+
+fn round(graph: &Graph, plain: &Plain<'_>, parts: &mut Parts, grid: Option<Grid>) -> Made {
+    let given = plain.given as u32;
+    let chosen: Vec<bool> = (0..graph.points.len() as u32).map(|p| parts.is_chosen(p)).collect();
+    let at = |p: u32| graph.points[p as usize];
+    let grid = grid.unwrap_or_else(|| {
+        let reach = |p: u32| at(p).x.abs().max(at(p).y.abs());
+        Grid::finest((0..given).filter(|&p| chosen[p as usize]).map(reach).fold(0.0, f64::max))
+    });
+    let (pixels, off) = hot_pixels(graph, plain, &chosen, grid);
+
+    // The points: those given, those of crossings that stay, the middles.
+    let mut places: Vec<Point> =
+        (0..given).map(|p| if chosen[p as usize] { grid.place(at(p)) } else { at(p) }).collect();
+    let stays: Vec<u32> = (given..graph.points.len() as u32).filter(|&p| !chosen[p as usize]).collect();
+    places.extend(stays.iter().map(|&p| at(p)));
+    let first_middle = places.len();
+    places.extend_from_slice(&pixels.middles);
+    let Distinct { points, by_place, number } = Distinct::new(&places);
+    let middle = |pixel: u32| number[first_middle + pixel as usize];
+    let mut now: Vec<u32> = number[..plain.given].to_vec();
+    now.resize(graph.points.len(), u32::MAX);
+    stays.iter().zip(&number[plain.given..]).for_each(|(&p, &n)| now[p as usize] = n);
+
+    let mut starts = Vec::with_capacity(plain.edges.len() + 1);
+    let mut pieces: Vec<[u32; 2]> = Vec::new();
+    let mut passed = Vec::new();
+    for (e, &[a, b]) in plain.edges.iter().enumerate() {
+        starts.push(pieces.len() as u32);
+        if chosen[a as usize] {
+            pixels.passed(at(a), at(b), &mut passed);
+            pieces.extend(passed.windows(2).map(|pair| [middle(pair[0]), middle(pair[1])]));
+        } else {
+            let range = plain.split.starts[e] as usize..plain.split.starts[e + 1] as usize;
+            pieces.extend(plain.split.chain[range].iter().map(|&h| {
+                let [a, b] = graph.edges[(h >> 1) as usize].map(|p| now[p as usize]);
+                if h & 1 == 0 { [a, b] } else { [b, a] }
+            }));
+        }
+    }
+    starts.push(pieces.len() as u32);
+    let Single { edges, half } = Single::new(points.len(), &pieces, |_, _| {});
+
+    let kept_made = plain.split.made.iter().filter(|&&(p, _)| !chosen[p as usize]);
+    let mut made: Vec<(u32, f64)> = kept_made.map(|&(p, by)| (now[p as usize], by)).collect();
+    made.extend(off.iter().map(|&(pixel, by)| (middle(pixel), by)));
+    let moved = |p: u32| {
+        let (from, to) = (at(p), places[p as usize]);
+        (number[p as usize], (to.x - from.x).hypot(to.y - from.y))
+    };
+    let displaced = (0..given).map(moved).filter(|&(_, by)| by > 0.0).collect();
+    let mut origin = vec![None; points.len()];
+    for p in (0..graph.points.len() as u32).filter(|&p| !chosen[p as usize]) {
+        origin[now[p as usize] as usize] = Some(p);
+    }
+    let farthest = if parts.all { 0.0 } else { plain.split.farthest };
+    let of_given = number[..plain.given].iter().max().map_or(0, |&last| last as usize + 1);
+    Made {
+        graph: Graph { points, edges, by_place },
+        split: Split {
+            starts,
+            chain: half,
+            made,
+            rounds: plain.split.rounds + 1,
+            farthest: grid.half_diagonal().max(farthest),
+            snapped: Some(Snapped { grid, number: number[..plain.given].to_vec(), given: of_given, displaced }),
+        },
+        origin,
+    }
+}
+
+/// The pixels with a point or a crossing of the chosen parts, and for those with crossings how far the furthest of these
+/// is from the middle.
+fn hot_pixels(graph: &Graph, plain: &Plain<'_>, chosen: &[bool], grid: Grid) -> (Pixels, Vec<(u32, f64)>) {
+    let is_given = |p: u32| (p as usize) < plain.given && chosen[p as usize];
+    let by_place: Vec<u32> = graph.by_place.iter().copied().filter(|&p| is_given(p)).collect();
+    let edges: Vec<[u32; 2]> = plain.edges.iter().copied().filter(|&[a, _]| chosen[a as usize]).collect();
+    let mut crossings: Vec<(Point, f64)> = Vec::new();
+    let _ = all_meetings(&graph.points, &edges, &by_place, |stop| {
+        if let Spot::Crossing(crossing) = stop.spot {
+            let (middle, off) = crossing.on_grid(grid);
+            // Crossings come from left to right: in a bundle many follow each other in one pixel.
+            match crossings.last_mut() {
+                Some(last) if last.0 == middle => last.1 = last.1.max(off),
+                _ => crossings.push((middle, off)),
+            }
+        }
+        ControlFlow::Continue(())
+    });
+    let mut middles: Vec<Point> = by_place.iter().map(|&p| grid.place(graph.points[p as usize])).collect();
+    middles.extend(crossings.iter().map(|&(p, _)| p));
+    middles.sort_unstable_by(|&p, &q| left_to_right(p, q));
+    middles.dedup();
+    let pixels = Pixels::new(grid, middles);
+    let off = crossings.iter().filter_map(|&(p, off)| Some((pixels.of(p)?, off))).collect();
+    (pixels, off)
+}
