@@ -12,107 +12,92 @@
 //! With bridges the boundary passes vertices twice. That changes nothing: the ends a and c may be passed again, and an
 //! edge that leaves them into the triangle would lead to a vertex in it.
 
-use super::TriangulateError;
-use super::patch::Patch;
-use crate::plane::Point;
-use crate::plane::predicates::orientation;
+//!
+//! Cutting an ear changes no corner but its two neighbours. An ear stays one; and a corner that is none stays none: if
+//! the tip of the ear lay in its triangle, so did a vertex nearer to it, whose corner is not convex. So each corner is
+//! asked once, and its neighbours again after each cut.
 
-const NONE: u32 = u32::MAX;
+use super::TriangulateError;
+use super::candidates::Candidates;
+use super::patch::Patch;
+use super::reflex::ReflexCorners;
 
 /// Cuts all faces of the patch, each of one cycle, into triangles.
 ///
-/// Cost: O(n k) for a face of n corners, k of them not convex.
+/// Cost: O(n (√k + log n)) for a face of n corners, k of them not convex, if few corners share a vertex.
 ///
 /// # Errors
 /// [`TriangulateError::NotPlanar`] if no corner is an ear.
 pub(super) fn clip(patch: &mut Patch) -> Result<(), TriangulateError> {
-    let mut blunt = Blunt { corners: Vec::new(), index: Vec::new() };
+    let mut clipper = Clipper::default();
     for i in 0..patch.parts.len() {
-        clip_face(patch, patch.parts[i].first, &mut blunt)?;
+        clipper.clip_face(patch, patch.parts[i].first)?;
     }
     Ok(())
 }
 
-/// The corners that are not convex.
-struct Blunt {
+/// What is known of the face that is being cut. Its corners have numbers along its boundary; when an ear goes, the
+/// half-edge of the diagonal takes the number of the corner before it.
+#[derive(Default)]
+struct Clipper {
+    /// The half-edge that leaves each corner.
     corners: Vec<u32>,
-    /// Which of them each corner is, or `NONE`.
-    index: Vec<u32>,
+    /// The corner that each half-edge of the patch leaves.
+    numbers: Vec<u32>,
+    reflex: ReflexCorners,
+    /// The corners that have not been asked since something changed beside them.
+    unasked: Candidates,
 }
 
-impl Blunt {
-    /// Puts the corner in if it is not convex.
-    fn look_at(&mut self, patch: &Patch, h: u32) {
-        if !patch.turn(h).is_gt() {
-            self.index[h as usize] = self.corners.len() as u32;
-            self.corners.push(h);
-        }
-    }
-
-    /// Takes the corner out if it is in.
-    fn forget(&mut self, h: u32) {
-        let i = std::mem::replace(&mut self.index[h as usize], NONE);
-        if i == NONE {
-            return;
-        }
-        self.corners.swap_remove(i as usize);
-        if let Some(&moved) = self.corners.get(i as usize) {
-            self.index[moved as usize] = i;
-        }
-    }
-
-    /// Whether the corner of `b` is an ear.
-    fn leaves_alone(&self, patch: &Patch, b: u32) -> bool {
-        let places = [patch.prev(b), b, patch.next(b)].map(|h| patch.origin(h));
-        let triangle = places.map(|place| patch.points[place as usize]);
-        let (first, last) = (*places.iter().min().unwrap_or(&0), *places.iter().max().unwrap_or(&0));
-        let inside = |&h: &u32| {
-            let place = patch.origin(h);
-            first < place && place < last && !places.contains(&place) && holds(triangle, patch.points[place as usize])
-        };
-        patch.turn(b).is_gt() && !self.corners.iter().any(inside)
-    }
-}
-
-/// Whether the point lies in the closed triangle, which runs counter-clockwise.
-fn holds([a, b, c]: [Point; 3], p: Point) -> bool {
-    orientation(a, b, p).is_ge() && orientation(b, c, p).is_ge() && orientation(c, a, p).is_ge()
-}
-
-fn clip_face(patch: &mut Patch, start: u32, blunt: &mut Blunt) -> Result<(), TriangulateError> {
-    blunt.index.resize(patch.len() as usize, NONE);
-    blunt.corners.clear();
-    let (mut h, mut left) = (start, 0_u32);
-    loop {
-        blunt.look_at(patch, h);
-        left += 1;
-        h = patch.next(h);
-        if h == start {
-            break;
-        }
-    }
-    let mut missed = 0;
-    while left > 3 {
-        if !blunt.leaves_alone(patch, h) {
-            missed += 1;
-            if missed > left {
-                return Err(patch.fault(h));
+impl Clipper {
+    fn clip_face(&mut self, patch: &mut Patch, start: u32) -> Result<(), TriangulateError> {
+        self.begin(patch, start);
+        let (mut at, mut left) = (0, self.corners.len());
+        while left > 3 {
+            let Some(number) = self.unasked.next(at) else { return Err(patch.fault(self.corners[at])) };
+            self.unasked.remove(number);
+            let h = self.corners[number];
+            if !self.is_ear(patch, h) {
+                at = number;
+                continue;
             }
-            h = patch.next(h);
-            continue;
+            let (before, after) = (patch.prev(h), patch.next(h));
+            let [before, after] = [before, after].map(|h| self.numbers[h as usize]);
+            let rest = patch.cut(h);
+            left -= 1;
+            self.numbers.resize(patch.len() as usize, 0);
+            self.numbers[rest as usize] = before;
+            self.corners[before as usize] = rest;
+            for corner in [before, after] {
+                self.unasked.insert(corner as usize);
+                if patch.turn(self.corners[corner as usize]).is_gt() {
+                    self.reflex.remove(corner);
+                }
+            }
+            // Not the next corner but the one after: ears all round rather than a fan.
+            at = self.numbers[patch.next(self.corners[after as usize]) as usize] as usize;
         }
-        (left, missed) = (left - 1, 0);
-        let (a, c) = (patch.prev(h), patch.next(h));
-        let rest = patch.cut(h);
-        blunt.index.resize(patch.len() as usize, NONE);
-        for corner in [a, c] {
-            blunt.forget(corner);
-        }
-        for corner in [rest, c] {
-            blunt.look_at(patch, corner);
-        }
-        // Not the next corner but the one after: ears all round rather than a fan.
-        h = patch.next(c);
+        Ok(())
     }
-    Ok(())
+
+    fn begin(&mut self, patch: &Patch, start: u32) {
+        self.corners.clear();
+        self.numbers.resize(patch.len() as usize, 0);
+        let mut h = start;
+        loop {
+            self.numbers[h as usize] = self.corners.len() as u32;
+            self.corners.push(h);
+            h = patch.next(h);
+            if h == start {
+                break;
+            }
+        }
+        self.reflex.begin(patch, &self.corners);
+        self.unasked.begin(self.corners.len());
+    }
+
+    fn is_ear(&self, patch: &Patch, b: u32) -> bool {
+        let places = [patch.prev(b), b, patch.next(b)].map(|h| patch.origin(h));
+        patch.turn(b).is_gt() && !self.reflex.any_in(patch, places)
+    }
 }

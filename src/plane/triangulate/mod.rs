@@ -20,11 +20,13 @@
 //! Source: de Berg et al., *Computational Geometry*, 3rd ed., chapter 3.
 
 mod bridges;
+mod candidates;
 mod chains;
 mod ears;
 mod error;
 mod monotone;
 mod patch;
+mod reflex;
 mod write;
 
 pub use error::TriangulateError;
@@ -45,7 +47,8 @@ pub enum TriangulationMethod {
     ///      a - c
     /// ```
     ///
-    /// Cost: O(n (k + r)) for a face of n corners, k of them not convex, and r rings; so O(n²) at worst.
+    /// Cost: O(n (√k + log n)) for a face of n corners, k of them not convex, if few of them share a vertex; its r
+    /// rings cost O(n r) besides. So O(n²) at worst.
     ///
     /// Source: Meisters, *Polygons have ears*, American Mathematical Monthly 82, 1975.
     Ears,
