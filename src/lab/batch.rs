@@ -16,7 +16,7 @@ use super::submission::{
     Built, Intake, IntakeError, Rooms, Toolchain, Tree, USUAL_BUILD, build, take_in, take_in_unscanned,
 };
 use super::walls::Resident;
-use super::{Lab, Limits, Plan, Report, Verdict, Wall, WallChoice, WalledProgram, Walls, grade_program};
+use super::{Hidden, Lab, Limits, Plan, Report, Verdict, Wall, WallChoice, WalledProgram, Walls, grade_program};
 use std::collections::BTreeMap;
 use std::hash::{BuildHasher, RandomState};
 use std::io;
@@ -35,8 +35,9 @@ pub struct GradeOptions {
     /// The program that puts the walls up: one whose `main` calls [`launched`](super::launched) first. `None` is the
     /// running program.
     pub launcher: Option<PathBuf>,
-    /// Folders that no submission may see: the lab with its solution.
-    pub hidden: Vec<PathBuf>,
+    /// What no submission may see: the labs with their solutions, the instructor's secret, the other submissions. A
+    /// program behind the walls tries to read it before anything is graded; the reports say what came of it.
+    pub hidden: Vec<Hidden>,
     /// What the compiler may use; what the program may use is said by the lab.
     pub build: Limits,
     /// How many submissions are graded at the same time; `None` is one for each core.
@@ -101,8 +102,9 @@ impl Grader {
         let rooms = Rooms::new(&walls, options.rooms.as_deref())?;
         let toolchain = Toolchain::find(&walls, rooms.folder());
         let mut needed = vec![rooms.folder().to_path_buf()];
-        needed.extend(toolchain.as_ref().ok().map(|toolchain| toolchain.root().to_path_buf()));
-        let walls = walls.hiding(&options.hidden, &needed);
+        let tools = toolchain.as_ref().map_or(Vec::new(), |toolchain| toolchain.parts().to_vec());
+        needed.extend(tools.clone());
+        let walls = walls.hiding(&options.hidden, &tools, &needed);
         let cache = options.cache.as_deref().map(Cache::open).transpose()?;
         let cores = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
         let workers = options.workers.map_or_else(cores, NonZeroUsize::get);

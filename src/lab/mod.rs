@@ -74,5 +74,5 @@ pub use verdict::Verdict;
 #[cfg(feature = "grade")]
 pub use verify::{BugRow, Verification, verify};
 #[cfg(feature = "grade")]
-pub use walls::{WallChoice, WalledProgram, Walls, launched};
+pub use walls::{Hidden, WallChoice, WalledProgram, Walls, launched};
 pub use zoo::{Signature, Signatures};

@@ -11,7 +11,7 @@ mod targets;
 
 use super::{Answer, Failure, Output, failure};
 use dcel_kit::lab::reports::Format;
-use dcel_kit::lab::{GradeOptions, Grader, Lab, Plan, Report, Secret, Verdict};
+use dcel_kit::lab::{GradeOptions, Grader, Hidden, Lab, Plan, Report, Secret, Verdict};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use lists::Lists;
 use std::fs;
@@ -103,7 +103,7 @@ fn graded(args: &Args, lab: &Lab) -> Result<Vec<Report>, Failure> {
     plan.secret = args.secret.as_deref().map(secret).transpose()?;
     let options = GradeOptions {
         workers: args.workers,
-        hidden: hidden(args),
+        hidden: hidden(args, &submissions),
         cache: args.cache.clone(),
         ..GradeOptions::default()
     };
@@ -148,10 +148,18 @@ fn submissions(args: &Args) -> Result<Vec<PathBuf>, Failure> {
     }
 }
 
-/// What no submission may see: the labs of the checkout that this program was built from, and the secret.
-fn hidden(args: &Args) -> Vec<PathBuf> {
+/// What no submission may see. The labs are those of the checkout that this program was built from.
+fn hidden(args: &Args, submissions: &[PathBuf]) -> Vec<Hidden> {
     let labs = Path::new(env!("CARGO_MANIFEST_DIR")).join("labs");
-    labs.exists().then_some(labs).into_iter().chain(args.secret.clone()).collect()
+    let lists = args.names.iter().chain(&args.adjust).chain(&args.cache).cloned();
+    let things = [
+        ("the labs with their solutions", vec![labs]),
+        ("what was handed in", submissions.to_vec()),
+        ("the instructor's secret", args.secret.iter().cloned().collect()),
+        ("the class lists", lists.collect::<Vec<_>>()),
+    ];
+    let there = |paths: &[PathBuf]| paths.iter().any(|path| path.exists());
+    things.into_iter().filter(|(_, paths)| there(paths)).map(|(name, paths)| Hidden::new(name, paths)).collect()
 }
 
 fn secret(file: &Path) -> Result<Secret, Failure> {

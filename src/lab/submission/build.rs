@@ -3,7 +3,13 @@
 //! The compiler reads what the student wrote, so it is a program that the student runs: it has a deadline, a memory
 //! limit, and sees its tools and the tree. Nothing that is compiled is run while compiling: there is no build script
 //! and no procedural macro.
+//!
+//! ```text
+//!   scan ──▶ build behind the walls ──▶ what did the compiler read? ──▶ program, or the compiler's words
+//!                                       anything outside: refused       only if it came to say what it read
+//! ```
 
+use super::reads::{Reads, is_own};
 use super::toolchain::Toolchain;
 use super::tree::{Tree, own_only};
 use crate::lab::task::{Sandbox, Task, View};
@@ -22,7 +28,7 @@ pub(crate) enum Built {
     Program(PathBuf),
     /// Why there is none.
     Not {
-        /// Does not compile, timed out while compiling, or a fault of the grader.
+        /// Does not compile, timed out while compiling, reads what is not its own, or a fault of the grader.
         verdict: Verdict,
         /// In words; the compiler's first error.
         message: String,
@@ -49,14 +55,23 @@ pub(crate) fn build(tree: &Tree, toolchain: &Toolchain, limits: Limits, sandbox:
     let messages: Vec<Message> =
         String::from_utf8_lossy(&ran.stdout).lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
     let complaints = String::from_utf8_lossy(&ran.stderr).into_owned();
+    let reads = Reads::of_build(&tree.target());
+    let own = |file: &str| is_own(file, &tree.folder(), &toolchain.root);
+    if let Some(what) = reads.as_ref().and_then(|reads| reads.outside(&tree.folder(), &toolchain.root)) {
+        return refused(&what);
+    }
     match ran.end {
+        End::Exited(0) if reads.is_none() => fault("the compiler did not say which files it read".to_owned()),
         End::Exited(0) => take_program(tree, &messages),
-        End::Exited(_) => match first_error(tree, &messages) {
-            Some(Complaint::OfTheCode(message)) => not(message),
-            Some(Complaint::OfTheMachine(message)) => {
-                fault(format!("the compiler cannot do its work on this machine: {message}"))
+        End::Exited(_) => match error_of(&messages) {
+            Some(error) if error.spans.is_empty() => {
+                let words = error.rendered.as_deref().unwrap_or(&error.message);
+                fault(format!("the compiler cannot do its work on this machine: {}", cut(words)))
             }
-            None if complaints.contains("error: ") && complaints.contains("could not compile") => not(cut(&complaints)),
+            Some(error) if reads.is_none() => not(unread(tree, error)),
+            Some(error) if !error.names().all(own) => refused("something that is not in its folder"),
+            Some(error) => not(told(tree, error)),
+            None if reads.is_some() && complaints.contains("could not compile") => not(cut(&complaints)),
             None => fault(format!("the build failed without an error in the code: {}", cut(&complaints))),
         },
         End::TimedOut => Built::Not {
@@ -80,9 +95,11 @@ fn task(tree: &Tree, toolchain: &Toolchain, limits: Limits) -> Task {
     let text = |path: &Path| path.to_string_lossy().into_owned();
     let words = ["build", "--frozen", "--offline", "--quiet", "--message-format=json", "--color=never"];
     let env = [
-        ("PATH", std::env::var("PATH").unwrap_or_default()),
+        ("PATH", toolchain.path.clone()),
         ("CARGO_HOME", text(&tree.home())),
         ("CARGO_TARGET_DIR", text(&tree.target())),
+        // Settings of a student's own machine could keep what is made on the way apart.
+        ("CARGO_BUILD_BUILD_DIR", text(&tree.target())),
         ("CARGO_BUILD_JOBS", "1".to_owned()),
         ("HOME", text(&tree.home())),
         ("TMPDIR", text(&tree.tmp())),
@@ -102,7 +119,7 @@ fn task(tree: &Tree, toolchain: &Toolchain, limits: Limits) -> Task {
         env,
         folder: tree.folder(),
         view: View {
-            run: vec![toolchain.root.clone(), tree.folder()],
+            run: toolchain.parts.iter().cloned().chain([tree.folder()]).collect(),
             write: vec![tree.target(), tree.tmp(), tree.home()],
             tools: true,
         },
@@ -141,31 +158,42 @@ fn take_program(tree: &Tree, messages: &[Message]) -> Built {
     }
 }
 
-/// What the compiler complains of.
-enum Complaint {
-    /// Something in a file: where, what, and the compiler's own picture of it.
-    OfTheCode(String),
-    /// Something that is in no file: no linker, no standard library.
-    OfTheMachine(String),
-}
-
-/// The first error in the code, or else the first one at all.
-fn first_error(tree: &Tree, messages: &[Message]) -> Option<Complaint> {
-    let errors = messages.iter().filter_map(|message| match message {
+/// The first error in the code; without any, the first one at all: no linker, no standard library.
+fn error_of(messages: &[Message]) -> Option<&Diagnostic> {
+    let mut errors = messages.iter().filter_map(|message| match message {
         Message::Said { message } if message.level.starts_with("error") => Some(message),
         _ => None,
     });
-    let Some(error) = errors.clone().find(|error| !error.spans.is_empty()) else {
-        let error = errors.clone().next()?;
-        return Some(Complaint::OfTheMachine(cut(error.rendered.as_deref().unwrap_or(&error.message))));
-    };
+    errors.clone().find(|error| !error.spans.is_empty()).or_else(|| errors.next())
+}
+
+/// Where an error is, as a student reads it.
+fn place_of(tree: &Tree, error: &Diagnostic) -> String {
     let span = error.spans.iter().find(|span| span.is_primary).or(error.spans.first());
     let place = span.map(|span| {
         let given = if tree.graded.contains(&span.file_name) { "" } else { " (a given file, which calls yours)" };
         format!("{}:{}:{}{given}: ", span.file_name, span.line_start, span.column_start)
     });
+    place.unwrap_or_default()
+}
+
+/// An error: where, what, and the compiler's own picture of it.
+fn told(tree: &Tree, error: &Diagnostic) -> String {
     let rendered = error.rendered.as_deref().unwrap_or_default();
-    Some(Complaint::OfTheCode(cut(&format!("{}{}\n\n{rendered}", place.unwrap_or_default(), error.message))))
+    cut(&format!("{}{}\n\n{rendered}", place_of(tree, error), error.message))
+}
+
+/// What is said where the compiler stopped before it told what it had read: none of its own words but these.
+fn unread(tree: &Tree, error: &Diagnostic) -> String {
+    let known = ["recursion limit reached while expanding", "this file contains an unclosed delimiter"];
+    let what = known.into_iter().find(|words| error.message.starts_with(words));
+    let place = if error.spans.iter().all(|span| tree.graded.contains(&span.file_name)) {
+        place_of(tree, error)
+    } else {
+        String::new()
+    };
+    let what = what.unwrap_or("the compiler stopped in the middle of a macro");
+    format!("{place}{what}; `cargo build` shows the compiler's own words")
 }
 
 fn cut(text: &str) -> String {
@@ -178,6 +206,12 @@ fn cut(text: &str) -> String {
 
 fn not(message: String) -> Built {
     Built::Not { verdict: Verdict::DoesNotCompile, message }
+}
+
+fn refused(what: &str) -> Built {
+    let message =
+        format!("when it is compiled it reads {what}: a lab's file reads nothing but the lab; take out what reads it");
+    Built::Not { verdict: Verdict::Refused, message }
 }
 
 fn fault(message: String) -> Built {
@@ -210,6 +244,16 @@ struct Diagnostic {
     rendered: Option<String>,
     #[serde(default)]
     spans: Vec<Span>,
+    #[serde(default)]
+    children: Vec<Diagnostic>,
+}
+
+impl Diagnostic {
+    /// The files that it names, in notes and macros as well.
+    fn names(&self) -> Box<dyn Iterator<Item = &str> + '_> {
+        let own = self.spans.iter().flat_map(Span::names);
+        Box::new(own.chain(self.children.iter().flat_map(Self::names)))
+    }
 }
 
 #[derive(Deserialize)]
@@ -218,4 +262,23 @@ struct Span {
     line_start: u32,
     column_start: u32,
     is_primary: bool,
+    expansion: Option<Box<Expansion>>,
+}
+
+impl Span {
+    fn names(&self) -> Vec<&str> {
+        let mut names = vec![self.file_name.as_str()];
+        if let Some(expansion) = &self.expansion {
+            names.extend(expansion.span.names());
+            names.extend(expansion.def_site_span.iter().flat_map(Self::names));
+        }
+        names
+    }
+}
+
+/// The macro that a span comes from: where it was called, and where it is defined.
+#[derive(Deserialize)]
+struct Expansion {
+    span: Span,
+    def_site_span: Option<Span>,
 }

@@ -13,6 +13,9 @@
 mod build;
 mod intake;
 #[cfg(feature = "grade")]
+mod linker;
+mod reads;
+#[cfg(feature = "grade")]
 mod room;
 mod scan;
 mod toolchain;

@@ -5,9 +5,15 @@
 //! cannot be made, copies.
 
 #[cfg(feature = "grade")]
-use crate::lab::walls::{Task, View, Walls};
+use super::build::USUAL;
 #[cfg(feature = "grade")]
-use crate::lab::{End, Limits};
+use super::linker::Linker;
+#[cfg(feature = "grade")]
+use super::tree::own_only;
+#[cfg(feature = "grade")]
+use crate::lab::End;
+#[cfg(feature = "grade")]
+use crate::lab::walls::{Task, View, Walls, unguessable};
 #[cfg(feature = "grade")]
 use std::fs;
 #[cfg(feature = "grade")]
@@ -21,6 +27,10 @@ pub(crate) struct Toolchain {
     pub(super) cargo: PathBuf,
     pub(super) rustc: PathBuf,
     pub(super) root: PathBuf,
+    /// Where programs are looked for while a submission is built.
+    pub(super) path: String,
+    /// What the compiler sees of the machine besides the system's own: itself and its linker.
+    pub(super) parts: Vec<PathBuf>,
 }
 
 impl Toolchain {
@@ -28,21 +38,22 @@ impl Toolchain {
     #[cfg(feature = "grade")]
     pub(crate) fn find(walls: &Walls, room: &Path) -> Result<Self, String> {
         let root = sysroot()?;
-        let found = Self::at(&root);
+        let linker = linker()?;
+        let found = Self::at(&root).with(linker.as_ref());
         if !found.cargo.is_file() {
             return Err(format!("{} is missing: cargo and rustc must come from one toolchain", found.cargo.display()));
         }
-        let Err(first) = found.works(walls) else { return Ok(found) };
+        let Err(first) = found.works(walls, room) else { return Ok(found) };
         let copy = room.join("toolchain");
         open(&root, &copy).map_err(|error| format!("{first}; and no copy of the toolchain can be made: {error}"))?;
-        let copied = Self::at(&copy);
-        copied.works(walls).map(|()| copied)
+        let copied = Self::at(&copy).with(linker.as_ref());
+        copied.works(walls, room).map(|()| copied)
     }
 
-    /// The folder of all of it.
+    /// What the compiler sees of the machine besides the system's own.
     #[cfg(feature = "grade")]
-    pub(crate) fn root(&self) -> &Path {
-        &self.root
+    pub(crate) fn parts(&self) -> &[PathBuf] {
+        &self.parts
     }
 
     /// The toolchain of this machine, for a build without walls.
@@ -58,28 +69,68 @@ impl Toolchain {
 
     fn at(root: &Path) -> Self {
         let program = |name: &str| root.join("bin").join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
-        Self { cargo: program("cargo"), rustc: program("rustc"), root: root.to_path_buf() }
+        Self {
+            cargo: program("cargo"),
+            rustc: program("rustc"),
+            root: root.to_path_buf(),
+            path: std::env::var("PATH").unwrap_or_default(),
+            parts: vec![root.to_path_buf()],
+        }
     }
 
-    /// Whether the compiler starts behind the walls.
+    /// The same toolchain, and this linker alone is found.
     #[cfg(feature = "grade")]
-    fn works(&self, walls: &Walls) -> Result<(), String> {
+    fn with(mut self, linker: Option<&Linker>) -> Self {
+        if let Some(linker) = linker {
+            self.path = format!("{}:/usr/bin:/bin", linker.folder.display());
+            self.parts.extend(linker.parts.clone());
+        }
+        self
+    }
+
+    /// Whether the compiler and its linker work behind the walls: what fails for every submission is no submission's
+    /// fault.
+    #[cfg(feature = "grade")]
+    fn works(&self, walls: &Walls, room: &Path) -> Result<(), String> {
+        let why = |error: io::Error| format!("no room to try the compiler: {error}");
         let resident = walls.resident().map_err(|error| error.to_string())?;
+        let folder = room.join(format!("trial-{}", unguessable()));
+        let made = folder.join("made");
+        fs::create_dir(&folder).map_err(why)?;
+        let laid = own_only(&folder, 0o750)
+            .and_then(|()| resident.let_in(&folder))
+            .and_then(|()| fs::write(folder.join("main.rs"), "fn main() {}\n"))
+            .and_then(|()| fs::create_dir(&made))
+            .and_then(|()| own_only(&made, 0o700))
+            .and_then(|()| resident.give(&made));
+        let text = |path: &Path| path.to_string_lossy().into_owned();
         let task = Task {
             program: self.rustc.clone(),
-            args: vec!["--version".to_owned()],
-            env: Vec::new(),
-            folder: std::env::temp_dir(),
-            view: View { run: vec![self.root.clone()], write: Vec::new(), tools: true },
-            limits: Limits { seconds: 20.0, memory_mb: 4096, processes: 256, ..Limits::default() },
+            args: vec!["main.rs".to_owned(), "-o".to_owned(), text(&made.join("program"))],
+            env: [("PATH", self.path.clone()), ("TMPDIR", text(&made))].map(|(n, v)| (n.to_owned(), v)).into(),
+            folder: folder.clone(),
+            view: View {
+                run: self.parts.iter().cloned().chain([folder.join("main.rs")]).collect(),
+                write: vec![made],
+                tools: true,
+            },
+            limits: USUAL,
         };
-        let ran = resident.run(&task, "");
+        let ran = laid.map(|()| resident.run(&task, "")).map_err(why);
+        let _ = fs::remove_dir_all(&folder);
+        let ran = ran?;
         match ran.end {
             End::Exited(0) => Ok(()),
             End::NotStarted(why) => Err(why),
             end => Err(format!("the compiler does not run: {end:?} {}", String::from_utf8_lossy(&ran.stderr))),
         }
     }
+}
+
+/// The linker, on systems where it can be asked for its parts.
+#[cfg(feature = "grade")]
+fn linker() -> Result<Option<Linker>, String> {
+    if cfg!(target_os = "linux") { Linker::find().map(Some) } else { Ok(None) }
 }
 
 fn sysroot() -> Result<PathBuf, String> {

@@ -5,11 +5,10 @@ use landlock::{
     ABI, Access, AccessFs, AccessNet, CompatLevel, Compatible, PathBeneath, PathFd, Ruleset, RulesetAttr,
     RulesetCreatedAttr, RulesetStatus, Scope,
 };
-use nix::mount::{MsFlags, mount};
 use nix::sched::{CloneFlags, unshare};
 use nix::sys::prctl;
 use nix::sys::resource::{Resource, getrlimit, setrlimit};
-use nix::unistd::{Gid, Uid, getegid, geteuid, setgroups, setresgid, setresuid};
+use nix::unistd::{Gid, Uid, close, getegid, geteuid, setgroups, setresgid, setresuid};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -27,9 +26,23 @@ pub(super) fn become_user(user: u32) -> Result<(), String> {
     prctl::set_dumpable(true).map_err(why)
 }
 
+/// Closes whatever this process was handed but its standard streams: a file that is open needs no leave to be read.
+pub(super) fn close_inherited() {
+    let numbers = |folder: &str| -> Option<Vec<i32>> {
+        let entries = fs::read_dir(folder).ok()?;
+        Some(entries.filter_map(|entry| entry.ok()?.file_name().to_str()?.parse().ok()).collect())
+    };
+    let most = getrlimit(Resource::RLIMIT_NOFILE).map_or(1024, |(soft, _)| soft.min(1 << 16)) as i32;
+    let open = numbers("/proc/self/fd").or_else(|| numbers("/dev/fd")).unwrap_or_else(|| (0..most).collect());
+    for number in open.into_iter().filter(|&number| number > 2) {
+        // One of them was the folder that has just been read.
+        let _ = close(number);
+    }
+}
+
 /// Enters namespaces of its own: no network, no shared memory, and for the next process that is started its own
-/// processes. Covers the hidden folders with empty ones.
-pub(super) fn enter_namespaces(hidden: &[PathBuf]) -> Result<(), String> {
+/// processes. Has all rights in them, for the root folder that the next process makes.
+pub(super) fn enter_namespaces() -> Result<(), String> {
     let (uid, gid) = (geteuid(), getegid());
     let all = CloneFlags::CLONE_NEWUSER
         | CloneFlags::CLONE_NEWPID
@@ -37,18 +50,21 @@ pub(super) fn enter_namespaces(hidden: &[PathBuf]) -> Result<(), String> {
         | CloneFlags::CLONE_NEWIPC
         | CloneFlags::CLONE_NEWNS;
     unshare(all).map_err(|e| format!("unshare: {e}"))?;
+    map_user(0, uid.as_raw(), gid.as_raw())
+}
+
+/// Gives up all rights in the namespaces: in one more of users it is a user without any, and what was mounted cannot
+/// be taken away from there.
+pub(super) fn leave_rights(inside: u32) -> Result<(), String> {
+    unshare(CloneFlags::CLONE_NEWUSER).map_err(|e| format!("unshare: {e}"))?;
+    map_user(inside, 0, 0)
+}
+
+fn map_user(inside: u32, uid: u32, gid: u32) -> Result<(), String> {
     let write = |name: &str, text: String| fs::write(name, text).map_err(|e| format!("{name}: {e}"));
-    write("/proc/self/uid_map", format!("{uid} {uid} 1"))?;
+    write("/proc/self/uid_map", format!("{inside} {uid} 1"))?;
     write("/proc/self/setgroups", "deny".to_owned())?;
-    write("/proc/self/gid_map", format!("{gid} {gid} 1"))?;
-    let none = None::<&str>;
-    mount(none, "/", none, MsFlags::MS_REC | MsFlags::MS_PRIVATE, none).map_err(|e| format!("mounts: {e}"))?;
-    for folder in hidden {
-        let empty = MsFlags::MS_RDONLY | MsFlags::MS_NOSUID | MsFlags::MS_NODEV | MsFlags::MS_NOEXEC;
-        mount(none, folder, Some("tmpfs"), empty, Some("size=4k,mode=755"))
-            .map_err(|e| format!("covering {}: {e}", folder.display()))?;
-    }
-    Ok(())
+    write("/proc/self/gid_map", format!("{inside} {gid} 1"))
 }
 
 /// Sees these files only; opens no TCP connection; sends signals and abstract sockets to its own kind only. The last

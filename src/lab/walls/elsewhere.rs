@@ -1,6 +1,6 @@
 //! Systems other than Linux: the plain driver's limits, and the rest of the walls named as missing.
 
-use super::{Limits, Program, Ran, Task, Wall, WallChoice, Walls};
+use super::{Hidden, Limits, Program, Ran, Task, Wall, WallChoice, Walls};
 use crate::lab::Driver;
 use crate::lab::program::run_within;
 use std::io;
@@ -10,14 +10,18 @@ use std::process::{Command, ExitCode};
 const WHY: &str = "no walls on this system: grade on Linux what you do not trust";
 
 pub(super) fn probe(_: &Path, _: WallChoice) -> (WallChoice, Vec<Wall>) {
-    let names = ["own user", "own files only", "own processes, network and shared memory", "nothing stays"];
+    let names =
+        ["own user", "own files only", "own root folder, processes, network and shared memory", "nothing stays"];
     let said = names.map(|name| Wall { name: name.to_owned(), missing: Some(WHY.to_owned()) });
     (WallChoice { own_user: false, namespaces: false, own_files: false }, said.into())
 }
 
-pub(super) fn in_reach(_: WallChoice, hidden: &[PathBuf]) -> Vec<Wall> {
-    let name = |folder: &PathBuf| format!("{} out of reach", folder.display());
-    hidden.iter().map(|folder| Wall { name: name(folder), missing: Some(WHY.to_owned()) }).collect()
+pub(super) fn out_of_reach(_: &Walls, hidden: &[Hidden], _: &[PathBuf], _: &[PathBuf]) -> Vec<Wall> {
+    hidden.iter().map(|thing| Wall { name: thing.wall(), missing: Some(WHY.to_owned()) }).collect()
+}
+
+pub(super) fn shown_to_compilers() -> Vec<PathBuf> {
+    Vec::new()
 }
 
 pub(super) fn launched() -> Option<ExitCode> {

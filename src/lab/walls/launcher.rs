@@ -1,16 +1,16 @@
 //! The launcher's steps: guard, watcher, entrant.
 //!
 //! ```text
-//!   guard     new user → namespaces → starts the watcher, passes its code on
-//!   watcher   own session, adopts orphans; deadline; kills whatever is left until nothing is
-//!   entrant   limits → files → exec
+//!   guard     closes files → new user → namespaces → starts the watcher, passes its code on
+//!   watcher   own root folder, own session, adopts orphans; deadline; kills whatever is left until nothing is
+//!   entrant   no rights → files → limits → exec
 //! ```
 //!
 //! Each step asks the kernel to be killed with its parent, so the end of the grader is the end of all of them.
 
-use super::confine;
 use super::processes::{descendants, processes};
-use super::spec::{Outcome, Spec, Step, VARIABLE, WORD};
+use super::spec::{INSIDE, Outcome, Spec, Step, VARIABLE, WORD};
+use super::{confine, inside, root};
 use nix::errno::Errno;
 use nix::sys::prctl;
 use nix::sys::signal::{Signal, kill};
@@ -27,7 +27,11 @@ const LOOK: [Duration; 2] = [Duration::from_micros(200), Duration::from_millis(2
 
 /// Runs a step if the program was started as the launcher.
 pub(super) fn launched() -> Option<ExitCode> {
-    (std::env::args_os().nth(1)? == WORD).then(|| {
+    let mut words = std::env::args_os().skip(1);
+    (words.next()? == WORD).then(|| {
+        if words.next().is_some_and(|word| word == INSIDE) {
+            return inside::answer(words.next().is_some());
+        }
         let Some(spec) = std::env::var(VARIABLE).ok().and_then(|text| serde_json::from_str(&text).ok()) else {
             eprintln!("dcel: this word is for the grader's own use");
             return ExitCode::from(2);
@@ -58,15 +62,16 @@ fn next(spec: &Spec, step: Step) -> Result<Command, String> {
 }
 
 fn guard(spec: &Spec) -> Result<Outcome, String> {
+    confine::close_inherited();
     prctl::set_no_new_privs().map_err(|e| format!("no_new_privs: {e}"))?;
     if let Some(user) = spec.user {
         confine::become_user(user)?;
     }
-    // After the change of user: that one would undo it.
-    dies_with_parent()?;
     if spec.namespaces {
-        confine::enter_namespaces(&spec.hidden)?;
+        confine::enter_namespaces()?;
     }
+    // After the change of user and of rights: these would undo it.
+    dies_with_parent()?;
     let mut watcher = next(spec, Step::Watch)?.spawn().map_err(|e| format!("the watcher does not start: {e}"))?;
     let status = watcher.wait().map_err(|e| format!("the watcher is lost: {e}"))?;
     Ok(match Outcome::of_status(status) {
@@ -77,6 +82,9 @@ fn guard(spec: &Spec) -> Result<Outcome, String> {
 }
 
 fn watch(spec: &Spec) -> Result<Outcome, String> {
+    if spec.namespaces {
+        root::enter(&spec.files, &spec.hidden)?;
+    }
     // What runs as the same user may not look into this process, where the token is.
     prctl::set_dumpable(false).map_err(|e| format!("dumpable: {e}"))?;
     setsid().map_err(|e| format!("a session of its own: {e}"))?;
@@ -143,10 +151,13 @@ fn end_all(child: &mut Child, alone: bool) -> bool {
 }
 
 fn enter(spec: &Spec) -> Result<Outcome, String> {
+    if spec.namespaces {
+        confine::leave_rights(spec.inside)?;
+    }
     dies_with_parent()?;
     std::env::set_current_dir(&spec.folder).map_err(|e| format!("{}: {e}", spec.folder.display()))?;
-    if let Some(files) = &spec.files {
-        confine::only_files(files)?;
+    if spec.own_files {
+        confine::only_files(&spec.files)?;
     }
     confine::limits(spec)?;
     let error = Command::new(&spec.program)

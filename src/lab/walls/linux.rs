@@ -1,101 +1,44 @@
-//! The grader's side on Linux: trying the walls, and running something behind those that stand.
+//! The grader's side on Linux: running something behind the walls that stand, and what it sees there.
 
 use super::confine::loaders;
 use super::processes::processes;
 use super::spec::{Files, Outcome, Spec, Step, VARIABLE, WORD};
 use super::user::OwnUser;
-use super::{Limits, Ran, Task, View, Wall, WallChoice, Walls, unguessable};
+use super::{Limits, Ran, Task, View, Wall, Walls, unguessable};
 use crate::lab::program::run_within;
 use crate::lab::{End, end_of};
+use std::fs;
 use std::io;
-use std::os::unix::fs::MetadataExt;
 use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
 pub(super) use super::launcher::launched;
+pub(super) use super::probe::{out_of_reach, probe};
 
 /// The launcher's own processes; they count against the limit of the user they become.
 const LAUNCHERS: u64 = 3;
+/// What root is called within namespaces, where the program must have no rights.
+const NOBODY: u32 = 65_534;
 /// How much later than the watcher the grader loses patience, in seconds.
 const PATIENCE: f64 = 2.0;
 /// Where the system keeps its libraries.
-const LIBRARIES: [&str; 9] =
-    ["/lib", "/lib32", "/lib64", "/usr/lib", "/usr/lib32", "/usr/lib64", "/usr/local/lib", "/nix/store", "/gnu/store"];
-/// What a compiler and a linker need besides.
-const TOOLS: [&str; 7] = ["/usr", "/bin", "/sbin", "/opt", "/nix/store", "/gnu/store", "/run/current-system"];
+const LIBRARIES: [&str; 8] =
+    ["/lib", "/lib32", "/lib64", "/usr/lib", "/usr/lib32", "/usr/lib64", "/nix/store", "/gnu/store"];
+/// Where the system keeps the programs of its compilers.
+const PROGRAMS: [&str; 4] = ["/bin", "/usr/bin", "/usr/libexec", "/run/current-system/sw"];
 /// What every program may read.
 const COMMON: [&str; 5] = ["/etc/ld.so.cache", "/dev/zero", "/dev/urandom", "/dev/random", "/proc/self"];
 
-/// Tries the walls one after the other, each together with those that stand already.
-pub(super) fn probe(launcher: &Path, choice: WallChoice) -> (WallChoice, Vec<Wall>) {
-    let mut up = WallChoice { own_user: false, namespaces: false, own_files: false };
-    let mut said = Vec::new();
-    let not_wanted = || Some("switched off".to_owned());
-    let base = trial(launcher, up);
-    let mut attempt = |name: &str, wanted: bool, with: fn(&mut WallChoice)| {
-        let mut next = up;
-        with(&mut next);
-        let missing = match (&base, wanted) {
-            (Some(why), _) => Some(why.clone()),
-            (None, false) => not_wanted(),
-            (None, true) => trial(launcher, next),
-        };
-        if missing.is_none() {
-            up = next;
-        }
-        said.push(Wall { name: name.to_owned(), missing });
+/// What a compiler sees of the system: programs, libraries, and the settings of both.
+pub(super) fn shown_to_compilers() -> Vec<PathBuf> {
+    let settings = fs::read_dir("/etc").into_iter().flatten().filter_map(Result::ok).map(|entry| entry.path());
+    let wanted = |path: &PathBuf| {
+        let name = path.file_name().unwrap_or_default().as_encoded_bytes();
+        name == b"alternatives" || name.starts_with(b"ld.so.")
     };
-    attempt("own user", choice.own_user, |up| up.own_user = true);
-    attempt("own files only", choice.own_files, |up| up.own_files = true);
-    attempt("own processes, network and shared memory", choice.namespaces, |up| up.namespaces = true);
-    said.push(Wall { name: "nothing stays".to_owned(), missing: base });
-    (up, said)
-}
-
-/// Runs the launcher's own program to nowhere behind these walls; what is in the way.
-fn trial(launcher: &Path, up: WallChoice) -> Option<String> {
-    let walls = Walls { launcher: launcher.to_path_buf(), up, said: Vec::new(), hidden: Vec::new() };
-    let resident = match Resident::new(&walls) {
-        Ok(resident) => resident,
-        Err(error) => return Some(error.to_string()),
-    };
-    let ran = resident.run(
-        &Task {
-            // Whatever it says: it has started, or the launcher tells why not.
-            program: PathBuf::from("/bin/sh"),
-            args: vec!["-c".to_owned(), "exit 7".to_owned()],
-            env: Vec::new(),
-            folder: PathBuf::from("/"),
-            view: View { tools: true, ..View::default() },
-            limits: Limits::default(),
-        },
-        "",
-    );
-    match ran.end {
-        End::Exited(7) => None,
-        End::NotStarted(why) => Some(why),
-        other => Some(format!("a trial ended with {other:?}")),
-    }
-}
-
-/// Names the hidden folders that nothing keeps out of reach.
-pub(super) fn in_reach(up: WallChoice, hidden: &[PathBuf]) -> Vec<Wall> {
-    let walled = up.own_files || up.namespaces;
-    let everybody =
-        |path: &Path| path.ancestors().all(|part| part.metadata().is_ok_and(|data| data.mode() & 0o001 != 0));
-    let wall = |folder: &PathBuf| {
-        let missing = if walled || (up.own_user && !everybody(folder)) {
-            None
-        } else if up.own_user {
-            Some("every user of this machine can read it: chmod 700".to_owned())
-        } else {
-            Some("a program of the user who grades can read it".to_owned())
-        };
-        Wall { name: format!("{} out of reach", folder.display()), missing }
-    };
-    hidden.iter().map(wall).collect()
+    PROGRAMS.iter().chain(&LIBRARIES).map(PathBuf::from).chain(settings.filter(wanted)).collect()
 }
 
 /// As what a submission is built and run. When it leaves, everything of it is ended.
@@ -144,10 +87,13 @@ impl Resident {
             format!("memory {memory_mb} MB"),
             format!("file size {file_kb} kB"),
             format!("{files} open files"),
-            format!("{processes} processes"),
             "no core files".to_owned(),
         ];
-        names.map(|name| Wall { name, missing: None }).into()
+        let root = self.user.is_none() && nix::unistd::geteuid().is_root();
+        let missing = root.then(|| "this limit binds everybody but root".to_owned());
+        let mut said: Vec<Wall> = names.map(|name| Wall { name, missing: None }).into();
+        said.push(Wall { name: format!("{processes} processes"), missing });
+        said
     }
 
     /// Runs a task behind the walls, to its end and the end of whatever it started.
@@ -188,14 +134,20 @@ impl Resident {
             folder: task.folder.clone(),
             user: self.user(),
             namespaces: up.namespaces,
+            inside: match self.user().unwrap_or(nix::unistd::geteuid().as_raw()) {
+                0 => NOBODY,
+                user => user,
+            },
             hidden: if up.namespaces { self.walls.hidden.clone() } else { Vec::new() },
-            files: up.own_files.then(|| files(&task.view)),
+            files: if up.namespaces || up.own_files { files(&task.view) } else { Files::default() },
+            own_files: up.own_files,
             seconds: limits.seconds,
             cpu_seconds: limits.cpu_seconds,
             memory: limits.memory_mb << 20,
             file_size: limits.file_kb << 10,
             open_files: limits.files,
-            processes: limits.processes + LAUNCHERS + self.already_running(),
+            // In a namespace of users the program is the first that is counted.
+            processes: limits.processes + if up.namespaces { 1 } else { LAUNCHERS } + self.already_running(),
         }
     }
 
@@ -256,10 +208,20 @@ fn files(view: &View) -> Files {
     files.run.extend(view.run.iter().cloned());
     files.write.extend(view.write.iter().cloned());
     if view.tools {
-        files.run.extend(paths(&TOOLS));
-        files.run.extend(paths(&LIBRARIES));
-        files.read.extend(paths(&["/etc", "/proc"]));
+        files.run.extend(shown_to_compilers());
     }
+    // Libraries that lie elsewhere: the student's program needs what this one needs.
+    files.read.extend(own_libraries());
+    files
+}
+
+/// The shared libraries that this process has loaded.
+fn own_libraries() -> Vec<PathBuf> {
+    let table = fs::read_to_string("/proc/self/maps").unwrap_or_default();
+    let files = table.lines().filter_map(|line| Some(&line[line.find('/')?..]));
+    let mut files: Vec<PathBuf> = files.filter(|file| file.contains(".so")).map(PathBuf::from).collect();
+    files.dedup();
+    files.retain(|file| !LIBRARIES.iter().any(|folder| file.starts_with(folder)));
     files
 }
 

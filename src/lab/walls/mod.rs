@@ -4,8 +4,9 @@
 //!   grader ──▶ guard ──▶ watcher ──▶ entrant ──exec──▶ the student's program
 //!              │         │           │
 //!              │         │           └ limits of the system, its own files only
-//!              │         └ first process of its namespace, or adopts whatever is left behind; ends all of it
-//!              └ a user of its own, namespaces of its own
+//!              │         └ first process of its namespace, with a root folder of its own, or adopts whatever is left
+//!              │           behind; ends all of it
+//!              └ closes what it was handed; a user of its own, namespaces of its own
 //! ```
 //!
 //! The three steps are one program, the *launcher*: the `dcel` command itself, started with a word that nobody types
@@ -19,24 +20,35 @@
 //! | wall | keeps in | needs |
 //! |---|---|---|
 //! | deadline, output cap | endless loops, sleeps, floods | nothing |
-//! | limits of the system | processor, memory, files written, open files, processes, cores | Linux here, a shell elsewhere |
+//! | limits of the system | processor, memory, files written, open files, cores; processes of everybody but root | Linux here, a shell elsewhere |
 //! | own user | the grader's and other submissions' files (mode 0700), signals to others, what survives | root |
 //! | own files only (Landlock) | every file but its own and the system's libraries; TCP; signals to others | Linux 5.13 |
-//! | namespaces | network, shared memory, other processes; all of it dies with its first process | user namespaces |
+//! | namespaces | network, shared memory, other processes; every file but its own, in a root folder of its own; all of it dies with its first process | user namespaces |
 //! | nothing stays | daemons that leave their session | Linux |
 //!
-//! The folder of the lab, its solution and the launcher belong to the grader: mode 0700 (0711 for the launcher, which
-//! carries the labs) keeps them in where Landlock cannot. A folder that is in reach all the same is named.
+//! A compiler sees more than a student's program does, read-only: the toolchain and its linker, wherever they are
+//! installed, `/bin`, `/usr/bin`, `/usr/libexec` and the libraries of the system, of `/etc` only `alternatives` and
+//! `ld.so.*`, and the submission's own work folder. Not `/home`, `/opt`, `/tmp`, `/usr/share`, other submissions or the
+//! labs; what is hidden within something shown is covered. Where no wall stands before a file, the compiler's own list
+//! of what it read does (the module `submission` reads it): such a submission is refused.
 //!
 //! They overlap on purpose: a container without user namespaces still has a user of its own and Landlock, an ordinary
-//! user has Landlock and namespaces. [`Walls::probe`] tries each one on this machine before any submission is run;
-//! what is missing is named in every report, and a wall that stood at the probe and fails later stops the run
+//! user has Landlock and namespaces.
+//!
+//! # A wall is reported only after it was tried from inside
+//! [`Walls::probe`] runs the launcher in the place of the student's program, behind each wall by itself, and lets it
+//! try what the wall is for: reading files that everybody may read, seeing and signalling the grader, reaching it over
+//! the network, becoming root, leaving something behind. Then, for the hidden things of a grading run, it tries
+//! to read these in the place of the compiler and in that of the program. What it could do is named in every
+//! report as a missing wall. One that stood then and fails later stops the run
 //! ([`NotStarted`](super::End::NotStarted), never a pass).
 //!
 //! # What remains possible
 //! - Using the processor, the memory and the processes that the limits allow, several times over: memory is counted
 //!   for each process. Only a control group could count it once.
-//! - Reading the names of other processes where Landlock is missing; looking at the system's own libraries.
+//! - Reading the names of other processes where neither Landlock nor namespaces are; looking at the system's own
+//!   libraries, and while compiling at its programs.
+//! - With Landlock alone: learning whether a file of some name is there (not what is in it).
 //! - UDP and Unix sockets with a name in the file system, where namespaces are missing.
 //! - Shared memory in the style of System V that outlives its process, where namespaces are missing.
 //! - Where there is no Landlock, ending the watcher of the same user: what is left is ended when the submission is
@@ -50,11 +62,17 @@ mod confine;
 #[cfg(not(target_os = "linux"))]
 mod elsewhere;
 #[cfg(target_os = "linux")]
+mod inside;
+#[cfg(target_os = "linux")]
 mod launcher;
 #[cfg(target_os = "linux")]
 mod linux;
 #[cfg(target_os = "linux")]
+mod probe;
+#[cfg(target_os = "linux")]
 mod processes;
+#[cfg(target_os = "linux")]
+mod root;
 #[cfg(target_os = "linux")]
 mod spec;
 #[cfg(target_os = "linux")]
@@ -91,6 +109,29 @@ impl Default for WallChoice {
     }
 }
 
+/// Files and folders that no submission may see, as the reports call them: a student reads these, so they name no
+/// path.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Hidden {
+    /// What it is, as the beginning of "... out of reach".
+    pub name: String,
+    /// Where it is. What is not there is passed over.
+    pub paths: Vec<PathBuf>,
+}
+
+impl Hidden {
+    /// Something hidden, by its name in reports.
+    #[must_use]
+    pub fn new(name: impl Into<String>, paths: Vec<PathBuf>) -> Self {
+        Self { name: name.into(), paths }
+    }
+
+    /// What the wall before it is called.
+    fn wall(&self) -> String {
+        format!("{} out of reach", self.name)
+    }
+}
+
 /// The walls of this machine.
 #[derive(Clone, Debug)]
 pub struct Walls {
@@ -100,7 +141,7 @@ pub struct Walls {
     up: WallChoice,
     /// What the report says of them.
     said: Vec<Wall>,
-    /// Folders that a program must not see: the lab's solution, other submissions.
+    /// What must not be seen even though it lies within what a compiler sees.
     hidden: Vec<PathBuf>,
 }
 
@@ -117,18 +158,23 @@ impl Walls {
         Self { launcher, up, said, hidden: Vec::new() }
     }
 
-    /// The same walls, and these folders are to be out of sight. A folder that nothing stands before is named in the
-    /// report. `needed` is what must stay in sight; a folder around it is not covered.
-    pub(crate) fn hiding(mut self, folders: &[PathBuf], needed: &[PathBuf]) -> Self {
-        let mut folders: Vec<PathBuf> = folders.iter().filter_map(|folder| folder.canonicalize().ok()).collect();
-        folders.sort();
-        folders.dedup();
-        let (around, apart): (Vec<_>, Vec<_>) =
-            folders.into_iter().partition(|folder| needed.iter().any(|need| need.starts_with(folder)));
-        let up = self.up;
-        self.said.extend(system::in_reach(up, &apart));
-        self.said.extend(system::in_reach(WallChoice { namespaces: false, ..up }, &around));
-        self.hidden = apart;
+    /// The same walls, and these things are to be out of reach. What came of trying to reach them from inside, in the
+    /// place of the compiler and in that of the student's program, is said in the report. `tools` is what the
+    /// compiler sees besides the system's own; `needed` is what stays in sight even if it lies in something hidden.
+    pub(crate) fn hiding(mut self, hidden: &[Hidden], tools: &[PathBuf], needed: &[PathBuf]) -> Self {
+        let there = |paths: &[PathBuf]| -> Vec<PathBuf> {
+            let mut paths: Vec<PathBuf> = paths.iter().filter_map(|path| path.canonicalize().ok()).collect();
+            paths.sort();
+            paths.dedup();
+            paths
+        };
+        let hidden: Vec<Hidden> =
+            hidden.iter().map(|thing| Hidden { name: thing.name.clone(), paths: there(&thing.paths) }).collect();
+        let shown = there(&system::shown_to_compilers().into_iter().chain(tools.to_vec()).collect::<Vec<_>>());
+        let within = |path: &&PathBuf| shown.iter().any(|folder| path.starts_with(folder));
+        self.hidden = hidden.iter().flat_map(|thing| &thing.paths).filter(within).cloned().collect();
+        let said = system::out_of_reach(&self, &hidden, tools, &there(needed));
+        self.said.extend(said);
         self
     }
 

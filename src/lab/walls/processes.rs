@@ -52,6 +52,19 @@ pub(super) fn descendants(table: &[Process], root: i32) -> Vec<i32> {
     found
 }
 
+/// When a process began, in the system's own count; nothing if it cannot be seen.
+pub(super) fn start_of(pid: i32) -> Option<String> {
+    let line = fs::read_to_string(format!("/proc/{pid}/stat")).ok()?;
+    // The name in brackets may hold anything.
+    line.rsplit(')').next()?.split_whitespace().nth(19).map(str::to_owned)
+}
+
+/// Whether a process runs that was called with this word.
+pub(super) fn runs(word: &str) -> bool {
+    let words = |pid: &Process| fs::read(format!("/proc/{}/cmdline", pid.pid)).unwrap_or_default();
+    processes().iter().any(|process| words(process).split(|&byte| byte == 0).any(|part| part == word.as_bytes()))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -62,6 +75,8 @@ mod tests {
         let (own, pid) = (i32::try_from(std::process::id()).unwrap(), i32::try_from(child.id()).unwrap());
         let table = processes();
         let found = descendants(&table, own);
+        assert!(start_of(pid).is_some_and(|start| start.parse::<u64>().is_ok()));
+        assert!(runs("sleep") && !runs(&format!("sleep{own}")));
         child.kill().unwrap();
         child.wait().unwrap();
         assert!(found.contains(&pid) && !found.contains(&own), "{found:?}");

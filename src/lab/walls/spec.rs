@@ -15,6 +15,8 @@ use std::path::PathBuf;
 
 /// The word that makes the launcher of a binary.
 pub(super) const WORD: &str = "__walled";
+/// The word after it that makes the program which tries the walls from inside.
+pub(super) const INSIDE: &str = "inside";
 /// The variable that holds the [`Spec`].
 pub(super) const VARIABLE: &str = "DCEL_WALLED";
 
@@ -48,10 +50,14 @@ pub(super) struct Spec {
     pub(super) folder: PathBuf,
     pub(super) user: Option<u32>,
     pub(super) namespaces: bool,
-    /// Folders to cover where there are mount namespaces.
+    /// The number that the user has within the namespaces; never that of root.
+    pub(super) inside: u32,
+    /// What is not to be seen even if it lies within what may be.
     pub(super) hidden: Vec<PathBuf>,
-    /// What may be seen; `None` without that wall.
-    pub(super) files: Option<Files>,
+    /// What may be seen, where there are namespaces or own files only.
+    pub(super) files: Files,
+    /// Whether the kernel checks every file that is opened.
+    pub(super) own_files: bool,
     pub(super) seconds: f64,
     pub(super) cpu_seconds: u64,
     pub(super) memory: u64,
@@ -61,7 +67,7 @@ pub(super) struct Spec {
 }
 
 /// What may be seen of the file system.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub(super) struct Files {
     pub(super) read: Vec<PathBuf>,
     pub(super) run: Vec<PathBuf>,
