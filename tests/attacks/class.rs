@@ -1,20 +1,94 @@
 //! A class that hands in: a folder of submissions, a grader's secret, and what must be true afterwards.
 
-use dcel_kit::lab::{GradeOptions, Grader, Lab, Limits, Plan, Report, WallChoice, Walls};
+use dcel_kit::lab::{GradeOptions, Grader, Hidden, Lab, Limits, Plan, Report, Wall, WallChoice, Walls};
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 
 pub(crate) const NONE: WallChoice = WallChoice { own_user: false, namespaces: false, own_files: false };
 pub(crate) const USER: WallChoice = WallChoice { own_user: true, ..NONE };
 
-pub(crate) fn launcher() -> &'static Path {
-    Path::new(env!("CARGO_BIN_EXE_dcel"))
+/// The variable that names another place for the checkout and its program: one that an ordinary user can reach.
+pub(crate) const HOME: &str = "ATTACKS_HOME";
+
+/// Where the checkout is.
+pub(crate) fn home() -> PathBuf {
+    std::env::var_os(HOME).map_or_else(|| env!("CARGO_MANIFEST_DIR").into(), PathBuf::from)
 }
 
-/// Whether this machine has these walls.
-pub(crate) fn all(choice: WallChoice) -> bool {
-    Walls::probe(Some(launcher()), choice).up() == choice
+pub(crate) fn launcher() -> &'static Path {
+    static PLACE: OnceLock<PathBuf> = OnceLock::new();
+    let other = || std::env::var_os(HOME).map(|home| Path::new(&home).join("dcel"));
+    PLACE.get_or_init(|| other().unwrap_or_else(|| env!("CARGO_BIN_EXE_dcel").into()))
+}
+
+pub(crate) const SPACES: WallChoice = WallChoice { namespaces: true, ..NONE };
+pub(crate) const FILES: WallChoice = WallChoice { own_files: true, ..NONE };
+pub(crate) const ORDINARY: WallChoice = WallChoice { own_user: false, ..ALL };
+pub(crate) const ALL: WallChoice = WallChoice { own_user: true, namespaces: true, own_files: true };
+
+/// A test for each choice of walls: ignored, with the reason, where this machine does not have all of them.
+macro_rules! behind_each {
+    ($($name:ident($attack:path);)*) => { $(
+        mod $name {
+            #[allow(unused_imports)]
+            use super::*;
+            use crate::class::{ALL, FILES, NONE, ORDINARY, SPACES, USER};
+
+            #[test]
+            fn without_walls() {
+                $attack(NONE);
+            }
+
+            #[test]
+            #[cfg_attr(not(root), ignore = "needs root")]
+            fn as_a_user_of_its_own() {
+                $attack(USER);
+            }
+
+            #[test]
+            #[cfg_attr(not(namespaces), ignore = "needs namespaces")]
+            fn in_namespaces() {
+                $attack(SPACES);
+            }
+
+            #[test]
+            #[cfg_attr(not(landlock), ignore = "needs Landlock")]
+            fn with_its_own_files_only() {
+                $attack(FILES);
+            }
+
+            #[test]
+            #[cfg_attr(not(all(namespaces, landlock)), ignore = "needs namespaces and Landlock")]
+            fn as_an_ordinary_user_grades() {
+                $attack(ORDINARY);
+            }
+
+            #[test]
+            #[cfg_attr(not(all(root, namespaces, landlock)), ignore = "needs root, namespaces and Landlock")]
+            fn behind_all_of_them() {
+                $attack(ALL);
+            }
+        }
+    )* };
+}
+pub(crate) use behind_each;
+
+/// The walls of a choice, tried once. All of them are there: a test that needs one that is not is ignored, and does
+/// not run.
+pub(crate) fn walls(choice: WallChoice) -> Walls {
+    static TRIED: Mutex<Vec<(WallChoice, Walls)>> = Mutex::new(Vec::new());
+    let mut tried = TRIED.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((_, walls)) = tried.iter().find(|(known, _)| *known == choice) {
+        return walls.clone();
+    }
+    let walls = Walls::probe(Some(launcher()), choice);
+    assert_eq!(walls.up(), choice, "{:?}", walls.said());
+    let fallen = |wall: &&Wall| wall.missing.as_deref().is_some_and(|why| why != "switched off");
+    assert_eq!(walls.said().iter().find(fallen), None);
+    tried.push((choice, walls.clone()));
+    walls
 }
 
 pub(crate) struct Class {
@@ -31,7 +105,7 @@ impl Class {
             std::fs::set_permissions(folder.path().join(name), std::fs::Permissions::from_mode(mode)).unwrap();
         }
         std::fs::set_permissions(folder.path(), std::fs::Permissions::from_mode(0o755)).unwrap();
-        let place = Path::new(env!("CARGO_MANIFEST_DIR")).join("labs/04-half-edge");
+        let place = home().join("labs/04-half-edge");
         let mut lab = Lab::read(&place).unwrap();
         lab.manifest.limits = Limits { memory_mb: 256, output_kb: 8192, ..lab.manifest.limits };
         let class = Self { lab, folder };
@@ -72,7 +146,7 @@ impl Class {
         GradeOptions {
             launcher: Some(launcher().to_path_buf()),
             rooms: Some(self.folder.path().join("rooms")),
-            hidden: vec![self.folder.path().join("grader")],
+            hidden: vec![Hidden::new("the solution", vec![self.folder.path().join("grader")])],
             ..GradeOptions::default()
         }
     }
