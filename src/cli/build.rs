@@ -3,12 +3,13 @@
 use super::failure::{Failure, say};
 use super::save::{not_the_input, save};
 use super::{Answer, Output};
+use dcel_kit::VertexId;
 use dcel_kit::figure::{self, FigureOptions};
 use dcel_kit::io::{
-    Document, Format, LoadError, Model, ReadOptions, SegmentSoup, arrange, describe, faults_with_places, read_path,
-    source_name,
+    Document, Format, LoadError, Model, ReadOptions, SegmentSoup, arrange_with, describe, faults_with_places,
+    read_path, source_name,
 };
-use dcel_kit::plane::{Arranged, SegmentsError};
+use dcel_kit::plane::{ArrangeOptions, Arranged, SegmentsError};
 use dcel_kit::topology::components;
 use serde::Serialize;
 use std::fmt::Display;
@@ -26,7 +27,8 @@ use std::path::PathBuf;
 Examples:
   dcel build plan.poly
   dcel build plan.poly --figure plan.svg --json
-  dcel build roads.wkt --split-crossings -o roads.dcel")]
+  dcel build roads.wkt --split-crossings -o roads.dcel
+  dcel build roads.wkt --split-crossings --grid 0.001 -o roads.dcel")]
 pub(crate) struct Args {
     /// The file to read, or - for standard input
     #[arg(value_name = "IN")]
@@ -37,6 +39,11 @@ pub(crate) struct Args {
     /// Split segments where they cross, touch or overlap
     #[arg(long)]
     split_crossings: bool,
+    /// Round all points to multiples of this, or rather of the largest power of two not above it.
+    /// Without it, points are only rounded to a grid where lines are too close to settle in place,
+    /// and then as finely as doubles allow
+    #[arg(long, value_name = "SIZE", requires = "split_crossings")]
+    grid: Option<f64>,
     /// y points down in the file, as on screens
     #[arg(long)]
     y_down: bool,
@@ -69,6 +76,14 @@ struct Report {
     repeated: Vec<Repeated>,
     crossings: Vec<String>,
     moved: Vec<Moved>,
+    /// The distance of neighbours of the grid, if points were rounded to one.
+    grid: Option<f64>,
+    /// Vertices of the input that the grid moved.
+    displaced: Vec<Moved>,
+    /// Segments that became a point on the grid, by input number.
+    collapsed: Vec<u32>,
+    /// No point of a segment is further from what it became.
+    farthest: f64,
     rounds: u32,
     dangles: Vec<String>,
     cut_edges: Vec<String>,
@@ -96,7 +111,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Err(Failure::input(what, "build takes wkt, poly, segments and geojson; for others see dcel convert"));
     };
     read.notes.iter().for_each(|note| say("note", note));
-    let arranged = arrange(soup, args.split_crossings).map_err(|error| refused(soup, error))?;
+    let how = ArrangeOptions { split: args.split_crossings, grid: args.grid, ..ArrangeOptions::default() };
+    let arranged = arrange_with(soup, &how).map_err(|error| refused(soup, error))?;
     if let Some(path) = &args.figure {
         let title = args.file.file_stem().map_or_else(|| "Segments".into(), |stem| stem.to_string_lossy());
         let drawn = figure::structure(&arranged.subdivision, &FigureOptions::new(title))
@@ -134,7 +150,8 @@ impl Report {
     fn of(source: String, format: Format, soup: &SegmentSoup, arranged: &Arranged) -> Self {
         let s = &arranged.subdivision;
         let residues = s.residues();
-        let moved = arranged.moved.iter().map(|&(v, by)| Moved { vertex: v.to_string(), by });
+        let moved =
+            |list: &[(VertexId, f64)]| list.iter().map(|&(v, by)| Moved { vertex: v.to_string(), by }).collect();
         let repeated = arranged.repeated.iter().map(|&(segment, repeats)| Repeated { segment, repeats });
         Self {
             source,
@@ -150,7 +167,11 @@ impl Report {
             zero_length: arranged.zero_length.clone(),
             repeated: repeated.collect(),
             crossings: names(arranged.crossings.iter()),
-            moved: moved.collect(),
+            moved: moved(&arranged.moved),
+            grid: arranged.grid,
+            displaced: moved(&arranged.displaced),
+            collapsed: arranged.collapsed.clone(),
+            farthest: arranged.farthest,
             rounds: arranged.rounds,
             dangles: names(residues.dangles.iter()),
             cut_edges: names(residues.cut_edges.iter()),

@@ -7,9 +7,9 @@ use super::subject::Subject;
 use super::{Answer, Output};
 use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
 use dcel_kit::figure::{Detail, Figure, FigureOptions};
-use dcel_kit::io::{Format, Model, Number, write, write_path};
+use dcel_kit::io::{Format, Model, Number, on_grid, write, write_path};
 use dcel_kit::plane::{Operation, Overlay, Parts, Subdivision};
-use dcel_kit::{FaceId, FaceMap};
+use dcel_kit::{FaceId, FaceMap, VertexId};
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -21,7 +21,8 @@ use std::path::{Path, PathBuf};
 /// and the answer is a region.
 ///
 /// What crosses is decided exactly; crossings become vertices at the nearest doubles, and it is told
-/// which of them moved.
+/// which of them moved. Lines too close to settle so are rounded to a grid, and what that moved is
+/// told, too: no input is refused for being close. Areas are exact, rounded once.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -40,6 +41,9 @@ pub(crate) struct Args {
     /// Take edges with the region on both sides away
     #[arg(long, requires = "operation")]
     join: bool,
+    /// Round all points to multiples of this, or rather of the largest power of two not above it
+    #[arg(long, value_name = "SIZE")]
+    grid: Option<f64>,
     /// Draw it (.svg), or write the structure (.dcel, .geojson, ...); - for dcel text
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
@@ -62,6 +66,12 @@ struct Report {
     faces: usize,
     crossings: Vec<String>,
     moved: Vec<Moved>,
+    /// The distance of neighbours of the grid, if points were rounded to one.
+    grid: Option<f64>,
+    /// Vertices of a and b that the grid moved.
+    displaced: Vec<Moved>,
+    /// No point of an edge is further from what it became.
+    farthest: f64,
     rounds: u32,
     unsettled: Vec<String>,
     /// The bounded faces.
@@ -107,7 +117,11 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let (a, b) = (a?, b?);
     let (source_a, source_b) = (a.plane()?, b.plane()?);
     let fails = |error| Failure::input(format!("{} and {}: {error}", a.source, b.source), "");
-    let both = source_a.overlay(source_b).map_err(fails)?;
+    let both = match args.grid {
+        None => source_a.overlay(source_b),
+        grid => source_a.overlay_on_grid(source_b, grid),
+    };
+    let both = both.map_err(fails)?;
     let parts = if args.join { Parts::Joined } else { Parts::Kept };
     let region = match args.operation {
         Some(operation) => Some((operation, both.region(operation, parts).map_err(fails)?)),
@@ -183,8 +197,8 @@ fn tell_rounding(both: &Overlay) {
         let (count, all) = (both.moved.len(), both.crossings.len());
         say("note", format_args!("{count} of {all} crossings are rounded to doubles, by {} at most", Number(furthest)));
     }
-    if !both.unsettled.is_empty() {
-        say("note", format_args!("{} faces are so thin that rounding turned them over", both.unsettled.len()));
+    if let Some(grid) = both.grid {
+        say("note", on_grid(grid, &both.displaced, both.farthest));
     }
 }
 
@@ -192,6 +206,8 @@ impl Report {
     fn of(a: &Subject, b: &Subject, both: &Overlay, region: Option<&(Operation, Subdivision)>) -> Self {
         let s = &both.subdivision;
         let bounded = s.faces().filter(|&f| f != s.outer_face());
+        let moved =
+            |list: &[(VertexId, f64)]| list.iter().map(|&(v, by)| Moved { vertex: v.to_string(), by }).collect();
         let labels = bounded.map(|f| Labels {
             face: f.to_string(),
             a: both.face_of_a[f].to_string(),
@@ -204,7 +220,10 @@ impl Report {
             edges: s.edge_count(),
             faces: s.face_count(),
             crossings: both.crossings.iter().map(ToString::to_string).collect(),
-            moved: both.moved.iter().map(|&(v, by)| Moved { vertex: v.to_string(), by }).collect(),
+            moved: moved(&both.moved),
+            grid: both.grid,
+            displaced: moved(&both.displaced),
+            farthest: both.farthest,
             rounds: both.rounds,
             unsettled: both.unsettled.iter().map(ToString::to_string).collect(),
             labels: labels.collect(),
@@ -214,7 +233,7 @@ impl Report {
                 edges: region.edge_count(),
                 faces: region.face_count() - 1 - region.hole_faces().count(),
                 hole_faces: region.hole_faces().count(),
-                area: area(region),
+                area: region.domain_area(),
             }),
         }
     }
@@ -237,16 +256,6 @@ impl Report {
         }
         Ok(())
     }
-}
-
-/// The area of the region, rounded: neither the outer face nor hole faces.
-fn area(s: &Subdivision) -> f64 {
-    let inside = s.faces().filter(|&f| f != s.outer_face() && !s.is_hole(f));
-    let cross = |h| {
-        let (p, q) = (s.point(s.origin(h)), s.point(s.destination(h)));
-        p.x * q.y - p.y * q.x
-    };
-    inside.flat_map(|f| s.cycles(f)).flat_map(|h| s.cycle(h)).map(cross).sum::<f64>() / 2.0
 }
 
 /// The outlines of the faces for which `chosen` holds.

@@ -1,7 +1,9 @@
 //! From points and segments of a file to a subdivision, with the lines of what does not fit.
 
+use super::Number;
 use super::load::{LoadError, Whereabouts};
 use super::segments::SegmentSoup;
+use crate::ids::VertexId;
 use crate::plane::{ArrangeOptions, Arranged, MarkHolesError, SegmentFault, SegmentsError, Subdivision};
 
 /// Makes a subdivision of points and segments. Points at the same place are joined, and segments that are there
@@ -13,7 +15,15 @@ use crate::plane::{ArrangeOptions, Arranged, MarkHolesError, SegmentFault, Segme
 /// # Errors
 /// [`LoadError`] with the lines of the segments that do not fit.
 pub fn arrange(soup: &SegmentSoup, split: bool) -> Result<Arranged, LoadError> {
-    let options = ArrangeOptions { merge: true, split, ..ArrangeOptions::default() };
+    arrange_with(soup, &ArrangeOptions { split, ..ArrangeOptions::default() })
+}
+
+/// The same with all options; points are joined and segments left out in any case.
+///
+/// # Errors
+/// [`LoadError`] with the lines of the segments that do not fit.
+pub fn arrange_with(soup: &SegmentSoup, options: &ArrangeOptions) -> Result<Arranged, LoadError> {
+    let options = ArrangeOptions { merge: true, ..*options };
     let mut arranged = Subdivision::arrange_graph(&soup.points, &soup.segments, &options)
         .map_err(|error| LoadError::Segments { at: Box::new(whereabouts(soup, &error)), error })?;
     arranged.subdivision.mark_holes(&soup.hole_points).map_err(|error| {
@@ -68,8 +78,30 @@ pub fn describe(arranged: &Arranged) -> Vec<String> {
         let count = arranged.moved.len();
         notes.push(format!("{count} of the crossings moved by rounding, none further than {furthest:.2e}"));
     }
-    if arranged.rounds > 1 {
+    if let Some(grid) = arranged.grid {
+        notes.push(on_grid(grid, &arranged.displaced, arranged.farthest));
+    } else if arranged.rounds > 1 {
         notes.push(format!("rounded crossings made edges meet anew: it took {} rounds to split all", arranged.rounds));
     }
+    match arranged.collapsed[..] {
+        [] => {}
+        [one] => notes.push(format!("segment {one} is shorter than the grid tells and became a point")),
+        [first, ..] => {
+            let count = arranged.collapsed.len();
+            notes.push(format!("{count} segments are shorter than the grid tells and became points: {first}, ..."));
+        }
+    }
     notes
+}
+
+/// What a grid did to the vertices of the input, in one sentence.
+#[must_use]
+pub fn on_grid(grid: f64, displaced: &[(VertexId, f64)], farthest: f64) -> String {
+    let (grid, most) = (Number(grid), displaced.iter().map(|moved| moved.1).fold(0.0, f64::max));
+    let points = match displaced {
+        [] => "no point of the input moved".to_owned(),
+        [_] => format!("1 point of the input moved, by {most:.2e}"),
+        more => format!("{} points of the input moved, none further than {most:.2e}", more.len()),
+    };
+    format!("points were rounded to a grid of {grid}: {points}, and no edge further than {farthest:.2e}")
 }

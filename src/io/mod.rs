@@ -55,7 +55,7 @@ pub mod triangle;
 pub mod wkt;
 mod write;
 
-pub use arrange::{arrange, describe, faults_with_places};
+pub use arrange::{arrange, arrange_with, describe, faults_with_places, on_grid};
 pub use format::{Format, UnknownFormat};
 pub use grid::Grid;
 pub use load::{LoadError, LoadOptions, Loaded, Structure, assemble, load};

@@ -8,7 +8,7 @@
 //!   delaunay/                   of points, by flips, with fixed edges
 //!   voronoi/                    cells of nearest sites: the dual of Delaunay
 //!   overlay/                    two subdivisions on each other, and their regions
-//!   check.rs                    the laws of the plane
+//!   check.rs                    the laws of the plane                                   measure.rs areas, exactly
 //!   edit/                       split_face, join_faces, split_edge, join_edges; insert and remove vertices, edges, segments
 //!   locate/                     where a point lies: scan, walk, index
 //!   triangulate/                faces into triangles: ears, monotone pieces              hull.rs    points -> convex hull
@@ -23,6 +23,7 @@ pub mod edit;
 mod group;
 mod hull;
 mod locate;
+mod measure;
 mod meet;
 mod overlay;
 mod point;

@@ -26,10 +26,41 @@ pub(super) fn length(a: Vector) -> f64 {
     dot(a, a).sqrt()
 }
 
+/// A sum of many numbers that loses no more than a few last places of the sum of their sizes, however many they are.
+///
+/// Source: A. Neumaier, *Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen*, 1974.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Sum {
+    sum: f64,
+    lost: f64,
+}
+
+impl Sum {
+    pub(super) fn add(&mut self, x: f64) {
+        let sum = self.sum + x;
+        self.lost += if self.sum.abs() >= x.abs() { (self.sum - sum) + x } else { (x - sum) + self.sum };
+        self.sum = sum;
+    }
+
+    pub(super) fn value(self) -> f64 {
+        self.sum + self.lost
+    }
+
+    pub(super) fn of(numbers: impl Iterator<Item = f64>) -> f64 {
+        let mut sum = Self::default();
+        numbers.for_each(|x| sum.add(x));
+        sum.value()
+    }
+}
+
 /// The mean of some points; the origin if there are none.
 pub(super) fn mean(points: impl Iterator<Item = Vector>) -> Vector {
-    let (sum, count) = points.fold(([0.0; 3], 0.0), |(sum, count), p| (plus(sum, p), count + 1.0));
-    times(sum, 1.0 / f64::max(count, 1.0))
+    let (mut sums, mut count) = ([Sum::default(); 3], 0.0_f64);
+    for p in points {
+        (0..3).for_each(|i| sums[i].add(p[i]));
+        count += 1.0;
+    }
+    sums.map(|sum| sum.value() / count.max(1.0))
 }
 
 /// The vector of length 1 in the same direction; none of a vector without length.

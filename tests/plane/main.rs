@@ -1,5 +1,6 @@
 //! Subdivisions of the plane: a file for each promise.
 
+mod areas;
 mod convert;
 mod edits;
 mod exact;

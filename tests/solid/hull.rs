@@ -196,3 +196,57 @@ fn points_beyond_a_wide_horizon_are_not_lost() {
         assert!(hull.solid.check_convex().is_ok(), "seed {seed}");
     }
 }
+
+/// Clouds that nearly lie on a line, in a plane, on a sphere, or nearly coincide, in every size and place.
+fn awkward_points(random: &mut Random) -> Vec<[f64; 3]> {
+    let kind = random.below(8);
+    let offset = [0.0, 0.0, 1e-15, 1.0, 1e6, 1e15][random.below(6)];
+    let scale = [1.0, 1.0, 1e-15, 1e15, 1e-3][random.below(5)];
+    let count = 4 + random.below(20);
+    let mut number = |size: usize| random.below(size) as f64;
+    (0..count)
+        .map(|_| {
+            let [a, b, c] = [number(11), number(11), number(11)];
+            let mut nudge = |x: f64| (0..number(4) as u32).fold(x, |x, _| x.next_up());
+            let p = match kind {
+                // A grid of tenths.
+                0 => [a * 0.1, b * 0.1, c * 0.1],
+                // Nearly in the plane z = x + y, up to rounding.
+                1 => [a * 0.1, b * 0.1, a * 0.1 + b * 0.1],
+                2 => [a * 0.1, b * 0.1, nudge(a * 0.1 + b * 0.1)],
+                // Nearly on one line.
+                3 => [nudge(a * 0.1), nudge(a * 0.3), nudge(a * 0.7)],
+                // Needles: a line and a point far off.
+                4 if c < 1.0 => [5.0, 7.0, b],
+                4 => [nudge(a * 0.1), nudge(a * 0.2), nudge(a * 0.3)],
+                // Nearly one point.
+                5 => [nudge(1.0), nudge(1.1), nudge(1.2)],
+                // On a sphere, and its equator.
+                6 => [(a * b).cos(), (a * b).sin(), if c < 5.0 { 0.0 } else { 1e-16 * c }],
+                _ => [a.cos() * b.sin(), a.sin() * b.sin(), b.cos()],
+            };
+            p.map(|x| x * scale + offset).map(|x| if x.abs() < dcel_kit::plane::SMALLEST { 0.0 } else { x })
+        })
+        .collect()
+}
+
+#[test]
+fn hulls_are_convex_for_the_kits_own_check() {
+    let tries = std::env::var("HULLS").map_or(3000, |count| count.parse().expect("a number"));
+    let mut solids = 0;
+    for seed in 0..tries {
+        let points = awkward_points(&mut Random(seed));
+        for faces in [HullFaces::Whole, HullFaces::Triangles] {
+            match Polyhedron::convex_hull(&points, faces) {
+                Ok(hull) => {
+                    solids += 1;
+                    let verdict = hull.solid.check_convex().map(|_| ());
+                    assert_eq!(verdict, Ok(()), "seed {seed}, {faces:?}: {points:?}");
+                }
+                Err(HullError::Collinear { .. } | HullError::Coplanar { .. } | HullError::AllEqual { .. }) => {}
+                Err(error) => panic!("seed {seed}: {error}"),
+            }
+        }
+    }
+    assert!(solids > tries, "{solids} solids of {tries} clouds");
+}

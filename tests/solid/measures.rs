@@ -2,7 +2,9 @@
 
 use super::common::v;
 use super::shapes::{L, cut_cube, polygons, prism, torus};
-use dcel_kit::solid::{Archimedean, DualError, DualPositions, FaceFault, Hand, Platonic, Polyhedron, TruncateError};
+use dcel_kit::solid::{
+    Archimedean, DualError, DualPositions, FaceFault, Hand, HullFaces, Platonic, Polyhedron, TruncateError,
+};
 use dcel_kit::topology::{same, violations};
 use dcel_kit::{FaceId, VertexId};
 use std::f64::consts::{PI, TAU};
@@ -311,4 +313,61 @@ fn a_handle_is_shown_by_a_curve_that_does_not_cut() {
     open.remove_face(FaceId::new(30)).unwrap();
     assert_eq!(open.curve_without_sides(), None);
     assert_eq!(prism(&L, 1.0).curve_without_sides(), None);
+}
+
+/// Volumes and areas do not change when a solid is moved, and are those of whole numbers.
+#[test]
+fn measures_far_from_the_origin_and_of_thin_solids_are_right() {
+    let mut random = super::common::Random(11);
+    let mut hard = 0;
+    for round in 0..300 {
+        // Whole numbers times a power of two, so far off that sums of doubles keep few digits.
+        let offset = [0_i64, 1 << 40, -(1 << 44), 3 << 45][round % 4];
+        let flat = [1000, 1000, 3][round % 3];
+        let points: Vec<[i64; 3]> = (0..5 + random.below(12))
+            .map(|_| {
+                let [x, y] = [random.below(1000), random.below(1000)].map(|x| x as i64);
+                [x, y, x + 2 * y + random.below(flat) as i64]
+            })
+            .collect();
+        let unit = 2f64.powi(-10);
+        let placed: Vec<[f64; 3]> = points.iter().map(|p| p.map(|x| (x + offset) as f64 * unit)).collect();
+        let Ok(hull) = Polyhedron::convex_hull(&placed, HullFaces::Whole) else { continue };
+        let solid = &hull.solid;
+        let at = |v| points[hull.points[v] as usize];
+        let (mut six, mut area) = (0_i64, 0.0);
+        for f in solid.faces() {
+            let corners: Vec<[i64; 3]> = solid.incident_vertices(f).map(at).collect();
+            let mut vector = [0_i64; 3];
+            for (p, q) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+                for (k, sum) in vector.iter_mut().enumerate() {
+                    let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+                    *sum += p[i] * q[j] - p[j] * q[i];
+                }
+            }
+            six += (0..3).map(|k| vector[k] * corners[0][k]).sum::<i64>();
+            let expected = vector.map(|x| 0.5 * x as f64 * unit * unit);
+            assert_eq!(solid.area_vector(f), expected, "round {round}: {f}");
+            area += expected.iter().map(|x| x * x).sum::<f64>().sqrt();
+        }
+        // Each face vector counts twice the area.
+        let volume = six as f64 / 6.0 * unit * unit * unit;
+        assert!((solid.signed_volume() - volume).abs() <= 1e-12 * volume, "round {round}: {}", solid.signed_volume());
+        assert!((solid.area() - area).abs() <= 1e-12 * area, "round {round}");
+        hard += usize::from(flat == 3 && offset != 0);
+    }
+    assert!(hard > 40, "{hard}");
+}
+
+/// A needle far from its own first corner: sums of doubles lose its area.
+#[test]
+fn slivers_have_the_area_of_their_corners() {
+    let e = 2f64.powi(-52);
+    // (0, 0), (1, 1 + e), (3, 3 + 3e + 2e): twice the area is 2e, between products of 3.
+    let corners = [[0.0, 0.0, 0.0], [1.0, 1.0 + e, 0.0], [3.0, 3.0 + 6.0 * e, 0.0], [1.0, 1.0, -1.0]];
+    let solid = Polyhedron::convex_hull(&corners, HullFaces::Triangles).unwrap().solid;
+    let areas: Vec<[f64; 3]> = solid.faces().map(|f| solid.area_vector(f)).collect();
+    assert!(areas.iter().any(|a| *a == [0.0, 0.0, 1.5 * e]), "{areas:?}");
+    let volume = solid.signed_volume();
+    assert!((volume - 1.5 * e / 3.0).abs() < 1e-12 * volume, "{volume:e}");
 }

@@ -46,6 +46,20 @@ impl Expansion {
         Self([rest, sum].into_iter().filter(|&term| term != 0.0).collect())
     }
 
+    /// Adds a b.
+    pub(crate) fn add_product(&mut self, a: f64, b: f64) {
+        let (high, low) = two_product(a, b);
+        self.grow(low);
+        self.grow(high);
+    }
+
+    /// Adds a b c.
+    pub(crate) fn add_product_of_three(&mut self, a: f64, b: f64, c: f64) {
+        let (high, low) = two_product(a, b);
+        self.add_product(low, c);
+        self.add_product(high, c);
+    }
+
     /// Adds one double.
     fn grow(&mut self, b: f64) {
         let mut sum = b;
@@ -107,6 +121,11 @@ impl Expansion {
     pub(crate) fn negated(mut self) -> Self {
         self.0.iter_mut().for_each(|term| *term = -*term);
         self
+    }
+
+    /// The double next to it, or the one beside that; 0 only for 0.
+    pub(crate) fn rounded(self) -> f64 {
+        self.compressed().estimate()
     }
 
     pub(crate) fn sign(&self) -> Ordering {

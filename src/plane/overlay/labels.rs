@@ -46,23 +46,27 @@ impl Sources {
     }
 
     /// The label on the right of `h`, if that on its left is `label`.
-    fn across(&self, source: &Subdivision, h: HalfEdgeId, mut label: FaceId) -> FaceId {
-        let list = self.along(h.edge());
+    ///
+    /// Several edges along `h` lay beside each other before rounding: P | Q, Q | R and so on in some order, perhaps with
+    /// a Q | P between. Each step into a face but the last is followed by a step out of it, so what remains is a step
+    /// out of the first face and one into the last; nothing, if they are the same.
+    fn across(&self, source: &Subdivision, h: HalfEdgeId, label: FaceId) -> FaceId {
         let even = h == h.edge().half_edges()[0];
         let sides = |g: HalfEdgeId| {
             let [left, right] = [g, g.twin()].map(|g| source.dcel.face(g));
             if even { [left, right] } else { [right, left] }
         };
-        let mut passed = false;
-        for _ in list {
-            let Some([_, right]) = list.iter().map(|&g| sides(g)).find(|&[left, right]| left == label && right != left)
-            else {
-                break;
-            };
-            (label, passed) = (right, true);
+        match self.along(h.edge()) {
+            [] => label,
+            &[g] => sides(g)[1],
+            list => {
+                let steps = list.iter().map(|&g| sides(g)).flat_map(|[left, right]| [(left, -1), (right, 1)]);
+                let mut steps: Vec<(FaceId, i32)> = steps.collect();
+                steps.sort_unstable();
+                let into = |steps: &&[(FaceId, i32)]| steps.iter().map(|step| step.1).sum::<i32>() > 0;
+                steps.chunk_by(|a, b| a.0 == b.0).find(into).map_or(label, |last| last[0].0)
+            }
         }
-        let fits = passed || list.iter().all(|&g| sides(g)[0] == label);
-        if fits { label } else { list.first().map_or(label, |&g| sides(g)[1]) }
     }
 }
 

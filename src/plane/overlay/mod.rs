@@ -12,7 +12,8 @@
 //!
 //! The edges of both are arranged by the splitter of [`arrange_graph`](Subdivision::arrange_graph), with its precision:
 //! what meets is decided exactly, the vertices of both stay where they are, crossings become vertices at the nearest
-//! doubles. Labels are then carried from face to face: see `labels.rs`.
+//! doubles. Labels are then carried from face to face: see `labels.rs`. Where that does not settle, or where rounding
+//! turned a part over so that labels contradict each other, points are rounded to a grid, which turns nothing over.
 //!
 //! Source: de Berg et al., *Computational Geometry*, 3rd ed., section 2.3.
 
@@ -21,6 +22,7 @@ mod region;
 
 pub use region::{Operation, ParseOperationError, Parts};
 
+use super::meet::Grid;
 use super::{ArrangeOptions, Arranged, Point, SegmentsError, Subdivision};
 use crate::ids::{EdgeId, FaceId, FaceMap, HalfEdgeId, VertexId, VertexMap};
 use labels::Sources;
@@ -44,8 +46,13 @@ pub struct Overlay {
     pub moved: Vec<(VertexId, f64)>,
     /// How often everything was split; more than 1 if rounded crossings made edges meet anew.
     pub rounds: u32,
-    /// Faces for which different ways lead to different labels, in increasing order. Empty unless rounding turned a
-    /// part of a or b over; such faces are as thin as what [`moved`](Self::moved) tells.
+    /// The vertices of a and b that a grid moved, each with the greatest distance of those that it stands for.
+    pub displaced: Vec<(VertexId, f64)>,
+    /// The distance of neighbours of the grid, if points were rounded to one: a power of two.
+    pub grid: Option<f64>,
+    /// No point of an edge of a or b is further from what it has become.
+    pub farthest: f64,
+    /// Faces for which different paths lead to different labels, in increasing order: none, since then a grid is used.
     pub unsettled: Vec<FaceId>,
     edges_of_a: Sources,
     edges_of_b: Sources,
@@ -91,9 +98,25 @@ impl Subdivision {
     /// # Ok::<(), dcel_kit::plane::SegmentsError>(())
     /// ```
     pub fn overlay(&self, other: &Self) -> Result<Overlay, SegmentsError> {
+        let both = self.overlay_on_grid(other, None)?;
+        if both.unsettled.is_empty() {
+            return Ok(both);
+        }
+        let points = [self, other].into_iter().flat_map(|s| s.dcel.vertices().map(|v| s.points[v]));
+        let reach = points.map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max);
+        self.overlay_on_grid(other, Some(Grid::finest(reach).size()))
+    }
+
+    /// The same with all points on a grid, the multiples of the largest power of two not above `grid`; see
+    /// [`ArrangeOptions::grid`]. `None`: in place where that settles, even if labels then contradict each other
+    /// ([`unsettled`](Overlay::unsettled)).
+    ///
+    /// # Errors
+    /// [`SegmentsError::Grid`] if doubles do not reach so far, else as [`overlay`](Self::overlay).
+    pub fn overlay_on_grid(&self, other: &Self, grid: Option<f64>) -> Result<Overlay, SegmentsError> {
         let mut graph = Graph::default();
         let [places_of_a, places_of_b] = [graph.add(self), graph.add(other)];
-        let options = ArrangeOptions { merge: true, split: true, ..ArrangeOptions::default() };
+        let options = ArrangeOptions { merge: true, split: true, grid, ..ArrangeOptions::default() };
         let arranged = Self::arrange_graph(&graph.points, &graph.segments, &options)?;
         let (of_a, of_b) = graph.halves.split_at(self.dcel.edge_count());
         let edges = arranged.subdivision.dcel.edge_bound();
@@ -102,7 +125,7 @@ impl Subdivision {
         let place = |point: Option<u32>| point.map(|i| arranged.vertices[i as usize]);
         let [vertices_of_a, vertices_of_b] =
             [places_of_a, places_of_b].map(|list| list.into_iter().map(place).collect::<Vec<_>>().into());
-        let Arranged { subdivision, crossings, moved, rounds, .. } = arranged;
+        let Arranged { subdivision, crossings, moved, rounds, displaced, grid, farthest, .. } = arranged;
         let (face_of_a, mut unsettled) = subdivision.carry_labels(self, &edges_of_a);
         let (face_of_b, more) = subdivision.carry_labels(other, &edges_of_b);
         unsettled.extend(more);
@@ -117,6 +140,9 @@ impl Subdivision {
             crossings,
             moved,
             rounds,
+            displaced,
+            grid,
+            farthest,
             unsettled,
             edges_of_a,
             edges_of_b,
