@@ -125,10 +125,9 @@ impl Polyhedron {
         let (mut sums, mut size) = ([Sum::default(); 3], 0.0_f64);
         for (a, b) in ahead.clone().zip(ahead.skip(1)) {
             let mut turn = [0.0; 3];
-            for (k, turn) in turn.iter_mut().enumerate() {
-                let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            for [k, i, j] in TURNS {
                 let (one, other) = (a[i] * b[j], a[j] * b[i]);
-                *turn = one - other;
+                turn[k] = one - other;
                 size += one.abs() + other.abs();
             }
             (0..3).for_each(|k| sums[k].add(turn[k]));
@@ -139,8 +138,7 @@ impl Polyhedron {
 
     /// The same, each coordinate rounded once.
     fn exact_area_vector(&self, f: FaceId) -> [f64; 3] {
-        std::array::from_fn(|k| {
-            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        TURNS.map(|[_, i, j]| {
             let mut twice = Expansion::default();
             for (p, q) in self.corners(f).zip(self.corners(f).cycle().skip(1)) {
                 twice.add_product(p[i], q[j]);
@@ -181,8 +179,7 @@ impl Polyhedron {
         for [a, b, c] in self.fans() {
             let [a, b, c] = [a, b, c].map(|p| minus(p, base));
             let mut six = 0.0;
-            for k in 0..3 {
-                let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            for [k, i, j] in TURNS {
                 let (one, other) = (a[k] * b[i] * c[j], a[k] * b[j] * c[i]);
                 six += one - other;
                 size += one.abs() + other.abs();
@@ -197,8 +194,7 @@ impl Polyhedron {
     fn exact_volume(&self) -> f64 {
         let mut six = Expansion::default();
         for [a, b, c] in self.fans() {
-            for k in 0..3 {
-                let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            for [k, i, j] in TURNS {
                 six.add_product_of_three(a[k], b[i], c[j]);
                 six.add_product_of_three(-a[k], b[j], c[i]);
             }
@@ -230,6 +226,9 @@ impl Polyhedron {
         self.corners(f).map(|p| dot(normal, minus(p, middle)).abs()).fold(0.0, f64::max)
     }
 }
+
+/// Each axis with the two that follow it.
+const TURNS: [[usize; 3]; 3] = [[0, 1, 2], [1, 2, 0], [2, 0, 1]];
 
 /// Whether a sum is good to 5e-13, if its terms have the sum of sizes `size`: differences of coordinates, products of
 /// three of them and their sum cost eight roundings at most.

@@ -62,7 +62,7 @@ fn a_square_of_ten_centimetres_far_from_the_origin_keeps_its_area() {
     let side = [4000000.1_f64 - 4000000.0, 5500000.1_f64 - 5500000.0];
     let both = square.overlay(&square).unwrap();
     let union = both.region(Operation::Union, Parts::Joined).unwrap();
-    assert_eq!(union.domain_area(), side[0] * side[1]);
+    assert_eq!(Some(union.domain_area()), Some(side[0] * side[1]));
     assert!((union.domain_area() - 0.01).abs() < 1e-9);
 }
 
@@ -78,8 +78,8 @@ fn hole_faces_and_rings_do_not_count() {
     segments.push([Point::new(1e7 + 4.0, 4.0), Point::new(1e7 + 9.0, 5.0)]);
     let mut s = Subdivision::from_segments(&segments).unwrap();
     let areas: Vec<f64> = s.faces().skip(1).map(|f| s.area(f)).collect();
-    assert_eq!(areas, [48.0, 12.0, 4.0]);
+    assert_eq!(areas, vec![48.0, 12.0, 4.0]);
     s.mark_holes(&[Point::new(1e7 + 1.5, 0.0)]).unwrap();
-    assert_eq!(s.domain_area(), 52.0);
+    assert_eq!(Some(s.domain_area()), Some(52.0));
     assert_eq!(Subdivision::new().domain_area(), 0.0);
 }

@@ -367,7 +367,7 @@ fn slivers_have_the_area_of_their_corners() {
     let corners = [[0.0, 0.0, 0.0], [1.0, 1.0 + e, 0.0], [3.0, 3.0 + 6.0 * e, 0.0], [1.0, 1.0, -1.0]];
     let solid = Polyhedron::convex_hull(&corners, HullFaces::Triangles).unwrap().solid;
     let areas: Vec<[f64; 3]> = solid.faces().map(|f| solid.area_vector(f)).collect();
-    assert!(areas.iter().any(|a| *a == [0.0, 0.0, 1.5 * e]), "{areas:?}");
+    assert!(areas.contains(&[0.0, 0.0, 1.5 * e]), "{areas:?}");
     let volume = solid.signed_volume();
     assert!((volume - 1.5 * e / 3.0).abs() < 1e-12 * volume, "{volume:e}");
 }

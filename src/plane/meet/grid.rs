@@ -71,9 +71,9 @@ mod tests {
     #[test]
     fn rounding_goes_to_the_pixel_and_pixels_have_their_lower_sides() {
         let grid = Grid::of(0.3).unwrap();
-        assert_eq!(grid.size(), 0.25);
+        assert_eq!(grid, Grid { size: 0.25 });
         for (x, to) in [(0.125, 0.25), (0.125_f64.next_down(), 0.0), (-0.125, 0.0), ((-0.125_f64).next_down(), -0.25)] {
-            assert_eq!(grid.round(x), to, "{x}");
+            assert_eq!(grid.place(Point::new(x, 0.0)), Point::new(to, 0.0), "{x}");
         }
         assert_eq!(grid.round(-1e-30).to_bits(), 0.0_f64.to_bits());
         let unit = Grid::of(1.0).unwrap();
@@ -91,11 +91,10 @@ mod tests {
         for reach in [1.0, 1.5, 4e6, 5.5e6_f64.next_up(), LARGEST, 1e-20, 1.0_f64.next_up(), 1.0_f64.next_down()] {
             let grid = Grid::finest(reach);
             let last = grid.round(reach);
-            assert_eq!((last + grid.half()) - last, grid.half(), "{reach}");
-            assert_eq!((last - grid.half()) - last, -grid.half(), "{reach}");
+            let half = grid.half();
+            assert_eq!(((last + half) - last, last - (last - half)), (half, half), "{reach}");
             assert!(grid.size() <= reach * 2f64.powi(-50) && grid.size() > reach * 2f64.powi(-52), "{reach}");
         }
-        assert_eq!(Grid::finest(SMALLEST).size(), SMALLEST);
-        assert_eq!(Grid::finest(0.0).size(), SMALLEST);
+        assert_eq!([SMALLEST, 0.0].map(Grid::finest), [Grid { size: SMALLEST }; 2]);
     }
 }

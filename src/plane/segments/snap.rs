@@ -51,7 +51,7 @@ pub(super) struct Plain<'a> {
 /// Rounds the parts of the graph in which edges meet; all of it if there is a `grid`. The graph becomes the result.
 ///
 /// Cost: O((n + k) log n) for n edges with k crossings that are not yet rounded, and O(√n) for each long edge.
-pub(super) fn snap(graph: &mut Graph, plain: Plain<'_>, grid: Option<Grid>) -> Split {
+pub(super) fn snap(graph: &mut Graph, plain: &Plain<'_>, grid: Option<Grid>) -> Split {
     let mut parts = Parts::new(graph);
     if grid.is_some() {
         parts.choose_all();
@@ -62,7 +62,7 @@ pub(super) fn snap(graph: &mut Graph, plain: Plain<'_>, grid: Option<Grid>) -> S
         if attempt == GENTLE {
             parts.choose_all();
         }
-        let made = round(graph, &plain, &mut parts, grid);
+        let made = round(graph, plain, &mut parts, grid);
         let missed = if parts.all { Vec::new() } else { meeting_points(&made.graph) };
         if missed.is_empty() {
             *graph = made.graph;

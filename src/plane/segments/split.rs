@@ -93,7 +93,7 @@ pub(super) fn split(graph: &mut Graph, grid: Option<Grid>) -> Split {
         graph.edges = edges;
         split.follow(&starts, &half);
     }
-    snap(graph, Plain { split, given, edges: &edges }, grid)
+    snap(graph, &Plain { split, given, edges: &edges }, grid)
 }
 
 /// The cuts of one round.
