@@ -48,12 +48,15 @@
 
 pub mod figure;
 pub mod ids;
+#[cfg(feature = "io")]
 pub mod io;
 #[cfg(feature = "lab")]
 pub mod lab;
+#[cfg(feature = "navmesh")]
 pub mod navmesh;
 pub mod plane;
 pub mod script;
+#[cfg(feature = "solid")]
 pub mod solid;
 pub mod topology;
 

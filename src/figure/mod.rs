@@ -51,6 +51,7 @@ mod labels;
 mod leaders;
 mod log;
 mod multiples;
+#[cfg(feature = "navmesh")]
 pub mod navmesh;
 mod number;
 mod options;
@@ -72,6 +73,7 @@ mod selectors;
 mod sheet;
 mod skeleton;
 pub mod sketch;
+#[cfg(feature = "solid")]
 mod solid;
 mod structure;
 mod style;
@@ -97,6 +99,7 @@ pub use png::PngError;
 pub use pointer::Pointers;
 pub use records::records;
 pub use robustness::{NearlyCollinear, robustness};
+#[cfg(feature = "solid")]
 pub use solid::{Camera, HiddenLines, solid};
 pub use structure::structure;
 pub use style::{Colour, Palette, Style, Theme};

@@ -8,8 +8,8 @@
 //!   same_as = [12]        # bugs that fail in the same way, whatever is tried
 //!
 //!   [[edit]]
-//!   find = "self.faces[new_face].incident_half_edge = Some(there);"
-//!   replace = ""
+//!   find = "what stands in the solution, once"
+//!   replace = "what is wrong"
 //! ```
 
 use super::toml_file::{ManifestError, TomlFile};
@@ -29,7 +29,7 @@ pub struct Bug {
     pub section: String,
     /// The numbers of the bugs that cannot be told from it.
     pub same_as: Vec<u32>,
-    /// What makes it of the solution, in order; at least one.
+    /// What makes it of the solution, in order; none where only its name is known, as in the program.
     pub edits: Vec<Edit>,
 }
 
@@ -57,6 +57,12 @@ pub enum BugError {
         /// How often it is there.
         times: usize,
     },
+    /// Only its name is known.
+    #[error("bug {number} has no text here: read it from the lab's folder in a checkout")]
+    NameOnly {
+        /// The bug.
+        number: u32,
+    },
     /// A replacement changes nothing.
     #[error("bug {number}: {find:?} is replaced by itself")]
     NoChange {
@@ -75,7 +81,7 @@ struct File {
     task: u32,
     section: String,
     same_as: Option<Spanned<Vec<u32>>>,
-    edit: Spanned<Vec<Edit>>,
+    edit: Option<Spanned<Vec<Edit>>>,
 }
 
 impl Bug {
@@ -86,21 +92,24 @@ impl Bug {
     pub fn parse(text: &str, source: &str) -> Result<Self, ManifestError> {
         let toml = TomlFile { text, source };
         let File { number, title, task, section, same_as, edit } = toml.read()?;
-        if edit.get_ref().is_empty() {
+        if let Some(edit) = edit.as_ref().filter(|edit| edit.get_ref().is_empty()) {
             return Err(toml.error(edit.span().start, "a bug without an edit is the solution; add an [[edit]]"));
         }
         if let Some(same_as) = same_as.as_ref().filter(|list| list.get_ref().contains(&number)) {
             return Err(toml.error(same_as.span().start, "a bug is the same as itself; name the other one"));
         }
         let same_as = same_as.map_or_else(Vec::new, Spanned::into_inner);
-        Ok(Self { number, title, task, section, same_as, edits: edit.into_inner() })
+        Ok(Self { number, title, task, section, same_as, edits: edit.map_or_else(Vec::new, Spanned::into_inner) })
     }
 
     /// The wrong solution. Cost: linear for each edit.
     ///
     /// # Errors
-    /// [`BugError`] if an edit does not find its text exactly once, or changes nothing.
+    /// [`BugError`] if it has no edit, or if an edit does not find its text exactly once, or changes nothing.
     pub fn apply(&self, solution: &str) -> Result<String, BugError> {
+        if self.edits.is_empty() {
+            return Err(BugError::NameOnly { number: self.number });
+        }
         let mut text = solution.to_owned();
         for Edit { find, replace } in &self.edits {
             let (number, find) = (self.number, find.clone());

@@ -10,6 +10,7 @@
 //! The bytes of an archive depend on its files alone: entries by name, all with one fixed date.
 
 use super::student::Kit;
+use super::typed;
 use std::collections::BTreeMap;
 use std::io::{self, Cursor, Write};
 use std::path::Path;
@@ -17,7 +18,7 @@ use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
 /// Folders and files of a checkout that its programs are not made from.
-const LEFT_OUT: [&str; 3] = ["target", "benches", "data"];
+const LEFT_OUT: [&str; 5] = ["target", "benches", "data", "solution", "bugs"];
 
 /// What the autograder runs first, with the network.
 const SETUP: &str = "\
@@ -67,17 +68,28 @@ impl From<String> for Packed {
 
 /// The files of an autograder for Gradescope.
 ///
+/// `sources` are the files of the program, for a kit that is inside.
+///
 /// # Errors
 /// A checkout of the kit that cannot be read.
-pub fn gradescope_files(lab: &str, kit: &Kit) -> io::Result<BTreeMap<String, Packed>> {
+pub fn gradescope_files<'a>(
+    lab: &str,
+    kit: &Kit,
+    sources: impl IntoIterator<Item = (&'a str, &'a str)>,
+) -> io::Result<BTreeMap<String, Packed>> {
     let mut files = BTreeMap::new();
     let source = match kit {
-        Kit::Path(checkout) => {
-            sources(checkout, "kit", &mut files)?;
+        Kit::Inside => {
+            let packed = |(path, text): (&str, &str)| (format!("kit/{path}"), Packed::from(text.to_owned()));
+            files.extend(sources.into_iter().map(packed));
             "--path /autograder/source/kit".to_owned()
         }
-        Kit::Git(url) => format!("--git {} dcel-kit", shell_word(url)),
-        Kit::Version(version) => format!("--version {} dcel-kit", shell_word(version)),
+        Kit::Path(checkout) => {
+            checkout_files(checkout, "kit", &mut files)?;
+            "--path /autograder/source/kit".to_owned()
+        }
+        Kit::Git(url) => format!("--git {} dcel-kit", typed::word(url)),
+        Kit::Version(version) => format!("--version {} dcel-kit", typed::word(version)),
     };
     let program = |text: &str| Packed {
         bytes: text.replace("INSTALL", &source).replace("LAB", lab).into_bytes(),
@@ -106,7 +118,7 @@ pub fn zipped(files: &BTreeMap<String, Packed>) -> io::Result<Vec<u8>> {
 }
 
 /// The files of a checkout from which its programs are built.
-fn sources(dir: &Path, prefix: &str, files: &mut BTreeMap<String, Packed>) -> io::Result<()> {
+fn checkout_files(dir: &Path, prefix: &str, files: &mut BTreeMap<String, Packed>) -> io::Result<()> {
     for entry in std::fs::read_dir(dir)? {
         let entry = entry?;
         let name = entry.file_name().to_string_lossy().into_owned();
@@ -115,17 +127,12 @@ fn sources(dir: &Path, prefix: &str, files: &mut BTreeMap<String, Packed>) -> io
         }
         let path = format!("{prefix}/{name}");
         if entry.file_type()?.is_dir() {
-            sources(&entry.path(), &path, files)?;
+            checkout_files(&entry.path(), &path, files)?;
         } else {
             files.insert(path, Packed { bytes: std::fs::read(entry.path())?, executable: false });
         }
     }
     Ok(())
-}
-
-/// The text as one word of a shell.
-fn shell_word(text: &str) -> String {
-    format!("'{}'", text.replace('\'', "'\\''"))
 }
 
 #[cfg(test)]
@@ -135,7 +142,7 @@ mod tests {
 
     #[test]
     fn an_archive_holds_its_files_and_always_has_the_same_bytes() {
-        let files = gradescope_files("04-half-edge", &Kit::Version("0'1".to_owned())).unwrap();
+        let files = gradescope_files("04-half-edge", &Kit::Version("0'1".to_owned()), []).unwrap();
         let bytes = zipped(&files).unwrap();
         assert_eq!(bytes, zipped(&files).unwrap());
         let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).unwrap();
@@ -150,7 +157,7 @@ mod tests {
 
     #[test]
     fn the_sources_of_the_kit_are_those_it_is_built_from() {
-        let files = gradescope_files("04-half-edge", &Kit::Path(env!("CARGO_MANIFEST_DIR").into())).unwrap();
+        let files = gradescope_files("04-half-edge", &Kit::Path(env!("CARGO_MANIFEST_DIR").into()), []).unwrap();
         for needed in ["Cargo.toml", "Cargo.lock", "src/lib.rs", "tests/support/build.rs", "figures/cube.svg"] {
             assert!(files.contains_key(&format!("kit/{needed}")), "{needed}");
         }

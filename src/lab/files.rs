@@ -6,6 +6,9 @@
 //!     figures/ that it shows    ─┘                       └─ the graded tests of a student's folder
 //! ```
 //!
+//! What is compiled in is what students may have: no solution, and of the known mistakes their names and how they
+//! fail, but not their texts. Proving that a lab grades rightly needs the lab's folder.
+//!
 //! An archive is a text: a line `lab NAME`, then for each file `file PATH LINES` and its lines. Published packages
 //! leave out folders that are packages themselves, and so the labs; the archive is how the program has them
 //! wherever it runs. Every file is UTF-8 text and ends with a line break; lines end as they do on unix.
@@ -16,6 +19,11 @@ use std::path::{Path, PathBuf};
 
 /// The labs that are compiled in.
 const BUNDLE: [&str; 1] = [include_str!("bundle/04-half-edge.txt")];
+/// Where the solution is.
+const SOLUTION: &str = "solution/";
+/// Where the known mistakes are, and the line of such a file from which on it says how to make the mistake.
+const BUGS: &str = "bugs/";
+const EDIT: &str = "[[edit]]";
 /// Where a handout in the repository finds the figures of the kit.
 const FIGURES: &str = "../../figures/";
 
@@ -116,6 +124,24 @@ impl LabFiles {
         self.get("README.md").unwrap_or_default().replace(FIGURES, "figures/")
     }
 
+    /// The lab as students may have it: without the solution and without the texts of known mistakes.
+    ///
+    /// ```
+    /// # use dcel_kit::lab::LabFiles;
+    /// let lab = LabFiles::bundled("04")?;
+    /// assert_eq!(lab.handed_out(), lab);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn handed_out(&self) -> Self {
+        let kept = self.files.iter().filter(|(path, _)| !path.starts_with(SOLUTION));
+        let files = kept.map(|(path, text)| {
+            let text = if path.starts_with(BUGS) { without_edits(text) } else { text.clone() };
+            (path.clone(), text)
+        });
+        Self { name: self.name.clone(), files: files.collect() }
+    }
+
     /// The lab as one text.
     #[must_use]
     pub fn to_archive(&self) -> String {
@@ -156,6 +182,12 @@ impl LabFiles {
         }
         Ok(Self { name, files })
     }
+}
+
+/// A known mistake without what makes it of the solution, which stands at the end.
+fn without_edits(text: &str) -> String {
+    let kept: String = text.lines().take_while(|line| line.trim() != EDIT).flat_map(|line| [line, "\n"]).collect();
+    kept.trim_end().to_owned() + "\n"
 }
 
 /// Whether `lab` is meant by `name`.
@@ -218,6 +250,21 @@ mod tests {
         let archive = small().to_archive();
         assert_eq!(LabFiles::from_archive(&archive).unwrap(), small());
         assert_eq!(LabFiles::from_archive(&archive.replace('\n', "\r\n")).unwrap(), small());
+    }
+
+    #[test]
+    fn what_is_handed_out_holds_names_and_no_texts() {
+        let bug = "number = 1\ntitle = \"it is wrong\"\n\n[[edit]]\nfind = \"right();\"\nreplace = \"\"\"\nwrong();\n\"\"\"\n";
+        let mut lab = small();
+        for (path, text) in
+            [("solution/lab.rs", "right();\n"), ("bugs/01-wrong.toml", bug), ("bugs/signatures.toml", "[1]\n")]
+        {
+            lab.files.insert(path.to_owned(), text.to_owned());
+        }
+        let out = lab.handed_out();
+        assert_eq!(out.get("bugs/01-wrong.toml"), Some("number = 1\ntitle = \"it is wrong\"\n"));
+        assert_eq!(out.get("bugs/signatures.toml"), Some("[1]\n"));
+        assert_eq!((out.get("solution/lab.rs"), out.files.len()), (None, 4));
     }
 
     #[test]

@@ -2,9 +2,9 @@
 //!
 //! ```text
 //!   // BEGIN SOLUTION                     becomes     the text of its STARTER lines,
-//!   // STARTER: todo!("destination")                  here: todo!("destination")
-//!   let twin = self.twin(h);
-//!   self.origin(twin)                     A block without STARTER lines becomes todo!().
+//!   // STARTER: todo!("degree")                       here: todo!("degree")
+//!   let walk = self.around(v);
+//!   walk.count()                          A block without STARTER lines becomes todo!().
 //!   // END SOLUTION
 //! ```
 //!

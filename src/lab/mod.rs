@@ -26,6 +26,8 @@ mod feedback;
 mod files;
 mod grade;
 mod half_edge;
+#[cfg(feature = "grade")]
+mod kit;
 mod manifest;
 mod marked;
 mod own_folder;
@@ -43,6 +45,8 @@ mod task;
 mod the_lab;
 mod toml_file;
 mod typed;
+#[cfg(feature = "grade")]
+mod vendor;
 mod verdict;
 #[cfg(feature = "grade")]
 mod verify;
@@ -58,6 +62,8 @@ pub use export::{Packed, gradescope_files, zipped};
 pub use feedback::{graded, test_text};
 pub use files::{LabFiles, LabFilesError};
 pub use grade::{grade_and_sign, grade_program};
+#[cfg(feature = "grade")]
+pub use kit::{KitBuild, lab_sources};
 pub use manifest::{Manifest, Task, Test};
 pub use marked::{MarkError, starter};
 pub use own_folder::{FolderCheck, check_folder};
@@ -70,6 +76,8 @@ pub use submission::{Forbidden, Intake, IntakeError, ScanError, scan, take_in};
 pub use the_lab::{Lab, LabError};
 pub use toml_file::ManifestError;
 pub use typed::typed;
+#[cfg(feature = "grade")]
+pub use vendor::vendored;
 pub use verdict::Verdict;
 #[cfg(feature = "grade")]
 pub use verify::{BugRow, Verification, verify};

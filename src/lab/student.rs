@@ -4,12 +4,14 @@
 //!   my-lab/
 //!     README.md  figures/  hints/      the handout, what it shows, help on demand
 //!     Cargo.toml Cargo.lock            a workspace of its own, so that it can stand anywhere
+//!     kit/                             the sources that the graded tests are built from
 //!     lab.toml   answers.md
 //!     src/lab.rs                       the file to fill in
 //!     src/…      tests/                given
 //! ```
 
 use super::files::LabFiles;
+use super::kit;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -18,12 +20,15 @@ use std::str::FromStr;
 const KEPT: [&str; 2] = ["solution/", "bugs/"];
 /// How a lab in the repository names the kit.
 const IN_THE_REPOSITORY: &str = "path = \"../..\"";
-/// The versions of all dependencies; cargo drops those that a lab does not need.
-const LOCK: &str = include_str!("../../Cargo.lock");
+/// The folder of the kit's sources.
+const INSIDE: &str = "kit";
 
 /// Where the tests of a student's folder take the kit from.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub enum Kit {
+    /// Its sources lie in the folder itself: it builds wherever it stands.
+    #[default]
+    Inside,
     /// A checkout on this machine.
     Path(PathBuf),
     /// A repository.
@@ -33,19 +38,9 @@ pub enum Kit {
 }
 
 impl Kit {
-    /// The checkout that the running kit was built from, or its version if that is gone.
-    #[must_use]
-    pub fn running() -> Self {
-        let checkout = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
-        if checkout.join("Cargo.toml").is_file() {
-            Self::Path(checkout)
-        } else {
-            Self::Version(env!("CARGO_PKG_VERSION").to_owned())
-        }
-    }
-
     fn toml(&self) -> String {
         match self {
+            Self::Inside => format!("path = \"{INSIDE}\""),
             Self::Path(path) => format!("path = {}", quoted(&path.to_string_lossy())),
             Self::Git(url) => format!("git = {}", quoted(url)),
             Self::Version(version) => format!("version = {}", quoted(version)),
@@ -53,7 +48,7 @@ impl Kit {
     }
 }
 
-/// A kit is written `path=…`, `git=…` or `version=…`.
+/// A kit that is not inside is written `path=…`, `git=…` or `version=…`.
 impl FromStr for Kit {
     type Err = String;
 
@@ -68,17 +63,23 @@ impl FromStr for Kit {
     }
 }
 
-/// The files of a student's folder, by path.
+/// The files of a student's folder, by path. Nothing in them names a place of this machine, unless `kit` does.
 ///
 /// Cost: linear in their sizes.
 #[must_use]
 pub fn student_files(lab: &LabFiles, kit: &Kit) -> BTreeMap<String, String> {
     let given = lab.iter().filter(|(path, _)| !KEPT.iter().any(|kept| path.starts_with(kept)));
     let mut files: BTreeMap<String, String> = given.map(|(path, text)| (path.to_owned(), text.to_owned())).collect();
+    let own = lab.get("Cargo.toml").unwrap_or_default();
     files.insert("README.md".to_owned(), lab.handout());
-    files.insert("Cargo.toml".to_owned(), manifest(lab.get("Cargo.toml").unwrap_or_default(), kit));
-    files.insert("Cargo.lock".to_owned(), LOCK.to_owned());
+    files.insert("Cargo.toml".to_owned(), manifest(own, kit));
+    files.insert("Cargo.lock".to_owned(), lock(own));
     files.insert(".gitignore".to_owned(), "/target\n".to_owned());
+    if *kit == Kit::Inside {
+        files.insert(format!("{INSIDE}/Cargo.toml"), kit::MANIFEST.to_owned());
+        let sources = kit::lab_sources().iter();
+        files.extend(sources.map(|(path, text)| (format!("{INSIDE}/{path}"), (*text).to_owned())));
+    }
     files
 }
 
@@ -86,11 +87,21 @@ pub fn student_files(lab: &LabFiles, kit: &Kit) -> BTreeMap<String, String> {
 fn manifest(text: &str, kit: &Kit) -> String {
     let mut out = text.replace(IN_THE_REPOSITORY, &kit.toml());
     out.push_str(
-        "\n# The tests stay quick when the kit that they use is optimised.\n\
-         [profile.dev.package.\"*\"]\nopt-level = 1\n\n\
+        "\n# Nobody debugs into what the tests use; without the means to do so it is compiled sooner.\n\
+         [profile.dev.package.\"*\"]\ndebug = false\n\n\
+         [profile.dev.package.dcel-kit]\ndebug = false\n\n\
          # This folder is a workspace of its own, wherever it stands.\n[workspace]\n",
     );
     out
+}
+
+/// The versions of everything that the tests are built with.
+fn lock(manifest: &str) -> String {
+    let table: toml::Table = manifest.parse().unwrap_or_default();
+    let word = |key: &str| Some(table.get("package")?.get(key)?.as_str()?.to_owned());
+    let [name, version] =
+        [("name", 0), ("version", 1)].map(|(key, i)| word(key).unwrap_or_else(|| kit::ANY_LAB[i].to_owned()));
+    kit::lock_with(&name, &version)
 }
 
 /// A TOML string: the escapes of JSON mean the same there.
@@ -120,7 +131,7 @@ mod tests {
     fn a_student_gets_what_is_given_and_no_more() {
         let lab = LabFiles::bundled("04").unwrap();
         let files = student_files(&lab, &Kit::Version("9.9".to_owned()));
-        assert!(files.keys().all(|path| !path.contains("solution") && !path.contains("bugs")));
+        assert!(files.keys().all(|path| !path.starts_with("solution/") && !path.starts_with("bugs/")));
         assert!(files.values().all(|text| !text.contains("BEGIN SOLUTION")));
         for needed in ["README.md", "src/lab.rs", "src/main.rs", "tests/graded.rs", "lab.toml", "Cargo.lock"] {
             assert!(files.contains_key(needed), "{needed}");
@@ -129,5 +140,25 @@ mod tests {
         assert_eq!(manifest["dev-dependencies"]["dcel-kit"]["version"].as_str(), Some("9.9"));
         assert_eq!(manifest["dev-dependencies"]["dcel-kit"]["default-features"].as_bool(), Some(false));
         assert!(manifest.contains_key("workspace"));
+        assert!(files.keys().all(|path| !path.starts_with("kit/")));
+    }
+
+    #[test]
+    fn a_students_folder_needs_nothing_outside_of_it() {
+        let files = student_files(&LabFiles::bundled("04").unwrap(), &Kit::default());
+        for needed in ["kit/Cargo.toml", "kit/src/lib.rs", "kit/src/lab/submission/scan.rs", "kit/LICENSE-MIT"] {
+            assert!(files.contains_key(needed), "{needed}");
+        }
+        // Neither a place of this machine nor one beside the folder.
+        let here = env!("CARGO_MANIFEST_DIR");
+        for (path, text) in &files {
+            assert!(!text.contains(here), "{path} names the checkout");
+        }
+        let manifest: toml::Table = files["Cargo.toml"].parse().unwrap();
+        assert_eq!(manifest["dev-dependencies"]["dcel-kit"]["path"].as_str(), Some("kit"));
+        let lock: toml::Table = files["Cargo.lock"].parse().unwrap();
+        let packages = lock["package"].as_array().unwrap();
+        let has = |name: &str| packages.iter().any(|package| package["name"].as_str() == Some(name));
+        assert!(has("lab-04-half-edge") && has("dcel-kit") && has("toml") && !has("clap"), "{packages:?}");
     }
 }

@@ -15,13 +15,18 @@ fn student() -> Folder {
     shell
 }
 
-fn solution() -> String {
-    LabFiles::bundled("04").unwrap().get("solution/lab.rs").unwrap().to_owned()
+/// The lab with all that only a checkout has.
+pub(crate) fn lab() -> LabFiles {
+    LabFiles::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("labs/04-half-edge")).unwrap()
+}
+
+pub(crate) fn solution() -> String {
+    lab().get("solution/lab.rs").unwrap().to_owned()
 }
 
 /// The solution with the bug of this number.
-fn with_bug(number: u32) -> (String, String) {
-    let files = LabFiles::bundled("04").unwrap();
+pub(crate) fn with_bug(number: u32) -> (String, String) {
+    let files = lab();
     let prefix = format!("bugs/{number:02}-");
     let (path, text) = files.iter().find(|(path, _)| path.starts_with(&prefix)).unwrap();
     let bug = Bug::parse(text, path).unwrap();

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod commands;
+mod doors;
 #[path = "../shell/mod.rs"]
 mod shell;
 mod verified;

@@ -1,6 +1,7 @@
 //! Every lab grades rightly, and what is compiled into the kit is what stands in `labs/`.
 
-use dcel_kit::lab::{Lab, LabFiles, verify};
+use dcel_kit::lab::{KitBuild, Lab, LabFiles, lab_sources, verify};
+use std::collections::BTreeSet;
 use std::path::Path;
 
 fn folder(name: &str) -> std::path::PathBuf {
@@ -19,12 +20,82 @@ fn the_labs_of_the_program_are_those_of_the_repository() {
     assert_eq!(folders, LabFiles::bundled_names());
     for name in folders {
         let bundled = LabFiles::bundled(&name).unwrap();
-        let there = LabFiles::read(&folder(&name)).unwrap();
+        let there = LabFiles::read(&folder(&name)).unwrap().handed_out();
         let differing: Vec<&str> =
             there.iter().filter(|&(path, text)| bundled.get(path) != Some(text)).map(|f| f.0).collect();
         assert_eq!(differing, [""; 0], "{name}: write the bundle anew with `dcel lab bundle`");
         assert_eq!(bundled, there, "{name}: write the bundle anew with `dcel lab bundle`");
     }
+}
+
+/// The list holds names, the files are compiled in as they stand: so what can be wrong is a name.
+#[test]
+fn the_program_carries_the_sources_that_its_builds_read() {
+    let checkout = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let read = |path: String| std::fs::read_to_string(checkout.join(&path)).unwrap_or_else(|e| panic!("{path}: {e}"));
+    let packages = |lock: &str| -> BTreeSet<String> {
+        lock.split("[[package]]").skip(1).filter(|entry| entry.contains("source = ")).map(pinned).collect()
+    };
+    let versions = packages(&read("Cargo.lock".to_owned()));
+    for build in KitBuild::ALL {
+        let generated = |file: &str| read(format!("{}/{file}", build.folder()));
+        let anew = "write it anew with `dcel lab bundle`";
+        assert_eq!(generated("sources.rs"), build.list(&build.files(checkout).unwrap()), "{build:?}: {anew}");
+        assert_eq!(generated("Cargo.toml.txt"), build.manifest(&read("Cargo.toml".to_owned())), "{build:?}: {anew}");
+        let own = packages(&generated("Cargo.lock.txt"));
+        assert!(own.len() > 10 && own.is_subset(&versions), "{build:?}: {:?}: {anew}", own.difference(&versions));
+    }
+    for (path, text) in lab_sources() {
+        assert_eq!(*text, read((*path).to_owned()), "{path}");
+    }
+}
+
+/// Name, version and checksum of an entry of a lock file.
+fn pinned(entry: &str) -> String {
+    let keys = ["name", "version", "checksum"];
+    entry.lines().filter(|line| keys.iter().any(|key| line.starts_with(key))).collect::<Vec<_>>().join(" ")
+}
+
+/// The binary that students get: neither a line of what they are to write, nor of what they might write wrongly.
+#[test]
+fn the_program_holds_no_solution_and_no_text_of_a_known_mistake() {
+    const SHORTEST: usize = 20;
+    let checkout = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let program = strings(&std::fs::read(env!("CARGO_BIN_EXE_dcel")).unwrap(), SHORTEST);
+    for name in LabFiles::bundled_names() {
+        let lab = Lab::read(&folder(&name)).unwrap();
+        // Given to everybody: the lab's own files, and the kernel of the kit, which is another structure's code.
+        let handed_out = lab.files.handed_out();
+        let sources = KitBuild::ALL.iter().flat_map(|build| build.files(checkout).unwrap());
+        let kernel = sources.filter(|path| path.starts_with("src/") && !path.starts_with("src/lab/"));
+        let kernel: Vec<String> = kernel.map(|path| std::fs::read_to_string(checkout.join(path)).unwrap()).collect();
+        let texts = handed_out.iter().map(|(_, text)| text).chain(kernel.iter().map(String::as_str));
+        let given: BTreeSet<&str> = texts.flat_map(|text| text.lines().map(str::trim)).collect();
+        let solution = lab.files.get("solution/lab.rs").unwrap();
+        let edits = lab.bugs.iter().flat_map(|bug| &bug.edits).map(|edit| edit.replace.as_str());
+        let blocks =
+            solution.split("// BEGIN SOLUTION").skip(1).map(|rest| rest.split("// END SOLUTION").next().unwrap());
+        let texts: Vec<&str> = blocks.chain(edits).collect();
+        let distinctive: BTreeSet<&str> = texts
+            .iter()
+            .flat_map(|text| text.lines().map(str::trim))
+            .filter(|line| {
+                line.len() >= SHORTEST && line.is_ascii() && !line.starts_with("//") && !given.contains(*line)
+            })
+            .collect();
+        assert!(distinctive.len() > 60, "{name}: {} lines", distinctive.len());
+        let kept: Vec<&str> = distinctive.into_iter().filter(|line| program.contains(line)).collect();
+        assert_eq!(kept, [""; 0], "{name}: in the program");
+        // The search finds what is there.
+        assert!(program.contains(&lab.bugs[0].title));
+    }
+}
+
+/// What `strings` finds in a program: runs of printable characters, from a length on.
+fn strings(program: &[u8], shortest: usize) -> String {
+    let runs = program.split(|&byte| byte != b'\t' && !(b' '..=b'~').contains(&byte));
+    let long = runs.filter(|run| run.len() >= shortest);
+    long.map(|run| String::from_utf8_lossy(run).into_owned() + "\n").collect()
 }
 
 #[test]
@@ -41,7 +112,7 @@ fn every_lab_catches_and_names_every_bug_and_no_right_program() {
 #[test]
 fn a_lab_that_grades_wrongly_is_found_out() {
     // Of the whole lab only one bug is kept, and its name is taken away.
-    let mut lab = Lab::bundled("04").unwrap();
+    let mut lab = Lab::read(&folder("04-half-edge")).unwrap();
     lab.bugs.truncate(1);
     lab.signatures = Default::default();
     let room = tempfile::tempdir().unwrap();

@@ -1,12 +1,14 @@
-//! `dcel lab bundle`: the archives of the labs that are compiled into the kit, written anew.
+//! `dcel lab bundle`: what is compiled into the kit of labs and sources, written anew.
 
 use super::super::{Answer, Failure, Output};
-use dcel_kit::lab::LabFiles;
+use super::folder;
+use dcel_kit::lab::{KitBuild, LabFiles};
 use std::fs;
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::process::Command;
 
-/// Write the archives of the labs anew, from their folders in the repository
+/// Write anew what is compiled into the kit: the labs, the lists of its own sources, their manifests and versions
 #[derive(clap::Args, Debug)]
 pub(crate) struct Args {
     /// The repository
@@ -15,12 +17,47 @@ pub(crate) struct Args {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    const HELP: &str = "go to the root of the kit's repository";
     for name in LabFiles::bundled_names() {
-        let lab = LabFiles::read(&args.dir.join("labs").join(&name))
-            .map_err(|error| Failure::input(error, "go to the root of the kit's repository"))?;
+        let lab = LabFiles::read(&args.dir.join("labs").join(&name)).map_err(|error| Failure::input(error, HELP))?;
         let path = args.dir.join("src/lab/bundle").join(format!("{name}.txt"));
-        fs::write(&path, lab.to_archive()).map_err(|error| Failure::writing(path.display(), &error))?;
+        let lab = lab.handed_out();
+        folder::put(&path, lab.to_archive().as_bytes())?;
         writeln!(out, "{}: {} files", path.display(), lab.iter().count())?;
     }
+    let root = args.dir.join("Cargo.toml");
+    let root =
+        fs::read_to_string(&root).map_err(|error| Failure::input(format!("{}: {error}", root.display()), HELP))?;
+    for build in KitBuild::ALL {
+        let files = build.files(&args.dir).map_err(|error| Failure::input(error, HELP))?;
+        let folder = args.dir.join(build.folder());
+        folder::put(&folder.join("sources.rs"), build.list(&files).as_bytes())?;
+        folder::put(&folder.join("Cargo.toml.txt"), build.manifest(&root).as_bytes())?;
+        folder::put(&folder.join("Cargo.lock.txt"), versions(&args.dir, build, &build.manifest(&root))?.as_bytes())?;
+        writeln!(out, "{}: {} files", folder.display(), files.len())?;
+    }
     Ok(Answer::Yes)
+}
+
+/// The lock file of a build, as cargo writes it: the versions of the checkout, as far as they are needed.
+fn versions(checkout: &Path, build: KitBuild, manifest: &str) -> Result<String, Failure> {
+    let folder = std::env::temp_dir().join(format!("dcel-bundle-{}", std::process::id()));
+    let written = |error: std::io::Error| Failure::writing(folder.display(), &error);
+    let made = || -> std::io::Result<String> {
+        for (path, text) in build.workspace(manifest) {
+            let path = folder.join(path);
+            fs::create_dir_all(path.parent().unwrap_or(&folder))?;
+            fs::write(path, text)?;
+        }
+        fs::copy(checkout.join("Cargo.lock"), folder.join("Cargo.lock"))?;
+        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+        let ran = Command::new(cargo).args(["update", "--workspace", "--offline"]).current_dir(&folder).output()?;
+        if !ran.status.success() {
+            return Err(std::io::Error::other(String::from_utf8_lossy(&ran.stderr).into_owned()));
+        }
+        fs::read_to_string(folder.join("Cargo.lock"))
+    };
+    let lock = made().map_err(written);
+    let _ = fs::remove_dir_all(&folder);
+    lock
 }

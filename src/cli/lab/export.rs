@@ -1,10 +1,9 @@
 //! `dcel lab export`: what an instructor hands out, and what a course system runs.
 
 use super::super::{Answer, Failure, Output};
-use super::{bundled, folder};
-use dcel_kit::lab::{Kit, Packed, gradescope_files, student_files, zipped};
+use super::{bundled, folder, kit};
+use dcel_kit::lab::{Kit, Packed, gradescope_files, zipped};
 use std::collections::BTreeMap;
-use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -12,10 +11,12 @@ use std::path::{Path, PathBuf};
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 For students: the folder that `dcel lab start` makes, without solution and bugs. For Gradescope: the archive to
-upload as the autograder; with a kit in a checkout, its sources are in it.
+upload as the autograder. The sources of the kit lie in both, so they need nothing of this machine; --kit names another
+place for them. What the kit itself needs is downloaded when it is built, or lies in the student's folder (--vendor).
 
 Examples:
-  dcel lab export 04 --student lab04.zip --kit version=0.1
+  dcel lab export 04 --student lab04.zip
+  dcel lab export 04 --student lab04.zip --vendor
   dcel lab export 04 --student lab04/
   dcel lab export 04 --gradescope autograder.zip",
     group(clap::ArgGroup::new("what").required(true).args(["student", "gradescope"]))
@@ -33,15 +34,18 @@ pub(crate) struct Args {
     /// Where the kit comes from: path=FOLDER, git=URL or version=NUMBER
     #[arg(long, value_name = "PLACE")]
     kit: Option<Kit>,
+    /// Put all crates that a student's tests need into the folder, too: for a room without the network
+    #[arg(long, requires = "student", conflicts_with = "kit")]
+    vendor: bool,
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let lab = bundled(&args.lab)?;
-    let kit = args.kit.clone().unwrap_or_else(Kit::running);
+    let place = args.kit.clone().unwrap_or_default();
     if let Some(target) = &args.student {
-        let files = student_files(&lab, &kit);
+        let files = folder::files(&lab, &place, args.vendor)?;
         if is_zip(target) {
-            let inside = |(path, text): (String, String)| (format!("{}/{path}", lab.name()), Packed::from(text));
+            let inside = |(path, file): (String, Packed)| (format!("{}/{path}", lab.name()), file);
             write(target, &files.into_iter().map(inside).collect())?;
         } else {
             folder::make(target, &files)?;
@@ -53,7 +57,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
             let what = format!("{}: an autograder is a zip archive", target.display());
             return Err(Failure::input(what, "let its name end in .zip"));
         }
-        let files = gradescope_files(lab.name(), &kit)
+        let files = gradescope_files(lab.name(), &place, kit::program_sources())
             .map_err(|error| Failure::input(format!("the sources of the kit: {error}"), "say --kit path=CHECKOUT"))?;
         write(target, &files)?;
         writeln!(out, "{}: the autograder of {}", target.display(), lab.name())?;
@@ -67,5 +71,5 @@ fn is_zip(path: &Path) -> bool {
 
 fn write(target: &Path, files: &BTreeMap<String, Packed>) -> Result<(), Failure> {
     let bytes = zipped(files).map_err(Failure::kit)?;
-    fs::write(target, bytes).map_err(|error| Failure::writing(target.display(), &error))
+    folder::put(target, &bytes)
 }

@@ -10,6 +10,7 @@ mod check;
 mod export;
 mod folder;
 mod hint;
+mod kit;
 mod list;
 mod reset;
 mod start;

@@ -29,12 +29,13 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let toml = dir.join("lab.toml");
     let manifest = Manifest::parse(&folder::read(&toml)?, &toml.display().to_string())
         .map_err(|error| Failure::input(error, "put back the lab.toml that the lab came with"))?;
-    let files = student_files(&bundled(&manifest.name)?, &Kit::running());
+    let files = student_files(&bundled(&manifest.name)?, &Kit::default());
     let mut changed = 0;
     for (path, text) in &files {
         let graded = manifest.graded.contains(path);
         let own = manifest.optional.contains(path) || path.starts_with("Cargo.") || path == "tests/own.rs";
-        if own || !(graded || args.given) {
+        let elsewhere = path.starts_with("kit/") && !dir.join("kit/Cargo.toml").is_file();
+        if own || elsewhere || !(graded || args.given) {
             continue;
         }
         let target = dir.join(path);
@@ -49,7 +50,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         } else {
             writeln!(out, "{}: put back", target.display())?;
         }
-        fs::write(&target, text).map_err(|error| Failure::writing(target.display(), &error))?;
+        folder::put(&target, text.as_bytes())?;
     }
     if changed == 0 {
         writeln!(out, "Nothing to put back: the files are as they were given.")?;

@@ -2,15 +2,16 @@
 
 use super::super::{Answer, Failure, Output};
 use super::{folder, lab};
-use dcel_kit::lab::{Kit, student_files};
+use dcel_kit::lab::{Kit, typed};
 use std::io::Write;
 use std::path::PathBuf;
 
 /// Make a folder to do a lab in
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
-The folder is a package of its own: it can be moved, and its code depends on nothing but the standard library. Only
-its tests use the kit, from the checkout that this program was built in; --kit names another place.
+The folder is a package of its own: it can be moved, to another machine too, and its code depends on nothing but the
+standard library. Only its tests use the kit, whose sources lie in kit/; --kit names another place. What the kit itself
+needs is downloaded with the first `cargo test`; with --vendor it lies in vendor/, for a room without the network.
 
 Examples:
   dcel lab start 04 my-lab
@@ -25,12 +26,15 @@ pub(crate) struct Args {
     /// Where the tests take the kit from: path=FOLDER, git=URL or version=NUMBER
     #[arg(long, value_name = "PLACE")]
     kit: Option<Kit>,
+    /// Put all crates that the tests need into the folder, too: nothing is downloaded later
+    #[arg(long, conflicts_with = "kit")]
+    vendor: bool,
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let lab = lab(&args.lab)?;
     let manifest = &lab.manifest;
-    let files = student_files(&lab.files, &args.kit.clone().unwrap_or_else(Kit::running));
+    let files = folder::files(&lab.files, &args.kit.clone().unwrap_or_default(), args.vendor)?;
     folder::make(&args.dir, &files)?;
     let dir = args.dir.display();
     writeln!(out, "{}: {}, in {dir}", lab.name, manifest.title)?;
@@ -38,6 +42,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     for graded in &manifest.graded {
         writeln!(out, "  {dir}/{graded}   what you write")?;
     }
+    let dir = typed(&args.dir);
     writeln!(out, "\nNext:\n  cd {dir}\n  dcel lab check       or, without this program: cargo test")?;
     Ok(Answer::Yes)
 }

@@ -4,7 +4,7 @@ use super::super::{Answer, Failure, Output, failure};
 use dcel_kit::lab::{Lab, LabFiles, verify};
 use std::fs;
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Prove that a lab grades rightly: solution, starter, every bug of its zoo
 #[derive(clap::Args, Debug)]
@@ -13,15 +13,22 @@ The solution passes everything; the starter compiles without warnings and is una
 caught and called by its name; every test catches a bug; a student's folder holds nothing of the solution; two runs
 give the same report.
 
+It reads the labs of a checkout, because a program for students holds no solution and no wrong ones: the checkout that
+you are in, or the folder that --labs names.
+
 Examples:
   dcel lab verify
   dcel lab verify 04
+  dcel lab verify 04 --labs ~/dcel-kit/labs
   dcel lab verify --from labs/04-half-edge --write")]
 pub(crate) struct Args {
     /// The lab: its name, or its number; without it, every lab
     #[arg(value_name = "LAB", conflicts_with = "from")]
     lab: Option<String>,
-    /// A lab's folder instead of one that is compiled in
+    /// The folder of the labs; without it, `labs` of the checkout that you are in
+    #[arg(long, value_name = "DIR", conflicts_with = "from")]
+    labs: Option<PathBuf>,
+    /// The folder of one lab
     #[arg(long, value_name = "DIR")]
     from: Option<PathBuf>,
     /// Write how the bugs fail into the folder's bugs/signatures.toml
@@ -30,10 +37,16 @@ pub(crate) struct Args {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    let labs = match (&args.from, &args.lab) {
-        (Some(folder), _) => vec![Lab::read(folder).map_err(|error| Failure::input(error, "name a lab's folder"))?],
-        (None, Some(name)) => vec![super::lab(name)?],
-        (None, None) => LabFiles::bundled_names().iter().map(|name| super::lab(name)).collect::<Result<Vec<_>, _>>()?,
+    let labs = match &args.from {
+        Some(folder) => vec![read(folder)?],
+        None => {
+            let names = match &args.lab {
+                Some(name) => vec![super::lab(name)?.name],
+                None => LabFiles::bundled_names(),
+            };
+            let folder = labs(args.labs.as_deref(), &names)?;
+            names.iter().map(|name| read(&folder.join(name))).collect::<Result<Vec<_>, _>>()?
+        }
     };
     let mut answer = Answer::Yes;
     for lab in &labs {
@@ -59,6 +72,23 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         }
     }
     Ok(answer)
+}
+
+fn read(folder: &Path) -> Result<Lab, Failure> {
+    Lab::read(folder).map_err(|error| Failure::input(error, "name a lab's folder"))
+}
+
+/// The folder of the labs: the one named, or that of the checkout around this place.
+fn labs(named: Option<&Path>, names: &[String]) -> Result<PathBuf, Failure> {
+    const HELP: &str = "go into a checkout of the kit, or name its folder with --labs DIR";
+    let holds = |folder: &Path| names.iter().all(|name| folder.join(name).join("lab.toml").is_file());
+    if let Some(folder) = named {
+        let what = || Failure::input(format!("{}: {} is not there", folder.display(), names.join(", ")), HELP);
+        return if holds(folder) { Ok(folder.to_owned()) } else { Err(what()) };
+    }
+    let here = std::env::current_dir().map_err(|error| Failure::input(error, HELP))?;
+    let found = here.ancestors().map(|above| above.join("labs")).find(|folder| holds(folder));
+    found.ok_or_else(|| Failure::input("no labs are here: a solution and wrong ones are not in this program", HELP))
 }
 
 /// A temporary folder that goes when it is dropped.

@@ -54,6 +54,7 @@ impl Expansion {
     }
 
     /// Adds a b c.
+    #[cfg(feature = "solid")]
     pub(crate) fn add_product_of_three(&mut self, a: f64, b: f64, c: f64) {
         let (high, low) = two_product(a, b);
         self.add_product(low, c);

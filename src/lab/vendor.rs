@@ -1,0 +1,70 @@
+//! The crates that a student's folder needs, laid into it: for a classroom without the network.
+//!
+//! ```text
+//!   my-lab/
+//!     vendor/NAME/…           as `cargo vendor` writes them
+//!     .cargo/config.toml      says to take them from there, and from nowhere else
+//! ```
+
+use super::export::Packed;
+use super::walls::unguessable;
+use std::collections::BTreeMap;
+use std::fs;
+use std::io;
+use std::path::Path;
+use std::process::Command;
+
+/// What makes cargo look in the folder; the path is seen from the folder itself, wherever that stands.
+const SETTINGS: &str = "\
+# All crates lie in vendor/: nothing is downloaded.
+[source.crates-io]
+replace-with = \"vendor\"
+
+[source.vendor]
+directory = \"vendor\"
+";
+
+/// The files of a student's folder together with all crates that it needs. The crates are downloaded now, unless cargo
+/// has them already.
+///
+/// # Errors
+/// If cargo cannot be started, or cannot have the crates: with what it said.
+pub fn vendored(files: BTreeMap<String, String>) -> io::Result<BTreeMap<String, Packed>> {
+    let folder = std::env::temp_dir().join(format!("dcel-vendor-{}", unguessable()));
+    let crates = laid(&folder, &files);
+    let _ = fs::remove_dir_all(&folder);
+    let mut packed = crates?;
+    packed.insert(".cargo/config.toml".to_owned(), Packed::from(SETTINGS.to_owned()));
+    packed.extend(files.into_iter().map(|(path, text)| (path, Packed::from(text))));
+    Ok(packed)
+}
+
+/// Lets cargo lay the crates into a folder with these files; gives the crates.
+fn laid(folder: &Path, files: &BTreeMap<String, String>) -> io::Result<BTreeMap<String, Packed>> {
+    for (path, text) in files {
+        let path = folder.join(path);
+        fs::create_dir_all(path.parent().unwrap_or(folder))?;
+        fs::write(path, text)?;
+    }
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let ran = Command::new(cargo).args(["vendor", "--locked", "--quiet", "vendor"]).current_dir(folder).output()?;
+    if !ran.status.success() {
+        return Err(io::Error::other(String::from_utf8_lossy(&ran.stderr).trim().to_owned()));
+    }
+    let mut crates = BTreeMap::new();
+    collect(&folder.join("vendor"), "vendor", &mut crates)?;
+    Ok(crates)
+}
+
+fn collect(folder: &Path, prefix: &str, files: &mut BTreeMap<String, Packed>) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let path = format!("{prefix}/{}", entry.file_name().to_string_lossy());
+        if entry.file_type()?.is_dir() {
+            collect(&entry.path(), &path, files)?;
+        } else {
+            files.insert(path, Packed { bytes: fs::read(entry.path())?, executable: false });
+        }
+    }
+    Ok(())
+}
