@@ -2,6 +2,8 @@
 #![cfg(feature = "cli")]
 #![allow(clippy::unwrap_used)]
 
+mod alike;
+mod class;
 mod commands;
 #[path = "../shell/mod.rs"]
 mod shell;
