@@ -31,6 +31,8 @@ enum Kind {
     Input,
     /// The machine.
     Machine,
+    /// A signal ended the work in order.
+    Signal(u8),
 }
 
 impl Failure {
@@ -62,6 +64,11 @@ impl Failure {
         Self::machine(error, "this should not happen: please report it with the command you gave")
     }
 
+    /// A signal asked for an end before all was done: exit code 128 and the number of the signal, as shells have it.
+    pub(crate) fn signal(signal: u8, what: impl Display, help: impl Into<String>) -> Self {
+        Self { kind: Kind::Signal(signal), what: what.to_string(), notes: Vec::new(), help: help.into() }
+    }
+
     /// The same with more to tell, before the help.
     pub(crate) fn with_notes(mut self, notes: impl IntoIterator<Item = String>) -> Self {
         self.notes.extend(notes);
@@ -81,6 +88,7 @@ impl Failure {
             Kind::NobodyListens => ExitCode::SUCCESS,
             Kind::Input => ExitCode::from(2),
             Kind::Machine => ExitCode::from(3),
+            Kind::Signal(signal) => ExitCode::from(128 + signal),
         }
     }
 }

@@ -9,23 +9,29 @@
 //!
 //! A submission that cannot be taken, does not compile, or does its worst, gets a report that says so, and the next
 //! one is graded. Equal files are graded once. Reports are passed on as they come and not kept, so a class of any
-//! size needs the memory of a few submissions.
+//! size needs the memory of what was handed in and of a few reports.
 
-use super::cache::{Cache, Key, hash_of};
+use super::cache::{Cache, Key, hash_of, judge_itself};
+use super::similar::{Fingerprints, Given, THRESHOLD, alike};
 use super::submission::{
-    Built, Intake, IntakeError, Rooms, Toolchain, Tree, USUAL_BUILD, build, take_in, take_in_unscanned,
+    Built, Intake, IntakeError, Rooms, Submission, Toolchain, Tree, USUAL_BUILD, build, scan_all, take_in_unscanned,
 };
 use super::walls::Resident;
-use super::{Hidden, Lab, Limits, Plan, Report, Verdict, Wall, WallChoice, WalledProgram, Walls, grade_program};
-use std::collections::BTreeMap;
+use super::{
+    Hidden, Lab, Limits, Plan, Report, Similar, Stop, Verdict, Wall, WallChoice, WalledProgram, Walls, grade_program,
+};
+use std::collections::HashMap;
 use std::hash::{BuildHasher, RandomState};
 use std::io;
 use std::num::NonZeroUsize;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, mpsc};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
 use std::time::Instant;
+
+/// How many similar submissions are told of one.
+const MOST_SIMILAR: usize = 20;
 
 /// How submissions are graded.
 #[derive(Clone, PartialEq, Debug)]
@@ -47,8 +53,31 @@ pub struct GradeOptions {
     /// A folder in which reports are kept, so that nothing is graded twice under one plan; `None` keeps none. It
     /// holds what was handed in and what was said of it: it is for the instructor only.
     pub cache: Option<PathBuf>,
+    /// Whether reports of runs that came to a deadline are kept, too. A busy machine may be to blame for those.
+    pub keep_deadlines: bool,
+    /// Whether what was kept before is passed over, and written anew.
+    pub again: bool,
+    /// From how many percent on two submissions are told to look alike, names and comments aside.
+    pub similar_from: u8,
     /// Whether the files are scanned before they are built. Only tests of the walls behind the scan switch it off.
     pub scan: bool,
+    /// Ends a class: what is being graded is ended without a verdict, what is done stays.
+    pub stop: Stop,
+}
+
+/// How the grading of a class ended.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[must_use]
+pub enum Outcome {
+    /// Every submission has its report.
+    All,
+    /// It was stopped: so many have none.
+    Stopped {
+        /// How many.
+        left: usize,
+    },
+    /// The grader fails whatever it is given, and why. Those that it failed at have no report.
+    Fault(String),
 }
 
 impl Default for GradeOptions {
@@ -62,7 +91,11 @@ impl Default for GradeOptions {
             workers: None,
             rooms: None,
             cache: None,
+            keep_deadlines: false,
+            again: false,
+            similar_from: THRESHOLD,
             scan: true,
+            stop: Stop::new(),
         }
     }
 }
@@ -70,11 +103,14 @@ impl Default for GradeOptions {
 /// A grader of one lab: the walls tried, the toolchain found.
 ///
 /// ```no_run
-/// use dcel_kit::lab::{GradeOptions, Grader, Lab, Plan};
+/// use dcel_kit::lab::{GradeOptions, Grader, Lab, Outcome, Plan, Submission};
 ///
 /// let grader = Grader::new(Lab::bundled("04")?, &GradeOptions::default())?;
-/// let class = ["alice".into(), "bob.rs".into()];
-/// grader.grade_all(&class, &Plan::with_seed(7), |i, report| println!("{}: {}", class[i].display(), report.points()));
+/// let class = Submission::class(&["alice".into(), "bob.rs".into()], None)?;
+/// let outcome = grader.grade_all(&class, &Plan::with_seed(7), |i, report| {
+///     println!("{}: {}", class[i].name(), report.points());
+/// });
+/// assert_eq!(outcome, Outcome::All);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]
@@ -86,7 +122,12 @@ pub struct Grader {
     build: Limits,
     workers: usize,
     cache: Option<Cache>,
+    /// The judge itself and the compiler, for the keys of the cache.
+    judge: String,
     scan: bool,
+    again: bool,
+    similar_from: u8,
+    stop: Stop,
 }
 
 impl Grader {
@@ -98,17 +139,27 @@ impl Grader {
     /// # Errors
     /// If no folder can be made for the rooms or for the cache.
     pub fn new(lab: Lab, options: &GradeOptions) -> io::Result<Self> {
-        let walls = Walls::probe(options.launcher.as_deref(), options.walls);
+        let walls = Walls::probe(options.launcher.as_deref(), options.walls).until(&options.stop);
         let rooms = Rooms::new(&walls, options.rooms.as_deref())?;
         let toolchain = Toolchain::find(&walls, rooms.folder());
         let mut needed = vec![rooms.folder().to_path_buf()];
         let tools = toolchain.as_ref().map_or(Vec::new(), |toolchain| toolchain.parts().to_vec());
         needed.extend(tools.clone());
         let walls = walls.hiding(&options.hidden, &tools, &needed);
-        let cache = options.cache.as_deref().map(Cache::open).transpose()?;
+        let open = |folder| Cache::open(folder, options.keep_deadlines);
+        let cache = options.cache.as_deref().map(open).transpose()?;
+        // Only a cache asks who judged: reading the whole program is not free.
+        let judge = match (&cache, &toolchain) {
+            (Some(_), Ok(toolchain)) => {
+                format!("{} {}", judge_itself(walls.launcher())?, toolchain.version().unwrap_or_default())
+            }
+            _ => String::new(),
+        };
         let cores = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
         let workers = options.workers.map_or_else(cores, NonZeroUsize::get);
-        Ok(Self { lab, walls, toolchain, rooms, build: options.build, workers, cache, scan: options.scan })
+        let GradeOptions { build, scan, again, similar_from, .. } = *options;
+        let stop = options.stop.clone();
+        Ok(Self { lab, walls, toolchain, rooms, build, workers, cache, judge, scan, again, similar_from, stop })
     }
 
     /// The walls that stand, and those that are missing.
@@ -117,128 +168,228 @@ impl Grader {
         self.walls.said()
     }
 
+    /// What was found in the folder of kept reports that is none; it was graded anew.
+    #[must_use]
+    pub fn complaints(&self) -> Vec<String> {
+        self.cache.as_ref().map_or_else(Vec::new, Cache::complaints)
+    }
+
+    /// The seed of a folder that keeps reports, so that a later run asks the same: the one that is kept there, or
+    /// `fresh`, which is kept from now on.
+    ///
+    /// # Errors
+    /// If the folder cannot be made or written to.
+    pub fn kept_seed(folder: &Path, fresh: u64) -> io::Result<u64> {
+        Cache::seed(folder, fresh)
+    }
+
     /// Grades one submission. Never panics, and takes no longer than the limits of the build and of the judge's runs
     /// together; when it returns, nothing that the submission started is left.
     #[must_use]
-    pub fn grade(&self, submission: &Path, plan: &Plan) -> Report {
-        self.grade_intake(submission, self.take_in(submission), plan)
+    pub fn grade(&self, submission: &Submission, plan: &Plan) -> Report {
+        let begin = Instant::now();
+        let mut report = match take_in_unscanned(&self.lab.manifest, submission) {
+            Ok(intake) => {
+                let report = self.grade_intake(&intake, plan);
+                Report { attachments: intake.optional, notes: intake.notes, ..report }
+            }
+            Err(error) => self.not_taken(submission, &error, plan),
+        };
+        report.submission = Some(submission.name().to_owned());
+        report.millis = millis_since(begin);
+        report
     }
 
     /// Grades a class. `done` is called with the place of a submission in the list and its report, as they come.
-    pub fn grade_all(&self, submissions: &[PathBuf], plan: &Plan, mut done: impl FnMut(usize, Report)) {
-        let groups = self.groups(submissions);
+    ///
+    /// Every submission is read once, before the first one is graded: what is compared is what is graded, and what
+    /// changes on the disk meanwhile changes nothing. Kept in memory until they are graded are the files themselves.
+    ///
+    /// When the grader fails at a submission, it tries the file that the lab gives. If it fails at that, too, the
+    /// failure is not that submission's: the class is ended ([`Outcome::Fault`]), and no report tells of it.
+    pub fn grade_all(&self, submissions: &[Submission], plan: &Plan, mut done: impl FnMut(usize, Report)) -> Outcome {
+        let jobs = self.jobs(submissions);
         let next = AtomicUsize::new(0);
+        let fault = Mutex::new(None);
         let (send, receive) = mpsc::sync_channel(1);
+        let mut left = submissions.len();
         std::thread::scope(|scope| {
-            for _ in 0..self.workers.min(groups.len()) {
-                let (send, groups, next) = (send.clone(), &groups, &next);
+            for _ in 0..self.workers.min(jobs.len()) {
+                let (send, jobs, next, fault) = (send.clone(), &jobs, &next, &fault);
                 scope.spawn(move || {
-                    while let Some(group) = groups.get(next.fetch_add(1, Ordering::Relaxed)) {
-                        self.grade_group(submissions, group, plan, &send);
+                    let go_on = || !self.stop.is_wished() && lock(fault).is_none();
+                    while let Some(job) = go_on().then(|| jobs.get(next.fetch_add(1, Ordering::Relaxed))).flatten() {
+                        let Some(job) = lock(job).take() else { continue };
+                        self.grade_job(job, submissions, plan, fault, &send);
                     }
                 });
             }
             drop(send);
             for (i, report) in receive {
+                left -= 1;
                 done(i, report);
             }
         });
+        match fault.into_inner().unwrap_or_else(PoisonError::into_inner) {
+            Some(why) => Outcome::Fault(why),
+            None if left > 0 => Outcome::Stopped { left },
+            None => Outcome::All,
+        }
     }
 
-    fn take_in(&self, submission: &Path) -> Result<Intake, IntakeError> {
-        let how = if self.scan { take_in } else { take_in_unscanned };
-        how(&self.lab.manifest, submission)
-    }
-
-    /// Submissions with equal graded files, in the order of the first of each. The key is drawn anew for each run,
-    /// so nobody can hand in a file that is taken for another one.
-    fn groups(&self, submissions: &[PathBuf]) -> Vec<Vec<usize>> {
-        let hasher = [RandomState::new(), RandomState::new()];
-        let mut places: BTreeMap<[u64; 2], usize> = BTreeMap::new();
-        let mut groups: Vec<Vec<usize>> = Vec::new();
+    /// Reads every submission, and puts those with equal graded files together, in the order of the first of each.
+    fn jobs(&self, submissions: &[Submission]) -> Vec<Mutex<Option<Job>>> {
+        let given = Given::new(&self.lab.files, &self.lab.manifest.graded);
+        let mut prints: Vec<Option<Fingerprints>> = Vec::with_capacity(submissions.len());
+        let mut jobs: Vec<Job> = Vec::new();
+        let mut job_of = Vec::with_capacity(submissions.len());
+        // The key is drawn anew for each run, and the files themselves are compared: nobody can hand in a file that
+        // is taken for another one.
+        let hasher = RandomState::new();
+        let mut places: HashMap<u64, Vec<usize>> = HashMap::new();
         for (i, submission) in submissions.iter().enumerate() {
-            let known = match take_in_unscanned(&self.lab.manifest, submission) {
-                Ok(intake) => {
-                    *places.entry([0, 1].map(|k: usize| hasher[k].hash_one(&intake.graded))).or_insert(groups.len())
+            let taken = take_in_unscanned(&self.lab.manifest, submission);
+            prints.push(taken.as_ref().ok().and_then(|intake| given.fingerprints(&intake.graded)));
+            let mut extras = Extras { place: i, optional: Vec::new(), notes: Vec::new(), similar: Vec::new() };
+            let files = match taken {
+                Ok(Intake { graded, optional, notes }) => {
+                    (extras.optional, extras.notes) = (optional, notes);
+                    Ok(graded)
                 }
-                Err(_) => groups.len(),
+                Err(error) => Err(error),
             };
-            match groups.get_mut(known) {
-                Some(group) => group.push(i),
-                None => groups.push(vec![i]),
+            let same = files.as_ref().ok().map(|graded| places.entry(hasher.hash_one(graded)).or_default());
+            let known = same.as_ref().and_then(|places| {
+                places.iter().copied().find(|&job| jobs[job].files.as_ref().ok() == files.as_ref().ok())
+            });
+            let place = known.unwrap_or(jobs.len());
+            job_of.push(place);
+            match jobs.get_mut(place) {
+                Some(job) => job.who.push(extras),
+                None => {
+                    same.into_iter().for_each(|places| places.push(place));
+                    jobs.push(Job { files, who: vec![extras] });
+                }
             }
         }
-        groups
+        let alike = alike(&prints.iter().map(Option::as_ref).collect::<Vec<_>>(), self.similar_from);
+        for (place, job) in jobs.iter_mut().enumerate() {
+            let together: Vec<usize> = job.who.iter().map(|extras| extras.place).collect();
+            for extras in &mut job.who {
+                let nothing = prints[extras.place].as_ref().is_some_and(Fingerprints::is_empty);
+                let same = together.iter().filter(|&&other| other != extras.place && !nothing);
+                let name = |other: usize| submissions[other].name().to_owned();
+                let same = same.map(|&other| Similar { submission: name(other), percent: 100, identical: true });
+                let near = alike[extras.place].iter().filter(|(other, _)| job_of[*other] != place);
+                let near = near.map(|&(other, percent)| Similar { submission: name(other), percent, identical: false });
+                extras.similar = same.chain(near).take(MOST_SIMILAR).collect();
+            }
+        }
+        jobs.into_iter().map(|job| Mutex::new(Some(job))).collect()
     }
 
-    fn grade_group(
+    /// Grades equal files once; the reports differ in name and in what only people read.
+    fn grade_job(
         &self,
-        submissions: &[PathBuf],
-        group: &[usize],
+        job: Job,
+        submissions: &[Submission],
         plan: &Plan,
+        fault: &Mutex<Option<String>>,
         send: &mpsc::SyncSender<(usize, Report)>,
     ) {
+        let (intake, error) = match job.files {
+            Ok(graded) => (Some(Intake { graded, optional: Vec::new(), notes: Vec::new() }), None),
+            Err(error) => (None, Some(error)),
+        };
         let mut first: Option<Report> = None;
-        for &i in group {
-            let report = match &first {
-                None => self.grade(&submissions[i], plan),
-                Some(first) => {
-                    let mut report = first.clone();
-                    report.submission = Some(name_of(&submissions[i]));
-                    report.attachments = self.take_in(&submissions[i]).map_or(Vec::new(), |intake| intake.optional);
+        for extras in job.who {
+            let begin = Instant::now();
+            let submission = &submissions[extras.place];
+            let mut report = match (&first, &intake, &error) {
+                (Some(first), ..) => first.clone(),
+                (None, Some(intake), _) => {
+                    let report = self.grade_intake(intake, plan);
+                    if report.verdict == Verdict::GraderFault && !self.stop.is_wished() {
+                        let mut fault = lock(fault);
+                        *fault = fault.take().or_else(|| self.strikes_all(plan));
+                        if fault.is_some() {
+                            return;
+                        }
+                    }
                     report
                 }
+                (None, None, Some(error)) => self.not_taken(submission, error, plan),
+                (None, None, None) => return,
             };
+            // What was ended on the way is no verdict.
+            if self.stop.is_wished() {
+                return;
+            }
             // A fault of the grader may not befall the next one.
-            if first.is_none() && group.len() > 1 && report.verdict != Verdict::GraderFault {
+            if first.is_none() && report.verdict != Verdict::GraderFault {
                 first = Some(report.clone());
             }
+            report.submission = Some(submission.name().to_owned());
+            (report.attachments, report.notes, report.similar) = (extras.optional, extras.notes, extras.similar);
+            report.millis = millis_since(begin);
             // Nobody listens any more only if the caller's `done` panicked.
-            let _ = send.send((i, report));
+            let _ = send.send((extras.place, report));
         }
     }
 
-    fn grade_intake(&self, submission: &Path, intake: Result<Intake, IntakeError>, plan: &Plan) -> Report {
-        let begin = Instant::now();
-        let mut report = match intake {
-            Ok(intake) => {
-                let mut report = self.known_or_new(&intake, plan);
-                report.attachments = intake.optional;
-                report
-            }
-            Err(error) => self.stopped(plan, error.verdict(), error.to_string()),
-        };
-        report.submission = Some(name_of(submission));
-        report.millis = u64::try_from(begin.elapsed().as_millis()).unwrap_or(u64::MAX);
-        report
+    /// Whether the grader fails whatever it is given, and why: it fails at the file that the lab gives.
+    fn strikes_all(&self, plan: &Plan) -> Option<String> {
+        let Lab { manifest, files, .. } = &self.lab;
+        let given = manifest.graded.iter().map(|path| Some((path.clone(), files.get(path)?.to_owned())));
+        let intake = Intake { graded: given.collect::<Option<_>>()?, optional: Vec::new(), notes: Vec::new() };
+        let report = self.grade_new(&intake, plan);
+        let failed = report.verdict == Verdict::GraderFault && !self.stop.is_wished();
+        let first = report.tests.iter().find(|test| test.verdict == Verdict::GraderFault);
+        let why = report.message.or_else(|| first.map(|test| test.message.clone()));
+        failed.then(|| why.unwrap_or_else(|| "no words".to_owned()))
+    }
+
+    fn not_taken(&self, submission: &Submission, error: &IntakeError, plan: &Plan) -> Report {
+        let report = self.stopped(plan, error.verdict(), error.to_string());
+        Report { notes: submission.notes().to_vec(), ..report }
     }
 
     /// The report of an earlier run, or a new one.
-    fn known_or_new(&self, intake: &Intake, plan: &Plan) -> Report {
+    fn grade_intake(&self, intake: &Intake, plan: &Plan) -> Report {
         let keeps = self.cache.as_ref().map(|cache| (cache, self.key(intake, plan)));
-        if let Some(report) = keeps.as_ref().and_then(|(cache, key)| cache.get(key)) {
+        if let Some(report) = keeps.as_ref().filter(|_| !self.again).and_then(|(cache, key)| cache.get(key)) {
             return report;
         }
-        let graded = catch_unwind(AssertUnwindSafe(|| self.build_and_judge(intake, plan)));
-        let report = graded.unwrap_or_else(|panic| {
-            let words = panic.downcast_ref::<String>().map(String::as_str);
-            let words = words.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no words");
-            self.stopped(plan, Verdict::GraderFault, format!("the grader panicked: {words}"))
-        });
-        if let Some((cache, key)) = keeps {
+        let report = self.grade_new(intake, plan);
+        if let Some((cache, key)) = keeps.filter(|_| !self.stop.is_wished()) {
             cache.put(key, &report);
         }
         report
     }
 
+    fn grade_new(&self, intake: &Intake, plan: &Plan) -> Report {
+        let graded = catch_unwind(AssertUnwindSafe(|| {
+            if self.scan
+                && let Err(error) = scan_all(intake)
+            {
+                return self.stopped(plan, error.verdict(), error.to_string());
+            }
+            self.build_and_judge(intake, plan)
+        }));
+        graded.unwrap_or_else(|panic| {
+            let words = panic.downcast_ref::<String>().map(String::as_str);
+            let words = words.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no words");
+            self.stopped(plan, Verdict::GraderFault, format!("the grader panicked: {words}"))
+        })
+    }
+
     fn key(&self, intake: &Intake, plan: &Plan) -> Key {
-        let kit = env!("CARGO_PKG_VERSION");
-        let Self { lab, build, scan, .. } = self;
+        let Self { lab, build, scan, judge, .. } = self;
         let limits = &lab.manifest.limits;
         // The lab's files too: while it is being written its version stays the same.
         let files: Vec<_> = lab.files.iter().collect();
         let lab = (&lab.name, &lab.manifest.version, hash_of(&files));
-        let grader = format!("{kit} {lab:?} {limits:?} {build:?} {:?} {scan}", self.walls.up());
+        let grader = format!("{judge} {lab:?} {limits:?} {build:?} {:?} {scan}", self.walls.up());
         Key { grader, plan: hash_of(&format!("{plan:?}")), files: intake.graded.clone() }
     }
 
@@ -278,9 +429,26 @@ impl Grader {
     }
 }
 
-/// What a submission is called: its file or folder, without the ending `.rs`.
-fn name_of(submission: &Path) -> String {
-    let path = submission.canonicalize().unwrap_or_else(|_| submission.to_path_buf());
-    let name = path.file_name().map_or_else(|| path.to_string_lossy(), |name| name.to_string_lossy());
-    name.strip_suffix(".rs").unwrap_or(&name).to_owned()
+/// Files to be graded, and all who handed them in.
+struct Job {
+    /// The graded files: path and text.
+    files: Result<Vec<(String, String)>, IntakeError>,
+    who: Vec<Extras>,
+}
+
+/// What tells two submissions with equal files apart.
+struct Extras {
+    /// The place in the list of submissions.
+    place: usize,
+    optional: Vec<(String, String)>,
+    notes: Vec<String>,
+    similar: Vec<Similar>,
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn millis_since(begin: Instant) -> u64 {
+    u64::try_from(begin.elapsed().as_millis()).unwrap_or(u64::MAX)
 }

@@ -14,13 +14,16 @@ use super::manifest::Test;
 use super::plan::Plan;
 use super::program::Program;
 use super::report::{Finding, Report, TestResult};
-use super::run::{SuiteRun, run_suite};
+use super::run::{PATIENCE, SuiteRun, run_suite};
 use super::the_lab::Lab;
 use super::verdict::Verdict;
 use super::zoo::{self, Signature};
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Instant;
 
+/// What is said of a test that was not asked any more.
+const GIVEN_UP: &str =
+    "It was not run: the program had to be ended twice before, because of time or memory. Mend the test above first.";
 /// How many findings are listed.
 const FINDINGS: usize = 10;
 /// How much of the student's printing is in the report.
@@ -67,10 +70,17 @@ pub fn grade_and_sign(lab: &Lab, program: &dyn Program, plan: &Plan) -> (Report,
         return (report, Signature::new());
     };
     let suites = wanted(course.suites(plan), lab, plan);
-    let mut graded = Vec::new();
+    let mut graded: Vec<Graded> = Vec::new();
+    let mut exhausted = 0;
     for suite in &suites {
-        // What builds on a test that fails would be skipped anyway, and may hang on what that has left behind.
-        let run = if is_blocked(lab, suite, &graded) { SuiteRun::default() } else { run_suite(program, course, suite) };
+        let last = graded.iter().rev().find_map(|graded| graded.run.exhausted_by());
+        let run = match last {
+            // What builds on a test that fails would be skipped anyway, and may hang on what that has left behind.
+            _ if is_blocked(lab, suite, &graded) => SuiteRun::default(),
+            Some(end) if exhausted >= PATIENCE => SuiteRun::given_up(end),
+            _ => run_suite(program, course, suite, exhausted),
+        };
+        exhausted += run.exhausted;
         report.printed.push_str(&run.printed);
         graded.push(Graded { suite, run });
     }
@@ -191,6 +201,9 @@ fn state<'a>(test: &'a Test, graded: &[Graded]) -> Option<State<'a>> {
     if run.grader_fault.is_some() {
         return Some(State { test, verdict: Verdict::GraderFault, failing: None, hash: None });
     }
+    if let Some(end) = &run.given_up {
+        return Some(State { test, verdict: end.verdict(), failing: None, hash: None });
+    }
     let first = run.faults.iter().enumerate().find_map(|(case, faults)| {
         let fault = faults.iter().find(|fault| fault.test == test.name)?;
         Some((case, fault))
@@ -247,7 +260,10 @@ fn describe(result: &mut TestResult, state: &State, graded: &[Graded], lab: &Lab
         }
         _ => {}
     }
-    let Some((suite, case)) = state.failing else { return };
+    let Some((suite, case)) = state.failing else {
+        result.message = GIVEN_UP.to_owned();
+        return;
+    };
     let Graded { suite, run } = &graded[suite];
     let name = state.test.name.as_str();
     let section = lab.manifest.task(state.test.task).map_or("", |task| task.section.as_str());

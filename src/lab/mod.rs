@@ -39,6 +39,9 @@ mod report;
 pub mod reports;
 mod run;
 #[cfg(feature = "grade")]
+mod similar;
+mod stop;
+#[cfg(feature = "grade")]
 mod student;
 mod submission;
 mod task;
@@ -52,10 +55,12 @@ mod verdict;
 mod verify;
 #[cfg(feature = "grade")]
 mod walls;
+#[cfg(feature = "grade")]
+mod whole;
 mod zoo;
 
 #[cfg(feature = "grade")]
-pub use batch::{GradeOptions, Grader};
+pub use batch::{GradeOptions, Grader, Outcome};
 pub use bug::{Bug, BugError, Edit};
 #[cfg(feature = "grade")]
 pub use export::{Packed, gradescope_files, zipped};
@@ -70,8 +75,11 @@ pub use own_folder::{FolderCheck, check_folder};
 pub use plan::{Plan, Secret};
 pub use program::{Driver, End, Limits, Program, Ran, end_of, signal_name};
 pub use report::{Adjustment, Finding, Picture, Report, Similar, TestResult, Visibility, Wall};
+pub use stop::Stop;
 #[cfg(feature = "grade")]
 pub use student::{Kit, student_files};
+#[cfg(feature = "grade")]
+pub use submission::{ClassError, Submission};
 pub use submission::{Forbidden, Intake, IntakeError, ScanError, scan, take_in};
 pub use the_lab::{Lab, LabError};
 pub use toml_file::ManifestError;
@@ -83,4 +91,6 @@ pub use verdict::Verdict;
 pub use verify::{BugRow, Verification, verify};
 #[cfg(feature = "grade")]
 pub use walls::{Hidden, WallChoice, WalledProgram, Walls, launched};
+#[cfg(feature = "grade")]
+pub use whole::write_whole;
 pub use zoo::{Signature, Signatures};

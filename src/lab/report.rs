@@ -68,6 +68,36 @@ impl Report {
         }
     }
 
+    /// The same without what needs room: pictures, scripts, findings and what was printed. All that the tables of a
+    /// class tell is still there.
+    #[must_use]
+    pub fn without_details(&self) -> Self {
+        let bare = |test: &TestResult| TestResult {
+            message: String::new(),
+            place: None,
+            findings: Vec::new(),
+            script: None,
+            replay: None,
+            picture: None,
+            ..test.clone()
+        };
+        let (tests, printed) = (self.tests.iter().map(bare).collect(), String::new());
+        Self { tests, printed, attachments: Vec::new(), ..self.clone() }
+    }
+
+    /// What its author may read once it is handed back: nothing of hidden tests but what they gave, and nothing of
+    /// other submissions.
+    #[must_use]
+    pub fn for_its_author(&self) -> Self {
+        let bare = self.without_details();
+        let pick = |(test, bare): (&TestResult, TestResult)| match test.visibility {
+            Visibility::Hidden => TestResult { bugs: Vec::new(), message: "a hidden test".to_owned(), ..bare },
+            _ => test.clone(),
+        };
+        let tests = self.tests.iter().zip(bare.tests).map(pick).collect();
+        Self { tests, similar: Vec::new(), ..self.clone() }
+    }
+
     /// The points that were earned, adjustments included; never below zero.
     #[must_use]
     pub fn points(&self) -> u32 {

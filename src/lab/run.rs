@@ -5,7 +5,8 @@
 //!                                └──▶ case 4 ✓  case 5 ✓      in a new process
 //! ```
 //!
-//! A process that hangs ends the suite: waiting for the deadline again would teach nothing.
+//! A process that hangs ends the suite: waiting for the deadline again would teach nothing. After the second end by
+//! time or memory, of whatever suites, the submission's run is over: what is left is not asked any more.
 
 use super::cases::random::fresh_seed;
 use super::course::{Course, Suite};
@@ -15,6 +16,9 @@ use super::protocol::{Case, CaseAnswer, read_answers};
 
 /// How often a suite is taken up again after its process died.
 const RESTARTS: usize = 8;
+
+/// After so many ends by time or memory nothing more is asked of a program.
+pub(super) const PATIENCE: usize = 2;
 
 /// What came of a suite.
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -29,10 +33,29 @@ pub(super) struct SuiteRun {
     pub(super) printed: String,
     /// How long the processes took.
     pub(super) millis: u64,
+    /// How often a process was ended because of time or memory.
+    pub(super) exhausted: usize,
+    /// The end after which nothing more was asked: the suite was not run, or not to its end.
+    pub(super) given_up: Option<FaultKind>,
+}
+
+impl SuiteRun {
+    /// The end by time or memory, if there was one.
+    pub(super) fn exhausted_by(&self) -> Option<FaultKind> {
+        let ends = self.faults.iter().flatten().map(|fault| &fault.kind);
+        ends.rev().find(|kind| matches!(kind, FaultKind::TimedOut | FaultKind::OutOfMemory)).cloned()
+    }
+
+    /// The suite that is not run because the program has used up all patience.
+    pub(super) fn given_up(end: FaultKind) -> Self {
+        Self { given_up: Some(end), ..Self::default() }
+    }
 }
 
 /// Runs and judges all cases of a suite.
-pub(super) fn run_suite(program: &dyn Program, course: &dyn Course, suite: &Suite) -> SuiteRun {
+///
+/// `exhausted` is how often the program was ended before because of time or memory.
+pub(super) fn run_suite(program: &dyn Program, course: &dyn Course, suite: &Suite, exhausted: usize) -> SuiteRun {
     let mut run = SuiteRun::default();
     for _ in 0..=RESTARTS {
         let cases: Vec<&Case> = suite.asked.iter().skip(run.answers.len()).map(|asked| &asked.case).collect();
@@ -70,7 +93,8 @@ pub(super) fn run_suite(program: &dyn Program, course: &dyn Course, suite: &Suit
             run.faults.push(faults);
             run.answers.push(answer);
         }
-        if answers.done || ran.end == End::TimedOut {
+        run.exhausted += usize::from(matches!(ran.end, End::TimedOut | End::OutOfMemory));
+        if answers.done || ran.end == End::TimedOut || exhausted + run.exhausted >= PATIENCE {
             break;
         }
     }

@@ -70,7 +70,7 @@ impl Sandbox for OwnMachine {
             }
         }
         command.envs(task.env.iter().map(|(name, value)| (name, value)));
-        super::program::run_within(command, input, &task.limits)
+        super::program::run_within(command, input, &task.limits, None)
     }
 
     fn give(&self, _: &Path) -> io::Result<()> {

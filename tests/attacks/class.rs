@@ -1,6 +1,8 @@
 //! A class that hands in: a folder of submissions, a grader's secret, and what must be true afterwards.
 
-use dcel_kit::lab::{GradeOptions, Grader, Hidden, Lab, Limits, Plan, Report, Wall, WallChoice, Walls};
+use dcel_kit::lab::{
+    GradeOptions, Grader, Hidden, Lab, Limits, Outcome, Plan, Report, Submission, Wall, WallChoice, Walls,
+};
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock, PoisonError};
@@ -155,11 +157,13 @@ impl Class {
     pub(crate) fn grade(&self, submissions: &[PathBuf], options: &GradeOptions) -> Vec<Report> {
         let grader = Grader::new(self.lab.clone(), options).unwrap();
         let mut reports: Vec<Option<Report>> = vec![None; submissions.len()];
-        grader.grade_all(submissions, &Plan::with_seed(4), |i, report| {
+        let named: Vec<Submission> = submissions.iter().map(|path| Submission::at(path)).collect();
+        let outcome = grader.grade_all(&named, &Plan::with_seed(4), |i, report| {
             assert!(reports[i].is_none(), "{} has two reports", submissions[i].display());
             assert_eq!(report.seed, 4);
             reports[i] = Some(report);
         });
+        assert_eq!(outcome, Outcome::All);
         reports.into_iter().map(|report| report.expect("a report for every submission")).collect()
     }
 

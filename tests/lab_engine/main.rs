@@ -370,7 +370,6 @@ fn a_process_that_dies_loses_the_case_in_progress_only() {
         (End::Exited(0), Verdict::Crashed, "ended itself (exit code 0)"),
         (End::Signalled { signal: 11, name: "SIGSEGV" }, Verdict::Crashed, "SIGSEGV"),
         (End::TimedOut, Verdict::TimedOut, "deadline"),
-        (End::OutOfMemory, Verdict::OutOfMemory, "memory"),
         (End::OutputLimit, Verdict::Crashed, "printed more"),
     ] {
         let dying = end.clone();
@@ -391,6 +390,51 @@ fn a_process_that_dies_loses_the_case_in_progress_only() {
             // The cases after it were asked in a new process: nine in all, and one more that only names.
             assert!(open[0].message.contains(" of 9 cases fail"), "{}", open[0].message);
         }
+    }
+}
+
+/// Counts how often a program is started.
+struct Counted<'a>(&'a Fake, std::sync::atomic::AtomicUsize);
+
+impl dcel_kit::lab::Program for Counted<'_> {
+    fn run(&self, input: &str) -> dcel_kit::lab::Ran {
+        self.1.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+        self.0.run(input)
+    }
+}
+
+#[test]
+fn a_program_that_is_ended_twice_by_time_or_memory_is_asked_no_more() {
+    for (end, verdict) in [(End::TimedOut, Verdict::TimedOut), (End::OutOfMemory, Verdict::OutOfMemory)] {
+        // Everything dies: two starts, and whoever was not asked has the same verdict and is told why.
+        let dying = end.clone();
+        let fake = Fake::twisted(move |_, _, done| done.answer = Answer::Died(dying.clone()));
+        let counted = Counted(&fake, Default::default());
+        let report = grade_program(&lab(), &counted, &Plan::with_seed(3));
+        assert_eq!(report.points(), 0);
+        let asked = |test: &&TestResult| test.verdict == verdict && !test.message.contains("It was not run");
+        let not_run = |test: &&TestResult| test.verdict == verdict && test.message.contains("ended twice");
+        let all: Vec<_> = report.tests.iter().filter(|test| test.verdict != Verdict::Skipped).collect();
+        assert!(all.iter().copied().filter(asked).count() >= 1, "{all:#?}");
+        assert!(all.iter().copied().filter(not_run).count() >= 1, "{all:#?}");
+        assert!(all.iter().all(|test| test.verdict == verdict), "{all:#?}");
+        if end == End::TimedOut {
+            // Nothing is shown of a program that does not come back, so nothing more is run for that.
+            assert_eq!(counted.1.into_inner(), 2);
+        }
+
+        // Once only: everything else is asked, and passed.
+        let dying = end.clone();
+        let once = std::sync::atomic::AtomicBool::new(true);
+        let fake = Fake::twisted(move |function, _, done| {
+            if function == "walk_vertex" && once.swap(false, std::sync::atomic::Ordering::Relaxed) {
+                done.answer = Answer::Died(dying.clone());
+            }
+        });
+        let report = grade(&fake);
+        let open: Vec<_> = report.tests.iter().filter(|test| test.verdict != Verdict::Passed).collect();
+        assert_eq!(open.len(), 1, "{open:#?}");
+        assert_eq!((open[0].name.as_str(), open[0].verdict), ("vertex_star", verdict));
     }
 }
 

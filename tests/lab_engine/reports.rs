@@ -388,3 +388,30 @@ fn what_was_odd_is_noted_in_what_the_student_reads() {
         assert!(format.one(&noted).contains("took src/Lab.rs for src/lab.rs"), "{format}");
     }
 }
+
+#[test]
+fn a_page_that_is_handed_back_tells_nothing_hidden_and_nothing_of_others() {
+    let similar = vec![Similar { submission: "dora".to_owned(), percent: 90, identical: false }];
+    let open = Report { similar, ..hostile() }.for_its_author();
+    let page = Format::Html.one(&open);
+    assert!(!page.contains("secret") && !page.contains("not relabelled") && !page.contains("dora"), "{page}");
+    assert_eq!((open.points(), open.tests.len()), (hostile().points(), hostile().tests.len()));
+    let plain = report();
+    assert_eq!(plain.for_its_author(), plain, "nothing hidden, nothing gone");
+}
+
+#[test]
+fn an_index_links_to_the_pages_and_says_when_some_are_missing() {
+    let class = [report(), Report { submission: Some("b/c & <d>".to_owned()), ..report() }];
+    let pages = ["students/anna.html".to_owned(), "students/b c#%.html".to_owned()];
+    let page = dcel_kit::lab::reports::index(&class, &pages, 3);
+    assert!(
+        page.contains("href=\"students/anna.html\"") && page.contains("href=\"students/b%20c%23%25.html\""),
+        "{page}"
+    );
+    assert!(page.contains("2 of 3 submissions") && page.contains("Not all are graded yet"), "{page}");
+    assert!(!dcel_kit::lab::reports::index(&class, &pages, 2).contains("Not all"));
+    // The details are on the other pages.
+    let bare: Vec<Report> = class.iter().map(Report::without_details).collect();
+    assert_eq!(dcel_kit::lab::reports::index(&bare, &pages, 3), page);
+}

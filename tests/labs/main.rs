@@ -2,6 +2,8 @@
 #![cfg(feature = "cli")]
 #![allow(clippy::unwrap_used)]
 
+mod alike;
+mod class;
 mod commands;
 mod doors;
 #[path = "../shell/mod.rs"]

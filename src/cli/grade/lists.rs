@@ -5,11 +5,14 @@
 //!   s1234,Anna Arndt           s1234,5,answers
 //!   s1235,Ben Bach             s1235,-10,two days late
 //! ```
+//!
+//! Everything in them is checked before the first submission is graded.
 
 use super::super::{Failure, failure};
 use dcel_kit::lab::{Adjustment, Lab, Report, Verdict};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// The lists of a run.
@@ -34,49 +37,122 @@ struct Points {
     reason: String,
 }
 
+/// What the lists say, submission by submission.
+#[derive(Debug)]
+pub(super) struct Resolved {
+    /// The names in the reports, in the order of the submissions; no two are equal.
+    pub(super) names: Vec<String>,
+    adjustments: Vec<Vec<Adjustment>>,
+    /// Those in the list of names who handed in nothing.
+    missing: Vec<(String, Vec<Adjustment>)>,
+}
+
 impl Lists {
     pub(super) fn read(names: Option<&Path>, adjust: Option<&Path>) -> Result<Self, Failure> {
-        Ok(Self {
-            names: names.map_or(Ok(Vec::new()), |file| rows(file, "submission,name"))?,
-            adjustments: adjust.map_or(Ok(Vec::new()), |file| rows(file, "submission,points,reason"))?,
-        })
+        let names: Vec<Name> = names.map_or(Ok(Vec::new()), |file| rows(file, "submission,name"))?;
+        for (i, name) in names.iter().enumerate() {
+            if names[..i].iter().any(|earlier| earlier.submission == name.submission) {
+                let what = format!("the list of names has `{}` twice", name.submission);
+                return Err(Failure::input(what, "keep one of the lines"));
+            }
+        }
+        Ok(Self { names, adjustments: adjust.map_or(Ok(Vec::new()), |file| rows(file, "submission,points,reason"))? })
     }
 
-    /// Adds what is missing, gives and takes points, then puts names for submissions.
-    pub(super) fn apply(&self, lab: &Lab, reports: &mut Vec<Report>) -> Result<(), Failure> {
+    /// Finds for each line the submission it means. `own` are the submissions' own names; `is_called(i, name)` says
+    /// whether a list may mean submission `i` by a name.
+    pub(super) fn resolve(&self, own: &[&str], is_called: impl Fn(usize, &str) -> bool) -> Result<Resolved, Failure> {
+        let find = |name: &str| -> Result<Option<usize>, Failure> {
+            if let Some(i) = own.iter().position(|own| *own == name) {
+                return Ok(Some(i));
+            }
+            let mut found = (0..own.len()).filter(|&i| is_called(i, name));
+            match (found.next(), found.next()) {
+                (Some(one), Some(other)) => {
+                    let what = format!("`{name}` in a list may be {} or {}", own[one], own[other]);
+                    Err(Failure::input(what, "write it as the report of the class does"))
+                }
+                (found, _) => Ok(found),
+            }
+        };
+        let mut resolved = Resolved {
+            names: own.iter().map(|&name| name.to_owned()).collect(),
+            adjustments: vec![Vec::new(); own.len()],
+            missing: Vec::new(),
+        };
+        let mut listed = vec![false; own.len()];
         for name in &self.names {
-            if !reports.iter().any(|report| is_of(report, &name.submission)) {
-                let mut missing = Report::untested(&lab.manifest, Verdict::Unattempted, "Nothing was handed in.");
-                missing.submission = Some(name.submission.clone());
-                reports.push(missing);
+            match find(&name.submission)? {
+                Some(i) if listed[i] => {
+                    let what = format!("two lines of the list of names mean {}", own[i]);
+                    return Err(Failure::input(what, "keep one of them"));
+                }
+                Some(i) => {
+                    listed[i] = true;
+                    resolved.names[i].clone_from(&name.name);
+                }
+                None => resolved.missing.push((name.name.clone(), Vec::new())),
             }
         }
         for given in &self.adjustments {
-            let Some(report) = reports.iter_mut().find(|report| is_of(report, &given.submission)) else {
-                let what = format!("there are points for `{}`, but no such submission", given.submission);
-                return Err(Failure::input(what, "write it as the file or folder is called"));
-            };
-            report.adjustments.push(Adjustment { reason: given.reason.clone(), points: given.points });
-        }
-        if self.names.is_empty() {
-            return Ok(());
-        }
-        for report in reports {
-            match self.names.iter().find(|name| is_of(report, &name.submission)) {
-                Some(name) => report.submission = Some(name.name.clone()),
-                None => failure::say("note", format_args!("{} is not in the list of names", named(report))),
+            let adjustment = Adjustment { reason: given.reason.clone(), points: given.points };
+            let missing = |name: &&Name| name.submission == given.submission;
+            match (find(&given.submission)?, self.names.iter().find(missing)) {
+                (Some(i), _) => resolved.adjustments[i].push(adjustment),
+                (None, Some(name)) => {
+                    let place = resolved.missing.iter_mut().find(|(missing, _)| *missing == name.name);
+                    place.into_iter().for_each(|(_, adjustments)| adjustments.push(adjustment.clone()));
+                }
+                (None, None) => {
+                    let what = format!("there are points for `{}`, but no such submission", given.submission);
+                    return Err(Failure::input(what, "write it as the file or folder is called"));
+                }
             }
         }
-        Ok(())
+        resolved.tell_apart(own);
+        for (name, _) in own.iter().zip(listed).filter(|(_, listed)| !listed && !self.names.is_empty()) {
+            failure::say("note", format_args!("{name} is not in the list of names"));
+        }
+        Ok(resolved)
     }
 }
 
-fn is_of(report: &Report, submission: &str) -> bool {
-    report.submission.as_deref() == Some(submission)
-}
+impl Resolved {
+    /// Two people may have one name: then what they handed in tells them apart.
+    fn tell_apart(&mut self, own: &[&str]) {
+        let mut times: BTreeMap<String, usize> = BTreeMap::new();
+        for name in &self.names {
+            *times.entry(name.clone()).or_default() += 1;
+        }
+        for (name, own) in self.names.iter_mut().zip(own) {
+            if times[name] > 1 && name != own {
+                *name = format!("{name} ({own})");
+            }
+        }
+    }
 
-fn named(report: &Report) -> &str {
-    report.submission.as_deref().unwrap_or("a submission")
+    /// Puts the name of submission `i` into its report, and gives and takes points. Points that a stored report has
+    /// already are not given twice.
+    pub(super) fn apply(&self, i: usize, report: &mut Report) {
+        report.submission = Some(self.names[i].clone());
+        for adjustment in &self.adjustments[i] {
+            if report.adjustments.contains(adjustment) {
+                let what = format!("{} has `{}` already", self.names[i], adjustment.reason);
+                failure::say("note", format_args!("{what}: the points are not counted twice"));
+            } else {
+                report.adjustments.push(adjustment.clone());
+            }
+        }
+    }
+
+    /// The reports of those who handed in nothing.
+    pub(super) fn missing(&self, lab: &Lab) -> Vec<Report> {
+        let one = |(name, adjustments): &(String, Vec<Adjustment>)| {
+            let report = Report::untested(&lab.manifest, Verdict::Unattempted, "Nothing was handed in.");
+            Report { submission: Some(name.clone()), adjustments: adjustments.clone(), ..report }
+        };
+        self.missing.iter().map(one).collect()
+    }
 }
 
 fn rows<T: DeserializeOwned>(file: &Path, columns: &str) -> Result<Vec<T>, Failure> {

@@ -5,15 +5,22 @@
 //!   stored reports    ──────────────────────────────────▶ Report ─┼─▶ names, adjustments ─▶ formats
 //!   names without a submission ─▶ "nothing was handed in" ────────┘
 //! ```
+//!
+//! Lists, targets and folders are checked before the first submission is graded, reports are written as they come.
 
+mod class;
 mod lists;
+mod signals;
 mod targets;
 
 use super::{Answer, Failure, Output, failure};
-use dcel_kit::lab::reports::Format;
-use dcel_kit::lab::{GradeOptions, Grader, Hidden, Lab, Plan, Report, Secret, Verdict};
+use class::{Class, KEPT};
+use dcel_kit::lab::{
+    ClassError, GradeOptions, Grader, Hidden, Lab, Outcome, Plan, Report, Secret, Stop, Submission, Verdict,
+};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use lists::Lists;
+use signals::Signals;
 use std::fs;
 use std::io::{IsTerminal, Write};
 use std::num::NonZeroUsize;
@@ -23,18 +30,33 @@ use targets::Target;
 /// Grade one submission, or a whole class
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
-A submission is a folder that `dcel lab start` made, or the student's file alone. It is built and run behind walls;
-the report names those that stood and those that could not be had. A submission that does its worst gets a report
-that says so, and the next one is graded. Submissions with equal files are graded once.
+A submission is a folder that `dcel lab start` made, the student's file alone, or a .zip or .tar.gz of either. It is
+built and run behind walls; the report names those that stood and those that could not be had. A submission that does
+its worst gets a report that says so, and the next one is graded. Submissions with equal files are graded once.
+
+A class is a folder, or the .zip that a course system lets you download: names as Canvas and Moodle make them are
+understood. Rows are called by person, folder or file, with as much of the path as tells them apart.
+
+--results DIR writes, while it goes on:
+  DIR/class.html class.csv   the tables
+  DIR/students/NAME.html     a page to hand back, for each
+  DIR/reports/NAME.json      all there is to know, for --from-report DIR
+Ctrl-C leaves what is done there, and the same command goes on where it stopped: only what is new or has changed
+is graded (a submission, the lab, a limit, the seed, this program or rustc).
+
+Submissions that look alike are named in the reports of a class, names and comments aside, and never in those that
+a student gets. Compare them yourself: honest answers to small tasks are similar.
 
 Formats: text html markdown json junit csv bugs hold a class; gradescope classroom50 exercism hold one submission:
 with several, write {submission} where its name shall stand in the file's.
 
-Exit code 0 once all reports are written, whatever the grades; --fail-under changes that.
+Exit code 0 once all reports are written, whatever the grades; --fail-under changes that. 3 if the grader itself
+fails whatever it is given: then no report tells of it. 130 after Ctrl-C, 143 after SIGTERM.
 
 Examples:
   dcel grade 04 my-lab
-  dcel grade 04 --all-in submissions --report html=class.html --report csv=class.csv
+  dcel grade 04 --all-in submissions --results graded
+  dcel grade 04 --all-in submissions.zip --report html=class.html --report csv=class.csv
   dcel grade 04 lab.rs --report gradescope=results.json
   dcel grade 04 --from-report class.json --adjust late.csv --report csv=final.csv")]
 pub(crate) struct Args {
@@ -44,15 +66,24 @@ pub(crate) struct Args {
     /// Submissions: folders or files
     #[arg(value_name = "SUBMISSION", required_unless_present_any = ["all_in", "from_report"])]
     submissions: Vec<PathBuf>,
-    /// Every file and folder in this one is a submission, but for hidden ones
+    /// Every file and folder in this folder or .zip is a submission, but for hidden ones
     #[arg(long, value_name = "DIR")]
     all_in: Option<PathBuf>,
-    /// Reports stored as json instead of submissions: nothing is run
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["submissions", "all_in"])]
+    /// Reports stored as json, or a folder of --results, instead of submissions: nothing is run
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["submissions", "all_in", "results", "cache", "again"])]
     from_report: Option<PathBuf>,
     /// Write a report: a format and a file, `-` for standard output; may be given several times
     #[arg(long = "report", value_name = "FORMAT=FILE")]
     reports: Vec<Target>,
+    /// A folder for the tables, a page and a report for each submission; a second call goes on where the first stopped
+    #[arg(long, value_name = "DIR")]
+    results: Option<PathBuf>,
+    /// Grade again what --results or --cache has kept
+    #[arg(long)]
+    again: bool,
+    /// Name pairs of submissions of which so much is the same, in percent, names and comments aside
+    #[arg(long, value_name = "PERCENT", default_value_t = 80, value_parser = clap::value_parser!(u8).range(1..=100))]
+    similar: u8,
     /// The seed of the random cases; without it, one is drawn for the batch
     #[arg(long, value_name = "NUMBER")]
     seed: Option<u64>,
@@ -68,7 +99,7 @@ pub(crate) struct Args {
     /// Exit code 1 if a submission has less than this share of the points, in percent
     #[arg(long, value_name = "PERCENT")]
     fail_under: Option<f64>,
-    /// A folder that keeps reports: equal files under an equal seed are not graded again
+    /// A folder that keeps reports, and the seed if none is given: equal files are not graded again
     #[arg(long, value_name = "DIR")]
     cache: Option<PathBuf>,
     /// How many are graded at the same time; without it, one for each core
@@ -79,82 +110,148 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let lab = super::lab::lab(&args.lab)?;
     let lists = Lists::read(args.names.as_deref(), args.adjust.as_deref())?;
-    let mut reports = match &args.from_report {
-        Some(file) => stored(file)?,
-        None => graded(args, &lab)?,
+    let (reports, end) = match &args.from_report {
+        Some(place) => (again(args, &lab, &lists, stored(place)?, out)?, None),
+        None => graded(args, &lab, &lists, out)?,
     };
-    lists.apply(&lab, &mut reports)?;
-    for target in &args.reports {
-        target.write(&reports, out)?;
-    }
-    if !args.reports.iter().any(Target::is_standard_output) {
-        let text = Format::Text.class(&reports).map_err(Failure::kit)?;
-        write!(out, "{text}")?;
+    if let Some(failure) = end {
+        out.flush()?;
+        return Err(failure);
     }
     let share = |report: &Report| f64::from(report.points()) * 100.0 / f64::from(report.max_points().max(1));
     let too_low = args.fail_under.is_some_and(|least| reports.iter().any(|report| share(report) < least));
     Ok(if too_low { Answer::No } else { Answer::Yes })
 }
 
-/// Grades the submissions; a bar shows how far it is where somebody watches.
-fn graded(args: &Args, lab: &Lab) -> Result<Vec<Report>, Failure> {
-    let submissions = submissions(args)?;
-    let mut plan = args.seed.map_or_else(Plan::from_environment, Plan::with_seed);
-    plan.secret = args.secret.as_deref().map(secret).transpose()?;
+/// Reports that were stored, written again.
+fn again(
+    args: &Args,
+    lab: &Lab,
+    lists: &Lists,
+    mut reports: Vec<Report>,
+    out: &mut Output,
+) -> Result<Vec<Report>, Failure> {
+    let own: Vec<&str> = reports.iter().map(|report| report.submission.as_deref().unwrap_or_default()).collect();
+    let lists = lists.resolve(&own, |_, _| false)?;
+    for (i, report) in reports.iter_mut().enumerate() {
+        lists.apply(i, report);
+    }
+    let mut class = Class::new(args, lab, &lists, reports.len())?;
+    for (i, report) in reports.into_iter().enumerate() {
+        class.take(i, report, out)?;
+    }
+    class.finish(out)
+}
+
+/// Grades the submissions, and writes the reports as they come; a bar shows how far it is where somebody watches.
+/// What is there is written, also if it is not all: then with the reason.
+fn graded(args: &Args, lab: &Lab, lists: &Lists, out: &mut Output) -> Result<(Vec<Report>, Option<Failure>), Failure> {
+    let submissions = Submission::class(&args.submissions, args.all_in.as_deref()).map_err(no_class)?;
+    let own: Vec<&str> = submissions.iter().map(Submission::name).collect();
+    let lists = lists.resolve(&own, |i, name| submissions[i].is_called(name))?;
+    let mut class = Class::new(args, lab, &lists, submissions.len())?;
+    let kept = args.cache.clone().or_else(|| args.results.as_ref().map(|results| results.join(KEPT)));
+    let secret = args.secret.as_deref().map(secret).transpose()?;
+    let plan = Plan { secret, ..plan(args, kept.as_deref())? };
+    let stop = Stop::new();
+    let signals = Signals::wish(&stop).map_err(|error| Failure::machine(format!("signals: {error}"), ""))?;
     let options = GradeOptions {
         workers: args.workers,
-        hidden: hidden(args, &submissions),
-        cache: args.cache.clone(),
+        hidden: hidden(args),
+        cache: kept,
+        keep_deadlines: args.results.is_some(),
+        again: args.again,
+        similar_from: args.similar,
+        stop: stop.clone(),
         ..GradeOptions::default()
     };
-    let grader = Grader::new(lab.clone(), &options).map_err(|error| Failure::writing("a temporary folder", &error))?;
+    let grader =
+        Grader::new(lab.clone(), &options).map_err(|error| Failure::writing("a folder for the work", &error))?;
     let bar = bar(submissions.len());
-    let mut reports: Vec<Option<Report>> = vec![None; submissions.len()];
-    grader.grade_all(&submissions, &plan, |i, report| {
+    let mut failed = None;
+    let outcome = grader.grade_all(&submissions, &plan, |i, mut report| {
         if report.verdict == Verdict::GraderFault {
             let message = report.message.as_deref().unwrap_or("see its report");
-            bar.suspend(|| failure::say("grader fault", format_args!("{}: {message}", submissions[i].display())));
+            bar.suspend(|| failure::say("grader fault", format_args!("{}: {message}", submissions[i].name())));
         }
-        reports[i] = Some(report);
+        lists.apply(i, &mut report);
+        if let Err(error) = class.take(i, report, out)
+            && failed.is_none()
+        {
+            // Nothing can be written any more: to go on would be for nothing.
+            stop.stop();
+            failed = Some(error);
+        }
         bar.inc(1);
     });
     bar.finish_and_clear();
-    Ok(reports.into_iter().flatten().collect())
+    let complaints = grader.complaints();
+    // The folders of the work go before anything else can fail.
+    drop(grader);
+    complaints.iter().for_each(|complaint| failure::say("note", complaint));
+    if let Some(failure) = failed {
+        return Err(failure);
+    }
+    if let Outcome::Fault(why) = &outcome {
+        let what = format!("the grader fails whatever it is given: {why}");
+        let help = "no report says anything of this; mend the cause and give the same command again";
+        class.finish_if_any(out)?;
+        return Err(Failure::machine(what, help));
+    }
+    let reports = class.finish(out)?;
+    let end = match outcome {
+        Outcome::Stopped { left } => {
+            let what = format!("stopped: {} of {} graded", submissions.len() - left, submissions.len());
+            let help = if options.cache.is_some() {
+                "the same command goes on where it stopped"
+            } else {
+                "with --results DIR the same command would go on where it stopped"
+            };
+            Some(Failure::signal(signals.came().unwrap_or(2), what, help))
+        }
+        _ if !reports.is_empty() && reports.iter().all(|report| report.verdict == Verdict::GraderFault) => {
+            Some(Failure::machine("not one submission could be graded", "see what is said of each above"))
+        }
+        _ => None,
+    };
+    Ok((reports, end))
 }
 
-/// The paths of the submissions, each of which exists.
-fn submissions(args: &Args) -> Result<Vec<PathBuf>, Failure> {
-    let mut found = args.submissions.clone();
-    if let Some(dir) = &args.all_in {
-        let cannot = |error: std::io::Error| {
-            Failure::input(format!("{}: {error}", dir.display()), "name the folder that holds the submissions")
-        };
-        let mut inside = Vec::new();
-        for entry in fs::read_dir(dir).map_err(cannot)? {
-            let entry = entry.map_err(cannot)?;
-            if !entry.file_name().to_string_lossy().starts_with('.') {
-                inside.push(entry.path());
-            }
+fn no_class(error: ClassError) -> Failure {
+    let help = match &error {
+        ClassError::Unreadable { .. } => "name a folder or a file",
+        ClassError::Empty { .. } => "put a file or folder there for each",
+        _ => "name the folder that holds the submissions, or a .zip of it",
+    };
+    let what = match &error {
+        ClassError::Unreadable { path, error } if error.kind() == std::io::ErrorKind::NotFound => {
+            format!("{}: is not there", path.display())
         }
-        inside.sort();
-        if inside.is_empty() {
-            return Err(Failure::input(format!("{}: is empty", dir.display()), "put a file or folder there for each"));
+        other => other.to_string(),
+    };
+    Failure::input(what, help)
+}
+
+/// The seed that was asked for, or the one that belongs to the kept reports, or a fresh one.
+fn plan(args: &Args, kept: Option<&Path>) -> Result<Plan, Failure> {
+    let drawn = Plan::from_environment();
+    Ok(match (args.seed, kept) {
+        (Some(seed), _) => Plan::with_seed(seed),
+        (None, Some(folder)) if std::env::var_os("LAB_SEED").is_none() => {
+            let seed = Grader::kept_seed(folder, drawn.seed);
+            Plan::with_seed(seed.map_err(|error| Failure::writing(folder.display(), &error))?)
         }
-        found.extend(inside);
-    }
-    match found.iter().find(|path| !path.exists()) {
-        Some(missing) => Err(Failure::input(format!("{}: is not there", missing.display()), "name a folder or a file")),
-        None => Ok(found),
-    }
+        _ => drawn,
+    })
 }
 
 /// What no submission may see. The labs are those of the checkout that this program was built from.
-fn hidden(args: &Args, submissions: &[PathBuf]) -> Vec<Hidden> {
+fn hidden(args: &Args) -> Vec<Hidden> {
     let labs = Path::new(env!("CARGO_MANIFEST_DIR")).join("labs");
-    let lists = args.names.iter().chain(&args.adjust).chain(&args.cache).cloned();
+    let lists = args.names.iter().chain(&args.adjust).chain(&args.cache).chain(&args.results).cloned();
     let things = [
         ("the labs with their solutions", vec![labs]),
-        ("what was handed in", submissions.to_vec()),
+        ("what was handed in", args.submissions.iter().chain(&args.all_in).cloned().collect()),
         ("the instructor's secret", args.secret.iter().cloned().collect()),
         ("the class lists", lists.collect::<Vec<_>>()),
     ];
@@ -169,14 +266,36 @@ fn secret(file: &Path) -> Result<Secret, Failure> {
         .map_err(|error| Failure::input(error, "see `dcel help grade`; a line `seed = NUMBER` is enough"))
 }
 
-/// Reports that were written with `--report json=FILE`, one or many.
-fn stored(file: &Path) -> Result<Vec<Report>, Failure> {
-    const HELP: &str = "name a file that `dcel grade … --report json=FILE` wrote";
+/// Reports that were written with `--report json=FILE`, one or many, or with `--results DIR`.
+fn stored(place: &Path) -> Result<Vec<Report>, Failure> {
+    let reports = place.join(class::REPORTS);
+    if !reports.is_dir() {
+        return stored_file(place);
+    }
+    let cannot = |error: std::io::Error| Failure::input(format!("{}: {error}", reports.display()), STORED);
+    let mut files = Vec::new();
+    for entry in fs::read_dir(&reports).map_err(cannot)? {
+        let path = entry.map_err(cannot)?.path();
+        if path.extension().is_some_and(|end| end == "json") {
+            files.push(path);
+        }
+    }
+    files.sort();
+    let mut found = Vec::new();
+    for file in files {
+        found.extend(stored_file(&file)?);
+    }
+    Ok(found)
+}
+
+const STORED: &str = "name a file that `--report json=FILE` wrote, or a folder that `--results DIR` wrote";
+
+fn stored_file(file: &Path) -> Result<Vec<Report>, Failure> {
     let text =
-        fs::read_to_string(file).map_err(|error| Failure::input(format!("{}: {error}", file.display()), HELP))?;
+        fs::read_to_string(file).map_err(|error| Failure::input(format!("{}: {error}", file.display()), STORED))?;
     let one = |text: &str| serde_json::from_str::<Report>(text).map(|report| vec![report]);
     let reports = if text.trim_start().starts_with('[') { serde_json::from_str(&text) } else { one(&text) };
-    reports.map_err(|error| Failure::input(format!("{}: {error}", file.display()), HELP))
+    reports.map_err(|error| Failure::input(format!("{}: {error}", file.display()), STORED))
 }
 
 fn bar(submissions: usize) -> ProgressBar {

@@ -86,7 +86,7 @@ impl Context<'_> {
             Asked { case, source: Source::Fixed }
         });
         let suite = Suite { asked: asked.collect(), ..suite.clone() };
-        let run = run_suite(self.program, self.course, &suite);
+        let run = run_suite(self.program, self.course, &suite, 0);
         let answered = suite.asked.into_iter().zip(run.answers).zip(run.faults);
         let alike = |faults: &[Fault]| {
             let own = faults.iter().find(|fault| fault.test == first.test);

@@ -7,7 +7,7 @@
 
 use super::pipes::{Event, Pipe, feed};
 use super::{End, Limits, Program, Ran, end_of};
-use crate::lab::Wall;
+use crate::lab::{Stop, Wall};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, channel};
@@ -39,7 +39,7 @@ impl Driver {
 
 impl Program for Driver {
     fn run(&self, input: &str) -> Ran {
-        run_within(limited(&self.path, &self.limits), input, &self.limits)
+        run_within(limited(&self.path, &self.limits), input, &self.limits, None)
     }
 
     fn walls(&self) -> Vec<Wall> {
@@ -54,8 +54,8 @@ impl Program for Driver {
 
 /// Runs a prepared command to its end: deadline, cap on its output, and nothing of its process group left.
 ///
-/// On unix the command must make its process the leader of a group.
-pub(crate) fn run_within(mut command: Command, input: &str, limits: &Limits) -> Ran {
+/// On unix the command must make its process the leader of a group. A wish to stop ends it as if it had not started.
+pub(crate) fn run_within(mut command: Command, input: &str, limits: &Limits, stop: Option<&Stop>) -> Ran {
     let begin = Instant::now();
     let ran = |stdout, stderr, end| Ran { stdout, stderr, end, millis: begin.elapsed().as_millis() as u64 };
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
@@ -76,7 +76,7 @@ pub(crate) fn run_within(mut command: Command, input: &str, limits: &Limits) -> 
     }
     let seconds = Duration::try_from_secs_f64(limits.seconds).unwrap_or(Duration::MAX);
     let mut watch = Watch { stdout: stdout_events, closed: false };
-    let (status, stopped) = match watch.until(&mut child, begin, seconds) {
+    let (status, stopped) = match watch.until(&mut child, begin, seconds, stop) {
         Ok(status) => (status, None),
         Err(end) => {
             end_group(&mut child);
@@ -104,12 +104,21 @@ struct Watch {
 
 impl Watch {
     /// Until the process ends by itself; or the reason to end it.
-    fn until(&mut self, child: &mut Child, begin: Instant, limit: Duration) -> Result<Option<ExitStatus>, End> {
+    fn until(
+        &mut self,
+        child: &mut Child,
+        begin: Instant,
+        limit: Duration,
+        stop: Option<&Stop>,
+    ) -> Result<Option<ExitStatus>, End> {
         loop {
             match child.try_wait() {
                 Ok(None) => {}
                 Ok(status) => return Ok(status),
                 Err(_) => return Ok(None),
+            }
+            if stop.is_some_and(Stop::is_wished) {
+                return Err(End::NotStarted("the grader is to stop".to_owned()));
             }
             let left = limit.checked_sub(begin.elapsed()).ok_or(End::TimedOut)?;
             let pause = left.min(LOOK[usize::from(self.closed)]);

@@ -14,7 +14,7 @@
 //! Pictures are images with the SVG in their address: their ids cannot collide, and nothing in them can reach the
 //! page. They follow dark mode as the page does.
 
-use super::{bugs, words};
+use super::words;
 use crate::lab::{Report, TestResult, Verdict};
 use std::fmt::Write;
 
@@ -28,60 +28,7 @@ pub(super) fn one(report: &Report) -> String {
     document(&title, &body)
 }
 
-/// The page of a class.
-pub(super) fn class(reports: &[Report]) -> String {
-    if let [report] = reports {
-        return one(report);
-    }
-    let lab = reports.first().map_or("lab", |r| r.lab.as_str());
-    let mut body = format!("<h1>{}: {} submissions</h1>\n", escaped(lab), reports.len());
-    body.push_str("<table class=\"class\"><thead><tr><th scope=\"col\">submission</th><th scope=\"col\">points</th><th scope=\"col\">verdict</th></tr></thead>\n<tbody>\n");
-    for (i, report) in reports.iter().enumerate() {
-        let _ = writeln!(
-            body,
-            "<tr><th scope=\"row\"><a href=\"#s{i}\">{}</a></th><td>{}</td><td>{}</td></tr>",
-            escaped(&words::author(report)),
-            words::points(report),
-            sign(report.verdict),
-        );
-    }
-    body.push_str("</tbody></table>\n");
-    similar(&mut body, reports);
-    let named = bugs::count(reports);
-    if !named.is_empty() {
-        body.push_str("<h2>Named bugs</h2>\n<ul>\n");
-        for (bug, authors) in named {
-            let _ = writeln!(
-                body,
-                "<li><strong>{}</strong> {} ({})</li>",
-                authors.len(),
-                escaped(&bug),
-                escaped(&authors.join(", "))
-            );
-        }
-        body.push_str("</ul>\n");
-    }
-    for (i, report) in reports.iter().enumerate() {
-        submission(&mut body, report, i, false);
-    }
-    document(&format!("{lab}: {} submissions", reports.len()), &body)
-}
-
-/// Those that look alike, each linked to its section.
-fn similar(out: &mut String, reports: &[Report]) {
-    let alike: Vec<_> = reports.iter().enumerate().filter(|(_, report)| !report.similar.is_empty()).collect();
-    if alike.is_empty() {
-        return;
-    }
-    let _ = write!(out, "<h2>Look alike</h2>\n<p>{}</p>\n<ul>\n", words::LOOK_ALIKE);
-    for (i, report) in alike {
-        let (author, others) = (words::author(report), words::similar(report).join(", "));
-        let _ = writeln!(out, "<li><a href=\"#s{i}\">{}</a>: {}</li>", escaped(&author), escaped(&others));
-    }
-    out.push_str("</ul>\n");
-}
-
-fn submission(out: &mut String, report: &Report, number: usize, alone: bool) {
+pub(super) fn submission(out: &mut String, report: &Report, number: usize, alone: bool) {
     let heading = if alone { "h1" } else { "h2" };
     let _ = writeln!(
         out,
@@ -195,7 +142,7 @@ fn details(out: &mut String, test: &TestResult, id: &str, heading: &str) {
 }
 
 /// A verdict as a word with a sign, so that it needs no colour.
-fn sign(verdict: Verdict) -> String {
+pub(super) fn sign(verdict: Verdict) -> String {
     let (class, sign) = match verdict {
         Verdict::Passed => ("yes", "✓"),
         Verdict::Unattempted | Verdict::Skipped => ("open", "○"),
@@ -220,7 +167,7 @@ fn address(svg: &str) -> String {
     out
 }
 
-fn document(title: &str, body: &str) -> String {
+pub(super) fn document(title: &str, body: &str) -> String {
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n<style>\n{CSS}</style>\n</head>\n<body>\n{body}</body>\n</html>\n",
         escaped(title)
@@ -228,6 +175,6 @@ fn document(title: &str, body: &str) -> String {
 }
 
 /// The text with the characters that HTML reserves as entities, and nothing that steers a reader's screen.
-fn escaped(text: &str) -> String {
+pub(super) fn escaped(text: &str) -> String {
     crate::figure::page::escaped(&words::clean(text))
 }

@@ -13,6 +13,7 @@
 //! The bytes depend on the reports alone, and the only time in them is the one that Gradescope asks for.
 
 mod bugs;
+mod class_page;
 mod classroom;
 mod exercism;
 mod gradescope;
@@ -125,7 +126,7 @@ impl Format {
         Ok(match self {
             Self::Gradescope | Self::Classroom50 | Self::Exercism => return Err(OneAtATime(self)),
             Self::Text => text::class(reports),
-            Self::Html => html::class(reports),
+            Self::Html => class_page::class(reports),
             Self::Markdown => markdown::class(reports),
             Self::Json => pretty(&reports),
             Self::Junit => junit::write(reports),
@@ -145,6 +146,16 @@ impl fmt::Display for Format {
 #[derive(Clone, Copy, PartialEq, Eq, Debug, thiserror::Error)]
 #[error("a {0} file holds one submission; write one each, with {{submission}} in the name of the file")]
 pub struct OneAtATime(pub Format);
+
+/// A page of a class with links to a page for each submission, in the order of the reports. `total` is how many
+/// there will be: until then the page says that some are missing.
+///
+/// Cost: linear in the size of the reports. What only the linked pages tell may be left out of them, see
+/// [`Report::without_details`].
+#[must_use]
+pub fn index(reports: &[Report], pages: &[String], total: usize) -> String {
+    class_page::index(reports, pages, total)
+}
 
 /// Whether the author of a submission may read what the test found.
 fn open_to_the_student(test: &TestResult) -> bool {

@@ -5,8 +5,15 @@
 //!   alice/src/lab.rs          a folder as `dcel lab start` makes it
 //!   alice/lab.rs              the file in a folder
 //!   alice/my-lab/src/lab.rs   a folder in a folder, as archives unpack; the only one of its kind
+//!   alice/Lab (1).rs          nearly the name, the only one: taken, and noted
+//!   alice.zip alice/lab.zip   an archive of any of these; an archive in it is not opened
 //! ```
 
+#[cfg(feature = "grade")]
+use super::archive::{self, Keep};
+#[cfg(feature = "grade")]
+use super::handed::Submission;
+use super::parts::{self, Content, Kind, Part, Source};
 use super::scan::{Forbidden, ScanError, scan};
 use crate::lab::{Manifest, Verdict};
 use std::fs;
@@ -15,11 +22,9 @@ use std::path::{Path, PathBuf};
 
 /// The most that is read of a file.
 const LARGEST: u64 = 1 << 20;
-/// How deep in folders, and among how many entries, a file is looked for.
-const DEEPEST: usize = 5;
-const MOST_ENTRIES: usize = 5000;
-/// Folders in which nobody keeps what they hand in.
-const PASSED_OVER: [&str; 4] = ["target", "node_modules", "__MACOSX", "solution"];
+/// The most that is kept of one archive.
+#[cfg(feature = "grade")]
+const TOGETHER: u64 = 16 << 20;
 
 /// The student's files.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -28,6 +33,8 @@ pub struct Intake {
     pub graded: Vec<(String, String)>,
     /// Those that are read by people, if they were handed in.
     pub optional: Vec<(String, String)>,
+    /// What was odd about them: a file that is not called as it should be.
+    pub notes: Vec<String>,
 }
 
 /// Why a submission is not taken.
@@ -43,20 +50,36 @@ pub enum IntakeError {
         error: io::Error,
     },
     /// A graded file is not there.
-    #[error("there is no {file} in what was handed in")]
+    #[error("there is no {file} in what was handed in{instead}")]
     Missing {
         /// The file.
         file: String,
+        /// What there is that may have been meant for it, with what to do; empty if nothing is.
+        instead: String,
     },
     /// There are several, and no saying which is meant.
-    #[error("there are several {file}: {} and {}; hand in one", one.display(), other.display())]
+    #[error("there are several {file}: {one} and {other}; hand in one")]
     Several {
         /// The file.
         file: String,
         /// The first.
-        one: PathBuf,
+        one: String,
         /// Another.
-        other: PathBuf,
+        other: String,
+    },
+    /// What was handed in is a link.
+    #[error("this is a link to {to}, and links are not followed; hand in the files themselves")]
+    Link {
+        /// What it names.
+        to: String,
+    },
+    /// An archive that cannot be looked into.
+    #[error("{archive}: {what}")]
+    Archive {
+        /// The archive.
+        archive: String,
+        /// Why, and what to do.
+        what: String,
     },
     /// A link, a folder, a device.
     #[error("{file} is not an ordinary file but {kind}; hand in the file itself")]
@@ -119,127 +142,229 @@ impl IntakeError {
     }
 }
 
-/// Takes the files that a lab names out of a submission: a folder, or a single file.
+/// Takes the files that a lab names out of what was handed in: a folder or a single file.
+///
+/// Everything is read once: what is looked at afterwards is what is graded.
 ///
 /// Cost: linear in the length of the files; a few thousand folder entries at most.
 ///
 /// # Errors
 /// [`IntakeError`]: the file is not there, no text, or says what it may not say.
-pub fn take_in(manifest: &Manifest, submission: &Path) -> Result<Intake, IntakeError> {
-    let intake = take_in_unscanned(manifest, submission)?;
+pub fn take_in(manifest: &Manifest, handed_in: &Path) -> Result<Intake, IntakeError> {
+    let intake = take_from(manifest, &Source::Path(handed_in.to_path_buf()))?;
+    scan_all(&intake)?;
+    Ok(intake)
+}
+
+/// Looks at what the graded files say.
+pub(crate) fn scan_all(intake: &Intake) -> Result<(), IntakeError> {
     for (file, text) in &intake.graded {
         scan(text).map_err(|error| match error {
             ScanError::NotRust(at) => IntakeError::NotRust { file: file.clone(), at },
             ScanError::Forbidden(found) => IntakeError::Forbidden { file: file.clone(), found },
         })?;
     }
+    Ok(())
+}
+
+/// Takes the files of a submission, archives included, without looking at what they say.
+#[cfg(feature = "grade")]
+pub(crate) fn take_in_unscanned(manifest: &Manifest, submission: &Submission) -> Result<Intake, IntakeError> {
+    let intake = take_from(manifest, &submission.from)?;
+    Ok(Intake { notes: [submission.notes(), &intake.notes].concat(), ..intake })
+}
+
+fn take_from(manifest: &Manifest, from: &Source) -> Result<Intake, IntakeError> {
+    let files = manifest.graded.iter().chain(&manifest.optional);
+    let wanted: Vec<&str> = files.map(|file| name_of(file)).collect();
+    let mut intake = Intake { graded: Vec::new(), optional: Vec::new(), notes: Vec::new() };
+    let mut opened_before = false;
+    let mut parts = match parts_of(from, &wanted)? {
+        Found::Parts(parts) => parts,
+        Found::Opened(parts) => {
+            opened_before = true;
+            parts
+        }
+        Found::File(path) => {
+            for file in &manifest.graded {
+                intake.graded.push((file.clone(), text(&Content::OnDisk(path.clone()), file)?));
+            }
+            return Ok(intake);
+        }
+    };
+    let has = |parts: &[Part], file: &String| !matches!(find(parts, file), Ok(None));
+    if !opened_before
+        && !manifest.graded.iter().any(|file| has(&parts, file))
+        && let Some(archive) = the_archive(&parts)
+    {
+        parts = opened(&parts[archive], &wanted)?;
+    }
+    for file in &manifest.graded {
+        let found = find(&parts, file)?.or_else(|| the_only_one(&parts, file));
+        let (part, note) =
+            found.ok_or_else(|| IntakeError::Missing { file: file.clone(), instead: instead(&parts) })?;
+        intake.notes.extend(note);
+        intake.graded.push((file.clone(), text(&part.content, file)?));
+    }
+    for file in &manifest.optional {
+        // What is optional is never a reason not to grade the rest.
+        if let Ok(Some((part, _))) = find(&parts, file)
+            && let Ok(text) = text(&part.content, file)
+        {
+            intake.optional.push((file.clone(), text));
+        }
+    }
     Ok(intake)
 }
 
-/// The same without looking at what the text says. For tests of the walls behind the scan.
-pub(crate) fn take_in_unscanned(manifest: &Manifest, submission: &Path) -> Result<Intake, IntakeError> {
-    let data = fs::metadata(submission).map_err(|error| unreadable(submission, error))?;
-    let mut graded = Vec::new();
-    for file in &manifest.graded {
-        let path = if data.is_dir() { find(submission, file)? } else { Some(submission.to_path_buf()) };
-        let path = path.ok_or_else(|| IntakeError::Missing { file: file.clone() })?;
-        graded.push((file.clone(), text(&path, file)?));
-    }
-    let mut optional = Vec::new();
-    if data.is_dir() {
-        for file in &manifest.optional {
-            // What is optional is never a reason not to grade the rest.
-            if let Ok(Some(path)) = find(submission, file)
-                && let Ok(text) = text(&path, file)
-            {
-                optional.push((file.clone(), text));
+/// What a submission is made of.
+enum Found {
+    /// A single file, whatever it is called.
+    File(PathBuf),
+    Parts(Vec<Part>),
+    /// The parts of an archive: another one in it is not opened.
+    Opened(Vec<Part>),
+}
+
+fn parts_of(from: &Source, wanted: &[&str]) -> Result<Found, IntakeError> {
+    let listed = |path: &Path| {
+        let data = fs::metadata(path).map_err(|error| unreadable(path, error))?;
+        let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        Ok(if data.is_dir() {
+            Found::Parts(parts::of_folder(path, wanted).map_err(|error| unreadable(path, error))?)
+        } else if parts::kind(&name) != Kind::None {
+            Found::Opened(opened(&Part { path: name, content: Content::OnDisk(path.to_path_buf()) }, wanted)?)
+        } else {
+            // Somebody named it: if it is a link, that one is followed.
+            Found::File(path.canonicalize().map_err(|error| unreadable(path, error))?)
+        })
+    };
+    match from {
+        Source::Path(path) => listed(path),
+        #[cfg(feature = "grade")]
+        Source::Paths(paths) => match paths.as_slice() {
+            [(_, path)] => listed(path),
+            several => {
+                let mut parts = Vec::new();
+                for (name, path) in several {
+                    if path.is_dir() {
+                        parts.extend(parts::of_folder(path, wanted).map_err(|error| unreadable(path, error))?);
+                    } else if parts::matters(name, wanted) {
+                        parts.push(Part { path: name.clone(), content: Content::OnDisk(path.clone()) });
+                    }
+                }
+                Ok(Found::Parts(parts))
             }
-        }
+        },
+        #[cfg(feature = "grade")]
+        Source::Packed(parts) => Ok(Found::Parts(parts.clone())),
+        #[cfg(feature = "grade")]
+        Source::Link(to) => Err(IntakeError::Link { to: to.clone() }),
     }
-    Ok(Intake { graded, optional })
 }
 
 fn unreadable(path: &Path, error: io::Error) -> IntakeError {
     IntakeError::Unreadable { path: path.to_path_buf(), error }
 }
 
-/// Where a file is in a folder: at its own path, by its name at the top, or once somewhere below.
-fn find(folder: &Path, file: &str) -> Result<Option<PathBuf>, IntakeError> {
-    let name = file.rsplit('/').next().unwrap_or(file);
+fn name_of(file: &str) -> &str {
+    file.rsplit('/').next().unwrap_or(file)
+}
+
+/// The only archive among the parts.
+fn the_archive(parts: &[Part]) -> Option<usize> {
+    let mut archives = parts.iter().enumerate().filter(|(_, part)| parts::kind(part.name()) != Kind::None);
+    let first = archives.next()?.0;
+    archives.next().is_none().then_some(first)
+}
+
+/// The parts of an archive that was handed in.
+#[cfg(feature = "grade")]
+fn opened(part: &Part, wanted: &[&str]) -> Result<Vec<Part>, IntakeError> {
+    let longest = |name: &str| parts::matters(name, wanted).then_some(LARGEST);
+    let keep = Keep { longest: &longest, together: TOGETHER };
+    let parts = match &part.content {
+        Content::OnDisk(path) => archive::of_file(path, &keep).map_err(|error| unreadable(path, error))?,
+        Content::Bytes(bytes) => archive::of_bytes(bytes, part.name(), &keep),
+        Content::TooLarge(bytes) => return Err(IntakeError::TooLarge { file: part.path.clone(), bytes: *bytes }),
+        Content::Link(_) => return Err(IntakeError::NotAFile { file: part.path.clone(), kind: "a link" }),
+    };
+    parts.map_err(|what| IntakeError::Archive { archive: part.name().to_owned(), what })
+}
+
+/// Only the grader opens archives: at home there is the folder that was packed.
+#[cfg(not(feature = "grade"))]
+fn opened(part: &Part, _: &[&str]) -> Result<Vec<Part>, IntakeError> {
+    let what = "it is opened when it is graded; check the folder itself".to_owned();
+    Err(IntakeError::Archive { archive: part.name().to_owned(), what })
+}
+
+/// Where a file is: at its own path, by its name at the top, or once somewhere below; at last, once by nearly its
+/// name, with a note.
+fn find<'a>(parts: &'a [Part], file: &str) -> Result<Option<(&'a Part, Option<String>)>, IntakeError> {
+    let name = name_of(file);
     for place in [file, name] {
-        // No part of the way may be a link out of the folder.
-        let mut path = folder.to_path_buf();
-        let parts: Vec<&str> = place.split('/').collect();
-        let on_the_way = parts[..parts.len() - 1].iter().all(|part| {
-            path.push(part);
-            path.symlink_metadata().is_ok_and(|data| data.is_dir())
-        });
-        path.push(parts[parts.len() - 1]);
-        if on_the_way && path.symlink_metadata().is_ok() {
-            return Ok(Some(path));
+        if let Some(part) = parts.iter().find(|part| part.path == place) {
+            return Ok(Some((part, None)));
         }
     }
-    let mut search = Search { file, found: Vec::new(), entries: 0 };
-    search.below(folder, 0).map_err(|error| unreadable(folder, error))?;
-    let mut found = search.found.into_iter();
+    let below = |end: &str| {
+        let end = format!("/{end}");
+        the_only(file, parts.iter().filter(move |part| part.path.ends_with(&end)))
+    };
+    for place in [file, name] {
+        if let Some(part) = below(place)? {
+            return Ok(Some((part, None)));
+        }
+    }
+    let nearly = the_only(file, parts.iter().filter(|part| parts::is_like(part.name(), name)))?;
+    Ok(nearly.map(|part| (part, Some(format!("there is no {file}; `{}` was taken for it", part.path)))))
+}
+
+/// At the very last: the only file with the ending of the wanted one, with a note.
+fn the_only_one<'a>(parts: &'a [Part], file: &str) -> Option<(&'a Part, Option<String>)> {
+    let end = |name: &str| name.rsplit_once('.').map(|(_, end)| end.to_lowercase());
+    let mut found = parts.iter().filter(|part| end(part.name()) == end(name_of(file)));
+    let part = found.next().filter(|_| found.next().is_none())?;
+    Some((part, Some(format!("there is no {file}; `{}` was taken for it", part.path))))
+}
+
+fn the_only<'a>(file: &str, mut found: impl Iterator<Item = &'a Part>) -> Result<Option<&'a Part>, IntakeError> {
     match (found.next(), found.next()) {
         (Some(one), Some(other)) => {
-            let inside = |path: PathBuf| path.strip_prefix(folder).map_or_else(|_| path.clone(), Path::to_path_buf);
-            Err(IntakeError::Several { file: file.to_owned(), one: inside(one), other: inside(other) })
+            Err(IntakeError::Several { file: file.to_owned(), one: one.path.clone(), other: other.path.clone() })
         }
         (found, _) => Ok(found),
     }
 }
 
-struct Search<'a> {
-    file: &'a str,
-    found: Vec<PathBuf>,
-    entries: usize,
-}
-
-impl Search<'_> {
-    /// In the order of names, so that two runs say the same.
-    fn below(&mut self, folder: &Path, depth: usize) -> io::Result<()> {
-        let mut entries = fs::read_dir(folder)?.collect::<io::Result<Vec<_>>>()?;
-        entries.sort_by_key(fs::DirEntry::file_name);
-        for entry in entries {
-            self.entries += 1;
-            let name = entry.file_name();
-            let hidden = name.as_encoded_bytes().first() == Some(&b'.');
-            let passed_over = hidden || PASSED_OVER.iter().any(|over| name == *over);
-            if self.entries > MOST_ENTRIES || passed_over || !entry.file_type()?.is_dir() {
-                continue;
-            }
-            let place = entry.path().join(self.file);
-            let in_a_folder = place.parent().is_some_and(|p| p.symlink_metadata().is_ok_and(|data| data.is_dir()));
-            if in_a_folder && place.symlink_metadata().is_ok() {
-                self.found.push(place);
-            } else if depth < DEEPEST {
-                self.below(&entry.path(), depth + 1)?;
-            }
+/// What there is in place of a file that is missing.
+fn instead(parts: &[Part]) -> String {
+    let archive = parts.iter().find(|part| parts::kind(part.name()) != Kind::None);
+    let link = parts.iter().find_map(|part| match &part.content {
+        Content::Link(to) => Some((&part.path, to)),
+        _ => None,
+    });
+    match (link, archive) {
+        (Some((path, to)), _) => format!("; `{path}` is a link to {to}, and links are not followed"),
+        (None, Some(part)) => {
+            format!("; `{}` is not opened: hand in one archive, with your files and no archive in it", part.path)
         }
-        Ok(())
+        (None, None) => String::new(),
     }
 }
 
 /// The text of an ordinary file.
-fn text(path: &Path, file: &str) -> Result<String, IntakeError> {
+fn text(content: &Content, file: &str) -> Result<String, IntakeError> {
     let file = file.to_owned();
-    let data = path.symlink_metadata().map_err(|error| unreadable(path, error))?;
-    if !data.is_file() {
-        let kind = match data.file_type() {
-            kind if kind.is_symlink() => "a link",
-            kind if kind.is_dir() => "a folder",
-            _ => "a device",
-        };
-        return Err(IntakeError::NotAFile { file, kind });
-    }
-    if data.len() > LARGEST {
-        return Err(IntakeError::TooLarge { file, bytes: data.len() });
-    }
-    let mut bytes = Vec::new();
-    let opened = fs::File::open(path).map_err(|error| unreadable(path, error))?;
-    opened.take(LARGEST + 1).read_to_end(&mut bytes).map_err(|error| unreadable(path, error))?;
+    let bytes = match content {
+        Content::OnDisk(path) => read(path, &file)?,
+        #[cfg(feature = "grade")]
+        Content::Bytes(bytes) => bytes.clone(),
+        #[cfg(feature = "grade")]
+        Content::TooLarge(bytes) => return Err(IntakeError::TooLarge { file, bytes: *bytes }),
+        Content::Link(_) => return Err(IntakeError::NotAFile { file, kind: "a link" }),
+    };
     let bad = match std::str::from_utf8(&bytes) {
         Ok(_) => bytes.iter().position(|&b| b == 0),
         Err(error) => Some(error.valid_up_to()),
@@ -249,4 +374,23 @@ fn text(path: &Path, file: &str) -> Result<String, IntakeError> {
         return Err(IntakeError::NotText { file, line, byte });
     }
     Ok(String::from_utf8(bytes).unwrap_or_default().trim_start_matches('\u{feff}').to_owned())
+}
+
+/// The bytes of a file, which is looked at after it is opened: it cannot become another one in between.
+fn read(path: &Path, file: &str) -> Result<Vec<u8>, IntakeError> {
+    let odd = |kind| IntakeError::NotAFile { file: file.to_owned(), kind };
+    let data = fs::symlink_metadata(path).map_err(|error| unreadable(path, error))?;
+    if data.is_dir() {
+        return Err(odd("a folder"));
+    } else if !data.is_file() {
+        return Err(odd("a device"));
+    }
+    let opened = fs::File::open(path).map_err(|error| unreadable(path, error))?;
+    let length = opened.metadata().map_err(|error| unreadable(path, error))?.len();
+    let mut bytes = Vec::new();
+    opened.take(LARGEST + 1).read_to_end(&mut bytes).map_err(|error| unreadable(path, error))?;
+    if bytes.len() as u64 > LARGEST {
+        return Err(IntakeError::TooLarge { file: file.to_owned(), bytes: length });
+    }
+    Ok(bytes)
 }

@@ -7,13 +7,19 @@
 //!   alice/.cargo/    ✗         at most 1 MB    given files    no solution anywhere near
 //! ```
 //!
-//! Handed in is a folder or a single file; archives are to be unpacked first. Only the files that `lab.toml` names
-//! are ever read; manifests, build scripts, settings of cargo and links are not even looked at.
+//! Handed in is a folder, a single file, or an archive, which is looked into and never unpacked. Only the files that
+//! `lab.toml` names are ever read, once; manifests, build scripts and settings of cargo are not even looked at, and
+//! links are not followed.
 
+#[cfg(feature = "grade")]
+mod archive;
 mod build;
+#[cfg(feature = "grade")]
+mod handed;
 mod intake;
 #[cfg(feature = "grade")]
 mod linker;
+mod parts;
 mod reads;
 #[cfg(feature = "grade")]
 mod room;
@@ -23,8 +29,10 @@ mod tree;
 
 pub(crate) use build::{Built, USUAL as USUAL_BUILD, build};
 #[cfg(feature = "grade")]
-pub(crate) use intake::take_in_unscanned;
+pub use handed::{ClassError, Submission};
 pub use intake::{Intake, IntakeError, take_in};
+#[cfg(feature = "grade")]
+pub(crate) use intake::{scan_all, take_in_unscanned};
 #[cfg(feature = "grade")]
 pub(crate) use room::Rooms;
 pub use scan::{Forbidden, ScanError, scan};

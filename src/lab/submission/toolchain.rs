@@ -67,6 +67,14 @@ impl Toolchain {
         Ok(Self { cargo: cargo.into(), ..found })
     }
 
+    /// What the compiler says of itself: version, commit, host.
+    #[cfg(feature = "grade")]
+    pub(crate) fn version(&self) -> Result<String, String> {
+        let asked = Command::new(&self.rustc).arg("-vV").current_dir(std::env::temp_dir()).output();
+        let out = asked.map_err(|error| format!("{}: {error}", self.rustc.display()))?;
+        Ok(String::from_utf8_lossy(&out.stdout).trim().to_owned())
+    }
+
     fn at(root: &Path) -> Self {
         let program = |name: &str| root.join("bin").join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
         Self {

@@ -63,7 +63,7 @@ impl Resident {
         let mut command = Command::new(&task.program);
         command.args(&task.args).current_dir(&task.folder);
         command.envs(task.env.iter().map(|(name, value)| (name, value)));
-        run_within(command, input, &task.limits)
+        run_within(command, input, &task.limits, None)
     }
 
     pub(crate) fn leave(&self) -> bool {

@@ -106,7 +106,7 @@ impl Resident {
         let mut command = Command::new(self.walls.launcher());
         command.arg(WORD).env_clear().env(VARIABLE, text).process_group(0);
         let patient = Limits { seconds: task.limits.seconds + PATIENCE, ..task.limits };
-        let mut ran = run_within(command, input, &patient);
+        let mut ran = run_within(command, input, &patient, Some(&self.walls.stop));
         ran.end = match ran.end {
             End::Exited(code) => match Outcome::of_code(code) {
                 Outcome::Exited(code) => End::Exited(code),

@@ -84,7 +84,7 @@ use elsewhere as system;
 use linux as system;
 
 pub(crate) use super::task::{Sandbox, Task, View};
-use super::{Limits, Program, Ran, Wall};
+use super::{Limits, Program, Ran, Stop, Wall};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -143,6 +143,8 @@ pub struct Walls {
     said: Vec<Wall>,
     /// What must not be seen even though it lies within what a compiler sees.
     hidden: Vec<PathBuf>,
+    /// Ends what runs behind them.
+    stop: Stop,
 }
 
 impl Walls {
@@ -155,7 +157,7 @@ impl Walls {
         let itself = || std::env::current_exe().unwrap_or_default();
         let launcher = launcher.map_or_else(itself, Path::to_path_buf);
         let (up, said) = system::probe(&launcher, choice);
-        Self { launcher, up, said, hidden: Vec::new() }
+        Self { launcher, up, said, hidden: Vec::new(), stop: Stop::new() }
     }
 
     /// The same walls, and these things are to be out of reach. What came of trying to reach them from inside, in the
@@ -175,6 +177,12 @@ impl Walls {
         self.hidden = hidden.iter().flat_map(|thing| &thing.paths).filter(within).cloned().collect();
         let said = system::out_of_reach(&self, &hidden, tools, &there(needed));
         self.said.extend(said);
+        self
+    }
+
+    /// The same walls; when an end is wished, what runs behind them is ended.
+    pub(crate) fn until(mut self, stop: &Stop) -> Self {
+        self.stop = stop.clone();
         self
     }
 

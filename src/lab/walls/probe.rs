@@ -106,7 +106,13 @@ impl Trial {
 pub(super) fn probe(launcher: &Path, choice: WallChoice) -> (WallChoice, Vec<Wall>) {
     let none = WallChoice { own_user: false, namespaces: false, own_files: false };
     let attempt = |up: WallChoice| {
-        let walls = Walls { launcher: launcher.to_path_buf(), up, said: Vec::new(), hidden: Vec::new() };
+        let walls = Walls {
+            launcher: launcher.to_path_buf(),
+            up,
+            said: Vec::new(),
+            hidden: Vec::new(),
+            stop: super::Stop::new(),
+        };
         let resident = Resident::new(&walls).map_err(|error| error.to_string())?;
         trial(&resident, View::default(), &[])
     };

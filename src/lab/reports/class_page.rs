@@ -1,0 +1,95 @@
+//! The page of a class: a table, what looks alike, the named bugs, then each submission or links to their pages.
+//!
+//! ```text
+//!   anna   62 of 100   wrong      a row each, linked to a section below or to a page of its own
+//!   ben    …
+//! ```
+
+use super::html::{document, escaped, one, sign, submission};
+use super::{bugs, words};
+use crate::lab::Report;
+use std::fmt::Write;
+
+/// The page of a class.
+pub(super) fn class(reports: &[Report]) -> String {
+    if let [report] = reports {
+        return one(report);
+    }
+    let lab = reports.first().map_or("lab", |r| r.lab.as_str());
+    let mut body = format!("<h1>{}: {} submissions</h1>\n", escaped(lab), reports.len());
+    table(&mut body, reports, |i| format!("#s{i}"));
+    similar(&mut body, reports, |i| format!("#s{i}"));
+    named_bugs(&mut body, reports);
+    for (i, report) in reports.iter().enumerate() {
+        submission(&mut body, report, i, false);
+    }
+    document(&format!("{lab}: {} submissions", reports.len()), &body)
+}
+
+/// A page of a class that links to a page for each submission, `total` of which there will be.
+pub(super) fn index(reports: &[Report], pages: &[String], total: usize) -> String {
+    let lab = reports.first().map_or("lab", |r| r.lab.as_str());
+    let title = format!("{lab}: {} of {total} submissions", reports.len());
+    let mut body = format!("<h1>{}</h1>\n", escaped(&title));
+    if reports.len() < total {
+        body.push_str("<p>Not all are graded yet: the same command goes on where it stopped.</p>\n");
+    }
+    table(&mut body, reports, |i| pages.get(i).map_or_else(String::new, |page| path_address(page)));
+    similar(&mut body, reports, |i| pages.get(i).map_or_else(String::new, |page| path_address(page)));
+    named_bugs(&mut body, reports);
+    document(&title, &body)
+}
+
+/// A path as the address of a link.
+fn path_address(path: &str) -> String {
+    let plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-_.~/".contains(&byte);
+    path.bytes().map(|b| if plain(b) { char::from(b).to_string() } else { format!("%{b:02x}") }).collect()
+}
+
+/// A row for each submission, with a link.
+fn table(out: &mut String, reports: &[Report], link: impl Fn(usize) -> String) {
+    out.push_str("<table class=\"class\"><thead><tr><th scope=\"col\">submission</th><th scope=\"col\">points</th><th scope=\"col\">verdict</th></tr></thead>\n<tbody>\n");
+    for (i, report) in reports.iter().enumerate() {
+        let _ = writeln!(
+            out,
+            "<tr><th scope=\"row\"><a href=\"{}\">{}</a></th><td>{}</td><td>{}</td></tr>",
+            link(i),
+            escaped(&words::author(report)),
+            words::points(report),
+            sign(report.verdict),
+        );
+    }
+    out.push_str("</tbody></table>\n");
+}
+
+/// Those that look alike, each linked to its section.
+fn similar(out: &mut String, reports: &[Report], link: impl Fn(usize) -> String) {
+    let alike: Vec<_> = reports.iter().enumerate().filter(|(_, report)| !report.similar.is_empty()).collect();
+    if alike.is_empty() {
+        return;
+    }
+    let _ = write!(out, "<h2>Look alike</h2>\n<p>{}</p>\n<ul>\n", words::LOOK_ALIKE);
+    for (i, report) in alike {
+        let (author, others) = (words::author(report), words::similar(report).join(", "));
+        let _ = writeln!(out, "<li><a href=\"{}\">{}</a>: {}</li>", link(i), escaped(&author), escaped(&others));
+    }
+    out.push_str("</ul>\n");
+}
+
+/// What to talk about in the next lecture.
+fn named_bugs(out: &mut String, reports: &[Report]) {
+    let named = bugs::count(reports);
+    if !named.is_empty() {
+        out.push_str("<h2>Named bugs</h2>\n<ul>\n");
+        for (bug, authors) in named {
+            let _ = writeln!(
+                out,
+                "<li><strong>{}</strong> {} ({})</li>",
+                authors.len(),
+                escaped(&bug),
+                escaped(&authors.join(", "))
+            );
+        }
+        out.push_str("</ul>\n");
+    }
+}
