@@ -502,9 +502,10 @@ fn only_what_is_wanted_is_run() {
 
 /// The real driver with this text as the student's file.
 fn build(dir: &Path, source: &str) -> Driver {
-    for file in fs::read_dir(folder().join("src")).unwrap() {
-        let file = file.unwrap();
-        fs::copy(file.path(), dir.join(file.file_name())).unwrap();
+    for (path, text) in lab().files.iter().filter_map(|(path, text)| Some((path.strip_prefix("src/")?, text))) {
+        let file = dir.join(path);
+        fs::create_dir_all(file.parent().unwrap()).unwrap();
+        fs::write(file, text).unwrap();
     }
     fs::write(dir.join("lab.rs"), source).unwrap();
     let driver = dir.join("driver");
