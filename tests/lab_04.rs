@@ -510,3 +510,24 @@ fn values_are_written_with_all_that_they_are() {
         assert!(said.contains(line), "{line} in {said}");
     }
 }
+
+/// A square with an edge that dangles at v4, whose half-edge 8 is split.
+#[test]
+fn spur_case_splitting_a_dangling_edge_loses_no_half_edge() {
+    let said = answers(
+        "table\nouter 0\nvertex 0 0 0 8\nvertex 1 8 0 5\nvertex 2 8 7 6\nvertex 3 0 7 7\nvertex 4 3.5 2.5 9\n\
+         half_edge 0 0 7 1 3 0\nhalf_edge 1 3 6 2 0 0\nhalf_edge 2 2 5 3 1 0\nhalf_edge 3 1 4 0 2 0\n\
+         half_edge 4 0 3 5 9 1\nhalf_edge 5 1 2 6 4 1\nhalf_edge 6 2 1 7 5 1\nhalf_edge 7 3 0 8 6 1\n\
+         half_edge 8 0 9 9 7 1\nhalf_edge 9 4 8 4 8 1\nface 0 0\nface 1 4\nend_table\n\
+         split_in_half h8\ndump\nwalk_face f1\nwalk_vertices f1\n",
+    );
+    assert!(said.contains("call walk_face 1\nreturned 4 5 6 7 8 10 11 9\n"), "{said}");
+    assert!(said.contains("call walk_vertices 1\nreturned 0 1 2 3 0 5 4 5\n"), "{said}");
+    // Every half-edge is the next of one, and the prev of one.
+    for column in [4, 5] {
+        let rows = said.lines().filter_map(|line| line.strip_prefix("half_edge "));
+        let mut links: Vec<u32> = rows.map(|row| row.split(' ').nth(column - 1).unwrap().parse().unwrap()).collect();
+        links.sort_unstable();
+        assert_eq!(links, (0..12).collect::<Vec<u32>>(), "{said}");
+    }
+}

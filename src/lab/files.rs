@@ -112,6 +112,12 @@ impl LabFiles {
         Ok(Self { name, files })
     }
 
+    /// The lab in this folder, if the folder is one of the repository: it finds the shared program beside itself.
+    pub(super) fn of_repository(folder: &Path) -> Option<Self> {
+        let shared = folder.join(HARNESS).is_dir() && !folder.join("src/harness").exists();
+        shared.then(|| Self::read(folder).ok()).flatten()
+    }
+
     /// The name of the lab's folder.
     #[must_use]
     pub fn name(&self) -> &str {

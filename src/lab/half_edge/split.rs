@@ -100,6 +100,9 @@ impl Steps<'_> {
         role: impl Fn(Element) -> &'static str,
     ) {
         let mut in_order: Vec<(usize, &Difference)> = aligned.differences.iter().map(|d| (step_of(d), d)).collect();
+        if in_order.is_empty() {
+            return self.laws();
+        }
         in_order.sort_by_key(|&(step, _)| step);
         // Fields that the call has set or changed; those of new elements count once they are set.
         let mut changed = differences(self.before, self.after);
