@@ -181,6 +181,7 @@ impl Meter {
     /// A move begins or ends, in a structure of so many records: the count starts anew. The number of moves is limited.
     #[track_caller]
     pub fn next_move(self, records: usize) {
+        let place = Location::caller();
         COUNT.with(|count| {
             if !count.on.get() || count.stopped.get() {
                 return;
@@ -190,7 +191,7 @@ impl Meter {
             count.moves.set(count.moves.get() + 1);
             if count.moves.get() > MOVES {
                 count.stopped.set(true);
-                count.place.set(Some(Location::caller()));
+                count.place.set(Some(place));
                 std::panic::resume_unwind(Box::new(TooManyReads));
             }
         });

@@ -467,8 +467,8 @@ fn hidden_cases_say_the_promise_and_nothing_of_the_case() {
     assert_eq!(visible.points(), 100, "{:#?}", first_open(&visible));
     let report = grade_program(&lab(), &fake, &Plan { secret: Some(secret), ..Plan::with_seed(3) });
     let open = first_open(&report);
-    // So many faces need edges that were split.
-    assert_eq!((open.name.as_str(), open.verdict), ("split_in_half_sequences", Verdict::Wrong));
+    // Only long sequences, or those that begin with many faces, come so far.
+    assert_eq!((open.name.as_str(), open.verdict), ("split_face_sequences", Verdict::Wrong));
     assert!(open.script.is_none() && open.picture.is_none() && open.replay.is_none());
     for words in open.findings.iter().map(|finding| &finding.words).chain([&open.message]) {
         assert!(words.contains("hidden"), "{words}");
