@@ -5,6 +5,7 @@
 #![cfg(feature = "lab")]
 
 use dcel_kit::figure::compare::{Options, compare};
+use dcel_kit::lab::protocol::{CallEnd, Case, Reply, Start, Step, Value, read_answers};
 use dcel_kit::lab::{Bug, BugError, Manifest, MarkError, starter};
 use dcel_kit::script::{Outcome, Script};
 use dcel_kit::topology::{FaceRow, HalfEdgeRow, SameOptions, Table, VertexRow, position_key, same_with};
@@ -13,21 +14,21 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-#[path = "../labs/04-half-edge/src/case.rs"]
+#[path = "../labs/04-half-edge/src/calls.rs"]
 #[allow(dead_code, unreachable_pub)]
-mod case;
+mod calls;
 #[path = "../labs/04-half-edge/src/dcel.rs"]
 #[allow(unreachable_pub)]
 mod dcel;
+#[path = "../labs/harness/mod.rs"]
+#[allow(unreachable_pub)]
+mod harness;
 #[path = "../labs/04-half-edge/solution/lab.rs"]
 #[allow(unreachable_pub)]
 mod lab;
 #[path = "../labs/04-half-edge/src/pen.rs"]
 #[allow(unreachable_pub)]
 mod pen;
-#[path = "../labs/04-half-edge/src/print.rs"]
-#[allow(unreachable_pub)]
-mod print;
 #[path = "../labs/04-half-edge/src/start.rs"]
 #[allow(unreachable_pub)]
 mod start;
@@ -277,7 +278,7 @@ fn the_starts_of_the_program_have_the_numbers_of_the_kit() {
     for text in ["rectangle", "polygon 0 0 4 0 3 3", "triangles 0 0 1 0 1 1 0 1 2 2 / 0 1 2 0 2 3 3 2 4"] {
         let words: Vec<&str> = text.split(' ').skip(1).collect();
         let mine = match text.split(' ').next().unwrap() {
-            "rectangle" => start::rectangle(),
+            "rectangle" => start::rectangle(&[]).unwrap(),
             "polygon" => start::polygon(&words).unwrap(),
             _ => start::triangles(&words).unwrap(),
         };
@@ -303,28 +304,49 @@ fn the_plane_accepts_the_drawing_and_the_solution_draws_the_same() {
     let reference = script(text);
     assert_eq!((reference.vertex_count(), reference.edge_count(), reference.face_count()), (22, 33, 13));
 
-    let mut drawn = start::rectangle();
-    pen::draw(&mut drawn, lab::drawing);
-    let mine = table_of(&drawn);
-    assert_eq!(dcel_kit::topology::violations(&mine), []);
+    let case = Case::new("drawing", Start::Rectangle);
+    let mut case = case.step(Step::call::<&str>("drawing", [])).step(Step::Dump).step(Step::Svg);
+    case.steps
+        .extend((0..66).flat_map(|h| ["destination_by_next", "destination"].map(|f| Step::call(f, [format!("h{h}")]))));
+    case.steps.extend((0..22).map(|v| Step::call("walk_vertex", [format!("v{v}")])));
+    let replies = answers_to(&case);
+    let Reply::Dump(mine) = &replies[1] else { panic!("{:?}", replies[1]) };
+    assert_eq!(dcel_kit::topology::violations(mine.as_ref()), []);
     let of_mine = |v: VertexId| position_key(mine.vertices[v.index()].unwrap().position.unwrap());
     let of_reference = |v: VertexId| position_key([reference.point(v).x, reference.point(v).y]);
     let options = SameOptions::new().keys(&of_mine, &of_reference);
-    same_with(&mine, &reference, &options).unwrap_or_else(|difference| panic!("{difference}"));
+    same_with(mine.as_ref(), &reference, &options).unwrap_or_else(|difference| panic!("{difference}"));
 
-    for h in 0..drawn.half_edges.len() {
-        assert_eq!(drawn.destination_by_next(h), drawn.destination(h), "h{h}");
+    let returned = |reply: &Reply| match reply {
+        Reply::Called(called) => called.end.clone(),
+        other => panic!("{other:?}"),
+    };
+    for (h, pair) in replies[3..135].chunks(2).enumerate() {
+        assert_eq!(returned(&pair[0]), returned(&pair[1]), "h{h}");
     }
-    for v in 0..drawn.vertices.len() {
-        assert_eq!(drawn.outgoing_half_edges(v), reference_star(&mine, v), "v{v}");
+    for (v, reply) in replies[135..].iter().enumerate() {
+        let star = reference_star(mine, v).into_iter().map(|h| Value::Number(h as u32)).collect();
+        assert_eq!(returned(reply), CallEnd::Returned(star), "v{v}");
     }
 
-    let mut picture = svg::Svg::default();
-    lab::picture(&drawn, &mut picture);
+    let Reply::Svg(picture) = &replies[2] else { panic!("{:?}", replies[2]) };
     let figure = include_str!("../figures/lab-04-drawing.svg");
-    let comparison = compare(figure, &picture.finish(), &Options::new()).unwrap();
+    let comparison = compare(figure, picture, &Options::new()).unwrap();
     let differences: Vec<&str> = comparison.differences().iter().map(|d| d.text.as_str()).collect();
     assert!(comparison.is_equal(), "{differences:?}");
+}
+
+/// What the solution answers to a case.
+fn answers_to(case: &Case) -> Vec<Reply> {
+    let text = answers(&Case::input("T", [case]));
+    let mut answers = read_answers(text.as_bytes(), "T", &[case]);
+    assert!(answers.done && answers.cases[0].complete, "{text}");
+    answers.cases.remove(0).replies
+}
+
+/// What the program of the lab prints, with the solution in it.
+fn answers(text: &str) -> String {
+    harness::answers::<calls::HalfEdgeLab>(text)
 }
 
 /// The half-edges that start at a vertex, counter-clockwise from the stored one, by the kit's own walk.
@@ -346,18 +368,166 @@ fn no_reflection_or_turn_maps_the_drawing_to_itself() {
 
 #[test]
 fn a_dump_is_read_back_as_it_was() {
-    let mut dcel = start::rectangle();
-    assert!(dcel.split_face(2, 8));
-    dcel.half_edges[3].twin = None;
-    dcel.vertices[1].pos.x = 0.1;
-    let mut back = dcel::Dcel::default();
-    for line in print::dump(&dcel).lines() {
-        let words: Vec<&str> = line.split(' ').collect();
-        print::read_record(&mut back, words[0], &words[1..]).unwrap_or_else(|error| panic!("{line}: {error}"));
-    }
-    assert_eq!(back, dcel);
+    let dump = |text: &str| {
+        let text = answers(text);
+        let (_, rest) = text.split_once("\ndump\n").unwrap_or_else(|| panic!("{text}"));
+        rest.split_once("end_dump").unwrap().0.to_owned()
+    };
+    let text = dump("rectangle\nsplit_face h2 h8\ndump\n");
+    let odd = text.replacen("half_edge 3 2 2 ", "half_edge 3 2 - ", 1).replacen("vertex 1 0 ", "vertex 1 0.1 ", 1);
+    assert_ne!(odd, text);
+    assert_eq!(dump(&format!("table\n{odd}end_table\ndump\n")), odd);
     for bad in ["vertex 9 0 0 -", "vertex 7 0 0 -", "vertex 6 0 inf -", "half_edge 14 - - - -", "edge 0", "face 3 x"] {
-        let words: Vec<&str> = bad.split(' ').collect();
-        assert!(print::read_record(&mut back, words[0], &words[1..]).is_err(), "{bad}");
+        let said = answers(&format!("table\n{odd}{bad}\nend_table\n"));
+        assert!(said.contains(&format!("\nerror line {}: ", odd.lines().count() + 2)), "{bad}: {said}");
+    }
+}
+
+// ---- the program of the lab -----------------------------------------------------------------------------
+
+#[test]
+fn large_starts_have_the_numbers_that_the_grader_expects() {
+    for start in [Start::Convex(3), Start::Convex(300), Start::Wheel(3), Start::Wheel(40), Start::Grid(1, 1)]
+        .into_iter()
+        .chain([Start::Grid(20, 15), Start::Grid(1, 30)])
+    {
+        let replies = answers_to(&Case::new("x", start.clone()).step(Step::Dump));
+        let Reply::Dump(mine) = &replies[0] else { panic!("{replies:?}") };
+        assert_eq!(*mine, start.table().unwrap(), "{start:?}");
+        let kit = dcel_kit::plane::Subdivision::from_table(mine);
+        assert!(kit.is_ok(), "{start:?}: {:?}", kit.err());
+    }
+    for bad in ["convex 2", "wheel x", "grid 3", "grid 0 4", "grid 100000 100000", "rectangle 1", "polygon 0 0 1"] {
+        let said = answers(&format!("{bad}\n"));
+        assert!(said.contains("error line 1: ") && said.contains("write `"), "{bad}: {said}");
+    }
+}
+
+#[test]
+fn changes_are_those_since_the_last_dump() {
+    let case =
+        Case::new("x", Start::Grid(4, 3)).step(Step::Changes).step(Step::call("split_face", ["h0", "h0.next.next"]));
+    let case = case.step(Step::Changes).step(Step::call("split_in_half", ["h5"])).step(Step::Changes).step(Step::Dump);
+    let replies = answers_to(&case);
+    let tables: Vec<_> = replies
+        .iter()
+        .filter_map(|reply| match reply {
+            Reply::Dump(table) => Some(table),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(*tables[0], case.start.table().unwrap());
+    assert_eq!(tables[1].faces.len(), tables[0].faces.len() + 1);
+    assert_eq!(tables[2], tables[3], "what has changed, put over what was there, is what is there");
+    let said = answers("dump changes\nrectangle\ndump changes\ndump changes\n");
+    assert!(said.contains("error line 1: nothing was dumped yet"), "{said}");
+    assert_eq!(said.matches("dump changes\nouter 0\nend_dump\n").count(), 2, "{said}");
+}
+
+#[test]
+fn reads_are_counted_and_a_call_that_reads_too_much_is_ended_where_it_reads() {
+    use harness::{Argument, Call, Lab, Meter, Start, Take, Value};
+    struct Runaway;
+    /// Follows next until it meets a half-edge that is not there; through a closure, or by an iterator.
+    fn walk(dcel: &mut dcel::Dcel, of: &[Argument], _: Meter) -> Value {
+        let mut h = of[0].id();
+        loop {
+            h = dcel.next(h);
+            if h == usize::MAX {
+                return Value::Nothing;
+            }
+        }
+    }
+    fn look(dcel: &mut dcel::Dcel, of: &[Argument], _: Meter) -> Value {
+        let mut found = 0;
+        for _ in 0..of[0].id() {
+            found += dcel.half_edges.iter().filter(|record| record.next.is_none()).count();
+        }
+        Value::Id(found)
+    }
+    impl Lab for Runaway {
+        type Structure = dcel::Dcel;
+        const STARTS: &'static [Start<dcel::Dcel>] = calls::HalfEdgeLab::STARTS;
+        const CALLS: &'static [Call<dcel::Dcel>] = &[
+            Call { word: "walk", takes: &[Take::Id('h')], usage: "", run: walk },
+            Call { word: "look", takes: &[Take::Id('h')], usage: "", run: look },
+        ];
+        const PICTURE: Option<fn(&dcel::Dcel) -> String> = None;
+        const NAMED: &'static [(&'static str, &'static str)] = &[];
+    }
+    let said = harness::answers::<Runaway>("polygon 0 0 4 0 3 3\nwalk h2\nreads\nlook h2\nreads\n");
+    // 3 vertices, 6 half-edges, 2 faces: 20 x 11 + 1,000 reads, and the one that was too much.
+    assert!(said.contains("stopped 1221 circle ") && said.contains("lab_04.rs:"), "{said}");
+    assert!(said.contains(" h0 h2 h4\nreads 1221\n"), "the circle that it ran in: {said}");
+    assert!(said.contains("returned 0\nreads 12\n"), "twice through six half-edges: {said}");
+    let said = harness::answers::<Runaway>("convex 300\nlook h599\nmany 600 look 5000\n");
+    assert!(said.contains("stopped 19041 scan "), "{said}");
+    let many = said.lines().find(|line| line.starts_with("asked ")).unwrap();
+    // 0 + 600 + 1,200 + 1,800 reads, then 2,400: more than 5,000.
+    assert!(many.starts_with("asked 5 answers 5 reads 6000 most 2400 h4 ") && many.contains("lab_04.rs:"), "{many}");
+}
+
+#[test]
+fn values_are_written_with_all_that_they_are() {
+    use harness::{Call, Lab, Start, Take, Value};
+    struct Values;
+    impl Lab for Values {
+        type Structure = ();
+        const STARTS: &'static [Start<()>] = &[];
+        const CALLS: &'static [Call<()>] = &[
+            Call {
+                word: "area",
+                takes: &[Take::Points],
+                usage: "write points",
+                run: |(), of, _| match &of[0] {
+                    harness::Argument::Points(points) => {
+                        Value::List(vec![Value::Number(0.1), Value::Polygon(points.clone())])
+                    }
+                    _ => Value::Refusal("no \"points\"".to_owned()),
+                },
+            },
+            Call {
+                word: "half",
+                takes: &[Take::Number, Take::Truth],
+                usage: "write a number and `true`",
+                run: |(), of, _| match of {
+                    [harness::Argument::Number(x), harness::Argument::Truth(true)] => Value::Point([x / 2.0, 1e-30]),
+                    _ => Value::Refusal("it is \"false\"".to_owned()),
+                },
+            },
+        ];
+        const PICTURE: Option<fn(&()) -> String> = None;
+        const NAMED: &'static [(&'static str, &'static str)] = &[];
+    }
+    let said = harness::answers::<Values>("area 0 0 4 0.5\nhalf 3 true\nhalf 3 false\nhalf 3\narea 1\n");
+    for line in [
+        "returned #0.1 <0,0 4,0.5>\n",
+        "returned (1.5,0.000000000000000000000000000001)\n",
+        "returned refused \"it is \\\"false\\\"\"\n",
+        "error line 4: `half 3` is not understood; write a number and `true`\n",
+        "error line 5: a point has two coordinates",
+    ] {
+        assert!(said.contains(line), "{line} in {said}");
+    }
+}
+
+/// A square with an edge that dangles at v4, whose half-edge 8 is split.
+#[test]
+fn spur_case_splitting_a_dangling_edge_loses_no_half_edge() {
+    let said = answers(
+        "table\nouter 0\nvertex 0 0 0 8\nvertex 1 8 0 5\nvertex 2 8 7 6\nvertex 3 0 7 7\nvertex 4 3.5 2.5 9\n\
+         half_edge 0 0 7 1 3 0\nhalf_edge 1 3 6 2 0 0\nhalf_edge 2 2 5 3 1 0\nhalf_edge 3 1 4 0 2 0\n\
+         half_edge 4 0 3 5 9 1\nhalf_edge 5 1 2 6 4 1\nhalf_edge 6 2 1 7 5 1\nhalf_edge 7 3 0 8 6 1\n\
+         half_edge 8 0 9 9 7 1\nhalf_edge 9 4 8 4 8 1\nface 0 0\nface 1 4\nend_table\n\
+         split_in_half h8\ndump\nwalk_face f1\nwalk_vertices f1\n",
+    );
+    assert!(said.contains("call walk_face 1\nreturned 4 5 6 7 8 10 11 9\n"), "{said}");
+    assert!(said.contains("call walk_vertices 1\nreturned 0 1 2 3 0 5 4 5\n"), "{said}");
+    // Every half-edge is the next of one, and the prev of one.
+    for column in [4, 5] {
+        let rows = said.lines().filter_map(|line| line.strip_prefix("half_edge "));
+        let mut links: Vec<u32> = rows.map(|row| row.split(' ').nth(column - 1).unwrap().parse().unwrap()).collect();
+        links.sort_unstable();
+        assert_eq!(links, (0..12).collect::<Vec<u32>>(), "{said}");
     }
 }

@@ -75,6 +75,12 @@ impl FaultKind {
         }
     }
 
+    /// Whether it was stopped because it read too many records.
+    #[must_use]
+    pub fn is_endless(&self) -> bool {
+        matches!(self, Self::DoesNotComeBack { .. } | Self::TooSlow { .. })
+    }
+
     /// The line of the student's file that the fault points to.
     #[must_use]
     pub fn place(&self) -> Option<&str> {
@@ -149,7 +155,8 @@ pub fn exchanges<'a>(case: &'a Case, answer: &'a CaseAnswer) -> Vec<Exchange<'a>
                 }
             }
         }
-        just_called = matches!(asked, Step::Call { .. });
+        // A count of reads may stand between a call and the structure that it leaves.
+        just_called = matches!(asked, Step::Call { .. }) || just_called && *asked == Step::Reads;
     }
     out
 }

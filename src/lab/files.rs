@@ -26,6 +26,13 @@ const BUGS: &str = "bugs/";
 const EDIT: &str = "[[edit]]";
 /// Where a handout in the repository finds the figures of the kit.
 const FIGURES: &str = "../../figures/";
+/// Where a lab in the repository finds the program that all labs share.
+const HARNESS: &str = "../harness";
+/// How its files name that program, and how a lab by itself does.
+const HARNESS_PATHS: [(&str, &str, &str); 2] = [
+    ("src/", "#[path = \"../../harness/mod.rs\"]\n", ""),
+    ("tests/", "#[path = \"../../harness/mod.rs\"]\n", "#[path = \"../src/harness/mod.rs\"]\n"),
+];
 
 /// The files of a lab by their paths, which have `/` between their parts.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -84,7 +91,8 @@ impl LabFiles {
     }
 
     /// Reads a lab's folder in the repository, with the figures that its handout shows; these become
-    /// `figures/NAME` of the lab. Hidden files and `target` are left out.
+    /// `figures/NAME` of the lab, and with the program that all labs share, if it uses that; its files become
+    /// `src/harness/NAME`. Hidden files and `target` are left out.
     ///
     /// # Errors
     /// [`LabFilesError::Unreadable`] for what cannot be read or is no text.
@@ -98,7 +106,16 @@ impl LabFiles {
             let text = text_of(&folder.join(FIGURES).join(&figure))?;
             files.insert(format!("figures/{figure}"), text);
         }
+        if take_in_harness(&mut files) {
+            collect(&folder.join(HARNESS), "src/harness/", &mut files)?;
+        }
         Ok(Self { name, files })
+    }
+
+    /// The lab in this folder, if the folder is one of the repository: it finds the shared program beside itself.
+    pub(super) fn of_repository(folder: &Path) -> Option<Self> {
+        let shared = folder.join(HARNESS).is_dir() && !folder.join("src/harness").exists();
+        shared.then(|| Self::read(folder).ok()).flatten()
     }
 
     /// The name of the lab's folder.
@@ -207,6 +224,20 @@ fn linked_figures(handout: &str) -> impl Iterator<Item = &str> {
         .filter(move |figure| !figure.is_empty() && seen.insert(*figure))
 }
 
+/// Lets the files of a lab find the shared program inside the lab. Returns whether they use it.
+fn take_in_harness(files: &mut BTreeMap<String, String>) -> bool {
+    let mut used = false;
+    for (path, text) in files {
+        for (folder, there, here) in HARNESS_PATHS {
+            if path.starts_with(folder) && text.contains(there) {
+                *text = text.replace(there, here);
+                used = true;
+            }
+        }
+    }
+    used
+}
+
 fn collect(folder: &Path, prefix: &str, files: &mut BTreeMap<String, String>) -> Result<(), LabFilesError> {
     let unreadable = |error| LabFilesError::Unreadable { path: folder.to_owned(), error };
     for entry in std::fs::read_dir(folder).map_err(unreadable)? {
@@ -281,6 +312,19 @@ mod tests {
     fn the_figures_of_a_handout_are_found_and_linked_anew() {
         assert_eq!(linked_figures(small().get("README.md").unwrap()).collect::<Vec<_>>(), ["a.svg", "b.svg"]);
         assert_eq!(small().handout(), "See ![a](figures/a.svg) and\n[b](figures/b.svg#x).\n");
+    }
+
+    #[test]
+    fn the_shared_program_is_taken_into_the_lab() {
+        let text = "mod a;\n#[path = \"../../harness/mod.rs\"]\nmod harness;\n";
+        let mut files: BTreeMap<String, String> =
+            ["src/main.rs", "tests/own.rs", "README.md"].map(|path| (path.to_owned(), text.to_owned())).into();
+        assert!(take_in_harness(&mut files));
+        assert_eq!(files["src/main.rs"], "mod a;\nmod harness;\n");
+        assert_eq!(files["tests/own.rs"], "mod a;\n#[path = \"../src/harness/mod.rs\"]\nmod harness;\n");
+        assert_eq!(files["README.md"], text);
+        files.retain(|path, _| path == "README.md");
+        assert!(!take_in_harness(&mut files));
     }
 
     #[test]

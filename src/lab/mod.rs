@@ -88,7 +88,7 @@ pub use typed::typed;
 pub use vendor::vendored;
 pub use verdict::Verdict;
 #[cfg(feature = "grade")]
-pub use verify::{BugRow, Verification, verify};
+pub use verify::{BugRow, Verification, verify, verify_some};
 #[cfg(feature = "grade")]
 pub use walls::{Hidden, WallChoice, WalledProgram, Walls, launched};
 #[cfg(feature = "grade")]

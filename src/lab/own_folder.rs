@@ -11,7 +11,7 @@
 
 use super::submission::{Built, Toolchain, Tree, USUAL_BUILD, build, take_in};
 use super::task::OwnMachine;
-use super::{Driver, Lab, Plan, Report, Verdict, grade_program};
+use super::{Driver, Lab, LabFiles, Plan, Report, Verdict, grade_program};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -96,11 +96,16 @@ fn not_handed_in(lab: &Lab, folder: &Path) -> Vec<String> {
     };
     let given = |path: &str| path.starts_with("src/") && !graded.iter().any(|file| file == path);
     let mut notes = Vec::new();
+    let repository = LabFiles::of_repository(folder);
+    let file = |path: &str| match &repository {
+        Some(files) => files.get(path).map(str::to_owned),
+        None => fs::read_to_string(folder.join(path)).ok(),
+    };
     for (path, text) in lab.files.iter().filter(|(path, _)| given(path)) {
-        match fs::read_to_string(folder.join(path)) {
-            Ok(there) if there.lines().eq(text.lines()) => {}
-            Ok(_) => notes.push(format!("{path} differs from the given one; {only}")),
-            Err(_) => notes.push(format!("{path} cannot be read; the given one is used")),
+        match file(path) {
+            Some(there) if there.lines().eq(text.lines()) => {}
+            Some(_) => notes.push(format!("{path} differs from the given one; {only}")),
+            None => notes.push(format!("{path} cannot be read; the given one is used")),
         }
     }
     let known = |path: &str| lab.files.get(path).is_some() || graded.iter().any(|file| file == path);

@@ -115,6 +115,19 @@ struct Outcome {
 /// # Errors
 /// If files cannot be written, or there is no compiler.
 pub fn verify(lab: &Lab, room: &Path) -> io::Result<Verification> {
+    verify_chosen(lab, room, |_| true, true)
+}
+
+/// Verifies solution, starter and the known mistakes of these numbers: a sample that is quick enough to be tried often.
+/// That every test catches a mistake is not asked of a sample.
+///
+/// # Errors
+/// As [`verify`].
+pub fn verify_some(lab: &Lab, room: &Path, numbers: &[u32]) -> io::Result<Verification> {
+    verify_chosen(lab, room, |number| numbers.contains(&number), false)
+}
+
+fn verify_chosen(lab: &Lab, room: &Path, chosen: impl Fn(u32) -> bool, whole: bool) -> io::Result<Verification> {
     let mut problems = Vec::new();
     let solution = lab.files.get(SOLUTION).unwrap_or_default();
     let given = match starter(solution) {
@@ -129,7 +142,7 @@ pub fn verify(lab: &Lab, room: &Path) -> io::Result<Verification> {
     }
     problems.extend(leaks(lab, solution));
     let mut variants = vec![(Variant::Solution, solution.to_owned()), (Variant::Starter, given)];
-    for bug in &lab.bugs {
+    for bug in lab.bugs.iter().filter(|bug| chosen(bug.number)) {
         match bug.apply(solution) {
             Ok(text) => variants.push((Variant::Bug(bug), text)),
             Err(error) => problems.push(error.to_string()),
@@ -157,7 +170,8 @@ pub fn verify(lab: &Lab, room: &Path) -> io::Result<Verification> {
         }
     }
     let signatures = Signatures::new(signatures);
-    if signatures != lab.signatures {
+    let as_known = rows.iter().all(|row| signatures.get(row.number) == lab.signatures.get(row.number));
+    if !as_known || whole && signatures != lab.signatures {
         problems
             .push("bugs/signatures.toml is not how the bugs fail; write it with `dcel lab verify --write`".to_owned());
     }
@@ -165,7 +179,7 @@ pub fn verify(lab: &Lab, room: &Path) -> io::Result<Verification> {
         problems.extend(check_row(lab, row));
     }
     for (i, test) in tests.iter().enumerate() {
-        if !rows.iter().any(|row| mark(row.verdicts[i]) == 'x') {
+        if whole && !rows.iter().any(|row| mark(row.verdicts[i]) == 'x') {
             problems.push(format!("{test} catches no bug"));
         }
     }

@@ -111,11 +111,14 @@ fn assert_nothing_won(attack: &Attack, report: &Report) {
 
 fn with_choice(choice: WallChoice, places: &[&str]) {
     let class = Class::new();
-    for place in places {
+    for (i, place) in places.iter().enumerate() {
         let place = if place.is_empty() { std::env::temp_dir() } else { PathBuf::from(place) };
         let other = Other::under(&place, &class);
         let held = File::open(other.words()).unwrap();
         let mut attacks = attacks(&class, &other, held.as_raw_fd());
+        // Each attack at one of the places, so that all of them together take no longer.
+        let mut place_of = (0..places.len()).cycle();
+        attacks.retain(|_| place_of.next() == Some(i));
         if choice == USER {
             // The file system alone: what is open to everybody can be read, and is told.
             attacks.retain(|attack| !attack.reads.starts_with("/proc"));

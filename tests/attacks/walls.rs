@@ -207,6 +207,16 @@ fn other_processes_are_out_of_reach(choice: WallChoice) {
         let read = said(&run(choice, &format!("read /proc/{own}/{file}")));
         assert!(choice == NONE || read.starts_with("error"), "{file}: {read}");
     }
+    if choice.namespaces {
+        // The watcher is the first process there; the system's own root is gone.
+        for word in ["read /proc/1/environ", "list /proc/1/root", "list /proc/1/cwd", "read /proc/1/fd/0", "list /old"]
+        {
+            assert!(said(&run(choice, word)).starts_with("error"), "{word}: {}", said(&run(choice, word)));
+        }
+        for word in ["read /proc/self/root/../../etc/passwd", "read /proc/self/cwd/../../etc/passwd"] {
+            assert!(said(&run(choice, word)).starts_with("error"), "{word}");
+        }
+    }
     // Nor can it end what is not its own.
     if choice.own_user || choice.namespaces {
         let kill = said(&run(choice, &format!("kill {own}")));

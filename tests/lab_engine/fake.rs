@@ -1,6 +1,7 @@
 //! A driver in memory: it answers cases as the real one does, right by itself, and can be made wrong in any way.
 
 use dcel_kit::lab::checks::spec::{self, TwinSide};
+use dcel_kit::lab::protocol::Start;
 use dcel_kit::lab::{End, Program, Ran};
 use dcel_kit::plane::PlanarView;
 use dcel_kit::script::Script;
@@ -50,7 +51,15 @@ impl Fake {
 impl Program for Fake {
     fn run(&self, input: &str) -> Ran {
         let mut out = String::new();
-        let end = Talk { fake: self, out: &mut out, table: Table::default(), saved: None, last: None }.all(input);
+        let end = Talk {
+            fake: self,
+            out: &mut out,
+            table: Table::default(),
+            saved: None,
+            last: None,
+            shown: Table::default(),
+        }
+        .all(input);
         let stdout = (self.printed)(out).into_bytes();
         Ran { stdout, stderr: Vec::new(), end, millis: 1 }
     }
@@ -62,6 +71,7 @@ struct Talk<'a> {
     table: Table,
     saved: Option<Table>,
     last: Option<String>,
+    shown: Table,
 }
 
 impl Talk<'_> {
@@ -108,6 +118,23 @@ impl Talk<'_> {
         let words: Vec<&str> = line.split(' ').collect();
         match words[0] {
             "rectangle" | "polygon" | "triangles" => self.table = start(line),
+            "convex" | "wheel" | "grid" => {
+                let number = |i: usize| words[i].parse().unwrap();
+                let start = match words[0] {
+                    "convex" => Start::Convex(number(1)),
+                    "wheel" => Start::Wheel(number(1)),
+                    _ => Start::Grid(number(1), number(2)),
+                };
+                self.table = start.table().unwrap().as_ref().clone();
+                self.shown = self.table.clone();
+            }
+            "reads" => said.push_str("reads 9\n"),
+            "many" => self.many(&words[1..], said),
+            "dump" if words.len() == 2 => {
+                let _ = write!(said, "dump changes\n{}end_dump\n", changes(&self.table, &self.shown));
+                self.shown = self.table.clone();
+                self.last = None;
+            }
             "save" => self.saved = Some(self.table.clone()),
             "restore" => self.table = self.saved.clone().unwrap(),
             "dump" => {
@@ -117,6 +144,7 @@ impl Talk<'_> {
                 } else {
                     let _ = write!(said, "dump\n{dump}end_dump\n");
                     self.last = Some(dump);
+                    self.shown = self.table.clone();
                 }
             }
             "svg" => {
@@ -153,6 +181,31 @@ impl Talk<'_> {
             Answer::Died(end) => return Some(end),
         }
         None
+    }
+
+    /// All answers are right, each for a read a value.
+    fn many(&mut self, words: &[&str], said: &mut String) {
+        let (count, function) = (words[0].parse::<usize>().unwrap(), words[1]);
+        let table = std::mem::take(&mut self.table);
+        let length = match function {
+            "walk_vertex" => table.vertices.len(),
+            "walk_face" | "walk_vertices" => table.faces.len(),
+            _ => table.half_edges.len(),
+        };
+        let count = count.min(length);
+        let answers: usize = (0..count)
+            .map(|i| i * length / count)
+            .map(|n| match function {
+                "walk_vertex" => spec::star(&table, table.outgoing(VertexId::new(n as u32)).unwrap()).len(),
+                "walk_face" | "walk_vertices" => {
+                    spec::cycle(&table, table.boundary(FaceId::new(n as u32)).unwrap()).len()
+                }
+                _ => 1,
+            })
+            .sum();
+        self.table = table;
+        let _ = writeln!(said, "call many {count} {function}");
+        let _ = writeln!(said, "asked {count} answers {answers} reads {answers} most 9 h0 -");
     }
 
     fn right(&self, function: &str, arguments: &[u32]) -> (Table, String) {
@@ -246,17 +299,22 @@ fn reference<T: Id>(out: &mut String, to: Option<T>) {
 }
 
 fn dump(table: &Table) -> String {
+    changes(table, &Table::default())
+}
+
+/// The records that are not as they were.
+fn changes(table: &Table, before: &Table) -> String {
     let mut out = String::from("outer");
     reference(&mut out, table.outer_face);
     out.push('\n');
-    for (i, row) in table.vertices.iter().enumerate() {
+    for (i, row) in table.vertices.iter().enumerate().filter(|(i, row)| before.vertices.get(*i) != Some(row)) {
         let row = row.unwrap();
         let [x, y] = row.position.unwrap();
         let _ = write!(out, "vertex {i} {x} {y}");
         reference(&mut out, row.outgoing);
         out.push('\n');
     }
-    for (i, row) in table.half_edges.iter().enumerate() {
+    for (i, row) in table.half_edges.iter().enumerate().filter(|(i, row)| before.half_edges.get(*i) != Some(row)) {
         let row = row.unwrap();
         out.push_str("half_edge");
         reference(&mut out, Some(HalfEdgeId::new(i as u32)));
@@ -265,7 +323,7 @@ fn dump(table: &Table) -> String {
         reference(&mut out, row.face);
         out.push('\n');
     }
-    for (i, row) in table.faces.iter().enumerate() {
+    for (i, row) in table.faces.iter().enumerate().filter(|(i, row)| before.faces.get(*i) != Some(row)) {
         out.push_str("face");
         reference(&mut out, Some(FaceId::new(i as u32)));
         reference(&mut out, row.as_ref().unwrap().boundary);

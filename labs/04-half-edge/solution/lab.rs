@@ -201,11 +201,12 @@ impl Dcel {
         self.make_twin(there, back);
         self.half_edges[twin].origin = Some(middle);
 
-        // 3. Set next, prev and face, and what the vertices refer to: `there` follows `he`, `back` precedes `twin`.
+        // 3. Set next, prev and face, and what the vertices refer to. `there` is put in after `he`, then `back` before
+        // `twin`. At a dangling edge `twin` is the next of `he`, so what precedes it is known only now: `there`.
         let after = self.next(he);
-        let before = self.prev(twin);
-        self.make_next(there, after);
         self.make_next(he, there);
+        self.make_next(there, after);
+        let before = self.prev(twin);
         self.make_next(before, back);
         self.make_next(back, twin);
         self.half_edges[there].face = Some(self.face(he));

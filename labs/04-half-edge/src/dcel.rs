@@ -11,9 +11,13 @@
 //!
 //! Records refer to each other by number: the vertex 3 is `dcel.vertices[3]`, the half-edge 7 is
 //! `dcel.half_edges[7]`, the face 0 is `dcel.faces[0]`. A reference that is not set yet is `None`.
+//!
+//! The lists are [`Records`]: they are used like a `Vec`, and count how often your code looks at a record.
 
 // You need not use every function that is given here.
 #![allow(dead_code)]
+
+use crate::harness::{Record, Records};
 
 /// The number of a vertex: its place in `Dcel::vertices`.
 pub type VertexId = usize;
@@ -34,7 +38,7 @@ pub struct Point {
 }
 
 /// A corner of the drawing.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Vertex {
     /// Any one half-edge that has this vertex as its origin.
     pub outgoing_half_edge: Option<HalfEdgeId>,
@@ -43,7 +47,7 @@ pub struct Vertex {
 }
 
 /// One side of an edge.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub struct HalfEdge {
     /// The vertex it starts at.
     pub origin: Option<VertexId>,
@@ -58,21 +62,36 @@ pub struct HalfEdge {
 }
 
 /// A region of the drawing. The outer face is one, too.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Face {
     /// Any one half-edge that has this face on its left.
     pub incident_half_edge: Option<HalfEdgeId>,
+}
+
+impl Record for Vertex {
+    const KIND: &'static str = "vertex";
+    const LETTER: char = 'v';
+}
+
+impl Record for HalfEdge {
+    const KIND: &'static str = "half-edge";
+    const LETTER: char = 'h';
+}
+
+impl Record for Face {
+    const KIND: &'static str = "face";
+    const LETTER: char = 'f';
 }
 
 /// A subdivision of the plane into faces.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Dcel {
     /// All vertices.
-    pub vertices: Vec<Vertex>,
+    pub vertices: Records<Vertex>,
     /// All half-edges.
-    pub half_edges: Vec<HalfEdge>,
+    pub half_edges: Records<HalfEdge>,
     /// All faces.
-    pub faces: Vec<Face>,
+    pub faces: Records<Face>,
     /// The face around everything.
     pub outer_face: FaceId,
 }
@@ -80,18 +99,21 @@ pub struct Dcel {
 /// Making records. Each function appends one record and returns its number.
 impl Dcel {
     /// Appends a vertex at (x, y). Its outgoing half-edge is not set yet.
+    #[track_caller]
     pub fn new_vertex(&mut self, x: f64, y: f64) -> VertexId {
         self.vertices.push(Vertex { outgoing_half_edge: None, pos: Point { x, y } });
         self.vertices.len() - 1
     }
 
     /// Appends a half-edge that starts at `origin`. Its other four references are not set yet.
+    #[track_caller]
     pub fn new_half_edge(&mut self, origin: VertexId) -> HalfEdgeId {
         self.half_edges.push(HalfEdge { origin: Some(origin), face: None, prev: None, next: None, twin: None });
         self.half_edges.len() - 1
     }
 
     /// Appends a face. Its incident half-edge is not set yet.
+    #[track_caller]
     pub fn new_face(&mut self) -> FaceId {
         self.faces.push(Face { incident_half_edge: None });
         self.faces.len() - 1
@@ -101,12 +123,14 @@ impl Dcel {
 /// Writing two references at once, so that they always agree.
 impl Dcel {
     /// Makes `after` follow `before`: sets `before.next` and `after.prev`.
+    #[track_caller]
     pub fn make_next(&mut self, before: HalfEdgeId, after: HalfEdgeId) {
         self.half_edges[before].next = Some(after);
         self.half_edges[after].prev = Some(before);
     }
 
     /// Makes `a` and `b` the two sides of one edge: sets `a.twin` and `b.twin`.
+    #[track_caller]
     pub fn make_twin(&mut self, a: HalfEdgeId, b: HalfEdgeId) {
         self.half_edges[a].twin = Some(b);
         self.half_edges[b].twin = Some(a);
@@ -119,68 +143,49 @@ impl Dcel {
     /// The half-edge after `h` along its face.
     #[track_caller]
     pub fn next(&self, h: HalfEdgeId) -> HalfEdgeId {
-        set(self.half_edge(h).next, "next", "half-edge", h)
+        set(self.half_edges[h].next, "next", "half-edge", h)
     }
 
     /// The half-edge before `h` along its face.
     #[track_caller]
     pub fn prev(&self, h: HalfEdgeId) -> HalfEdgeId {
-        set(self.half_edge(h).prev, "prev", "half-edge", h)
+        set(self.half_edges[h].prev, "prev", "half-edge", h)
     }
 
     /// The other side of the edge of `h`.
     #[track_caller]
     pub fn twin(&self, h: HalfEdgeId) -> HalfEdgeId {
-        set(self.half_edge(h).twin, "twin", "half-edge", h)
+        set(self.half_edges[h].twin, "twin", "half-edge", h)
     }
 
     /// The vertex that `h` starts at.
     #[track_caller]
     pub fn origin(&self, h: HalfEdgeId) -> VertexId {
-        set(self.half_edge(h).origin, "origin", "half-edge", h)
+        set(self.half_edges[h].origin, "origin", "half-edge", h)
     }
 
     /// The face on the left of `h`.
     #[track_caller]
     pub fn face(&self, h: HalfEdgeId) -> FaceId {
-        set(self.half_edge(h).face, "face", "half-edge", h)
+        set(self.half_edges[h].face, "face", "half-edge", h)
     }
 
     /// The stored half-edge of `v`: one that starts there.
     #[track_caller]
     pub fn outgoing_half_edge(&self, v: VertexId) -> HalfEdgeId {
-        set(self.vertex(v).outgoing_half_edge, "outgoing half-edge", "vertex", v)
+        set(self.vertices[v].outgoing_half_edge, "outgoing half-edge", "vertex", v)
     }
 
     /// The stored half-edge of `f`: one that has `f` on its left.
     #[track_caller]
     pub fn incident_half_edge(&self, f: FaceId) -> HalfEdgeId {
-        match self.faces.get(f) {
-            Some(record) => set(record.incident_half_edge, "incident half-edge", "face", f),
-            None => panic!("there is no face {f}: there are {}", self.faces.len()),
-        }
+        set(self.faces[f].incident_half_edge, "incident half-edge", "face", f)
     }
 
     /// Where `v` is.
     #[track_caller]
     pub fn position(&self, v: VertexId) -> Point {
-        self.vertex(v).pos
-    }
-
-    #[track_caller]
-    fn half_edge(&self, h: HalfEdgeId) -> &HalfEdge {
-        match self.half_edges.get(h) {
-            Some(record) => record,
-            None => panic!("there is no half-edge {h}: there are {}", self.half_edges.len()),
-        }
-    }
-
-    #[track_caller]
-    fn vertex(&self, v: VertexId) -> &Vertex {
-        match self.vertices.get(v) {
-            Some(record) => record,
-            None => panic!("there is no vertex {v}: there are {}", self.vertices.len()),
-        }
+        self.vertices[v].pos
     }
 }
 

@@ -9,11 +9,11 @@
 //!
 //! The language of the cases is explained in the handout, README.md.
 
-mod case;
+mod calls;
 mod dcel;
+#[path = "../../harness/mod.rs"]
+mod harness;
 mod pen;
-mod print;
-mod run;
 mod start;
 mod svg;
 
@@ -21,5 +21,5 @@ mod svg;
 mod lab;
 
 fn main() -> std::process::ExitCode {
-    run::main()
+    harness::main::<calls::HalfEdgeLab>()
 }

@@ -6,23 +6,38 @@
 #![allow(dead_code)]
 
 use crate::dcel::{Dcel, FaceId, HalfEdgeId, Point, VertexId};
+use crate::harness::Meter;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
 /// A half-edge structure that is changed by splits only.
 pub struct Pen {
     dcel: Dcel,
+    meter: Meter,
 }
 
-/// The two moves.
+/// The two moves. Each has as many reads as a call by itself, and so has what you read between two moves.
 impl Pen {
     /// Your `Dcel::split_face`.
+    #[track_caller]
     pub fn split_face(&mut self, he1: HalfEdgeId, he2: HalfEdgeId) -> bool {
-        self.dcel.split_face(he1, he2)
+        self.meter.next_move(self.records());
+        let done = self.dcel.split_face(he1, he2);
+        self.meter.next_move(self.records());
+        done
     }
 
     /// Your `Dcel::split_in_half`.
+    #[track_caller]
     pub fn split_in_half(&mut self, he: HalfEdgeId) {
+        self.meter.next_move(self.records());
         self.dcel.split_in_half(he);
+        self.meter.next_move(self.records());
+    }
+}
+
+impl Pen {
+    fn records(&self) -> usize {
+        self.dcel.vertices.len() + self.dcel.half_edges.len() + self.dcel.faces.len()
     }
 }
 
@@ -83,8 +98,8 @@ impl Pen {
 }
 
 /// Puts a pen to `dcel` and lets `drawing` draw. If that panics, what was drawn until then stays.
-pub fn draw(dcel: &mut Dcel, drawing: fn(&mut Pen)) {
-    let mut pen = Pen { dcel: std::mem::take(dcel) };
+pub fn draw(dcel: &mut Dcel, meter: Meter, drawing: fn(&mut Pen)) {
+    let mut pen = Pen { dcel: std::mem::take(dcel), meter };
     let outcome = catch_unwind(AssertUnwindSafe(|| drawing(&mut pen)));
     *dcel = pen.dcel;
     if let Err(panic) = outcome {

@@ -6,12 +6,12 @@
 
 #[path = "../src/dcel.rs"]
 mod dcel;
+#[path = "../../harness/mod.rs"]
+mod harness;
 #[path = "../src/lab.rs"]
 mod lab;
 #[path = "../src/pen.rs"]
 mod pen;
-#[path = "../src/print.rs"]
-mod print;
 #[path = "../src/start.rs"]
 mod start;
 #[path = "../src/svg.rs"]
@@ -20,7 +20,7 @@ mod svg;
 /// An example: the rectangle that the lab starts from.
 #[test]
 fn every_twin_of_the_rectangle_has_the_other_one_as_its_twin() {
-    let rectangle = start::rectangle();
+    let rectangle = start::rectangle(&[]).unwrap();
     for h in 0..rectangle.half_edges.len() {
         assert_eq!(rectangle.twin(rectangle.twin(h)), h);
         assert_ne!(rectangle.face(h), rectangle.face(rectangle.twin(h)));

@@ -17,13 +17,16 @@ pub use graded::graded;
 pub use text::test_text;
 
 use super::course::{Asked, Course, Source, Suite};
-use super::fault::{Fault, FaultKind, exchanges};
+use super::fault::{Exchange, Fault, FaultKind, exchanges};
 use super::grade::{Graded, findings};
 use super::program::Program;
 use super::protocol::{Case, CaseAnswer, Step};
 use super::report::TestResult;
 use super::run::run_suite;
 use super::the_lab::Lab;
+
+/// A structure with more half-edges is not drawn: nobody could see anything in it.
+const DRAWN: usize = 1500;
 
 /// What is needed to show a fault.
 #[derive(Clone, Copy)]
@@ -46,7 +49,7 @@ impl Context<'_> {
         let (suite, asked) = (graded.suite, &graded.suite.asked[case]);
         let first = graded.run.faults[case].iter().find(|fault| fault.test == result.name);
         let (Some(first), false) = (first, asked.source == Source::Hidden) else { return };
-        let dumped = matches!(asked.case.steps.get(first.step + 1), Some(Step::Dump));
+        let dumped = asked.case.steps.get(first.step + 1).is_some_and(Step::shows);
         let (reduced, _) = asked.case.reduced_to(first.step, dumped);
         if first.kind == FaultKind::TimedOut {
             // A hang costs the whole deadline each time, and would show nothing new.
@@ -67,6 +70,8 @@ impl Context<'_> {
             result.message = format!("{}{count}", fault.words);
             result.place = fault.kind.place().map(str::to_owned).or_else(|| result.place.take());
             let exchange = exchanges(&shown.case, &shown.answer).into_iter().find(|e| e.step == fault.step);
+            let fits = |e: &Exchange| e.before.is_none_or(|table| table.half_edges.len() <= DRAWN);
+            let exchange = exchange.filter(fits);
             result.picture = exchange.and_then(|exchange| picture::of(self.course, &exchange, &faults));
         }
         result.script = Some(shown.case.script());

@@ -5,8 +5,10 @@
 //!   walks.rs           round a face, round a vertex, destination
 //!   split_face.rs      in six steps                     split_in_half.rs  in three
 //!   sequences.rs       one call after the other         drawing.rs        the drawing of the handout
+//!   costs.rs           large structures, and how many records a call looks at
 //! ```
 
+mod costs;
 mod drawing;
 mod sequences;
 mod shorter;

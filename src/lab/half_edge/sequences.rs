@@ -3,10 +3,12 @@
 //! Every call is judged by the structure that the student's program had before it. The first fault ends the
 //! sequence: what comes after it has no right start.
 
-use super::{split_face, split_in_half};
+use super::starts::{antenna, bridge, outer_antenna, petals, tree};
+use super::{costs, split_face, split_in_half};
 use crate::lab::cases::random::Random;
 use crate::lab::fault::{Fault, FaultKind, exchanges};
 use crate::lab::protocol::{Case, CaseAnswer, Start, Step};
+use std::sync::Arc;
 
 /// What a random sequence is made of.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -40,30 +42,47 @@ pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
         if !faults.is_empty() {
             return faults;
         }
+        // A call whose result is not shown is judged by its end alone.
+        if let (Some((_, end)), None) = (exchange.called, exchange.after)
+            && let Some(kind) = FaultKind::of_end(end)
+        {
+            let words = format!("{} {}: {}", exchange.function, exchange.words.join(" "), end.words());
+            let rule = "R1".to_owned();
+            return vec![Fault {
+                test,
+                kind,
+                step: exchange.step,
+                rule,
+                tag: "end".to_owned(),
+                words,
+                elements: vec![],
+            }];
+        }
     }
-    Vec::new()
+    costs::judge(test, case, answer)
 }
 
 /// A case that dumps after every call. `calls` are lines such as `split_face h0 h4`.
 pub(super) fn sequence(name: &str, start: Start, calls: &[&str]) -> Case {
-    let mut case = Case::new(name, start).step(Step::Dump);
+    let dump = start.dump();
+    let mut case = Case::new(name, start).step(dump.clone());
     for call in calls {
         let mut words = call.split(' ');
         let function = words.next().unwrap_or_default();
-        case = case.step(Step::call(function, words)).step(Step::Dump);
+        case = case.step(Step::call(function, words)).step(dump.clone());
     }
     case
 }
 
 /// A random sequence, on a start that a student can type.
 pub(super) fn random(name: &str, mix: Mix, random: &mut Random) -> Case {
-    let (start, corners) = start(random);
+    let (start, counts) = start(random);
     let mut case = Case::new(name, start).step(Step::Dump);
     for _ in 0..mix.calls {
-        let first = word(corners, random);
+        let first = word(counts, random);
         let step = if random.below(mix.weights[0] + mix.weights[1]) < mix.weights[0] {
             let second = match random.below(8) {
-                0 => word(corners, random),
+                0 => word(counts, random),
                 1 => first.clone(),
                 2 => format!("{first}.prev.prev"),
                 _ => format!("{first}{}", ".next".repeat(1 + random.below(4))),
@@ -77,10 +96,17 @@ pub(super) fn random(name: &str, mix: Mix, random: &mut Random) -> Case {
     case
 }
 
-fn start(random: &mut Random) -> (Start, usize) {
-    match random.below(5) {
-        0 => (Start::Rectangle, 6),
-        i => (polygon(i + 2), i + 2),
+/// A start, and how many half-edges, vertices and faces it has. Some have dangling edges, bridges, corners that touch.
+fn start(random: &mut Random) -> (Start, [usize; 3]) {
+    let odd = [antenna, outer_antenna, bridge, petals, tree];
+    match random.below(8) {
+        0 => (Start::Rectangle, [12, 6, 2]),
+        i @ 1..=4 => (polygon(i + 2), [2 * (i + 2), i + 2, 2]),
+        _ => {
+            let table = odd[random.below(odd.len())]();
+            let counts = [table.half_edges.len(), table.vertices.len(), table.faces.len()];
+            (Start::Table(Arc::new(table)), counts)
+        }
     }
 }
 
@@ -91,11 +117,11 @@ pub(super) fn polygon(corners: usize) -> Start {
 }
 
 /// A half-edge: a given one or a stored one, then up to two links.
-fn word(corners: usize, random: &mut Random) -> String {
-    let given = format!("h{}", random.below(2 * corners));
+fn word([half_edges, vertices, faces]: [usize; 3], random: &mut Random) -> String {
+    let given = format!("h{}", random.below(half_edges));
     let base = match random.below(8) {
-        0 => format!("f{}.boundary", random.below(2)),
-        1 => format!("v{}.outgoing", random.below(corners)),
+        0 => format!("f{}.boundary", random.below(faces)),
+        1 => format!("v{}.outgoing", random.below(vertices)),
         2 => format!("{given}.face.boundary"),
         3 => format!("{given}.origin.outgoing"),
         _ => given,

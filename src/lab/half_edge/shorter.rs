@@ -54,13 +54,18 @@ fn size(case: &Case) -> (usize, usize, usize, String) {
         // One word.
         Start::Rectangle => 0,
         Start::Polygon(corners) => corners.len(),
+        Start::Convex(corners) => *corners,
+        Start::Wheel(spokes) => 2 * spokes,
+        Start::Grid(columns, rows) => 4 * columns * rows,
         Start::Triangles(..) | Start::Table(_) => usize::MAX,
     };
     (calls, links, corners, script)
 }
 
 fn sequence(name: &str, start: Start, calls: &[Step]) -> Case {
-    let steps = [Step::Dump].into_iter().chain(calls.iter().flat_map(|call| [call.clone(), Step::Dump])).collect();
+    let dump = start.dump();
+    let after = calls.iter().flat_map(|call| [call.clone(), dump.clone()]);
+    let steps = [dump.clone()].into_iter().chain(after).collect();
     Case { name: name.to_owned(), start, steps }
 }
 

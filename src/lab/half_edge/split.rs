@@ -17,6 +17,8 @@ pub(super) struct Steps<'a> {
     pub(super) call: String,
     /// The step of the case.
     pub(super) step: usize,
+    /// The step that has a loop, if any.
+    pub(super) loops: Option<usize>,
     /// The graded test of each step of the operation.
     pub(super) tests: &'a [&'static str],
     /// How the call ended.
@@ -32,6 +34,14 @@ impl Steps<'_> {
     /// A fault of a step of the operation.
     pub(super) fn add(&mut self, step: usize, kind: FaultKind, tag: &str, words: &str, elements: &[Element]) {
         let Some(&test) = self.tests.get(step) else { return };
+        // That it was stopped is said once for each test.
+        let says_the_end =
+            kind.is_endless() && !self.faults.iter().any(|fault| fault.test == test && fault.kind == kind);
+        let words = if says_the_end && !words.contains(&self.end.words()) {
+            format!("{}. Until then: {words}", self.end.words())
+        } else {
+            words.to_owned()
+        };
         self.faults.push(Fault {
             test,
             kind,
@@ -44,10 +54,12 @@ impl Steps<'_> {
     }
 
     /// The kind of a fault of a step: if the call panicked, whether anything of the step was done decides.
-    pub(super) fn kind(&self, touched: bool) -> FaultKind {
+    pub(super) fn kind(&self, step: usize, touched: bool) -> FaultKind {
         match FaultKind::of_end(self.end) {
             None => FaultKind::Wrong,
             Some(FaultKind::Unattempted) if touched => FaultKind::Wrong,
+            // What is done wrongly before the loop is wrong, whatever becomes of the loop.
+            Some(kind) if touched && kind.is_endless() && self.loops != Some(step) => FaultKind::Wrong,
             Some(kind) => kind,
         }
     }
@@ -57,7 +69,7 @@ impl Steps<'_> {
         if after == before + more {
             return true;
         }
-        let kind = self.kind(after != before);
+        let kind = self.kind(step, after != before);
         let expected = match more {
             0 => "expected no more than before".to_owned(),
             more => format!("expected {more} more than the {before} before"),
@@ -75,7 +87,7 @@ impl Steps<'_> {
     /// Steps that cannot be judged, because an earlier one is missing.
     pub(super) fn unjudged(&mut self, steps: std::ops::Range<usize>) {
         for step in steps {
-            let kind = self.kind(false);
+            let kind = self.kind(step, false);
             self.add(step, kind, "unjudged", "cannot be judged before the step before it is right", &[]);
         }
     }
@@ -88,12 +100,15 @@ impl Steps<'_> {
         role: impl Fn(Element) -> &'static str,
     ) {
         let mut in_order: Vec<(usize, &Difference)> = aligned.differences.iter().map(|d| (step_of(d), d)).collect();
+        if in_order.is_empty() {
+            return self.laws();
+        }
         in_order.sort_by_key(|&(step, _)| step);
         // Fields that the call has set or changed; those of new elements count once they are set.
         let mut changed = differences(self.before, self.after);
         changed.retain(|difference| difference.found != Content::Unset);
         for (step, difference) in in_order {
-            let kind = self.kind(changed.iter().any(|difference| step_of(difference) == step));
+            let kind = self.kind(step, changed.iter().any(|difference| step_of(difference) == step));
             let part = difference.owner.map_or("", &role);
             let tag = format!("{} {part}", difference.field.word());
             let mut elements: Vec<Element> = difference.owner.into_iter().collect();
@@ -140,7 +155,7 @@ impl Steps<'_> {
     pub(super) fn must_have_returned(&mut self) {
         if let (true, Some(kind)) = (self.faults.is_empty(), FaultKind::of_end(self.end)) {
             let last = self.tests.len() - 1;
-            self.add(last, kind, "panic", "all is done, but the call does not return", &[]);
+            self.add(last, kind, "panic", &format!("all is done, but the call {}", self.end.words()), &[]);
         }
     }
 }

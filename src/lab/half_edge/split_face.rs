@@ -5,8 +5,7 @@
 //!   3 next and prev        4 faces            5 a half-edge for each face and vertex
 //! ```
 //!
-//! The outer face is a face like any other. Two corners at the same vertex are never asked for: whether a loop is
-//! wanted there is not said in the handout.
+//! The outer face is a face like any other. Two corners of one face at the same vertex are joined by a loop.
 
 use super::split::Steps;
 use crate::lab::checks::align::{Difference, Field, align};
@@ -36,6 +35,7 @@ pub(super) fn judge(exchange: &Exchange, tests: &[&'static str]) -> Vec<Fault> {
         function: "split_face",
         call: format!("split_face {h1} {h2}"),
         step: exchange.step,
+        loops: Some(4),
         tests,
         end,
         before,
@@ -55,7 +55,7 @@ fn refused(steps: &mut Steps, reason: Legal, h1: HalfEdgeId, h2: HalfEdgeId) {
     let wrong = FaultKind::Wrong;
     match steps.end {
         end @ (CallEnd::Panicked { .. } | CallEnd::Stopped(_)) => {
-            let kind = steps.kind(false);
+            let kind = steps.kind(0, false);
             let words = format!("{}; it should return false, because {because}", end.words());
             steps.add(0, kind, "panic", &words, &both);
         }
@@ -82,7 +82,7 @@ fn legal(steps: &mut Steps, h1: HalfEdgeId, h2: HalfEdgeId) {
         }
     } else if before == after {
         // Nothing was done: of a legal call, that is not even step 0.
-        let kind = steps.kind(false);
+        let kind = steps.kind(0, false);
         if kind != FaultKind::Unattempted {
             let words = format!("{}, and nothing is done", steps.end.words());
             steps.add(0, kind, "panic", &words, &[h1.into(), h2.into()]);

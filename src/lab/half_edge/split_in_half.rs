@@ -40,6 +40,7 @@ pub(super) fn judge(exchange: &Exchange, tests: &[&'static str]) -> Vec<Fault> {
         function: "split_in_half",
         call: format!("split_in_half {he}"),
         step: exchange.step,
+        loops: None,
         tests,
         end,
         before,

@@ -4,9 +4,10 @@
 //! other tasks. Small cases that a student can type come first, then one case for each small structure with every
 //! call that can be made on it, then random sequences.
 
+use super::costs::{self, SMALL_GRID};
 use super::sequences::{Mix, polygon, random, sequence};
 use super::shorter::shorter;
-use super::starts::{antenna, bow_tie, hanging_triangle, relabelled, window};
+use super::starts::{blind, odd, relabelled, rounding, window};
 use super::{drawing, sequences, split_face, split_in_half, walks};
 use crate::HalfEdgeId;
 use crate::lab::cases::classes::classes;
@@ -16,13 +17,19 @@ use crate::lab::course::{Asked, Course, Source, Suite};
 use crate::lab::fault::{Exchange, Fault};
 use crate::lab::plan::Plan;
 use crate::lab::protocol::{Case, CaseAnswer, Start, Step};
-use crate::topology::{HalfEdgeRow, Table, View};
+use crate::topology::{HalfEdgeRow, Table};
 use std::sync::Arc;
 
 /// How many random sequences are asked for each test, and of how many calls.
 const RANDOM: (usize, usize) = (16, 10);
 /// How many small structures are asked with other names, too.
 const RELABELLED: usize = 8;
+
+/// What the names of cases say in which all vertices are at one place.
+const BLIND: &str = ".blind";
+/// What is added to every fault of such a case.
+const IN_THE_BLIND: &str =
+    " (Here all vertices are at one place: the answer must come from the references, not from positions.)";
 
 /// The course of lab 04.
 pub(in crate::lab) struct HalfEdge;
@@ -69,13 +76,17 @@ impl Course for HalfEdge {
     }
 
     fn judge(&self, suite: &Suite, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
-        match suite.name {
+        let mut faults = match suite.name {
             "split_face" => by_call(case, answer, |exchange| split_face::judge(exchange, &split_face::TESTS)),
             "split_in_half" => by_call(case, answer, |exchange| split_in_half::judge(exchange, &split_in_half::TESTS)),
             "split_face_sequences" | "split_in_half_sequences" => sequences::judge(suite.tests[0], case, answer),
             "drawing" => drawing::judge(case, answer),
             _ => walks::judge(suite.tests[0], case, answer),
+        };
+        if case.name.contains(BLIND) {
+            faults.iter_mut().for_each(|fault| fault.words.push_str(IN_THE_BLIND));
         }
+        faults
     }
 
     fn expected(&self, exchange: &Exchange) -> Option<Table> {
@@ -102,8 +113,8 @@ fn table(table: Table) -> Start {
 /// The structures of the exhaustive cases, with their names: those on which corners and vertices differ, one of
 /// every small kind, some of these with other names.
 fn structures() -> Vec<(String, Table)> {
-    let special = [("antenna", antenna()), ("bow_tie", bow_tie()), ("hanging", hanging_triangle())];
-    let mut all: Vec<(String, Table)> = special.map(|(name, table)| (name.to_owned(), table)).into();
+    let mut all: Vec<(String, Table)> = odd().map(|(name, table)| (name.to_owned(), table)).into();
+    all.extend(odd().into_iter().take(4).map(|(name, table)| (format!("{}.{name}", &BLIND[1..]), blind(&table))));
     let classes = small_classes();
     let mut random = Random::new(4, "relabelled");
     let step = (classes.len() / RELABELLED).max(1);
@@ -141,10 +152,18 @@ fn reading(name: &str, function: &str) -> Vec<Case> {
         ("two_triangles", fan, [3, 4, 10]),
         ("window", table(window()), [5, 9, 24]),
         ("window_again", table(relabelled(&window(), &mut random)), [5, 9, 24]),
-        ("antenna", table(antenna()), [2, 5, 10]),
-        ("bow_tie", table(bow_tie()), [3, 5, 12]),
-        ("hanging", table(relabelled(&hanging_triangle(), &mut random)), [3, 6, 14]),
     ];
+    let mut starts: Vec<_> =
+        starts.into_iter().map(|(start_name, start, counts)| (start_name.to_owned(), start, counts)).collect();
+    for (odd_name, odd) in odd() {
+        let counts = [odd.faces.len(), odd.vertices.len(), odd.half_edges.len()];
+        starts.push((odd_name.to_owned(), table(odd.clone()), counts));
+        starts.push((format!("{odd_name}_again"), table(relabelled(&odd, &mut random)), counts));
+        starts.push((format!("{odd_name}{BLIND}"), table(blind(&odd)), counts));
+    }
+    starts.push((format!("window{BLIND}"), table(blind(&window())), [5, 9, 24]));
+    starts.push(("wheel".to_owned(), Start::Wheel(40), [3, 3, 9]));
+    starts.push(("convex".to_owned(), Start::Convex(300), [2, 2, 4]));
     for (start_name, start, [faces, vertices, half_edges]) in starts {
         let count = match letter {
             'f' => faces,
@@ -155,6 +174,15 @@ fn reading(name: &str, function: &str) -> Vec<Case> {
         case.steps.extend((0..count).map(|i| Step::call(function, [format!("{letter}{i}")])));
         cases.push(case);
     }
+    let mut grid = Case::new(format!("{name}.grid"), SMALL_GRID).step(Step::Dump);
+    let far = match letter {
+        'f' => [0, 256, 257, 300],
+        'v' => [255, 256, 257, 335],
+        _ => [255, 256, 600, 1269],
+    };
+    grid.steps.extend(far.map(|number| Step::call(function, [format!("{letter}{number}")])));
+    cases.push(grid);
+    cases.push(costs::questions(name, function, letter));
     // The two ways to a destination are two: each must do without the pointers of the other.
     let without: Option<fn(&mut HalfEdgeRow)> = match function {
         "destination" => Some(|row| (row.next, row.prev) = (None, None)),
@@ -185,15 +213,19 @@ fn split_face_cases(structures: &[(String, Table)]) -> Vec<Case> {
         one("prev", Start::Rectangle, "h2 h0"),
         one("other_face", Start::Rectangle, "h0 h5"),
         one("other_face_back", Start::Rectangle, "h5 h0"),
+        one("twelve", Start::Polygon(TWELVE.to_vec()), "h0 h4"),
+        one("convex", Start::Convex(300), "h0 h8"),
+        one("convex_outside", Start::Convex(300), "h1 h201"),
+        one("wheel", Start::Wheel(40), "h3 h83"),
+        one("grid", SMALL_GRID, "h1200 h1200.next.next"),
+        one("grid_outside", SMALL_GRID, "h1 h41"),
     ];
     for (name, structure) in structures {
         let mut case =
             Case::new(format!("split_face.{name}"), table(structure.clone())).step(Step::Dump).step(Step::Save);
         let pairs = half_edges(structure).flat_map(|h1| half_edges(structure).map(move |h2| (h1, h2)));
-        // Two different corners at one vertex: the handout does not say what should be.
-        let asked = pairs.filter(|&(h1, h2)| h1 == h2 || structure.origin(h1) != structure.origin(h2));
         let mut asked: Vec<_> =
-            asked.map(|(h1, h2)| (may_split_face(structure, h1, h2) == Legal::Yes, h1, h2)).collect();
+            pairs.map(|(h1, h2)| (may_split_face(structure, h1, h2) == Legal::Yes, h1, h2)).collect();
         // Those to be refused first: as long as the structure stays the same, it is printed once.
         asked.sort_unstable();
         for (_, h1, h2) in asked {
@@ -202,13 +234,6 @@ fn split_face_cases(structures: &[(String, Table)]) -> Vec<Case> {
         cases.push(case);
     }
     cases
-}
-
-/// Whether the edge ends nowhere. No split makes such an edge, and to split it needs more care than the lab teaches:
-/// a link is both before and after it.
-fn is_at_a_spur(table: &Table, h: HalfEdgeId) -> bool {
-    let twin = table.twin(h);
-    table.next(h) == twin || table.prev(h) == twin
 }
 
 fn split_in_half_cases(structures: &[(String, Table)]) -> Vec<Case> {
@@ -220,11 +245,20 @@ fn split_in_half_cases(structures: &[(String, Table)]) -> Vec<Case> {
         one("outside", Start::Rectangle, "h5"),
         one("triangle", polygon(3), "h2"),
         one("triangle_outside", polygon(3), "h3"),
+        one("convex", Start::Convex(300), "h598"),
+        one("grid", SMALL_GRID, "h1200"),
     ];
+    for (i, start) in rounding().into_iter().enumerate() {
+        let mut case = Case::new(format!("split_in_half.rounding.{i}"), start).step(Step::Dump).step(Step::Save);
+        for h in 0..3 {
+            case.steps.extend([Step::call("split_in_half", [format!("h{}", 2 * h)]), Step::Dump, Step::Restore]);
+        }
+        cases.push(case);
+    }
     for (name, structure) in structures {
         let mut case =
             Case::new(format!("split_in_half.{name}"), table(structure.clone())).step(Step::Dump).step(Step::Save);
-        for h in half_edges(structure).filter(|&h| !is_at_a_spur(structure, h)) {
+        for h in half_edges(structure) {
             case.steps.extend([Step::call("split_in_half", [h]), Step::Dump, Step::Restore]);
         }
         cases.push(case);
@@ -310,6 +344,7 @@ fn mixed_sequences() -> Vec<(&'static str, Start, Vec<&'static str>)> {
             vec!["split_in_half h0", "split_in_half h0", "split_in_half h0.next.twin", "split_in_half h0.prev"],
         ),
         ("halves_of_halves", Start::Rectangle, vec!["split_in_half h0"; 8]),
+        ("forty_halves", polygon(3), vec!["split_in_half h2"; 40]),
         (
             "door",
             Start::Rectangle,
@@ -356,7 +391,9 @@ fn sequence_cases(
     plan: &Plan,
 ) -> Vec<Asked> {
     let named = fixed_ones.into_iter().map(|(case, start, calls)| sequence(&format!("{name}.{case}"), start, &calls));
-    let mut asked = fixed(named.collect());
+    let mut named: Vec<Case> = named.collect();
+    named.push(costs::splits(name, if weights[1] == 0 { "split_face" } else { "split_in_half" }));
+    let mut asked = fixed(named);
     let (count, calls) = RANDOM;
     let mut numbers = Random::new(plan.seed, name);
     asked.extend((0..count).map(|i| Asked {

@@ -7,6 +7,7 @@
 //!   destination h0        v1            origin of the twin
 //! ```
 
+use super::costs;
 use crate::lab::checks::cyclic::{self, WalkFault};
 use crate::lab::checks::spec::{cycle, star};
 use crate::lab::fault::{Exchange, Fault, FaultKind, exchanges};
@@ -16,7 +17,9 @@ use crate::{Element, FaceId, HalfEdgeId, VertexId};
 
 /// Judges every call of a case by what it returned.
 pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
-    exchanges(case, answer).iter().filter_map(|exchange| fault(test, exchange)).collect()
+    let mut faults: Vec<Fault> = exchanges(case, answer).iter().filter_map(|exchange| fault(test, exchange)).collect();
+    faults.extend(costs::judge(test, case, answer));
+    faults
 }
 
 fn fault(test: &'static str, exchange: &Exchange) -> Option<Fault> {

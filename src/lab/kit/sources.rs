@@ -1,7 +1,7 @@
 //! The files of this build. Generated: `dcel lab bundle`.
 
 #[rustfmt::skip]
-pub(super) const SOURCES: [(&str, &str); 289] = [
+pub(super) const SOURCES: [(&str, &str); 291] = [
     ("LICENSE-APACHE", include_str!("../../../LICENSE-APACHE")),
     ("LICENSE-MIT", include_str!("../../../LICENSE-MIT")),
     ("figures/cube.svg", include_str!("../../../figures/cube.svg")),
@@ -105,6 +105,7 @@ pub(super) const SOURCES: [(&str, &str); 289] = [
     ("src/lab/bug.rs", include_str!("../../../src/lab/bug.rs")),
     ("src/lab/bundle/04-half-edge.txt", include_str!("../../../src/lab/bundle/04-half-edge.txt")),
     ("src/lab/cases/classes.rs", include_str!("../../../src/lab/cases/classes.rs")),
+    ("src/lab/cases/large.rs", include_str!("../../../src/lab/cases/large.rs")),
     ("src/lab/cases/mod.rs", include_str!("../../../src/lab/cases/mod.rs")),
     ("src/lab/cases/random.rs", include_str!("../../../src/lab/cases/random.rs")),
     ("src/lab/checks/align.rs", include_str!("../../../src/lab/checks/align.rs")),
@@ -122,6 +123,7 @@ pub(super) const SOURCES: [(&str, &str); 289] = [
     ("src/lab/feedback/text.rs", include_str!("../../../src/lab/feedback/text.rs")),
     ("src/lab/files.rs", include_str!("../../../src/lab/files.rs")),
     ("src/lab/grade.rs", include_str!("../../../src/lab/grade.rs")),
+    ("src/lab/half_edge/costs.rs", include_str!("../../../src/lab/half_edge/costs.rs")),
     ("src/lab/half_edge/drawing.rs", include_str!("../../../src/lab/half_edge/drawing.rs")),
     ("src/lab/half_edge/mod.rs", include_str!("../../../src/lab/half_edge/mod.rs")),
     ("src/lab/half_edge/sequences.rs", include_str!("../../../src/lab/half_edge/sequences.rs")),

@@ -38,6 +38,27 @@ pub enum Reply {
     Dump(Arc<Table>),
     /// A drawing.
     Svg(String),
+    /// How many records the last call looked at.
+    Reads(u64),
+    /// What came of many calls.
+    Many(Many),
+}
+
+/// What came of many calls of one function.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Many {
+    /// How many were made, until the budget was used up.
+    pub asked: usize,
+    /// How many values came back altogether.
+    pub answers: u64,
+    /// How many records were looked at altogether.
+    pub reads: u64,
+    /// The most that one call looked at.
+    pub most: u64,
+    /// The number of the element that this call was made for.
+    pub element: u32,
+    /// Where it spends its reads, in the student's file.
+    pub place: Option<String>,
 }
 
 /// A call and its end.

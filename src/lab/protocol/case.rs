@@ -1,5 +1,6 @@
 //! A case: a start, then calls, as text for a driver.
 
+use crate::lab::cases::large;
 use crate::topology::{Table, View};
 use crate::{FaceId, HalfEdgeId, VertexId};
 use std::fmt::{Display, Write};
@@ -14,9 +15,43 @@ pub enum Start {
     Polygon(Vec<[f64; 2]>),
     /// Triangles: points, then corners by number.
     Triangles(Vec<[f64; 2]>, Vec<[u32; 3]>),
+    /// A convex polygon with so many corners.
+    Convex(usize),
+    /// So many triangles round one vertex.
+    Wheel(usize),
+    /// So many columns and rows of square cells.
+    Grid(usize, usize),
     /// Any structure, as the lines of a dump.
     Table(Arc<Table>),
 }
+
+impl Start {
+    /// The structure, if it need not be printed to be known: that of a number of corners, spokes or cells, and a table.
+    ///
+    /// Cost: linear, once for each size of a grid.
+    #[must_use]
+    pub fn table(&self) -> Option<Arc<Table>> {
+        match self {
+            Self::Convex(corners) => Some(Arc::new(large::convex(*corners))),
+            Self::Wheel(spokes) => Some(Arc::new(large::wheel(*spokes))),
+            Self::Grid(columns, rows) => Some(large::grid(*columns, *rows)),
+            Self::Table(table) => Some(Arc::clone(table)),
+            Self::Rectangle | Self::Polygon(_) | Self::Triangles(..) => None,
+        }
+    }
+
+    /// How to show the structure after it: of a large one only what has changed.
+    #[must_use]
+    pub fn dump(&self) -> Step {
+        match self {
+            Self::Grid(columns, rows) if columns * rows > LARGE => Step::Changes,
+            _ => Step::Dump,
+        }
+    }
+}
+
+/// Grids with more cells are never printed whole.
+const LARGE: usize = 2000;
 
 /// A line after the start.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
@@ -30,6 +65,19 @@ pub enum Step {
     },
     /// The structure is to be printed.
     Dump,
+    /// What has changed since it was printed last, or since the start, is to be printed.
+    Changes,
+    /// The number of records that the last call looked at is to be printed.
+    Reads,
+    /// A function of one element is to be called for many elements, evenly spread over all.
+    Many {
+        /// The function.
+        function: String,
+        /// For how many.
+        count: usize,
+        /// How many records they may look at together; then no more are asked.
+        budget: u64,
+    },
     /// The student's program is to draw the structure.
     Svg,
     /// The structure is to be remembered.
@@ -43,6 +91,12 @@ impl Step {
     pub fn call<W: Display>(function: &str, arguments: impl IntoIterator<Item = W>) -> Self {
         let arguments = arguments.into_iter().map(|word| word.to_string()).collect();
         Self::Call { function: function.to_owned(), arguments }
+    }
+
+    /// Whether the structure is shown.
+    #[must_use]
+    pub fn shows(&self) -> bool {
+        matches!(self, Self::Dump | Self::Changes)
     }
 
     /// Whether it is answered.
@@ -88,15 +142,15 @@ impl Case {
             match step {
                 Step::Save => saved = steps.len(),
                 Step::Restore => steps.truncate(saved),
-                Step::Call { .. } if self.steps.get(i + 1) == Some(&Step::Dump) => steps.push(step.clone()),
-                Step::Dump | Step::Svg | Step::Call { .. } => {}
+                Step::Call { .. } if self.steps.get(i + 1).is_some_and(Step::shows) => steps.push(step.clone()),
+                _ => {}
             }
         }
-        steps.push(Step::Dump);
+        steps.push(self.start.dump());
         let place = steps.len();
         steps.extend(self.steps.get(at).filter(|step| step.is_answered()).cloned());
         if with_dump {
-            steps.push(Step::Dump);
+            steps.push(self.start.dump());
         }
         (Self { name: self.name.clone(), start: self.start.clone(), steps }, place)
     }
@@ -143,6 +197,15 @@ impl Case {
                     let _ = write!(out, " {i} {j} {k}");
                 }
             }
+            Start::Convex(corners) => {
+                let _ = write!(out, "convex {corners}");
+            }
+            Start::Wheel(spokes) => {
+                let _ = write!(out, "wheel {spokes}");
+            }
+            Start::Grid(columns, rows) => {
+                let _ = write!(out, "grid {columns} {rows}");
+            }
             Start::Table(table) => {
                 out.push_str("table\n");
                 write_dump(table, out);
@@ -164,6 +227,11 @@ impl Step {
                 }
             }
             Self::Dump => out.push_str("dump"),
+            Self::Changes => out.push_str("dump changes"),
+            Self::Reads => out.push_str("reads"),
+            Self::Many { function, count, budget } => {
+                let _ = write!(out, "many {count} {function} {budget}");
+            }
             Self::Svg => out.push_str("svg"),
             Self::Save => out.push_str("save"),
             Self::Restore => out.push_str("restore"),

@@ -11,6 +11,7 @@ use super::answer::Broken;
 use super::read::cut;
 use crate::topology::{FaceRow, HalfEdgeRow, Table, VertexRow};
 use crate::{FaceId, HalfEdgeId, VertexId};
+use std::sync::Arc;
 
 /// How many records of all kinds are read.
 const RECORDS: usize = 50_000;
@@ -22,9 +23,18 @@ pub(super) const GREATEST: u32 = u32::MAX - 1;
 pub(super) struct Dump {
     table: Table,
     begun: bool,
+    /// Whether records may stand for others: those that have changed.
+    over: bool,
+    /// How many records were read.
+    read: usize,
 }
 
 impl Dump {
+    /// Changes of a structure.
+    pub(super) fn on(base: Arc<Table>) -> Self {
+        Self { table: Arc::unwrap_or_clone(base), over: true, ..Self::default() }
+    }
+
     /// Reads a record.
     pub(super) fn line(&mut self, number: usize, line: &str) -> Result<(), Broken> {
         let mut words = Words { number, line, words: line.split(' ') };
@@ -33,8 +43,8 @@ impl Dump {
             let expected = if self.begun { "a record of the dump" } else { "`outer`" };
             return Err(words.expected(expected));
         }
-        let rows = self.table.vertices.len() + self.table.half_edges.len() + self.table.faces.len();
-        if rows >= RECORDS {
+        self.read += 1;
+        if self.read > RECORDS {
             return Err(Broken::TooMuch { line: number, what: "records", cap: RECORDS });
         }
         match kind {
@@ -43,13 +53,13 @@ impl Dump {
                 self.begun = true;
             }
             "vertex" => {
-                words.in_order("vertex", self.table.vertices.len())?;
+                let place = words.place("vertex", self.table.vertices.len(), self.over)?;
                 let position = Some([words.coordinate()?, words.coordinate()?]);
                 let outgoing = words.pointer()?.map(HalfEdgeId::new);
-                self.table.vertices.push(Some(VertexRow { position, outgoing }));
+                put(&mut self.table.vertices, place, Some(VertexRow { position, outgoing }));
             }
             "half_edge" => {
-                words.in_order("half_edge", self.table.half_edges.len())?;
+                let place = words.place("half_edge", self.table.half_edges.len(), self.over)?;
                 let row = HalfEdgeRow {
                     origin: words.pointer()?.map(VertexId::new),
                     twin: words.pointer()?.map(HalfEdgeId::new),
@@ -57,12 +67,12 @@ impl Dump {
                     prev: words.pointer()?.map(HalfEdgeId::new),
                     face: words.pointer()?.map(FaceId::new),
                 };
-                self.table.half_edges.push(Some(row));
+                put(&mut self.table.half_edges, place, Some(row));
             }
             "face" => {
-                words.in_order("face", self.table.faces.len())?;
+                let place = words.place("face", self.table.faces.len(), self.over)?;
                 let boundary = words.pointer()?.map(HalfEdgeId::new);
-                self.table.faces.push(Some(FaceRow { boundary, ..FaceRow::default() }));
+                put(&mut self.table.faces, place, Some(FaceRow { boundary, ..FaceRow::default() }));
             }
             _ => return Err(words.expected("a record of the dump or `end_dump`")),
         }
@@ -75,6 +85,14 @@ impl Dump {
             return Ok(self.table);
         }
         Err(Broken::Expected { line: number, expected: "`outer`".to_owned(), found: "end_dump".to_owned() })
+    }
+}
+
+/// Puts a record where it belongs: over another, or at the end.
+fn put<T>(records: &mut Vec<T>, place: usize, record: T) {
+    match records.get_mut(place) {
+        Some(old) => *old = record,
+        None => records.push(record),
     }
 }
 
@@ -102,11 +120,12 @@ impl<'a> Words<'a> {
         Broken::Number { line: self.number, word: cut(word), wanted }
     }
 
-    fn in_order(&mut self, kind: &'static str, expected: usize) -> Result<(), Broken> {
+    /// The number of a record: the next one, or, of changes, one that is there.
+    fn place(&mut self, kind: &'static str, expected: usize, over: bool) -> Result<usize, Broken> {
         let word = self.word()?;
         let found = id(word).ok_or_else(|| self.not(word, "the number of a record"))?;
-        if found as usize == expected {
-            return Ok(());
+        if found as usize == expected || over && (found as usize) < expected {
+            return Ok(found as usize);
         }
         Err(Broken::OutOfOrder { line: self.number, kind, found, expected })
     }

@@ -20,6 +20,6 @@ mod case;
 mod dump;
 mod read;
 
-pub use answer::{Answers, Broken, CallEnd, Called, CaseAnswer, Pattern, Reply, Stopped, Value, grouped};
+pub use answer::{Answers, Broken, CallEnd, Called, CaseAnswer, Many, Pattern, Reply, Stopped, Value, grouped};
 pub use case::{Case, Start, Step};
 pub use read::read_answers;

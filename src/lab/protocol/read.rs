@@ -3,7 +3,7 @@
 //! Only lines with the token are the driver's; every other line was printed by the student's code, and is kept
 //! aside. A line of the driver's that is not due breaks its case; reading goes on with the next case.
 
-use super::answer::{Answers, Broken, CallEnd, Called, CaseAnswer, Pattern, Reply, Stopped, Value};
+use super::answer::{Answers, Broken, CallEnd, Called, CaseAnswer, Many, Pattern, Reply, Stopped, Value};
 use super::case::{Case, Step};
 use super::dump::{Dump, id};
 use crate::topology::Table;
@@ -118,12 +118,21 @@ impl<'a, I: Iterator<Item = (usize, &'a [u8])>> Lines<'a, I> {
             let reply = match step {
                 Step::Call { function, arguments } => self.call(number, &line, function, arguments.len())?,
                 Step::Svg => self.svg(number, &line)?,
+                Step::Reads => Some(Reply::Reads(reads(number, &line)?)),
+                Step::Many { function, .. } => self.many(number, &line, function)?,
+                Step::Changes => {
+                    let base = last.take().or_else(|| case.start.table());
+                    let base = base.ok_or(Broken::NothingBefore { line: number })?;
+                    let table = self.dump(number, &line, "dump changes", Dump::on(base))?;
+                    last.clone_from(&table);
+                    table.map(Reply::Dump)
+                }
                 _ if line == "dump same" => {
                     let same = last.clone().ok_or(Broken::NothingBefore { line: number })?;
                     Some(Reply::Dump(same))
                 }
                 _ => {
-                    let table = self.dump(number, &line)?;
+                    let table = self.dump(number, &line, "dump", Dump::default())?;
                     last.clone_from(&table);
                     table.map(Reply::Dump)
                 }
@@ -151,10 +160,8 @@ impl<'a, I: Iterator<Item = (usize, &'a [u8])>> Lines<'a, I> {
         let Some((number, line)) = self.next() else { return Ok(None) };
         let end = if let Some(rest) = line.strip_prefix("returned") {
             returned(number, rest)?
-        } else if let Some(rest) = line.strip_prefix("panicked ") {
-            panicked(rest).ok_or_else(|| expected(number, "a message in quotes".to_owned(), &line))?
-        } else if let Some(rest) = line.strip_prefix("stopped ") {
-            stopped(rest).ok_or_else(|| expected(number, "a number of reads and what they were".to_owned(), &line))?
+        } else if let Some(end) = not_returned(number, &line)? {
+            end
         } else {
             return Err(expected(number, "`returned`, `panicked` or `stopped`".to_owned(), &line));
         };
@@ -166,13 +173,8 @@ impl<'a, I: Iterator<Item = (usize, &'a [u8])>> Lines<'a, I> {
             return Err(expected(number, "`call svg`".to_owned(), line));
         }
         let Some((number, line)) = self.next() else { return Ok(None) };
-        if let Some(rest) = line.strip_prefix("panicked ") {
-            let end = panicked(rest).ok_or_else(|| expected(number, "a message in quotes".to_owned(), &line))?;
+        if let Some(end) = not_returned(number, &line)? {
             return Ok(Some(Reply::Called(Called { arguments: Vec::new(), end })));
-        }
-        if let Some(rest) = line.strip_prefix("stopped ") {
-            let what = || expected(number, "a number of reads and what they were".to_owned(), &line);
-            return Ok(Some(Reply::Called(Called { arguments: Vec::new(), end: stopped(rest).ok_or_else(what)? })));
         }
         if line != "svg" {
             return Err(expected(number, "`svg` or `panicked`".to_owned(), &line));
@@ -189,11 +191,21 @@ impl<'a, I: Iterator<Item = (usize, &'a [u8])>> Lines<'a, I> {
         Err(Broken::TooMuch { line: number + SVG_LINES, what: "lines in a drawing", cap: SVG_LINES })
     }
 
-    fn dump(&mut self, number: usize, line: &str) -> Result<Option<Arc<Table>>, Broken> {
-        if line != "dump" {
-            return Err(expected(number, "`dump`".to_owned(), line));
+    fn many(&mut self, number: usize, line: &str, function: &str) -> Result<Option<Reply>, Broken> {
+        if !line.starts_with("call many ") || !line.ends_with(function) {
+            return Err(expected(number, format!("`call many` and {function}"), line));
         }
-        let mut dump = Dump::default();
+        let Some((number, line)) = self.next() else { return Ok(None) };
+        if let Some(end) = not_returned(number, &line)? {
+            return Ok(Some(Reply::Called(Called { arguments: Vec::new(), end })));
+        }
+        many(&line).map(|many| Some(Reply::Many(many))).ok_or_else(|| expected(number, "`asked`".to_owned(), &line))
+    }
+
+    fn dump(&mut self, number: usize, line: &str, due: &str, mut dump: Dump) -> Result<Option<Arc<Table>>, Broken> {
+        if line != due {
+            return Err(expected(number, format!("`{due}`"), line));
+        }
         loop {
             let Some((number, line)) = self.next() else { return Ok(None) };
             if line == "end_dump" {
@@ -230,6 +242,40 @@ fn returned(line: usize, rest: &str) -> Result<CallEnd, Broken> {
         return Ok(CallEnd::Returned(values));
     }
     Err(Broken::Expected { line, expected: "`returned`".to_owned(), found: cut(rest) })
+}
+
+/// How a call ended that did not return; `None` if the line says something else.
+fn not_returned(line: usize, said: &str) -> Result<Option<CallEnd>, Broken> {
+    let (end, due) = if let Some(rest) = said.strip_prefix("panicked ") {
+        (panicked(rest), "a message in quotes")
+    } else if let Some(rest) = said.strip_prefix("stopped ") {
+        (stopped(rest), "a number of reads and what they were")
+    } else {
+        return Ok(None);
+    };
+    end.map(Some).ok_or_else(|| expected(line, due.to_owned(), said))
+}
+
+/// `reads 32`
+fn reads(line: usize, said: &str) -> Result<u64, Broken> {
+    let number = said.strip_prefix("reads ").and_then(|word| word.parse().ok());
+    number.ok_or_else(|| expected(line, "`reads` and a number".to_owned(), said))
+}
+
+/// `asked 10000 answers 39734 reads 89468 most 9 v22648 src/lab.rs:41:9`
+fn many(said: &str) -> Option<Many> {
+    let words: Vec<&str> = said.split(' ').collect();
+    let &["asked", asked, "answers", answers, "reads", reads, "most", most, element, place] = &words[..] else {
+        return None;
+    };
+    Some(Many {
+        asked: asked.parse().ok()?,
+        answers: answers.parse().ok()?,
+        reads: reads.parse().ok()?,
+        most: most.parse().ok()?,
+        element: id(element.get(1..)?)?,
+        place: (place != "-").then(|| cut(place)),
+    })
 }
 
 /// `1401 circle src/lab.rs:41:9 h3 h7`: reads, how they follow each other, where the last came from, what was read.

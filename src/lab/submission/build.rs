@@ -56,8 +56,8 @@ pub(crate) fn build(tree: &Tree, toolchain: &Toolchain, limits: Limits, sandbox:
         String::from_utf8_lossy(&ran.stdout).lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
     let complaints = String::from_utf8_lossy(&ran.stderr).into_owned();
     let reads = Reads::of_build(&tree.target());
-    let own = |file: &str| is_own(file, &tree.folder(), &toolchain.root);
-    if let Some(what) = reads.as_ref().and_then(|reads| reads.outside(&tree.folder(), &toolchain.root)) {
+    let own = |file: &str| is_own(file, &tree.folder(), &toolchain.library);
+    if let Some(what) = reads.as_ref().and_then(|reads| reads.outside(&tree.folder(), &toolchain.library)) {
         return refused(&what);
     }
     match ran.end {

@@ -67,9 +67,9 @@ impl Reads {
         reads
     }
 
-    /// The first thing that is neither the tree's nor the toolchain's, as a student reads it.
-    pub(super) fn outside(&self, tree: &Path, toolchain: &Path) -> Option<String> {
-        if let Some(file) = self.files.iter().find(|file| !is_own(file, tree, toolchain)) {
+    /// The first thing that is neither the tree's nor the standard library's, as a student reads it.
+    pub(super) fn outside(&self, tree: &Path, library: &Path) -> Option<String> {
+        if let Some(file) = self.files.iter().find(|file| !is_own(file, tree, library)) {
             return Some(format!("the file `{file}`"));
         }
         let variable = self.variables.iter().find(|name| !name.starts_with(OF_THE_MANIFEST))?;
@@ -95,7 +95,7 @@ fn split(files: &str) -> Vec<String> {
 }
 
 /// Whether a file that the compiler names is one of the tree, or a part of the standard library.
-pub(super) fn is_own(file: &str, tree: &Path, toolchain: &Path) -> bool {
+pub(super) fn is_own(file: &str, tree: &Path, library: &Path) -> bool {
     let mut real = PathBuf::new();
     for part in tree.join(file).components() {
         match part {
@@ -105,7 +105,7 @@ pub(super) fn is_own(file: &str, tree: &Path, toolchain: &Path) -> bool {
         }
     }
     // The standard library's own sources are called so where they are not installed.
-    real.starts_with("/rustc") || real.starts_with(toolchain) || (real.starts_with(tree) && real.is_file())
+    real.starts_with("/rustc") || real.starts_with(library) || (real.starts_with(tree) && real.is_file())
 }
 
 #[cfg(test)]

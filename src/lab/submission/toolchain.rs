@@ -14,7 +14,6 @@ use super::tree::own_only;
 use crate::lab::End;
 #[cfg(feature = "grade")]
 use crate::lab::walls::{Task, View, Walls, unguessable};
-#[cfg(feature = "grade")]
 use std::fs;
 #[cfg(feature = "grade")]
 use std::io;
@@ -26,7 +25,8 @@ use std::process::Command;
 pub(crate) struct Toolchain {
     pub(super) cargo: PathBuf,
     pub(super) rustc: PathBuf,
-    pub(super) root: PathBuf,
+    /// The standard library, whose sources the compiler may name.
+    pub(super) library: PathBuf,
     /// Where programs are looked for while a submission is built.
     pub(super) path: String,
     /// What the compiler sees of the machine besides the system's own: itself and its linker.
@@ -80,9 +80,9 @@ impl Toolchain {
         Self {
             cargo: program("cargo"),
             rustc: program("rustc"),
-            root: root.to_path_buf(),
+            library: library_of(root),
             path: std::env::var("PATH").unwrap_or_default(),
-            parts: vec![root.to_path_buf()],
+            parts: parts_of(root),
         }
     }
 
@@ -141,6 +141,22 @@ fn linker() -> Result<Option<Linker>, String> {
     if cfg!(target_os = "linux") { Linker::find().map(Some) } else { Ok(None) }
 }
 
+/// What a build needs of a toolchain, and nothing that lies beside it: its root is `/usr` or `/usr/local` on some
+/// machines.
+fn parts_of(root: &Path) -> Vec<PathBuf> {
+    let program = |name: &str| root.join("bin").join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
+    let mut parts = vec![program("cargo"), program("rustc"), library_of(root)];
+    let libraries = fs::read_dir(root.join("lib")).into_iter().flatten().filter_map(Result::ok);
+    let shared = |name: &str| name.contains(".so") || name.contains(".dylib");
+    parts.extend(libraries.filter(|entry| entry.file_name().to_str().is_some_and(shared)).map(|entry| entry.path()));
+    parts
+}
+
+/// The standard library, with the compiler's own tools.
+fn library_of(root: &Path) -> PathBuf {
+    root.join("lib/rustlib")
+}
+
 fn sysroot() -> Result<PathBuf, String> {
     let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let asked = Command::new(&rustc).args(["--print", "sysroot"]).current_dir(std::env::temp_dir()).output();
@@ -191,4 +207,25 @@ fn link_tree(from: &Path, to: &Path) -> io::Result<()> {
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_lies_beside_a_toolchain_is_no_part_of_it() {
+        let dir = tempfile::tempdir().unwrap();
+        for file in
+            ["bin/cargo", "bin/mail", "lib/librustc.so", "lib/rustlib/x/lib/a", "lib/secrets/seed", "src/lab.rs"]
+        {
+            let path = dir.path().join(file);
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(path, "").unwrap();
+        }
+        let parts = parts_of(dir.path());
+        let shown = |file: &str| parts.iter().any(|part| dir.path().join(file).starts_with(part));
+        assert!(shown("bin/cargo") && shown("lib/librustc.so") && shown("lib/rustlib/x/lib/a"));
+        assert!(!shown("bin/mail") && !shown("lib/secrets/seed") && !shown("src/lab.rs"));
+    }
 }

@@ -1,0 +1,160 @@
+//! Large structures: is the answer right where numbers are large, and does it cost what it should?
+//!
+//! ```text
+//!   grid 150 150                       135,902 records; numbers of half-edges up to 90,599
+//!   many 10000 walk_vertex 1000000     answers 39734 reads 89468       who looks at everything has used the reads up
+//!                                                                      after a few questions
+//! ```
+//!
+//! Time plays no part: reads are counted, and are the same on every machine.
+
+use super::walks;
+use crate::lab::fault::{Fault, FaultKind};
+use crate::lab::protocol::{Called, Case, CaseAnswer, Many, Reply, Start, Step, grouped};
+use crate::topology::Table;
+use crate::{Element, FaceId, HalfEdgeId, VertexId};
+
+/// The large structure.
+pub(super) const GRID: Start = Start::Grid(150, 150);
+/// A grid with 300 faces and ids past 256, printed whole.
+pub(super) const SMALL_GRID: Start = Start::Grid(20, 15);
+/// How many questions are asked, and how many reads they have together. The solution needs a tenth of it.
+const QUESTIONS: usize = 10_000;
+const BUDGET: u64 = 1_000_000;
+/// How many reads a split of a cell, or of an edge, may make. The solution needs 32.
+const READS_OF_A_SPLIT: u64 = 2_000;
+/// Half-edges of cells of the grid; those of the first two are past 65,536.
+const AT: [u32; 8] = [90_000, 65_538, 80_002, 70_004, 50_006, 30_008, 20_010, 10_012];
+
+/// Questions about the large grid: single ones at large numbers, then many.
+pub(super) fn questions(name: &str, function: &str, letter: char) -> Case {
+    let single: &[u32] = match letter {
+        'f' => &[22_500, 300, 1],
+        'v' => &[22_800, 22_649, 400],
+        _ => &[90_599, 65_537, 90_000],
+    };
+    let mut case = Case::new(format!("{name}.large"), GRID).step(Step::Changes);
+    case.steps.extend(single.iter().map(|number| Step::call(function, [format!("{letter}{number}")])));
+    case.step(Step::Many { function: function.to_owned(), count: QUESTIONS, budget: BUDGET })
+}
+
+/// Splits in the large grid: two are looked at closely, of the others only the reads are counted.
+pub(super) fn splits(name: &str, function: &str) -> Case {
+    let mut case = Case::new(format!("{name}.large"), GRID).step(Step::Changes);
+    for (i, h) in AT.iter().enumerate() {
+        let words = match function {
+            "split_face" => vec![format!("h{h}"), format!("h{h}.next.next")],
+            _ => vec![format!("h{h}")],
+        };
+        case = case.step(Step::call(function, words)).step(Step::Reads);
+        if i < 2 {
+            case = case.step(Step::Changes);
+        }
+    }
+    case
+}
+
+/// What is wrong with the numbers of reads in a case.
+pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
+    let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
+    let mut out = Vec::new();
+    let mut called: Option<(&str, String)> = None;
+    for ((step, asked), reply) in asked.zip(&answer.replies) {
+        let fault = |kind, tag: &str, words, elements| Fault {
+            test,
+            kind,
+            step,
+            rule: "cost".to_owned(),
+            tag: tag.to_owned(),
+            words,
+            elements,
+        };
+        match (asked, reply) {
+            (Step::Call { function, arguments }, _) => called = Some((function, arguments.join(" "))),
+            (Step::Reads, Reply::Reads(reads)) if *reads > READS_OF_A_SPLIT => {
+                let (function, arguments) = called.clone().unwrap_or_default();
+                let words = format!(
+                    "{function} {arguments} looks at everything: {} reads in a structure of {} records, where a few \
+                     dozen would do",
+                    grouped(*reads),
+                    records(case),
+                );
+                // Once is enough: the others are the same.
+                out.push(fault(FaultKind::TooSlow { place: None }, "reads", words, Vec::new()));
+                return out;
+            }
+            (Step::Many { function, count, budget }, Reply::Many(many)) => {
+                let Some(table) = case.start.table() else { continue };
+                let (words, tag, kind) = match wrong_of_many(&table, function, *count, *budget, many) {
+                    Some(wrong) => wrong,
+                    None => continue,
+                };
+                out.push(fault(kind, tag, words, Vec::new()));
+            }
+            (Step::Many { function, .. }, Reply::Called(Called { end, .. })) => {
+                if let Some(kind) = FaultKind::of_end(end) {
+                    let words = format!("{function}, asked for many elements of a large structure, {}", end.words());
+                    out.push(fault(kind, "end", words, Vec::new()));
+                }
+            }
+            _ => {}
+        }
+    }
+    out
+}
+
+fn records(case: &Case) -> String {
+    let count = case.start.table().map_or(0, |table| table.vertices.len() + table.half_edges.len() + table.faces.len());
+    grouped(count as u64)
+}
+
+fn wrong_of_many(
+    table: &Table,
+    function: &str,
+    count: usize,
+    budget: u64,
+    many: &Many,
+) -> Option<(String, &'static str, FaultKind)> {
+    type Named = fn(u32) -> Element;
+    let (length, element): (usize, Named) = match function {
+        "walk_face" | "walk_vertices" => (table.faces.len(), |n| FaceId::new(n).into()),
+        "walk_vertex" => (table.vertices.len(), |n| VertexId::new(n).into()),
+        _ => (table.half_edges.len(), |n| HalfEdgeId::new(n).into()),
+    };
+    let asked = count.min(length);
+    let answers_of = |n: u32| walks::expected(table, function, n).map_or(0, |walk| walk.elements.len() as u64);
+    if many.asked < asked || many.reads > budget {
+        let words = format!(
+            "{function} looks at everything: {} reads for {}, whose answer has {}, in a structure of {} records",
+            grouped(many.most),
+            element(many.element),
+            answers_of(many.element),
+            grouped((table.vertices.len() + table.half_edges.len() + table.faces.len()) as u64),
+        );
+        return Some((words, "reads", FaultKind::TooSlow { place: many.place.clone() }));
+    }
+    let expected: u64 = (0..asked).map(|i| answers_of((i * length / asked) as u32)).sum();
+    (many.answers != expected).then(|| {
+        let words = format!(
+            "{function}, asked for {} elements of a large structure, gave {} values altogether, expected {}",
+            grouped(asked as u64),
+            grouped(many.answers),
+            grouped(expected),
+        );
+        (words, "answers", FaultKind::Wrong)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::topology::View;
+
+    #[test]
+    fn the_half_edges_of_the_splits_are_those_of_cells() {
+        let table = GRID.table().unwrap();
+        for h in AT.map(HalfEdgeId::new) {
+            assert!(table.face(h).is_some_and(|f| f.number() != 0), "{h}");
+        }
+    }
+}
