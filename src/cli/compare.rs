@@ -16,25 +16,28 @@ const LONGEST: u64 = 64 << 20;
 ///
 /// Both files are SVG. Lines, circles and filled polygons are compared as edges, vertices and faces, wherever
 /// they stand on the canvas and however large they are, in any order, colour and width; a drawing may be scaled
-/// and shifted, but not mirrored or turned. If both files declare their structure in data-* attributes, as the
-/// kit's figures do, every pointer is compared, too, and the drawing must show what is declared. Names count
-/// with --names only.
+/// and shifted, but not mirrored, turned or stretched, and all of it must be seen. If both files declare their
+/// structure in data-* attributes, as the kit's figures do, every pointer is compared, too, and the drawing must
+/// show what is declared. Names count with --names only.
 ///
 /// Exit code 0: equal; 1: different; 2: a file cannot be read.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 What is read:
-  edges     <line>, <polyline>, <polygon>, <rect>, and <path>
-            with M L H V Z, if they have a stroke; a line
+  edges     <line>, <polyline>, <polygon>, <rect>, and <path>,
+            if they have a stroke that can be seen; a line
             through several vertices is several edges
-  vertices  <circle>
+  vertices  <circle>, or a small round <path>
   faces     filled <polygon>, <path>, <rect>: the corners of a
             bounded face, counter-clockwise
-  around    <g>, <use>, transform, style attributes, simple
-            style sheets
-Texts, curves, a <rect> that covers the canvas, and what is not
-displayed are passed over. y points down in SVG: draw y as
-height - y, with two decimals or more. An edge may be drawn twice.
+  around    <g>, <use>, <symbol>, transform, clip-path, units,
+            style attributes, simple style sheets
+What hides an edge, a circle or a face is told: draw faces first,
+then lines, then circles. Texts, curves, backgrounds and frames,
+and what is called legend or axis are passed over. y points down
+in SVG: draw y as height - y, with two decimals or more. An edge
+may be drawn twice. Drawings of matplotlib, TikZ, Inkscape, cairo,
+svgwrite and drawsvg are read as they come.
 
 The least that a program has to write:
   <svg xmlns=\"http://www.w3.org/2000/svg\">
@@ -64,7 +67,7 @@ pub(crate) struct Args {
     /// How far a point may be from its place, in px of a drawing of 600 px
     #[arg(long, value_name = "PX", default_value = "0.05", value_parser = tolerance)]
     tolerance: f64,
-    /// Draw the differences: red and dashed what is missing, blue what is too much
+    /// Draw the differences beside your drawing: red and dashed what is missing, blue what is too much
     #[arg(long, value_name = "OUT.svg")]
     diff: Option<PathBuf>,
     /// Answer in JSON

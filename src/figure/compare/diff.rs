@@ -1,19 +1,20 @@
 //! The picture of the differences.
 //!
 //! ```text
-//!   ┌──────────────────────────┐   3 differences, 21 of 24 half-edges agree
-//!   │ ●────────●   grey: agrees │   ❶ edge v5-v6 between ... is missing
+//!   ┌───────────────────────────┐   ┌─────────┐
+//!   │ ●────────●   grey: agrees │   │  yours  │        what was handed in, as it was read
 //!   │ ┆ ❶    ╱     red, dashed: in the reference only
 //!   │ ●┄┄┄┄╱   blue, solid: in yours only              ◎╌╌● moved: red ring, thin line, blue disc
-//!   └──────────────────────────┘   ❷ ...
+//!   └───────────────────────────┘   3 differences, 21 of 24 half-edges agree
+//!                                   ❶ edge v5-v6 between ... is missing
 //! ```
 //!
 //! The reference is placed as in any figure; what only the student has is part of the layout, but drawn on top.
 
-use super::diff_style;
 use super::graph::Graph;
 use super::pairing::{Places, span};
 use super::report::{Comparison, Difference, Slot, Spot, counted};
+use super::{diff_style, yours};
 use crate::figure::crowd::{Crowd, Shape};
 use crate::figure::plate::{Look, Mark, Plate};
 use crate::figure::pointer::Pointer;
@@ -33,6 +34,8 @@ const DRAWN: usize = 200;
 /// Radius of a badge, size of its number.
 const BADGE: f64 = 8.5;
 const NUMBER: f64 = 10.5;
+/// Size of the names of half-edges.
+const NAME: f64 = 10.0;
 /// Text beside the picture: size, distance of lines, width of the column, of its text.
 const SIZE: f64 = 12.0;
 const LINE: f64 = 16.0;
@@ -94,11 +97,12 @@ impl Comparison {
         };
         let look = look(table, layout, self.drawn(), plate);
         for difference in self.drawn() {
-            sheet.draw(difference);
+            sheet.draw(&difference.spot);
         }
         if self.differences.len() > DRAWN {
             sheet.notes.0.push(format!("only the first {DRAWN} differences are drawn"));
         }
+        sheet.names(table, listed);
         let over = std::mem::take(&mut sheet.over);
         for (i, difference) in listed.iter().enumerate() {
             sheet.badge(i + 1, difference);
@@ -109,7 +113,14 @@ impl Comparison {
         nodes.append(&mut sheet.over);
         let mut scene = plate.picture.scene(nodes);
         let left = scene.size.x + 14.0;
-        let height = self.list(left, &mut scene.nodes);
+        let mut top = 24.0;
+        if let Some((sketch, fits)) = &self.student {
+            let fit = fits.then_some(&plate.picture.fit);
+            let (panel, height) = yours::panel(sketch, fit, xy(left, top), WORDS);
+            scene.nodes.push(panel);
+            top += height + 16.0;
+        }
+        let height = self.list(xy(left, top), &mut scene.nodes);
         scene.size = xy(scene.size.x + COLUMN, scene.size.y.max(height));
         let options = plate.picture.options;
         scene.css.push_str(&pointer_style::css(&options.style, &scene.prefix));
@@ -121,8 +132,9 @@ impl Comparison {
     }
 
     /// The sentences and the legend; returns how far down they reach.
-    fn list(&self, left: f64, nodes: &mut Vec<Node>) -> f64 {
-        let mut column = Column { left, y: 34.0, nodes: Vec::new() };
+    fn list(&self, at: Xy, nodes: &mut Vec<Node>) -> f64 {
+        let left = at.x;
+        let mut column = Column { left, y: at.y + 10.0, nodes: Vec::new() };
         let count = self.differences.len();
         let heading = if count == 0 { self.verdict() } else { counted(count, "difference", "differences") };
         let agreed = if self.agreed.is_empty() { String::new() } else { format!(", {}", self.agreed) };
@@ -130,7 +142,14 @@ impl Comparison {
         column.y += 10.0;
         for (i, difference) in self.differences.iter().take(LISTED).enumerate() {
             let centre = xy(left + BADGE, column.y);
-            column.nodes.extend(badge(centre, i + 1, colour(&difference.spot)));
+            // What has no place in the picture has no badge there, and so none here.
+            if place_of(&difference.spot).is_some() {
+                column.nodes.extend(badge(centre, i + 1, colour(&difference.spot)));
+            } else {
+                let number =
+                    Node::Text { class: "ct", at: xy(left + 4.0, column.y), size: SIZE, text: (i + 1).to_string() };
+                column.nodes.push(number);
+            }
             for words in lines(&difference.text) {
                 column.line("cs", 2.0 * BADGE + 10.0, SIZE, words);
             }
@@ -150,6 +169,20 @@ impl Comparison {
         nodes.push(Node::Group(Group { class: "list", nodes: column.nodes, ..Group::default() }));
         bottom
     }
+}
+
+/// The spot at which a difference is marked: the first of several.
+fn place_of(spot: &Spot) -> Option<&Spot> {
+    spot.each().first().filter(|spot| **spot != Spot::Nowhere)
+}
+
+/// The half-edges of the reference that a sentence names. `your h5` is one of the student.
+fn named(sentence: &str) -> Vec<HalfEdgeId> {
+    let words: Vec<&str> =
+        sentence.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
+    let is_his = |i: usize| i > 0 && words[i - 1] == "your" || words.get(i + 1..i + 3) == Some(&["of", "yours"]);
+    let id = |(i, word): (usize, &&str)| word.parse::<HalfEdgeId>().ok().filter(|_| !is_his(i));
+    words.iter().enumerate().filter_map(id).collect()
 }
 
 /// Lines of text below each other.
@@ -195,8 +228,8 @@ fn with_extras(table: &Table, differences: &[Difference]) -> Table {
         out.vertices.push(Some(VertexRow { position: Some([p.x, p.y]), outgoing: None }));
         VertexId::new(out.vertices.len() as u32 - 1)
     };
-    for difference in differences {
-        match difference.spot {
+    for spot in differences.iter().flat_map(|difference| difference.spot.each()) {
+        match *spot {
             Spot::ExtraVertex(p) | Spot::Moved(_, p) => {
                 vertex(&mut out, p);
             }
@@ -222,8 +255,8 @@ fn look(table: &Table, layout: &Table, differences: &[Difference], plate: &Plate
     let extra = table.half_edges.len()..layout.half_edges.len();
     extra.for_each(|h| look.mark_half_edge(HalfEdgeId::new(h as u32), Mark::Hidden));
     let place = |p: Point| plate.picture.fit.place(p);
-    for difference in differences {
-        match &difference.spot {
+    for spot in differences.iter().flat_map(|difference| difference.spot.each()) {
+        match spot {
             Spot::MissingEdge(ends) => {
                 let ends = ends.map(place);
                 let is_it = |h: &&HalfEdgeId| {
@@ -259,8 +292,8 @@ impl Sheet<'_, '_> {
         self.plate.picture.fit.place(p)
     }
 
-    fn draw(&mut self, difference: &Difference) {
-        match &difference.spot {
+    fn draw(&mut self, spot: &Spot) {
+        match spot {
             Spot::MissingVertex(p) => self.ring("miss", *p),
             Spot::ExtraVertex(p) => self.disc(*p),
             Spot::Moved(from, to) => {
@@ -272,14 +305,18 @@ impl Sheet<'_, '_> {
             Spot::MissingEdge(ends) => self.line("miss", *ends),
             Spot::ExtraEdge(ends) => self.line("extra", *ends),
             Spot::Pointer { half_edge, pointer, found } => self.pointer(*half_edge, *pointer, *found),
-            Spot::Face(points) => {
-                let outline: Vec<Xy> = points.iter().map(|&p| self.place(p)).collect();
-                let steps = outline.iter().skip(1).chain(outline.first()).map(|&p| Step::Line(p)).collect();
-                if let Some(&start) = outline.first() {
-                    self.under.push(marked("miss", vec![Node::Curve { class: "outline", start, steps }]));
-                }
-            }
+            Spot::Face(points) => self.outline("miss", points),
+            Spot::ExtraFace(points) => self.outline("extra", points),
+            Spot::Many(spots) => spots.iter().for_each(|spot| self.draw(spot)),
             Spot::Nowhere => {}
+        }
+    }
+
+    fn outline(&mut self, mark: &'static str, points: &[Point]) {
+        let outline: Vec<Xy> = points.iter().map(|&p| self.place(p)).collect();
+        let steps = outline.iter().skip(1).chain(outline.first()).map(|&p| Step::Line(p)).collect();
+        if let Some(&start) = outline.first() {
+            self.under.push(marked(mark, vec![Node::Curve { class: "outline", start, steps }]));
         }
     }
 
@@ -338,9 +375,34 @@ impl Sheet<'_, '_> {
         }
     }
 
+    /// The names of the half-edges that the sentences name.
+    fn names(&mut self, table: &Table, listed: &[Difference]) {
+        let mut all: Vec<HalfEdgeId> = listed.iter().flat_map(|difference| named(&difference.text)).collect();
+        all.sort_unstable();
+        all.dedup();
+        for h in all.into_iter().filter(|&h| table.has_half_edge(h)) {
+            let Some((a, b)) = self.plate.skeleton().segment(h) else { continue };
+            let Some(along) = (b - a).unit() else { continue };
+            let shaft = self.plate.shafts.get(h).copied().flatten();
+            let middle = shaft.map_or((a + b) * 0.5, |shaft| shaft.middle);
+            let name = h.to_string();
+            let half = 0.5 * text::width(&name, NAME, true);
+            let free = |at: &Xy| self.crowd.blocker(&Bounds::around(*at, half, 0.5 * NAME)).is_none();
+            // On the side of the half-edge, from its middle outwards.
+            let steps = [0.0, 0.12, -0.12, 0.24, -0.24, 0.33, -0.33];
+            let far = [half.max(8.0) + 3.0, half.max(8.0) + 9.0];
+            let places =
+                far.iter().flat_map(|off| steps.map(|t| middle + along * (t * (b - a).length()) + along.left() * *off));
+            let places: Vec<Xy> = places.collect();
+            let Some(&at) = places.iter().find(|at| free(at)).or(places.first()) else { continue };
+            self.crowd.add(Shape::Segment(at - xy(half, 0.0), at + xy(half, 0.0), 0.5 * NAME), u32::MAX);
+            self.over.push(Node::Text { class: "hn", at, size: NAME, text: name });
+        }
+    }
+
     /// The number of a sentence, at the nearest free place.
     fn badge(&mut self, number: usize, difference: &Difference) {
-        let Some(anchor) = self.anchor(&difference.spot) else { return };
+        let Some(anchor) = place_of(&difference.spot).and_then(|spot| self.anchor(spot)) else { return };
         let size = self.plate.picture.fit.size;
         let inside = Bounds { min: xy(3.0, 3.0), max: size - xy(3.0, 3.0) };
         let steps = |n: i32| (-n..=n).map(|i| 5.0 * f64::from(i));
@@ -372,11 +434,11 @@ impl Sheet<'_, '_> {
                 };
                 at.or(segment.map(|(a, b)| (a + b) * 0.5))?
             }
-            Spot::Face(points) => {
+            Spot::Many(_) | Spot::Nowhere => return None,
+            Spot::Face(points) | Spot::ExtraFace(points) => {
                 let sum = points.iter().fold(Xy::default(), |sum, &p| sum + self.place(p));
                 sum * (1.0 / points.len().max(1) as f64)
             }
-            Spot::Nowhere => return None,
         })
     }
 }
@@ -384,7 +446,7 @@ impl Sheet<'_, '_> {
 /// Blue for what is too much, red for the rest.
 fn colour(spot: &Spot) -> &'static str {
     match spot {
-        Spot::ExtraVertex(_) | Spot::ExtraEdge(_) | Spot::Moved(..) => "extra",
+        Spot::ExtraVertex(_) | Spot::ExtraEdge(_) | Spot::ExtraFace(_) | Spot::Moved(..) => "extra",
         _ => "miss",
     }
 }

@@ -34,6 +34,10 @@ pub(super) fn css(style: &Style, scope: &str) -> String {
         (".miss .pl", "stroke-width:2.2;stroke-dasharray:4 3"),
         (".extra .pl", "stroke-width:2.4"),
         (".bn", "font-weight:700"),
+        (".hn", "font-weight:700;paint-order:stroke;stroke-width:.3em;stroke-linejoin:round"),
+        (".ya", "fill-opacity:.16"),
+        (".yl", "stroke-width:1.4;fill:none"),
+        (".yh", "stroke-width:1;fill:none;stroke-dasharray:1 4"),
     ] {
         let _ = writeln!(out, "#{scope} {selector}{{{properties}}}");
     }
@@ -56,6 +60,11 @@ fn colours(out: &mut String, scope: &str, palette: &Palette, [miss, extra, numbe
     rule(".fl", format!("fill:{}", palette.grey));
     rule(".agree .dl", format!("stroke:{}", palette.edge));
     rule(".bn", format!("fill:{number}"));
+    rule(".hn", format!("fill:{};stroke:{}", palette.half_edge, palette.background));
+    rule(".ya", format!("fill:{extra}"));
+    rule(".yl", format!("stroke:{}", palette.ink));
+    rule(".yh", format!("stroke:{}", palette.ink));
+    rule(".yd", format!("fill:{}", palette.ink));
     for (mark, colour) in [("miss", miss), ("extra", extra)] {
         for part in ["dl", "outline", "thread", "ring", "pl"] {
             rule(&format!(".{mark} .{part}"), format!("stroke:{colour}"));

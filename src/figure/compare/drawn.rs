@@ -1,49 +1,84 @@
 //! Layer 3: what is drawn, compared with what the reference draws or declares.
 //!
 //! ```text
-//!   frame.rs    where the drawing lies          sketch.rs  points, edges, outlines
-//!   graph.rs    vertices and edges              here       dots, what cannot be seen, faces
+//!   frame.rs    where the drawing lies          sketch.rs  points, edges, outlines      eye.rs  what can be seen
+//!   graph.rs    vertices and edges              areas.rs   faces                        here    dots, notes
 //! ```
 
 use super::Options;
+use super::beside::{Trim, thin};
 use super::drawing::Drawing;
 use super::error::{Fault, Problem};
+use super::eye::Eye;
 use super::frame::{Best, Frame, Search, Turn};
 use super::graph::{Graph, Matched, Telling};
+use super::ink::Hidden;
 use super::pairing::{Places, span};
-use super::report::{Difference, Kind, Layer, Spot, Writing, counted};
+use super::report::{Difference, Kind, Layer, Spot, Writing, counted, listed};
 use super::rings;
 use super::shape;
 use super::sketch::{Outline, Sketch};
 use super::tables::Placed;
 use crate::plane::Point;
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 /// The drawing on which the tolerance is stated, in px.
 const CANVAS: f64 = 600.0;
+/// If one edge of so many is hidden in the reference, its lines are too wide to be told apart.
+const MERGED: usize = 4;
+/// So many of a kind are told in one sentence.
+pub(super) const GROUP: usize = 4;
 /// Drawings of more points are not tried mirrored and turned.
 const TURNED: usize = 20_000;
-/// With more differing edges than this, no edge excuses a face.
-const EXCUSES: usize = 100;
-
 /// What came of it.
 pub(super) struct Seen {
     pub(super) differences: Vec<Difference>,
     pub(super) notes: Vec<String>,
     /// Edges of the reference that are there, and all.
     pub(super) agreed: (usize, usize),
+    /// What the drawing shows, in the coordinates of the reference, or in its own where it does not fit.
+    pub(super) sketch: Sketch,
+    pub(super) fits: bool,
+}
+
+/// What cannot be seen of a drawing, by its own numbers.
+#[derive(Default)]
+struct Unseen {
+    edges: Vec<([u32; 2], Hidden)>,
+    dots: Vec<(u32, Hidden)>,
+    /// Coats of faces that have the colour of the paper.
+    faces: BTreeSet<u32>,
+}
+
+/// What cannot be seen of the reference's own drawing: nobody else has to show it.
+#[derive(Default)]
+struct Excused {
+    edges: BTreeSet<[u32; 2]>,
+    /// Whether its lines run into each other.
+    merges: bool,
+    dots: BTreeSet<u32>,
+    faces: BTreeSet<Vec<u32>>,
 }
 
 /// What is expected to be drawn.
-pub(super) struct Target {
+pub(super) struct Target<'a> {
     pub(super) sketch: Sketch,
     tolerance: f64,
     writing: Writing,
     /// Maps from a canvas to these coordinates that are worth a try.
     hints: Vec<Frame>,
+    /// The reference's own drawing.
+    own: Option<&'a Drawing>,
 }
 
-impl Target {
+/// A drawing that has been placed.
+struct Placing {
+    best: Best,
+    found: Sketch,
+    matched: Matched,
+}
+
+impl<'a> Target<'a> {
     /// What a declared structure must look like.
     ///
     /// # Errors
@@ -56,11 +91,39 @@ impl Target {
     ///
     /// # Errors
     /// Those of [`of_table`](Self::of_table).
-    pub(super) fn of_drawing(drawing: &Drawing, options: &Options) -> Result<Self, Fault> {
+    pub(super) fn of_drawing(drawing: &'a Drawing, options: &Options) -> Result<Self, Fault> {
         let mut sketch = own(drawing, options)?;
         let frame = sketch.place_in_model(drawing, tolerance(&sketch.graph.points, options));
         let mut out = Self::new(sketch, options, frame.is_none())?;
         out.hints.extend(frame);
+        out.own = Some(drawing);
+        Ok(out)
+    }
+
+    /// The reference draws itself like this.
+    pub(super) fn draws(&mut self, drawing: &'a Drawing) {
+        self.own = Some(drawing);
+    }
+
+    /// What the reference's own drawing hides.
+    fn excused(&self) -> Result<Excused, Fault> {
+        let mut out = Excused::default();
+        let Some(drawing) = self.own else { return Ok(out) };
+        let Placing { best, found, matched } = self.place(drawing)?;
+        let unseen = self.look(drawing, &best.frame, &found, &matched)?;
+        let partner = |m: u32| matched.to_expected[m as usize];
+        for (edge, _) in unseen.edges {
+            if let [Some(a), Some(b)] = edge.map(partner) {
+                out.edges.insert([a.min(b), a.max(b)]);
+            }
+        }
+        // Lines so wide that they run into each other hide more or less, as they are ordered.
+        out.merges = MERGED * out.edges.len() > self.sketch.graph.edges.len();
+        out.dots.extend(unseen.dots.iter().filter_map(|&(m, _)| partner(m)));
+        for outline in found.outlines.iter().filter(|outline| unseen.faces.contains(&outline.coat)) {
+            let ring: Option<Vec<u32>> = outline.ring.iter().map(|&m| partner(m)).collect();
+            out.faces.extend(ring.map(|ring| rings::canonical(&ring)));
+        }
         Ok(out)
     }
 
@@ -83,7 +146,7 @@ impl Target {
             }
             places.add(p);
         }
-        Ok(Self { tolerance, writing, hints: vec![Frame::IDENTITY], sketch })
+        Ok(Self { tolerance, writing, hints: vec![Frame::IDENTITY], sketch, own: None })
     }
 
     /// The map from the canvas of the reference's own drawing is likely to be the student's, too.
@@ -94,53 +157,143 @@ impl Target {
 
     /// The search, and the points to search with: all, and the core.
     fn search(&self, drawing: &Drawing) -> (Search<'_>, Vec<Point>, Vec<Point>) {
-        let dots: Vec<Point> = drawing.dots.iter().map(|dot| dot.at).collect();
-        let mut all: Vec<Point> = drawing.lines.iter().flat_map(|line| line.ends).chain(dots.iter().copied()).collect();
+        let dots: Vec<Point> = drawing.dots.iter().filter(|dot| !dot.aside).map(|dot| dot.at).collect();
+        let mut all: Vec<Point> = drawing.points().collect();
+        if drawing.lines.is_empty() {
+            // Lines may be drawn as thin rectangles.
+            let size =
+                span(&drawing.outlines.iter().flat_map(|outline| outline.points.iter().copied()).collect::<Vec<_>>());
+            let bars = drawing.outlines.iter().filter_map(|outline| thin(&outline.points, size));
+            all.extend(bars.flat_map(|(ends, _)| ends));
+        }
         all.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
         all.dedup();
         let core = if dots.len() > 1 { dots } else { all.clone() };
         (Search::new(&self.sketch.graph.points, self.tolerance), all, core)
     }
 
-    /// The drawing where it fits best, and how well: upright, unless it is clearly turned.
-    fn place(&self, drawing: &Drawing) -> Result<(Best, Sketch, Matched), Fault> {
+    /// The drawing where it fits best, and how well: upright, unless it is clearly turned, and without frames and
+    /// legends if it fits better so.
+    fn place(&self, drawing: &Drawing) -> Result<Placing, Fault> {
         let (search, all, core) = self.search(drawing);
-        let mut best = search.best(&all, &core, &self.hints);
         let expected = &self.sketch.graph;
-        let read = |frame: &Frame| -> Result<(Sketch, Matched), Fault> {
-            let found = Sketch::read(drawing, frame, &expected.points, self.tolerance)?;
-            let matched = Matched::new(expected, &found.graph, self.tolerance);
-            Ok((found, matched))
-        };
-        let (mut found, mut matched) = read(&best.frame)?;
-        if matched.faults() > 1 && expected.points.len() <= TURNED {
-            for frame in search.others(&all, &core, &best) {
-                let (other, other_matched) = read(&frame)?;
-                if 2 * other_matched.faults() < matched.faults() {
-                    (found, matched) = (other, other_matched);
-                    best = Best { frame, matched: expected.points.len() };
+        let trim = Trim::all(drawing);
+        let nothing = Trim::nothing(drawing);
+        let mut ways = vec![(&nothing, all.as_slice(), core.as_slice())];
+        let (mut few, mut inner) = (Vec::new(), Vec::new());
+        if trim.is_any(drawing) {
+            let lines = drawing.lines.iter().zip(&trim.border).filter(|(line, border)| !**border && !line.aside);
+            few.extend(lines.flat_map(|(line, _)| line.ends));
+            let dots = drawing.dots.iter().filter(|dot| !dot.aside).map(|dot| dot.at);
+            inner.extend(dots);
+            few.extend(&inner);
+            if inner.len() < 2 {
+                inner.clone_from(&few);
+            }
+            ways.push((&trim, &few, &inner));
+        }
+        let mut best: Option<(Placing, &Trim)> = None;
+        for (trim, all, core) in &ways {
+            let fitting = search.best(all, core, &self.hints);
+            let (found, matched) = self.read(drawing, &fitting.frame, trim)?;
+            if best.as_ref().is_none_or(|(other, _)| matched.faults() < other.matched.faults()) {
+                best = Some((Placing { best: fitting, found, matched }, trim));
+            }
+        }
+        let Some((mut out, trim)) = best else { return Err(Problem::Nothing.into()) };
+        if out.matched.faults() > 1 && expected.points.len() <= TURNED {
+            let (_, all, core) = ways[ways.len() - 1];
+            for frame in search.others(all, core, &out.best) {
+                let (found, matched) = self.read(drawing, &frame, trim)?;
+                if 2 * matched.faults() < out.matched.faults() {
+                    out = Placing { best: Best { frame, matched: expected.points.len() }, found, matched };
                 }
             }
         }
-        Ok((best, found, matched))
+        Ok(out)
+    }
+
+    fn read(&self, drawing: &Drawing, frame: &Frame, trim: &Trim) -> Result<(Sketch, Matched), Fault> {
+        let expected = &self.sketch.graph;
+        let found = Sketch::read(drawing, frame, &expected.points, self.tolerance, trim)?;
+        let matched = Matched::new(expected, &found.graph, self.tolerance);
+        Ok((found, matched))
+    }
+
+    /// Looks at everything that was found. Where too much lies over each other, and all else agrees, that is refused.
+    fn look(&self, drawing: &Drawing, frame: &Frame, found: &Sketch, matched: &Matched) -> Result<Unseen, Fault> {
+        let graph = &found.graph;
+        let canvas: Vec<Point> = graph.points.iter().map(|&p| frame.back(p)).collect();
+        let tolerance = self.tolerance / frame.scale();
+        let mut eye = Eye::new(&drawing.painting, &found.beside, graph.edges.len(), span(&canvas));
+        let mut out = Unseen::default();
+        for &edge in &graph.edges {
+            let ends = edge.map(|m| canvas[m as usize]);
+            let radii = edge.map(|m| found.radii[m as usize]);
+            if let Err(why) = eye.edge(ends, radii, tolerance) {
+                out.edges.push((edge, why));
+            }
+        }
+        let mut nearest = vec![f64::INFINITY; graph.points.len()];
+        for &edge in &graph.edges {
+            let [p, q] = edge.map(|m| canvas[m as usize]);
+            let length = super::pairing::distance(p, q);
+            edge.iter().for_each(|&m| nearest[m as usize] = nearest[m as usize].min(length));
+        }
+        for (m, &at) in canvas.iter().enumerate().filter(|&(m, _)| found.dots[m].is_ok()) {
+            let radius = found.radii[m];
+            let far = matched.to_expected[m].is_some() && radius > nearest[m];
+            if far || eye.disc_over(at, 4.0 * tolerance).is_some() {
+                out.dots.push((m as u32, Hidden::Dot));
+            } else if let Err(why) = eye.vertex(at, radius, 2.0 * tolerance) {
+                out.dots.push((m as u32, why));
+            }
+        }
+        for outline in &found.outlines {
+            if !eye.area(outline.coat) {
+                out.faces.insert(outline.coat);
+            }
+        }
+        let agrees = matched.faults() == 0 && out.edges.is_empty() && out.dots.is_empty();
+        if eye.is_tired() && agrees {
+            return Err(
+                Problem::TooLarge { what: "shapes over each other", limit: drawing.painting.coats.len() }.into()
+            );
+        }
+        Ok(out)
     }
 
     /// Compares a drawing with this. O(n log n) in all but hostile cases, which are refused.
     pub(super) fn compare(&self, drawing: &Drawing, options: &Options) -> Result<Seen, Fault> {
         let expected = &self.sketch;
-        let (best, found, matched) = self.place(drawing)?;
+        let Placing { best, mut found, mut matched } = self.place(drawing)?;
         let all = expected.graph.edges.len();
         if found.graph.points.is_empty() {
             return Err(Problem::Nothing.into());
         }
         if expected.graph.points.len() > 2 && 2 * best.matched < expected.graph.points.len() {
-            let difference = shape::compare(&expected.graph, &own(drawing, options)?.graph);
-            return Ok(Seen { differences: vec![difference], notes: Vec::new(), agreed: (0, all) });
+            let sketch = own(drawing, options)?;
+            let differences = vec![shape::compare(&expected.graph, &sketch.graph)];
+            return Ok(Seen { differences, notes: Vec::new(), agreed: (0, all), sketch, fits: false });
         }
-        let mut critic =
-            Critic { target: self, found: &found, matched: &matched, differences: Vec::new(), notes: Vec::new() };
+        let mut unseen = self.look(drawing, &best.frame, &found, &matched)?;
+        self.excuse(&mut unseen, &found, &matched)?;
+        if !unseen.edges.is_empty() || !unseen.dots.is_empty() {
+            let keeps: Vec<bool> = matched.to_expected.iter().map(Option::is_some).collect();
+            found.take_out(&unseen.edges, &unseen.dots, |m| keeps[m as usize]);
+            matched = Matched::new(&expected.graph, &found.graph, self.tolerance);
+        }
+        let pale = unseen.faces;
+        let mut critic = Critic {
+            target: self,
+            found: &found,
+            matched: &matched,
+            pale: &pale,
+            differences: Vec::new(),
+            notes: Vec::new(),
+        };
         if best.frame.turn != Turn::Upright {
-            critic.say(Kind::Drawing, best.frame.turn.sentence().to_owned(), Spot::Nowhere);
+            critic.say(Kind::Drawing, best.frame.turn.sentence(), Spot::Nowhere);
         }
         critic.graph();
         critic.dots();
@@ -150,7 +303,35 @@ impl Target {
         critic.side_notes();
         let Critic { mut differences, notes, .. } = critic;
         differences.sort_by_key(|difference| difference.kind);
-        Ok(Seen { differences, notes, agreed: (matched.agreeing_edges(&expected.graph), all) })
+        let agreed = (matched.agreeing_edges(&expected.graph), all);
+        Ok(Seen { differences, notes, agreed, sketch: found, fits: true })
+    }
+
+    /// Takes out what the reference's own drawing hides, too.
+    fn excuse(&self, unseen: &mut Unseen, found: &Sketch, matched: &Matched) -> Result<(), Fault> {
+        if unseen.edges.is_empty() && unseen.dots.is_empty() && unseen.faces.is_empty() {
+            return Ok(());
+        }
+        let excused = self.excused()?;
+        let partner = |m: u32| matched.to_expected[m as usize];
+        unseen.edges.retain(|&(edge, why)| {
+            let [Some(a), Some(b)] = edge.map(partner) else { return true };
+            let merged = excused.merges && matches!(why, Hidden::Line | Hidden::Paper | Hidden::Ends);
+            !merged && !excused.edges.contains(&[a.min(b), a.max(b)])
+        });
+        unseen.dots.retain(|&(m, _)| partner(m).is_none_or(|v| !excused.dots.contains(&v)));
+        let is_excused = |outline: &Outline| {
+            let ring: Option<Vec<u32>> = outline.ring.iter().map(|&m| partner(m)).collect();
+            ring.is_some_and(|ring| excused.faces.contains(&rings::canonical(&ring)))
+        };
+        for outline in found.outlines.iter().filter(|outline| is_excused(outline)) {
+            unseen.faces.remove(&outline.coat);
+        }
+        Ok(())
+    }
+
+    pub(super) fn writing(&self) -> Writing {
+        self.writing
     }
 }
 
@@ -161,37 +342,39 @@ fn tolerance(points: &[Point], options: &Options) -> f64 {
 
 /// A drawing in its own coordinates.
 fn own(drawing: &Drawing, options: &Options) -> Result<Sketch, Fault> {
-    let all = drawing.dots.iter().map(|dot| dot.at).chain(drawing.lines.iter().flat_map(|line| line.ends));
-    Sketch::of_drawing(drawing, tolerance(&all.collect::<Vec<_>>(), options))
+    Sketch::of_drawing(drawing, tolerance(&drawing.points().collect::<Vec<_>>(), options))
 }
 
-struct Critic<'a> {
-    target: &'a Target,
-    found: &'a Sketch,
-    matched: &'a Matched,
+pub(super) struct Critic<'a> {
+    pub(super) target: &'a Target<'a>,
+    pub(super) found: &'a Sketch,
+    pub(super) matched: &'a Matched,
+    /// Coats of faces that have the colour of the paper.
+    pub(super) pale: &'a BTreeSet<u32>,
     differences: Vec<Difference>,
-    notes: Vec<String>,
+    pub(super) notes: Vec<String>,
 }
 
 impl Critic<'_> {
-    fn say(&mut self, kind: Kind, text: String, spot: Spot) {
+    pub(super) fn say(&mut self, kind: Kind, text: String, spot: Spot) {
         self.differences.push(Difference::new(kind, Layer::Drawn, text, spot));
     }
 
-    fn expected(&self) -> &Graph {
+    pub(super) fn expected(&self) -> &Graph {
         &self.target.sketch.graph
     }
 
     fn graph(&mut self) {
         let found = self.found;
         let extra_point = |m: u32, at: &str| match found.dots[m as usize] {
-            Ok(()) => format!("vertex at {at} is not in the reference"),
-            Err(_) => format!("a line ends at {at}, where there is no vertex"),
+            Ok(()) => Some(format!("vertex at {at} is not in the reference")),
+            Err(_) if found.is_end(m) => Some(format!("a line ends at {at}, where there is no vertex")),
+            Err(_) => None,
         };
         let hidden = |edge: [u32; 2]| {
             let [a, b] = edge.map(|v| self.matched.to_found[v as usize]);
             let (a, b) = a.zip(b)?;
-            found.hidden.get(&[a.min(b), a.max(b)]).map(|why| why.reason())
+            found.hidden.get(&[a.min(b), a.max(b)]).copied()
         };
         let telling = Telling {
             layer: Layer::Drawn,
@@ -213,113 +396,56 @@ impl Critic<'_> {
             let text = "no vertex is drawn: draw a circle at each vertex".to_owned();
             return self.say(Kind::Vertex, text, Spot::Nowhere);
         }
-        for v in 0..self.expected().points.len() {
-            let Some(m) = self.matched.to_found[v].filter(|_| self.target.sketch.dots[v].is_ok()) else { continue };
-            let Err(why) = self.found.dots[m as usize] else { continue };
-            let at = self.expected().points[v];
-            let name = &self.expected().names[v];
-            let space = if name.is_empty() { "" } else { " " };
-            let place = self.target.writing.point(at);
-            let text = match why {
-                Some(why) => format!("vertex {name}{space}at {place} cannot be seen: {}", why.reason()),
-                None => format!("vertex {name}{space}at {place} is missing: no circle is drawn there"),
-            };
-            self.say(Kind::Vertex, text, Spot::MissingVertex(at));
-        }
-    }
-
-    fn faces(&mut self) {
-        let target = self.target;
-        let expected = &target.sketch.outlines;
-        if expected.is_empty() {
-            if !self.found.outlines.is_empty() {
-                let count = counted(self.found.outlines.len(), "filled polygon", "filled polygons");
-                self.notes.push(format!("{count} not compared: the reference fills no faces"));
+        // Those with the same reason together, in the order of the first.
+        let mut groups: Vec<(Option<Hidden>, Vec<u32>)> = Vec::new();
+        for v in 0..self.expected().points.len() as u32 {
+            let found = self.matched.to_found[v as usize].filter(|_| self.target.sketch.dots[v as usize].is_ok());
+            let Some(Err(why)) = found.map(|m| self.found.dots[m as usize]) else { continue };
+            match groups.iter_mut().find(|group| group.0 == why) {
+                Some(group) => group.1.push(v),
+                None => groups.push((why, vec![v])),
             }
-            return;
         }
-        if self.found.outlines.is_empty() {
-            let text = "no face is filled: draw each bounded face as a filled polygon, counter-clockwise".to_owned();
-            return self.say(Kind::Face, text, Spot::Nowhere);
-        }
-        let mut faces: BTreeMap<Vec<u32>, (usize, usize)> = BTreeMap::new();
-        for (i, outline) in expected.iter().enumerate() {
-            faces.entry(rings::canonical(&outline.ring)).or_insert((i, 0));
-        }
-        let excuses = Excuses::new(self);
-        let mut reversed = Vec::new();
-        let mut strange = Vec::new();
-        for outline in &self.found.outlines {
-            let ring = rings::canonical(&self.translated(outline));
-            if let Some((_, count)) = faces.get_mut(&ring) {
-                *count += 1;
+        for (why, group) in groups {
+            if group.len() < GROUP {
+                group.iter().for_each(|&v| self.lost_dots(why, &[v]));
             } else {
-                reversed.push((rings::reversed(&ring), ring, outline));
-            }
-        }
-        for (ring, own, outline) in reversed {
-            // The outer face and holes run the other way round, and may be drawn, too.
-            let is_welcome = target.sketch.welcome.contains(&own) || target.sketch.welcome.contains(&ring);
-            match faces.get_mut(&ring) {
-                Some((i, count)) if *count == 0 => {
-                    *count += 1;
-                    strange.push((true, &expected[*i]));
-                }
-                _ if is_welcome => {}
-                Some(_) => {}
-                None if excuses.found(outline) => {}
-                None => strange.push((false, outline)),
-            }
-        }
-        let missing = faces.values().filter(|(_, count)| *count == 0).map(|(i, _)| &expected[*i]);
-        let missing: Vec<&Outline> = missing.collect();
-        let excused = missing.iter().filter(|outline| excuses.expected(outline)).count();
-        if excused > 0 {
-            let count =
-                counted(excused, "face lies beside what differs and is", "faces lie beside what differs and are");
-            self.notes.push(format!("{count} not compared"));
-        }
-        for outline in missing.into_iter().filter(|outline| !excuses.expected(outline)) {
-            self.face(outline, |what, along| format!("{what} along {along} is not filled"));
-        }
-        for (is_reversed, outline) in strange {
-            if is_reversed {
-                let points = self.points(&outline.ring, self.expected());
-                let [is, wanted] = match rings::area(points.iter().copied()) > 0.0 {
-                    true => ["clockwise", "counter-clockwise"],
-                    false => ["counter-clockwise", "clockwise"],
-                };
-                self.face(outline, |what, along| format!("{what} along {along} runs {is}: list its corners {wanted}"));
-            } else {
-                let points = self.points(&outline.ring, &self.found.graph);
-                let text =
-                    format!("filled polygon along {} is no face of the reference", target.writing.along(&points));
-                self.say(Kind::Face, text, Spot::Nowhere);
+                self.lost_dots(why, &group);
             }
         }
     }
 
-    fn face(&mut self, outline: &Outline, text: impl Fn(String, String) -> String) {
-        let points = self.points(&outline.ring, self.expected());
-        let what = if outline.name.is_empty() { "face".to_owned() } else { format!("face {}", outline.name) };
-        let text = text(what, self.target.writing.along(&points));
-        self.say(Kind::Face, text, Spot::Face(points));
-    }
-
-    fn points(&self, ring: &[u32], graph: &Graph) -> Vec<Point> {
-        ring.iter().map(|&v| graph.point(v)).collect()
-    }
-
-    /// An outline by the points of the reference; further ones have greater numbers.
-    fn translated(&self, outline: &Outline) -> Vec<u32> {
-        let bound = self.expected().points.len() as u32;
-        outline.ring.iter().map(|&m| self.matched.to_expected[m as usize].unwrap_or(bound + m)).collect()
+    /// One sentence about vertices without a dot that can be seen.
+    fn lost_dots(&mut self, why: Option<Hidden>, group: &[u32]) {
+        let place = |&v: &u32| {
+            let name = &self.expected().names[v as usize];
+            let at = self.target.writing.point(self.expected().point(v));
+            if name.is_empty() { format!("at {at}") } else { format!("{name} at {at}") }
+        };
+        let places = listed(&group.iter().map(place).collect::<Vec<_>>());
+        let text = match (why, group.len()) {
+            (Some(why), 1) => format!("vertex {places} cannot be seen: {}", why.reason(false)),
+            (None, 1) => format!("vertex {places} is missing: no circle is drawn there"),
+            (Some(Hidden::Paper), n) => format!("{n} vertices have the colour of the paper: {places}"),
+            (Some(why), n) => format!("{n} vertices cannot be seen, {}: {places}", why.reason(true)),
+            (None, n) => format!("{n} vertices are missing, no circles are drawn there: {places}"),
+        };
+        let spots = group.iter().map(|&v| Spot::MissingVertex(self.expected().point(v))).collect();
+        self.say(Kind::Vertex, text, Spot::all(spots));
     }
 
     fn side_notes(&mut self) {
         if self.found.doubled > 0 {
             let count = counted(self.found.doubled, "edge is drawn", "edges are drawn");
             self.notes.push(format!("{count} more than once"));
+        }
+        let beside = &self.found.beside;
+        if beside.border > 0 {
+            self.notes.push("the frame round the drawing is not compared".to_owned());
+        }
+        if beside.aside > 0 {
+            let what = counted(beside.aside, "line or circle", "lines and circles");
+            self.notes.push(format!("not compared: {what} of a legend or an axis"));
         }
         let known = |edge: &[u32; 2]| {
             let [a, b] = edge.map(|m| self.matched.to_expected[m as usize]);
@@ -332,64 +458,4 @@ impl Critic<'_> {
             self.notes.push(format!("{count} not read"));
         }
     }
-}
-
-/// Faces that differ because an edge or a vertex beside them does, which is told already.
-struct Excuses {
-    missing: Vec<[u32; 2]>,
-    extra: Vec<[u32; 2]>,
-    /// Extra edges by points of the reference.
-    chords: Vec<[u32; 2]>,
-    lost: Vec<bool>,
-    strange: Vec<bool>,
-    back: Vec<Option<u32>>,
-}
-
-impl Excuses {
-    fn new(critic: &Critic<'_>) -> Self {
-        let matched = critic.matched;
-        let translated = |edge: &[u32; 2]| {
-            let [a, b] = edge.map(|m| matched.to_expected[m as usize]);
-            a.zip(b).map(|(a, b)| [a, b])
-        };
-        let mut out = Self {
-            missing: matched.missing.clone(),
-            extra: matched.extra.clone(),
-            chords: matched.extra.iter().filter_map(translated).collect(),
-            lost: matched.to_found.iter().map(Option::is_none).collect(),
-            strange: matched.to_expected.iter().map(Option::is_none).collect(),
-            back: matched.to_expected.clone(),
-        };
-        out.extra.sort_unstable();
-        if out.missing.len().max(out.extra.len()) > EXCUSES {
-            out.chords.clear();
-        }
-        out
-    }
-
-    fn expected(&self, outline: &Outline) -> bool {
-        let ring = &outline.ring;
-        let has_both = |[a, b]: &[u32; 2]| ring.contains(a) && ring.contains(b);
-        ring.iter().any(|&v| self.lost[v as usize])
-            || sides(ring).any(|side| self.missing.binary_search(&side).is_ok())
-            || self.chords.iter().any(has_both)
-    }
-
-    fn found(&self, outline: &Outline) -> bool {
-        let ring = &outline.ring;
-        if ring.iter().any(|&m| self.strange[m as usize])
-            || sides(ring).any(|side| self.extra.binary_search(&side).is_ok())
-        {
-            return true;
-        }
-        let corners: Vec<Option<u32>> = ring.iter().map(|&m| self.back[m as usize]).collect();
-        let has_both = |[a, b]: &[u32; 2]| corners.contains(&Some(*a)) && corners.contains(&Some(*b));
-        self.missing.len() <= EXCUSES && self.missing.iter().any(has_both)
-    }
-}
-
-/// The sides of an outline, the smaller number first.
-fn sides(ring: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
-    let ahead = ring.iter().skip(1).chain(ring.first());
-    ring.iter().zip(ahead).map(|(&a, &b)| [a.min(b), a.max(b)])
 }

@@ -88,8 +88,8 @@ pub enum Problem {
         /// The parser's words.
         message: String,
     },
-    /// A document type, with which entities could be declared.
-    #[error("a DOCTYPE is not read: delete that line")]
+    /// A document type that declares something, such as entities.
+    #[error("a DOCTYPE with declarations ([ ... ]) is not read: delete that line")]
     DocumentType,
     /// Code inside the drawing.
     #[error("{what} is not read: a drawing for comparison holds no scripts")]

@@ -1,4 +1,4 @@
-//! From the student's canvas to the coordinates of the reference: a scale and a shift, never a turn.
+//! From the student's canvas to the coordinates of the reference: a scale and a shift, never a turn or a stretch.
 //!
 //! ```text
 //!   same canvas      the reference's own map, if both drew to the same frame
@@ -6,10 +6,11 @@
 //!   pair to pair     two points far apart onto every pair of the reference; bears missing and moved corners
 //! ```
 //!
-//! The map that brings most points to their places wins. Only if none of them brings enough, mirrored and turned
-//! ones are tried: not to forgive them, but to say so.
+//! The map that brings most points to their places wins. Only if none of them brings enough, mirrored, turned and
+//! stretched ones are tried: not to forgive them, but to say so.
 
 use super::pairing::{Places, distance};
+use crate::figure::number::model;
 use crate::plane::Point;
 
 /// Pairs are tried against every pair of at most this many points.
@@ -20,7 +21,7 @@ const TRIALS: usize = 400;
 const CLEAR: f64 = 0.8;
 
 /// How a drawing lies.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum Turn {
     Upright,
     LeftRight,
@@ -30,54 +31,95 @@ pub(super) enum Turn {
     Right,
     Diagonal,
     Antidiagonal,
+    /// To the left by this many degrees; to the right if they are negative.
+    Angle(f64),
+    /// Mirrored, and turned by an angle as well.
+    MirrorAngle,
+    /// Stretched by these factors in x and y.
+    Stretch([f64; 2]),
 }
 
 impl Turn {
     const OTHERS: [Self; 7] =
         [Self::LeftRight, Self::UpsideDown, Self::Half, Self::Left, Self::Right, Self::Diagonal, Self::Antidiagonal];
 
+    /// What undoes the turn, by rows.
+    fn matrix(self) -> [f64; 4] {
+        match self {
+            Self::Upright | Self::Angle(_) | Self::MirrorAngle | Self::Stretch(_) => [1.0, 0.0, 0.0, 1.0],
+            Self::LeftRight => [-1.0, 0.0, 0.0, 1.0],
+            Self::UpsideDown => [1.0, 0.0, 0.0, -1.0],
+            Self::Half => [-1.0, 0.0, 0.0, -1.0],
+            Self::Left => [0.0, 1.0, -1.0, 0.0],
+            Self::Right => [0.0, -1.0, 1.0, 0.0],
+            Self::Diagonal => [0.0, 1.0, 1.0, 0.0],
+            Self::Antidiagonal => [0.0, -1.0, -1.0, 0.0],
+        }
+    }
+
     fn apply(self, p: Point) -> Point {
-        let (x, y) = match self {
-            Self::Upright => (p.x, p.y),
-            Self::LeftRight => (-p.x, p.y),
-            Self::UpsideDown => (p.x, -p.y),
-            Self::Half => (-p.x, -p.y),
-            Self::Left => (p.y, -p.x),
-            Self::Right => (-p.y, p.x),
-            Self::Diagonal => (p.y, p.x),
-            Self::Antidiagonal => (-p.y, -p.x),
-        };
-        Point::new(x, y)
+        let [a, b, c, d] = self.matrix();
+        Point::new(a * p.x + b * p.y, c * p.x + d * p.y)
     }
 
     /// What is wrong with a drawing that has to be turned like this.
-    pub(super) const fn sentence(self) -> &'static str {
+    pub(super) fn sentence(self) -> String {
+        let rounded = |x: f64, by: f64| model((x * by).round() / by);
         match self {
-            Self::Upright => "the drawing is upright",
-            Self::LeftRight => "the drawing is mirrored left-right",
-            Self::UpsideDown => "y points down: the drawing is upside down (draw y as height - y)",
-            Self::Half => "the drawing is turned by half a turn",
-            Self::Left => "the drawing is turned by a quarter to the left",
-            Self::Right => "the drawing is turned by a quarter to the right",
-            Self::Diagonal | Self::Antidiagonal => "x and y have changed places: the drawing is mirrored",
+            Self::Upright => "the drawing is upright".to_owned(),
+            Self::LeftRight => "the drawing is mirrored left-right".to_owned(),
+            Self::UpsideDown => "y points down: the drawing is upside down (draw y as height - y)".to_owned(),
+            Self::Half => "the drawing is turned by half a turn".to_owned(),
+            Self::Left => "the drawing is turned by a quarter to the left".to_owned(),
+            Self::Right => "the drawing is turned by a quarter to the right".to_owned(),
+            Self::Diagonal | Self::Antidiagonal => "x and y have changed places: the drawing is mirrored".to_owned(),
+            Self::Angle(degrees) => {
+                let side = if degrees > 0.0 { "left" } else { "right" };
+                format!("the drawing is turned by {}° to the {side}", rounded(degrees.abs(), 100.0))
+            }
+            Self::MirrorAngle => "the drawing is mirrored and turned".to_owned(),
+            Self::Stretch([x, y]) => {
+                let times = rounded(x / y, 1e4);
+                format!("the drawing is stretched: x is drawn {times} times as large as y (use one scale for both)")
+            }
         }
     }
 }
 
-/// A map: turn, then scale, then shift.
+/// A map from the canvas to the coordinates of the reference.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Frame {
     pub(super) turn: Turn,
-    scale: f64,
+    /// By rows.
+    matrix: [f64; 4],
     shift: [f64; 2],
 }
 
 impl Frame {
-    pub(super) const IDENTITY: Self = Self { turn: Turn::Upright, scale: 1.0, shift: [0.0; 2] };
+    pub(super) const IDENTITY: Self = Self { turn: Turn::Upright, matrix: [1.0, 0.0, 0.0, 1.0], shift: [0.0; 2] };
 
     pub(super) fn apply(&self, p: Point) -> Point {
-        let p = self.turn.apply(p);
-        Point::new(p.x * self.scale + self.shift[0], p.y * self.scale + self.shift[1])
+        let [a, b, c, d] = self.matrix;
+        Point::new(a * p.x + b * p.y + self.shift[0], c * p.x + d * p.y + self.shift[1])
+    }
+
+    /// How much lengths grow.
+    pub(super) fn scale(&self) -> f64 {
+        let [a, b, c, d] = self.matrix;
+        (a * d - b * c).abs().sqrt()
+    }
+
+    /// The point of the canvas that is brought here.
+    pub(super) fn back(&self, p: Point) -> Point {
+        let [a, b, c, d] = self.matrix;
+        let (x, y) = (p.x - self.shift[0], p.y - self.shift[1]);
+        let determinant = a * d - b * c;
+        Point::new((d * x - b * y) / determinant, (a * y - c * x) / determinant)
+    }
+
+    /// Turn, then scale, then shift.
+    fn of(turn: Turn, scale: f64, shift: [f64; 2]) -> Self {
+        Self { turn, matrix: turn.matrix().map(|x| x * scale), shift }
     }
 
     /// The map of this turn that takes p to u and q to v, if there is one: the scale is that of the longer side.
@@ -90,11 +132,30 @@ impl Frame {
         let fits = scale.is_finite() && scale > 0.0 && (from[1 - longer] * scale - to[1 - longer]).abs() <= slack;
         // Half of what does not fit goes to each end.
         let shift = [0.5 * (u.x + v.x - (p.x + q.x) * scale), 0.5 * (u.y + v.y - (p.y + q.y) * scale)];
-        fits.then_some(Self { turn, scale, shift })
+        fits.then_some(Self::of(turn, scale, shift))
     }
-}
 
-impl Frame {
+    /// The turned map that takes p to u and q to v: any angle, mirrored or not.
+    fn similar([p, q]: [Point; 2], [u, v]: [Point; 2], mirrored: bool) -> Option<Self> {
+        let side = if mirrored { -1.0 } else { 1.0 };
+        let (from, to) = ([q.x - p.x, side * (q.y - p.y)], [v.x - u.x, v.y - u.y]);
+        let squared = from[0] * from[0] + from[1] * from[1];
+        let (c, s) = ((from[0] * to[0] + from[1] * to[1]) / squared, (from[0] * to[1] - from[1] * to[0]) / squared);
+        let matrix = [c, -s * side, s, c * side];
+        let turn = if mirrored { Turn::MirrorAngle } else { Turn::Angle(-s.atan2(c).to_degrees()) };
+        let shift = [u.x - matrix[0] * p.x - matrix[1] * p.y, u.y - matrix[2] * p.x - matrix[3] * p.y];
+        (c.hypot(s) > 0.0 && c.is_finite() && s.is_finite()).then_some(Self { turn, matrix, shift })
+    }
+
+    /// The map that takes one box to another, with a scale for each side.
+    fn stretched([p, q]: [Point; 2], [u, v]: [Point; 2]) -> Option<Self> {
+        let scales = [(v.x - u.x) / (q.x - p.x), (v.y - u.y) / (q.y - p.y)];
+        let fits = scales.iter().all(|scale| scale.is_finite() && *scale > 0.0);
+        let shift = [u.x - scales[0] * p.x, u.y - scales[1] * p.y];
+        let turn = Turn::Stretch(scales.map(|scale| 1.0 / scale));
+        fits.then_some(Self { turn, matrix: [scales[0], 0.0, 0.0, scales[1]], shift })
+    }
+
     /// The upright map that takes every point to its partner within the tolerance, stated for the points.
     pub(super) fn between(from: &[Point], to: &[Point], tolerance: f64) -> Option<Self> {
         let by_x =
@@ -102,7 +163,7 @@ impl Frame {
         let all: Vec<usize> = (0..from.len()).collect();
         let (i, j) = (*all.iter().min_by(by_x)?, *all.iter().max_by(by_x)?);
         let map = Self::onto(Turn::Upright, [from[i], from[j]], [to[i], to[j]], f64::INFINITY)?;
-        let fits = |(&p, &q): (&Point, &Point)| distance(map.apply(p), q) <= 4.0 * tolerance * map.scale;
+        let fits = |(&p, &q): (&Point, &Point)| distance(map.apply(p), q) <= 4.0 * tolerance * map.scale();
         (i != j && from.iter().zip(to).all(fits)).then_some(map)
     }
 }
@@ -148,7 +209,46 @@ impl<'a> Search<'a> {
             self.turned(turn, drawn, core, &mut other);
             (other.matched >= enough).then_some(other.frame)
         });
-        found.collect()
+        let mut found: Vec<Frame> = found.collect();
+        if found.is_empty() {
+            let skewed = [self.stretched(drawn, core), self.angled(drawn, core)];
+            found.extend(skewed.into_iter().filter(|other| other.matched >= enough).map(|other| other.frame));
+        }
+        found
+    }
+
+    fn stretched(&self, drawn: &[Point], core: &[Point]) -> Best {
+        let mut best = Best { frame: Frame::IDENTITY, matched: 0 };
+        for points in [core, drawn] {
+            let map = corners(points).zip(corners(self.expected)).and_then(|(from, to)| Frame::stretched(from, to));
+            map.into_iter().for_each(|map| self.offer(map, drawn, &mut best));
+        }
+        best
+    }
+
+    /// Two points far apart onto all pairs, at any angle.
+    fn angled(&self, drawn: &[Point], core: &[Point]) -> Best {
+        let mut best = Best { frame: Frame::IDENTITY, matched: 0 };
+        if self.expected.len().max(core.len()) > PAIRS {
+            return best;
+        }
+        for pair in far_pairs(core).into_iter().take(2) {
+            for (u, v) in self.expected.iter().flat_map(|&u| self.expected.iter().map(move |&v| (u, v))) {
+                for mirrored in [false, true] {
+                    let Some(map) = Frame::similar(pair, [u, v], mirrored) else { continue };
+                    if self.is_promising(&map, core) {
+                        self.offer(map, drawn, &mut best);
+                    }
+                }
+            }
+        }
+        best
+    }
+
+    /// Nine of ten wrong maps fail at once.
+    fn is_promising(&self, map: &Frame, core: &[Point]) -> bool {
+        let fits = |p: &&Point| self.places.near(map.apply(**p), self.tolerance).is_some();
+        core.iter().take(12).filter(fits).count() > core.len().min(12) / 4
     }
 
     fn offer(&self, frame: Frame, drawn: &[Point], best: &mut Best) {
@@ -173,7 +273,8 @@ impl<'a> Search<'a> {
             if let (Some(from), Some(to)) = (corners(&boxed), corners(self.expected)) {
                 // The box is turned already.
                 let map = Frame::onto(Turn::Upright, from, to, 4.0 * self.tolerance);
-                map.into_iter().for_each(|map| self.offer(Frame { turn, ..map }, drawn, best));
+                let turned = map.map(|map| Frame::of(turn, map.scale(), map.shift));
+                turned.into_iter().for_each(|map| self.offer(map, drawn, best));
             }
         }
         if best.matched < self.expected.len() && self.expected.len().max(core.len()) <= PAIRS {
@@ -192,9 +293,7 @@ impl<'a> Search<'a> {
                     if trials > TRIALS {
                         return;
                     }
-                    // Nine of ten wrong maps fail at once.
-                    let fits = |p: &&Point| self.places.near(map.apply(**p), self.tolerance).is_some();
-                    if core.iter().take(12).filter(fits).count() > core.len().min(12) / 4 {
+                    if self.is_promising(&map, core) {
                         self.offer(map, drawn, best);
                     }
                 }
@@ -270,7 +369,24 @@ mod tests {
             let others = search.others(&drawn, &drawn, &best);
             assert_eq!(others.iter().map(|frame| frame.turn).collect::<Vec<_>>(), [turn]);
         }
-        let stretched = placed(|p| (2.0 * p.x, 3.0 * p.y));
-        assert!(search.best(&stretched, &stretched, &[]).matched < 4, "scales must be equal");
+        let stretched = placed(|p| (2.0 * p.x + 7.0, 3.0 * p.y));
+        let best = search.best(&stretched, &stretched, &[]);
+        assert!(best.matched < 4, "scales must be equal");
+        let other = search.others(&stretched, &stretched, &best);
+        assert_eq!(
+            other[0].turn.sentence(),
+            "the drawing is stretched: x is drawn 0.6667 times as large as y (use one scale for both)"
+        );
+        let (s, c) = 30f64.to_radians().sin_cos();
+        for (side, sentence) in
+            [(1.0, "the drawing is turned by 30° to the left"), (-1.0, "the drawing is mirrored and turned")]
+        {
+            let angled = placed(|p| (2.0 * (side * c * p.x - s * p.y), 2.0 * (side * s * p.x + c * p.y)));
+            let best = search.best(&angled, &angled, &[]);
+            let other = search.others(&angled, &angled, &best);
+            assert_eq!(other[0].turn.sentence(), sentence);
+            let (p, q) = (angled[2], other[0].apply(angled[2]));
+            assert!(distance(q, expected[2]) < 1e-9 && distance(other[0].back(q), p) < 1e-9);
+        }
     }
 }

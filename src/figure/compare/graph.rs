@@ -7,8 +7,10 @@
 //!
 //! The declared structure and the drawn geometry are both compared by this.
 
+use super::drawn::GROUP;
+use super::ink::Hidden;
 use super::pairing::{Places, distance, span, strays};
-use super::report::{Difference, Kind, Layer, Spot, Writing};
+use super::report::{Difference, Kind, Layer, Spot, Writing, listed};
 use crate::plane::Point;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -65,10 +67,11 @@ pub(super) struct Telling<'a> {
     pub(super) layer: Layer,
     pub(super) writing: Writing,
     pub(super) tolerance: f64,
-    /// The sentence about a found point, at this place, that the reference does not have.
-    pub(super) extra_point: &'a dyn Fn(u32, &str) -> String,
+    /// The sentence about a found point, at this place, that the reference does not have; `None` for the corner of an
+    /// area, which is told with the area.
+    pub(super) extra_point: &'a dyn Fn(u32, &str) -> Option<String>,
     /// Why a missing edge cannot be seen, if it is drawn.
-    pub(super) hidden: &'a dyn Fn([u32; 2]) -> Option<&'static str>,
+    pub(super) hidden: &'a dyn Fn([u32; 2]) -> Option<Hidden>,
 }
 
 impl Matched {
@@ -257,21 +260,43 @@ impl Tale<'_> {
                 self.say(Kind::Vertex, text, Spot::ExtraVertex(at));
             } else if !cuts.contains(&m) {
                 let text = (self.telling.extra_point)(m, &place);
-                self.say(Kind::Vertex, text, Spot::ExtraVertex(at));
+                text.into_iter().for_each(|text| self.say(Kind::Vertex, text, Spot::ExtraVertex(at)));
             }
         }
     }
 
     fn edges(&mut self, missing: &[[u32; 2]], extra: &[[u32; 2]]) {
         let writing = self.telling.writing;
+        // Those that cannot be seen for the same reason together, in the order of the first.
+        let mut groups: Vec<(Option<Hidden>, Vec<[u32; 2]>)> = Vec::new();
         for &edge in missing {
-            let ends = self.expected.ends(edge);
-            let what = format!("edge{} between {}", self.named(edge), writing.between(ends));
-            let text = match (self.telling.hidden)(edge) {
-                Some(why) => format!("{what} cannot be seen: {why}"),
-                None => format!("{what} is missing"),
+            let why = (self.telling.hidden)(edge);
+            match groups.iter_mut().find(|group| why.is_some() && group.0 == why) {
+                Some(group) => group.1.push(edge),
+                None => groups.push((why, vec![edge])),
+            }
+        }
+        for (why, group) in groups {
+            let place = |&edge: &[u32; 2]| {
+                format!("{} between {}", self.named(edge), writing.between(self.expected.ends(edge)))
             };
-            self.say(Kind::Edge, text, Spot::MissingEdge(ends));
+            if let Some(why) = why.filter(|_| group.len() >= GROUP) {
+                let places: Vec<String> = group.iter().map(|edge| place(edge).trim_start().to_owned()).collect();
+                let text = format!("{} edges cannot be seen, {}: {}", group.len(), why.reason(true), listed(&places));
+                let spots = group.iter().map(|&edge| Spot::MissingEdge(self.expected.ends(edge))).collect();
+                self.say(Kind::Edge, text, Spot::all(spots));
+                continue;
+            }
+            let texts: Vec<String> = group
+                .iter()
+                .map(|edge| match why {
+                    Some(why) => format!("edge{} cannot be seen: {}", place(edge), why.reason(false)),
+                    None => format!("edge{} is missing", place(edge)),
+                })
+                .collect();
+            for (edge, text) in group.into_iter().zip(texts) {
+                self.say(Kind::Edge, text, Spot::MissingEdge(self.expected.ends(edge)));
+            }
         }
         for &edge in extra {
             let ends = self.found.ends(edge);

@@ -5,233 +5,315 @@
 //!   stroke="none"           or none at all       ├── drawn, but nobody sees it
 //!   stroke-width="0"  opacity="0"  visibility    ┘
 //! ```
+//!
+//! What lies over a line is found out by `eye.rs`, from what all elements paint.
 
+use super::colour::{Paint, paint};
 use super::numbers;
 use crate::figure::selectors::{Rule, Tag};
 use roxmltree::Node;
+use std::rc::Rc;
 
-/// Less contrast than this, in steps of 255, cannot be seen.
-const FAINT: f64 = 6.0;
+/// Less of a line than this drawn by its dashes cannot be seen.
+const DASHED: f64 = 0.2;
 
-/// What an area or a line is painted with.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) enum Paint {
-    None,
-    /// `url(#...)`: a hatch or a gradient.
-    Pattern,
-    Colour([u8; 3]),
-    /// A colour that is not worked out, and so can be seen.
-    Some,
-}
-
-/// Why a line or a dot cannot be seen.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+/// Why a line, a dot or an area cannot be seen.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) enum Hidden {
     NoStroke,
     NoWidth,
     Transparent,
+    Faint,
     Paper,
+    Ground,
     Switched,
+    Dashes,
+    Veil,
+    Clip,
+    Canvas,
+    Area,
+    Dot,
+    Line,
+    Ends,
 }
 
 impl Hidden {
-    /// The reason as the end of a sentence.
-    pub(super) fn reason(self) -> &'static str {
-        match self {
-            Self::NoStroke => "it has no stroke",
-            Self::NoWidth => "its stroke-width is 0",
-            Self::Transparent => "its opacity is 0",
-            Self::Paper => "it has the colour of the paper",
-            Self::Switched => "its visibility is hidden",
-        }
+    /// The reason as the end of a sentence about one or several.
+    pub(super) fn reason(self, several: bool) -> &'static str {
+        let [one, many] = match self {
+            Self::NoStroke => ["it has no stroke", "they have no stroke"],
+            Self::NoWidth => ["its stroke-width is 0", "their stroke-width is 0"],
+            Self::Transparent => ["its opacity is 0", "their opacity is 0"],
+            Self::Faint => ["it is almost transparent", "they are almost transparent"],
+            Self::Paper => ["it has the colour of the paper", "they have the colour of the paper"],
+            Self::Ground => ["it has the colour of what lies below it", "they have the colour of what lies below them"],
+            Self::Switched => ["its visibility is hidden", "their visibility is hidden"],
+            Self::Dashes => ["its dashes leave it out", "their dashes leave them out"],
+            Self::Veil => [
+                "it has a mask or a filter, which are not worked out",
+                "they have masks or filters, which are not worked out",
+            ],
+            Self::Clip => ["its clip-path cuts it off", "their clip-path cuts them off"],
+            Self::Canvas => ["it lies outside of the viewBox", "they lie outside of the viewBox"],
+            Self::Area => [
+                "a filled shape is drawn over it: draw faces first",
+                "filled shapes are drawn over them: draw faces first",
+            ],
+            Self::Dot => [
+                "a circle is drawn over it: make the circles smaller",
+                "circles are drawn over them: make the circles smaller",
+            ],
+            Self::Line => ["a line is drawn over it", "lines are drawn over them"],
+            Self::Ends => [
+                "the circles at its ends cover it: make them smaller",
+                "the circles at their ends cover them: make them smaller",
+            ],
+        };
+        if several { many } else { one }
     }
 }
 
 /// The style of an element.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub(super) struct Ink {
     fill: Paint,
     fill_opacity: f64,
+    pub(super) even_odd: bool,
     stroke: Paint,
     stroke_opacity: f64,
     width: f64,
+    /// Whether a line of no length is a dot.
+    pub(super) round: bool,
+    dashes: Rc<[f64]>,
+    dash_start: f64,
     opacity: f64,
     visible: bool,
+    colour: Paint,
+    veiled: bool,
 }
 
 impl Default for Ink {
     fn default() -> Self {
         Self {
-            fill: Paint::Colour([0; 3]),
+            fill: Paint::Colour([0; 3], 1.0),
             fill_opacity: 1.0,
+            even_odd: false,
             stroke: Paint::None,
             stroke_opacity: 1.0,
             width: 1.0,
+            round: false,
+            dashes: Rc::new([]),
+            dash_start: 0.0,
             opacity: 1.0,
             visible: true,
+            colour: Paint::Colour([0; 3], 1.0),
+            veiled: false,
         }
     }
+}
+
+/// What an element says of itself and does not hand down.
+#[derive(Clone, Default, PartialEq, Debug)]
+pub(super) struct Own {
+    /// The id of a clip path.
+    pub(super) clip: Option<String>,
+    pub(super) transform: Option<String>,
+    /// The radius of a circle, by a style.
+    pub(super) radius: Option<f64>,
+    /// Widths are not scaled.
+    pub(super) fixed_width: bool,
+    /// What lies outside of an inner `svg` is shown.
+    pub(super) overflows: bool,
+    hidden: bool,
 }
 
 impl Ink {
     /// The style of `node` inside an element with this style; `None` if it is not displayed. `path` is what the
     /// rules look at: the tags from the root to the node.
-    pub(super) fn inside(&self, node: Node<'_, '_>, rules: &[Rule<'_>], path: &[Tag]) -> Option<Self> {
-        let mut out = *self;
-        let mut displayed = true;
-        let mut set = |key: &str, value: &str| out.set(key, value, self, &mut displayed);
-        node.attributes().filter(|a| a.namespace().is_none()).for_each(|a| set(a.name(), a.value()));
-        for rule in rules.iter().filter(|rule| rule.fits(path)) {
-            rule.properties.iter().for_each(|(key, value)| set(key, value));
-        }
+    pub(super) fn inside(&self, node: Node<'_, '_>, rules: &[Rule<'_>], path: &[Tag]) -> Option<(Self, Own)> {
+        let (mut out, mut own) = (self.clone(), Own::default());
         let style = node.attribute("style").unwrap_or("");
-        style.split(';').filter_map(|part| part.split_once(':')).for_each(|(key, value)| set(key.trim(), value));
-        displayed.then_some(out)
+        let fitting: Vec<&Rule<'_>> = rules.iter().filter(|rule| rule.fits(path)).collect();
+        for attribute in node.attributes().filter(|a| a.namespace().is_none()) {
+            // As an attribute, this one is read with its place.
+            if !matches!(attribute.name(), "transform" | "r") {
+                out.set(attribute.name(), attribute.value(), self, &mut own);
+            }
+        }
+        let sheet = fitting.iter().flat_map(|rule| rule.properties.iter().copied());
+        let written = style.split(';').filter_map(|part| part.split_once(':'));
+        let all: Vec<(&str, &str)> = sheet.chain(written).collect();
+        for important in [false, true] {
+            for (key, value) in &all {
+                let bare = value.trim().strip_suffix("!important").map(str::trim_end);
+                if bare.is_some() == important {
+                    out.set(key.trim(), bare.unwrap_or(value), self, &mut own);
+                }
+            }
+        }
+        (!own.hidden).then_some((out, own))
     }
 
-    fn set(&mut self, key: &str, value: &str, around: &Self, displayed: &mut bool) {
-        let value = value.trim().trim_end_matches("!important").trim_end();
+    fn set(&mut self, key: &str, value: &str, around: &Self, own: &mut Own) {
+        let value = value.trim();
         let inherits = value == "inherit";
+        let none = value == "none";
         match key {
-            "display" => *displayed = value != "none",
+            "display" => own.hidden = none,
             "visibility" if inherits => self.visible = around.visible,
             "visibility" => self.visible = value == "visible",
+            "color" if !inherits => self.colour = paint(value),
             "fill" if inherits => self.fill = around.fill,
             "fill" => self.fill = paint(value),
+            "fill-rule" => self.even_odd = value == "evenodd",
             "stroke" if inherits => self.stroke = around.stroke,
             "stroke" => self.stroke = paint(value),
-            "stroke-width" => self.width = numbers::length(value).unwrap_or(around.width),
+            "stroke-width" => self.width = numbers::measure(value).unwrap_or(around.width),
+            "stroke-linecap" => self.round = matches!(value, "round" | "square"),
+            "stroke-dasharray" => self.dashes = dashes(value),
+            "stroke-dashoffset" => self.dash_start = numbers::measure(value).unwrap_or(0.0),
             "fill-opacity" => self.fill_opacity = fraction(value).unwrap_or(around.fill_opacity),
             "stroke-opacity" => self.stroke_opacity = fraction(value).unwrap_or(around.stroke_opacity),
             // The one property that adds up instead of being handed down.
             "opacity" => self.opacity = around.opacity * fraction(value).unwrap_or(1.0),
+            "mask" | "filter" => self.veiled = around.veiled || !none,
+            "clip-path" => own.clip = (!none).then(|| value.to_owned()),
+            "transform" => own.transform = (!none).then(|| value.to_owned()),
+            "r" => own.radius = numbers::measure(value),
+            "vector-effect" => own.fixed_width = value == "non-scaling-stroke",
+            "overflow" => own.overflows = matches!(value, "visible" | "auto"),
             _ => {}
         }
     }
 
-    /// Why a line of this style cannot be seen.
-    pub(super) fn hidden_stroke(&self, paper: [u8; 3]) -> Option<Hidden> {
-        match self.stroke {
+    fn resolved(&self, paint: Paint) -> Paint {
+        if paint == Paint::Current { self.colour } else { paint }
+    }
+
+    /// The paint of areas, and how much of what lies below it covers.
+    pub(super) fn fill(&self) -> (Paint, f64) {
+        (self.resolved(self.fill), self.fill_opacity * self.opacity)
+    }
+
+    /// The paint of lines, and how much of what lies below it covers.
+    pub(super) fn stroke(&self) -> (Paint, f64) {
+        (self.resolved(self.stroke), self.stroke_opacity * self.opacity)
+    }
+
+    /// The width of lines before any transform.
+    pub(super) fn width(&self) -> f64 {
+        self.width.max(0.0)
+    }
+
+    /// Why a line of this style cannot be seen, wherever it lies.
+    pub(super) fn hidden_stroke(&self) -> Option<Hidden> {
+        match self.stroke() {
             _ if !self.visible => Some(Hidden::Switched),
-            Paint::None => Some(Hidden::NoStroke),
+            (Paint::None, _) => Some(Hidden::NoStroke),
             _ if self.width <= 0.0 => Some(Hidden::NoWidth),
-            stroke => faint(stroke, self.stroke_opacity * self.opacity, paper),
+            (paint, opacity) => self.unpainted(paint, opacity),
         }
     }
 
-    /// Why an area of this style cannot be seen.
-    pub(super) fn hidden_fill(&self, paper: [u8; 3]) -> Option<Hidden> {
-        match self.fill {
+    /// Why an area of this style cannot be seen, wherever it lies.
+    pub(super) fn hidden_fill(&self) -> Option<Hidden> {
+        match self.fill() {
             _ if !self.visible => Some(Hidden::Switched),
-            Paint::None => Some(Hidden::NoStroke),
-            fill => faint(fill, self.fill_opacity * self.opacity, paper),
+            (Paint::None, _) => Some(Hidden::NoStroke),
+            (paint, opacity) => self.unpainted(paint, opacity),
         }
     }
 
-    /// Whether an area of this style is filled, if only with the colour of the paper. Hatches are decoration.
+    fn unpainted(&self, paint: Paint, opacity: f64) -> Option<Hidden> {
+        let own = if let Paint::Colour(_, alpha) = paint { alpha } else { 1.0 };
+        match () {
+            () if opacity * own <= 0.0 => Some(Hidden::Transparent),
+            () if self.veiled => Some(Hidden::Veil),
+            () => None,
+        }
+    }
+
+    /// Whether the dashes draw hardly anything of a line that lies so far from the start of its path, its lengths as
+    /// they are before any transform.
+    pub(super) fn dashed_away(&self, from: f64, length: f64) -> bool {
+        let period: f64 = self.dashes.iter().sum();
+        if self.dashes.is_empty() || period <= 0.0 || length <= 0.0 {
+            return false;
+        }
+        let whole = (length / period).floor();
+        let ink: f64 = self.dashes.iter().step_by(2).sum();
+        let start = (from + self.dash_start + whole * period).rem_euclid(period);
+        let end = start + (length - whole * period);
+        let (mut at, mut drawn) = (0.0, whole * ink);
+        for (i, dash) in self.dashes.iter().chain(self.dashes.iter()).enumerate() {
+            let part = (end.min(at + dash) - start.max(at)).max(0.0);
+            drawn += if i % 2 == 0 { part } else { 0.0 };
+            at += dash;
+        }
+        drawn < DASHED * length
+    }
+
+    /// Whether an area of this style is painted, if only with the colour of the paper.
     pub(super) fn fills(&self) -> bool {
-        let paints = matches!(self.fill, Paint::Colour(_) | Paint::Some);
-        paints && self.visible && self.fill_opacity * self.opacity > 0.0
-    }
-
-    /// Whether an area of this style is painted, be it with a hatch.
-    pub(super) fn paints(&self) -> bool {
-        self.fills() || self.fill == Paint::Pattern
-    }
-
-    /// The colour of an area, if it is known and covers what is below.
-    pub(super) fn covering(&self) -> Option<[u8; 3]> {
-        match self.fill {
-            Paint::Colour(colour) if self.visible && self.fill_opacity * self.opacity > 0.99 => Some(colour),
-            _ => None,
-        }
+        self.hidden_fill().is_none_or(|why| why == Hidden::Veil)
     }
 }
 
-fn faint(paint: Paint, opacity: f64, paper: [u8; 3]) -> Option<Hidden> {
-    if opacity <= 0.0 {
-        return Some(Hidden::Transparent);
+/// An even number of lengths; none for a line without gaps.
+fn dashes(text: &str) -> Rc<[f64]> {
+    let words = text.split([',', ' ']).filter(|word| !word.is_empty());
+    let lengths: Option<Vec<f64>> = words.map(|word| numbers::measure(word).filter(|x| *x >= 0.0)).collect();
+    let mut lengths = lengths.unwrap_or_default();
+    if lengths.len() % 2 == 1 {
+        lengths.extend_from_within(..);
     }
-    let Paint::Colour(colour) = paint else { return None };
-    let contrast = colour.iter().zip(paper).map(|(&a, b)| a.abs_diff(b)).max().unwrap_or(0);
-    (f64::from(contrast) * opacity.min(1.0) < FAINT).then_some(Hidden::Paper)
+    lengths.into()
 }
 
 fn fraction(text: &str) -> Option<f64> {
-    match text.strip_suffix('%') {
+    let value = match text.strip_suffix('%') {
         Some(percent) => numbers::length(percent).map(|p| p / 100.0),
         None => numbers::length(text),
-    }
-}
-
-fn paint(text: &str) -> Paint {
-    let text = text.trim().to_ascii_lowercase();
-    if let Some(digits) = text.strip_prefix('#') {
-        return hexadecimal(digits).unwrap_or(Paint::Some);
-    }
-    if text.starts_with("url(") {
-        return Paint::Pattern;
-    }
-    if let Some(inside) = text.strip_prefix("rgb(").and_then(|rest| rest.strip_suffix(')')) {
-        return match numbers::list(inside).as_deref() {
-            Some(&[r, g, b]) => Paint::Colour([r, g, b].map(|c| c.clamp(0.0, 255.0) as u8)),
-            _ => Paint::Some,
-        };
-    }
-    match text.as_str() {
-        "none" | "transparent" => Paint::None,
-        "white" => Paint::Colour([255; 3]),
-        "snow" => Paint::Colour([255, 250, 250]),
-        "ivory" => Paint::Colour([255, 255, 240]),
-        "whitesmoke" => Paint::Colour([245; 3]),
-        "black" => Paint::Colour([0; 3]),
-        _ => Paint::Some,
-    }
-}
-
-/// `abc`, `abcd`, `aabbcc` or `aabbccdd`.
-fn hexadecimal(digits: &str) -> Option<Paint> {
-    let short = matches!(digits.len(), 3 | 4);
-    if !(short || matches!(digits.len(), 6 | 8)) || !digits.is_ascii() {
-        return None;
-    }
-    let width = if short { 1 } else { 2 };
-    let parts = (0..digits.len() / width).map(|i| u8::from_str_radix(&digits[i * width..(i + 1) * width], 16));
-    let parts: Vec<u8> = parts.collect::<Result<_, _>>().ok()?;
-    let part = |i: usize| if short { parts[i] * 17 } else { parts[i] };
-    if parts.get(3) == Some(&0) {
-        return Some(Paint::None);
-    }
-    Some(Paint::Colour([part(0), part(1), part(2)]))
+    };
+    value.map(|x| x.clamp(0.0, 1.0))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    #[test]
-    fn paints_that_matter_are_understood() {
-        for white in ["#fff", "#FFFFFF", " white ", "rgb(255, 255 255)", "#ffffffff"] {
-            assert_eq!(paint(white), Paint::Colour([255; 3]), "{white}");
-        }
-        for none in ["none", "transparent", "#0000", "#12345600"] {
-            assert_eq!(paint(none), Paint::None, "{none}");
-        }
-        assert_eq!(paint("url(#hatch)"), Paint::Pattern);
-        for other in ["teal", "#12", "#ggg", "rgb(1,2)", "#é1", "currentColor"] {
-            assert_eq!(paint(other), Paint::Some, "{other}");
-        }
+    fn styled(element: &str) -> Option<Ink> {
+        let text = format!("<g {element}/>");
+        let document = roxmltree::Document::parse(&text).unwrap();
+        Ink::default().inside(document.root_element(), &[], &[]).map(|(ink, _)| ink)
     }
 
     #[test]
-    fn pale_lines_are_seen_until_they_are_as_pale_as_the_paper() {
-        let line = |stroke: &str, opacity: f64| Ink { stroke: paint(stroke), opacity, ..Ink::default() };
-        let white = [255; 3];
-        assert_eq!(line("#fff", 1.0).hidden_stroke(white), Some(Hidden::Paper));
-        assert_eq!(line("#fff", 1.0).hidden_stroke([20; 3]), None);
-        assert_eq!(line("#eee", 1.0).hidden_stroke(white), None);
-        assert_eq!(line("#eee", 0.2).hidden_stroke(white), Some(Hidden::Paper));
-        assert_eq!(line("black", 0.0).hidden_stroke(white), Some(Hidden::Transparent));
-        assert_eq!(Ink::default().hidden_stroke(white), Some(Hidden::NoStroke));
+    fn what_nobody_sees_wherever_it_lies() {
+        for (style, why) in [
+            ("stroke='red'", None),
+            ("", Some(Hidden::NoStroke)),
+            ("stroke='red' style='stroke:none!important;stroke:blue'", Some(Hidden::NoStroke)),
+            ("stroke='red' stroke-width='0mm'", Some(Hidden::NoWidth)),
+            ("stroke='red' stroke-opacity='0%'", Some(Hidden::Transparent)),
+            ("stroke='rgb(9 9 9 / 50%)'", None),
+            ("stroke='red' visibility='collapse'", Some(Hidden::Switched)),
+            ("stroke='red' mask='url(#m)'", Some(Hidden::Veil)),
+            ("color='red' stroke='currentColor'", None),
+            ("color='transparent' stroke='currentColor'", Some(Hidden::NoStroke)),
+        ] {
+            assert_eq!(styled(style).unwrap().hidden_stroke(), why, "{style}");
+        }
+        assert_eq!(styled("style='display: none'"), None);
+    }
+
+    #[test]
+    fn dashes_are_lines_unless_they_leave_them_out() {
+        let away = |dashes: &str, from: f64, length: f64| {
+            styled(&format!("stroke-dasharray='{dashes}'")).unwrap().dashed_away(from, length)
+        };
+        assert!(!away("none", 0.0, 9.0) && !away("5", 3.0, 90.0) && !away("1 3", 0.0, 80.0));
+        assert!(away("0 1000", 0.0, 80.0) && away("10,1000", 20.0, 80.0) && away("1 19", 2.0, 8.0));
+        assert!(!away("10,1000", 0.0, 20.0) && !away("50 50", 40.0, 30.0) && away("50 50", 50.0, 50.0));
     }
 }

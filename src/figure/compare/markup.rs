@@ -49,7 +49,7 @@ pub(super) fn parse(text: &str) -> Result<Document<'_>, Fault> {
         return Err(Problem::Empty.into());
     }
     count(text)?;
-    let options = ParsingOptions { allow_dtd: false, nodes_limit: NODES, ..ParsingOptions::default() };
+    let options = ParsingOptions { allow_dtd: true, nodes_limit: NODES, ..ParsingOptions::default() };
     let document = Document::parse_with_options(text, options).map_err(|error| malformed(text, &error))?;
     let root = document.root_element();
     if root.tag_name().name() != "svg" {
@@ -85,7 +85,6 @@ fn code(node: Node<'_, '_>) -> Option<String> {
 
 fn malformed(text: &str, error: &Error) -> Fault {
     let problem = match error {
-        Error::DtdDetected => Problem::DocumentType,
         Error::NodesLimitReached => Problem::TooLarge { what: "elements", limit: ELEMENTS },
         other => {
             let message = other.to_string();
@@ -121,7 +120,7 @@ fn count(text: &str) -> Result<(), Fault> {
             } else if rest.starts_with("</") {
                 skip(">")
             } else if rest.starts_with("<!") {
-                return Err(Fault::at(open, Problem::DocumentType));
+                plain_type(rest).ok_or_else(|| Fault::at(open, Problem::DocumentType))?
             } else {
                 elements += 1;
                 let (length, attributes) = tag(rest);
@@ -141,6 +140,24 @@ fn count(text: &str) -> Result<(), Fault> {
         }
     }
     Ok(())
+}
+
+/// The length of a document type that declares nothing: it names a type and perhaps where that is described, which is
+/// never fetched. `None` if it declares something, or is no document type.
+fn plain_type(rest: &str) -> Option<usize> {
+    let mut quote = None;
+    let inside = rest.strip_prefix("<!DOCTYPE")?;
+    for (i, b) in inside.bytes().enumerate() {
+        match (quote, b) {
+            (Some(q), b) if q == b => quote = None,
+            (Some(_), _) => {}
+            (None, b'"' | b'\'') => quote = Some(b),
+            (None, b'[' | b'<') => return None,
+            (None, b'>') => return Some(rest.len() - inside.len() + i + 1),
+            (None, _) => {}
+        }
+    }
+    None
 }
 
 /// The length of a start tag, and the number of its attributes.

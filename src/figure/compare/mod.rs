@@ -2,36 +2,47 @@
 //!
 //! ```text
 //!   reference.svg ─┐  0 well-formed   1 same bytes?   2 same declared structure?   3 same drawn geometry?
-//!   student.svg ───┴─ markup.rs       equal           declared.rs  tables.rs       drawing.rs  drawn.rs
-//!                                                     links.rs  faces.rs           frame.rs  sketch.rs
+//!   student.svg ───┴─ markup.rs       equal           declared.rs  tables.rs       drawing.rs  shapes.rs  painting.rs
+//!                                                     links.rs  faces.rs           sketch.rs  eye.rs  drawn.rs
 //!                     4 where no point fits: the right shape in the wrong place?   shape.rs
 //!                     answer: report.rs, and a picture of the differences: diff.rs
 //! ```
 //!
 #![doc = include_str!("../../../figures/difference.svg")]
 //!
-//! **0** Both files are XML within limits (8 MiB, 200,000 elements), without document type and scripts, all numbers
+//! **0** Both files are XML within limits (8 MiB, 200,000 elements), without declarations and scripts, all numbers
 //! finite; errors name line and column. **1** Equal bytes are equal. **2** If both files declare their structure in
 //! `data-*` attributes, all laws are checked, vertices are matched by place, half-edges by their ends, and every
 //! pointer is compared through that map: numbers may differ. **3** What is drawn is always compared, and must be what
-//! is declared. **4** If hardly a point lies where it should, connections are compared without places. Pixels are
+//! is declared, and can be seen: colours are worked out at points along every edge, in every circle and face. **4** If hardly a point lies where it should, connections are compared without places. Pixels are
 //! never compared: a test of the pixels passes drawings that are wrong and fails drawings that are right.
 //!
 //! # What a program has to write
 //!
 //! | drawn | by |
 //! |---|---|
-//! | edge | `line`, `polyline`, `polygon`, `rect`, or `path` with `M L H V Z`, with a `stroke` that can be seen; a line through several vertices is several edges; twice is no fault |
-//! | vertex | `circle` (or `ellipse`), filled or with a stroke |
+//! | edge | `line`, `polyline`, `polygon`, `rect`, or `path`, with a `stroke`; a line through several vertices is several edges; twice is no fault; a thin filled rectangle from vertex to vertex is a line, too |
+//! | vertex | `circle`, `ellipse` or a round closed `path`, filled or with a stroke; a line of no length with round ends |
 //! | face | filled `polygon`, `path` or `rect`: the corners of a bounded face, counter-clockwise as seen |
 //!
-//! `g`, `a`, `use`, `symbol`, `transform`, inner `svg`, `style` attributes and simple style sheets (ids, classes,
-//! names, descendants) are understood. Passed over: texts, curves, what is not displayed, a `rect` that covers the
-//! canvas, hatches, and anything else with a note. In the kit's own figures (`data-figure` on the root) half-edges,
-//! pointers and other decoration are passed over, too. y points down in SVG: write `height - y`.
+//! Groups, `use`, `symbol`, inner `svg` with `viewBox`, `transform`, clip paths, units (`mm`, `pt`, ...), `style`
+//! attributes and simple style sheets (ids, classes, names, descendants) are understood, and a `DOCTYPE` that declares
+//! nothing. Passed over: texts, curves, what is not displayed, an area round everything (paper) with the lines along its
+//! border and the ticks beyond it, what is called legend or axis and stands clear of the structure, small areas that
+//! touch no vertex (letters), and anything else with a note. In the kit's own figures (`data-figure` on the root)
+//! half-edges, pointers and other decoration are passed over, too. y points down in SVG: write `height - y`.
+//!
+//! # What has to be seen
+//!
+//! An edge is seen if its lines have another colour than the paper and than what lies on both sides, nearly all along;
+//! the small box of a label may hide its middle. A vertex is seen if its circle is, and reaches no other vertex. A face
+//! is seen if it has another colour than the paper. So what is covered by an area, a circle, a picture or a line, cut
+//! off by a clip path or the `viewBox`, left out by dashes, transparent, or behind a mask or filter is told, with the
+//! reason. What the reference's own drawing hides nobody has to show. Colours themselves are not compared.
 //!
 //! A drawing may be scaled and shifted, not mirrored, turned or stretched. A point is where it should be if it is
-//! within 0.05 px of its place on a drawing of 600 px ([`Options::tolerance`]). The outer face may be filled, or not.
+//! within 0.05 px of its place on a drawing of 600 px ([`Options::tolerance`]). The outer face may be filled, or not, as
+//! long as it hides nothing.
 //!
 //! ```text
 //!   <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 400">
@@ -41,12 +52,16 @@
 //!   </svg>
 //! ```
 
+mod areas;
+mod beside;
+mod colour;
 mod declared;
 mod diff;
 mod diff_style;
 mod drawing;
 mod drawn;
 mod error;
+mod eye;
 mod faces;
 mod frame;
 mod graph;
@@ -54,15 +69,19 @@ mod ink;
 mod links;
 mod markup;
 mod numbers;
+mod painting;
 mod pairing;
 mod path;
 mod report;
 mod rings;
 mod segments;
 mod shape;
+mod shapes;
 mod sketch;
 mod tables;
 mod transform;
+mod viewport;
+mod yours;
 
 pub use error::{CompareError, Problem, Side};
 pub use report::{Comparison, Difference, Kind, Layer};
@@ -74,6 +93,7 @@ use diff::Scenery;
 use drawing::Drawing;
 use drawn::{Seen, Target};
 use error::Fault;
+use sketch::Sketch;
 use tables::Placed;
 
 /// What a comparison asks for.
@@ -155,7 +175,7 @@ pub fn compare(reference: &str, student: &str, options: &Options) -> Result<Comp
     let expected = File::read(reference).map_err(at(Side::Reference, reference))?;
     let target = expected.target(options).map_err(at(Side::Reference, reference))?;
     if reference == student {
-        return Ok(expected.answer(Layer::Bytes, &target, Vec::new(), Vec::new(), String::new()));
+        return Ok(expected.answer(Layer::Bytes, &target, Vec::new(), Vec::new(), String::new(), None));
     }
     let found = File::read(student).map_err(at(Side::Student, student))?;
     expected.compare(&target, &found, options).map_err(at(Side::Student, student))
@@ -174,7 +194,7 @@ impl File {
     }
 
     /// This file as a reference: what it declares must be sound, and be what it draws.
-    fn target(&self, options: &Options) -> Result<Target, Fault> {
+    fn target(&self, options: &Options) -> Result<Target<'_>, Fault> {
         let Some(table) = &self.table else {
             return Target::of_drawing(&self.drawing, options);
         };
@@ -185,14 +205,18 @@ impl File {
         let own = target.compare(&self.drawing, options)?;
         match own.differences.first() {
             Some(first) => Err(contradiction(format!("it does not draw what it declares: {}", first.text))),
-            None => Ok(target),
+            None => {
+                target.draws(&self.drawing);
+                Ok(target)
+            }
         }
     }
 
-    fn compare(&self, target: &Target, found: &Self, options: &Options) -> Result<Comparison, Fault> {
+    fn compare(&self, target: &Target<'_>, found: &Self, options: &Options) -> Result<Comparison, Fault> {
         let mut notes = found.drawing.notes.clone();
-        let seen = target.compare(&found.drawing, options)?;
-        notes.extend(seen.notes.iter().cloned());
+        let mut seen = target.compare(&found.drawing, options)?;
+        notes.append(&mut seen.notes);
+        let student = Some((std::mem::take(&mut seen.sketch), seen.fits));
         let [Some(mine), Some(theirs)] = [&self.table, &found.table] else {
             let mut differences = seen.differences;
             if let Some(table) = &found.table {
@@ -200,25 +224,26 @@ impl File {
             }
             let layer = layer(&differences, Layer::Drawn);
             let agreed = format!("{} of {} edges agree", seen.agreed.0, seen.agreed.1);
-            return Ok(self.answer(layer, target, differences, notes, agreed));
+            return Ok(self.answer(layer, target, differences, notes, agreed, student));
         };
         let declared = tables::compare(&Placed::new(mine), &Placed::new(theirs), options);
         notes.extend(declared.notes.iter().cloned());
         let (layer, differences) = merged(declared.differences, seen, &mut notes);
-        Ok(self.answer(layer, target, differences, notes, agreed(declared.agreed)))
+        Ok(self.answer(layer, target, differences, notes, agreed(declared.agreed), student))
     }
 
     fn answer(
         &self,
         layer: Layer,
-        target: &Target,
+        target: &Target<'_>,
         differences: Vec<Difference>,
         notes: Vec<String>,
         agreed: String,
+        student: Option<(Sketch, bool)>,
     ) -> Comparison {
         let graph = || Scenery::Graph(target.sketch.graph.clone());
         let scenery = self.table.as_ref().map_or_else(graph, |table| Scenery::Table(table.clone()));
-        Comparison { layer, differences, notes, agreed, scenery }
+        Comparison { layer, differences, notes, agreed, scenery, student }
     }
 }
 
@@ -264,13 +289,15 @@ fn contradiction(table: &Table, drawing: &Drawing, options: &Options) -> Option<
 /// Vertices are matched by place, everything else through them; numbers may differ. O(n log n).
 #[must_use]
 pub fn compare_tables(expected: &Table, actual: &Table, options: &Options) -> Comparison {
-    let found = tables::compare(&Placed::new(expected), &Placed::new(actual), options);
+    let placed = Placed::new(actual);
+    let found = tables::compare(&Placed::new(expected), &placed, options);
     Comparison {
         layer: Layer::Declared,
         differences: found.differences,
         notes: found.notes,
         agreed: agreed(found.agreed),
         scenery: Scenery::Table(expected.clone()),
+        student: Some((Sketch::of_table(&placed), true)),
     }
 }
 

@@ -59,12 +59,24 @@ impl<'a> Reader<'a> {
         (self.peek() == Some(sign)).then(|| self.at += 1)
     }
 
+    /// A percent sign right behind a number.
+    pub(super) fn percent(&mut self) -> bool {
+        let is_percent = self.peek() == Some(b'%');
+        self.at += usize::from(is_percent);
+        is_percent
+    }
+
+    /// Whether this text is next, without blanks before it.
+    pub(super) fn is_next(&self, text: &str) -> bool {
+        self.rest().starts_with(text)
+    }
+
     /// A flag of an arc: one digit, after which nothing need follow.
-    pub(super) fn flag(&mut self) -> Option<()> {
+    pub(super) fn flag(&mut self) -> Option<bool> {
         self.skip_separators();
-        self.peek().filter(|b| matches!(b, b'0' | b'1'))?;
+        let digit = self.peek().filter(|b| matches!(b, b'0' | b'1'))?;
         self.at += 1;
-        Some(())
+        Some(digit == b'1')
     }
 
     /// The next number.
@@ -115,6 +127,23 @@ pub(super) fn list(text: &str) -> Option<Vec<f64>> {
     Some(out)
 }
 
+/// A length in px from any of the units that have a fixed size: 96 px are an inch.
+pub(super) fn measure(text: &str) -> Option<f64> {
+    let mut reader = Reader::new(text.trim());
+    let value = reader.number()?;
+    let unit = match reader.rest() {
+        "" | "px" => 1.0,
+        "pt" => 96.0 / 72.0,
+        "pc" => 16.0,
+        "in" => 96.0,
+        "cm" => 96.0 / 2.54,
+        "mm" => 96.0 / 25.4,
+        "Q" | "q" => 96.0 / 101.6,
+        _ => return None,
+    };
+    Some(value * unit)
+}
+
 /// A length in px: a number, with or without the unit.
 pub(super) fn length(text: &str) -> Option<f64> {
     let text = text.trim();
@@ -134,5 +163,17 @@ mod tests {
         assert_eq!(list(". 1"), None);
         assert_eq!(length(" 12px "), Some(12.0));
         assert_eq!(length("12em"), None);
+        assert_eq!(length("12mm"), None);
+    }
+
+    #[test]
+    fn lengths_have_units() {
+        let px = |text| measure(text).map(|px| (1000.0 * px).round() as i32);
+        for (text, is) in [("25.4mm", 96), ("2.54cm", 96), ("1in", 96), ("72pt", 96), ("6pc", 96), (" 3 ", 3)] {
+            assert_eq!(px(text), Some(1000 * is), "{text}");
+        }
+        for other in ["1em", "50%", "mm", "1 2", ""] {
+            assert_eq!(measure(other), None, "{other}");
+        }
     }
 }

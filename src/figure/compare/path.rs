@@ -1,13 +1,18 @@
 //! Path data as polylines.
 //!
 //! ```text
-//!   M0,0 10,0 V10 Q5,5 0,10 Z      (0,0) ── (10,0) ── (10,10) ~~ (0,10) ── back     ~~ is a curve, its end is kept
+//!   M0,0 10,0 V10 Q5,5 0,10 Z      (0,0) ── (10,0) ── (10,10) ~~ ... ~~ (0,10) ── back     ~~ is a piece of a curve
 //! ```
 //!
-//! Straight commands (M L H V Z, large and small) are read in full. Of a curve (C S Q T A) only the end is known,
-//! so that what follows has the right place: an edge of a half-edge structure is never a curve.
+//! Curves become short pieces: an edge of a half-edge structure is never a curve, but a vertex can be a small round
+//! one, and an area with curved sides can hide what lies below it.
 
 use super::numbers::Reader;
+
+/// Pieces of a Bézier curve.
+const PIECES: u32 = 8;
+/// Pieces of half a turn of an arc.
+const TURN: f64 = 12.0;
 
 /// A stretch of a path from one move to the next.
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -50,46 +55,71 @@ struct Pen {
     out: Vec<Subpath>,
     at: [f64; 2],
     start: [f64; 2],
+    /// The last control point of a cubic and of a quadratic curve, which S and T mirror.
+    cubic: Option<[f64; 2]>,
+    quadratic: Option<[f64; 2]>,
 }
 
 impl Pen {
     fn draw(&mut self, letter: u8, reader: &mut Reader<'_>) -> Option<()> {
         let [x, y] = if letter.is_ascii_lowercase() { self.at } else { [0.0; 2] };
         let pair = |reader: &mut Reader<'_>| reader.pair().map(|p| [p[0] + x, p[1] + y]);
-        let (to, curved) = match letter.to_ascii_uppercase() {
+        let mirrored =
+            |control: Option<[f64; 2]>, at: [f64; 2]| control.map_or(at, |c| [2.0 * at[0] - c[0], 2.0 * at[1] - c[1]]);
+        let (cubic, quadratic) = (self.cubic.take(), self.quadratic.take());
+        let at = self.at;
+        match letter.to_ascii_uppercase() {
             b'M' => {
                 self.at = pair(reader)?;
                 self.start = self.at;
                 self.out.push(Subpath { points: vec![(self.at, false)], closed: false });
-                return Some(());
             }
             b'Z' => {
                 self.at = self.start;
                 self.out.last_mut()?.closed = true;
-                return Some(());
             }
-            b'L' => (pair(reader)?, false),
-            b'H' => ([reader.number()? + x, self.at[1]], false),
-            b'V' => ([self.at[0], reader.number()? + y], false),
-            b'T' => (pair(reader)?, true),
-            b'S' | b'Q' => {
-                pair(reader)?;
-                (pair(reader)?, true)
+            b'L' => {
+                let to = pair(reader)?;
+                self.to(to, false)?;
+            }
+            b'H' => {
+                let to = [reader.number()? + x, at[1]];
+                self.to(to, false)?;
+            }
+            b'V' => {
+                let to = [at[0], reader.number()? + y];
+                self.to(to, false)?;
+            }
+            b'T' => {
+                let control = mirrored(quadratic, at);
+                let to = pair(reader)?;
+                self.quadratic(control, to)?;
+            }
+            b'Q' => {
+                let (control, to) = (pair(reader)?, pair(reader)?);
+                self.quadratic(control, to)?;
+            }
+            b'S' => {
+                let (second, to) = (pair(reader)?, pair(reader)?);
+                self.cubic(mirrored(cubic, at), second, to)?;
             }
             b'C' => {
-                pair(reader)?;
-                pair(reader)?;
-                (pair(reader)?, true)
+                let (first, second, to) = (pair(reader)?, pair(reader)?, pair(reader)?);
+                self.cubic(first, second, to)?;
             }
             b'A' => {
-                reader.pair()?;
-                reader.number()?;
-                reader.flag()?;
-                reader.flag()?;
-                (pair(reader)?, true)
+                let radii = reader.pair()?;
+                let degrees = reader.number()?;
+                let (large, sweep) = (reader.flag()?, reader.flag()?);
+                let to = pair(reader)?;
+                self.arc(radii, degrees, large, sweep, to)?;
             }
             _ => return None,
-        };
+        }
+        Some(())
+    }
+
+    fn to(&mut self, to: [f64; 2], curved: bool) -> Option<()> {
         let open = self.out.last_mut()?;
         if open.closed {
             // A command after Z goes on from the start of the stretch that was closed.
@@ -99,6 +129,63 @@ impl Pen {
         }
         self.at = to;
         Some(())
+    }
+
+    fn quadratic(&mut self, control: [f64; 2], to: [f64; 2]) -> Option<()> {
+        let towards = |end: [f64; 2]| [0, 1].map(|i| end[i] + 2.0 / 3.0 * (control[i] - end[i]));
+        let (first, second) = (towards(self.at), towards(to));
+        self.cubic(first, second, to)?;
+        (self.cubic, self.quadratic) = (None, Some(control));
+        Some(())
+    }
+
+    fn cubic(&mut self, first: [f64; 2], second: [f64; 2], to: [f64; 2]) -> Option<()> {
+        let from = self.at;
+        for i in 1..PIECES {
+            let t = f64::from(i) / f64::from(PIECES);
+            let u = 1.0 - t;
+            let weights = [u * u * u, 3.0 * u * u * t, 3.0 * u * t * t, t * t * t];
+            let corners = [from, first, second, to];
+            let sum = |axis: usize| corners.iter().zip(weights).map(|(p, w)| w * p[axis]).sum();
+            self.to([sum(0), sum(1)], true)?;
+        }
+        self.to(to, true)?;
+        self.cubic = Some(second);
+        Some(())
+    }
+
+    /// An arc of an ellipse, from its ends to its middle (SVG 2, implementation notes, B.2.4).
+    fn arc(&mut self, radii: [f64; 2], degrees: f64, large: bool, sweep: bool, to: [f64; 2]) -> Option<()> {
+        let from = self.at;
+        let mut radii = radii.map(f64::abs);
+        let half = [0.5 * (from[0] - to[0]), 0.5 * (from[1] - to[1])];
+        let (sine, cosine) = degrees.to_radians().sin_cos();
+        let turned = [cosine * half[0] + sine * half[1], cosine * half[1] - sine * half[0]];
+        if radii.contains(&0.0) || half == [0.0; 2] {
+            return self.to(to, true);
+        }
+        let unit = [turned[0] / radii[0], turned[1] / radii[1]];
+        let far = unit[0] * unit[0] + unit[1] * unit[1];
+        if far > 1.0 {
+            radii = radii.map(|r| r * far.sqrt());
+        }
+        let [p, q] = [turned[0] / radii[0], turned[1] / radii[1]];
+        let squared = p * p + q * q;
+        let off = ((1.0 - squared).max(0.0) / squared).sqrt() * if large == sweep { -1.0 } else { 1.0 };
+        // On the circle of radius 1: the middle, and the angles of both ends seen from it.
+        let middle = [off * q, -off * p];
+        let start = (q - middle[1]).atan2(p - middle[0]);
+        let end = (-q - middle[1]).atan2(-p - middle[0]);
+        let full = std::f64::consts::TAU;
+        let angle = if sweep { (end - start).rem_euclid(full) } else { -(start - end).rem_euclid(full) };
+        let pieces = (angle.abs() / std::f64::consts::PI * TURN).ceil().clamp(1.0, 2.0 * TURN) as u32;
+        let centre = [0, 1].map(|i| 0.5 * (from[i] + to[i]));
+        for i in 1..pieces {
+            let (s, c) = (start + angle * f64::from(i) / f64::from(pieces)).sin_cos();
+            let [x, y] = [radii[0] * (c + middle[0]), radii[1] * (s + middle[1])];
+            self.to([centre[0] + cosine * x - sine * y, centre[1] + sine * x + cosine * y], true)?;
+        }
+        self.to(to, true)
     }
 }
 
@@ -122,11 +209,30 @@ mod tests {
     }
 
     #[test]
-    fn of_curves_the_end_is_known() {
-        let curved = read("M0 0a5 5 0 0110 0l1 0C1 2 3 4 20,0S1 1 30 0t1 1").unwrap();
-        let expected = [([0.0, 0.0], false), ([10.0, 0.0], true), ([11.0, 0.0], false), ([20.0, 0.0], true)];
-        assert_eq!(curved[0].points[..4], expected);
-        assert_eq!(curved[0].points[5], ([31.0, 1.0], true));
+    fn after_curves_the_pen_is_where_it_should_be() {
+        let curved = read("M0 0a5 5 0 0110 0l1 0C1 2 3 4 20,0S1 1 30 0t1 1l1 0").unwrap();
+        let straight: Vec<[f64; 2]> = curved[0].points.iter().filter(|p| !p.1).map(|p| p.0).collect();
+        assert_eq!(straight, [[0.0, 0.0], [11.0, 0.0], [32.0, 1.0]]);
+    }
+
+    #[test]
+    fn circles_of_all_makers_are_round() {
+        let k = 0.552_284_75 * 4.0;
+        let bezier = format!("M4 0C4 {k} {k} 4 0 4S-4 {k} -4 0C-4 {n} {n} -4 0 -4S4 {n} 4 0z", n = -k);
+        for data in [
+            &bezier,
+            "M4 0A4 4 0 0 1-4 0A4 4 0 0 1 4 0z",
+            "M4 0a4 4 0 1 0 -8 0a4 4 30 1 0 8 0z",
+            "M0 4A4 4 0 1 1 .0001 4Z",
+        ] {
+            for &(p, _) in &read(data).unwrap()[0].points {
+                assert!((p[0].hypot(p[1]) - 4.0).abs() < 0.002, "{data}: {p:?}");
+            }
+            assert!(read(data).unwrap()[0].points.len() > 16, "{data}");
+        }
+        // Radii that are too small grow.
+        let grown = read("M-4 0A1 1 0 0 1 4 0").unwrap();
+        assert!(grown[0].points.iter().all(|(p, _)| (p[0].hypot(p[1]) - 4.0).abs() < 1e-9 && p[1] < 1e-9));
     }
 
     #[test]

@@ -128,9 +128,26 @@ pub(super) enum Spot {
     },
     /// A face by its outline.
     Face(Vec<Point>),
+    /// A filled polygon that is no face.
+    ExtraFace(Vec<Point>),
+    /// Several at once.
+    Many(Vec<Spot>),
 }
 
 impl Spot {
+    /// One or several.
+    pub(super) fn all(mut spots: Vec<Self>) -> Self {
+        if spots.len() == 1 { spots.remove(0) } else { Self::Many(spots) }
+    }
+
+    /// The spots of which this one is made.
+    pub(super) fn each(&self) -> &[Self] {
+        match self {
+            Self::Many(spots) => spots,
+            one => std::slice::from_ref(one),
+        }
+    }
+
     /// Whether both mark the same place; what the student has lies where a map has brought it, only nearly the same.
     fn is_near(&self, other: &Self) -> bool {
         let near = |a: Point, b: Point| distance(a, b) <= 1e-3 * (1.0 + a.x.abs() + a.y.abs());
@@ -163,6 +180,8 @@ pub struct Comparison {
     pub(super) notes: Vec<String>,
     pub(super) agreed: String,
     pub(super) scenery: super::diff::Scenery,
+    /// What the student's file shows, and whether in the coordinates of the reference.
+    pub(super) student: Option<(super::sketch::Sketch, bool)>,
 }
 
 impl Comparison {
@@ -280,6 +299,15 @@ impl Writing {
         let unit = if self.down { "px" } else { "units" };
         format!("{} {unit}", model((length * grain).round() / grain))
     }
+}
+
+/// So many are named in one sentence.
+const NAMED: usize = 4;
+
+/// `a, b, c, d, …`: the first few.
+pub(super) fn listed(words: &[String]) -> String {
+    let rest = if words.len() > NAMED { ", …" } else { "" };
+    format!("{}{rest}", words[..words.len().min(NAMED)].join(", "))
 }
 
 /// `1 line is`, `3 lines are`.

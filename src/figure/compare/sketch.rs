@@ -4,9 +4,12 @@
 //!   lines and dots ──snap──> points ──cut──> edges            outlines ──snap, cut──> cyclic sequences of points
 //! ```
 //!
+//! What stands beside the structure, such as paper, axes and letters, is left out by `beside.rs`.
+//!
 //! The reference is cut at its own points; the student's drawing, once it is in the coordinates of the reference, at
 //! the points of the reference. So a further dot on an edge is one fault, and not three.
 
+use super::beside::{Area, Beside, Extent, Trim, kind};
 use super::drawing::{Drawing, Line};
 use super::error::{Fault, Problem};
 use super::frame::Frame;
@@ -28,6 +31,8 @@ pub(super) struct Outline {
     pub(super) ring: Vec<u32>,
     /// The name of the face, or nothing.
     pub(super) name: String,
+    /// What paints it.
+    pub(super) coat: u32,
 }
 
 /// Points, edges, outlines.
@@ -36,6 +41,10 @@ pub(super) struct Sketch {
     pub(super) graph: Graph,
     /// Which points have a dot, and why not if one is drawn that cannot be seen.
     pub(super) dots: Vec<Result<(), Option<Hidden>>>,
+    /// How far the dots reach, in px of the canvas; 0 without one.
+    pub(super) radii: Vec<f64>,
+    /// At which points lines end that can be seen.
+    ends: Vec<bool>,
     pub(super) outlines: Vec<Outline>,
     /// Outlines that may be filled, and need not be: of the outer face and of holes.
     pub(super) welcome: Vec<Vec<u32>>,
@@ -45,9 +54,20 @@ pub(super) struct Sketch {
     pub(super) doubled: usize,
     /// Lines that nobody sees where nothing else is drawn.
     pub(super) unseen: usize,
+    pub(super) beside: Beside,
 }
 
 impl Sketch {
+    /// Whether a line ends at a point.
+    pub(super) fn is_end(&self, m: u32) -> bool {
+        self.ends.get(m as usize).copied().unwrap_or(false)
+    }
+
+    /// Whether a point that the reference does not have is a fault of its own: it has a line or a dot.
+    pub(super) fn is_told(&self, m: u32) -> bool {
+        self.is_end(m) || self.dots[m as usize].is_ok()
+    }
+
     pub(super) fn has_dots(&self) -> bool {
         self.dots.iter().any(Result::is_ok)
     }
@@ -55,8 +75,9 @@ impl Sketch {
     /// What a declared structure looks like when it is drawn.
     pub(super) fn of_table(placed: &Placed<'_>) -> Self {
         let table = placed.table;
-        let mut out =
-            Self { graph: placed.graph.clone(), dots: vec![Ok(()); placed.graph.points.len()], ..Self::default() };
+        let count = placed.graph.points.len();
+        let graph = placed.graph.clone();
+        let mut out = Self { graph, dots: vec![Ok(()); count], radii: vec![0.0; count], ..Self::default() };
         let corners = |h| -> Vec<u32> {
             rings::tidy(&bounded_cycle(table, h).filter_map(|h| Some(placed.ends(h)?[0])).collect::<Vec<_>>())
         };
@@ -68,7 +89,7 @@ impl Sketch {
             let is_outer = table.outer_face == Some(f);
             for (i, ring) in table.boundary(f).into_iter().chain(further).map(corners).enumerate() {
                 if i == 0 && !is_outer && ring.len() > 2 {
-                    out.outlines.push(Outline { ring, name: f.to_string() });
+                    out.outlines.push(Outline { ring, name: f.to_string(), coat: u32::MAX });
                 } else {
                     out.welcome.push(rings::canonical(&ring));
                 }
@@ -79,11 +100,10 @@ impl Sketch {
 
     /// What a reference without declared structure draws, cut at its own points. y is up.
     pub(super) fn of_drawing(drawing: &Drawing, tolerance: f64) -> Result<Self, Fault> {
-        let seen = |hidden: Option<Hidden>| hidden.is_none();
-        let lines = drawing.lines.iter().filter(|line| seen(line.hidden)).copied().collect();
-        let dots = drawing.dots.iter().filter(|dot| seen(dot.hidden)).cloned().collect();
-        let visible = Drawing { lines, dots, outlines: drawing.outlines.clone(), notes: Vec::new() };
-        let mut out = Self::read(&visible, &Frame::IDENTITY, &[], tolerance)?;
+        let mut visible = drawing.clone();
+        visible.lines.retain(|line| line.hidden.is_none());
+        visible.dots.retain(|dot| dot.hidden.is_none());
+        let mut out = Self::read(&visible, &Frame::IDENTITY, &[], tolerance, &Trim::nothing(drawing))?;
         out.welcome = shape::outside(&out.graph).iter().map(|ring| rings::canonical(&rings::tidy(ring))).collect();
         Ok(out)
     }
@@ -108,33 +128,75 @@ impl Sketch {
     }
 
     /// What a drawing shows in the coordinates of `expected`; without those, in its own.
-    pub(super) fn read(drawing: &Drawing, frame: &Frame, expected: &[Point], tolerance: f64) -> Result<Self, Fault> {
+    pub(super) fn read(
+        drawing: &Drawing,
+        frame: &Frame,
+        expected: &[Point],
+        tolerance: f64,
+        trim: &Trim,
+    ) -> Result<Self, Fault> {
         let mut snap = Snap::new(expected, tolerance);
-        let mut dots: BTreeMap<u32, Result<(), Option<Hidden>>> = BTreeMap::new();
+        let mut beside = Beside::default();
+        let around = Extent::around(if expected.is_empty() { drawing.points().collect() } else { expected.to_vec() });
+        let is_beside = |aside: bool, points: &[Point]| trim.aside && aside && around.is_clear_of(points);
+        let mut dots: BTreeMap<u32, (Result<(), Option<Hidden>>, f64)> = BTreeMap::new();
         for dot in &drawing.dots {
+            let at = frame.apply(dot.at);
+            if is_beside(dot.aside, &[at]) {
+                beside.aside += 1;
+                continue;
+            }
             let seen = dot.hidden.map_or(Ok(()), |why| Err(Some(why)));
-            let known = dots.entry(snap.number(frame.apply(dot.at))).or_insert(seen);
-            *known = known.or(seen);
+            let radius = if seen.is_ok() { dot.radius } else { 0.0 };
+            let known = dots.entry(snap.number(at)).or_insert((seen, radius));
+            *known = (known.0.or(seen), known.1.max(radius));
         }
         // All ends first: a line is cut only where something ends or stands.
-        let lines: Vec<[Point; 2]> = drawing.lines.iter().map(|line| line.ends.map(|p| frame.apply(p))).collect();
-        let seen = |(line, ends): (&Line, &[Point; 2])| line.hidden.is_none().then(|| ends.map(|p| snap.number(p)));
-        let ends: Vec<Option<[u32; 2]>> = drawing.lines.iter().zip(&lines).map(seen).collect();
-        let corners = |outline: &super::drawing::Outline| outline.points.iter().map(|&p| frame.apply(p)).collect();
-        let corners: Vec<Vec<Point>> = drawing.outlines.iter().map(corners).collect();
-        for &p in corners.iter().flatten() {
+        let mut lines: Vec<(Line, [Point; 2])> = Vec::with_capacity(drawing.lines.len());
+        for (i, line) in drawing.lines.iter().enumerate() {
+            let ends = line.ends.map(|p| frame.apply(p));
+            if trim.border.get(i).copied().unwrap_or(false) {
+                beside.border += 1;
+            } else if is_beside(line.aside, &ends) {
+                beside.aside += 1;
+            } else {
+                lines.push((*line, ends));
+            }
+        }
+        let mut numbers: Vec<Option<[u32; 2]>> =
+            lines.iter().map(|(line, ends)| line.hidden.is_none().then(|| ends.map(|p| snap.number(p)))).collect();
+        let size = around.size();
+        let mut shapes = Vec::new();
+        for outline in &drawing.outlines {
+            let corners: Vec<Point> = outline.points.iter().map(|&p| frame.apply(p)).collect();
+            let covers = drawing.canvas.is_some_and(|canvas| Extent::around(outline.points.clone()).covers(canvas));
+            match kind(outline, &corners, &snap, &around, size) {
+                // The whole canvas is paper, even if the structure reaches beyond it.
+                Area::Face if covers && !corners.iter().any(|&p| snap.is_known(p)) => beside.paper.push(outline.coat),
+                Area::Bar(ends) => {
+                    beside.bars.push(outline.coat);
+                    lines.push((Line { ends, hidden: outline.hidden, aside: false }, ends));
+                    numbers.push(Some(ends.map(|p| snap.number(p))));
+                }
+                Area::Paper => beside.paper.push(outline.coat),
+                Area::Small => beside.small += 1,
+                Area::Curved => {}
+                Area::Face => shapes.push((outline, corners)),
+            }
+        }
+        for &p in shapes.iter().flat_map(|(_, corners)| corners) {
             snap.number(p);
         }
         let mut cutter = Cutter::new(&snap, expected, tolerance);
         let mut hidden: BTreeMap<[u32; 2], Hidden> = BTreeMap::new();
-        let mut edges = Vec::with_capacity(drawing.lines.len());
+        let mut edges = Vec::with_capacity(lines.len());
         let mut unseen = 0;
-        for ((line, &places), numbers) in drawing.lines.iter().zip(&lines).zip(ends) {
-            let Some(numbers) = numbers.or_else(|| snap.known(places)) else {
+        for ((line, places), numbers) in lines.iter().zip(numbers) {
+            let Some(numbers) = numbers.or_else(|| snap.known(*places)) else {
                 unseen += 1;
                 continue;
             };
-            for pair in cutter.chain(numbers, places)?.windows(2) {
+            for pair in cutter.chain(numbers, *places)?.windows(2) {
                 let edge = [pair[0].min(pair[1]), pair[0].max(pair[1])];
                 match line.hidden {
                     None => edges.push(edge),
@@ -143,7 +205,7 @@ impl Sketch {
             }
         }
         let mut outlines = Vec::new();
-        for (outline, corners) in drawing.outlines.iter().zip(&corners) {
+        for (outline, corners) in &shapes {
             let mut ring = Vec::new();
             for (i, &p) in corners.iter().enumerate() {
                 let side = [p, corners[(i + 1) % corners.len()]];
@@ -153,20 +215,68 @@ impl Sketch {
             }
             let ring = rings::tidy(&ring);
             if ring.len() > 2 {
-                outlines.push(Outline { ring, name: outline.name.clone() });
+                outlines.push(Outline { ring, name: outline.name.clone(), coat: outline.coat });
             }
         }
         let names = vec![String::new(); snap.points.len()];
         let mut graph = Graph { points: snap.points, names, edges };
         let doubled = graph.tidy();
         hidden.retain(|edge, _| edge[0] != edge[1] && graph.edges.binary_search(edge).is_err());
-        let dots = (0..graph.points.len() as u32).map(|v| dots.get(&v).copied().unwrap_or(Err(None))).collect();
-        Ok(Self { graph, dots, outlines, welcome: Vec::new(), hidden, unseen, doubled })
+        let dot = |v: u32| dots.get(&v).copied().unwrap_or((Err(None), 0.0));
+        let mut ends = vec![false; graph.points.len()];
+        graph.edges.iter().flatten().for_each(|&m| ends[m as usize] = true);
+        let (dots, radii) = (0..graph.points.len() as u32).map(dot).unzip();
+        beside.bars.sort_unstable();
+        beside.paper.sort_unstable();
+        Ok(Self { graph, dots, radii, ends, outlines, welcome: Vec::new(), hidden, unseen, doubled, beside })
+    }
+
+    /// Takes out what turned out not to be seen: edges, and points that only such edges or circles had. `keeps` says
+    /// which points stay in any case.
+    pub(super) fn take_out(
+        &mut self,
+        edges: &[([u32; 2], Hidden)],
+        dots: &[(u32, Hidden)],
+        keeps: impl Fn(u32) -> bool,
+    ) {
+        for &(m, why) in dots {
+            self.dots[m as usize] = Err(Some(why));
+        }
+        self.hidden.extend(edges.iter().copied());
+        let gone = &self.hidden;
+        self.graph.edges.retain(|edge| !gone.contains_key(edge));
+        let mut used: Vec<bool> =
+            (0..self.graph.points.len()).map(|m| self.dots[m].is_ok() || keeps(m as u32)).collect();
+        let rings = self.outlines.iter().flat_map(|outline| &outline.ring);
+        self.graph.edges.iter().flatten().chain(rings).for_each(|&m| used[m as usize] = true);
+        let mut numbers = vec![u32::MAX; used.len()];
+        let mut next = 0;
+        for (m, _) in used.iter().enumerate().filter(|(_, used)| **used) {
+            numbers[m] = next;
+            next += 1;
+        }
+        let new = |m: u32| numbers[m as usize];
+        self.graph.points = kept(&self.graph.points, &used);
+        self.graph.names = kept(&self.graph.names, &used);
+        self.radii = kept(&self.radii, &used);
+        self.dots = kept(&self.dots, &used);
+        self.ends = kept(&self.ends, &used);
+        self.graph.edges.iter_mut().flatten().for_each(|m| *m = new(*m));
+        self.outlines.iter_mut().flat_map(|outline| &mut outline.ring).for_each(|m| *m = new(*m));
+        let before = self.hidden.len();
+        self.hidden = std::mem::take(&mut self.hidden).into_iter().map(|(edge, why)| (edge.map(new), why)).collect();
+        self.hidden.retain(|edge, _| edge.iter().all(|m| *m != u32::MAX));
+        self.unseen += before - self.hidden.len();
     }
 }
 
+/// The elements of a list that stay.
+fn kept<T: Clone>(list: &[T], used: &[bool]) -> Vec<T> {
+    list.iter().zip(used).filter(|(_, used)| **used).map(|(x, _)| x.clone()).collect()
+}
+
 /// Points by place: those near an expected point become one, and so do those near each other.
-struct Snap {
+pub(super) struct Snap {
     expected: Places,
     /// The number of each expected point, once something is drawn there.
     numbers: Vec<Option<u32>>,
@@ -209,12 +319,21 @@ impl Snap {
 
     /// The numbers of both ends, if something is drawn at both.
     fn known(&self, ends: [Point; 2]) -> Option<[u32; 2]> {
-        let known = |p: Point| match self.expected.near(p, self.tolerance) {
+        let [a, b] = ends.map(|p| self.drawn(p));
+        a.zip(b).map(|(a, b)| [a, b])
+    }
+
+    /// The number of what is drawn at a place.
+    fn drawn(&self, p: Point) -> Option<u32> {
+        match self.expected.near(p, self.tolerance) {
             Some(v) => self.numbers[v as usize],
             None => self.others.near(p, self.tolerance).map(|i| self.other_numbers[i as usize]),
-        };
-        let [a, b] = ends.map(known);
-        a.zip(b).map(|(a, b)| [a, b])
+        }
+    }
+
+    /// Whether a place is that of an expected point, or something is drawn there.
+    pub(super) fn is_known(&self, p: Point) -> bool {
+        self.expected.near(p, self.tolerance).is_some() || self.drawn(p).is_some()
     }
 }
 

@@ -83,8 +83,9 @@ pub(super) fn compare(expected: &Placed<'_>, found: &Placed<'_>, options: &Optio
         let agreed = (0, half_edges(expected.table).count());
         return Found { differences, notes: Vec::new(), agreed };
     }
-    let extra_point =
-        |m: u32, at: &str| format!("vertex {} of yours at {at} is not in the reference", found.graph.names[m as usize]);
+    let extra_point = |m: u32, at: &str| {
+        Some(format!("vertex {} of yours at {at} is not in the reference", found.graph.names[m as usize]))
+    };
     let telling = Telling { layer: Layer::Declared, writing, tolerance, extra_point: &extra_point, hidden: &|_| None };
     let mut differences = matched.differences(&expected.graph, &found.graph, &telling);
     differences.extend(unplaced(found.table));
@@ -125,12 +126,12 @@ fn misplaced(expected: &Placed<'_>, found: &Placed<'_>, tolerance: f64) -> Diffe
     let best = search.best(theirs, theirs, &[]);
     let text = match search.others(theirs, theirs, &best).first() {
         _ if 2 * best.matched >= mine.len() => {
-            "the declared coordinates (data-x, data-y) are scaled or shifted: write those of the model"
+            "the declared coordinates (data-x, data-y) are scaled or shifted: write those of the model".to_owned()
         }
         Some(frame) => frame.turn.sentence(),
         None => return shape::compare(&expected.graph, &found.graph),
     };
-    Difference::new(Kind::Drawing, Layer::Declared, text.to_owned(), Spot::Nowhere)
+    Difference::new(Kind::Drawing, Layer::Declared, text, Spot::Nowhere)
 }
 
 fn kind(element: Element) -> Kind {

@@ -1,0 +1,198 @@
+//! Layer 3, faces: filled outlines against the faces of the reference.
+//!
+//! ```text
+//!   ring of points, tidied, in its smallest rotation        equal: filled; equal the other way round: reversed
+//! ```
+
+use super::drawn::{Critic, GROUP};
+use super::graph::Graph;
+use super::report::{Kind, Spot, counted, listed};
+use super::rings;
+use super::sketch::Outline;
+use crate::plane::Point;
+use std::collections::BTreeMap;
+
+/// With more differing edges than this, no edge excuses a face.
+const EXCUSES: usize = 100;
+
+impl Critic<'_> {
+    pub(super) fn faces(&mut self) {
+        let target = self.target;
+        let expected = &target.sketch.outlines;
+        if expected.is_empty() {
+            if !self.found.outlines.is_empty() {
+                let count = counted(self.found.outlines.len(), "filled polygon", "filled polygons");
+                self.notes.push(format!("{count} not compared: the reference fills no faces"));
+            }
+            return;
+        }
+        if self.found.outlines.is_empty() {
+            let text = "no face is filled: draw each bounded face as a filled polygon, counter-clockwise".to_owned();
+            return self.say(Kind::Face, text, Spot::Nowhere);
+        }
+        let mut faces: BTreeMap<Vec<u32>, (usize, usize)> = BTreeMap::new();
+        for (i, outline) in expected.iter().enumerate() {
+            faces.entry(rings::canonical(&outline.ring)).or_insert((i, 0));
+        }
+        let excuses = Excuses::new(self);
+        let mut reversed = Vec::new();
+        let mut strange = Vec::new();
+        let mut pale = Vec::new();
+        for outline in &self.found.outlines {
+            let ring = rings::canonical(&self.translated(outline));
+            if let Some((i, count)) = faces.get_mut(&ring) {
+                *count += 1;
+                if self.pale.contains(&outline.coat) {
+                    pale.push(&expected[*i]);
+                }
+            } else {
+                reversed.push((rings::reversed(&ring), ring, outline));
+            }
+        }
+        let mut outer = 0;
+        for (ring, own, outline) in reversed {
+            // The outer face and holes run the other way round, and may be drawn, too.
+            let is_welcome = target.sketch.welcome.contains(&own) || target.sketch.welcome.contains(&ring);
+            match faces.get_mut(&ring) {
+                Some((i, count)) if *count == 0 => {
+                    *count += 1;
+                    strange.push((true, &expected[*i]));
+                }
+                _ if is_welcome => outer += 1,
+                Some(_) => {}
+                None if excuses.found(outline) => {}
+                None => strange.push((false, outline)),
+            }
+        }
+        let missing = faces.values().filter(|(_, count)| *count == 0).map(|(i, _)| &expected[*i]);
+        let missing: Vec<&Outline> = missing.collect();
+        let excused = missing.iter().filter(|outline| excuses.expected(outline)).count();
+        if excused > 0 {
+            let count =
+                counted(excused, "face lies beside what differs and is", "faces lie beside what differs and are");
+            self.notes.push(format!("{count} not compared"));
+        }
+        if outer > 0 {
+            self.notes.push("the outer face, or a hole, is filled, too".to_owned());
+        }
+        let missing: Vec<&Outline> = missing.into_iter().filter(|outline| !excuses.expected(outline)).collect();
+        self.tell(&missing, ["is not filled", "are not filled"]);
+        self.tell(
+            &pale,
+            ["cannot be told from the paper: fill it with another colour", "cannot be told from the paper"],
+        );
+        let (mut clockwise, mut counter) = (Vec::new(), Vec::new());
+        for (is_reversed, outline) in strange {
+            if is_reversed {
+                let points = self.points(&outline.ring, self.expected());
+                let ccw = rings::area(points.iter().copied()) > 0.0;
+                if ccw { clockwise.push(outline) } else { counter.push(outline) }
+            } else {
+                let points = self.points(&outline.ring, &self.found.graph);
+                let text =
+                    format!("filled polygon along {} is no face of the reference", target.writing().along(&points));
+                self.say(Kind::Face, text, Spot::ExtraFace(points));
+            }
+        }
+        let backwards = [
+            "runs clockwise: list its corners counter-clockwise",
+            "run clockwise (list their corners counter-clockwise)",
+        ];
+        self.tell(&clockwise, backwards);
+        let backwards = [
+            "runs counter-clockwise: list its corners clockwise",
+            "run counter-clockwise (list their corners clockwise)",
+        ];
+        self.tell(&counter, backwards);
+    }
+
+    /// A sentence for each face, or one for many.
+    fn tell(&mut self, outlines: &[&Outline], [one, many]: [&str; 2]) {
+        let named = |outline: &&Outline| match outline.name.as_str() {
+            "" => format!("along {}", self.target.writing().along(&self.points(&outline.ring, self.expected()))),
+            name => name.to_owned(),
+        };
+        if outlines.len() >= GROUP {
+            let names = listed(&outlines.iter().map(named).collect::<Vec<_>>());
+            let spots =
+                outlines.iter().map(|outline| Spot::Face(self.points(&outline.ring, self.expected()))).collect();
+            return self.say(Kind::Face, format!("{} faces {many}: {names}", outlines.len()), Spot::all(spots));
+        }
+        for outline in outlines {
+            let points = self.points(&outline.ring, self.expected());
+            let what = if outline.name.is_empty() { "face".to_owned() } else { format!("face {}", outline.name) };
+            let text = format!("{what} along {} {one}", self.target.writing().along(&points));
+            self.say(Kind::Face, text, Spot::Face(points));
+        }
+    }
+
+    fn points(&self, ring: &[u32], graph: &Graph) -> Vec<Point> {
+        ring.iter().map(|&v| graph.point(v)).collect()
+    }
+
+    /// An outline by the points of the reference; further ones have greater numbers.
+    fn translated(&self, outline: &Outline) -> Vec<u32> {
+        let bound = self.expected().points.len() as u32;
+        outline.ring.iter().map(|&m| self.matched.to_expected[m as usize].unwrap_or(bound + m)).collect()
+    }
+}
+
+/// Faces that differ because an edge or a vertex beside them does, which is told already.
+struct Excuses {
+    missing: Vec<[u32; 2]>,
+    extra: Vec<[u32; 2]>,
+    /// Extra edges by points of the reference.
+    chords: Vec<[u32; 2]>,
+    lost: Vec<bool>,
+    strange: Vec<bool>,
+    back: Vec<Option<u32>>,
+}
+
+impl Excuses {
+    fn new(critic: &Critic<'_>) -> Self {
+        let matched = critic.matched;
+        let translated = |edge: &[u32; 2]| {
+            let [a, b] = edge.map(|m| matched.to_expected[m as usize]);
+            a.zip(b).map(|(a, b)| [a, b])
+        };
+        let mut out = Self {
+            missing: matched.missing.clone(),
+            extra: matched.extra.clone(),
+            chords: matched.extra.iter().filter_map(translated).collect(),
+            lost: matched.to_found.iter().map(Option::is_none).collect(),
+            strange: (0..).zip(&matched.to_expected).map(|(m, v)| v.is_none() && critic.found.is_told(m)).collect(),
+            back: matched.to_expected.clone(),
+        };
+        out.extra.sort_unstable();
+        if out.missing.len().max(out.extra.len()) > EXCUSES {
+            out.chords.clear();
+        }
+        out
+    }
+
+    fn expected(&self, outline: &Outline) -> bool {
+        let ring = &outline.ring;
+        let has_both = |[a, b]: &[u32; 2]| ring.contains(a) && ring.contains(b);
+        ring.iter().any(|&v| self.lost[v as usize])
+            || sides(ring).any(|side| self.missing.binary_search(&side).is_ok())
+            || self.chords.iter().any(has_both)
+    }
+
+    fn found(&self, outline: &Outline) -> bool {
+        let ring = &outline.ring;
+        if ring.iter().any(|&m| self.strange[m as usize])
+            || sides(ring).any(|side| self.extra.binary_search(&side).is_ok())
+        {
+            return true;
+        }
+        let corners: Vec<Option<u32>> = ring.iter().map(|&m| self.back[m as usize]).collect();
+        let has_both = |[a, b]: &[u32; 2]| corners.contains(&Some(*a)) && corners.contains(&Some(*b));
+        self.missing.len() <= EXCUSES && self.missing.iter().any(has_both)
+    }
+}
+
+/// The sides of an outline, the smaller number first.
+fn sides(ring: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
+    let ahead = ring.iter().skip(1).chain(ring.first());
+    ring.iter().zip(ahead).map(|(&a, &b)| [a.min(b), a.max(b)])
+}

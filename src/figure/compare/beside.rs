@@ -1,0 +1,247 @@
+//! What is drawn beside a structure and is no part of it: paper, frames, axes, legends, letters; and lines drawn as
+//! thin rectangles.
+//!
+//! ```text
+//!   ┌───────────────────┐   an area round everything is paper; lines along its border, or along that of the canvas,
+//!   │  ●──────●   ▭ key │   are a frame, and so are ticks beyond it; what is called legend or axis and lies clear of the structure is left out;
+//!   │  │ A    │         │   a small area that touches nothing is a letter
+//!   └───────────────────┘
+//! ```
+
+use super::drawing::{Drawing, Outline};
+use super::pairing::distance;
+use super::sketch::Snap;
+use crate::plane::Point;
+
+/// An area is small up to this part of the whole, if it touches no vertex.
+const SMALL: f64 = 0.12;
+/// A thin rectangle: width by the size of the whole, length by width.
+const THIN: f64 = 0.02;
+const LONG: f64 = 4.0;
+/// How near to a border a line lies that runs along it, as a part of the border's size.
+const ALONG: f64 = 0.008;
+/// So many borders are looked at.
+const BORDERS: usize = 8;
+
+/// What was left out.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Beside {
+    /// Coats of areas round everything, sorted.
+    pub(super) paper: Vec<u32>,
+    /// Coats of areas that stand for lines, sorted.
+    pub(super) bars: Vec<u32>,
+    /// Lines of frames, things in legends and on axes, small areas.
+    pub(super) border: usize,
+    pub(super) aside: usize,
+    pub(super) small: usize,
+}
+
+/// What may be left out of a drawing.
+#[derive(Clone, Debug)]
+pub(super) struct Trim {
+    /// Lines of a frame.
+    pub(super) border: Vec<bool>,
+    /// Whether things are left out that are called legend or axis.
+    pub(super) aside: bool,
+}
+
+impl Trim {
+    pub(super) fn nothing(drawing: &Drawing) -> Self {
+        Self { border: vec![false; drawing.lines.len()], aside: false }
+    }
+
+    /// Whether anything would be left out.
+    pub(super) fn is_any(&self, drawing: &Drawing) -> bool {
+        let aside = drawing.lines.iter().any(|line| line.aside) || drawing.dots.iter().any(|dot| dot.aside);
+        self.aside && aside || self.border.contains(&true)
+    }
+
+    /// Everything that may be left out.
+    pub(super) fn all(drawing: &Drawing) -> Self {
+        let mut border = vec![false; drawing.lines.len()];
+        for frame in borders(drawing) {
+            let slack = ALONG * frame.size();
+            let along = drawing.lines.iter().filter(|line| line.hidden.is_none() && frame.runs_along(line.ends, slack));
+            if along.count() == 0 {
+                continue;
+            }
+            // With a frame go its ticks.
+            for (line, border) in drawing.lines.iter().zip(&mut border) {
+                *border |= frame.runs_along(line.ends, slack) || frame.is_outside(line.ends, slack);
+            }
+        }
+        Self { border, aside: true }
+    }
+}
+
+/// The canvas and the filled rectangles that hold all that is drawn, but what runs along their border.
+fn borders(drawing: &Drawing) -> Vec<Extent> {
+    let rectangle = |outline: &Outline| {
+        let around = Extent::around(outline.points.clone());
+        let slack = 1e-6 * around.size();
+        let at_corner = |p: &Point| around.corners().iter().any(|&corner| distance(*p, corner) <= slack);
+        (!outline.curved && outline.points.iter().all(at_corner)).then_some(around)
+    };
+    let canvas = drawing.canvas.map(|[low, high]| Extent { low, high });
+    let mut all: Vec<Extent> = drawing.outlines.iter().filter_map(rectangle).chain(canvas).collect();
+    all.sort_by(|a, b| b.size().total_cmp(&a.size()));
+    all.truncate(BORDERS);
+    all.retain(|frame| {
+        let slack = ALONG * frame.size();
+        let mut others = 0;
+        let dots = drawing.dots.iter().filter(|dot| !dot.aside).all(|dot| {
+            others += 1;
+            frame.holds(dot.at, slack)
+        });
+        let lines = drawing.lines.iter().filter(|line| !line.aside && line.hidden.is_none()).all(|line| {
+            let along = frame.runs_along(line.ends, slack);
+            others += usize::from(!along);
+            along || line.ends.iter().all(|&p| frame.holds(p, slack)) || frame.is_outside(line.ends, slack)
+        });
+        dots && lines && others > 0
+    });
+    all
+}
+
+/// An upright rectangle.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Extent {
+    low: Point,
+    high: Point,
+}
+
+impl Extent {
+    pub(super) fn around(points: Vec<Point>) -> Self {
+        let first = Self {
+            low: Point::new(f64::INFINITY, f64::INFINITY),
+            high: Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
+        };
+        points.into_iter().fold(first, |out, p| Self {
+            low: Point::new(out.low.x.min(p.x), out.low.y.min(p.y)),
+            high: Point::new(out.high.x.max(p.x), out.high.y.max(p.y)),
+        })
+    }
+
+    pub(super) fn corners(&self) -> [Point; 4] {
+        let (low, high) = (self.low, self.high);
+        [low, Point::new(high.x, low.y), high, Point::new(low.x, high.y)]
+    }
+
+    pub(super) fn size(&self) -> f64 {
+        (self.high.x - self.low.x).max(self.high.y - self.low.y).max(0.0)
+    }
+
+    /// Whether a point lies inside, and so far from the border.
+    fn holds(&self, p: Point, slack: f64) -> bool {
+        let (x, y) = ((p.x - self.low.x).min(self.high.x - p.x), (p.y - self.low.y).min(self.high.y - p.y));
+        x.min(y) > slack
+    }
+
+    /// Whether it reaches as far as another one, or nearly.
+    pub(super) fn covers(&self, [low, high]: [Point; 2]) -> bool {
+        let slack = ALONG * (high.x - low.x).max(high.y - low.y);
+        self.low.x <= low.x + slack
+            && self.low.y <= low.y + slack
+            && self.high.x >= high.x - slack
+            && self.high.y >= high.y - slack
+    }
+
+    /// Whether both ends lie beyond one side.
+    fn is_outside(&self, ends: [Point; 2], slack: f64) -> bool {
+        let all = |beyond: &dyn Fn(Point) -> bool| ends.iter().all(|&p| beyond(p));
+        all(&|p| p.x < self.low.x + slack)
+            || all(&|p| p.x > self.high.x - slack)
+            || all(&|p| p.y < self.low.y + slack)
+            || all(&|p| p.y > self.high.y - slack)
+    }
+
+    /// Whether a line runs along a whole side.
+    fn runs_along(&self, ends: [Point; 2], slack: f64) -> bool {
+        let corners = self.corners();
+        let near = |p: Point, q: Point| distance(p, q) <= 2.0 * slack;
+        (0..4).any(|i| {
+            let side = [corners[i], corners[(i + 1) % 4]];
+            near(ends[0], side[0]) && near(ends[1], side[1]) || near(ends[0], side[1]) && near(ends[1], side[0])
+        })
+    }
+
+    /// Whether no point of a line or a dot lies within.
+    pub(super) fn is_clear_of(&self, points: &[Point]) -> bool {
+        let slack = 1e-3 * self.size();
+        let all = |beyond: &dyn Fn(Point) -> bool| points.iter().all(|&p| beyond(p));
+        all(&|p| p.x < self.low.x - slack)
+            || all(&|p| p.x > self.high.x + slack)
+            || all(&|p| p.y < self.low.y - slack)
+            || all(&|p| p.y > self.high.y + slack)
+    }
+}
+
+/// What a filled area is.
+pub(super) enum Area {
+    /// One that has to be a face.
+    Face,
+    /// One round everything.
+    Paper,
+    /// A letter, an icon, the box of a label.
+    Small,
+    /// A line, by its ends.
+    Bar([Point; 2]),
+    /// One with curved sides: no face, and no fault.
+    Curved,
+}
+
+/// What the area of an outline is whose corners lie here.
+pub(super) fn kind(outline: &Outline, corners: &[Point], snap: &Snap, around: &Extent, size: f64) -> Area {
+    if let Some(ends) = bar(corners, snap, size).filter(|_| !outline.curved) {
+        return Area::Bar(ends);
+    }
+    if !corners.iter().any(|&p| snap.is_known(p)) {
+        let own = Extent::around(corners.to_vec());
+        let (low, high) = (own.low, own.high);
+        if own.holds(around.low, 0.0) && own.holds(around.high, 0.0) && holds_all(corners, around) {
+            return Area::Paper;
+        }
+        if distance(low, high) <= SMALL * size || around.is_clear_of(corners) {
+            return Area::Small;
+        }
+    }
+    if outline.curved { Area::Curved } else { Area::Face }
+}
+
+/// Whether the corners of a box lie inside a polygon.
+fn holds_all(polygon: &[Point], inner: &Extent) -> bool {
+    let area = super::painting::Area::new(&[polygon.to_vec()], true);
+    inner.corners().iter().all(|&p| area.covers(p).0)
+}
+
+/// The ends of the line that a thin rectangle stands for: the middles of its short sides, or as far within as a
+/// square cap reaches, if both are known points.
+fn bar(corners: &[Point], snap: &Snap, size: f64) -> Option<[Point; 2]> {
+    let (ends, width) = thin(corners, size)?;
+    let length = distance(ends[0], ends[1]);
+    let within = |cap: f64| {
+        let [a, b] = ends;
+        let t = cap / length;
+        let towards = |p: Point, q: Point| Point::new(p.x + t * (q.x - p.x), p.y + t * (q.y - p.y));
+        [towards(a, b), towards(b, a)]
+    };
+    [within(0.0), within(0.5 * width)].into_iter().find(|ends| ends.iter().all(|&p| snap.is_known(p)))
+}
+
+/// The middles of the short sides of a thin rectangle, and its width.
+pub(super) fn thin(corners: &[Point], size: f64) -> Option<([Point; 2], f64)> {
+    let closed = corners.len() == 5 && corners[0] == corners[4];
+    let &[a, b, c, d] = corners.get(..if closed { 4 } else { corners.len() })? else { return None };
+    let middle = |p: Point, q: Point| Point::new(0.5 * (p.x + q.x), 0.5 * (p.y + q.y));
+    let of = |[a, b, c, d]: [Point; 4]| {
+        let width = distance(a, b);
+        // The long sides are parallel, the corners right angles.
+        let (x, y) = (b.x - a.x, b.y - a.y);
+        let square = (x * (d.x - a.x) + y * (d.y - a.y)).abs() <= 0.02 * width * distance(a, d);
+        let even = distance(middle(a, c), middle(b, d)) <= 0.05 * width;
+        let ends = [middle(a, b), middle(c, d)];
+        let is_thin = width > 0.0 && width <= THIN * size && distance(ends[0], ends[1]) >= LONG * width;
+        (is_thin && square && even).then_some((ends, width))
+    };
+    of([a, b, c, d]).or_else(|| of([b, c, d, a]))
+}

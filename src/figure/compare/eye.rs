@@ -1,0 +1,378 @@
+//! What can be seen of what is painted: colours at points, with and without some of the coats.
+//!
+//! ```text
+//!   an edge is seen      if its lines have another colour than the paper and than both sides, nearly all along it
+//!   a vertex is seen     if its circle changes the colour at some of the points round it
+//!   a face is seen       if it has another colour than the paper
+//! ```
+//!
+//! So nothing has to be known about the ways in which a line can be hidden: by an area, a white line or a circle
+//! above it, by its own colour, by a clip path, or by lying beyond the canvas. Colours are mixed as browsers mix
+//! them; pixels are not drawn.
+
+use super::beside::Beside;
+use super::ink::Hidden;
+use super::painting::{Coat, Painting, Part, Shape};
+use super::pairing::distance;
+use crate::plane::Point;
+
+/// Less contrast than this, in steps of 255, cannot be seen: of lines and circles, of areas.
+const FAINT: f64 = 8.0;
+const PALE: f64 = 4.0;
+/// Lines that cover less of what lies below them are called transparent.
+const PALEST: f64 = 0.2;
+/// Work of one comparison: coats and sides looked at.
+const WORK: usize = 120_000_000;
+/// Points along an edge, of drawings with few and with many edges.
+const PROBES: [(usize, usize); 3] = [(2_000, 24), (10_000, 9), (usize::MAX, 3)];
+/// So much of an edge between its circles has to be seen, and so much of it as itself.
+const SEEN: f64 = 0.9;
+const ALONE: f64 = 0.2;
+/// A gap that a label may make: at most so much of an edge, and so large a part of the drawing.
+const GAP: f64 = 0.45;
+const LABEL: f64 = 0.2;
+/// So much of a circle has to be seen.
+const DOT: f64 = 0.2;
+
+/// The eye on one painting.
+pub(super) struct Eye<'a> {
+    painting: &'a Painting,
+    /// Coats in the cells of grids of ever larger cells, sorted.
+    cells: Vec<(u64, u32)>,
+    levels: Vec<i32>,
+    /// The point from which cells are counted.
+    corner: Point,
+    /// Areas that are drawn in place of lines.
+    bars: Vec<u32>,
+    /// Areas that are paper.
+    paper: Vec<u32>,
+    probes: usize,
+    /// How large the drawing is.
+    span: f64,
+    work: usize,
+    stack: Vec<u32>,
+}
+
+/// Level, column and row in one number.
+fn cell(level: i32, x: u64, y: u64) -> u64 {
+    ((level + 64) as u64) << 56 | x << 28 | y
+}
+
+impl<'a> Eye<'a> {
+    /// `beside` tells which areas stand for lines and which are paper; `span` is the size of the drawing. O(n log n).
+    pub(super) fn new(painting: &'a Painting, beside: &Beside, edges: usize, span: f64) -> Self {
+        let mut cells = Vec::with_capacity(2 * painting.coats.len());
+        let finest = span / 2048.0;
+        let slack = span * 2e-4;
+        let corner = painting.coats.iter().fold(Point::new(f64::INFINITY, f64::INFINITY), |low, coat| {
+            let [p, _] = coat.corners();
+            Point::new(low.x.min(p.x), low.y.min(p.y))
+        });
+        let corner = Point::new(corner.x - slack, corner.y - slack);
+        for (i, coat) in painting.coats.iter().enumerate() {
+            let [low, high] = coat.corners();
+            let (low, high) = (Point::new(low.x - slack, low.y - slack), Point::new(high.x + slack, high.y + slack));
+            if !(low.x <= high.x && low.y <= high.y) || coat.alpha <= 0.0 {
+                continue;
+            }
+            let side = (high.x - low.x).max(high.y - low.y);
+            // A long line lies in the cells that it passes, and not in all of its box.
+            let pieces = match &coat.shape {
+                Shape::Stroke(ends, half) => {
+                    pieces(*ends, half + slack, (span / (edges as f64).sqrt().clamp(8.0, 512.0)).max(2.0 * half))
+                }
+                _ => vec![[low, high]],
+            };
+            let side = if pieces.len() > 1 { side / pieces.len() as f64 } else { side };
+            let level = level(side.max(finest));
+            for [low, high] in pieces {
+                for x in column(low.x - corner.x, level)..=column(high.x - corner.x, level) {
+                    for y in column(low.y - corner.y, level)..=column(high.y - corner.y, level) {
+                        cells.push((cell(level, x, y), i as u32));
+                    }
+                }
+            }
+        }
+        cells.sort_unstable();
+        cells.dedup();
+        let mut levels: Vec<i32> = cells.iter().map(|cell| (cell.0 >> 56) as i32 - 64).collect();
+        levels.dedup();
+        let probes = PROBES.iter().find(|(most, _)| edges <= *most).map_or(3, |(_, probes)| *probes);
+        let (bars, paper) = (beside.bars.clone(), beside.paper.clone());
+        Self { painting, cells, levels, corner, bars, paper, probes, span, work: 0, stack: Vec::new() }
+    }
+
+    /// Whether too much lay over each other to look at it all: then all that was not looked at counted as seen.
+    pub(super) fn is_tired(&self) -> bool {
+        self.work > WORK
+    }
+
+    /// The coats that cover a point, the lowest first.
+    fn look(&mut self, p: Point) {
+        self.stack.clear();
+        for &level in &self.levels {
+            for &(_, i) in entries(&self.cells, self.corner, level, p) {
+                let coat = &self.painting.coats[i as usize];
+                let (covers, work) = coat.covers(p);
+                self.work += work;
+                if covers && self.painting.cut_off(coat, p).is_none() {
+                    self.stack.push(i);
+                }
+            }
+        }
+        if self.stack.len() > 1 {
+            self.stack.sort_unstable();
+            self.stack.dedup();
+        }
+    }
+
+    fn is_line(&self, i: u32) -> bool {
+        self.painting.coats[i as usize].part == Part::Line || self.bars.binary_search(&i).is_ok()
+    }
+
+    /// The colour of the last point looked at, on white paper, of those coats.
+    fn colour(&self, keeps: impl Fn(u32, &Coat) -> bool) -> [f64; 3] {
+        let mut out = [255.0; 3];
+        for &i in &self.stack {
+            let coat = &self.painting.coats[i as usize];
+            if keeps(i, coat) {
+                let mix = |below: f64, above: f64| below + coat.alpha * (above - below);
+                out = [0, 1, 2].map(|c| mix(out[c], coat.colour[c]));
+            }
+        }
+        out
+    }
+
+    /// The colour of the paper at the last point looked at.
+    fn blank(&self) -> [f64; 3] {
+        self.colour(|i, _| self.paper.binary_search(&i).is_ok())
+    }
+
+    /// Why hardly anything of an edge is seen, if that is so. `ends` are on the canvas; `discs` are the radii of the
+    /// circles there.
+    pub(super) fn edge(&mut self, [a, b]: [Point; 2], discs: [f64; 2], tolerance: f64) -> Result<(), Hidden> {
+        let length = distance(a, b);
+        let along = Point::new((b.x - a.x) / length, (b.y - a.y) / length);
+        let mut marks = Vec::with_capacity(self.probes);
+        let mut reasons = Vec::new();
+        let mut gap_is_small = true;
+        for i in 0..self.probes {
+            if self.is_tired() {
+                return Ok(());
+            }
+            let far = length * (i as f64 + 0.5) / self.probes as f64;
+            if far < discs[0] || length - far < discs[1] {
+                continue;
+            }
+            let p = Point::new(a.x + far * along.x, a.y + far * along.y);
+            let own = self.own(p, along, tolerance);
+            // On both sides of the middle, where an area may begin: the colours with and without lines.
+            let sides = [0.3, -0.3].map(|side| {
+                let off = side * own.half;
+                self.look(Point::new(p.x - off * along.y, p.y + off * along.x));
+                let all = self.colour(|_, _| true);
+                let ground = self.colour(|i, _| !self.is_line(i));
+                let without = self.colour(|i, _| own.coats.binary_search(&i).is_err());
+                (all, ground, contrast(all, without) >= FAINT)
+            });
+            // A line has another colour than what lies on either side of it, and than the paper.
+            let blank = self.blank();
+            let differs = |all: [f64; 3]| {
+                let on_both = sides.iter().all(|(_, ground, _)| contrast(all, *ground) >= FAINT);
+                on_both && contrast(all, blank) >= FAINT
+            };
+            let seen = sides.iter().any(|(all, ..)| differs(*all));
+            let alone = sides.iter().any(|side| side.2);
+            marks.push((seen, alone));
+            if !(seen && alone) {
+                reasons.push(self.reason(&own, p));
+                gap_is_small &= seen || self.is_small(&own, p);
+            }
+        }
+        let part = |count: usize| count as f64 / marks.len().max(1) as f64;
+        let seen = part(marks.iter().filter(|mark| mark.0).count());
+        let alone = part(marks.iter().filter(|mark| mark.1).count());
+        if marks.is_empty() {
+            return Err(Hidden::Ends);
+        }
+        let open = [marks.first(), marks.last()].iter().flatten().all(|mark| mark.0);
+        let labelled = gap_is_small && open && seen >= 1.0 - GAP;
+        if (seen >= SEEN || labelled) && alone >= ALONE {
+            return Ok(());
+        }
+        reasons.sort_unstable();
+        let count = |why: &Hidden| reasons.iter().filter(|other| *other == why).count();
+        Err(reasons.iter().copied().max_by_key(|why| (count(why), std::cmp::Reverse(*why))).unwrap_or(Hidden::Ground))
+    }
+
+    /// The lines along this edge at a point.
+    fn own(&mut self, p: Point, along: Point, tolerance: f64) -> Own {
+        let mut out = Own { coats: Vec::new(), half: 0.0 };
+        for &level in &self.levels {
+            for &(_, i) in entries(&self.cells, self.corner, level, p) {
+                self.work += 1;
+                let coat = &self.painting.coats[i as usize];
+                match &coat.shape {
+                    Shape::Stroke([c, d], half) if coat.part == Part::Line => {
+                        let (x, y) = (d.x - c.x, d.y - c.y);
+                        let skew = (x * along.y - y * along.x).abs() / x.hypot(y);
+                        if skew <= 0.05 && super::graph::lies_on(p, [*c, *d], 2.0 * tolerance) {
+                            out.coats.push(i);
+                            out.half = out.half.max(*half);
+                        }
+                    }
+                    _ if self.bars.binary_search(&i).is_ok() && coat.covers(p).0 => out.coats.push(i),
+                    _ => {}
+                }
+            }
+        }
+        out.coats.sort_unstable();
+        out.coats.dedup();
+        out
+    }
+
+    /// Why the lines of an edge are not seen at a point.
+    fn reason(&mut self, own: &Own, p: Point) -> Hidden {
+        let Some(&top) = own.coats.last() else { return Hidden::Dashes };
+        let cut: Vec<Option<bool>> = own
+            .coats
+            .iter()
+            .map(|&i| self.painting.cut_off(&self.painting.coats[i as usize], p).map(|clip| clip.canvas))
+            .collect();
+        if let Some(canvas) = cut.iter().all(Option::is_some).then(|| cut.iter().flatten().any(|canvas| *canvas)) {
+            return if canvas { Hidden::Canvas } else { Hidden::Clip };
+        }
+        self.look(p);
+        let above = self.stack.iter().rev().take_while(|&&i| i > top);
+        let covering = above.copied().find(|&i| self.painting.coats[i as usize].alpha > 0.5);
+        match covering.map(|i| (self.is_line(i), self.painting.coats[i as usize].part)) {
+            Some((true, _)) => Hidden::Line,
+            Some((_, Part::Dot)) => Hidden::Dot,
+            Some(_) => Hidden::Area,
+            None if own.coats.iter().all(|&i| self.painting.coats[i as usize].alpha < PALEST) => Hidden::Faint,
+            None if contrast(self.colour(|_, _| true), self.blank()) < FAINT => Hidden::Paper,
+            None => Hidden::Ground,
+        }
+    }
+
+    /// Whether all that covers the lines of an edge at a point is small, as the box of a label is.
+    fn is_small(&mut self, own: &Own, p: Point) -> bool {
+        let Some(&top) = own.coats.last() else { return false };
+        self.look(p);
+        let mut above = self.stack.iter().filter(|&&i| i > top && self.painting.coats[i as usize].alpha > 0.2);
+        let small = |i: &u32| {
+            let coat = &self.painting.coats[*i as usize];
+            let [low, high] = coat.corners();
+            matches!(coat.part, Part::Area | Part::Other) && (high.x - low.x).hypot(high.y - low.y) <= LABEL * self.span
+        };
+        let any = above.clone().next().is_some();
+        any && above.all(small)
+    }
+
+    /// Why the circles at a vertex are not seen, if that is so.
+    pub(super) fn vertex(&mut self, centre: Point, radius: f64, tolerance: f64) -> Result<(), Hidden> {
+        const ROUND: usize = 16;
+        let (mut seen, mut looked, mut top, mut below) = (0, 0, None, false);
+        for part in [0.45, 0.85, 1.0] {
+            for i in 0..ROUND {
+                if self.is_tired() {
+                    return Ok(());
+                }
+                let (s, c) = (std::f64::consts::TAU * (i as f64 + 0.3) / ROUND as f64).sin_cos();
+                self.look(Point::new(centre.x + part * radius * c, centre.y + part * radius * s));
+                let is_own = |coat: &Coat| match &coat.shape {
+                    Shape::Disc(disc) => coat.part == Part::Dot && distance(disc.centre, centre) <= tolerance,
+                    _ => false,
+                };
+                let owned = self.stack.iter().rev().find(|&&i| is_own(&self.painting.coats[i as usize]));
+                if part < 1.0 {
+                    looked += 1;
+                }
+                below |= owned.is_some();
+                if contrast(self.colour(|_, _| true), self.colour(|_, coat| !is_own(coat))) >= FAINT {
+                    seen += 1;
+                } else if let Some(&own) = owned {
+                    top = top.or(self.stack.last().filter(|&&last| last > own).copied());
+                }
+            }
+        }
+        if seen as f64 >= DOT * looked as f64 {
+            return Ok(());
+        }
+        Err(match top.map(|i| (self.is_line(i), self.painting.coats[i as usize].part)) {
+            Some((true, _)) => Hidden::Line,
+            Some((_, Part::Dot)) => Hidden::Dot,
+            Some(_) => Hidden::Area,
+            None if !below => Hidden::Clip,
+            None => Hidden::Paper,
+        })
+    }
+
+    /// The circle of another vertex that covers a point, if there is one.
+    pub(super) fn disc_over(&mut self, p: Point, tolerance: f64) -> Option<Point> {
+        self.look(p);
+        let other = |&i: &u32| match &self.painting.coats[i as usize] {
+            Coat { shape: Shape::Disc(disc), part: Part::Dot, .. } if distance(disc.centre, p) > tolerance => {
+                Some(disc.centre)
+            }
+            _ => None,
+        };
+        self.stack.iter().find_map(other)
+    }
+
+    /// Whether an area has another colour than the paper.
+    pub(super) fn area(&mut self, coat: u32) -> bool {
+        let painting = self.painting;
+        let Shape::Area(area) = &painting.coats[coat as usize].shape else { return true };
+        let points = area.inner_points();
+        let mut seen = 0;
+        for &p in &points {
+            if self.is_tired() {
+                return true;
+            }
+            self.look(p);
+            let areas = self.colour(|_, coat| coat.part == Part::Area);
+            seen += usize::from(contrast(areas, self.blank()) >= PALE);
+        }
+        points.is_empty() || 2 * seen > points.len()
+    }
+}
+
+/// The lines along an edge, sorted, and half the width of the widest.
+struct Own {
+    coats: Vec<u32>,
+    half: f64,
+}
+
+fn contrast(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+/// The level whose cells are at least so large.
+fn level(size: f64) -> i32 {
+    size.log2().ceil().clamp(-60.0, 60.0) as i32
+}
+
+/// The number of a column, counted from the corner: all lie in 28 bits, or share the last.
+fn column(x: f64, level: i32) -> u64 {
+    ((x * 2f64.powi(-level)).max(0.0) as u64).min((1 << 28) - 1)
+}
+
+/// The entries of the cell of a point.
+fn entries(cells: &[(u64, u32)], corner: Point, level: i32, p: Point) -> impl Iterator<Item = &(u64, u32)> {
+    let cell = cell(level, column(p.x - corner.x, level), column(p.y - corner.y, level));
+    let start = cells.partition_point(|entry| entry.0 < cell);
+    cells[start..].iter().take_while(move |entry| entry.0 == cell)
+}
+
+/// The boxes of pieces of a line, each about so long.
+fn pieces([a, b]: [Point; 2], half: f64, size: f64) -> Vec<[Point; 2]> {
+    let count = (distance(a, b) / size).ceil().clamp(1.0, 1024.0);
+    let at = |i: f64| Point::new(a.x + i / count * (b.x - a.x), a.y + i / count * (b.y - a.y));
+    (0..count as usize)
+        .map(|i| {
+            let (p, q) = (at(i as f64), at(i as f64 + 1.0));
+            [Point::new(p.x.min(q.x) - half, p.y.min(q.y) - half), Point::new(p.x.max(q.x) + half, p.y.max(q.y) + half)]
+        })
+        .collect()
+}

@@ -1,0 +1,261 @@
+//! What a drawing paints, in the order in which it does.
+//!
+//! ```text
+//!   coats    1 area ─ 2 area ─ 3 line ─ 4 line ─ 5 disc        a later one lies over an earlier one
+//!   clips    canvas ─ clip path ─ clip path                    a coat is shown inside all clips of its chain only
+//! ```
+
+use super::colour::Paint;
+use crate::plane::Point;
+
+/// What a coat is for a comparison.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Part {
+    /// A line that can be an edge, or one side of an outline.
+    Line,
+    /// A vertex.
+    Dot,
+    Area,
+    /// Decoration: it can only hide.
+    Other,
+}
+
+/// The place that a coat covers.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) enum Shape {
+    /// A line of this half width.
+    Stroke([Point; 2], f64),
+    Disc(Disc),
+    Area(Area),
+}
+
+/// A circle under a transform: the points that `inverse` takes to a distance from the origin between these.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Disc {
+    pub(super) centre: Point,
+    pub(super) inverse: [f64; 4],
+    pub(super) from: f64,
+    pub(super) to: f64,
+    /// How far it reaches from its centre.
+    pub(super) reach: f64,
+}
+
+impl Disc {
+    fn covers(&self, p: Point) -> bool {
+        let (x, y) = (p.x - self.centre.x, p.y - self.centre.y);
+        let [a, b, c, d] = self.inverse;
+        let far = (a * x + b * y).hypot(c * x + d * y);
+        (self.from..=self.to).contains(&far)
+    }
+}
+
+/// Rings with a fill rule, indexed by height.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Area {
+    even_odd: bool,
+    low: Point,
+    high: Point,
+    sides: Vec<[Point; 2]>,
+    /// Sides by the bands of height that they meet; empty for few sides.
+    bands: Vec<Vec<u32>>,
+}
+
+/// Areas with fewer sides have no bands.
+const FEW: usize = 24;
+
+impl Area {
+    pub(super) fn new(rings: &[Vec<Point>], even_odd: bool) -> Self {
+        let ahead = |ring: &[Point], i: usize| ring[(i + 1) % ring.len()];
+        let sides: Vec<[Point; 2]> =
+            rings.iter().flat_map(|ring| (0..ring.len()).map(|i| [ring[i], ahead(ring, i)])).collect();
+        let low = sides
+            .iter()
+            .flatten()
+            .fold(Point::new(f64::INFINITY, f64::INFINITY), |low, p| Point::new(low.x.min(p.x), low.y.min(p.y)));
+        let high = sides.iter().flatten().fold(Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY), |high, p| {
+            Point::new(high.x.max(p.x), high.y.max(p.y))
+        });
+        let mut out = Self { even_odd, low, high, sides, bands: Vec::new() };
+        if out.sides.len() >= FEW {
+            // As many entries as a few times the sides, however long these are.
+            let count = (out.sides.len() / 4).min(4096);
+            let mut bands = vec![Vec::new(); count];
+            let mut entries = 0;
+            for (i, [a, b]) in out.sides.iter().enumerate() {
+                let range = out.band(count, a.y.min(b.y))..=out.band(count, a.y.max(b.y));
+                entries += range.clone().count();
+                range.for_each(|band| bands[band].push(i as u32));
+            }
+            if entries <= 64 * out.sides.len() {
+                out.bands = bands;
+            }
+        }
+        out
+    }
+
+    fn band(&self, count: usize, y: f64) -> usize {
+        let height = self.high.y - self.low.y;
+        let part = if height > 0.0 { (y - self.low.y) / height } else { 0.0 };
+        ((part * count as f64).max(0.0) as usize).min(count - 1)
+    }
+
+    /// Whether a point lies inside by the fill rule, and how many sides were looked at.
+    pub(super) fn covers(&self, p: Point) -> (bool, usize) {
+        if p.x < self.low.x || p.y < self.low.y || p.x > self.high.x || p.y > self.high.y {
+            return (false, 1);
+        }
+        let mut winding = 0i32;
+        let mut crossings = 0u32;
+        let mut cross = |&[a, b]: &[Point; 2]| {
+            if (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) {
+                winding += if b.y > a.y { 1 } else { -1 };
+                crossings += 1;
+            }
+        };
+        let looked = if self.bands.is_empty() {
+            self.sides.iter().for_each(&mut cross);
+            self.sides.len()
+        } else {
+            let band = &self.bands[self.band(self.bands.len(), p.y)];
+            band.iter().for_each(|&i| cross(&self.sides[i as usize]));
+            band.len() + 1
+        };
+        (if self.even_odd { crossings % 2 == 1 } else { winding != 0 }, looked)
+    }
+
+    /// The middles of the widest inner stretches at some heights: points well inside.
+    pub(super) fn inner_points(&self) -> Vec<Point> {
+        let height = self.high.y - self.low.y;
+        let heights = [0.5, 0.31, 0.69, 0.15, 0.85, 0.06, 0.94].map(|t| self.low.y + t * height);
+        let widest = |y: f64| {
+            let meets = |&&[a, b]: &&[Point; 2]| (a.y > y) != (b.y > y);
+            let at = |&[a, b]: &[Point; 2]| a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
+            let mut meetings: Vec<f64> = self.sides.iter().filter(meets).map(at).collect();
+            meetings.sort_by(f64::total_cmp);
+            let stretches = meetings.windows(2).map(|w| (w[1] - w[0], Point::new(0.5 * (w[0] + w[1]), y)));
+            let inside = stretches.filter(|(width, p)| *width > 0.0 && self.covers(*p).0);
+            inside.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, p)| p)
+        };
+        heights.into_iter().filter_map(widest).collect()
+    }
+
+    pub(super) fn corners(&self) -> [Point; 2] {
+        [self.low, self.high]
+    }
+}
+
+/// One thing that is painted.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Coat {
+    pub(super) shape: Shape,
+    pub(super) colour: [f64; 3],
+    pub(super) alpha: f64,
+    /// The innermost clip.
+    pub(super) clip: Option<u32>,
+    pub(super) part: Part,
+}
+
+impl Coat {
+    /// Whether a point is covered, clips left out, and the work that it took.
+    pub(super) fn covers(&self, p: Point) -> (bool, usize) {
+        match &self.shape {
+            Shape::Stroke(ends, half) => (super::graph::lies_on(p, *ends, *half), 1),
+            Shape::Disc(disc) => (disc.covers(p), 1),
+            Shape::Area(area) => area.covers(p),
+        }
+    }
+
+    /// The corners of the box round it.
+    pub(super) fn corners(&self) -> [Point; 2] {
+        let around = |p: Point, by: f64| [Point::new(p.x - by, p.y - by), Point::new(p.x + by, p.y + by)];
+        match &self.shape {
+            Shape::Stroke([a, b], half) => [
+                Point::new(a.x.min(b.x) - half, a.y.min(b.y) - half),
+                Point::new(a.x.max(b.x) + half, a.y.max(b.y) + half),
+            ],
+            Shape::Disc(disc) => around(disc.centre, disc.reach),
+            Shape::Area(area) => area.corners(),
+        }
+    }
+}
+
+/// A region outside of which nothing is shown: all of these shapes together, within another one.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Clip {
+    pub(super) areas: Vec<Area>,
+    pub(super) around: Option<u32>,
+    /// Whether it is the canvas of the file.
+    pub(super) canvas: bool,
+}
+
+/// All coats, the lowest first, and all clips.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub(super) struct Painting {
+    pub(super) coats: Vec<Coat>,
+    pub(super) clips: Vec<Clip>,
+}
+
+impl Painting {
+    /// Adds a coat and returns its number. A paint that is not known is one that differs from all others.
+    pub(super) fn add(&mut self, shape: Shape, (paint, opacity): (Paint, f64), clip: Option<u32>, part: Part) -> u32 {
+        let (colour, alpha) = match paint {
+            Paint::Colour(rgb, alpha) => (rgb.map(f64::from), alpha),
+            Paint::None => ([0.0; 3], 0.0),
+            Paint::Pattern | Paint::Current | Paint::Some => ([203.0, 3.0, 151.0], 1.0),
+        };
+        self.coats.push(Coat { shape, colour, alpha: alpha * opacity, clip, part });
+        self.coats.len() as u32 - 1
+    }
+
+    /// The innermost clip that cuts off a point.
+    pub(super) fn cut_off(&self, coat: &Coat, p: Point) -> Option<&Clip> {
+        let mut at = coat.clip;
+        while let Some(clip) = at.map(|i| &self.clips[i as usize]) {
+            if !clip.areas.iter().any(|area| area.covers(p).0) {
+                return Some(clip);
+            }
+            at = clip.around;
+        }
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn p(x: f64, y: f64) -> Point {
+        Point::new(x, y)
+    }
+
+    #[test]
+    fn areas_with_bands_cover_what_areas_without_cover() {
+        let star: Vec<Point> = (0..97)
+            .map(|i| {
+                let (s, c) = (f64::from(i) * 38.0 * std::f64::consts::TAU / 97.0).sin_cos();
+                p(10.0 * c, 10.0 * s)
+            })
+            .collect();
+        for even_odd in [false, true] {
+            let quick = Area::new(std::slice::from_ref(&star), even_odd);
+            let slow = Area { bands: Vec::new(), ..quick.clone() };
+            assert!(!quick.bands.is_empty());
+            let mut inside = 0;
+            for i in 0..60 {
+                for j in 0..60 {
+                    let at = p(f64::from(i) * 0.37 - 11.0, f64::from(j) * 0.37 - 11.0);
+                    assert_eq!(quick.covers(at).0, slow.covers(at).0);
+                    inside += usize::from(quick.covers(at).0);
+                }
+            }
+            assert!(inside > 500);
+            assert!(quick.inner_points().iter().all(|&at| slow.covers(at).0));
+        }
+    }
+
+    #[test]
+    fn discs_under_transforms_are_ellipses() {
+        let disc = Disc { centre: p(5.0, 0.0), inverse: [0.5, 0.0, 0.0, 1.0], from: 0.0, to: 1.0, reach: 2.0 };
+        assert!(disc.covers(p(6.9, 0.0)) && !disc.covers(p(5.0, 1.1)));
+    }
+}

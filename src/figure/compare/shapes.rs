@@ -1,0 +1,375 @@
+//! Elements with a shape, as lines, dots, outlines and coats.
+//!
+//! ```text
+//!   M4 0C4 2.2 2.2 4 0 4 ... z      a round path is a dot, whoever drew it
+//!   ▭▭▭▭▭▭▭                         a thin filled rectangle may be a line: sketch.rs decides that by its ends
+//! ```
+
+use super::colour::Paint;
+use super::drawing::{Around, Dot, Line, Outline, Reader, corners, flipped, length, place, word};
+use super::error::Fault;
+use super::ink::Hidden;
+use super::painting::{Area, Disc, Part, Shape};
+use super::pairing::distance;
+use super::path::{self, Subpath};
+use super::transform::Transform;
+use super::{declared, numbers};
+use crate::plane::Point;
+use roxmltree::Node;
+
+/// How far from its circle a round path may lie, as a part of the radius.
+const ROUND: f64 = 0.03;
+/// Pieces of curves that make a circle, at least.
+const PIECES: usize = 12;
+
+impl Reader<'_, '_> {
+    /// Reads any element that paints.
+    pub(super) fn shape(&mut self, node: Node<'_, '_>, name: &str, around: &Around) -> Result<(), Fault> {
+        let offset = node.range().start;
+        match name {
+            "circle" | "ellipse" => return self.circle(node, around),
+            "image" => return self.image(node, around),
+            _ => {}
+        }
+        let (paths, what) = subpaths(node, around)?;
+        self.count(paths.iter().map(|path| path.points.len()).sum(), offset)?;
+        let mut placed = Vec::with_capacity(paths.len());
+        for path in &paths {
+            let points: Result<Vec<(Point, bool)>, Fault> = path
+                .points
+                .iter()
+                .map(|&(p, curved)| Ok((place(&around.transform, p, offset, what)?, curved)))
+                .collect();
+            placed.push((points?, path.closed));
+        }
+        self.area(node, what, &placed, around);
+        for (points, closed) in &placed {
+            if let Some((centre, radius)) = round(points, *closed).filter(|_| !around.decorates) {
+                self.round_path(node, centre, radius, around);
+            } else {
+                self.trace(node, points, *closed, what, around);
+            }
+        }
+        Ok(())
+    }
+
+    /// The filled part of a shape.
+    fn area(&mut self, node: Node<'_, '_>, what: &str, placed: &[(Vec<(Point, bool)>, bool)], around: &Around) {
+        if what == "line" || !around.ink.fills() {
+            return;
+        }
+        let rings = placed.iter().filter(|(points, _)| points.len() > 2);
+        let mut rings: Vec<Vec<Point>> = rings.map(|(points, _)| points.iter().map(|p| p.0).collect()).collect();
+        if rings.is_empty() {
+            return;
+        }
+        let part = if around.decorates { Part::Other } else { Part::Area };
+        if !around.decorates {
+            // The coats of dots are discs.
+            let is_other = |(points, closed): &&(Vec<(Point, bool)>, bool)| round(points, *closed).is_none();
+            let others = placed.iter().filter(|(points, _)| points.len() > 2).filter(is_other);
+            rings = others.map(|(points, _)| points.iter().map(|p| p.0).collect()).collect();
+            if rings.is_empty() {
+                return;
+            }
+        }
+        let shape = Shape::Area(Area::new(&rings, around.ink.even_odd));
+        let coat = self.out.painting.add(shape, around.ink.fill(), around.clip, part);
+        // Hatches are decoration.
+        if around.decorates || !self.fills || matches!(around.ink.fill(), (Paint::Pattern, _)) {
+            return;
+        }
+        let name = node.parent().map_or_else(String::new, declared::face_name);
+        for (points, closed) in placed.iter().filter(|(points, _)| points.len() > 2) {
+            if round(points, *closed).is_none() {
+                self.out.outlines.push(Outline {
+                    points: points.iter().map(|p| p.0).collect(),
+                    name: name.clone(),
+                    coat,
+                    curved: points.iter().any(|p| p.1),
+                    hidden: around.ink.hidden_fill(),
+                });
+            }
+        }
+    }
+
+    /// The width of lines on the canvas.
+    fn half_width(around: &Around) -> f64 {
+        0.5 * around.ink.width() * if around.own.fixed_width { 1.0 } else { around.transform.growth() }
+    }
+
+    /// The lines of a polyline.
+    fn trace(&mut self, node: Node<'_, '_>, points: &[(Point, bool)], closed: bool, what: &str, around: &Around) {
+        let Some(&(first, _)) = points.first() else { return };
+        let ink = &around.ink;
+        let hidden = ink.hidden_stroke();
+        let (half, stroke) = (Self::half_width(around), ink.stroke());
+        let is_mark = self.kit && node.attribute("class") == Some("dots");
+        if is_mark || points.iter().all(|p| p.0 == first) {
+            // A line of no length with round ends is a dot; a move alone is nothing.
+            let is_line = is_mark || closed || points.len() > 1;
+            if hidden.is_none() && ink.round && is_line && !around.decorates {
+                self.dot(first, half, None, around, None);
+                let disc = Disc {
+                    centre: first,
+                    inverse: [1.0 / half, 0.0, 0.0, 1.0 / half],
+                    from: 0.0,
+                    to: 1.0,
+                    reach: half,
+                };
+                self.out.painting.add(Shape::Disc(disc), stroke, around.clip, Part::Dot);
+            }
+            return;
+        }
+        let back = closed.then_some((first, false));
+        let growth = around.transform.growth().max(f64::MIN_POSITIVE);
+        let (mut from, mut far, mut curves) = (first, 0.0, false);
+        for (to, curved) in points.iter().skip(1).copied().chain(back) {
+            let long = distance(from, to) / growth;
+            let dashed = hidden.is_none() && ink.dashed_away(far, long);
+            let why = hidden.or_else(|| dashed.then_some(Hidden::Dashes));
+            if from != to && why.is_none() {
+                let part = if curved || around.decorates { Part::Other } else { Part::Line };
+                self.out.painting.add(Shape::Stroke([from, to], half), stroke, around.clip, part);
+            }
+            if from != to && !around.decorates {
+                curves |= curved && hidden.is_none();
+                if !curved && (what == "line" || !ink.fills() || hidden.is_none()) {
+                    self.out.lines.push(Line { ends: [from, to], hidden: why, aside: around.aside });
+                }
+            }
+            far += long;
+            from = to;
+        }
+        if curves {
+            self.ignore("curves (edges are straight)");
+        }
+    }
+
+    fn dot(
+        &mut self,
+        at: Point,
+        radius: f64,
+        hidden: Option<Hidden>,
+        around: &Around,
+        vertex: Option<(String, Point)>,
+    ) {
+        self.out.dots.push(Dot { at, radius, hidden, vertex, aside: around.aside });
+    }
+
+    /// Why a circle of this style cannot be seen, wherever it lies.
+    fn hidden_circle(around: &Around) -> Option<Hidden> {
+        around.ink.hidden_stroke().and(around.ink.hidden_fill())
+    }
+
+    /// A circle drawn by a path.
+    fn round_path(&mut self, node: Node<'_, '_>, centre: Point, radius: f64, around: &Around) {
+        let hidden = Self::hidden_circle(around);
+        let one = 1.0 / radius;
+        self.discs(Disc { centre, inverse: [one, 0.0, 0.0, one], from: 0.0, to: 1.0, reach: radius }, radius, around);
+        let vertex = node.parent().and_then(declared::vertex);
+        self.dot(centre, radius + Self::rim(around), hidden, around, vertex);
+    }
+
+    /// How far a stroke reaches beyond its circle.
+    fn rim(around: &Around) -> f64 {
+        if around.ink.hidden_stroke().is_none() { Self::half_width(around) } else { 0.0 }
+    }
+
+    /// The coats of a circle: its inside, and its rim.
+    fn discs(&mut self, disc: Disc, radius: f64, around: &Around) {
+        let part = if around.decorates { Part::Other } else { Part::Dot };
+        if around.ink.fills() {
+            self.out.painting.add(Shape::Disc(disc), around.ink.fill(), around.clip, part);
+        }
+        let rim = Self::rim(around);
+        if rim > 0.0 {
+            let wide = rim / radius.max(f64::MIN_POSITIVE);
+            let ring = Disc { from: 1.0 - wide, to: 1.0 + wide, reach: disc.reach + rim, ..disc };
+            self.out.painting.add(Shape::Disc(ring), around.ink.stroke(), around.clip, part);
+        }
+    }
+
+    fn circle(&mut self, node: Node<'_, '_>, around: &Around) -> Result<(), Fault> {
+        let offset = node.range().start;
+        let centre = [length(node, "cx", 0, around)?, length(node, "cy", 1, around)?];
+        let radii = if node.tag_name().name() == "circle" {
+            [around.own.radius.map_or_else(|| length(node, "r", 2, around), Ok)?; 2]
+        } else {
+            let radius = |name: &str, axis: usize| {
+                node.attribute(name)
+                    .filter(|text| *text != "auto")
+                    .map(|_| length(node, name, axis, around))
+                    .transpose()
+            };
+            let (x, y) = (radius("rx", 0)?, radius("ry", 1)?);
+            [x.or(y).unwrap_or(0.0), y.or(x).unwrap_or(0.0)]
+        };
+        let at = place(&around.transform, centre, offset, "circle")?;
+        self.count(1, offset)?;
+        let axes = [around.transform.turn([radii[0], 0.0]), around.transform.turn([0.0, radii[1]])].map(flipped);
+        let determinant = axes[0].x * axes[1].y - axes[1].x * axes[0].y;
+        let mut hidden = Self::hidden_circle(around);
+        let reach = axes[0].x.hypot(axes[0].y).max(axes[1].x.hypot(axes[1].y));
+        let radius = determinant.abs().sqrt();
+        if radius > 0.0 && determinant.is_finite() {
+            let inverse =
+                [axes[1].y / determinant, -axes[1].x / determinant, -axes[0].y / determinant, axes[0].x / determinant];
+            self.discs(Disc { centre: at, inverse, from: 0.0, to: 1.0, reach }, radius, around);
+        } else {
+            hidden = hidden.or(Some(Hidden::NoWidth));
+        }
+        if !around.decorates {
+            let vertex = node.parent().and_then(declared::vertex);
+            self.dot(at, reach + Self::rim(around), hidden, around, vertex);
+        }
+        Ok(())
+    }
+
+    /// A picture: nothing is known of it but that it covers.
+    fn image(&mut self, node: Node<'_, '_>, around: &Around) -> Result<(), Fault> {
+        self.ignore("<image>");
+        let rings = rings(node, &around.transform, around)?;
+        self.out.painting.add(Shape::Area(Area::new(&rings, false)), (Paint::Some, 1.0), around.clip, Part::Other);
+        Ok(())
+    }
+}
+
+/// The rings that an element would fill, on the canvas.
+pub(super) fn rings(node: Node<'_, '_>, transform: &Transform, around: &Around) -> Result<Vec<Vec<Point>>, Fault> {
+    let offset = node.range().start;
+    let name = node.tag_name().name();
+    if matches!(name, "circle" | "ellipse") {
+        let [x, y] = [length(node, "cx", 0, around)?, length(node, "cy", 1, around)?];
+        let [rx, ry] = if name == "circle" { ["r", "r"] } else { ["rx", "ry"] };
+        let (rx, ry) = (length(node, rx, 2, around)?, length(node, ry, 2, around)?);
+        let data = format!("M{} {y}A{rx} {ry} 0 0 1 {} {y}A{rx} {ry} 0 0 1 {} {y}Z", x + rx, x - rx, x + rx);
+        let read = path::read(&data).unwrap_or_default();
+        return Ok(read
+            .iter()
+            .map(|path| path.points.iter().map(|p| flipped(transform.apply(p.0))).collect())
+            .collect());
+    }
+    let (paths, what) = subpaths(node, around)?;
+    let ring = |path: &Subpath| path.points.iter().map(|p| place(transform, p.0, offset, what)).collect();
+    paths.iter().filter(|path| path.points.len() > 2).map(ring).collect()
+}
+
+/// The stretches that an element draws, and what it is called.
+fn subpaths(node: Node<'_, '_>, around: &Around) -> Result<(Vec<Subpath>, &'static str), Fault> {
+    Ok(match node.tag_name().name() {
+        "line" => (vec![line(node, around)?], "line"),
+        "polyline" => (polyline(node, false)?, "polyline"),
+        "polygon" => (polyline(node, true)?, "polygon"),
+        "rect" | "image" => (rect(node, around)?, "rect"),
+        "path" => {
+            let data = node.attribute("d").unwrap_or("");
+            (path::read(data).map_err(|rest| word(node.range().start, rest, "path data"))?, "path")
+        }
+        _ => (Vec::new(), "shape"),
+    })
+}
+
+fn line(node: Node<'_, '_>, around: &Around) -> Result<Subpath, Fault> {
+    let from = [length(node, "x1", 0, around)?, length(node, "y1", 1, around)?];
+    let to = [length(node, "x2", 0, around)?, length(node, "y2", 1, around)?];
+    Ok(Subpath { points: vec![(from, false), (to, false)], closed: false })
+}
+
+fn polyline(node: Node<'_, '_>, closed: bool) -> Result<Vec<Subpath>, Fault> {
+    let text = node.attribute("points").unwrap_or("");
+    let wanted = "list of points: write x,y x,y ...";
+    let numbers = numbers::list(text).filter(|list| list.len() % 2 == 0);
+    let numbers = numbers.ok_or_else(|| word(node.range().start, text, wanted))?;
+    let points = numbers.chunks_exact(2).map(|p| ([p[0], p[1]], false)).collect();
+    Ok(vec![Subpath { points, closed }])
+}
+
+/// A rectangle; with round corners that are nearly all of it, a circle.
+fn rect(node: Node<'_, '_>, around: &Around) -> Result<Vec<Subpath>, Fault> {
+    let (x, y) = (length(node, "x", 0, around)?, length(node, "y", 1, around)?);
+    let (width, height) = (length(node, "width", 0, around)?, length(node, "height", 1, around)?);
+    if !(width > 0.0 && height > 0.0) {
+        return Ok(Vec::new());
+    }
+    let radius = |name: &str, axis: usize| {
+        node.attribute(name).filter(|text| *text != "auto").map(|_| length(node, name, axis, around)).transpose()
+    };
+    let (rx, ry) = (radius("rx", 0)?, radius("ry", 1)?);
+    let [rx, ry] = [rx.or(ry).unwrap_or(0.0).min(width / 2.0), ry.or(rx).unwrap_or(0.0).min(height / 2.0)];
+    if rx >= 0.49 * width && ry >= 0.49 * height {
+        let (right, middle) = (x + width, y + height / 2.0);
+        let (rx, ry) = (width / 2.0, height / 2.0);
+        let data = format!("M{right} {middle}A{rx} {ry} 0 0 1 {x} {middle}A{rx} {ry} 0 0 1 {right} {middle}Z");
+        return Ok(path::read(&data).unwrap_or_default());
+    }
+    let points = corners([x, y, width, height]).map(|p| (p, false)).to_vec();
+    Ok(vec![Subpath { points, closed: true }])
+}
+
+/// The middle and the radius of a closed stretch of curves that is a circle. Straight sides are those of a polygon.
+fn round(points: &[(Point, bool)], closed: bool) -> Option<(Point, f64)> {
+    let (first, last) = (points.first()?.0, points.last()?.0);
+    let curved = points.iter().filter(|p| p.1).count();
+    let corners = &points[..points.len() - usize::from(first == last)];
+    if curved < PIECES || curved + 2 < corners.len() {
+        return None;
+    }
+    let (centre, radius) = circle_through(corners)?;
+    let fits = |p: Point| (distance(p, centre) - radius).abs() <= ROUND * radius;
+    // All round, and not an arc with its chord.
+    let step = |p: Point, q: Point| distance(p, q) <= 0.8 * radius;
+    let ends = step(last, first) && (closed || distance(first, last) <= ROUND * radius);
+    let all = points.iter().all(|p| fits(p.0)) && points.windows(2).all(|w| step(w[0].0, w[1].0));
+    (ends && all).then_some((centre, radius))
+}
+
+/// The circle nearest to some points (Kasa 1976).
+fn circle_through(points: &[(Point, bool)]) -> Option<(Point, f64)> {
+    let count = points.len() as f64;
+    let sum = |of: &dyn Fn(Point) -> f64| points.iter().map(|p| of(p.0)).sum::<f64>();
+    let (x, y) = (sum(&|p| p.x) / count, sum(&|p| p.y) / count);
+    let moment = |i: i32, j: i32| sum(&|p| (p.x - x).powi(i) * (p.y - y).powi(j));
+    let [xx, xy, yy] = [moment(2, 0), moment(1, 1), moment(0, 2)];
+    let right = [0.5 * (moment(3, 0) + moment(1, 2)), 0.5 * (moment(0, 3) + moment(2, 1))];
+    let determinant = xx * yy - xy * xy;
+    let centre = Point::new(
+        x + (right[0] * yy - right[1] * xy) / determinant,
+        y + (right[1] * xx - right[0] * xy) / determinant,
+    );
+    let radius = sum(&|p| distance(p, centre)) / count;
+    (radius.is_finite() && radius > 0.0).then_some((centre, radius))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(data: &str) -> Option<(Point, f64)> {
+        let read = path::read(data).unwrap();
+        let points: Vec<(Point, bool)> =
+            read[0].points.iter().map(|&(p, curved)| (Point::new(p[0], p[1]), curved)).collect();
+        round(&points, read[0].closed)
+    }
+
+    #[test]
+    fn circles_are_found_and_nothing_else_is() {
+        let (centre, radius) = found("M 14 5 A 4 4 0 1 1 6 5 A 4 4 0 1 1 14 5 Z").unwrap();
+        assert!((centre.x - 10.0).abs() < 1e-9 && (centre.y - 5.0).abs() < 1e-9 && (radius - 4.0).abs() < 1e-9);
+        let bezier = "M 0 -3 C .795609 -3 1.55874 -2.683901 2.12132 -2.12132 C 2.683901 -1.55874 3 -.795609 3 0 \
+                      C 3 .795609 2.683901 1.55874 2.12132 2.12132 C 1.55874 2.683901 .795609 3 0 3 \
+                      C -.795609 3 -1.55874 2.683901 -2.12132 2.12132 C -2.683901 1.55874 -3 .795609 -3 0 \
+                      C -3 -.795609 -2.683901 -1.55874 -2.12132 -2.12132 C -1.55874 -2.683901 -.795609 -3 0 -3 z";
+        let (centre, radius) = found(bezier).unwrap();
+        assert!(centre.x.abs() < 1e-6 && centre.y.abs() < 1e-6 && (radius - 3.0).abs() < 1e-3);
+        for other in [
+            "M0 0H9V9H0Z",
+            "M0 0C9 0 9 9 0 9Z",
+            "M-4 0A4 4 0 0 1 4 0Z",
+            "M-4 0A4 4 0 0 1 4 0A4 2 0 0 1 -4 0Z",
+            "M0 0L1 0L2 1L2 2L1 3L0 3L-1 2L-1 1Z",
+        ] {
+            assert_eq!(found(other), None, "{other}");
+        }
+    }
+}
