@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   an edge is seen      if its lines have another colour than the paper and than both sides, nearly all along it
-//!   a vertex is seen     if its circle changes the colour at some of the points round it
+//!   a vertex is seen     if its circle changes the colour at some of the points round it, and not to that of the paper
 //!   a face is seen       if it has another colour than the paper
 //! ```
 //!
@@ -273,7 +273,8 @@ impl<'a> Eye<'a> {
     pub(super) fn vertex(&mut self, centre: Point, radius: f64, tolerance: f64) -> Result<(), Hidden> {
         const ROUND: usize = 16;
         let (mut seen, mut looked, mut top, mut below) = (0, 0, None, false);
-        for part in [0.45, 0.85, 1.0] {
+        // Well inside, and where a rim is: however thin, one of the last two lies on it.
+        for part in [0.45, 0.8, 0.93, 0.985] {
             for i in 0..ROUND {
                 if self.is_tired() {
                     return Ok(());
@@ -285,11 +286,11 @@ impl<'a> Eye<'a> {
                     _ => false,
                 };
                 let owned = self.stack.iter().rev().find(|&&i| is_own(&self.painting.coats[i as usize]));
-                if part < 1.0 {
-                    looked += 1;
-                }
+                looked += usize::from(part < 0.9);
                 below |= owned.is_some();
-                if contrast(self.colour(|_, _| true), self.colour(|_, coat| !is_own(coat))) >= FAINT {
+                let all = self.colour(|_, _| true);
+                let differs = contrast(all, self.colour(|_, coat| !is_own(coat))) >= FAINT;
+                if differs && contrast(all, self.blank()) >= FAINT {
                     seen += 1;
                 } else if let Some(&own) = owned {
                     top = top.or(self.stack.last().filter(|&&last| last > own).copied());

@@ -602,10 +602,68 @@ fn the_picture_shows_what_differs() {
     for part in ["class=\"diff miss\"", "class=\"diff extra\"", "class=\"ring\"", "class=\"thread\"", "3 differences"] {
         assert!(svg.contains(part), "{part} is not in the picture: {}", answer.text());
     }
+    // The student's drawing beside it, and the half-edges that the list names.
+    assert!(svg.contains("your drawing, as it was read") && svg.contains("class=\"yl\""));
+    let named: Vec<&str> = answer.differences().iter().flat_map(|d| d.text.split([' ', ',', ';', ':'])).collect();
+    let labels =
+        svg.split("class=\"hn\"").skip(1).map(|rest| rest.split('>').nth(1).unwrap().split('<').next().unwrap());
+    let labels: Vec<&str> = labels.map(str::trim).collect();
+    assert!(labels.len() > 1 && labels.iter().all(|label| named.contains(label)), "{labels:?} {named:?}");
     let badges = svg.matches("class=\"badge\"").count();
     assert_eq!(badges, 2 * answer.differences().len(), "each in the drawing and in the list");
     assert_eq!(svg, answer.figure(&FigureOptions::new("What differs").id_prefix("diff")).unwrap().to_svg());
     let plain = judge(&Pen::new(&ship()).svg(), &Pen::new(&other).svg());
     let svg = plain.figure(&FigureOptions::new("plain")).unwrap().to_svg();
     assert!(svg.contains("class=\"diff miss\"") && !svg.contains("class=\"sh\""), "drawings have no half-edges");
+}
+
+#[test]
+fn what_is_the_same_is_told_once() {
+    let pen = Pen::new(&ship());
+    let reference = pen.svg();
+    let white = reference.replace("r=\"4\"/>", "r=\"4\" fill=\"white\"/>");
+    let answer = judge(&reference, &white);
+    assert_eq!(answer.differences().len(), 1, "{}", answer.text());
+    assert!(texts(&answer)[0].starts_with("22 vertices have the colour of the paper: at ("), "{}", answer.text());
+    let thin = reference.replace("stroke=\"black\"", "stroke=\"black\" stroke-width=\"0\"");
+    let answer = judge(&reference, &thin);
+    assert_eq!(answer.differences().len(), 1, "{}", answer.text());
+    assert!(texts(&answer)[0].starts_with("33 edges cannot be seen, their stroke-width is 0: "), "{}", answer.text());
+    // Each badge of the picture has its number in the list.
+    let svg = answer.figure(&FigureOptions::new("thin")).unwrap().to_svg();
+    assert_eq!(svg.matches("class=\"badge\"").count(), 2);
+}
+
+#[test]
+fn the_rows_of_a_focus_figure_are_no_part_of_its_structure() {
+    let [cube, focus] = [include_str!("../../../figures/cube.svg"), include_str!("../../../figures/focus.svg")];
+    for (reference, student) in [(cube, focus), (focus, cube)] {
+        let answer = judge(reference, student);
+        assert!(answer.is_equal() && answer.layer() == Layer::Declared, "{}", answer.text());
+    }
+    // A line that is missing is still seen.
+    let line = focus.lines().find(|line| line.starts_with("<line class=\"edge\"")).unwrap();
+    assert!(!judge(cube, &focus.replacen(line, "", 1)).is_equal());
+}
+
+#[test]
+fn how_a_drawing_is_turned_or_stretched_is_named() {
+    let pen = Pen::new(&ship());
+    let reference = pen.svg();
+    let (s, c) = 12f64.to_radians().sin_cos();
+    for (changed, said) in [
+        (
+            pen.moved(|[x, y]| [0.6 * (c * x - s * y), 0.6 * (s * x + c * y)]),
+            "the drawing is turned by 12° to the left",
+        ),
+        (
+            pen.moved(|[x, y]| [0.6 * (c * x + s * y), 0.6 * (c * y - s * x)]),
+            "the drawing is turned by 12° to the right",
+        ),
+        (pen.moved(|[x, y]| [0.6 * (c * x + s * y), 0.6 * (s * x - c * y)]), "the drawing is mirrored and turned"),
+        (pen.moved(|[x, y]| [0.5 * x, y]), "the drawing is stretched: x is drawn 0.5 times as large as y"),
+    ] {
+        let answer = judge(&reference, &changed.svg());
+        assert!(texts(&answer)[0].starts_with(said), "{said}: {}", answer.text());
+    }
 }
