@@ -392,7 +392,7 @@ impl Critic<'_> {
         if !self.target.sketch.has_dots() {
             return;
         }
-        if !self.found.has_dots() {
+        if self.found.dots.iter().all(|dot| *dot == Err(None)) {
             let text = "no vertex is drawn: draw a circle at each vertex".to_owned();
             return self.say(Kind::Vertex, text, Spot::Nowhere);
         }

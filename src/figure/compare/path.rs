@@ -161,7 +161,7 @@ impl Pen {
         let half = [0.5 * (from[0] - to[0]), 0.5 * (from[1] - to[1])];
         let (sine, cosine) = degrees.to_radians().sin_cos();
         let turned = [cosine * half[0] + sine * half[1], cosine * half[1] - sine * half[0]];
-        if radii.contains(&0.0) || half == [0.0; 2] {
+        if radii.contains(&0.0) || half.iter().all(|side| side.abs() <= 0.0) {
             return self.to(to, true);
         }
         let unit = [turned[0] / radii[0], turned[1] / radii[1]];

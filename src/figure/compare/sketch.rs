@@ -250,10 +250,8 @@ impl Sketch {
         let rings = self.outlines.iter().flat_map(|outline| &outline.ring);
         self.graph.edges.iter().flatten().chain(rings).for_each(|&m| used[m as usize] = true);
         let mut numbers = vec![u32::MAX; used.len()];
-        let mut next = 0;
-        for (m, _) in used.iter().enumerate().filter(|(_, used)| **used) {
+        for (next, (m, _)) in (0..).zip(used.iter().enumerate().filter(|(_, used)| **used)) {
             numbers[m] = next;
-            next += 1;
         }
         let new = |m: u32| numbers[m as usize];
         self.graph.points = kept(&self.graph.points, &used);

@@ -90,7 +90,6 @@ fn references() -> Vec<(&'static str, Sheet)> {
         ("lab-04-drawing", include_str!("../../../figures/scripts/lab-04-drawing.dcels")),
         ("lab", include_str!("../../../figures/scripts/lab.dcels")),
         ("join-faces", include_str!("../../../figures/scripts/join-faces.dcels")),
-        ("split-in-half", include_str!("../../../figures/scripts/split-in-half.dcels")),
     ];
     all.map(|(name, script)| (name, Sheet::new(script))).to_vec()
 }
@@ -103,9 +102,12 @@ fn box_over(sheet: &Sheet, i: usize, fill: &str) -> String {
     format!("<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" fill=\"{fill}\"/>")
 }
 
+type Change = fn(&mut Sheet, &mut Random);
+type Rewrite = fn(&Sheet, &mut Random) -> String;
+
 /// Ways to make a drawing wrong; each changes one element at random.
 #[rustfmt::skip]
-const WRONG: [(&str, fn(&mut Sheet, &mut Random)); 27] = [
+const WRONG: [(&str, Change); 27] = [
     ("an edge dropped", |s, r| { let i = r.below(s.lines.len()); s.lines.remove(i); s.line_style.remove(i); }),
     ("a vertex moved", |s, r| {
         let (from, by) = (s.dots[r.below(s.dots.len())], 0.3 + r.below(40) as f64 / 10.0);
@@ -178,7 +180,7 @@ const WRONG: [(&str, fn(&mut Sheet, &mut Random)); 27] = [
     ("a circle over its neighbours", |s, r| {
         let i = r.below(s.dots.len());
         s.dots.push(s.dots[i]);
-        s.dot_style.push("style=\"r:260px\"".into());
+        s.dot_style.push("style=\"r:290px\"".into());
     }),
 ];
 
@@ -211,7 +213,7 @@ fn joined(count: usize, of: impl Fn(usize) -> String) -> String {
 
 /// Other ways to write the same drawing.
 #[rustfmt::skip]
-const SAME: [(&str, fn(&Sheet, &mut Random) -> String); 25] = [
+const SAME: [(&str, Rewrite); 25] = [
     ("each layer in another order", |s, r| {
         let order = |n: usize, r: &mut Random| r.shuffled(n);
         let [a, l, d] = [s.areas.len(), s.lines.len(), s.dots.len()].map(|n| order(n, r));
