@@ -63,3 +63,32 @@ fn wrong_inputs_and_targets_are_refused() {
     let report = folder.dcel("build garden.json --json").json();
     assert_eq!((&report["format"], &report["faces"]), (&json!("geojson"), &json!(4)));
 }
+
+const UNSETTLED: &str = "0.018737023238535655 0.5045266461286917 0.15153261659397965 0.152083823546187
+0.0 0.4 0.30000000000000004 0.1
+0.1 0.30000000000000004 0.0 0.4
+";
+
+/// `defects/unsettled.segments`, `defects/touch_not_named.segments`
+#[test]
+fn close_lines_settle_and_all_touching_pairs_are_named() {
+    let folder = Folder::new();
+    folder.write("unsettled.segments", UNSETTLED);
+    let report = folder.dcel("build unsettled.segments --split-crossings --json").json();
+    assert!(report["farthest"].as_f64().unwrap() < 1e-15, "{report}");
+    folder.write("touch.segments", "3 3 3 0\n3 2 2 3\n0 0 3 2\n");
+    let told = folder.dcel("build touch.segments");
+    told.fails(2, "segment 1 ends at (3, 2) in the interior of segment 0", "segment 2 ends at (3, 2)");
+}
+
+#[test]
+fn a_grid_is_told_with_what_it_moved_and_refused_where_doubles_do_not_reach() {
+    let folder = Folder::new();
+    folder.write("cross.segments", "0.1 0 4 4\n0 4 4 0.2\n9 9 9.1 9.2\n");
+    let report = folder.dcel("build cross.segments --split-crossings --grid 1 --json").json();
+    assert_eq!((&report["grid"], &report["collapsed"], &report["vertices"]), (&json!(1.0), &json!([2]), &json!(6)));
+    assert_eq!(report["displaced"].as_array().unwrap().len(), 3);
+    folder.dcel("build cross.segments --split-crossings --grid 1e-20").fails(2, "the grid", "");
+    folder.dcel("build cross.segments --split-crossings --grid 0").fails(2, "the grid 0 cannot be used", "");
+    folder.dcel("build cross.segments --grid 1").fails(2, "", "--split-crossings");
+}

@@ -102,3 +102,17 @@ fn overlays_are_drawn_and_named() {
     folder.dcel("overlay garden.json tiles.obj -o tiles.obj").fails(2, "this is the input itself", "another name");
     folder.dcel("overlay garden.json tiles.obj -o both").fails(2, "the name does not tell", ".svg");
 }
+
+/// `defects/h1.json`
+#[test]
+fn areas_far_from_the_origin_keep_their_digits() {
+    let folder = Folder::new();
+    let corners = "[4000000.0,5500000.0],[4000000.1,5500000.0],[4000000.1,5500000.1],[4000000.0,5500000.1]";
+    let text = format!(r#"{{"type":"Polygon","coordinates":[[{corners},[4000000.0,5500000.0]]]}}"#);
+    folder.write("h1.json", &text);
+    let report = folder.dcel("overlay h1.json h1.json --operation union --json").json();
+    let side = (4000000.1_f64 - 4000000.0) * (5500000.1_f64 - 5500000.0);
+    assert_eq!(report["region"]["area"].as_f64(), Some(side));
+    let coarse = folder.dcel("overlay h1.json h1.json --operation union --grid 0.25 --json").json();
+    assert_eq!((&coarse["grid"], &coarse["region"]["area"]), (&json!(0.25), &json!(0.0)));
+}

@@ -60,7 +60,10 @@ fn assert_settled(arranged: &Arranged, segments: &[Segment], context: &str) -> u
         for &h in chain {
             used[h.edge().index()] = true;
             for v in [s.origin(h), s.destination(h)] {
-                assert!(within(original, &at[v.index()], &far), "{context}: {v} is too far from segment {i}");
+                assert!(
+                    within(original, &at[v.index()], &far),
+                    "{context}: {v} is too far from segment {i}: {arranged:?}"
+                );
             }
         }
     }

@@ -113,7 +113,7 @@ impl Crossing {
     }
 
     /// The nearest point with doubles as coordinates, within the range of the door, and how far it is from the
-    /// crossing (itself rounded). Rounding keeps the order of the x and of the y of different crossings.
+    /// crossing at most. Rounding keeps the order of the x and of the y of different crossings.
     pub(super) fn rounded(&self) -> (Point, f64) {
         let Exact { x, y, w } = self.exact();
         let divide = |part: &Expansion, bounds: Interval| {
@@ -126,7 +126,8 @@ impl Crossing {
             (nearest, rest(nearest))
         };
         let ((px, off_x), (py, off_y)) = (divide(x, self.x), divide(y, self.y));
-        (Point::new(px, py), off_x.hypot(off_y))
+        // Both rests are good to a few last places.
+        (Point::new(px, py), off_x.hypot(off_y) * (1.0 + 8.0 * f64::EPSILON))
     }
 }
 

@@ -135,7 +135,9 @@ pub enum SegmentsError {
         more: bool,
     },
     /// A grid that points cannot be rounded to.
-    #[error("the grid {size} cannot be used: give a number from {finest} (finer, doubles do not reach) to 2^201")]
+    #[error(
+        "the grid {size} cannot be used: give a number from {finest:e}, the finest that doubles reach here, to 2^201"
+    )]
     Grid {
         /// The grid asked for.
         size: f64,
