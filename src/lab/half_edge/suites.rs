@@ -83,7 +83,7 @@ impl Course for HalfEdge {
             "drawing" => drawing::judge(case, answer),
             _ => walks::judge(suite.tests[0], case, answer),
         };
-        if case.name.contains(BLIND) {
+        if is_blind(&case.start) {
             faults.iter_mut().for_each(|fault| fault.words.push_str(IN_THE_BLIND));
         }
         faults
@@ -96,6 +96,13 @@ impl Course for HalfEdge {
     fn shorter(&self, case: &Case) -> Vec<Case> {
         shorter(case)
     }
+}
+
+/// Whether all vertices are at one place. A case that was made shorter has another name, and the same start.
+fn is_blind(start: &Start) -> bool {
+    let Start::Table(table) = start else { return false };
+    let mut places = table.vertices.iter().flatten().map(|row| row.position);
+    places.next().is_some_and(|first| places.all(|other| other == first))
 }
 
 fn by_call(case: &Case, answer: &CaseAnswer, judge: impl Fn(&Exchange) -> Vec<Fault>) -> Vec<Fault> {
