@@ -5,9 +5,11 @@
 //!   walks.rs           round a face, round a vertex, destination
 //!   split_face.rs      in six steps                     split_in_half.rs  in three
 //!   sequences.rs       one call after the other         drawing.rs        the drawing of the handout
+//!   features.rs        what can be said of a call       shorter.rs        shorter cases that may fail alike
 //! ```
 
 mod drawing;
+mod features;
 mod sequences;
 mod shorter;
 mod split;

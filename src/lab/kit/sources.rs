@@ -1,7 +1,7 @@
 //! The files of this build. Generated: `dcel lab bundle`.
 
 #[rustfmt::skip]
-pub(super) const SOURCES: [(&str, &str); 289] = [
+pub(super) const SOURCES: [(&str, &str); 292] = [
     ("LICENSE-APACHE", include_str!("../../../LICENSE-APACHE")),
     ("LICENSE-MIT", include_str!("../../../LICENSE-MIT")),
     ("figures/cube.svg", include_str!("../../../figures/cube.svg")),
@@ -111,6 +111,7 @@ pub(super) const SOURCES: [(&str, &str); 289] = [
     ("src/lab/checks/cyclic.rs", include_str!("../../../src/lab/checks/cyclic.rs")),
     ("src/lab/checks/mod.rs", include_str!("../../../src/lab/checks/mod.rs")),
     ("src/lab/checks/spec.rs", include_str!("../../../src/lab/checks/spec.rs")),
+    ("src/lab/conditions.rs", include_str!("../../../src/lab/conditions.rs")),
     ("src/lab/course.rs", include_str!("../../../src/lab/course.rs")),
     ("src/lab/fault.rs", include_str!("../../../src/lab/fault.rs")),
     ("src/lab/feedback/ascii.rs", include_str!("../../../src/lab/feedback/ascii.rs")),
@@ -123,6 +124,7 @@ pub(super) const SOURCES: [(&str, &str); 289] = [
     ("src/lab/files.rs", include_str!("../../../src/lab/files.rs")),
     ("src/lab/grade.rs", include_str!("../../../src/lab/grade.rs")),
     ("src/lab/half_edge/drawing.rs", include_str!("../../../src/lab/half_edge/drawing.rs")),
+    ("src/lab/half_edge/features.rs", include_str!("../../../src/lab/half_edge/features.rs")),
     ("src/lab/half_edge/mod.rs", include_str!("../../../src/lab/half_edge/mod.rs")),
     ("src/lab/half_edge/sequences.rs", include_str!("../../../src/lab/half_edge/sequences.rs")),
     ("src/lab/half_edge/shorter.rs", include_str!("../../../src/lab/half_edge/shorter.rs")),
@@ -132,6 +134,7 @@ pub(super) const SOURCES: [(&str, &str); 289] = [
     ("src/lab/half_edge/starts.rs", include_str!("../../../src/lab/half_edge/starts.rs")),
     ("src/lab/half_edge/suites.rs", include_str!("../../../src/lab/half_edge/suites.rs")),
     ("src/lab/half_edge/walks.rs", include_str!("../../../src/lab/half_edge/walks.rs")),
+    ("src/lab/judged.rs", include_str!("../../../src/lab/judged.rs")),
     ("src/lab/manifest.rs", include_str!("../../../src/lab/manifest.rs")),
     ("src/lab/marked.rs", include_str!("../../../src/lab/marked.rs")),
     ("src/lab/mod.rs", include_str!("../../../src/lab/mod.rs")),
