@@ -64,6 +64,7 @@ pub struct FigureOptions {
     pub(super) overrides: Overrides,
     pub(super) faces: Option<Vec<FaceId>>,
     pub(super) crop: Option<[Point; 2]>,
+    pub(super) reach: Vec<Point>,
     pub(super) unit: Unit,
     pub(super) plain: bool,
     pub(super) interactive: bool,
@@ -94,6 +95,7 @@ impl FigureOptions {
             overrides: Overrides::default(),
             faces: None,
             crop: None,
+            reach: Vec::new(),
             unit: Unit::Px,
             plain: false,
             interactive: false,
@@ -220,6 +222,16 @@ impl FigureOptions {
         let [a, b] = [corner, opposite].map(|[x, y]| Point::new(x, y));
         let is_box = |a: Point, b: Point| [b.x - a.x, b.y - a.y].iter().all(|side| side.is_finite() && *side != 0.0);
         self.crop = is_box(a, b).then_some([a, b]);
+        self
+    }
+
+    /// Leaves room for these points, too, as if there were vertices. Two figures of one width that reach to the same
+    /// points have one scale, and what stands at one place stands at one place in both. Default: none. A cropped
+    /// figure shows its window.
+    #[must_use]
+    pub fn reach(mut self, points: impl IntoIterator<Item = [f64; 2]>) -> Self {
+        let finite = |[x, y]: &[f64; 2]| x.is_finite() && y.is_finite();
+        self.reach = points.into_iter().filter(finite).map(|[x, y]| Point::new(x, y)).collect();
         self
     }
 

@@ -190,7 +190,11 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
         check(view)?;
         let skeleton = Skeleton::new(view);
         let extent = options.crop.map_or_else(
-            || Extent::of(vertices(view).filter_map(|v| view.position(v)).chain(points)),
+            || {
+                Extent::of(
+                    vertices(view).filter_map(|v| view.position(v)).chain(points).chain(options.reach.iter().copied()),
+                )
+            },
             |corners| Extent::of(corners.iter().copied()),
         );
         let load = Load {

@@ -9,7 +9,7 @@
 
 use super::fault::{Exchange, Fault};
 use super::plan::Plan;
-use super::protocol::{Case, CaseAnswer};
+use super::protocol::{Case, CaseAnswer, Step};
 use crate::topology::Table;
 
 /// Where a case comes from, and so who may see it.
@@ -43,6 +43,15 @@ pub struct Suite {
     pub asked: Vec<Asked>,
 }
 
+/// Something that holds of some calls and not of others, seen before the call is made.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub struct Feature {
+    /// A word for files: letters, digits and `_`.
+    pub id: &'static str,
+    /// The end of a sentence: "It fails where …".
+    pub clause: &'static str,
+}
+
 /// The cases of a lab and what is right in them.
 pub trait Course: Sync {
     /// All suites, in the order of the tasks.
@@ -51,6 +60,34 @@ pub trait Course: Sync {
     /// What is wrong with the answer to a case, as far as it goes. That an answer is not complete is seen to by the
     /// engine.
     fn judge(&self, suite: &Suite, case: &Case, answer: &CaseAnswer) -> Vec<Fault>;
+
+    /// The tests that a step is about, of those that its suite decides: a call or a picture that was answered. A call
+    /// that should be refused says nothing about the steps of carrying it out. A fault counts in any case.
+    fn concerns(&self, suite: &Suite, step: &Step, exchange: Option<&Exchange>) -> Vec<&'static str> {
+        let _ = (step, exchange);
+        suite.tests.to_vec()
+    }
+
+    /// The test whose promise a fault breaks, where a suite of many calls found it: it is charged there, and not once
+    /// more to what builds on it. `None` if that cannot be told.
+    fn blames(&self, fault: &Fault) -> Option<&'static str> {
+        let _ = fault;
+        None
+    }
+
+    /// What can be said of calls, each by its own bit: see [`features`](Self::features). The order is that in which
+    /// a reader would rather hear them.
+    fn vocabulary(&self) -> &'static [Feature] {
+        &[]
+    }
+
+    /// What holds of a call: bit i stands for feature i of the [`vocabulary`](Self::vocabulary). `earlier` are the
+    /// calls before it on which its structure depends. `None` if too little is known of the call to say for each
+    /// feature whether it holds; a feature that has no meaning for the call does not hold.
+    fn features(&self, earlier: &[&Exchange], exchange: &Exchange) -> Option<u128> {
+        let _ = (earlier, exchange);
+        None
+    }
 
     /// The structure that a call should have left behind, in the numbers of the student's, for a picture.
     fn expected(&self, exchange: &Exchange) -> Option<Table>;

@@ -1,15 +1,17 @@
 //! Grading a program: all suites, a verdict for each test, the report.
 //!
 //! ```text
-//!   the first case of a test that fails decides its verdict      crashed, timed out, out of memory, wrong ...
-//!   a test that it needs did not pass                            skipped
-//!   nothing of its task is there but todo!()                     unattempted
-//!   no fault in any case, and every case answered                passed
+//!   the first call that decides a test and fails gives its verdict     crashed, timed out, out of memory, wrong ...
+//!   too few calls decide it, because what it needs fails in them       skipped      (see judged.rs)
+//!   nothing of its task is there but todo!()                           unattempted
+//!   enough calls decide it, and none of them fails                     passed
 //! ```
 
-use super::course::{Source, Suite, course};
+use super::conditions::{Calls, sentence, shortest};
+use super::course::{Course, Source, Suite, course};
 use super::fault::{Fault, FaultKind};
 use super::feedback;
+use super::judged::{Needs, Ruling, Unit, Units};
 use super::manifest::Test;
 use super::plan::Plan;
 use super::program::Program;
@@ -17,7 +19,7 @@ use super::report::{Finding, Report, TestResult};
 use super::run::{PATIENCE, SuiteRun, run_suite};
 use super::the_lab::Lab;
 use super::verdict::Verdict;
-use super::zoo::{self, Signature};
+use super::zoo::{self, Evidence, Signature};
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Instant;
 
@@ -33,21 +35,28 @@ const PRINTED: usize = 4 * 1024;
 pub(super) struct Graded<'a> {
     pub(super) suite: &'a Suite,
     pub(super) run: SuiteRun,
+    /// It was not run, because what all of its tests need did not come back.
+    blocked: bool,
 }
 
 /// What is known of a test before it becomes a result.
 struct State<'a> {
     test: &'a Test,
     verdict: Verdict,
-    /// The suite that decides it, and the first case with a fault of this test.
-    failing: Option<(usize, usize)>,
+    /// The number of its suite.
+    suite: Option<usize>,
+    ruling: Ruling,
+    needs: Needs,
     hash: Option<String>,
 }
 
-impl<'a> State<'a> {
-    fn without_cases(test: &'a Test) -> Self {
-        Self { test, verdict: Verdict::GraderFault, failing: None, hash: None }
-    }
+/// All that came of a run.
+struct Run<'a> {
+    lab: &'a Lab,
+    course: &'static dyn Course,
+    graded: &'a [Graded<'a>],
+    units: Vec<Units<'a>>,
+    states: Vec<State<'a>>,
 }
 
 /// Runs all cases of a lab with a program, and says what came of it.
@@ -59,85 +68,247 @@ pub fn grade_program(lab: &Lab, program: &dyn Program, plan: &Plan) -> Report {
     grade_and_sign(lab, program, plan).0
 }
 
-/// [`grade_program`], and how the program fails in the fixed cases: what the zoo keeps of each bug. The signature is
-/// empty for a right program, and for one that cannot be run, and does not depend on the seed.
+/// [`grade_program`], and how the program fails in the fixed cases: what the lab keeps of each known mistake. The
+/// signature is empty for a right program, and for one that cannot be run, and does not depend on the seed.
 #[must_use]
 pub fn grade_and_sign(lab: &Lab, program: &dyn Program, plan: &Plan) -> (Report, Signature) {
+    let (report, signature, _) = grade(lab, program, plan, false);
+    (report, signature)
+}
+
+/// [`grade_and_sign`]; with `all`, also in which calls of all cases each test fails and in which it does not.
+pub(super) fn grade(lab: &Lab, program: &dyn Program, plan: &Plan, all: bool) -> (Report, Signature, Evidence) {
     let begin = Instant::now();
     let mut report = empty_report(lab, plan, program);
     let Some(course) = course(&lab.name) else {
         report.message = Some(format!("this version of the kit has no cases for {}", lab.name));
-        return (report, Signature::new());
+        return (report, Signature::new(), Evidence::new());
     };
     let suites = wanted(course.suites(plan), lab, plan);
-    let mut graded: Vec<Graded> = Vec::new();
-    let mut exhausted = 0;
-    for suite in &suites {
-        let last = graded.iter().rev().find_map(|graded| graded.run.exhausted_by());
-        let run = match last {
-            // What builds on a test that fails would be skipped anyway, and may hang on what that has left behind.
-            _ if is_blocked(lab, suite, &graded) => SuiteRun::default(),
-            Some(end) if exhausted >= PATIENCE => SuiteRun::given_up(end),
-            _ => run_suite(program, course, suite, exhausted),
-        };
-        exhausted += run.exhausted;
-        report.printed.push_str(&run.printed);
-        graded.push(Graded { suite, run });
+    let graded = run_all(lab, course, program, &suites);
+    for part in &graded {
+        report.printed.push_str(&part.run.printed);
     }
     let mut cut = report.printed.len().min(PRINTED);
     while !report.printed.is_char_boundary(cut) {
         cut -= 1;
     }
     report.printed.truncate(cut);
-    let mut states = states(lab, &graded);
-    if plan.only.is_none() {
-        // A test without cases can never be passed.
-        let known: BTreeSet<&str> = states.iter().map(|state| state.test.name.as_str()).collect();
-        let lost = lab.manifest.tests.iter().filter(|test| !known.contains(test.name.as_str()));
-        let lost: Vec<State> = lost.map(State::without_cases).collect();
-        states.extend(lost);
-    }
-    let signature = signature_of(&states);
-    let skipped: BTreeSet<&str> = states
+    let run = Run::new(lab, course, &graded, plan.only.is_some());
+    let signature = run.signature();
+    let skipped: BTreeSet<&str> = run
+        .states
         .iter()
         .filter(|state| matches!(state.verdict, Verdict::Skipped | Verdict::Unattempted))
         .map(|state| state.test.name.as_str())
         .collect();
+    let fails = run.states.iter().any(|state| state.verdict.is_failure());
+    let evidence = if fails { run.evidence(&|source| source != Source::Fixed) } else { Evidence::new() };
     let context = feedback::Context { lab, program, course };
-    for state in &states {
+    for state in &run.states {
         let mut result = TestResult::new(state.test, state.verdict);
-        describe(&mut result, state, &graded, lab, &states);
+        run.describe(&mut result, state);
         if state.verdict.is_failure() {
-            let task = state.test.task;
-            result.bugs = zoo::names(&lab.signatures, &lab.bugs, &lab.manifest, task, &signature, &skipped);
-            if let Some((suite, case)) = state.failing {
-                context.illustrate(&mut result, &graded[suite], case);
+            let found = zoo::Found { signature: &signature, skipped: &skipped, evidence: &evidence };
+            result.bugs = zoo::names(lab, course.vocabulary(), state.test.task, &found);
+            if let (Some(suite), Some(unit)) = (state.suite, run.first_failing(state)) {
+                context.illustrate(&mut result, &graded[suite], unit.case, unit.step, &state.needs);
             }
         }
         report.tests.push(result);
     }
-    report.verdict = report.tests.iter().map(|test| test.verdict).max().unwrap_or(Verdict::GraderFault);
+    report.verdict = summary(report.tests.iter().map(|test| test.verdict));
     report.millis = begin.elapsed().as_millis() as u64;
-    (report, signature)
+    let evidence = if all && fails { run.evidence(&|_| true) } else { Evidence::new() };
+    (report, signature, evidence)
 }
 
-/// Whether every test of a suite needs, at once or through others, one that has been run and fails. Code that is
-/// still to be written blocks nothing: what is said of it depends on all that the task has.
+/// The verdict on all tests together: the worst. A test that was skipped waits for another one, which has more to say.
+fn summary(verdicts: impl Iterator<Item = Verdict> + Clone) -> Verdict {
+    let telling = verdicts.clone().filter(|verdict| !matches!(verdict, Verdict::Skipped | Verdict::Passed)).max();
+    telling.or_else(|| verdicts.max()).unwrap_or(Verdict::GraderFault)
+}
+
+/// In which calls of the random cases each test fails and in which it does not.
+#[cfg(feature = "grade")]
+pub(super) fn random_evidence(lab: &Lab, program: &dyn Program, plan: &Plan) -> Evidence {
+    let Some(course) = course(&lab.name) else { return Evidence::new() };
+    let mut suites = course.suites(plan);
+    suites.iter_mut().for_each(|suite| suite.asked.retain(|asked| asked.source == Source::Random));
+    let graded = run_all(lab, course, program, &suites);
+    Run::new(lab, course, &graded, true).evidence(&|_| true)
+}
+
+fn run_all<'a>(lab: &Lab, course: &dyn Course, program: &dyn Program, suites: &'a [Suite]) -> Vec<Graded<'a>> {
+    let mut graded: Vec<Graded> = Vec::new();
+    let mut exhausted = 0;
+    for suite in suites {
+        let blocked = is_blocked(lab, suite, &graded);
+        let last = graded.iter().rev().find_map(|graded| graded.run.exhausted_by());
+        let run = match last {
+            _ if blocked => SuiteRun::default(),
+            Some(end) if exhausted >= PATIENCE => SuiteRun::given_up(end),
+            _ => run_suite(program, course, suite, exhausted),
+        };
+        exhausted += run.exhausted;
+        graded.push(Graded { suite, run, blocked });
+    }
+    graded
+}
+
+/// Whether every test of a suite needs, at once or through others, a suite that was broken off: what did not come
+/// back there would cost the whole deadline here once more.
 fn is_blocked(lab: &Lab, suite: &Suite, graded: &[Graded]) -> bool {
-    let states = states(lab, graded);
-    let fails = |name: &str| {
-        let state = states.iter().find(|state| state.test.name == name);
-        let open = [Verdict::Passed, Verdict::Unattempted, Verdict::GraderFault];
-        state.is_some_and(|state| !open.contains(&state.verdict))
+    let broken_off = |name: &str| {
+        let of = graded.iter().find(|part| part.suite.tests.contains(&name));
+        of.is_some_and(|part| part.run.grader_fault.is_none() && !part.is_whole())
     };
-    suite.tests.iter().all(|test| {
-        let needs = lab.manifest.test(test).map_or(&[][..], |test| &test.needs);
-        needs.iter().any(|need| fails(need))
-    })
+    let needs = |test: &&str| lab.manifest.test(test).map_or(&[][..], |test| &test.needs);
+    suite.tests.iter().all(|test| needs(test).iter().any(|need| broken_off(need)))
 }
 
-fn signature_of(states: &[State]) -> Signature {
-    states.iter().filter_map(|state| Some((state.test.name.clone(), state.hash.clone()?))).collect()
+impl Graded<'_> {
+    /// Whether every case was asked.
+    fn is_whole(&self) -> bool {
+        !self.blocked && self.run.faults.len() == self.suite.asked.len()
+    }
+}
+
+impl<'a> Run<'a> {
+    fn new(lab: &'a Lab, course: &'static dyn Course, graded: &'a [Graded<'a>], in_part: bool) -> Self {
+        let units = graded.iter().map(|part| Units::new(course, part.suite, &part.run)).collect();
+        let mut run = Self { lab, course, graded, units, states: Vec::new() };
+        for test in &lab.manifest.tests {
+            if let Some(state) = run.state(test, in_part) {
+                run.states.push(state);
+            }
+        }
+        run.keep_unattempted();
+        run
+    }
+
+    /// What is known of a test, once all earlier ones are; `None` if its suite was not asked for.
+    fn state(&self, test: &'a Test, in_part: bool) -> Option<State<'a>> {
+        let number = self.graded.iter().position(|part| part.suite.tests.contains(&test.name.as_str()));
+        let mut state = State {
+            test,
+            verdict: Verdict::GraderFault,
+            suite: number,
+            ruling: Ruling::default(),
+            needs: Needs::default(),
+            hash: None,
+        };
+        // A test without cases can never be passed.
+        let Some(number) = number else { return (!in_part).then_some(state) };
+        let part = &self.graded[number];
+        let passed = |name: &str| self.states.iter().any(|s| s.test.name == name && s.verdict.is_passed());
+        state.needs = Needs::of(&self.lab.manifest, test, part.suite.tests, passed);
+        if part.run.grader_fault.is_some() || part.suite.asked.is_empty() {
+            return Some(state);
+        }
+        if let Some(end) = &part.run.given_up {
+            state.verdict = end.verdict();
+            return Some(state);
+        }
+        state.ruling = self.units[number].ruling(self.course, &test.name, &state.needs);
+        state.verdict = match state.ruling.failing.first() {
+            Some(&first) => {
+                let unit = &self.units[number].all[first];
+                let fault = self.units[number].faults_of(unit, &test.name).next();
+                fault.map_or(Verdict::GraderFault, |fault| fault.kind.verdict())
+            }
+            None if part.is_whole() && state.ruling.is_enough() => Verdict::Passed,
+            None if state.ruling.asked == 0 && !part.blocked && !state.needs.any() => Verdict::GraderFault,
+            None => Verdict::Skipped,
+        };
+        state.hash = self.hash_of(&state, number);
+        Some(state)
+    }
+
+    /// Tests of a task of which nothing is written yet are unattempted, whatever they build on.
+    fn keep_unattempted(&mut self) {
+        let says_nothing = |state: &State| {
+            let first = state.suite.and_then(|number| {
+                let faults = &self.graded[number].run.faults;
+                faults.iter().flatten().find(|fault| fault.test == state.test.name)
+            });
+            first.is_some_and(|fault| fault.kind == FaultKind::Unattempted)
+        };
+        let mut of_task: BTreeMap<u32, bool> = BTreeMap::new();
+        for state in &self.states {
+            *of_task.entry(state.test.task).or_insert(true) &= says_nothing(state);
+        }
+        for state in &mut self.states {
+            if state.verdict == Verdict::Skipped && of_task[&state.test.task] {
+                state.verdict = Verdict::Unattempted;
+            }
+        }
+    }
+
+    fn first_failing(&self, state: &State) -> Option<&Unit<'a>> {
+        self.units[state.suite?].all.get(*state.ruling.failing.first()?)
+    }
+
+    fn signature(&self) -> Signature {
+        self.states.iter().filter_map(|state| Some((state.test.name.clone(), state.hash.clone()?))).collect()
+    }
+
+    /// The hash of what fails in the fixed cases; `None` if nothing does.
+    fn hash_of(&self, state: &State, number: usize) -> Option<String> {
+        let (units, asked) = (&self.units[number], &self.graded[number].suite.asked);
+        let line = |case: &str, fault: &Fault| {
+            let kind = match &fault.kind {
+                FaultKind::Crashed { .. } => "crashed".to_owned(),
+                FaultKind::DoesNotComeBack { .. } => "DoesNotComeBack".to_owned(),
+                FaultKind::TooSlow { .. } => "TooSlow".to_owned(),
+                kind => format!("{kind:?}"),
+            };
+            format!("{case} {} {} {} {kind}", fault.step, fault.rule, fault.tag)
+        };
+        if matches!(state.verdict, Verdict::Unattempted | Verdict::GraderFault) {
+            return None;
+        }
+        let failing = state.ruling.failing.iter().map(|&i| &units.all[i]);
+        let fixed = failing.filter(|unit| asked[unit.case].source == Source::Fixed);
+        let lines: BTreeSet<String> = fixed
+            .flat_map(|unit| {
+                units.faults_of(unit, &state.test.name).map(|fault| line(&asked[unit.case].case.name, fault))
+            })
+            .collect();
+        (!lines.is_empty()).then(|| zoo::hash(&lines))
+    }
+
+    /// In which calls each test fails and in which it does not, as far as their features are known: the calls that
+    /// decide it, and those of sequences which do the same.
+    fn evidence(&self, wanted: &dyn Fn(Source) -> bool) -> Evidence {
+        let mut evidence = Evidence::new();
+        for state in &self.states {
+            let Some(own) = state.suite else { continue };
+            let calls = evidence.entry(state.test.name.clone()).or_default();
+            let functions: BTreeSet<&str> =
+                self.units[own].all.iter().filter_map(|unit| Some(unit.exchange?.function)).collect();
+            for (number, units) in self.units.iter().enumerate() {
+                let asked = &self.graded[number].suite.asked;
+                if number == own {
+                    let add = |unit: usize, to: &mut Vec<u128>| {
+                        if wanted(asked[units.all[unit].case].source) {
+                            to.extend(units.features(self.course, unit));
+                        }
+                    };
+                    state.ruling.failing.iter().for_each(|&unit| add(unit, &mut calls.failing));
+                    state.ruling.passing.iter().for_each(|&unit| add(unit, &mut calls.passing));
+                } else {
+                    let suite = self.graded[own].suite;
+                    let of = |unit: &Unit| {
+                        wanted(asked[unit.case].source)
+                            && unit.exchange.is_some_and(|exchange| functions.contains(exchange.function))
+                    };
+                    units.lent(self.course, suite, &state.test.name, &state.needs, &of, calls);
+                }
+            }
+        }
+        evidence
+    }
 }
 
 fn empty_report(lab: &Lab, plan: &Plan, program: &dyn Program) -> Report {
@@ -173,116 +344,126 @@ fn wanted(suites: Vec<Suite>, lab: &Lab, plan: &Plan) -> Vec<Suite> {
     suites.into_iter().filter(|suite| suite.tests.iter().any(|test| names.contains(test))).collect()
 }
 
-fn states<'a>(lab: &'a Lab, graded: &[Graded]) -> Vec<State<'a>> {
-    let mut states: Vec<State> = lab.manifest.tests.iter().filter_map(|test| state(test, graded)).collect();
-    let own: BTreeMap<String, Verdict> = states.iter().map(|s| (s.test.name.clone(), s.verdict)).collect();
-    let untouched = |task: u32| {
-        let of_task = lab.manifest.tests.iter().filter(|test| test.task == task);
-        of_task.into_iter().all(|test| own.get(&test.name).is_none_or(|v| *v == Verdict::Unattempted))
-    };
-    let mut done: BTreeMap<&str, Verdict> = BTreeMap::new();
-    for state in &mut states {
-        let is_open = |need: &String| done.get(need.as_str()).is_some_and(|verdict| !verdict.is_passed());
-        let program_fails = graded.iter().any(|g| g.run.grader_fault.is_some());
-        if !program_fails && state.test.needs.iter().any(is_open) && !untouched(state.test.task) {
-            state.verdict = Verdict::Skipped;
-            state.hash = None;
+impl Run<'_> {
+    /// The message, the place, the findings and what the failing calls have in common.
+    fn describe(&self, result: &mut TestResult, state: &State) {
+        let ruling = &state.ruling;
+        match state.verdict {
+            Verdict::Passed => {
+                if ruling.judged() < ruling.asked {
+                    let (judged, asked) = (ruling.judged(), ruling.asked);
+                    let because = ruling.because.iter().map(String::as_str).collect::<Vec<_>>().join(" or ");
+                    result.message = format!("Judged by {judged} of {asked} calls: in the others, {because} fails.");
+                }
+                return;
+            }
+            Verdict::Skipped => {
+                result.message = self.why_skipped(state);
+                return;
+            }
+            Verdict::GraderFault => {
+                let why = state.suite.and_then(|number| self.graded[number].run.grader_fault.clone());
+                result.message = why.unwrap_or_else(|| "the cases of this test could not be asked".to_owned());
+                return;
+            }
+            _ => {}
         }
-        done.insert(&state.test.name, state.verdict);
-    }
-    states
-}
-
-/// A test by itself, whatever it needs; `None` if its suite was not asked for.
-fn state<'a>(test: &'a Test, graded: &[Graded]) -> Option<State<'a>> {
-    let suite = graded.iter().position(|g| g.suite.tests.contains(&test.name.as_str()));
-    let suite = suite?;
-    let Graded { suite: asked, run } = &graded[suite];
-    if run.grader_fault.is_some() {
-        return Some(State { test, verdict: Verdict::GraderFault, failing: None, hash: None });
-    }
-    if let Some(end) = &run.given_up {
-        return Some(State { test, verdict: end.verdict(), failing: None, hash: None });
-    }
-    let first = run.faults.iter().enumerate().find_map(|(case, faults)| {
-        let fault = faults.iter().find(|fault| fault.test == test.name)?;
-        Some((case, fault))
-    });
-    let verdict = match first {
-        Some((_, fault)) => fault.kind.verdict(),
-        // Every case must have been answered: a suite that was broken off has a fault, but be sure.
-        None if run.faults.len() == asked.asked.len() && !asked.asked.is_empty() => Verdict::Passed,
-        None => Verdict::GraderFault,
-    };
-    let hash = (!matches!(verdict, Verdict::Passed | Verdict::Unattempted | Verdict::GraderFault))
-        .then(|| hash_of(asked, run, &test.name));
-    Some(State { test, verdict, failing: first.map(|(case, _)| (suite, case)), hash: hash.flatten() })
-}
-
-/// The hash of what fails in the fixed cases; `None` if nothing does.
-fn hash_of(suite: &Suite, run: &SuiteRun, test: &str) -> Option<String> {
-    let fixed = suite.asked.iter().zip(&run.faults).filter(|(asked, _)| asked.source == Source::Fixed);
-    let line = |case: &str, fault: &Fault| {
-        let kind = match &fault.kind {
-            FaultKind::Crashed { .. } => "crashed".to_owned(),
-            FaultKind::DoesNotComeBack { .. } => "DoesNotComeBack".to_owned(),
-            FaultKind::TooSlow { .. } => "TooSlow".to_owned(),
-            kind => format!("{kind:?}"),
+        if state.verdict == Verdict::Unattempted {
+            result.message = "It is still to be written.".to_owned();
+        }
+        let (Some(number), Some(unit)) = (state.suite, self.first_failing(state)) else {
+            if state.verdict.is_failure() {
+                result.message = GIVEN_UP.to_owned();
+            }
+            return;
         };
-        format!("{case} {} {} {} {kind}", fault.step, fault.rule, fault.tag)
-    };
-    let lines: BTreeSet<String> = fixed
-        .flat_map(|(asked, faults)| {
-            faults.iter().filter(|fault| fault.test == test).map(|fault| line(&asked.case.name, fault))
-        })
-        .collect();
-    (!lines.is_empty()).then(|| zoo::hash(&lines))
+        let name = state.test.name.as_str();
+        let faults: Vec<&Fault> = self.units[number].faults_of(unit, name).collect();
+        if let Some(place) = faults.first().and_then(|fault| fault.kind.place()) {
+            result.place = Some(place.to_owned());
+        }
+        if state.verdict == Verdict::Unattempted {
+            return;
+        }
+        let section = self.lab.manifest.task(state.test.task).map_or("", |task| task.section.as_str());
+        let hidden = self.graded[number].suite.asked[unit.case].source == Source::Hidden;
+        let what =
+            faults.first().map_or_else(String::new, |fault| feedback::what_happened(fault, unit.exchange.as_ref()));
+        result.message = if hidden {
+            "A hidden case fails; the cases that you can see do not.".to_owned()
+        } else {
+            format!("{what} ({})", count(ruling))
+        };
+        result.findings = findings(&faults, section, hidden);
+        if !hidden {
+            result.pattern = self.pattern(state, number);
+        }
+    }
+
+    /// Why a test was not judged, or not by enough calls.
+    fn why_skipped(&self, state: &State) -> String {
+        let told = |name: &str| {
+            let verdict = self.states.iter().find(|other| other.test.name == name).map(|other| other.verdict);
+            verdict.map_or_else(|| name.to_owned(), |verdict| format!("{name} ({verdict})"))
+        };
+        let ruling = &state.ruling;
+        let because: Vec<String> = ruling.because.iter().map(|name| told(name)).collect();
+        match (ruling.judged(), &because[..]) {
+            (0, [_, ..]) => format!("It builds on {}.", because.join(" and ")),
+            (judged, [_, ..]) => {
+                let (asked, because) = (ruling.asked, because.join(" or "));
+                format!(
+                    "Only {judged} of {asked} calls can be judged, and they are right: in the others, {because} fails."
+                )
+            }
+            (_, []) => {
+                let open = state.test.needs.iter().filter(|need| {
+                    self.states.iter().any(|other| other.test.name == **need && !other.verdict.is_passed())
+                });
+                let open: Vec<String> = open.map(|name| told(name)).collect();
+                match &open[..] {
+                    [] => "Not all of its cases could be asked.".to_owned(),
+                    open => format!("It builds on {}.", open.join(" and ")),
+                }
+            }
+        }
+    }
+
+    /// What the failing calls have in common, of those that the student may see.
+    fn pattern(&self, state: &State, number: usize) -> Option<String> {
+        let (units, asked) = (&self.units[number], &self.graded[number].suite.asked);
+        let is_hidden = |unit: &usize| asked[units.all[*unit].case].source == Source::Hidden;
+        let visible = |all: &[usize]| all.iter().copied().filter(|unit| !is_hidden(unit)).collect::<Vec<_>>();
+        let (failing, passing) = (visible(&state.ruling.failing), visible(&state.ruling.passing));
+        let failing: Option<Vec<u128>> = failing.into_iter().map(|unit| units.features(self.course, unit)).collect();
+        let all_passing = passing.len();
+        let passing: Vec<u128> = passing.into_iter().filter_map(|unit| units.features(self.course, unit)).collect();
+        let unknown = all_passing - passing.len();
+        let calls = Calls { failing: failing?, passing };
+        let mut told = sentence(shortest(&calls)?, &calls, self.course.vocabulary());
+        if unknown > 0 {
+            told.push_str(&format!(" ({unknown} calls on large structures, which are right, are not compared.)"));
+        }
+        if state.ruling.judged() > calls.failing.len() + all_passing {
+            told.insert_str(0, "Of the cases that you can see: ");
+        }
+        Some(told)
+    }
 }
 
-/// The message, the place and the findings.
-fn describe(result: &mut TestResult, state: &State, graded: &[Graded], lab: &Lab, all: &[State]) {
-    match state.verdict {
-        Verdict::Passed => return,
-        Verdict::Skipped => {
-            let open = state.test.needs.iter().filter_map(|need| all.iter().find(|other| other.test.name == *need));
-            let open: Vec<String> = open
-                .filter(|other| !other.verdict.is_passed())
-                .map(|other| format!("{} ({})", other.test.name, other.verdict))
-                .collect();
-            result.message = format!("It builds on {}.", open.join(" and "));
-            return;
+/// How many calls fail, of how many.
+fn count(ruling: &Ruling) -> String {
+    let (failing, judged, asked) = (ruling.failing.len(), ruling.judged(), ruling.asked);
+    let calls = if judged == 1 { "call fails" } else { "calls fail" };
+    let rest = match asked - judged {
+        0 => String::new(),
+        _ if ruling.because.is_empty() => format!("; {} after them are not judged", asked - judged),
+        rest => {
+            let because: Vec<&str> = ruling.because.iter().map(String::as_str).collect();
+            format!("; {rest} are not judged: there, {} fails first", because.join(" or "))
         }
-        Verdict::GraderFault => {
-            let faults = graded.iter().filter(|g| g.suite.tests.contains(&state.test.name.as_str()));
-            let why = faults.filter_map(|g| g.run.grader_fault.clone()).next();
-            result.message = why.unwrap_or_else(|| "the cases of this test could not be asked".to_owned());
-            return;
-        }
-        _ => {}
-    }
-    let Some((suite, case)) = state.failing else {
-        result.message = GIVEN_UP.to_owned();
-        return;
     };
-    let Graded { suite, run } = &graded[suite];
-    let name = state.test.name.as_str();
-    let section = lab.manifest.task(state.test.task).map_or("", |task| task.section.as_str());
-    let failing = run.faults.iter().filter(|faults| faults.iter().any(|fault| fault.test == name)).count();
-    let hidden = suite.asked[case].source == Source::Hidden;
-    let faults: Vec<&Fault> = run.faults[case].iter().filter(|fault| fault.test == name).collect();
-    result.place = faults.first().and_then(|fault| fault.kind.place()).map(str::to_owned);
-    if state.verdict == Verdict::Unattempted {
-        result.message = "It is still to be written.".to_owned();
-        return;
-    }
-    let answered = run.faults.len();
-    let what = faults.first().map_or_else(String::new, |fault| fault.words.clone());
-    result.message = if hidden {
-        "A hidden case fails; the cases that you can see do not.".to_owned()
-    } else {
-        format!("{what} ({failing} of {answered} cases fail.)")
-    };
-    result.findings = findings(&faults, section, hidden);
+    format!("{failing} of {judged} {calls}{rest}.")
 }
 
 /// The faults of one case as findings: each sentence once. Of hidden cases only the promise is said.
@@ -302,10 +483,7 @@ pub(super) fn findings(faults: &[&Fault], section: &str, hidden: bool) -> Vec<Fi
 fn promise(fault: &Fault) -> String {
     let sentence = match (&fault.kind, fault.rule.as_str()) {
         (FaultKind::Crashed { .. }, _) => "after some splits, the next one panics or ends the program",
-        (FaultKind::TooSlow { .. }, _) => "each call looks at a few records only, however large the structure is",
-        (FaultKind::DoesNotComeBack { .. } | FaultKind::TimedOut | FaultKind::OutOfMemory, _) => {
-            "after some splits, the next one does not come back"
-        }
+        (FaultKind::TimedOut | FaultKind::OutOfMemory, _) => "after some splits, the next one does not come back",
         (_, "split_face.0") => "split_face refuses illegal calls, and only these, without changing anything",
         (_, "split_face.1") => "split_face makes one face and no vertex",
         (_, "split_face.2") => "split_face makes two half-edges, twins with the right origins",

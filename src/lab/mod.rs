@@ -18,6 +18,7 @@ mod bug;
 mod cache;
 pub mod cases;
 pub mod checks;
+mod conditions;
 pub mod course;
 #[cfg(feature = "grade")]
 mod export;
@@ -26,6 +27,7 @@ mod feedback;
 mod files;
 mod grade;
 mod half_edge;
+mod judged;
 #[cfg(feature = "grade")]
 mod kit;
 mod manifest;

@@ -17,7 +17,8 @@ pub struct Report {
     pub submission: Option<String>,
     /// The seed of the random cases.
     pub seed: u64,
-    /// Passed if every test passed; else the worst verdict of a test, or what stopped the run before any test.
+    /// Passed if every test passed; else the worst verdict of a test, or what stopped the run before any test. A test
+    /// that waits for others says nothing by itself.
     pub verdict: Verdict,
     /// Why no test could run, for a verdict on the whole: the compiler's first error, the forbidden construct.
     pub message: Option<String>,
@@ -79,6 +80,7 @@ impl Report {
             script: None,
             replay: None,
             picture: None,
+            pattern: None,
             ..test.clone()
         };
         let (tests, printed) = (self.tests.iter().map(bare).collect(), String::new());
@@ -96,6 +98,16 @@ impl Report {
         };
         let tests = self.tests.iter().zip(bare.tests).map(pick).collect();
         Self { tests, similar: Vec::new(), ..self.clone() }
+    }
+
+    /// The test to work on next: the first that fails; if none does, the first that is still to be written. Tests that
+    /// were skipped come after what they wait for.
+    #[must_use]
+    pub fn next_test(&self) -> Option<&TestResult> {
+        let first = |wanted: &dyn Fn(Verdict) -> bool| self.tests.iter().find(|test| wanted(test.verdict));
+        first(&Verdict::is_failure)
+            .or_else(|| first(&|verdict| verdict == Verdict::Unattempted))
+            .or_else(|| first(&|verdict| !verdict.is_passed()))
     }
 
     /// The points that were earned, adjustments included; never below zero.
@@ -154,6 +166,9 @@ pub struct TestResult {
     pub message: String,
     /// `src/lab.rs:41:9`, where a panic came from.
     pub place: Option<String>,
+    /// What the failing calls have in common and no passing one has, as a sentence.
+    #[serde(default)]
+    pub pattern: Option<String>,
     /// The broken promises, the most telling first; at most ten, then a count in the message.
     pub findings: Vec<Finding>,
     /// The bugs of the zoo that fail in exactly this way; several if they cannot be told apart.
@@ -180,6 +195,7 @@ impl TestResult {
             visibility: test.visibility,
             message: String::new(),
             place: None,
+            pattern: None,
             findings: Vec::new(),
             bugs: Vec::new(),
             script: None,

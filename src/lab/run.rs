@@ -20,6 +20,9 @@ const RESTARTS: usize = 8;
 /// After so many ends by time or memory nothing more is asked of a program.
 pub(super) const PATIENCE: usize = 2;
 
+/// The rule that a program breaks which does not answer to the end.
+pub(super) const NO_ANSWER: &str = "answer";
+
 /// What came of a suite.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub(super) struct SuiteRun {
@@ -90,6 +93,7 @@ pub(super) fn run_suite(program: &dyn Program, course: &dyn Course, suite: &Suit
                 let (kind, tag, words) = of_end(&ran.end);
                 faults.extend(of_all_tests(suite, case, &answer, &kind, tag, &words));
             }
+            faults.sort_by_key(|fault| fault.step);
             run.faults.push(faults);
             run.answers.push(answer);
         }
@@ -114,7 +118,7 @@ fn of_all_tests(
         test,
         kind: kind.clone(),
         step: first_unanswered(case, answer),
-        rule: "answer".to_owned(),
+        rule: NO_ANSWER.to_owned(),
         tag: tag.to_owned(),
         words: words.to_owned(),
         elements: Vec::new(),

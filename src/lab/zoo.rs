@@ -1,23 +1,78 @@
-//! Naming a bug: by failing in exactly the same way as a bug of the lab's zoo.
+//! Naming a mistake: by failing in exactly the same way as a known mistake of the lab.
 //!
 //! ```text
 //!   the cases that are always the same ──▶ (case, step, rule, part that the element plays) ──▶ one hash a test
+//!   all other calls                    ──▶ the condition under which the mistake shows     ──▶ features
 //!
-//!   bugs/signatures.toml     [12]                                        written by `dcel lab verify`
-//!                            split_face_5_representatives = "8f3a…"      for every bug of the zoo
+//!   bugs/signatures.toml     [12]                                                     written by `dcel lab verify`
+//!                            split_face_5_representatives = "8f3a… stored_new"        for every known mistake
 //! ```
 //!
-//! A bug is named for a task if all tests of the task fail as they do with that bug, and nothing that the bug makes
-//! fail elsewhere fails differently. So two mistakes at once give no name, which is better than a wrong one.
+//! A mistake is named for a task if all tests of the task fail as they do with it, and nothing that it makes fail
+//! elsewhere fails differently. So two mistakes at once give no name, which is better than a wrong one.
+//!
+//! Random cases must agree, too. The mistake itself cannot be run beside the student's program, whose build never
+//! holds its text. So `verify` runs it on the fixed cases and on those of several seeds, and keeps the condition, made
+//! of features of the calls, that holds in exactly the calls in which it shows. A name is given only if each random
+//! call that decides a test fails where the condition holds, and nowhere else. Where no such condition was found, no
+//! name is given once a random call decides the test.
 
-use super::bug::Bug;
-use super::manifest::Manifest;
+use super::conditions::{Calls, When};
+use super::course::Feature;
+use super::the_lab::Lab;
 use super::toml_file::{ManifestError, TomlFile};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-/// How a program fails: for each failing test that was not skipped, a hash of what fails in the fixed cases.
+/// How a program fails: for each failing test that was not skipped, a hash of what fails in the fixed cases. In a file
+/// a blank and the condition under which it fails may follow.
 pub type Signature = BTreeMap<String, String>;
+
+/// For each test, the calls that decide it, by their features.
+pub(super) type Evidence = BTreeMap<String, Calls>;
+
+/// How a student's program fails.
+pub(super) struct Found<'a> {
+    /// In the fixed cases.
+    pub(super) signature: &'a Signature,
+    /// The tests that were not judged.
+    pub(super) skipped: &'a BTreeSet<&'a str>,
+    /// In all other cases.
+    pub(super) evidence: &'a Evidence,
+}
+
+/// The hash of an entry of a signature.
+fn hash_in(entry: &str) -> &str {
+    entry.split(' ').next().unwrap_or_default()
+}
+
+/// The condition of an entry of a signature.
+fn when_in(entry: &str, vocabulary: &[Feature]) -> Option<When> {
+    When::parse(entry.split_once(' ')?.1, vocabulary)
+}
+
+/// Adds the conditions under which its tests fail to the signature of a mistake.
+pub(super) fn with_conditions(signature: &mut Signature, evidence: &Evidence, vocabulary: &[Feature]) {
+    for (test, entry) in signature {
+        if let Some(when) = evidence.get(test).and_then(When::learn) {
+            *entry = format!("{} {}", hash_in(entry), when.to_text(vocabulary));
+        }
+    }
+}
+
+/// Whether the calls that decide a test fail as a mistake does of which this is the entry.
+fn agrees(entry: Option<&String>, calls: &Calls, vocabulary: &[Feature]) -> bool {
+    match entry {
+        None => calls.failing.is_empty(),
+        Some(entry) => match when_in(entry, vocabulary) {
+            Some(when) => {
+                calls.failing.iter().all(|&call| when.holds(call))
+                    && !calls.passing.iter().any(|&call| when.holds(call))
+            }
+            None => calls.failing.is_empty() && calls.passing.is_empty(),
+        },
+    }
+}
 
 /// The signatures of a zoo, by the numbers of the bugs.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -69,11 +124,8 @@ impl Signatures {
     #[must_use]
     pub fn matching(&self, found: &Signature, task: &BTreeSet<&str>, skipped: &BTreeSet<&str>) -> Vec<u32> {
         let of_task = |signature: &Signature| -> Signature {
-            signature
-                .iter()
-                .filter(|(test, _)| task.contains(test.as_str()))
-                .map(|(t, h)| (t.clone(), h.clone()))
-                .collect()
+            let of_task = signature.iter().filter(|(test, _)| task.contains(test.as_str()));
+            of_task.map(|(test, entry)| (test.clone(), hash_in(entry).to_owned())).collect()
         };
         let here = of_task(found);
         if here.is_empty() {
@@ -81,7 +133,7 @@ impl Signatures {
         }
         let fits = |signature: &Signature| {
             let agrees = |(test, hash): (&String, &String)| match found.get(test) {
-                Some(other) => other == hash,
+                Some(other) => hash_in(other) == hash_in(hash),
                 None => skipped.contains(test.as_str()),
             };
             of_task(signature) == here && signature.iter().all(agrees)
@@ -94,28 +146,31 @@ impl Signatures {
             .collect();
         // One that explains more than another is the better name: what it does elsewhere is seen, too.
         let covers = |more: &Signature, less: &Signature| {
-            more.len() > less.len() && less.iter().all(|(test, hash)| more.get(test) == Some(hash))
+            let same =
+                |(test, entry): (&String, &String)| more.get(test).is_some_and(|own| hash_in(own) == hash_in(entry));
+            more.len() > less.len() && less.iter().all(same)
         };
         let is_best = |own: &Signature| !fitting.iter().any(|(_, other)| covers(other, own));
         fitting.iter().filter(|(_, own)| is_best(own)).map(|(number, _)| *number).collect()
     }
 }
 
-/// What the tests of one task fail at, in the words of the zoo: the titles of all bugs that fail like this, with those
-/// declared to be the same.
-pub(super) fn names(
-    signatures: &Signatures,
-    bugs: &[Bug],
-    manifest: &Manifest,
-    task: u32,
-    found: &Signature,
-    skipped: &BTreeSet<&str>,
-) -> Vec<String> {
-    let tests = manifest.tests.iter().filter(|test| test.task == task).map(|test| test.name.as_str()).collect();
-    let mut numbers: BTreeSet<u32> = signatures.matching(found, &tests, skipped).into_iter().collect();
-    let same = bugs.iter().filter(|bug| numbers.contains(&bug.number)).flat_map(|bug| bug.same_as.clone());
+/// What the tests of one task fail at, in the words of the lab: the titles of all known mistakes that fail like this,
+/// with those declared to be the same.
+pub(super) fn names(lab: &Lab, vocabulary: &[Feature], task: u32, found: &Found) -> Vec<String> {
+    let tests = lab.manifest.tests.iter().filter(|test| test.task == task).map(|test| test.name.as_str());
+    let tests: BTreeSet<&str> = tests.collect();
+    let agreeing = |number: &u32| {
+        let Some(signature) = lab.signatures.get(*number) else { return false };
+        let concerned = tests.iter().copied().chain(signature.keys().map(String::as_str)).collect::<BTreeSet<_>>();
+        let mut calls = concerned.iter().filter_map(|&test| Some((test, found.evidence.get(test)?)));
+        calls.all(|(test, calls)| agrees(signature.get(test), calls, vocabulary))
+    };
+    let matching = lab.signatures.matching(found.signature, &tests, found.skipped);
+    let mut numbers: BTreeSet<u32> = matching.into_iter().filter(agreeing).collect();
+    let same = lab.bugs.iter().filter(|bug| numbers.contains(&bug.number)).flat_map(|bug| bug.same_as.clone());
     numbers.extend(same.collect::<Vec<_>>());
-    bugs.iter().filter(|bug| numbers.contains(&bug.number)).map(|bug| bug.title.clone()).collect()
+    lab.bugs.iter().filter(|bug| numbers.contains(&bug.number)).map(|bug| bug.title.clone()).collect()
 }
 
 /// A hash of sorted lines that is the same on every machine and with every version of the compiler.

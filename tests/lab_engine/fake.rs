@@ -22,6 +22,8 @@ pub(crate) struct Done {
 pub(crate) enum Answer {
     Returned(String),
     Panicked(&'static str),
+    /// Stopped by the count of its reads.
+    Stopped(&'static str),
     /// The process ends here.
     Died(End),
 }
@@ -178,6 +180,9 @@ impl Talk<'_> {
             Answer::Panicked(message) => {
                 let _ = writeln!(said, "panicked {message:?} src/lab.rs:7:9");
             }
+            Answer::Stopped(reads) => {
+                let _ = writeln!(said, "stopped {reads}");
+            }
             Answer::Died(end) => return Some(end),
         }
         None
@@ -217,7 +222,11 @@ impl Talk<'_> {
                 Some((after, _)) => (after, "true".to_owned()),
                 None => (table, "false".to_owned()),
             },
-            "split_in_half" => (spec::split_in_half(&table, h(0), self.fake.side).unwrap().0, String::new()),
+            "split_in_half" => {
+                // Nothing can be told of a structure that a call before it has broken.
+                let split = spec::split_in_half(&table, h(0), self.fake.side);
+                (split.map_or(table, |(after, _)| after), String::new())
+            }
             "walk_face" => {
                 let walk = spec::cycle(&table, table.boundary(FaceId::new(arguments[0])).unwrap());
                 (table, list(walk))

@@ -4,6 +4,7 @@
 
 mod answers;
 mod counted;
+mod explained;
 mod fake;
 mod kernel;
 #[cfg(feature = "grade")]
@@ -227,14 +228,15 @@ fn each_bug_is_found_by_the_step_that_it_breaks() {
         assert_eq!(open.findings[0].rule, rule, "bug {i}: {open:#?}");
         assert!(open.script.as_ref().unwrap().lines().count() <= 20, "bug {i}: {:?}", open.script);
         assert!(open.picture.is_some(), "bug {i}");
-        // What builds on it is skipped; the other operation is graded all the same, up to where both are mixed.
+        // What builds on it is skipped; the other operation is graded all the same, up to where both are mixed. The
+        // fake draws its drawing without the splits.
         let after: Vec<_> = report.tests.iter().skip_while(|test| test.name != name).skip(1).collect();
         let passed = after.iter().filter(|test| test.verdict == Verdict::Passed).count();
         assert!(
             after.iter().all(|test| matches!(test.verdict, Verdict::Passed | Verdict::Skipped)),
             "bug {i}: {after:#?}"
         );
-        assert_eq!(passed, if function == "split_face" { 3 } else { 0 }, "bug {i}");
+        assert!(passed >= if function == "split_face" { 5 } else { 2 }, "bug {i}: {after:#?}");
     }
 }
 
@@ -287,11 +289,16 @@ fn walks_are_told_what_is_wrong_with_them() {
 
 /// A call that does the first steps of `split_face` and then is not written, or panics.
 fn stops_after(step: usize, message: &'static str) -> Fake {
+    ends_after(step, Answer::Panicked(message))
+}
+
+/// A call that does the first steps of `split_face` and then ends in this way.
+fn ends_after(step: usize, end: Answer) -> Fake {
     Fake::twisted(move |function, _, done| {
         if function != "split_face" || done.before == done.after {
             return;
         }
-        done.answer = Answer::Panicked(message);
+        done.answer.clone_from(&end);
         let whole = std::mem::replace(&mut done.after, done.before.clone());
         let after = &mut done.after;
         let new = new_ones(&Done { before: done.before.clone(), after: whole.clone(), answer: Answer::Panicked("") });
@@ -389,8 +396,10 @@ fn a_process_that_dies_loses_the_case_in_progress_only() {
         assert!(open[0].message.contains(words), "{end:?}: {}", open[0].message);
         assert!(open[0].script.as_ref().unwrap().contains("walk_vertex"), "{end:?}");
         if verdict != Verdict::TimedOut {
-            // The cases after it were asked in a new process: all of them.
-            assert!(open[0].message.contains("(3 of 38 cases fail"), "{}", open[0].message);
+            // The cases after it were asked in a new process, and some of them end it again.
+            let (_, count) = open[0].message.rsplit_once('(').unwrap();
+            let failing: usize = count.split(' ').next().unwrap().parse().unwrap();
+            assert!(failing > 1 && count.ends_with(" calls fail.)"), "{}", open[0].message);
         }
     }
 }
@@ -472,7 +481,9 @@ fn an_answer_without_its_end_is_no_pass() {
         grade(&silent).tests.iter().all(|test| test.verdict == Verdict::Crashed || test.verdict == Verdict::Skipped)
     );
     let cut = Fake { printed: Box::new(|out| out[..out.len() * 9 / 10].to_owned()), ..Fake::right() };
-    assert_eq!(grade(&cut).points(), 0);
+    let report = grade(&cut);
+    let passed: Vec<_> = report.tests.iter().filter(|test| test.points > 0).collect();
+    assert!(passed.is_empty(), "{passed:#?}");
     let undone = Fake { printed: Box::new(|out| out.replace("done", "gone")), ..Fake::right() };
     assert_eq!(grade(&undone).points(), 0);
     // Lines without the token are the student's own.

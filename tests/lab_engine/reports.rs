@@ -18,6 +18,7 @@ fn test(name: &str, task: u32, verdict: Verdict, points: u32) -> TestResult {
         visibility: Visibility::Visible,
         message: String::new(),
         place: None,
+        pattern: None,
         findings: Vec::new(),
         bugs: Vec::new(),
         script: None,
@@ -244,7 +245,13 @@ fn pages_hold_what_they_say_and_nothing_runs() {
     let body = page.strip_prefix("<!DOCTYPE html>").unwrap().replace("<br>", "<br/>");
     let tags = body.matches("<section").count();
     assert_eq!(tags, 3);
-    assert_eq!(page.matches("<figure>").count(), 6, "three pictures for each failing call");
+    assert_eq!(page.matches("<figure ").count(), 6, "three pictures for each failing call");
+    // What failed comes first, what passed is folded.
+    let one = Format::Html.one(&report());
+    let place = |text: &str| one.find(text).unwrap_or_else(|| panic!("the page has no {text}"));
+    assert!(place("<article") < place("Still to do") && place("Still to do") < place("1 test passed"));
+    assert!(place("left half-edges in the old face") < place("<img") && place("<img") < place("The shortest case"));
+    assert!(!one.contains("F1"), "codes of rules are not for students");
     assert!(page.contains("src=\"data:image/svg+xml,%3csvg%20xmlns=%22http://www.w3.org/2000/svg%22%3e%3ctitle"));
     let ids: Vec<&str> = page.split(" id=\"").skip(1).map(|rest| &rest[..rest.find('"').unwrap()]).collect();
     for link in page.split("href=\"#").skip(1).map(|rest| &rest[..rest.find('"').unwrap()]) {
@@ -265,6 +272,18 @@ fn markdown_fits_a_step_summary_and_no_text_breaks_a_table() {
 }
 
 #[test]
+fn a_half_done_lab_is_summed_up_by_its_points_and_what_is_next() {
+    let mut report = report();
+    report.verdict = Verdict::Unattempted;
+    report.tests.retain(|test| !test.verdict.is_failure());
+    for format in [Format::Text, Format::Html, Format::Markdown] {
+        let text = format.one(&report);
+        assert!(text.contains("10 of 24 points") && text.contains("not finished"), "{format}: {text}");
+        assert!(text.contains("task 4, what vertex"), "{format}: {text}");
+    }
+}
+
+#[test]
 fn a_stored_report_is_read_back_whole() {
     let stored = Format::Json.one(&hostile());
     let read: Report = serde_json::from_str(&stored).unwrap();
@@ -274,7 +293,8 @@ fn a_stored_report_is_read_back_whole() {
 #[test]
 fn the_text_for_a_terminal_says_what_to_do() {
     let text = Format::Text.one(&report());
-    let expected = "04-half-edge: anna, 10 of 34 points
+    let expected = "04-half-edge: anna, 10 of 34 points, crashed
+Next: task 5, what split_face_4_faces asks: wrong.
 Lab 04-half-edge version 1, kit 0.1.0.
 Seed 12345: LAB_SEED=12345 gives the same random cases.
 Walls: memory 512 MB.
@@ -300,7 +320,7 @@ vertex_star: unattempted, what vertex_star asks
 split_face_4_faces: wrong, what split_face_4_faces asks
   split_face h2 h8 left half-edges in the old face.
   Same failures as: the loop of the new face was not relabelled (step 4)
-  F1: h8.face = f1, expected f2 (handout: 5)
+  - h8.face = f1, expected f2 (handout: 5)
   Shortest failing script:
       rectangle
       split_face h2 h8

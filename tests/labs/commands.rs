@@ -182,12 +182,29 @@ fn a_watched_lab_is_checked_when_its_file_is_saved_and_only_then() {
 fn hints_come_one_level_at_a_time() {
     let shell = student();
     let run = |arguments: &str| shell.dcel(&format!("lab hint --dir lab {arguments}"));
-    assert_eq!(run("").fine().matches("dcel lab hint").count(), 8);
     let levels: Vec<String> = ["1", "2", "3"].map(|level| run(&format!("5 --level {level}")).fine()).into();
     assert!(levels.iter().all(|text| text.starts_with("Task 5: ")), "{levels:?}");
-    assert!(levels[0].contains("--level 2") && levels[1].contains("--level 3") && !levels[2].contains("--level"));
+    assert!(levels[0].contains("--level 2") && levels[1].contains("--level 3") && !levels[2].contains("--level 4"));
     assert!(levels[0] != levels[1] && levels[1] != levels[2]);
     run("77").fails(2, "there is no task 77", "1 to 8");
+}
+
+#[test]
+fn without_a_number_the_next_hint_of_the_task_at_hand_is_given() {
+    let shell = student();
+    let hint = || shell.dcel("lab hint --dir lab").fine();
+    assert!(hint().contains("Nothing was checked yet") && hint().contains("A pointer"));
+    // Tasks 1 and 2 are done, so the third is at hand.
+    let text = solution().replacen("let twin = self.twin(h);\n        self.origin(twin)", "todo!()", 1);
+    fs::write(shell.path("lab/src/lab.rs"), text).unwrap();
+    assert_eq!(shell.dcel("lab check lab").code, Some(1));
+    for heading in ["A nudge", "A pointer", "Nearly the code"] {
+        let text = hint();
+        assert!(text.starts_with("Task 3: ") && text.contains(heading), "{text}");
+        assert!(text.contains("--level") && text.contains("--dir lab"), "{text}");
+    }
+    let text = hint();
+    assert!(text.contains("no further hint") && text.contains("dcel lab hint 3 --level 3"), "{text}");
 }
 
 #[test]

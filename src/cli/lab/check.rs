@@ -1,7 +1,7 @@
 //! `dcel lab check`: how far the work is, and what to do next.
 
 use super::super::{Answer, Failure, Output, failure};
-use super::folder;
+use super::{folder, hint};
 use dcel_kit::lab::reports::Format;
 use dcel_kit::lab::{Lab, Manifest, Plan, Report, TestResult, Verdict, check_folder, test_text};
 use std::fs;
@@ -42,6 +42,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
 /// A student's folder, ready to be checked again and again.
 pub(super) struct Bench {
     pub(super) dir: PathBuf,
+    /// The folder as the user named it.
+    pub(super) named: Option<PathBuf>,
     lab: Lab,
     test: Option<String>,
     all: bool,
@@ -62,7 +64,8 @@ impl Bench {
             let what = format!("{} has no test `{test}`", lab.name);
             return Err(Failure::input(what, format!("name one of {}", names.join(", "))));
         }
-        Ok(Self { dir, lab, test: args.test.clone(), all: args.all, seed: args.seed })
+        let named = args.dir.clone();
+        Ok(Self { dir, named, lab, test: args.test.clone(), all: args.all, seed: args.seed })
     }
 
     /// The files that are worth watching.
@@ -84,11 +87,23 @@ impl Bench {
             let help = "your file is not to blame: a Rust toolchain must be installed and work; see rustup.rs";
             return Err(Failure::machine(why, help));
         }
-        let report = check.report;
+        let mut report = check.report;
+        for test in &mut report.tests {
+            test.replay = self.case(test);
+        }
+        // A check of one test says nothing of the others.
+        if self.test.is_none() {
+            hint::remember(&self.dir, &report);
+        }
         let page = self.target().join("report.html");
         let written = fs::write(&page, Format::Html.one(&report)).is_ok();
         self.tell(out, &report, written.then_some(page.as_path()))?;
         Ok(if report.verdict.is_passed() { Answer::Yes } else { Answer::No })
+    }
+
+    /// The tasks with their tests and points.
+    pub(super) fn list(&self, out: &mut Output) -> Result<(), Failure> {
+        super::list::tasks(&self.lab, out)
     }
 
     /// The list of tests, then the next thing to do.
@@ -99,23 +114,24 @@ impl Bench {
             return writeln!(out, "\n{}: {message}\n\n{}", report.verdict, report.verdict.next_action());
         }
         for test in &report.tests {
-            writeln!(out, "  {} {:<30} {}", sign(test.verdict), test.name, test.verdict)?;
+            let line = format!("{} {:<30} {}", sign(test.verdict), test.name, test.verdict);
+            writeln!(out, "  {}", coloured(test.verdict, line))?;
         }
         // What was written comes before what is still to be written: tasks may be done in any order.
-        let (written, to_write) = report
-            .tests
-            .iter()
-            .filter(|test| !matches!(test.verdict, Verdict::Passed | Verdict::Skipped))
-            .partition::<Vec<_>, _>(|test| test.verdict != Verdict::Unattempted);
-        for test in written.into_iter().chain(to_write).take(if self.all { usize::MAX } else { 1 }) {
-            let replay = self.case(test);
-            writeln!(out, "\n{}", test_text(report, test, replay.as_deref()).trim_end())?;
+        let told = |test: &&TestResult| !matches!(test.verdict, Verdict::Passed | Verdict::Skipped);
+        let tests: Vec<&TestResult> = if self.all {
+            report.tests.iter().filter(told).collect()
+        } else {
+            report.next_test().into_iter().collect()
+        };
+        for test in tests.into_iter().filter(told) {
+            writeln!(out, "\n{}", test_text(report, test, None).trim_end())?;
         }
         let open = report.tests.iter().filter(|test| !test.verdict.is_passed()).count();
         if open == 0 {
             writeln!(out, "\nEverything passes. Hand it in.")?;
         } else if let Some(page) = page {
-            writeln!(out, "\nWith pictures: {}", page.display())?;
+            writeln!(out, "\nWith pictures: {}", dcel_kit::lab::typed(page))?;
         }
         if !report.printed.is_empty() {
             writeln!(out, "\nYour program printed:")?;
@@ -136,6 +152,16 @@ impl Bench {
     /// A target folder of its own: an editor that builds at the same time is never in the way.
     fn target(&self) -> PathBuf {
         self.dir.join("target").join("check")
+    }
+}
+
+/// A line in the colour of a verdict, on a terminal that wants colours.
+fn coloured(verdict: Verdict, line: String) -> console::StyledObject<String> {
+    let line = console::style(line);
+    match verdict {
+        Verdict::Passed => line.green(),
+        Verdict::Unattempted | Verdict::Skipped => line.dim(),
+        _ => line.red(),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::super::{Answer, Failure, Output, output};
 use super::lab;
-use dcel_kit::lab::LabFiles;
+use dcel_kit::lab::{Lab, LabFiles};
 use std::io::Write;
 
 /// List the labs, or the tasks and tests of one
@@ -27,7 +27,12 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         output::table(out, &rows)?;
         return Ok(Answer::Yes);
     };
-    let lab = lab(name)?;
+    tasks(&lab(name)?, out)?;
+    Ok(Answer::Yes)
+}
+
+/// The tasks of a lab with their tests and points.
+pub(super) fn tasks(lab: &Lab, out: &mut Output) -> Result<(), Failure> {
     let manifest = &lab.manifest;
     writeln!(out, "{}: {} ({} points)", lab.name, manifest.title, manifest.max_points())?;
     for task in &manifest.tasks {
@@ -37,5 +42,5 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
             tests.map(|test| [test.points.to_string(), test.name.clone(), test.title.clone()]).collect();
         output::table(out, &rows)?;
     }
-    Ok(Answer::Yes)
+    Ok(())
 }

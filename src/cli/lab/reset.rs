@@ -24,6 +24,13 @@ pub(crate) struct Args {
     given: bool,
 }
 
+impl Args {
+    /// The files to fill in of this folder.
+    pub(super) fn of(dir: &Path) -> Self {
+        Self { dir: Some(dir.to_owned()), given: false }
+    }
+}
+
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let dir = folder::find(args.dir.as_deref())?;
     let toml = dir.join("lab.toml");

@@ -19,8 +19,9 @@ pub use text::test_text;
 use super::course::{Asked, Course, Source, Suite};
 use super::fault::{Exchange, Fault, FaultKind, exchanges};
 use super::grade::{Graded, findings};
+use super::judged::Needs;
 use super::program::Program;
-use super::protocol::{Case, CaseAnswer, Step};
+use super::protocol::{CallEnd, Case, CaseAnswer, Step};
 use super::report::TestResult;
 use super::run::run_suite;
 use super::the_lab::Lab;
@@ -45,9 +46,9 @@ struct Shown {
 
 impl Context<'_> {
     /// Adds script, replay and picture to a result, from a case in which its test fails. Hidden cases stay hidden.
-    pub(super) fn illustrate(&self, result: &mut TestResult, graded: &Graded, case: usize) {
+    pub(super) fn illustrate(&self, result: &mut TestResult, graded: &Graded, case: usize, step: usize, needs: &Needs) {
         let (suite, asked) = (graded.suite, &graded.suite.asked[case]);
-        let first = graded.run.faults[case].iter().find(|fault| fault.test == result.name);
+        let first = graded.run.faults[case].iter().find(|fault| fault.test == result.name && fault.step == step);
         let (Some(first), false) = (first, asked.source == Source::Hidden) else { return };
         let dumped = asked.case.steps.get(first.step + 1).is_some_and(Step::shows);
         let (reduced, _) = asked.case.reduced_to(first.step, dumped);
@@ -57,7 +58,7 @@ impl Context<'_> {
             result.replay = Some(replay(&result.name));
             return;
         }
-        let Some(shown) = self.shown(suite, reduced, first) else {
+        let Some(shown) = self.shown(suite, reduced, first, needs) else {
             // It does not happen again by itself: show the case in which it did.
             result.script = Some(asked.case.script());
             return;
@@ -67,11 +68,11 @@ impl Context<'_> {
         result.findings = findings(&faults, section, false);
         if let Some(fault) = faults.first() {
             let count = result.message.rfind(" (").map_or("", |at| &result.message[at..]);
-            result.message = format!("{}{count}", fault.words);
             result.place = fault.kind.place().map(str::to_owned).or_else(|| result.place.take());
             let exchange = exchanges(&shown.case, &shown.answer).into_iter().find(|e| e.step == fault.step);
             let fits = |e: &Exchange| e.before.is_none_or(|table| table.half_edges.len() <= DRAWN);
             let exchange = exchange.filter(fits);
+            result.message = format!("{}{count}", what_happened(fault, exchange.as_ref()));
             result.picture = exchange.and_then(|exchange| picture::of(self.course, &exchange, &faults));
         }
         result.script = Some(shown.case.script());
@@ -79,13 +80,15 @@ impl Context<'_> {
     }
 
     /// The shortest case that fails like `first`, and how.
-    fn shown(&self, suite: &Suite, reduced: Case, first: &Fault) -> Option<Shown> {
-        let reduced = self.run(suite, vec![reduced], first).pop()?;
-        Some(shrink::shrink(reduced, |case| self.course.shorter(case), |cases| self.run(suite, cases, first)))
+    fn shown(&self, suite: &Suite, reduced: Case, first: &Fault, needs: &Needs) -> Option<Shown> {
+        let failing = |cases| self.run(suite, cases, first, needs);
+        let reduced = failing(vec![reduced]).pop()?;
+        Some(shrink::shrink(reduced, |case| self.course.shorter(case), failing))
     }
 
-    /// Runs cases and keeps those that fail like `first`: the same rule of the same test.
-    fn run(&self, suite: &Suite, cases: Vec<Case>, first: &Fault) -> Vec<Shown> {
+    /// Runs cases and keeps those that fail like `first`: the same rule of the same test, where all that the test
+    /// needs holds.
+    fn run(&self, suite: &Suite, cases: Vec<Case>, first: &Fault, needs: &Needs) -> Vec<Shown> {
         let asked = cases.into_iter().enumerate().map(|(i, case)| {
             let case = Case { name: format!("shorter.{i}"), ..case };
             Asked { case, source: Source::Fixed }
@@ -94,6 +97,9 @@ impl Context<'_> {
         let run = run_suite(self.program, self.course, &suite, 0);
         let answered = suite.asked.into_iter().zip(run.answers).zip(run.faults);
         let alike = |faults: &[Fault]| {
+            if faults.iter().any(|fault| needs.has_here(fault.test)) {
+                return false;
+            }
             let own = faults.iter().find(|fault| fault.test == first.test);
             own.is_some_and(|own| own.rule == first.rule && same_kind(&own.kind, &first.kind))
         };
@@ -102,6 +108,26 @@ impl Context<'_> {
             .map(|((asked, answer), faults)| Shown { case: asked.case, answer, faults })
             .collect()
     }
+}
+
+/// What happened, in a sentence: of a call that did not return, first how it ended, then what it has left behind.
+pub(super) fn what_happened(fault: &Fault, exchange: Option<&Exchange>) -> String {
+    let called = exchange.and_then(|exchange| Some((exchange, exchange.called?.1)));
+    let Some((exchange, end)) = called else { return fault.words.clone() };
+    let (how, known) = match (&fault.kind, end) {
+        (FaultKind::DoesNotComeBack { .. } | FaultKind::TooSlow { .. }, CallEnd::Stopped(stopped)) => {
+            (stopped.words(), stopped.words())
+        }
+        (FaultKind::Crashed { .. }, CallEnd::Panicked { message, .. }) => {
+            (format!("panicked: {message}"), message.clone())
+        }
+        _ => return fault.words.clone(),
+    };
+    if fault.words.contains(&known) {
+        return fault.words.clone();
+    }
+    let call = format!("{} {}", exchange.function, exchange.words.join(" "));
+    format!("{}: {how}. Left behind: {}", call.trim_end(), fault.words)
 }
 
 /// The driver reads a case from a file; the script of a test is kept under the test's name.

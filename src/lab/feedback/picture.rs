@@ -1,25 +1,28 @@
-//! Before, expected, yours: one failing call in three drawings.
+//! Before, expected, yours: one failing call in three drawings of one layout.
 //!
 //! ```text
 //!   before       expected                             yours
-//!   as it was    the half-edges at fault are red,     links: what is missing red and dashed, what is there
-//!                the pointers at fault have arrows    instead blue; faces, representatives: as in `expected`
+//!   as it was    the half-edges at fault are red,     the same as it is; of a walk that does not come back, the
+//!                the pointers at fault have arrows    half-edges that it goes round are red
 //! ```
 
 use super::ascii;
-use crate::Element;
-use crate::figure::compare::diff_figure;
-use crate::figure::{self, Colour, Figure, FigureError, FigureOptions, Overrides, Pointers};
+use crate::figure::{self, Colour, Detail, Figure, FigureError, FigureOptions, Overrides, Pointers};
 use crate::lab::Picture;
 use crate::lab::checks::align::{Field, differences};
 use crate::lab::course::Course;
 use crate::lab::fault::{Exchange, Fault};
+use crate::lab::protocol::CallEnd;
 use crate::topology::Table;
+use crate::{Element, HalfEdgeId};
 
 /// The colour of what is wrong.
 const RED: Colour = Colour(0xc8_1e_1e);
 /// With more half-edges than this, arrows would be a thicket.
 const ARROWS: usize = 60;
+/// The widths that a drawing may have, in px. A page shows it at three quarters of that or more, so that its letters
+/// can be read; wider ones are scrolled.
+const WIDTH: [f64; 2] = [560.0, 1100.0];
 
 /// The picture of a call; `None` if it cannot be drawn, or nothing is known of the structures.
 pub(super) fn of(course: &dyn Course, exchange: &Exchange, faults: &[&Fault]) -> Option<Picture> {
@@ -27,28 +30,68 @@ pub(super) fn of(course: &dyn Course, exchange: &Exchange, faults: &[&Fault]) ->
     let yours = exchange.after.unwrap_or(before);
     let expected = course.expected(exchange)?;
     let wrong: Vec<Element> = faults.iter().flat_map(|fault| fault.elements.iter().copied()).collect();
-    let families = families(&expected, yours);
+    let round = walked(exchange);
+    let mut families = families(&expected, yours);
+    if !round.is_empty() && !families.contains(&Pointers::Next) {
+        families.insert(0, Pointers::Next);
+    }
+    let layout = Layout::of([before, &expected, yours], &families);
     let draw = |table: &Table, title: &str, families: &[Pointers], red: &[Element]| {
-        let options = FigureOptions::new(title).id_prefix(title).overrides(marked(red));
+        let options = layout.options(title).overrides(marked(red));
         svg(table, families, &options)
     };
+    let red = if round.is_empty() { &wrong } else { &round };
     Some(Picture {
-        before: draw(before, "Before", &[], &[])?,
-        expected: draw(&expected, "Expected", &families, &wrong)?,
-        yours: difference(&expected, yours).or_else(|| draw(yours, "Yours", &families, &wrong))?,
+        before: draw(before, "Before", &families, &[])?,
+        expected: draw(&expected, "Expected", &families, if round.is_empty() { &wrong } else { &[] })?,
+        yours: draw(yours, "Yours", &families, red)?,
         ascii: ascii::of(before, &expected, yours, exchange),
     })
 }
 
-/// What differs in links and places, numbered. `None` if the links agree: faces and representatives are seen better
-/// by their arrows, all of them.
-fn difference(expected: &Table, yours: &Table) -> Option<String> {
-    let shown = [Field::Origin, Field::Twin, Field::Next, Field::Prev, Field::Position];
-    if !differences(expected, yours).iter().any(|difference| shown.contains(&difference.field)) {
-        return None;
+/// The half-edges that a call read last before it was stopped: those that it went round, if it did.
+fn walked(exchange: &Exchange) -> Vec<Element> {
+    let Some((_, CallEnd::Stopped(stopped))) = exchange.called else { return Vec::new() };
+    let number = |word: &String| word.strip_prefix('h')?.parse().ok();
+    stopped.elements.iter().filter_map(number).map(|number| HalfEdgeId::new(number).into()).collect()
+}
+
+/// What the three drawings share: the box that they show, their width, and how much of each half-edge they show.
+struct Layout {
+    corners: Vec<[f64; 2]>,
+    width: f64,
+    detail: Detail,
+}
+
+impl Layout {
+    fn of(tables: [&Table; 3], families: &[Pointers]) -> Self {
+        let mut corners: Vec<[f64; 2]> = Vec::new();
+        for [x, y] in tables.iter().flat_map(|table| table.vertices.iter().flatten()).filter_map(|row| row.position) {
+            match &mut corners[..] {
+                [low, high] => {
+                    (low[0], low[1]) = (low[0].min(x), low[1].min(y));
+                    (high[0], high[1]) = (high[0].max(x), high[1].max(y));
+                }
+                _ => corners = vec![[x, y]; 2],
+            }
+        }
+        // The richest of them asks for the most room.
+        let richest = tables.iter().max_by_key(|table| table.half_edges.len());
+        let natural = richest.and_then(|table| {
+            let options = FigureOptions::new("").reach(corners.iter().copied());
+            drawn(table, families, &options)
+        });
+        let width = natural.as_ref().map_or(WIDTH[0], |figure| figure.size().0.clamp(WIDTH[0], WIDTH[1]));
+        let sized = FigureOptions::new("").reach(corners.iter().copied()).width(width);
+        let least =
+            tables.iter().filter_map(|table| drawn(table, families, &sized)).map(|figure| figure.detail()).min();
+        Self { corners, width, detail: least.unwrap_or(Detail::Arrows) }
     }
-    let options = FigureOptions::new("Yours").id_prefix("Yours");
-    Some(diff_figure(expected, yours, &options).ok()?.to_svg())
+
+    fn options(&self, title: &str) -> FigureOptions {
+        let options = FigureOptions::new(title).id_prefix(title).reach(self.corners.iter().copied());
+        options.width(self.width).detail(self.detail)
+    }
 }
 
 /// The families of pointers in which two structures differ.
@@ -76,9 +119,13 @@ fn marked(elements: &[Element]) -> Overrides {
 }
 
 fn svg(table: &Table, families: &[Pointers], options: &FigureOptions) -> Option<String> {
+    Some(drawn(table, families, options)?.to_svg())
+}
+
+fn drawn(table: &Table, families: &[Pointers], options: &FigureOptions) -> Option<Figure> {
     let with_arrows = (!families.is_empty() && table.half_edges.len() <= ARROWS)
         .then(|| figure::pointers(table, families, options))
         .and_then(Result::ok);
     let drawn: Result<Figure, FigureError> = with_arrows.map_or_else(|| figure::structure(table, options), Ok);
-    Some(drawn.ok()?.to_svg())
+    drawn.ok()
 }

@@ -18,13 +18,16 @@ pub fn test_text(report: &Report, test: &TestResult, replay: Option<&str>) -> St
     if let Some(place) = &test.place {
         line(format!("At {place}."));
     }
+    if let Some(pattern) = &test.pattern {
+        line(pattern.clone());
+    }
     if !test.bugs.is_empty() {
         line(format!("\nThis looks as if {}.", test.bugs.join(", or as if ")));
     }
     if let [_, ..] = &test.findings[..] {
         line("\nWhat is wrong:".to_owned());
         for finding in &test.findings {
-            line(format!("  {:14} {}", finding.rule, finding.words));
+            line(format!("  - {}", finding.words));
         }
         let mut sections: Vec<&str> = test.findings.iter().map(|finding| finding.section.as_str()).collect();
         sections.dedup();

@@ -6,10 +6,12 @@
 //!   split_face.rs      in six steps                     split_in_half.rs  in three
 //!   sequences.rs       one call after the other         drawing.rs        the drawing of the handout
 //!   costs.rs           large structures, and how many records a call looks at
+//!   features.rs        what can be said of a call       shorter.rs        shorter cases that may fail alike
 //! ```
 
 mod costs;
 mod drawing;
+mod features;
 mod sequences;
 mod shorter;
 mod split;

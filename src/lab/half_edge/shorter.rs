@@ -8,20 +8,24 @@
 //! ```
 
 use super::sequences::polygon;
+use super::starts::dangling;
 use crate::lab::protocol::{Case, Start, Step};
 
 /// How many are tried at a time.
 const TRIED: usize = 240;
+/// How many are tried in place of a start that is a table.
+const TRIED_ONCE: usize = 900;
 /// With at most so many earlier calls, every choice of them is tried.
 const CHOICES: usize = 5;
 
 /// Sequences with fewer calls, a smaller start or simpler words, the shortest first. Every one ends with a dump.
 pub(super) fn shorter(case: &Case) -> Vec<Case> {
     let calls: Vec<&Step> = case.steps.iter().filter(|step| matches!(step, Step::Call { .. })).collect();
-    let Some((&last, earlier)) = calls.split_last().filter(|(_, earlier)| !earlier.is_empty()) else {
-        // One call: the cases of one call are as short as can be.
-        return Vec::new();
-    };
+    let Some((&last, earlier)) = calls.split_last() else { return Vec::new() };
+    if earlier.is_empty() {
+        // One call on a start of one line is as short as can be.
+        return if matches!(case.start, Start::Table(_)) { without_table(case, last) } else { Vec::new() };
+    }
     let starts = starts(&case.start);
     let mut all = Vec::new();
     for chosen in choices(earlier.len()) {
@@ -36,19 +40,86 @@ pub(super) fn shorter(case: &Case) -> Vec<Case> {
             all.extend(starts.iter().map(|start| sequence(&case.name, start.clone(), &steps)));
         }
     }
+    shortest(case, all, TRIED)
+}
+
+/// The shortest of some cases, and only those that are shorter than a given one.
+fn shortest(case: &Case, all: Vec<Case>, most: usize) -> Vec<Case> {
     let size = size(case);
     let mut all: Vec<(_, Case)> = all.into_iter().map(|case| (self::size(&case), case)).collect();
     all.retain(|(other, _)| *other < size);
     all.sort_by(|a, b| a.0.cmp(&b.0));
     all.dedup_by(|a, b| a.1 == b.1);
-    all.truncate(TRIED);
+    all.truncate(most);
     all.into_iter().map(|(_, case)| case).collect()
 }
 
-/// What makes a case long: its calls, then its links, then its corners, then its letters.
+/// One call on other starts: polygons, with none, one or two calls before it that are sure to be right, and the smallest
+/// structures with a dangling edge or a bridge.
+///
+/// ```text
+///   table … 21 lines            polygon 0 0 7 1 8 6 1 5
+///   split_face h6 h0     ──▶    split_in_half h0
+///                               split_face h0 h0.next.next
+/// ```
+fn without_table(case: &Case, last: &Step) -> Vec<Case> {
+    let Step::Call { function, arguments } = last else { return Vec::new() };
+    if !matches!(function.as_str(), "split_face" | "split_in_half") {
+        return Vec::new();
+    }
+    let call = |function: &str, words: &[&str]| Step::call(function, words);
+    let half = |word| call("split_in_half", &[word]);
+    let face = |words| call("split_face", words);
+    let before: [Vec<Step>; 8] = [
+        vec![],
+        vec![half("h0")],
+        vec![half("h1")],
+        vec![face(&["h0", "h4"])],
+        vec![face(&["h1", "h5"])],
+        vec![half("h0"), half("h0")],
+        vec![half("h0"), face(&["h0", "h4"])],
+        vec![face(&["h0", "h4"]), half("h1")],
+    ];
+    let words = |count: usize| -> Vec<Vec<String>> {
+        let base = (0..count).map(|h| format!("h{h}"));
+        if arguments.len() == 1 {
+            return base.map(|word| vec![word]).collect();
+        }
+        let pairs = |word: String| {
+            let other = ["", ".next", ".prev", ".twin", ".next.next", ".next.next.next", ".prev.prev"];
+            other.map(|links| vec![word.clone(), format!("{word}{links}")])
+        };
+        base.flat_map(pairs).collect()
+    };
+    let mut all = Vec::new();
+    for corners in 3..=5 {
+        for before in &before {
+            // A triangle has no corners to join.
+            if corners == 3 && before.first().is_some_and(|step| *step != half("h0") && *step != half("h1")) {
+                continue;
+            }
+            for words in words(2 * corners) {
+                let steps: Vec<Step> = before.iter().cloned().chain([Step::call(function, words)]).collect();
+                all.push(sequence(&case.name, polygon(corners), &steps));
+            }
+        }
+    }
+    for small in dangling() {
+        let count = small.half_edges.len();
+        let start = Start::Table(std::sync::Arc::new(small));
+        all.extend(
+            words(count).into_iter().map(|words| sequence(&case.name, start.clone(), &[Step::call(function, words)])),
+        );
+    }
+    shortest(case, all, TRIED_ONCE)
+}
+
+/// What makes a case long: its calls, then its links, then its corners, then its letters. Three lines of a table are as
+/// long to read as a call.
 fn size(case: &Case) -> (usize, usize, usize, String) {
     let script = case.script();
     let calls = case.steps.iter().filter(|step| matches!(step, Step::Call { .. })).count();
+    let calls = if matches!(case.start, Start::Table(_)) { calls + script.lines().count() / 3 } else { calls };
     let links = script.lines().skip(1).flat_map(str::chars).filter(|&c| c == '.').count();
     let corners = match &case.start {
         // One word.

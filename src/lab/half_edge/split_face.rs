@@ -25,6 +25,17 @@ pub(super) const TESTS: [&str; 6] = [
     "split_face_5_representatives",
 ];
 
+/// Whether a call is one that must be carried out; so is one of which nothing is known.
+pub(super) fn is_legal(exchange: &Exchange) -> bool {
+    match (exchange.before, exchange.called) {
+        (Some(before), Some((&[h1, h2], _))) => {
+            let [h1, h2] = [h1, h2].map(HalfEdgeId::new);
+            spec::may_split_face(before, h1, h2) == Legal::Yes
+        }
+        _ => true,
+    }
+}
+
 /// Judges one call; the faults of each step go to the test at its place in `tests`.
 pub(super) fn judge(exchange: &Exchange, tests: &[&'static str]) -> Vec<Fault> {
     let (Some((&[h1, h2], end)), Some(before), Some(after)) = (exchange.called, exchange.before, exchange.after) else {

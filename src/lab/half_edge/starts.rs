@@ -29,6 +29,17 @@ pub(super) fn bow_tie() -> Table {
     from_cycles(&points, &[&[0, 2, 1, 0, 4, 3], &[0, 1, 2], &[0, 3, 4]])
 }
 
+/// The smallest structures with dangling edges: a single edge, a path of two, a triangle with an edge inside or outside.
+pub(super) fn dangling() -> [Table; 4] {
+    let points = [[0.0, 0.0], [9.0, 0.0], [4.0, 8.0], [4.0, 3.0], [13.0, 5.0]];
+    [
+        from_cycles(&points[..2], &[&[0, 1]]),
+        from_cycles(&points[..3], &[&[0, 1, 2, 1]]),
+        from_cycles(&points[..4], &[&[0, 2, 1], &[0, 1, 2, 0, 3]]),
+        from_cycles(&[points[0], points[1], points[2], points[4]], &[&[0, 2, 1, 3, 1], &[0, 1, 2]]),
+    ]
+}
+
 /// A bow-tie inside a square: two triangles hang at one corner of it, so a bounded face passes that corner twice.
 pub(super) fn hanging_triangle() -> Table {
     let points = [[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0], [6.0, 2.0], [2.0, 6.0]];

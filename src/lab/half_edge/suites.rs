@@ -8,12 +8,12 @@ use super::costs::{self, SMALL_GRID};
 use super::sequences::{Mix, polygon, random, sequence};
 use super::shorter::shorter;
 use super::starts::{blind, odd, relabelled, rounding, window};
-use super::{drawing, sequences, split_face, split_in_half, walks};
+use super::{drawing, features, sequences, split_face, split_in_half, walks};
 use crate::HalfEdgeId;
 use crate::lab::cases::classes::classes;
 use crate::lab::cases::random::Random;
 use crate::lab::checks::spec::{Legal, may_split_face};
-use crate::lab::course::{Asked, Course, Source, Suite};
+use crate::lab::course::{Asked, Course, Feature, Source, Suite};
 use crate::lab::fault::{Exchange, Fault};
 use crate::lab::plan::Plan;
 use crate::lab::protocol::{Case, CaseAnswer, Start, Step};
@@ -87,6 +87,39 @@ impl Course for HalfEdge {
             faults.iter_mut().for_each(|fault| fault.words.push_str(IN_THE_BLIND));
         }
         faults
+    }
+
+    fn concerns(&self, suite: &Suite, step: &Step, exchange: Option<&Exchange>) -> Vec<&'static str> {
+        match (suite.name, exchange) {
+            // A call that must be refused is the matter of step 0 alone.
+            ("split_face", Some(exchange)) if !split_face::is_legal(exchange) => vec![split_face::TESTS[0]],
+            // To refuse a call is easy: what a sequence shows is shown by calls that are carried out.
+            ("split_face_sequences" | "split_in_half_sequences", Some(exchange))
+                if exchange.function == "split_face" && !split_face::is_legal(exchange) =>
+            {
+                Vec::new()
+            }
+            ("drawing", _) => vec![drawing::TESTS[usize::from(*step == Step::Svg)]],
+            _ => suite.tests.to_vec(),
+        }
+    }
+
+    fn blames(&self, fault: &Fault) -> Option<&'static str> {
+        let (function, step) = fault.rule.split_once('.')?;
+        let tests: &[&'static str] = match function {
+            "split_face" => &split_face::TESTS,
+            "split_in_half" => &split_in_half::TESTS,
+            _ => return None,
+        };
+        tests.get(step.parse::<usize>().ok()?).copied()
+    }
+
+    fn vocabulary(&self) -> &'static [Feature] {
+        features::VOCABULARY
+    }
+
+    fn features(&self, earlier: &[&Exchange], exchange: &Exchange) -> Option<u128> {
+        features::of(earlier, exchange)
     }
 
     fn expected(&self, exchange: &Exchange) -> Option<Table> {

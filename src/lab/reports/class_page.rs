@@ -5,7 +5,7 @@
 //!   ben    …
 //! ```
 
-use super::html::{document, escaped, one, sign, submission};
+use super::html::{document, escaped, one, standing, submission};
 use super::{bugs, words};
 use crate::lab::Report;
 use std::fmt::Write;
@@ -56,7 +56,7 @@ fn table(out: &mut String, reports: &[Report], link: impl Fn(usize) -> String) {
             link(i),
             escaped(&words::author(report)),
             words::points(report),
-            sign(report.verdict),
+            standing(report),
         );
     }
     out.push_str("</tbody></table>\n");

@@ -2,20 +2,22 @@
 //!
 //! ```text
 //!   ┌──────────────────────────────────┐
-//!   │ anna   62 of 100   wrong         │  class: a row each, linked to the section below
-//!   │ ben    …                         │
+//!   │ anna: 62 of 100 points           │  class: a row each, linked to the section below
+//!   │ Next: task 5, step 3 …           │
 //!   ├──────────────────────────────────┤
-//!   │ anna                             │
-//!   │   split_face_4   wrong   0 of 6  │  a test: what happened, the bug by name, the script
+//!   │ ✗ split_face, step 3 …           │  what failed: one sentence, the pictures, the rest folded
 //!   │   [before] [expected] [yours]    │
+//!   │ Still to do                      │  what is to be written, what waits for something else
+//!   │ ▸ ✓ 9 tests passed, 52 points    │  one folded line
 //!   └──────────────────────────────────┘
 //! ```
 //!
 //! Pictures are images with the SVG in their address: their ids cannot collide, and nothing in them can reach the
-//! page. They follow dark mode as the page does.
+//! page. They follow dark mode as the page does, share one scale, and are never shown so small that their letters could
+//! not be read: a narrow screen scrolls them. "Enlarge" shows one alone, by its place on the page.
 
 use super::words;
-use crate::lab::{Report, TestResult, Verdict};
+use crate::lab::{Picture, Report, TestResult, Verdict};
 use std::fmt::Write;
 
 const CSS: &str = include_str!("html.css");
@@ -36,38 +38,38 @@ pub(super) fn submission(out: &mut String, report: &Report, number: usize, alone
         escaped(&words::author(report)),
         words::points(report),
     );
-    let _ = writeln!(out, "<p>{}</p>", sign(report.verdict));
+    let next = words::next(report).filter(|_| report.message.is_none());
+    let next = next.map_or_else(String::new, |next| format!(" Next: {}.", escaped(&next)));
+    let _ = writeln!(out, "<p class=\"next\">{}{next}</p>", standing(report));
     if let Some(message) = &report.message {
         let _ = writeln!(out, "<pre>{}</pre>\n<p>{}</p>", escaped(message), report.verdict.next_action());
+    } else {
+        for (i, test) in report.tests.iter().enumerate().filter(|(_, test)| is_told(test)) {
+            failed(out, test, &format!("s{number}-t{i}"), if alone { "h2" } else { "h3" });
+        }
     }
-    let _ = writeln!(
-        out,
-        "<table><caption>Tests</caption><thead><tr><th scope=\"col\">test</th><th scope=\"col\">verdict</th><th scope=\"col\">points</th></tr></thead>\n<tbody>"
-    );
-    for (i, test) in report.tests.iter().enumerate() {
-        let told = told(report, test);
-        let name =
-            if told { format!("<a href=\"#s{number}-t{i}\">{}</a>", escaped(&test.name)) } else { escaped(&test.name) };
+    let (passed, open): (Vec<_>, Vec<_>) = report
+        .tests
+        .iter()
+        .filter(|test| report.message.is_some() || !is_told(test))
+        .partition(|test| test.verdict.is_passed());
+    if !open.is_empty() {
+        let title = if report.message.is_some() { "Not graded" } else { "Still to do" };
+        table(out, &format!("<caption>{title}</caption>"), &open);
+    }
+    if !passed.is_empty() {
+        let points: u32 = passed.iter().map(|test| test.points).sum();
+        let tests = if passed.len() == 1 { "test" } else { "tests" };
         let _ = writeln!(
             out,
-            "<tr><th scope=\"row\">{name}<br><small>{}</small></th><td>{}</td><td>{} of {}</td></tr>",
-            escaped(&test.title),
-            sign(test.verdict),
-            test.points,
-            test.max_points,
+            "<details class=\"passed\"><summary><span class=\"yes\">✓ {} {tests} passed</span>, {points} points</summary>",
+            passed.len(),
         );
+        table(out, "", &passed);
+        out.push_str("</details>\n");
     }
     for adjustment in &report.adjustments {
-        let _ = writeln!(
-            out,
-            "<tr><th scope=\"row\">{}</th><td></td><td>{:+}</td></tr>",
-            escaped(&adjustment.reason),
-            adjustment.points
-        );
-    }
-    out.push_str("</tbody></table>\n");
-    for (i, test) in report.tests.iter().enumerate().filter(|(_, test)| told(report, test)) {
-        details(out, test, &format!("s{number}-t{i}"), if alone { "h2" } else { "h3" });
+        let _ = writeln!(out, "<p>{:+} points: {}</p>", adjustment.points, escaped(&adjustment.reason));
     }
     for (name, text) in &report.attachments {
         let _ = writeln!(out, "<details><summary>{}</summary><pre>{}</pre></details>", escaped(name), escaped(text));
@@ -82,74 +84,134 @@ pub(super) fn submission(out: &mut String, report: &Report, number: usize, alone
     let _ = writeln!(out, "<p class=\"small\">{}</p>\n</section>", escaped(&words::circumstances(report).join(" ")));
 }
 
-/// Whether a test has a part of its own on the page.
-fn told(report: &Report, test: &TestResult) -> bool {
-    report.message.is_none() && !test.verdict.is_passed() && test.verdict != Verdict::Skipped
+/// Whether a test has a part of its own on the page: the code was run, and something is wrong.
+fn is_told(test: &TestResult) -> bool {
+    !matches!(test.verdict, Verdict::Passed | Verdict::Skipped | Verdict::Unattempted)
 }
 
-fn details(out: &mut String, test: &TestResult, id: &str, heading: &str) {
-    let _ =
-        writeln!(out, "<article id=\"{id}\">\n<{heading}>{} {}</{heading}>", escaped(&test.name), sign(test.verdict));
-    if !test.message.is_empty() {
-        let _ = writeln!(out, "<p>{}</p>", escaped(&test.message));
+/// Tests of which there is little to say.
+fn table(out: &mut String, caption: &str, tests: &[&TestResult]) {
+    let _ = writeln!(
+        out,
+        "<table>{caption}<thead><tr><th scope=\"col\">test</th><th scope=\"col\">verdict</th><th scope=\"col\">points</th></tr></thead>\n<tbody>"
+    );
+    for test in tests {
+        let message = if test.message.is_empty() || test.verdict == Verdict::Unattempted {
+            String::new()
+        } else {
+            format!("<br><small>{}</small>", escaped(&test.message))
+        };
+        let _ = writeln!(
+            out,
+            "<tr><th scope=\"row\">{}<br><small>{}</small></th><td>{}{message}</td><td>{} of {}</td></tr>",
+            escaped(&test.title),
+            escaped(&test.name),
+            sign(test.verdict),
+            test.points,
+            test.max_points,
+        );
     }
-    if let Some(place) = &test.place {
-        let _ = writeln!(out, "<p>at <code>{}</code></p>", escaped(place));
+    out.push_str("</tbody></table>\n");
+}
+
+/// A test that failed: what happened in one sentence, what the failing cases have in common, the pictures; the rest
+/// is folded.
+fn failed(out: &mut String, test: &TestResult, id: &str, heading: &str) {
+    let _ = writeln!(
+        out,
+        "<article id=\"{id}\">\n<{heading}>{}</{heading}>\n<p class=\"small\">{} · {} of {} points · {}</p>",
+        escaped(&test.title),
+        sign(test.verdict),
+        test.points,
+        test.max_points,
+        escaped(&test.name),
+    );
+    let place = test.place.as_ref().map_or_else(String::new, |at| format!(" At <code>{}</code>.", escaped(at)));
+    if !test.message.is_empty() || !place.is_empty() {
+        let _ = writeln!(out, "<p class=\"what\">{}{place}</p>", escaped(&test.message));
+    }
+    if let Some(pattern) = &test.pattern {
+        let _ = writeln!(out, "<p class=\"bug\">{}</p>", escaped(pattern));
     }
     if !test.bugs.is_empty() {
         let _ = writeln!(out, "<p class=\"bug\">{}</p>", escaped(&words::same_failures(&test.bugs)));
     }
-    if !test.findings.is_empty() {
-        out.push_str("<ul>\n");
-        for finding in &test.findings {
-            let _ = writeln!(
-                out,
-                "<li><code>{}</code> {} <small>(handout: {})</small></li>",
-                escaped(&finding.rule),
-                escaped(&finding.words),
-                escaped(&finding.section),
-            );
-        }
-        out.push_str("</ul>\n");
-    }
     if let Some(picture) = &test.picture {
-        out.push_str("<div class=\"pictures\">\n");
-        for (caption, svg) in [("before", &picture.before), ("expected", &picture.expected), ("yours", &picture.yours)]
-        {
-            let alt = format!("the structure: {caption}");
-            let _ = writeln!(
-                out,
-                "<figure><img alt=\"{alt}\" src=\"{}\"><figcaption>{caption}</figcaption></figure>",
-                address(svg)
-            );
+        pictures(out, picture, id);
+    }
+    let _ = writeln!(out, "<p><strong>Next:</strong> {}</p>", test.verdict.next_action());
+    if !test.findings.is_empty() {
+        out.push_str("<details><summary>All that is wrong in this case</summary>\n<ul>\n");
+        for finding in &test.findings {
+            let (words, section) = (escaped(&finding.words), escaped(&finding.section));
+            let _ = writeln!(out, "<li>{words} <small>(handout: {section})</small></li>");
         }
-        out.push_str("</div>\n");
-        if !picture.ascii.is_empty() {
-            let _ = writeln!(
-                out,
-                "<details><summary>The same as text</summary><pre>{}</pre></details>",
-                escaped(&picture.ascii)
-            );
-        }
+        out.push_str("</ul></details>\n");
+    }
+    if let Some(picture) = test.picture.as_ref().filter(|picture| !picture.ascii.is_empty()) {
+        let ascii = escaped(&picture.ascii);
+        let _ = writeln!(out, "<details><summary>The pictures as text</summary><pre>{ascii}</pre></details>");
     }
     if let Some(script) = &test.script {
-        let _ = writeln!(out, "<p>Shortest failing script:</p>\n<pre>{}</pre>", escaped(script));
+        let _ = writeln!(
+            out,
+            "<details><summary>The shortest case that fails so</summary>\n<pre>{}</pre>",
+            escaped(script)
+        );
+        if let Some(replay) = &test.replay {
+            let _ = writeln!(out, "<p>{} <code>{}</code></p>", escaped(&words::to_replay(test)), escaped(replay));
+        }
+        out.push_str("</details>\n");
     }
-    if let Some(replay) = &test.replay {
-        let _ = writeln!(out, "<p>Replay it: <code>{}</code></p>", escaped(replay));
+    out.push_str("</article>\n");
+}
+
+/// The least width of a picture, in px. None is shown smaller than it was drawn: its smallest letters are of 9 px.
+const LEAST: f64 = 480.0;
+
+/// Before, expected, yours.
+fn pictures(out: &mut String, picture: &Picture, id: &str) {
+    let all = [("before", &picture.before), ("expected", &picture.expected), ("yours", &picture.yours)];
+    let least = all.iter().map(|(_, svg)| width(svg)).fold(LEAST, f64::max);
+    let _ = writeln!(out, "<div class=\"pictures\" style=\"--least:{least:.0}px\">");
+    for (caption, svg) in all {
+        let width = width(svg);
+        let _ = writeln!(
+            out,
+            "<figure id=\"{id}-{caption}\"><figcaption>{caption} <a class=\"larger\" \
+             href=\"#{id}-{caption}\">enlarge</a><a class=\"back\" href=\"#{id}\">back to the report</a></figcaption>\
+             <img alt=\"the structure: {caption}\" width=\"{width:.0}\" src=\"{}\"></figure>",
+            address(svg)
+        );
     }
-    let _ = writeln!(out, "<p><strong>Next:</strong> {}</p>\n</article>", test.verdict.next_action());
+    out.push_str("</div>\n");
+}
+
+/// The width that a drawing states, in px.
+fn width(svg: &str) -> f64 {
+    let stated = svg.split_once(" width=\"").and_then(|(_, rest)| rest.split('"').next());
+    stated.and_then(|text| text.trim_end_matches("px").parse().ok()).filter(|w: &f64| w.is_finite()).unwrap_or(LEAST)
+}
+
+/// How a submission stands, with a sign.
+pub(super) fn standing(report: &Report) -> String {
+    let (class, sign) = class_and_sign(report.verdict);
+    format!("<span class=\"{class}\">{sign} {}</span>", words::standing(report))
 }
 
 /// A verdict as a word with a sign, so that it needs no colour.
-pub(super) fn sign(verdict: Verdict) -> String {
-    let (class, sign) = match verdict {
+fn sign(verdict: Verdict) -> String {
+    let (class, sign) = class_and_sign(verdict);
+    format!("<span class=\"{class}\">{sign} {verdict}</span>")
+}
+
+fn class_and_sign(verdict: Verdict) -> (&'static str, &'static str) {
+    match verdict {
         Verdict::Passed => ("yes", "✓"),
         Verdict::Unattempted | Verdict::Skipped => ("open", "○"),
         Verdict::GraderFault => ("open", "!"),
         _ => ("no", "✗"),
-    };
-    format!("<span class=\"{class}\">{sign} {verdict}</span>")
+    }
 }
 
 /// An SVG as the address of an image.

@@ -43,6 +43,9 @@ fn submission(out: &mut String, report: &Report) {
         let _ = writeln!(out, "**{}**\n", report.verdict);
         fenced(out, message);
     }
+    if let Some(next) = words::next(report).filter(|_| report.message.is_none()) {
+        let _ = writeln!(out, "{}. Next: {}.\n", words::standing(report), cell(&next));
+    }
     out.push_str("| test | verdict | points |\n|---|---|---:|\n");
     for test in &report.tests {
         let title = cell(&test.title);

@@ -9,7 +9,11 @@ const VERDICT: usize = 16;
 
 /// One submission.
 pub(super) fn one(report: &Report) -> String {
-    let mut out = format!("{}: {}, {} points\n", report.lab, words::author(report), words::points(report));
+    let (author, points) = (words::author(report), words::points(report));
+    let mut out = format!("{}: {author}, {points} points, {}\n", report.lab, words::standing(report));
+    if let Some(next) = words::next(report).filter(|_| report.message.is_none()) {
+        let _ = writeln!(out, "Next: {next}.");
+    }
     for line in words::circumstances(report) {
         let _ = writeln!(out, "{line}");
     }
@@ -58,7 +62,7 @@ pub(super) fn class(reports: &[Report]) -> String {
     let mut out = String::new();
     for report in reports {
         let points = format!("{}/{}", report.points(), report.max_points());
-        let _ = writeln!(out, "{:widest$}  {points:>9}  {}", words::author(report), report.verdict);
+        let _ = writeln!(out, "{:widest$}  {points:>9}  {}", words::author(report), words::standing(report));
     }
     let bugs = super::bugs::count(reports);
     if !bugs.is_empty() {

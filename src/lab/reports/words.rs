@@ -14,11 +14,14 @@ pub(super) fn of_test(test: &TestResult) -> String {
     if let Some(place) = &test.place {
         let _ = writeln!(out, "at {place}");
     }
+    if let Some(pattern) = &test.pattern {
+        let _ = writeln!(out, "{pattern}");
+    }
     if !test.bugs.is_empty() {
         let _ = writeln!(out, "{}", same_failures(&test.bugs));
     }
     for finding in &test.findings {
-        let _ = writeln!(out, "{}: {} (handout: {})", finding.rule, finding.words, finding.section);
+        let _ = writeln!(out, "- {} (handout: {})", finding.words, finding.section);
     }
     if let Some(script) = &test.script {
         out.push_str("Shortest failing script:\n");
@@ -27,7 +30,7 @@ pub(super) fn of_test(test: &TestResult) -> String {
         }
     }
     if let Some(replay) = &test.replay {
-        let _ = writeln!(out, "Replay it: {replay}");
+        let _ = writeln!(out, "{} {replay}", to_replay(test));
     }
     if !test.verdict.is_passed() {
         let _ = writeln!(out, "Next: {}", test.verdict.next_action());
@@ -45,6 +48,36 @@ pub(super) fn clean(text: &str) -> String {
         c => c,
     };
     text.chars().map(keep).collect()
+}
+
+/// What stands before the command that replays a case. A report that was made elsewhere brings no file along.
+pub(super) fn to_replay(test: &TestResult) -> String {
+    let file = format!("{}.case", test.name);
+    let is_there = test.replay.as_ref().is_some_and(|replay| !replay.ends_with(&format!(" {file}")));
+    if is_there {
+        "Replay it:".to_owned()
+    } else {
+        format!("To replay it, save it as {file} in your lab's folder, and type there:")
+    }
+}
+
+/// How a submission stands, in a few words: a verdict, or how far it is.
+pub(super) fn standing(report: &Report) -> &'static str {
+    match report.verdict {
+        Verdict::Unattempted | Verdict::Skipped if report.points() > 0 => "not finished",
+        Verdict::Unattempted | Verdict::Skipped => "not begun",
+        verdict => verdict.word(),
+    }
+}
+
+/// What to do next, as a sentence; `None` if nothing is left.
+pub(super) fn next(report: &Report) -> Option<String> {
+    let test = report.next_test()?;
+    let what = match test.verdict {
+        Verdict::Unattempted => "is still to be written",
+        verdict => verdict.word(),
+    };
+    Some(format!("task {}, {}: {what}", test.task, test.title))
 }
 
 /// The bug by its name, or both names of a pair that cannot be told apart.

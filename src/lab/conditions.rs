@@ -1,0 +1,219 @@
+//! Conditions on calls: what all failing ones have in common and no passing one has.
+//!
+//! ```text
+//!   failing   outer  stored_new  new_4_more        in all failing: stored_new, outer
+//!             outer  stored_new                    in a passing one, too: outer
+//!   passing   outer              new_4_more   ──▶  "It fails in all 2 calls where the face stores a half-edge that
+//!             …                                     goes over to the new face, and in none of the 5 others."
+//! ```
+//!
+//! A sentence is told only if chance is unlikely: with one feature there are at least two failing and three passing
+//! calls; with two features at least four and eight, and so many that less than one choice in twenty times the
+//! pairs that were tried would look like this. A sentence is true of the calls that were made, whatever the reason.
+
+use super::course::Feature;
+use std::collections::BTreeSet;
+use std::fmt::Write;
+
+/// Failing and passing calls that one feature needs.
+const ONE: [usize; 2] = [2, 3];
+/// Failing and passing calls that two features need.
+const TWO: [usize; 2] = [4, 8];
+/// How many times more likely than chance.
+const UNLIKELY: u128 = 20;
+/// The longest conjunction, and the most of them, in the condition of a known mistake.
+const TERM: usize = 3;
+const TERMS: usize = 6;
+
+/// The calls of a test, each as the set of its features.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub(super) struct Calls {
+    pub(super) failing: Vec<u128>,
+    pub(super) passing: Vec<u128>,
+}
+
+/// The shortest condition of one or two features that holds in all failing and in no passing calls, as a set of
+/// features. Of several, the one whose features come first in the vocabulary.
+pub(super) fn shortest(calls: &Calls) -> Option<u128> {
+    let common = calls.failing.iter().fold(u128::MAX, |all, call| all & call);
+    let bits: Vec<u128> = (0..u128::BITS).map(|bit| 1 << bit).filter(|bit| common & bit != 0).collect();
+    let enough = |[failing, passing]: [usize; 2]| calls.failing.len() >= failing && calls.passing.len() >= passing;
+    let separates = |condition: u128| !calls.passing.iter().any(|call| call & condition == condition);
+    if !enough(ONE) {
+        return None;
+    }
+    if let Some(&one) = bits.iter().find(|&&bit| separates(bit)) {
+        return Some(one);
+    }
+    let tried = (bits.len() * bits.len() / 2) as u128;
+    if !enough(TWO) || choices(calls.failing.len(), calls.passing.len()) < UNLIKELY * tried {
+        return None;
+    }
+    let mut pairs = bits.iter().enumerate().flat_map(|(i, a)| bits[i + 1..].iter().map(move |b| a | b));
+    pairs.find(|&pair| separates(pair))
+}
+
+/// In how many ways `a` of `a + b` can be chosen, or a large number.
+fn choices(a: usize, b: usize) -> u128 {
+    let (a, b) = (a.min(b) as u128, a.max(b) as u128);
+    (1..=a).try_fold(1_u128, |product, i| Some(product.checked_mul(b + i)? / i)).unwrap_or(u128::MAX)
+}
+
+/// The sentence about a condition that [`shortest`] has found.
+pub(super) fn sentence(condition: u128, calls: &Calls, vocabulary: &[Feature]) -> String {
+    let clauses: Vec<&str> = of(condition, vocabulary).map(|feature| feature.clause).collect();
+    let others = match calls.passing.len() {
+        1 => "not in the other one".to_owned(),
+        others => format!("in none of the {others} others"),
+    };
+    format!("It fails in all {} calls where {}, and {others}.", calls.failing.len(), clauses.join(" and "))
+}
+
+fn of(set: u128, vocabulary: &[Feature]) -> impl Iterator<Item = &Feature> {
+    vocabulary.iter().enumerate().filter(move |(bit, _)| set >> bit & 1 == 1).map(|(_, feature)| feature)
+}
+
+/// When a known mistake fails: in the calls in which all features of one of the terms hold.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) struct When(Vec<u128>);
+
+impl When {
+    /// The condition that holds in exactly the failing calls, built of a few short terms; `None` if there is none.
+    ///
+    /// Greedy: the term that no passing call fulfils and that explains the most calls comes first.
+    pub(super) fn learn(calls: &Calls) -> Option<Self> {
+        let passing: BTreeSet<u128> = calls.passing.iter().copied().collect();
+        let mut open: BTreeSet<u128> = calls.failing.iter().copied().collect();
+        if open.is_empty() || !open.is_disjoint(&passing) {
+            return None;
+        }
+        let mut terms = Vec::new();
+        while !open.is_empty() {
+            let term = best_term(&open, &passing)?;
+            open.retain(|call| call & term != term);
+            terms.push(term);
+            if terms.len() > TERMS {
+                return None;
+            }
+        }
+        Some(Self(terms))
+    }
+
+    /// Whether it holds for a call.
+    pub(super) fn holds(&self, call: u128) -> bool {
+        self.0.iter().any(|&term| call & term == term)
+    }
+
+    /// As it stands in a file: `outer+twice|bridge`; `always` for a term without features.
+    pub(super) fn to_text(&self, vocabulary: &[Feature]) -> String {
+        let mut out = String::new();
+        for (i, &term) in self.0.iter().enumerate() {
+            let ids: Vec<&str> = of(term, vocabulary).map(|feature| feature.id).collect();
+            let term = if ids.is_empty() { "always".to_owned() } else { ids.join("+") };
+            let _ = write!(out, "{}{term}", if i == 0 { "" } else { "|" });
+        }
+        out
+    }
+
+    /// Reads [`to_text`](Self::to_text); `None` if a feature is unknown.
+    pub(super) fn parse(text: &str, vocabulary: &[Feature]) -> Option<Self> {
+        let bit = |id: &str| vocabulary.iter().position(|feature| feature.id == id).map(|bit| 1_u128 << bit);
+        let term = |term: &str| match term {
+            "always" => Some(0),
+            ids => ids.split('+').try_fold(0, |set, id| Some(set | bit(id)?)),
+        };
+        text.split('|').map(term).collect::<Option<Vec<u128>>>().map(Self)
+    }
+}
+
+/// The shortest term that explains the most of the open calls and no passing one.
+fn best_term(open: &BTreeSet<u128>, passing: &BTreeSet<u128>) -> Option<u128> {
+    let known = open.iter().fold(0, |all, call| all | call);
+    let bits: Vec<u128> = (0..u128::BITS).map(|bit| 1 << bit).filter(|bit| known & bit != 0).collect();
+    let mut terms: Vec<u128> = vec![0];
+    for length in 0..=TERM {
+        let sound = terms.iter().filter(|&&term| !passing.iter().any(|call| call & term == term));
+        let explained = |term: u128| open.iter().filter(|&call| call & term == term).count();
+        // The first of the best: `max_by_key` would take the last.
+        let best = sound.map(|&term| (explained(term), term)).rev().max_by_key(|&(count, _)| count);
+        if let Some((_, term)) = best.filter(|&(count, _)| count > 0) {
+            return Some(term);
+        }
+        if length == TERM {
+            break;
+        }
+        terms = bits
+            .iter()
+            .flat_map(|&bit| terms.iter().filter(move |&&term| term < bit).map(move |&term| term | bit))
+            .filter(|&term| open.iter().any(|call| call & term == term))
+            .collect();
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    static WORDS: &[Feature] = &[
+        Feature { id: "a", clause: "it is a" },
+        Feature { id: "b", clause: "it is b" },
+        Feature { id: "c", clause: "it is c" },
+    ];
+
+    fn calls(failing: &[u128], passing: &[u128]) -> Calls {
+        Calls { failing: failing.to_vec(), passing: passing.to_vec() }
+    }
+
+    #[test]
+    fn one_feature_is_told_before_two_and_the_first_of_several() {
+        let found = calls(&[0b011, 0b111], &[0b100, 0b100, 0b000]);
+        assert_eq!(shortest(&found), Some(0b001));
+        let told = sentence(0b001, &found, WORDS);
+        assert_eq!(told, "It fails in all 2 calls where it is a, and in none of the 3 others.");
+        let two = calls(&[0b011; 6], &[0b001, 0b010, 0b000, 0b001, 0b010, 0b001, 0b010, 0b100]);
+        assert_eq!(shortest(&two), Some(0b011));
+        assert!(sentence(0b011, &two, WORDS).contains("where it is a and it is b, and"));
+    }
+
+    #[test]
+    fn nothing_is_told_without_evidence_or_against_it() {
+        assert_eq!(shortest(&calls(&[0b1], &[0, 0, 0])), None, "one failing call");
+        assert_eq!(shortest(&calls(&[0b1, 0b1], &[0, 0])), None, "two passing calls");
+        assert_eq!(shortest(&calls(&[0b1; 9], &[0, 0, 0, 0b1])), None, "a passing call has it");
+        assert_eq!(shortest(&calls(&[0b1, 0b1, 0b10], &[0, 0, 0, 0])), None, "a failing call lacks it");
+        assert_eq!(shortest(&calls(&[0b11; 3], &[0b01, 0b10, 0, 0, 0, 0, 0, 0])), None, "two features ask for more");
+    }
+
+    #[test]
+    fn a_told_condition_is_true_of_all_calls() {
+        let mut random = crate::lab::cases::random::Random::new(7, "conditions");
+        let mut told = 0;
+        for _ in 0..2000 {
+            let call = |random: &mut crate::lab::cases::random::Random| random.bits() as u128 & 0b1111;
+            let target = call(&mut random) | 1;
+            let all: Vec<u128> = (0..30).map(|_| call(&mut random)).collect();
+            let (failing, passing) = all.iter().partition(|&&call| call & target == target);
+            let calls = Calls { failing, passing };
+            let Some(condition) = shortest(&calls) else { continue };
+            told += 1;
+            assert!(all.iter().all(|call| (call & condition == condition) == calls.failing.contains(call)));
+            assert!(condition.count_ones() <= 2);
+        }
+        assert!(told > 200, "only {told} were told");
+    }
+
+    #[test]
+    fn the_condition_of_a_mistake_is_exact_and_read_as_it_is_written() {
+        let found = calls(&[0b001, 0b110], &[0b010, 0b100, 0b000]);
+        let when = When::learn(&found).unwrap();
+        assert!(found.failing.iter().all(|&call| when.holds(call)));
+        assert!(!found.passing.iter().any(|&call| when.holds(call)));
+        assert_eq!(when.to_text(WORDS), "a|b+c");
+        assert_eq!(When::parse("a|b+c", WORDS), Some(when));
+        assert_eq!(When::learn(&calls(&[0b1], &[])).unwrap().to_text(WORDS), "always");
+        assert_eq!(When::parse("always", WORDS).map(|when| when.holds(0)), Some(true));
+        assert_eq!(When::parse("a+z", WORDS), None);
+        assert_eq!(When::learn(&calls(&[0b1], &[0b1])), None, "the same call cannot pass and fail");
+    }
+}

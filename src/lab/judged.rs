@@ -1,0 +1,292 @@
+//! Which calls decide a test: those in which all that it needs held.
+//!
+//! ```text
+//!                     call 1   call 2   call 3   call 4        step 1 is wrong in call 2 only. What steps 2 and 3
+//!   step 1            ✓        ✗        ✓        ✓             have made of that call says nothing about them, so
+//!   step 2 needs 1    ✓        –        ✓        ✓             they are judged by the other calls and may pass.
+//!   step 3 needs 2    ✓        –        ✗        ✓
+//! ```
+//!
+//! - A call decides a test if it concerns the test (see [`Course::concerns`]), nothing that the test needs has failed
+//!   in this call, and nothing has failed before it in the same *part* of its case. A part begins where the structure
+//!   is known to be right: at the start, after `restore`, and at each call that only reads.
+//! - A fault in a sequence is charged to the test whose promise it breaks ([`Course::blames`]), if the sequence needs
+//!   that test and it fails by itself, too. The calls before it still count.
+//! - A test passes if no call that decides it fails, every case was asked, and at least a quarter of the calls that
+//!   concern it decide it (three calls, or all if there are fewer), of each function that is called. With less evidence
+//!   it is skipped. So a slip in one step costs that step, but code that is reached in a few odd calls earns nothing.
+//! - A program that ends in the middle of a call has not said how far it came: that call speaks against all steps.
+
+use super::conditions::Calls;
+use super::course::{Course, Suite};
+use super::fault::{Exchange, Fault, exchanges};
+use super::manifest::{Manifest, Test};
+use super::protocol::{Case, CaseAnswer, Step};
+use super::run::{NO_ANSWER, SuiteRun};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// One call in this many must decide a test.
+const SHARE: usize = 4;
+/// And so many calls, if so many concern it.
+const LEAST: usize = 3;
+
+/// A call that was answered, or a picture.
+#[derive(Debug)]
+pub(super) struct Unit<'a> {
+    /// The number of its case in the suite.
+    pub(super) case: usize,
+    /// Its step in the case.
+    pub(super) step: usize,
+    /// The part of the case that it stands in.
+    part: usize,
+    /// The call; `None` for a picture, and for a step that was not answered.
+    pub(super) exchange: Option<Exchange<'a>>,
+    /// The tests that it concerns.
+    tests: Vec<&'static str>,
+}
+
+/// All calls of a suite that was run.
+pub(super) struct Units<'a> {
+    pub(super) all: Vec<Unit<'a>>,
+    faults: &'a [Vec<Fault>],
+}
+
+impl<'a> Units<'a> {
+    /// Cost: linear in the calls, and what [`Course::concerns`] takes for each.
+    pub(super) fn new(course: &dyn Course, suite: &'a Suite, run: &'a SuiteRun) -> Self {
+        let mut all = Vec::new();
+        for (number, ((asked, answer), faults)) in suite.asked.iter().zip(&run.answers).zip(&run.faults).enumerate() {
+            all.extend(units(course, suite, number, &asked.case, answer, faults));
+        }
+        Self { all, faults: &run.faults }
+    }
+
+    /// The faults of a test at a call.
+    pub(super) fn faults_of<'b>(&'b self, unit: &Unit, test: &'b str) -> impl Iterator<Item = &'a Fault> + use<'a, 'b> {
+        at(&self.faults[unit.case], unit.step).iter().filter(move |fault| fault.test == test)
+    }
+
+    /// What can be said of a call before it is made; `None` if that is not known.
+    pub(super) fn features(&self, course: &dyn Course, unit: usize) -> Option<u128> {
+        let Unit { case, part, exchange, .. } = &self.all[unit];
+        let before = self.all[..unit].iter().rev().take_while(|other| other.case == *case);
+        let mut earlier: Vec<&Exchange> =
+            before.filter(|other| other.part == *part).filter_map(|other| other.exchange.as_ref()).collect();
+        earlier.reverse();
+        course.features(&earlier, exchange.as_ref()?)
+    }
+
+    /// What calls of this suite say of a test that another suite decides: those which do what that suite asks for.
+    pub(super) fn lent(
+        &self,
+        course: &dyn Course,
+        suite: &Suite,
+        test: &str,
+        needs: &Needs,
+        of: &dyn Fn(&Unit) -> bool,
+        calls: &mut Calls,
+    ) {
+        let mut stopped: BTreeSet<(usize, usize)> = BTreeSet::new();
+        for (i, unit) in self.all.iter().enumerate() {
+            let place = (unit.case, unit.part);
+            let already = stopped.contains(&place);
+            let fault = at(&self.faults[unit.case], unit.step).first();
+            if fault.is_some() {
+                stopped.insert(place);
+            }
+            let Some(exchange) = unit.exchange.filter(|_| !already && of(unit)) else { continue };
+            // A fault that no test is to blame for says nothing; one in an earlier step hides this one.
+            let blamed = fault.map(|fault| course.blames(fault));
+            if blamed == Some(None) || blamed.flatten().is_some_and(|blamed| needs.has_here(blamed)) {
+                continue;
+            }
+            let step = Step::Call { function: exchange.function.to_owned(), arguments: exchange.words.to_vec() };
+            if !course.concerns(suite, &step, Some(&exchange)).iter().any(|&name| name == test) {
+                continue;
+            }
+            let to = if blamed.flatten() == Some(test) { &mut calls.failing } else { &mut calls.passing };
+            to.extend(self.features(course, i));
+        }
+    }
+
+    /// What the calls say of a test.
+    pub(super) fn ruling(&self, course: &dyn Course, test: &str, needs: &Needs) -> Ruling {
+        let mut ruling = Ruling::default();
+        let mut stopped: BTreeSet<(usize, usize)> = BTreeSet::new();
+        for (i, unit) in self.all.iter().enumerate() {
+            let faults = at(&self.faults[unit.case], unit.step);
+            let own = faults.iter().find(|fault| fault.test == test);
+            let need = faults.iter().find(|fault| needs.here.contains(fault.test));
+            let place = (unit.case, unit.part);
+            let already = stopped.contains(&place);
+            if own.is_some() || need.is_some() {
+                stopped.insert(place);
+            }
+            // What is wrong counts wherever it shows.
+            if own.is_none() && !unit.tests.iter().any(|&name| name == test) {
+                continue;
+            }
+            ruling.asked += 1;
+            let function = unit.exchange.map_or("", |exchange| exchange.function);
+            let of_function = ruling.functions.entry(function.to_owned()).or_default();
+            of_function.asked += 1;
+            if already {
+                continue;
+            }
+            match (need, own) {
+                (Some(need), own) => {
+                    ruling.because.insert(need.test.to_owned());
+                    // Nobody knows in which step a program ended that has not answered.
+                    ruling.died |= own.is_some_and(|own| own.rule == NO_ANSWER);
+                    continue;
+                }
+                (None, None) => ruling.passing.push(i),
+                (None, Some(own)) => match needs.to_blame(course.blames(own)) {
+                    Some(other) => {
+                        ruling.because.insert(other);
+                        ruling.died |= own.rule == NO_ANSWER;
+                        continue;
+                    }
+                    None => ruling.failing.push(i),
+                },
+            }
+            of_function.judged += 1;
+        }
+        ruling
+    }
+}
+
+/// The faults at a step. They are in the order of the steps.
+fn at(faults: &[Fault], step: usize) -> &[Fault] {
+    let begin = faults.partition_point(|fault| fault.step < step);
+    let len = faults[begin..].partition_point(|fault| fault.step == step);
+    &faults[begin..begin + len]
+}
+
+/// The calls and pictures of a case, in order.
+fn units<'a>(
+    course: &dyn Course,
+    suite: &Suite,
+    number: usize,
+    case: &'a Case,
+    answer: &'a CaseAnswer,
+    faults: &[Fault],
+) -> Vec<Unit<'a>> {
+    let parts = parts(case);
+    let mut calls = exchanges(case, answer).into_iter().peekable();
+    let mut replies = answer.replies.len();
+    let mut out = Vec::new();
+    for (step, asked) in case.steps.iter().enumerate() {
+        let is_answered = asked.is_answered() && replies > 0;
+        replies -= usize::from(is_answered);
+        let exchange = calls.next_if(|exchange| exchange.step == step);
+        let tests = match asked {
+            Step::Call { .. } | Step::Svg if is_answered => course.concerns(suite, asked, exchange.as_ref()),
+            // Where the program stopped: all that is said of it concerns the tests that it is said of.
+            _ => at(faults, step).iter().map(|fault| fault.test).collect(),
+        };
+        if !tests.is_empty() || exchange.is_some() {
+            out.push(Unit { case: number, step, part: parts[step], exchange, tests });
+        }
+    }
+    out
+}
+
+/// The part that each step of a case stands in.
+fn parts(case: &Case) -> Vec<usize> {
+    let (mut last, mut now) = (0, 0);
+    let mut parts = Vec::with_capacity(case.steps.len());
+    for (i, step) in case.steps.iter().enumerate() {
+        if *step == Step::Restore {
+            last += 1;
+            now = last;
+        }
+        let only_reads = matches!(step, Step::Call { .. }) && !case.steps.get(i + 1).is_some_and(Step::shows);
+        if only_reads {
+            last += 1;
+        }
+        parts.push(if only_reads { last } else { now });
+    }
+    parts
+}
+
+/// What a test needs, at once or through others.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub(super) struct Needs {
+    /// The tests that the same suite decides.
+    here: BTreeSet<String>,
+    /// The tests of other suites that are not passed.
+    open: BTreeSet<String>,
+}
+
+impl Needs {
+    /// `suite` are the tests of the suite of `test`; `passed` says what is known of earlier tests.
+    pub(super) fn of(manifest: &Manifest, test: &Test, suite: &[&str], passed: impl Fn(&str) -> bool) -> Self {
+        let mut all: BTreeSet<&str> = test.needs.iter().map(String::as_str).collect();
+        // Tests need earlier ones only, so one way back through the list finds all.
+        for test in manifest.tests.iter().rev() {
+            if all.contains(test.name.as_str()) {
+                all.extend(test.needs.iter().map(String::as_str));
+            }
+        }
+        let (here, elsewhere): (BTreeSet<&str>, BTreeSet<&str>) =
+            all.into_iter().partition(|name| suite.contains(name));
+        let owned = |names: BTreeSet<&str>| names.into_iter().map(str::to_owned).collect();
+        let open = elsewhere.into_iter().filter(|name| !passed(name)).collect();
+        Self { here: owned(here), open: owned(open) }
+    }
+
+    /// The open test that a fault is charged to: the one whose promise it breaks; any, if that is not known.
+    fn to_blame(&self, blamed: Option<&str>) -> Option<String> {
+        match blamed {
+            Some(name) => self.open.get(name).cloned(),
+            None => self.open.first().cloned(),
+        }
+    }
+
+    /// Whether anything is needed that may have failed.
+    pub(super) fn any(&self) -> bool {
+        !self.here.is_empty() || !self.open.is_empty()
+    }
+
+    /// Whether a test of the same suite is needed.
+    pub(super) fn has_here(&self, test: &str) -> bool {
+        self.here.contains(test)
+    }
+}
+
+/// What the calls of a suite say of a test.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub(super) struct Ruling {
+    /// How many calls concern it.
+    pub(super) asked: usize,
+    /// The calls that decide it and are right, by their numbers in [`Units::all`].
+    pub(super) passing: Vec<usize>,
+    /// The calls that decide it and are wrong.
+    pub(super) failing: Vec<usize>,
+    /// The tests that failed where it was not judged.
+    pub(super) because: BTreeSet<String>,
+    /// The calls of each function.
+    functions: BTreeMap<String, Count>,
+    /// The program ended in a call, and nobody knows in which step.
+    died: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+struct Count {
+    asked: usize,
+    judged: usize,
+}
+
+impl Ruling {
+    /// How many calls decide it.
+    pub(super) fn judged(&self) -> usize {
+        self.passing.len() + self.failing.len()
+    }
+
+    /// Whether enough calls decide it for a pass: of each function that is called.
+    pub(super) fn is_enough(&self) -> bool {
+        let enough = |count: &Count| count.judged * SHARE >= count.asked && count.judged >= LEAST.min(count.asked);
+        !self.died && self.asked > 0 && self.functions.values().all(enough)
+    }
+}
