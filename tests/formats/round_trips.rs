@@ -428,13 +428,9 @@ fn objects_of_a_topology_can_be_chosen() {
         _ => panic!(),
     };
     let default = choose(None).unwrap();
-    assert!(
-        default.notes[0].contains("land (1 polygons), states (2 polygons); states was read"),
-        "{:?}",
-        default.notes
-    );
+    assert!(default.notes[0].contains("land (1 polygon), states (2 polygons); states was read"), "{:?}", default.notes);
     assert_eq!(faces(default), [[0, 1, 2], [0, 2, 1]], "the second uses the arc backwards");
     assert_eq!(faces(choose(Some("land")).unwrap()), [[0, 1, 2]]);
     let error = choose(Some("sea")).unwrap_err().to_string();
-    assert!(error.contains("object \"sea\"") && error.contains("the file has land (1 polygons), states"), "{error}");
+    assert!(error.contains("object \"sea\"") && error.contains("the file has land (1 polygon), states"), "{error}");
 }
