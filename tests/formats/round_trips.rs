@@ -368,7 +368,7 @@ fn notes_say_what_was_left_out() {
     fragments(
         notes(br#"{"type":"GeometryCollection","geometries":[{"type":"LineString"},{"type":"Point"},{"type":"Point"},
             {"type":"Polygon","coordinates":[[[0,0,1],[0,0,1],[1,0],[0,1],[0,0]]]},{"type":"Polygon","coordinates":[]}]}"#, Format::GeoJson, false),
-        &["1 line geometries", "2 point geometries", "1 polygons without any ring", "third coordinate of 2 points", "1 points that repeat the one before were removed, the first in geometry geometries[3] polygon 0 ring 0"],
+        &["1 line geometry was", "2 point geometries were", "1 polygon without any ring was", "third coordinate of 2 points", "1 point that repeats the one before was removed, the first in geometry geometries[3] polygon 0 ring 0"],
     );
     // A degenerate hole goes alone; a degenerate outer ring takes its polygon with it.
     let rings = br#"{"type":"Feature","id":"x","geometry":{"type":"MultiPolygon","coordinates":[

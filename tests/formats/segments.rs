@@ -139,7 +139,7 @@ fn what_meets_is_told_with_its_lines_and_split_on_request() {
         ]
     );
     let (_, notes) = load_text("b.wkt", "LINESTRING(0 0, 3 1)\nLINESTRING(0 1, 2 0)", true).unwrap();
-    assert!(notes[1].starts_with("1 of the crossings moved by rounding, none further than"), "{notes:?}");
+    assert!(notes[2].starts_with("1 crossing was moved by rounding, none further than"), "{notes:?}");
     let point_on = "LINESTRING (0 0, 4 0)\n\nPOINT (2 0)";
     let told = load_text("c.wkt", point_on, false).unwrap_err().to_string();
     assert!(
