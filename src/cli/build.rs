@@ -6,8 +6,8 @@ use super::{Answer, Output};
 use dcel_kit::VertexId;
 use dcel_kit::figure::{self, FigureOptions};
 use dcel_kit::io::{
-    Document, Format, LoadError, Model, ReadOptions, SegmentSoup, arrange_with, describe, faults_with_places,
-    read_path, source_name,
+    Document, Format, LoadError, Model, NOTHING_TO_MEND, ReadOptions, SegmentSoup, arrange_with, counted, describe,
+    faults_with_places, read_path, source_name,
 };
 use dcel_kit::plane::{ArrangeOptions, Arranged, SegmentsError};
 use dcel_kit::topology::components;
@@ -18,32 +18,37 @@ use std::path::PathBuf;
 
 /// Build the subdivision that segments cut the plane into
 ///
-/// Reads wkt, poly, segments and geojson; polygons count by their outlines. Ends with equal
+/// Reads wkt, poly, segments, geojson and topojson; polygons count by their outlines. Ends with equal
 /// coordinates become one vertex. Segments that meet elsewhere are refused, each by name, or split
-/// with --split-crossings. Told are edges that bound no face: dangles hang free, cut edges hold
-/// parts together.
+/// with --mend. Told are edges that bound no face: dangles hang free, cut edges hold parts together.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
   dcel build plan.poly
   dcel build plan.poly --figure plan.svg --json
-  dcel build roads.wkt --split-crossings -o roads.dcel
-  dcel build roads.wkt --split-crossings --grid 0.001 -o roads.dcel")]
+  dcel build roads.wkt --mend -o roads.dcel
+  dcel build roads.wkt --mend --grid 0.001 -o roads.dcel")]
 pub(crate) struct Args {
     /// The file to read, or - for standard input
     #[arg(value_name = "IN")]
     file: PathBuf,
-    /// The format, if the name does not tell: wkt, poly, segments or geojson
+    /// The format, if the name does not tell: wkt, poly, segments, geojson or topojson
     #[arg(long, value_name = "FORMAT")]
     from: Option<Format>,
-    /// Split segments where they cross, touch or overlap
+    /// Split segments where they cross, touch or overlap, and tell what was done
+    #[arg(long)]
+    mend: bool,
+    /// The same as --mend
     #[arg(long)]
     split_crossings: bool,
     /// Round all points to multiples of this, or rather of the largest power of two not above it.
     /// Without it, points are only rounded to a grid where lines are too close to settle in place,
     /// and then as finely as doubles allow
-    #[arg(long, value_name = "SIZE", requires = "split_crossings")]
+    #[arg(long, value_name = "SIZE")]
     grid: Option<f64>,
+    /// The object of a TopoJSON file to read
+    #[arg(long, value_name = "NAME")]
+    object: Option<String>,
     /// y points down in the file, as on screens
     #[arg(long)]
     y_down: bool,
@@ -103,16 +108,37 @@ struct Moved {
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     not_the_input(&args.file, args.output.iter().chain(&args.figure))?;
-    let options = ReadOptions { y_down: args.y_down, outlines: true, format: args.from, ..ReadOptions::default() };
+    let mend = args.mend || args.split_crossings;
+    let options = ReadOptions {
+        y_down: args.y_down,
+        outlines: true,
+        object: args.object.clone(),
+        close_rings: mend,
+        format: args.from,
+        ..ReadOptions::default()
+    };
     let source = source_name(&args.file);
     let read = read_path(&args.file, &options)?;
     let Document::Segments(soup) = &read.document else {
         let what = format!("{source}: {} holds no segments", read.format);
-        return Err(Failure::input(what, "build takes wkt, poly, segments and geojson; for others see dcel convert"));
+        return Err(Failure::input(
+            what,
+            "build takes wkt, poly, segments, geojson and topojson; for others see dcel convert",
+        ));
     };
+    if args.object.is_some() && read.format != Format::TopoJson {
+        let what = format!("{source}: --object cannot be used on {}: only TopoJSON files have objects", read.format);
+        return Err(Failure::input(what, "leave --object out"));
+    }
     read.notes.iter().for_each(|note| say("note", note));
-    let how = ArrangeOptions { split: args.split_crossings, grid: args.grid, ..ArrangeOptions::default() };
+    if args.grid.is_some() && !mend {
+        return Err(Failure::input("--grid is for segments that are split", "give --mend, too"));
+    }
+    let how = ArrangeOptions { split: mend, grid: args.grid, ..ArrangeOptions::default() };
     let arranged = arrange_with(soup, &how).map_err(|error| refused(soup, error))?;
+    if mend && arranged.rounds == 0 && arranged.grid.is_none() {
+        say("note", NOTHING_TO_MEND);
+    }
     if let Some(path) = &args.figure {
         let title = args.file.file_stem().map_or_else(|| "Segments".into(), |stem| stem.to_string_lossy());
         let drawn = figure::structure(&arranged.subdivision, &FigureOptions::new(title))
@@ -179,7 +205,7 @@ impl Report {
     }
 
     fn print(&self, arranged: &Arranged, out: &mut Output) -> io::Result<()> {
-        writeln!(out, "{}: plane, {}, {} segments", self.source, self.format, self.segments)?;
+        writeln!(out, "{}: plane, {}, {}", self.source, self.format, counted(self.segments, "segment", "segments"))?;
         let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
         line("vertices", self.vertices.to_string())?;
         line("edges", self.edges.to_string())?;

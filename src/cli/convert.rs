@@ -5,7 +5,7 @@ use super::input::InputOptions;
 use super::subject::{Kind, Subject};
 use super::{Answer, Failure, Output};
 use dcel_kit::FaceMap;
-use dcel_kit::io::{Format, write, write_path};
+use dcel_kit::io::{Format, counted, write, write_path};
 use std::path::{Path, PathBuf};
 
 /// Write a structure in another format
@@ -101,12 +101,15 @@ fn tell_losses(subject: &Subject, format: Format) {
     let named = subject.faces().filter(|&f| subject.name(f).is_some()).count();
     let keeps_names = matches!(format, Format::GeoJson | Format::Dcel | Format::Tables);
     if named > 0 && !keeps_names {
-        say("note", format!("{named} names of faces are lost: {format} has none; geojson and dcel keep them"));
+        let lost = counted(named, "name of a face is lost", "names of faces are lost");
+        say("note", format!("{lost}: {format} has none; geojson and dcel keep them"));
     }
     let view = subject.view();
     let holes = subject.faces().filter(|&f| view.is_hole(f)).count();
     let keeps_holes = matches!(format, Format::Dcel | Format::Tables);
     if holes > 0 && !keeps_holes {
-        say("note", format!("{holes} hole faces are not written: they are the gaps between the polygons"));
+        let faces =
+            counted(holes, "hole face is not written: it is a gap", "hole faces are not written: they are the gaps");
+        say("note", format!("{faces} between the polygons"));
     }
 }

@@ -7,7 +7,7 @@ use super::subject::Kind;
 use super::{Answer, Output};
 use dcel_kit::figure::sketch::{Backdrop, Role, Sketch};
 use dcel_kit::figure::{Figure, FigureOptions};
-use dcel_kit::io::{Model, read_points, source_name};
+use dcel_kit::io::{Model, counted, read_points, source_name};
 use dcel_kit::plane::Subdivision;
 use dcel_kit::{EdgeId, EdgeMap};
 use serde::Serialize;
@@ -142,7 +142,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
 }
 
 fn of_points(args: &Args) -> Result<Made, Failure> {
-    let list = read_points(&args.file, &args.input.read_options())?;
+    let list = read_points(&args.file, &args.input.for_points()?)?;
     let built =
         Subdivision::delaunay(&list.points).map_err(|error| Failure::input(format!("{}: {error}", list.source), ""))?;
     Ok(Made {
@@ -208,17 +208,20 @@ impl Report {
     }
 
     fn print(&self, out: &mut Output) -> io::Result<()> {
-        writeln!(out, "{}: {} points", self.source, self.points)?;
+        writeln!(out, "{}: {}", self.source, counted(self.points, "point", "points"))?;
         let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
         line("vertices", self.vertices.to_string())?;
         line("edges", self.edges.to_string())?;
         line("triangles", self.triangles.to_string())?;
-        line("outline", format!("{} half-edges of f0", self.outline))?;
+        line("outline", format!("{} of f0", counted(self.outline, "half-edge", "half-edges")))?;
         if let Some(flips) = self.flips {
             line("flips", flips.to_string())?;
         }
         if self.constrained > 0 {
-            line("constrained", format!("{} edges, {} of them not Delaunay", self.constrained, self.not_delaunay))?;
+            line(
+                "constrained",
+                format!("{}, {} of them not Delaunay", counted(self.constrained, "edge", "edges"), self.not_delaunay),
+            )?;
         }
         if self.hole_faces > 0 {
             line("hole faces", self.hole_faces.to_string())?;

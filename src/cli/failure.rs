@@ -9,6 +9,7 @@
 use dcel_kit::io::{LoadError, ReadError, WriteError};
 use dcel_kit::plane::{ConvertError, SegmentsError};
 use dcel_kit::solid::SolidError;
+use dcel_kit::topology::BuildError;
 use std::fmt::Display;
 use std::io::{self, Write};
 use std::path::Path;
@@ -142,7 +143,7 @@ impl From<LoadError> for Failure {
 fn flags(error: &LoadError) -> Option<&'static str> {
     match error {
         LoadError::Segments { error: SegmentsError::Faults { .. }, .. } => {
-            Some("split segments where they meet with --split-crossings")
+            Some("split segments where they meet with --mend")
         }
         LoadError::Surface { error: SolidError::Winding { .. }, .. } => {
             Some("list its corners the other way round, or turn all faces that need it with --orient")
@@ -151,9 +152,30 @@ fn flags(error: &LoadError) -> Option<&'static str> {
             "list its corners the other way round, or try --orient, or --y-down if y points down in the file, \
              or --surface if it is a surface in space",
         ),
+        LoadError::Plane { error, .. } => match error {
+            ConvertError::Geometry(_)
+            | ConvertError::SelfCrossing { .. }
+            | ConvertError::SelfTouching { .. }
+            | ConvertError::OverlapAtEdge { .. }
+            | ConvertError::OverlapAtVertex { .. }
+            | ConvertError::HoleOutside { .. }
+            | ConvertError::InPieces { .. }
+            | ConvertError::InsideFace { .. } => Some(MEND),
+            ConvertError::ZeroArea { .. } => Some("remove it, or leave out all that has no area with --mend"),
+            ConvertError::Build(error) => match error {
+                BuildError::RepeatedVertex { .. }
+                | BuildError::SameFaceTwice { .. }
+                | BuildError::ThreeFaces { .. } => Some(MEND),
+                _ => None,
+            },
+            _ => None,
+        },
         _ => None,
     }
 }
+
+/// What helps polygons that do not fit together.
+const MEND: &str = "correct the data, or cut the polygons where they meet with --mend";
 
 impl Failure {
     /// A structure that a format cannot hold, or a file that cannot be written.

@@ -3,6 +3,7 @@
 use super::input::InputOptions;
 use super::subject::{Kind, Subject};
 use super::{Answer, Failure, Output};
+use dcel_kit::io::{Covering, Number, counted};
 use dcel_kit::plane::{Subdivision, TableError};
 use dcel_kit::topology::{Counts, Ring, first_violation, measure_with};
 use dcel_kit::{FaceId, FaceMap, HalfEdgeId, VertexMap};
@@ -16,13 +17,15 @@ use std::path::PathBuf;
 /// In the plane `faces` counts the outer face and hole faces; on a surface it does not count the
 /// faces that stand for borders. The Euler number is V - E + F.
 ///
-/// A file of polygons is checked while it is read: `valid` says that faces do not overlap where they
-/// meet, and with --full-check nowhere. A .dcel file is always fully checked.
+/// `valid` says that all laws hold, also those of the plane: nothing crosses, nothing overlaps. A file
+/// of polygons that are not is refused, or cut up with --mend; with --trust it is `not checked`
+/// whether polygons overlap that share no edge and no corner. A broken .dcel file is `NOT valid`.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
   dcel info square.obj
   dcel info cube.off --json
+  dcel info map.geojson --mend
   dcel info figures/data/states-albers-10m.json \\
     --y-down --drop-degenerate-rings")]
 pub(crate) struct Args {
@@ -41,7 +44,8 @@ struct Info {
     source: String,
     format: &'static str,
     mode: &'static str,
-    valid: bool,
+    /// Nothing if the plane was not checked.
+    valid: Option<bool>,
     vertices: usize,
     edges: usize,
     half_edges: usize,
@@ -64,8 +68,32 @@ struct Info {
     bounding_box: Option<BoundingBox>,
     named_faces: usize,
     names: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    mended: Option<Mended>,
     memory_bytes: Option<usize>,
     bytes_per_half_edge: Option<f64>,
+}
+
+/// What polygons that had to be mended cover.
+#[derive(Serialize)]
+struct Mended {
+    polygons: usize,
+    /// Faces that one polygon covers, and several.
+    covered_once: usize,
+    covered_several_times: usize,
+    overlapping_area: f64,
+}
+
+impl Mended {
+    fn of(covering: &Covering, subject: &Subject) -> Self {
+        let counts = || subject.faces().map(|f| covering.cover.count(f));
+        Self {
+            polygons: covering.polygons,
+            covered_once: counts().filter(|&count| count == 1).count(),
+            covered_several_times: counts().filter(|&count| count > 1).count(),
+            overlapping_area: covering.overlapping,
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -95,7 +123,7 @@ impl Spread {
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let subject = args.input.open(&args.file)?;
     let info = Info::of(&subject);
-    if !info.valid {
+    if info.valid == Some(false) {
         super::failure::say("note", format!("{}: laws are broken; `dcel validate` names them", subject.source));
     }
     if args.json {
@@ -134,6 +162,7 @@ impl Info {
         names.sort_unstable();
         names.dedup();
         let (valid, memory) = validity(subject);
+        let valid = Some(valid).filter(|valid| !(*valid && subject.trusted));
         Self {
             source: subject.source.clone(),
             format: subject.format.name(),
@@ -159,6 +188,7 @@ impl Info {
             bounding_box: bounding_box(subject),
             named_faces,
             names: names.len(),
+            mended: subject.covering.as_ref().map(|covering| Mended::of(covering, subject)),
             memory_bytes: memory,
             bytes_per_half_edge: memory
                 .filter(|_| counts.half_edges > 0)
@@ -168,12 +198,18 @@ impl Info {
 
     fn print(&self, out: &mut Output) -> io::Result<()> {
         let format = self.format;
-        writeln!(out, "{}: {}, {format}, {}", self.source, self.mode, if self.valid { "valid" } else { "NOT valid" })?;
+        let valid = match self.valid {
+            Some(true) => "valid",
+            Some(false) => "NOT valid",
+            None => "not checked",
+        };
+        writeln!(out, "{}: {}, {format}, {valid}", self.source, self.mode)?;
         let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
         line("vertices", self.vertices.to_string())?;
-        line("edges", format!("{} ({} half-edges)", self.edges, self.half_edges))?;
+        line("edges", format!("{} ({})", self.edges, counted(self.half_edges, "half-edge", "half-edges")))?;
         let holes = match self.hole_faces {
             0 => String::new(),
+            1 => ", 1 of them a hole".to_owned(),
             n => format!(", {n} of them holes"),
         };
         let outer = if self.mode == "plane" { " (with the outer face" } else { "" };
@@ -186,8 +222,11 @@ impl Info {
             line("genus", self.genus.to_string())?;
         } else {
             let inner = self.rings - self.rings_of_outer_face;
-            line("rings", format!("{} of the outer face, {inner} others", self.rings_of_outer_face))?;
-            line("isolated", format!("{} vertices", self.isolated_vertices))?;
+            line(
+                "rings",
+                format!("{} of the outer face, {}", self.rings_of_outer_face, counted(inner, "other", "others")),
+            )?;
+            line("isolated", counted(self.isolated_vertices, "vertex", "vertices"))?;
         }
         line("sides of faces", format!("{}{}", self.sides, self.histogram()))?;
         line("degrees", self.degrees.to_string())?;
@@ -195,7 +234,13 @@ impl Info {
             line("bounding box", format!("{} to {}", super::output::point(min), super::output::point(max)))?;
         }
         if self.named_faces > 0 {
-            line("names", format!("{} on {} faces", self.names, self.named_faces))?;
+            line("names", format!("{} on {}", self.names, counted(self.named_faces, "face", "faces")))?;
+        }
+        if let Some(Mended { polygons, covered_once, covered_several_times, overlapping_area }) = &self.mended {
+            let once = counted(*covered_once, "face", "faces");
+            let area = Number(*overlapping_area);
+            line("mended", format!("{}; {once} covered once", counted(*polygons, "polygon", "polygons")))?;
+            line("overlaps", format!("{}, area {area}", counted(*covered_several_times, "face", "faces")))?;
         }
         if let Some(bytes) = self.memory_bytes {
             let each = self.bytes_per_half_edge.map_or_else(String::new, |each| format!(", {each:.1} a half-edge"));

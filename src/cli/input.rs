@@ -2,7 +2,6 @@
 
 use super::failure::{Failure, say};
 use super::subject::{Kind, Subject};
-use dcel_kit::FaceMap;
 use dcel_kit::io::{
     Document, Format, LoadError, LoadOptions, Read, ReadOptions, Structure, assemble, read_path, source_name,
 };
@@ -34,12 +33,22 @@ pub(crate) struct InputOptions {
     /// Read as a subdivision of the plane: drop z
     #[arg(long)]
     plane: bool,
-    /// Split segments where they cross, touch or overlap
+    /// Split polygons and segments where they cross, touch or overlap; tells what was done. Each face is named after
+    /// all polygons that cover it
+    #[arg(long)]
+    mend: bool,
+    /// The same as --mend
     #[arg(long)]
     split_crossings: bool,
-    /// Check all edges of a plane against each other
-    #[arg(long)]
+    /// Believe that polygons do not overlap: check only those that meet
+    #[arg(long, conflicts_with_all = ["mend", "split_crossings"])]
+    trust: bool,
+    /// What is done anyway, unless --trust is given
+    #[arg(long, conflicts_with = "trust")]
     full_check: bool,
+    /// Whether the command itself asks for a surface.
+    #[arg(skip)]
+    only_surfaces: bool,
 }
 
 /// What comes out of a file.
@@ -51,14 +60,19 @@ pub(crate) enum Opened {
 }
 
 impl InputOptions {
-    /// The same without the full check, for those who make it themselves.
-    pub(crate) fn without_full_check(&self) -> Self {
-        Self { full_check: false, ..self.clone() }
+    /// Whether polygons and segments are split where they meet.
+    fn mends(&self) -> bool {
+        self.mend || self.split_crossings
+    }
+
+    /// Whether the plane is not to be checked.
+    pub(crate) fn trusts(&self) -> bool {
+        self.trust
     }
 
     /// The same for those who work on surfaces in space only.
     pub(crate) fn as_surface(&self) -> Self {
-        Self { surface: true, plane: false, ..self.clone() }
+        Self { surface: true, plane: false, only_surfaces: !self.surface, ..self.clone() }
     }
 
     /// Reads a file. Tables stay tables, with the ids of the file, right or wrong. Tells the notes on stderr.
@@ -79,20 +93,14 @@ impl InputOptions {
         let options = self.load_options();
         let read = read_path(file, &options.read)?;
         let source = source_name(file);
-        if matches!(read.document, Document::Table(_)) && (self.surface || self.plane || self.orient) {
-            say("note", "--surface, --plane and --orient are for polygons; a table says itself what it is");
+        self.refuse_useless(&read, &source)?;
+        if self.full_check {
+            say("note", "--full-check is not needed: planes are always fully checked, unless --trust is given");
         }
         let loaded = match read {
             Read { document: Document::Table(table), notes, format } if keep_tables => {
                 notes.iter().for_each(|note| say("note", note));
-                let (names, places) = (FaceMap::default(), None);
-                return Ok(Opened::Subject(Box::new(Subject {
-                    kind: Kind::Table(table),
-                    names,
-                    source,
-                    format,
-                    places,
-                })));
+                return Ok(Opened::Subject(Box::new(Subject::of_table(table, source, format))));
             }
             read => match assemble(read, &source, &options) {
                 Ok(loaded) => loaded,
@@ -105,18 +113,78 @@ impl InputOptions {
             Structure::Surface(polyhedron) => Kind::Surface(polyhedron),
             other => return Err(Failure::input(format!("{source}: {other:?} is not known"), "")),
         };
-        let (names, format, places) = (loaded.names, loaded.format, loaded.places);
-        Ok(Opened::Subject(Box::new(Subject { kind, names, source, format, places })))
+        let (names, covering, format, places) = (loaded.names, loaded.covering, loaded.format, loaded.places);
+        let trusted = self.trust;
+        Ok(Opened::Subject(Box::new(Subject { kind, names, covering, trusted, source, format, places })))
+    }
+
+    /// A flag that cannot do anything with this kind of input is an error, so that nobody believes it did.
+    fn refuse_useless(&self, read: &Read, source: &str) -> Result<(), Failure> {
+        let format = read.format;
+        let (polygons, plane) = match &read.document {
+            Document::Polygons(soup) => (true, !self.surface && (self.plane || !soup.has_z)),
+            Document::Segments(_) => (false, true),
+            Document::Table(_) => (false, false),
+        };
+        let segments = matches!(read.document, Document::Segments(_));
+        let json = matches!(format, Format::GeoJson | Format::TopoJson);
+        let table = "a table of half-edges says itself what it is";
+        let lines = "segments have no faces yet";
+        let why = if segments { lines } else { table };
+        let flags = [
+            ("--surface", self.surface && !self.only_surfaces && !polygons, why),
+            ("--plane", self.plane && !polygons, why),
+            ("--orient", self.orient && !polygons, why),
+            (
+                "--trust",
+                self.trust && !(polygons && plane),
+                match (segments, polygons) {
+                    (true, _) => "segments are split or refused, never believed",
+                    (_, true) => "it is for polygons in the plane",
+                    _ => "a table is checked while it becomes a structure",
+                },
+            ),
+            (
+                "--mend",
+                self.mend && !plane,
+                match polygons {
+                    true => "it is for polygons in the plane; drop z with --plane",
+                    false => "it is for polygons and segments; for a table, dcel validate names what is broken",
+                },
+            ),
+            ("--object", self.object.is_some() && format != Format::TopoJson, "only TopoJSON files have objects"),
+            ("--drop-degenerate-rings", self.drop_degenerate_rings && !json, "it is for GeoJSON and TopoJSON"),
+        ];
+        match flags.into_iter().find(|&(_, useless, _)| useless) {
+            Some((flag, _, why)) => Err(Failure::input(
+                format!("{source}: {flag} cannot be used on {format}: {why}"),
+                format!("leave {flag} out"),
+            )),
+            None => Ok(()),
+        }
+    }
+
+    /// How to read the points of a file, of which nothing else is wanted.
+    pub(crate) fn for_points(&self) -> Result<ReadOptions, Failure> {
+        let flags = [
+            ("--mend", self.mend),
+            ("--split-crossings", self.split_crossings),
+            ("--trust", self.trust),
+            ("--orient", self.orient),
+            ("--surface", self.surface),
+        ];
+        match flags.into_iter().find(|flag| flag.1) {
+            Some((flag, _)) => {
+                let what = format!("{flag} cannot be used here: only the points of the file are read");
+                Err(Failure::input(what, format!("leave {flag} out")))
+            }
+            None => Ok(self.load_options().read),
+        }
     }
 
     /// Whether y points down in the file.
     pub(crate) fn y_down(&self) -> bool {
         self.y_down
-    }
-
-    /// How the file itself is read.
-    pub(crate) fn read_options(&self) -> ReadOptions {
-        self.load_options().read
     }
 
     fn load_options(&self) -> LoadOptions {
@@ -127,12 +195,12 @@ impl InputOptions {
         };
         let read = ReadOptions {
             y_down: self.y_down,
-            drop_degenerate_rings: self.drop_degenerate_rings,
+            drop_degenerate_rings: self.drop_degenerate_rings || self.mends(),
+            close_rings: self.mends(),
             object: self.object.clone(),
             outlines: false,
             format: self.format,
         };
-        let split_crossings = self.split_crossings;
-        LoadOptions { read, orient: self.orient, split_crossings, full_check: self.full_check, mode }
+        LoadOptions { read, orient: self.orient, mend: self.mends(), trust: self.trust, mode }
     }
 }

@@ -176,7 +176,7 @@ pub(crate) fn states() -> Result<States, LessonError> {
     let read = read_bytes(STATES, Format::TopoJson, STATES_FILE, &options)?;
     let Document::Polygons(soup) = read.document else { return Err(LessonError::NoPolygons) };
     let points = soup.points.iter().map(|&[x, y, _]| Point::new(x, y)).collect();
-    let options = ConvertOptions { orient: true, full_check: true };
+    let options = ConvertOptions { orient: true, full_check: true, ..ConvertOptions::default() };
     let subdivision = Subdivision::convert_polygons(points, &soup.faces, &options)?.subdivision;
     Ok(States { subdivision, names: soup.names, notes: read.notes })
 }

@@ -8,7 +8,7 @@ use super::subject::Subject;
 use super::{Answer, Output};
 use dcel_kit::figure::sketch::{Backdrop, Role, Sketch};
 use dcel_kit::figure::{Figure, FigureOptions};
-use dcel_kit::io::{ReadOptions, read_points};
+use dcel_kit::io::{ReadOptions, counted, read_points};
 use dcel_kit::plane::{Location, Point, Subdivision, Walk};
 use dcel_kit::{FaceId, VertexId};
 use serde::Serialize;
@@ -66,6 +66,9 @@ struct Found {
     kind: &'static str,
     element: String,
     name: Option<String>,
+    /// The names of the polygons that cover the face, if polygons were mended.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    polygons: Option<Vec<String>>,
     /// The faces on both sides of an edge, that on the left of its half first.
     between: Option<[String; 2]>,
     walk: Option<Way>,
@@ -137,7 +140,10 @@ impl Args {
                 p.check().map_err(|error| Failure::input(error, "")).map(|()| p)
             }
             _ => {
-                let what = format!("{} coordinates are no points: the last one has no y", self.coordinates.len());
+                let what = format!(
+                    "{}: the last one has no y",
+                    counted(self.coordinates.len(), "coordinate is no point", "coordinates are no points")
+                );
                 Err(Failure::input(what, "give x and y of each point: dcel locate FILE X Y X Y"))
             }
         });
@@ -170,7 +176,9 @@ impl Found {
             faces: walk.faces.iter().map(ToString::to_string).collect(),
             half_edges: walk.half_edges,
         });
-        Self { x: p.x, y: p.y, kind, element: at.to_string(), name, between, walk }
+        let covering = |f: FaceId| Some(subject.covering.as_ref()?.names(f).map(str::to_owned).collect());
+        let polygons = if let Location::Face(f) = at { covering(f) } else { None };
+        Self { x: p.x, y: p.y, kind, element: at.to_string(), name, polygons, between, walk }
     }
 
     /// `face f3 "Garden"`, `hole face f4`, `edge h7 between f1 and f0`.
@@ -192,7 +200,7 @@ impl Report {
             writeln!(out, "{}  {}", point(&[found.x, found.y]), found.words())?;
             if let Some(way) = &found.walk {
                 let faces = if way.faces.is_empty() { "along edges".to_owned() } else { way.faces.join(" ") };
-                writeln!(out, "  way: {faces}; {} half-edges looked at", way.half_edges)?;
+                writeln!(out, "  way: {faces}; {} looked at", counted(way.half_edges, "half-edge", "half-edges"))?;
             }
         }
         Ok(())

@@ -63,6 +63,9 @@ use std::process::ExitCode;
     after_help = "\
 Exit codes: 0 fine, 1 the answer is no (invalid, differs), 2 usage or bad input, 3 the machine failed.
 
+Polygons that overlap, touch or cross are refused by name and place; --mend cuts them where they meet,
+on every command that reads polygons or segments. --trust skips the check; then nothing is called valid.
+
 Examples:
   dcel info square.obj
   dcel help info"

@@ -7,7 +7,7 @@ use super::subject::Subject;
 use super::{Answer, Output};
 use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
 use dcel_kit::figure::{Detail, Figure, FigureOptions};
-use dcel_kit::io::{Format, Model, Number, on_grid, write, write_path};
+use dcel_kit::io::{Format, Model, Number, counted, on_grid, write, write_path};
 use dcel_kit::plane::{Operation, Overlay, Parts, Subdivision};
 use dcel_kit::{FaceId, FaceMap, VertexId};
 use serde::Serialize;
@@ -195,7 +195,14 @@ fn tell_rounding(both: &Overlay) {
     let furthest = both.moved.iter().map(|&(_, by)| by).fold(0.0, f64::max);
     if !both.moved.is_empty() {
         let (count, all) = (both.moved.len(), both.crossings.len());
-        say("note", format_args!("{count} of {all} crossings are rounded to doubles, by {} at most", Number(furthest)));
+        say(
+            "note",
+            format_args!(
+                "{count} of {} rounded to doubles, by {} at most",
+                counted(all, "crossing is", "crossings are"),
+                Number(furthest)
+            ),
+        );
     }
     if let Some(grid) = both.grid {
         say("note", on_grid(grid, &both.displaced, both.farthest));
@@ -245,7 +252,10 @@ impl Report {
         line("edges", self.edges.to_string())?;
         line("faces", format!("{} (with the outer face)", self.faces))?;
         if let Some(region) = &self.region {
-            line(region.operation, format!("{} faces, area {}", region.faces, Number(region.area)))?;
+            line(
+                region.operation,
+                format!("{}, area {}", counted(region.faces, "face", "faces"), Number(region.area)),
+            )?;
             if region.hole_faces > 0 {
                 line("hole faces", region.hole_faces.to_string())?;
             }
@@ -295,9 +305,13 @@ fn draw_both(args: &Args, [a, b]: [&Subdivision; 2], both: &Overlay) -> Result<F
     region(&mut regions, Role::Secondary, s, |f| both.is_in(f) == [false, true], "in b alone");
     region(&mut regions, Role::Goal, s, |f| both.is_in(f) == [true; 2], "in both");
     let mut panels = Multiples::new();
-    panels.structure("a", &format!("{} faces", a.face_count()), a);
-    panels.structure("b", &format!("{} faces", b.face_count()), b);
-    let text = format!("{} faces, {} crossings", s.face_count(), both.crossings.len());
+    panels.structure("a", &counted(a.face_count(), "face", "faces"), a);
+    panels.structure("b", &counted(b.face_count(), "face", "faces"), b);
+    let text = format!(
+        "{}, {}",
+        counted(s.face_count(), "face", "faces"),
+        counted(both.crossings.len(), "crossing", "crossings")
+    );
     panels.over("overlay", &text, s, Backdrop::Plain, crossings);
     panels.sketch("regions", "faces of a and of b, without hole faces", regions);
     panels.figure(&title(args, "Overlay of")).map_err(|error| Failure::input(error, ""))

@@ -1,7 +1,7 @@
 //! What a command works on: a subdivision, a surface or a table.
 
 use super::Failure;
-use dcel_kit::io::{Format, Model, Places};
+use dcel_kit::io::{Covering, Format, Model, Places};
 use dcel_kit::plane::{PlanarView, Point, Subdivision};
 use dcel_kit::solid::Polyhedron;
 use dcel_kit::topology::{Mode, Table, View};
@@ -12,6 +12,10 @@ pub(crate) struct Subject {
     pub(crate) kind: Kind,
     /// Names of faces that the structure itself does not hold.
     pub(crate) names: FaceMap<Option<String>>,
+    /// Which polygons cover each face, if polygons had to be mended.
+    pub(crate) covering: Option<Covering>,
+    /// Whether the plane was not checked, on request.
+    pub(crate) trusted: bool,
     pub(crate) source: String,
     pub(crate) format: Format,
     pub(crate) places: Option<Places>,
@@ -25,6 +29,12 @@ pub(crate) enum Kind {
 }
 
 impl Subject {
+    /// A table as it stands in its file.
+    pub(crate) fn of_table(table: Table, source: String, format: Format) -> Self {
+        let (names, covering, places) = (FaceMap::default(), None, None);
+        Self { kind: Kind::Table(table), names, covering, trusted: false, source, format, places }
+    }
+
     pub(crate) fn view(&self) -> &dyn View {
         match &self.kind {
             Kind::Plane(subdivision) => subdivision,

@@ -7,7 +7,7 @@ use super::save::{not_the_input, save};
 use super::{Answer, Output};
 use dcel_kit::figure::sketch::{Backdrop, Role, Sketch, SketchError};
 use dcel_kit::figure::{Detail, Figure, FigureOptions};
-use dcel_kit::io::{Model, PointList, read_points};
+use dcel_kit::io::{Model, PointList, counted, read_points};
 use dcel_kit::plane::{DelaunayBuilt, Point, Subdivision, Voronoi, VoronoiCells, VoronoiError, Window};
 use serde::Serialize;
 use std::io::{self, Write};
@@ -79,7 +79,7 @@ struct Cell {
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     not_the_input(&args.file, args.output.iter().chain(&args.figure))?;
-    let list = read_points(&args.file, &args.input.read_options())?;
+    let list = read_points(&args.file, &args.input.for_points()?)?;
     let built =
         Subdivision::delaunay(&list.points).map_err(|error| Failure::input(format!("{}: {error}", list.source), ""))?;
     let window = match args.window.as_deref() {
@@ -202,14 +202,21 @@ impl Report {
     }
 
     fn print(&self, out: &mut Output) -> io::Result<()> {
-        writeln!(out, "{}: {} points", self.source, self.points)?;
+        writeln!(out, "{}: {}", self.source, counted(self.points, "point", "points"))?;
         let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
         line("sites", self.sites.to_string())?;
         line("corners", self.corners.to_string())?;
         line("edges", format!("{}, {} of them unbounded", self.edges, self.unbounded_edges))?;
         let [left, bottom, right, top] = self.window;
         line("box", format!("({left}, {bottom}) to ({right}, {top})"))?;
-        line("in the box", format!("{} vertices, {} edges", self.vertices_in_box, self.edges_in_box))?;
+        line(
+            "in the box",
+            format!(
+                "{}, {}",
+                counted(self.vertices_in_box, "vertex", "vertices"),
+                counted(self.edges_in_box, "edge", "edges")
+            ),
+        )?;
         line("cells", self.cells.len().to_string())
     }
 }

@@ -117,7 +117,7 @@ use std::io::{self, Write};
 pub enum FigureError {
     /// There are vertices, but none has a position.
     #[error(
-        "none of the {vertices} vertices has a position: a figure needs x and y for at least one, for example {example}"
+        "{}: a figure needs x and y for at least one, for example {example}", if *.vertices == 1 { "the only vertex has no position".to_owned() } else { format!("none of the {vertices} vertices has a position") }
     )]
     NoPosition {
         /// The number of vertices.

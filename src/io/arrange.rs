@@ -3,6 +3,7 @@
 use super::Number;
 use super::load::{LoadError, Whereabouts};
 use super::segments::SegmentSoup;
+use super::words::counted;
 use crate::ids::VertexId;
 use crate::plane::{ArrangeOptions, Arranged, MarkHolesError, SegmentFault, SegmentsError, Subdivision};
 
@@ -59,29 +60,29 @@ pub fn faults_with_places<'a>(soup: &'a SegmentSoup, faults: &'a [SegmentFault])
     })
 }
 
-/// What was merged and split, one sentence each.
+/// What was merged, split and moved, one sentence each.
 #[must_use]
 pub fn describe(arranged: &Arranged) -> Vec<String> {
     let mut notes = Vec::new();
-    let mut add = |count: usize, one: &str, many: &str| match count {
-        0 => {}
-        1 => notes.push(format!("1 {one}")),
-        _ => notes.push(format!("{count} {many}")),
+    let mut add = |count: usize, one: &str, many: &str, rest: &str| {
+        if count > 0 {
+            notes.push(counted(count, one, many) + rest);
+        }
     };
     let zero = arranged.zero_length.len();
-    add(zero, "segment without length was left out", "segments without length were left out");
+    add(zero, "segment without length was left out", "segments without length were left out", "");
     let repeated = arranged.repeated.len();
-    add(repeated, "segment repeats an earlier one and was left out", "segments repeat earlier ones and were left out");
-    add(arranged.crossings.len(), "vertex was made where segments cross", "vertices were made where segments cross");
+    let (one, many) = ("segment repeats an earlier one and was", "segments repeat earlier ones and were");
+    add(repeated, one, many, " left out");
+    let crossings = arranged.crossings.len();
+    add(crossings, "vertex was made where segments cross", "vertices were made where segments cross", "");
+    let split = arranged.split_segments().count();
+    add(split, "segment was split where it meets others", "segments were split where they meet others", "");
     let furthest = arranged.moved.iter().map(|moved| moved.1).fold(0.0, f64::max);
-    if !arranged.moved.is_empty() {
-        let count = arranged.moved.len();
-        notes.push(format!("{count} of the crossings moved by rounding, none further than {furthest:.2e}"));
-    }
+    let by = format!(" moved by rounding, none further than {furthest:.2e}");
+    add(arranged.moved.len(), "crossing was", "crossings were", &by);
     if let Some(grid) = arranged.grid {
         notes.push(on_grid(grid, &arranged.displaced, arranged.farthest));
-    } else if arranged.rounds > 1 {
-        notes.push(format!("rounded crossings made edges meet anew: it took {} rounds to split all", arranged.rounds));
     }
     match arranged.collapsed[..] {
         [] => {}

@@ -20,8 +20,11 @@
 use super::arrays::Arrays;
 use super::json::{Fault, Node, Place, Skipped, lacks, named, polygons, shape};
 use super::problem::ReadProblem;
+use super::read::ReadOptions;
 use super::rings::Rings;
 use super::segments::SegmentSoup;
+use super::text::LineCounter;
+use super::words::counted;
 use crate::plane::check_coordinate;
 
 struct Reader<'a> {
@@ -31,8 +34,7 @@ struct Reader<'a> {
     heights: usize,
     /// Takes everything, if the file is read as segments.
     soup: Option<SegmentSoup>,
-    /// A byte of the file and its line, from 1.
-    line: (usize, u32),
+    lines: LineCounter<'a>,
 }
 
 /// What a GeoJSON object holds.
@@ -43,19 +45,29 @@ pub(super) enum Shapes {
     Segments(SegmentSoup),
 }
 
-/// Reads a GeoJSON object; `file` is the text it is a part of. Everything is read as segments if `outlines` asks for
+/// Reads a GeoJSON object; `file` is the text it is a part of. Everything is read as segments if `options.outlines` asks for
 /// that or if there is no polygon, but a line.
 pub(super) fn read(
     root: &Node<'_>,
     file: &str,
     source: &str,
-    outlines: bool,
+    options: &ReadOptions,
     notes: &mut Vec<String>,
 ) -> Result<Shapes, Fault> {
+    let outlines = options.outlines;
     let only_lines = || !has(root, "Polygon") && has(root, "LineString");
     let soup = (outlines || only_lines()).then(|| SegmentSoup::new(source));
-    let mut reader =
-        Reader { file, rings: Rings::default(), skipped: Skipped::default(), heights: 0, soup, line: (0, 1) };
+    let mut reader = Reader {
+        file,
+        rings: Rings::default(),
+        skipped: Skipped::default(),
+        heights: 0,
+        soup,
+        lines: LineCounter::new(file),
+    };
+    if options.close_rings {
+        reader.rings.close_rings();
+    }
     match root.need_kind("the file")?.as_ref() {
         "FeatureCollection" => {
             let features = root.features.as_ref().ok_or_else(|| lacks("the file", "features"))?;
@@ -68,7 +80,7 @@ pub(super) fn read(
     }
     reader.skipped.note(notes);
     if reader.heights > 0 {
-        notes.push(format!("the third coordinate of {} points was dropped", reader.heights));
+        notes.push(format!("the third coordinate of {} was dropped", counted(reader.heights, "point", "points")));
     }
     Ok(match reader.soup {
         Some(soup) => Shapes::Segments(soup),
@@ -178,12 +190,8 @@ impl Reader<'_> {
         let checked = check_coordinate('x', x).and_then(|()| check_coordinate('y', y));
         checked.map_err(|error| Fault::at(at, ReadProblem::CoordinateAt { place: path.to_owned(), error }))?;
         self.heights += usize::from(more);
-        // Positions come in the order of the file, but for members in another order.
-        let (from, line) = if at < self.line.0 { (0, 1) } else { self.line };
-        let line = line + self.file.as_bytes()[from..at].iter().filter(|&&b| b == b'\n').count() as u32;
-        self.line = (at, line);
         if let Some(soup) = &mut self.soup {
-            soup.point([x, y], line);
+            soup.point([x, y], self.lines.line(at));
         }
         Ok(())
     }

@@ -9,7 +9,8 @@ use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
 use super::read::{Document, Read, ReadOptions};
 use super::rings::Rings;
-use super::text::{check_text, line_and_column};
+use super::text::{check_text, line_and_column, lines_and_columns};
+use super::words::counted;
 use super::{geojson, topojson};
 use serde::Deserialize;
 use serde_json::value::RawValue;
@@ -74,10 +75,8 @@ pub(super) fn read(bytes: &[u8], source: &str, options: &ReadOptions) -> Result<
     let root: Node<'_> = parse(text.strip_prefix('\u{feff}').unwrap_or(text), source)?;
     let mut notes = Vec::new();
     let (format, shapes) = match root.kind().as_deref() {
-        Some("Topology") => {
-            (Format::TopoJson, topojson::read(&root, text, options, &mut notes).map(geojson::Shapes::Rings))
-        }
-        _ => (Format::GeoJson, geojson::read(&root, text, source, options.outlines, &mut notes)),
+        Some("Topology") => (Format::TopoJson, topojson::read(&root, text, source, options, &mut notes)),
+        _ => (Format::GeoJson, geojson::read(&root, text, source, options, &mut notes)),
     };
     let named = |fault: Fault| match fault.at {
         Some(at) => at_byte(at, fault.what, fault.help),
@@ -89,7 +88,9 @@ pub(super) fn read(bytes: &[u8], source: &str, options: &ReadOptions) -> Result<
             return Ok(Read { document: Document::Segments(soup.checked()?), notes, format });
         }
     };
-    let soup = rings.finish(source, options.drop_degenerate_rings, &mut notes).map_err(named)?;
+    let soup = rings
+        .finish(source, options.drop_degenerate_rings, |offsets| lines_and_columns(bytes, offsets), &mut notes)
+        .map_err(named)?;
     if soup.faces.face_count() == 0 {
         notes.push("the file holds no polygon".to_owned());
     }
@@ -130,8 +131,12 @@ impl Fault {
 impl From<ReadProblem> for Fault {
     fn from(what: ReadProblem) -> Self {
         let help = match &what {
-            ReadProblem::UnclosedRing { .. } => "repeat the first point of the ring at its end",
-            ReadProblem::DegenerateRing { .. } => "correct the data, or drop such rings with --drop-degenerate-rings",
+            ReadProblem::UnclosedRing { .. } => {
+                "repeat the first point of the ring at its end, or close such rings with --mend"
+            }
+            ReadProblem::DegenerateRing { .. } => {
+                "correct the data, or drop such rings with --drop-degenerate-rings or --mend"
+            }
             _ => "",
         };
         Self { what, help: help.into(), at: None }
@@ -254,13 +259,14 @@ impl Skipped {
 
     /// Says what was skipped.
     pub(super) fn note(&self, notes: &mut Vec<String>) {
-        let mut add = |count: usize, what: &str| {
+        let mut add = |count: usize, one: &str, many: &str, why: &str| {
             if count > 0 {
-                notes.push(format!("{count} {what}"));
+                notes.push(counted(count, one, many) + why);
             }
         };
-        add(self.lines, "line geometries were skipped: only polygons are read");
-        add(self.points, "point geometries were skipped: only polygons are read");
-        add(self.empty, "polygons without any ring were skipped");
+        let only = " skipped: only polygons are read";
+        add(self.lines, "line geometry was", "line geometries were", only);
+        add(self.points, "point geometry was", "point geometries were", only);
+        add(self.empty, "polygon without any ring was", "polygons without any ring were", " skipped");
     }
 }

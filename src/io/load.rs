@@ -12,17 +12,23 @@
 
 use super::arrange::{arrange, describe};
 use super::format::Format;
+use super::mend::{Covering, MendedSoup, mend};
+use super::misfit::{Misfit, Told};
 use super::problem::ReadError;
 use super::read::{Document, Read, ReadOptions, read_path, source_name};
 use super::soup::{Places, PolygonSoup};
+use super::words::counted;
 use crate::ids::{FaceId, FaceMap, VertexId};
 use crate::plane::{
     ConvertError, ConvertOptions, Converted, MarkHolesError, Point, SegmentsError, Subdivision, TableError,
 };
 use crate::solid::{Polyhedron, SolidError};
-use crate::topology::{Mode, PolygonList};
+use crate::topology::{BuildError, Mode, PolygonList};
 use std::fmt;
 use std::path::Path;
+
+/// What is told where there was nothing to mend.
+pub const NOTHING_TO_MEND: &str = "nothing to mend";
 
 /// How to load a file.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -32,10 +38,13 @@ pub struct LoadOptions {
     /// Turn round the faces of a plane that run clockwise, and those of a surface that are wound against the rest.
     /// GeoJSON and TopoJSON are always treated so: their rings may run either way.
     pub orient: bool,
-    /// Split segments where they meet, instead of refusing them.
-    pub split_crossings: bool,
-    /// In the plane, check all edges against each other, not only those that meet.
-    pub full_check: bool,
+    /// Split segments where they meet, and polygons of the plane that overlap, touch or cross, instead of refusing
+    /// them; see [`Subdivision::arrange_graph`] and [`Subdivision::mend_polygons`]. What was done is told in the notes,
+    /// also if there was nothing to do.
+    pub mend: bool,
+    /// In the plane, believe polygons that share no edge and no vertex that they do not overlap. Without it all edges
+    /// are checked against each other.
+    pub trust: bool,
     /// Plane or surface, whatever the file looks like. Without it, points with different z make a surface.
     pub mode: Option<Mode>,
 }
@@ -58,6 +67,8 @@ pub struct Loaded {
     pub structure: Structure,
     /// The names of the faces; shorter than the structure, or empty, where no more are known.
     pub names: FaceMap<Option<String>>,
+    /// Which polygons cover each face, if the polygons had to be mended.
+    pub covering: Option<Covering>,
     /// What was dropped, repaired or chosen, one sentence each: to be told to the user.
     pub notes: Vec<String>,
     /// The format it was.
@@ -74,12 +85,14 @@ pub enum LoadError {
     #[error(transparent)]
     Read(#[from] ReadError),
     /// Its polygons are no subdivision of the plane.
-    #[error("{at}: {error}{at:#}")]
+    #[error("{at}: {what}{at:#}")]
     Plane {
         /// Where.
         at: Box<Whereabouts>,
         /// Why not.
         error: ConvertError,
+        /// The same in the words and coordinates of the file.
+        what: String,
     },
     /// Its polygons are no surface.
     #[error("{at}: {error}{at:#}")]
@@ -134,6 +147,20 @@ impl Whereabouts {
         Self::of(&places.source, faces.chain(vertices))
     }
 
+    /// The places of the rings a misfit speaks of, and of the faces and vertices if it speaks of them by number.
+    fn of_misfit(told: &Told<'_>, error: &ConvertError, rings: &[[u32; 2]]) -> Self {
+        if rings.is_empty() || told.places.face_path(0).is_none() {
+            let mut faces = error.faces();
+            faces.extend(rings.iter().map(|ring| ring[0]).filter(|_| error.faces().is_empty()));
+            faces.dedup();
+            return Self::new(told.places, &faces, &error.vertices());
+        }
+        let mut rings = rings.to_vec();
+        rings.dedup();
+        let all = rings.iter().map(|&ring| (told.name(ring), told.places.ring_place(told.number(ring))));
+        Self::of(&told.places.source, all)
+    }
+
     /// The places of elements of the file `source`.
     pub(super) fn of(source: &str, mut all: impl Iterator<Item = (String, String)>) -> Self {
         let first = all.next().map_or_else(|| source.to_owned(), |(_, place)| place);
@@ -173,7 +200,7 @@ impl LoadError {
     pub fn what(&self) -> String {
         match self {
             Self::Read(error) => error.what.to_string(),
-            Self::Plane { error, .. } => error.to_string(),
+            Self::Plane { what, .. } => what.clone(),
             Self::Surface { error, .. } => error.to_string(),
             Self::Segments { error, .. } => error.to_string(),
             Self::Holes { error, .. } => error.to_string(),
@@ -219,10 +246,13 @@ pub fn assemble(read: Read, source_name: &str, options: &LoadOptions) -> Result<
     let soup = match document {
         Document::Polygons(soup) => soup,
         Document::Segments(soup) => {
-            let arranged = arrange(&soup, options.split_crossings)?;
+            let arranged = arrange(&soup, options.mend)?;
             notes.extend(describe(&arranged));
-            let structure = Structure::Plane(arranged.subdivision);
-            return Ok(Loaded { structure, names: FaceMap::default(), notes, format, places: None });
+            if options.mend && arranged.rounds == 0 {
+                notes.push(NOTHING_TO_MEND.to_owned());
+            }
+            let (structure, names) = (Structure::Plane(arranged.subdivision), FaceMap::default());
+            return Ok(Loaded { structure, names, covering: None, notes, format, places: None });
         }
         Document::Table(table) => {
             let structure = Subdivision::from_table(&table)
@@ -233,54 +263,91 @@ pub fn assemble(read: Read, source_name: &str, options: &LoadOptions) -> Result<
                 names.swap(0, outer.index());
             }
             let structure = Structure::Plane(structure);
-            return Ok(Loaded { structure, names: names.into(), notes, format, places: None });
+            return Ok(Loaded { structure, names: names.into(), covering: None, notes, format, places: None });
         }
     };
     let mode = options.mode.unwrap_or(if soup.has_z { Mode::Surface } else { Mode::Plane });
-    let PolygonSoup { points, has_z, faces, names, places, blocked, any_direction } = soup;
-    let (structure, first_face) = match mode {
-        Mode::Plane => {
-            if has_z {
-                notes.push("the z of the points was dropped".to_owned());
-            }
-            let mut subdivision = plane(points, &faces, &places, any_direction, options, &mut notes)?;
-            for &face in &blocked {
-                subdivision.set_hole(FaceId::new(face + 1), true);
-            }
-            (Structure::Plane(subdivision), 1)
-        }
-        Mode::Surface => (surface(points, faces, &places, options, &mut notes)?, 0),
-    };
+    if mode == Mode::Plane {
+        return plane(soup, options, notes, format);
+    }
+    let PolygonSoup { points, faces, names, places, .. } = soup;
+    let structure = surface(points, faces, &places, options, &mut notes)?;
+    Ok(Loaded { structure, names: named(names, 0), covering: None, notes, format, places: Some(places) })
+}
+
+/// The names of faces, of which the first one has the number `first`.
+fn named(names: Vec<Option<String>>, first: u32) -> FaceMap<Option<String>> {
     let mut by_face = FaceMap::default();
     for (i, name) in names.into_iter().enumerate().filter(|(_, name)| name.is_some()) {
-        by_face.set(FaceId::new(i as u32 + first_face), name, None);
+        by_face.set(FaceId::new(i as u32 + first), name, None);
     }
-    Ok(Loaded { structure, names: by_face, notes, format, places: Some(places) })
+    by_face
 }
 
 fn plane(
-    points: Vec<[f64; 3]>,
-    faces: &PolygonList,
-    places: &Places,
-    any_direction: bool,
+    soup: PolygonSoup,
     options: &LoadOptions,
-    notes: &mut Vec<String>,
-) -> Result<Subdivision, LoadError> {
-    let convert = ConvertOptions { orient: options.orient || any_direction, full_check: options.full_check };
-    let points = points.into_iter().map(|[x, y, _]| Point::new(x, y)).collect();
-    let converted = match triangles(faces) {
-        Some(triangles) => Subdivision::convert_triangles(points, &triangles, &convert),
-        None => Subdivision::convert_polygons(points, faces, &convert),
-    };
-    let Converted { subdivision, turned, unused_vertices } = converted.map_err(|error| {
-        let at = Whereabouts::new(places, &error.faces(), &error.vertices());
-        LoadError::Plane { at: Box::new(at), error }
-    })?;
-    if !any_direction && !turned.is_empty() {
-        notes.push(format!("{} of {} faces ran clockwise and were turned round", turned.len(), faces.face_count()));
+    mut notes: Vec<String>,
+    format: Format,
+) -> Result<Loaded, LoadError> {
+    let PolygonSoup { points, has_z, faces, names, places, blocked, any_direction } = soup;
+    if has_z {
+        notes.push("the z of the points was dropped".to_owned());
     }
-    note_unused(notes, &unused_vertices);
-    Ok(subdivision)
+    let told = Told { points: &points, faces: &faces, places: &places };
+    let convert = ConvertOptions {
+        orient: options.orient || any_direction,
+        full_check: !options.trust,
+        // Formats with coordinates only cannot say that a vertex is to be part of a side.
+        insert_touching: (any_direction || options.mend) && !options.trust,
+    };
+    let flat = || points.iter().map(|&[x, y, _]| Point::new(x, y)).collect();
+    let converted = match triangles(&faces) {
+        Some(triangles) if !convert.insert_touching => Subdivision::convert_triangles(flat(), &triangles, &convert),
+        _ => Subdivision::convert_polygons(flat(), &faces, &convert),
+    };
+    let Converted { mut subdivision, turned, unused_vertices, inserted } = match converted {
+        Ok(converted) => converted,
+        Err(error) if options.mend && can_be_mended(&error) => {
+            let MendedSoup { subdivision, names, covering, notes: told } = mend(&told, names, &blocked)?;
+            notes.extend(told);
+            let (structure, covering) = (Structure::Plane(subdivision), Some(covering));
+            return Ok(Loaded { structure, names, covering, notes, format, places: None });
+        }
+        Err(error) => {
+            let Misfit { what, rings } = told.misfit(&error);
+            let at = Box::new(Whereabouts::of_misfit(&told, &error, &rings));
+            return Err(LoadError::Plane { at, error, what });
+        }
+    };
+    if !any_direction && !turned.is_empty() {
+        let of = counted(faces.face_count(), "face", "faces");
+        let were = if turned.len() == 1 { "was" } else { "were" };
+        notes.push(format!("{} of {of} ran clockwise and {were} turned round", turned.len()));
+    }
+    note_unused(&mut notes, &unused_vertices);
+    if let Some(first) = inserted.first() {
+        let count = counted(inserted.len(), "corner was inserted", "corners were inserted");
+        notes.push(format!("{count} where vertices lie inside sides, the first {}", told.inserted(first)));
+    }
+    if options.mend && inserted.is_empty() {
+        notes.push(NOTHING_TO_MEND.to_owned());
+    }
+    for &face in &blocked {
+        subdivision.set_hole(FaceId::new(face + 1), true);
+    }
+    let structure = Structure::Plane(subdivision);
+    Ok(Loaded { structure, names: named(names, 1), covering: None, notes, format, places: Some(places) })
+}
+
+/// Whether the polygons can be split so that they fit together.
+fn can_be_mended(error: &ConvertError) -> bool {
+    !matches!(
+        error,
+        ConvertError::Coordinate { .. }
+            | ConvertError::Build(BuildError::IndexOutOfRange { .. } | BuildError::TooMany(_))
+            | ConvertError::Clockwise { .. }
+    )
 }
 
 fn surface(
@@ -300,7 +367,9 @@ fn surface(
         LoadError::Surface { at: Box::new(at), error }
     })?;
     if !turned.is_empty() {
-        notes.push(format!("{} of {count} faces were wound against the rest and were turned round", turned.len()));
+        let of = counted(count, "face", "faces");
+        let were = if turned.len() == 1 { "was" } else { "were" };
+        notes.push(format!("{} of {of} {were} wound against the rest and turned round", turned.len()));
     }
     let unused: Vec<_> = (0..bound).map(VertexId::new).filter(|&v| !polyhedron.has_vertex(v)).collect();
     note_unused(notes, &unused);

@@ -18,11 +18,10 @@
 //!   text.rs   words with places          problem.rs  what can be wrong     read.rs, write.rs  the ways in and out
 //!   soup.rs   points and polygons        rings.rs    joining equal points  model.rs           what is written
 //!   load.rs   from a file to a structure, with the places of what does not fit     arrange.rs  of segments
-//!   obj.rs off.rs ply/ triangle.rs mesh.rs geojson.rs topojson.rs (json.rs arrays.rs) wkt.rs poly.rs segments.rs
-//!   dcel.rs tables.rs   one format each     points.rs  points alone, of any of them or of plain text
-//!   obj.rs off.rs ply/ stl.rs triangle.rs mesh.rs geojson.rs topojson.rs (json.rs arrays.rs) wkt.rs poly.rs segments.rs
-//!   obj.rs off.rs ply/ triangle.rs mesh/ grid.rs (scen.rs) geojson.rs topojson.rs (json.rs arrays.rs) wkt.rs poly.rs segments.rs
-//!   dcel.rs tables.rs   one format each
+//!   misfit.rs what does not fit, in the words of the file      mend.rs  polygons that are split so that they fit
+//!   obj.rs off.rs ply/ stl.rs triangle.rs mesh/ grid.rs (scen.rs) geojson.rs topojson.rs (json.rs arrays.rs)
+//!   wkt.rs poly.rs segments.rs dcel.rs tables.rs   one format each
+//!   points.rs points alone, of any of them or of plain text    words.rs  numbers with their words
 //! ```
 
 mod arrange;
@@ -33,7 +32,9 @@ pub mod geojson;
 pub mod grid;
 mod json;
 mod load;
+mod mend;
 pub mod mesh;
+mod misfit;
 mod model;
 mod near;
 pub mod obj;
@@ -53,12 +54,14 @@ mod text;
 pub mod topojson;
 pub mod triangle;
 pub mod wkt;
+mod words;
 mod write;
 
 pub use arrange::{arrange, arrange_with, describe, faults_with_places, on_grid};
 pub use format::{Format, UnknownFormat};
 pub use grid::Grid;
-pub use load::{LoadError, LoadOptions, Loaded, Structure, assemble, load};
+pub use load::{LoadError, LoadOptions, Loaded, NOTHING_TO_MEND, Structure, assemble, load};
+pub use mend::Covering;
 pub use model::Model;
 pub use near::closest;
 pub use points::{PointList, points_from_text, read_points};
@@ -67,4 +70,5 @@ pub use read::{Document, Read, ReadOptions, read_bytes, read_path, read_triangle
 pub use scen::{Optimum, Query, Scenario};
 pub use segments::SegmentSoup;
 pub use soup::{Axis, Places, PolygonSoup};
+pub use words::counted;
 pub use write::{Number, WriteError, write, write_path, write_triangle};

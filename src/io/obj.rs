@@ -20,6 +20,7 @@ use super::problem::{ReadError, ReadProblem};
 use super::read::{Document, Read};
 use super::soup::SoupBuilder;
 use super::text::{Scanner, Syntax, Word, parse_integer};
+use super::words::counted;
 
 const SYNTAX: Syntax = Syntax { comments: true, continuation: true, quotes: false };
 
@@ -106,7 +107,8 @@ pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
             return Err(scanner.error(word.at, ReadProblem::UnknownWord { word: word.show() }, help));
         }
         notes.push(format!(
-            "{count} lines with unknown statements were skipped, the first starts with `{}`",
+            "{} skipped, the first starts with `{}`",
+            counted(count, "line with an unknown statement was", "lines with unknown statements were"),
             word.show()
         ));
     }

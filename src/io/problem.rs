@@ -6,6 +6,7 @@
 //!           line:column, both from 1, the column in characters
 //! ```
 
+use super::words::counted;
 use crate::plane::CoordinateError;
 use std::borrow::Cow;
 use std::fmt;
@@ -150,7 +151,7 @@ pub enum ReadProblem {
         last: String,
     },
     /// A ring of a polygon that encloses nothing.
-    #[error("{place}: the ring has only {distinct} distinct points and encloses nothing")]
+    #[error("{place}: the ring has only {} and encloses nothing", counted(*distinct, "distinct point", "distinct points"))]
     DegenerateRing {
         /// Feature, polygon and ring.
         place: String,

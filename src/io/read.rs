@@ -41,6 +41,8 @@ pub struct ReadOptions {
     /// Drop rings of GeoJSON and TopoJSON with fewer than three distinct points, with a note, instead of
     /// refusing them.
     pub drop_degenerate_rings: bool,
+    /// Close rings of GeoJSON that do not end where they start, with a note, instead of refusing them.
+    pub close_rings: bool,
     /// The object of a TopoJSON file to read; without it, the one with the most polygons.
     pub object: Option<String>,
     /// Read polygons of GeoJSON as their outlines, together with the lines. Without it lines are read only if there
@@ -197,7 +199,10 @@ fn turned(mut read: Read, options: &ReadOptions) -> Read {
     if options.y_down || read.format == Format::Map {
         // 0 - y, so that 0 stays 0 and does not become -0.
         match &mut read.document {
-            Document::Polygons(soup) => soup.points.iter_mut().for_each(|p| p[1] = 0.0 - p[1]),
+            Document::Polygons(soup) => {
+                soup.places.y_down = true;
+                soup.points.iter_mut().for_each(|p| p[1] = 0.0 - p[1]);
+            }
             Document::Segments(soup) => {
                 soup.points.iter_mut().chain(&mut soup.hole_points).for_each(|p| p.y = 0.0 - p.y);
             }

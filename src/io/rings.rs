@@ -12,7 +12,10 @@
 
 use super::json::Fault;
 use super::problem::ReadProblem;
+use super::segments::SegmentSoup;
 use super::soup::{Places, PolygonSoup, check_sizes};
+use super::text::LineCounter;
+use super::words::counted;
 use crate::ids::MAX_IDS;
 use crate::plane::check_coordinate;
 use crate::topology::PolygonList;
@@ -33,6 +36,9 @@ pub(super) struct Rings {
     path_ends: Vec<u32>,
     names: Vec<Option<String>>,
     any_name: bool,
+    /// Whether rings are closed that do not end where they start, and which were.
+    closes: bool,
+    closed: Repaired,
 }
 
 impl Rings {
@@ -82,34 +88,65 @@ impl Rings {
         self.points[start..].last().copied()
     }
 
+    /// Ends a chain, which need not end where it started. Chains belong to no polygon.
+    pub(super) fn end_chain(&mut self, offset: usize) {
+        self.ring_ends.push(self.points.len() as u32);
+        self.ring_offsets.push(offset as u32);
+    }
+
+    /// Appends the rings, or the chains if they are not `closed`, to a list of segments.
+    pub(super) fn outlines(&self, closed: bool, lines: &mut LineCounter<'_>, soup: &mut SegmentSoup) {
+        let mut start = 0;
+        for (&end, &offset) in self.ring_ends.iter().zip(&self.ring_offsets) {
+            let (first, line) = (soup.points.len() as u32, lines.line(offset as usize));
+            for &point in &self.points[start..end as usize] {
+                soup.point(point, line);
+            }
+            soup.chain(first, closed);
+            start = end as usize;
+        }
+    }
+
+    /// Closes rings that do not end where they start, instead of refusing them.
+    pub(super) fn close_rings(&mut self) {
+        self.closes = true;
+    }
+
     /// Ends a ring, which must end where it started; `offset` is the byte at which it starts in the file.
     pub(super) fn end_ring(&mut self, offset: usize, place: impl Fn() -> String) -> Result<(), ReadProblem> {
         let start = self.ring_ends.last().map_or(0, |&end| end as usize);
         if let [first, .., last] = self.points[start..] {
             if !same(first, last) {
+                if self.closes {
+                    self.closed.add(1, place);
+                    self.end_chain(offset);
+                    return Ok(());
+                }
                 let show = |[x, y]: [f64; 2]| format!("({x}, {y})");
                 return Err(ReadProblem::UnclosedRing { place: place(), first: show(first), last: show(last) });
             }
             self.points.pop();
         }
-        self.ring_ends.push(self.points.len() as u32);
-        self.ring_offsets.push(offset as u32);
+        self.end_chain(offset);
         Ok(())
     }
 
     /// Joins equal points and makes the faces. With `drop_degenerate`, rings with fewer than three distinct
-    /// points are dropped (a polygon with its outer ring) and noted; else they are an error.
+    /// points are dropped (a polygon with its outer ring) and noted; else they are an error. `places` tells the lines
+    /// and columns of bytes of the file.
     pub(super) fn finish(
         self,
         source: &str,
         drop_degenerate: bool,
+        places: impl Fn(&[u32]) -> Vec<[u32; 2]>,
         notes: &mut Vec<String>,
     ) -> Result<PolygonSoup, Fault> {
         let mut faces = Faces { same_as: representatives(&self.points), ..Faces::default() };
         faces.numbers = vec![u32::MAX; self.points.len()];
-        let places = Places { source: source.to_owned(), ..Places::default() };
-        let mut soup = PolygonSoup { places, any_direction: true, ..PolygonSoup::default() };
-        let (mut dropped, mut repeated) = (Vec::new(), Repeated::default());
+        let own = Places { source: source.to_owned(), ..Places::default() };
+        let mut soup = PolygonSoup { places: own, any_direction: true, ..PolygonSoup::default() };
+        let mut offsets = Vec::with_capacity(self.ring_offsets.len());
+        let (mut dropped, mut repeated) = (Vec::new(), Repaired::default());
         let (mut ring, mut point) = (0, 0);
         for (polygon, &end) in self.polygon_ends.iter().enumerate() {
             let path = self.path(polygon);
@@ -127,10 +164,15 @@ impl Rings {
                         let problem = ReadProblem::DegenerateRing { place: place(), distinct };
                         return Err(Fault::at(self.ring_offsets[ring] as usize, problem));
                     }
-                    dropped.push(format!("{} has only {distinct} distinct points", place()));
+                    dropped.push(format!(
+                        "{} has only {}",
+                        place(),
+                        counted(distinct, "distinct point", "distinct points")
+                    ));
                     kept &= ring > first_ring;
                 } else if kept {
                     faces.keep_ring(&self.points, &mut soup.points, &mut soup.faces, ring == first_ring);
+                    offsets.push(self.ring_offsets[ring]);
                 }
                 ring += 1;
             }
@@ -143,8 +185,20 @@ impl Rings {
             }
         }
         check_sizes(soup.points.len(), &soup.faces)?;
+        soup.places.ring_places = places(&offsets);
         note_dropped(&dropped, notes);
-        repeated.note(notes);
+        repeated.note(
+            "point that repeats the one before was",
+            "points that repeat the one before were",
+            "removed",
+            notes,
+        );
+        self.closed.note(
+            "ring that did not end where it starts was",
+            "rings that did not end where they start were",
+            "closed",
+            notes,
+        );
         Ok(soup)
     }
 
@@ -225,14 +279,14 @@ impl Faces {
     }
 }
 
-/// Points that repeat the point before them.
-#[derive(Default)]
-struct Repeated {
+/// Things that were repaired, and where the first of them was.
+#[derive(Debug, Default)]
+struct Repaired {
     count: usize,
     first: String,
 }
 
-impl Repeated {
+impl Repaired {
     fn add(&mut self, count: usize, place: impl Fn() -> String) {
         if self.count == 0 && count > 0 {
             self.first = place();
@@ -240,10 +294,10 @@ impl Repeated {
         self.count += count;
     }
 
-    fn note(&self, notes: &mut Vec<String>) {
+    /// `2 rings that ... were closed, the first in features[3] polygon 0 ring 0`.
+    fn note(&self, one: &str, many: &str, done: &str, notes: &mut Vec<String>) {
         if self.count > 0 {
-            let Self { count, first } = self;
-            notes.push(format!("{count} points that repeat the one before were removed, the first in {first}"));
+            notes.push(format!("{} {done}, the first in {}", counted(self.count, one, many), self.first));
         }
     }
 }
@@ -252,6 +306,9 @@ fn note_dropped(dropped: &[String], notes: &mut Vec<String>) {
     const SHOWN: usize = 5;
     notes.extend(dropped.iter().take(SHOWN).map(|ring| format!("dropped a degenerate ring: {ring}")));
     if dropped.len() > SHOWN {
-        notes.push(format!("dropped {} more degenerate rings", dropped.len() - SHOWN));
+        notes.push(format!(
+            "dropped {}",
+            counted(dropped.len() - SHOWN, "more degenerate ring", "more degenerate rings")
+        ));
     }
 }

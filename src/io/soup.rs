@@ -73,6 +73,10 @@ pub struct Places {
     pub vertex_lines: Vec<u32>,
     /// The line of each face, from 1; empty if the format has no useful lines.
     pub face_lines: Vec<u32>,
+    /// The line and the column at which each cycle starts, from 1; empty if the format has lines for its faces.
+    pub(super) ring_places: Vec<[u32; 2]>,
+    /// Whether the y of the points was negated: coordinates in messages are those of the file.
+    pub(super) y_down: bool,
     /// The paths of the faces of a JSON file, one after the other.
     pub(super) paths: String,
     /// Where each path ends; empty if the format has lines.
@@ -101,6 +105,12 @@ impl Places {
     #[must_use]
     pub fn ring(&self, face: usize, ring: usize) -> String {
         format!("{} ring {ring}", self.face(face))
+    }
+
+    /// Where a cycle starts, by its number among all cycles: `map.json:12:7`, or just the file.
+    pub(super) fn ring_place(&self, cycle: usize) -> String {
+        let place = self.ring_places.get(cycle);
+        place.map_or_else(|| self.source.clone(), |[line, column]| format!("{}:{line}:{column}", self.source))
     }
 
     /// The path of a face inside a JSON file: `states[12] "Ohio" polygon 3`.

@@ -30,6 +30,7 @@ use super::read::{Document, Read};
 use super::rings::representatives;
 use super::soup::SoupBuilder;
 use super::text::{Scanner, Syntax};
+use super::words::counted;
 use super::write::{Number, WriteError};
 use crate::plane::check_coordinate;
 use crate::topology::PolygonList;
@@ -164,7 +165,10 @@ fn join(corners: &[([f64; 3], u32)], notes: &mut Vec<String>) -> SoupBuilder {
         soup.face_lines.extend(has_lines.then_some(corners[start].1));
     }
     if left_out > 0 {
-        notes.push(format!("{left_out} triangles with two equal corners were left out"));
+        notes.push(format!(
+            "{} left out",
+            counted(left_out, "triangle with two equal corners was", "triangles with two equal corners were")
+        ));
     }
     soup
 }

@@ -89,6 +89,48 @@ pub(super) fn line_and_column(bytes: &[u8], at: usize) -> (u32, u32) {
     (line, (characters(text) - mark) as u32 + 1)
 }
 
+/// The lines of bytes that come in the order of the file, or nearly so.
+pub(super) struct LineCounter<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    line: u32,
+}
+
+impl<'a> LineCounter<'a> {
+    pub(super) fn new(text: &'a str) -> Self {
+        Self { bytes: text.as_bytes(), at: 0, line: 1 }
+    }
+
+    /// The line of a byte, from 1.
+    pub(super) fn line(&mut self, at: usize) -> u32 {
+        if at < self.at {
+            (self.at, self.line) = (0, 1);
+        }
+        self.line += self.bytes[self.at..at].iter().filter(|&&b| b == b'\n').count() as u32;
+        self.at = at;
+        self.line
+    }
+}
+
+/// The lines and columns of many bytes, as [`line_and_column`] tells them one by one. O(length) if they come in
+/// increasing order.
+pub(super) fn lines_and_columns(bytes: &[u8], offsets: &[u32]) -> Vec<[u32; 2]> {
+    let (mut at, mut place) = (0, [1, 1]);
+    let mut places = Vec::with_capacity(offsets.len());
+    for &offset in offsets {
+        let offset = (offset as usize).min(bytes.len());
+        if offset < at {
+            (at, place) = (0, [1, 1]);
+        }
+        let [line, column] = line_and_column(&bytes[at..offset], offset - at).into();
+        let mark = u32::from(at > 0 && bytes[at..].starts_with(b"\xef\xbb\xbf"));
+        place = if line == 1 { [place[0], place[1] + column - 1 + mark] } else { [place[0] + line - 1, column] };
+        at = offset;
+        places.push(place);
+    }
+    places
+}
+
 impl<'a> Scanner<'a> {
     /// A scanner at the start of the file, behind a byte order mark.
     ///

@@ -13,18 +13,25 @@
 //! points exactly, and points of different arcs are joined where they come out equal.
 //!
 //! A file may hold several objects (`states`, `nation`). Without a choice the one with the most polygons is
-//! read, and a note says so. Which way y points is not written down: maps for the screen have it downwards,
+//! read, and a note says so. Lines and points beside polygons are skipped with a note; an object without polygons is
+//! read as segments and points, and on request every object is, polygons by their outlines. Which way y points is not written down: maps for the screen have it downwards,
 //! see [`ReadOptions::y_down`].
 //!
 //! Source: M. Bostock and C. Metcalf, *The TopoJSON Format Specification* (version 1).
 
 use super::arrays::Arrays;
+use super::geojson::Shapes;
 use super::json::{Fault, Node, Place, Skipped, lacks, named, polygons, shape};
 use super::problem::ReadProblem;
 use super::read::ReadOptions;
 use super::rings::{Rings, same};
+use super::segments::SegmentSoup;
+use super::text::LineCounter;
+use super::words::counted;
+use crate::plane::check_coordinate;
 use serde_json::value::RawValue;
 use std::collections::BTreeMap;
+use std::fmt::Display;
 
 /// Arcs may be used this often on average; a map uses each of them once or twice. Without a limit a small file
 /// could ask for any amount of memory.
@@ -34,19 +41,46 @@ const REUSE: usize = 64;
 struct Arcs {
     points: Vec<[f64; 2]>,
     ends: Vec<usize>,
+    transform: Option<Transform>,
 }
 
-/// Reads the rings of one object of a topology; `file` is the text it is a part of.
+/// From whole numbers to coordinates.
+#[derive(Clone, Copy)]
+struct Transform {
+    scale: [f64; 2],
+    translate: [f64; 2],
+}
+
+impl Transform {
+    fn of(self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let Self { scale, translate } = self;
+        [x * scale[0] + translate[0], y * scale[1] + translate[1]]
+    }
+}
+
+/// Reads one object of a topology; `file` is the text it is a part of.
 pub(super) fn read(
     root: &Node<'_>,
     file: &str,
+    source: &str,
     options: &ReadOptions,
     notes: &mut Vec<String>,
-) -> Result<Rings, Fault> {
+) -> Result<Shapes, Fault> {
     let arcs = Arcs::read(root, file)?;
     let objects = root.objects.as_ref().ok_or_else(|| shape("the file", "an object \"objects\""))?;
     let (name, object) = choose(objects, file, options.object.as_deref(), notes)?;
-    let mut reader = Reader { file, arcs: &arcs, rings: Rings::default(), skipped: Skipped::default() };
+    let segments = options.outlines || (polygon_count(object, file) == 0 && has_lines(object));
+    let mut reader = Reader {
+        file,
+        arcs: &arcs,
+        rings: Rings::default(),
+        skipped: Skipped::default(),
+        chains: segments.then(Rings::default),
+        single: Vec::new(),
+    };
+    if options.close_rings {
+        reader.rings.close_rings();
+    }
     match &object.geometries {
         Some(geometries) => {
             for (i, geometry) in geometries.iter().enumerate() {
@@ -56,7 +90,20 @@ pub(super) fn read(
         None => reader.geometry(object, name, None)?,
     }
     reader.skipped.note(notes);
-    Ok(reader.rings)
+    let Some(chains) = reader.chains else { return Ok(Shapes::Rings(reader.rings)) };
+    let (mut soup, mut lines) = (SegmentSoup::new(source), LineCounter::new(file));
+    reader.rings.outlines(true, &mut lines, &mut soup);
+    chains.outlines(false, &mut lines, &mut soup);
+    for (point, offset) in reader.single {
+        soup.point(point, lines.line(offset));
+    }
+    Ok(Shapes::Segments(soup))
+}
+
+/// Whether there is a line in the object.
+fn has_lines(node: &Node<'_>) -> bool {
+    let own = node.kind().is_some_and(|kind| kind.ends_with("LineString"));
+    own || node.geometries.iter().flatten().any(has_lines)
 }
 
 /// The object that was asked for, or the one with the most polygons.
@@ -68,7 +115,12 @@ fn choose<'o, 'a>(
 ) -> Result<(&'o str, &'o Node<'a>), Fault> {
     let all: Vec<(&str, &Node<'_>, usize)> =
         objects.iter().map(|(name, object)| (name.as_str(), object, polygon_count(object, file))).collect();
-    let list = || all.iter().map(|(name, _, n)| format!("{name} ({n} polygons)")).collect::<Vec<_>>().join(", ");
+    let list = || {
+        all.iter()
+            .map(|(name, _, n)| format!("{name} ({})", counted(*n, "polygon", "polygons")))
+            .collect::<Vec<_>>()
+            .join(", ")
+    };
     if let Some(wanted) = wanted {
         let found = all.iter().find(|(name, ..)| *name == wanted);
         return found.map(|&(name, object, _)| (name, object)).ok_or_else(|| Fault {
@@ -115,9 +167,11 @@ impl Arcs {
     fn read(root: &Node<'_>, file: &str) -> Result<Self, Fault> {
         let transform = match &root.transform {
             None => None,
-            Some(transform) => Some((pair(transform.scale, file)?, pair(transform.translate, file)?)),
+            Some(transform) => {
+                Some(Transform { scale: pair(transform.scale, file)?, translate: pair(transform.translate, file)? })
+            }
         };
-        let mut arcs = Self { points: Vec::new(), ends: Vec::new() };
+        let mut arcs = Self { points: Vec::new(), ends: Vec::new(), transform };
         let value = root.arcs.ok_or_else(|| lacks("the file", "arcs"))?;
         Arrays::new(value, file).each(
             || lacks("the file", "arcs"),
@@ -131,9 +185,9 @@ impl Arcs {
                         let ([x, y], _) = arrays.position().ok_or_else(|| Fault::at(offset, wrong()))?;
                         arcs.points.push(match transform {
                             None => [x, y],
-                            Some((scale, translate)) => {
+                            Some(transform) => {
                                 at = [at[0] + x, at[1] + y];
-                                [at[0] * scale[0] + translate[0], at[1] * scale[1] + translate[1]]
+                                transform.of(at)
                             }
                         });
                         Ok(())
@@ -166,6 +220,10 @@ struct Reader<'a> {
     arcs: &'a Arcs,
     rings: Rings,
     skipped: Skipped,
+    /// Takes the lines, if the file is read as segments.
+    chains: Option<Rings>,
+    /// Single points with their bytes in the file, if it is.
+    single: Vec<([f64; 2], usize)>,
 }
 
 impl Reader<'_> {
@@ -180,7 +238,7 @@ impl Reader<'_> {
                 let (one, arcs) = (kind == "Polygon", self.arcs);
                 let value = geometry.arcs.ok_or_else(|| lacks(&path, "arcs"))?;
                 let mut read =
-                    |arrays: &mut Arrays<'_>, place: Place<'_>, rings: &mut Rings| ring(arrays, place, rings, arcs);
+                    |arrays: &mut Arrays<'_>, place: Place<'_>, rings: &mut Rings| ring(arrays, &place, rings, arcs);
                 let mut arrays = Arrays::new(value, self.file);
                 self.skipped.empty += polygons(&mut arrays, one, &path, name, &mut self.rings, &mut read)?;
                 Ok(())
@@ -192,14 +250,52 @@ impl Reader<'_> {
                 }
                 Ok(())
             }
+            "LineString" | "MultiLineString" if self.chains.is_some() => {
+                let value = geometry.arcs.ok_or_else(|| lacks(&path, "arcs"))?;
+                let mut arrays = Arrays::new(value, self.file);
+                if kind == "LineString" {
+                    return self.line(&mut arrays, &path, 0);
+                }
+                arrays.each(|| shape(&path, "an array of lines"), |arrays, line| self.line(arrays, &path, line))
+            }
+            "Point" | "MultiPoint" if self.chains.is_some() => {
+                let value = geometry.coordinates.ok_or_else(|| lacks(&path, "coordinates"))?;
+                let mut arrays = Arrays::new(value, self.file);
+                if kind == "Point" {
+                    return self.point(&mut arrays, &path);
+                }
+                arrays.each(|| shape(&path, "an array of positions"), |arrays, _| self.point(arrays, &path))
+            }
             kind if self.skipped.add(kind) => Ok(()),
             kind => Err(shape(&path, format!("a geometry, not the type {kind:?}")).into()),
         }
     }
+
+    fn line(&mut self, arrays: &mut Arrays<'_>, path: &str, line: usize) -> Result<(), Fault> {
+        let Some(chains) = &mut self.chains else { return Ok(()) };
+        let (at, before) = (arrays.offset(), chains.point_count());
+        ring(arrays, &format!("{path} line {line}"), chains, self.arcs)?;
+        if chains.point_count() == before + 1 {
+            return Err(Fault::at(at, shape(path, "two positions or more")));
+        }
+        chains.end_chain(at);
+        Ok(())
+    }
+
+    fn point(&mut self, arrays: &mut Arrays<'_>, path: &str) -> Result<(), Fault> {
+        let at = arrays.offset();
+        let position = arrays.position();
+        let (point, _) = position.ok_or_else(|| Fault::at(at, shape(path, "a position [x, y] of numbers")))?;
+        let [x, y] = self.arcs.transform.map_or(point, |transform| transform.of(point));
+        let checked = check_coordinate('x', x).and_then(|()| check_coordinate('y', y));
+        checked.map_err(|error| Fault::at(at, ReadProblem::CoordinateAt { place: path.to_owned(), error }))?;
+        self.single.push(([x + 0.0, y + 0.0], at));
+        Ok(())
+    }
 }
 
 /// Appends the points of a chain of arcs; each arc must start where the one before ends.
-fn ring(arrays: &mut Arrays<'_>, place: Place<'_>, rings: &mut Rings, arcs: &Arcs) -> Result<(), Fault> {
+fn ring(arrays: &mut Arrays<'_>, place: &dyn Display, rings: &mut Rings, arcs: &Arcs) -> Result<(), Fault> {
     let here = || place.to_string();
     let mut first = true;
     arrays.each(

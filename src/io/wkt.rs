@@ -21,6 +21,7 @@ use super::problem::{ReadError, ReadProblem};
 use super::read::{Document, Read};
 use super::segments::SegmentSoup;
 use super::text::{check_text, line_and_column};
+use super::words::counted;
 use crate::plane::check_coordinate;
 
 /// Collections may lie in each other so deep.
@@ -80,7 +81,7 @@ pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
     }
     let mut notes = Vec::new();
     if reader.dropped > 0 {
-        notes.push(format!("the third coordinate of {} points was dropped", reader.dropped));
+        notes.push(format!("the third coordinate of {} was dropped", counted(reader.dropped, "point", "points")));
     }
     Ok(Read { document: Document::Segments(reader.soup.checked()?), notes, format: Format::Wkt })
 }

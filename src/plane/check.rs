@@ -196,6 +196,12 @@ impl Subdivision {
         found
     }
 
+    /// The first meeting of the edges with each other and with vertices that have edges (G1 to G3).
+    pub(super) fn meeting(&self) -> Option<GeometryViolation> {
+        let ends: Vec<[u32; 2]> = self.dcel.edges().map(|e| self.edge_ends(e).map(VertexId::number)).collect();
+        sweep(self.points.as_slice(), &ends, &[], true).meeting.map(|meeting| name_meeting(meeting, &ends))
+    }
+
     pub(super) fn edge_ends(&self, e: EdgeId) -> [VertexId; 2] {
         e.half_edges().map(|h| self.dcel.origin(h))
     }

@@ -32,7 +32,8 @@ impl Subdivision {
         self.area_of(self.dcel.faces().filter(|&f| f != self.outer_face() && !self.is_hole(f)))
     }
 
-    fn area_of(&self, faces: impl Iterator<Item = FaceId>) -> f64 {
+    /// The area of some bounded faces together, as exact as [`area`](Self::area).
+    pub(crate) fn area_of(&self, faces: impl Iterator<Item = FaceId>) -> f64 {
         let mut twice = Expansion::default();
         for h in faces.flat_map(|f| self.cycles(f)).flat_map(|h| self.dcel.cycle(h)) {
             let [p, q] = [self.dcel.origin(h), self.dcel.destination(h)].map(|v| self.points[v]);

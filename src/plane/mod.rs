@@ -8,6 +8,7 @@
 //!   delaunay/                   of points, by flips, with fixed edges
 //!   voronoi/                    cells of nearest sites: the dual of Delaunay
 //!   overlay/                    two subdivisions on each other, and their regions
+//!   mend/                       polygons that overlap or cross -> subdivision
 //!   check.rs                    the laws of the plane                                   measure.rs areas, exactly
 //!   edit/                       split_face, join_faces, split_edge, join_edges; insert and remove vertices, edges, segments
 //!   locate/                     where a point lies: scan, walk, index
@@ -25,6 +26,7 @@ mod hull;
 mod locate;
 mod measure;
 mod meet;
+mod mend;
 mod overlay;
 mod point;
 pub mod predicates;
@@ -49,10 +51,13 @@ pub use edit::{
 pub use hull::{HullError, convex_hull};
 pub use locate::{Location, PointIndex, Walk};
 pub(crate) use meet::Expansion;
+pub use mend::{Cover, Mended};
 pub use overlay::{Operation, Overlay, ParseOperationError, Parts};
 pub use point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};
 pub use seed::LAB_RECTANGLE;
-pub use segments::{ArrangeOptions, Arranged, MarkHolesError, Residues, SegmentFault, SegmentsAlong, SegmentsError};
+pub use segments::{
+    ArrangeOptions, Arranged, InsertedCorner, MarkHolesError, Residues, SegmentFault, SegmentsAlong, SegmentsError,
+};
 pub use subdivision::{PlanarView, Subdivision};
 pub use table::TableError;
 pub use triangulate::{TriangulateError, Triangulated, TriangulationMethod};

@@ -24,7 +24,7 @@ pub enum TruncateError {
         vertex: VertexId,
     },
     /// A vertex with fewer than three edges.
-    #[error("{vertex} has {degree} edges, and a face needs three corners: take such vertices out first")]
+    #[error("{vertex} has {degree} edge{}, and a face needs three corners: take such vertices out first", if *.degree == 1 { "" } else { "s" })]
     TooFewEdges {
         /// The vertex.
         vertex: VertexId,

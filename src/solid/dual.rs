@@ -27,7 +27,7 @@ pub enum DualError {
         boundary_face: FaceId,
     },
     /// A vertex with fewer than three edges gives no face.
-    #[error("{vertex} has {degree} edges, and a face needs three corners: take such vertices out first")]
+    #[error("{vertex} has {degree} edge{}, and a face needs three corners: take such vertices out first", if *.degree == 1 { "" } else { "s" })]
     TooFewEdges {
         /// The vertex.
         vertex: VertexId,

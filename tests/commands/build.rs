@@ -32,10 +32,10 @@ fn crossings_are_all_named_or_split() {
     let folder = Folder::new();
     folder.write("cross.wkt", CROSS);
     let told = folder.dcel("build cross.wkt");
-    told.fails(2, "cross.wkt:1: segments 0 and 1 cross at (2, 2)", "--split-crossings");
+    told.fails(2, "cross.wkt:1: segments 0 and 1 cross at (2, 2)", "--mend");
     assert!(told.err.contains("note: cross.wkt:3: segments 2 and 3 cross at (9, 2)"), "{told:?}");
     assert!(told.err.contains("segment 1: line 2"), "{told:?}");
-    let report = folder.dcel("build cross.wkt --split-crossings --json").json();
+    let report = folder.dcel("build cross.wkt --mend --json").json();
     assert_eq!((&report["crossings"], &report["edges"]), (&json!(["v8", "v9"]), &json!(8)));
     folder.dcel("build cross.wkt --split-crossings -o cross.dcel --figure cross.svg").fine();
     let info = folder.dcel("info cross.dcel --json").json();

@@ -77,7 +77,7 @@ fn an_overlay_tells_labels_regions_and_what_moved() {
     });
     assert_eq!(areas.map(|area| area.to_string()), ["14", "2", "10", "12"]);
     let text = folder.dcel("overlay square.obj tiles.obj --operation difference --join -o rest.dcel").fine();
-    assert!(text.contains("difference      1 faces, area 10"), "{text}");
+    assert!(text.contains("difference      1 face, area 10"), "{text}");
     assert_eq!(folder.dcel("info rest.dcel --json").json()["valid"], json!(true));
     assert_eq!(
         folder.dcel("overlay square.obj tiles.obj --operation difference --join -o -").fine(),

@@ -6,6 +6,7 @@ mod compare;
 mod delaunay;
 mod locate;
 mod manners;
+mod mend;
 mod navmesh;
 mod reading;
 mod script;

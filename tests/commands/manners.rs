@@ -185,9 +185,13 @@ fn the_examples_of_the_help_run() {
     folder.write("trees.txt", "1 1\n3 2.5\n");
     folder.write("sites.xy", "5 5\n40 5\n20 30\n70 20\n");
     folder.write("sites.csv", "x,y\n0,0\n4,0\n2,3\n");
-    for (copy, of) in
-        [("garden.geojson", GARDEN), ("parcels.json", GARDEN), ("floods.json", GARDEN), ("mesh.obj", SQUARE)]
-    {
+    for (copy, of) in [
+        ("garden.geojson", GARDEN),
+        ("map.geojson", GARDEN),
+        ("parcels.json", GARDEN),
+        ("floods.json", GARDEN),
+        ("mesh.obj", SQUARE),
+    ] {
         folder.write(copy, of);
     }
     ["a.dcel", "b.dcel"].iter().for_each(|to| drop(folder.dcel(&format!("convert square.obj {to}")).fine()));

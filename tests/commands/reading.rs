@@ -89,8 +89,8 @@ fn info_as_text() {
     assert_eq!(
         counts,
         "garden.json: plane, geojson, valid\n  vertices        11\n  edges           11 (22 half-edges)\n  \
-         faces           4 (with the outer face, 1 of them holes)\n  components      3\n  \
-         euler           V - E + F = 4\n  boundary cycles 3\n  rings           2 of the outer face, 1 others\n  \
+         faces           4 (with the outer face, 1 of them a hole)\n  components      3\n  \
+         euler           V - E + F = 4\n  boundary cycles 3\n  rings           2 of the outer face, 1 other\n  \
          isolated        0 vertices\n  sides of faces  3 to 8, mean 5.50 (1 x 3, 1 x 8)\n  \
          degrees         2 to 2, mean 2.00\n  bounding box    (0, 0) to (22, 10)\n  names           2 on 2 faces\n"
     );
@@ -121,11 +121,13 @@ fn validate_checks_the_whole_plane() {
     let folder = Folder::new();
     // Two triangles that share nothing and overlap: only the full check sees it.
     folder.write("overlap.obj", "v 0 0\nv 4 0\nv 0 4\nv -1 1\nv 1 1\nv -1 2\nf 1 2 3\nf 4 5 6\n");
-    assert_eq!(counts(&folder.dcel("info overlap.obj --json").json())[3], 2);
-    folder.dcel("info overlap.obj --full-check").fails(2, "overlap.obj:", "");
+    assert_eq!(counts(&folder.dcel("info overlap.obj --trust --json").json())[3], 2);
+    folder.dcel("info overlap.obj").fails(2, "overlap.obj:7: G3: face 0 and face 1 cross at (0, ", "face 1: line 8");
+    let old = folder.dcel("info square.obj --full-check");
+    assert!(old.err.contains("note: --full-check is not needed") && old.code == Some(0), "{old:?}");
     let told = folder.dcel("validate overlap.obj");
     assert_eq!(told.code, Some(1), "{told:?}");
-    assert!(told.out.starts_with("G3: the edges v") && told.out.contains("line 5"), "{}", told.out);
+    assert!(told.out.starts_with("G3: overlap.obj:7: face 0 and face 1 cross at (0, "), "{}", told.out);
     // In a table, with its own numbers: f7 is the outer face, and the boundary of f1 runs clockwise.
     let turned = TRIANGLE.replace("f0", "f7").replace("v2 2 3", "v2 2 -3").replace("v3 2 1", "v3 2 -1");
     folder.write("turned.dcel", &turned);
@@ -286,7 +288,7 @@ fn convert_tells_losses_and_refuses_what_cannot_be_held() {
     folder.write("shed.json", &GARDEN.replace(", [[2,2],[4,2],[4,4],[2,4],[2,2]]", ""));
     let told = folder.dcel("convert shed.json shed.off");
     assert!(told.err.contains("2 names of faces are lost: off has none"), "{told:?}");
-    assert!(folder.dcel("convert garden.json g.geojson").err.contains("1 hole faces are not written"));
+    assert!(folder.dcel("convert garden.json g.geojson").err.contains("1 hole face is not written"));
     assert_eq!(folder.dcel("convert garden.json g.dcel").err, "");
     folder.dcel("convert cube.off cube.geojson").fails(2, "a surface in space", "try obj, off or ply");
     folder.dcel("convert square.obj x.svg").fails(2, "x.svg: the name does not tell", "--to: obj, off");
@@ -368,5 +370,5 @@ fn figures_that_cannot_be_drawn() {
     folder.dcel("figure square.obj --width 20").fails(2, "100 to 20000", "");
     folder.dcel("figure square.obj -o nowhere/two.svg").fails(3, "nowhere/two.svg: cannot be written", "directory");
     folder.write("bare.dcel", "dcel 1\nv0 out none\nf0 outer boundary none rings v0\n");
-    folder.dcel("figure bare.dcel").fails(2, "none of the 1 vertices has a position", "");
+    folder.dcel("figure bare.dcel").fails(2, "the only vertex has no position", "");
 }

@@ -368,7 +368,7 @@ fn notes_say_what_was_left_out() {
     fragments(
         notes(br#"{"type":"GeometryCollection","geometries":[{"type":"LineString"},{"type":"Point"},{"type":"Point"},
             {"type":"Polygon","coordinates":[[[0,0,1],[0,0,1],[1,0],[0,1],[0,0]]]},{"type":"Polygon","coordinates":[]}]}"#, Format::GeoJson, false),
-        &["1 line geometries", "2 point geometries", "1 polygons without any ring", "third coordinate of 2 points", "1 points that repeat the one before were removed, the first in geometry geometries[3] polygon 0 ring 0"],
+        &["1 line geometry was", "2 point geometries were", "1 polygon without any ring was", "third coordinate of 2 points", "1 point that repeats the one before was removed, the first in geometry geometries[3] polygon 0 ring 0"],
     );
     // A degenerate hole goes alone; a degenerate outer ring takes its polygon with it.
     let rings = br#"{"type":"Feature","id":"x","geometry":{"type":"MultiPolygon","coordinates":[
@@ -428,13 +428,9 @@ fn objects_of_a_topology_can_be_chosen() {
         _ => panic!(),
     };
     let default = choose(None).unwrap();
-    assert!(
-        default.notes[0].contains("land (1 polygons), states (2 polygons); states was read"),
-        "{:?}",
-        default.notes
-    );
+    assert!(default.notes[0].contains("land (1 polygon), states (2 polygons); states was read"), "{:?}", default.notes);
     assert_eq!(faces(default), [[0, 1, 2], [0, 2, 1]], "the second uses the arc backwards");
     assert_eq!(faces(choose(Some("land")).unwrap()), [[0, 1, 2]]);
     let error = choose(Some("sea")).unwrap_err().to_string();
-    assert!(error.contains("object \"sea\"") && error.contains("the file has land (1 polygons), states"), "{error}");
+    assert!(error.contains("object \"sea\"") && error.contains("the file has land (1 polygon), states"), "{error}");
 }

@@ -71,7 +71,7 @@ fn lines_of_geojson_are_segments_unless_there_are_polygons() {
     let both = format!(
         r#"{{"type":"GeometryCollection","geometries":[{line},{polygon},{{"type":"Point","coordinates":[7,7]}}]}}"#
     );
-    let dropped = vec!["the third coordinate of 1 points was dropped".to_owned()];
+    let dropped = vec!["the third coordinate of 1 point was dropped".to_owned()];
     assert_eq!(held(line, Format::GeoJson), (vec![(0, 0), (4, 0), (4, 3)], vec![[0, 1], [1, 2]], dropped));
     assert!(matches!(read(both.as_bytes(), Format::GeoJson).unwrap().document, Document::Polygons(_)));
     let outlines = ReadOptions { outlines: true, ..ReadOptions::default() };
@@ -89,7 +89,7 @@ fn load_text(name: &str, text: &str, split: bool) -> Result<(Subdivision, Vec<St
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join(name);
     std::fs::write(&path, text).unwrap();
-    let options = LoadOptions { split_crossings: split, ..LoadOptions::default() };
+    let options = LoadOptions { mend: split, ..LoadOptions::default() };
     let loaded = load(&path, &options)?;
     match loaded.structure {
         Structure::Plane(subdivision) => Ok((subdivision, loaded.notes)),
@@ -135,10 +135,11 @@ fn what_meets_is_told_with_its_lines_and_split_on_request() {
             "1 segment without length was left out",
             "1 segment repeats an earlier one and was left out",
             "1 vertex was made where segments cross",
+            "3 segments were split where they meet others",
         ]
     );
     let (_, notes) = load_text("b.wkt", "LINESTRING(0 0, 3 1)\nLINESTRING(0 1, 2 0)", true).unwrap();
-    assert!(notes[1].starts_with("1 of the crossings moved by rounding, none further than"), "{notes:?}");
+    assert!(notes[2].starts_with("1 crossing was moved by rounding, none further than"), "{notes:?}");
     let point_on = "LINESTRING (0 0, 4 0)\n\nPOINT (2 0)";
     let told = load_text("c.wkt", point_on, false).unwrap_err().to_string();
     assert!(

@@ -25,7 +25,7 @@ fn soup(text: &[u8], format: Format) -> PolygonSoup {
 
 fn plane(text: &[u8], format: Format) -> Subdivision {
     let read = read_bytes(text, format, "file", &ReadOptions::default()).expect("good syntax");
-    let options = LoadOptions { full_check: true, ..LoadOptions::default() };
+    let options = LoadOptions::default();
     match assemble(read, "file", &options).expect("faces that fit").structure {
         Structure::Plane(subdivision) => subdivision,
         other => panic!("not a plane: {other:?}"),

@@ -6,6 +6,7 @@ mod edits;
 mod exact;
 mod inserts;
 mod locate;
+mod mend;
 mod numbers;
 mod overlay;
 mod segments;

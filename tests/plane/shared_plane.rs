@@ -26,7 +26,7 @@ fn soup(path: &Path, options: &ReadOptions) -> PolygonSoup {
 
 fn convert(soup: &PolygonSoup, full_check: bool) -> Subdivision {
     let points = soup.points.iter().map(|&[x, y, _]| Point::new(x, y)).collect();
-    let options = ConvertOptions { orient: true, full_check };
+    let options = ConvertOptions { orient: true, full_check, ..ConvertOptions::default() };
     Subdivision::convert_polygons(points, &soup.faces, &options).unwrap().subdivision
 }
 
@@ -87,7 +87,7 @@ fn tilings_have_the_stated_counts_and_outline() {
     for (name, stated) in expected.as_object().unwrap().iter().filter(|(name, _)| name.starts_with("templates/")) {
         let path = data("O05-tessella-dcel").join(name);
         let (points, list, outline) = tiles(&std::fs::read_to_string(path).unwrap());
-        let options = ConvertOptions { orient: true, full_check: true };
+        let options = ConvertOptions { orient: true, full_check: true, ..ConvertOptions::default() };
         let s = Subdivision::convert_polygons(points, &list, &options)
             .unwrap_or_else(|e| panic!("{name}: {e}"))
             .subdivision;

@@ -104,7 +104,7 @@ fn zeros_of_both_signs_are_one_and_triangles_without_three_corners_are_left_out(
     let (soup, notes) = read(text.as_bytes()).unwrap();
     assert_eq!((soup.points.len(), soup.faces.face_count()), (5, 3));
     assert_eq!(soup.faces.cycle(1), [2, 1, 3]);
-    assert_eq!(notes, ["1 triangles with two equal corners were left out"]);
+    assert_eq!(notes, ["1 triangle with two equal corners was left out"]);
 }
 
 #[test]

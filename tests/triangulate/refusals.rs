@@ -52,7 +52,7 @@ fn overlaps_are_noticed_or_do_no_harm() {
                     let TriangulateError::NotPlanar { face, vertex } = error else { panic!("seed {seed}: {error}") };
                     assert!(s.has_face(face) && s.has_vertex(vertex));
                     let text = error.to_string();
-                    assert!(text.contains(&face.to_string()) && text.contains("geometry_violations()"), "{text}");
+                    assert!(text.contains(&face.to_string()) && text.contains("dcel validate"), "{text}");
                 }
             }
         }

@@ -7,7 +7,7 @@ use super::map::{Draft, Map, MapArgs};
 use clap::ValueEnum;
 use dcel_kit::figure;
 use dcel_kit::figure::navmesh::Floor;
-use dcel_kit::io::{Document, Places};
+use dcel_kit::io::{Document, Places, counted};
 use dcel_kit::navmesh::{MeshFault, double_corners_of};
 use serde::Serialize;
 use std::io::{self, Write};
@@ -198,7 +198,7 @@ impl Info {
     fn print(&self, out: &mut Output) -> io::Result<()> {
         writeln!(out, "{}: {}, a navmesh", self.source, self.format)?;
         let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
-        line("faces", format!("{} ({} triangles)", self.faces, self.triangles))?;
+        line("faces", format!("{} ({})", self.faces, counted(self.triangles, "triangle", "triangles")))?;
         line("vertices", self.vertices.to_string())?;
         line("doors", self.doors.to_string())?;
         line("hole faces", self.hole_faces.to_string())?;
@@ -207,7 +207,10 @@ impl Info {
         let rest = if self.components.len() > SHOWN { ", ..." } else { "" };
         let plural = if self.components == [1] { "face" } else { "faces" };
         line("components", format!("{}, of {}{rest} {plural}", self.components.len(), sizes.join(", ")))?;
-        line("dead ends", format!("{} faces peeled, {} left", self.dead_ends, self.faces - self.dead_ends))?;
+        line(
+            "dead ends",
+            format!("{} peeled, {} left", counted(self.dead_ends, "face", "faces"), self.faces - self.dead_ends),
+        )?;
         let passages = if self.passages == 1 { "passage" } else { "passages" };
         line("crossings", format!("{}, and {} {passages}", self.crossings, self.passages))?;
         line("area", dcel_kit::io::Number(self.area).to_string())?;

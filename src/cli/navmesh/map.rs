@@ -30,6 +30,9 @@ pub(super) struct MapArgs {
     /// Turn round faces that run clockwise
     #[arg(long, help_heading = "Reading")]
     orient: bool,
+    /// Split polygons and segments where they cross, touch or overlap; tells what was done
+    #[arg(long, help_heading = "Reading")]
+    mend: bool,
     /// Cut all faces into triangles without needless slivers (constrained Delaunay); a .map is cut along the
     /// borders of its regions
     #[arg(long, help_heading = "Reading")]
@@ -119,13 +122,28 @@ impl MapArgs {
 
     /// Reads the file. Tells the notes.
     pub(super) fn read(&self) -> Result<Draft, Failure> {
+        if self.is_grid() && self.mend {
+            let what = format!("{}: --mend cannot be used on a grid map: cells always fit together", self.source());
+            return Err(Failure::input(what, "leave --mend out"));
+        }
         if self.is_grid() && self.triangles {
             let grid = Grid::parse(&bytes(&self.file)?, &self.source())?;
             let regions = grid.regions().map_err(|error| Failure::input(format!("{}: {error}", self.source()), ""))?;
             return Ok(Draft::Regions(regions));
         }
-        let options = ReadOptions { y_down: self.y_down, format: self.format, ..ReadOptions::default() };
+        let options = ReadOptions {
+            y_down: self.y_down,
+            format: self.format,
+            drop_degenerate_rings: self.mend,
+            close_rings: self.mend,
+            ..ReadOptions::default()
+        };
         let mut read = read_path(&self.file, &options)?;
+        if self.mend && matches!(read.document, Document::Table(_)) {
+            let what =
+                format!("{}: --mend cannot be used on {}: it is for polygons and segments", self.source(), read.format);
+            return Err(Failure::input(what, "leave --mend out; dcel validate names what is broken"));
+        }
         let Document::Polygons(soup) = &mut read.document else { return Ok(Draft::Other(read)) };
         match self.up {
             Some(up) => soup.lay_flat(match up {
@@ -142,7 +160,8 @@ impl MapArgs {
             }
             None => {}
         }
-        let faults = faults_of(soup, self.orient);
+        // What is mended is judged afterwards.
+        let faults = if self.mend { Vec::new() } else { faults_of(soup, self.orient) };
         Ok(Draft::Polygons { read, faults })
     }
 
@@ -160,7 +179,7 @@ impl MapArgs {
             Draft::Polygons { read, .. } | Draft::Other(read) => {
                 let format = read.format;
                 let mode = Some(Mode::Plane);
-                let options = LoadOptions { mode, orient: self.orient, full_check: true, ..LoadOptions::default() };
+                let options = LoadOptions { mode, orient: self.orient, mend: self.mend, ..LoadOptions::default() };
                 let loaded = assemble(read, &source, &options)?;
                 loaded.notes.iter().for_each(|note| say("note", note));
                 match loaded.structure {

@@ -359,7 +359,8 @@ impl Row {
                 writeln!(out, "  {what:<8}{}", words.join(" "))?;
             }
         }
-        writeln!(out, "  {:<8}{} taken from the queue, {} faces entered", "work", self.pops, self.expansions)?;
+        let entered = if self.expansions == 1 { "face" } else { "faces" };
+        writeln!(out, "  {:<8}{} taken from the queue, {} {entered} entered", "work", self.pops, self.expansions)?;
         Ok(())
     }
 }

@@ -5,7 +5,7 @@ use crate::cli::input::InputOptions;
 use crate::cli::output::is_same_file;
 use crate::cli::subject::Kind;
 use crate::cli::{Answer, Output};
-use dcel_kit::io::{Format, Model, write, write_path};
+use dcel_kit::io::{Format, Model, counted, write, write_path};
 use dcel_kit::solid::{PartCounts, Polyhedron};
 use serde::Serialize;
 use std::io::Write;
@@ -94,7 +94,10 @@ impl Target {
             return Ok(Answer::Yes);
         }
         let Made { vertices, edges, faces, euler, genus, .. } = made;
-        writeln!(out, "{name}: {vertices} vertices, {edges} edges, {faces} faces; V - E + F = {euler}, genus {genus}")?;
+        let counts =
+            [counted(vertices, "vertex", "vertices"), counted(edges, "edge", "edges"), counted(faces, "face", "faces")]
+                .join(", ");
+        writeln!(out, "{name}: {counts}; V - E + F = {euler}, genus {genus}")?;
         for line in made
             .note
             .iter()

@@ -3,6 +3,7 @@
 use super::common::open;
 use crate::cli::input::InputOptions;
 use crate::cli::{Answer, Failure, Output};
+use dcel_kit::io::counted;
 use dcel_kit::solid::{PartCounts, Polyhedron};
 use serde::Serialize;
 use std::fmt::Display;
@@ -175,7 +176,13 @@ impl Info {
 
     fn print(&self, out: &mut Output) -> io::Result<()> {
         let Self { vertices, edges, faces, euler, .. } = self;
-        writeln!(out, "{}: {vertices} vertices, {edges} edges, {faces} faces; V - E + F = {euler}", self.source)?;
+        let counts = [
+            counted(*vertices, "vertex", "vertices"),
+            counted(*edges, "edge", "edges"),
+            counted(*faces, "face", "faces"),
+        ]
+        .join(", ");
+        writeln!(out, "{}: {counts}; V - E + F = {euler}", self.source)?;
         let mut line = |what: &str, value: String| writeln!(out, "  {what:<17}{value}");
         for piece in &self.pieces {
             let Piece { first_vertex, vertices: v, edges: e, faces: f, euler, genus, borders, .. } = piece;
@@ -213,7 +220,10 @@ impl Info {
             line("volume", format!("{text}{inside_out}"))?;
         }
         if self.faces_not_flat > 0 {
-            line("not flat", format!("{} faces, by at most {:e}", self.faces_not_flat, self.greatest_bend))?;
+            line(
+                "not flat",
+                format!("{}, by at most {:e}", counted(self.faces_not_flat, "face", "faces"), self.greatest_bend),
+            )?;
         }
         line("convex", self.not_convex.as_ref().map_or("yes".to_owned(), |why| format!("no: {why}")))
     }

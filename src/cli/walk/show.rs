@@ -3,6 +3,7 @@
 use super::Output;
 use super::rounds::{Cycle, FaceName, FaceWalk, Links, Star};
 use crate::cli::output::{point, table};
+use dcel_kit::io::counted;
 use std::io::{self, Write};
 
 fn or_none(name: &Option<String>) -> &str {
@@ -35,8 +36,8 @@ pub(super) fn faces(out: &mut Output, walk: &FaceWalk) -> io::Result<()> {
         };
         let sides: usize = face.cycles.iter().map(|cycle| cycle.half_edges.len()).sum();
         let cycles = face.cycles.len();
-        let plural = if cycles == 1 { "" } else { "s" };
-        writeln!(out, "{}{kind}: {sides} half-edges, {cycles} cycle{plural}", called(&face.face, &face.name))?;
+        let (sides, cycles) = (counted(sides, "half-edge", "half-edges"), counted(cycles, "cycle", "cycles"));
+        writeln!(out, "{}{kind}: {sides}, {cycles}", called(&face.face, &face.name))?;
     }
     writeln!(out, "adjacent faces ({}): {}", walk.adjacent_faces.len(), listed(&walk.adjacent_faces))?;
     if !walk.adjacent_names.is_empty() {

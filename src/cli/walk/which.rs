@@ -24,6 +24,14 @@ pub(super) fn faces(subject: &Subject, id: Option<FaceId>, name: Option<&str>) -
     let name = name.unwrap_or_default();
     let named = || subject.faces().filter_map(|f| Some((f, subject.name(f)?)));
     let wanted = name.to_lowercase();
+    // Of polygons that were mended all faces that one of this name covers, whatever else does.
+    if let Some(covering) = &subject.covering {
+        let exact = covering.faces_named(|known| known == name);
+        let found = if exact.is_empty() { covering.faces_named(|known| known.to_lowercase() == wanted) } else { exact };
+        if !found.is_empty() {
+            return Ok(found);
+        }
+    }
     let exact: Vec<FaceId> = named().filter(|(_, known)| *known == name).map(|(f, _)| f).collect();
     let found = if exact.is_empty() {
         named().filter(|(_, known)| known.to_lowercase() == wanted).map(|(f, _)| f).collect()

@@ -1,5 +1,6 @@
 //! The records of a PLY file, from text or from binary data.
 
+use super::super::words::counted;
 use super::header::{Element, Kind};
 use crate::io::problem::{ReadError, ReadProblem};
 use crate::io::text::{Scanner, Syntax};
@@ -210,7 +211,8 @@ impl<const LITTLE: bool> Records for Binary<'_, LITTLE> {
     fn finish(&mut self, notes: &mut Vec<String>) -> Result<(), ReadError> {
         let rest = self.bytes[self.at..].trim_ascii().len();
         if rest > 0 {
-            notes.push(format!("{} bytes after the last element were skipped", self.remaining()));
+            let (left, were) = (self.remaining(), if self.remaining() == 1 { "was" } else { "were" });
+            notes.push(format!("{} after the last element {were} skipped", counted(left, "byte", "bytes")));
         }
         Ok(())
     }

@@ -1,7 +1,7 @@
 //! The files of this build. Generated: `dcel lab bundle`.
 
 #[rustfmt::skip]
-pub(super) const SOURCES: [(&str, &str); 291] = [
+pub(super) const SOURCES: [(&str, &str); 294] = [
     ("LICENSE-APACHE", include_str!("../../../LICENSE-APACHE")),
     ("LICENSE-MIT", include_str!("../../../LICENSE-MIT")),
     ("figures/cube.svg", include_str!("../../../figures/cube.svg")),
@@ -203,6 +203,8 @@ pub(super) const SOURCES: [(&str, &str); 291] = [
     ("src/plane/meet/grid.rs", include_str!("../../../src/plane/meet/grid.rs")),
     ("src/plane/meet/interval.rs", include_str!("../../../src/plane/meet/interval.rs")),
     ("src/plane/meet/mod.rs", include_str!("../../../src/plane/meet/mod.rs")),
+    ("src/plane/mend/cover.rs", include_str!("../../../src/plane/mend/cover.rs")),
+    ("src/plane/mend/mod.rs", include_str!("../../../src/plane/mend/mod.rs")),
     ("src/plane/mod.rs", include_str!("../../../src/plane/mod.rs")),
     ("src/plane/overlay/labels.rs", include_str!("../../../src/plane/overlay/labels.rs")),
     ("src/plane/overlay/mod.rs", include_str!("../../../src/plane/overlay/mod.rs")),
@@ -223,6 +225,7 @@ pub(super) const SOURCES: [(&str, &str); 291] = [
     ("src/plane/segments/residues.rs", include_str!("../../../src/plane/segments/residues.rs")),
     ("src/plane/segments/snap.rs", include_str!("../../../src/plane/segments/snap.rs")),
     ("src/plane/segments/split.rs", include_str!("../../../src/plane/segments/split.rs")),
+    ("src/plane/segments/touching.rs", include_str!("../../../src/plane/segments/touching.rs")),
     ("src/plane/segments/trace.rs", include_str!("../../../src/plane/segments/trace.rs")),
     ("src/plane/status.rs", include_str!("../../../src/plane/status.rs")),
     ("src/plane/subdivision.rs", include_str!("../../../src/plane/subdivision.rs")),

@@ -18,7 +18,8 @@ mod simple;
 pub use error::ConvertError;
 pub(super) use fans::by_direction;
 
-use super::{Point, Subdivision};
+use super::segments::insert_touching;
+use super::{InsertedCorner, Point, Subdivision};
 use crate::ids::{HalfEdgeId, VertexId};
 use crate::topology::{BuildError, Dcel, Faces, NoRecorder, PolygonList, match_faces};
 
@@ -29,6 +30,10 @@ pub struct ConvertOptions {
     pub orient: bool,
     /// Also look for overlaps that no shared edge or vertex betrays: all edges against each other, O(n log n).
     pub full_check: bool,
+    /// Insert corners where vertices lie exactly inside sides, if polygons do not fit together without them and do with
+    /// them: a hole that touches its outer cycle, a tip on the side of a neighbour, sides of different length along a
+    /// common border. Implies the full check.
+    pub insert_touching: bool,
 }
 
 /// A subdivision made by the converter, and what was done to the input.
@@ -40,6 +45,8 @@ pub struct Converted {
     pub turned: Vec<u32>,
     /// The vertices that no face uses. Their ids are left free.
     pub unused_vertices: Vec<VertexId>,
+    /// The corners that were inserted into sides, polygon by polygon.
+    pub inserted: Vec<InsertedCorner>,
 }
 
 /// Lists of faces that can be turned round.
@@ -154,7 +161,25 @@ impl Subdivision {
         polygons: &PolygonList,
         options: &ConvertOptions,
     ) -> Result<Converted, ConvertError> {
-        convert(points, polygons, options)
+        if !options.insert_touching {
+            return convert(points, polygons, options);
+        }
+        let options = ConvertOptions { full_check: true, insert_touching: false, ..*options };
+        convert(points.clone(), polygons, &options).or_else(|error| {
+            // Other errors no corner would help.
+            let between_rings = matches!(
+                error,
+                ConvertError::Geometry(_)
+                    | ConvertError::OverlapAtVertex { .. }
+                    | ConvertError::HoleOutside { .. }
+                    | ConvertError::InPieces { .. }
+                    | ConvertError::InsideFace { .. }
+            );
+            let Some((whole, inserted)) = between_rings.then(|| insert_touching(&points, polygons)).flatten() else {
+                return Err(error);
+            };
+            Ok(Converted { inserted, ..convert(points, &whole, &options)? })
+        })
     }
 }
 
@@ -221,10 +246,14 @@ fn finish<F: Turn + ?Sized>(
     })?;
     let mut dcel = Dcel::from_columns(matched.columns);
     let number = |dcel: &Dcel, h: HalfEdgeId| (!dcel.lacks_face(h)).then(|| dcel.face(h).number() - 1);
-    fans::link_by_angle(&mut dcel, &points, &matched.pinched, number)?;
-
+    let linked = fans::link_by_angle(&mut dcel, &points, &matched.pinched, number);
     let mut subdivision = Subdivision::from_parts(dcel, points.into());
-    subdivision.nest(&matched.border, faces.with_holes())?;
+    let nested = linked.and_then(|()| subdivision.nest(&matched.border, faces.with_holes()));
+    if let Err(error) = nested {
+        // What lies in what, and what overlaps at a corner, is only known if nothing crosses.
+        let meeting = if options.full_check { subdivision.meeting() } else { None };
+        return Err(meeting.map_or(error, ConvertError::Geometry));
+    }
     let mut unused_vertices = Vec::new();
     if matched.isolated > 0 {
         unused_vertices.extend(subdivision.dcel.vertices().filter(|&v| subdivision.dcel.outgoing(v).is_none()));
@@ -236,5 +265,5 @@ fn finish<F: Turn + ?Sized>(
     if let Some(&violation) = violations.first() {
         return Err(violation.into());
     }
-    Ok(Converted { subdivision, turned, unused_vertices })
+    Ok(Converted { subdivision, turned, unused_vertices, inserted: Vec::new() })
 }

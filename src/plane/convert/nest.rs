@@ -90,7 +90,9 @@ impl Subdivision {
             let face = FaceId::new(number as u32 + 1);
             let in_pieces = ConvertError::InPieces { face: number as u32 };
             let mut boundary = None;
+            let (mut corner_count, mut walked) = (0, 0);
             for corners in polygons.cycles(number) {
+                corner_count += corners.len();
                 let ends = [corners[0], corners[1]].map(VertexId::new);
                 let Some(start) = self.half_edge_of(face, ends) else { return Err(in_pieces) };
                 if seen[start.index()] {
@@ -98,6 +100,7 @@ impl Subdivision {
                 }
                 for h in self.dcel.cycle(start) {
                     seen[h.index()] = true;
+                    walked += 1;
                     edges.push(h.edge());
                 }
                 if !encloses(self.corner_points(start)) {
@@ -106,7 +109,8 @@ impl Subdivision {
                     return Err(in_pieces);
                 }
             }
-            if boundary.is_none() {
+            // Holes that touch may also have made more cycles than there are rings.
+            if boundary.is_none() || walked != corner_count {
                 return Err(in_pieces);
             }
             self.dcel.set_boundary(face, boundary, &mut NoRecorder);

@@ -117,7 +117,7 @@ pub enum SegmentsError {
         error: CoordinateError,
     },
     /// A segment that refers to a point that is not there.
-    #[error("segment {segment} leads to point {point}, but there are {points} points")]
+    #[error("segment {segment} leads to point {point}, but there {}", if *.points == 1 { "is 1 point".to_owned() } else { format!("are {points} points") })]
     NoSuchPoint {
         /// The segment.
         segment: u32,

@@ -22,11 +22,14 @@ mod places;
 mod residues;
 mod snap;
 mod split;
+mod touching;
 mod trace;
 
 pub use error::{SegmentFault, SegmentsError};
 pub use holes::MarkHolesError;
 pub use residues::Residues;
+pub use touching::InsertedCorner;
+pub(super) use touching::{insert_touching, sides_of};
 
 use super::{Point, Subdivision};
 use crate::ids::{EdgeId, HalfEdgeId, VertexId};
@@ -102,6 +105,11 @@ impl Arranged {
     #[must_use]
     pub fn chain(&self, segment: usize) -> &[HalfEdgeId] {
         self.chains.of(segment)
+    }
+
+    /// The segments that have become several edges, by input number.
+    pub fn split_segments(&self) -> impl Iterator<Item = u32> + '_ {
+        (0..self.chains.count()).filter(|&i| self.chains.of(i).len() > 1).map(|i| i as u32)
     }
 
     /// The segments that run along each edge.

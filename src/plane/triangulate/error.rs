@@ -19,7 +19,7 @@ pub enum TriangulateError {
     /// The positions do not fit the structure: edges cross, or overlap. That can only be if the subdivision was
     /// converted without the full check.
     #[error(
-        "{face} cannot be triangulated: near {vertex} its edges cross or overlap; geometry_violations() says where"
+        "{face} cannot be triangulated: near {vertex} its edges cross or overlap; `dcel validate`, or Subdivision::geometry_violations, says where"
     )]
     NotPlanar {
         /// The face.

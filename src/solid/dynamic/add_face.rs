@@ -24,7 +24,7 @@ pub enum AddFaceError {
     #[error(transparent)]
     Id(#[from] IdError),
     /// Fewer than three corners.
-    #[error("a face with {corners} corners: three are needed; list its vertices counter-clockwise")]
+    #[error("a face with {corners} corner{}: three are needed; list its vertices counter-clockwise", if *.corners == 1 { "" } else { "s" })]
     TooFewCorners {
         /// How many were given.
         corners: usize,

@@ -25,7 +25,7 @@ pub enum BuildError {
         vertices: usize,
     },
     /// A cycle with fewer than three corners.
-    #[error("face {face} has a cycle with {corners} corners: three are needed; leave the face out")]
+    #[error("face {face} has a cycle with {corners} corner{}: three are needed; leave the face out", if *.corners == 1 { "" } else { "s" })]
     TooFewCorners {
         /// The face.
         face: u32,

@@ -1,7 +1,7 @@
 //! The files of this build. Generated: `dcel lab bundle`.
 
 #[rustfmt::skip]
-pub(super) const SOURCES: [(&str, &str); 235] = [
+pub(super) const SOURCES: [(&str, &str); 238] = [
     ("figures/data/rooms.map", include_str!("../../../../figures/data/rooms.map")),
     ("figures/data/states-albers-10m.json", include_str!("../../../../figures/data/states-albers-10m.json")),
     ("figures/scripts/join-faces.dcels", include_str!("../../../../figures/scripts/join-faces.dcels")),
@@ -99,8 +99,10 @@ pub(super) const SOURCES: [(&str, &str); 235] = [
     ("src/io/grid.rs", include_str!("../../../../src/io/grid.rs")),
     ("src/io/json.rs", include_str!("../../../../src/io/json.rs")),
     ("src/io/load.rs", include_str!("../../../../src/io/load.rs")),
+    ("src/io/mend.rs", include_str!("../../../../src/io/mend.rs")),
     ("src/io/mesh.rs", include_str!("../../../../src/io/mesh.rs")),
     ("src/io/mesh/write.rs", include_str!("../../../../src/io/mesh/write.rs")),
+    ("src/io/misfit.rs", include_str!("../../../../src/io/misfit.rs")),
     ("src/io/mod.rs", include_str!("../../../../src/io/mod.rs")),
     ("src/io/model.rs", include_str!("../../../../src/io/model.rs")),
     ("src/io/near.rs", include_str!("../../../../src/io/near.rs")),
@@ -123,6 +125,7 @@ pub(super) const SOURCES: [(&str, &str); 235] = [
     ("src/io/topojson.rs", include_str!("../../../../src/io/topojson.rs")),
     ("src/io/triangle.rs", include_str!("../../../../src/io/triangle.rs")),
     ("src/io/wkt.rs", include_str!("../../../../src/io/wkt.rs")),
+    ("src/io/words.rs", include_str!("../../../../src/io/words.rs")),
     ("src/io/write.rs", include_str!("../../../../src/io/write.rs")),
     ("src/lab/batch.rs", include_str!("../../../../src/lab/batch.rs")),
     ("src/lab/cache.rs", include_str!("../../../../src/lab/cache.rs")),

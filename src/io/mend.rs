@@ -1,0 +1,218 @@
+//! Polygons of a file that do not fit together, mended and told.
+
+use super::load::{LoadError, Whereabouts};
+use super::misfit::Told;
+use super::soup::Places;
+use super::words::counted;
+use super::write::Number;
+use crate::ids::{FaceId, FaceMap, VertexId};
+use crate::plane::{Cover, Mended, Point, SegmentsError, Subdivision};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// So many names stand on one face; more are counted.
+const NAMES: usize = 6;
+/// So many places and overlaps are told; more are counted.
+const SHOWN: usize = 3;
+
+/// Which polygons of the file cover each face, by name.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Covering {
+    /// The polygons by their numbers in the file.
+    pub cover: Cover,
+    /// How many polygons there are.
+    pub polygons: usize,
+    /// The name of each polygon, or nothing at all if the file has no names.
+    pub names: Vec<Option<String>>,
+    /// The sum of the areas that are covered more than once, each counted once: the exact sum, rounded.
+    pub overlapping: f64,
+}
+
+impl Covering {
+    /// The names of the polygons that cover a face, each once, in the order of the file.
+    pub fn names(&self, f: FaceId) -> impl Iterator<Item = &str> {
+        let mut seen = BTreeSet::new();
+        let named = self.cover.polygons(f).into_iter().filter_map(|i| self.names.get(i as usize)?.as_deref());
+        named.filter(move |&name| seen.insert(name))
+    }
+
+    /// The faces that polygons of this name cover, in increasing order.
+    #[must_use]
+    pub fn faces_named(&self, fits: impl Fn(&str) -> bool) -> Vec<FaceId> {
+        let wanted: Vec<bool> = self.names.iter().map(|name| name.as_deref().is_some_and(&fits)).collect();
+        let mut faces = Vec::new();
+        self.cover.visit(|f, polygons| {
+            if polygons.iter().any(|&i| wanted.get(i as usize) == Some(&true)) {
+                faces.push(f);
+            }
+        });
+        faces.sort_unstable();
+        faces
+    }
+}
+
+/// The subdivision that the polygons cut the plane into, with the names of its faces and what to tell.
+pub(super) struct MendedSoup {
+    pub(super) subdivision: Subdivision,
+    pub(super) names: FaceMap<Option<String>>,
+    pub(super) covering: Covering,
+    pub(super) notes: Vec<String>,
+}
+
+/// Mends polygons. `blocked` are those that are no part of the domain, in increasing order.
+pub(super) fn mend(told: &Told<'_>, names: Vec<Option<String>>, blocked: &[u32]) -> Result<MendedSoup, LoadError> {
+    let points: Vec<Point> = told.points.iter().map(|&[x, y, _]| Point::new(x, y)).collect();
+    let mended = Subdivision::mend_polygons(&points, told.faces).map_err(|error| refused(told.places, error))?;
+    let covered = mended.subdivision.face_count() - mended.cover.uncovered().count();
+    let polygons = counted(told.faces.face_count(), "polygon", "polygons");
+    let mut notes = vec![format!("mended: {polygons} became {}", counted(covered, "face", "faces"))];
+    note_splits(&mended, told, &mut notes);
+    let overlapping = note_overlaps(&mended, told, &mut notes);
+    note_rest(&mended, told, &mut notes);
+    let Mended { mut subdivision, cover, .. } = mended;
+    let any_name = names.iter().any(Option::is_some);
+    let mut by_face = FaceMap::default();
+    cover.visit(|f, polygons| {
+        if any_name && !polygons.is_empty() {
+            by_face.set(f, joined(polygons, &names, told), None);
+        }
+        if polygons.iter().any(|polygon| blocked.binary_search(polygon).is_ok()) {
+            subdivision.set_hole(f, true);
+        }
+    });
+    Ok(MendedSoup {
+        subdivision,
+        names: by_face,
+        covering: Covering { cover, polygons: told.faces.face_count(), names, overlapping },
+        notes,
+    })
+}
+
+fn refused(places: &Places, error: SegmentsError) -> LoadError {
+    let first = match error {
+        SegmentsError::Coordinate { point, .. } => places.vertex(point as usize),
+        _ => places.source.clone(),
+    };
+    LoadError::Segments { at: Box::new(Whereabouts { first, others: Vec::new() }), error }
+}
+
+/// `Ohio & Erie`: the names of some polygons, each once; without a name, a polygon by its path.
+fn joined(polygons: &BTreeSet<u32>, names: &[Option<String>], told: &Told<'_>) -> Option<String> {
+    let name = |&i: &u32| names.get(i as usize).and_then(Option::clone);
+    if polygons.iter().all(|i| name(i).is_none()) {
+        return None;
+    }
+    let mut shown: Vec<String> = Vec::new();
+    let mut looked_at = 0;
+    for i in polygons {
+        let word = name(i).unwrap_or_else(|| told.polygon(*i));
+        if !shown.contains(&word) {
+            if shown.len() == NAMES {
+                break;
+            }
+            shown.push(word);
+        }
+        looked_at += 1;
+    }
+    let more = polygons.len() - looked_at;
+    let rest = if more > 0 { format!(" & {more} more") } else { String::new() };
+    Some(shown.join(" & ") + &rest)
+}
+
+/// The first few of a long list, and how many there are beside them.
+fn listed(all: &[String]) -> String {
+    let rest = all.len().saturating_sub(SHOWN);
+    let first = all[..all.len().min(SHOWN)].join("; ");
+    if rest == 0 { first } else { format!("{first}; and {rest} more") }
+}
+
+/// What was split, and what moved.
+fn note_splits(mended: &Mended, told: &Told<'_>, notes: &mut Vec<String>) {
+    let s = &mended.subdivision;
+    let around = |v: VertexId| {
+        let mut all = BTreeSet::new();
+        for h in s.outgoing_half_edges(v) {
+            all.extend(mended.outlines(h.edge()).iter().copied());
+        }
+        all.into_iter().map(|i| told.polygon(i)).collect::<Vec<_>>()
+    };
+    let place = |&v: &VertexId| {
+        let (polygons, at) = (around(v), told.in_file(s.point(v)));
+        match polygons.as_slice() {
+            [] => at,
+            [one] => format!("{one} crosses itself at {at}"),
+            [most @ .., last] if most.len() < SHOWN => format!("{} and {last} cross at {at}", most.join(", ")),
+            many => format!("{} polygons cross at {at}", many.len()),
+        }
+    };
+    let shown = |vertices: &[VertexId]| {
+        let first: Vec<String> = vertices.iter().take(SHOWN).map(place).collect();
+        let rest = vertices.len() - first.len();
+        first.join("; ") + &if rest == 0 { String::new() } else { format!("; and {rest} more") }
+    };
+    if !mended.crossings.is_empty() {
+        let count = counted(mended.crossings.len(), "vertex was made", "vertices were made");
+        notes.push(format!("{count} where sides cross: {}", shown(&mended.crossings)));
+    }
+    if !mended.touching.is_empty() {
+        let places = mended.touching.iter().map(|&v| told.in_file(s.point(v))).collect::<Vec<_>>();
+        let count = counted(places.len(), "corner lies", "corners lie");
+        notes.push(format!("{count} inside sides, which were split there: {}", listed(&places)));
+    }
+    if !mended.moved.is_empty() {
+        let count = counted(mended.moved.len(), "vertex was moved", "vertices were moved");
+        let grid = mended.grid.map_or_else(String::new, |grid| format!(" to a grid of {}", Number(grid)));
+        notes.push(format!("{count} by rounding{grid}; no side moved further than {:.2e}", mended.farthest));
+    }
+}
+
+/// What overlaps, largest first; returns the area of all.
+fn note_overlaps(mended: &Mended, told: &Told<'_>, notes: &mut Vec<String>) -> f64 {
+    let mut groups: BTreeMap<Vec<u32>, (usize, Vec<FaceId>)> = BTreeMap::new();
+    let mut all = Vec::new();
+    mended.cover.visit(|f, polygons| {
+        if polygons.len() > 1 {
+            // Of a crowd only the first ones make the group, so that deep piles take no room.
+            let group = groups.entry(polygons.iter().copied().take(NAMES).collect()).or_default();
+            group.0 = group.0.max(polygons.len());
+            group.1.push(f);
+            all.push(f);
+        }
+    });
+    if all.is_empty() {
+        return 0.0;
+    }
+    let mut told_groups: Vec<(f64, String)> = Vec::new();
+    for (polygons, (count, faces)) in &groups {
+        let area = mended.subdivision.area_of(faces.iter().copied());
+        let mut names: Vec<String> = polygons.iter().map(|&i| told.polygon(i)).collect();
+        if *count > names.len() {
+            names.push(format!("{} more", count - names.len()));
+        }
+        let last = names.pop().unwrap_or_default();
+        let words = format!("{} and {last} overlap in area {}", names.join(", "), Number(area));
+        told_groups.push((area, words));
+    }
+    told_groups.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let total = mended.subdivision.area_of(all.iter().copied());
+    let words: Vec<String> = told_groups.into_iter().map(|group| group.1).collect();
+    let faces = counted(all.len(), "face is", "faces are");
+    notes.push(format!("{faces} covered more than once, area {} in all: {}", Number(total), listed(&words)));
+    total
+}
+
+/// What was left out, and what has no part in the result.
+fn note_rest(mended: &Mended, told: &Told<'_>, notes: &mut Vec<String>) {
+    if mended.left_out > 0 {
+        let count = counted(mended.left_out, "piece of a side was", "pieces of sides were");
+        notes.push(format!("{count} left out: the same polygons, or none, lie on both sides"));
+    }
+    let mut covers = vec![false; told.faces.face_count()];
+    for e in mended.subdivision.edges() {
+        mended.outlines(e).iter().for_each(|&i| covers[i as usize] = true);
+    }
+    let lost: Vec<String> = (0..covers.len()).filter(|&i| !covers[i]).map(|i| told.polygon(i as u32)).collect();
+    if !lost.is_empty() {
+        let count = counted(lost.len(), "polygon covers", "polygons cover");
+        notes.push(format!("{count} nothing: {}", listed(&lost)));
+    }
+}
