@@ -162,12 +162,9 @@ fn flags(error: &LoadError) -> Option<&'static str> {
             | ConvertError::InPieces { .. }
             | ConvertError::InsideFace { .. } => Some(MEND),
             ConvertError::ZeroArea { .. } => Some("remove it, or leave out all that has no area with --mend"),
-            ConvertError::Build(error) => match error {
-                BuildError::RepeatedVertex { .. }
-                | BuildError::SameFaceTwice { .. }
-                | BuildError::ThreeFaces { .. } => Some(MEND),
-                _ => None,
-            },
+            ConvertError::Build(
+                BuildError::RepeatedVertex { .. } | BuildError::SameFaceTwice { .. } | BuildError::ThreeFaces { .. },
+            ) => Some(MEND),
             _ => None,
         },
         _ => None,

@@ -101,7 +101,7 @@ impl When {
 
     /// Whether it holds for a call.
     pub(super) fn holds(&self, call: u128) -> bool {
-        self.0.iter().any(|&term| call & term == term)
+        self.0.iter().any(|&term| term & !call == 0)
     }
 
     /// As it stands in a file: `outer+twice|bridge`; `always` for a term without features.

@@ -101,7 +101,7 @@ impl<'a> Units<'a> {
                 continue;
             }
             let step = Step::Call { function: exchange.function.to_owned(), arguments: exchange.words.to_vec() };
-            if !course.concerns(suite, &step, Some(&exchange)).iter().any(|&name| name == test) {
+            if !course.concerns(suite, &step, Some(&exchange)).contains(&test) {
                 continue;
             }
             let to = if blamed.flatten() == Some(test) { &mut calls.failing } else { &mut calls.passing };
@@ -123,7 +123,7 @@ impl<'a> Units<'a> {
                 stopped.insert(place);
             }
             // What is wrong counts wherever it shows.
-            if own.is_none() && !unit.tests.iter().any(|&name| name == test) {
+            if own.is_none() && !unit.tests.contains(&test) {
                 continue;
             }
             ruling.asked += 1;

@@ -1,5 +1,7 @@
 //! Subdivisions of the plane: a file for each promise.
 
+#![allow(clippy::float_cmp)] // exact equality is meant
+
 mod areas;
 mod convert;
 mod edits;

@@ -146,7 +146,7 @@ fn again(
 /// Grades the submissions, and writes the reports as they come; a bar shows how far it is where somebody watches.
 /// What is there is written, also if it is not all: then with the reason.
 fn graded(args: &Args, lab: &Lab, lists: &Lists, out: &mut Output) -> Result<(Vec<Report>, Option<Failure>), Failure> {
-    let submissions = Submission::class(&args.submissions, args.all_in.as_deref()).map_err(no_class)?;
+    let submissions = Submission::class(&args.submissions, args.all_in.as_deref()).map_err(|error| no_class(&error))?;
     let own: Vec<&str> = submissions.iter().map(Submission::name).collect();
     let lists = lists.resolve(&own, |i, name| submissions[i].is_called(name))?;
     let mut class = Class::new(args, lab, &lists, submissions.len())?;
@@ -217,13 +217,13 @@ fn graded(args: &Args, lab: &Lab, lists: &Lists, out: &mut Output) -> Result<(Ve
     Ok((reports, end))
 }
 
-fn no_class(error: ClassError) -> Failure {
-    let help = match &error {
+fn no_class(error: &ClassError) -> Failure {
+    let help = match error {
         ClassError::Unreadable { .. } => "name a folder or a file",
         ClassError::Empty { .. } => "put a file or folder there for each",
         _ => "name the folder that holds the submissions, or a .zip of it",
     };
-    let what = match &error {
+    let what = match error {
         ClassError::Unreadable { path, error } if error.kind() == std::io::ErrorKind::NotFound => {
             format!("{}: is not there", path.display())
         }

@@ -81,6 +81,7 @@ mod tests {
     }
 
     #[test]
+    #[allow(clippy::float_cmp)] // exact equality is meant
     fn round_a_box_that_is_fitted_more_is_shown() {
         assert_eq!(shown([0.0, 0.0, 100.0, 50.0], Some([100.0, 100.0]), ""), [0.0, -25.0, 100.0, 100.0]);
         assert_eq!(shown([5.0, 5.0, 1.0, 1.0], None, ""), [5.0, 5.0, 1.0, 1.0]);

@@ -224,6 +224,7 @@ mod tests {
     }
 
     #[test]
+    #[allow(clippy::float_cmp)] // exact equality is meant
     fn the_usual_ways_to_write_a_midpoint_agree_where_bits_matter_and_careless_ones_do_not() {
         for start in rounding() {
             let Start::Polygon(corners) = start else { unreachable!() };

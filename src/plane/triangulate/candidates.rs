@@ -23,10 +23,9 @@ impl Candidates {
         let mut bits = n;
         loop {
             let mut words = vec![u64::MAX; bits.div_ceil(WORD).max(1)];
-            if bits % WORD != 0 || bits == 0 {
-                if let Some(last) = words.last_mut() {
-                    *last = (1 << (bits % WORD)) - 1;
-                }
+            // In the last word only the bits of numbers below n.
+            if let Some(last) = words.last_mut().filter(|_| !bits.is_multiple_of(WORD) || bits == 0) {
+                *last = (1 << (bits % WORD)) - 1;
             }
             bits = words.len();
             self.levels.push(words);

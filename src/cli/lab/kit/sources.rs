@@ -1,7 +1,7 @@
 //! The files of this build. Generated: `dcel lab bundle`.
 
 #[rustfmt::skip]
-pub(super) const SOURCES: [(&str, &str); 238] = [
+pub(super) const SOURCES: [(&str, &str); 243] = [
     ("figures/data/rooms.map", include_str!("../../../../figures/data/rooms.map")),
     ("figures/data/states-albers-10m.json", include_str!("../../../../figures/data/states-albers-10m.json")),
     ("figures/scripts/join-faces.dcels", include_str!("../../../../figures/scripts/join-faces.dcels")),
@@ -147,7 +147,11 @@ pub(super) const SOURCES: [(&str, &str); 238] = [
     ("src/lab/reports/sheet.rs", include_str!("../../../../src/lab/reports/sheet.rs")),
     ("src/lab/reports/text.rs", include_str!("../../../../src/lab/reports/text.rs")),
     ("src/lab/reports/words.rs", include_str!("../../../../src/lab/reports/words.rs")),
+    ("src/lab/similar/mod.rs", include_str!("../../../../src/lab/similar/mod.rs")),
+    ("src/lab/similar/tokens.rs", include_str!("../../../../src/lab/similar/tokens.rs")),
     ("src/lab/student.rs", include_str!("../../../../src/lab/student.rs")),
+    ("src/lab/submission/archive.rs", include_str!("../../../../src/lab/submission/archive.rs")),
+    ("src/lab/submission/handed.rs", include_str!("../../../../src/lab/submission/handed.rs")),
     ("src/lab/submission/linker.rs", include_str!("../../../../src/lab/submission/linker.rs")),
     ("src/lab/submission/room.rs", include_str!("../../../../src/lab/submission/room.rs")),
     ("src/lab/vendor.rs", include_str!("../../../../src/lab/vendor.rs")),
@@ -160,6 +164,7 @@ pub(super) const SOURCES: [(&str, &str); 238] = [
     ("src/lab/walls/processes.rs", include_str!("../../../../src/lab/walls/processes.rs")),
     ("src/lab/walls/spec.rs", include_str!("../../../../src/lab/walls/spec.rs")),
     ("src/lab/walls/user.rs", include_str!("../../../../src/lab/walls/user.rs")),
+    ("src/lab/whole.rs", include_str!("../../../../src/lab/whole.rs")),
     ("src/main.rs", include_str!("../../../../src/main.rs")),
     ("src/navmesh/around.rs", include_str!("../../../../src/navmesh/around.rs")),
     ("src/navmesh/change.rs", include_str!("../../../../src/navmesh/change.rs")),
