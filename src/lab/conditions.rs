@@ -25,6 +25,9 @@ const UNLIKELY: u128 = 20;
 const TERM: usize = 3;
 const TERMS: usize = 6;
 
+/// The condition that holds for no call.
+const NEVER: &str = "never";
+
 /// The calls of a test, each as the set of its features.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(super) struct Calls {
@@ -80,11 +83,12 @@ pub(super) struct When(Vec<u128>);
 impl When {
     /// The condition that holds in exactly the failing calls, built of a few short terms; `None` if there is none.
     ///
-    /// Greedy: the term that no passing call fulfils and that explains the most calls comes first.
+    /// Greedy: the term that no passing call fulfils and that explains the most calls comes first. Where no call fails,
+    /// what is wrong shows elsewhere (in the count of reads, say): the condition holds never.
     pub(super) fn learn(calls: &Calls) -> Option<Self> {
         let passing: BTreeSet<u128> = calls.passing.iter().copied().collect();
         let mut open: BTreeSet<u128> = calls.failing.iter().copied().collect();
-        if open.is_empty() || !open.is_disjoint(&passing) {
+        if open.is_empty() && passing.is_empty() || !open.is_disjoint(&passing) {
             return None;
         }
         let mut terms = Vec::new();
@@ -104,8 +108,11 @@ impl When {
         self.0.iter().any(|&term| term & !call == 0)
     }
 
-    /// As it stands in a file: `outer+twice|bridge`; `always` for a term without features.
+    /// As it stands in a file: `outer+twice|bridge`; `always` for a term without features, `never` without terms.
     pub(super) fn to_text(&self, vocabulary: &[Feature]) -> String {
+        if self.0.is_empty() {
+            return NEVER.to_owned();
+        }
         let mut out = String::new();
         for (i, &term) in self.0.iter().enumerate() {
             let ids: Vec<&str> = of(term, vocabulary).map(|feature| feature.id).collect();
@@ -122,6 +129,9 @@ impl When {
             "always" => Some(0),
             ids => ids.split('+').try_fold(0, |set, id| Some(set | bit(id)?)),
         };
+        if text == NEVER {
+            return Some(Self(Vec::new()));
+        }
         text.split('|').map(term).collect::<Option<Vec<u128>>>().map(Self)
     }
 }
@@ -213,6 +223,9 @@ mod tests {
         assert_eq!(When::parse("a|b+c", WORDS), Some(when));
         assert_eq!(When::learn(&calls(&[0b1], &[])).unwrap().to_text(WORDS), "always");
         assert_eq!(When::parse("always", WORDS).map(|when| when.holds(0)), Some(true));
+        let never = When::learn(&calls(&[], &[0b1])).unwrap();
+        assert!(!never.holds(0b1) && never.to_text(WORDS) == "never" && When::parse("never", WORDS) == Some(never));
+        assert_eq!(When::learn(&calls(&[], &[])), None, "nothing is known");
         assert_eq!(When::parse("a+z", WORDS), None);
         assert_eq!(When::learn(&calls(&[0b1], &[0b1])), None, "the same call cannot pass and fail");
     }

@@ -90,21 +90,21 @@ impl<'a> Units<'a> {
         for (i, unit) in self.all.iter().enumerate() {
             let place = (unit.case, unit.part);
             let already = stopped.contains(&place);
-            let fault = at(&self.faults[unit.case], unit.step).first();
-            if fault.is_some() {
+            let faults = at(&self.faults[unit.case], unit.step);
+            if !faults.is_empty() {
                 stopped.insert(place);
             }
             let Some(exchange) = unit.exchange.filter(|_| !already && of(unit)) else { continue };
             // A fault that no test is to blame for says nothing; one in an earlier step hides this one.
-            let blamed = fault.map(|fault| course.blames(fault));
-            if blamed == Some(None) || blamed.flatten().is_some_and(|blamed| needs.has_here(blamed)) {
+            let blamed: Option<Vec<&str>> = faults.iter().map(|fault| course.blames(fault)).collect();
+            let Some(blamed) = blamed.filter(|blamed| !blamed.iter().any(|name| needs.has_here(name))) else {
                 continue;
-            }
+            };
             let step = Step::Call { function: exchange.function.to_owned(), arguments: exchange.words.to_vec() };
             if !course.concerns(suite, &step, Some(&exchange)).contains(&test) {
                 continue;
             }
-            let to = if blamed.flatten() == Some(test) { &mut calls.failing } else { &mut calls.passing };
+            let to = if blamed.contains(&test) { &mut calls.failing } else { &mut calls.passing };
             to.extend(self.features(course, i));
         }
     }
@@ -201,7 +201,8 @@ fn parts(case: &Case) -> Vec<usize> {
             last += 1;
             now = last;
         }
-        let only_reads = matches!(step, Step::Call { .. }) && !case.steps.get(i + 1).is_some_and(Step::shows);
+        let after = case.steps[i + 1..].iter().find(|step| **step != Step::Reads);
+        let only_reads = matches!(step, Step::Call { .. }) && !after.is_some_and(Step::shows);
         if only_reads {
             last += 1;
         }

@@ -90,5 +90,5 @@ fn a_grid_is_told_with_what_it_moved_and_refused_where_doubles_do_not_reach() {
     assert_eq!(report["displaced"].as_array().unwrap().len(), 3);
     folder.dcel("build cross.segments --split-crossings --grid 1e-20").fails(2, "the grid", "");
     folder.dcel("build cross.segments --split-crossings --grid 0").fails(2, "the grid 0 cannot be used", "");
-    folder.dcel("build cross.segments --grid 1").fails(2, "", "--split-crossings");
+    folder.dcel("build cross.segments --grid 1").fails(2, "", "--mend");
 }

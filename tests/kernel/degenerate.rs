@@ -26,7 +26,7 @@ fn refused() -> Vec<(&'static str, Vec<u8>, Vec<&'static str>)> {
         ("missing.obj", text(SQUARE, "f 1 2 9\n"), vec!["missing.obj:5:7", "9"]),
         ("zero.obj", text(SQUARE, "f 0 1 2\n"), vec!["zero.obj:5:3", "0"]),
         ("two.obj", text(SQUARE, "f 1 2 3\nf 3 4\n"), vec!["two.obj:6", "2 corners"]),
-        ("bow.obj", text(SQUARE, "f 1 3 2 4\n"), vec!["bow.obj:5", "crosses", "0 -> 2", "1 -> 3"]),
+        ("bow.obj", text(SQUARE, "f 1 3 2 4\n"), vec!["bow.obj:5", "crosses", "(0, 0) -> (4, 4)", "(4, 0) -> (0, 4)"]),
         (
             "three.obj",
             text(SQUARE, "v 2 -9\nf 1 2 3\nf 1 2 4\nf 2 1 5\n"),

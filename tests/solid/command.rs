@@ -209,7 +209,7 @@ fn wound_wrong_and_one_sided_surfaces_are_told_apart() {
     told.fails(2, "turned.off:12: faces 1 and", "--orient");
     assert!(told.err.contains("reverse face 1"), "{told:?}");
     let told = folder.dcel("solid info turned.off --orient --json");
-    assert!(told.err.contains("1 of 6 faces were wound against the rest and were turned round"), "{told:?}");
+    assert!(told.err.contains("1 of 6 faces was wound against the rest and turned round"), "{told:?}");
     assert_eq!(told.json()["volume"], 1.0);
     let strip = "OFF\n5 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 1\n0 0 1\n3 0 1 2\n3 2 1 3\n3 2 3 4\n3 4 3 0\n3 4 0 1\n";
     folder.write("strip.off", strip);

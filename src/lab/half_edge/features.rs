@@ -29,6 +29,8 @@ vocabulary! {
     Same "same" "he1 and he2 are the same half-edge",
     Next "next" "he2 is the next of he1",
     Prev "prev" "he1 is the next of he2",
+    OnlyNext "only_next" "he2 is the next of he1, and he1 is not the next of he2",
+    OnlyPrev "only_prev" "he1 is the next of he2, and he2 is not the next of he1",
     NextOrPrev "next_or_prev" "one of the two half-edges is the next of the other",
     OtherFaces "other_faces" "he1 and he2 have different faces",
     Illegal "illegal" "the call must be refused",
@@ -61,6 +63,7 @@ vocabulary! {
     Twice "twice" "the face meets a vertex twice",
     CornerTwice "corner_twice" "the face meets the origin of he1 or of he2 twice",
     OneVertex "one_vertex" "he1 and he2 start at the same vertex",
+    TwoVertices "two_vertices" "he1 and he2 start at two different vertices",
     Neighbours "neighbours" "an edge joins the two origins, though neither half-edge follows the other",
     He1Ends "he1_ends" "he1 ends where he2 starts, though he2 is not the next of it",
     He2Ends "he2_ends" "he2 ends where he1 starts, though he1 is not the next of it",
@@ -297,14 +300,18 @@ fn split_face(set: &mut Set, table: &Table, [h1, h2]: [HalfEdgeId; 2]) -> Option
     let legal = may_split_face(table, h1, h2);
     set.either(Word::Legal, Word::Illegal, legal == Legal::Yes);
     set.add(Word::Same, h1 == h2);
-    set.add(Word::Next, table.next(h1) == Some(h2));
-    set.add(Word::Prev, table.next(h2) == Some(h1));
-    set.add(Word::NextOrPrev, table.next(h1) == Some(h2) || table.next(h2) == Some(h1));
+    let (next, prev) = (table.next(h1) == Some(h2), table.next(h2) == Some(h1));
+    set.add(Word::Next, next);
+    set.add(Word::Prev, prev);
+    set.add(Word::OnlyNext, next && !prev);
+    set.add(Word::OnlyPrev, prev && !next);
+    set.add(Word::NextOrPrev, next || prev);
     set.add(Word::OtherFaces, table.face(h1) != table.face(h2));
     set.either(Word::He1Greater, Word::He2Greater, h1 > h2);
     let f = table.face(h1)?;
     let (o1, o2) = (table.origin(h1)?, table.origin(h2)?);
     set.add(Word::OneVertex, o1 == o2 && h1 != h2);
+    set.add(Word::TwoVertices, o1 != o2);
     let spokes = table.outgoing(o1).map_or_else(Vec::new, |h| star(table, h));
     let joined = spokes.iter().any(|&h| table.twin(h).and_then(|twin| table.origin(twin)) == Some(o2));
     set.add(Word::Neighbours, joined && legal == Legal::Yes);

@@ -91,6 +91,8 @@ impl Course for HalfEdge {
 
     fn concerns(&self, suite: &Suite, step: &Step, exchange: Option<&Exchange>) -> Vec<&'static str> {
         match (suite.name, exchange) {
+            // Where only the reads of a split are counted, nobody sees what has come of it.
+            (_, Some(exchange)) if is_unseen(exchange) => Vec::new(),
             // A call that must be refused is the matter of step 0 alone.
             ("split_face", Some(exchange)) if !split_face::is_legal(exchange) => vec![split_face::TESTS[0]],
             // To refuse a call is easy: what a sequence shows is shown by calls that are carried out.
@@ -136,6 +138,11 @@ fn is_blind(start: &Start) -> bool {
     let Start::Table(table) = start else { return false };
     let mut places = table.vertices.iter().flatten().map(|row| row.position);
     places.next().is_some_and(|first| places.all(|other| other == first))
+}
+
+/// Whether the structure that a split has left is not shown.
+fn is_unseen(exchange: &Exchange) -> bool {
+    matches!(exchange.function, "split_face" | "split_in_half") && exchange.after.is_none()
 }
 
 fn by_call(case: &Case, answer: &CaseAnswer, judge: impl Fn(&Exchange) -> Vec<Fault>) -> Vec<Fault> {
