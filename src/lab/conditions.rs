@@ -12,8 +12,6 @@
 //! pairs that were tried would look like this. A sentence is true of the calls that were made, whatever the reason.
 
 use super::course::Feature;
-use std::collections::BTreeSet;
-use std::fmt::Write;
 
 /// Failing and passing calls that one feature needs.
 const ONE: [usize; 2] = [2, 3];
@@ -21,12 +19,8 @@ const ONE: [usize; 2] = [2, 3];
 const TWO: [usize; 2] = [4, 8];
 /// How many times more likely than chance.
 const UNLIKELY: u128 = 20;
-/// The longest conjunction, and the most of them, in the condition of a known mistake.
-const TERM: usize = 3;
-const TERMS: usize = 6;
-
 /// The condition that holds for no call.
-const NEVER: &str = "never";
+pub(super) const NEVER: &str = "never";
 
 /// The calls of a test, each as the set of its features.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -72,57 +66,22 @@ pub(super) fn sentence(condition: u128, calls: &Calls, vocabulary: &[Feature]) -
     format!("It fails in all {} calls where {}, and {others}.", calls.failing.len(), clauses.join(" and "))
 }
 
-fn of(set: u128, vocabulary: &[Feature]) -> impl Iterator<Item = &Feature> {
+pub(super) fn of(set: u128, vocabulary: &[Feature]) -> impl Iterator<Item = &Feature> {
     vocabulary.iter().enumerate().filter(move |(bit, _)| set >> bit & 1 == 1).map(|(_, feature)| feature)
 }
 
 /// When a known mistake fails: in the calls in which all features of one of the terms hold.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct When(Vec<u128>);
+pub(super) struct When(pub(super) Vec<u128>);
 
 impl When {
-    /// The condition that holds in exactly the failing calls, built of a few short terms; `None` if there is none.
-    ///
-    /// Greedy: the term that no passing call fulfils and that explains the most calls comes first. Where no call fails,
-    /// what is wrong shows elsewhere (in the count of reads, say): the condition holds never.
-    pub(super) fn learn(calls: &Calls) -> Option<Self> {
-        let passing: BTreeSet<u128> = calls.passing.iter().copied().collect();
-        let mut open: BTreeSet<u128> = calls.failing.iter().copied().collect();
-        if open.is_empty() && passing.is_empty() || !open.is_disjoint(&passing) {
-            return None;
-        }
-        let mut terms = Vec::new();
-        while !open.is_empty() {
-            let term = best_term(&open, &passing)?;
-            open.retain(|call| call & term != term);
-            terms.push(term);
-            if terms.len() > TERMS {
-                return None;
-            }
-        }
-        Some(Self(terms))
-    }
-
     /// Whether it holds for a call.
     pub(super) fn holds(&self, call: u128) -> bool {
         self.0.iter().any(|&term| term & !call == 0)
     }
 
-    /// As it stands in a file: `outer+twice|bridge`; `always` for a term without features, `never` without terms.
-    pub(super) fn to_text(&self, vocabulary: &[Feature]) -> String {
-        if self.0.is_empty() {
-            return NEVER.to_owned();
-        }
-        let mut out = String::new();
-        for (i, &term) in self.0.iter().enumerate() {
-            let ids: Vec<&str> = of(term, vocabulary).map(|feature| feature.id).collect();
-            let term = if ids.is_empty() { "always".to_owned() } else { ids.join("+") };
-            let _ = write!(out, "{}{term}", if i == 0 { "" } else { "|" });
-        }
-        out
-    }
-
-    /// Reads [`to_text`](Self::to_text); `None` if a feature is unknown.
+    /// Reads a condition as it stands in a file: `outer+twice|bridge`; `always` for a term without features, `never`
+    /// without terms. `None` if a feature is unknown.
     pub(super) fn parse(text: &str, vocabulary: &[Feature]) -> Option<Self> {
         let bit = |id: &str| vocabulary.iter().position(|feature| feature.id == id).map(|bit| 1_u128 << bit);
         let term = |term: &str| match term {
@@ -134,31 +93,6 @@ impl When {
         }
         text.split('|').map(term).collect::<Option<Vec<u128>>>().map(Self)
     }
-}
-
-/// The shortest term that explains the most of the open calls and no passing one.
-fn best_term(open: &BTreeSet<u128>, passing: &BTreeSet<u128>) -> Option<u128> {
-    let known = open.iter().fold(0, |all, call| all | call);
-    let bits: Vec<u128> = (0..u128::BITS).map(|bit| 1 << bit).filter(|bit| known & bit != 0).collect();
-    let mut terms: Vec<u128> = vec![0];
-    for length in 0..=TERM {
-        let sound = terms.iter().filter(|&&term| !passing.iter().any(|call| call & term == term));
-        let explained = |term: u128| open.iter().filter(|&call| call & term == term).count();
-        // The first of the best: `max_by_key` would take the last.
-        let best = sound.map(|&term| (explained(term), term)).rev().max_by_key(|&(count, _)| count);
-        if let Some((_, term)) = best.filter(|&(count, _)| count > 0) {
-            return Some(term);
-        }
-        if length == TERM {
-            break;
-        }
-        terms = bits
-            .iter()
-            .flat_map(|&bit| terms.iter().filter(move |&&term| term < bit).map(move |&term| term | bit))
-            .filter(|&term| open.iter().any(|call| call & term == term))
-            .collect();
-    }
-    None
 }
 
 #[cfg(test)]
@@ -211,22 +145,5 @@ mod tests {
             assert!(condition.count_ones() <= 2);
         }
         assert!(told > 200, "only {told} were told");
-    }
-
-    #[test]
-    fn the_condition_of_a_mistake_is_exact_and_read_as_it_is_written() {
-        let found = calls(&[0b001, 0b110], &[0b010, 0b100, 0b000]);
-        let when = When::learn(&found).unwrap();
-        assert!(found.failing.iter().all(|&call| when.holds(call)));
-        assert!(!found.passing.iter().any(|&call| when.holds(call)));
-        assert_eq!(when.to_text(WORDS), "a|b+c");
-        assert_eq!(When::parse("a|b+c", WORDS), Some(when));
-        assert_eq!(When::learn(&calls(&[0b1], &[])).unwrap().to_text(WORDS), "always");
-        assert_eq!(When::parse("always", WORDS).map(|when| when.holds(0)), Some(true));
-        let never = When::learn(&calls(&[], &[0b1])).unwrap();
-        assert!(!never.holds(0b1) && never.to_text(WORDS) == "never" && When::parse("never", WORDS) == Some(never));
-        assert_eq!(When::learn(&calls(&[], &[])), None, "nothing is known");
-        assert_eq!(When::parse("a+z", WORDS), None);
-        assert_eq!(When::learn(&calls(&[0b1], &[0b1])), None, "the same call cannot pass and fail");
     }
 }

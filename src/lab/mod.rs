@@ -30,6 +30,8 @@ mod half_edge;
 mod judged;
 #[cfg(feature = "grade")]
 mod kit;
+#[cfg(feature = "grade")]
+mod learn;
 mod manifest;
 mod marked;
 mod own_folder;

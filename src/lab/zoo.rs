@@ -52,6 +52,7 @@ fn when_in(entry: &str, vocabulary: &[Feature]) -> Option<When> {
 }
 
 /// Adds the conditions under which its tests fail to the signature of a mistake.
+#[cfg(feature = "grade")]
 pub(super) fn with_conditions(signature: &mut Signature, evidence: &Evidence, vocabulary: &[Feature]) {
     for (test, entry) in signature {
         if let Some(when) = evidence.get(test).and_then(When::learn) {

@@ -82,7 +82,8 @@ fn no_source_of_platform_differences_is_used() {
         }
         // Comparing reads drawings of others, turned and curved ones among them, and judges them with room for rounding.
         // What it draws itself is in the files of the difference picture.
-        let draws = path.file_name().is_some_and(|name| name.to_string_lossy().starts_with("diff") || name == "yours.rs");
+        let draws =
+            path.file_name().is_some_and(|name| name.to_string_lossy().starts_with("diff") || name == "yours.rs");
         if path.components().any(|part| part.as_os_str() == "compare") && !draws {
             continue;
         }

@@ -1,7 +1,7 @@
 //! The files of this build. Generated: `dcel lab bundle`.
 
 #[rustfmt::skip]
-pub(super) const SOURCES: [(&str, &str); 243] = [
+pub(super) const SOURCES: [(&str, &str); 244] = [
     ("figures/data/rooms.map", include_str!("../../../../figures/data/rooms.map")),
     ("figures/data/states-albers-10m.json", include_str!("../../../../figures/data/states-albers-10m.json")),
     ("figures/scripts/join-faces.dcels", include_str!("../../../../figures/scripts/join-faces.dcels")),
@@ -135,6 +135,7 @@ pub(super) const SOURCES: [(&str, &str); 243] = [
     ("src/lab/kit/mod.rs", include_str!("../../../../src/lab/kit/mod.rs")),
     ("src/lab/kit/sources.rs", include_str!("../../../../src/lab/kit/sources.rs")),
     ("src/lab/kit/walk.rs", include_str!("../../../../src/lab/kit/walk.rs")),
+    ("src/lab/learn.rs", include_str!("../../../../src/lab/learn.rs")),
     ("src/lab/reports/bugs.rs", include_str!("../../../../src/lab/reports/bugs.rs")),
     ("src/lab/reports/classroom.rs", include_str!("../../../../src/lab/reports/classroom.rs")),
     ("src/lab/reports/exercism.rs", include_str!("../../../../src/lab/reports/exercism.rs")),
