@@ -96,16 +96,16 @@ impl When {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
-    static WORDS: &[Feature] = &[
+    pub(in crate::lab) static WORDS: &[Feature] = &[
         Feature { id: "a", clause: "it is a" },
         Feature { id: "b", clause: "it is b" },
         Feature { id: "c", clause: "it is c" },
     ];
 
-    fn calls(failing: &[u128], passing: &[u128]) -> Calls {
+    pub(in crate::lab) fn calls(failing: &[u128], passing: &[u128]) -> Calls {
         Calls { failing: failing.to_vec(), passing: passing.to_vec() }
     }
 

@@ -81,16 +81,7 @@ fn best_term(open: &BTreeSet<u128>, passing: &BTreeSet<u128>) -> Option<u128> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    static WORDS: &[Feature] = &[
-        Feature { id: "a", clause: "it is a" },
-        Feature { id: "b", clause: "it is b" },
-        Feature { id: "c", clause: "it is c" },
-    ];
-
-    fn calls(failing: &[u128], passing: &[u128]) -> Calls {
-        Calls { failing: failing.to_vec(), passing: passing.to_vec() }
-    }
+    use crate::lab::conditions::tests::{WORDS, calls};
 
     #[test]
     fn the_condition_of_a_mistake_is_exact_and_read_as_it_is_written() {
