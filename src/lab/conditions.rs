@@ -50,6 +50,32 @@ pub(super) fn shortest(calls: &Calls) -> Option<u128> {
     pairs.find(|&pair| separates(pair))
 }
 
+/// The feature that all failing calls have and the fewest others, at most half of them; with its share of the others.
+/// For calls that no short condition tells apart.
+pub(super) fn necessary(calls: &Calls) -> Option<(u128, usize)> {
+    let common = calls.failing.iter().fold(u128::MAX, |all, call| all & call);
+    let with = |bit: u128| calls.passing.iter().filter(|&&call| call & bit != 0).count();
+    let bits: Vec<u128> = (0..u128::BITS).map(|bit| 1 << bit).filter(|bit| common & bit != 0).collect();
+    let (bit, others) = bits.iter().map(|&bit| (bit, with(bit))).rev().min_by_key(|&(_, others)| others)?;
+    // By chance each call has the feature as often as the others have it; one in so many features is tried.
+    let share = others as f64 / calls.passing.len().max(1) as f64;
+    let chance = share.powi(calls.failing.len().min(1000) as i32) * bits.len() as f64;
+    let enough = calls.failing.len() >= TWO[0] && calls.passing.len() >= TWO[1];
+    (enough && share <= 0.5 && chance * (UNLIKELY as f64) < 1.0).then_some((bit, others))
+}
+
+/// The sentence about a feature that [`necessary`] has found.
+pub(super) fn necessary_sentence((bit, others): (u128, usize), calls: &Calls, vocabulary: &[Feature]) -> String {
+    let clauses: Vec<&str> = of(bit, vocabulary).map(|feature| feature.clause).collect();
+    let (failing, passing) = (calls.failing.len(), calls.passing.len());
+    let clause = clauses.join(" and ");
+    format!(
+        "It fails only where {clause}: in {failing} of those {} calls, and in none of the {} others.",
+        failing + others,
+        passing - others
+    )
+}
+
 /// In how many ways `a` of `a + b` can be chosen, or a large number.
 fn choices(a: usize, b: usize) -> u128 {
     let (a, b) = (a.min(b) as u128, a.max(b) as u128);
@@ -127,6 +153,22 @@ pub(super) mod tests {
         assert_eq!(shortest(&calls(&[0b1; 9], &[0, 0, 0, 0b1])), None, "a passing call has it");
         assert_eq!(shortest(&calls(&[0b1, 0b1, 0b10], &[0, 0, 0, 0])), None, "a failing call lacks it");
         assert_eq!(shortest(&calls(&[0b11; 3], &[0b01, 0b10, 0, 0, 0, 0, 0, 0])), None, "two features ask for more");
+    }
+
+    #[test]
+    fn a_feature_of_all_failing_calls_is_told_if_few_others_have_it() {
+        // Feature `a` in all failing calls and in two others; `b` in all calls.
+        let found = calls(&[0b011; 5], &[0b011, 0b011, 0b010, 0b010, 0b010, 0b010, 0b010, 0b010, 0b010, 0b010]);
+        assert_eq!(shortest(&found), None);
+        let told = necessary(&found).unwrap();
+        assert_eq!(told, (0b001, 2));
+        let words = necessary_sentence(told, &found, WORDS);
+        assert_eq!(words, "It fails only where it is a: in 5 of those 7 calls, and in none of the 8 others.");
+        let half = calls(&[0b011; 5], &[0b011, 0b011, 0b011, 0b011, 0b011, 0b010, 0b010, 0b010]);
+        assert_eq!(necessary(&half), None, "more than half of the others have it");
+        assert_eq!(necessary(&calls(&[0b001; 3], &[0; 99])), None, "three calls");
+        assert_eq!(necessary(&calls(&[0b001; 9], &[0; 7])), None, "seven others");
+        assert_eq!(necessary(&calls(&[0b001, 0b010, 0b011, 0b011], &[0; 99])), None, "a failing call lacks it");
     }
 
     #[test]

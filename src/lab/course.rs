@@ -10,6 +10,7 @@
 use super::fault::{Exchange, Fault};
 use super::plan::Plan;
 use super::protocol::{Case, CaseAnswer, Step};
+use crate::Element;
 use crate::topology::Table;
 
 /// Where a case comes from, and so who may see it.
@@ -91,6 +92,12 @@ pub trait Course: Sync {
 
     /// The structure that a call should have left behind, in the numbers of the student's, for a picture.
     fn expected(&self, exchange: &Exchange) -> Option<Table>;
+
+    /// What a call that only reads should have returned; nothing for other calls.
+    fn answer(&self, exchange: &Exchange) -> Vec<Element> {
+        let _ = exchange;
+        Vec::new()
+    }
 
     /// Shorter cases than a failing one that may fail in the same way, each of which a student can type.
     fn shorter(&self, case: &Case) -> Vec<Case>;

@@ -1,10 +1,14 @@
-//! Archives to hand out: a student's folder, and an autograder for Gradescope.
+//! Archives to hand out: a student's folder, and autograders for Gradescope and Classroom 50.
 //!
 //! ```text
-//!   autograder.zip
+//!   gradescope.zip
 //!     setup.sh         once, with the network: a Rust toolchain, then the kit
 //!     run_autograder   for each submission: dcel grade … --report gradescope=…
 //!     kit/             the sources of the kit, if it comes from a checkout
+//!
+//!   classroom50.zip    for CLASSROOM/autograders/ASSIGNMENT/ in the course's own repository
+//!     autograder.py    for each submission: builds the kit, dcel grade … --report classroom50=…
+//!     kit/             as above
 //! ```
 //!
 //! The bytes of an archive depend on its files alone: entries by name, all with one fixed date.
@@ -51,6 +55,62 @@ if [ ! -s \"$results\" ]; then
 fi
 ";
 
+/// What Classroom 50 runs for each submission, in the student's repository.
+const AUTOGRADER: &str = "\
+\"\"\"Grades the repository it is started in: the autograder of LAB for Classroom 50.
+
+Put this folder into CLASSROOM/autograders/ASSIGNMENT/. Machines that run it need Rust, as ubuntu-latest has it; the
+kit is built first, which takes one or two minutes. Set DCEL to an installed `dcel` to use that one. What lies beside
+this file can be read by everybody: it holds no solution, and a file with hidden cases does not belong here.
+\"\"\"
+
+import datetime
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+BUILT = HERE / \"built\"
+RESULT = Path(\"result.json\")
+
+
+def program():
+    \"\"\"The grader: an installed one, or the kit.\"\"\"
+    if os.environ.get(\"DCEL\"):
+        return os.environ[\"DCEL\"]
+    subprocess.run([\"cargo\", \"install\", \"--locked\", \"--debug\", \"--root\", BUILT, INSTALL], cwd=HERE, check=True)
+    return BUILT / \"bin\" / \"dcel\"
+
+
+def main():
+    for old in (RESULT, Path(\"release-body.md\")):
+        old.unlink(missing_ok=True)
+    graded = HERE / \"graded.json\"
+    graded.unlink(missing_ok=True)
+    reports = [f\"classroom50={graded}\", \"markdown=release-body.md\"]
+    flags = [word for report in reports for word in (\"--report\", report)]
+    done = subprocess.run([program(), \"grade\", \"LAB\", \".\", *flags], check=False)
+    if done.returncode > 1 or not graded.is_file():
+        sys.exit(\"::error::The grader failed; this is not the student's fault.\")
+    result = json.loads(graded.read_text(encoding=\"utf-8\"))
+    result.update({
+        \"classroom\": os.environ[\"CLASSROOM\"],
+        \"assignment\": os.environ[\"ASSIGNMENT\"],
+        \"usernames\": [os.environ[\"USERNAME\"]],
+        \"submission\": os.environ[\"SUBMISSION_TAG\"],
+        \"commit\": os.environ[\"COMMIT_URL\"],
+        \"release\": os.environ[\"RELEASE_URL\"],
+        \"review\": os.environ.get(\"REVIEW_URL\") or os.environ[\"COMMIT_URL\"],
+        \"datetime\": datetime.datetime.now(datetime.timezone.utc).strftime(\"%Y-%m-%dT%H:%M:%SZ\"),
+    })
+    RESULT.write_text(json.dumps(result, indent=2), encoding=\"utf-8\")
+
+
+main()
+";
+
 /// A file of an archive.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Packed {
@@ -77,17 +137,9 @@ pub fn gradescope_files<'a>(
     kit: &Kit,
     sources: impl IntoIterator<Item = (&'a str, &'a str)>,
 ) -> io::Result<BTreeMap<String, Packed>> {
-    let mut files = BTreeMap::new();
+    let mut files = kit_files(kit, sources)?;
     let source = match kit {
-        Kit::Inside => {
-            let packed = |(path, text): (&str, &str)| (format!("kit/{path}"), Packed::from(text.to_owned()));
-            files.extend(sources.into_iter().map(packed));
-            "--path /autograder/source/kit".to_owned()
-        }
-        Kit::Path(checkout) => {
-            checkout_files(checkout, "kit", &mut files)?;
-            "--path /autograder/source/kit".to_owned()
-        }
+        Kit::Inside | Kit::Path(_) => "--path /autograder/source/kit".to_owned(),
         Kit::Git(url) => format!("--git {} dcel-kit", typed::word(url)),
         Kit::Version(version) => format!("--version {} dcel-kit", typed::word(version)),
     };
@@ -97,6 +149,47 @@ pub fn gradescope_files<'a>(
     };
     files.insert("setup.sh".to_owned(), program(SETUP));
     files.insert("run_autograder".to_owned(), program(RUN));
+    Ok(files)
+}
+
+/// The files of an autograder for Classroom 50.
+///
+/// `sources` are the files of the program, for a kit that is inside.
+///
+/// # Errors
+/// A checkout of the kit that cannot be read.
+pub fn classroom50_files<'a>(
+    lab: &str,
+    kit: &Kit,
+    sources: impl IntoIterator<Item = (&'a str, &'a str)>,
+) -> io::Result<BTreeMap<String, Packed>> {
+    let mut files = kit_files(kit, sources)?;
+    // A string of JSON is one of Python, too.
+    let quoted = |text: &str| serde_json::Value::from(text).to_string();
+    let source = match kit {
+        Kit::Inside | Kit::Path(_) => "\"--path\", \"kit\"".to_owned(),
+        Kit::Git(url) => format!("\"--git\", {}, \"dcel-kit\"", quoted(url)),
+        Kit::Version(version) => format!("\"--version\", {}, \"dcel-kit\"", quoted(version)),
+    };
+    let text = AUTOGRADER.replace("INSTALL", &source).replace("LAB", lab);
+    files.insert("autograder.py".to_owned(), text.into());
+    Ok(files)
+}
+
+/// The sources of the kit, in a folder `kit`; none if it comes from elsewhere.
+fn kit_files<'a>(
+    kit: &Kit,
+    sources: impl IntoIterator<Item = (&'a str, &'a str)>,
+) -> io::Result<BTreeMap<String, Packed>> {
+    let mut files = BTreeMap::new();
+    match kit {
+        Kit::Inside => {
+            let packed = |(path, text): (&str, &str)| (format!("kit/{path}"), Packed::from(text.to_owned()));
+            files.extend(sources.into_iter().map(packed));
+        }
+        Kit::Path(checkout) => checkout_files(checkout, "kit", &mut files)?,
+        Kit::Git(_) | Kit::Version(_) => {}
+    }
     Ok(files)
 }
 
@@ -153,6 +246,24 @@ mod tests {
         let mut text = String::new();
         setup.read_to_string(&mut text).unwrap();
         assert!(text.contains("--root /opt/dcel --version '0'\\''1' dcel-kit\n"), "{text}");
+    }
+
+    #[test]
+    fn an_autograder_in_python_quotes_where_the_kit_comes_from() {
+        let of = |kit: &Kit| {
+            let files = classroom50_files("04-half-edge", kit, [("Cargo.toml", "[package]")]).unwrap();
+            (
+                files.keys().cloned().collect::<Vec<_>>(),
+                String::from_utf8(files["autograder.py"].bytes.clone()).unwrap(),
+            )
+        };
+        let (names, text) = of(&Kit::Git("a \"b\"\\".to_owned()));
+        assert_eq!(names, ["autograder.py"]);
+        assert!(text.contains(r#""--git", "a \"b\"\\", "dcel-kit"], cwd=HERE"#), "{text}");
+        assert!(text.contains("\"grade\", \"04-half-edge\"") && !text.contains("LAB") && !text.contains("INSTALL"));
+        let (names, text) = of(&Kit::Inside);
+        assert_eq!(names, ["autograder.py", "kit/Cargo.toml"]);
+        assert!(text.contains("\"--path\", \"kit\"], cwd=HERE"));
     }
 
     #[test]

@@ -24,6 +24,18 @@ pub struct Fault {
     pub words: String,
     /// The elements concerned, in the numbers of the student's structure.
     pub elements: Vec<Element>,
+    /// What stands there instead, if it is a wrong value.
+    pub instead: Option<Instead>,
+}
+
+/// A wrong value, in words: what can be said of it in this call. What can be said of it in every failing call tells
+/// how the code has come to it.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Instead {
+    /// What is wrong: `origin of he`, `the answer`.
+    pub subject: String,
+    /// All that holds of the value: `the new vertex`, `what it was before the call`. What says most comes first.
+    pub is: Vec<&'static str>,
 }
 
 /// What a fault says about the code.

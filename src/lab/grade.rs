@@ -7,9 +7,9 @@
 //!   enough calls decide it, and none of them fails                     passed
 //! ```
 
-use super::conditions::{Calls, sentence, shortest};
+use super::conditions::{Calls, necessary, necessary_sentence, sentence, shortest};
 use super::course::{Course, Source, Suite, course};
-use super::fault::{Fault, FaultKind};
+use super::fault::{Fault, FaultKind, Instead};
 use super::feedback;
 use super::judged::{Needs, Ruling, Unit, Units};
 use super::manifest::Test;
@@ -21,6 +21,8 @@ use super::the_lab::Lab;
 use super::verdict::Verdict;
 use super::zoo::{self, Evidence, Signature};
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 /// What is said of a test that was not asked any more.
@@ -139,21 +141,49 @@ pub(super) fn random_evidence(lab: &Lab, program: &dyn Program, plan: &Plan) -> 
     Run::new(lab, course, &graded, true).evidence(&|_| true)
 }
 
+/// Runs the suites, several at a time where the program allows that.
+///
+/// What comes of them is the same as one after the other: a suite that would not have been asked, or not so far, is
+/// not taken as it was run ahead.
 fn run_all<'a>(lab: &Lab, course: &dyn Course, program: &dyn Program, suites: &'a [Suite]) -> Vec<Graded<'a>> {
     let mut graded: Vec<Graded> = Vec::new();
     let mut exhausted = 0;
-    for suite in suites {
+    let mut ahead = run_ahead(course, program, suites);
+    for (suite, ahead) in suites.iter().zip(&mut ahead) {
         let blocked = is_blocked(lab, suite, &graded);
         let last = graded.iter().rev().find_map(|graded| graded.run.exhausted_by());
         let run = match last {
             _ if blocked => SuiteRun::default(),
             Some(end) if exhausted >= PATIENCE => SuiteRun::given_up(end),
-            _ => run_suite(program, course, suite, exhausted),
+            _ => match ahead.take() {
+                Some(run) if exhausted == 0 || run.exhausted == 0 => run,
+                _ => run_suite(program, course, suite, exhausted),
+            },
         };
         exhausted += run.exhausted;
         graded.push(Graded { suite, run, blocked });
     }
     graded
+}
+
+/// Suites run at the same time, until one comes to an end by time or memory; `None` for those that were not begun.
+fn run_ahead(course: &dyn Course, program: &dyn Program, suites: &[Suite]) -> Vec<Option<SuiteRun>> {
+    let lanes = program.at_once().min(suites.len());
+    let runs: Vec<Mutex<Option<SuiteRun>>> = suites.iter().map(|_| Mutex::new(None)).collect();
+    if lanes > 1 {
+        let (next, ended) = (AtomicUsize::new(0), AtomicBool::new(false));
+        let lane = || {
+            while !ended.load(Ordering::Relaxed) {
+                let number = next.fetch_add(1, Ordering::Relaxed);
+                let Some(suite) = suites.get(number) else { break };
+                let run = run_suite(program, course, suite, 0);
+                ended.fetch_or(run.exhausted > 0, Ordering::Relaxed);
+                *runs[number].lock().unwrap_or_else(PoisonError::into_inner) = Some(run);
+            }
+        };
+        std::thread::scope(|scope| (0..lanes).for_each(|_| drop(scope.spawn(lane))));
+    }
+    runs.into_iter().map(|run| run.into_inner().unwrap_or_else(PoisonError::into_inner)).collect()
 }
 
 /// Whether every test of a suite needs, at once or through others, a suite that was broken off: what did not come
@@ -396,7 +426,9 @@ impl Run<'_> {
         };
         result.findings = findings(&faults, section, hidden);
         if !hidden {
-            result.pattern = self.pattern(state, number);
+            let told = [self.pattern(state, number), self.instead(state, number)];
+            let told: Vec<String> = told.into_iter().flatten().collect();
+            result.pattern = (!told.is_empty()).then(|| told.join(" "));
         }
     }
 
@@ -429,6 +461,15 @@ impl Run<'_> {
         }
     }
 
+    /// What the wrong value is in every call that fails as the first one does, of those that the student may see.
+    fn instead(&self, state: &State, number: usize) -> Option<String> {
+        let (units, asked) = (&self.units[number], &self.graded[number].suite.asked);
+        let failing = state.ruling.failing.iter().map(|&unit| &units.all[unit]);
+        let visible = failing.filter(|unit| asked[unit.case].source != Source::Hidden);
+        let faults = |unit: &Unit| units.faults_of(unit, &state.test.name).collect::<Vec<_>>();
+        instead(visible.map(faults))
+    }
+
     /// What the failing calls have in common, of those that the student may see.
     fn pattern(&self, state: &State, number: usize) -> Option<String> {
         let (units, asked) = (&self.units[number], &self.graded[number].suite.asked);
@@ -440,7 +481,9 @@ impl Run<'_> {
         let passing: Vec<u128> = passing.into_iter().filter_map(|unit| units.features(self.course, unit)).collect();
         let unknown = all_passing - passing.len();
         let calls = Calls { failing: failing?, passing };
-        let mut told = sentence(shortest(&calls)?, &calls, self.course.vocabulary());
+        let vocabulary = self.course.vocabulary();
+        let exact = shortest(&calls).map(|condition| sentence(condition, &calls, vocabulary));
+        let mut told = exact.or_else(|| Some(necessary_sentence(necessary(&calls)?, &calls, vocabulary)))?;
         if unknown > 0 {
             told.push_str(&format!(" ({unknown} calls on large structures, which are right, are not compared.)"));
         }
@@ -449,6 +492,27 @@ impl Run<'_> {
         }
         Some(told)
     }
+}
+
+/// What the first wrong value is in all calls in which the same is wrong, from the faults of each failing call. Two
+/// calls at least must agree, and they must be at least half of those that fail.
+fn instead<'a>(calls: impl Iterator<Item = Vec<&'a Fault>>) -> Option<String> {
+    let calls: Vec<Vec<&Fault>> = calls.collect();
+    let first = calls.first()?.iter().find(|fault| fault.instead.is_some())?;
+    let subject = &first.instead.as_ref()?.subject;
+    let same =
+        |fault: &&&Fault| fault.rule == first.rule && fault.instead.as_ref().is_some_and(|i| i.subject == *subject);
+    let like: Vec<&Instead> = calls.iter().filter_map(|faults| faults.iter().find(same)?.instead.as_ref()).collect();
+    if like.len() < 2 || like.len() * 2 < calls.len() {
+        return None;
+    }
+    let holds = |words: &&&str| like.iter().all(|instead| instead.is.contains(words));
+    let is = like[0].is.iter().find(holds)?;
+    Some(if like.len() == calls.len() {
+        format!("In all {} failing calls, {subject} is {is}.", like.len())
+    } else {
+        format!("In all {} failing calls in which {subject} is wrong, it is {is}.", like.len())
+    })
 }
 
 /// How many calls fail, of how many.

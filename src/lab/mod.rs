@@ -67,7 +67,7 @@ mod zoo;
 pub use batch::{GradeOptions, Grader, Outcome};
 pub use bug::{Bug, BugError, Edit};
 #[cfg(feature = "grade")]
-pub use export::{Packed, gradescope_files, zipped};
+pub use export::{Packed, classroom50_files, gradescope_files, zipped};
 pub use feedback::{graded, test_text};
 pub use files::{LabFiles, LabFilesError};
 pub use grade::{grade_and_sign, grade_program};
@@ -75,7 +75,7 @@ pub use grade::{grade_and_sign, grade_program};
 pub use kit::{KitBuild, lab_sources};
 pub use manifest::{Manifest, Task, Test};
 pub use marked::{MarkError, starter};
-pub use own_folder::{FolderCheck, check_folder};
+pub use own_folder::{FolderCheck, Workbench, check_folder};
 pub use plan::{Plan, Secret};
 pub use program::{Driver, End, Limits, Program, Ran, end_of, signal_name};
 pub use report::{Adjustment, Finding, Picture, Report, Similar, TestResult, Visibility, Wall};

@@ -21,6 +21,11 @@ pub trait Program: Sync {
     /// Gives it the input and waits for its end. Never panics, never waits much longer than the deadline.
     fn run(&self, input: &str) -> Ran;
 
+    /// How many runs may go on at the same time without harm to each other.
+    fn at_once(&self) -> usize {
+        1
+    }
+
     /// The walls between it and the machine, for the report.
     fn walls(&self) -> Vec<Wall> {
         Vec::new()

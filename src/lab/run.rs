@@ -122,6 +122,7 @@ fn of_all_tests(
         tag: tag.to_owned(),
         words: words.to_owned(),
         elements: Vec::new(),
+        instead: None,
     };
     suite.tests.iter().map(fault).collect()
 }

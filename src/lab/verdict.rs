@@ -84,7 +84,9 @@ impl Verdict {
             }
             Self::TimedOut => "Look for a loop that never ends, although it follows no references.",
             Self::OutOfMemory => "Look for a list that grows in a loop which never ends.",
-            Self::Refused => "Take out what is named; the lab needs nothing beyond ordinary code.",
+            Self::Refused => {
+                "Take out what is named, or hand in what is missing; the lab needs nothing beyond ordinary code."
+            }
             Self::DoesNotCompile => "Run `cargo build` and mend the first error.",
             Self::GraderFault => "This is not your fault: tell your instructor, with this report.",
         }

@@ -449,6 +449,54 @@ fn a_program_that_is_ended_twice_by_time_or_memory_is_asked_no_more() {
     }
 }
 
+/// A program of which several runs may go on at the same time.
+struct AtOnce(Fake, usize);
+
+impl dcel_kit::lab::Program for AtOnce {
+    fn run(&self, input: &str) -> dcel_kit::lab::Ran {
+        self.0.run(input)
+    }
+
+    fn at_once(&self) -> usize {
+        self.1
+    }
+}
+
+#[test]
+fn suites_at_the_same_time_come_to_the_same_report() {
+    let dying = |ends: &'static [(&'static str, End)]| {
+        Fake::twisted(move |function, _, done| {
+            if let Some((_, end)) = ends.iter().find(|(dies, _)| *dies == function) {
+                done.answer = Answer::Died(end.clone());
+            }
+        })
+    };
+    let programs: [fn(&dyn Fn(&'static [(&'static str, End)]) -> Fake) -> Fake; 6] = [
+        |_| Fake::right(),
+        |_| stops_after(2, "not yet implemented: split_face"),
+        |dying| dying(&[("walk_vertex", End::TimedOut)]),
+        |dying| dying(&[("walk_face", End::TimedOut), ("split_in_half", End::OutOfMemory)]),
+        |dying| dying(&[("destination", End::OutOfMemory)]),
+        |dying| {
+            dying(&[
+                ("walk_face", End::StackOverflow),
+                ("walk_vertex", End::OutOfMemory),
+                ("split_face", End::TimedOut),
+            ])
+        },
+    ];
+    for (i, program) in programs.iter().enumerate() {
+        let report = |at_once| {
+            let report = grade_program(&lab(), &AtOnce(program(&dying), at_once), &Plan::with_seed(11));
+            dcel_kit::lab::Report { millis: 0, ..report }
+        };
+        let one_by_one = report(1);
+        for lanes in [2, 3, 99] {
+            assert_eq!(report(lanes), one_by_one, "program {i}, {lanes} at once");
+        }
+    }
+}
+
 #[test]
 fn what_is_not_the_students_fault_is_not_their_loss() {
     struct Missing;

@@ -5,7 +5,7 @@
 
 use super::commands::{solution, with_bug};
 use crate::shell::Folder;
-use dcel_kit::lab::{Lab, Plan, Report, Verdict, check_folder};
+use dcel_kit::lab::{Lab, Plan, Report, Verdict, Workbench, check_folder};
 use std::fs;
 use std::path::Path;
 
@@ -94,9 +94,13 @@ fn every_door_gives_the_same_verdict() {
     shell.dcel("grade 04 --all-in class --seed 4 --report json=class.json").fine();
     let reports: Vec<Report> = serde_json::from_str(&shell.read("class.json")).unwrap();
     assert_eq!(reports.len(), submissions.len());
+    // As `dcel lab watch` does it: one after the other in the same place, where nothing of the one before may count.
+    let mut bench = Workbench::new(&shell.path("bench"));
     for (i, ((name, change, expected), by_grade)) in submissions.iter().zip(&reports).enumerate() {
         let folder = shell.path(&format!("class/{i:02}"));
         let tested = check_folder(&lab, &folder, &shell.path("work"), &Plan::with_seed(4));
+        let watched = bench.check(&lab, &folder, &Plan::with_seed(4));
+        assert_eq!((judged(&watched.report), &watched.notes), (judged(&tested.report), &tested.notes), "{name}");
         let checked = shell.dcel(&format!("lab check class/{i:02} --seed 4 --all"));
         let by_check = if checked.out.contains("Everything passes. Hand it in.") {
             Verdict::Passed
@@ -124,6 +128,9 @@ fn every_door_gives_the_same_verdict() {
         graded.push(by_grade.points());
     }
     assert_eq!((graded[0], graded[1]), (100, 0));
+    assert_eq!(fs::read_dir(shell.path("bench")).unwrap().count(), 1, "one room for all checks");
+    drop(bench);
+    assert_eq!(fs::read_dir(shell.path("bench")).unwrap().count(), 0, "and none afterwards");
 }
 
 fn copy(from: &Path, to: &Path) {

@@ -3,7 +3,7 @@
 use super::super::{Answer, Failure, Output, failure};
 use super::{folder, hint};
 use dcel_kit::lab::reports::Format;
-use dcel_kit::lab::{Lab, Manifest, Plan, Report, TestResult, Verdict, check_folder, test_text};
+use dcel_kit::lab::{Lab, Manifest, Plan, Report, TestResult, Verdict, Workbench, check_folder, test_text};
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -48,6 +48,8 @@ pub(super) struct Bench {
     test: Option<String>,
     all: bool,
     seed: Option<u64>,
+    /// Where it is built, if it is to be checked again.
+    again: Option<Workbench>,
 }
 
 impl Bench {
@@ -65,7 +67,13 @@ impl Bench {
             return Err(Failure::input(what, format!("name one of {}", names.join(", "))));
         }
         let named = args.dir.clone();
-        Ok(Self { dir, named, lab, test: args.test.clone(), all: args.all, seed: args.seed })
+        Ok(Self { dir, named, lab, test: args.test.clone(), all: args.all, seed: args.seed, again: None })
+    }
+
+    /// To be checked again and again.
+    pub(super) fn kept(mut self) -> Self {
+        self.again = Some(Workbench::new(&self.target()));
+        self
     }
 
     /// The files that are worth watching.
@@ -74,12 +82,15 @@ impl Bench {
     }
 
     /// Builds, grades, tells.
-    pub(super) fn check(&self, out: &mut Output) -> Result<Answer, Failure> {
+    pub(super) fn check(&mut self, out: &mut Output) -> Result<Answer, Failure> {
         // What was said before must stand before what the compiler says.
         out.flush()?;
         let mut plan = self.seed.map_or_else(Plan::from_environment, Plan::with_seed);
         plan.only.clone_from(&self.test);
-        let check = check_folder(&self.lab, &self.dir, &self.target(), &plan);
+        let check = match &mut self.again {
+            Some(bench) => bench.check(&self.lab, &self.dir, &plan),
+            None => check_folder(&self.lab, &self.dir, &self.target(), &plan),
+        };
         for note in &check.notes {
             failure::say("note", note);
         }

@@ -2,24 +2,27 @@
 
 use super::super::{Answer, Failure, Output};
 use super::{bundled, folder, kit};
-use dcel_kit::lab::{Kit, Packed, gradescope_files, zipped};
+use dcel_kit::lab::{Kit, Packed, classroom50_files, gradescope_files, zipped};
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// Pack a lab for students, or its grader for Gradescope
+/// Pack a lab for students, or its grader for Gradescope or Classroom 50
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
-For students: the folder that `dcel lab start` makes, without solution and bugs. For Gradescope: the archive to
-upload as the autograder. The sources of the kit lie in both, so they need nothing of this machine; --kit names another
-place for them. What the kit itself needs is downloaded when it is built, or lies in the student's folder (--vendor).
+For students: the folder that `dcel lab start` makes, without solution and bugs; it is also the template of an
+assignment in Classroom 50. For Gradescope: the archive to upload as the autograder. For Classroom 50: what belongs in
+CLASSROOM/autograders/ASSIGNMENT/. The sources of the kit lie in all of them, so they need nothing of this machine;
+--kit names another place for them. What the kit itself needs is downloaded when it is built, or lies in the student's
+folder (--vendor).
 
 Examples:
   dcel lab export 04 --student lab04.zip
   dcel lab export 04 --student lab04.zip --vendor
   dcel lab export 04 --student lab04/
-  dcel lab export 04 --gradescope autograder.zip",
-    group(clap::ArgGroup::new("what").required(true).args(["student", "gradescope"]))
+  dcel lab export 04 --gradescope autograder.zip
+  dcel lab export 04 --classroom50 autograder.zip",
+    group(clap::ArgGroup::new("what").required(true).multiple(true).args(["student", "gradescope", "classroom50"]))
 )]
 pub(crate) struct Args {
     /// The lab: its name, or its number
@@ -31,6 +34,9 @@ pub(crate) struct Args {
     /// The autograder for Gradescope
     #[arg(long, value_name = "FILE.zip")]
     gradescope: Option<PathBuf>,
+    /// The autograder for Classroom 50, as a zip archive or as a folder
+    #[arg(long, value_name = "FILE.zip|DIR")]
+    classroom50: Option<PathBuf>,
     /// Where the kit comes from: path=FOLDER, git=URL or version=NUMBER
     #[arg(long, value_name = "PLACE")]
     kit: Option<Kit>,
@@ -57,12 +63,24 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
             let what = format!("{}: an autograder is a zip archive", target.display());
             return Err(Failure::input(what, "let its name end in .zip"));
         }
-        let files = gradescope_files(lab.name(), &place, kit::program_sources())
-            .map_err(|error| Failure::input(format!("the sources of the kit: {error}"), "say --kit path=CHECKOUT"))?;
+        let files = gradescope_files(lab.name(), &place, kit::program_sources()).map_err(no_kit)?;
         write(target, &files)?;
         writeln!(out, "{}: the autograder of {}", target.display(), lab.name())?;
     }
+    if let Some(target) = &args.classroom50 {
+        let files = classroom50_files(lab.name(), &place, kit::program_sources()).map_err(no_kit)?;
+        if is_zip(target) {
+            write(target, &files)?;
+        } else {
+            folder::make(target, &files)?;
+        }
+        writeln!(out, "{}: the autograder of {}", target.display(), lab.name())?;
+    }
     Ok(Answer::Yes)
+}
+
+fn no_kit(error: std::io::Error) -> Failure {
+    Failure::input(format!("the sources of the kit: {error}"), "say --kit path=CHECKOUT")
 }
 
 fn is_zip(path: &Path) -> bool {

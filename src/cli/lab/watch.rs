@@ -47,7 +47,7 @@ enum Event {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    let bench = Bench::new(&args.check)?;
+    let mut bench = Bench::new(&args.check)?.kept();
     let cannot = |error: notify::Error| {
         Failure::input(format!("the folder cannot be watched: {error}"), "use `dcel lab check` after each change")
     };
@@ -64,10 +64,10 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     // The folder and not the file: editors replace files.
     watcher.watch(&bench.dir.join("src"), RecursiveMode::Recursive).map_err(cannot)?;
     let screen = Screen::new(send);
-    check(&bench, &screen, out)?;
+    check(&mut bench, &screen, out)?;
     loop {
         match wait(&events, &bench.watched()) {
-            Some(Event::Changed(_)) => check(&bench, &screen, out)?,
+            Some(Event::Changed(_)) => check(&mut bench, &screen, out)?,
             Some(Event::Pressed('h')) => {
                 screen.clear();
                 shown(hint::next(&bench.dir, bench.named.as_deref(), out));
@@ -100,7 +100,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     }
 }
 
-fn check(bench: &Bench, screen: &Screen, out: &mut Output) -> Result<(), Failure> {
+fn check(bench: &mut Bench, screen: &Screen, out: &mut Output) -> Result<(), Failure> {
     screen.clear();
     shown(bench.check(out));
     screen.foot(out)?;

@@ -85,6 +85,29 @@ impl Content {
     fn at(position: Option<[f64; 2]>) -> Self {
         position.map_or(Self::Unset, Self::At)
     }
+
+    /// What stands in a field of a structure; nothing if there is no such element.
+    #[must_use]
+    pub fn of(table: &Table, owner: Option<Element>, field: Field) -> Self {
+        match (owner, field) {
+            (Some(Element::HalfEdge(h)), _) => {
+                let row = half_edge_row(table, h);
+                match field {
+                    Field::Origin => Self::to(row.origin),
+                    Field::Twin => Self::to(row.twin),
+                    Field::Next => Self::to(row.next),
+                    Field::Prev => Self::to(row.prev),
+                    Field::Face => Self::to(row.face),
+                    _ => Self::Unset,
+                }
+            }
+            (Some(Element::Vertex(v)), Field::Outgoing) => Self::to(vertex_row(table, v).outgoing),
+            (Some(Element::Vertex(v)), Field::Position) => Self::at(vertex_row(table, v).position),
+            (Some(Element::Face(f)), Field::Boundary) => Self::to(table.boundary(f)),
+            (None, Field::OuterFace) => Self::to(table.outer_face),
+            _ => Self::Unset,
+        }
+    }
 }
 
 impl fmt::Display for Content {

@@ -32,7 +32,7 @@ pub enum WalkFault {
 impl fmt::Display for WalkFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Reversed => "the walk runs clockwise: the opposite way round",
+            Self::Reversed => "they come in clockwise order: the opposite way round",
             Self::StartRepeated => "the start comes twice: the walk should stop before it comes back to its start",
             Self::OneMissing => "one is left out: the walk stops one step too early, or begins one too late",
             Self::StopsEarly => "the walk stops before it has come round",

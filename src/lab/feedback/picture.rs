@@ -3,7 +3,8 @@
 //! ```text
 //!   before       expected                             yours
 //!   as it was    the half-edges at fault are red,     the same as it is; of a walk that does not come back, the
-//!                the pointers at fault have arrows    half-edges that it goes round are red
+//!                the pointers at fault have arrows;   half-edges that it goes round are red
+//!                the right answer of a walk is red
 //! ```
 
 use super::ascii;
@@ -41,9 +42,16 @@ pub(super) fn of(course: &dyn Course, exchange: &Exchange, faults: &[&Fault]) ->
         svg(table, families, &options)
     };
     let red = if round.is_empty() { &wrong } else { &round };
+    // Of a call that only reads, what it should have returned is red where it is expected.
+    let answer = course.answer(exchange);
+    let right: &[Element] = match () {
+        () if !answer.is_empty() => &answer,
+        () if round.is_empty() => &wrong,
+        () => &[],
+    };
     Some(Picture {
         before: draw(before, "Before", &families, &[])?,
-        expected: draw(&expected, "Expected", &families, if round.is_empty() { &wrong } else { &[] })?,
+        expected: draw(&expected, "Expected", &families, right)?,
         yours: draw(yours, "Yours", &families, red)?,
         ascii: ascii::of(before, &expected, yours, exchange),
     })

@@ -68,6 +68,7 @@ pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
             tag: tag.to_owned(),
             words,
             elements,
+            instead: None,
         };
         match (asked, reply) {
             (Step::Call { function, arguments }, _) => called = Some((function, arguments.join(" "))),

@@ -77,6 +77,7 @@ fn picture(step: usize, reply: &Reply) -> Vec<Fault> {
         tag: String::new(),
         words,
         elements: Vec::new(),
+        instead: None,
     };
     let svg = match reply {
         Reply::Svg(svg) => svg,
@@ -105,6 +106,7 @@ fn faults(exchange: &Exchange) -> Vec<Fault> {
         tag: String::new(),
         words,
         elements,
+        instead: None,
     };
     let (Some((_, end)), Some(after)) = (exchange.called, exchange.after) else { return Vec::new() };
     if let Some(kind) = FaultKind::of_end(end) {

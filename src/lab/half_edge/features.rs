@@ -67,6 +67,7 @@ vocabulary! {
     Neighbours "neighbours" "an edge joins the two origins, though neither half-edge follows the other",
     He1Ends "he1_ends" "he1 ends where he2 starts, though he2 is not the next of it",
     He2Ends "he2_ends" "he2 ends where he1 starts, though he1 is not the next of it",
+    EitherEnds "either_ends" "one of the two half-edges ends where the other starts, though the other is not its next",
     CornerAlone "corner_alone" "he1 or he2 starts at a vertex of degree 1",
     He1Bridge "he1_bridge" "he1 has its own face on the other side, too",
     He2Bridge "he2_bridge" "he2 has its own face on the other side, too",
@@ -76,6 +77,7 @@ vocabulary! {
     VertexTwice "vertex_twice" "a face meets the vertex twice",
     VertexBorder "vertex_border" "the vertex lies on the outer face",
     VertexInside "vertex_inside" "the vertex does not lie on the outer face",
+    NotTriangle "not_triangle" "a face at the vertex has more or fewer than three half-edges",
     New3 "new_3" "the new face gets three half-edges",
     New3More "new_3_more" "the new face gets more than three half-edges",
     Old3 "old_3" "the old face keeps three half-edges",
@@ -103,6 +105,8 @@ vocabulary! {
     Vertex16More "degree_16_more" "the vertex has a degree above 16",
     Corner2More "corner_2_more" "he1 or he2 starts at a vertex with a degree above 2",
     End2More "end_2_more" "he ends at a vertex with a degree above 2",
+    Face1More "face_1_more" "the face has more than one half-edge",
+    Face2More "face_2_more" "the face has more than two half-edges",
     Face3More "face_3_more" "the face has more than 3 half-edges",
     Face4More "face_4_more" "the face has more than 4 half-edges",
     Face6More "face_6_more" "the face has more than 6 half-edges",
@@ -112,6 +116,12 @@ vocabulary! {
     Face24More "face_24_more" "the face has more than 24 half-edges",
     Face32More "face_32_more" "the face has more than 32 half-edges",
     Face64More "face_64_more" "the face has more than 64 half-edges",
+    NewShorter "new_shorter" "the new face gets fewer half-edges than the old one keeps",
+    OldShorter "old_shorter" "the old face keeps fewer half-edges than the new one gets",
+    NewMeets1 "new_meets_1" "the new face comes to the origin of he1 more than once",
+    NewMeets2 "new_meets_2" "the new face comes to the origin of he2 more than once",
+    OldMeets1 "old_meets_1" "the old face still comes to the origin of he1 more than once",
+    OldMeets2 "old_meets_2" "the old face still comes to the origin of he2 more than once",
     New4More "new_4_more" "the new face gets more than 4 half-edges",
     New5More "new_5_more" "the new face gets more than 5 half-edges",
     New6More "new_6_more" "the new face gets more than 6 half-edges",
@@ -211,6 +221,8 @@ fn loop_of(set: &mut Set, table: &Table, f: FaceId, walk: &[HalfEdgeId]) {
     set.add(Word::FaceBridge, walk.iter().any(has_own_twin));
     set.add(Word::FaceDangling, walk.iter().any(|&h| table.next(h).is_some() && table.next(h) == table.twin(h)));
     let steps = [
+        (1, Word::Face1More),
+        (2, Word::Face2More),
         (3, Word::Face3More),
         (4, Word::Face4More),
         (6, Word::Face6More),
@@ -249,8 +261,17 @@ fn vertex(set: &mut Set, table: &Table, v: VertexId) {
     ];
     set.more(spokes.len(), &steps);
     let faces: BTreeSet<Option<FaceId>> = spokes.iter().map(|&h| table.face(h)).collect();
+    let is_triangle = |&h: &HalfEdgeId| cycle_of_three(table, h);
+    set.add(Word::NotTriangle, !spokes.iter().all(is_triangle));
     set.add(Word::VertexTwice, faces.len() < spokes.len());
     set.either(Word::VertexBorder, Word::VertexInside, faces.contains(&table.outer_face));
+}
+
+/// Whether the face of a half-edge is closed after three steps, and not before.
+fn cycle_of_three(table: &Table, h: HalfEdgeId) -> bool {
+    let steps: Vec<Option<HalfEdgeId>> =
+        std::iter::successors(Some(Some(h)), |at| Some(at.and_then(|at| table.next(at)))).skip(1).take(3).collect();
+    steps[0] != Some(h) && steps[2] == Some(h)
 }
 
 /// The features of a half-edge and its edge; they are also those of splitting it.
@@ -319,6 +340,7 @@ fn split_face(set: &mut Set, table: &Table, [h1, h2]: [HalfEdgeId; 2]) -> Option
         |h, next: HalfEdgeId, v| table.next(h) != Some(next) && table.next(h).and_then(|n| table.origin(n)) == Some(v);
     set.add(Word::He1Ends, ends_at(h1, h2, o2));
     set.add(Word::He2Ends, ends_at(h2, h1, o1));
+    set.add(Word::EitherEnds, ends_at(h1, h2, o2) || ends_at(h2, h1, o1));
     let degrees = [spokes.len(), degree(table, o2)];
     set.add(Word::CornerAlone, degrees.contains(&1));
     set.add(Word::Corner2More, degrees.iter().any(|&degree| degree > 2));
@@ -345,6 +367,16 @@ fn split_face(set: &mut Set, table: &Table, [h1, h2]: [HalfEdgeId; 2]) -> Option
     let (gets, keeps) = (new + 1, walk.len() - new + 1);
     set.either(Word::New3More, Word::New3, gets > 3);
     set.either(Word::Old3More, Word::Old3, keeps > 3);
+    set.add(Word::NewShorter, gets < keeps);
+    set.add(Word::OldShorter, keeps < gets);
+    // The new face also begins at the origin of he1 and comes to that of he2; the old one the other way about.
+    let meets = |v, from: usize, count: usize| {
+        (0..count).filter(|i| table.origin(walk[(from + i) % walk.len()]) == Some(v)).count()
+    };
+    set.add(Word::NewMeets1, meets(o1, i2, new) > 0);
+    set.add(Word::NewMeets2, meets(o2, i2, new) > 1);
+    set.add(Word::OldMeets1, meets(o1, i1, walk.len() - new) > 1);
+    set.add(Word::OldMeets2, meets(o2, i1, walk.len() - new) > 0);
     let steps = [
         (4, Word::New4More),
         (5, Word::New5More),

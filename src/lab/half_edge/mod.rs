@@ -12,6 +12,7 @@
 mod costs;
 mod drawing;
 mod features;
+mod readings;
 mod sequences;
 mod shorter;
 mod split;

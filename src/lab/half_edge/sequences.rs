@@ -32,6 +32,7 @@ pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
                 tag: "unresolved".to_owned(),
                 words,
                 elements: Vec::new(),
+                instead: None,
             }];
         }
         let faults = match exchange.function {
@@ -56,6 +57,7 @@ pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
                 tag: "end".to_owned(),
                 words,
                 elements: vec![],
+                instead: None,
             }];
         }
     }

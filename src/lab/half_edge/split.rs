@@ -2,10 +2,12 @@
 
 use crate::Element;
 use crate::lab::checks::align::{Aligned, Content, Difference, differences};
-use crate::lab::fault::{Fault, FaultKind};
+use crate::lab::fault::{Fault, FaultKind, Instead};
 use crate::lab::protocol::CallEnd;
 use crate::topology::{Table, violations};
 
+/// The part that an element plays which plays none.
+pub(super) const ELSEWHERE: &str = "elsewhere";
 /// How many violations of the laws are added as an explanation.
 const LAWS: usize = 4;
 
@@ -50,6 +52,7 @@ impl Steps<'_> {
             tag: tag.to_owned(),
             words: format!("{}: {words}", self.call),
             elements: elements.to_vec(),
+            instead: None,
         });
     }
 
@@ -122,8 +125,40 @@ impl Steps<'_> {
                 if difference.owner.is_some() { format!(".{}", difference.field.word()) } else { String::new() };
             let words = format!("{owner}{field} is {}, expected {}", difference.found, difference.expected);
             self.add(step, kind, &tag, &words, &elements);
+            let of = match difference.owner.map(&role) {
+                None => "the structure",
+                Some(ELSEWHERE) => "an element elsewhere",
+                Some("on the loop of the new face") => "a half-edge on the loop of the new face",
+                Some("on the loop of the old face") => "a half-edge on the loop of the old face",
+                Some(part) => part,
+            };
+            let subject = format!("{} of {of}", difference.field.word());
+            let instead = Instead { subject, is: self.reads_as(difference, &role) };
+            if let Some(fault) = self.faults.last_mut() {
+                fault.instead = Some(instead);
+            }
         }
         self.laws();
+    }
+
+    /// What can be said of the wrong value of a field.
+    fn reads_as(&self, difference: &Difference, role: impl Fn(Element) -> &'static str) -> Vec<&'static str> {
+        let Difference { owner, field, found, .. } = *difference;
+        let mut out = Vec::new();
+        if found == Content::Unset {
+            out.push("unset still");
+        } else if found == Content::of(self.before, owner, field) {
+            out.push("what it was before the call: nothing sets it, or something sets it back");
+        }
+        if let Content::To(element) = found {
+            let part = role(element);
+            if owner == Some(element) {
+                out.push("that half-edge itself");
+            } else if !part.starts_with("on the ") && part != ELSEWHERE {
+                out.push(part);
+            }
+        }
+        out
     }
 
     /// The laws of the structure that are broken, as an explanation of the first fault.
@@ -147,6 +182,7 @@ impl Steps<'_> {
                 tag: String::new(),
                 words: format!("{}: {}", self.call, violation.text()),
                 elements: violation.elements.clone(),
+                instead: None,
             });
         }
     }

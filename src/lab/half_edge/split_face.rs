@@ -7,7 +7,7 @@
 //!
 //! The outer face is a face like any other. Two corners of one face at the same vertex are joined by a loop.
 
-use super::split::Steps;
+use super::split::{ELSEWHERE, Steps};
 use crate::lab::checks::align::{Difference, Field, align};
 use crate::lab::checks::spec::{self, Legal};
 use crate::lab::fault::{Exchange, Fault, FaultKind};
@@ -122,7 +122,9 @@ fn legal(steps: &mut Steps, h1: HalfEdgeId, h2: HalfEdgeId) {
         Element::HalfEdge(h) if before.face(h) == before.face(h1) => "on the loop of the old face",
         Element::Face(f) if f == new_face => "the new face",
         Element::Face(f) if before.face(h1) == Some(f) => "the old face",
-        _ => "elsewhere",
+        Element::Vertex(v) if before.origin(h1) == Some(v) => "the origin of he1",
+        Element::Vertex(v) if before.origin(h2) == Some(v) => "the origin of he2",
+        _ => ELSEWHERE,
     });
     steps.must_have_returned();
 }

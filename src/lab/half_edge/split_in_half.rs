@@ -6,7 +6,7 @@
 //!   3 next, prev and face, and what the vertices refer to
 //! ```
 
-use super::split::Steps;
+use super::split::{ELSEWHERE, Steps};
 use crate::lab::checks::align::{Aligned, Difference, Field, align};
 use crate::lab::checks::spec::{self, TwinSide};
 use crate::lab::fault::{Exchange, Fault};
@@ -71,8 +71,11 @@ fn steps_of(steps: &mut Steps, he: HalfEdgeId) {
         Element::HalfEdge(h) if before.next(h) == old_twin => "the one before the old twin",
         Element::HalfEdge(h) if before.prev(h) == old_twin => "the one after the old twin",
         Element::Vertex(v) if !before.has_vertex(v) => "the new vertex",
+        Element::Vertex(v) if before.origin(he) == Some(v) => "the origin of he",
         Element::Vertex(v) if Some(v) == end => "the vertex at the end of he",
-        _ => "elsewhere",
+        Element::Face(f) if before.face(he) == Some(f) => "the face of he",
+        Element::Face(f) if old_twin.is_some_and(|twin| before.face(twin) == Some(f)) => "the face of the old twin",
+        _ => ELSEWHERE,
     };
     if half_edges {
         steps.differences(&aligned, step_of, role);

@@ -12,6 +12,7 @@
 //! ```
 
 use crate::lab::cases::random::Random;
+use crate::lab::checks::spec;
 use crate::lab::protocol::Start;
 use crate::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
 use crate::{FaceId, HalfEdgeId, VertexId};
@@ -91,8 +92,21 @@ pub(super) fn petals() -> Table {
     from_cycles(&points, &[&outer, &[0, 1, 2], &[0, 3, 4], &[0, 5, 6], &[0, 7, 8]])
 }
 
-/// All odd structures, with their names: dangling edges at either end and on either side, bridges, corners that touch.
-pub(super) fn odd() -> [(&'static str, Table); 9] {
+/// An antenna whose two corners at one vertex are joined: an edge from a vertex to itself.
+pub(super) fn looped() -> Table {
+    let table = antenna();
+    let all = || (0..table.half_edges.len() as u32).map(HalfEdgeId::new);
+    let mut pairs = all().flat_map(|h1| all().map(move |h2| (h1, h2)));
+    let split = pairs.find_map(|(h1, h2)| {
+        let at_one_vertex = table.origin(h1) == table.origin(h2);
+        spec::split_face(&table, h1, h2).filter(|_| at_one_vertex)
+    });
+    split.map_or_else(Table::default, |(table, _)| table)
+}
+
+/// All odd structures, with their names: dangling edges at either end and on either side, bridges, corners that touch,
+/// a loop.
+pub(super) fn odd() -> [(&'static str, Table); 10] {
     [
         ("antenna", antenna()),
         ("outer_antenna", outer_antenna()),
@@ -103,6 +117,7 @@ pub(super) fn odd() -> [(&'static str, Table); 9] {
         ("inner_bridge", inner_bridge()),
         ("tree", tree()),
         ("single_edge", single_edge()),
+        ("looped", looped()),
     ]
 }
 

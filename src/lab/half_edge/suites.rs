@@ -9,7 +9,6 @@ use super::sequences::{Mix, polygon, random, sequence};
 use super::shorter::shorter;
 use super::starts::{blind, odd, relabelled, rounding, window};
 use super::{drawing, features, sequences, split_face, split_in_half, walks};
-use crate::HalfEdgeId;
 use crate::lab::cases::classes::classes;
 use crate::lab::cases::random::Random;
 use crate::lab::checks::spec::{Legal, may_split_face};
@@ -18,6 +17,7 @@ use crate::lab::fault::{Exchange, Fault};
 use crate::lab::plan::Plan;
 use crate::lab::protocol::{Case, CaseAnswer, Start, Step};
 use crate::topology::{HalfEdgeRow, Table};
+use crate::{Element, HalfEdgeId};
 use std::sync::Arc;
 
 /// How many random sequences are asked for each test, and of how many calls.
@@ -126,6 +126,13 @@ impl Course for HalfEdge {
 
     fn expected(&self, exchange: &Exchange) -> Option<Table> {
         super::expected(exchange)
+    }
+
+    fn answer(&self, exchange: &Exchange) -> Vec<Element> {
+        let asked = exchange.before.zip(exchange.called);
+        let walk =
+            asked.and_then(|(table, (arguments, _))| walks::expected(table, exchange.function, *arguments.first()?));
+        walk.map_or_else(Vec::new, |walk| walk.elements.iter().map(|&number| (walk.element)(number)).collect())
     }
 
     fn shorter(&self, case: &Case) -> Vec<Case> {

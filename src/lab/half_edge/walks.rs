@@ -7,10 +7,10 @@
 //!   destination h0        v1            origin of the twin
 //! ```
 
-use super::costs;
+use super::{costs, readings};
 use crate::lab::checks::cyclic::{self, WalkFault};
 use crate::lab::checks::spec::{cycle, star};
-use crate::lab::fault::{Exchange, Fault, FaultKind, exchanges};
+use crate::lab::fault::{Exchange, Fault, FaultKind, Instead, exchanges};
 use crate::lab::protocol::{CallEnd, Case, CaseAnswer, Value};
 use crate::topology::{Table, View};
 use crate::{Element, FaceId, HalfEdgeId, VertexId};
@@ -26,7 +26,7 @@ fn fault(test: &'static str, exchange: &Exchange) -> Option<Fault> {
     let Exchange { step, function, .. } = *exchange;
     let call = format!("{function} {}", exchange.words.join(" "));
     let fault = |kind, tag: String, words, elements| {
-        Some(Fault { test, kind, step, rule: function.to_owned(), tag, words, elements })
+        Some(Fault { test, kind, step, rule: function.to_owned(), tag, words, elements, instead: None })
     };
     let Some((arguments, end)) = exchange.called else {
         return fault(FaultKind::GraderFault, "unresolved".to_owned(), format!("{call}: no such element"), Vec::new());
@@ -64,7 +64,9 @@ fn fault(test: &'static str, exchange: &Exchange) -> Option<Fault> {
         walk.list(&walk.elements),
         walk.any_start()
     );
-    fault(FaultKind::Wrong, tag, words, found.iter().map(|&n| (walk.element)(n)).collect())
+    let wrong = fault(FaultKind::Wrong, tag, words, found.iter().map(|&n| (walk.element)(n)).collect());
+    let is = readings::of(table, function, argument, &found);
+    wrong.map(|fault| Fault { instead: Some(Instead { subject: "the answer".to_owned(), is }), ..fault })
 }
 
 fn number(value: Value) -> Option<u32> {

@@ -1,7 +1,7 @@
 //! The files of this build. Generated: `dcel lab bundle`.
 
 #[rustfmt::skip]
-pub(super) const SOURCES: [(&str, &str); 307] = [
+pub(super) const SOURCES: [(&str, &str); 308] = [
     ("LICENSE-APACHE", include_str!("../../../LICENSE-APACHE")),
     ("LICENSE-MIT", include_str!("../../../LICENSE-MIT")),
     ("figures/cube.svg", include_str!("../../../figures/cube.svg")),
@@ -136,6 +136,7 @@ pub(super) const SOURCES: [(&str, &str); 307] = [
     ("src/lab/half_edge/drawing.rs", include_str!("../../../src/lab/half_edge/drawing.rs")),
     ("src/lab/half_edge/features.rs", include_str!("../../../src/lab/half_edge/features.rs")),
     ("src/lab/half_edge/mod.rs", include_str!("../../../src/lab/half_edge/mod.rs")),
+    ("src/lab/half_edge/readings.rs", include_str!("../../../src/lab/half_edge/readings.rs")),
     ("src/lab/half_edge/sequences.rs", include_str!("../../../src/lab/half_edge/sequences.rs")),
     ("src/lab/half_edge/shorter.rs", include_str!("../../../src/lab/half_edge/shorter.rs")),
     ("src/lab/half_edge/split.rs", include_str!("../../../src/lab/half_edge/split.rs")),

@@ -17,6 +17,8 @@ use std::time::{Duration, Instant};
 const STDERR: usize = 64 * 1024;
 /// How long a process that was ended may take to go, and its pipes to run dry.
 const GRACE: Duration = Duration::from_millis(500);
+/// More runs at the same time end no sooner: one suite takes longer than all others together.
+const MOST_AT_ONCE: usize = 4;
 /// How long to wait between two looks at a process whose pipes are open, and at one whose pipes are closed.
 const LOOK: [Duration; 2] = [Duration::from_millis(5), Duration::from_micros(200)];
 
@@ -40,6 +42,10 @@ impl Driver {
 impl Program for Driver {
     fn run(&self, input: &str) -> Ran {
         run_within(limited(&self.path, &self.limits), input, &self.limits, None)
+    }
+
+    fn at_once(&self) -> usize {
+        std::thread::available_parallelism().map_or(1, usize::from).min(MOST_AT_ONCE)
     }
 
     fn walls(&self) -> Vec<Wall> {

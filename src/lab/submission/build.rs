@@ -51,6 +51,8 @@ pub(crate) fn build(tree: &Tree, toolchain: &Toolchain, limits: Limits, sandbox:
     if let Some(settings) = settings_above(&tree.folder()).filter(|_| !sandbox.obeys_settings()) {
         return fault(format!("{} would change how submissions are built; move it away", settings.display()));
     }
+    // In a room that stays there may be the account of an earlier build.
+    Reads::forget(&tree.target());
     let ran = sandbox.run(&task(tree, toolchain, limits), "");
     let messages: Vec<Message> =
         String::from_utf8_lossy(&ran.stdout).lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
@@ -151,7 +153,9 @@ fn take_program(tree: &Tree, messages: &[Message]) -> Built {
     // A copy: the compiler's user owns the original, and could change it while it is judged.
     match fs::copy(made, &program).and_then(|_| own_only(&program, 0o755)) {
         Ok(()) => {
-            let _ = fs::remove_dir_all(tree.target());
+            if !tree.stays {
+                let _ = fs::remove_dir_all(tree.target());
+            }
             Built::Program(program)
         }
         Err(error) => fault(format!("{}: {error}", program.display())),

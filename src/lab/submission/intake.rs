@@ -202,7 +202,7 @@ fn take_from(manifest: &Manifest, from: &Source) -> Result<Intake, IntakeError> 
     for file in &manifest.graded {
         let found = find(&parts, file)?.or_else(|| the_only_one(&parts, file));
         let (part, note) =
-            found.ok_or_else(|| IntakeError::Missing { file: file.clone(), instead: instead(&parts) })?;
+            found.ok_or_else(|| IntakeError::Missing { file: file.clone(), instead: instead(&parts, file) })?;
         intake.notes.extend(note);
         intake.graded.push((file.clone(), text(&part.content, file)?));
     }
@@ -339,7 +339,7 @@ fn the_only<'a>(file: &str, mut found: impl Iterator<Item = &'a Part>) -> Result
 }
 
 /// What there is in place of a file that is missing.
-fn instead(parts: &[Part]) -> String {
+fn instead(parts: &[Part], file: &str) -> String {
     let archive = parts.iter().find(|part| parts::kind(part.name()) != Kind::None);
     let link = parts.iter().find_map(|part| match &part.content {
         Content::Link(to) => Some((&part.path, to)),
@@ -350,7 +350,20 @@ fn instead(parts: &[Part]) -> String {
         (None, Some(part)) => {
             format!("; `{}` is not opened: hand in one archive, with your files and no archive in it", part.path)
         }
-        (None, None) => String::new(),
+        (None, None) => {
+            let name = name_of(file);
+            let end = Path::new(name).extension();
+            let meant: Vec<&str> =
+                parts.iter().map(|part| &*part.path).filter(|path| Path::new(path).extension() == end).collect();
+            match meant[..] {
+                [one, other, ..] => format!(
+                    "; there are `{one}`, `{other}`{}: the one that counts must be called {name} (a class is graded with \
+                     --all-in)",
+                    if meant.len() > 2 { " and more" } else { "" }
+                ),
+                _ => String::new(),
+            }
+        }
     }
 }
 

@@ -32,27 +32,24 @@ pub(super) struct Reads {
 impl Reads {
     /// What a build in this target directory read; nothing if the compiler did not come to say it.
     pub(super) fn of_build(target: &Path) -> Option<Self> {
-        let entries = |folder: &Path| fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok);
         let mut all: Option<Self> = None;
-        // One folder deeper where settings name the system that is built for.
-        let profiles: Vec<_> = entries(target).map(|entry| entry.path()).collect();
-        let deeper: Vec<_> = profiles.iter().flat_map(|folder| entries(folder)).map(|entry| entry.path()).collect();
-        for profile in profiles.iter().chain(&deeper) {
-            for entry in entries(&profile.join("deps")) {
-                let path = entry.path();
-                if path.extension().is_none_or(|ending| ending != "d") {
-                    continue;
-                }
-                // What cannot be read as it should be is as good as not there.
-                let fits = entry.metadata().is_ok_and(|data| data.is_file() && data.len() <= LARGEST);
-                let text = fs::read_to_string(&path).ok().filter(|_| fits)?;
-                let one = Self::parse(&text);
-                let all = all.get_or_insert_with(Self::default);
-                all.files.extend(one.files);
-                all.variables.extend(one.variables);
-            }
+        for path in accounts(target) {
+            // What cannot be read as it should be is as good as not there.
+            let fits = fs::symlink_metadata(&path).is_ok_and(|data| data.is_file() && data.len() <= LARGEST);
+            let text = fs::read_to_string(&path).ok().filter(|_| fits)?;
+            let one = Self::parse(&text);
+            let all = all.get_or_insert_with(Self::default);
+            all.files.extend(one.files);
+            all.variables.extend(one.variables);
         }
         all.filter(|all| !all.files.is_empty())
+    }
+
+    /// Takes away what earlier builds in this target directory said.
+    pub(super) fn forget(target: &Path) {
+        for path in accounts(target) {
+            let _ = fs::remove_file(path);
+        }
     }
 
     fn parse(text: &str) -> Self {
@@ -75,6 +72,19 @@ impl Reads {
         let variable = self.variables.iter().find(|name| !name.starts_with(OF_THE_MANIFEST))?;
         Some(format!("the environment variable `{variable}`"))
     }
+}
+
+/// The files of a target directory in which the compiler says what it read.
+fn accounts(target: &Path) -> Vec<PathBuf> {
+    let entries = |folder: &Path| {
+        let entries: Vec<_> = fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok).collect();
+        entries.into_iter().map(|entry| entry.path())
+    };
+    // One folder deeper where settings name the system that is built for.
+    let profiles: Vec<_> = entries(target).collect();
+    let deeper: Vec<_> = profiles.iter().flat_map(|folder| entries(folder)).collect();
+    let parts = profiles.iter().chain(&deeper).flat_map(|profile| entries(&profile.join("deps")));
+    parts.filter(|path| path.extension().is_some_and(|ending| ending == "d")).collect()
 }
 
 /// Splits at blanks that have no backslash before them.

@@ -16,10 +16,12 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// A room with a tree in it; removed when this is dropped.
+/// A room with a tree in it; removed when this is dropped, unless it is to be used again.
 #[derive(Debug)]
 pub(crate) struct Tree {
     room: PathBuf,
+    /// Whether the room stays, and the next tree in it is compiled with what was made for this one.
+    pub(super) stays: bool,
     /// The package, and the program it builds.
     pub(super) package: String,
     /// The student's files, as paths in the lab.
@@ -29,27 +31,55 @@ pub(crate) struct Tree {
 impl Tree {
     /// Lays the tree out in a new folder `room`.
     pub(crate) fn lay(room: PathBuf, lab: &Lab, intake: &Intake, sandbox: &dyn Sandbox) -> io::Result<Self> {
-        let manifest = &lab.manifest;
-        let tree = Self { room, package: manifest.package.clone(), graded: manifest.graded.clone() };
-        fs::create_dir(&tree.room)?;
-        own_only(&tree.room, 0o750)?;
-        sandbox.let_in(&tree.room)?;
-        for folder in [tree.target(), tree.tmp(), tree.home()] {
+        let tree = Self::in_room(room, lab, false);
+        tree.furnish(sandbox)?;
+        tree.write(lab, intake)?;
+        Ok(tree)
+    }
+
+    /// Lays the tree out in a folder `room` that stays: new, or with the tree of an earlier check in it.
+    pub(crate) fn lay_again(room: PathBuf, lab: &Lab, intake: &Intake, sandbox: &dyn Sandbox) -> io::Result<Self> {
+        let tree = Self::in_room(room, lab, true);
+        if tree.room.exists() {
+            match fs::remove_dir_all(tree.folder()) {
+                Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+                _ => {}
+            }
+        } else {
+            tree.furnish(sandbox)?;
+        }
+        tree.write(lab, intake)?;
+        Ok(tree)
+    }
+
+    fn in_room(room: PathBuf, lab: &Lab, stays: bool) -> Self {
+        Self { room, stays, package: lab.manifest.package.clone(), graded: lab.manifest.graded.clone() }
+    }
+
+    /// Makes the room and the folders in which the compiler may write.
+    fn furnish(&self, sandbox: &dyn Sandbox) -> io::Result<()> {
+        fs::create_dir(&self.room)?;
+        own_only(&self.room, 0o750)?;
+        sandbox.let_in(&self.room)?;
+        for folder in [self.target(), self.tmp(), self.home()] {
             fs::create_dir(&folder)?;
             own_only(&folder, 0o700)?;
             sandbox.give(&folder)?;
         }
+        Ok(())
+    }
+
+    fn write(&self, lab: &Lab, intake: &Intake) -> io::Result<()> {
         let given =
-            lab.files.iter().filter(|(path, _)| path.starts_with("src/") && !manifest.graded.iter().any(|g| g == path));
+            lab.files.iter().filter(|(path, _)| path.starts_with("src/") && !self.graded.iter().any(|g| g == path));
         let students = intake.graded.iter().map(|(path, text)| (path.as_str(), text.as_str()));
         for (path, text) in given.chain(students) {
-            let file = tree.folder().join(path);
-            fs::create_dir_all(file.parent().unwrap_or(&tree.room))?;
+            let file = self.folder().join(path);
+            fs::create_dir_all(file.parent().unwrap_or(&self.room))?;
             fs::write(file, text)?;
         }
-        fs::write(tree.folder().join("Cargo.toml"), manifest_of(&tree.package))?;
-        fs::write(tree.folder().join("Cargo.lock"), lock_of(&tree.package))?;
-        Ok(tree)
+        fs::write(self.folder().join("Cargo.toml"), manifest_of(&self.package, self.stays))?;
+        fs::write(self.folder().join("Cargo.lock"), lock_of(&self.package))
     }
 
     pub(super) fn folder(&self) -> PathBuf {
@@ -75,7 +105,9 @@ impl Tree {
 
 impl Drop for Tree {
     fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.room);
+        if !self.stays {
+            let _ = fs::remove_dir_all(&self.room);
+        }
     }
 }
 
@@ -94,7 +126,7 @@ pub(super) fn own_only(path: &Path, mode: u32) -> io::Result<()> {
 }
 
 /// The manifest. Overflow is checked as in the student's own build, so that the same cases panic.
-fn manifest_of(package: &str) -> String {
+fn manifest_of(package: &str, incremental: bool) -> String {
     // An older compiler is told so by cargo, and not by errors in files that nobody here wrote.
     let oldest = env!("CARGO_PKG_RUST_VERSION");
     format!(
@@ -103,7 +135,7 @@ fn manifest_of(package: &str) -> String {
          autolib = false\nautobins = false\nautotests = false\nautoexamples = false\nautobenches = false\n\n\
          [[bin]]\nname = \"{package}\"\npath = \"src/main.rs\"\ntest = false\n\n\
          [lints.rust]\nunsafe_code = \"forbid\"\n\n\
-         [profile.dev]\ndebug = false\nincremental = false\n\n[workspace]\n"
+         [profile.dev]\ndebug = false\nincremental = {incremental}\n\n[workspace]\n"
     )
 }
 
