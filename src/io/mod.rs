@@ -67,7 +67,7 @@ pub use near::closest;
 pub use points::{PointList, points_from_text, read_points};
 pub use problem::{ReadError, ReadProblem};
 pub use read::{Document, Read, ReadOptions, read_bytes, read_path, read_triangle, source_name};
-pub use scen::{Optimum, Query, Scenario};
+pub use scen::{Misfits, Optimum, Query, Scenario, Verdict};
 pub use segments::SegmentSoup;
 pub use soup::{Axis, Places, PolygonSoup};
 pub use words::counted;
