@@ -152,6 +152,11 @@ impl Grid {
         p.x >= self.min.x && p.x <= self.max.x && p.y >= self.min.y && p.y <= self.max.y
     }
 
+    /// The point of the box that is the closest to `p`, which has no coordinate that is no number.
+    pub(super) fn clamp(&self, p: Point) -> Point {
+        Point::new(p.x.clamp(self.min.x, self.max.x), p.y.clamp(self.min.y, self.max.y))
+    }
+
     /// How many columns and rows.
     pub(super) fn size(&self) -> [usize; 2] {
         [self.columns, self.rows]
