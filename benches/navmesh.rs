@@ -199,7 +199,7 @@ enum Program {
 }
 
 fn routes(mesh: &NavMesh, peers: &[polyanya::Mesh; 2], queries: &[Ends]) {
-    let mut prepared = mesh.clone();
+    let prepared = mesh.clone();
     let per_triangle = |bytes: usize| bytes as f64 / mesh.face_count() as f64;
     let count = prepared.merge_faces();
     let bytes = prepared.memory();
@@ -211,16 +211,16 @@ fn routes(mesh: &NavMesh, peers: &[polyanya::Mesh; 2], queries: &[Ends]) {
         [Rung::Breadth, Rung::Midpoint, Rung::Closest, Rung::Aimed, Rung::Exact].map(Program::Prepared);
     let programs: Vec<Program> =
         Rung::ALL.map(Program::Plain).into_iter().chain(prepared_rungs).chain([0, 1].map(Program::Peer)).collect();
-    let mut planner = Planner::new();
+    let (mut planner, mut plain) = (Planner::new(), Planner::face_by_face());
     let mut least = vec![vec![f64::INFINITY; queries.len()]; programs.len()];
     let mut lengths = vec![vec![0.0; queries.len()]; programs.len()];
     for (i, &(start, goal)) in queries.iter().enumerate() {
         for (k, &program) in (0..ROUNDS).flat_map(|_| programs.iter().enumerate()) {
             let least = &mut least[k][i];
-            let mut find = |mesh, rung| timed(least, || planner.route_between(mesh, rung, start, goal));
+            let mut find = |planner: &mut Planner, rung| timed(least, || planner.route_between(&prepared, rung, start, goal));
             lengths[k][i] = match program {
-                Program::Plain(rung) => find(mesh, rung).expect("one component").length,
-                Program::Prepared(rung) => find(&prepared, rung).expect("one component").length,
+                Program::Plain(rung) => find(&mut plain, rung).expect("one component").length,
+                Program::Prepared(rung) => find(&mut planner, rung).expect("one component").length,
                 Program::Peer(p) => {
                     timed(least, || peers[p].path(vec(start), vec(goal))).map_or(0.0, |path| path.length.into())
                 }

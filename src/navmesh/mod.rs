@@ -17,7 +17,7 @@
 //! | 4 | what is the shortest way through these faces? | `funnel.rs` |
 //! | 5 | what is the shortest way of all? | `exact/`, over larger faces `merged.rs` |
 //! | 6 | which of them are wide enough? how far is everything? | `inset.rs`, `doors.rs`, `field.rs` |
-//! | 7 | and when walls come and go? | `change.rs`, `live/` |
+//! | 7 | and when walls come and go? | `change.rs`, `upkeep.rs`, `live/` |
 //!
 //! Every decision is a sign of [`orientation`](crate::plane::predicates::orientation) on points that were given, so
 //! it is exact; lengths are plain doubles. Ids are those of the subdivision.
@@ -47,6 +47,7 @@ mod planner;
 mod rooms;
 mod route;
 mod strides;
+mod upkeep;
 mod validate;
 mod waves;
 

@@ -94,8 +94,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         }
         told.retain(|fault| !cut_up(fault.kind));
     }
-    let mut map = args.map.finish(draft)?;
-    map.mesh.link_crossings();
+    let map = args.map.finish(draft)?;
     if let Some(target) = &target {
         let floor = Floor::new(&map.subdivision, &map.mesh);
         let title = args.map.title();
