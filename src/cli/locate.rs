@@ -10,7 +10,7 @@ use dcel_kit::figure::sketch::{Backdrop, Role, Sketch};
 use dcel_kit::figure::{Figure, FigureOptions};
 use dcel_kit::io::{ReadOptions, counted, read_points};
 use dcel_kit::plane::{Location, Point, Subdivision, Walk};
-use dcel_kit::{FaceId, VertexId};
+use dcel_kit::{FaceId, FaceMap, VertexId};
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -217,9 +217,11 @@ fn draw(
 ) -> Result<Figure, Failure> {
     let mut sketch = Sketch::new();
     let mut faces: Vec<FaceId> = Vec::new();
+    let mut seen = FaceMap::filled(s.face_bound(), false);
+    seen[s.outer_face()] = true;
     for &at in found {
         match at {
-            Location::Face(f) if f != s.outer_face() && !faces.contains(&f) => faces.push(f),
+            Location::Face(f) if !std::mem::replace(&mut seen[f], true) => faces.push(f),
             Location::Edge(h) => {
                 sketch.path(Role::Main, [h, h.twin()].map(|h| s.point(s.origin(h))));
             }

@@ -6,7 +6,7 @@ use super::picture::{Pixels, Target};
 use super::subject::Subject;
 use super::{Answer, Output};
 use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
-use dcel_kit::figure::{Detail, Figure, FigureOptions};
+use dcel_kit::figure::{Figure, FigureOptions};
 use dcel_kit::io::{Format, Model, Number, counted, on_grid, write, write_path};
 use dcel_kit::plane::{Operation, Overlay, Parts, Subdivision};
 use dcel_kit::{FaceId, FaceMap, VertexId};
@@ -288,9 +288,10 @@ fn outlines(sketch: &mut Sketch, role: Role, s: &Subdivision, key: &str) {
     }
 }
 
-fn title(args: &Args, what: &str) -> FigureOptions {
+fn title(args: &Args, what: &str, drawn: &[&Subdivision]) -> FigureOptions {
     let [a, b] = [&args.a, &args.b].map(|path| path.file_stem().unwrap_or_default().to_string_lossy());
-    FigureOptions::new(format!("{what} {a} and {b}")).detail(Detail::Edges)
+    let edges = drawn.iter().map(|s| s.edge_count()).sum();
+    FigureOptions::new(format!("{what} {a} and {b}")).without_half_edges(edges)
 }
 
 /// a, b, both with their crossings, and what belongs to one of them or to both.
@@ -314,7 +315,7 @@ fn draw_both(args: &Args, [a, b]: [&Subdivision; 2], both: &Overlay) -> Result<F
     );
     panels.over("overlay", &text, s, Backdrop::Plain, crossings);
     panels.sketch("regions", "faces of a and of b, without hole faces", regions);
-    panels.figure(&title(args, "Overlay of")).map_err(|error| Failure::input(error, ""))
+    panels.figure(&title(args, "Overlay of", &[a, b, s])).map_err(|error| Failure::input(error, ""))
 }
 
 /// The region, and the edges it was made from.
@@ -328,5 +329,5 @@ fn draw_region(
     region(&mut sketch, Role::Main, made, |f| !made.is_hole(f), operation.name());
     outlines(&mut sketch, Role::Secondary, a, "edges of a");
     outlines(&mut sketch, Role::Goal, b, "edges of b");
-    sketch.figure(&title(args, &format!("{operation} of"))).map_err(|error| Failure::input(error, ""))
+    sketch.figure(&title(args, &format!("{operation} of"), &[a, b, made])).map_err(|error| Failure::input(error, ""))
 }

@@ -9,6 +9,7 @@
 //!   sketch/  paths, cones, circles, badges …: what the other rooms draw themselves with, alone or over a structure
 //!   solid/   solids in space, hidden lines dashed
 //!   chart/   series over linear and log axes
+//!   dual.rs  voronoi.rs  records.rs  robustness.rs  navmesh/   one subject each
 //! ```
 //!
 //! Reading rules of every figure: arrows run on the left of their edge and their one-sided barb points to
@@ -86,6 +87,7 @@ mod tints;
 mod unit;
 mod vector;
 mod vertices;
+mod voronoi;
 
 pub use dual::{DualFigureError, dual};
 pub use film::{Fate, Film, Frame, Written};
@@ -106,6 +108,7 @@ pub use style::{Colour, Palette, Style, Theme};
 pub use style_file::{ParseColourError, StyleError};
 pub use tables::tables;
 pub use unit::{ParseLengthError, Unit};
+pub use voronoi::{voronoi_cells, voronoi_edges};
 
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::CoordinateError;

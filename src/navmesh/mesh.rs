@@ -19,6 +19,7 @@ use super::crossings::Crossings;
 use super::error::NavMeshError;
 use super::grid::{GapEdge, Grid};
 use super::merged::Merged;
+use super::slivers::Slivers;
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::plane::predicates::{left_to_right, orientation};
 use crate::plane::{Point, Subdivision};
@@ -132,7 +133,7 @@ impl NavMesh {
     /// The navmesh of a map: its faces are the bounded faces that are no holes, and they must be convex. Corners in
     /// the middle of a straight side are allowed.
     ///
-    /// Cost: O(n).
+    /// Cost: O(n); O(n log² n) where so many faces are long and thin that they would fill the cells of the index.
     ///
     /// # Errors
     /// [`NavMeshError`] names the face that is not convex, or says that there is none.
@@ -221,9 +222,9 @@ impl NavMesh {
             + self.crossings.get().map_or(0, Crossings::memory)
     }
 
-    /// Makes the index anew. O(n).
+    /// Makes the index anew. O(n); O(n log² n) where faces are long and thin.
     pub(super) fn index_all(&mut self, map: &Subdivision) {
-        self.grid = Grid::new(self, &GapEdge::all(map, self));
+        self.grid = Grid::new(self, &GapEdge::all(map, self), || Slivers::new(map));
     }
 
     /// Where `v` is. O(1).

@@ -12,7 +12,7 @@
 //! |---|---|---|
 //! | 0 | is it a navmesh at all, and what is wrong? | `validate.rs` |
 //! | 1 | which faces lie across the sides, round a vertex, in one piece? | `mesh.rs`, `around.rs`, `components.rs`, `dead_ends.rs` |
-//! | 2 | in which face is a point? | `grid.rs`, `coarse.rs`, `location.rs`, `nearest.rs` |
+//! | 2 | in which face is a point? | `grid.rs`, `coarse.rs`, `slivers.rs`, `location.rs`, `nearest.rs` |
 //! | 3 | which faces lead from here to there? | `waves.rs`, `corridor.rs`, by whole passages `crossings.rs`, `jumps.rs`, `strides.rs` |
 //! | 4 | what is the shortest way through these faces? | `funnel.rs` |
 //! | 5 | what is the shortest way of all? | `exact/`, over larger faces `merged.rs` |
@@ -46,6 +46,7 @@ mod nearest;
 mod planner;
 mod rooms;
 mod route;
+mod slivers;
 mod strides;
 mod upkeep;
 mod validate;
