@@ -3,7 +3,7 @@
 use super::delaunay::Repeated;
 use super::failure::{Failure, say};
 use super::input::InputOptions;
-use super::save::{not_the_input, save};
+use super::save::{Files, InPlace, put, save};
 use super::{Answer, Output};
 use dcel_kit::figure::{self, FigureOptions};
 use dcel_kit::io::{Model, PointList, counted, read_points};
@@ -33,6 +33,8 @@ pub(crate) struct Args {
     /// Write the cells, for example as .dcel; - for dcel text instead of the report
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    in_place: InPlace,
     /// Draw it
     #[arg(long, value_name = "OUT.svg")]
     figure: Option<PathBuf>,
@@ -77,8 +79,12 @@ struct Cell {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    not_the_input(&args.file, args.output.iter().chain(&args.figure))?;
+    Files::reading([&args.file])
+        .writes_or_replaces("-o", args.output.as_deref(), args.in_place)
+        .writes("--figure", args.figure.as_deref())
+        .check()?;
     let list = read_points(&args.file, &args.input.for_points()?)?;
+    list.notes.iter().for_each(|note| say("note", note));
     let built =
         Subdivision::delaunay(&list.points).map_err(|error| Failure::input(format!("{}: {error}", list.source), ""))?;
     let window = match args.window.as_deref() {
@@ -97,7 +103,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         };
         let drawn = drawn.map_err(|error| Failure::input(format!("{}: {error}", list.source), ""))?;
         drawn.notes().iter().for_each(|note| say("note", note));
-        std::fs::write(path, drawn.to_svg()).map_err(|error| Failure::writing(path.display(), &error))?;
+        put(path, drawn.to_svg())?;
     }
     let report = Report::of(&list, &built, &voronoi, &cells, &window);
     if cells.slivers > 0 {

@@ -129,7 +129,7 @@ pub enum FigureError {
         example: VertexId,
     },
     /// A face that was asked for does not exist.
-    #[error("{face} does not exist: there are {faces} faces, numbered from f0")]
+    #[error("{}", crate::ids::Element::from(*face).missing(*faces, *faces))]
     UnknownFace {
         /// The face.
         face: FaceId,
@@ -145,10 +145,12 @@ pub enum FigureError {
         error: CoordinateError,
     },
     /// There is no such half-edge.
-    #[error("{half_edge} does not exist; the half-edges are among h0 to h{}", bound.saturating_sub(1))]
+    #[error("{}", crate::ids::Element::from(*half_edge).missing(*count, *bound))]
     NoHalfEdge {
         /// The half-edge asked for.
         half_edge: HalfEdgeId,
+        /// How many half-edges there are.
+        count: usize,
         /// One more than the greatest number of a half-edge.
         bound: usize,
     },

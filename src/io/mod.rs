@@ -22,6 +22,7 @@
 //!   obj.rs off.rs ply/ stl.rs triangle.rs mesh/ grid.rs (scen.rs) geojson.rs topojson.rs (json.rs arrays.rs)
 //!   wkt.rs poly.rs segments.rs dcel.rs tables.rs   one format each
 //!   points.rs points alone, of any of them or of plain text    words.rs  numbers with their words
+//!   room.rs   memory that is asked for before it is needed
 //! ```
 
 mod arrange;
@@ -45,6 +46,7 @@ pub mod poly;
 mod problem;
 mod read;
 mod rings;
+mod room;
 pub mod scen;
 pub mod segments;
 mod soup;

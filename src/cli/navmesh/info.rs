@@ -23,9 +23,9 @@ use std::io::{self, Write};
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
-  dcel navmesh info figures/data/rooms.map
-  dcel navmesh info figures/data/rooms.map --json
-  dcel navmesh info figures/data/rooms.map --triangles \\
+  dcel navmesh info rooms.map
+  dcel navmesh info rooms.map --json
+  dcel navmesh info rooms.map --triangles \\
     --draw dead-ends -o dead-ends.svg")]
 pub(super) struct Args {
     #[command(flatten)]

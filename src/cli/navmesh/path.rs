@@ -24,14 +24,14 @@ use std::io::Write;
 #[command(override_usage = "dcel navmesh path [OPTIONS] <MAP> <X> <Y> <X> <Y>")]
 #[command(after_help = "\
 Examples:
-  dcel navmesh path figures/data/rooms.map 1 1 22 12
-  dcel navmesh path figures/data/rooms.map 1 1 22 12 \\
+  dcel navmesh path rooms.map 1 1 22 12
+  dcel navmesh path rooms.map 1 1 22 12 \\
     --rung all -o ladder.svg
-  dcel navmesh path figures/data/rooms.map 1 1 22 12 \\
+  dcel navmesh path rooms.map 1 1 22 12 \\
     --triangles --rung bfs --draw funnel -o funnel.svg
-  dcel navmesh path figures/data/rooms.map 1 1 22 12 \\
+  dcel navmesh path rooms.map 1 1 22 12 \\
     --draw cones -o cones.svg
-  dcel navmesh path figures/data/rooms.map 1 1 22 12 \\
+  dcel navmesh path rooms.map 1 1 22 12 \\
     --radius 0.4 --rung closest -o wide.svg")]
 pub(super) struct Args {
     #[command(flatten)]

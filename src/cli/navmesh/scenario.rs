@@ -21,10 +21,10 @@ use std::path::PathBuf;
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
-  dcel navmesh scenario figures/data/rooms.map \\
-    figures/data/rooms.scen
-  dcel navmesh scenario figures/data/rooms.map \\
-    figures/data/rooms.scen --face-by-face --json")]
+  dcel navmesh scenario rooms.map \\
+    rooms.scen
+  dcel navmesh scenario rooms.map \\
+    rooms.scen --face-by-face --json")]
 pub(super) struct Args {
     #[command(flatten)]
     map: MapArgs,
