@@ -1,7 +1,7 @@
 //! The files of this build. Generated: `dcel lab bundle`.
 
 #[rustfmt::skip]
-pub(super) const SOURCES: [(&str, &str); 272] = [
+pub(super) const SOURCES: [(&str, &str); 273] = [
     ("figures/data/rooms.map", include_str!("../../../../figures/data/rooms.map")),
     ("figures/data/rooms.scen", include_str!("../../../../figures/data/rooms.scen")),
     ("figures/data/states-albers-10m.json", include_str!("../../../../figures/data/states-albers-10m.json")),
@@ -82,6 +82,7 @@ pub(super) const SOURCES: [(&str, &str); 272] = [
     ("src/cli/sample/sites.xy", include_str!("../../../../src/cli/sample/sites.xy")),
     ("src/cli/sample/square.dcel", include_str!("../../../../src/cli/sample/square.dcel")),
     ("src/cli/sample/square.obj", include_str!("../../../../src/cli/sample/square.obj")),
+    ("src/cli/sample/tetrahedron.off", include_str!("../../../../src/cli/sample/tetrahedron.off")),
     ("src/cli/sample/torus.dcels", include_str!("../../../../src/cli/sample/torus.dcels")),
     ("src/cli/sample/trees.xy", include_str!("../../../../src/cli/sample/trees.xy")),
     ("src/cli/save.rs", include_str!("../../../../src/cli/save.rs")),
