@@ -3,10 +3,11 @@
 //! `cargo bench --bench delaunay` measures 10^4, 10^5 and 10^6 points, random, on a grid and in clusters, beside
 //! spade's bulk load (exact, into its own half-edge structure) and delaunator (a list of triangles, by doubles).
 //! `-- parts` adds what else can be done with a million random points: delaunator and our converter and flips, a
-//! check of all edges, the Voronoi diagram and its cells.
+//! check of all edges, the Voronoi diagram and its cells; `-- linear` the growth of constrained triangulations where all
+//! edges meet in one vertex, and of Voronoi diagrams of points on a circle.
 
 use dcel_kit::plane::{Point, Subdivision, Window};
-use dcel_kit_benches::{Random, compare, print, program};
+use dcel_kit_benches::{DOUBLED, Random, compare, growth, print, program};
 use spade::Triangulation as _;
 
 fn points(kind: &str, count: usize) -> Vec<Point> {
@@ -33,9 +34,36 @@ fn triangles_of(points: &[Point]) -> Vec<[u32; 3]> {
 }
 
 fn main() {
-    if std::env::args().any(|arg| arg == "parts") {
-        return parts();
+    match std::env::args().find(|arg| ["parts", "linear"].contains(&arg.as_str())).as_deref() {
+        Some("parts") => parts(),
+        Some(_) => linear(),
+        None => peers(),
     }
+}
+
+/// Points on a circle.
+fn circle(count: usize) -> Vec<Point> {
+    let angle = |i: usize| i as f64 / count as f64 * std::f64::consts::TAU;
+    (0..count).map(|i| Point::new(1e6 * angle(i).cos(), 1e6 * angle(i).sin())).collect()
+}
+
+fn linear() {
+    growth("constrained Delaunay, spokes of one hub", &DOUBLED, |count| {
+        let spokes: Vec<[Point; 2]> = circle(count).into_iter().map(|p| [Point::default(), p]).collect();
+        let s = Subdivision::from_segments(&spokes).expect("they meet in the hub only");
+        move || s.constrained_delaunay().expect("not too many").subdivision.edge_count()
+    });
+    growth("Voronoi cells, points on a circle", &DOUBLED, |count| {
+        let points = circle(count);
+        move || {
+            let delaunay = Subdivision::delaunay(&points).expect("good points").subdivision;
+            let voronoi = delaunay.voronoi().expect("Delaunay");
+            voronoi.cells(Window::around(&points)).expect("no two sites too close").subdivision.edge_count()
+        }
+    });
+}
+
+fn peers() {
     for kind in ["random", "grid", "clusters"] {
         for count in [10_000, 100_000, 1_000_000] {
             let points = points(kind, count);

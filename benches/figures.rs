@@ -1,10 +1,11 @@
 //! Structure figures of many edges, against writing the same bytes raw.
 //!
-//! `cargo bench --bench figures` draws grids of 10^5 and 10^6 edges, to memory and to a file.
+//! `cargo bench --bench figures` draws grids of 10^5 and 10^6 edges, to memory and to a file; `-- linear` shows how drawing
+//! the Voronoi cells of random points grows.
 
 use dcel_kit::figure::{self, FigureOptions};
-use dcel_kit::plane::{Point, Subdivision};
-use dcel_kit_benches::{compare, ordered, print, program};
+use dcel_kit::plane::{Point, Subdivision, Window};
+use dcel_kit_benches::{DOUBLED, Random, compare, growth, ordered, print, program};
 use std::hint::black_box;
 use std::path::Path;
 
@@ -24,7 +25,24 @@ fn write(path: &Path, bytes: &[u8]) {
     std::fs::write(path, bytes).expect("the folder of the system for such files can be written to");
 }
 
+fn linear() {
+    growth("figure of Voronoi cells", &DOUBLED, |count| {
+        let mut random = Random::new(4);
+        let points: Vec<Point> = (0..count).map(|_| Point::new(random.unit(), random.unit())).collect();
+        let delaunay = Subdivision::delaunay(&points).expect("good points").subdivision;
+        let cells = delaunay.voronoi().expect("Delaunay").cells(Window::around(&points)).expect("sites apart");
+        move || {
+            let voronoi = delaunay.voronoi().expect("Delaunay");
+            let options = FigureOptions::new("Cells");
+            figure::voronoi_cells(&voronoi, &cells, false, &options).expect("all points are finite").to_svg()
+        }
+    });
+}
+
 fn main() {
+    if std::env::args().any(|arg| arg == "linear") {
+        return linear();
+    }
     let path = std::env::temp_dir().join(format!("dcel-kit-bench-{}.svg", std::process::id()));
     for (edges, rounds, goal) in [(100_000, 7, "under 2 MB and 0.3 s"), (1_000_000, 3, "under 25 MB and 3 s")] {
         let view = grid(edges);

@@ -6,12 +6,15 @@
 //! are. On each it locates random points and answers queries by every rung. Of each query the
 //! programs take turns, four times, and the least time of each counts. The peer searches the same triangles, and its own merged polygons; so does the kit, which also
 //! goes from crossing to crossing.
+//!
+//! `-- linear` shows how making a mesh and its index grows with pillars that stand in a row: most triangles are slivers
+//! from their tips to one corner.
 
 use dcel_kit::HalfEdgeId;
 use dcel_kit::io::{Grid, Scenario};
 use dcel_kit::navmesh::{Location, NavMesh, Planner, Rung};
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
-use dcel_kit_benches::Random;
+use dcel_kit_benches::{DOUBLED, Random, growth};
 use glam::Vec2;
 use std::hint::black_box;
 use std::time::Instant;
@@ -23,6 +26,9 @@ const ROUNDS: usize = 4;
 type Ends = (Point, Point);
 
 fn main() {
+    if std::env::args().any(|arg| arg == "linear") {
+        return linear();
+    }
     let mut random = Random::new(5);
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data/O15-gppc-acrossthecape/AcrosstheCape.map");
     if let (Ok(map), Ok(queries)) = (std::fs::read(folder), std::fs::read(format!("{folder}.scen"))) {
@@ -36,6 +42,39 @@ fn main() {
         measure(name, triangles(caves(size, rough, &mut random).regions().expect("regions")), None, &mut random);
     }
     measure("blocks", blocks(75, &mut random), None, &mut random);
+}
+
+/// A corridor with triangular pillars in a row, cut into about `count` triangles.
+fn pillars(count: usize) -> Subdivision {
+    let pillars = count / 3;
+    let width = 3.0 * pillars as f64 + 1.0;
+    let mut points: Vec<Point> = [(-1., -1.), (width, -1.), (width, 3.), (-1., 3.)].map(Point::from).to_vec();
+    let mut edges = vec![[0, 1], [1, 2], [2, 3], [3, 0]];
+    for i in 0..pillars {
+        let (x, first) = (3.0 * i as f64, points.len() as u32);
+        points.extend([(x, 0.), (x + 1., 0.), (x, 1.)].map(Point::from));
+        edges.extend((0..3).map(|k| [first + k, first + (k + 1) % 3]));
+    }
+    let mut map = Subdivision::from_graph(&points, &edges).expect("pillars stand apart");
+    for i in (4..edges.len() as u32).step_by(3) {
+        let inside = map.face(HalfEdgeId::new(2 * i));
+        map.set_hole(inside, true);
+    }
+    triangles(map)
+}
+
+fn linear() {
+    growth("NavMesh::new, pillars in a row, by triangles", &DOUBLED, |count| {
+        let map = pillars(count);
+        move || NavMesh::new(&map).expect("triangles").memory()
+    });
+    growth("location of as many points there", &DOUBLED, |count| {
+        let mesh = NavMesh::new(&pillars(count)).expect("triangles");
+        let mut random = Random::new(3);
+        let mut point = || Point::new(random.unit() * count as f64, 4.0 * random.unit() - 1.0);
+        let points: Vec<Point> = (0..count).map(|_| point()).collect();
+        move || points.iter().filter(|&&p| matches!(mesh.locate(p), Location::Face(_))).count()
+    });
 }
 
 fn triangles(mut map: Subdivision) -> Subdivision {
@@ -199,7 +238,7 @@ enum Program {
 }
 
 fn routes(mesh: &NavMesh, peers: &[polyanya::Mesh; 2], queries: &[Ends]) {
-    let mut prepared = mesh.clone();
+    let prepared = mesh.clone();
     let per_triangle = |bytes: usize| bytes as f64 / mesh.face_count() as f64;
     let count = prepared.merge_faces();
     let bytes = prepared.memory();
@@ -211,16 +250,16 @@ fn routes(mesh: &NavMesh, peers: &[polyanya::Mesh; 2], queries: &[Ends]) {
         [Rung::Breadth, Rung::Midpoint, Rung::Closest, Rung::Aimed, Rung::Exact].map(Program::Prepared);
     let programs: Vec<Program> =
         Rung::ALL.map(Program::Plain).into_iter().chain(prepared_rungs).chain([0, 1].map(Program::Peer)).collect();
-    let mut planner = Planner::new();
+    let (mut planner, mut plain) = (Planner::new(), Planner::face_by_face());
     let mut least = vec![vec![f64::INFINITY; queries.len()]; programs.len()];
     let mut lengths = vec![vec![0.0; queries.len()]; programs.len()];
     for (i, &(start, goal)) in queries.iter().enumerate() {
         for (k, &program) in (0..ROUNDS).flat_map(|_| programs.iter().enumerate()) {
             let least = &mut least[k][i];
-            let mut find = |mesh, rung| timed(least, || planner.route_between(mesh, rung, start, goal));
+            let mut find = |planner: &mut Planner, rung| timed(least, || planner.route_between(&prepared, rung, start, goal));
             lengths[k][i] = match program {
-                Program::Plain(rung) => find(mesh, rung).expect("one component").length,
-                Program::Prepared(rung) => find(&prepared, rung).expect("one component").length,
+                Program::Plain(rung) => find(&mut plain, rung).expect("one component").length,
+                Program::Prepared(rung) => find(&mut planner, rung).expect("one component").length,
                 Program::Peer(p) => {
                     timed(least, || peers[p].path(vec(start), vec(goal))).map_or(0.0, |path| path.length.into())
                 }

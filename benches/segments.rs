@@ -1,14 +1,15 @@
 //! Segments to subdivisions.
 //!
 //! `cargo bench --bench segments` measures 10^6 segments that meet at common ends only, in three orders, and their
-//! parts; `-- linear` the growth from 10^4 to 10^6; `-- split` random segments that cross.
+//! parts; `-- linear` the growth from 10^4 to 10^6, and that of segments on one line which all overlap; `-- split` random
+//! segments that cross.
 //!
 //! No crate builds a half-edge structure from segments, so the peers are lower bounds: the sort of all ends that
 //! finds equal points, and the copy of the result. GEOS and CGAL were measured beside it;
 //! the figures are in README.md.
 
 use dcel_kit::plane::{ArrangeOptions, Point, Subdivision};
-use dcel_kit_benches::{Random, compare, delaunay, ordered, print, program, shuffled};
+use dcel_kit_benches::{DOUBLED, Random, compare, delaunay, growth, ordered, print, program, shuffled};
 
 /// The edges of a triangulation as segments, each once, in the order of the triangles; about `count` of them.
 fn edges(count: usize, order: &str) -> Vec<[Point; 2]> {
@@ -72,6 +73,11 @@ fn linear() {
         let ns = compare(&mut programs, 5, segments.len());
         print(&format!("{} segments, Delaunay, ns per segment", segments.len()), &programs, &ns);
     }
+    growth("segments from (0, 0) to (i, 0), split", &DOUBLED, |count| {
+        let segments: Vec<[Point; 2]> = (1..=count).map(|i| [Point::default(), Point::new(i as f64, 0.0)]).collect();
+        let options = ArrangeOptions { split: true, ..ArrangeOptions::default() };
+        move || Subdivision::arrange_segments(&segments, &options).expect("all can be split").subdivision.edge_count()
+    });
 }
 
 /// Short random segments, with about as many crossings as segments.

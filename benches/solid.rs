@@ -1,12 +1,13 @@
 //! Solids: support points by climbing and by looking at all vertices, convex hulls against another crate, faces that
 //! come and go.
 //!
-//! `cargo bench --bench solid` measures all; `-- support`, `-- hull`, `-- edits` one of them.
+//! `cargo bench --bench solid` measures all; `-- support`, `-- hull`, `-- edits` one of them, `-- linear` the growth with
+//! the corners of one face.
 
 use chull::ConvexHull;
 use dcel_kit::VertexId;
-use dcel_kit::solid::{Convex, Direction, HullFaces, Polyhedron, SurfaceJournal};
-use dcel_kit_benches::{Random, compare, print, program};
+use dcel_kit::solid::{Convex, Direction, HullFaces, Polyhedron, Shape, SurfaceJournal};
+use dcel_kit_benches::{DOUBLED, Random, compare, growth, print, program};
 use std::cell::Cell;
 
 type Point = [f64; 3];
@@ -191,9 +192,25 @@ fn edits() {
     print("10^5 edits of a surface of 2 x 10^5 triangles, ns per edit with the copy", &programs, &ns);
 }
 
+/// A cylinder, whose bottom and top are faces of `sides` corners.
+fn linear() {
+    let cylinder = |sides| Shape::Cylinder { sides, layers: 1 }.build().expect("not too many").polyhedron;
+    growth("cylinder: is it convex", &DOUBLED, |sides| {
+        let solid = cylinder(sides);
+        move || solid.check_convex().is_ok()
+    });
+    growth("cylinder: deficit angles of all vertices", &DOUBLED, |sides| {
+        let solid = cylinder(sides);
+        move || {
+            let measures = solid.measures();
+            solid.vertices().map(|v| measures.deficit_angle(v)).sum::<f64>()
+        }
+    });
+}
+
 fn main() {
     let asked: Vec<String> = std::env::args().collect();
-    let parts: [(&str, fn()); 3] = [("support", support), ("hull", hulls), ("edits", edits)];
+    let parts: [(&str, fn()); 4] = [("support", support), ("hull", hulls), ("edits", edits), ("linear", linear)];
     let any = parts.iter().any(|(name, _)| asked.iter().any(|arg| arg == name));
     for (name, run) in parts {
         if !any || asked.iter().any(|arg| arg == name) {

@@ -1,13 +1,13 @@
 //! Faces into triangles, beside the crates earcut and i_triangle; convex hulls.
 //!
 //! `cargo bench --bench triangulate` measures friendly polygons of 10^5 corners and bad ones of 10^3 to 3 · 10^4; `-- linear` ours
-//! alone, from 10^3 to 10^6 corners; `-- hull` hulls of 10^6 points.
+//! alone, from 10^3 to 10^6 corners, and the growth of ears; `-- hull` hulls of 10^6 points.
 //!
 //! We start from a subdivision and end with one, links, faces and all; the peers read lists of points and write lists
 //! of corners. i_triangle rounds the coordinates to whole numbers first; it is told that its input is valid.
 
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod, convex_hull};
-use dcel_kit_benches::{Program, Random, compare, print, program};
+use dcel_kit_benches::{Program, Random, compare, growth, print, program};
 use i_triangle::float::unchecked::UncheckedTriangulatable;
 
 /// A closed line, counter-clockwise, and holes in it, clockwise.
@@ -159,6 +159,16 @@ fn linear() {
             let ns = compare(&mut programs, 5, corners);
             print(&format!("{}, {corners} corners, ns per corner", shape.name), &programs, &ns);
         }
+    }
+    for (name, shape) in [("spiral", spiral as fn(usize) -> Shape), ("comb", comb), ("ragged circle", ragged)] {
+        growth(&format!("ears, {name}"), &[2_000, 4_000, 8_000, 16_000], |corners| {
+            let s = subdivision(&shape(corners));
+            move || {
+                let mut copy = s.clone();
+                copy.triangulate(TriangulationMethod::Ears).expect("a simple polygon");
+                copy.face_count()
+            }
+        });
     }
 }
 

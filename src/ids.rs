@@ -170,6 +170,27 @@ impl fmt::Display for Element {
     }
 }
 
+impl Element {
+    /// That there is no such element, and what there is: `there is no v99: there are 5 vertices`. Where ids were
+    /// removed, the highest one is told, too; `bound` is one more than that.
+    #[must_use]
+    pub fn missing(self, count: usize, bound: usize) -> String {
+        let (letter, one, many) = match self {
+            Self::Vertex(_) => ('v', "vertex", "vertices"),
+            Self::HalfEdge(_) => ('h', "half-edge", "half-edges"),
+            Self::Edge(_) => ('e', "edge", "edges"),
+            Self::Face(_) => ('f', "face", "faces"),
+        };
+        let there = match count {
+            0 => format!("there are no {many}"),
+            1 => format!("there is 1 {one}, {letter}{}", bound.saturating_sub(1)),
+            _ if count == bound => format!("there are {count} {many}"),
+            _ => format!("there are {count} {many}, up to {letter}{}", bound.saturating_sub(1)),
+        };
+        format!("there is no {self}: {there}")
+    }
+}
+
 impl fmt::Debug for Element {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)

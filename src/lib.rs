@@ -38,6 +38,7 @@
 //! | [`script`] | edits as text: typed by a student, printed by a failing test |
 //! | [`io`] | formats in and out |
 //! | [`figure`] | drawings as SVG |
+//! | [`files`] | files that are there whole or not at all |
 //! | `lab` | labs graded from outside (feature `lab`) |
 //!
 //! Words used elsewhere: *dart* is a half-edge, *sym* or *opposite* is `twin`, *tail* is `origin`, *tip* or
@@ -47,6 +48,8 @@
 #![warn(clippy::unwrap_used)]
 
 pub mod figure;
+#[cfg(any(feature = "io", feature = "grade"))]
+pub mod files;
 pub mod ids;
 #[cfg(feature = "io")]
 pub mod io;

@@ -140,3 +140,24 @@ pub fn print(title: &str, programs: &[Program<'_>], ns: &[f64]) {
     }
     println!();
 }
+
+/// Prints how the time of one program grows with its input, as the `linear` runs do: for each size the time an element
+/// takes and, from the second size on, the exponent e of time = size^e since the size before. `prepare` makes the input
+/// and returns what is measured.
+pub fn growth<T: 'static, R: Fn() -> T + Clone>(name: &str, sizes: &[usize], prepare: impl Fn(usize) -> R) {
+    println!("{name}");
+    let mut before: Option<(usize, f64)> = None;
+    for &size in sizes {
+        let run = prepare(size);
+        let ns = compare(&mut [program(name, &run)], 3, 1)[0];
+        let exponent = before.map_or_else(String::new, |(less, time)| {
+            format!("   exponent {:.2}", (ns / time).ln() / (size as f64 / less as f64).ln())
+        });
+        println!("  {size:>9}  {:10.3} ms  {:10.1} ns each{exponent}", ns / 1e6, ns / size as f64);
+        before = Some((size, ns));
+    }
+    println!();
+}
+
+/// From 12,500 to 100,000: doubled three times.
+pub const DOUBLED: [usize; 4] = [12_500, 25_000, 50_000, 100_000];

@@ -1,7 +1,7 @@
 //! `dcel build`: from segments to a subdivision, and what became of them.
 
 use super::failure::{Failure, say};
-use super::save::{not_the_input, save};
+use super::save::{Files, InPlace, put, save};
 use super::{Answer, Output};
 use dcel_kit::VertexId;
 use dcel_kit::figure::{self, FigureOptions};
@@ -9,7 +9,7 @@ use dcel_kit::io::{
     Document, Format, LoadError, Model, NOTHING_TO_MEND, ReadOptions, SegmentSoup, arrange_with, counted, describe,
     faults_with_places, read_path, source_name,
 };
-use dcel_kit::plane::{ArrangeOptions, Arranged, SegmentsError};
+use dcel_kit::plane::{ArrangeOptions, Arranged, Point, SegmentsError};
 use dcel_kit::topology::components;
 use serde::Serialize;
 use std::fmt::Display;
@@ -27,7 +27,8 @@ Examples:
   dcel build plan.poly
   dcel build plan.poly --figure plan.svg --json
   dcel build roads.wkt --mend -o roads.dcel
-  dcel build roads.wkt --mend --grid 0.001 -o roads.dcel")]
+  dcel build roads.wkt --mend --grid 0.001 -o roads.dcel
+  dcel build rings.segments --nested-holes -o rings.dcel")]
 pub(crate) struct Args {
     /// The file to read, or - for standard input
     #[arg(value_name = "IN")]
@@ -46,6 +47,12 @@ pub(crate) struct Args {
     /// and then as finely as doubles allow
     #[arg(long, value_name = "SIZE")]
     grid: Option<f64>,
+    /// Make hole faces of rings that lie inside others, but not of what lies in these again, and so on
+    #[arg(long)]
+    nested_holes: bool,
+    /// Make a hole face of the face around this point; may be given several times
+    #[arg(long = "hole", value_name = "X,Y", value_parser = hole, allow_hyphen_values = true)]
+    holes: Vec<Point>,
     /// The object of a TopoJSON file to read
     #[arg(long, value_name = "NAME")]
     object: Option<String>,
@@ -55,12 +62,22 @@ pub(crate) struct Args {
     /// Write the structure, for example as .dcel; - for dcel text instead of the report
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    in_place: InPlace,
     /// Draw it
     #[arg(long, value_name = "OUT.svg")]
     figure: Option<PathBuf>,
     /// Answer in JSON
     #[arg(long, conflicts_with = "output")]
     json: bool,
+}
+
+fn hole(text: &str) -> Result<Point, String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|word| word.trim().parse::<f64>()).collect();
+    match numbers.ok().as_deref() {
+        Some(&[x, y]) if x.is_finite() && y.is_finite() => Ok(Point::new(x, y)),
+        _ => Err("write two numbers with a comma between, for example 5,3".to_owned()),
+    }
 }
 
 /// The answer. The names are those of the JSON form.
@@ -107,7 +124,10 @@ struct Moved {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    not_the_input(&args.file, args.output.iter().chain(&args.figure))?;
+    Files::reading([&args.file])
+        .writes_or_replaces("-o", args.output.as_deref(), args.in_place)
+        .writes("--figure", args.figure.as_deref())
+        .check()?;
     let mend = args.mend || args.split_crossings;
     let options = ReadOptions {
         y_down: args.y_down,
@@ -118,8 +138,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         ..ReadOptions::default()
     };
     let source = source_name(&args.file);
-    let read = read_path(&args.file, &options)?;
-    let Document::Segments(soup) = &read.document else {
+    let mut read = read_path(&args.file, &options)?;
+    let Document::Segments(soup) = &mut read.document else {
         let what = format!("{source}: {} holds no segments", read.format);
         return Err(Failure::input(
             what,
@@ -135,7 +155,14 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Err(Failure::input("--grid is for segments that are split", "give --mend, too"));
     }
     let how = ArrangeOptions { split: mend, grid: args.grid, ..ArrangeOptions::default() };
-    let arranged = arrange_with(soup, &how).map_err(|error| refused(soup, error))?;
+    // Points of the call are given as the file has its points.
+    let holes = args.holes.iter().map(|&p| if args.y_down { Point::new(p.x, 0.0 - p.y) } else { p });
+    soup.hole_points.extend(holes);
+    let soup = &*soup;
+    let mut arranged = arrange_with(soup, &how).map_err(|error| refused(soup, error))?;
+    if args.nested_holes && arranged.subdivision.mark_nested_holes().is_empty() {
+        say("note", "no ring lies inside another: --nested-holes marks nothing");
+    }
     if mend && arranged.rounds == 0 && arranged.grid.is_none() {
         say("note", NOTHING_TO_MEND);
     }
@@ -143,7 +170,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         let title = args.file.file_stem().map_or_else(|| "Segments".into(), |stem| stem.to_string_lossy());
         let drawn = figure::structure(&arranged.subdivision, &FigureOptions::new(title))
             .map_err(|error| Failure::input(format!("{source}: {error}"), ""))?;
-        std::fs::write(path, drawn.to_svg()).map_err(|error| Failure::writing(path.display(), &error))?;
+        put(path, drawn.to_svg())?;
     }
     if let Some(path) = &args.output {
         save(path, &Model::planar(&arranged.subdivision), out)?;

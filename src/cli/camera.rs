@@ -34,9 +34,9 @@ impl Camera {
         }
     }
 
-    /// The film. A caption without an edit after it belongs to the last frame.
+    /// The film. A caption and marks without an edit after them belong to the last frame.
     pub(crate) fn finish(mut self) -> Film {
-        self.film.close(&self.caption);
+        self.film.close(&self.caption, &self.marked);
         self.film
     }
 }

@@ -2,11 +2,12 @@
 
 use super::failure::say;
 use super::input::InputOptions;
+use super::save::{Files, InPlace};
 use super::subject::{Kind, Subject};
 use super::{Answer, Failure, Output};
 use dcel_kit::FaceMap;
 use dcel_kit::io::{Format, counted, write, write_path};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Write a structure in another format
 ///
@@ -33,12 +34,17 @@ pub(crate) struct Args {
     #[arg(long)]
     compact: bool,
     #[command(flatten)]
+    in_place: InPlace,
+    #[command(flatten)]
     input: InputOptions,
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let format = target_format(args)?;
-    refuse_own_input(&args.file, &args.to_file, format)?;
+    let node = (format == Format::Triangle).then(|| args.to_file.with_extension("node"));
+    Files::reading([&args.file])
+        .writes_or_replaces("OUT", Some(node.as_deref().unwrap_or(&args.to_file)), args.in_place)
+        .check()?;
     let mut subject = args.input.open_as(&args.file, !args.compact)?;
     if args.compact {
         compact(&mut subject);
@@ -65,20 +71,6 @@ fn target_format(args: &Args) -> Result<Format, Failure> {
         };
         Failure::input(what, format!("say it with --to: {}", writable.join(", ")))
     })
-}
-
-/// Nothing is lost by a slip: the input stays. Triangle's two files count as one.
-fn refuse_own_input(from: &Path, to: &Path, format: Format) -> Result<(), Failure> {
-    let mut targets = vec![to.to_owned()];
-    if format == Format::Triangle {
-        targets = vec![to.with_extension("node"), to.with_extension("ele")];
-    }
-    let own = targets.iter().any(|target| super::output::is_same_file(from, target));
-    let pair = format == Format::Triangle && Format::from_path(from) == Some(Format::Triangle);
-    if own || (pair && super::output::is_same_file(&from.with_extension("node"), &targets[0])) {
-        return Err(Failure::input(format!("{}: this is the input itself", to.display()), "choose another name"));
-    }
-    Ok(())
 }
 
 fn compact(subject: &mut Subject) {

@@ -2,7 +2,7 @@
 
 use super::failure::{Failure, say};
 use super::input::InputOptions;
-use super::save::{not_the_input, save};
+use super::save::{Files, InPlace, put, save};
 use super::subject::Kind;
 use super::{Answer, Output};
 use dcel_kit::figure::sketch::{Backdrop, Role, Sketch};
@@ -28,7 +28,7 @@ Examples:
   dcel delaunay sites.xy --figure sites.svg --circles
   dcel delaunay sites.csv -o triangles.dcel
   dcel delaunay plan.poly --constrained --json
-  dcel delaunay mesh.obj --flips -o better.obj")]
+  dcel delaunay square.obj --flips -o better.obj")]
 pub(crate) struct Args {
     /// The file to read, or - for standard input
     #[arg(value_name = "IN")]
@@ -42,6 +42,8 @@ pub(crate) struct Args {
     /// Write the structure, for example as .dcel; - for dcel text instead of the report
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    in_place: InPlace,
     /// Draw it
     #[arg(long, value_name = "OUT.svg")]
     figure: Option<PathBuf>,
@@ -104,14 +106,17 @@ impl Made {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    not_the_input(&args.file, args.output.iter().chain(&args.figure))?;
+    Files::reading([&args.file])
+        .writes_or_replaces("-o", args.output.as_deref(), args.in_place)
+        .writes("--figure", args.figure.as_deref())
+        .check()?;
     let made = if args.constrained || args.flips { of_graph(args)? } else { of_points(args)? };
     let s = &made.subdivision;
     if let Some(path) = &args.figure {
         let title = args.file.file_stem().map_or_else(|| "Delaunay".into(), |stem| stem.to_string_lossy());
         let drawn = draw(&made, args.circles, &title)?;
         drawn.notes().iter().for_each(|note| say("note", note));
-        std::fs::write(path, drawn.to_svg()).map_err(|error| Failure::writing(path.display(), &error))?;
+        put(path, drawn.to_svg())?;
     }
     let report = Report {
         source: source_name(&args.file),
@@ -143,6 +148,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
 
 fn of_points(args: &Args) -> Result<Made, Failure> {
     let list = read_points(&args.file, &args.input.for_points()?)?;
+    list.notes.iter().for_each(|note| say("note", note));
     let built =
         Subdivision::delaunay(&list.points).map_err(|error| Failure::input(format!("{}: {error}", list.source), ""))?;
     Ok(Made {

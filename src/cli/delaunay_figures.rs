@@ -1,10 +1,9 @@
 //! The reference figures of Delaunay triangulations and Voronoi diagrams.
 
 use super::references::ReferenceError;
-use super::voronoi::draw;
 use dcel_kit::EdgeId;
 use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
-use dcel_kit::figure::{Detail, FigureOptions};
+use dcel_kit::figure::{self, Detail, FigureOptions};
 use dcel_kit::plane::{Point, Subdivision, Window};
 
 const SITES: [[f64; 2]; 14] = [
@@ -31,7 +30,7 @@ pub(super) fn voronoi() -> Result<String, ReferenceError> {
     let voronoi = delaunay.voronoi()?;
     let cells = voronoi.cells(Window { low: Point::new(-1.0, -1.0), high: Point::new(14.0, 9.5) })?;
     let options = FigureOptions::new("Voronoi diagram and Delaunay triangulation").id_prefix("voronoi").width(760.0);
-    Ok(draw(&voronoi, &cells, true, &options)?.to_svg())
+    Ok(figure::voronoi_cells(&voronoi, &cells, true, &options)?.to_svg())
 }
 
 /// The circle round the triangle on the left of an edge, and the corner on the other side.

@@ -5,11 +5,15 @@
 //!   note: counted from 0; face 5: line 19
 //!   help: ...
 //! ```
+//!
+//! With `--json` the same goes to standard output as well, in place of the answer: see [`ErrorReport`].
 
-use dcel_kit::io::{LoadError, ReadError, WriteError};
+use super::Output;
+use dcel_kit::io::{LoadError, ReadError, ReadProblem, WriteError};
 use dcel_kit::plane::{ConvertError, SegmentsError};
 use dcel_kit::solid::SolidError;
 use dcel_kit::topology::BuildError;
+use serde::Serialize;
 use std::fmt::Display;
 use std::io::{self, Write};
 use std::path::Path;
@@ -20,15 +24,67 @@ use std::process::ExitCode;
 pub(crate) struct Failure {
     kind: Kind,
     what: String,
+    /// The file that the message begins with, if it is not one that the call names.
+    file: Option<String>,
     notes: Vec<String>,
     help: String,
+}
+
+/// An error as JSON. The names are those of the JSON form; `dcel --help` and the README tell of it.
+#[derive(Serialize)]
+struct ErrorReport<'a> {
+    error: ErrorBody<'a>,
+}
+
+#[derive(Serialize)]
+struct ErrorBody<'a> {
+    /// `usage`, `input`, `machine` or `signal`.
+    kind: &'static str,
+    message: &'a str,
+    place: Option<Place<'a>>,
+    notes: &'a [String],
+    help: Option<&'a str>,
+    exit_code: u8,
+}
+
+/// Where in which file. Lines and columns count from 1.
+#[derive(Serialize, PartialEq, Debug)]
+struct Place<'a> {
+    file: &'a str,
+    line: Option<u32>,
+    column: Option<u32>,
+}
+
+impl<'a> Place<'a> {
+    /// The place with which a message begins, and the rest: `plan.obj:3:7: what`. The file is one of `files`.
+    fn split(what: &'a str, files: &'a [String]) -> Option<(Self, &'a str)> {
+        let begins = |file: &&String| what.strip_prefix(file.as_str()).is_some_and(|rest| rest.starts_with(':'));
+        let file = files.iter().filter(begins).max_by_key(|file| file.len())?;
+        let mut rest = &what[file.len() + 1..];
+        let mut number = || {
+            let (digits, after) = rest.split_once(':')?;
+            let number = digits.parse().ok()?;
+            rest = after;
+            Some(number)
+        };
+        let line = number();
+        let column = line.and_then(|_| number());
+        Some((Self { file, line, column }, rest.trim_start()))
+    }
+}
+
+/// Whether the call asks for JSON, so that errors are told so, too: also where it is wrong.
+pub(crate) fn is_json_wanted() -> bool {
+    std::env::args_os().skip(1).take_while(|word| word != "--").any(|word| word == "--json")
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Kind {
     /// The reader of the answer has gone: nobody is left to tell.
     NobodyListens,
-    /// Usage or input.
+    /// A call that cannot be understood.
+    Usage,
+    /// What cannot be done with this input.
     Input,
     /// The machine.
     Machine,
@@ -39,7 +95,11 @@ enum Kind {
 impl Failure {
     /// A wrong call or a wrong input: exit code 2.
     pub(crate) fn input(what: impl Display, help: impl Into<String>) -> Self {
-        Self { kind: Kind::Input, what: what.to_string(), notes: Vec::new(), help: help.into() }
+        Self::new(Kind::Input, what, help)
+    }
+
+    fn new(kind: Kind, what: impl Display, help: impl Into<String>) -> Self {
+        Self { kind, what: what.to_string(), file: None, notes: Vec::new(), help: help.into() }
     }
 
     /// The machine refused to write: exit code 3, or 0 if the reader of the answer has gone.
@@ -48,16 +108,19 @@ impl Failure {
         let help = match error.kind() {
             io::ErrorKind::NotFound => "make the directory first",
             io::ErrorKind::IsADirectory => "give the name of a file in it",
-            io::ErrorKind::PermissionDenied => "choose a place that you may write to",
-            io::ErrorKind::StorageFull => "make room, or write elsewhere",
+            io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
+                "choose a place that you may write to"
+            }
+            io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "make room, or write elsewhere",
+            io::ErrorKind::FileTooLarge => "raise the limit (ulimit -f), or write less",
             _ => "",
         };
-        Self { kind, what: format!("{target}: cannot be written: {error}"), notes: Vec::new(), help: help.to_owned() }
+        Self::new(kind, format!("{target}: cannot be written: {error}"), help)
     }
 
     /// The machine lacks something that the work needs: exit code 3.
     pub(crate) fn machine(what: impl Display, help: impl Into<String>) -> Self {
-        Self { kind: Kind::Machine, what: what.to_string(), notes: Vec::new(), help: help.into() }
+        Self::new(Kind::Machine, what, help)
     }
 
     /// The kit failed at its own work, whatever the input: exit code 3.
@@ -67,7 +130,7 @@ impl Failure {
 
     /// A signal asked for an end before all was done: exit code 128 and the number of the signal, as shells have it.
     pub(crate) fn signal(signal: u8, what: impl Display, help: impl Into<String>) -> Self {
-        Self { kind: Kind::Signal(signal), what: what.to_string(), notes: Vec::new(), help: help.into() }
+        Self::new(Kind::Signal(signal), what, help)
     }
 
     /// The same with more to tell, before the help.
@@ -76,8 +139,36 @@ impl Failure {
         self
     }
 
+    /// A call that the parser of the command line refuses.
+    pub(crate) fn usage(error: &clap::Error) -> Self {
+        let text = error.render().to_string();
+        let (what, help) = text.split_once("\n\n").unwrap_or((&text, ""));
+        let what = what.strip_prefix("error: ").unwrap_or(what);
+        Self::new(Kind::Usage, what.trim(), help.trim())
+    }
+
+    /// Tells it on standard output as JSON. Standard output that cannot be written to is told on stderr alone.
+    pub(crate) fn report_json(&self, out: &mut Output) {
+        if self.kind == Kind::NobodyListens || self.what.starts_with(STDOUT) {
+            return;
+        }
+        let words = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned());
+        let files: Vec<String> = words.chain(self.file.clone()).chain(["<stdin>".to_owned()]).collect();
+        let (place, message) = match Place::split(&self.what, &files) {
+            Some((place, message)) => (Some(place), message),
+            None => (None, self.what.as_str()),
+        };
+        let (notes, help) = (self.notes.as_slice(), Some(self.help.as_str()).filter(|help| !help.is_empty()));
+        let error = ErrorBody { kind: self.kind.name(), message, place, notes, help, exit_code: self.kind.exit_code() };
+        let _ = out.json(&ErrorReport { error }).map(|()| out.flush());
+    }
+
+    pub(crate) fn exit_code(&self) -> ExitCode {
+        self.kind.exit_code().into()
+    }
+
     /// Tells it on stderr.
-    pub(crate) fn report(&self) -> ExitCode {
+    pub(crate) fn report(&self) {
         if self.kind != Kind::NobodyListens {
             say("error", &self.what);
             self.notes.iter().for_each(|note| say("note", note));
@@ -85,14 +176,32 @@ impl Failure {
                 say("help", &self.help);
             }
         }
-        match self.kind {
-            Kind::NobodyListens => ExitCode::SUCCESS,
-            Kind::Input => ExitCode::from(2),
-            Kind::Machine => ExitCode::from(3),
-            Kind::Signal(signal) => ExitCode::from(128 + signal),
+    }
+}
+
+impl Kind {
+    fn exit_code(self) -> u8 {
+        match self {
+            Self::NobodyListens => 0,
+            Self::Usage | Self::Input => 2,
+            Self::Machine => 3,
+            Self::Signal(signal) => 128 + signal,
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::NobodyListens => "closed",
+            Self::Usage => "usage",
+            Self::Input => "input",
+            Self::Machine => "machine",
+            Self::Signal(_) => "signal",
         }
     }
 }
+
+/// What messages call standard output.
+const STDOUT: &str = "<stdout>";
 
 /// One line of talk on stderr. Nobody has to listen.
 pub(crate) fn say(what: &str, text: impl Display) {
@@ -102,7 +211,7 @@ pub(crate) fn say(what: &str, text: impl Display) {
 /// Writing to standard output.
 impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
-        Self::writing("<stdout>", &error)
+        Self::writing(STDOUT, &error)
     }
 }
 
@@ -115,8 +224,10 @@ impl From<serde_json::Error> for Failure {
 impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
         let help = error.help.to_string();
+        let file = Some(error.source.clone());
+        let is_lack = matches!(*error.what, ReadProblem::OutOfMemory { .. });
         let place = ReadError { help: "".into(), ..error };
-        Self::input(place, help)
+        Self { file, ..Self::new(if is_lack { Kind::Machine } else { Kind::Input }, place, help) }
     }
 }
 
@@ -135,7 +246,10 @@ impl From<LoadError> for Failure {
         let what = error.what();
         let (what, own_help) = what.split_once("; ").unwrap_or((&what, ""));
         let help = flags(&error).map_or_else(|| own_help.to_owned(), str::to_owned);
-        Self { notes, ..Self::input(format!("{place}: {what}"), help) }
+        // Where a line follows, or a path inside the file, it is what stands before.
+        let file = place.split_once(": ").map_or(place.as_str(), |(file, _)| file);
+        let file = Some(file.trim_end_matches(|c: char| c == ':' || c.is_ascii_digit()).to_owned());
+        Self { notes, file, ..Self::input(format!("{place}: {what}"), help) }
     }
 }
 
@@ -177,7 +291,7 @@ const MEND: &str = "correct the data, or cut the polygons where they meet with -
 impl Failure {
     /// A structure that a format cannot hold, or a file that cannot be written.
     pub(crate) fn of_writing(target: &Path, error: WriteError) -> Self {
-        let name = if target.as_os_str() == "-" { "<stdout>".into() } else { target.display().to_string() };
+        let name = if target.as_os_str() == "-" { STDOUT.into() } else { target.display().to_string() };
         match error {
             WriteError::Io(error) => Self::writing(name, &error),
             other => {

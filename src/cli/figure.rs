@@ -5,6 +5,7 @@ use super::figure_kind::Kind;
 use super::input::InputOptions;
 use super::looks::Looks;
 use super::picture::{Pixels, Target, is_page};
+use super::save::{Files, put};
 use super::subject::{self, Subject};
 use super::{Answer, Failure, Output};
 use dcel_kit::figure::{self, Detail, FaceLabels, Figure, FigureOptions};
@@ -30,11 +31,11 @@ Examples:
   dcel figure square.dcel --title \"Two rooms\" > two.svg
   dcel figure square.obj --interactive -o hover.svg
   dcel figure square.obj --html square.html
-  dcel figure figures/data/states-albers-10m.json \\
+  dcel figure states.json \\
     --y-down --drop-degenerate-rings --width 960 \\
     -o states.svg
   dcel figure square.obj --width 12cm --plain -o slide.svg
-  dcel figure square.obj --faces f1 --colours rooms.txt \\
+  dcel figure square.obj --faces f1 --colours colours.txt \\
     --theme light -o room.svg
   dcel figure square.obj -o square.png --scale 3")]
 pub(crate) struct Args {
@@ -129,6 +130,8 @@ fn px(text: &str) -> Result<f64, String> {
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let target = Target::new(args.output.as_deref(), args.pixels)?;
+    let files = Files::reading(&args.file).writes("-o", target.path()).writes("--html", args.html.as_deref());
+    args.looks.files(files).check()?;
     let Some(file) = &args.file else {
         let options = args.looks.page(args.drawing.options(Path::new("The records of a half-edge structure")))?;
         target.write(&figure::records(&options), out)?;
@@ -137,12 +140,6 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if let Some(path) = args.html.as_ref().filter(|path| path.extension().is_some() && !is_page(path)) {
         let what = format!("{}: this would be HTML", path.display());
         return Err(Failure::input(what, "give a name that ends in .html"));
-    }
-    for path in target.path().into_iter().chain(args.html.as_deref()) {
-        if super::output::is_same_file(file, path) {
-            let what = format!("{}: this is the input itself", path.display());
-            return Err(Failure::input(what, "choose another name"));
-        }
     }
     let subject = args.input.open(file)?;
     let Some(view) = subject.planar() else {
@@ -157,7 +154,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let refused = |error| Failure::input(format!("{}: {error}", subject.source), "");
     if let Some(path) = &args.html {
         let page = figure::page(view, &options).map_err(refused)?;
-        std::fs::write(path, page.to_html()).map_err(|error| Failure::writing(path.display(), &error))?;
+        put(path, page.to_html())?;
         if args.output.is_none() {
             page.figure().notes().iter().for_each(|note| say("note", note));
             return Ok(Answer::Yes);

@@ -25,8 +25,8 @@ use std::path::PathBuf;
 Examples:
   dcel info square.obj
   dcel info cube.off --json
-  dcel info map.geojson --mend
-  dcel info figures/data/states-albers-10m.json \\
+  dcel info fields.geojson --mend
+  dcel info states.json \\
     --y-down --drop-degenerate-rings")]
 pub(crate) struct Args {
     /// The file, or - for standard input

@@ -104,6 +104,7 @@ impl InputOptions {
             }
             read => match assemble(read, &source, &options) {
                 Ok(loaded) => loaded,
+                Err(LoadError::Read(error)) => return Err(error.into()),
                 Err(error) => return Ok(Opened::Misfit(error)),
             },
         };
@@ -180,6 +181,24 @@ impl InputOptions {
             }
             None => Ok(self.load_options().read),
         }
+    }
+
+    /// The first flag that is given, if any.
+    pub(crate) fn given(&self) -> Option<&'static str> {
+        let flags = [
+            ("--format", self.format.is_some()),
+            ("--y-down", self.y_down),
+            ("--drop-degenerate-rings", self.drop_degenerate_rings),
+            ("--orient", self.orient),
+            ("--object", self.object.is_some()),
+            ("--surface", self.surface),
+            ("--plane", self.plane),
+            ("--mend", self.mend),
+            ("--split-crossings", self.split_crossings),
+            ("--trust", self.trust),
+            ("--full-check", self.full_check),
+        ];
+        flags.into_iter().find(|(_, given)| *given).map(|(flag, _)| flag)
     }
 
     /// Whether y points down in the file.

@@ -4,13 +4,14 @@ use super::failure::{Failure, say};
 use super::input::InputOptions;
 use super::output::point;
 use super::picture::{Pixels, Target};
+use super::save::Files;
 use super::subject::Subject;
 use super::{Answer, Output};
 use dcel_kit::figure::sketch::{Backdrop, Role, Sketch};
 use dcel_kit::figure::{Figure, FigureOptions};
 use dcel_kit::io::{ReadOptions, counted, read_points};
 use dcel_kit::plane::{Location, Point, Subdivision, Walk};
-use dcel_kit::{FaceId, VertexId};
+use dcel_kit::{FaceId, FaceMap, VertexId};
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -24,8 +25,8 @@ use std::path::PathBuf;
 #[command(after_help = "\
 Examples:
   dcel locate square.obj 1 1
-  dcel locate garden.json 3 3 -2 5.5 --json
-  dcel locate square.obj --points trees.txt -o trees.svg
+  dcel locate garden.geojson 3 3 -2 5.5 --json
+  dcel locate square.obj --points trees.xy -o trees.svg
   dcel locate square.obj 1 2 --walk v0 -o walk.svg")]
 pub(crate) struct Args {
     /// The file, or - for standard input
@@ -90,13 +91,14 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         Some(path) => Some(Target::new(Some(path), args.pixels)?),
         None => None,
     };
-    let own = [Some(&args.file), args.points.as_ref()];
-    for path in target.iter().filter_map(Target::path) {
-        if own.into_iter().flatten().any(|file| super::output::is_same_file(file, path)) {
-            let what = format!("{}: this is the input itself", path.display());
-            return Err(Failure::input(what, "choose another name"));
-        }
+    if args.file.as_os_str() == "-" && args.points.as_ref().is_some_and(|points| points.as_os_str() == "-") {
+        let what = "- --points -: standard input cannot be both the structure and the points";
+        return Err(Failure::input(what, "save one of them as a file first"));
     }
+    Files::reading([&args.file])
+        .reads("--points", args.points.as_ref())
+        .writes("-o", target.as_ref().and_then(Target::path))
+        .check()?;
     let given = args.given()?;
     let subject = args.input.open_as(&args.file, false)?;
     let s = subject.plane()?;
@@ -132,7 +134,9 @@ impl Args {
     /// The points as they are given, all of them within the exact range.
     fn given(&self) -> Result<Vec<Point>, Failure> {
         if let Some(path) = &self.points {
-            return Ok(read_points(path, &ReadOptions::default())?.points);
+            let list = read_points(path, &ReadOptions::default())?;
+            list.notes.iter().for_each(|note| say("note", note));
+            return Ok(list.points);
         }
         let pairs = self.coordinates.chunks(2).map(|pair| match *pair {
             [x, y] => {
@@ -154,7 +158,7 @@ impl Args {
 fn walks(s: &Subdivision, start: VertexId, asked: &[Point]) -> Result<Vec<Walk>, Failure> {
     let walk = |&p: &Point| s.walk_from(start, p);
     let walks: Result<_, _> = asked.iter().map(walk).collect();
-    walks.map_err(|error| Failure::input(format!("--walk: {error}"), "dcel info tells how many vertices there are"))
+    walks.map_err(|error| Failure::input(format!("--walk: {error}"), ""))
 }
 
 impl Found {
@@ -217,9 +221,11 @@ fn draw(
 ) -> Result<Figure, Failure> {
     let mut sketch = Sketch::new();
     let mut faces: Vec<FaceId> = Vec::new();
+    let mut seen = FaceMap::filled(s.face_bound(), false);
+    seen[s.outer_face()] = true;
     for &at in found {
         match at {
-            Location::Face(f) if f != s.outer_face() && !faces.contains(&f) => faces.push(f),
+            Location::Face(f) if !std::mem::replace(&mut seen[f], true) => faces.push(f),
             Location::Edge(h) => {
                 sketch.path(Role::Main, [h, h.twin()].map(|h| s.point(s.origin(h))));
             }

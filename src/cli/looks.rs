@@ -1,6 +1,7 @@
 //! The options of figures that are about looks: theme, style file, part, colours.
 
 use super::Failure;
+use super::save::Files;
 use super::subject::Subject;
 use clap::ValueEnum;
 use dcel_kit::FaceId;
@@ -60,6 +61,11 @@ pub(super) fn corners(text: &str) -> Result<[f64; 4], String> {
 }
 
 impl Looks {
+    /// Adds the files that are read.
+    pub(crate) fn files<'a>(&'a self, files: Files<'a>) -> Files<'a> {
+        files.reads("--style", self.style.as_ref()).reads("--colours", self.colours.as_ref())
+    }
+
     /// Adds the choices to `options`. Reads the files, which must fit the structure.
     pub(crate) fn apply(&self, options: FigureOptions, subject: &Subject) -> Result<FigureOptions, Failure> {
         let mut options = self.page(options)?;

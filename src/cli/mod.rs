@@ -7,6 +7,9 @@
 //!
 //!   exit code   0  fine         1  the answer is no         2  usage or input         3  the machine
 //! ```
+//!
+//! With `--json` errors go to stdout as JSON, too. Every file is written by save.rs: whole or not at all, and never over
+//! what is read; signals.rs removes what is half written.
 
 mod answer;
 mod build;
@@ -35,8 +38,10 @@ mod picture;
 mod plane_figures;
 mod primitives;
 mod references;
+mod sample;
 mod save;
 mod script;
+mod signals;
 mod solid;
 mod specimen;
 mod subject;
@@ -66,7 +71,16 @@ Exit codes: 0 fine, 1 the answer is no (invalid, differs), 2 usage or bad input,
 Polygons that overlap, touch or cross are refused by name and place; --mend cuts them where they meet,
 on every command that reads polygons or segments. --trust skips the check; then nothing is called valid.
 
+Files are written whole or not at all; a failed command leaves the old file as it was. The input is only
+written over with --in-place.
+
+With --json an error is JSON on standard output, too: {\"error\": {\"kind\", \"message\", \"place\": {\"file\",
+\"line\", \"column\"} or null, \"notes\", \"help\", \"exit_code\"}}; kind is usage, input, machine or signal.
+
+`dcel sample --all .` writes the files that the examples of all commands use.
+
 Examples:
+  dcel sample square.obj
   dcel info square.obj
   dcel help info"
 )]
@@ -94,12 +108,18 @@ enum Command {
     Solid(solid::Args),
     Lab(lab::Args),
     Grade(Box<grade::Args>),
+    Sample(sample::Args),
     Tour(tour::Args),
     Figures(figures::Args),
     Completions(completions::Args),
 }
 
 impl Command {
+    /// Whether it waits for signals itself, to stop in order.
+    fn ends_in_order(&self) -> bool {
+        matches!(self, Self::Grade(args) if args.runs_programs())
+    }
+
     fn run(self, out: &mut Output) -> Result<Answer, Failure> {
         match self {
             Self::Info(args) => info::run(&args, out),
@@ -119,6 +139,7 @@ impl Command {
             Self::Solid(args) => solid::run(&args, out),
             Self::Lab(args) => lab::run(&args, out),
             Self::Grade(args) => grade::run(&args, out),
+            Self::Sample(args) => sample::run(&args, out),
             Self::Tour(args) => tour::run(&args, out),
             Self::Figures(args) => figures::run(&args, out),
             Self::Completions(args) => completions::run(&args, out),
@@ -129,12 +150,30 @@ impl Command {
 /// Runs the command that the arguments ask for.
 pub(crate) fn main() -> ExitCode {
     let mut out = Output::new();
-    let answer = Cli::parse().command.run(&mut out).and_then(|answer| {
+    let json = failure::is_json_wanted();
+    let command = match Cli::try_parse() {
+        Ok(cli) => cli.command,
+        Err(error) => {
+            if json && error.use_stderr() {
+                Failure::usage(&error).report_json(&mut out);
+            }
+            error.exit()
+        }
+    };
+    let ready = if command.ends_in_order() { Ok(()) } else { signals::clean_up() };
+    let ready = ready.map_err(|error| Failure::machine(format!("signals: {error}"), ""));
+    let answer = ready.and_then(|()| command.run(&mut out)).and_then(|answer| {
         out.flush()?;
         Ok(answer)
     });
     match answer {
         Ok(answer) => answer.exit_code(),
-        Err(failure) => failure.report(),
+        Err(failure) => {
+            failure.report();
+            if json {
+                failure.report_json(&mut out);
+            }
+            failure.exit_code()
+        }
     }
 }

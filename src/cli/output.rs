@@ -3,7 +3,6 @@
 use dcel_kit::io::Number;
 use serde::Serialize;
 use std::io::{self, BufWriter, StdoutLock, Write};
-use std::path::Path;
 
 /// Standard output, buffered. Errors come back as they happen, a closed pipe among them.
 pub(crate) struct Output(BufWriter<StdoutLock<'static>>);
@@ -49,11 +48,6 @@ pub(crate) fn wrapped(text: &str, width: usize) -> Vec<String> {
         }
     }
     lines
-}
-
-/// Whether both names lead to one existing file.
-pub(crate) fn is_same_file(a: &Path, b: &Path) -> bool {
-    matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
 }
 
 /// Rows in aligned columns, indented by two.

@@ -3,10 +3,11 @@
 use super::failure::{Failure, say};
 use super::input::InputOptions;
 use super::picture::{Pixels, Target};
+use super::save::{Files, InPlace};
 use super::subject::Subject;
 use super::{Answer, Output};
 use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
-use dcel_kit::figure::{Detail, Figure, FigureOptions};
+use dcel_kit::figure::{Figure, FigureOptions};
 use dcel_kit::io::{Format, Model, Number, counted, on_grid, write, write_path};
 use dcel_kit::plane::{Operation, Overlay, Parts, Subdivision};
 use dcel_kit::{FaceId, FaceMap, VertexId};
@@ -26,10 +27,12 @@ use std::path::{Path, PathBuf};
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
-  dcel overlay parcels.json floods.json --json
-  dcel overlay a.dcel b.dcel -o both.svg
-  dcel overlay a.dcel b.dcel --operation difference -o rest.dcel
-  dcel overlay a.dcel b.dcel --operation union --join -o union.svg")]
+  dcel overlay parcels.geojson floods.geojson --json
+  dcel overlay parcels.geojson floods.geojson -o both.svg
+  dcel overlay parcels.geojson floods.geojson \\
+    --operation difference -o rest.dcel
+  dcel overlay parcels.geojson floods.geojson \\
+    --operation union --join -o union.svg")]
 pub(crate) struct Args {
     /// The first file, or - for standard input
     a: PathBuf,
@@ -47,6 +50,8 @@ pub(crate) struct Args {
     /// Draw it (.svg), or write the structure (.dcel, .geojson, ...); - for dcel text
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    in_place: InPlace,
     /// Answer in JSON
     #[arg(long)]
     json: bool,
@@ -112,6 +117,11 @@ enum Goal {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    if [&args.a, &args.b].into_iter().all(|file| file.as_os_str() == "-") {
+        let help = "save one of them as a file first";
+        return Err(Failure::input("- -: standard input cannot be both A and B", help));
+    }
+    Files::reading([&args.a, &args.b]).writes_or_replaces("-o", args.output.as_deref(), args.in_place).check()?;
     let goal = args.goal()?;
     let [a, b] = [&args.a, &args.b].map(|file| args.input.open_as(file, false));
     let (a, b) = (a?, b?);
@@ -162,10 +172,6 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
 impl Args {
     fn goal(&self) -> Result<Goal, Failure> {
         let Some(path) = &self.output else { return Ok(Goal::Report) };
-        if [&self.a, &self.b].into_iter().any(|file| super::output::is_same_file(file, path)) {
-            let what = format!("{}: this is the input itself", path.display());
-            return Err(Failure::input(what, "choose another name"));
-        }
         if path.as_os_str() == "-" {
             return Ok(Goal::Text);
         }
@@ -288,9 +294,10 @@ fn outlines(sketch: &mut Sketch, role: Role, s: &Subdivision, key: &str) {
     }
 }
 
-fn title(args: &Args, what: &str) -> FigureOptions {
+fn title(args: &Args, what: &str, drawn: &[&Subdivision]) -> FigureOptions {
     let [a, b] = [&args.a, &args.b].map(|path| path.file_stem().unwrap_or_default().to_string_lossy());
-    FigureOptions::new(format!("{what} {a} and {b}")).detail(Detail::Edges)
+    let edges = drawn.iter().map(|s| s.edge_count()).sum();
+    FigureOptions::new(format!("{what} {a} and {b}")).without_half_edges(edges)
 }
 
 /// a, b, both with their crossings, and what belongs to one of them or to both.
@@ -314,7 +321,7 @@ fn draw_both(args: &Args, [a, b]: [&Subdivision; 2], both: &Overlay) -> Result<F
     );
     panels.over("overlay", &text, s, Backdrop::Plain, crossings);
     panels.sketch("regions", "faces of a and of b, without hole faces", regions);
-    panels.figure(&title(args, "Overlay of")).map_err(|error| Failure::input(error, ""))
+    panels.figure(&title(args, "Overlay of", &[a, b, s])).map_err(|error| Failure::input(error, ""))
 }
 
 /// The region, and the edges it was made from.
@@ -328,5 +335,5 @@ fn draw_region(
     region(&mut sketch, Role::Main, made, |f| !made.is_hole(f), operation.name());
     outlines(&mut sketch, Role::Secondary, a, "edges of a");
     outlines(&mut sketch, Role::Goal, b, "edges of b");
-    sketch.figure(&title(args, &format!("{operation} of"))).map_err(|error| Failure::input(error, ""))
+    sketch.figure(&title(args, &format!("{operation} of"), &[a, b, made])).map_err(|error| Failure::input(error, ""))
 }

@@ -67,7 +67,7 @@ impl Target {
             Self::Svg(path) => (path, figure.to_svg().into_bytes()),
             Self::Png(path, scale) => (path, pixels(figure, path, *scale)?),
         };
-        std::fs::write(path, bytes).map_err(|error| Failure::writing(path.display(), &error))
+        super::save::put(path, bytes)
     }
 }
 

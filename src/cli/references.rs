@@ -374,7 +374,7 @@ pub(crate) fn write_all(dir: &Path, files: &[Drawn]) -> Result<(), Failure> {
         if std::fs::read(&path).is_ok_and(|bytes| bytes == text.as_bytes()) {
             continue;
         }
-        std::fs::write(&path, text).map_err(|error| Failure::writing(path.display(), &error))?;
+        super::save::put(&path, text)?;
     }
     Ok(())
 }

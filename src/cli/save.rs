@@ -1,18 +1,113 @@
-//! A structure as a file.
+//! Files that a command writes: which it may write, and how.
 
 use super::{Failure, Output};
+use dcel_kit::files::{is_same_file, write_whole};
 use dcel_kit::io::{Format, Model, write, write_path};
 use std::path::{Path, PathBuf};
 
-/// Refuses to write over the input.
-pub(crate) fn not_the_input<'a>(input: &Path, targets: impl IntoIterator<Item = &'a PathBuf>) -> Result<(), Failure> {
-    match targets.into_iter().find(|target| super::output::is_same_file(input, target)) {
-        Some(target) => {
-            let what = format!("{}: this is the input itself", target.display());
-            Err(Failure::input(what, "choose another name"))
-        }
-        None => Ok(()),
+/// Leave to write the result over the input.
+#[derive(clap::Args, Clone, Copy, Default, Debug)]
+pub(crate) struct InPlace {
+    /// Write the result over the input, which is refused otherwise
+    #[arg(long)]
+    in_place: bool,
+}
+
+/// The files of a call, with the flags that name them: what is read, and what is written.
+#[derive(Default)]
+pub(crate) struct Files<'a> {
+    read: Vec<(&'static str, &'a Path)>,
+    written: Vec<(&'static str, &'a Path)>,
+    /// The flag of the output that may be the input, and whether it is said to be.
+    in_place: Option<(&'static str, bool)>,
+}
+
+impl<'a> Files<'a> {
+    /// The files that are read, without a flag.
+    pub(crate) fn reading<P: AsRef<Path> + ?Sized + 'a>(files: impl IntoIterator<Item = &'a P>) -> Self {
+        Self { read: files.into_iter().map(|file| ("", file.as_ref())).collect(), ..Self::default() }
     }
+
+    /// A file that a flag names and that is read, too.
+    pub(crate) fn reads(mut self, flag: &'static str, file: Option<&'a PathBuf>) -> Self {
+        self.read.extend(file.map(|file| (flag, file.as_path())));
+        self
+    }
+
+    /// A file that is written.
+    pub(crate) fn writes(mut self, flag: &'static str, file: Option<&'a Path>) -> Self {
+        self.written.extend(file.map(|file| (flag, file)));
+        self
+    }
+
+    /// A structure that is written, over the input if that is said.
+    pub(crate) fn writes_or_replaces(mut self, flag: &'static str, file: Option<&'a Path>, in_place: InPlace) -> Self {
+        self.in_place = Some((flag, in_place.in_place));
+        self.writes(flag, file)
+    }
+
+    /// Refuses to write over what is read, and to write two results into one file. Before any work is done.
+    pub(crate) fn check(&self) -> Result<(), Failure> {
+        let mut replaced = false;
+        for (i, &(flag, target)) in self.written.iter().enumerate() {
+            let may_be = self.in_place.filter(|(output, _)| *output == flag);
+            for &(source, file) in &self.read {
+                if !overwrites(file, target) {
+                    continue;
+                }
+                if source.is_empty() && may_be.is_some_and(|(_, said)| said) {
+                    replaced = true;
+                    continue;
+                }
+                return Err(over_an_input(source, file, target, may_be.is_some() && source.is_empty()));
+            }
+            for &(other, file) in &self.written[..i] {
+                if overwrites(file, target) {
+                    let what = format!("{}: {} and {flag} would both be written there", target.display(), other);
+                    return Err(Failure::input(what, "name two files"));
+                }
+            }
+        }
+        if let Some((output, true)) = self.in_place.filter(|_| !replaced) {
+            let what = format!("--in-place: what {output} names is not the input");
+            return Err(Failure::input(what, "leave --in-place out, or name the input again as the output"));
+        }
+        Ok(())
+    }
+}
+
+fn over_an_input(flag: &str, file: &Path, target: &Path, may_be: bool) -> Failure {
+    let other = if file == target { String::new() } else { format!(", which is {}", file.display()) };
+    let what = match flag {
+        "" if file == target => "this is the input itself".to_owned(),
+        "" => format!("this is the input itself under another name{other}"),
+        flag => format!("{flag} reads this file{other}"),
+    };
+    let help = if may_be { "choose another name, or say --in-place" } else { "choose another name" };
+    Failure::input(format!("{}: {what}", target.display()), help)
+}
+
+/// Whether writing one would destroy the other.
+fn overwrites(file: &Path, target: &Path) -> bool {
+    let is_named = |path: &Path| path.as_os_str() != "-";
+    is_named(file)
+        && is_named(target)
+        && with_partners(file).iter().any(|a| with_partners(target).iter().any(|b| is_same_file(a, b)))
+}
+
+/// The file, and those that belong to it: of Triangle's formats the one with the points or the triangles.
+fn with_partners(path: &Path) -> Vec<PathBuf> {
+    let partners: &[&str] = match Format::from_path(path) {
+        Some(Format::Triangle) => &["node", "ele"],
+        Some(Format::Poly) => &["node"],
+        _ => &[],
+    };
+    [path.to_owned()].into_iter().chain(partners.iter().map(|end| path.with_extension(end))).collect()
+}
+
+/// Writes a file, whole or not at all.
+pub(crate) fn put(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), Failure> {
+    write_whole(path, bytes).map_err(|error| Failure::writing(path.display(), &error))
 }
 
 /// Writes a structure; the end of the name tells the format. `-` is dcel text on standard output.

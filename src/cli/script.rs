@@ -8,6 +8,7 @@
 
 use super::camera::Camera;
 use super::picture::{Pixels, Target, is_page};
+use super::save::{Files, put};
 use super::{Answer, Failure, Output, failure};
 use dcel_kit::figure::{FigureOptions, Film};
 use dcel_kit::io::{Format, Model, write};
@@ -37,11 +38,11 @@ Without coordinates, whatever is combinatorially legal:
   join_faces A       join_edges A        join_vertices A      collapse_edge A      flip_edge A
 
 Examples:
-  dcel script figures/scripts/lab.dcels
-  dcel script figures/scripts/lab.dcels --json
-  dcel script figures/scripts/split-face.dcels --film split.svg
-  dcel script figures/scripts/split-face.dcels --film split.html
-  dcel script figures/scripts/split-face.dcels --film split.png
+  dcel script lab.dcels
+  dcel script lab.dcels --json
+  dcel script split-face.dcels --film split.svg
+  dcel script split-face.dcels --film split.html
+  dcel script split-face.dcels --film split.png
   echo 'rectangle
   split_face h2 h8
   dump' | dcel script -
@@ -71,6 +72,7 @@ pub(crate) struct Args {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    Files::reading([&args.file]).writes("--film", args.film.as_deref()).check()?;
     let (text, source) = read(&args.file)?;
     if is_kernel_script(&text) {
         if let Some(path) = &args.film {
@@ -137,12 +139,13 @@ fn play<G: Dump>(
     let dump = args.dump.then(|| end.dump()).transpose()?;
     Ok(Played { answer: teller.answer, json, dump })
 }
+
 fn write_film(path: &Path, film: &Film, title: &str, args: &Args, out: &mut Output) -> Result<(), Failure> {
     let options = FigureOptions::new(title);
     let refused = |error| Failure::input(error, "leave out --film");
     if is_page(path) {
         let svg = film.stepper(&options).map_err(refused)?.to_svg();
-        return std::fs::write(path, page(&svg, title)).map_err(|error| Failure::writing(path.display(), &error));
+        return put(path, page(&svg, title));
     }
     if path.extension().is_none() {
         let what = format!("{}: a film is a drawing or a page", path.display());

@@ -2,7 +2,7 @@
 
 use super::failure::{Failure, say};
 use super::input::InputOptions;
-use super::save::save;
+use super::save::{Files, InPlace, put, save};
 use super::subject::Kind;
 use super::{Answer, Output};
 use dcel_kit::figure::sketch::{Backdrop, Role, Sketch, SketchError};
@@ -47,6 +47,8 @@ pub(crate) struct Args {
     /// Write the structure, for example as .dcel; - for dcel text instead of the report
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    in_place: InPlace,
     /// Draw it, with the diagonals
     #[arg(long, value_name = "OUT.svg")]
     figure: Option<PathBuf>,
@@ -91,12 +93,10 @@ struct Report {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    for target in args.output.iter().chain(&args.figure) {
-        if super::output::is_same_file(&args.file, target) {
-            let what = format!("{}: this is the input itself", target.display());
-            return Err(Failure::input(what, "choose another name"));
-        }
-    }
+    Files::reading([&args.file])
+        .writes_or_replaces("-o", args.output.as_deref(), args.in_place)
+        .writes("--figure", args.figure.as_deref())
+        .check()?;
     let mut subject = args.input.open_as(&args.file, false)?;
     let source = subject.source.clone();
     let Kind::Plane(subdivision) = &mut subject.kind else {
@@ -120,7 +120,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         let drawn = draw(&before, &after, &added.diagonals, &FigureOptions::new(title))
             .map_err(|error| Failure::input(format!("{source}: {error}"), ""))?;
         drawn.notes().iter().for_each(|note| say("note", note));
-        std::fs::write(path, drawn.to_svg()).map_err(|error| Failure::writing(path.display(), &error))?;
+        put(path, drawn.to_svg())?;
     }
     if let Some(path) = &args.output {
         save(path, &subject.model(), out)?;

@@ -3,10 +3,9 @@
 use super::delaunay::Repeated;
 use super::failure::{Failure, say};
 use super::input::InputOptions;
-use super::save::{not_the_input, save};
+use super::save::{Files, InPlace, put, save};
 use super::{Answer, Output};
-use dcel_kit::figure::sketch::{Backdrop, Role, Sketch, SketchError};
-use dcel_kit::figure::{Detail, Figure, FigureOptions};
+use dcel_kit::figure::{self, FigureOptions};
 use dcel_kit::io::{Model, PointList, counted, read_points};
 use dcel_kit::plane::{DelaunayBuilt, Point, Subdivision, Voronoi, VoronoiCells, VoronoiError, Window};
 use serde::Serialize;
@@ -34,6 +33,8 @@ pub(crate) struct Args {
     /// Write the cells, for example as .dcel; - for dcel text instead of the report
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    in_place: InPlace,
     /// Draw it
     #[arg(long, value_name = "OUT.svg")]
     figure: Option<PathBuf>,
@@ -78,8 +79,12 @@ struct Cell {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    not_the_input(&args.file, args.output.iter().chain(&args.figure))?;
+    Files::reading([&args.file])
+        .writes_or_replaces("-o", args.output.as_deref(), args.in_place)
+        .writes("--figure", args.figure.as_deref())
+        .check()?;
     let list = read_points(&args.file, &args.input.for_points()?)?;
+    list.notes.iter().for_each(|note| say("note", note));
     let built =
         Subdivision::delaunay(&list.points).map_err(|error| Failure::input(format!("{}: {error}", list.source), ""))?;
     let window = match args.window.as_deref() {
@@ -92,14 +97,13 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         let title = args.file.file_stem().map_or_else(|| "Voronoi".into(), |stem| stem.to_string_lossy());
         let options = FigureOptions::new(title);
         let drawn = if args.rays {
-            let Window { low, high } = window;
-            rays(&voronoi, &window, args.delaunay).figure(&options.crop([low.x, low.y], [high.x, high.y]))
+            figure::voronoi_edges(&voronoi, &window, args.delaunay, &options)
         } else {
-            draw(&voronoi, &cells, args.delaunay, &options)
+            figure::voronoi_cells(&voronoi, &cells, args.delaunay, &options)
         };
         let drawn = drawn.map_err(|error| Failure::input(format!("{}: {error}", list.source), ""))?;
         drawn.notes().iter().for_each(|note| say("note", note));
-        std::fs::write(path, drawn.to_svg()).map_err(|error| Failure::writing(path.display(), &error))?;
+        put(path, drawn.to_svg())?;
     }
     let report = Report::of(&list, &built, &voronoi, &cells, &window);
     if cells.slivers > 0 {
@@ -126,49 +130,6 @@ fn refused(list: &PointList, built: &DelaunayBuilt, error: &VoronoiError) -> Fai
     };
     let point = built.vertices.iter().position(|v| v == site);
     Failure::input(format!("{}: {error}", list.place(point.unwrap_or(usize::MAX))), "")
-}
-
-/// The triangulation, if asked for, and the sites.
-fn sites(sketch: &mut Sketch, delaunay: &Subdivision, triangulation: bool) {
-    if triangulation {
-        for e in delaunay.edges() {
-            let ends = e.half_edges().map(|h| delaunay.point(delaunay.origin(h)));
-            sketch.path(Role::Secondary, ends).title(format!("{e} of the triangulation")).key("Delaunay edge");
-        }
-    }
-    for v in delaunay.vertices() {
-        sketch.point(Role::Plain, delaunay.point(v)).title(format!("site {v}")).key("site");
-    }
-}
-
-/// The cells, with their sites.
-pub(super) fn draw(
-    voronoi: &Voronoi<'_>,
-    cells: &VoronoiCells,
-    triangulation: bool,
-    options: &FigureOptions,
-) -> Result<Figure, SketchError> {
-    let mut sketch = Sketch::new();
-    sites(&mut sketch, voronoi.delaunay(), triangulation);
-    sketch.over(&cells.subdivision, Backdrop::Plain, &options.clone().detail(Detail::Edges))
-}
-
-/// The edges without any cells: what leaves the window runs on to the frame.
-fn rays(voronoi: &Voronoi<'_>, window: &Window, triangulation: bool) -> Sketch {
-    let mut sketch = Sketch::new();
-    for edge in voronoi.edges() {
-        let Some([from, to]) = voronoi.piece(edge, window) else { continue };
-        let item = match edge.ends {
-            [Some(_), Some(_)] => sketch.path(Role::Main, [from, to]),
-            [Some(_), None] => sketch.ray(Role::Main, from, to),
-            [None, Some(_)] => sketch.ray(Role::Main, to, from),
-            [None, None] => sketch.line(Role::Main, from, to),
-        };
-        let [left, right] = edge.sites;
-        item.title(format!("between {left} and {right}")).key("Voronoi edge");
-    }
-    sites(&mut sketch, voronoi.delaunay(), triangulation);
-    sketch
 }
 
 impl Report {

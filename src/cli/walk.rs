@@ -28,7 +28,7 @@ Examples:
   dcel walk square.obj --face f1
   dcel walk square.obj --vertex v2
   dcel walk square.dcel --half-edge h5 --json
-  dcel walk figures/data/states-albers-10m.json \\
+  dcel walk states.json \\
     --y-down --drop-degenerate-rings \\
     --face-name Tennessee")]
 pub(crate) struct Args {

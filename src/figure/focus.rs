@@ -50,7 +50,9 @@ const ASIDE: f64 = 324.0;
 /// `h` is not among those to be drawn.
 pub fn focus<V: PlanarView + ?Sized>(view: &V, h: HalfEdgeId, options: &FigureOptions) -> Result<Figure, FigureError> {
     if !view.has_half_edge(h) {
-        return Err(FigureError::NoHalfEdge { half_edge: h, bound: view.half_edge_bound() });
+        let bound = view.half_edge_bound();
+        let count = (0..bound as u32).filter(|&h| view.has_half_edge(HalfEdgeId(h))).count();
+        return Err(FigureError::NoHalfEdge { half_edge: h, count, bound });
     }
     let Some(chosen) = &options.faces else { return draw(view, h, options) };
     let part = Part::new(view, chosen)?;

@@ -9,6 +9,7 @@
 //!   sketch/  paths, cones, circles, badges …: what the other rooms draw themselves with, alone or over a structure
 //!   solid/   solids in space, hidden lines dashed
 //!   chart/   series over linear and log axes
+//!   dual.rs  voronoi.rs  records.rs  robustness.rs  navmesh/   one subject each
 //! ```
 //!
 //! Reading rules of every figure: arrows run on the left of their edge and their one-sided barb points to
@@ -86,6 +87,7 @@ mod tints;
 mod unit;
 mod vector;
 mod vertices;
+mod voronoi;
 
 pub use dual::{DualFigureError, dual};
 pub use film::{Fate, Film, Frame, Written};
@@ -106,6 +108,7 @@ pub use style::{Colour, Palette, Style, Theme};
 pub use style_file::{ParseColourError, StyleError};
 pub use tables::tables;
 pub use unit::{ParseLengthError, Unit};
+pub use voronoi::{voronoi_cells, voronoi_edges};
 
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::CoordinateError;
@@ -126,7 +129,7 @@ pub enum FigureError {
         example: VertexId,
     },
     /// A face that was asked for does not exist.
-    #[error("{face} does not exist: there are {faces} faces, numbered from f0")]
+    #[error("{}", crate::ids::Element::from(*face).missing(*faces, *faces))]
     UnknownFace {
         /// The face.
         face: FaceId,
@@ -142,10 +145,12 @@ pub enum FigureError {
         error: CoordinateError,
     },
     /// There is no such half-edge.
-    #[error("{half_edge} does not exist; the half-edges are among h0 to h{}", bound.saturating_sub(1))]
+    #[error("{}", crate::ids::Element::from(*half_edge).missing(*count, *bound))]
     NoHalfEdge {
         /// The half-edge asked for.
         half_edge: HalfEdgeId,
+        /// How many half-edges there are.
+        count: usize,
         /// One more than the greatest number of a half-edge.
         bound: usize,
     },

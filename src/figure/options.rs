@@ -153,6 +153,13 @@ impl FigureOptions {
         self
     }
 
+    /// Leaves half-edges out of a drawing of so many edges: up to 5000 of them [`Detail::Edges`] is fixed, beyond the
+    /// level is chosen, see [`Detail`].
+    #[must_use]
+    pub fn without_half_edges(self, edges: usize) -> Self {
+        if edges <= 5000 { self.detail(Detail::Edges) } else { self }
+    }
+
     /// Whether vertices show their names. Default: yes.
     #[must_use]
     pub fn vertex_labels(mut self, on: bool) -> Self {

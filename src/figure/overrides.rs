@@ -123,17 +123,28 @@ impl Overrides {
     /// # Errors
     /// [`OverridesError`] for the first line about an element that does not exist.
     pub fn check<V: View + ?Sized>(&self, view: &V) -> Result<(), OverridesError> {
-        let missing = |element: Element| match element {
-            Element::Vertex(v) => (!view.has_vertex(v)).then_some(("vertices", view.vertex_bound(), 'v')),
-            Element::HalfEdge(h) => (!view.has_half_edge(h)).then_some(("half-edges", view.half_edge_bound(), 'h')),
-            Element::Face(f) => (!view.has_face(f)).then_some(("faces", view.face_bound(), 'f')),
-            Element::Edge(_) => None,
+        let is_there = |element: Element| match element {
+            Element::Vertex(v) => view.has_vertex(v),
+            Element::HalfEdge(h) => view.has_half_edge(h),
+            Element::Face(f) => view.has_face(f),
+            Element::Edge(_) => true,
         };
-        let wrong = self.entries.iter().filter_map(|(&element, entry)| Some((entry.place, element, missing(element)?)));
-        let Some(((line, column), element, (kind, bound, letter))) = wrong.min() else { return Ok(()) };
-        let last = bound.saturating_sub(1);
-        let what = format!("{element} does not exist: the {kind} are numbered {letter}0 to {letter}{last}");
-        Err(OverridesError { line, column, what })
+        let wrong = self.entries.iter().filter(|&(&element, _)| !is_there(element));
+        let Some(((line, column), element)) = wrong.map(|(&element, entry)| (entry.place, element)).min() else {
+            return Ok(());
+        };
+        let bound = match element {
+            Element::Vertex(_) => view.vertex_bound(),
+            Element::HalfEdge(_) | Element::Edge(_) => view.half_edge_bound(),
+            Element::Face(_) => view.face_bound(),
+        };
+        let id = |i: usize| match element {
+            Element::Vertex(_) => Element::from(VertexId(i as u32)),
+            Element::HalfEdge(_) | Element::Edge(_) => HalfEdgeId(i as u32).into(),
+            Element::Face(_) => FaceId(i as u32).into(),
+        };
+        let count = (0..bound).filter(|&i| is_there(id(i))).count();
+        Err(OverridesError { line, column, what: element.missing(count, bound) })
     }
 
     /// The label of an element.
@@ -250,6 +261,6 @@ mod tests {
         let check = |text: &str| Overrides::parse(text).unwrap().check(&dcel);
         assert_eq!(check("f1 #fff\nh5 #fff\nv2 #fff"), Ok(()));
         let error = check("v2 #fff\n  h6 #fff\nf9 #fff").unwrap_err();
-        assert_eq!(error.to_string(), "2:3: h6 does not exist: the half-edges are numbered h0 to h5");
+        assert_eq!(error.to_string(), "2:3: there is no h6: there are 6 half-edges");
     }
 }

@@ -243,7 +243,7 @@ impl<'a, V: PlanarView + ?Sized> Plate<'a, V> {
         if self.picture.view.outer_face() == Some(face) {
             return self.labels.outer.as_ref();
         }
-        let i = self.regions.iter().position(|region| region.face == face)?;
+        let i = self.regions.binary_search_by_key(&face, |region| region.face).ok()?;
         self.labels.faces[i].as_ref()
     }
 

@@ -18,15 +18,43 @@ const SIDE: f64 = 64.0;
 /// How many edges round a vertex a path tries before it ends.
 const TRIES: usize = 8;
 
+/// The tiles of a canvas.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tiling {
+    columns: usize,
+    rows: usize,
+}
+
+impl Tiling {
+    /// The area of a tile.
+    pub(super) const AREA: f64 = SIDE * SIDE;
+
+    pub(super) fn over(size: Xy) -> Self {
+        let count = |length: f64| (length / SIDE) as usize + 1;
+        Self { columns: count(size.x), rows: count(size.y) }
+    }
+
+    pub(super) fn count(&self) -> usize {
+        self.columns * self.rows
+    }
+
+    /// The tile of a point; points outside belong to the nearest.
+    pub(super) fn tile(&self, p: Xy) -> usize {
+        let (column, row) = ((p.x / SIDE).max(0.0) as usize, (p.y / SIDE).max(0.0) as usize);
+        row.min(self.rows - 1) * self.columns + column.min(self.columns - 1)
+    }
+}
+
+/// How wide lines may be that are `ink` px long together in an area: thinner, the denser they are.
+pub(super) fn line_width(ink: f64, area: f64) -> f64 {
+    let density = ink / area;
+    (0.35 / density).max(0.12)
+}
+
 /// All edges. The lines are thinner where the mesh is denser, so that a fine mesh does not become one blot.
 pub(super) fn edges<V: PlanarView + ?Sized>(view: &V, skeleton: &Skeleton, size: Xy) -> Group {
-    let columns = (size.x / SIDE) as usize + 1;
-    let rows = (size.y / SIDE) as usize + 1;
-    let tile = |p: Xy| {
-        let (column, row) = ((p.x / SIDE).max(0.0) as usize, (p.y / SIDE).max(0.0) as usize);
-        row.min(rows - 1) * columns + column.min(columns - 1)
-    };
-    let mut tiles: Vec<Polylines> = vec![Polylines::new(false); columns * rows];
+    let tiling = Tiling::over(size);
+    let mut tiles: Vec<Polylines> = vec![Polylines::new(false); tiling.count()];
     let mut open = HalfEdgeMap::filled(view.half_edge_bound(), false);
     let mut ink = 0.0;
     for &h in &skeleton.edges {
@@ -39,7 +67,7 @@ pub(super) fn edges<V: PlanarView + ?Sized>(view: &V, skeleton: &Skeleton, size:
         let mut at = start;
         let mut path: Option<usize> = None;
         while let Some((a, b)) = take(view, skeleton, &mut open, at) {
-            let home = tile(a);
+            let home = tiling.tile(a);
             let (from, to) = (tenths(a), tenths(b));
             if path != Some(home) {
                 if from != to {
@@ -58,8 +86,7 @@ pub(super) fn edges<V: PlanarView + ?Sized>(view: &V, skeleton: &Skeleton, size:
             }
         }
     }
-    let density = ink / (size.x * size.y);
-    let width = if density > 0.0 { (0.35 / density).clamp(0.12, 1.0) } else { 1.0 };
+    let width = line_width(ink, size.x * size.y).min(1.0);
     let paths = tiles.into_iter().filter(|lines| !lines.is_empty());
     Group {
         class: "edges",

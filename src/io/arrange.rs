@@ -2,6 +2,7 @@
 
 use super::Number;
 use super::load::{LoadError, Whereabouts};
+use super::room::for_segments;
 use super::segments::SegmentSoup;
 use super::words::counted;
 use crate::ids::VertexId;
@@ -24,6 +25,7 @@ pub fn arrange(soup: &SegmentSoup, split: bool) -> Result<Arranged, LoadError> {
 /// # Errors
 /// [`LoadError`] with the lines of the segments that do not fit.
 pub fn arrange_with(soup: &SegmentSoup, options: &ArrangeOptions) -> Result<Arranged, LoadError> {
+    for_segments(soup.segments.len(), &soup.source)?;
     let options = ArrangeOptions { merge: true, ..*options };
     let mut arranged = Subdivision::arrange_graph(&soup.points, &soup.segments, &options)
         .map_err(|error| LoadError::Segments { at: Box::new(whereabouts(soup, &error)), error })?;

@@ -16,6 +16,7 @@ use super::mend::{Covering, MendedSoup, mend};
 use super::misfit::{Misfit, Told};
 use super::problem::ReadError;
 use super::read::{Document, Read, ReadOptions, read_path, source_name};
+use super::room::for_structure;
 use super::soup::{Places, PolygonSoup};
 use super::words::counted;
 use crate::ids::{FaceId, FaceMap, VertexId};
@@ -228,7 +229,7 @@ pub fn load(path: &Path, options: &LoadOptions) -> Result<Loaded, LoadError> {
 /// Makes a structure of what was read. `source_name` is what errors call the file of a table.
 ///
 /// # Errors
-/// [`LoadError`], but never [`LoadError::Read`].
+/// [`LoadError`]; [`LoadError::Read`] only if there is not enough memory.
 ///
 /// ```
 /// use dcel_kit::io::{Format, LoadOptions, ReadOptions, assemble, read_bytes};
@@ -242,6 +243,7 @@ pub fn load(path: &Path, options: &LoadOptions) -> Result<Loaded, LoadError> {
 /// # Ok::<(), dcel_kit::io::ReadError>(())
 /// ```
 pub fn assemble(read: Read, source_name: &str, options: &LoadOptions) -> Result<Loaded, LoadError> {
+    for_structure(&read.document, source_name)?;
     let Read { document, mut notes, format } = read;
     let soup = match document {
         Document::Polygons(soup) => soup,

@@ -47,7 +47,7 @@ pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
     let points = scanner.count(word)?;
     let word = scanner.need_anywhere(|| "the number of polygons".to_owned())?;
     let polygons = scanner.count(word)?;
-    let mut soup = SoupBuilder::with_room(points, scanner.remaining(), 4);
+    let mut soup = SoupBuilder::with_room(points, scanner.remaining(), 4, source)?;
     for i in 0..points {
         let word = scanner.need_anywhere(|| format!("vertex {i} of {points}"))?;
         let line = scanner.line();

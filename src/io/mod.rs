@@ -22,6 +22,7 @@
 //!   obj.rs off.rs ply/ stl.rs triangle.rs mesh/ grid.rs (scen.rs) geojson.rs topojson.rs (json.rs arrays.rs)
 //!   wkt.rs poly.rs segments.rs dcel.rs tables.rs   one format each
 //!   points.rs points alone, of any of them or of plain text    words.rs  numbers with their words
+//!   room.rs   memory that is asked for before it is needed
 //! ```
 
 mod arrange;
@@ -45,6 +46,7 @@ pub mod poly;
 mod problem;
 mod read;
 mod rings;
+mod room;
 pub mod scen;
 pub mod segments;
 mod soup;
@@ -67,7 +69,7 @@ pub use near::closest;
 pub use points::{PointList, points_from_text, read_points};
 pub use problem::{ReadError, ReadProblem};
 pub use read::{Document, Read, ReadOptions, read_bytes, read_path, read_triangle, source_name};
-pub use scen::{Optimum, Query, Scenario};
+pub use scen::{Misfits, Optimum, Query, Scenario, Verdict};
 pub use segments::SegmentSoup;
 pub use soup::{Axis, Places, PolygonSoup};
 pub use words::counted;

@@ -11,6 +11,8 @@
 //!   3 0 2 3  255 0 0
 //! ```
 //!
+//! A header that counts wrongly is told with a note, if the lines leave no doubt which of them are points.
+//!
 //! Not read, by name: binary files, `4OFF` and `nOFF` (points of other dimensions).
 //!
 //! Source: the Geomview manual, section "OFF".
@@ -19,7 +21,8 @@ use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
 use super::read::{Document, Read};
 use super::soup::SoupBuilder;
-use super::text::{Scanner, Syntax};
+use super::text::{Scanner, Syntax, parse_integer};
+use super::words::counted;
 
 const SYNTAX: Syntax = Syntax { comments: true, continuation: false, quotes: false };
 
@@ -35,7 +38,20 @@ pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
         scanner.count(word)?;
         scanner.end_of_line("the counts are points, faces and edges")?;
     }
-    let mut soup = SoupBuilder::with_room(points, scanner.remaining(), 6);
+    let header = Counts { points, faces };
+    let (soup, notes) = match elements(scanner.clone(), header) {
+        Ok(soup) => (soup, Vec::new()),
+        Err(error) => match Counts::of_lines(scanner.clone()).filter(|found| found.is_likely(header)) {
+            Some(found) => (elements(scanner, found)?, vec![found.differ_from(header)]),
+            None => return Err(error),
+        },
+    };
+    Ok(Read { document: Document::Polygons(soup.finish(source, true)?), notes, format: Format::Off })
+}
+
+/// The points and faces of the file, if it has as many as that.
+fn elements(mut scanner: Scanner<'_>, Counts { points, faces }: Counts) -> Result<SoupBuilder, ReadError> {
+    let mut soup = SoupBuilder::with_room(points, scanner.remaining(), 6, scanner.source())?;
     for i in 0..points {
         point(&mut scanner, &mut soup, i, points)?;
     }
@@ -61,7 +77,60 @@ pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
         let problem = ReadProblem::MoreThanCounted { what: "faces", count: faces };
         return Err(scanner.error(word.at, problem, "correct the counts below the word OFF"));
     }
-    Ok(Read { document: Document::Polygons(soup.finish(source, true)?), notes: Vec::new(), format: Format::Off })
+    Ok(soup)
+}
+
+/// How many elements there are.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Counts {
+    points: u64,
+    faces: u64,
+}
+
+impl Counts {
+    /// What the lines look like: first points of equally many numbers, then faces, as many of them as can be. Nothing
+    /// if they look like anything else.
+    fn of_lines(mut scanner: Scanner<'_>) -> Option<Self> {
+        // Of each line the number of words, and the greatest corner if it can be a face.
+        let mut lines: Vec<(usize, Option<i64>)> = Vec::new();
+        let mut words = Vec::new();
+        loop {
+            words.clear();
+            words.extend(std::iter::from_fn(|| scanner.word()));
+            if !words.is_empty() {
+                let numbers = || words.iter().map(|word| parse_integer(word.text));
+                let corners = numbers().next().flatten().filter(|&n| n >= 3 && n < words.len() as i64);
+                let greatest = corners.and_then(|n| {
+                    let corners = numbers().skip(1).take(n as usize);
+                    corners.collect::<Option<Vec<i64>>>()?.into_iter().max()
+                });
+                lines.push((words.len(), greatest));
+            }
+            if !scanner.next_line() {
+                break;
+            }
+        }
+        let faces = lines.iter().rev().take_while(|(_, greatest)| greatest.is_some()).count();
+        let (points, faces) = lines.split_at(lines.len() - faces);
+        let (width, _) = *points.first()?;
+        let fits = width >= 3
+            && points.iter().all(|&(words, _)| words == width)
+            && faces.iter().all(|&(_, greatest)| greatest.is_some_and(|corner| corner < points.len() as i64));
+        fits.then_some(Self { points: points.len() as u64, faces: faces.len() as u64 })
+    }
+
+    /// Whether a header that says something else may be wrong in one number only.
+    fn is_likely(self, header: Self) -> bool {
+        self.faces > 0 && (self.points == header.points || self.faces == header.faces)
+    }
+
+    fn differ_from(self, header: Self) -> String {
+        let count = |counts: Self| {
+            let points = counted(counts.points as usize, "point", "points");
+            format!("{points} and {}", counted(counts.faces as usize, "face", "faces"))
+        };
+        format!("the header counts {}, the file has {}: is it whole?", count(header), count(self))
+    }
 }
 
 /// Steps over the header word, if there is one; the counts may follow it directly.

@@ -10,9 +10,9 @@
 
 use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
-use super::read::{Document, ReadOptions, load, load_path, read_bytes, read_path, source_name};
+use super::read::{Document, Read, ReadOptions, load, load_path, read_bytes, read_path, source_name};
 use super::soup::SoupBuilder;
-use super::text::{Scanner, Syntax, check_text};
+use super::text::{Scanner, Syntax, check_text, note_of_the_end};
 use super::triangle;
 use crate::ids::MAX_IDS;
 use crate::plane::Point;
@@ -27,6 +27,8 @@ pub struct PointList {
     pub lines: Vec<u32>,
     /// The file.
     pub source: String,
+    /// What was left out or looks wrong, one sentence each: to be told to the user.
+    pub notes: Vec<String>,
 }
 
 impl PointList {
@@ -56,13 +58,18 @@ pub fn read_points(path: &Path, options: &ReadOptions) -> Result<PointList, Read
         Some(Format::Triangle) if is_node => {
             let mut soup = SoupBuilder::default();
             triangle::nodes(&mut Scanner::new(&bytes, &source, triangle::SYNTAX)?, &mut soup)?;
-            points_of(Document::Polygons(soup.finish(&source, false)?), source)
+            let read = Read {
+                document: Document::Polygons(soup.finish(&source, false)?),
+                notes: note_of_the_end(&bytes).into_iter().collect(),
+                format: Format::Triangle,
+            };
+            points_of(read, source)
         }
         // These turn y themselves.
         Some(format) if stdin => {
-            return Ok(points_of(read_bytes(&bytes, format, &source, options)?.document, source));
+            return Ok(points_of(read_bytes(&bytes, format, &source, options)?, source));
         }
-        Some(_) => return Ok(points_of(read_path(path, options)?.document, source)),
+        Some(_) => return Ok(points_of(read_path(path, options)?, source)),
     };
     if options.y_down {
         list.points.iter_mut().for_each(|p| p.y = 0.0 - p.y);
@@ -71,18 +78,19 @@ pub fn read_points(path: &Path, options: &ReadOptions) -> Result<PointList, Read
 }
 
 /// The points of what was read.
-fn points_of(document: Document, source: String) -> PointList {
-    match document {
+fn points_of(read: Read, source: String) -> PointList {
+    let notes = read.notes;
+    match read.document {
         Document::Polygons(soup) => {
             let points = soup.points.iter().map(|&[x, y, _]| Point::new(x, y)).collect();
             let same_file = soup.places.vertex_source.as_ref().is_none_or(|name| *name == source);
             let lines = if same_file { soup.places.vertex_lines } else { Vec::new() };
-            PointList { points, lines, source }
+            PointList { points, lines, source, notes }
         }
-        Document::Segments(soup) => PointList { points: soup.points, lines: soup.point_lines, source },
+        Document::Segments(soup) => PointList { points: soup.points, lines: soup.point_lines, source, notes },
         Document::Table(table) => {
             let positions = table.vertices.iter().filter_map(|row| row.as_ref()?.position);
-            PointList { points: positions.map(Point::from).collect(), lines: Vec::new(), source }
+            PointList { points: positions.map(Point::from).collect(), lines: Vec::new(), source, notes }
         }
     }
 }
@@ -133,6 +141,7 @@ pub fn points_from_text(bytes: &[u8], source_name: &str) -> Result<PointList, Re
         let wanted = format!("the number of points, {}", list.points.len());
         return Err(scanner.expected(word, wanted, "correct it or leave the line out"));
     }
+    list.notes.extend(note_of_the_end(&bytes));
     if list.points.len() > MAX_IDS {
         let problem = ReadProblem::TooLarge { what: "points", limit: MAX_IDS as u64 };
         return Err(ReadError::whole(source_name, problem, ""));

@@ -38,6 +38,12 @@ pub enum ReadProblem {
         /// The machine's words.
         reason: String,
     },
+    /// There is not so much memory.
+    #[error("not enough memory: this takes about {}", megabytes(*bytes))]
+    OutOfMemory {
+        /// How much is needed at once.
+        bytes: u64,
+    },
     /// Nothing says which format it is.
     #[error("the format is not known")]
     UnknownFormat,
@@ -188,6 +194,11 @@ pub enum ReadProblem {
         /// What is wrong with it.
         error: CoordinateError,
     },
+}
+
+/// `12 MB`, rounded up.
+fn megabytes(bytes: u64) -> String {
+    format!("{} MB", bytes.div_ceil(1_000_000))
 }
 
 impl ReadError {

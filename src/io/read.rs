@@ -2,9 +2,10 @@
 
 use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
+use super::room::too_little;
 use super::segments::SegmentSoup;
 use super::soup::PolygonSoup;
-use super::text::LARGEST_FILE;
+use super::text::{LARGEST_FILE, note_of_the_end};
 use super::{dcel, grid, json, mesh, obj, off, ply, poly, segments, stl, triangle, wkt};
 use crate::topology::Table;
 use std::fs::File;
@@ -94,7 +95,29 @@ pub fn read_bytes(bytes: &[u8], format: Format, source_name: &str, options: &Rea
             Err(ReadError::whole(source_name, problem, "keep the structure as .dcel text to read it again"))
         }
     };
-    Ok(turned(read?, options))
+    let mut read = read?;
+    if is_of_lines(read.format) && !is_binary(bytes) {
+        read.notes.extend(note_of_the_end(bytes));
+    }
+    Ok(turned(read, options))
+}
+
+/// Whether the header of a PLY file says that numbers follow as they are in memory.
+fn is_binary(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"ply") && bytes.windows(13).take(200).any(|part| part == b"format binary")
+}
+
+/// Whether a file of this format could go on after any line, or after any number in it, so that only the end of the
+/// last line tells that it is whole.
+fn is_of_lines(format: Format) -> bool {
+    match format {
+        Format::Obj | Format::Off | Format::Ply | Format::Mesh | Format::Poly | Format::Segments | Format::Dcel => true,
+        // These close what they open, or count the characters of a line.
+        Format::GeoJson | Format::TopoJson | Format::Wkt | Format::Stl | Format::Map => false,
+        // The two files of this one are read together.
+        Format::Triangle => false,
+        Format::PlyBinary | Format::StlBinary | Format::Tables => false,
+    }
 }
 
 /// Reads the two files of Triangle's format that are in memory.
@@ -108,9 +131,13 @@ pub fn read_triangle(
     ele_name: &str,
     options: &ReadOptions,
 ) -> Result<Read, ReadError> {
-    let node = triangle::File { bytes: node, source: node_name };
-    let ele = triangle::File { bytes: ele, source: ele_name };
-    Ok(turned(triangle::read(node, ele)?, options))
+    let files = [triangle::File { bytes: node, source: node_name }, triangle::File { bytes: ele, source: ele_name }];
+    let [node, ele] = files;
+    let mut read = triangle::read(node, ele)?;
+    for file in files {
+        read.notes.extend(note_of_the_end(file.bytes).map(|note| format!("{}: {note}", file.source)));
+    }
+    Ok(turned(read, options))
 }
 
 /// Reads a file; `-` is standard input. Of `.node` and `.ele` either may be given, the other one is found
@@ -131,7 +158,9 @@ pub fn read_path(path: &Path, options: &ReadOptions) -> Result<Read, ReadError> 
             let points = if node.exists() { Some(load_path(&node)?) } else { None };
             let (name, poly) = (node.display().to_string(), triangle::File { bytes: &bytes, source: &source });
             let node = points.as_deref().map(|bytes| triangle::File { bytes, source: &name });
-            Ok(turned(poly::read(poly, node)?, options))
+            let mut read = poly::read(poly, node)?;
+            read.notes.extend(note_of_the_end(&bytes));
+            Ok(turned(read, options))
         }
         Some(format) => read_bytes(&bytes, format, &source, options),
         None if bytes.is_empty() => Err(ReadError::whole(&source, ReadProblem::Empty, "")),
@@ -190,6 +219,7 @@ pub(super) fn load(from: impl std::io::Read, source: &str) -> Result<Vec<u8>, Re
     let mut bytes = Vec::new();
     match from.take(LARGEST_FILE).read_to_end(&mut bytes) {
         Ok(_) => Ok(bytes),
+        Err(error) if error.kind() == std::io::ErrorKind::OutOfMemory => Err(too_little(bytes.len(), source)),
         Err(error) => Err(ReadError::whole(source, ReadProblem::Io { reason: error.to_string() }, "")),
     }
 }

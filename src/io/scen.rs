@@ -16,15 +16,21 @@
 //! - *Octile*: the cost from cell to cell, straight steps at 1 and diagonal ones at √2. For the mesh this is an upper
 //!   bound, and nothing to be equal to.
 //!
-//! [`Scenario::optimum`] tells which of them a file must be: octile if every stated length is a sum a + b√2 with whole
-//! a and b and none is less than the octile distance from start to goal; else Euclidean.
+//! [`Scenario::verdict`] tells which of them a whole file must be, and how well it fits: see `scen/verdict.rs`.
+//!
+//! **How exactly a length is stated** differs, too: most files print six significant digits, some two decimals, some
+//! nine. A length says no more than half a unit of its last digit. As zeros at the end may be left out, that digit is
+//! found by the whole file: it has as many decimals as any number of the file, unless it would then have more
+//! significant digits than any number of the file (six at least, if there are no decimals at all).
 //!
 //! Source: N. Sturtevant, *Benchmarks for grid-based pathfinding*, 2012; the any-angle track of the GPPC 2023.
+
+mod verdict;
 
 use super::problem::ReadError;
 use super::text::{Scanner, Syntax};
 use crate::plane::Point;
-use std::f64::consts::SQRT_2;
+pub use verdict::{Misfits, Verdict};
 
 /// What the last column of a scenario means.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -48,6 +54,9 @@ pub struct Query {
     pub goal: Point,
     /// The stated length; none if there is no path.
     pub length: Option<f64>,
+    /// How far the stated length may be from the one that was meant: half a unit of its last printed digit. 0 if none
+    /// is stated.
+    pub precision: f64,
     /// The line in the file, from 1.
     pub line: u32,
 }
@@ -61,26 +70,28 @@ pub struct Scenario {
     pub queries: Vec<Query>,
 }
 
-/// How far a printed length may be from the number that was meant: half of the fifth decimal, as files have at
-/// least so many.
-const PRINTED: f64 = 5e-5;
-
 impl Query {
-    /// Whether an answer is what the file states: no way where it states none, the length up to `tolerance` of it if
-    /// that is Euclidean, and if it is octile no more than that (but for the digits it is printed with) and no less than
-    /// the straight line.
+    /// Whether an answer is what the file states: no way where it states none; if the lengths are Euclidean, the stated
+    /// one within its [`precision`](Self::precision); if they are octile, no more than the stated one, within its
+    /// precision, and no less than the straight line. `tolerance` is a part of the length that is allowed on top.
     #[must_use]
     pub fn agrees(&self, found: Option<f64>, optimum: Optimum, tolerance: f64) -> bool {
         match (self.length, found, optimum) {
             (None, None, _) => true,
-            (Some(stated), Some(found), Optimum::Euclidean) => (found - stated).abs() <= tolerance * stated,
+            (Some(stated), Some(found), Optimum::Euclidean) => {
+                (found - stated).abs() <= self.precision + tolerance * stated
+            }
             (Some(stated), Some(found), Optimum::Octile) => {
-                let [x, y] = [self.goal.x - self.start.x, self.goal.y - self.start.y];
-                let straight = (x * x + y * y).sqrt();
-                found <= stated * (1.0 + tolerance) + PRINTED && found >= straight * (1.0 - tolerance)
+                found <= stated * (1.0 + tolerance) + self.precision && found >= self.straight() * (1.0 - tolerance)
             }
             _ => false,
         }
+    }
+
+    /// The length of the straight line from start to goal.
+    fn straight(&self) -> f64 {
+        let [x, y] = [self.goal.x - self.start.x, self.goal.y - self.start.y];
+        (x * x + y * y).sqrt()
     }
 }
 
@@ -92,6 +103,7 @@ impl Scenario {
     /// let text = b"version 1\n0\tarena.map\t49\t49\t1\t13\t4\t12\t3.41421\n";
     /// let scenario = Scenario::parse(text, "arena.scen")?;
     /// assert_eq!(scenario.queries[0].goal, (4.0, 12.0).into());
+    /// assert_eq!(scenario.queries[0].precision, 5e-6);
     /// assert_eq!(scenario.optimum(), Optimum::Octile);
     /// # Ok::<(), dcel_kit::io::ReadError>(())
     /// ```
@@ -101,6 +113,7 @@ impl Scenario {
     pub fn parse(bytes: &[u8], source: &str) -> Result<Self, ReadError> {
         let mut scanner = Scanner::new(bytes, source, Syntax::default())?;
         let mut queries = Vec::new();
+        let mut digits = Vec::new();
         let mut words = Vec::new();
         let mut is_first = true;
         loop {
@@ -128,12 +141,14 @@ impl Scenario {
                     if !stated.is_finite() || (stated < 0.0 && stated > -1.0) || stated < -1.0 {
                         return Err(scanner.expected(*length, "a length, or -1 for no path", ""));
                     }
+                    digits.push(Digits::of(length.text));
                     queries.push(Query {
                         bucket,
                         map: map.join(" "),
                         start: point(*x0, *y0)?,
                         goal: point(*x1, *y1)?,
                         length: (stated >= 0.0).then_some(stated),
+                        precision: 0.0,
                         line: scanner.line(),
                     });
                 }
@@ -146,30 +161,52 @@ impl Scenario {
                 break;
             }
         }
+        set_precisions(&mut queries, &digits);
         Ok(Self { source: source.to_owned(), queries })
     }
 
-    /// What the lengths must be, as far as the numbers can tell: see [the page](self). A file without a path is
-    /// taken as Euclidean. O(queries · length).
+    /// What the lengths must be, as far as the numbers can tell: see [`verdict`](Self::verdict).
     #[must_use]
     pub fn optimum(&self) -> Optimum {
-        let mut stated = self.queries.iter().filter_map(|q| Some((q, q.length?))).peekable();
-        let is_octile = stated.peek().is_some()
-            && stated.all(|(q, length)| length > octile_distance(q.start, q.goal) - PRINTED && is_octile_sum(length));
-        if is_octile { Optimum::Octile } else { Optimum::Euclidean }
+        self.verdict().optimum
     }
 }
 
-/// The cost from `p` to `q` in a grid without obstacles.
-fn octile_distance(p: Point, q: Point) -> f64 {
-    let (dx, dy) = ((q.x - p.x).abs(), (q.y - p.y).abs());
-    dx.max(dy) + (SQRT_2 - 1.0) * dx.min(dy)
+/// How a number is printed.
+#[derive(Clone, Copy)]
+struct Digits {
+    /// Digits behind the point; fewer than none if an exponent moves the point to the right.
+    decimals: i32,
+    /// Digits from the first that is not 0.
+    significant: i32,
 }
 
-/// Whether a number is printed from a + b√2 with whole a and b from 0 on. Larger numbers than any map has are not.
-fn is_octile_sum(length: f64) -> bool {
-    const LONGEST: f64 = 1e7;
-    let diagonals = (length / SQRT_2 + PRINTED) as u64;
-    let rest = |b: u64| length - b as f64 * SQRT_2;
-    length <= LONGEST && (0..=diagonals).any(|b| (rest(b) - rest(b).round()).abs() < PRINTED)
+impl Digits {
+    fn of(text: &[u8]) -> Self {
+        let end = text.iter().position(|b| matches!(b, b'e' | b'E'));
+        let (mantissa, exponent) = text.split_at(end.unwrap_or(text.len()));
+        let exponent = std::str::from_utf8(exponent).ok().and_then(|e| e.get(1..)?.parse().ok()).unwrap_or(0);
+        let point = mantissa.iter().position(|&b| b == b'.').unwrap_or(mantissa.len());
+        let decimals = mantissa.len() - (point + 1).min(mantissa.len());
+        let digits = mantissa.iter().filter(|b| b.is_ascii_digit());
+        let significant = digits.skip_while(|&&b| b == b'0').count();
+        // No number that is read has more than some thousands of digits that matter.
+        let small = |n: usize| n.min(5000) as i32;
+        Self { decimals: small(decimals).saturating_sub(exponent), significant: small(significant) }
+    }
+}
+
+/// Half a unit of the last digit of each length, by the decimals and the significant digits of the whole file.
+fn set_precisions(queries: &mut [Query], digits: &[Digits]) {
+    let stated = || queries.iter().zip(digits).filter(|(query, _)| query.length.is_some()).map(|(_, digits)| digits);
+    let decimals = stated().map(|digits| digits.decimals).max().unwrap_or(0);
+    let significant = stated().map(|digits| digits.significant).max().unwrap_or(0);
+    let (decimals, significant) = if decimals <= 0 { (i32::MAX, significant.max(6)) } else { (decimals, significant) };
+    for query in queries {
+        let Some(length) = query.length else { continue };
+        // The place of the last significant digit: 0 for units, -1 for tenths.
+        let first = if length > 0.0 { length.log10().floor() as i32 } else { i32::MIN / 2 };
+        let last = (first.saturating_add(1).saturating_sub(significant)).max(decimals.saturating_neg());
+        query.precision = 0.5 * 10f64.powi(last);
+    }
 }

@@ -1,6 +1,7 @@
 //! What polygon formats hold: points, faces as lists of corners, and where each stood in the file.
 
 use super::problem::{ReadError, ReadProblem};
+use super::room::reserved;
 use crate::ids::MAX_IDS;
 use crate::topology::PolygonList;
 
@@ -133,9 +134,17 @@ pub(super) struct SoupBuilder {
 
 impl SoupBuilder {
     /// Room for the elements a header counts, but for no more than `bytes` bytes of file can hold.
-    pub(super) fn with_room(points: u64, bytes: usize, bytes_per_point: usize) -> Self {
+    ///
+    /// # Errors
+    /// If there is not so much memory.
+    pub(super) fn with_room(
+        points: u64,
+        bytes: usize,
+        bytes_per_point: usize,
+        source: &str,
+    ) -> Result<Self, ReadError> {
         let room = points.min((bytes / bytes_per_point) as u64) as usize;
-        Self { points: Vec::with_capacity(room), ..Self::default() }
+        Ok(Self { points: reserved(room, source)?, vertex_lines: reserved(room, source)?, ..Self::default() })
     }
 
     /// Appends a point that stands in line `line`.

@@ -28,6 +28,7 @@ use super::model::Polygons;
 use super::problem::{ReadError, ReadProblem};
 use super::read::{Document, Read};
 use super::rings::representatives;
+use super::room::reserved;
 use super::soup::SoupBuilder;
 use super::text::{Scanner, Syntax};
 use super::words::counted;
@@ -118,7 +119,7 @@ fn expect(scanner: &mut Scanner<'_>, wanted: &'static str) -> Result<(), ReadErr
 }
 
 fn binary(bytes: &[u8], source: &str) -> Result<Corners, ReadError> {
-    let mut corners = Vec::with_capacity(bytes.len() / TRIANGLE * 3);
+    let mut corners = reserved(bytes.len() / TRIANGLE * 3, source)?;
     for (i, triangle) in bytes[HEAD..].chunks_exact(TRIANGLE).enumerate() {
         for k in 0..3 {
             let mut point = [0.0; 3];

@@ -89,6 +89,18 @@ pub(super) fn line_and_column(bytes: &[u8], at: usize) -> (u32, u32) {
     (line, (characters(text) - mark) as u32 + 1)
 }
 
+/// That the last line has no end, so that nothing tells whether it is all there: a file that was cut off while it was
+/// written or sent looks like this. Nothing of binary data, and of a last line that says nothing.
+pub(super) fn note_of_the_end(bytes: &[u8]) -> Option<String> {
+    let start = bytes.iter().rposition(|&b| is_line_end(b)).map_or(0, |end| end + 1);
+    let last = bytes[start..].trim_ascii();
+    if last.is_empty() || last.starts_with(b"#") || bytes.contains(&0) {
+        return None;
+    }
+    let (line, _) = line_and_column(bytes, start);
+    Some(format!("line {line}, the last one, has no end: was the file cut off there?"))
+}
+
 /// The lines of bytes that come in the order of the file, or nearly so.
 pub(super) struct LineCounter<'a> {
     bytes: &'a [u8],
@@ -145,6 +157,11 @@ impl<'a> Scanner<'a> {
     /// The number of the line the scanner is in, from 1.
     pub(super) fn line(&self) -> u32 {
         self.line
+    }
+
+    /// What errors call the file.
+    pub(super) fn source(&self) -> &'a str {
+        self.source
     }
 
     /// The offset of the next byte to read.

@@ -59,7 +59,7 @@ pub(super) fn points(scanner: &mut Scanner<'_>, soup: &mut SoupBuilder) -> Resul
     }
     let extra = optional_count(scanner)?.saturating_add(optional_count(scanner)?);
     scanner.end_of_line("the first line holds points, dimension, attributes and markers")?;
-    *soup = SoupBuilder::with_room(count, scanner.remaining(), 6);
+    *soup = SoupBuilder::with_room(count, scanner.remaining(), 6, scanner.source())?;
     let mut first = 0;
     for i in 0..count {
         let line = record(scanner, i, count, &mut first, "point")?;

@@ -7,10 +7,10 @@ use super::dcel::quote;
 use super::format::Format;
 use super::model::{Model, Polygons};
 use super::{mesh, stl, tables};
+use crate::files::WholeFile;
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::topology::Ring;
 use std::fmt;
-use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
@@ -202,42 +202,25 @@ pub fn write_triangle(node: &mut impl Write, ele: &mut impl Write, model: &Model
     Ok(ele.flush()?)
 }
 
-/// Writes a model to a file; `-` is standard output. Triangle's format becomes two files beside each other.
+/// Writes a model to a file, whole or not at all: see [`crate::files`]. `-` is standard output. Triangle's format becomes
+/// two files beside each other.
 ///
 /// # Errors
-/// As [`write()`] and [`write_triangle`]. The file is not touched if the format cannot hold the structure.
+/// As [`write()`] and [`write_triangle`]; then an old file of that name is as it was.
 pub fn write_path(path: &Path, model: &Model<'_>, format: Format) -> Result<(), WriteError> {
-    let stdout = path.as_os_str() == "-";
-    if format == Format::Triangle && !stdout {
-        let (mut node, mut ele) = (Vec::new(), Vec::new());
-        write_triangle(&mut node, &mut ele, model)?;
-        std::fs::write(path.with_extension("node"), node)?;
-        std::fs::write(path.with_extension("ele"), ele)?;
-        return Ok(());
-    }
-    if stdout {
+    if path.as_os_str() == "-" {
         return write(&mut io::stdout().lock(), model, format);
     }
-    write(&mut Lazy { path, file: None }, model, format)
-}
-
-/// A file that is made when the first byte is written.
-struct Lazy<'a> {
-    path: &'a Path,
-    file: Option<File>,
-}
-
-impl Write for Lazy<'_> {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        if self.file.is_none() {
-            self.file = Some(File::create(self.path)?);
-        }
-        self.file.as_mut().map_or(Ok(0), |file| file.write(bytes))
+    if format == Format::Triangle {
+        let mut node = WholeFile::create(&path.with_extension("node"))?;
+        let mut ele = WholeFile::create(&path.with_extension("ele"))?;
+        write_triangle(&mut node, &mut ele, model)?;
+        node.commit()?;
+        return Ok(ele.commit()?);
     }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.file.as_mut().map_or(Ok(()), File::flush)
-    }
+    let mut file = WholeFile::create(path)?;
+    write(&mut file, model, format)?;
+    Ok(file.commit()?)
 }
 
 fn in_plane<'m, 'a>(model: &'m Model<'a>, format: Format) -> Result<&'m Model<'a>, WriteError> {

@@ -13,7 +13,8 @@
 //! Nothing is kept of runs in which the grader or the machine had a part: a fault of the grader, and a deadline
 //! unless it is asked for.
 
-use super::{Report, Verdict, write_whole};
+use super::{Report, Verdict};
+use crate::files::write_whole;
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};

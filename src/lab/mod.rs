@@ -59,8 +59,6 @@ mod verdict;
 mod verify;
 #[cfg(feature = "grade")]
 mod walls;
-#[cfg(feature = "grade")]
-mod whole;
 mod zoo;
 
 #[cfg(feature = "grade")]
@@ -95,6 +93,4 @@ pub use verdict::Verdict;
 pub use verify::{BugRow, Verification, verify, verify_some};
 #[cfg(feature = "grade")]
 pub use walls::{Hidden, WallChoice, WalledProgram, Walls, launched};
-#[cfg(feature = "grade")]
-pub use whole::write_whole;
 pub use zoo::{Signature, Signatures};

@@ -6,8 +6,11 @@
 //!   └───┴───┴───┘              as far as it goes. Components grow side by side from the near faces until all have
 //!                              met, or all but one have come to an end.
 //! ```
+//!
+//! Merged faces and junctions, if they have been made, are kept: those near the change are made anew (`upkeep.rs`).
 
 use super::mesh::{CLOSED, DEAD_END, ID, NONE, NavMesh, SideRecord};
+use super::upkeep::Upkeep;
 use crate::ids::{EdgeId, FaceId, VertexId};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,7 +19,8 @@ impl NavMesh {
     /// Returns whether it was blocked before; `None` if it is no face of the mesh, and nothing happens.
     ///
     /// Cost: O(length of the door paths nearby, number of faces that become or cease to be dead ends, and twice the
-    /// size of what is cut off or joined).
+    /// size of what is cut off or joined); if merged faces and junctions have been made, O(k log k) more for k sides of
+    /// the merged faces and faces of the corridors that reach there.
     ///
     /// ```
     /// use dcel_kit::{FaceId, navmesh::NavMesh, plane::{Point, Subdivision}};
@@ -80,13 +84,11 @@ impl NavMesh {
     }
 
     /// Runs `edit`, which changes the marks or the sides of `faces` and of no others, and brings up to date what
-    /// follows from them. Faces may come and go, provided that they are among `faces`. Merged faces and
-    /// crossings are given up.
+    /// follows from them. Faces may come and go, provided that they are among `faces`.
     pub(super) fn change(&mut self, faces: &[FaceId], edit: impl FnOnce(&mut Self)) {
-        self.merged = None;
-        self.crossings = None;
         let mut near = BTreeSet::new();
         self.gather_near(faces, &mut near);
+        let upkeep = Upkeep::begin(self, &near);
         let mut open_again: Vec<u32> = Vec::new();
         near.iter().for_each(|&f| self.unpeel(f, &mut open_again));
         near.iter().for_each(|&f| self.set_component(f, NONE));
@@ -101,10 +103,11 @@ impl NavMesh {
             self.close_and_open_sides(f);
             corners.extend(self.corners(FaceId::new(f)));
         }
-        corners.into_iter().for_each(|v: VertexId| self.mark_turns(v));
+        corners.iter().for_each(|&v: &VertexId| self.mark_turns(v));
         self.relabel_components(&near);
         open_again.extend(&near);
         self.peel(&mut open_again);
+        upkeep.finish(self, &near, &corners);
     }
 
     fn gather_near(&self, faces: &[FaceId], near: &mut BTreeSet<u32>) {

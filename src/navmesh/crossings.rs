@@ -12,6 +12,9 @@
 //!
 //! With h gaps in a component of triangles there are at most 2 (h - 1) crossings, however fine the triangles are.
 //!
+//! When the mesh changes, the passages and crossings at the change are dropped, and others put behind the last ones. Once
+//! half of all is dropped the whole is made anew, when it is needed next.
+//!
 //! Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (the reduced graph of TRA*: their
 //! level-3 nodes are the crossings, their corridors the passages).
 
@@ -40,7 +43,12 @@ pub(super) struct Crossings {
     doors: Vec<[u32; 2]>,
     /// Where each face is: [`CROSSING`] and a number, a place in `row`, or [`NONE`].
     spots: Vec<u32>,
+    /// How many links and places in `row` are of no use any more.
+    spent: usize,
 }
+
+/// In the first end of a passage: it was dropped.
+const DROPPED: u32 = NONE - 1;
 
 /// A way on from a crossing.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -80,14 +88,16 @@ pub struct Passage {
 }
 
 impl NavMesh {
-    /// Finds the crossings of the map, so that [`Rung::Breadth`](super::Rung::Breadth) and the rungs of A* go from
-    /// crossing to crossing instead of from face to face. The number of faces on routes of the former stays the same;
-    /// of several rows with the fewest faces it may take another. Returns how many crossings there are.
+    /// Finds the crossings of the map now, if that has not been done: over them [`Rung::Breadth`](super::Rung::Breadth)
+    /// and the rungs of A* go from crossing to crossing instead of from face to face. Nobody has to call this: the
+    /// first query that needs them does it. Returns how many crossings there are.
     ///
-    /// They are given up when a face is blocked or freed, or a wall or an obstacle comes or goes, just like
-    /// [merged faces](Self::merge_faces).
+    /// The number of faces on routes of the fewest faces is the same as [face by face](super::Planner::face_by_face); of
+    /// several rows with the fewest faces it may be another. When the mesh changes, crossings and passages are
+    /// brought up to date near the change.
     ///
-    /// Cost: O(n log n); 4 bytes a face, 12 more for one that is no dead end, and 80 for a crossing.
+    /// Cost: O(n log n) the first time, then O(number of crossings); 4 bytes a face, 12 more for one that is no dead end,
+    /// and 80 for a crossing.
     ///
     /// ```
     /// use dcel_kit::navmesh::NavMesh;
@@ -96,46 +106,51 @@ impl NavMesh {
     /// let points = [(0., 0.), (3., 0.), (3., 3.), (0., 3.), (1., 1.), (2., 1.), (2., 2.), (1., 2.)].map(Into::into);
     /// let sides = [0, 1, 2, 3].map(|i| [i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4]);
     /// let triangles = sides.map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).concat();
-    /// let mut mesh = NavMesh::new(&Subdivision::from_triangles(points.to_vec(), &triangles)?)?;
+    /// let mesh = NavMesh::new(&Subdivision::from_triangles(points.to_vec(), &triangles)?)?;
     /// assert_eq!(mesh.link_crossings(), 0);
     /// assert_eq!(mesh.passages().len(), 1);
     /// assert_eq!(mesh.passages()[0].faces.len(), 8);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn link_crossings(&mut self) -> usize {
-        let crossings = Crossings::new(self);
-        let count = crossings.faces.len();
-        self.crossings = Some(crossings);
-        count
+    pub fn link_crossings(&self) -> usize {
+        self.crossings().len()
     }
 
-    /// The faces with three or more ways on that are no dead ends, along a curve that fills the plane; none if
-    /// [`link_crossings`](Self::link_crossings) was not called, or something has changed since.
-    pub fn crossings(&self) -> impl ExactSizeIterator<Item = FaceId> + Clone + '_ {
-        let faces = self.crossings.as_ref().map_or(&[][..], |crossings| &crossings.faces);
-        faces.iter().map(|&f| FaceId::new(f))
+    /// The faces with three or more ways on that are no dead ends, mostly along a curve that fills the plane. O(number of
+    /// them), and see [`link_crossings`](Self::link_crossings).
+    pub fn crossings(&self) -> impl ExactSizeIterator<Item = FaceId> + Clone + use<> {
+        let faces = self.network().faces.iter().filter(|&&f| f != NONE);
+        faces.map(|&f| FaceId::new(f)).collect::<Vec<_>>().into_iter()
     }
 
-    /// The rows of faces between the crossings; none if [`link_crossings`](Self::link_crossings) was not called, or
-    /// something has changed since. O(n).
+    /// Crossings and passages; made now if they have not been.
+    pub(super) fn network(&self) -> &Crossings {
+        self.crossings.get_or_init(|| Crossings::new(self))
+    }
+
+    /// The rows of faces between the crossings. O(n), and see [`link_crossings`](Self::link_crossings).
     #[must_use]
     pub fn passages(&self) -> Vec<Passage> {
-        let Some(crossings) = &self.crossings else { return Vec::new() };
+        let crossings = self.network();
         let passage = |record: &PassageRecord| Passage {
             ends: (record.ends[0] != NONE).then(|| record.ends.map(|c| FaceId::new(crossings.face(c)))),
             faces: crossings.row[record.range()].iter().map(|&f| FaceId::new(f)).collect(),
         };
-        crossings.passages.iter().map(passage).collect()
+        crossings.passages.iter().filter(|record| record.ends[0] != DROPPED).map(passage).collect()
     }
 
     /// The faces that are no dead ends, in the order of a curve that fills the plane: so crossings that are near are
     /// near in memory.
     fn core_along_curve(&self) -> Vec<u32> {
         let curve = Curve::over(self);
-        let is_core = |&f: &u32| self.is_walkable(FaceId::new(f)) && !self.is_peeled(f);
-        let mut core: Vec<u32> = (0..self.faces.len() as u32).filter(is_core).collect();
+        let mut core: Vec<u32> = (0..self.faces.len() as u32).filter(|&f| self.is_core(f)).collect();
         core.sort_by_cached_key(|&f| self.corners(FaceId::new(f)).next().map(|v| curve.key(self.point(v))));
         core
+    }
+
+    /// Whether one may stand in `f`, and it is no dead end.
+    fn is_core(&self, f: u32) -> bool {
+        self.is_walkable(FaceId::new(f)) && !self.is_peeled(f)
     }
 
     /// The sides of `f` that lead on: they are open, and no dead end lies behind.
@@ -153,34 +168,8 @@ impl NavMesh {
 
 impl Crossings {
     fn new(mesh: &NavMesh) -> Self {
-        let mut result = Self { spots: vec![NONE; mesh.faces.len()], ..Self::default() };
-        let core = mesh.core_along_curve();
-        let mut link_of = vec![NONE; mesh.sides.len()];
-        for &f in &core {
-            let first = result.links.len();
-            for s in mesh.ways_on(f) {
-                link_of[s] = result.links.len() as u32;
-                result.links.push(Link { to: NONE, doors: 0, by: NONE });
-            }
-            if result.links.len() < first + 3 {
-                result.links.truncate(first);
-            } else {
-                result.spots[f as usize] = CROSSING | result.faces.len() as u32;
-                result.faces.push(f);
-                result.starts.push(first as u32);
-            }
-        }
-        result.starts.push(result.links.len() as u32);
-        for c in 0..result.faces.len() as u32 {
-            for s in mesh.ways_on(result.face(c)) {
-                result.follow(mesh, c, s, &link_of);
-            }
-        }
-        for &f in &core {
-            if result.spots[f as usize] == NONE {
-                result.go_round(mesh, f);
-            }
-        }
+        let mut result = Self { spots: vec![NONE; mesh.faces.len()], starts: vec![0], ..Self::default() };
+        result.add(mesh, &mesh.core_along_curve(), &[]);
         result.faces.shrink_to_fit();
         result.starts.shrink_to_fit();
         result.passages.shrink_to_fit();
@@ -190,11 +179,91 @@ impl Crossings {
         result
     }
 
-    /// Follows side `s` of crossing `c` to the next crossing, unless this was done from there already.
-    fn follow(&mut self, mesh: &NavMesh, c: u32, s: usize, link_of: &[u32]) {
-        if self.links[link_of[s] as usize].by != NONE {
-            return;
+    /// Takes in faces that are no dead ends and have no spot, with all passages to and between them. `cut` are crossings
+    /// that have lost links.
+    fn add(&mut self, mesh: &NavMesh, core: &[u32], cut: &[u32]) {
+        let first = self.faces.len() as u32;
+        for &f in core {
+            let ways_on = mesh.ways_on(f).count();
+            if ways_on >= 3 {
+                self.spots[f as usize] = CROSSING | self.faces.len() as u32;
+                self.faces.push(f);
+                self.links.extend((0..ways_on).map(|_| Link { to: NONE, doors: 0, by: NONE }));
+                self.starts.push(self.links.len() as u32);
+            }
         }
+        for c in (first..self.faces.len() as u32).chain(cut.iter().copied()) {
+            for (i, s) in mesh.ways_on(self.face(c)).enumerate() {
+                if self.links(c)[i].by == NONE {
+                    self.follow(mesh, c, s);
+                }
+            }
+        }
+        for &f in core {
+            if self.spots[f as usize] == NONE {
+                self.go_round(mesh, f);
+            }
+        }
+    }
+
+    /// Brings crossings and passages up to date after a change: `faces` are all those that have come or gone, or whose
+    /// ways on have changed. Returns whether it is worth to keep the whole.
+    pub(super) fn mend(&mut self, mesh: &NavMesh, faces: &[u32]) -> bool {
+        self.spots.resize(mesh.faces.len().max(self.spots.len()), NONE);
+        let (mut loose, mut cut) = (faces.to_vec(), Vec::new());
+        for &f in faces {
+            match self.spots[f as usize] {
+                NONE => {}
+                spot if spot & CROSSING != 0 => self.drop_crossing(spot & !CROSSING, &mut loose, &mut cut),
+                spot => self.drop_passage(self.passage_at(spot), &mut loose, &mut cut),
+            }
+        }
+        if 2 * self.spent > self.links.len() + self.row.len() + 64 {
+            return false;
+        }
+        loose.retain(|&f| mesh.is_core(f));
+        loose.sort_unstable();
+        loose.dedup();
+        cut.retain(|&c| self.faces[c as usize] != NONE);
+        cut.sort_unstable();
+        cut.dedup();
+        self.add(mesh, &loose, &cut);
+        true
+    }
+
+    fn drop_crossing(&mut self, c: u32, loose: &mut Vec<u32>, cut: &mut Vec<u32>) {
+        let f = std::mem::replace(&mut self.faces[c as usize], NONE);
+        self.spots[f as usize] = NONE;
+        loose.push(f);
+        let links = self.starts[c as usize] as usize..self.starts[c as usize + 1] as usize;
+        self.spent += links.len();
+        for i in links {
+            if self.links[i].by != NONE {
+                self.drop_passage(self.links[i].by >> 1, loose, cut);
+            }
+        }
+    }
+
+    fn drop_passage(&mut self, p: u32, loose: &mut Vec<u32>, cut: &mut Vec<u32>) {
+        let PassageRecord { ends, first, end } = self.passages[p as usize];
+        self.passages[p as usize].ends[0] = DROPPED;
+        self.spent += (end - first) as usize;
+        for place in first..end {
+            let f = self.row[place as usize];
+            self.spots[f as usize] = NONE;
+            loose.push(f);
+        }
+        for c in ends.into_iter().filter(|&c| c != NONE) {
+            let links = self.starts[c as usize] as usize..self.starts[c as usize + 1] as usize;
+            for link in self.links[links].iter_mut().filter(|link| link.by != NONE && link.by >> 1 == p) {
+                *link = Link { to: NONE, doors: 0, by: NONE };
+            }
+            cut.push(c);
+        }
+    }
+
+    /// Follows side `s` of crossing `c` to the next crossing.
+    fn follow(&mut self, mesh: &NavMesh, c: u32, s: usize) {
         let first = self.row.len();
         let posts = |f: u32, s: usize| mesh.ends(FaceId::new(f), s).map(VertexId::number);
         self.doors.push(posts(self.face(c), s));
@@ -205,10 +274,16 @@ impl Crossings {
             self.doors.push(posts(f, on));
             (f, entry) = mesh.beyond(on);
         }
+        debug_assert_ne!(self.spots[f as usize] & CROSSING, 0, "f{f} is in another passage");
         let (to, doors) = (self.spots[f as usize] & !CROSSING, (self.row.len() - first + 1) as u32);
         let by = 2 * self.end_passage([c, to], first);
-        self.links[link_of[s] as usize] = Link { to, doors, by };
-        self.links[link_of[entry] as usize] = Link { to: c, doors, by: by + 1 };
+        let link = |c: u32, s: usize| {
+            let place = mesh.ways_on(self.face(c)).position(|on| on == s).expect("it is one of them");
+            self.starts[c as usize] as usize + place
+        };
+        let [there, back] = [link(c, s), link(to, entry)];
+        self.links[there] = Link { to, doors, by };
+        self.links[back] = Link { to: c, doors, by: by + 1 };
     }
 
     /// Follows a component without a crossing round to where it began.
@@ -236,7 +311,7 @@ impl Crossings {
         self.passages.len() as u32 - 1
     }
 
-    /// How many crossings there are.
+    /// How many crossings there are, and were.
     pub(super) fn len(&self) -> usize {
         self.faces.len()
     }

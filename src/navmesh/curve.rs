@@ -11,6 +11,7 @@ use super::NavMesh;
 use crate::plane::Point;
 
 /// The curve over a mesh.
+#[derive(Clone, Debug)]
 pub(super) struct Curve {
     low: Point,
     scale: f64,

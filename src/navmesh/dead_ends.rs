@@ -62,6 +62,7 @@ impl NavMesh {
 
     /// Says on the open side from `f` to `behind` whether a dead end lies behind.
     pub(super) fn mark_dead_end(&mut self, f: u32, behind: u32, dead: bool) {
+        self.note_written(f);
         for s in self.range(FaceId::new(f)) {
             let across = &mut self.sides[s].across;
             if *across & CLOSED == 0 && *across & ID == behind {

@@ -9,10 +9,13 @@
 //! ```
 //!
 //! Point to cell is a monotone function of each coordinate, and cells take in too many faces rather than too few, so
-//! rounding never loses a face. One cell for two faces: some 16 bytes a face, and 12 for the lattice.
+//! rounding never loses a face. One cell for two faces: some 16 bytes a face, and 12 for the lattice. Where faces are so
+//! long and thin that they would be listed very often, the cells are made larger, and points are asked of another index
+//! (`slivers.rs`).
 
 use super::coarse::Coarse;
 use super::mesh::{CLOSED, ID, NavMesh};
+use super::slivers::Slivers;
 use crate::ids::{EdgeId, FaceId, HalfEdgeId};
 use crate::plane::predicates::orientation;
 use crate::plane::{Point, Subdivision};
@@ -24,6 +27,8 @@ const GAP: u32 = 1 << 31;
 const LAST: u32 = 1 << 30;
 /// The most cells there are, so that items can be numbered without these two marks.
 const MOST_CELLS: f64 = 134_217_728.0;
+/// How often faces and edges between gaps may be listed, on average, before the cells are made larger.
+const MOST_LISTED: f64 = 16.0;
 /// The cell sees several gaps.
 const SEVERAL: u32 = GAP | ID;
 /// The cell sees no border at all.
@@ -87,14 +92,17 @@ pub(super) struct Grid {
     coarse: Coarse,
     /// The edges between gaps that reach into each cell, by cell.
     gap_edges: Vec<(u32, GapEdge)>,
+    /// The index that is asked if cells of one size would see too many faces each.
+    slivers: Option<Box<Slivers>>,
     /// Faces that came later, per cell.
     late: BTreeMap<u32, Vec<u32>>,
     late_count: usize,
 }
 
 impl Grid {
-    /// An index over all faces of the mesh. O(n) for faces of about one size.
-    pub(super) fn new(mesh: &NavMesh, gap_edges: &[GapEdge]) -> Self {
+    /// An index over all faces of the mesh. O(n) for faces of about one size; where faces are long and thin, that of
+    /// `slivers`.
+    pub(super) fn new(mesh: &NavMesh, gap_edges: &[GapEdge], slivers: impl FnOnce() -> Slivers) -> Self {
         let corners = mesh.faces().flat_map(|f| mesh.corners(f)).map(|v| mesh.point(v));
         let corners = corners.chain(gap_edges.iter().flat_map(|edge| edge.ends));
         let first = corners.clone().next().unwrap_or_default();
@@ -103,8 +111,18 @@ impl Grid {
         });
         let count = (mesh.face_count() as f64 / 2.0).clamp(1.0, MOST_CELLS);
         let [width, height] = [max.x - min.x, max.y - min.y];
-        let columns = (count * (width / height)).sqrt().clamp(1.0, count).ceil();
-        let rows = (count / columns).ceil().max(1.0);
+        let mut columns = (count * (width / height)).sqrt().clamp(1.0, count).ceil();
+        let mut rows = (count / columns).ceil().max(1.0);
+        // A convex face is listed once for each column and each row it runs through, about, and inside.
+        let [across, up] = extents(mesh, gap_edges);
+        let places = across / width * columns + up / height * rows;
+        let most = MOST_LISTED * (mesh.face_count() + gap_edges.len()) as f64;
+        let is_crowded = places > most;
+        if is_crowded {
+            // Once each, about: whoever looks for faces near a point still finds them by the cells.
+            let smaller = most / (MOST_LISTED * places);
+            (columns, rows) = ((columns * smaller).ceil(), (rows * smaller).ceil());
+        }
         let mut grid = Self {
             min,
             max,
@@ -115,6 +133,7 @@ impl Grid {
             items: Vec::new(),
             coarse: Coarse::new(min, max),
             gap_edges: Vec::new(),
+            slivers: is_crowded.then(|| Box::new(slivers())),
             late: BTreeMap::new(),
             late_count: 0,
         };
@@ -135,6 +154,24 @@ impl Grid {
         4 * (self.cells.len() + self.items.len() + self.late_count)
             + size_of_val(&*self.gap_edges)
             + self.coarse.memory()
+            + self.slivers.as_ref().map_or(0, |slivers| slivers.memory())
+    }
+
+    /// The index to ask before this one, if there is one.
+    #[inline]
+    pub(super) fn slivers(&self) -> Option<&Slivers> {
+        self.slivers.as_deref()
+    }
+
+    /// The faces that came later and may have the point.
+    pub(super) fn late_faces(&self, p: Point) -> &[u32] {
+        let [column, row] = self.cell(p);
+        self.late.get(&((row * self.columns + column) as u32)).map_or(&[], Vec::as_slice)
+    }
+
+    /// Whether no face came later.
+    pub(super) fn is_fresh(&self) -> bool {
+        self.late.is_empty()
     }
 
     /// The column and the row of a point; points outside go to the nearest cell.
@@ -150,6 +187,11 @@ impl Grid {
     #[inline]
     pub(super) fn contains(&self, p: Point) -> bool {
         p.x >= self.min.x && p.x <= self.max.x && p.y >= self.min.y && p.y <= self.max.y
+    }
+
+    /// The point of the box that is the closest to `p`, which has no coordinate that is no number.
+    pub(super) fn clamp(&self, p: Point) -> Point {
+        Point::new(p.x.clamp(self.min.x, self.max.x), p.y.clamp(self.min.y, self.max.y))
     }
 
     /// How many columns and rows.
@@ -409,6 +451,18 @@ impl Grid {
             (from..=to).for_each(|column| visit((row * self.columns + column) as u32));
         }
     }
+}
+
+/// The widths and the heights of all faces and edges between gaps, added. O(n).
+fn extents(mesh: &NavMesh, gap_edges: &[GapEdge]) -> [f64; 2] {
+    let of = |corners: &mut dyn Iterator<Item = Point>| {
+        let none = [f64::INFINITY, f64::NEG_INFINITY];
+        let wide = |[low, high]: [f64; 2], x: f64| [low.min(x), high.max(x)];
+        corners.fold([none; 2], |[x, y], p| [wide(x, p.x), wide(y, p.y)]).map(|[low, high]| high - low)
+    };
+    let faces = mesh.faces().map(|f| of(&mut mesh.corners(f).map(|v| mesh.point(v))));
+    let edges = gap_edges.iter().map(|edge| of(&mut edge.ends.into_iter()));
+    faces.chain(edges).fold([0.0; 2], |[x, y], [width, height]| [x + width, y + height])
 }
 
 /// Whether the first border runs right of the second where both meet a horizontal line. They do not cross.

@@ -9,7 +9,8 @@
 
 use super::NavMesh;
 use super::grid::Look;
-use super::mesh::ID;
+use super::mesh::{ID, NONE};
+use super::slivers::{Seen, Slivers};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::Point;
 use crate::plane::predicates::orientation;
@@ -127,6 +128,9 @@ impl NavMesh {
         if !self.grid.contains(p) {
             return (Location::Outer, None);
         }
+        if let Some(slivers) = self.grid.slivers() {
+            return self.locate_among(slivers, p);
+        }
         match self.grid.look(p) {
             Look::Face(f) => (Location::Face(FaceId::new(f)), Some(FaceId::new(f))),
             Look::Gap(gap) => (gap_location(FaceId::new(gap)), None),
@@ -137,6 +141,24 @@ impl NavMesh {
                 spots.next().unwrap_or_else(|| (self.gap_at(p), None))
             }
         }
+    }
+
+    /// [`locate_with_face`](Self::locate_with_face) on a map of slivers, for a point in the box. Faces that came later
+    /// have what those that went had.
+    fn locate_among(&self, slivers: &Slivers, p: Point) -> (Location, Option<FaceId>) {
+        let seen = slivers.look(p);
+        let near: [Option<FaceId>; 2] = match seen {
+            Seen::Vertex(v) => [self.fans.get(v.index()).filter(|&&f| f != NONE).map(|&f| FaceId::new(f)), None],
+            Seen::Edge([left, right]) => [Some(left), Some(right)],
+            Seen::Face(f) => [Some(f), None],
+        };
+        let late = self.grid.late_faces(p).iter().map(|&f| FaceId::new(f));
+        let mut faces = near.into_iter().flatten().chain(late).filter(|&f| self.has_face(f));
+        let found = faces.find_map(|f| Some((self.spot_of_near(f, p)?, Some(f))));
+        found.unwrap_or_else(|| match seen {
+            Seen::Face(gap) if self.grid.is_fresh() => (gap_location(gap), None),
+            _ => (self.gap_at(p), None),
+        })
     }
 
     /// The gap that has `p`, which is in no face.

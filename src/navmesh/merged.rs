@@ -15,19 +15,25 @@
 //!
 //! A dead end is merged with dead ends only, so that what need not be entered stays apart.
 //!
+//! When the mesh changes, the merged faces at the change are taken apart, and their faces put together again; the new
+//! ones stand behind the last. Once half of all sides are spent the whole is made anew, when it is needed next.
+//!
 //! Source: Hertel and Mehlhorn, *Fast triangulation of simple polygons*, 1983, for taking doors away.
 
 use super::curve::Curve;
 use super::mesh::{CLOSED, DEAD_END, ID, NONE, SideRecord, turns_left_or_runs_straight};
 use super::rooms::{Corner, Rooms};
 use super::{NavMesh, Place};
-use crate::ids::{FaceId, VertexId};
+use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::Point;
 use std::ops::Range;
 
 /// The merged faces of a mesh, as the exact search takes them. One is named by the index of its first side.
 #[derive(Clone, Debug)]
 pub(super) struct Merged {
+    curve: Curve,
+    /// How many sides are of no use any more; the `origin` of these is [`NONE`].
+    spent: usize,
     /// In the order of a curve that fills the plane, so that what is near is near in memory.
     sides: Vec<WideSide>,
     /// For each of these sides which one of the mesh it is.
@@ -121,15 +127,15 @@ pub struct MergedFace {
 }
 
 impl NavMesh {
-    /// Puts faces together to larger convex ones, for [`Rung::Exact`](super::Rung::Exact) and for
-    /// [`distance_field`](super::Planner::distance_field): both then find the same with less than half of the work.
-    /// Returns how many merged faces there are. Routes speak of the faces of the mesh as before, and all else is as
-    /// it was.
+    /// Puts faces together to larger convex ones now, if that has not been done. Over them
+    /// [`Rung::Exact`](super::Rung::Exact) and [`distance_field`](super::Planner::distance_field) find the same as
+    /// [face by face](super::Planner::face_by_face), with less than half of the work. Nobody has to call this: the first
+    /// query that needs them does it. Returns how many merged faces there are. Routes speak of the faces of the mesh as
+    /// before, and all else is as it was.
     ///
-    /// Worth it from a handful of queries on. The merged faces are given up when a face is blocked or freed, or a
-    /// wall or an obstacle comes or goes; call this again when things have come to rest.
+    /// When the mesh changes, the merged faces near the change are made anew.
     ///
-    /// Cost: O(n log n); about 75 bytes a triangle.
+    /// Cost: O(n log n) the first time, then O(number of merged faces); about 75 bytes a triangle.
     ///
     /// ```
     /// use dcel_kit::navmesh::{NavMesh, Planner, Rung};
@@ -138,24 +144,25 @@ impl NavMesh {
     /// let points = [(0., 0.), (3., 0.), (3., 3.), (0., 3.), (1., 1.), (2., 1.), (2., 2.), (1., 2.)].map(Point::from);
     /// let sides = [0, 1, 2, 3].map(|i| [i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4]);
     /// let triangles = sides.map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).concat();
-    /// let mut mesh = NavMesh::new(&Subdivision::from_triangles(points.to_vec(), &triangles)?)?;
+    /// let mesh = NavMesh::new(&Subdivision::from_triangles(points.to_vec(), &triangles)?)?;
     /// assert_eq!((mesh.face_count(), mesh.merge_faces()), (8, 4));
     /// let route = Planner::new().route_between(&mesh, Rung::Exact, (1.2, 0.5).into(), (2.5, 1.8).into())?;
     /// assert_eq!(route.points[1], Point::new(2.0, 1.0));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn merge_faces(&mut self) -> usize {
-        let merged = Merged::new(self);
-        let count = merged.faces().count();
-        self.merged = Some(merged);
-        count
+    pub fn merge_faces(&self) -> usize {
+        self.merged().faces().count()
     }
 
-    /// The merged faces; none if [`merge_faces`](Self::merge_faces) was not called, or something has changed since.
-    /// O(n).
+    /// The merged faces; made now if they have not been.
+    pub(super) fn merged(&self) -> &Merged {
+        self.merged.get_or_init(|| Merged::new(self))
+    }
+
+    /// The merged faces. O(n), and see [`merge_faces`](Self::merge_faces).
     #[must_use]
     pub fn merged_faces(&self) -> Vec<MergedFace> {
-        let Some(merged) = &self.merged else { return Vec::new() };
+        let merged = self.merged();
         let mut members: Vec<Vec<FaceId>> = vec![Vec::new(); merged.sides.len()];
         for (f, &whole) in (0..).zip(&merged.wholes).filter(|&(_, &whole)| whole != NONE) {
             members[whole as usize].push(FaceId::new(f));
@@ -171,11 +178,74 @@ impl NavMesh {
 
 impl Merged {
     fn new(mesh: &NavMesh) -> Self {
-        let mut rings = Rings::new(mesh);
+        let bound = mesh.faces.len();
+        let mut merged = Self {
+            curve: Curve::over(mesh),
+            spent: 0,
+            sides: Vec::new(),
+            originals: Vec::new(),
+            wholes: vec![NONE; bound],
+            ups: vec![NONE; bound],
+        };
+        merged.put_together(mesh, mesh.faces().map(FaceId::number).collect());
+        merged.sides.shrink_to_fit();
+        merged.originals.shrink_to_fit();
+        merged
+    }
+
+    /// Merges those of the faces that may be entered, which are in no merged face.
+    pub(super) fn put_together(&mut self, mesh: &NavMesh, mut faces: Vec<u32>) {
+        self.wholes.resize(mesh.faces.len().max(self.wholes.len()), NONE);
+        self.ups.resize(mesh.faces.len().max(self.ups.len()), NONE);
+        faces.retain(|&f| mesh.is_walkable(FaceId::new(f)));
+        let mut rings = Rings::new(mesh, faces);
         for [s, t] in rings.doors() {
             rings.open(s as usize, t as usize);
         }
-        rings.collect()
+        rings.add_to(self);
+    }
+
+    /// Takes apart the merged faces that have any of these faces, and appends all their faces to `loose`. The sides of
+    /// the faces must still be those that were merged.
+    pub(super) fn take_apart(&mut self, mesh: &NavMesh, faces: impl IntoIterator<Item = u32>, loose: &mut Vec<u32>) {
+        for f in faces {
+            let Some(&whole) = self.wholes.get(f as usize).filter(|&&whole| whole != NONE) else { continue };
+            let range = self.sides[whole as usize].range();
+            self.spent += range.len();
+            self.sides[range].iter_mut().for_each(|side| side.origin = NONE);
+            let mut next = loose.len();
+            self.wholes[f as usize] = NONE;
+            loose.push(f);
+            while let Some(&f) = loose.get(next) {
+                next += 1;
+                self.ups[f as usize] = NONE;
+                for side in mesh.sides_of(FaceId::new(f)) {
+                    let beyond = side.across & ID;
+                    if let Some(other) = self.wholes.get_mut(beyond as usize).filter(|other| **other == whole) {
+                        *other = NONE;
+                        loose.push(beyond);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Writes the marks of the merged face that has `f` anew.
+    pub(super) fn mark_again(&mut self, mesh: &NavMesh, f: u32) {
+        let Some(&whole) = self.wholes.get(f as usize).filter(|&&whole| whole != NONE) else { return };
+        for i in self.sides[whole as usize].range() {
+            let SideRecord { origin, across } = mesh.sides[self.originals[i] as usize];
+            let side = &mut self.sides[i];
+            side.origin = origin;
+            if side.twin & CLOSED == 0 {
+                side.twin = side.twin & ID | across & DEAD_END;
+            }
+        }
+    }
+
+    /// Whether so much has been taken apart that it is better to begin anew.
+    pub(super) fn is_spent(&self) -> bool {
+        2 * self.spent > self.sides.len() + 64
     }
 
     /// The merged face that has the face.
@@ -197,10 +267,11 @@ impl Merged {
     /// The sides of the merged faces, one after the other.
     fn faces(&self) -> impl Iterator<Item = Range<usize>> {
         let after = |start: usize| self.sides.get(start).map(WideSide::range);
-        std::iter::successors(after(0), move |range| after(range.end))
+        let all = std::iter::successors(after(0), move |range| after(range.end));
+        all.filter(|range| self.sides[range.start].origin != NONE)
     }
 
-    /// More than the names of all merged faces.
+    /// More than the names of all merged faces, and of those that were taken apart.
     pub(super) fn bound(&self) -> usize {
         self.sides.len()
     }
@@ -271,32 +342,40 @@ impl Merged {
     }
 }
 
-/// The rings of sides round the faces, while they are put together.
+/// The rings of sides round some faces, while these are put together. Their faces and sides have numbers of their own,
+/// one after the other.
 struct Rings<'a> {
     mesh: &'a NavMesh,
-    /// The side after each, and the one before it, along its face; [`NONE`] if it is not there.
+    /// The faces.
+    faces: Vec<u32>,
+    /// The sides as the mesh numbers them, face by face.
+    sides: Vec<u32>,
+    /// The side after each, and the one before it, along its face; [`NONE`] if it is not there any more.
     next: Vec<u32>,
     prev: Vec<u32>,
     /// The face on the left of each side.
     owner: Vec<u32>,
-    /// The same side of the face behind it; [`NONE`] if it is closed.
+    /// The same side of the face behind it; [`NONE`] if it is closed, or that face is not among these.
     twin: Vec<u32>,
     /// For each face one of the faces it was joined to; itself for one of each merged face.
     joined: Vec<u32>,
 }
 
 impl<'a> Rings<'a> {
-    /// Those of the faces that may be entered.
-    fn new(mesh: &'a NavMesh) -> Self {
-        let none = vec![NONE; mesh.sides.len()];
-        let joined = (0..mesh.faces.len() as u32).collect();
-        let [next, prev, owner, twin] = [(); 4].map(|()| none.clone());
-        let mut rings = Self { mesh, next, prev, owner, twin, joined };
-        for f in mesh.faces().filter(|&f| mesh.is_walkable(f)) {
-            let range = mesh.range(f);
-            for s in range.clone() {
-                rings.owner[s] = f.number();
-                rings.link(s, if s + 1 == range.end { range.start } else { s + 1 });
+    fn new(mesh: &'a NavMesh, faces: Vec<u32>) -> Self {
+        let count = faces.iter().map(|&f| mesh.range(FaceId::new(f)).len()).sum();
+        let none = || vec![NONE; count];
+        let joined = (0..faces.len() as u32).collect();
+        let sides = Vec::with_capacity(count);
+        let mut rings = Self { mesh, faces, sides, next: none(), prev: none(), owner: none(), twin: none(), joined };
+        for face in 0..rings.faces.len() {
+            let range = mesh.range(FaceId::new(rings.faces[face]));
+            let first = rings.sides.len();
+            let end = first + range.len();
+            rings.sides.extend(range.map(|s| s as u32));
+            for s in first..end {
+                rings.owner[s] = face as u32;
+                rings.link(s, if s + 1 == end { first } else { s + 1 });
             }
         }
         rings.find_twins();
@@ -304,12 +383,24 @@ impl<'a> Rings<'a> {
     }
 
     fn find_twins(&mut self) {
-        let bound = self.mesh.half_edges.iter().map(|h| h.index() + 1).max().unwrap_or(0);
+        let open = |&s: &u32| self.mesh.sides[self.sides[s as usize] as usize].across & CLOSED == 0;
+        let half_edge = |s: u32| self.mesh.half_edges[self.sides[s as usize] as usize];
+        let sides = || (0..self.sides.len() as u32).filter(open);
+        let bound = sides().map(|s| half_edge(s).index() + 1).max().unwrap_or(0);
+        if bound > 32 * self.sides.len() {
+            // Few of many: not worth a list of all half-edges.
+            let mut by_edge: Vec<(u32, u32)> = sides().map(|s| (half_edge(s).edge().number(), s)).collect();
+            by_edge.sort_unstable();
+            for pair in by_edge.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+                self.twin[pair[0].1 as usize] = pair[1].1;
+                self.twin[pair[1].1 as usize] = pair[0].1;
+            }
+            return;
+        }
         let mut side_of = vec![NONE; bound + 1];
-        let open = |s: usize| self.owner[s] != NONE && self.mesh.sides[s].across & CLOSED == 0;
-        let sides = || self.mesh.half_edges.iter().enumerate().filter(|&(s, _)| open(s));
-        sides().for_each(|(s, h)| side_of[h.index()] = s as u32);
-        sides().for_each(|(s, h)| self.twin[s] = side_of[h.twin().index()]);
+        sides().for_each(|s| side_of[half_edge(s).index()] = s);
+        let twins: Vec<(u32, u32)> = sides().map(|s| (s, side_of[half_edge(s).twin().index()])).collect();
+        twins.into_iter().for_each(|(s, twin)| self.twin[s as usize] = twin);
     }
 
     fn link(&mut self, s: usize, next: usize) {
@@ -317,11 +408,16 @@ impl<'a> Rings<'a> {
         self.prev[next] = s as u32;
     }
 
+    /// The side as the mesh has it.
+    fn record(&self, s: usize) -> SideRecord {
+        self.mesh.sides[self.sides[s] as usize]
+    }
+
     /// The doors that may be taken away, each with its two sides, the longest first.
     fn doors(&self) -> Vec<[u32; 2]> {
         let mut doors: Vec<(f64, [u32; 2])> = Vec::new();
         for (s, &t) in (0..).zip(&self.twin) {
-            let is_dead_end = |s: u32| self.mesh.is_peeled(self.owner[s as usize]);
+            let is_dead_end = |s: u32| self.mesh.is_peeled(self.faces[self.owner[s as usize] as usize]);
             if t != NONE && s < t && is_dead_end(s) == is_dead_end(t) {
                 let [a, b] = [s, t].map(|s| self.origin(s as usize));
                 let [x, y] = [b.x - a.x, b.y - a.y];
@@ -334,7 +430,7 @@ impl<'a> Rings<'a> {
 
     /// The point at which a side starts.
     fn origin(&self, s: usize) -> Point {
-        self.mesh.points[(self.mesh.sides[s].origin & ID) as usize]
+        self.mesh.points[(self.record(s).origin & ID) as usize]
     }
 
     /// Takes away the door with these two sides, if the faces beside it are different ones and make a convex one.
@@ -371,66 +467,97 @@ impl<'a> Rings<'a> {
         at
     }
 
-    /// The trees of faces that were put together, each by the next face on the way to its root.
-    fn ups(&self) -> Vec<u32> {
-        let mut ups = vec![NONE; self.mesh.faces.len()];
+    /// Writes down the trees of faces that were put together, each by the next face on the way to its root.
+    fn write_ups(&self, ups: &mut [u32]) {
+        // The sides of a face are where they were at first: from its first one on.
+        let mut firsts = Vec::with_capacity(self.faces.len() + 1);
+        firsts.push(0);
+        for (s, pair) in self.owner.windows(2).enumerate() {
+            if pair[0] != pair[1] {
+                firsts.push(s + 1);
+            }
+        }
+        firsts.push(self.sides.len());
         let is_root = |f: &u32| self.joined[*f as usize] == *f;
-        let mut stack: Vec<u32> = (0..self.mesh.faces.len() as u32).filter(is_root).collect();
-        while let Some(f) = stack.pop() {
-            for s in self.mesh.range(FaceId::new(f)) {
-                let beyond = self.mesh.sides[s].across & ID;
-                let was_opened = self.next[s] == NONE && self.twin[s] != NONE;
-                if was_opened && ups[f as usize] != beyond {
-                    ups[beyond as usize] = f;
+        let mut stack: Vec<u32> = (0..self.faces.len() as u32).filter(is_root).collect();
+        while let Some(face) = stack.pop() {
+            let f = self.faces[face as usize];
+            for s in firsts[face as usize]..firsts[face as usize + 1] {
+                if self.next[s] != NONE || self.twin[s] == NONE {
+                    continue;
+                }
+                let beyond = self.owner[self.twin[s] as usize];
+                if ups[f as usize] != self.faces[beyond as usize] {
+                    ups[self.faces[beyond as usize] as usize] = f;
                     stack.push(beyond);
                 }
             }
         }
-        ups
     }
 
-    /// Writes the rings down one after the other, in the order of a curve.
-    fn collect(mut self) -> Merged {
+    /// Writes the rings down one after the other, in the order of the curve, behind those that are there.
+    fn add_to(mut self, merged: &mut Merged) {
         let mesh = self.mesh;
-        let free = || mesh.faces().filter(|&f| mesh.is_walkable(f));
-        let mut wholes = vec![NONE; mesh.faces.len()];
+        let mut starts = vec![NONE; self.faces.len()];
         let mut firsts: Vec<(u64, u32)> = Vec::new();
-        let curve = Curve::over(mesh);
-        for s in free().flat_map(|f| mesh.range(f)) {
+        for s in 0..self.sides.len() {
             if self.next[s] == NONE {
                 continue;
             }
             let root = self.root(self.owner[s]) as usize;
-            if std::mem::replace(&mut wholes[root], 0) == NONE {
-                firsts.push((curve.key(self.origin(s)), s as u32));
+            if std::mem::replace(&mut starts[root], 0) == NONE {
+                firsts.push((merged.curve.key(self.origin(s)), s as u32));
             }
         }
         firsts.sort_unstable();
-        let mut originals: Vec<u32> = Vec::new();
-        let mut ranges: Vec<Range<u32>> = Vec::new();
+        let begin = merged.sides.len();
+        let mut order: Vec<u32> = Vec::new();
+        let mut ranges: Vec<Range<usize>> = Vec::new();
         let mut placed = vec![NONE; self.next.len()];
         for &(_, first) in &firsts {
-            let start = originals.len() as u32;
-            let ring = std::iter::successors(Some(first), |&s| Some(self.next[s as usize]).filter(|&s| s != first));
-            originals.extend(ring);
-            let range = start..originals.len() as u32;
-            range.clone().for_each(|i| placed[originals[i as usize] as usize] = i);
-            wholes[self.root(self.owner[first as usize]) as usize] = start;
+            let start = order.len();
+            order.extend(std::iter::successors(Some(first), |&s| Some(self.next[s as usize]).filter(|&s| s != first)));
+            let range = start..order.len();
+            range.clone().for_each(|i| placed[order[i] as usize] = (begin + i) as u32);
+            starts[self.root(self.owner[first as usize]) as usize] = (begin + start) as u32;
             ranges.push(range);
         }
-        for f in free() {
-            wholes[f.index()] = wholes[self.root(f.number()) as usize];
+        for face in 0..self.faces.len() as u32 {
+            merged.wholes[self.faces[face as usize] as usize] = starts[self.root(face) as usize];
         }
-        originals.shrink_to_fit();
-        let ups = self.ups();
-        let side = |range: &Range<u32>, i: u32| {
-            let s = originals[i as usize] as usize;
-            let SideRecord { origin, across } = mesh.sides[s];
-            let twin = if self.twin[s] == NONE { CLOSED } else { placed[self.twin[s] as usize] | across & DEAD_END };
-            WideSide { at: self.origin(s), origin, twin, start: range.start, end: range.end }
-        };
-        let mut sides = Vec::with_capacity(originals.len());
-        ranges.iter().for_each(|range| sides.extend(range.clone().map(|i| side(range, i))));
-        Merged { sides, originals, wholes, ups }
+        self.write_ups(&mut merged.ups);
+        // Open sides into merged faces that were there before: the half-edge behind, and the side here.
+        let mut outwards: Vec<(u32, HalfEdgeId, u32)> = Vec::new();
+        merged.sides.reserve(order.len());
+        merged.originals.extend(order.iter().map(|&s| self.sides[s as usize]));
+        for range in ranges {
+            for i in range.clone() {
+                let s = order[i] as usize;
+                let SideRecord { origin, across } = self.record(s);
+                let twin = if across & CLOSED != 0 {
+                    CLOSED
+                } else if self.twin[s] != NONE {
+                    placed[self.twin[s] as usize] | across & DEAD_END
+                } else {
+                    let behind = mesh.half_edges[self.sides[s] as usize].twin();
+                    outwards.push((merged.wholes[(across & ID) as usize], behind, (begin + i) as u32));
+                    across & DEAD_END
+                };
+                let [start, end] = [range.start, range.end].map(|i| (begin + i) as u32);
+                merged.sides.push(WideSide { at: self.origin(s), origin, twin, start, end });
+            }
+        }
+        outwards.sort_unstable();
+        for same in outwards.chunk_by(|a, b| a.0 == b.0) {
+            for other in merged.sides[same[0].0 as usize].range() {
+                let half_edge = mesh.half_edges[merged.originals[other] as usize];
+                if let Ok(found) = same.binary_search_by_key(&half_edge, |&(_, behind, _)| behind) {
+                    let (_, _, here) = same[found];
+                    merged.sides[here as usize].twin |= other as u32;
+                    let there = &mut merged.sides[other].twin;
+                    *there = *there & DEAD_END | here;
+                }
+            }
+        }
     }
 }

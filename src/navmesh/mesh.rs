@@ -19,10 +19,12 @@ use super::crossings::Crossings;
 use super::error::NavMeshError;
 use super::grid::{GapEdge, Grid};
 use super::merged::Merged;
+use super::slivers::Slivers;
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::plane::predicates::{left_to_right, orientation};
 use crate::plane::{Point, Subdivision};
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::OnceLock;
 
 /// Ids are smaller than this: two bits of a word are marks.
 pub(super) const MOST: usize = 1 << 30;
@@ -117,17 +119,21 @@ pub struct NavMesh {
     /// How many faces have each component number; 0 for numbers that are free.
     pub(super) component_sizes: Vec<u32>,
     pub(super) grid: Grid,
-    /// Larger faces for the exact search, if they were asked for.
-    pub(super) merged: Option<Merged>,
-    /// Crossings for the fewest faces, if they were asked for.
-    pub(super) crossings: Option<Crossings>,
+    /// Larger faces for the exact search, made when they are first needed.
+    pub(super) merged: OnceLock<Merged>,
+    /// Junctions and corridors between them, made when they are first needed.
+    pub(super) crossings: OnceLock<Crossings>,
+    /// While a change runs: faces whose marks about dead ends were written, and whether each was one before.
+    pub(super) written: Option<Vec<(u32, bool)>>,
+    /// Whether sides have got new numbers since the last change.
+    pub(super) renumbered: bool,
 }
 
 impl NavMesh {
     /// The navmesh of a map: its faces are the bounded faces that are no holes, and they must be convex. Corners in
     /// the middle of a straight side are allowed.
     ///
-    /// Cost: O(n).
+    /// Cost: O(n); O(n log² n) where so many faces are long and thin that they would fill the cells of the index.
     ///
     /// # Errors
     /// [`NavMeshError`] names the face that is not convex, or says that there is none.
@@ -155,8 +161,10 @@ impl NavMesh {
             walls: BTreeSet::new(),
             component_sizes: Vec::new(),
             grid: Grid::default(),
-            merged: None,
-            crossings: None,
+            merged: OnceLock::new(),
+            crossings: OnceLock::new(),
+            written: None,
+            renumbered: false,
         };
         for f in map.faces().filter(|&f| f != map.outer_face() && !map.is_hole(f)) {
             mesh.read_face(map, f)?;
@@ -200,7 +208,8 @@ impl NavMesh {
         Ok(())
     }
 
-    /// Bytes of the arrays; the index for location, and merged faces and crossings, if there are any, among them.
+    /// Bytes of the arrays; the index for location, and merged faces and junctions, if they have been made, among
+    /// them.
     #[must_use]
     pub fn memory(&self) -> usize {
         size_of_val(&*self.points)
@@ -209,13 +218,13 @@ impl NavMesh {
             + size_of_val(&*self.half_edges)
             + size_of_val(&*self.fans)
             + self.grid.memory()
-            + self.merged.as_ref().map_or(0, Merged::memory)
-            + self.crossings.as_ref().map_or(0, Crossings::memory)
+            + self.merged.get().map_or(0, Merged::memory)
+            + self.crossings.get().map_or(0, Crossings::memory)
     }
 
-    /// Makes the index anew. O(n).
+    /// Makes the index anew. O(n); O(n log² n) where faces are long and thin.
     pub(super) fn index_all(&mut self, map: &Subdivision) {
-        self.grid = Grid::new(self, &GapEdge::all(map, self));
+        self.grid = Grid::new(self, &GapEdge::all(map, self), || Slivers::new(map));
     }
 
     /// Where `v` is. O(1).
@@ -342,8 +351,17 @@ impl NavMesh {
     }
 
     pub(super) fn set_peeled(&mut self, f: u32, peeled: bool) {
+        self.note_written(f);
         let face = &mut self.faces[f as usize];
         face.len = face.len & !PEELED | if peeled { PEELED } else { 0 };
+    }
+
+    /// Writes down that marks of `f` about dead ends are going to change.
+    pub(super) fn note_written(&mut self, f: u32) {
+        let was_peeled = self.is_peeled(f);
+        if let Some(written) = &mut self.written {
+            written.push((f, was_peeled));
+        }
     }
 
     pub(super) fn set_blocked(&mut self, f: FaceId, blocked: bool) {

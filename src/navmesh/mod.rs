@@ -12,12 +12,12 @@
 //! |---|---|---|
 //! | 0 | is it a navmesh at all, and what is wrong? | `validate.rs` |
 //! | 1 | which faces lie across the sides, round a vertex, in one piece? | `mesh.rs`, `around.rs`, `components.rs`, `dead_ends.rs` |
-//! | 2 | in which face is a point? | `grid.rs`, `coarse.rs`, `location.rs`, `nearest.rs` |
+//! | 2 | in which face is a point? | `grid.rs`, `coarse.rs`, `slivers.rs`, `location.rs`, `nearest.rs` |
 //! | 3 | which faces lead from here to there? | `waves.rs`, `corridor.rs`, by whole passages `crossings.rs`, `jumps.rs`, `strides.rs` |
 //! | 4 | what is the shortest way through these faces? | `funnel.rs` |
 //! | 5 | what is the shortest way of all? | `exact/`, over larger faces `merged.rs` |
 //! | 6 | which of them are wide enough? how far is everything? | `inset.rs`, `doors.rs`, `field.rs` |
-//! | 7 | and when walls come and go? | `change.rs`, `live/` |
+//! | 7 | and when walls come and go? | `change.rs`, `upkeep.rs`, `live/` |
 //!
 //! Every decision is a sign of [`orientation`](crate::plane::predicates::orientation) on points that were given, so
 //! it is exact; lengths are plain doubles. Ids are those of the subdivision.
@@ -46,7 +46,9 @@ mod nearest;
 mod planner;
 mod rooms;
 mod route;
+mod slivers;
 mod strides;
+mod upkeep;
 mod validate;
 mod waves;
 

@@ -5,6 +5,13 @@
 //!        ╲                than what was found. The answer is a rounded point; it is moved into its face by as
 //!   ──────●──────────     little as it takes, so that it lies on the mesh exactly.
 //! ```
+//!
+//! What is compared is not the distance |p - q| itself, of which nothing would be left for a point far away, but by how
+//! much its square is more than that of the distance to the point c of the box round all faces that is the closest to p:
+//!
+//! ```text
+//!     |p - q|² - |p - c|² = (c - q) · ((p - q) + (p - c))        no term of this sum is negative
+//! ```
 
 use super::location::{Location, Place};
 use super::{ComponentId, NavMesh};
@@ -42,11 +49,20 @@ impl NavMesh {
         if !p.x.is_finite() || !p.y.is_finite() {
             return None;
         }
+        let near = self.grid.clamp(p);
+        let unit = unit_for(p);
+        // See the head of the page, in squares of `unit`.
+        let excess = |q: Point| {
+            let [x, y] = [[near.x, q.x, p.x], [near.y, q.y, p.y]]
+                .map(|[c, q, p]| (c - q) * ((p * unit - q * unit) + (p * unit - c * unit)));
+            x + y
+        };
         let [column, row] = self.grid.cell(p);
         let [columns, rows] = self.grid.size();
         let mut best: Option<(f64, FaceId, Point)> = None;
         for ring in 0..columns.max(rows) {
-            if best.is_some_and(|(distance, ..)| distance <= (ring as f64 - 1.001) * self.grid.step()) {
+            let beyond = (ring as f64 - 1.001) * self.grid.step();
+            if ring > 1 && best.is_some_and(|(excess, ..)| excess <= beyond * beyond * unit) {
                 break;
             }
             let [low, high] = [column.saturating_sub(ring), (column + ring).min(columns - 1)];
@@ -58,10 +74,10 @@ impl NavMesh {
                             return Some(self.nearest_in(f, p, p));
                         }
                         for s in self.range(f) {
-                            let at = closest_on(self.ends(f, s).map(|v| self.point(v)), p);
-                            let distance = distance(p, at);
-                            if best.is_none_or(|(least, ..)| distance < least) {
-                                best = Some((distance, f, at));
+                            let at = closest_in_units(self.ends(f, s).map(|v| self.point(v)), p, unit);
+                            let excess = excess(at);
+                            if best.is_none_or(|(least, ..)| excess < least) {
+                                best = Some((excess, f, at));
                             }
                         }
                     }
@@ -82,7 +98,10 @@ impl NavMesh {
             let v = self.corners(f).next().unwrap_or(crate::VertexId::new(0));
             (self.point(v), Location::Vertex(v))
         });
-        Nearest { place: Place { point, location, face: f }, distance: distance(p, point) }
+        let unit = unit_for(p);
+        let scaled = |p: Point| Point::new(p.x * unit, p.y * unit);
+        let distance = if unit < 1.0 { distance(scaled(p), scaled(point)) / unit } else { distance(p, point) };
+        Nearest { place: Place { point, location, face: f }, distance }
     }
 
     /// The mean of the corners of `f`, rounded.
@@ -100,11 +119,24 @@ pub(super) fn distance(a: Point, b: Point) -> f64 {
     (x * x + y * y).sqrt()
 }
 
+/// What to multiply with so that squares of distances from `p` stay within the range of doubles.
+fn unit_for(p: Point) -> f64 {
+    // Points of a map are no further away than 2^201.
+    if p.x.abs().max(p.y.abs()) > 2f64.powi(400) { 2f64.powi(-560) } else { 1.0 }
+}
+
 /// The point of the segment closest to `p`, rounded.
 #[inline]
-pub(super) fn closest_on([a, b]: [Point; 2], p: Point) -> Point {
+pub(super) fn closest_on(ends: [Point; 2], p: Point) -> Point {
+    closest_in_units(ends, p, 1.0)
+}
+
+/// The same for points of which only multiples with `unit` can be computed with.
+#[inline]
+fn closest_in_units([a, b]: [Point; 2], p: Point, unit: f64) -> Point {
     let along = [b.x - a.x, b.y - a.y];
-    let t = ((p.x - a.x) * along[0] + (p.y - a.y) * along[1]) / (along[0] * along[0] + along[1] * along[1]);
+    let off = [p.x * unit - a.x * unit, p.y * unit - a.y * unit];
+    let t = (off[0] * along[0] + off[1] * along[1]) / ((along[0] * along[0] + along[1] * along[1]) * unit);
     if t <= 0.0 {
         a
     } else if t >= 1.0 {

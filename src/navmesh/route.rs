@@ -15,7 +15,7 @@ use std::fmt;
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 #[non_exhaustive]
 pub enum Rung {
-    /// Breadth first: the fewest faces; quicker from crossing to crossing, see
+    /// Breadth first: the fewest faces; it runs from crossing to crossing, see
     /// [`link_crossings`](NavMesh::link_crossings).
     Breadth,
     /// A* from centroid to centroid of the faces.
@@ -26,7 +26,7 @@ pub enum Rung {
     Closest,
     /// A* from each door to where the straight line to the goal meets the next.
     Aimed,
-    /// The shortest way of all; quicker over merged faces, see [`merge_faces`](NavMesh::merge_faces).
+    /// The shortest way of all; it runs over merged faces, see [`merge_faces`](NavMesh::merge_faces).
     Exact,
 }
 

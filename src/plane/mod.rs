@@ -49,6 +49,7 @@ pub use edit::{
     SplitFaceError,
 };
 pub use hull::{HullError, convex_hull};
+pub(crate) use locate::{Cells, Lines};
 pub use locate::{Location, PointIndex, Walk};
 pub(crate) use meet::Expansion;
 pub use mend::{Cover, Mended};

@@ -20,10 +20,12 @@ pub enum IdError {
     #[error("{0} was removed earlier; ask the structure for a live element")]
     Removed(Element),
     /// No element ever had so high a number.
-    #[error("{element} does not exist: the ids of this structure end before {bound}")]
+    #[error("{}", element.missing(*count, *bound))]
     OutOfRange {
         /// The id that was given.
         element: Element,
+        /// How many elements of this kind there are.
+        count: usize,
         /// One more than the highest number in use.
         bound: usize,
     },
@@ -82,18 +84,18 @@ impl Dcel {
     #[inline]
     pub fn check(&self, element: impl Into<Element>) -> Result<(), IdError> {
         let element = element.into();
-        let (live, index, bound) = match element {
-            Element::Vertex(v) => (self.has_vertex(v), v.index(), self.vertex_bound()),
-            Element::HalfEdge(h) => (self.has_half_edge(h), h.index(), self.half_edge_bound()),
-            Element::Edge(e) => (self.has_edge(e), e.index(), self.edge_bound()),
-            Element::Face(f) => (self.has_face(f), f.index(), self.face_bound()),
+        let (live, index, count, bound) = match element {
+            Element::Vertex(v) => (self.has_vertex(v), v.index(), self.vertex_count(), self.vertex_bound()),
+            Element::HalfEdge(h) => (self.has_half_edge(h), h.index(), self.half_edge_count(), self.half_edge_bound()),
+            Element::Edge(e) => (self.has_edge(e), e.index(), self.edge_count(), self.edge_bound()),
+            Element::Face(f) => (self.has_face(f), f.index(), self.face_count(), self.face_bound()),
         };
         if live {
             Ok(())
         } else if index < bound {
             Err(IdError::Removed(element))
         } else {
-            Err(IdError::OutOfRange { element, bound })
+            Err(IdError::OutOfRange { element, count, bound })
         }
     }
 

@@ -92,3 +92,37 @@ fn a_grid_is_told_with_what_it_moved_and_refused_where_doubles_do_not_reach() {
     folder.dcel("build cross.segments --split-crossings --grid 0").fails(2, "the grid 0 cannot be used", "");
     folder.dcel("build cross.segments --grid 1").fails(2, "", "--mend");
 }
+
+#[test]
+fn rings_are_marked_as_holes() {
+    let folder = Folder::empty();
+    folder.dcel("sample rings.segments plan.poly").fine();
+    let report = folder.dcel("build rings.segments --json").json();
+    assert_eq!((&report["faces"], &report["hole_faces"]), (&json!(4), &json!([])));
+    // Square, square in it, triangle in that: the middle one is the hole.
+    let report = folder.dcel("build rings.segments --nested-holes --json").json();
+    assert_eq!((report["faces"].clone(), report["hole_faces"].as_array().map(Vec::len)), (json!(4), Some(1)));
+    folder.dcel("build rings.segments --nested-holes -o rings.dcel").fine();
+    let report = folder.dcel("locate rings.dcel 1 1 3 3 6 5 --json").json();
+    let kinds: Vec<&str> =
+        report["points"].as_array().expect("points").iter().filter_map(|p| p["kind"].as_str()).collect();
+    assert_eq!(kinds, ["face", "hole", "face"]);
+    // The same by points.
+    folder.dcel("build rings.segments --hole 3,3 -o by-point.dcel").fine();
+    assert_eq!(folder.read("by-point.dcel"), folder.read("rings.dcel"));
+    folder.dcel("build rings.segments --hole 3,-3 --y-down -o down.dcel").fails(2, "lies in the outer face", "");
+    folder.dcel("build rings.segments --hole 3,3 --y-down -o down.dcel").fine();
+    folder.dcel("build rings.segments --hole 30,3").fails(2, "hole point 0, (30, 3), lies in the outer face", "");
+    folder.dcel("build rings.segments --hole 3").fails(2, "invalid value '3'", "for example 5,3");
+    folder.write("flat.segments", "0 0 4 0\n4 0 0 3\n0 3 0 0\n");
+    let told = folder.dcel("build flat.segments --nested-holes");
+    assert!(told.err.contains("note: no ring lies inside another"), "{told:?}");
+    // Many rings in each other, and two beside each other in one.
+    let ring = |x: i32, y: i32, s: i32| {
+        format!("{x} {y} {0} {y}\n{0} {y} {0} {1}\n{0} {1} {x} {1}\n{x} {1} {x} {y}\n", x + s, y + s)
+    };
+    let deep: String = (0..60).map(|i| ring(i, i, 200 - 2 * i)).collect();
+    folder.write("deep.segments", &(deep + &ring(70, 70, 5) + &ring(80, 80, 5)));
+    let report = folder.dcel("build deep.segments --nested-holes --json").json();
+    assert_eq!(report["hole_faces"].as_array().map(Vec::len), Some(30), "{report}");
+}

@@ -28,6 +28,106 @@ fn equal_is_0_different_is_1_unreadable_is_2() {
     folder.dcel("compare right.svg zip.svg").fails(2, "zip.svg: this is a compressed file", "--help");
     folder.dcel("compare zip.svg right.svg").fails(2, "zip.svg: this is a compressed file", "--help");
     folder.dcel("compare right.svg none.svg").fails(2, "none.svg: cannot be read", "");
-    folder.dcel("compare right.svg wrong.svg --diff right.svg").fails(2, "right.svg: this is one of the drawings", "");
+    folder.dcel("compare right.svg wrong.svg --diff right.svg").fails(2, "right.svg: this is the input itself", "");
     folder.dcel("compare right.svg wrong.svg --tolerance no").fails(2, "invalid value 'no'", "0.05");
+}
+
+#[test]
+fn structures_are_compared_up_to_their_ids() {
+    let folder = Folder::new();
+    folder.dcel("convert square.obj a.dcel").fine();
+    // The same two triangles in another order, another start and other numbers.
+    folder.write("b.obj", "v 0 3\nv 4 3\nv 4 0\nv 0 0\nf 2 1 4\nf 3 2 4\n");
+    let equal = "equal (same structure and positions, up to ids): 4 vertices, 5 edges, 3 faces\n";
+    for call in ["compare a.dcel b.obj", "compare b.obj a.dcel", "compare square.obj b.obj", "compare b.obj b.obj"] {
+        assert_eq!(folder.dcel(call).fine(), equal, "{call}");
+    }
+    folder.dcel("compare a.dcel square.obj --ids").fine();
+    let told = folder.dcel("compare a.dcel b.obj --ids");
+    assert_eq!(
+        (told.code, told.out.starts_with("differs: 1 difference\n   1. v0 (0, 3) of b.obj")),
+        (Some(1), true),
+        "{told:?}"
+    );
+    let stdin = folder.read("a.dcel");
+    assert_eq!(folder.dcel_with(&stdin, "compare square.obj -").fine(), equal);
+    assert_eq!(folder.dcel_with(&stdin, "compare - square.obj").fine(), equal);
+
+    // The other diagonal: the same vertices, two edges apart, each told by its ends.
+    folder.write("other.obj", "v 0 0\nv 4 0\nv 4 3\nv 0 3\nf 1 2 4\nf 2 3 4\n");
+    let told = folder.dcel("compare square.obj other.obj");
+    assert_eq!(told.code, Some(1), "{told:?}");
+    let lines: Vec<&str> = told.out.lines().collect();
+    assert!(
+        lines[1].ends_with("from v0 (0, 0) to v2 (4, 3) of square.obj is missing")
+            || lines[1].ends_with("from v2 (4, 3) to v0 (0, 0) of square.obj is missing"),
+        "{told:?}"
+    );
+    assert!(
+        lines[2].contains("v1 (4, 0)") && lines[2].contains("v3 (0, 3)") && lines[2].ends_with("other.obj is too much")
+    );
+    assert_eq!((lines[0], lines.len()), ("differs: 2 differences", 3));
+    folder.dcel("compare square.obj other.obj --no-positions").fine();
+    // A vertex that is elsewhere by the last bit.
+    folder.write("near.obj", &crate::shell::SQUARE.replace("v 4 3", "v 4 3.0000000000000004"));
+    let answer = folder.dcel("compare square.obj near.obj --json");
+    let answer: serde_json::Value = serde_json::from_str(&answer.out).expect("JSON");
+    assert_eq!((&answer["equal"], &answer["layer"]), (&false.into(), &"structure".into()));
+    assert_eq!(answer["differences"][0]["kind"], "vertex");
+    assert_eq!(answer["differences"][0]["text"], "v2 (4, 3) of square.obj is missing");
+    assert_eq!(answer["differences"][1]["text"], "v2 (4, 3.0000000000000004) of near.obj is too much");
+
+    // States and names of faces, and what lies in them.
+    folder.write(
+        "triangle2.dcel",
+        &crate::shell::TRIANGLE.replace("f1 boundary h0 rings v3", "f1 boundary h0 rings v3 hole"),
+    );
+    let told = folder.dcel("compare triangle.dcel triangle2.dcel");
+    assert!(
+        told.code == Some(1)
+            && told.out.contains("triangle2.dcel has 1 hole face: f1 at v0 (0, 0); triangle.dcel has 0"),
+        "{told:?}"
+    );
+    folder.write("named.dcel", &crate::shell::TRIANGLE.replace("Ohio", "Utah"));
+    folder.dcel("compare triangle.dcel named.dcel").fine();
+    let told = folder.dcel("compare triangle.dcel named.dcel --names");
+    assert!(
+        told.out.contains("f1 of named.dcel has the name \"Utah\", f1 of triangle.dcel has the name \"Ohio\""),
+        "{told:?}"
+    );
+    let told = folder.dcel("compare triangle.dcel square.obj --no-positions");
+    assert!(told.code == Some(1) && told.out.contains("differs"), "{told:?}");
+    let told = folder.dcel("compare square.obj cube.off");
+    assert!(told.code == Some(1) && told.out.contains("cube.off is a surface in space"), "{told:?}");
+    assert_eq!(folder.dcel("compare cube.off cube.off").code, Some(0));
+}
+
+#[test]
+fn comparisons_that_make_no_sense_are_refused() {
+    let folder = Folder::new();
+    folder.write("line.svg", LINE);
+    folder.write("broken.dcel", &crate::shell::TRIANGLE.replace("next h2", "next h4"));
+    folder.write("a.dcel", crate::shell::TRIANGLE);
+    for (call, error, help) in [
+        (
+            "compare line.svg square.obj",
+            "line.svg is a drawing and square.obj a structure",
+            "dcel figure square.obj -o",
+        ),
+        (
+            "compare square.obj line.svg",
+            "line.svg is a drawing and square.obj a structure",
+            "dcel figure square.obj -o",
+        ),
+        ("compare a.dcel broken.dcel", "broken.dcel: ", "dcel validate says more"),
+        ("compare broken.dcel a.dcel", "broken.dcel: ", "dcel validate says more"),
+        ("compare a.dcel a.dcel --diff x.svg", "--diff cannot be used: these are structures", "leave --diff out"),
+        ("compare a.dcel a.dcel --tolerance 1", "--tolerance cannot be used", "leave"),
+        ("compare line.svg line.svg --ids", "--ids cannot be used: these are drawings", "leave --ids out"),
+        ("compare line.svg line.svg --y-down", "--y-down cannot be used: these are drawings", "leave"),
+        ("compare a.dcel a.dcel --names --no-positions", "cannot be used with", ""),
+        ("compare a.dcel none.obj", "none.obj: cannot be read", "check the name"),
+    ] {
+        folder.dcel(call).fails(2, error, help);
+    }
 }

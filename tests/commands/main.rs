@@ -4,11 +4,14 @@
 mod build;
 mod compare;
 mod delaunay;
+mod errors;
+mod files;
 mod locate;
 mod manners;
 mod mend;
 mod navmesh;
 mod reading;
+mod samples;
 mod script;
 mod shared;
 #[path = "../shell/mod.rs"]

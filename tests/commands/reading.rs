@@ -249,9 +249,17 @@ fn walks_round_vertices_and_along_links() {
 #[test]
 fn unknown_elements_are_refused_with_a_suggestion() {
     let folder = Folder::new();
-    folder.dcel("walk square.obj --face f9").fails(2, "square.obj: there is no face f9", "did you mean f2?");
-    folder.dcel("walk square.obj --vertex v4").fails(2, "there is no vertex v4", "did you mean v3?");
-    folder.dcel("walk square.obj --half-edge h99").fails(2, "there is no half-edge h99", "did you mean h9?");
+    folder.dcel("walk square.obj --face f9").fails(
+        2,
+        "square.obj: there is no f9: there are 3 faces",
+        "did you mean f2?",
+    );
+    folder.dcel("walk square.obj --vertex v4").fails(2, "there is no v4: there are 4 vertices", "did you mean v3?");
+    folder.dcel("walk square.obj --half-edge h99").fails(
+        2,
+        "there is no h99: there are 10 half-edges",
+        "did you mean h9?",
+    );
     folder.dcel("walk garden.json --face-name Gardn").fails(2, "no face is named `Gardn`", "did you mean `Garden`?");
     folder.dcel("walk square.obj --face-name x").fails(2, "no face is named `x`", "the file names no face");
     folder.dcel("walk square.obj --face 3").fails(2, "`3` is not the name of a face", "for example f3");

@@ -63,7 +63,7 @@ fn figures_show_the_diagonals_and_the_dual() {
 fn wrong_faces_inputs_and_targets_are_refused() {
     let folder = Folder::new();
     folder.dcel("triangulate square.obj --face f0").fails(2, "square.obj: f0, the outer face, is unbounded", "bounded");
-    folder.dcel("triangulate square.obj --face f9").fails(2, "square.obj: f9 does not exist", "f9");
+    folder.dcel("triangulate square.obj --face f9").fails(2, "square.obj: there is no f9: there are 3 faces", "f9");
     folder.dcel("triangulate cube.off").fails(2, "a surface in space", "--plane");
     folder.dcel("triangulate square.obj -o square.obj").fails(2, "this is the input itself", "another name");
     folder.dcel("triangulate square.obj -o out").fails(2, "the name does not tell the format", ".dcel");

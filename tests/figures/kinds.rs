@@ -321,7 +321,7 @@ fn no_option_is_ignored() {
             assert_eq!(told.out == base, has_no_say, "`{kind} {option}`: {}", told.err);
             assert!(told.code == Some(0), "`{kind} {option}`: {}", told.err);
         }
-        folder.dcel(&format!("figure square.obj {kind} --faces f9")).fails(2, "f9 does not exist", "");
+        folder.dcel(&format!("figure square.obj {kind} --faces f9")).fails(2, "there is no f9: there are 3 faces", "");
     }
     let base = folder.dcel("figure --records").fine();
     for option in options {

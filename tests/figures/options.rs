@@ -19,7 +19,7 @@ fn figure(dir: &Path, args: &[&str]) -> (i32, String, String) {
 fn faults_in_files_are_told_with_file_line_and_column() {
     let dir = tempfile::tempdir().unwrap();
     for (file, text, option, message) in [
-        ("rooms.txt", "f1 \"a\"\n  f7 #fff\n", "--colours", "error: rooms.txt:2:3: f7 does not exist"),
+        ("rooms.txt", "f1 \"a\"\n  f7 #fff\n", "--colours", "error: rooms.txt:2:3: there is no f7: there are 3 faces"),
         ("rooms.txt", "f1 blue\n", "--colours", "error: rooms.txt:1:4: `blue` is neither a colour"),
         ("style.json", "{\n \"inc\": \"#000\" }", "--style", "error: style.json:2:6: unknown field `inc`"),
         ("style.json", "{ \"light\": { \"ink\": \"black\" } }", "--style", "error: style.json:1:"),
@@ -43,7 +43,7 @@ fn values_that_cannot_be_are_refused_with_an_example() {
         (["--crop", "0,0,0,4"], "for example 0,0,6,4"),
         (["--crop", "0,0,4"], "for example 0,0,6,4"),
         (["--faces", "f1,x"], "`x` is not the name of a face"),
-        (["--faces", "f1,f3"], "f3 does not exist: there are 3 faces"),
+        (["--faces", "f1,f3"], "there is no f3: there are 3 faces"),
     ] {
         let (code, out, err) = figure(dir.path(), &args);
         assert_eq!((code, out.as_str()), (2, ""), "{args:?}: {err}");

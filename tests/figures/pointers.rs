@@ -359,5 +359,5 @@ fn the_focus_figure_names_the_five_pointers_and_their_values() {
         }
     }
     let error = focus(&table, h(99), &FigureOptions::new("f")).unwrap_err();
-    assert_eq!(error.to_string(), "h99 does not exist; the half-edges are among h0 to h23");
+    assert_eq!(error.to_string(), "there is no h99: there are 24 half-edges");
 }

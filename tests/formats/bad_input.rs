@@ -506,3 +506,70 @@ fn files_cut_or_damaged_anywhere_never_panic_or_hang() {
     }
     assert!(start.elapsed() < Duration::from_secs(60), "{:?}", start.elapsed());
 }
+
+/// A header that counts wrongly, with lines that leave no doubt.
+#[test]
+fn wrong_counts_of_an_off_header_are_told_with_a_note() {
+    let points = "0 0 0\n4 0 0\n4 3 0\n0 3 0\n";
+    let faces = "3 0 1 2\n3 0 2 3\n";
+    let right = read(format!("OFF\n4 2 0\n{points}{faces}").as_bytes(), Format::Off).expect("a square");
+    assert_eq!(right.notes, [""; 0]);
+    for counts in ["3 2 0", "5 2 0", "4 1 0", "4 3", "4 0 9", "0 2 0"] {
+        let found = read(format!("OFF\n{counts}\n{points}\n# faces\n{faces}").as_bytes(), Format::Off);
+        let found = found.unwrap_or_else(|error| panic!("{counts}: {error}"));
+        let [header_points, header_faces] = [0, 1].map(|i| counts.split(' ').nth(i).unwrap());
+        let note = &found.notes[0];
+        assert!(note.starts_with(&format!("the header counts {header_points} point")), "{note}");
+        assert!(
+            note.contains(&format!("{header_faces} face")) && note.contains("the file has 4 points and 2 faces"),
+            "{note}"
+        );
+        let [Document::Polygons(a), Document::Polygons(b)] = [&right.document, &found.document] else {
+            panic!("polygons")
+        };
+        assert_eq!((&a.points, &a.faces), (&b.points, &b.faces), "{counts}");
+    }
+    // Both numbers wrong, a corner that is nowhere, a line that is cut: no guess.
+    for text in [
+        format!("OFF\n3 1 0\n{points}{faces}"),
+        format!("OFF\n3 2 0\n{points}3 0 1 2\n3 0 2 4\n"),
+        format!("OFF\n4 3 0\n{points}{faces}3 0 1"),
+        format!("OFF\n4 2 0\n{points}3 0 1 2\n3 0 2"),
+    ] {
+        assert!(read(text.as_bytes(), Format::Off).is_err(), "{text}");
+    }
+}
+
+/// A file of lines that was cut off looks whole but for the end of its last line.
+#[test]
+fn a_last_line_without_its_end_is_told() {
+    let whole: [(Format, &str); 6] = [
+        (Format::Obj, "v 0 0\nv 4 0\nv 0 3\nf 1 2 3\n"),
+        (Format::Off, "OFF\n3 1 0\n0 0 0\n4 0 0\n0 3 0\n3 0 1 2\n"),
+        (
+            Format::Ply,
+            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n0 15\n",
+        ),
+        (Format::Segments, "0 0 4 0\n4 0 4 31\n"),
+        (Format::Poly, "2 2 0 0\n1 0 0\n2 4 0\n1 0\n1 1 2\n0\n"),
+        (Format::Dcel, "dcel 1\nv0 0 10 out none\nf0 outer boundary none rings v0\n"),
+    ];
+    for (format, text) in whole {
+        let notes =
+            |text: &str| read(text.as_bytes(), format).unwrap_or_else(|error| panic!("{format}: {error}")).notes;
+        let cut = text.trim_end();
+        let line = cut.lines().count();
+        assert_eq!(notes(text), [""; 0], "{format}");
+        assert_eq!(notes(&text.replace('\n', "\r\n")), [""; 0], "{format}");
+        assert_eq!(
+            notes(cut),
+            [format!("line {line}, the last one, has no end: was the file cut off there?")],
+            "{format}"
+        );
+        // What says nothing may end anywhere.
+        assert_eq!(notes(&format!("{text}   ")), [""; 0], "{format}");
+    }
+    assert_eq!(read(b"v 0 0\n# done", Format::Obj).expect("a point").notes, [""; 0]);
+    let list = dcel_kit::io::points_from_text(b"0 0\n4 15", "sites.xy").expect("points");
+    assert_eq!(list.notes, ["line 2, the last one, has no end: was the file cut off there?"]);
+}

@@ -61,7 +61,7 @@ fn with_removed() -> Dcel {
 const REMOVED: IdError = IdError::Removed(dcel_kit::Element::HalfEdge(HalfEdgeId::new(14)));
 
 fn missing() -> IdError {
-    IdError::OutOfRange { element: h(99).into(), bound: 16 }
+    IdError::OutOfRange { element: h(99).into(), count: 14, bound: 16 }
 }
 
 #[test]
@@ -172,9 +172,9 @@ fn ids_of_every_kind_are_checked() {
         (dcel.check(f(3)), "f3 was removed earlier; ask the structure for a live element"),
         (dcel.check(h(14).edge()), "e7 was removed earlier; ask the structure for a live element"),
         (joined.check(m), "v6 was removed earlier; ask the structure for a live element"),
-        (dcel.check(v(6)), "v6 does not exist: the ids of this structure end before 6"),
-        (dcel.check(f(4)), "f4 does not exist: the ids of this structure end before 4"),
-        (dcel.check(h(16).edge()), "e8 does not exist: the ids of this structure end before 8"),
+        (dcel.check(v(6)), "there is no v6: there are 6 vertices"),
+        (dcel.check(f(4)), "there is no f4: there are 3 faces, up to f3"),
+        (dcel.check(h(16).edge()), "there is no e8: there are 7 edges, up to e7"),
     ] {
         assert_eq!(error.unwrap_err().to_string(), text);
     }

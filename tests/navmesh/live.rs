@@ -325,7 +325,7 @@ fn a_covered_face_that_is_split_stays_covered_until_its_obstacle_goes() {
     let length = |live: &LiveMesh| Planner::new().route_between(live.mesh(), Rung::Exact, a, b).expect("free").length;
     let around = length(&live);
     assert!(around > 2.9, "through the wall: {around}");
-    // Merged faces keep to the wall as well, and are given up when it goes.
+    // Merged faces keep to the wall as well, and are mended when it goes.
     live.merge_faces();
     assert!(is_close(length(&live), around), "{} through merged faces, {around} else", length(&live));
     live.remove(wall).expect("in the map");

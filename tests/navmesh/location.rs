@@ -200,3 +200,36 @@ fn places_are_refused_by_name() {
     assert!(matches!(mesh.place_in(place.face, p), Err(PlaceError::NotInFace { .. })));
     assert_eq!(mesh.locate(p), Location::Face(place.face), "a blocked face is still a face");
 }
+
+/// Of two distances that are the same as doubles the nearer place still wins: by exact fractions, 2^1023 away, too.
+#[test]
+fn the_nearest_point_to_one_far_away_is_the_right_one() {
+    let at = |x: f64, y: f64| Point::new(x, y);
+    let mut list = dcel_kit::topology::PolygonList::new();
+    // Two rooms of other heights; the right one reaches furthest to the right, the left one furthest up.
+    let points = [(0., 0.), (4., 0.), (4., 9.), (0., 9.), (6., 1.), (26., 1.), (26., 7.), (6., 7.)].map(Point::from);
+    [[0, 1, 2, 3], [4, 5, 6, 7]].iter().for_each(|face| list.push_face(face));
+    let mesh = NavMesh::new(&Subdivision::from_polygons(points.to_vec(), &list).expect("two rooms")).expect("convex");
+    for far in [1e3, 1e9, 1e17, 1e100, 1e155, 1e200, 1e300, f64::MAX] {
+        for (p, nearest) in [
+            (at(far, 1.5), at(26., 1.5)),
+            (at(far, 1.0), at(26., 1.)),
+            (at(far, -3.0), at(26., 1.)),
+            (at(far, 8.0), at(26., 7.)),
+            (at(-far, 8.5), at(0., 8.5)),
+            (at(-far, -1.0), at(0., 0.)),
+            (at(2.0, far), at(2., 9.)),
+            (at(25.0, -far), at(4., 0.)),
+            (at(far, far), at(26., 7.)),
+            (at(-far, far), at(0., 9.)),
+            (at(far, -far), at(26., 1.)),
+        ] {
+            let near = mesh.nearest_point(p).expect("all is free");
+            assert_eq!(near.place.point, nearest, "{p}");
+            // Of the exact distance, which has one big part or two.
+            let [x, y] = [p.x - nearest.x, p.y - nearest.y].map(|d| d / far);
+            let expected = (x * x + y * y).sqrt();
+            assert!((near.distance / far / expected - 1.0).abs() < 1e-12 || far == f64::MAX, "{p}: {}", near.distance);
+        }
+    }
+}

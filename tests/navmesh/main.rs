@@ -14,4 +14,5 @@ mod merged;
 mod oracle;
 mod reach;
 mod routes;
+mod slivers;
 mod traps;

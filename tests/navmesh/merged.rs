@@ -10,7 +10,7 @@ use dcel_kit::{FaceId, VertexId};
 use std::collections::BTreeSet;
 
 fn merged(map: &Map) -> NavMesh {
-    let mut mesh = map.mesh();
+    let mesh = map.mesh();
     let count = mesh.merge_faces();
     assert_eq!(mesh.merged_faces().len(), count);
     mesh
@@ -64,10 +64,10 @@ fn merged_faces_are_convex_and_have_every_face_once() {
         for _ in 0..seed % 4 {
             mesh.block(FaceId::new(random.below(map.triangles.len()) as u32 + 1));
         }
-        assert!(mesh.merged_faces().is_empty(), "none before they are asked for");
+        let bytes = mesh.memory();
         let free = mesh.faces().filter(|&f| mesh.is_walkable(f)).count();
         let count = mesh.merge_faces();
-        assert!(count <= free);
+        assert!(count <= free && mesh.memory() > bytes, "made when they are asked for");
         check_faces(&map, &mesh, &format!("seed {seed}"));
         let dead_ends = |f: &FaceId| mesh.is_dead_end(*f);
         for face in mesh.merged_faces() {
@@ -95,28 +95,28 @@ fn ways_over_merged_faces_are_as_short_as_the_visibility_graph_says() {
 
 #[test]
 fn merged_faces_give_the_same_answers_with_less_work() {
-    let mut planner = Planner::new();
+    let mut planners = [Planner::face_by_face(), Planner::new()];
     let mut work = [0, 0];
     for seed in 0..12 {
         let map = Map::random(seed, 16, 0.85, [0.0, 0.5][seed as usize % 2]);
-        let meshes = [map.mesh(), merged(&map)];
+        let mesh = map.mesh();
         let mut random = Random::new(seed + 9500);
         for _ in 0..12 {
             let [a, b] = [(); 2].map(|()| map.inside(random.below(map.triangles.len()), &mut random));
-            let [one, other] =
-                meshes.each_ref().map(|mesh| planner.route_between(mesh, Rung::Exact, a, b).map_err(|e| e.to_string()));
+            let [one, other] = planners.each_mut().map(|p| p.route_between(&mesh, Rung::Exact, a, b));
+            let [one, other] = [one, other].map(|answer| answer.map_err(|e| e.to_string()));
             match (one, other) {
                 (Ok(one), Ok(other)) => {
                     assert!(is_close(one.length, other.length), "seed {seed}: {a} -> {b}");
                     work[0] += one.work.expansions;
                     work[1] += other.work.expansions;
-                    check_doors(&meshes[1], &mut planner, [a, b], &format!("seed {seed}: {a} -> {b}"));
+                    check_doors(&mesh, &mut planners[1], [a, b], &format!("seed {seed}: {a} -> {b}"));
                 }
                 (one, other) => assert_eq!(one.err(), other.err(), "seed {seed}: {a} -> {b}"),
             }
         }
-        let start = meshes[0].place(map.inside(0, &mut random)).expect("free");
-        let [one, other] = meshes.each_ref().map(|mesh| planner.distance_field(mesh, &start, 9.0));
+        let start = mesh.place(map.inside(0, &mut random)).expect("free");
+        let [one, other] = planners.each_mut().map(|planner| planner.distance_field(&mesh, &start, 9.0));
         for v in 0..map.points.len() as u32 {
             let [x, y] = [&one, &other].map(|field| field.distance(VertexId::new(v)));
             assert!(x == y || x.zip(y).is_some_and(|(x, y)| is_close(x, y)), "seed {seed}: v{v}: {x:?} but {y:?}");
@@ -127,31 +127,54 @@ fn merged_faces_give_the_same_answers_with_less_work() {
 }
 
 #[test]
-fn a_change_gives_the_merged_faces_up() {
-    let map = Map::random(4, 6, 0.9, 0.4);
-    let (mut mesh, mut planner) = (merged(&map), Planner::new());
-    let bytes = mesh.memory();
-    let mut free = vec![true; map.triangles.len()];
-    let mut random = Random::new(77);
-    for step in 0..12 {
-        let t = random.below(free.len());
-        free[t] = !free[t];
-        let f = FaceId::new(t as u32 + 1);
-        if free[t] {
-            mesh.unblock(f)
-        } else {
-            mesh.block(f)
-        };
-        assert!(mesh.merged_faces().is_empty() && mesh.memory() < bytes);
-        let oracle = Oracle::new(&map, free.clone());
-        for round in 0..2 {
-            for pair in ends(&map, &oracle, &mut random, 2).chunks_exact(2) {
-                check(&mesh, &mut planner, &oracle, [&pair[0], &pair[1]], &format!("step {step}, round {round}"));
+fn merged_faces_are_kept_through_changes() {
+    let (mut planner, mut kept) = (Planner::new(), 0);
+    let mut counts = [0; 2];
+    for seed in 0..16 {
+        let map = Map::random(
+            seed,
+            5 + seed as usize % 6,
+            [0.75, 0.9, 1.0][seed as usize % 3],
+            [0.0, 0.4][seed as usize % 2],
+        );
+        let mut mesh = merged(&map);
+        let mut free = vec![true; map.triangles.len()];
+        let mut random = Random::new(seed + 77);
+        for step in 0..40 {
+            let t = random.below(free.len());
+            free[t] = !free[t];
+            let f = FaceId::new(t as u32 + 1);
+            if free[t] {
+                mesh.unblock(f)
+            } else {
+                mesh.block(f)
+            };
+            let context = format!("seed {seed}, step {step}");
+            // They are there before anybody asks, unless it was time to begin anew.
+            let mut anew = map.mesh();
+            free.iter().zip(1..).filter(|&(free, _)| !free).for_each(|(_, f)| {
+                anew.block(FaceId::new(f));
+            });
+            kept += usize::from(mesh.memory() > anew.memory());
+            check_faces(&map, &mesh, &context);
+            counts = [counts[0] + mesh.merge_faces(), counts[1] + anew.merge_faces()];
+            if step % 4 == 0 {
+                let oracle = Oracle::new(&map, free.clone());
+                for pair in ends(&map, &oracle, &mut random, 6).chunks_exact(2) {
+                    check(&mesh, &mut planner, &oracle, [&pair[0], &pair[1]], &context);
+                    check_doors(&mesh, &mut planner, [pair[0].point, pair[1].point], &context);
+                }
+                let work = [&mesh, &anew].map(|mesh| {
+                    let start = mesh.faces().find(|&f| mesh.is_walkable(f)).expect("some are free");
+                    let start = mesh.place_in(start, map.corners(start.index() - 1)[0]).expect("its corner");
+                    planner.distance_field(mesh, &start, f64::INFINITY).work.expansions
+                });
+                assert!(work[0] <= 2 * work[1] + 8, "{context}: {work:?}");
             }
-            mesh.merge_faces();
         }
-        check_faces(&map, &mesh, &format!("step {step}"));
     }
+    assert!(kept > 16 * 40 * 3 / 4, "kept {kept} times of {}", 16 * 40);
+    assert!(counts[0] * 100 <= counts[1] * 103, "{} merged faces where {} would do", counts[0], counts[1]);
 }
 
 #[test]

@@ -117,12 +117,7 @@ fn a_way_bends_at_its_own_start_in_another_wedge() {
         for side in at_v.collect::<Vec<_>>() {
             assert_eq!(mesh.set_wall(below, side.half_edge.edge(), true), Some(false));
         }
-        let mut planner = Planner::new();
-        for ready in [false, true] {
-            if ready {
-                mesh.merge_faces();
-                mesh.link_crossings();
-            }
+        for (ready, mut planner) in [(false, Planner::face_by_face()), (true, Planner::new())] {
             let [from, to] = [mesh.place_in(below, v), mesh.place(end)].map(|place| place.expect("free"));
             for rung in Rung::ALL {
                 let context = format!("{rung}, u at {x}, prepared: {ready}");
@@ -140,7 +135,6 @@ fn a_way_bends_at_its_own_start_in_another_wedge() {
 #[test]
 fn a_way_goes_round_a_wall_without_area_and_back_on_the_same_line() {
     let mut mesh = NavMesh::new(&cells(&["....", "...."])).expect("squares");
-    let mut planner = Planner::new();
     // A wall along the middle line, from the left side to x = 3.
     for x in 0..3 {
         let above = mesh.place(at(f64::from(x) + 0.5, -0.5)).expect("free").face;
@@ -150,12 +144,7 @@ fn a_way_goes_round_a_wall_without_area_and_back_on_the_same_line() {
     }
     let face = |p| mesh.place(p).expect("free").face;
     let [above, below] = [face(at(0.5, -0.5)), face(at(0.5, -1.5))];
-    for ready in [false, true] {
-        let mut mesh = mesh.clone();
-        if ready {
-            mesh.merge_faces();
-            mesh.link_crossings();
-        }
+    for (ready, mut planner) in [(false, Planner::face_by_face()), (true, Planner::new())] {
         for (x, back) in [(0.0, 0.0), (0.25, 0.25), (1.0, 0.5), (0.5, 1.0)] {
             let [from, to] = [(above, x), (below, back)].map(|(f, x)| mesh.place_in(f, at(x, -1.0)).expect("its side"));
             for rung in Rung::ALL {
@@ -178,11 +167,7 @@ fn a_way_turns_back_on_its_own_line() {
     for side in walls.collect::<Vec<_>>() {
         assert_eq!(mesh.set_wall(here, side.half_edge.edge(), true), Some(false));
     }
-    let mut planner = Planner::new();
-    for merged in [false, true] {
-        if merged {
-            mesh.merge_faces();
-        }
+    for (merged, mut planner) in [(false, Planner::face_by_face()), (true, Planner::new())] {
         // On both sides of the wall, and from its upper end on one to behind that end.
         let ends = [(here, at(1., -1.25), there, at(1., -1.5), 1.25), (here, corner, there, corner, 2.0)];
         for (from, start, to, goal, length) in ends {

@@ -99,12 +99,15 @@ fn the_octile_costs_of_the_arena_bound_the_exact_lengths() {
 fn agreement_means_what_it_says() {
     let parse = |line: &str| Scenario::parse(line.as_bytes(), "queries").expect("a scenario").queries.remove(0);
     let (ten, none) = (parse("0 a 9 9 0 0 6 8 10"), parse("0 a 9 9 0 0 6 8 -1"));
-    for (found, right) in [(Some(10.0), true), (Some(10.0 + 2e-8), false), (Some(10.0 - 2e-8), false), (None, false)] {
+    // Six digits are printed, and no zeros at the end: 10 may have been anything from 9.99995 to 10.00005.
+    for (found, right) in
+        [(Some(10.0), true), (Some(10.00004), true), (Some(10.00006), false), (Some(9.99994), false), (None, false)]
+    {
         assert_eq!(ten.agrees(found, Optimum::Euclidean, 1e-9), right, "{found:?}");
     }
     assert!(none.agrees(None, Optimum::Euclidean, 1e-9) && !none.agrees(Some(1.0), Optimum::Euclidean, 1e-9));
     let octile = parse("0 a 9 9 0 0 6 8 10.48528");
-    for (found, right) in [(Some(10.0), true), (Some(10.48528), true), (Some(10.4856), false), (Some(9.9), false)] {
+    for (found, right) in [(Some(10.0), true), (Some(10.485284), true), (Some(10.485286), false), (Some(9.9), false)] {
         assert_eq!(octile.agrees(found, Optimum::Octile, 1e-9), right, "{found:?}");
     }
 }

@@ -169,7 +169,11 @@ fn every_refusal_of_split_face() {
     let before = u.clone();
     let f1 = FaceId::new(1);
     for (a, b, error) in [
-        (h(0), h(99), topology::SplitFaceError::from(IdError::OutOfRange { element: h(99).into(), bound: 16 }).into()),
+        (
+            h(0),
+            h(99),
+            topology::SplitFaceError::from(IdError::OutOfRange { element: h(99).into(), count: 16, bound: 16 }).into(),
+        ),
         (h(0), h(1), topology::SplitFaceError::DifferentFaces { h1: h(0), f1, h2: h(1), f2: FaceId::new(0) }.into()),
         (h(4), h(4), topology::SplitFaceError::SameHalfEdge { h: h(4) }.into()),
         (h(4), h(6), topology::SplitFaceError::NextOf { h1: h(4), h2: h(6) }.into()),

@@ -272,7 +272,10 @@ fn every_refusal_has_its_name_and_changes_nothing() {
         inside(1, point(5, 3))(&mut s.clone()),
         InsertVertexError::NotInFace { at: Some(Element::HalfEdge(_)), .. }
     ));
-    assert_eq!(inside(9, point(5, 3))(&mut s.clone()), IdError::OutOfRange { element: f(9).into(), bound: 3 }.into());
+    assert_eq!(
+        inside(9, point(5, 3))(&mut s.clone()),
+        IdError::OutOfRange { element: f(9).into(), count: 3, bound: 3 }.into()
+    );
     assert!(
         s.clone().insert_vertex_in(f(1), point(2, 2)).is_ok() && s.clone().insert_vertex_in(f(0), point(31, 2)).is_ok()
     );
@@ -307,7 +310,7 @@ fn every_refusal_has_its_name_and_changes_nothing() {
     let gone = EdgeId::new(99);
     assert_eq!(
         s.clone().remove_edge(gone),
-        Err(RemoveEdgeError::Id(IdError::OutOfRange { element: gone.into(), bound: 8 }))
+        Err(RemoveEdgeError::Id(IdError::OutOfRange { element: gone.into(), count: 8, bound: 8 }))
     );
     let mut with_hole = s.clone();
     with_hole.set_hole(f(2), true);

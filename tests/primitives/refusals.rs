@@ -35,7 +35,8 @@ fn with_removed() -> Dcel {
 #[test]
 fn split_vertex_refuses() {
     let d = with_removed();
-    let (removed, missing) = (IdError::Removed(h(8).into()), IdError::OutOfRange { element: h(99).into(), bound: 10 });
+    let (removed, missing) =
+        (IdError::Removed(h(8).into()), IdError::OutOfRange { element: h(99).into(), count: 8, bound: 10 });
     let call = |a, b| refused(&d, move |d| d.split_vertex(h(a), h(b)));
     let errors = [
         call(8, 0),

@@ -53,7 +53,9 @@ impl Told {
     #[track_caller]
     pub fn fails(&self, code: i32, error: &str, help: &str) {
         assert_eq!(self.code, Some(code), "{self:?}");
-        assert_eq!(self.out, "", "an answer in spite of the failure: {self:?}");
+        // With --json the error is the answer.
+        let is_error = serde_json::from_str::<Value>(&self.out).is_ok_and(|out| out["error"].is_object());
+        assert!(self.out.is_empty() || is_error, "an answer in spite of the failure: {self:?}");
         let found = self.err.lines().find_map(|line| line.strip_prefix("error: ")).unwrap_or("");
         assert!(found.contains(error), "expected `{error}`: {self:?}");
         assert!(self.err.contains(help), "expected the help `{help}`: {self:?}");
@@ -71,6 +73,11 @@ impl Folder {
         folder
     }
 
+    /// A folder without any files.
+    pub fn empty() -> Self {
+        Self(tempfile::tempdir().expect("a temporary folder"))
+    }
+
     pub fn path(&self, name: &str) -> PathBuf {
         self.0.path().join(name)
     }
@@ -81,6 +88,10 @@ impl Folder {
 
     pub fn read(&self, name: &str) -> String {
         std::fs::read_to_string(self.path(name)).expect("a file in the temporary folder")
+    }
+
+    pub fn read_bytes(&self, name: &str) -> Vec<u8> {
+        std::fs::read(self.path(name)).expect("a file in the temporary folder")
     }
 
     /// The command with nothing on standard input; `arguments` are separated by blanks.

@@ -76,7 +76,7 @@ fn hulls_duals_and_supports_go_from_file_to_file() {
     assert_eq!((&found["vertex"], &found["path"]), (&json!("v2"), &json!(["v7", "v3", "v2"])));
     folder.dcel("solid support cube.off 1,2").fails(2, "", "three numbers");
     folder.dcel("solid support cube.off 0,0,0").fails(2, "0,0,0 is no direction", "for example: 0,0,1");
-    folder.dcel("solid support cube.off 0,0,1 --from v9").fails(2, "--from: v9 does not exist", "");
+    folder.dcel("solid support cube.off 0,0,1 --from v9").fails(2, "--from: there is no v9: there are 8 vertices", "");
 
     folder.write("cloud.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nv 0.1 0.1 0.1\nv 1 1 0\nf 1 2 3\n");
     let hull = folder.dcel("solid make hull cloud.obj -o hull.stl --json").json();
@@ -239,5 +239,5 @@ fn figures_show_half_edges_of_faces_that_are_seen_and_dash_the_rest() {
         (&info["mode"], &info["vertices"], &info["faces"], &info["euler"]),
         (&json!("plane"), &json!(8), &json!(6), &json!(2))
     );
-    folder.dcel("solid schlegel cube.off --through f6").fails(2, "f6 does not exist", "");
+    folder.dcel("solid schlegel cube.off --through f6").fails(2, "there is no f6", "there are 6 faces");
 }

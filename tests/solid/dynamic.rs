@@ -277,7 +277,7 @@ fn every_refusal_names_what_is_in_the_way() {
     let missing = VertexId::new(9);
     assert_eq!(
         refuse(&mut surface, &[v[0], v[1], missing]),
-        AddFaceError::Id(IdError::OutOfRange { element: missing.into(), bound: 9 })
+        AddFaceError::Id(IdError::OutOfRange { element: missing.into(), count: 9, bound: 9 })
     );
     let edge = AddFaceError::EdgeFull {
         edge: h.edge(),

@@ -13,7 +13,7 @@ fn the_outer_face_and_faces_that_do_not_exist() {
         assert_eq!(s.triangulate_face(s.outer_face(), method), Err(TriangulateError::OuterFace));
         let element: Element = FaceId::new(2).into();
         let error = s.triangulate_face(FaceId::new(2), method);
-        assert_eq!(error, Err(IdError::OutOfRange { element, bound: 2 }.into()));
+        assert_eq!(error, Err(IdError::OutOfRange { element, count: 2, bound: 2 }.into()));
     }
     assert_eq!(s.split_into_monotone(s.outer_face()), Err(TriangulateError::OuterFace));
     assert_eq!(s, before);

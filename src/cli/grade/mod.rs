@@ -107,6 +107,13 @@ pub(crate) struct Args {
     workers: Option<NonZeroUsize>,
 }
 
+impl Args {
+    /// Whether submissions are built and run, so that Ctrl-C is a wish to stop.
+    pub(crate) fn runs_programs(&self) -> bool {
+        self.from_report.is_none()
+    }
+}
+
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let lab = super::lab::lab(&args.lab)?;
     let lists = Lists::read(args.names.as_deref(), args.adjust.as_deref())?;

@@ -34,10 +34,7 @@ impl Signals {
 #[cfg(unix)]
 fn hang_up() -> Option<i32> {
     use signal_hook::consts::SIGHUP;
-    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
-    let ignored = ignored.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or(0);
-    (ignored >> (SIGHUP - 1) & 1 == 0).then_some(SIGHUP)
+    (!super::super::signals::is_ignored(SIGHUP)).then_some(SIGHUP)
 }
 
 #[cfg(not(unix))]

@@ -1,9 +1,9 @@
 //! `FORMAT=FILE`: where a report goes.
 
-use super::super::output::is_same_file;
-use super::super::{Failure, Output};
+use super::super::{Failure, Output, save};
+use dcel_kit::files::{WholeFile, is_same_file};
+use dcel_kit::lab::Report;
 use dcel_kit::lab::reports::Format;
-use dcel_kit::lab::{Report, write_whole};
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::Write;
@@ -116,7 +116,7 @@ pub(super) fn put(file: &Path, text: &str) -> Result<(), Failure> {
     if let Some(parent) = file.parent() {
         fs::create_dir_all(parent).map_err(|error| Failure::writing(parent.display(), &error))?;
     }
-    write_whole(file, text.as_bytes()).map_err(|error| Failure::writing(file.display(), &error))
+    save::put(file, text)
 }
 
 /// Makes a folder and tries to write there. What is written among the submissions would be taken for one.
@@ -132,9 +132,8 @@ pub(super) fn try_folder(folder: &Path, class: Option<&Path>) -> Result<(), Fail
         return Err(Failure::input(what, "name a place outside of the folder given with --all-in"));
     }
     fs::create_dir_all(folder).map_err(cannot)?;
-    let trial = folder.join(format!(".dcel-trial-{}", std::process::id()));
-    fs::write(&trial, "").map_err(cannot)?;
-    fs::remove_file(&trial).map_err(cannot)
+    // It goes again without ever having had its name.
+    WholeFile::create(&folder.join("trial")).map(drop).map_err(cannot)
 }
 
 /// Names as parts of files' names, a different one for each, also where upper and lower case are one.

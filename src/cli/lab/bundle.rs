@@ -1,7 +1,6 @@
 //! `dcel lab bundle`: what is compiled into the kit of labs and sources, written anew.
 
-use super::super::{Answer, Failure, Output};
-use super::folder;
+use super::super::{Answer, Failure, Output, save};
 use dcel_kit::lab::{KitBuild, LabFiles};
 use std::fs;
 use std::io::Write;
@@ -22,7 +21,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         let lab = LabFiles::read(&args.dir.join("labs").join(&name)).map_err(|error| Failure::input(error, HELP))?;
         let path = args.dir.join("src/lab/bundle").join(format!("{name}.txt"));
         let lab = lab.handed_out();
-        folder::put(&path, lab.to_archive().as_bytes())?;
+        save::put(&path, lab.to_archive())?;
         writeln!(out, "{}: {} files", path.display(), lab.iter().count())?;
     }
     let root = args.dir.join("Cargo.toml");
@@ -31,9 +30,9 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     for build in KitBuild::ALL {
         let files = build.files(&args.dir).map_err(|error| Failure::input(error, HELP))?;
         let folder = args.dir.join(build.folder());
-        folder::put(&folder.join("sources.rs"), build.list(&files).as_bytes())?;
-        folder::put(&folder.join("Cargo.toml.txt"), build.manifest(&root).as_bytes())?;
-        folder::put(&folder.join("Cargo.lock.txt"), versions(&args.dir, build, &build.manifest(&root))?.as_bytes())?;
+        save::put(&folder.join("sources.rs"), build.list(&files))?;
+        save::put(&folder.join("Cargo.toml.txt"), build.manifest(&root))?;
+        save::put(&folder.join("Cargo.lock.txt"), versions(&args.dir, build, &build.manifest(&root))?)?;
         writeln!(out, "{}: {} files", folder.display(), files.len())?;
     }
     Ok(Answer::Yes)

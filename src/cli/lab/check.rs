@@ -2,9 +2,9 @@
 
 use super::super::{Answer, Failure, Output, failure};
 use super::{folder, hint};
+use dcel_kit::files::write_whole;
 use dcel_kit::lab::reports::Format;
 use dcel_kit::lab::{Lab, Manifest, Plan, Report, TestResult, Verdict, Workbench, check_folder, test_text};
-use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -18,9 +18,21 @@ grader. A note says what else you have changed. Pictures of what went wrong are 
 Examples:
   dcel lab check
   dcel lab check my-lab --test split_face_3_links
-  dcel lab check --all --seed 77")]
+  dcel lab check --all --seed 77
+  dcel lab check my-lab --json")]
 #[group(skip)]
 pub(crate) struct Args {
+    #[command(flatten)]
+    what: What,
+    /// Answer in JSON: the report as `dcel grade --report json=FILE` writes it
+    #[arg(long)]
+    json: bool,
+}
+
+/// What is checked, and with which cases.
+#[derive(clap::Args, Debug)]
+#[group(skip)]
+pub(super) struct What {
     /// The lab's folder; without it, the one you are in
     #[arg(value_name = "DIR")]
     dir: Option<PathBuf>,
@@ -36,7 +48,17 @@ pub(crate) struct Args {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    Bench::new(args)?.check(out)
+    let mut bench = Bench::new(&args.what)?;
+    if !args.json {
+        return bench.check(out);
+    }
+    let (report, _) = bench.report(out)?;
+    out.write_all(Format::Json.one(&report).as_bytes())?;
+    Ok(answer(&report))
+}
+
+fn answer(report: &Report) -> Answer {
+    if report.verdict.is_passed() { Answer::Yes } else { Answer::No }
 }
 
 /// A student's folder, ready to be checked again and again.
@@ -53,7 +75,7 @@ pub(super) struct Bench {
 }
 
 impl Bench {
-    pub(super) fn new(args: &Args) -> Result<Self, Failure> {
+    pub(super) fn new(args: &What) -> Result<Self, Failure> {
         let dir = folder::find(args.dir.as_deref())?;
         let toml = dir.join("lab.toml");
         let manifest = Manifest::parse(&folder::read(&toml)?, &toml.display().to_string())
@@ -83,6 +105,13 @@ impl Bench {
 
     /// Builds, grades, tells.
     pub(super) fn check(&mut self, out: &mut Output) -> Result<Answer, Failure> {
+        let (report, page) = self.report(out)?;
+        self.tell(out, &report, page.as_deref())?;
+        Ok(answer(&report))
+    }
+
+    /// Builds and grades; gives the report, and where its page is.
+    fn report(&mut self, out: &mut Output) -> Result<(Report, Option<PathBuf>), Failure> {
         // What was said before must stand before what the compiler says.
         out.flush()?;
         let mut plan = self.seed.map_or_else(Plan::from_environment, Plan::with_seed);
@@ -107,9 +136,8 @@ impl Bench {
             hint::remember(&self.dir, &report);
         }
         let page = self.target().join("report.html");
-        let written = fs::write(&page, Format::Html.one(&report)).is_ok();
-        self.tell(out, &report, written.then_some(page.as_path()))?;
-        Ok(if report.verdict.is_passed() { Answer::Yes } else { Answer::No })
+        let written = write_whole(&page, Format::Html.one(&report)).is_ok();
+        Ok((report, written.then_some(page)))
     }
 
     /// The tasks with their tests and points.
@@ -156,7 +184,7 @@ impl Bench {
     /// Writes the failing case to a file; gives the command that replays it.
     fn case(&self, test: &TestResult) -> Option<String> {
         let name = format!("{}.case", test.name);
-        fs::write(self.target().join(&name), test.script.as_ref()?).ok()?;
+        write_whole(&self.target().join(&name), test.script.as_ref()?).ok()?;
         Some(format!("cargo run -q -- target/check/{name}"))
     }
 

@@ -1,6 +1,6 @@
 //! `dcel lab export`: what an instructor hands out, and what a course system runs.
 
-use super::super::{Answer, Failure, Output};
+use super::super::{Answer, Failure, Output, save};
 use super::{bundled, folder, kit};
 use dcel_kit::lab::{Kit, Packed, classroom50_files, gradescope_files, zipped};
 use std::collections::BTreeMap;
@@ -89,5 +89,5 @@ fn is_zip(path: &Path) -> bool {
 
 fn write(target: &Path, files: &BTreeMap<String, Packed>) -> Result<(), Failure> {
     let bytes = zipped(files).map_err(Failure::kit)?;
-    folder::put(target, &bytes)
+    save::put(target, bytes)
 }

@@ -7,6 +7,7 @@
 
 use super::super::{Answer, Failure, Output};
 use super::folder;
+use dcel_kit::files::write_whole;
 use dcel_kit::lab::{Lab, LabFiles, Manifest, Report};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -135,7 +136,7 @@ impl Book {
         let text = serde_json::to_string(self).unwrap_or_default();
         // Nothing is lost but the place in the list of hints.
         let _ = place.parent().map(fs::create_dir_all);
-        let _ = fs::write(place, text);
+        let _ = write_whole(&place, text);
     }
 
     fn give(&mut self, task: u32, level: u8) {

@@ -2,7 +2,8 @@
 
 use super::super::{Answer, Failure, Output, output};
 use super::lab;
-use dcel_kit::lab::{Lab, LabFiles};
+use dcel_kit::lab::{Lab, LabFiles, Test};
+use serde::Serialize;
 use std::io::Write;
 
 /// List the labs, or the tasks and tests of one
@@ -10,14 +11,67 @@ use std::io::Write;
 #[command(after_help = "\
 Examples:
   dcel lab list
-  dcel lab list 04")]
+  dcel lab list 04
+  dcel lab list 04 --json")]
 pub(crate) struct Args {
     /// A lab: its name, or its number
     #[arg(value_name = "LAB")]
     lab: Option<String>,
+    /// Answer in JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// A lab. The names are those of the JSON form.
+#[derive(Serialize)]
+struct Listed {
+    name: String,
+    title: String,
+    points: u32,
+    tasks: Vec<TaskListed>,
+}
+
+#[derive(Serialize)]
+struct TaskListed {
+    number: u32,
+    title: String,
+    tests: Vec<TestListed>,
+}
+
+#[derive(Serialize)]
+struct TestListed {
+    name: String,
+    title: String,
+    points: u32,
+}
+
+impl Listed {
+    fn of(lab: Lab) -> Self {
+        let Lab { name, manifest, .. } = lab;
+        let tests = |task: u32| {
+            let tests = manifest.tests.iter().filter(|test| test.task == task);
+            let listed =
+                |test: &Test| TestListed { name: test.name.clone(), title: test.title.clone(), points: test.points };
+            tests.map(listed).collect()
+        };
+        let tasks = manifest.tasks.iter();
+        let tasks = tasks.map(|t| TaskListed { number: t.number, title: t.title.clone(), tests: tests(t.number) });
+        Self { name, title: manifest.title.clone(), points: manifest.max_points(), tasks: tasks.collect() }
+    }
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    if args.json {
+        match &args.lab {
+            Some(name) => out.json(&Listed::of(lab(name)?))?,
+            None => {
+                let names = LabFiles::bundled_names();
+                let all = names.iter().map(|name| lab(name).map(Listed::of));
+                out.json(&all.collect::<Result<Vec<_>, _>>()?)?;
+            }
+        }
+        return Ok(Answer::Yes);
+    }
     let Some(name) = &args.lab else {
         let mut rows = Vec::new();
         for name in LabFiles::bundled_names() {

@@ -1,6 +1,6 @@
 //! `dcel lab reset`: the files to fill in as they were, with the old ones kept beside them.
 
-use super::super::{Answer, Failure, Output};
+use super::super::{Answer, Failure, Output, save};
 use super::{bundled, folder};
 use dcel_kit::lab::{Kit, Manifest, student_files};
 use std::fs;
@@ -57,7 +57,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         } else {
             writeln!(out, "{}: put back", target.display())?;
         }
-        folder::put(&target, text.as_bytes())?;
+        save::put(&target, text)?;
     }
     if changed == 0 {
         writeln!(out, "Nothing to put back: the files are as they were given.")?;

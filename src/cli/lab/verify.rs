@@ -1,6 +1,6 @@
 //! `dcel lab verify`: does the lab grade rightly?
 
-use super::super::{Answer, Failure, Output, failure};
+use super::super::{Answer, Failure, Output, failure, save};
 use dcel_kit::lab::{Lab, LabFiles, verify};
 use std::fs;
 use std::io::Write;
@@ -59,7 +59,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         writeln!(out, "{}", found.matrix().trim_end())?;
         if let (true, Some(folder)) = (args.write, &args.from) {
             let path = folder.join("bugs/signatures.toml");
-            fs::write(&path, found.signatures.to_text()).map_err(|error| Failure::writing(path.display(), &error))?;
+            save::put(&path, found.signatures.to_text())?;
             writeln!(out, "{}: written", path.display())?;
         }
         for problem in &found.problems {

@@ -35,7 +35,7 @@ Examples:
   dcel lab watch my-lab")]
 pub(crate) struct Args {
     #[command(flatten)]
-    check: check::Args,
+    check: check::What,
 }
 
 /// Something to do.

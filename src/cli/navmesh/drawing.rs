@@ -4,6 +4,7 @@ use super::super::Output;
 use super::super::failure::{Failure, say};
 use super::super::looks;
 use super::super::picture::{Pixels, Target};
+use super::super::save::Files;
 use super::map::Map;
 use dcel_kit::figure::sketch::SketchError;
 use dcel_kit::figure::{Figure, FigureOptions, Unit};
@@ -30,10 +31,7 @@ impl Drawing {
     /// Where it goes; refuses the file that is read, and names of other kinds. Before any work is done.
     pub(super) fn target(&self, input: &std::path::Path) -> Result<Option<Target>, Failure> {
         let Some(file) = &self.output else { return Ok(None) };
-        if super::super::output::is_same_file(input, file) {
-            let what = format!("{}: this is the input itself", file.display());
-            return Err(Failure::input(what, "choose another name"));
-        }
+        Files::reading([input]).writes("-o", Some(file)).check()?;
         Target::new(Some(file), self.pixels).map(Some)
     }
 

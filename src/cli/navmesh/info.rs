@@ -23,9 +23,9 @@ use std::io::{self, Write};
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
-  dcel navmesh info figures/data/rooms.map
-  dcel navmesh info figures/data/rooms.map --json
-  dcel navmesh info figures/data/rooms.map --triangles \\
+  dcel navmesh info rooms.map
+  dcel navmesh info rooms.map --json
+  dcel navmesh info rooms.map --triangles \\
     --draw dead-ends -o dead-ends.svg")]
 pub(super) struct Args {
     #[command(flatten)]
@@ -94,8 +94,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         }
         told.retain(|fault| !cut_up(fault.kind));
     }
-    let mut map = args.map.finish(draft)?;
-    map.mesh.link_crossings();
+    let map = args.map.finish(draft)?;
     if let Some(target) = &target {
         let floor = Floor::new(&map.subdivision, &map.mesh);
         let title = args.map.title();

@@ -16,8 +16,8 @@ use std::io::Write;
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
-  dcel navmesh locate figures/data/rooms.map 1.5 1.5
-  dcel navmesh locate figures/data/rooms.map \\
+  dcel navmesh locate rooms.map 1.5 1.5
+  dcel navmesh locate rooms.map \\
     1 1 0 0 99 3 --json")]
 pub(super) struct Args {
     #[command(flatten)]

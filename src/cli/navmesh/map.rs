@@ -6,7 +6,7 @@ use dcel_kit::io::{
     Axis, Document, Format, Grid, LoadOptions, PolygonSoup, Read, ReadOptions, Structure, assemble, read_path,
     source_name,
 };
-use dcel_kit::navmesh::{Inset, MeshFault, NavMesh, NavMeshError, mesh_faults};
+use dcel_kit::navmesh::{Inset, MeshFault, NavMesh, NavMeshError, Planner, mesh_faults};
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
 use dcel_kit::topology::Mode;
 use std::io::Read as _;
@@ -37,6 +37,28 @@ pub(super) struct MapArgs {
     /// borders of its regions
     #[arg(long, help_heading = "Reading")]
     triangles: bool,
+}
+
+/// What a search runs over.
+#[derive(clap::Args, Debug)]
+pub(super) struct Preparation {
+    /// Search the faces of the map one by one, and not larger faces that are merged from them and whole
+    /// passages: as good an answer, with more work; to compare
+    #[arg(long)]
+    face_by_face: bool,
+    /// Once asked for what is done by itself now
+    #[arg(long, hide = true, conflicts_with = "face_by_face")]
+    merged: bool,
+}
+
+impl Preparation {
+    /// A planner that searches so.
+    pub(super) fn planner(&self) -> Planner {
+        if self.merged {
+            say("note", "--merged is not needed any more: faces are merged, and crossings found, by themselves");
+        }
+        if self.face_by_face { Planner::face_by_face() } else { Planner::new() }
+    }
 }
 
 /// Which axis points up.
@@ -73,12 +95,6 @@ pub(super) enum Draft {
 }
 
 impl Map {
-    /// Merges faces and links crossings, so that there is less to search.
-    pub(super) fn prepare(&mut self) {
-        self.mesh.merge_faces();
-        self.mesh.link_crossings();
-    }
-
     /// A point of the file.
     pub(super) fn point(&self, [x, y]: [f64; 2]) -> Point {
         Point::new(x, if self.frame.down { 0.0 - y } else { y })

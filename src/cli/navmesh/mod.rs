@@ -26,11 +26,11 @@ use super::{Answer, Failure, Output};
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
-  dcel navmesh info figures/data/rooms.map
-  dcel navmesh path figures/data/rooms.map 1 1 22 12 \\
+  dcel navmesh info rooms.map
+  dcel navmesh path rooms.map 1 1 22 12 \\
     --rung all -o ladder.svg
-  dcel navmesh scenario figures/data/rooms.map \\
-    figures/data/rooms.scen")]
+  dcel navmesh scenario rooms.map \\
+    rooms.scen")]
 pub(crate) struct Args {
     #[command(subcommand)]
     command: Command,

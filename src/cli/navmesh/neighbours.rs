@@ -13,8 +13,8 @@ use std::io::Write;
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
-  dcel navmesh neighbours figures/data/rooms.map f2
-  dcel navmesh neighbours figures/data/rooms.map f2 --json")]
+  dcel navmesh neighbours rooms.map f2
+  dcel navmesh neighbours rooms.map f2 --json")]
 pub(super) struct Args {
     #[command(flatten)]
     map: MapArgs,

@@ -5,7 +5,7 @@ use super::super::output::table;
 use super::super::picture::Target;
 use super::super::{Answer, Output};
 use super::drawing::{Drawing, save};
-use super::map::{Map, MapArgs};
+use super::map::{Map, MapArgs, Preparation};
 use super::tell::{Spot, faces, number, point, refusal};
 use clap::ValueEnum;
 use dcel_kit::FaceId;
@@ -24,14 +24,14 @@ use std::io::Write;
 #[command(override_usage = "dcel navmesh path [OPTIONS] <MAP> <X> <Y> <X> <Y>")]
 #[command(after_help = "\
 Examples:
-  dcel navmesh path figures/data/rooms.map 1 1 22 12
-  dcel navmesh path figures/data/rooms.map 1 1 22 12 \\
+  dcel navmesh path rooms.map 1 1 22 12
+  dcel navmesh path rooms.map 1 1 22 12 \\
     --rung all -o ladder.svg
-  dcel navmesh path figures/data/rooms.map 1 1 22 12 \\
+  dcel navmesh path rooms.map 1 1 22 12 \\
     --triangles --rung bfs --draw funnel -o funnel.svg
-  dcel navmesh path figures/data/rooms.map 1 1 22 12 \\
+  dcel navmesh path rooms.map 1 1 22 12 \\
     --draw cones -o cones.svg
-  dcel navmesh path figures/data/rooms.map 1 1 22 12 \\
+  dcel navmesh path rooms.map 1 1 22 12 \\
     --radius 0.4 --rung closest -o wide.svg")]
 pub(super) struct Args {
     #[command(flatten)]
@@ -42,10 +42,8 @@ pub(super) struct Args {
     /// How the way is found
     #[arg(long, value_name = "RUNG", default_value = "exact")]
     rung: Which,
-    /// Prepare the map: the exact way is looked for over larger faces, merged from those of the map,
-    /// and the other rungs go from crossing to crossing. As good an answer, with less work
-    #[arg(long)]
-    merged: bool,
+    #[command(flatten)]
+    preparation: Preparation,
     /// The radius of the agent: its way keeps that far from every border. Corners are rounded by
     /// tangents, so the exact way may be 0.5 % of the arcs too long. Faces, doors and corners are
     /// then those of the map without its margin
@@ -164,7 +162,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Err(Failure::input("a way has two ends", "give x y of the start and x y of the goal"));
     };
     let target = args.drawing.target(args.map.file())?;
-    let mut whole = args.map.open()?;
+    let whole = args.map.open()?;
     let inset = match args.radius.filter(|&radius| radius > 0.0) {
         Some(radius) => {
             let inset = whole.mesh.inset(radius);
@@ -172,15 +170,12 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         }
         None => None,
     };
-    let mut ways = inset.as_ref().map(|inset| whole.inset(inset.clone()));
-    if args.merged {
-        ways.as_mut().unwrap_or(&mut whole).prepare();
-    }
+    let ways = inset.as_ref().map(|inset| whole.inset(inset.clone()));
     let maps = Maps { whole, inset, ways };
     let start = maps.place("start", [x0, y0], args.start_face)?;
     let goal = maps.place("goal", [x1, y1], args.goal_face)?;
     let map = maps.ways();
-    let mut planner = Planner::new();
+    let mut planner = args.preparation.planner();
     let mut routes: Vec<(Rung, Route)> = Vec::new();
     for &rung in args.rung.rungs() {
         match planner.route(&map.mesh, rung, &start, &goal) {

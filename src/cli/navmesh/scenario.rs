@@ -2,10 +2,10 @@
 
 use super::super::failure::{Failure, say};
 use super::super::{Answer, Output};
-use super::map::{Map, MapArgs, bytes};
+use super::map::{Map, MapArgs, Preparation, bytes};
 use super::path::Which;
 use clap::ValueEnum;
-use dcel_kit::io::{Optimum, Query, Scenario, source_name};
+use dcel_kit::io::{Optimum, Query, Scenario, Verdict, source_name};
 use dcel_kit::navmesh::{Planner, RouteError, Rung};
 use serde::Serialize;
 use std::io::Write;
@@ -14,15 +14,17 @@ use std::path::PathBuf;
 /// Check every query of a scenario against the length that the file states
 ///
 /// The last column of a .scen file is the length of the shortest path in some files, and the octile
-/// cost from cell to cell in others, which is an upper bound here; the numbers tell which. A stated
-/// -1 means that there is no way, or no clear place to start or end. Exit code 1 if a query fails.
+/// cost from cell to cell in others, which is an upper bound here; the numbers of the whole file tell
+/// which, and the answer says so in its first line. A length is met if it is no further away than
+/// half a unit of its last printed digit. A stated -1 means that there is no way, or no clear place to
+/// start or end. Exit code 1 if a query fails.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
-  dcel navmesh scenario figures/data/rooms.map \\
-    figures/data/rooms.scen
-  dcel navmesh scenario figures/data/rooms.map \\
-    figures/data/rooms.scen --merged --json")]
+  dcel navmesh scenario rooms.map \\
+    rooms.scen
+  dcel navmesh scenario rooms.map \\
+    rooms.scen --face-by-face --json")]
 pub(super) struct Args {
     #[command(flatten)]
     map: MapArgs,
@@ -32,14 +34,13 @@ pub(super) struct Args {
     /// How the ways are found
     #[arg(long, value_name = "RUNG", default_value = "exact")]
     rung: Which,
-    /// Prepare the map: the exact way is looked for over larger faces, merged from those of the map,
-    /// and the other rungs go from crossing to crossing. As good an answer, with less work
-    #[arg(long)]
-    merged: bool,
+    #[command(flatten)]
+    preparation: Preparation,
     /// What the stated lengths are
     #[arg(long, value_name = "KIND", default_value = "auto")]
     optimum: Kind,
-    /// How much of its length a way may differ from what is stated
+    /// How much of its length a way may differ from what is stated, beyond half a unit of the last
+    /// digit that is stated
     #[arg(long, value_name = "PART", default_value_t = 1e-9)]
     tolerance: f64,
     /// Answer in JSON
@@ -65,6 +66,7 @@ struct Report {
     scenario: String,
     rung: &'static str,
     optimum: &'static str,
+    lengths: Lengths,
     queries: usize,
     right: usize,
     /// Of the stated lengths.
@@ -73,6 +75,29 @@ struct Report {
     pops: u64,
     expansions: u64,
     wrong: Vec<Wrong>,
+}
+
+/// What the stated lengths are, by the numbers of the whole file.
+#[derive(Serialize)]
+struct Lengths {
+    /// In words.
+    verdict: String,
+    stated: usize,
+    /// Those that do not fit what the file is or nearly is, and the line of the first of them.
+    misfits: usize,
+    first_misfit: Option<u32>,
+}
+
+impl Lengths {
+    fn of(verdict: &Verdict) -> Self {
+        let misfits = verdict.misfits();
+        Self {
+            verdict: verdict.to_string(),
+            stated: verdict.stated,
+            misfits: misfits.count,
+            first_misfit: misfits.first_line,
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -91,17 +116,16 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Err(Failure::input(format!("a tolerance of {}", args.tolerance), "give a number such as 1e-9"));
     }
     let scenario = Scenario::parse(&bytes(&args.scenario)?, &source_name(&args.scenario))?;
-    let mut map = args.map.open()?;
-    if args.merged {
-        map.prepare();
-    }
+    let map = args.map.open()?;
     tell_other_maps(args, &scenario);
+    let verdict = scenario.verdict();
     let optimum = match args.optimum {
-        Kind::Auto => scenario.optimum(),
+        Kind::Auto => verdict.optimum,
         Kind::Euclidean => Optimum::Euclidean,
         Kind::Octile => Optimum::Octile,
     };
-    let report = check(&map, &scenario, rung, optimum, args.tolerance);
+    let planner = args.preparation.planner();
+    let report = check(&map, &scenario, planner, rung, (optimum, &verdict), args.tolerance);
     if args.json {
         out.json(&report)?;
     } else {
@@ -119,8 +143,14 @@ fn tell_other_maps(args: &Args, scenario: &Scenario) {
     }
 }
 
-fn check(map: &Map, scenario: &Scenario, rung: Rung, optimum: Optimum, tolerance: f64) -> Report {
-    let mut planner = Planner::new();
+fn check(
+    map: &Map,
+    scenario: &Scenario,
+    mut planner: Planner,
+    rung: Rung,
+    (optimum, verdict): (Optimum, &Verdict),
+    tolerance: f64,
+) -> Report {
     let mut report = Report {
         map: map.source.clone(),
         scenario: scenario.source.clone(),
@@ -129,6 +159,7 @@ fn check(map: &Map, scenario: &Scenario, rung: Rung, optimum: Optimum, tolerance
             Optimum::Octile => "octile",
             Optimum::Euclidean => "euclidean",
         },
+        lengths: Lengths::of(verdict),
         queries: scenario.queries.len(),
         right: 0,
         mean_ratio: None,
@@ -175,6 +206,7 @@ fn why(stated: Option<f64>, found: Option<f64>, error: Option<&RouteError>) -> S
 impl Report {
     fn print(&self, optimum: Optimum, out: &mut Output) -> Result<(), Failure> {
         const SHOWN: usize = 10;
+        writeln!(out, "stated lengths: {}", self.lengths.verdict)?;
         for wrong in self.wrong.iter().take(SHOWN) {
             writeln!(out, "{}:{}: {}", self.scenario, wrong.line, wrong.why)?;
         }

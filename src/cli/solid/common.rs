@@ -2,7 +2,7 @@
 
 use crate::cli::failure::Failure;
 use crate::cli::input::InputOptions;
-use crate::cli::output::is_same_file;
+use crate::cli::save::{Files, InPlace};
 use crate::cli::subject::Kind;
 use crate::cli::{Answer, Output};
 use dcel_kit::io::{Format, Model, counted, write, write_path};
@@ -32,6 +32,8 @@ pub(super) struct Target {
     /// The format to write, if the name does not tell, for example stl-binary
     #[arg(long, value_name = "FORMAT", requires = "output")]
     to: Option<Format>,
+    #[command(flatten)]
+    in_place: InPlace,
     /// Answer in JSON
     #[arg(long)]
     json: bool,
@@ -53,14 +55,9 @@ struct Made {
 }
 
 impl Target {
-    /// Refuses to write over `input`.
-    pub(super) fn check(&self, input: &Path) -> Result<(), Failure> {
-        match self.output.as_deref().filter(|output| is_same_file(input, output)) {
-            Some(output) => {
-                Err(Failure::input(format!("{}: this is the input itself", output.display()), "choose another name"))
-            }
-            None => Ok(()),
-        }
+    /// Refuses to write over the input, if there is one, unless that is said.
+    pub(super) fn check(&self, input: Option<&Path>) -> Result<(), Failure> {
+        Files::reading(input).writes_or_replaces("-o", self.output.as_deref(), self.in_place).check()
     }
 
     /// Writes the solid, if asked to, and tells what it is.

@@ -26,7 +26,7 @@ pub(crate) struct Args {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    args.target.check(&args.file)?;
+    args.target.check(Some(&args.file))?;
     let solid = open(&args.file, &args.input)?;
     let dual = solid.dual().map_err(|error| refused(&args.file, &error))?;
     let note = match dual.positions {

@@ -3,6 +3,7 @@
 use super::common::{open, vector};
 use crate::cli::input::InputOptions;
 use crate::cli::picture::{Pixels, Target};
+use crate::cli::save::Files;
 use crate::cli::{Answer, Failure, Output};
 use dcel_kit::figure::{self, Camera, FigureOptions, HiddenLines};
 use std::path::PathBuf;
@@ -15,7 +16,7 @@ use std::path::PathBuf;
 #[command(after_help = "\
 Examples:
   dcel solid figure cube.off -o cube.svg
-  dcel solid figure torus.off --towards 1,-1,2 --distance 4 --no-hidden -o torus.svg")]
+  dcel solid figure cube.off --towards 1,-1,2 --distance 4 --no-hidden -o near.svg")]
 pub(crate) struct Args {
     /// The file, or - for standard input
     file: PathBuf,
@@ -45,6 +46,7 @@ pub(crate) struct Args {
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let target = Target::new(args.output.as_deref(), args.pixels)?;
+    Files::reading([&args.file]).writes("-o", target.path()).check()?;
     if let Some(distance) = args.distance.filter(|d| !(1.1..=1e6).contains(d)) {
         let what = format!("--distance {distance}: the eye would be in the solid, or out of the world");
         return Err(Failure::input(what, "give a number from 1.1 to 1000000"));

@@ -23,7 +23,7 @@ use std::path::PathBuf;
 #[command(after_help = "\
 Examples:
   dcel solid info cube.off
-  dcel solid info bunny.stl --json
+  dcel solid info cube.off --json
   dcel solid info cube.off --winged")]
 pub(crate) struct Args {
     /// The file, or - for standard input

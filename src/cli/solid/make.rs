@@ -45,6 +45,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if args.shape == "hull" {
         return hull(args, &name, out);
     }
+    args.target.check(None)?;
     if args.triangles {
         return Err(Failure::input("--triangles is for hulls", "other shapes have the faces they have"));
     }
@@ -116,7 +117,7 @@ fn hull(args: &Args, name: &str, out: &mut Output) -> Result<Answer, Failure> {
         return Err(Failure::input("hull takes one file", "for example: dcel solid make hull cloud.obj -o hull.off"));
     };
     let file = PathBuf::from(file);
-    args.target.check(&file)?;
+    args.target.check(Some(&file))?;
     let source = source_name(&file);
     let points = match read_path(&file, &ReadOptions::default())?.document {
         Document::Polygons(soup) => soup.points,

@@ -16,6 +16,11 @@ use super::{Answer, Failure, Output};
 /// Solids are read from obj, off, ply and stl, and written to these. Faces run counter-clockwise as
 /// seen from outside.
 #[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Examples:
+  dcel solid make dodecahedron -o d.off
+  dcel solid info cube.off
+  dcel solid figure cube.off -o cube.svg")]
 pub(crate) struct Args {
     #[command(subcommand)]
     command: Command,

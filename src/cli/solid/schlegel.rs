@@ -3,6 +3,7 @@
 use super::common::{open, refused};
 use crate::cli::input::InputOptions;
 use crate::cli::picture::{Pixels, Target};
+use crate::cli::save::{Files, InPlace};
 use crate::cli::{Answer, Failure, Output};
 use dcel_kit::figure::{self, FigureOptions};
 use dcel_kit::ids::FaceId;
@@ -16,7 +17,7 @@ use std::path::PathBuf;
 #[command(after_help = "\
 Examples:
   dcel solid schlegel cube.off -o cube.dcel
-  dcel solid schlegel dodecahedron.off --through f3 --figure dodecahedron.svg")]
+  dcel solid schlegel cube.off --through f3 --figure cube.svg")]
 pub(crate) struct Args {
     /// The file, or - for standard input
     file: PathBuf,
@@ -26,6 +27,8 @@ pub(crate) struct Args {
     /// Write the structure, for example as .dcel; - for dcel text, which is also the answer without a figure
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    in_place: InPlace,
     /// Draw it, as .svg or .png
     #[arg(long, value_name = "OUT.svg")]
     figure: Option<PathBuf>,
@@ -37,6 +40,10 @@ pub(crate) struct Args {
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let target = args.figure.as_deref().map(|path| Target::new(Some(path), args.pixels)).transpose()?;
+    Files::reading([&args.file])
+        .writes_or_replaces("-o", args.output.as_deref(), args.in_place)
+        .writes("--figure", target.as_ref().and_then(Target::path))
+        .check()?;
     let solid = open(&args.file, &args.input)?;
     let face = args.through.or_else(|| solid.polygon_faces().next()).unwrap_or(FaceId::new(0));
     let seen = solid.schlegel(face).map_err(|error| refused(&args.file, &error))?;

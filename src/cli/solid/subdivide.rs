@@ -15,7 +15,7 @@ use std::path::PathBuf;
 #[command(after_help = "\
 Examples:
   dcel solid subdivide cube.off -o round.off
-  dcel solid subdivide icosahedron.off --loop --steps 3 -o ball.stl
+  dcel solid subdivide tetrahedron.off --loop --steps 3 -o ball.stl
   dcel solid subdivide cube.off --sharper 100 -o cut.off")]
 pub(crate) struct Args {
     /// The file, or - for standard input
@@ -36,7 +36,7 @@ pub(crate) struct Args {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    args.target.check(&args.file)?;
+    args.target.check(Some(&args.file))?;
     let mut solid = open(&args.file, &args.input)?;
     // Each step makes four edges of one.
     let edges = solid.edge_count().saturating_mul(1 << (2 * args.steps));

@@ -19,7 +19,7 @@ use std::path::PathBuf;
 #[command(after_help = "\
 Examples:
   dcel solid support cube.off 1,2,3
-  dcel solid support sphere.off 0,0,1 --from v7 --json")]
+  dcel solid support cube.off 0,0,1 --from v7 --json")]
 pub(crate) struct Args {
     /// The file, or - for standard input
     file: PathBuf,

@@ -2,23 +2,23 @@
 
 use super::{Failure, Subject};
 use dcel_kit::io::closest;
-use dcel_kit::{FaceId, HalfEdgeId, Id, VertexId};
+use dcel_kit::{Element, FaceId, HalfEdgeId, Id, VertexId};
 
 pub(super) fn check_vertex(subject: &Subject, v: VertexId) -> Result<(), Failure> {
     let view = subject.view();
-    check(subject, "vertex", "vertices", v, view.vertex_bound(), |v| view.has_vertex(v))
+    check(subject, v, view.vertex_bound(), |v| view.has_vertex(v))
 }
 
 pub(super) fn check_half_edge(subject: &Subject, h: HalfEdgeId) -> Result<(), Failure> {
     let view = subject.view();
-    check(subject, "half-edge", "half-edges", h, view.half_edge_bound(), |h| view.has_half_edge(h))
+    check(subject, h, view.half_edge_bound(), |h| view.has_half_edge(h))
 }
 
 /// The face with this id, or all faces with this name.
 pub(super) fn faces(subject: &Subject, id: Option<FaceId>, name: Option<&str>) -> Result<Vec<FaceId>, Failure> {
     let view = subject.view();
     if let Some(f) = id {
-        check(subject, "face", "faces", f, view.face_bound(), |f| view.has_face(f))?;
+        check(subject, f, view.face_bound(), |f| view.has_face(f))?;
         return Ok(vec![f]);
     }
     let name = name.unwrap_or_default();
@@ -50,10 +50,8 @@ pub(super) fn faces(subject: &Subject, id: Option<FaceId>, name: Option<&str>) -
     Err(Failure::input(what, help))
 }
 
-fn check<I: Id>(
+fn check<I: Id + Into<Element>>(
     subject: &Subject,
-    kind: &str,
-    kinds: &str,
     id: I,
     bound: usize,
     exists: impl Fn(I) -> bool,
@@ -65,9 +63,8 @@ fn check<I: Id>(
     let before = (0..id.index().min(bound)).rev().find(live);
     let after = (id.index().saturating_add(1)..bound).find(live);
     let near: Vec<String> = before.into_iter().chain(after).map(|i| I::from_index(i).to_string()).collect();
-    let help = match near.as_slice() {
-        [] => format!("it has no {kinds}"),
-        near => format!("did you mean {}?", near.join(" or ")),
-    };
-    Err(Failure::input(format!("{}: there is no {kind} {id}", subject.source), help))
+    let help = if near.is_empty() { String::new() } else { format!("did you mean {}?", near.join(" or ")) };
+    let all: Vec<usize> = (0..bound).filter(live).collect();
+    let missing = id.into().missing(all.len(), all.last().map_or(0, |last| last + 1));
+    Err(Failure::input(format!("{}: {missing}", subject.source), help))
 }

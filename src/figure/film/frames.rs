@@ -35,6 +35,8 @@ pub struct Film {
     pub(super) states: Vec<Table>,
     shots: Vec<Shot>,
     closing: String,
+    /// What is marked in the last frame.
+    closing_marked: Vec<Element>,
 }
 
 #[derive(Clone, Debug)]
@@ -97,7 +99,7 @@ pub struct Frame {
 impl Film {
     /// A film that begins with this structure.
     pub fn new<V: PlanarView + ?Sized>(start: &V) -> Self {
-        Self { states: vec![snapshot(start)], shots: Vec::new(), closing: String::new() }
+        Self { states: vec![snapshot(start)], shots: Vec::new(), closing: String::new(), closing_marked: Vec::new() }
     }
 
     /// Appends an edit: the call, a sentence for the frame before it (may be empty), elements to be marked, what
@@ -119,9 +121,10 @@ impl Film {
         self.states.push(snapshot(after));
     }
 
-    /// Sets the sentence of the last frame.
-    pub fn close(&mut self, caption: &str) {
+    /// Sets the sentence of the last frame, and what is marked in it.
+    pub fn close(&mut self, caption: &str, marked: &[Element]) {
         caption.clone_into(&mut self.closing);
+        marked.clone_into(&mut self.closing_marked);
     }
 
     /// How many edits there are.
@@ -144,7 +147,7 @@ impl Film {
         let last = self.states.len() - 1;
         let heading = if self.shots.is_empty() { "" } else { "after" };
         let states = [last.saturating_sub(1), last];
-        out.push(still(heading, &self.closing, &self.states[last], last, states, Vec::new()));
+        out.push(still(heading, &self.closing, &self.states[last], last, states, self.closing_marked.clone()));
         out
     }
 

@@ -135,7 +135,9 @@ impl Item {
             return Err(OUTSIDE);
         }
         let mut out = Drawn::default();
-        if let Some(pole) = pole(&rings, &[], 2.0, 60.0) {
+        if self.label.is_some()
+            && let Some(pole) = pole(&rings, &[], 2.0, 60.0)
+        {
             out.anchors.extend([Anchor::centred(pole.at), Anchor::round(pole.at, 0.0)]);
         }
         let lines = if self.outlined { outlines(&rings, &canvas.frame) } else { Vec::new() };

@@ -35,22 +35,34 @@ pub(super) enum Kind {
     Badge(Point),
 }
 
+/// What ids call the kinds, by their numbers.
+const WORDS: [&str; Kind::COUNT] =
+    ["region", "path", "ray", "line", "circle", "arc", "cone", "point", "portal", "text", "badge"];
+
 impl Kind {
+    /// How many kinds there are.
+    pub(super) const COUNT: usize = 11;
+
+    /// The number of the kind.
+    pub(super) const fn number(&self) -> usize {
+        match self {
+            Self::Region(_) => 0,
+            Self::Path(_) => 1,
+            Self::Ray(_) => 2,
+            Self::Line(_) => 3,
+            Self::Circle { .. } => 4,
+            Self::Arc(_) => 5,
+            Self::Cone { .. } => 6,
+            Self::Point(..) => 7,
+            Self::Portal(_) => 8,
+            Self::Text(_) => 9,
+            Self::Badge(_) => 10,
+        }
+    }
+
     /// What ids call it.
     pub(super) const fn word(&self) -> &'static str {
-        match self {
-            Self::Region(_) => "region",
-            Self::Path(_) => "path",
-            Self::Ray(_) => "ray",
-            Self::Line(_) => "line",
-            Self::Circle { .. } => "circle",
-            Self::Arc(_) => "arc",
-            Self::Cone { .. } => "cone",
-            Self::Point(..) => "point",
-            Self::Portal(_) => "portal",
-            Self::Text(_) => "text",
-            Self::Badge(_) => "badge",
-        }
+        WORDS[self.number()]
     }
 
     /// The circle through three points; a radius of 0 where there is none.

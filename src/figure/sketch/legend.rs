@@ -11,6 +11,7 @@ use super::{Glyph, Role, Sketch};
 use crate::figure::scene::{Group, Node};
 use crate::figure::text;
 use crate::figure::vector::{Xy, xy};
+use std::collections::BTreeSet;
 
 /// Size of the words and distance of their lines.
 const TEXT: (f64, f64) = (12.0, 16.0);
@@ -44,14 +45,16 @@ impl Sketch {
     /// The badges with their numbers from `first` on, then the samples, each once.
     pub(in crate::figure) fn legend(&self, first: usize) -> Vec<Entry> {
         let mut out: Vec<Entry> = Vec::new();
-        let keyed = || self.items.iter().filter_map(|item| Some((item, item.key.clone()?)));
+        let mut known: BTreeSet<(Role, &str)> = BTreeSet::new();
+        let keyed = || self.items.iter().filter_map(|item| Some((item, item.key.as_deref()?)));
         let badges = keyed().filter(|(item, _)| matches!(item.kind, Kind::Badge(_)));
         for (i, (item, words)) in badges.enumerate() {
-            out.push(Entry { role: item.role, words, sample: Sample::Badge(first + i) });
+            out.push(Entry { role: item.role, words: words.to_owned(), sample: Sample::Badge(first + i) });
         }
         for (item, words) in keyed().filter(|(item, _)| !matches!(item.kind, Kind::Badge(_))) {
-            if !out.iter().any(|entry| entry.is(item.role, &words)) {
-                out.push(Entry { role: item.role, words, sample: Sample::Item(Box::new(item.clone())) });
+            if known.insert((item.role, words)) {
+                let sample = if self.is_bulk(item) { item.in_bulk() } else { item.clone() };
+                out.push(Entry { role: item.role, words: words.to_owned(), sample: Sample::Item(Box::new(sample)) });
             }
         }
         out
@@ -62,21 +65,14 @@ impl Entry {
     pub(in crate::figure) fn words(&self) -> &str {
         &self.words
     }
-
-    fn is(&self, role: Role, words: &str) -> bool {
-        matches!(self.sample, Sample::Item(_)) && self.role == role && self.words == words
-    }
 }
 
 /// Takes the entries of several sketches together: samples once, badges all.
 pub(in crate::figure) fn merged(legends: impl IntoIterator<Item = Vec<Entry>>) -> Vec<Entry> {
-    let mut out: Vec<Entry> = Vec::new();
-    for entry in legends.into_iter().flatten() {
-        if !out.iter().any(|known| known.is(entry.role, &entry.words)) {
-            out.push(entry);
-        }
-    }
-    out
+    let mut known: BTreeSet<(Role, String)> = BTreeSet::new();
+    let is_new =
+        |entry: &Entry| matches!(entry.sample, Sample::Badge(_)) || known.insert((entry.role, entry.words.clone()));
+    legends.into_iter().flatten().filter(is_new).collect()
 }
 
 /// The legend in columns within a width, and its height. Ids begin with `instance`.

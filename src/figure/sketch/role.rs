@@ -151,6 +151,7 @@ pub(in crate::figure) fn css(options: &FigureOptions, roles: &[Role]) -> String 
     let halo = "paint-order:stroke;stroke-linejoin:round";
     fixed(".ln", "fill:none;stroke-linejoin:round");
     fixed(".ol", "fill:none;stroke-width:1.2;stroke-linejoin:round");
+    fixed(".many", "fill:none;stroke-linecap:round;stroke-linejoin:round");
     fixed(".po", "fill:none;stroke-width:4;stroke-linecap:round");
     fixed(".gl", "stroke-width:1;stroke-linejoin:round");
     fixed(".go", "stroke-width:1.8");
@@ -218,7 +219,7 @@ fn colours(out: &mut String, scope: &str, palette: &Palette, roles: &[Role]) {
     }
     for role in roles {
         let (class, line, text) = (role.class(), role.line(palette), role.text(palette));
-        for part in ["ln", "ol", "po", "gs", "tie"] {
+        for part in ["ln", "ol", "po", "gs", "tie", "many"] {
             rule(&format!(".{class} .{part}"), format!("stroke:{line}"));
         }
         rule(&format!(".{class} .fi"), format!("fill:{}", role.fill(palette)));

@@ -9,6 +9,7 @@
 use super::draw::{Canvas, Drawn, layer};
 use super::item::{Item, Kind};
 use super::legend::{self, Entry};
+use super::many::Many;
 use super::{Role, Sketch, SketchError, places, role};
 use crate::figure::crop::{self, window};
 use crate::figure::crowd::{Crowd, INK, Shape};
@@ -102,7 +103,12 @@ impl<'a> Drawing<'a> {
     pub(in crate::figure) fn new(sketch: &'a Sketch, canvas: &Canvas) -> Self {
         let mut missing: Vec<(&'static str, String)> = Vec::new();
         let draw = |item: &Item| match item.draw(canvas) {
-            Ok(drawn) => Some(drawn),
+            Ok(mut drawn) => {
+                if item.label.is_none() && !matches!(item.kind, Kind::Badge(_)) {
+                    drawn.anchors = Vec::new();
+                }
+                Some(drawn)
+            }
             Err(reason) => {
                 missing.push((reason, item.name.clone()));
                 None
@@ -128,9 +134,13 @@ impl<'a> Drawing<'a> {
         let mut out = Vec::new();
         let id = |item: &Item, ending: &str| Some(format!("{instance}s-{}{ending}", item.name));
         for wanted in 0..LAYERS {
+            let (mut many, mut single) = (Many::new(self.frame), Vec::new());
             for (item, drawn) in self.sketch.items.iter().zip(&mut self.drawn) {
-                if let Some(drawn) = drawn.as_mut().filter(|_| layer(&item.kind) == wanted) {
-                    out.push(Node::Group(Group {
+                let Some(drawn) = drawn.as_mut().filter(|_| layer(&item.kind) == wanted) else { continue };
+                if self.sketch.is_bulk(item) {
+                    many.add(item, drawn);
+                } else {
+                    single.push(Node::Group(Group {
                         class: "sk",
                         mark: item.role.class(),
                         id: id(item, ""),
@@ -140,6 +150,8 @@ impl<'a> Drawing<'a> {
                     }));
                 }
             }
+            out.extend(many.nodes(instance));
+            out.append(&mut single);
         }
         let mut homeless = Vec::new();
         let mut badge = first;

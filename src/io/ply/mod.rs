@@ -51,7 +51,7 @@ pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
 }
 
 fn elements(header: &Header, mut records: impl Records, source: &str) -> Result<Read, ReadError> {
-    let mut soup = SoupBuilder::with_room(header.points, records.remaining(), 6);
+    let mut soup = SoupBuilder::with_room(header.points, records.remaining(), 6, source)?;
     let mut gives_z = false;
     for element in &header.elements {
         match element.name.as_str() {

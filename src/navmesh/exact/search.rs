@@ -25,7 +25,7 @@ pub(in super::super) struct Exact {
     searched: Searched,
 }
 
-/// How many sides and points a mesh has, and how many sides its merged faces, if there are any.
+/// How many sides and points a mesh has, and how many sides its merged faces, if these were searched.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 struct Searched {
     sides: usize,
@@ -34,33 +34,34 @@ struct Searched {
 }
 
 impl Searched {
-    fn of(mesh: &NavMesh) -> Self {
-        let merged = mesh.merged.as_ref().map(Merged::bound);
+    fn of(mesh: &NavMesh, merged: Option<&Merged>) -> Self {
+        let merged = merged.map(Merged::bound);
         Self { sides: mesh.sides.len(), points: mesh.points.len(), merged }
     }
 }
 
 impl Exact {
-    fn begin(&mut self, mesh: &NavMesh, scratch: &Scratch, start: Point) {
+    fn begin(&mut self, mesh: &NavMesh, merged: Option<&Merged>, scratch: &Scratch, start: Point) {
         if scratch.query == 1 {
             self.roots.clear();
         }
         self.roots.resize(mesh.vertex_bound().max(self.roots.len()), (0, 0.0));
         self.nodes.clear();
         self.start = start;
-        self.searched = Searched::of(mesh);
+        self.searched = Searched::of(mesh, merged);
     }
 
     /// Finds the doors of the shortest way, from room to room. Returns whether there is one.
     pub(in super::super) fn search(
         &mut self,
         mesh: &NavMesh,
+        merged: Option<&Merged>,
         scratch: &mut Scratch,
         start: &Place,
         goal: Point,
     ) -> bool {
-        self.begin(mesh, scratch, start.point);
-        match &mesh.merged {
+        self.begin(mesh, merged, scratch, start.point);
+        match merged {
             Some(merged) => self.search_in(&merged.rooms(mesh), scratch, goal),
             None => self.search_in(mesh, scratch, goal),
         }
@@ -152,13 +153,14 @@ impl Exact {
     pub(in super::super) fn survey(
         &mut self,
         mesh: &NavMesh,
+        merged: Option<&Merged>,
         scratch: &mut Scratch,
         start: &Place,
         limit: f64,
         see: impl FnMut(u32, f64),
     ) {
-        self.begin(mesh, scratch, start.point);
-        match &mesh.merged {
+        self.begin(mesh, merged, scratch, start.point);
+        match merged {
             Some(merged) => self.survey_in(&merged.rooms(mesh), scratch, limit, see),
             None => self.survey_in(mesh, scratch, limit, see),
         }
@@ -234,12 +236,13 @@ fn posts<R: Rooms>(rooms: &R, door: u32) -> [Point; 2] {
 
 impl Planner {
     /// The cones of the last exact search, in the order in which they came up. Their points are rounded: for figures.
-    /// None if this is plainly another mesh, or its faces have been merged, or given up, since. On merged faces the doors are theirs, told
-    /// by the faces of the mesh that they lie between.
+    /// None if this is plainly another mesh, or it was changed since. On merged faces the doors are theirs, told by the
+    /// faces of the mesh that they lie between.
     pub fn cones(&self, mesh: &NavMesh) -> impl Iterator<Item = Cone> {
         let exact = &self.exact;
-        let cones: Vec<Cone> = match &mesh.merged {
-            _ if exact.searched != Searched::of(mesh) => Vec::new(),
+        let merged = mesh.merged.get().filter(|_| exact.searched.merged.is_some());
+        let cones: Vec<Cone> = match merged {
+            _ if exact.searched != Searched::of(mesh, merged) => Vec::new(),
             Some(merged) => exact.cones_of(mesh, &merged.rooms(mesh), |s| merged.original(s)),
             None => exact.cones_of(mesh, mesh, |s| s),
         };

@@ -82,5 +82,6 @@ impl NavMesh {
             self.half_edges.extend_from_slice(&half_edges[range]);
         }
         self.spent_sides = 0;
+        self.renumbered = true;
     }
 }

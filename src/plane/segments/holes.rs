@@ -1,9 +1,10 @@
-//! Marking hole faces by points inside them.
+//! Marking hole faces: by points inside them, or what lies inside other things.
 
-use crate::ids::{EdgeId, Element, FaceId, VertexId};
+use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::predicates::left_to_right;
 use crate::plane::sweep::{Meeting, NOTHING, sweep};
 use crate::plane::{CoordinateError, Point, Subdivision};
+use crate::topology::{Ring, components};
 
 /// Why points cannot mark hole faces.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -86,5 +87,45 @@ impl Subdivision {
         }
         self.holes.extend(&faces);
         Ok(faces)
+    }
+
+    /// Makes hole faces of what lies directly inside something else: of the bounded faces of every component that lies
+    /// in a bounded face, but not of what lies in those again, and so on. Returns the faces.
+    ///
+    /// ```text
+    ///   ┌───────────────┐
+    ///   │ f1  ┌───────┐ │      f1 is part of the domain,
+    ///   │     │ f2 △f3│ │      f2 is a hole face,
+    ///   │     └───────┘ │      f3 is part of the domain
+    ///   └───────────────┘
+    /// ```
+    ///
+    /// Cost: O(n) for n edges.
+    pub fn mark_nested_holes(&mut self) -> Vec<FaceId> {
+        let components = components(&self.dcel);
+        let of = |h: HalfEdgeId| components.of(self.dcel.origin(h)).unwrap_or_default() as usize;
+        let bounded = || self.dcel.faces().filter(|&f| f != self.outer_face());
+        let mut inside: Vec<Vec<usize>> = vec![Vec::new(); components.count()];
+        let mut is_inside = vec![false; components.count()];
+        for f in bounded() {
+            let Some(around) = self.dcel.boundary(f) else { continue };
+            for ring in self.rings(f) {
+                if let &Ring::Cycle(h) = ring {
+                    inside[of(around)].push(of(h));
+                    is_inside[of(h)] = true;
+                }
+            }
+        }
+        let mut is_odd = vec![false; components.count()];
+        let mut open: Vec<usize> = (0..components.count()).filter(|&c| !is_inside[c]).collect();
+        while let Some(around) = open.pop() {
+            for &c in &inside[around] {
+                is_odd[c] = !is_odd[around];
+                open.push(c);
+            }
+        }
+        let faces: Vec<FaceId> = bounded().filter(|&f| self.dcel.boundary(f).is_some_and(|h| is_odd[of(h)])).collect();
+        self.holes.extend(&faces);
+        faces
     }
 }

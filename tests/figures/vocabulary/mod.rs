@@ -6,6 +6,7 @@ mod read;
 mod chart;
 mod contrast;
 mod geometry;
+mod many;
 mod words;
 
 use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch, SketchError};

@@ -1,0 +1,84 @@
+//! Two drawings.
+
+use super::{Args, Line, Report};
+use crate::cli::failure::say;
+use crate::cli::save::put;
+use crate::cli::{Answer, Failure, Output};
+use dcel_kit::figure::FigureOptions;
+use dcel_kit::figure::compare::{self, CompareError, Comparison, Options, Side};
+use dcel_kit::io::source_name;
+use std::io::Write;
+use std::path::Path;
+
+/// Longest file that is read at all; what is compared is far smaller.
+const LONGEST: u64 = 64 << 20;
+/// How far a point may be from its place, in px, if nothing is said.
+const TOLERANCE: f64 = 0.05;
+
+pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    if let Some(path) = &args.drawn.diff
+        && path.extension().is_some_and(|extension| !extension.eq_ignore_ascii_case("svg"))
+    {
+        let what = format!("{}: this would be SVG", path.display());
+        return Err(Failure::input(what, "give a name that ends in .svg"));
+    }
+    let files = [(Side::Reference, &args.reference), (Side::Student, &args.student)];
+    let refused = |error: &CompareError| {
+        let (_, file) = files[usize::from(error.side == Side::Student)];
+        Failure::input(error.named(&source_name(file)), "dcel compare --help says what is read")
+    };
+    let [reference, student] = files.map(|(_, file)| read(file));
+    let (reference, student) = (reference?, student?);
+    let text = |bytes, side| compare::text(bytes, side).map_err(|error| refused(&error));
+    let options = Options::new()
+        .names(args.names)
+        .faces(!args.drawn.no_faces)
+        .tolerance(args.drawn.tolerance.unwrap_or(TOLERANCE));
+    let (reference, student) = (text(&reference, Side::Reference)?, text(&student, Side::Student)?);
+    let answer = compare::compare(reference, student, &options).map_err(|error| refused(&error))?;
+    if let Some(path) = &args.drawn.diff {
+        draw(path, &answer)?;
+    }
+    if args.json {
+        out.json(&report(args, &answer))?;
+    } else {
+        write!(out, "{}", answer.text())?;
+    }
+    Ok(if answer.is_equal() { Answer::Yes } else { Answer::No })
+}
+
+/// The bytes of a file.
+fn read(file: &Path) -> Result<Vec<u8>, Failure> {
+    use std::io::Read;
+    let unreadable =
+        |error: std::io::Error| Failure::input(format!("{}: cannot be read: {error}", source_name(file)), "");
+    let mut bytes = Vec::new();
+    let length = if file.as_os_str() == "-" {
+        std::io::stdin().lock().take(LONGEST).read_to_end(&mut bytes)
+    } else {
+        std::fs::File::open(file).and_then(|file| file.take(LONGEST).read_to_end(&mut bytes))
+    };
+    length.map_err(unreadable)?;
+    Ok(bytes)
+}
+
+fn report<'a>(args: &Args, answer: &'a Comparison) -> Report<'a> {
+    let line =
+        |d: &'a compare::Difference| Line { kind: d.kind.word(), layer: d.layer.word(), text: d.text.as_str().into() };
+    Report {
+        reference: source_name(&args.reference),
+        student: source_name(&args.student),
+        equal: answer.is_equal(),
+        layer: answer.layer().word(),
+        agreed: answer.agreed(),
+        differences: answer.differences().iter().map(line).collect(),
+        notes: answer.notes(),
+    }
+}
+
+fn draw(path: &Path, answer: &Comparison) -> Result<(), Failure> {
+    let options = FigureOptions::new("What differs").id_prefix("diff");
+    let figure = answer.figure(&options).map_err(|error| Failure::input(error, ""))?;
+    figure.notes().iter().for_each(|note| say("note", note));
+    put(path, figure.to_svg())
+}

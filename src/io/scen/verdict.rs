@@ -1,0 +1,196 @@
+//! Octile or Euclidean: what the lengths of a whole scenario must be.
+//!
+//! ```text
+//!   goal  ┌─────────●        octile     8.65685 = 3 + 4 √2, a sum of whole numbers of straight and diagonal steps
+//!         │      ╱  ╱        Euclidean  8.06226, shorter than any row of steps
+//!         │   ╱  ╱
+//!   start ●╱─────            Each length votes; lengths that may be both (8 = 8 + 0 √2, straight on) do not.
+//! ```
+//!
+//! An octile length is a + b √2 with whole a and b from 0 on, within its precision; if the ends are corners of cells, a
+//! is even or odd as the number of steps from start to goal along the axes is. And it is no less than the octile
+//! distance from start to goal. A Euclidean length is no less than the straight line; that is all that can be said
+//! without the map.
+//!
+//! Any number is such a sum sooner or later if it is long and has few digits, so a length that fits counts by how
+//! unlikely that would be by chance, and one that does not counts as a slip that one octile length in a hundred may be.
+//! The sum of the logarithms decides: the *likelihood ratio* of both readings.
+
+use super::{Optimum, Query, Scenario};
+use std::f64::consts::SQRT_2;
+use std::fmt;
+
+/// One in so many octile lengths may be written down wrongly.
+const SLIP: f64 = 0.01;
+/// Longer ways than any grid of the benchmarks has are no octile ones: a bound for the search for a sum.
+const LONGEST: f64 = 1e5;
+/// Room for the rounding of doubles, as a part of the length.
+const ROUNDING: f64 = 1e-13;
+
+/// Lengths that do not fit a reading.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Misfits {
+    /// How many.
+    pub count: usize,
+    /// The line of the first of them in the file.
+    pub first_line: Option<u32>,
+}
+
+impl Misfits {
+    fn add(&mut self, line: u32) {
+        self.count += 1;
+        self.first_line.get_or_insert(line);
+    }
+}
+
+/// What the lengths of a file are, and how well they fit. `Display` says it in a line.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Verdict {
+    /// What they are, or are nearly.
+    pub optimum: Optimum,
+    /// How many lengths the file states.
+    pub stated: usize,
+    /// Those that are no octile cost: no sum of straight and diagonal steps, or less than the octile distance.
+    pub not_octile: Misfits,
+    /// Those that are less than the straight line: no length of a path at all.
+    pub too_short: Misfits,
+    /// Those that are one reading only, or an unlikely chance for the other.
+    pub telling: usize,
+}
+
+impl Verdict {
+    /// Whether every stated length fits the reading.
+    #[must_use]
+    pub fn fits(&self) -> bool {
+        self.misfits().count == 0
+    }
+
+    /// The lengths that do not fit the reading.
+    #[must_use]
+    pub fn misfits(&self) -> Misfits {
+        match self.optimum {
+            Optimum::Octile => self.not_octile,
+            Optimum::Euclidean => self.too_short,
+        }
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { optimum, stated, not_octile, telling, .. } = *self;
+        let lengths = if stated == 1 { "length" } else { "lengths" };
+        let Misfits { count, first_line } = self.misfits();
+        if let Some(line) = first_line {
+            let (name, why) = match optimum {
+                Optimum::Octile => ("octile", "are no sum a + b√2 of steps"),
+                Optimum::Euclidean => ("Euclidean", "are less than the straight line"),
+            };
+            return write!(
+                f,
+                "neither octile nor Euclidean, but nearly {name}: {count} of {stated} {lengths} {why}, the first in line {line}"
+            );
+        }
+        match (optimum, not_octile.first_line) {
+            (Optimum::Octile, _) => write!(f, "octile: all of {stated} {lengths} are sums a + b√2 of steps"),
+            (Optimum::Euclidean, Some(line)) => {
+                let count = not_octile.count;
+                write!(
+                    f,
+                    "Euclidean: {count} of {stated} {lengths} are no sum a + b√2 of steps, the first in line {line}"
+                )
+            }
+            (Optimum::Euclidean, None) if stated == 0 => f.write_str("no length is stated"),
+            (Optimum::Euclidean, None) if telling == 0 => {
+                write!(f, "Euclidean or octile, which is the same here: all of {stated} {lengths} are straight ways")
+            }
+            (Optimum::Euclidean, None) => write!(f, "Euclidean: {stated} {lengths}"),
+        }
+    }
+}
+
+impl Scenario {
+    /// What the lengths of the whole file are: see [the page](self). Of a file that fits neither reading it tells
+    /// which one it nearly fits.
+    ///
+    /// Cost: O(queries · length), where lengths beyond 100,000 are never octile.
+    ///
+    /// ```
+    /// use dcel_kit::io::{Optimum, Scenario};
+    /// let lines = ["0 a.map 9 9 0 0 7 4 8.65685", "0 a.map 9 9 0 0 8 5 10.0711", "0 a.map 9 9 0 0 8 8 11.3137"];
+    /// let scenario = Scenario::parse(lines.join("\n").as_bytes(), "a.scen")?;
+    /// assert_eq!(scenario.verdict().optimum, Optimum::Octile);
+    /// assert_eq!(scenario.verdict().to_string(), "octile: all of 3 lengths are sums a + b√2 of steps");
+    /// # Ok::<(), dcel_kit::io::ReadError>(())
+    /// ```
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        let mut verdict = Verdict {
+            optimum: Optimum::Euclidean,
+            stated: 0,
+            not_octile: Misfits::default(),
+            too_short: Misfits::default(),
+            telling: 0,
+        };
+        let mut for_octile = 0.0;
+        for query in &self.queries {
+            let Some(length) = query.length else { continue };
+            verdict.stated += 1;
+            let slack = query.precision + ROUNDING * length;
+            if length + slack < query.straight() {
+                verdict.too_short.add(query.line);
+            }
+            let steps = Steps::of(query, length, slack);
+            if !steps.fit {
+                verdict.not_octile.add(query.line);
+            }
+            // A straight way along the steps is the same by both readings.
+            if steps.fit && (length - query.straight()).abs() <= slack {
+                continue;
+            }
+            verdict.telling += 1;
+            for_octile += if steps.fit {
+                ((1.0 - SLIP) / steps.chance.max(f64::MIN_POSITIVE)).ln()
+            } else {
+                (SLIP / (1.0 - steps.chance)).ln()
+            };
+        }
+        if verdict.telling > 0 && for_octile > 0.0 {
+            verdict.optimum = Optimum::Octile;
+        }
+        verdict
+    }
+}
+
+/// Whether a length is an octile cost.
+struct Steps {
+    fit: bool,
+    /// How likely any length of this size and precision would be one.
+    chance: f64,
+}
+
+impl Steps {
+    fn of(query: &Query, length: f64, slack: f64) -> Self {
+        let (dx, dy) = ((query.goal.x - query.start.x).abs(), (query.goal.y - query.start.y).abs());
+        if length > LONGEST {
+            return Self { fit: false, chance: 0.0 };
+        }
+        if length + slack < dx.max(dy) + (SQRT_2 - 1.0) * dx.min(dy) {
+            // Beyond doubt: no precision would make it one.
+            return Self { fit: false, chance: 0.0 };
+        }
+        // A diagonal step changes the sum of both coordinates by an even number, a straight one by one.
+        let whole = dx.fract() <= 0.0 && dy.fract() <= 0.0;
+        let (every, first) = if whole { (2.0, (dx + dy) % 2.0) } else { (1.0, 0.0) };
+        let diagonals = (length / SQRT_2 + slack) as u32;
+        let chance = f64::from(diagonals + 1) * 2.0 * slack / every;
+        if chance >= 0.99 {
+            return Self { fit: true, chance: 0.99 };
+        }
+        let is_sum = |b: u32| {
+            let a = length - f64::from(b) * SQRT_2;
+            let nearest = (first + ((a - first) / every).round() * every).max(first);
+            (a - nearest).abs() <= slack
+        };
+        Self { fit: (0..=diagonals).any(is_sum), chance }
+    }
+}

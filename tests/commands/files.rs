@@ -1,0 +1,290 @@
+//! Promise: a file is written whole or not at all, and nothing that is read is ever written over by a slip.
+//!
+//! Named after the defect that showed it: `defects/disk_full.sh`.
+
+use crate::shell::{Folder, SQUARE, grid};
+use std::fs;
+use std::process::{Command, Stdio};
+
+/// What a good old file holds in these tests.
+const OLD: &str = "precious\n";
+
+/// Names in the folder that begin with a dot: temporaries.
+fn hidden(folder: &Folder) -> Vec<String> {
+    let entries = fs::read_dir(folder.path(".")).expect("the folder");
+    let names = entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned());
+    names.filter(|name| name.starts_with('.')).collect()
+}
+
+/// Runs a line of a shell in the folder, with `dcel` as the command.
+#[cfg(unix)]
+fn shell(folder: &Folder, line: &str) -> std::process::Output {
+    let line = format!("dcel() {{ '{}' \"$@\"; }}; {line}", env!("CARGO_BIN_EXE_dcel"));
+    Command::new("bash").args(["-c", &line]).current_dir(folder.path(".")).output().expect("bash")
+}
+
+/// Every command that writes a file, with calls that write `out.…`.
+const WRITERS: [(&str, &str); 14] = [
+    ("convert big.obj out.dcel", "out.dcel"),
+    ("convert big.obj out.off", "out.off"),
+    ("convert big.obj out.node", "out.node"),
+    ("build big.geojson -o out.dcel", "out.dcel"),
+    ("delaunay big.obj -o out.dcel", "out.dcel"),
+    ("delaunay big.obj --figure out.svg", "out.svg"),
+    ("voronoi big.obj --figure out.svg", "out.svg"),
+    ("triangulate big.obj --figure out.svg", "out.svg"),
+    ("figure big.obj -o out.svg", "out.svg"),
+    ("figure big.obj --html out.html", "out.html"),
+    ("script lab.dcels --film out.svg", "out.svg"),
+    ("locate big.obj 1 1 -o out.svg", "out.svg"),
+    ("solid make sphere 40 40 -o out.off", "out.off"),
+    ("lab export 04 --student out.zip", "out.zip"),
+];
+
+fn with_inputs() -> Folder {
+    let folder = Folder::new();
+    folder.write("big.obj", &grid(16));
+    folder.dcel("convert big.obj big.geojson").fine();
+    folder.dcel("sample lab.dcels").fine();
+    folder
+}
+
+/// A limit on the size of files stands for a full disk: the writing fails in its middle.
+#[test]
+#[cfg(unix)]
+fn disk_full() {
+    let folder = with_inputs();
+    for (call, out) in WRITERS {
+        folder.write(out, OLD);
+        let told = shell(&folder, &format!("ulimit -f 2; dcel {call}"));
+        let error = String::from_utf8_lossy(&told.stderr).into_owned();
+        assert_eq!(told.status.code(), Some(3), "{call}: {error}");
+        assert!(error.contains("out.") && error.contains("cannot be written: File too large"), "{call}: {error}");
+        assert_eq!(folder.read(out), OLD, "{call}");
+        assert_eq!(hidden(&folder), [""; 0], "{call}");
+        // The same call is fine where there is room.
+        folder.dcel(call).fine();
+        assert!(folder.read_bytes(out).len() > 2000, "{call}");
+    }
+    let told = shell(&folder, "ulimit -f 2; dcel lab start 04 lab; dcel lab export 04 --student lab/");
+    assert_eq!(told.status.code(), Some(3), "{told:?}");
+    assert!(!folder.path("lab").exists() && hidden(&folder).is_empty(), "half a folder");
+    fs::create_dir(folder.path("lab")).expect("a folder");
+    assert_eq!(shell(&folder, "ulimit -f 2; dcel lab start 04 lab").status.code(), Some(3));
+    assert_eq!(fs::read_dir(folder.path("lab")).expect("the old folder").count(), 0);
+    folder.dcel("lab start 04 lab").fine();
+}
+
+/// A command that is ended while its temporary grows.
+#[cfg(unix)]
+fn ended_by(signal: &str) -> (Folder, Option<i32>) {
+    use std::os::unix::process::ExitStatusExt;
+    let folder = Folder::new();
+    folder.write("big.obj", &grid(150));
+    folder.write("out.dcel", OLD);
+    let mut child = folder.command("convert big.obj out.dcel").spawn().expect("the command starts");
+    let temporary = folder.path(".out.dcel.dcel-part");
+    while fs::metadata(&temporary).map_or(0, |data| data.len()) < 10_000 {
+        assert!(child.try_wait().expect("the command").is_none(), "ended before it was looked at");
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    let kill = Command::new("kill").args([signal, &child.id().to_string()]).status().expect("kill");
+    assert!(kill.success(), "ended before the signal");
+    let status = child.wait().expect("the command ends");
+    (folder, status.signal())
+}
+
+#[test]
+#[cfg(unix)]
+fn a_signal_leaves_the_old_file_and_no_temporary() {
+    for (signal, number) in [("-INT", 2), ("-TERM", 15), ("-HUP", 1)] {
+        let (folder, ended) = ended_by(signal);
+        assert_eq!(ended, Some(number), "{signal}: the shell must be told the same");
+        assert_eq!(folder.read("out.dcel"), OLD, "{signal}");
+        assert_eq!(hidden(&folder), [""; 0], "{signal}");
+    }
+}
+
+#[test]
+#[cfg(unix)]
+fn a_killed_command_leaves_one_temporary_that_the_next_run_replaces() {
+    let (folder, _) = ended_by("-KILL");
+    assert_eq!(folder.read("out.dcel"), OLD);
+    assert_eq!(hidden(&folder), [".out.dcel.dcel-part"]);
+    folder.dcel("convert square.obj out.dcel").fine();
+    assert_eq!(hidden(&folder), [""; 0]);
+    assert_eq!(folder.dcel("validate out.dcel").fine(), "out.dcel: valid\n");
+}
+
+#[test]
+fn a_temporary_in_use_is_left_alone() {
+    let folder = Folder::new();
+    let other = fs::File::create(folder.path(".out.dcel.dcel-part")).expect("a file");
+    other.lock().expect("a lock");
+    folder.dcel("convert square.obj out.dcel").fine();
+    assert_eq!(hidden(&folder), [".out.dcel.dcel-part"]);
+    drop(other);
+    folder.dcel("convert square.obj out.dcel").fine();
+    assert_eq!(hidden(&folder), [""; 0]);
+}
+
+#[test]
+#[cfg(unix)]
+fn a_temporary_that_is_a_link_is_never_followed() {
+    let folder = Folder::new();
+    folder.write("victim", OLD);
+    std::os::unix::fs::symlink("victim", folder.path(".out.dcel.dcel-part")).expect("a link");
+    folder.dcel("convert square.obj out.dcel").fine();
+    assert_eq!((folder.read("victim").as_str(), fs::read_link(folder.path("out.dcel")).is_err()), (OLD, true));
+}
+
+#[test]
+fn the_input_is_not_written_over() {
+    let folder = Folder::new();
+    folder.write("style.svg", "{}");
+    folder.write("points.svg", "1 1\n");
+    folder.write("sites.xy", "0 0\n4 0\n2 3\n");
+    folder.write("s.dcels", "rectangle\nsplit_face h2 h8\n");
+    fs::hard_link(folder.path("square.obj"), folder.path("hard.obj")).expect("a hard link");
+    for (call, error, help) in [
+        ("convert square.obj square.obj", "square.obj: this is the input itself", "--in-place"),
+        ("convert square.obj ./square.obj", "under another name, which is square.obj", "--in-place"),
+        ("convert square.obj hard.obj", "hard.obj: this is the input itself under another name", "--in-place"),
+        ("delaunay sites.xy -o sites.xy", "sites.xy: this is the input itself", "--in-place"),
+        ("delaunay sites.xy --figure sites.xy", "sites.xy: this is the input itself", "choose another name"),
+        ("figure square.obj --style style.svg -o style.svg", "style.svg: --style reads this file", "another name"),
+        ("locate square.obj --points points.svg -o points.svg", "points.svg: --points reads this file", ""),
+        ("script s.dcels --film s.dcels", "s.dcels: this is the input itself", ""),
+        ("solid figure cube.off -o cube.off", "", "give a name that ends in .svg"),
+        ("solid dual cube.off -o cube.off", "cube.off: this is the input itself", "--in-place"),
+        ("overlay square.obj garden.json -o garden.json", "garden.json: this is the input itself", ""),
+        (
+            "delaunay sites.xy -o new.svg --figure new.svg",
+            "new.svg: -o and --figure would both be written",
+            "two files",
+        ),
+        ("voronoi sites.xy -o a.dcel --figure ./a.dcel", "a.dcel: -o and --figure would both", "two files"),
+        ("convert square.obj new.obj --in-place", "--in-place: what OUT names is not the input", "leave"),
+        ("solid make cube -o new.off --in-place", "--in-place: what -o names is not the input", "leave"),
+        ("overlay - -", "standard input cannot be both A and B", "as a file first"),
+        ("locate - --points -", "standard input cannot be both", "as a file first"),
+        ("compare - -", "standard input cannot be both", "as a file first"),
+    ] {
+        folder.dcel(call).fails(2, error, help);
+    }
+    assert_eq!(folder.read("square.obj"), SQUARE);
+    assert_eq!(folder.read("sites.xy"), "0 0\n4 0\n2 3\n");
+    // Two files of one pair.
+    folder.dcel("convert square.obj pair.node").fine();
+    folder.dcel("convert pair.node pair.ele").fails(2, "this is the input itself", "");
+    // On request, and with the new contents.
+    folder.dcel("convert square.obj square.obj --in-place").fine();
+    assert!(folder.read("square.obj").starts_with("# 4 points, 2 polygons\n"));
+    assert_eq!(folder.dcel("info square.obj --json").json()["edges"], 5);
+}
+
+#[test]
+#[cfg(unix)]
+fn links_and_permissions_stay() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = Folder::new();
+    fs::create_dir(folder.path("far")).expect("a folder");
+    for (link, to) in [("link.obj", "square.obj"), ("to.dcel", "far/new.dcel"), ("on.dcel", "to.dcel")] {
+        std::os::unix::fs::symlink(to, folder.path(link)).expect("a link");
+    }
+    folder.dcel("convert square.obj link.obj").fails(2, "this is the input itself under another name", "");
+    // The link stays, and what it leads to is written, whether it is there or not.
+    for _ in 0..2 {
+        folder.dcel("convert square.obj on.dcel").fine();
+        assert_eq!(fs::read_link(folder.path("on.dcel")).expect("a link").to_string_lossy(), "to.dcel");
+        assert_eq!(folder.dcel("validate far/new.dcel").fine(), "far/new.dcel: valid\n");
+    }
+    for mode in [0o600, 0o755, 0o664] {
+        fs::set_permissions(folder.path("far/new.dcel"), fs::Permissions::from_mode(mode)).expect("permissions");
+        folder.dcel("convert square.obj far/new.dcel").fine();
+        let now = fs::metadata(folder.path("far/new.dcel")).expect("the file").permissions().mode();
+        assert_eq!(now & 0o777, mode);
+    }
+    std::os::unix::fs::symlink("loop.dcel", folder.path("loop.dcel")).expect("a link");
+    folder.dcel("convert square.obj loop.dcel").fails(
+        3,
+        "loop.dcel: cannot be written: its links lead in a circle",
+        "",
+    );
+}
+
+#[test]
+#[cfg(unix)]
+fn devices_and_pipes_are_written_to_as_they_are() {
+    let folder = Folder::new();
+    let dcel = folder.dcel("convert square.obj - --to dcel").fine();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
+    let piped = shell(&folder, "dcel convert square.obj /dev/stdout --to dcel | cat");
+    assert_eq!(text(piped.stdout), dcel);
+    // Standard output that is a file is not begun anew, and loses nothing that is written before or after.
+    shell(&folder, "(echo before; dcel convert square.obj /dev/stdout --to dcel; echo after) > all.txt");
+    assert_eq!(folder.read("all.txt"), format!("before\n{dcel}after\n"));
+    shell(&folder, "dcel convert square.obj >(cat > piped.txt) --to dcel; wait $!; sleep 0.2");
+    assert_eq!(folder.read("piped.txt"), dcel);
+    shell(&folder, "mkfifo fifo; cat fifo > from.txt & dcel convert square.obj fifo --to dcel; wait");
+    assert_eq!(folder.read("from.txt"), dcel);
+    folder.dcel("convert square.obj /dev/null --to dcel").fine();
+    folder.dcel("delaunay square.obj -o /dev/null --figure /dev/null").fails(2, "", "dcel");
+    if cfg!(target_os = "linux") {
+        folder.dcel("convert square.obj /dev/full --to dcel").fails(3, "/dev/full: cannot be written", "make room");
+        folder.dcel("figure square.obj -o /sys/x.svg").fails(3, "no file can be made in /sys", "may write to");
+    }
+    fs::create_dir(folder.path("box.dcel")).expect("a folder");
+    folder.dcel("convert square.obj box.dcel").fails(3, "box.dcel: cannot be written", "give the name of a file in it");
+    folder.dcel("convert square.obj new/ --to dcel").fails(
+        3,
+        "new/: cannot be written",
+        "give the name of a file in it",
+    );
+    assert_eq!(hidden(&folder), [""; 0]);
+}
+
+/// As an ordinary user: a folder that may not be written to, and a file that may not be in one that may.
+#[test]
+#[cfg(unix)]
+fn what_is_write_protected_stays_as_it_is() {
+    use std::os::unix::fs::{MetadataExt, PermissionsExt, chown};
+    use std::os::unix::process::CommandExt;
+    const NOBODY: u32 = 65534;
+    let folder = Folder::new();
+    let mode = |name: &str, mode| fs::set_permissions(folder.path(name), fs::Permissions::from_mode(mode)).expect(name);
+    let am_root = fs::metadata(folder.path("square.obj")).expect("the file").uid() == 0;
+    for name in ["closed", "open"] {
+        fs::create_dir(folder.path(name)).expect("a folder");
+    }
+    folder.write("closed/out.off", OLD);
+    folder.write("open/out.off", OLD);
+    mode("open/out.off", 0o444);
+    mode("closed/out.off", 0o666);
+    mode("closed", 0o555);
+    let mut program = std::path::PathBuf::from(env!("CARGO_BIN_EXE_dcel"));
+    if am_root {
+        // Nothing is closed to the administrator.
+        program = folder.path("dcel");
+        fs::copy(env!("CARGO_BIN_EXE_dcel"), &program).expect("a copy");
+        chown(folder.path("open"), Some(NOBODY), Some(NOBODY)).expect("another owner");
+        mode(".", 0o755);
+    }
+    for (out, error, help) in [
+        ("closed/out.off", "no file can be made in closed, where it is written before", "choose a place"),
+        ("closed/new.off", "no file can be made in closed, where it is written before", "choose a place"),
+        ("open/out.off", "Permission denied", "choose a place"),
+    ] {
+        let mut command = Command::new(&program);
+        command.args(["convert", "cube.off", out]).current_dir(folder.path(".")).stdin(Stdio::null());
+        if am_root {
+            command.uid(NOBODY).gid(NOBODY);
+        }
+        let told = command.output().expect("the command starts");
+        let text = String::from_utf8_lossy(&told.stderr).into_owned();
+        assert_eq!(told.status.code(), Some(3), "{out}: {text}");
+        assert!(text.contains(error) && text.contains(help), "{out}: {text}");
+    }
+    mode("closed", 0o755);
+    assert_eq!((folder.read("closed/out.off"), folder.read("open/out.off")), (OLD.to_owned(), OLD.to_owned()));
+}
