@@ -300,6 +300,41 @@ fn grid_maps_are_files_like_any_other() {
     folder.dcel("convert square.obj square.map").fails(2, "map is read, not written", "");
 }
 
+#[test]
+fn walls_obstacles_and_rays_come_from_the_command_line() {
+    let folder = folder();
+    // In a .map y points down, of the corners of an obstacle, too, and they may run either way.
+    let length = |flags: &str| {
+        let answer = folder.dcel(&format!("navmesh path rooms.map 1 1 9 1 --json {flags}")).json();
+        answer["routes"][0]["length"].as_f64().expect("a length")
+    };
+    assert_eq!(length(""), 8.0);
+    let around = length("--wall 5,0,5,1.5");
+    assert!((around - 2.0 * 4.0f64.hypot(0.5)).abs() < 1e-12, "{around}");
+    for corners in ["4,0,6,0,5,1.5", "4,0,5,1.5,6,0"] {
+        let around = length(&format!("--obstacle {corners}"));
+        assert!((around - 2.0 * 4.0f64.hypot(0.5)).abs() < 1e-12, "{corners}: {around}");
+    }
+    folder.dcel("navmesh path rooms.map 1 1 9 1 --wall 5,0,5").fails(2, "3 numbers are no points", "");
+    folder.dcel("navmesh path rooms.map 1 1 9 1 --wall 5,0,5,1,6,1").fails(2, "a wall has two ends", "");
+    folder.dcel("navmesh path rooms.map 1 1 9 1 --obstacle 5,0,5,1").fails(2, "three corners or more", "");
+    folder.dcel("navmesh path rooms.map 1 1 9 1 --wall 5,0,5,0").fails(2, "rooms.map: --wall 5,0,5,0: side 0", "");
+    let crossing = folder.dcel("navmesh info rooms.map --obstacle 3,0,4,1,4,0,3,1");
+    crossing.fails(2, "--obstacle 3,0,4,1,4,0,3,1: the obstacle is no simple polygon", "in order");
+    folder.dcel("navmesh path rooms.map 1 1 9 1 --tolerance 0.1").fails(2, "--radius", "");
+    folder.dcel("navmesh path rooms.map 1 1 9 1 --radius 0.4 --tolerance 7").fails(2, "a tolerance of 7", "");
+
+    let clear = folder.dcel("navmesh raycast rooms.map 1 1 9 1 --json").json();
+    assert_eq!((&clear["clear"], &clear["hit"]), (&json!(true), &json!(null)));
+    let hit = folder.dcel("navmesh raycast rooms.map 1 1 9 1 --wall 5,0,5,1.5 --json -o ray.svg").json();
+    assert_eq!((&hit["hit"]["point"], &hit["hit"]["distance"]), (&json!([5.0, 1.0]), &json!(4.0)));
+    assert!(folder.read("ray.svg").contains("the side that is hit"));
+    let told = folder.dcel("navmesh raycast rooms.map 1 1 9 1 --wall 5,0,5,1.5").fine();
+    assert!(told.starts_with("hit: h") && told.contains("at (5, 1), 4 away"), "{told}");
+    folder.dcel("navmesh raycast rooms.map 3 2.5 9 1").fails(2, "the start (3, 2.5) is not on the mesh", "nearest");
+    folder.dcel("navmesh raycast rooms.map 1 1 9").fails(2, "", "");
+}
+
 /// The commands below `Examples:`, with lines joined at `\`.
 fn examples(help: &str) -> Vec<String> {
     let text = help.split("\nExamples:\n").nth(1).expect("examples").replace("\\\n", " ");
@@ -312,9 +347,15 @@ fn the_examples_of_the_help_run_and_the_help_fits_60_columns() {
     std::fs::create_dir_all(folder.path("figures/data")).expect("a folder");
     folder.write("figures/data/rooms.map", include_str!("../../figures/data/rooms.map"));
     folder.write("figures/data/rooms.scen", include_str!("../../figures/data/rooms.scen"));
-    for command in
-        ["navmesh", "navmesh info", "navmesh locate", "navmesh neighbours", "navmesh path", "navmesh scenario"]
-    {
+    for command in [
+        "navmesh",
+        "navmesh info",
+        "navmesh locate",
+        "navmesh neighbours",
+        "navmesh path",
+        "navmesh raycast",
+        "navmesh scenario",
+    ] {
         let output =
             folder.command(&format!("{command} --help")).env("COLUMNS", "60").output().expect("the command starts");
         let help = String::from_utf8(output.stdout).expect("UTF-8");

@@ -14,5 +14,6 @@ mod merged;
 mod oracle;
 mod reach;
 mod routes;
+mod sight;
 mod slivers;
 mod traps;

@@ -1,6 +1,7 @@
 //! From a file to a map with its navmesh.
 
 use super::super::failure::{Failure, say};
+use super::obstacles::ObstacleArgs;
 use clap::ValueEnum;
 use dcel_kit::io::{
     Axis, Document, Format, Grid, LoadOptions, PolygonSoup, Read, ReadOptions, Structure, assemble, read_path,
@@ -37,6 +38,8 @@ pub(super) struct MapArgs {
     /// borders of its regions
     #[arg(long, help_heading = "Reading")]
     triangles: bool,
+    #[command(flatten)]
+    obstacles: ObstacleArgs,
 }
 
 /// What a search runs over.
@@ -84,6 +87,13 @@ struct Frame {
     down: bool,
 }
 
+impl Frame {
+    /// A point of the file.
+    fn point(self, [x, y]: [f64; 2]) -> Point {
+        Point::new(x, if self.down { 0.0 - y } else { y })
+    }
+}
+
 /// What was read, before it is a map.
 pub(super) enum Draft {
     /// Polygons that are not joined yet, and what is wrong with them as a navmesh.
@@ -96,8 +106,8 @@ pub(super) enum Draft {
 
 impl Map {
     /// A point of the file.
-    pub(super) fn point(&self, [x, y]: [f64; 2]) -> Point {
-        Point::new(x, if self.frame.down { 0.0 - y } else { y })
+    pub(super) fn point(&self, p: [f64; 2]) -> Point {
+        self.frame.point(p)
     }
 
     /// The same map without the margin of a radius.
@@ -220,8 +230,9 @@ impl MapArgs {
             };
             Failure::input(format!("{source}: {what}"), help)
         })?;
-        let down = format == Format::Map || self.y_down || self.up == Some(Up::Y);
-        Ok(Map { source, format, subdivision, mesh, frame: Frame { down } })
+        let frame = Frame { down: format == Format::Map || self.y_down || self.up == Some(Up::Y) };
+        let (subdivision, mesh) = self.obstacles.put_in(&source, subdivision, mesh, |p| frame.point(p))?;
+        Ok(Map { source, format, subdivision, mesh, frame })
     }
 }
 

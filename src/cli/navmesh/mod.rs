@@ -3,6 +3,7 @@
 //! ```text
 //!   info ── locate ── neighbours      what the map is, where a point lies, what lies next to a face
 //!   path ── scenario                  a way by any rung of the ladder; a file of questions and answers
+//!   raycast                           the first wall on a straight line
 //! ```
 //!
 //! Points are given and told as the file has them: of a grid map with y pointing down, of a floor in space by the two
@@ -13,7 +14,9 @@ mod info;
 mod locate;
 mod map;
 mod neighbours;
+mod obstacles;
 mod path;
+mod raycast;
 mod scenario;
 mod tell;
 
@@ -42,6 +45,7 @@ enum Command {
     Locate(locate::Args),
     Neighbours(neighbours::Args),
     Path(Box<path::Args>),
+    Raycast(Box<raycast::Args>),
     Scenario(scenario::Args),
 }
 
@@ -51,6 +55,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         Command::Locate(args) => locate::run(args, out),
         Command::Neighbours(args) => neighbours::run(args, out),
         Command::Path(args) => path::run(args, out),
+        Command::Raycast(args) => raycast::run(args, out),
         Command::Scenario(args) => scenario::run(args, out),
     }
 }

@@ -44,11 +44,14 @@ pub(super) struct Args {
     rung: Which,
     #[command(flatten)]
     preparation: Preparation,
-    /// The radius of the agent: its way keeps that far from every border. Corners are rounded by
-    /// tangents, so the exact way may be 0.5 % of the arcs too long. Faces, doors and corners are
-    /// then those of the map without its margin
+    /// The radius of the agent: its way keeps that far from every border. Faces, doors and corners
+    /// are then those of the map without its margin
     #[arg(long, value_name = "R", value_parser = number)]
     radius: Option<f64>,
+    /// How much further off a way round a corner may be kept, as a part of the radius: arcs are
+    /// drawn by as few straight pieces as that allows
+    #[arg(long, value_name = "PART", value_parser = number, requires = "radius", default_value_t = Inset::TOLERANCE)]
+    tolerance: f64,
     /// The face to start from, where gaps touch in the start
     #[arg(long, value_name = "f3")]
     start_face: Option<FaceId>,
@@ -165,7 +168,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let whole = args.map.open()?;
     let inset = match args.radius.filter(|&radius| radius > 0.0) {
         Some(radius) => {
-            let inset = whole.mesh.inset(radius);
+            let inset = whole.mesh.inset_within(radius, args.tolerance);
             Some(inset.map_err(|error| Failure::input(format!("{}: {error}", whole.source), ""))?)
         }
         None => None,

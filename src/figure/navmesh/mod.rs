@@ -5,6 +5,7 @@
 //!   dead_ends  what is peeled, and its way out     funnel   how the string is pulled, door by door
 //!   apart      why there is no way                 cones    what the exact search looked at
 //!   clearance  the margin a wide agent keeps       ladder   every rung beside the shortest way
+//!   ray        what a straight line runs against
 //! ```
 //!
 //! Under each figure lies the map in grey, with its gaps hatched. Roles are the same everywhere: blue is the way,
@@ -16,6 +17,7 @@ mod cones;
 mod funnel;
 mod ladder;
 mod mesh;
+mod ray;
 mod route;
 
 use super::sketch::{Backdrop, Role, Sketch, SketchError};
