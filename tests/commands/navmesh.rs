@@ -321,7 +321,7 @@ fn walls_obstacles_and_rays_come_from_the_command_line() {
     folder.dcel("navmesh path rooms.map 1 1 9 1 --wall 5,0,5,0").fails(2, "rooms.map: --wall 5,0,5,0: side 0", "");
     let crossing = folder.dcel("navmesh info rooms.map --obstacle 3,0,4,1,4,0,3,1");
     crossing.fails(2, "--obstacle 3,0,4,1,4,0,3,1: the obstacle is no simple polygon", "in order");
-    folder.dcel("navmesh path rooms.map 1 1 9 1 --tolerance 0.1").fails(2, "--radius", "");
+    folder.dcel("navmesh path rooms.map 1 1 9 1 --tolerance 0.1").fails(2, "required arguments", "");
     folder.dcel("navmesh path rooms.map 1 1 9 1 --radius 0.4 --tolerance 7").fails(2, "a tolerance of 7", "");
 
     let clear = folder.dcel("navmesh raycast rooms.map 1 1 9 1 --json").json();
