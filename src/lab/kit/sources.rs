@@ -1,7 +1,7 @@
 //! The files of this build. Generated: `dcel lab bundle`.
 
 #[rustfmt::skip]
-pub(super) const SOURCES: [(&str, &str); 307] = [
+pub(super) const SOURCES: [(&str, &str); 309] = [
     ("LICENSE-APACHE", include_str!("../../../LICENSE-APACHE")),
     ("LICENSE-MIT", include_str!("../../../LICENSE-MIT")),
     ("figures/cube.svg", include_str!("../../../figures/cube.svg")),
@@ -93,6 +93,7 @@ pub(super) const SOURCES: [(&str, &str); 307] = [
     ("src/figure/sketch/glyph.rs", include_str!("../../../src/figure/sketch/glyph.rs")),
     ("src/figure/sketch/item.rs", include_str!("../../../src/figure/sketch/item.rs")),
     ("src/figure/sketch/legend.rs", include_str!("../../../src/figure/sketch/legend.rs")),
+    ("src/figure/sketch/many.rs", include_str!("../../../src/figure/sketch/many.rs")),
     ("src/figure/sketch/mod.rs", include_str!("../../../src/figure/sketch/mod.rs")),
     ("src/figure/sketch/places.rs", include_str!("../../../src/figure/sketch/places.rs")),
     ("src/figure/sketch/role.rs", include_str!("../../../src/figure/sketch/role.rs")),
@@ -109,6 +110,7 @@ pub(super) const SOURCES: [(&str, &str); 307] = [
     ("src/figure/unit.rs", include_str!("../../../src/figure/unit.rs")),
     ("src/figure/vector.rs", include_str!("../../../src/figure/vector.rs")),
     ("src/figure/vertices.rs", include_str!("../../../src/figure/vertices.rs")),
+    ("src/figure/voronoi.rs", include_str!("../../../src/figure/voronoi.rs")),
     ("src/ids.rs", include_str!("../../../src/ids.rs")),
     ("src/lab/bug.rs", include_str!("../../../src/lab/bug.rs")),
     ("src/lab/bundle/04-half-edge.txt", include_str!("../../../src/lab/bundle/04-half-edge.txt")),
