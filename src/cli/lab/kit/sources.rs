@@ -1,7 +1,7 @@
 //! The files of this build. Generated: `dcel lab bundle`.
 
 #[rustfmt::skip]
-pub(super) const SOURCES: [(&str, &str); 273] = [
+pub(super) const SOURCES: [(&str, &str); 275] = [
     ("figures/data/rooms.map", include_str!("../../../../figures/data/rooms.map")),
     ("figures/data/rooms.scen", include_str!("../../../../figures/data/rooms.scen")),
     ("figures/data/states-albers-10m.json", include_str!("../../../../figures/data/states-albers-10m.json")),
@@ -54,7 +54,9 @@ pub(super) const SOURCES: [(&str, &str); 273] = [
     ("src/cli/navmesh/map.rs", include_str!("../../../../src/cli/navmesh/map.rs")),
     ("src/cli/navmesh/mod.rs", include_str!("../../../../src/cli/navmesh/mod.rs")),
     ("src/cli/navmesh/neighbours.rs", include_str!("../../../../src/cli/navmesh/neighbours.rs")),
+    ("src/cli/navmesh/obstacles.rs", include_str!("../../../../src/cli/navmesh/obstacles.rs")),
     ("src/cli/navmesh/path.rs", include_str!("../../../../src/cli/navmesh/path.rs")),
+    ("src/cli/navmesh/raycast.rs", include_str!("../../../../src/cli/navmesh/raycast.rs")),
     ("src/cli/navmesh/scenario.rs", include_str!("../../../../src/cli/navmesh/scenario.rs")),
     ("src/cli/navmesh/tell.rs", include_str!("../../../../src/cli/navmesh/tell.rs")),
     ("src/cli/output.rs", include_str!("../../../../src/cli/output.rs")),
