@@ -18,8 +18,8 @@ use std::io::Write;
 #[command(override_usage = "dcel navmesh raycast [OPTIONS] <MAP> <X> <Y> <X> <Y>")]
 #[command(after_help = "\
 Examples:
-  dcel navmesh raycast figures/data/rooms.map 1 1 22 12
-  dcel navmesh raycast figures/data/rooms.map 1 1 9 1 \\
+  dcel navmesh raycast rooms.map 1 1 22 12
+  dcel navmesh raycast rooms.map 1 1 9 1 \\
     --wall 5,0,5,1.5 --json -o ray.svg")]
 pub(super) struct Args {
     #[command(flatten)]
