@@ -41,7 +41,8 @@ pub enum Axis {
 
 impl PolygonSoup {
     /// Lays a floor in space flat, as it is seen from above: drops the axis that points up. Faces that run
-    /// counter-clockwise as seen from above still do. Floors above each other then overlap.
+    /// counter-clockwise as seen from above still do. Floors above each other then overlap. Messages go on telling
+    /// coordinates as the file has them: of a floor with y up, x and z.
     ///
     /// ```text
     ///   up      the point (x, y, z) becomes
@@ -60,6 +61,7 @@ impl PolygonSoup {
             *p = [x, y, 0.0];
         }
         self.has_z = false;
+        self.places.y_down = up == Axis::Y;
     }
 }
 

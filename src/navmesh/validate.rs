@@ -165,6 +165,15 @@ impl MeshFault {
         matches!(self, Self::DoubleCorner { .. })
     }
 
+    /// The same with other coordinates in its message: those of a file whose y points down, for example.
+    #[must_use]
+    pub fn with_points(mut self, change: impl Fn(Point) -> Point) -> Self {
+        if let Self::SamePlace { at, .. } | Self::Overlap { at, .. } = &mut self {
+            *at = change(*at);
+        }
+        self
+    }
+
     /// One word for the kind of fault.
     #[must_use]
     pub const fn kind(&self) -> &'static str {

@@ -83,7 +83,7 @@ pub(super) struct Map {
 
 /// Whether the second coordinate of the file points down.
 #[derive(Clone, Copy)]
-struct Frame {
+pub(super) struct Frame {
     down: bool,
 }
 
@@ -91,6 +91,11 @@ impl Frame {
     /// A point of the file.
     fn point(self, [x, y]: [f64; 2]) -> Point {
         Point::new(x, if self.down { 0.0 - y } else { y })
+    }
+
+    /// A point of the map, as the file has it.
+    pub(super) fn in_file(self, p: Point) -> [f64; 2] {
+        [p.x, if self.down { 0.0 - p.y } else { p.y }]
     }
 }
 
@@ -106,8 +111,8 @@ pub(super) enum Draft {
 
 impl Map {
     /// A point of the file.
-    pub(super) fn point(&self, p: [f64; 2]) -> Point {
-        self.frame.point(p)
+    pub(super) fn point(&self, coordinates: [f64; 2]) -> Point {
+        self.frame.point(coordinates)
     }
 
     /// The same map without the margin of a radius.
@@ -118,11 +123,16 @@ impl Map {
 
     /// A point of the map, as the file has it.
     pub(super) fn in_file(&self, p: Point) -> [f64; 2] {
-        [p.x, if self.frame.down { 0.0 - p.y } else { p.y }]
+        self.frame.in_file(p)
     }
 }
 
 impl MapArgs {
+    /// How the file has its coordinates.
+    pub(super) fn frame(&self, format: Format) -> Frame {
+        Frame { down: format == Format::Map || self.y_down || self.up == Some(Up::Y) }
+    }
+
     /// What figures and messages call the map.
     pub(super) fn title(&self) -> String {
         self.file.file_stem().map_or_else(|| "Map".to_owned(), |stem| stem.to_string_lossy().into_owned())
@@ -230,7 +240,7 @@ impl MapArgs {
             };
             Failure::input(format!("{source}: {what}"), help)
         })?;
-        let frame = Frame { down: format == Format::Map || self.y_down || self.up == Some(Up::Y) };
+        let frame = self.frame(format);
         let (subdivision, mesh) = self.obstacles.put_in(&source, subdivision, mesh, |p| frame.point(p))?;
         Ok(Map { source, format, subdivision, mesh, frame })
     }

@@ -10,6 +10,7 @@
 //! axes that lie flat.
 
 mod drawing;
+mod ends;
 mod info;
 mod locate;
 mod map;

@@ -4,6 +4,7 @@
 //!   dual       which faces hang together          route    the corridor, its portals, the way
 //!   dead_ends  what is peeled, and its way out     funnel   how the string is pulled, door by door
 //!   apart      why there is no way                 cones    what the exact search looked at
+//!   off_mesh   a start where nobody can stand
 //!   clearance  the margin a wide agent keeps       ladder   every rung beside the shortest way
 //!   ray        what a straight line runs against
 //! ```
@@ -17,6 +18,7 @@ mod cones;
 mod funnel;
 mod ladder;
 mod mesh;
+mod off_mesh;
 mod ray;
 mod route;
 
