@@ -33,7 +33,7 @@
 //!
 //! | rung | question | file |
 //! |---|---|---|
-//! | 0 | is it a navmesh at all, and what is wrong? | `validate.rs` |
+//! | 0 | is it a navmesh at all, and what is wrong? | `validate.rs`, `weld.rs` |
 //! | 1 | which faces lie across the sides, round a vertex, in one piece? | `mesh.rs`, `around.rs`, `components.rs`, `dead_ends.rs` |
 //! | 2 | in which face is a point? | `grid.rs`, `coarse.rs`, `slivers.rs`, `location.rs`, `nearest.rs` |
 //! | 3 | which faces lead from here to there? | `waves.rs`, `corridor.rs`, by whole passages `crossings.rs`, `jumps.rs`, `strides.rs` |
@@ -77,6 +77,7 @@ mod strides;
 mod upkeep;
 mod validate;
 mod waves;
+mod weld;
 
 pub use crossings::Passage;
 pub use error::NavMeshError;
@@ -94,3 +95,4 @@ pub use random::RandomPlaces;
 pub use raycast::{RayHit, Raycast, RaycastError};
 pub use route::{Portal, Route, RouteError, Rung, Work};
 pub use validate::{MeshFault, double_corners_of, mesh_faults};
+pub use weld::{Welded, weld};

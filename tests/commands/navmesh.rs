@@ -456,3 +456,44 @@ fn messages_about_a_floor_with_y_up_tell_its_x_and_z() {
     assert!(told.out.contains("vertices 2 and 5 lie at the same place (4, 3)"), "{told:?}");
     folder.dcel("navmesh locate floor.obj 1 1 --up y").fails(2, "lie at the same place, (4, 3)", "");
 }
+
+#[test]
+fn hand_made_floors_are_welded_on_request_and_warned_about_else() {
+    let folder = folder();
+    // Two squares with a gap of 10^-7 between them.
+    folder.write(
+        "near.obj",
+        "v 0 0\nv 1 0\nv 1 1\nv 0 1\nv 1.0000001 0\nv 2 0\nv 2 1\nv 1.0000001 1\nf 1 2 3 4\nf 5 6 7 8\n",
+    );
+    folder.write("one.scen", "0 near.obj 2 1 0.5 0.5 1.5 0.5 1\n");
+    for command in ["path near.obj 0.5 0.5 1.5 0.5", "locate near.obj 0.5 0.5", "scenario near.obj one.scen"] {
+        let told = folder.dcel(&format!("navmesh {command}"));
+        assert!(told.err.contains("near.obj:5: vertices 1 and 4 are 1.00e-7 apart"), "{command}: {told:?}");
+        assert!(told.err.contains("--weld 1.1e-7 joins them"), "{command}: {told:?}");
+        let told = folder.dcel(&format!("navmesh {command} --weld 1.1e-7"));
+        assert!(told.code == Some(0) && told.err.contains("welded: 2 vertices were joined with others"), "{told:?}");
+    }
+    let info = folder.dcel("navmesh info near.obj --json").json();
+    assert_eq!((&info["valid"], &info["faults"][0]["kind"]), (&json!(true), &json!("nearly-welded")));
+    assert_eq!(folder.dcel("navmesh info near.obj --weld 1e-6 --json").json()["components"], json!([2]));
+    assert!(folder.dcel("navmesh info near.obj --weld 1e-9").err.contains("nothing to weld"));
+    // A T-junction, exact; and a millionth beside the side, on both sides of it.
+    for (name, y, faces) in [("exact", "1", 3), ("below", "0.999999", 3), ("above", "1.000001", 5)] {
+        let file =
+            format!("v 0 0\nv 1 0\nv 2 0\nv 2 1\nv 1 {y}\nv 0 1\nv 2 2\nv 0 2\nf 1 2 5 6\nf 2 3 4 5\nf 6 4 7 8\n");
+        folder.write(&format!("{name}.obj"), &file);
+        let told = folder.dcel(&format!("navmesh path {name}.obj 0.5 0.5 1 1.5 --weld 1e-5 --json"));
+        assert!(told.err.contains("1 corner was put into a side"), "{name}: {told:?}");
+        let answer = told.json();
+        let length = answer["routes"][0]["length"].as_f64().expect("a length");
+        assert!((length - 1.25f64.sqrt()).abs() < 1e-6, "{name}: {answer}");
+        let info = folder.dcel(&format!("navmesh info {name}.obj --weld 1e-5 --json")).json();
+        assert_eq!((&info["faces"], &info["components"]), (&json!(faces), &json!([faces])), "{name}");
+    }
+    folder.dcel("navmesh path exact.obj 0.5 0.5 1 1.5").fails(2, "exact.obj:", "--mend");
+    assert!(
+        folder.dcel("navmesh path below.obj 0.5 0.5 1 1.5").err.contains("vertex 4 is 1.00e-6 beside the side 5 -> 3")
+    );
+    folder.dcel("navmesh info near.obj --weld -1").fails(2, "a distance of -1", "--weld 0.001");
+    folder.dcel("navmesh info rooms.map --weld 1").fails(2, "--weld cannot be used on a grid map", "leave --weld out");
+}

@@ -17,3 +17,4 @@ mod routes;
 mod sight;
 mod slivers;
 mod traps;
+mod weld;

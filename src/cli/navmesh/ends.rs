@@ -14,7 +14,7 @@ use serde::Serialize;
 pub(super) struct Snap {
     /// Move a start or goal that is off the mesh to the nearest place, if that is no further away than
     /// this; the distance is told
-    #[arg(long, value_name = "D", value_parser = number)]
+    #[arg(long, value_name = "D", value_parser = number, allow_negative_numbers = true)]
     snap: Option<f64>,
 }
 
@@ -133,7 +133,7 @@ impl Snap {
 }
 
 /// A number with few digits that is no less.
-fn above(x: f64) -> f64 {
+pub(super) fn above(x: f64) -> f64 {
     let step = 10f64.powf(x.abs().max(f64::MIN_POSITIVE).log10().floor() - 1.0);
     let rounded = format!("{:.1e}", (x / step).ceil() * step).parse().unwrap_or(x);
     if rounded >= x && f64::is_finite(rounded) { rounded } else { x }
