@@ -303,8 +303,10 @@ fn too_little_memory_is_told_and_the_old_file_stays() {
         let error = String::from_utf8_lossy(&told.stderr).into_owned();
         match told.status.code() {
             Some(3) => {
-                assert!(error.contains("big.obj: not enough memory: this takes about"), "{error}");
-                refused += 1;
+                let (_, rest) = error.split_once("big.obj: not enough memory: this takes about ").expect("the reason");
+                let megabytes: u32 = rest.split(' ').next().and_then(|number| number.parse().ok()).expect("a number");
+                // The file has 4 MB, its structure takes 39.
+                refused += u32::from(megabytes > 30);
             }
             Some(0) => break,
             _ => assert!(error.contains("memory") || error.contains("shared"), "{kilobytes}: {error}"),
