@@ -1,7 +1,7 @@
 //! The files of this build. Generated: `dcel lab bundle`.
 
 #[rustfmt::skip]
-pub(super) const SOURCES: [(&str, &str); 275] = [
+pub(super) const SOURCES: [(&str, &str); 276] = [
     ("figures/data/rooms.map", include_str!("../../../../figures/data/rooms.map")),
     ("figures/data/rooms.scen", include_str!("../../../../figures/data/rooms.scen")),
     ("figures/data/states-albers-10m.json", include_str!("../../../../figures/data/states-albers-10m.json")),
@@ -49,6 +49,7 @@ pub(super) const SOURCES: [(&str, &str); 275] = [
     ("src/cli/looks.rs", include_str!("../../../../src/cli/looks.rs")),
     ("src/cli/mod.rs", include_str!("../../../../src/cli/mod.rs")),
     ("src/cli/navmesh/drawing.rs", include_str!("../../../../src/cli/navmesh/drawing.rs")),
+    ("src/cli/navmesh/ends.rs", include_str!("../../../../src/cli/navmesh/ends.rs")),
     ("src/cli/navmesh/info.rs", include_str!("../../../../src/cli/navmesh/info.rs")),
     ("src/cli/navmesh/locate.rs", include_str!("../../../../src/cli/navmesh/locate.rs")),
     ("src/cli/navmesh/map.rs", include_str!("../../../../src/cli/navmesh/map.rs")),
