@@ -49,6 +49,7 @@ pub use edit::{
     SplitFaceError,
 };
 pub use hull::{HullError, convex_hull};
+#[cfg(feature = "navmesh")]
 pub(crate) use locate::{Cells, Lines};
 pub use locate::{Location, PointIndex, Walk};
 pub(crate) use meet::{Crossed, Expansion};
