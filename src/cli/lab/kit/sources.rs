@@ -233,6 +233,7 @@ pub(super) const SOURCES: [(&str, &str); 276] = [
     ("src/navmesh/planner.rs", include_str!("../../../../src/navmesh/planner.rs")),
     ("src/navmesh/rooms.rs", include_str!("../../../../src/navmesh/rooms.rs")),
     ("src/navmesh/route.rs", include_str!("../../../../src/navmesh/route.rs")),
+    ("src/navmesh/slivers.rs", include_str!("../../../../src/navmesh/slivers.rs")),
     ("src/navmesh/strides.rs", include_str!("../../../../src/navmesh/strides.rs")),
     ("src/navmesh/validate.rs", include_str!("../../../../src/navmesh/validate.rs")),
     ("src/navmesh/waves.rs", include_str!("../../../../src/navmesh/waves.rs")),
