@@ -292,7 +292,7 @@ fn a_batch_of_several_blocks_gives_single_answers() {
     let asked: Vec<Point> = (0..20_000)
         .map(|i| match i % 50 {
             0 => corners[i / 50 % corners.len()],
-            _ => point((next.below(1000) as i64 - 500, next.below(1000) as i64 - 500)),
+            _ => point((next.below(1000) - 500, next.below(1000) - 500)),
         })
         .collect();
     let single: Vec<Location> = asked.iter().map(|&p| index.locate(p)).collect();
