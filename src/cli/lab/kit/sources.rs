@@ -1,7 +1,7 @@
 //! The files of this build. Generated: `dcel lab bundle`.
 
 #[rustfmt::skip]
-pub(super) const SOURCES: [(&str, &str); 276] = [
+pub(super) const SOURCES: [(&str, &str); 277] = [
     ("figures/data/rooms.map", include_str!("../../../../figures/data/rooms.map")),
     ("figures/data/rooms.scen", include_str!("../../../../figures/data/rooms.scen")),
     ("figures/data/states-albers-10m.json", include_str!("../../../../figures/data/states-albers-10m.json")),
