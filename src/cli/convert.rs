@@ -7,13 +7,16 @@ use super::subject::{Kind, Subject};
 use super::{Answer, Failure, Output};
 use dcel_kit::FaceMap;
 use dcel_kit::io::{Format, counted, write, write_path};
+use dcel_kit::plane::{Point, Subdivision};
+use dcel_kit::topology::PolygonList;
 use std::path::PathBuf;
 
 /// Write a structure in another format
 ///
 /// Formats: obj, off, ply, ply-binary, stl, stl-binary, triangle, geojson, mesh, dcel, tables. Polygon
 /// formats hold no structure: ids are numbered anew when such a file is read, and what they cannot hold is refused
-/// by name. What is lost without harm is told.
+/// by name. What is lost without harm is told. A grid map (.map) has y pointing down: a .mesh made of
+/// it, too, so that the queries of the map fit both; in all other formats y is negated.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -49,6 +52,11 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if args.compact {
         compact(&mut subject);
     }
+    let is_map = matches!(subject.format, Format::Map | Format::Mesh);
+    if format == Format::Mesh && is_map {
+        tell_losses(&subject, format);
+        keep_polygons(&mut subject)?;
+    }
     let model = subject.model();
     if args.to_file.as_os_str() == "-" {
         write(out, &model, format)
@@ -56,7 +64,12 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         write_path(&args.to_file, &model, format)
     }
     .map_err(|error| Failure::of_writing(&args.to_file, error))?;
-    tell_losses(&subject, format);
+    if format != Format::Mesh || !is_map {
+        tell_losses(&subject, format);
+    }
+    if subject.format == Format::Map {
+        tell_direction(args, format == Format::Mesh);
+    }
     Ok(Answer::Yes)
 }
 
@@ -71,6 +84,57 @@ fn target_format(args: &Args) -> Result<Format, Failure> {
         };
         Failure::input(what, format!("say it with --to: {}", writable.join(", ")))
     })
+}
+
+/// Makes of a map what a navigation mesh of version 2 holds: its polygons to walk on, and nothing but them. Of a grid
+/// map, whose y points down, it keeps the points: so the queries of a scenario fit both.
+fn keep_polygons(subject: &mut Subject) -> Result<(), Failure> {
+    let Kind::Plane(map) = &subject.kind else { return Ok(()) };
+    let down = subject.format == Format::Map;
+    let (mut points, mut faces, mut corners) = (Vec::new(), PolygonList::new(), Vec::new());
+    let domain = || map.faces().filter(|&f| f != map.outer_face() && !map.is_hole(f));
+    let mut used = vec![false; map.vertex_bound()];
+    domain().flat_map(|f| map.incident_vertices(f)).for_each(|v| used[v.index()] = true);
+    let mut numbers = vec![0; map.vertex_bound()];
+    for v in map.vertices().filter(|v| used[v.index()]) {
+        numbers[v.index()] = points.len() as u32;
+        let p = map.point(v);
+        points.push(Point::new(p.x, if down { 0.0 - p.y } else { p.y }));
+    }
+    let lost = map.vertex_count() - points.len();
+    if lost > 0 {
+        let lost = counted(lost, "point is not written: no polygon", "points are not written: no polygon");
+        say("note", format!("{lost} to walk on has a corner there"));
+    }
+    for f in domain().filter(|&f| map.rings(f).is_empty()) {
+        corners.clear();
+        corners.extend(map.incident_vertices(f).map(|v| numbers[v.index()]));
+        if down {
+            corners.reverse();
+        }
+        faces.push_face(&corners);
+    }
+    if faces.face_count() < domain().count() {
+        // The writer says what is in the way.
+        return Ok(());
+    }
+    let kept = Subdivision::from_polygons(points, &faces);
+    subject.kind = Kind::Plane(kept.map_err(|error| Failure::kit(format!("{}: {error}", subject.source)))?);
+    subject.names = FaceMap::default();
+    Ok(())
+}
+
+/// Says which way y points.
+fn tell_direction(args: &Args, is_kept: bool) {
+    let (from, to) = (args.file.display(), args.to_file.display());
+    if is_kept {
+        say(
+            "note",
+            format!("y points down in {to} as it does in {from}: the points, and the queries of a .scen, are the same"),
+        );
+    } else {
+        say("note", format!("y is negated: the point (x, y) of {from} is (x, -y) in {to}, where y points up"));
+    }
 }
 
 fn compact(subject: &mut Subject) {

@@ -46,9 +46,11 @@ pub(crate) struct InputOptions {
     /// What is done anyway, unless --trust is given
     #[arg(long, conflicts_with = "trust")]
     full_check: bool,
-    /// Whether the command itself asks for a surface.
+    /// Whether the command itself asks for a surface, and whether --plane was given to it all the same.
     #[arg(skip)]
     only_surfaces: bool,
+    #[arg(skip)]
+    plane_in_vain: bool,
 }
 
 /// What comes out of a file.
@@ -72,7 +74,8 @@ impl InputOptions {
 
     /// The same for those who work on surfaces in space only.
     pub(crate) fn as_surface(&self) -> Self {
-        Self { surface: true, plane: false, only_surfaces: !self.surface, ..self.clone() }
+        let (only_surfaces, plane_in_vain) = (!self.surface, self.plane);
+        Self { surface: true, plane: false, only_surfaces, plane_in_vain, ..self.clone() }
     }
 
     /// Reads a file. Tables stay tables, with the ids of the file, right or wrong. Tells the notes on stderr.
@@ -134,6 +137,7 @@ impl InputOptions {
         let why = if segments { lines } else { table };
         let flags = [
             ("--surface", self.surface && !self.only_surfaces && !polygons, why),
+            ("--plane", self.plane_in_vain, "this command takes surfaces in space"),
             ("--plane", self.plane && !polygons, why),
             ("--orient", self.orient && !polygons, why),
             (
@@ -146,9 +150,10 @@ impl InputOptions {
                 },
             ),
             (
-                "--mend",
-                self.mend && !plane,
+                if self.mend { "--mend" } else { "--split-crossings" },
+                self.mends() && !plane,
                 match polygons {
+                    true if self.only_surfaces => "it is for polygons in the plane",
                     true => "it is for polygons in the plane; drop z with --plane",
                     false => "it is for polygons and segments; for a table, dcel validate names what is broken",
                 },

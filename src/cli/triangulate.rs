@@ -6,7 +6,7 @@ use super::save::{Files, InPlace, put, save};
 use super::subject::Kind;
 use super::{Answer, Output};
 use dcel_kit::figure::sketch::{Backdrop, Role, Sketch, SketchError};
-use dcel_kit::figure::{self, Detail, Figure, FigureOptions};
+use dcel_kit::figure::{self, Figure, FigureOptions};
 use dcel_kit::plane::{Subdivision, Triangulated, TriangulationMethod};
 use dcel_kit::{EdgeId, FaceId};
 use serde::Serialize;
@@ -185,7 +185,8 @@ fn draw(
         return Ok(figure::structure(after, options)?);
     }
     // Without half-edges there is room to tell diagonals from edges.
-    sketch(after, diagonals).over(before, Backdrop::Plain, &options.clone().detail(Detail::Edges))
+    let options = options.clone().without_half_edges(before.edge_count());
+    sketch(after, diagonals).over(before, Backdrop::Plain, &options)
 }
 
 /// The diagonals as a sketch.

@@ -103,6 +103,15 @@ impl Caption {
         (self.shape().x / self.shape().y / 2.4).max(1.0)
     }
 
+    /// Whether there could be room for any text at all: a look at the region alone, which does not depend on what else
+    /// is drawn. It errs on the side of yes. O(sides of the region).
+    pub(super) fn may_have_room(region: &Region, sizes: Sizes) -> bool {
+        // Half of what `place` asks for: its search gives some clearance away to be nearer to the middle.
+        let least = 0.375 * sizes.smallest * 2.0 * text::half_height(1.0);
+        area(&region.rings) >= std::f64::consts::PI * least * least
+            && pole(&region.rings, &[], 1.0, 2.0 * least).is_some_and(|pole| pole.clearance >= least)
+    }
+
     /// What is further away from a region than this does not matter to a place in it: with x squeezed, a line
     /// outside can reach into the region by half its width times that much, a side of the region by nothing.
     pub(super) fn reach(&self) -> f64 {

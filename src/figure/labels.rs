@@ -30,6 +30,9 @@ const BESIDE: f64 = 3.2;
 const AIR: f64 = 1.5;
 /// Names of vertices and half-edges longer than this are cut short.
 const NAME: usize = 20;
+/// With more faces than this, those without room for a label are told first by a look at their outlines, so that the
+/// search is for few: where many meet in a vertex, each would look at all the others.
+const MANY: usize = 1000;
 /// Where along the edge a label may stand, in the order of preference: the middle, then further and further
 /// from it.
 const PLACES: [f64; 5] = [0.0, -0.1, 0.1, -0.2, 0.2];
@@ -184,9 +187,10 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
         let style = &self.options.style;
         let largest = if self.detail < Detail::Arrows { style.map_text } else { style.face_text };
         let sizes = Sizes { largest, smallest: largest.min(7.5) };
+        let many = self.regions.len() > MANY;
         for ((region, caption), out) in self.regions.iter().zip(captions).zip(out) {
             let Some(caption) = caption.as_ref().filter(|_| out.is_none()) else { continue };
-            if self.view.outer_face() == Some(region.face) {
+            if self.view.outer_face() == Some(region.face) || (many && !Caption::may_have_room(region, sizes)) {
                 continue;
             }
             let obstacles = self.obstacles(region, caption, crowd);

@@ -158,6 +158,27 @@ pub fn write_whole(path: &Path, bytes: impl AsRef<[u8]>) -> io::Result<()> {
     file.commit()
 }
 
+/// A folder for work in between, in the system's folder for such things: it goes when this is dropped, and when a
+/// signal ends the program (see [`abandon_all`]).
+#[derive(Debug)]
+pub struct ScratchFolder(Temporary);
+
+impl ScratchFolder {
+    /// An empty folder; the name says whose it is, others may use the same.
+    ///
+    /// # Errors
+    /// What the machine says.
+    pub fn new(name: &str) -> io::Result<Self> {
+        Temporary::folder(&std::env::temp_dir().join(name)).map(Self)
+    }
+
+    /// Where it is.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        self.0.path()
+    }
+}
+
 /// A folder that is there with all its files after [`commit`](Self::commit), and not at all without.
 #[derive(Debug)]
 pub struct WholeFolder {

@@ -121,7 +121,13 @@ impl Drop for Temporary {
 
 /// Nothing can be done about one that stays: the next run replaces it.
 fn remove(path: &Path) {
-    let _ = fs::remove_file(path).or_else(|_| fs::remove_dir_all(path));
+    // A program that this one started may still write into a folder.
+    for _ in 0..10 {
+        let removed = if path.is_dir() { fs::remove_dir_all(path) } else { fs::remove_file(path) };
+        if removed.is_ok() || fs::symlink_metadata(path).is_err() {
+            return;
+        }
+    }
 }
 
 /// `.plan.obj.dcel-part`, `.plan.obj.2.dcel-part`, ...

@@ -40,8 +40,35 @@ pub enum Axis {
 }
 
 impl PolygonSoup {
+    /// The same points with other faces, each of which was one of these before: so their names and places stay.
+    ///
+    /// # Panics
+    /// If an origin is no face.
+    #[must_use]
+    pub fn with_faces(&self, faces: PolygonList, origins: &[u32]) -> Self {
+        fn of<T: Clone>(all: &[T], origins: &[u32]) -> Vec<T> {
+            if all.is_empty() { Vec::new() } else { origins.iter().map(|&f| all[f as usize].clone()).collect() }
+        }
+        let mut places = Places { face_lines: of(&self.places.face_lines, origins), ..self.places.clone() };
+        if !self.places.path_ends.is_empty() {
+            (places.paths, places.path_ends) = (String::new(), Vec::new());
+            for path in origins.iter().filter_map(|&f| self.places.face_path(f as usize)) {
+                places.paths += path;
+                places.path_ends.push(places.paths.len() as u32);
+            }
+        }
+        // Cycles may have gone with their faces.
+        if faces.cycle_count() != self.faces.cycle_count() {
+            places.ring_places.clear();
+        }
+        let is_blocked = |f: &u32| self.blocked.binary_search(f).is_ok();
+        let blocked = (0..).zip(origins).filter(|(_, f)| is_blocked(f)).map(|(i, _)| i).collect();
+        Self { faces, names: of(&self.names, origins), places, blocked, points: self.points.clone(), ..*self }
+    }
+
     /// Lays a floor in space flat, as it is seen from above: drops the axis that points up. Faces that run
-    /// counter-clockwise as seen from above still do. Floors above each other then overlap.
+    /// counter-clockwise as seen from above still do. Floors above each other then overlap. Messages go on telling
+    /// coordinates as the file has them: of a floor with y up, x and z.
     ///
     /// ```text
     ///   up      the point (x, y, z) becomes
@@ -60,6 +87,7 @@ impl PolygonSoup {
             *p = [x, y, 0.0];
         }
         self.has_z = false;
+        self.places.y_down = up == Axis::Y;
     }
 }
 

@@ -7,7 +7,7 @@
 //! ```
 
 use super::export::Packed;
-use super::walls::unguessable;
+use crate::files::ScratchFolder;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;
@@ -30,10 +30,7 @@ directory = \"vendor\"
 /// # Errors
 /// If cargo cannot be started, or cannot have the crates: with what it said.
 pub fn vendored(files: BTreeMap<String, String>) -> io::Result<BTreeMap<String, Packed>> {
-    let folder = std::env::temp_dir().join(format!("dcel-vendor-{}", unguessable()));
-    let crates = laid(&folder, &files);
-    let _ = fs::remove_dir_all(&folder);
-    let mut packed = crates?;
+    let mut packed = laid(ScratchFolder::new("dcel-vendor")?.path(), &files)?;
     packed.insert(".cargo/config.toml".to_owned(), Packed::from(SETTINGS.to_owned()));
     packed.extend(files.into_iter().map(|(path, text)| (path, Packed::from(text))));
     Ok(packed)

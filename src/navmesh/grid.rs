@@ -194,6 +194,11 @@ impl Grid {
         Point::new(p.x.clamp(self.min.x, self.max.x), p.y.clamp(self.min.y, self.max.y))
     }
 
+    /// The lower left and the upper right corner of the box round all faces.
+    pub(super) fn corners(&self) -> [Point; 2] {
+        [self.min, self.max]
+    }
+
     /// How many columns and rows.
     pub(super) fn size(&self) -> [usize; 2] {
         [self.columns, self.rows]
@@ -223,6 +228,11 @@ impl Grid {
             is_face.then_some(item & ID)
         });
         built.chain(late.into_iter().flatten().copied())
+    }
+
+    /// The column and the row of a cell that [`visit_cells`](Self::visit_cells) told.
+    pub(super) fn place_of(&self, cell: u32) -> [usize; 2] {
+        [cell as usize % self.columns, cell as usize / self.columns]
     }
 
     /// What is plain to see of a point of the box.
@@ -417,7 +427,7 @@ impl Grid {
     }
 
     /// Calls `visit` with every cell that the convex polygon may reach into, and perhaps some beside it.
-    fn visit_cells(&self, corners: &[Point], mut visit: impl FnMut(u32)) {
+    pub(super) fn visit_cells(&self, corners: &[Point], mut visit: impl FnMut(u32)) {
         let size = |of: fn(&Point) -> f64| corners.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
         let [bottom, top] = [-size(|p| -p.y), size(|p| p.y)];
         let largest = [self.min, self.max].iter().flat_map(|p| [p.x.abs(), p.y.abs()]).fold(0.0, f64::max);

@@ -8,8 +8,15 @@
 //!   └─────┘ ▒▒▒▒▒▒▒▒▒▒▒
 //! ```
 //!
-//! Arcs are drawn from outside, by tangents: [`CORNERS`](Inset::CORNERS) of them make a whole circle. So no way comes nearer than the
-//! radius, and nothing is lost that an agent of [`OUTER`](Inset::OUTER) times the radius could do.
+//! ```text
+//!        f2 ●──────────────      An arc is drawn from outside, by tangents: as few as keep the tolerance. The first and the
+//!          ╱      strip          last of them are the lines of the two strips themselves, so a corner that stands out is
+//!      f1 ●  ·  r ┌────────      one vertex for each tangent between them, and one more.
+//!         │     · │
+//!         │ strip │  gap
+//! ```
+//!
+//! So no way comes nearer than the radius, and nothing is lost that an agent of (1 + tolerance) times the radius could do.
 //!
 //! Source: Lozano-Pérez and Wesley, *An algorithm for planning collision-free paths among polyhedral obstacles*, 1979.
 
@@ -18,7 +25,7 @@ use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::plane::predicates::{left_to_right, orientation};
 use crate::plane::{ArrangeOptions, Point, SegmentsError, Subdivision, TriangulateError, TriangulationMethod};
 use std::cmp::Ordering;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::PI;
 
 /// Why there is no map for an agent of a radius.
@@ -30,6 +37,12 @@ pub enum InsetError {
     Radius {
         /// The radius.
         radius: f64,
+    },
+    /// The tolerance is no part of the radius.
+    #[error("a tolerance of {tolerance}: give a part of the radius, above 0 and at most 1")]
+    Tolerance {
+        /// The tolerance.
+        tolerance: f64,
     },
     /// The agent fits nowhere.
     #[error("an agent of radius {radius} fits nowhere on the map: try a smaller one")]
@@ -64,14 +77,13 @@ pub struct Inset {
     map: Subdivision,
     mesh: NavMesh,
     radius: f64,
+    tolerance: f64,
 }
 
 impl Inset {
-    /// Tangents that make a whole circle.
-    pub const CORNERS: u32 = 32;
-
-    /// How much further than the radius the corners between two tangents are: 1 / cos(π / 32), rounded up.
-    pub const OUTER: f64 = 1.004_84;
+    /// By which part of the radius a way may be kept further off than the radius, if nothing else is said: two tangents
+    /// and one vertex more for a right angle.
+    pub const TOLERANCE: f64 = 0.1;
 
     /// The map that is left; what the margin cuts off or encloses is hole faces.
     #[must_use]
@@ -91,6 +103,12 @@ impl Inset {
         self.radius
     }
 
+    /// By which part of the radius a way may be kept further off than that, round corners.
+    #[must_use]
+    pub fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
     /// The map and its navmesh, to be kept apart.
     #[must_use]
     pub fn into_parts(self) -> (Subdivision, NavMesh) {
@@ -103,8 +121,9 @@ impl NavMesh {
     /// wall or a blocked face that lies behind.
     ///
     /// Every route through the inset keeps that distance (but for rounding), whatever the rung; the exact one is the
-    /// shortest of those that keep off the tangents. It is no shorter than the shortest way at distance `radius`, and
-    /// no longer than the shortest at distance [`OUTER`](Inset::OUTER) times that; if the latter exists, so does a route.
+    /// shortest of those that keep off the tangents. It is no shorter than the shortest way at distance `radius`, and no
+    /// longer than the shortest at distance 1 + [`TOLERANCE`](Inset::TOLERANCE) times that; if the latter exists, so
+    /// does a route. For closer arcs see [`inset_within`](Self::inset_within).
     ///
     /// One inset serves any number of queries with that radius.
     ///
@@ -125,23 +144,51 @@ impl NavMesh {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn inset(&self, radius: f64) -> Result<Inset, InsetError> {
+        self.inset_within(radius, Inset::TOLERANCE)
+    }
+
+    /// [`inset`](Self::inset) with arcs that are at most `tolerance` times the radius too far out. A right angle takes
+    /// two tangents at 0.1, three at 0.05, six at 0.01: as many vertices.
+    ///
+    /// # Errors
+    /// [`InsetError`].
+    pub fn inset_within(&self, radius: f64, tolerance: f64) -> Result<Inset, InsetError> {
         if !radius.is_finite() || radius <= 0.0 {
             return Err(InsetError::Radius { radius });
         }
+        if !(tolerance > 0.0 && tolerance <= 1.0) {
+            return Err(InsetError::Tolerance { tolerance });
+        }
         let mut outlines = Outlines { segments: Vec::new(), sides: 0 };
-        let sides: Vec<[Point; 2]> = self.closed_sides().map(|ends| ends.map(|v| self.point(v))).collect();
-        sides.iter().for_each(|&side| outlines.add(&[side[0], side[1]]));
+        let sides: Vec<[VertexId; 2]> = self.closed_sides().collect();
+        for &[a, b] in &sides {
+            outlines.add(&[self.point(a), self.point(b)]);
+        }
         outlines.sides = outlines.segments.len();
-        sides.iter().for_each(|&side| outlines.strip(side, radius));
-        let on_border: BTreeSet<VertexId> = self.closed_sides().flatten().collect();
+        // The ends of each strip: moved out to where the first tangent beside it begins.
+        let mut ends: BTreeMap<[VertexId; 2], [Point; 2]> =
+            sides.iter().map(|&side| (side, beside(side.map(|v| self.point(v)), radius))).collect();
+        // The angle between two tangents: 1 / cos(step / 2) = 1 + tolerance.
+        let step = 2.0 * (1.0 / (1.0 + tolerance)).acos();
+        let on_border: BTreeSet<VertexId> = sides.iter().flatten().copied().collect();
         for v in on_border {
-            self.closed_corners(v).into_iter().for_each(|corner| outlines.corner(corner, radius));
+            for [before, at, next] in self.closed_corners(v) {
+                let arc = outlines.corner([before, at, next].map(|v| self.point(v)), radius, step);
+                if let (Some(first), Some(last)) = (arc.first(), arc.last()) {
+                    ends.entry([before, at]).and_modify(|ends| ends[1] = *last);
+                    ends.entry([at, next]).and_modify(|ends| ends[0] = *first);
+                }
+            }
+        }
+        for ([a, b], [c, d]) in ends {
+            let [a, b] = [a, b].map(|v| self.point(v));
+            outlines.add(&[a, b, d, c, a]);
         }
         let free = outlines.free_part().map_err(|error| InsetError::Cut { radius, error })?;
         let mut map = free.ok_or(InsetError::NoRoom { radius })?;
         map.triangulate(TriangulationMethod::default()).map_err(|error| InsetError::Triangles { radius, error })?;
         let mesh = NavMesh::new(&map)?;
-        Ok(Inset { map, mesh, radius })
+        Ok(Inset { map, mesh, radius, tolerance })
     }
 
     /// The closed sides of all faces one may stand in, each with that face on its left.
@@ -150,13 +197,13 @@ impl NavMesh {
         free.flat_map(|f| self.sides(f)).filter(|side| !side.open).map(|side| [side.from, side.to])
     }
 
-    /// For each wedge at `v` that ends at closed sides: the point before `v` along the border, `v`, the point after.
-    fn closed_corners(&self, v: VertexId) -> Vec<[Point; 3]> {
+    /// For each wedge at `v` that ends at closed sides: the vertex before `v` along the border, `v`, the vertex after.
+    fn closed_corners(&self, v: VertexId) -> Vec<[VertexId; 3]> {
         let corner = |wedge: Vec<FaceId>| {
             let [&first, &last] = [wedge.first()?, wedge.last()?];
             let next = self.sides(first).find(|side| side.from == v && !side.open)?;
             let before = self.sides(last).find(|side| side.to == v && !side.open)?;
-            Some([before.from, v, next.to].map(|v| self.point(v)))
+            Some([before.from, v, next.to])
         };
         self.wedges(v).into_iter().filter_map(corner).collect()
     }
@@ -175,18 +222,13 @@ impl Outlines {
         self.segments.extend(points.windows(2).map(|pair| [pair[0], pair[1]]).filter(|[a, b]| a != b));
     }
 
-    /// The strip on the left of a side.
-    fn strip(&mut self, side: [Point; 2], radius: f64) {
-        let [a, b] = side;
-        let [c, d] = beside(side, radius);
-        self.add(&[a, b, d, c, a]);
-    }
-
-    /// What is left between the strips of two sides in a row.
-    fn corner(&mut self, [before, at, next]: [Point; 3], radius: f64) {
+    /// What is left between the strips of two sides in a row: a fan below tangents. Returns the corners between them, the
+    /// first of which is on the line of the strip after the corner, the last on that of the strip before it; none if
+    /// the strips meet.
+    fn corner(&mut self, [before, at, next]: [Point; 3], radius: f64, step: f64) -> Vec<Point> {
         let turn = match orientation(before, at, next) {
             // The strips overlap.
-            Ordering::Greater => return,
+            Ordering::Greater => return Vec::new(),
             // Straight on; or the free end of a wall.
             Ordering::Equal if left_to_right(before, at) == left_to_right(at, next) => 0.0,
             Ordering::Equal => PI,
@@ -198,18 +240,21 @@ impl Outlines {
         };
         let [_, from] = beside([before, at], radius);
         let [to, _] = beside([at, next], radius);
-        let pieces = (turn * f64::from(Inset::CORNERS) / (2.0 * PI)).ceil();
+        // A turn that is next to nothing has tangents that are one line: the strips keep their own ends.
+        let pieces = if turn < 1e-6 { 0.0 } else { (turn / step).ceil() };
         let step = turn / pieces.max(1.0);
-        let mut outline = vec![at, to];
         // Counter-clockwise from the strip after the corner to that before it.
         let first = (to.y - at.y).atan2(to.x - at.x);
         let far = radius / (0.5 * step).cos();
-        for i in 0..pieces as u32 {
+        let corner = |i: u32| {
             let (sin, cos) = (first + (f64::from(i) + 0.5) * step).sin_cos();
-            outline.push(Point::new(at.x + far * cos, at.y + far * sin));
-        }
-        outline.extend([from, at]);
+            Point::new(at.x + far * cos, at.y + far * sin)
+        };
+        let arc: Vec<Point> = (0..pieces as u32).map(corner).collect();
+        let rim = if arc.is_empty() { vec![to, from] } else { arc.clone() };
+        let outline: Vec<Point> = std::iter::once(at).chain(rim).chain([at]).collect();
         self.add(&outline);
+        arc
     }
 
     /// The part of the plane inside the border and in no strip, with everything else as gaps; `None` if there is none.

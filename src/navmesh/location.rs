@@ -78,7 +78,7 @@ pub enum PlaceError {
     },
     /// The point is at a double corner, or on a wall: one has to say on which side.
     #[error(
-        "{point} is {location}, where {} sides meet that nobody can pass between: choose one of the faces {} with place_in",
+        "{point} is {location}, where {} sides meet that nobody can pass between: choose one of the faces {} with place_in, or all of them with places",
         faces.len(),
         faces.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
     )]
@@ -234,6 +234,23 @@ impl NavMesh {
                 Err(PlaceError::OffMesh { point, location })
             }
             (None, _) => Err(PlaceError::Blocked { point, location }),
+        }
+    }
+
+    /// All places at `point`: one, or at a double corner and on a wall one on each side, in the order of
+    /// [`PlaceError::Ambiguous`].
+    ///
+    /// Cost: that of [`place`](Self::place).
+    ///
+    /// # Errors
+    /// [`PlaceError`]: `point` is off the mesh or blocked.
+    pub fn places(&self, point: Point) -> Result<Vec<Place>, PlaceError> {
+        match self.place(point) {
+            Ok(place) => Ok(vec![place]),
+            Err(PlaceError::Ambiguous { point, location, faces }) => {
+                Ok(faces.into_iter().map(|face| Place { point, location, face }).collect())
+            }
+            Err(error) => Err(error),
         }
     }
 

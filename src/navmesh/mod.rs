@@ -8,15 +8,39 @@
 //!   └───────●───────┴───┘      Every rung of the ladder gives a Route: faces, the doors between them, points, length.
 //! ```
 //!
+//! From a file to a picture of the shortest path:
+//!
+//! ```
+//! # #[cfg(feature = "io")] {
+//! use dcel_kit::figure::{FigureOptions, navmesh::Floor};
+//! use dcel_kit::io::{LoadOptions, Structure, load};
+//! use dcel_kit::navmesh::{NavMesh, Planner, Rung};
+//! use dcel_kit::plane::Point;
+//!
+//! let file = std::path::Path::new("figures/data/rooms.map");
+//! let Structure::Plane(map) = load(file, &LoadOptions::default())?.structure else { panic!("no map of the plane") };
+//! let mesh = NavMesh::new(&map)?;
+//! // Here y points up; in the file it points down.
+//! let [start, goal] = [Point::new(1.0, -1.0), Point::new(22.0, -12.0)];
+//! let route = Planner::new().route_between(&mesh, Rung::Exact, start, goal)?;
+//! println!("{} long, round {:?}", route.length, route.corners);
+//! let figure = Floor::new(&map, &mesh).route(&route, &FigureOptions::new("A path"))?;
+//! std::fs::write(std::env::temp_dir().join("path.svg"), figure.to_svg())?;
+//! # assert_eq!(route.points.len(), route.corners.len() + 2);
+//! # }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! | rung | question | file |
 //! |---|---|---|
-//! | 0 | is it a navmesh at all, and what is wrong? | `validate.rs` |
+//! | 0 | is it a navmesh at all, and what is wrong? | `validate.rs`, `weld.rs` |
 //! | 1 | which faces lie across the sides, round a vertex, in one piece? | `mesh.rs`, `around.rs`, `components.rs`, `dead_ends.rs` |
 //! | 2 | in which face is a point? | `grid.rs`, `coarse.rs`, `slivers.rs`, `location.rs`, `nearest.rs` |
 //! | 3 | which faces lead from here to there? | `waves.rs`, `corridor.rs`, by whole passages `crossings.rs`, `jumps.rs`, `strides.rs` |
 //! | 4 | what is the shortest way through these faces? | `funnel.rs` |
 //! | 5 | what is the shortest way of all? | `exact/`, over larger faces `merged.rs` |
 //! | 6 | which of them are wide enough? how far is everything? | `inset.rs`, `doors.rs`, `field.rs` |
+//! | | what does a straight line meet? where is somebody at random? | `raycast.rs`, `random.rs` |
 //! | 7 | and when walls come and go? | `change.rs`, `upkeep.rs`, `live/` |
 //!
 //! Every decision is a sign of [`orientation`](crate::plane::predicates::orientation) on points that were given, so
@@ -44,6 +68,8 @@ mod merged;
 mod mesh;
 mod nearest;
 mod planner;
+mod random;
+mod raycast;
 mod rooms;
 mod route;
 mod slivers;
@@ -51,6 +77,7 @@ mod strides;
 mod upkeep;
 mod validate;
 mod waves;
+mod weld;
 
 pub use crossings::Passage;
 pub use error::NavMeshError;
@@ -64,5 +91,8 @@ pub use merged::MergedFace;
 pub use mesh::{ComponentId, NavMesh, Side};
 pub use nearest::Nearest;
 pub use planner::Planner;
+pub use random::RandomPlaces;
+pub use raycast::{RayHit, Raycast, RaycastError};
 pub use route::{Portal, Route, RouteError, Rung, Work};
 pub use validate::{MeshFault, double_corners_of, mesh_faults};
+pub use weld::{Welded, weld};

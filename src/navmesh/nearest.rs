@@ -87,8 +87,20 @@ impl NavMesh {
         best.map(|(_, f, at)| self.nearest_in(f, at, p))
     }
 
+    /// Two opposite corners of the box round all faces.
+    pub(super) fn box_corners(&self) -> [Point; 2] {
+        self.grid.corners()
+    }
+
+    /// Calls `visit` with every face that the segment may reach into, perhaps more than once, and perhaps some beside it.
+    pub(super) fn visit_faces_along(&self, segment: [Point; 2], mut visit: impl FnMut(FaceId)) {
+        self.grid.visit_cells(&segment, |cell| {
+            self.grid.faces(self.grid.place_of(cell)).for_each(|f| visit(FaceId::new(f)));
+        });
+    }
+
     /// The place at `at`, or as close to it in the direction of the middle of `f` as there is a point of `f`.
-    fn nearest_in(&self, f: FaceId, at: Point, p: Point) -> Nearest {
+    pub(super) fn nearest_in(&self, f: FaceId, at: Point, p: Point) -> Nearest {
         let middle = self.centroid(f);
         let steps = (0..=60).rev().map(|i| 2f64.powi(-i));
         let moved = steps.map(|t| Point::new(at.x + (middle.x - at.x) * t, at.y + (middle.y - at.y) * t));

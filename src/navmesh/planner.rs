@@ -100,7 +100,25 @@ impl Planner {
         Self { plain: true, ..Self::default() }
     }
 
-    /// A route between two points. Cost: that of [`NavMesh::place`] twice and of [`route`](Self::route).
+    /// A route between two points. At a double corner, or on a wall, an end may be on several sides: then the route is
+    /// the shortest of those from and to all of them; to choose a side use [`NavMesh::place_in`] and
+    /// [`route`](Self::route).
+    ///
+    /// Cost: that of [`NavMesh::place`] twice and of [`route`](Self::route), for each pair of sides.
+    ///
+    /// ```
+    /// use dcel_kit::navmesh::{NavMesh, Planner, Rung};
+    /// use dcel_kit::plane::{Point, Subdivision};
+    /// // Two squares that touch in (1, 1): the goal is there, and the way ends in the square that has the start.
+    /// let points = [(0., 0.), (1., 0.), (1., 1.), (0., 1.), (2., 1.), (2., 2.), (1., 2.)].map(Point::from);
+    /// let mut squares = dcel_kit::topology::PolygonList::new();
+    /// [[0, 1, 2, 3], [2, 4, 5, 6]].iter().for_each(|square| squares.push_face(square));
+    /// let mesh = NavMesh::new(&Subdivision::from_polygons(points.to_vec(), &squares)?)?;
+    /// assert!(mesh.place(points[2]).is_err());
+    /// let route = Planner::new().route_between(&mesh, Rung::Exact, points[5], points[2])?;
+    /// assert_eq!((route.length, route.faces), (2f64.sqrt(), vec![dcel_kit::FaceId::new(2)]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     /// [`RouteError`]: one cannot stand at an end, or there is no way.
@@ -111,9 +129,44 @@ impl Planner {
         start: Point,
         goal: Point,
     ) -> Result<Route, RouteError> {
-        let start = mesh.place(start).map_err(RouteError::Start)?;
-        let goal = mesh.place(goal).map_err(RouteError::Goal)?;
-        self.route(mesh, rung, &start, &goal)
+        let starts = mesh.places(start).map_err(RouteError::Start)?;
+        let goals = mesh.places(goal).map_err(RouteError::Goal)?;
+        self.route_among(mesh, rung, &starts, &goals).map(|(route, _)| route)
+    }
+
+    /// The shortest of the routes from one of the starts to one of the goals; of equals the first. With it the numbers
+    /// of its start and its goal.
+    ///
+    /// Cost: that of [`route`](Self::route) for each pair.
+    ///
+    /// # Errors
+    /// [`RouteError::Apart`], of the first pair, if there is no way from any of them to any.
+    ///
+    /// # Panics
+    /// If there are no starts or no goals.
+    pub fn route_among(
+        &mut self,
+        mesh: &NavMesh,
+        rung: Rung,
+        starts: &[Place],
+        goals: &[Place],
+    ) -> Result<(Route, [usize; 2]), RouteError> {
+        assert!(!starts.is_empty() && !goals.is_empty(), "a route has two ends");
+        let mut best: Option<Result<(Route, [usize; 2]), RouteError>> = None;
+        for (i, start) in starts.iter().enumerate() {
+            for (k, goal) in goals.iter().enumerate() {
+                let found = self.route(mesh, rung, start, goal).map(|route| (route, [i, k]));
+                let is_better = match (&found, &best) {
+                    (_, None) | (Ok(_), Some(Err(_))) => true,
+                    (Ok((route, _)), Some(Ok((least, _)))) => route.length < least.length,
+                    (Err(_), Some(_)) => false,
+                };
+                if is_better {
+                    best = Some(found);
+                }
+            }
+        }
+        best.expect("there is a pair")
     }
 
     /// A route between two places of the mesh.

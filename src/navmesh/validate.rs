@@ -13,6 +13,7 @@
 //! made, or makes searches give wrong answers in silence. Faces and vertices are numbered from 0 in the order of the
 //! input. Every decision is exact.
 
+use super::weld::near_misses;
 use crate::ids::VertexId;
 use crate::plane::predicates::{left_to_right, orientation};
 use crate::plane::{ArrangeOptions, ConvertError, CoordinateError, Point, SegmentFault, SegmentsError, Subdivision};
@@ -147,6 +148,28 @@ pub enum MeshFault {
         /// How many gaps.
         gaps: usize,
     },
+    /// Two vertices that nearly meet: the faces beside them are no neighbours.
+    #[error("vertices {first} and {second} are {distance:.2e} apart: if they are meant to be one, weld them")]
+    NearVertices {
+        /// The earlier vertex.
+        first: u32,
+        /// The later vertex.
+        second: u32,
+        /// How far they are apart.
+        distance: f64,
+    },
+    /// A vertex that nearly lies on a side: the faces beside them are no neighbours.
+    #[error("vertex {vertex} is {distance:.2e} beside the side {} -> {} of face {face}: if it is meant to lie on it, weld them", side[0], side[1])]
+    NearSide {
+        /// The vertex.
+        vertex: u32,
+        /// The face whose side it is.
+        face: u32,
+        /// The ends of the side.
+        side: [u32; 2],
+        /// How far it is away.
+        distance: f64,
+    },
     /// What the converter refuses beyond that.
     #[error(transparent)]
     Convert(ConvertError),
@@ -162,7 +185,16 @@ impl MeshFault {
     /// Whether one can live with it: the mesh can be used, but should be looked at.
     #[must_use]
     pub const fn is_warning(&self) -> bool {
-        matches!(self, Self::DoubleCorner { .. })
+        matches!(self, Self::DoubleCorner { .. } | Self::NearVertices { .. } | Self::NearSide { .. })
+    }
+
+    /// The same with other coordinates in its message: those of a file whose y points down, for example.
+    #[must_use]
+    pub fn with_points(mut self, change: impl Fn(Point) -> Point) -> Self {
+        if let Self::SamePlace { at, .. } | Self::Overlap { at, .. } = &mut self {
+            *at = change(*at);
+        }
+        self
     }
 
     /// One word for the kind of fault.
@@ -178,6 +210,7 @@ impl MeshFault {
             Self::TJunction { .. } => "t-junction",
             Self::SamePlace { .. } => "same-place",
             Self::DoubleCorner { .. } => "double-corner",
+            Self::NearVertices { .. } | Self::NearSide { .. } => "nearly-welded",
             Self::Convert(_) => "other",
             Self::More { .. } => "more",
         }
@@ -195,10 +228,15 @@ impl MeshFault {
             | Self::NotConvex { face, .. }
             | Self::Winds { face }
             | Self::Covers { face, .. }
-            | Self::TJunction { face, .. } => vec![*face],
+            | Self::TJunction { face, .. }
+            | Self::NearSide { face, .. } => vec![*face],
             Self::SameSide { first, second, .. } | Self::Overlap { first, second, .. } => vec![*first, *second],
             Self::Convert(error) => error.faces(),
-            Self::Coordinate { .. } | Self::SamePlace { .. } | Self::DoubleCorner { .. } | Self::More { .. } => vec![],
+            Self::Coordinate { .. }
+            | Self::SamePlace { .. }
+            | Self::NearVertices { .. }
+            | Self::DoubleCorner { .. }
+            | Self::More { .. } => vec![],
         }
     }
 
@@ -210,8 +248,9 @@ impl MeshFault {
             | Self::NotConvex { vertex, .. }
             | Self::Covers { vertex, .. }
             | Self::TJunction { vertex, .. }
-            | Self::DoubleCorner { vertex, .. } => vec![*vertex],
-            Self::SamePlace { first, second, .. } => vec![*first, *second],
+            | Self::DoubleCorner { vertex, .. }
+            | Self::NearSide { vertex, .. } => vec![*vertex],
+            Self::SamePlace { first, second, .. } | Self::NearVertices { first, second, .. } => vec![*first, *second],
             Self::SameSide { from, to, .. } => vec![*from, *to],
             Self::Convert(error) => error.vertices(),
             _ => vec![],
@@ -225,7 +264,8 @@ impl MeshFault {
 ///
 /// Faults of a face by itself come first, in the order of the faces; such a face is left out of what follows. Then
 /// comes what does not fit along edges; if all fits there, vertices in wrong places and sides that meet, from left to
-/// right. Double corners are only looked for if nothing else is wrong.
+/// right. What nearly meets (closer than 10⁻⁵ of the extent of the map, and than a hundredth of most border sides), and
+/// double corners, are only looked for if nothing else is wrong.
 ///
 /// Cost: O(n log n) for n corners.
 ///
@@ -280,6 +320,7 @@ pub fn mesh_faults(points: &[Point], faces: &PolygonList, blocked: &[u32]) -> Ve
         faults.extend(leftover(points, faces));
     }
     if faults.is_empty() {
+        faults = near_misses(points, faces);
         double_corners(&sides, is_open, &mut faults);
     }
     faults

@@ -49,9 +49,10 @@ pub use edit::{
     SplitFaceError,
 };
 pub use hull::{HullError, convex_hull};
+#[cfg(feature = "navmesh")]
 pub(crate) use locate::{Cells, Lines};
 pub use locate::{Location, PointIndex, Walk};
-pub(crate) use meet::Expansion;
+pub(crate) use meet::{Crossed, Expansion};
 pub use mend::{Cover, Mended};
 pub use overlay::{Operation, Overlay, ParseOperationError, Parts};
 pub use point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};

@@ -288,3 +288,31 @@ fn what_is_write_protected_stays_as_it_is() {
     mode("closed", 0o755);
     assert_eq!((folder.read("closed/out.off"), folder.read("open/out.off")), (OLD.to_owned(), OLD.to_owned()));
 }
+
+/// What an input would take is asked for before it is needed.
+#[test]
+#[cfg(target_os = "linux")]
+fn too_little_memory_is_told_and_the_old_file_stays() {
+    let folder = Folder::new();
+    folder.write("big.obj", &grid(300));
+    folder.write("out.dcel", OLD);
+    let mut refused = 0;
+    // Where the machine has too little even to read the file, the program is aborted; never is anything half written.
+    for kilobytes in (40_000..=160_000).step_by(10_000) {
+        let told = shell(&folder, &format!("ulimit -v {kilobytes}; dcel convert big.obj out.dcel"));
+        let error = String::from_utf8_lossy(&told.stderr).into_owned();
+        match told.status.code() {
+            Some(3) => {
+                let (_, rest) = error.split_once("big.obj: not enough memory: this takes about ").expect("the reason");
+                let megabytes: u32 = rest.split(' ').next().and_then(|number| number.parse().ok()).expect("a number");
+                // The file has 4 MB, its structure takes 39.
+                refused += u32::from(megabytes > 30);
+            }
+            Some(0) => break,
+            _ => assert!(error.contains("memory") || error.contains("shared"), "{kilobytes}: {error}"),
+        }
+        assert_eq!(folder.read("out.dcel"), OLD, "{kilobytes}");
+    }
+    assert!(refused > 0, "never refused in order");
+    folder.dcel("convert big.obj out.dcel").fine();
+}

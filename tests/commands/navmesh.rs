@@ -164,11 +164,18 @@ fn no_way_is_proven_and_bad_ends_are_refused() {
     let answer: serde_json::Value = serde_json::from_str(&told.out).expect("JSON");
     assert_eq!((&answer["found"], &answer["apart"]["start_faces"]), (&json!(false), &json!(1)));
     // At a double corner, and with a face that is elsewhere.
-    folder.dcel("navmesh path rooms.map 18 14 1 1").fails(2, "2 sides meet that nobody passes", "--start-face f25");
+    let shortest = folder.dcel("navmesh path rooms.map 18 14 1 1");
+    assert!(shortest.err.contains("the start (18, 14) is on several sides of a border, in f25, f28"), "{shortest:?}");
+    assert!(shortest.err.contains("--start-face chooses"), "{shortest:?}");
     let chosen = folder.dcel("navmesh path rooms.map 18 14 1 1 --start-face f25");
-    assert_eq!(chosen.code, Some(0), "{chosen:?}");
+    assert_eq!((chosen.code, &chosen.out), (Some(0), &shortest.out), "f25 is the nearer side: {chosen:?}");
+    let lengths = ["f25", "f28"].map(|face| {
+        let way = folder.dcel(&format!("navmesh path rooms.map 18 14 1 1 --start-face {face} --json")).json();
+        way["routes"][0]["length"].as_f64().expect("a length")
+    });
+    assert!(lengths[0] < lengths[1], "{lengths:?}");
     folder.dcel("navmesh path rooms.map 18 14 1 1 --start-face f1").fails(2, "f1 is no free face", "--start-face out");
-    folder.dcel("navmesh path rooms.map 18 14 1 1 --radius 0.2").fails(2, "nearer to a border", "nearest place for it");
+    folder.dcel("navmesh path rooms.map 18 14 1 1 --radius 0.2").fails(2, "nearer to a border", "the nearest place is");
     let here = folder.dcel("navmesh path rooms.map 1 1 1 1 --rung all --json").json();
     assert!(here["routes"].as_array().is_some_and(|ways| ways.iter().all(|way| way["length"] == 0.0)), "{here}");
     folder.dcel("navmesh scenario rooms.map .").fails(2, "it is a directory", "give a file in it");
@@ -177,16 +184,47 @@ fn no_way_is_proven_and_bad_ends_are_refused() {
         "rooms.map: the start (2.5, 2.5) is not on the mesh: it is in the hole",
         "the nearest place is (2.5, 2) in f1",
     );
-    // At a double corner one has to say on which side one stands.
-    folder.dcel("navmesh path corner.mesh 0 0 1 1").fails(
-        2,
-        "the goal (1, 1) is on vertex v2, where 2 sides meet that nobody passes between: f1, f2",
-        "--goal-face",
+    // At a double corner the shorter way decides, or who says on which side one stands.
+    let told = folder.dcel("navmesh path corner.mesh 2 2 1 1");
+    assert!(told.code == Some(0) && told.out.contains("faces   f2\n"), "{told:?}");
+    assert!(
+        told.err.contains("the goal (1, 1) is on several sides of a border, in f1, f2: the shortest way is that of f2")
     );
     let way = folder.dcel("navmesh path corner.mesh 0 0 1 1 --goal-face f1 --json").json();
     assert_eq!(way["routes"][0]["length"], json!(2f64.sqrt()));
     assert_eq!(folder.dcel("navmesh path corner.mesh 0 0 1 1 --goal-face f2").code, Some(1));
     folder.dcel("navmesh path corner.mesh 0 0 1 1 --goal-face f9").fails(2, "f9 is no free face there", "");
+}
+
+#[test]
+fn ends_off_the_mesh_are_moved_on_request_and_drawn_all_the_same() {
+    let folder = folder();
+    let path = "navmesh path rooms.map 2.5 2.5 1 1";
+    folder.dcel(path).fails(2, "the start (2.5, 2.5) is not on the mesh", "--snap 0.5 moves the start there");
+    folder.dcel(&format!("{path} --snap 0.49")).fails(2, "is not on the mesh", "0.5 away: more than --snap 0.49");
+    folder.dcel(&format!("{path} --snap -1")).fails(2, "a distance of -1", "--snap 0.5");
+    let told = folder.dcel(&format!("{path} --snap 0.5 --json"));
+    assert!(told.err.contains("it is in the hole f32; moved by 0.5 to (2.5, 2) in f1"), "{told:?}");
+    let answer = told.json();
+    assert_eq!((&answer["start_moved"], &answer["goal_moved"]), (&json!(0.5), &json!(null)));
+    assert_eq!((&answer["start"]["point"], &answer["found"]), (&json!([2.5, 2.0]), &json!(true)));
+    // The picture shows both ends, and where the nearest places are; however far away they are.
+    for goal in ["27 3", "1e300 3"] {
+        let told = folder.dcel(&format!("navmesh path rooms.map 2.5 2.5 {goal} -o lost.svg"));
+        assert_eq!(told.code, Some(2), "{told:?}");
+        let svg = folder.read("lost.svg");
+        assert!(svg.contains("start, off the mesh") && svg.contains("the nearest place on the mesh"), "{goal}");
+        assert_eq!(svg.contains("goal, off the mesh"), goal == "27 3", "{goal}");
+    }
+    let told = folder.dcel("navmesh locate rooms.map 1e300 3").fine();
+    assert!(told.contains("the nearest place is (26, 3)"), "{told}");
+    // Every end of a file of queries.
+    folder.write("off.scen", "0 rooms.map 26 16 2.5 2.5 2.5 1 1\n0 rooms.map 26 16 1 1 27 1 25\n");
+    let told = folder.dcel("navmesh scenario rooms.map off.scen");
+    assert!(told.code == Some(1) && told.out.contains("the start: (2.5, -2.5) is in the hole"), "{told:?}");
+    let told = folder.dcel("navmesh scenario rooms.map off.scen --snap 1").fine();
+    assert!(told.contains("2 starts and goals were off the mesh and moved onto it, by 1 at most"), "{told}");
+    assert!(told.ends_with("\n2 of 2 optimal\n"), "{told}");
 }
 
 #[test]
@@ -300,6 +338,41 @@ fn grid_maps_are_files_like_any_other() {
     folder.dcel("convert square.obj square.map").fails(2, "map is read, not written", "");
 }
 
+#[test]
+fn walls_obstacles_and_rays_come_from_the_command_line() {
+    let folder = folder();
+    // In a .map y points down, of the corners of an obstacle, too, and they may run either way.
+    let length = |flags: &str| {
+        let answer = folder.dcel(&format!("navmesh path rooms.map 1 1 9 1 --json {flags}")).json();
+        answer["routes"][0]["length"].as_f64().expect("a length")
+    };
+    assert_eq!(length("").to_bits(), 8.0f64.to_bits());
+    let around = length("--wall 5,0,5,1.5");
+    assert!((around - 2.0 * 4.0f64.hypot(0.5)).abs() < 1e-12, "{around}");
+    for corners in ["4,0,6,0,5,1.5", "4,0,5,1.5,6,0"] {
+        let around = length(&format!("--obstacle {corners}"));
+        assert!((around - 2.0 * 4.0f64.hypot(0.5)).abs() < 1e-12, "{corners}: {around}");
+    }
+    folder.dcel("navmesh path rooms.map 1 1 9 1 --wall 5,0,5").fails(2, "3 numbers are no points", "");
+    folder.dcel("navmesh path rooms.map 1 1 9 1 --wall 5,0,5,1,6,1").fails(2, "a wall has two ends", "");
+    folder.dcel("navmesh path rooms.map 1 1 9 1 --obstacle 5,0,5,1").fails(2, "three corners or more", "");
+    folder.dcel("navmesh path rooms.map 1 1 9 1 --wall 5,0,5,0").fails(2, "rooms.map: --wall 5,0,5,0: side 0", "");
+    let crossing = folder.dcel("navmesh info rooms.map --obstacle 3,0,4,1,4,0,3,1");
+    crossing.fails(2, "--obstacle 3,0,4,1,4,0,3,1: the obstacle is no simple polygon", "in order");
+    folder.dcel("navmesh path rooms.map 1 1 9 1 --tolerance 0.1").fails(2, "required arguments", "");
+    folder.dcel("navmesh path rooms.map 1 1 9 1 --radius 0.4 --tolerance 7").fails(2, "a tolerance of 7", "");
+
+    let clear = folder.dcel("navmesh raycast rooms.map 1 1 9 1 --json").json();
+    assert_eq!((&clear["clear"], &clear["hit"]), (&json!(true), &json!(null)));
+    let hit = folder.dcel("navmesh raycast rooms.map 1 1 9 1 --wall 5,0,5,1.5 --json -o ray.svg").json();
+    assert_eq!((&hit["hit"]["point"], &hit["hit"]["distance"]), (&json!([5.0, 1.0]), &json!(4.0)));
+    assert!(folder.read("ray.svg").contains("the side that is hit"));
+    let told = folder.dcel("navmesh raycast rooms.map 1 1 9 1 --wall 5,0,5,1.5").fine();
+    assert!(told.starts_with("hit: h") && told.contains("at (5, 1), 4 away"), "{told}");
+    folder.dcel("navmesh raycast rooms.map 3 2.5 9 1").fails(2, "the start (3, 2.5) is not on the mesh", "nearest");
+    folder.dcel("navmesh raycast rooms.map 1 1 9").fails(2, "", "");
+}
+
 /// The commands below `Examples:`, with lines joined at `\`.
 fn examples(help: &str) -> Vec<String> {
     let text = help.split("\nExamples:\n").nth(1).expect("examples").replace("\\\n", " ");
@@ -312,9 +385,15 @@ fn the_examples_of_the_help_run_and_the_help_fits_60_columns() {
     std::fs::create_dir_all(folder.path("figures/data")).expect("a folder");
     folder.write("figures/data/rooms.map", include_str!("../../figures/data/rooms.map"));
     folder.write("figures/data/rooms.scen", include_str!("../../figures/data/rooms.scen"));
-    for command in
-        ["navmesh", "navmesh info", "navmesh locate", "navmesh neighbours", "navmesh path", "navmesh scenario"]
-    {
+    for command in [
+        "navmesh",
+        "navmesh info",
+        "navmesh locate",
+        "navmesh neighbours",
+        "navmesh path",
+        "navmesh raycast",
+        "navmesh scenario",
+    ] {
         let output =
             folder.command(&format!("{command} --help")).env("COLUMNS", "60").output().expect("the command starts");
         let help = String::from_utf8(output.stdout).expect("UTF-8");
@@ -327,4 +406,94 @@ fn the_examples_of_the_help_run_and_the_help_fits_60_columns() {
             assert_eq!(folder.dcel(call).code, Some(0), "{example}");
         }
     }
+}
+
+#[test]
+fn a_grid_map_stays_what_it_is_as_a_mesh_and_other_formats_say_that_y_is_negated() {
+    let folder = folder();
+    let told = folder.dcel("convert rooms.map rooms.mesh");
+    assert!(
+        told.code == Some(0) && told.err.contains("y points down in rooms.mesh as it does in rooms.map"),
+        "{told:?}"
+    );
+    // The same queries, the same points, the same lengths.
+    let told = folder.dcel("navmesh scenario rooms.mesh rooms.scen");
+    assert!(told.code == Some(0) && told.out.ends_with("\n24 of 24 optimal\n"), "{told:?}");
+    let told = folder.dcel("convert rooms.map rooms.obj");
+    assert!(told.err.contains("the point (x, y) of rooms.map is (x, -y) in rooms.obj"), "{told:?}");
+    let text = folder.read("rooms.obj");
+    let lowest = text.lines().filter_map(|line| line.strip_prefix("v ")?.split(' ').nth(1)?.parse::<f64>().ok());
+    assert_eq!(lowest.reduce(f64::min), Some(-16.0), "{text}");
+}
+
+#[test]
+fn a_mesh_of_version_3_is_written_as_version_2_without_its_blocked_polygons() {
+    let folder = folder();
+    // Two blocked triangles beside each other, and two to walk on; clockwise, as version 3 may have them. v5 is a corner
+    // of blocked ones only.
+    folder.write(
+        "old.mesh",
+        "mesh\n3\n6 5\n0 0\n0 8\n8 8\n8 0\n5 5\n12 0\n0 3  4 1 5  -4 0 -2\n1 3  1 2 5  -1 0 3\n1 3  2 3 5  2 0 -4\n\
+        0 3  3 4 5  -3 -5 -1\n0 3  3 6 4  0 0 -4\n",
+    );
+    let told = folder.dcel("convert old.mesh new.mesh");
+    assert!(told.code == Some(0) && told.err.contains("3 hole faces are not written"), "{told:?}");
+    assert!(told.err.contains("2 points are not written: no polygon to walk on has a corner there"), "{told:?}");
+    let text = folder.read("new.mesh");
+    assert!(text.starts_with("mesh\n2\n4 2\n") && text.ends_with('\n'), "{text}");
+    let [old, new] = ["old.mesh", "new.mesh"]
+        .map(|map| folder.dcel(&format!("navmesh path {map} 1 4 6 7.5 --json")).json()["routes"][0]["length"].clone());
+    assert!(old.is_number() && old == new, "{old} {new}");
+    let info = folder.dcel("navmesh info new.mesh --json").json();
+    assert_eq!((&info["faces"], &info["vertices"], &info["area"]), (&json!(2), &json!(4), &json!(32.0)));
+}
+
+#[test]
+fn messages_about_a_floor_with_y_up_tell_its_x_and_z() {
+    let folder = folder();
+    folder.write("floor.obj", "v 0 7 0\nv 4 7 0\nv 4 7 3\nv 0 7 3\nv 4 7 0\nv 4 7 3\nv 6 7 1\nf 4 3 2 1\nf 7 5 6\n");
+    let told = folder.dcel("navmesh info floor.obj --up y");
+    assert!(told.out.contains("vertices 2 and 5 lie at the same place (4, 3)"), "{told:?}");
+    folder.dcel("navmesh locate floor.obj 1 1 --up y").fails(2, "lie at the same place, (4, 3)", "");
+}
+
+#[test]
+fn hand_made_floors_are_welded_on_request_and_warned_about_else() {
+    let folder = folder();
+    // Two squares with a gap of 10^-7 between them.
+    folder.write(
+        "near.obj",
+        "v 0 0\nv 1 0\nv 1 1\nv 0 1\nv 1.0000001 0\nv 2 0\nv 2 1\nv 1.0000001 1\nf 1 2 3 4\nf 5 6 7 8\n",
+    );
+    folder.write("one.scen", "0 near.obj 2 1 0.5 0.5 1.5 0.5 1\n");
+    for command in ["path near.obj 0.5 0.5 1.5 0.5", "locate near.obj 0.5 0.5", "scenario near.obj one.scen"] {
+        let told = folder.dcel(&format!("navmesh {command}"));
+        assert!(told.err.contains("near.obj:5: vertices 1 and 4 are 1.00e-7 apart"), "{command}: {told:?}");
+        assert!(told.err.contains("--weld 1.1e-7 joins them"), "{command}: {told:?}");
+        let told = folder.dcel(&format!("navmesh {command} --weld 1.1e-7"));
+        assert!(told.code == Some(0) && told.err.contains("welded: 2 vertices were joined with others"), "{told:?}");
+    }
+    let info = folder.dcel("navmesh info near.obj --json").json();
+    assert_eq!((&info["valid"], &info["faults"][0]["kind"]), (&json!(true), &json!("nearly-welded")));
+    assert_eq!(folder.dcel("navmesh info near.obj --weld 1e-6 --json").json()["components"], json!([2]));
+    assert!(folder.dcel("navmesh info near.obj --weld 1e-9").err.contains("nothing to weld"));
+    // A T-junction, exact; and a millionth beside the side, on both sides of it.
+    for (name, y, faces) in [("exact", "1", 3), ("below", "0.999999", 3), ("above", "1.000001", 5)] {
+        let file =
+            format!("v 0 0\nv 1 0\nv 2 0\nv 2 1\nv 1 {y}\nv 0 1\nv 2 2\nv 0 2\nf 1 2 5 6\nf 2 3 4 5\nf 6 4 7 8\n");
+        folder.write(&format!("{name}.obj"), &file);
+        let told = folder.dcel(&format!("navmesh path {name}.obj 0.5 0.5 1 1.5 --weld 1e-5 --json"));
+        assert!(told.err.contains("1 corner was put into a side"), "{name}: {told:?}");
+        let answer = told.json();
+        let length = answer["routes"][0]["length"].as_f64().expect("a length");
+        assert!((length - 1.25f64.sqrt()).abs() < 1e-6, "{name}: {answer}");
+        let info = folder.dcel(&format!("navmesh info {name}.obj --weld 1e-5 --json")).json();
+        assert_eq!((&info["faces"], &info["components"]), (&json!(faces), &json!([faces])), "{name}");
+    }
+    folder.dcel("navmesh path exact.obj 0.5 0.5 1 1.5").fails(2, "exact.obj:", "--mend");
+    assert!(
+        folder.dcel("navmesh path below.obj 0.5 0.5 1 1.5").err.contains("vertex 4 is 1.00e-6 beside the side 5 -> 3")
+    );
+    folder.dcel("navmesh info near.obj --weld -1").fails(2, "a distance of -1", "--weld 0.001");
+    folder.dcel("navmesh info rooms.map --weld 1").fails(2, "--weld cannot be used on a grid map", "leave --weld out");
 }

@@ -380,3 +380,34 @@ fn figures_that_cannot_be_drawn() {
     folder.write("bare.dcel", "dcel 1\nv0 out none\nf0 outer boundary none rings v0\n");
     folder.dcel("figure bare.dcel").fails(2, "the only vertex has no position", "");
 }
+
+/// Commands on solids ask for surfaces themselves; nothing is said of flags that nobody typed.
+#[test]
+fn solids_are_read_without_talk_and_useless_flags_are_named() {
+    let folder = Folder::new();
+    folder.dcel("convert cube.off cube.stl").fine();
+    folder.dcel("convert cube.off cube.ply").fine();
+    for call in [
+        "info cube.off",
+        "info cube.off --json",
+        "info cube.stl",
+        "info cube.ply",
+        "info square.obj",
+        "info cube.off --surface",
+    ] {
+        let told = folder.dcel(&format!("solid {call}"));
+        assert_eq!((told.code, told.err.as_str()), (Some(0), ""), "{call}");
+    }
+    for (flag, why) in [
+        ("--plane", "takes surfaces in space"),
+        ("--mend", "for polygons in the plane"),
+        ("--split-crossings", "for polygons in the plane"),
+        ("--trust", "for polygons in the plane"),
+        ("--object x", "only TopoJSON files have objects"),
+    ] {
+        let told = folder.dcel(&format!("solid info cube.off {flag}"));
+        let name = flag.split(' ').next().unwrap();
+        told.fails(2, &format!("cube.off: {name} cannot be used on off: "), &format!("leave {name} out"));
+        assert!(told.err.contains(why), "{told:?}");
+    }
+}

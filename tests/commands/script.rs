@@ -119,3 +119,30 @@ fn scripts_without_coordinates_are_played_on_the_kernel() {
     assert_eq!(code, Some(2));
     assert!(err.starts_with("error: <stdin>:1:1: face 0 has a cycle with 2 corners"), "{err}");
 }
+
+/// Marks and a caption after the last edit belong to the frame after it.
+#[test]
+fn the_last_highlight_of_a_film_is_drawn() {
+    let folder = crate::shell::Folder::empty();
+    let edits = "rectangle\nlet a = split_face h2 h8\ncaption the new face\n";
+    let film = |marks: &str| {
+        folder.write("marks.dcels", &format!("{edits}{marks}"));
+        folder.dcel("script marks.dcels --film marks.svg").fine();
+        folder.read("marks.svg")
+    };
+    // Of the last frame, the seventh, the new face and the new half-edge.
+    let hot = |svg: &str| -> Vec<String> {
+        let groups =
+            svg.split("<g class=\"").skip(1).filter(|group| group.split('"').next().is_some_and(|c| c.contains("hot")));
+        groups.filter_map(|group| group.split("id=\"marks-6-").nth(1)?.split('"').next().map(str::to_owned)).collect()
+    };
+    let (plain, marked) = (film(""), film("highlight a.face a\n"));
+    assert!(!hot(&plain).contains(&"f2".to_owned()), "{:?}", hot(&plain));
+    assert!(hot(&marked).contains(&"f2".to_owned()) && hot(&marked).contains(&"h12".to_owned()), "{:?}", hot(&marked));
+    let last = film("highlight a.face\nhighlight a\n");
+    assert!(!hot(&last).contains(&"f2".to_owned()), "the last marks count");
+    // A script without any edit, too.
+    folder.write("marks.dcels", "rectangle\nhighlight h2\n");
+    folder.dcel("script marks.dcels --film marks.svg").fine();
+    assert!(folder.read("marks.svg").contains("hot"));
+}

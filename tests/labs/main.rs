@@ -6,6 +6,7 @@ mod alike;
 mod class;
 mod commands;
 mod doors;
+mod examples;
 #[path = "../shell/mod.rs"]
 mod shell;
 mod verified;

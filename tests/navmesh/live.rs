@@ -427,3 +427,130 @@ fn what_an_obstacle_closes_stays_closed_when_another_cuts_it() {
         assert!(live.mesh().place(at(x, y)).is_err(), "({x}, {y}) is free inside the block");
     }
 }
+
+/// Issue 15: the third wall crosses the cuts that the first two need.
+#[test]
+fn legal_walls_are_not_refused_because_of_cuts() {
+    let hall = [at(0., 0.), at(20., 0.), at(20., 20.), at(0., 20.)];
+    let hall = Subdivision::polygon(&hall).expect("a hall");
+    let mut live = LiveMesh::new(hall.clone()).expect("convex");
+    let walls = [[at(4., 14.), at(9., 9.)], [at(18., 9.), at(14., 2.)], [at(7., 4.), at(12., 7.)]];
+    let ids = walls.map(|[p, q]| live.insert_wall(p, q).unwrap_or_else(|error| panic!("{p} {q}: {error}")));
+    // None of them is bent: each is one edge.
+    for [p, q] in walls {
+        let ends = [p, q].map(|p| live.mesh().locate(p));
+        let [Location::Vertex(p), Location::Vertex(q)] = ends else { panic!("the ends of a wall") };
+        assert!(live.map().find_half_edge(p, q).is_some_and(|h| live.mesh().is_wall(h.edge())));
+    }
+    ids.into_iter().for_each(|id| live.remove(id).expect("in the map"));
+    check_restored(&live, &hall, "after the three walls");
+}
+
+/// Whole coordinates: walls meet in vertices, run along each other, and cross near where others cross.
+#[test]
+fn no_wall_of_a_crowd_is_refused() {
+    let mut crossings = 0;
+    for seed in 0..36 {
+        let mut random = Random::new(seed + 16_000);
+        let (size, scale) = (10.0, [1.0, 0.1, 1e-3][seed as usize % 3]);
+        let corner = |x: f64, y: f64| at(x * scale, y * scale);
+        // One face, and a hundred cells in two triangles each.
+        let hall = match seed / 3 % 2 {
+            0 => {
+                let corners = [corner(0., 0.), corner(size, 0.), corner(size, size), corner(0., size)];
+                Subdivision::polygon(&corners).expect("a hall")
+            }
+            _ => Map::random(seed, size as usize, 1.0, 0.0).moved(|p| corner(p.x, p.y)).subdivision(),
+        };
+        let mut live = LiveMesh::new(hall.clone()).expect("convex");
+        let mut inside: Vec<ObstacleId> = Vec::new();
+        let mut script = format!("seed {seed}");
+        for _ in 0..24 {
+            if random.below(4) == 0 && !inside.is_empty() {
+                let gone = inside.swap_remove(random.below(inside.len()));
+                script += &format!("\nremove {gone}");
+                live.remove(gone).unwrap_or_else(|error| panic!("{script}: {error}"));
+                continue;
+            }
+            let [p, q] = [(); 2].map(|()| corner(random.below(11) as f64, random.below(11) as f64));
+            if p == q {
+                continue;
+            }
+            script += &format!("\n{p} {q}");
+            inside.push(live.insert_wall(p, q).unwrap_or_else(|error| panic!("{script}: {error}")));
+            assert_eq!(live.map().geometry_violations(), [], "{script}");
+        }
+        crossings += live.map().vertex_count() - hall.vertex_count();
+        inside.into_iter().for_each(|id| live.remove(id).expect("in the map"));
+        check_restored(&live, &hall, &script);
+    }
+    assert!(crossings > 1000, "{crossings} crossings: the walls are not put to the test");
+}
+
+#[test]
+fn corners_may_lie_on_vertices_and_sides_along_edges() {
+    let map = Map::random(3, 6, 1.0, 0.0).subdivision();
+    let mut live = LiveMesh::new(map.clone()).expect("triangles");
+    // Corners of cells; a side along cells; a corner in the corner of another one; the map's own corner.
+    let shapes = [
+        vec![at(1., 1.), at(3., 1.), at(3., 3.), at(1., 3.)],
+        vec![at(3., 3.), at(5., 3.), at(5., 5.)],
+        vec![at(0., 0.), at(1., 0.), at(1., 1.)],
+        vec![at(3., 1.), at(5., 1.)],
+        vec![at(3., 1.), at(3., 3.)],
+        vec![at(2., 2.), at(4., 4.)],
+    ];
+    let ids: Vec<ObstacleId> = shapes.iter().map(|corners| insert(&mut live, corners).expect("it fits")).collect();
+    for (p, free) in [(at(2., 1.5), false), (at(4.5, 3.5), false), (at(0.9, 0.5), false), (at(4., 2.), true)] {
+        assert_eq!(live.mesh().place(p).is_ok(), free, "{p}");
+    }
+    assert_eq!(live.map().geometry_violations(), []);
+    for (id, corners) in ids.iter().zip(&shapes) {
+        assert_eq!(live.corners(*id), Some(corners.as_slice()));
+    }
+    ids.into_iter().for_each(|id| live.remove(id).expect("in the map"));
+    check_restored(&live, &map, "after all");
+}
+
+#[test]
+fn an_obstacle_that_moves_is_as_if_it_had_been_put_there() {
+    let mut planner = Planner::new();
+    for seed in 0..16 {
+        let map = Map::random(seed, 4, 0.9, [0.0, 0.4][seed as usize % 2]).subdivision();
+        let mut live = LiveMesh::new(map.clone()).expect("triangles");
+        let mut random = Random::new(seed + 17_000);
+        let mut inside: Vec<(ObstacleId, Vec<Point>)> = Vec::new();
+        for i in 0..4 {
+            let [x, y] = [(); 2].map(|()| random.unit() * 3.0);
+            let corners = match i % 2 {
+                0 => vec![at(x, y), at(x + 0.8, y + 0.1), at(x + 0.3, y + 0.9)],
+                _ => vec![at(x, y), at(x + 1.0, y + 0.7)],
+            };
+            let id = insert(&mut live, &corners).expect("it fits");
+            inside.push((id, corners));
+        }
+        for step in 0..8 {
+            let context = format!("seed {seed}, step {step}");
+            let i = random.below(inside.len());
+            let by = [(); 2].map(|()| random.unit() - 0.5);
+            let (id, corners) = &mut inside[i];
+            live.move_obstacle(*id, by).unwrap_or_else(|error| panic!("{context}: {error}"));
+            *corners = corners.iter().map(|p| at(p.x + by[0], p.y + by[1])).collect();
+            assert_eq!(live.corners(*id), Some(corners.as_slice()), "{context}");
+            assert_eq!(live.map().geometry_violations(), [], "{context}");
+            check(&live, &mut planner, &mut random, 4.0, &context);
+            check_anew(&live, &map, &inside, &mut planner, &mut random, &context);
+        }
+        // What is refused leaves it where it stands.
+        let (id, corners) = &inside[0];
+        let clockwise: Vec<Point> = corners.iter().rev().copied().collect();
+        assert!(matches!(live.reshape_obstacle(*id, &clockwise), Err(ObstacleError::Polygon(_))), "seed {seed}");
+        assert!(live.move_obstacle(*id, [f64::INFINITY, 0.0]).is_err(), "seed {seed}");
+        assert_eq!(live.corners(*id), Some(corners.as_slice()), "seed {seed}");
+        check_anew(&live, &map, &inside, &mut planner, &mut random, &format!("seed {seed}, refused"));
+        let none = ObstacleId(99);
+        assert_eq!(live.move_obstacle(none, [1.0, 0.0]), Err(ObstacleError::NoSuchObstacle { obstacle: none }));
+        inside.into_iter().for_each(|(id, _)| live.remove(id).expect("in the map"));
+        check_restored(&live, &map, &format!("seed {seed}"));
+    }
+}

@@ -229,7 +229,7 @@ fn the_nearest_point_to_one_far_away_is_the_right_one() {
             // Of the exact distance, which has one big part or two.
             let [x, y] = [p.x - nearest.x, p.y - nearest.y].map(|d| d / far);
             let expected = (x * x + y * y).sqrt();
-            assert!((near.distance / far / expected - 1.0).abs() < 1e-12 || far == f64::MAX, "{p}: {}", near.distance);
+            assert!((near.distance / far / expected - 1.0).abs() < 1e-12 || far >= f64::MAX, "{p}: {}", near.distance);
         }
     }
 }

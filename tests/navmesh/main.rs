@@ -14,5 +14,7 @@ mod merged;
 mod oracle;
 mod reach;
 mod routes;
+mod sight;
 mod slivers;
 mod traps;
+mod weld;

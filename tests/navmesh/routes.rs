@@ -78,6 +78,40 @@ fn exact_routes_are_as_short_as_the_visibility_graph_says() {
     }
 }
 
+/// Between points the way may begin and end in any wedge of a double corner: the shortest one counts.
+#[test]
+fn at_double_corners_the_shortest_of_all_ways_is_found() {
+    let mut planner = Planner::new();
+    let (mut several, mut differ) = (0, 0);
+    for seed in 0..40 {
+        let map = Map::random(seed, 4 + seed as usize % 3, 0.75, [0.0, 0.6][seed as usize % 2]);
+        let (mesh, oracle) = (map.mesh(), Oracle::all_free(&map));
+        let nodes = oracle.vertex_nodes();
+        let mut random = Random::new(seed + 3500);
+        let at = |p: Point| nodes.iter().filter(|node| node.point == p).cloned().collect::<Vec<Node>>();
+        let double: Vec<Point> = nodes.iter().map(|node| node.point).filter(|&p| at(p).len() > 1).collect();
+        for &p in &double {
+            let q = nodes[random.below(nodes.len())].point;
+            for [start, goal] in [[p, q], [q, p]] {
+                let (starts, goals) = (at(start), at(goal));
+                let pairs = starts.iter().flat_map(|a| goals.iter().map(|b| oracle.shortest(a, b)));
+                let lengths: Vec<f64> = pairs.flatten().collect();
+                let least = lengths.iter().copied().reduce(f64::min);
+                let found = planner.route_between(&mesh, Rung::Exact, start, goal);
+                let context = format!("seed {seed}: {start} -> {goal}: {found:?}, not {least:?}");
+                assert_eq!(found.is_ok(), least.is_some(), "{context}");
+                if let (Ok(route), Some(least)) = (&found, least) {
+                    assert!(is_close(route.length, least), "{context}");
+                    check_shape(&mesh, route, start, goal, &context);
+                    several += 1;
+                    differ += usize::from(lengths.iter().any(|&length| !is_close(length, least)));
+                }
+            }
+        }
+    }
+    assert!(several > 100 && differ > 20, "{several} ways, {differ} times it mattered");
+}
+
 #[test]
 fn lengths_stay_under_rotation_shift_scale_and_reversal() {
     let mut planner = Planner::new();

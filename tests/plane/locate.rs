@@ -283,6 +283,24 @@ fn a_batch_gives_single_answers_in_the_order_of_the_points() {
 }
 
 #[test]
+fn a_batch_of_several_blocks_gives_single_answers() {
+    // Blocks hold 8192 points here: two whole ones and a rest; points outside and on the corners among them.
+    let mut next = Numbers::new(41);
+    let s = Subdivision::lab_rectangle();
+    let index = PointIndex::new(&s);
+    let corners: Vec<Point> = s.vertices().map(|v| s.point(v)).collect();
+    let asked: Vec<Point> = (0..20_000)
+        .map(|i| match i % 50 {
+            0 => corners[i / 50 % corners.len()],
+            _ => point((next.below(1000) - 500, next.below(1000) - 500)),
+        })
+        .collect();
+    let single: Vec<Location> = asked.iter().map(|&p| index.locate(p)).collect();
+    assert!(index.locate_all(&asked) == single, "the answers of blocks, in the order of the points");
+    assert!(single.iter().collect::<BTreeSet<_>>().len() > 8, "different answers");
+}
+
+#[test]
 fn the_empty_plane_lonely_points_and_no_numbers() {
     let empty = Subdivision::new();
     let lonely =

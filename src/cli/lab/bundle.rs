@@ -1,6 +1,7 @@
 //! `dcel lab bundle`: what is compiled into the kit of labs and sources, written anew.
 
 use super::super::{Answer, Failure, Output, save};
+use dcel_kit::files::ScratchFolder;
 use dcel_kit::lab::{KitBuild, LabFiles};
 use std::fs;
 use std::io::Write;
@@ -40,23 +41,21 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
 
 /// The lock file of a build, as cargo writes it: the versions of the checkout, as far as they are needed.
 fn versions(checkout: &Path, build: KitBuild, manifest: &str) -> Result<String, Failure> {
-    let folder = std::env::temp_dir().join(format!("dcel-bundle-{}", std::process::id()));
-    let written = |error: std::io::Error| Failure::writing(folder.display(), &error);
     let made = || -> std::io::Result<String> {
+        let scratch = ScratchFolder::new("dcel-bundle")?;
+        let folder = scratch.path();
         for (path, text) in build.workspace(manifest) {
             let path = folder.join(path);
-            fs::create_dir_all(path.parent().unwrap_or(&folder))?;
+            fs::create_dir_all(path.parent().unwrap_or(folder))?;
             fs::write(path, text)?;
         }
         fs::copy(checkout.join("Cargo.lock"), folder.join("Cargo.lock"))?;
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-        let ran = Command::new(cargo).args(["update", "--workspace", "--offline"]).current_dir(&folder).output()?;
+        let ran = Command::new(cargo).args(["update", "--workspace", "--offline"]).current_dir(folder).output()?;
         if !ran.status.success() {
             return Err(std::io::Error::other(String::from_utf8_lossy(&ran.stderr).into_owned()));
         }
         fs::read_to_string(folder.join("Cargo.lock"))
     };
-    let lock = made().map_err(written);
-    let _ = fs::remove_dir_all(&folder);
-    lock
+    made().map_err(|error| Failure::writing("a temporary folder", &error))
 }

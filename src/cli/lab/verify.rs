@@ -1,8 +1,8 @@
 //! `dcel lab verify`: does the lab grade rightly?
 
 use super::super::{Answer, Failure, Output, failure, save};
+use dcel_kit::files::ScratchFolder;
 use dcel_kit::lab::{Lab, LabFiles, verify};
-use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -52,8 +52,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     for lab in &labs {
         writeln!(out, "{}: {} bugs against {} tests", lab.name, lab.bugs.len(), lab.manifest.tests.len())?;
         out.flush()?;
-        let room = Room::new().map_err(|error| Failure::writing("a temporary folder", &error))?;
-        let found = verify(lab, &room.0).map_err(|error| {
+        let room = ScratchFolder::new("dcel-verify").map_err(|error| Failure::writing("a temporary folder", &error))?;
+        let found = verify(lab, room.path()).map_err(|error| {
             Failure::input(format!("the lab cannot be built: {error}"), "a Rust toolchain is needed: see rustup.rs")
         })?;
         writeln!(out, "{}", found.matrix().trim_end())?;
@@ -89,22 +89,4 @@ fn labs(named: Option<&Path>, names: &[String]) -> Result<PathBuf, Failure> {
     let here = std::env::current_dir().map_err(|error| Failure::input(error, HELP))?;
     let found = here.ancestors().map(|above| above.join("labs")).find(|folder| holds(folder));
     found.ok_or_else(|| Failure::input("no labs are here: a solution and wrong ones are not in this program", HELP))
-}
-
-/// A temporary folder that goes when it is dropped.
-struct Room(PathBuf);
-
-impl Room {
-    fn new() -> std::io::Result<Self> {
-        let name = |i: u32| std::env::temp_dir().join(format!("dcel-verify-{}-{i}", std::process::id()));
-        let path = (0..).map(name).find(|path| !path.exists()).unwrap_or_else(|| name(0));
-        fs::create_dir(&path)?;
-        Ok(Self(path))
-    }
-}
-
-impl Drop for Room {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
 }

@@ -86,7 +86,10 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if let Draft::Polygons { read, faults } = &draft
         && let Document::Polygons(soup) = &read.document
     {
-        told.extend(faults.iter().map(|fault| Told::of(fault, &soup.places)));
+        let frame = args.map.frame(read.format);
+        told.extend(
+            faults.iter().map(|fault| Told::of(&fault.clone().with_points(|p| frame.in_file(p).into()), &soup.places)),
+        );
         // What is not convex can be cut up; the rest keeps a map from being made.
         let cut_up = |kind| args.map.cuts_up() && kind == "not-convex";
         if told.iter().any(|fault| !fault.warning && !cut_up(fault.kind)) {

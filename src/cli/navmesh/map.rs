@@ -1,13 +1,17 @@
 //! From a file to a map with its navmesh.
 
 use super::super::failure::{Failure, say};
+use super::ends::above;
+use super::obstacles::ObstacleArgs;
 use clap::ValueEnum;
+use dcel_kit::FaceId;
 use dcel_kit::io::{
-    Axis, Document, Format, Grid, LoadOptions, PolygonSoup, Read, ReadOptions, Structure, assemble, read_path,
-    source_name,
+    Axis, Document, Format, Grid, LoadOptions, Number, PolygonSoup, Read, ReadOptions, Structure, assemble, counted,
+    read_path, source_name,
 };
-use dcel_kit::navmesh::{Inset, MeshFault, NavMesh, NavMeshError, Planner, mesh_faults};
-use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
+use dcel_kit::navmesh::{Inset, MeshFault, NavMesh, NavMeshError, Planner, Welded, mesh_faults, weld};
+use dcel_kit::plane::predicates::orientation;
+use dcel_kit::plane::{Point, Subdivision, TriangulateError, TriangulationMethod};
 use dcel_kit::topology::Mode;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
@@ -33,10 +37,17 @@ pub(super) struct MapArgs {
     /// Split polygons and segments where they cross, touch or overlap; tells what was done
     #[arg(long, help_heading = "Reading")]
     mend: bool,
+    /// Join vertices that are no further apart than this, and put vertices into sides that they are on or
+    /// no further beside; faces that are not convex then are cut into triangles. Tells what was done. 0
+    /// joins what lies at the same place, and mends T-junctions
+    #[arg(long, value_name = "D", value_parser = super::tell::number, allow_negative_numbers = true, help_heading = "Reading")]
+    weld: Option<f64>,
     /// Cut all faces into triangles without needless slivers (constrained Delaunay); a .map is cut along the
     /// borders of its regions
     #[arg(long, help_heading = "Reading")]
     triangles: bool,
+    #[command(flatten)]
+    obstacles: ObstacleArgs,
 }
 
 /// What a search runs over.
@@ -80,8 +91,20 @@ pub(super) struct Map {
 
 /// Whether the second coordinate of the file points down.
 #[derive(Clone, Copy)]
-struct Frame {
+pub(super) struct Frame {
     down: bool,
+}
+
+impl Frame {
+    /// A point of the file.
+    fn point(self, [x, y]: [f64; 2]) -> Point {
+        Point::new(x, if self.down { 0.0 - y } else { y })
+    }
+
+    /// A point of the map, as the file has it.
+    pub(super) fn in_file(self, p: Point) -> [f64; 2] {
+        [p.x, if self.down { 0.0 - p.y } else { p.y }]
+    }
 }
 
 /// What was read, before it is a map.
@@ -96,8 +119,8 @@ pub(super) enum Draft {
 
 impl Map {
     /// A point of the file.
-    pub(super) fn point(&self, [x, y]: [f64; 2]) -> Point {
-        Point::new(x, if self.frame.down { 0.0 - y } else { y })
+    pub(super) fn point(&self, coordinates: [f64; 2]) -> Point {
+        self.frame.point(coordinates)
     }
 
     /// The same map without the margin of a radius.
@@ -108,11 +131,16 @@ impl Map {
 
     /// A point of the map, as the file has it.
     pub(super) fn in_file(&self, p: Point) -> [f64; 2] {
-        [p.x, if self.frame.down { 0.0 - p.y } else { p.y }]
+        self.frame.in_file(p)
     }
 }
 
 impl MapArgs {
+    /// How the file has its coordinates.
+    pub(super) fn frame(&self, format: Format) -> Frame {
+        Frame { down: format == Format::Map || self.y_down || self.up == Some(Up::Y) }
+    }
+
     /// What figures and messages call the map.
     pub(super) fn title(&self) -> String {
         self.file.file_stem().map_or_else(|| "Map".to_owned(), |stem| stem.to_string_lossy().into_owned())
@@ -127,9 +155,9 @@ impl MapArgs {
         &self.file
     }
 
-    /// Whether faces are cut into triangles, so that they need not be convex.
+    /// Whether faces are cut into triangles, all or those that are not convex, so that they need not be.
     pub(super) fn cuts_up(&self) -> bool {
-        self.triangles
+        self.triangles || self.weld.is_some()
     }
 
     fn is_grid(&self) -> bool {
@@ -141,6 +169,10 @@ impl MapArgs {
         if self.is_grid() && self.mend {
             let what = format!("{}: --mend cannot be used on a grid map: cells always fit together", self.source());
             return Err(Failure::input(what, "leave --mend out"));
+        }
+        if self.is_grid() && self.weld.is_some() {
+            let what = format!("{}: --weld cannot be used on a grid map: cells always fit together", self.source());
+            return Err(Failure::input(what, "leave --weld out"));
         }
         if self.is_grid() && self.triangles {
             let grid = Grid::parse(&bytes(&self.file)?, &self.source())?;
@@ -160,7 +192,13 @@ impl MapArgs {
                 format!("{}: --mend cannot be used on {}: it is for polygons and segments", self.source(), read.format);
             return Err(Failure::input(what, "leave --mend out; dcel validate names what is broken"));
         }
-        let Document::Polygons(soup) = &mut read.document else { return Ok(Draft::Other(read)) };
+        let Document::Polygons(soup) = &mut read.document else {
+            if self.weld.is_some() {
+                let what = format!("{}: --weld cannot be used on {}: it is for polygons", self.source(), read.format);
+                return Err(Failure::input(what, "leave --weld out"));
+            }
+            return Ok(Draft::Other(read));
+        };
         match self.up {
             Some(up) => soup.lay_flat(match up {
                 Up::X => Axis::X,
@@ -176,14 +214,63 @@ impl MapArgs {
             }
             None => {}
         }
+        if let Some(distance) = self.weld {
+            self.join(soup, distance)?;
+        }
         // What is mended is judged afterwards.
         let faults = if self.mend { Vec::new() } else { faults_of(soup, self.orient) };
         Ok(Draft::Polygons { read, faults })
     }
 
-    /// Reads the file and makes a map of it.
+    /// Welds polygons. Tells what was done.
+    fn join(&self, soup: &mut PolygonSoup, distance: f64) -> Result<(), Failure> {
+        if distance < 0.0 {
+            return Err(Failure::input(format!("a distance of {distance}"), "give a number such as --weld 0.001"));
+        }
+        let points: Vec<Point> = soup.points.iter().map(|&[x, y, _]| Point::new(x, y)).collect();
+        let welded = weld(&points, &soup.faces, distance);
+        let Welded { joined, inserted, collapsed, farthest, .. } = welded;
+        if joined + inserted == 0 {
+            say("note", format_args!("nothing to weld: nothing is closer than {} without being one", Number(distance)));
+            return Ok(());
+        }
+        let joined = counted(joined, "vertex was joined with another", "vertices were joined with others");
+        let inserted = counted(inserted, "corner was put into a side", "corners were put into sides");
+        say("note", format_args!("welded: {joined}, {inserted}, {farthest:.2e} apart at most"));
+        if collapsed > 0 {
+            let gone = counted(collapsed, "face is gone: it was", "faces are gone: they were");
+            say("note", format_args!("{gone} no wider than that"));
+        }
+        *soup = soup.with_faces(welded.faces, &welded.origins);
+        Ok(())
+    }
+
+    /// Reads the file and makes a map of it. Tells what nearly meets.
     pub(super) fn open(&self) -> Result<Map, Failure> {
+        const SHOWN: usize = 3;
         let draft = self.read()?;
+        if let Draft::Polygons { read, faults } = &draft
+            && let Document::Polygons(soup) = &read.document
+        {
+            let near: Vec<&MeshFault> = faults.iter().filter(|fault| fault.kind() == "nearly-welded").collect();
+            for fault in near.iter().take(SHOWN) {
+                let place = fault.vertices().last().map(|&v| soup.places.vertex(v as usize)).unwrap_or_default();
+                say("warning", format_args!("{place}: {fault}"));
+            }
+            if near.len() > SHOWN {
+                say(
+                    "warning",
+                    format_args!("{} more are nearly welded; dcel navmesh info names them", near.len() - SHOWN),
+                );
+            }
+            let gap = |fault: &&MeshFault| match fault {
+                MeshFault::NearVertices { distance, .. } | MeshFault::NearSide { distance, .. } => *distance,
+                _ => 0.0,
+            };
+            if let Some(widest) = near.iter().map(gap).reduce(f64::max) {
+                say("help", format_args!("--weld {} joins them", Number(above(widest))));
+            }
+        }
         self.finish(draft)
     }
 
@@ -204,6 +291,9 @@ impl MapArgs {
                 }
             }
         };
+        if self.weld.is_some() && !self.triangles {
+            cut_bent_faces(&mut subdivision).map_err(|error| Failure::input(format!("{source}: {error}"), ""))?;
+        }
         if self.triangles {
             let given = subdivision.edge_bound();
             let cut = subdivision.triangulate(TriangulationMethod::default());
@@ -220,9 +310,29 @@ impl MapArgs {
             };
             Failure::input(format!("{source}: {what}"), help)
         })?;
-        let down = format == Format::Map || self.y_down || self.up == Some(Up::Y);
-        Ok(Map { source, format, subdivision, mesh, frame: Frame { down } })
+        let frame = self.frame(format);
+        let (subdivision, mesh) = self.obstacles.put_in(&source, subdivision, mesh, |p| frame.point(p))?;
+        Ok(Map { source, format, subdivision, mesh, frame })
     }
+}
+
+/// Cuts faces into triangles that are not convex any more, since a corner was put into a side.
+fn cut_bent_faces(map: &mut Subdivision) -> Result<(), TriangulateError> {
+    let is_bent = |f: &FaceId| {
+        let corners: Vec<Point> = map.incident_vertices(*f).map(|v| map.point(v)).collect();
+        let n = corners.len();
+        (0..n).any(|k| orientation(corners[k], corners[(k + 1) % n], corners[(k + 2) % n]).is_lt())
+    };
+    let domain = map.faces().filter(|&f| f != map.outer_face() && !map.is_hole(f) && map.rings(f).is_empty());
+    let bent: Vec<FaceId> = domain.filter(is_bent).collect();
+    for &f in &bent {
+        map.triangulate_face(f, TriangulationMethod::default())?;
+    }
+    if !bent.is_empty() {
+        let faces = counted(bent.len(), "face is not convex and was", "faces are not convex and were");
+        say("note", format_args!("{faces} cut into triangles"));
+    }
+    Ok(())
 }
 
 /// What is wrong with polygons as a navmesh; clockwise ones are no fault if they are to be turned.

@@ -3,17 +3,21 @@
 //! ```text
 //!   info ── locate ── neighbours      what the map is, where a point lies, what lies next to a face
 //!   path ── scenario                  a way by any rung of the ladder; a file of questions and answers
+//!   raycast                           the first wall on a straight line
 //! ```
 //!
 //! Points are given and told as the file has them: of a grid map with y pointing down, of a floor in space by the two
 //! axes that lie flat.
 
 mod drawing;
+mod ends;
 mod info;
 mod locate;
 mod map;
 mod neighbours;
+mod obstacles;
 mod path;
+mod raycast;
 mod scenario;
 mod tell;
 
@@ -42,6 +46,7 @@ enum Command {
     Locate(locate::Args),
     Neighbours(neighbours::Args),
     Path(Box<path::Args>),
+    Raycast(Box<raycast::Args>),
     Scenario(scenario::Args),
 }
 
@@ -51,6 +56,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         Command::Locate(args) => locate::run(args, out),
         Command::Neighbours(args) => neighbours::run(args, out),
         Command::Path(args) => path::run(args, out),
+        Command::Raycast(args) => raycast::run(args, out),
         Command::Scenario(args) => scenario::run(args, out),
     }
 }

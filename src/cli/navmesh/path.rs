@@ -1,12 +1,13 @@
 //! `dcel navmesh path`: a way by one rung of the ladder, or by all of them.
 
-use super::super::failure::Failure;
+use super::super::failure::{Failure, say};
 use super::super::output::table;
 use super::super::picture::Target;
 use super::super::{Answer, Output};
 use super::drawing::{Drawing, save};
+use super::ends::{End, Lost, Snap, Wish};
 use super::map::{Map, MapArgs, Preparation};
-use super::tell::{Spot, faces, number, point, refusal};
+use super::tell::{Spot, faces, number, point};
 use clap::ValueEnum;
 use dcel_kit::FaceId;
 use dcel_kit::figure::navmesh::Floor;
@@ -19,7 +20,8 @@ use std::io::Write;
 ///
 /// Without --rung the way is the shortest of all. The lower rungs of the ladder find a corridor of
 /// faces by a quicker rule and pull the way straight in it; --rung all compares them. If there is no
-/// way, the answer is the proof: the two components. Exit code 1 then.
+/// way, the answer is the proof: the two components. Exit code 1 then. A start or goal off the mesh is
+/// refused, with the nearest place; --snap moves it there. The figure is drawn all the same.
 #[derive(clap::Args, Debug)]
 #[command(override_usage = "dcel navmesh path [OPTIONS] <MAP> <X> <Y> <X> <Y>")]
 #[command(after_help = "\
@@ -31,6 +33,8 @@ Examples:
     --triangles --rung bfs --draw funnel -o funnel.svg
   dcel navmesh path rooms.map 1 1 22 12 \\
     --draw cones -o cones.svg
+  dcel navmesh path rooms.map 2.5 2.5 22 12 \\
+    --snap 1
   dcel navmesh path rooms.map 1 1 22 12 \\
     --radius 0.4 --rung closest -o wide.svg")]
 pub(super) struct Args {
@@ -44,15 +48,20 @@ pub(super) struct Args {
     rung: Which,
     #[command(flatten)]
     preparation: Preparation,
-    /// The radius of the agent: its way keeps that far from every border. Corners are rounded by
-    /// tangents, so the exact way may be 0.5 % of the arcs too long. Faces, doors and corners are
-    /// then those of the map without its margin
+    #[command(flatten)]
+    snap: Snap,
+    /// The radius of the agent: its way keeps that far from every border. Faces, doors and corners
+    /// are then those of the map without its margin
     #[arg(long, value_name = "R", value_parser = number)]
     radius: Option<f64>,
-    /// The face to start from, where gaps touch in the start
+    /// How much further off a way round a corner may be kept, as a part of the radius: arcs are
+    /// drawn by as few straight pieces as that allows
+    #[arg(long, value_name = "PART", value_parser = number, requires = "radius", default_value_t = Inset::TOLERANCE)]
+    tolerance: f64,
+    /// The face to start from, where gaps touch in the start; without it the shortest way decides
     #[arg(long, value_name = "f3")]
     start_face: Option<FaceId>,
-    /// The face to end in, where gaps touch in the goal
+    /// The face to end in, where gaps touch in the goal; without it the shortest way decides
     #[arg(long, value_name = "f3")]
     goal_face: Option<FaceId>,
     /// Answer in JSON
@@ -118,6 +127,9 @@ struct Answered {
     radius: Option<f64>,
     start: Spot,
     goal: Spot,
+    /// How far the start was moved to stand on the mesh, and the goal.
+    start_moved: Option<f64>,
+    goal_moved: Option<f64>,
     found: bool,
     /// If nothing was found: the components of the start and of the goal, and the nearest point that can be reached.
     apart: Option<Apart>,
@@ -161,27 +173,36 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let [x0, y0, x1, y1] = args.ends[..] else {
         return Err(Failure::input("a way has two ends", "give x y of the start and x y of the goal"));
     };
+    args.snap.check()?;
     let target = args.drawing.target(args.map.file())?;
     let whole = args.map.open()?;
     let inset = match args.radius.filter(|&radius| radius > 0.0) {
         Some(radius) => {
-            let inset = whole.mesh.inset(radius);
+            let inset = whole.mesh.inset_within(radius, args.tolerance);
             Some(inset.map_err(|error| Failure::input(format!("{}: {error}", whole.source), ""))?)
         }
         None => None,
     };
     let ways = inset.as_ref().map(|inset| whole.inset(inset.clone()));
     let maps = Maps { whole, inset, ways };
-    let start = maps.place("start", [x0, y0], args.start_face)?;
-    let goal = maps.place("goal", [x1, y1], args.goal_face)?;
+    let wishes = [
+        Wish { what: "start", coordinates: [x0, y0], face: args.start_face },
+        Wish { what: "goal", coordinates: [x1, y1], face: args.goal_face },
+    ];
+    let ends = match wishes.each_ref().map(|wish| args.snap.end(maps.ways(), wish, |error| maps.why(wish, error))) {
+        [Ok(start), Ok(goal)] => [start, goal],
+        lost => return Err(refuse(args, &maps, lost, target.as_ref(), out)),
+    };
     let map = maps.ways();
     let mut planner = args.preparation.planner();
+    let [start, goal] = maps.choose(&mut planner, &wishes, &ends);
+    let moved = ends.map(|end| end.moved);
     let mut routes: Vec<(Rung, Route)> = Vec::new();
     for &rung in args.rung.rungs() {
         match planner.route(&map.mesh, rung, &start, &goal) {
             Ok(route) => routes.push((rung, route)),
             Err(RouteError::Apart { start: from, goal: to, .. }) => {
-                return apart(args, &maps, [start, goal], [from, to], target.as_ref(), out);
+                return apart(args, &maps, ([start, goal], moved), [from, to], target.as_ref(), out);
             }
             Err(error) => return Err(Failure::input(format!("{}: {error}", map.source), "")),
         }
@@ -192,7 +213,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let exact = routes.iter().find(|(rung, _)| *rung == Rung::Exact).map(|(_, route)| route.length);
     let rows: Vec<Row> = routes.iter().map(|(rung, route)| Row::of(map, *rung, route, exact)).collect();
     if args.json {
-        out.json(&Answered::of(&maps, [start, goal], rows))?;
+        out.json(&Answered::of(&maps, [start, goal], moved, rows))?;
     } else if let [row] = rows.as_slice() {
         row.print(out)?;
     } else {
@@ -220,43 +241,71 @@ impl Maps {
         !matches!(self.whole.mesh.locate(p), Location::Hole(_) | Location::Outer)
     }
 
-    /// Where a way starts or ends.
-    fn place(&self, what: &str, coordinates: [f64; 2], face: Option<FaceId>) -> Result<Place, Failure> {
-        let map = self.ways();
-        let p = map.point(coordinates);
-        let found = face.map_or_else(|| map.mesh.place(p), |face| map.mesh.place_in(face, p));
-        found.map_err(|error| {
-            let nearest = map.mesh.nearest_point(p);
-            let nearest = nearest.map(|nearest| (point(map, nearest.place.point), nearest.place.face));
-            let help = match (&error, nearest) {
-                (PlaceError::Ambiguous { faces, .. }, _) => {
-                    format!("choose one of them, for example with --{what}-face {}", faces[0])
-                }
-                (PlaceError::NotInFace { .. }, Some((_, face))) => {
-                    format!("leave --{what}-face out, or name a face at the point: {face} is the nearest")
-                }
-                (_, Some((at, _))) if self.inset.is_some() => format!("the nearest place for it is {at}"),
-                (_, Some((at, face))) => format!("the nearest place is {at} in {face}"),
-                (_, None) => String::new(),
-            };
-            let why = match &self.inset {
-                Some(inset) if matches!(error, PlaceError::OffMesh { .. }) && self.is_on_whole(p) => {
-                    format!("{} is nearer to a border than the radius, {}", point(map, p), inset.radius())
-                }
-                _ => refusal(map, &error),
-            };
-            Failure::input(format!("{}: the {what} {why}", map.source), help)
-        })
+    /// Why nobody can stand at an end, if the radius is the reason.
+    fn why(&self, wish: &Wish<'_>, error: &PlaceError) -> Option<String> {
+        let (map, inset) = (self.ways(), self.inset.as_ref()?);
+        let p = map.point(wish.coordinates);
+        let by_radius = matches!(error, PlaceError::OffMesh { .. }) && self.is_on_whole(p);
+        by_radius.then(|| format!("{} is nearer to a border than the radius, {}", point(map, p), inset.radius()))
     }
+
+    /// Of several places at the ends those of the shortest way. Tells which.
+    fn choose(&self, planner: &mut Planner, wishes: &[Wish<'_>; 2], ends: &[End; 2]) -> [Place; 2] {
+        let map = self.ways();
+        let [starts, goals] = ends.each_ref().map(|end| end.places.as_slice());
+        if starts.len() == 1 && goals.len() == 1 {
+            return [starts[0], goals[0]];
+        }
+        let found = planner.route_among(&map.mesh, Rung::Exact, starts, goals);
+        let [i, k] = found.map_or([0, 0], |(_, chosen)| chosen);
+        for ((wish, end), chosen) in wishes.iter().zip(ends).zip([i, k]).filter(|((_, end), _)| end.places.len() > 1) {
+            let what = wish.what;
+            let others: Vec<String> = end.places.iter().map(|place| place.face.to_string()).collect();
+            let (at, face) = (point(map, end.asked), end.places[chosen].face);
+            say(
+                "note",
+                format_args!(
+                    "the {what} {at} is on several sides of a border, in {}: the shortest way is that of {face}; --{what}-face chooses",
+                    others.join(", ")
+                ),
+            );
+        }
+        [starts[i], goals[k]]
+    }
+}
+
+/// What to say if there is no place for an end. The picture is drawn all the same.
+fn refuse(
+    args: &Args,
+    maps: &Maps,
+    ends: [Result<End, Box<Lost>>; 2],
+    target: Option<&Target>,
+    out: &mut Output,
+) -> Failure {
+    if let Some(target) = target {
+        let map = maps.ways();
+        let marks = ends.each_ref().map(|end| match end {
+            Ok(end) => (end.asked, None),
+            Err(lost) => (lost.asked, lost.nearest.map(|near| near.place.point)),
+        });
+        let options = args.drawing.options(map, &format!("No place in {}", args.map.title()));
+        let drawn = Floor::new(&map.subdivision, &map.mesh).off_mesh(marks, &options);
+        if let Err(error) = save(target, drawn, out) {
+            return error;
+        }
+    }
+    let [start, goal] = ends.map(|end| end.err().map(|lost| lost.failure));
+    start.or(goal).unwrap_or_else(|| Failure::kit("both ends have a place"))
 }
 
 impl Answered {
     /// The answer with these routes; there may be none.
-    fn of(maps: &Maps, ends: [Place; 2], routes: Vec<Row>) -> Self {
+    fn of(maps: &Maps, ends: [Place; 2], [start_moved, goal_moved]: [Option<f64>; 2], routes: Vec<Row>) -> Self {
         let map = maps.ways();
         let [start, goal] = ends.map(|place| Spot::of(map, place.point, place.location));
         let radius = maps.inset.as_ref().map(Inset::radius);
-        Self { source: map.source.clone(), radius, start, goal, found: !routes.is_empty(), apart: None, routes }
+        let (source, found) = (map.source.clone(), !routes.is_empty());
+        Self { source, radius, start, goal, start_moved, goal_moved, found, apart: None, routes }
     }
 }
 
@@ -292,7 +341,7 @@ fn draw(
 fn apart(
     args: &Args,
     maps: &Maps,
-    ends: [Place; 2],
+    (ends, moved): ([Place; 2], [Option<f64>; 2]),
     components: [ComponentId; 2],
     target: Option<&Target>,
     out: &mut Output,
@@ -313,7 +362,7 @@ fn apart(
             goal_faces,
             nearest_reachable: nearest.map(|nearest| map.in_file(nearest.place.point)),
         };
-        out.json(&Answered { apart: Some(apart), ..Answered::of(maps, ends, Vec::new()) })?;
+        out.json(&Answered { apart: Some(apart), ..Answered::of(maps, ends, moved, Vec::new()) })?;
         return Ok(Answer::No);
     }
     let [from, to] = ends.map(|place| point(map, place.point));

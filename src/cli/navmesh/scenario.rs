@@ -2,11 +2,12 @@
 
 use super::super::failure::{Failure, say};
 use super::super::{Answer, Output};
+use super::ends::{Moves, Snap};
 use super::map::{Map, MapArgs, Preparation, bytes};
 use super::path::Which;
 use clap::ValueEnum;
-use dcel_kit::io::{Optimum, Query, Scenario, Verdict, source_name};
-use dcel_kit::navmesh::{Planner, RouteError, Rung};
+use dcel_kit::io::{Number, Optimum, Query, Scenario, Verdict, counted, source_name};
+use dcel_kit::navmesh::{PlaceError, Planner, RouteError, Rung};
 use serde::Serialize;
 use std::io::Write;
 use std::path::PathBuf;
@@ -36,6 +37,8 @@ pub(super) struct Args {
     rung: Which,
     #[command(flatten)]
     preparation: Preparation,
+    #[command(flatten)]
+    snap: Snap,
     /// What the stated lengths are
     #[arg(long, value_name = "KIND", default_value = "auto")]
     optimum: Kind,
@@ -68,6 +71,8 @@ struct Report {
     optimum: &'static str,
     lengths: Lengths,
     queries: usize,
+    /// The starts and goals that were moved onto the mesh.
+    moved: Moves,
     right: usize,
     /// Of the stated lengths.
     mean_ratio: Option<f64>,
@@ -115,6 +120,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if !args.tolerance.is_finite() || args.tolerance < 0.0 {
         return Err(Failure::input(format!("a tolerance of {}", args.tolerance), "give a number such as 1e-9"));
     }
+    args.snap.check()?;
     let scenario = Scenario::parse(&bytes(&args.scenario)?, &source_name(&args.scenario))?;
     let map = args.map.open()?;
     tell_other_maps(args, &scenario);
@@ -125,7 +131,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         Kind::Octile => Optimum::Octile,
     };
     let planner = args.preparation.planner();
-    let report = check(&map, &scenario, planner, rung, (optimum, &verdict), args.tolerance);
+    let report = check(&map, &scenario, (planner, &args.snap), rung, (optimum, &verdict), args.tolerance);
     if args.json {
         out.json(&report)?;
     } else {
@@ -146,7 +152,7 @@ fn tell_other_maps(args: &Args, scenario: &Scenario) {
 fn check(
     map: &Map,
     scenario: &Scenario,
-    mut planner: Planner,
+    (mut planner, snap): (Planner, &Snap),
     rung: Rung,
     (optimum, verdict): (Optimum, &Verdict),
     tolerance: f64,
@@ -161,6 +167,7 @@ fn check(
         },
         lengths: Lengths::of(verdict),
         queries: scenario.queries.len(),
+        moved: Moves::default(),
         right: 0,
         mean_ratio: None,
         max_ratio: None,
@@ -171,7 +178,19 @@ fn check(
     let mut ratios: Vec<f64> = Vec::new();
     for query in &scenario.queries {
         let [start, goal] = [query.start, query.goal].map(|p| map.point([p.x, p.y]));
-        let route = planner.route_between(&map.mesh, rung, start, goal);
+        // What is stated to have no way may have no clear place to start or end.
+        let clear =
+            || [start, goal].into_iter().all(|p| !matches!(map.mesh.place(p), Err(PlaceError::Ambiguous { .. })));
+        if query.length.is_none() && !clear() {
+            report.right += 1;
+            continue;
+        }
+        let ends = [start, goal].map(|p| snap.place(map, p, &mut report.moved));
+        let route = match ends {
+            [Ok(starts), Ok(goals)] => planner.route_among(&map.mesh, rung, &starts, &goals).map(|(route, _)| route),
+            [Err(error), _] => Err(RouteError::Start(error)),
+            [_, Err(error)] => Err(RouteError::Goal(error)),
+        };
         let found = route.as_ref().ok().map(|route| route.length);
         if let Ok(route) = &route {
             report.pops += route.work.pops;
@@ -212,6 +231,11 @@ impl Report {
         }
         if self.wrong.len() > SHOWN {
             writeln!(out, "and {} more", self.wrong.len() - SHOWN)?;
+        }
+        if self.moved.count > 0 {
+            let Moves { count, farthest } = self.moved;
+            let ends = counted(count, "start or goal was", "starts and goals were");
+            writeln!(out, "{ends} off the mesh and moved onto it, by {} at most", Number(farthest))?;
         }
         if let (Some(mean), Some(max)) = (self.mean_ratio, self.max_ratio) {
             writeln!(out, "{}: {mean:.9} of the stated length on average, {max:.9} at most", self.rung)?;

@@ -4,7 +4,9 @@
 //!   dual       which faces hang together          route    the corridor, its portals, the way
 //!   dead_ends  what is peeled, and its way out     funnel   how the string is pulled, door by door
 //!   apart      why there is no way                 cones    what the exact search looked at
+//!   off_mesh   a start where nobody can stand
 //!   clearance  the margin a wide agent keeps       ladder   every rung beside the shortest way
+//!   ray        what a straight line runs against
 //! ```
 //!
 //! Under each figure lies the map in grey, with its gaps hatched. Roles are the same everywhere: blue is the way,
@@ -16,6 +18,8 @@ mod cones;
 mod funnel;
 mod ladder;
 mod mesh;
+mod off_mesh;
+mod ray;
 mod route;
 
 use super::sketch::{Backdrop, Role, Sketch, SketchError};

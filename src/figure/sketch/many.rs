@@ -8,7 +8,8 @@
 //! ```
 //!
 //! The more ink there is, the thinner are lines and dots, so that the picture does not become one blot. Dashes would
-//! not be seen any more: all lines are solid. Areas and circles keep their shapes.
+//! not be seen any more: all lines are solid. Areas and circles keep their shapes. Labels may stand over all of it, for
+//! there would hardly be room beside so much.
 
 use super::draw::Drawn;
 use super::item::{Dash, Heads, Item, Kind};
@@ -82,7 +83,7 @@ impl Many {
     }
 
     /// Takes a thing in. O(its points), and the roles and kinds that there are.
-    pub(super) fn add(&mut self, item: &Item, drawn: &mut Drawn) {
+    pub(super) fn add(&mut self, item: &Item, drawn: Drawn) {
         let (role, kind) = (item.role, item.kind.number());
         let known = self.bulks.iter().position(|bulk| bulk.role == role && bulk.kind == kind);
         let at = known.unwrap_or_else(|| {
@@ -112,14 +113,13 @@ impl Many {
 }
 
 impl Bulk {
-    fn add(&mut self, item: &Item, drawn: &mut Drawn) {
+    fn add(&mut self, item: &Item, drawn: Drawn) {
         self.count += 1;
         if self.key != item.key {
             self.key = None;
         }
-        let nodes = std::mem::take(&mut drawn.nodes);
         if !item.is_fine() {
-            self.nodes.extend(nodes);
+            self.nodes.extend(drawn.nodes);
             return;
         }
         if let (Kind::Point(..), Some(&Shape::Disc(at, _))) = (&item.kind, drawn.ink.first()) {
@@ -127,7 +127,7 @@ impl Bulk {
             self.lines.start(tenths(at));
             return;
         }
-        for node in nodes {
+        for node in drawn.nodes {
             match node {
                 Node::Line { from, to, .. } => self.line(from, [to]),
                 Node::Curve { start, steps, .. } => self.line(start, steps.into_iter().map(end)),

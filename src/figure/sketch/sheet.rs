@@ -96,19 +96,21 @@ pub(in crate::figure) struct Drawing<'a> {
     sketch: &'a Sketch,
     frame: Bounds,
     drawn: Vec<Option<Drawn>>,
+    /// What is drawn in bulk, layer by layer.
+    bulk: Vec<Many>,
     pub(in crate::figure) notes: Notes,
 }
 
 impl<'a> Drawing<'a> {
     pub(in crate::figure) fn new(sketch: &'a Sketch, canvas: &Canvas) -> Self {
         let mut missing: Vec<(&'static str, String)> = Vec::new();
+        let mut bulk: Vec<Many> = (0..LAYERS).map(|_| Many::new(canvas.frame)).collect();
         let draw = |item: &Item| match item.draw(canvas) {
-            Ok(mut drawn) => {
-                if item.label.is_none() && !matches!(item.kind, Kind::Badge(_)) {
-                    drawn.anchors = Vec::new();
-                }
-                Some(drawn)
+            Ok(drawn) if sketch.is_bulk(item) => {
+                bulk[layer(&item.kind)].add(item, drawn);
+                None
             }
+            Ok(drawn) => Some(drawn),
             Err(reason) => {
                 missing.push((reason, item.name.clone()));
                 None
@@ -120,10 +122,10 @@ impl<'a> Drawing<'a> {
         for same in missing.chunk_by(|a, b| a.0 == b.0) {
             notes.add_words(same[0].0, same.iter().map(|(_, name)| name.clone()));
         }
-        Self { sketch, frame: canvas.frame, drawn, notes }
+        Self { sketch, frame: canvas.frame, drawn, bulk, notes }
     }
 
-    /// What labels must not cover.
+    /// What labels must not cover: all that is drawn one by one.
     pub(in crate::figure) fn ink(&self) -> Vec<Shape> {
         self.drawn.iter().flatten().flat_map(|drawn| drawn.ink.iter().copied()).collect()
     }
@@ -133,14 +135,11 @@ impl<'a> Drawing<'a> {
     pub(in crate::figure) fn nodes(&mut self, crowd: &mut Crowd, size: f64, first: usize, instance: &str) -> Vec<Node> {
         let mut out = Vec::new();
         let id = |item: &Item, ending: &str| Some(format!("{instance}s-{}{ending}", item.name));
-        for wanted in 0..LAYERS {
-            let (mut many, mut single) = (Many::new(self.frame), Vec::new());
+        for (wanted, bulk) in std::mem::take(&mut self.bulk).into_iter().enumerate() {
+            out.extend(bulk.nodes(instance));
             for (item, drawn) in self.sketch.items.iter().zip(&mut self.drawn) {
-                let Some(drawn) = drawn.as_mut().filter(|_| layer(&item.kind) == wanted) else { continue };
-                if self.sketch.is_bulk(item) {
-                    many.add(item, drawn);
-                } else {
-                    single.push(Node::Group(Group {
+                if let Some(drawn) = drawn.as_mut().filter(|_| layer(&item.kind) == wanted) {
+                    out.push(Node::Group(Group {
                         class: "sk",
                         mark: item.role.class(),
                         id: id(item, ""),
@@ -150,8 +149,6 @@ impl<'a> Drawing<'a> {
                     }));
                 }
             }
-            out.extend(many.nodes(instance));
-            out.append(&mut single);
         }
         let mut homeless = Vec::new();
         let mut badge = first;

@@ -8,9 +8,12 @@
 //!
 //! What is split hands its reasons on to both parts. So two edges in a row have equal reasons just if the vertex
 //! between them is in the middle of one line, as it was given; where rounding has bent the line, too.
+//!
+//! Each obstacle knows its edges and faces, and every change is written down until the edit is kept: so an edit costs
+//! what it touches, however many obstacles there are.
 
 use crate::ids::{EdgeId, Element, FaceId, VertexId};
-use crate::plane::Subdivision;
+use crate::plane::{Point, Subdivision};
 use crate::topology::{Change, Slot};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -37,6 +40,23 @@ struct First {
     free: BTreeSet<Element>,
 }
 
+/// An obstacle and what it closes.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub(super) struct Obstacle {
+    /// Its corners as they were given; the two ends of a wall.
+    pub(super) corners: Vec<Point>,
+    edges: BTreeSet<EdgeId>,
+    faces: BTreeSet<FaceId>,
+}
+
+/// What an entry was before it was changed.
+#[derive(Clone, Debug, PartialEq)]
+enum Before {
+    Piece(EdgeId, Option<EdgeId>),
+    Borders(EdgeId, BTreeSet<SideOf>),
+    Covers(FaceId, BTreeSet<ObstacleId>),
+}
+
 /// Who closes what, and what was there before.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Book {
@@ -47,7 +67,10 @@ pub(super) struct Book {
     borders: BTreeMap<EdgeId, BTreeSet<SideOf>>,
     /// The obstacles that cover a face.
     covers: BTreeMap<FaceId, BTreeSet<ObstacleId>>,
+    obstacles: BTreeMap<ObstacleId, Obstacle>,
     next: u32,
+    /// What the edit under way has changed, the last change last.
+    before: Vec<Before>,
 }
 
 impl Book {
@@ -58,8 +81,15 @@ impl Book {
         let free_edges = (0..edges as u32).map(EdgeId::new).filter(|&e| !map.has_edge(e)).map(Element::from);
         let free_faces = (0..faces as u32).map(FaceId::new).filter(|&f| !map.has_face(f)).map(Element::from);
         let free = free_vertices.chain(free_edges).chain(free_faces).collect();
-        let first = First { vertices, edges, faces, free };
-        Self { first, pieces: BTreeMap::new(), borders: BTreeMap::new(), covers: BTreeMap::new(), next: 0 }
+        Self {
+            first: First { vertices, edges, faces, free },
+            pieces: BTreeMap::new(),
+            borders: BTreeMap::new(),
+            covers: BTreeMap::new(),
+            obstacles: BTreeMap::new(),
+            next: 0,
+            before: Vec::new(),
+        }
     }
 
     /// Whether the element was there before the first obstacle.
@@ -74,15 +104,31 @@ impl Book {
         known && !self.first.free.contains(&element)
     }
 
-    /// A number for a new obstacle.
-    pub(super) fn number(&mut self) -> ObstacleId {
+    /// Enters an obstacle under a new number.
+    pub(super) fn add(&mut self, corners: &[Point]) -> ObstacleId {
+        let obstacle = ObstacleId(self.next);
         self.next += 1;
-        ObstacleId(self.next - 1)
+        self.put_corners(obstacle, corners);
+        obstacle
+    }
+
+    /// Enters an obstacle under its number, or gives it other corners.
+    pub(super) fn put_corners(&mut self, obstacle: ObstacleId, corners: &[Point]) {
+        self.obstacles.entry(obstacle).or_default().corners = corners.to_vec();
+    }
+
+    /// Takes out the entry of an obstacle that closes nothing.
+    pub(super) fn forget(&mut self, obstacle: ObstacleId) {
+        self.obstacles.remove(&obstacle);
     }
 
     /// The obstacles in the map.
-    pub(super) fn obstacles(&self) -> BTreeSet<ObstacleId> {
-        self.borders.values().flatten().map(|&(obstacle, _)| obstacle).collect()
+    pub(super) fn obstacles(&self) -> impl Iterator<Item = ObstacleId> + '_ {
+        self.obstacles.keys().copied()
+    }
+
+    pub(super) fn obstacle(&self, obstacle: ObstacleId) -> Option<&Obstacle> {
+        self.obstacles.get(&obstacle)
     }
 
     /// Whether nobody may cross the edge.
@@ -110,29 +156,36 @@ impl Book {
     }
 
     pub(super) fn put_border(&mut self, e: EdgeId, side: SideOf) {
-        self.borders.entry(e).or_default().insert(side);
+        let mut owners = self.borders.get(&e).cloned().unwrap_or_default();
+        owners.insert(side);
+        self.set_borders(e, owners);
     }
 
     pub(super) fn cover(&mut self, f: FaceId, obstacle: ObstacleId) {
-        self.covers.entry(f).or_default().insert(obstacle);
+        let mut owners = self.covers.get(&f).cloned().unwrap_or_default();
+        owners.insert(obstacle);
+        self.set_covers(f, owners);
     }
 
-    /// The edges along the sides of an obstacle. O(number of all borders).
+    /// The edges along the sides of an obstacle.
     pub(super) fn border_of(&self, obstacle: ObstacleId) -> Vec<EdgeId> {
-        let has = |owners: &BTreeSet<SideOf>| owners.iter().any(|&(owner, _)| owner == obstacle);
-        self.borders.iter().filter(|(_, owners)| has(owners)).map(|(&e, _)| e).collect()
+        self.obstacles.get(&obstacle).map_or_else(Vec::new, |o| o.edges.iter().copied().collect())
     }
 
-    /// Strikes an obstacle out; returns the edges and faces it closed. O(number of all borders).
+    /// Opens what an obstacle closes; returns these edges and faces.
     pub(super) fn strike(&mut self, obstacle: ObstacleId) -> (Vec<EdgeId>, Vec<FaceId>) {
         let edges = self.border_of(obstacle);
         let faces: Vec<FaceId> =
-            self.covers.iter().filter(|(_, owners)| owners.contains(&obstacle)).map(|(&f, _)| f).collect();
+            self.obstacles.get(&obstacle).map_or_else(Vec::new, |o| o.faces.iter().copied().collect());
         for &e in &edges {
-            drop_owners(&mut self.borders, e, |&(owner, _)| owner == obstacle);
+            let mut owners = self.borders.get(&e).cloned().unwrap_or_default();
+            owners.retain(|&(owner, _)| owner != obstacle);
+            self.set_borders(e, owners);
         }
         for &f in &faces {
-            drop_owners(&mut self.covers, f, |&owner| owner == obstacle);
+            let mut owners = self.covers.get(&f).cloned().unwrap_or_default();
+            owners.remove(&obstacle);
+            self.set_covers(f, owners);
         }
         (edges, faces)
     }
@@ -150,37 +203,79 @@ impl Book {
                 Change::Write { slot: Slot::Origin(h), old: Some(_), new: Some(_) } => {
                     let Some(e) = new_edge.take() else { continue };
                     if let Some(owners) = self.borders.get(&h.edge()).cloned() {
-                        self.borders.insert(e, owners);
+                        self.set_borders(e, owners);
                     }
                     if let Some(first) = self.piece_of(h.edge()) {
-                        self.pieces.insert(e, first);
+                        self.set_piece(e, Some(first));
                     }
                 }
                 Change::Write { slot: Slot::Face(_), old: Some(Element::Face(old)), new: Some(Element::Face(new)) } => {
                     if let Some(owners) = self.covers.get(&old).cloned() {
-                        self.covers.insert(new, owners);
+                        self.set_covers(new, owners);
                     }
                 }
                 Change::Removed { element: Element::Edge(e) } => {
                     new_edge = None;
-                    self.borders.remove(&e);
-                    self.pieces.remove(&e);
+                    self.set_borders(e, BTreeSet::new());
+                    self.set_piece(e, None);
                 }
-                Change::Removed { element: Element::Face(f) } => {
-                    self.covers.remove(&f);
-                }
+                Change::Removed { element: Element::Face(f) } => self.set_covers(f, BTreeSet::new()),
                 // A split writes nothing but origins between its new edge and the twin's.
                 _ => new_edge = None,
             }
         }
     }
-}
 
-fn drop_owners<K: Ord + Copy, T: Ord>(owners: &mut BTreeMap<K, BTreeSet<T>>, key: K, goes: impl Fn(&T) -> bool) {
-    if let Some(set) = owners.get_mut(&key) {
-        set.retain(|owner| !goes(owner));
-        if set.is_empty() {
-            owners.remove(&key);
+    /// From here on changes can be taken back.
+    pub(super) fn begin(&mut self) {
+        self.before.clear();
+    }
+
+    /// Takes back what was changed since [`begin`](Self::begin); obstacles that came or went are none of it.
+    pub(super) fn roll_back(&mut self) {
+        while let Some(before) = self.before.pop() {
+            match before {
+                Before::Piece(e, first) => self.set_piece(e, first),
+                Before::Borders(e, owners) => self.set_borders(e, owners),
+                Before::Covers(f, owners) => self.set_covers(f, owners),
+            }
+            self.before.pop();
         }
+    }
+
+    fn set_piece(&mut self, e: EdgeId, first: Option<EdgeId>) {
+        let before = match first {
+            Some(first) => self.pieces.insert(e, first),
+            None => self.pieces.remove(&e),
+        };
+        self.before.push(Before::Piece(e, before));
+    }
+
+    fn set_borders(&mut self, e: EdgeId, owners: BTreeSet<SideOf>) {
+        let before = self.borders.remove(&e).unwrap_or_default();
+        for (obstacle, _) in &before {
+            self.obstacles.entry(*obstacle).or_default().edges.remove(&e);
+        }
+        for (obstacle, _) in &owners {
+            self.obstacles.entry(*obstacle).or_default().edges.insert(e);
+        }
+        if !owners.is_empty() {
+            self.borders.insert(e, owners);
+        }
+        self.before.push(Before::Borders(e, before));
+    }
+
+    fn set_covers(&mut self, f: FaceId, owners: BTreeSet<ObstacleId>) {
+        let before = self.covers.remove(&f).unwrap_or_default();
+        for obstacle in &before {
+            self.obstacles.entry(*obstacle).or_default().faces.remove(&f);
+        }
+        for obstacle in &owners {
+            self.obstacles.entry(*obstacle).or_default().faces.insert(f);
+        }
+        if !owners.is_empty() {
+            self.covers.insert(f, owners);
+        }
+        self.before.push(Before::Covers(f, before));
     }
 }

@@ -74,7 +74,7 @@ fn vertices_near(map: &Subdivision, edges: &[EdgeId]) -> BTreeSet<VertexId> {
 }
 
 /// Takes out an edge. Of two faces the one stays that was there first, so that it has its name again in the end.
-fn take_out(
+pub(super) fn take_out(
     map: &mut Subdivision,
     book: &Book,
     e: EdgeId,

@@ -20,11 +20,13 @@ pub(super) fn changed_faces(map: &mut Subdivision, changes: &[Change]) -> BTreeS
     for change in changes {
         match *change {
             Change::Write { slot: Slot::Face(_), old: Some(Element::Face(old)), new: Some(Element::Face(new)) }
-                if old == map.outer_face() || map.is_hole(old) =>
+                if (old == map.outer_face() || map.is_hole(old)) && map.has_face(new) =>
             {
                 map.set_hole(new, true);
             }
-            Change::Write { slot: Slot::Next(h), .. } => faces.extend([map.face(h), map.face(h.twin())]),
+            Change::Write { slot: Slot::Next(h), .. } if map.has_half_edge(h) => {
+                faces.extend([map.face(h), map.face(h.twin())]);
+            }
             _ => {}
         }
     }

@@ -11,12 +11,14 @@
 //!
 //! ```text
 //!   book.rs    what every edge is there for      clear.rs    what goes with an obstacle
-//!   cut.rs     making faces convex               refresh.rs  the flat view, read anew in parts
+//!   insert.rs  cutting an obstacle into the map   cut.rs      making faces convex
+//!   refresh.rs the flat view, read anew in parts
 //! ```
 
 mod book;
 mod clear;
 mod cut;
+mod insert;
 mod refresh;
 
 use super::{NavMesh, NavMeshError};
@@ -26,7 +28,7 @@ use crate::topology::{Change, Journal, Slot};
 use book::Book;
 pub use book::ObstacleId;
 use clear::clear;
-use cut::{changed_faces, inside, make_convex};
+use cut::inside;
 use std::collections::BTreeSet;
 
 /// Why an obstacle cannot be put in or taken out.
@@ -121,21 +123,37 @@ impl LiveMesh {
         &self.map
     }
 
+    /// The map and its navmesh, as they are now.
+    #[must_use]
+    pub fn into_parts(self) -> (Subdivision, NavMesh) {
+        (self.map, self.mesh)
+    }
+
     /// The obstacles in the map.
     #[must_use]
     pub fn obstacles(&self) -> Vec<ObstacleId> {
-        self.book.obstacles().into_iter().collect()
+        self.book.obstacles().collect()
     }
 
-    /// Puts up a wall from `p` to `q`: a segment that nobody crosses. It may begin and end anywhere.
+    /// The corners of an obstacle as they were given, or the two ends of a wall; `None` if it is not in the map.
+    #[must_use]
+    pub fn corners(&self, obstacle: ObstacleId) -> Option<&[Point]> {
+        self.book.obstacle(obstacle).map(|obstacle| obstacle.corners.as_slice())
+    }
+
+    /// Puts up a wall from `p` to `q`: a segment that nobody crosses. It may begin and end anywhere, on vertices, edges
+    /// and other walls, too.
     ///
-    /// Cost: that of [`insert_segment`](Subdivision::insert_segment); then O(size of the faces along the wall), and
-    /// that of [`block`](NavMesh::block) for what it cuts off. If it cuts a gap in two, O(n) to name the gaps anew.
+    /// Cuts that it crosses are taken out first, and others are made when it stands: none is ever bent. Edges of the map
+    /// and other obstacles are split where it crosses them.
+    ///
+    /// Cost: O(size of the faces along the wall), a copy of all positions to be able to go back, and that of
+    /// [`block`](NavMesh::block) for what it cuts off. If it cuts a gap in two, O(n) to name the gaps anew.
     ///
     /// # Errors
     /// [`ObstacleError`]; then nothing has changed.
     pub fn insert_wall(&mut self, p: Point, q: Point) -> Result<ObstacleId, ObstacleError> {
-        self.insert(&[[p, q]], false)
+        self.insert(None, &[p, q])
     }
 
     /// Puts in an obstacle with these corners, counter-clockwise: a simple polygon that nobody enters.
@@ -146,9 +164,48 @@ impl LiveMesh {
     /// [`ObstacleError`]; then nothing has changed.
     pub fn insert_obstacle(&mut self, corners: &[Point]) -> Result<ObstacleId, ObstacleError> {
         Subdivision::polygon(corners)?;
-        let next = corners.iter().cycle().skip(1);
-        let sides: Vec<[Point; 2]> = corners.iter().zip(next).map(|(&p, &q)| [p, q]).collect();
-        self.insert(&sides, true)
+        self.insert(None, corners)
+    }
+
+    /// Moves an obstacle or a wall by a vector. It keeps its id.
+    ///
+    /// Cost: that of taking it out and putting it in.
+    ///
+    /// # Errors
+    /// [`ObstacleError`]; then it stands where it stood.
+    ///
+    /// ```
+    /// use dcel_kit::navmesh::{LiveMesh, Planner, Rung};
+    /// use dcel_kit::plane::{Point, Subdivision};
+    /// let hall = [(0., 0.), (8., 0.), (8., 4.), (0., 4.)].map(Point::from);
+    /// let mut live = LiveMesh::new(Subdivision::polygon(&hall)?)?;
+    /// let door = live.insert_wall(Point::new(4.0, 1.0), Point::new(4.0, 4.0))?;
+    /// live.move_obstacle(door, [0.0, 2.0])?;
+    /// assert_eq!(live.corners(door), Some([Point::new(4.0, 3.0), Point::new(4.0, 6.0)].as_slice()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn move_obstacle(&mut self, obstacle: ObstacleId, [dx, dy]: [f64; 2]) -> Result<(), ObstacleError> {
+        let corners = self.corners(obstacle).ok_or(ObstacleError::NoSuchObstacle { obstacle })?;
+        let moved: Vec<Point> = corners.iter().map(|p| Point::new(p.x + dx, p.y + dy)).collect();
+        self.reshape_obstacle(obstacle, &moved)
+    }
+
+    /// Gives an obstacle or a wall other corners. It keeps its id. Cost as for [`move_obstacle`](Self::move_obstacle).
+    ///
+    /// # Errors
+    /// [`ObstacleError`]; then it stands where it stood.
+    pub fn reshape_obstacle(&mut self, obstacle: ObstacleId, corners: &[Point]) -> Result<(), ObstacleError> {
+        let before = self.corners(obstacle).ok_or(ObstacleError::NoSuchObstacle { obstacle })?.to_vec();
+        if corners.len() != 2 {
+            Subdivision::polygon(corners)?;
+        }
+        self.take_out(obstacle)?;
+        let moved = self.insert(Some(obstacle), corners);
+        if moved.is_err() {
+            // It has stood there before.
+            self.insert(Some(obstacle), &before)?;
+        }
+        moved.map(drop)
     }
 
     /// Takes an obstacle out, and what it brought in: its borders are gone, the faces it covered are free unless another
@@ -160,57 +217,65 @@ impl LiveMesh {
     /// doubles can tell, nothing but the borders goes now, and the rest with a later obstacle nearby.
     ///
     /// Cost: O(size of the faces the obstacle touches, and of the gaps it reaches into), that of
-    /// [`block`](NavMesh::block) for these faces, and O(number of all borders); a copy of all positions to be able to go
-    /// back. If a piece of a gap goes, O(n) to name the gaps anew.
+    /// [`block`](NavMesh::block) for these faces, and a copy of all positions to be able to go back. If a piece of a gap
+    /// goes, O(n) to name the gaps anew.
     ///
     /// # Errors
     /// [`ObstacleError::NoSuchObstacle`].
     pub fn remove(&mut self, obstacle: ObstacleId) -> Result<(), ObstacleError> {
-        let (edges, covered) = self.book.strike(obstacle);
-        if edges.is_empty() {
+        if self.book.obstacle(obstacle).is_none() {
             return Err(ObstacleError::NoSuchObstacle { obstacle });
         }
+        self.take_out(obstacle)
+    }
+
+    fn take_out(&mut self, obstacle: ObstacleId) -> Result<(), ObstacleError> {
+        let (edges, covered) = self.book.strike(obstacle);
+        self.book.forget(obstacle);
         let mut touched: BTreeSet<FaceId> = covered.into_iter().collect();
         touched.extend(edges.iter().flat_map(|e| e.half_edges()).map(|h| self.map.face(h)));
-        let mut book = self.book.clone();
         let mut journal = Journal::new();
-        let cleared = self.map.all_or_nothing(&mut journal, |map, rec| clear(map, &mut book, &edges, rec));
-        if cleared.is_ok() {
-            self.book = book;
+        let Self { map, book, .. } = self;
+        book.begin();
+        let cleared = map.all_or_nothing(&mut journal, |map, rec| clear(map, book, &edges, rec));
+        if cleared.is_err() {
+            book.roll_back();
         }
         self.refresh(touched, &edges, &journal)
     }
 
-    fn insert(&mut self, sides: &[[Point; 2]], covers: bool) -> Result<ObstacleId, ObstacleError> {
-        let mut book = self.book.clone();
-        let obstacle = book.number();
+    /// Puts in an obstacle, or a wall if it has two corners, under the given number or a new one.
+    fn insert(&mut self, number: Option<ObstacleId>, corners: &[Point]) -> Result<ObstacleId, ObstacleError> {
+        let covers = corners.len() > 2;
+        let next = corners.iter().cycle().skip(1);
+        let sides: Vec<[Point; 2]> = corners.iter().zip(next).map(|(&p, &q)| [p, q]).collect();
+        let sides = if covers { &sides[..] } else { &sides[..1] };
+        for (side, [p, q]) in sides.iter().enumerate() {
+            let checked = p.check().and(q.check()).map_err(InsertSegmentError::from);
+            let checked = if p == q { Err(InsertSegmentError::ZeroLength { at: *p }) } else { checked };
+            checked.map_err(|error| ObstacleError::Side { side, error })?;
+        }
         let mut journal = Journal::new();
-        let border = self.map.all_or_nothing(&mut journal, |map, rec| {
-            let mut border: Vec<HalfEdgeId> = Vec::new();
-            for (side, &[p, q]) in sides.iter().enumerate() {
-                let begin = rec.len();
-                let inserted = map.insert_segment_with(p, q, rec);
-                let inserted = inserted.map_err(|error| ObstacleError::Side { side, error })?.half_edges;
-                book.follow(&rec.changes()[begin..]);
-                inserted.iter().for_each(|h| book.put_border(h.edge(), (obstacle, side)));
-                border.extend(inserted);
-            }
-            let begin = rec.len();
-            let faces = changed_faces(map, rec.changes());
-            make_convex(map, faces, rec)?;
-            book.follow(&rec.changes()[begin..]);
-            Ok::<_, ObstacleError>(border)
-        })?;
+        let Self { map, mesh, book } = self;
+        let inserted = map.all_or_nothing(&mut journal, |map, rec| insert::cut_in(map, mesh, book, sides, rec))?;
+        let obstacle = number.unwrap_or_else(|| book.add(corners));
+        book.put_corners(obstacle, corners);
+        let mut begin = 0;
+        for (side, (half_edges, end)) in inserted.sides.iter().enumerate() {
+            book.follow(&journal.changes()[begin..*end]);
+            half_edges.iter().for_each(|h| book.put_border(h.edge(), (obstacle, side)));
+            begin = *end;
+        }
+        book.follow(&journal.changes()[begin..]);
         let edges = book.border_of(obstacle);
-        let mut touched: BTreeSet<FaceId> =
-            edges.iter().flat_map(|e| e.half_edges()).map(|h| self.map.face(h)).collect();
+        let mut touched: BTreeSet<FaceId> = edges.iter().flat_map(|e| e.half_edges()).map(|h| map.face(h)).collect();
         if covers {
             let own: BTreeSet<EdgeId> = edges.iter().copied().collect();
-            let inside = inside(&self.map, &border, |e| own.contains(&e));
+            let border: Vec<HalfEdgeId> = inserted.sides.into_iter().flat_map(|(half_edges, _)| half_edges).collect();
+            let inside = inside(map, &border, |e| own.contains(&e));
             inside.iter().for_each(|&face| book.cover(face, obstacle));
             touched.extend(inside);
         }
-        self.book = book;
         self.refresh(touched, &edges, &journal)?;
         Ok(obstacle)
     }
@@ -242,7 +307,8 @@ impl LiveMesh {
                 _ => {}
             }
         }
-        faces.retain(|&f| f != map.outer_face() && !map.is_hole(f));
+        // The number of a face that went may be that of a hole now.
+        faces.retain(|&f| f != map.outer_face() && (!map.is_hole(f) || self.mesh.has_face(f)));
         let here = faces.iter().filter(|&&f| map.has_face(f));
         edges.extend(here.flat_map(|&f| map.incident_edges(f)));
         let walls: Vec<(EdgeId, bool)> = edges.into_iter().map(|e| (e, self.book.is_border(e))).collect();

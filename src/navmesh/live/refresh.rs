@@ -37,7 +37,7 @@ impl NavMesh {
             for &(f, blocked) in faces {
                 mesh.spent_sides += mesh.range(f).len();
                 mesh.faces[f.index()] = FaceRecord::ABSENT;
-                if !map.has_face(f) {
+                if !map.has_face(f) || map.is_hole(f) {
                     continue;
                 }
                 result = result.and(mesh.read_face(map, f));

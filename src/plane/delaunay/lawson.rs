@@ -52,7 +52,8 @@ impl Subdivision {
     /// ids stay. Of several Delaunay triangulations of points on one circle, which one it becomes depends on the
     /// triangulation it was.
     ///
-    /// Cost: O(edges + flips); mostly few flips for each edge, at worst O(n²) for n vertices. Exact.
+    /// Cost: O(edges + flips); mostly few flips for each edge, about √n where the given triangles run from side to side
+    /// (those of the monotone sweep between many holes), at worst O(n²) for n vertices. Exact.
     ///
     /// ```
     /// use dcel_kit::plane::{Point, Subdivision};

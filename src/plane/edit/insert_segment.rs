@@ -129,7 +129,8 @@ impl Subdivision {
         }
     }
 
-    fn insert_way(
+    /// Joins two vertices by a straight way through everything between them. A caller that is refused goes back itself.
+    pub(crate) fn insert_way(
         &mut self,
         from: VertexId,
         to: VertexId,

@@ -84,7 +84,7 @@ impl Subdivision {
 
     /// Where each of the points lies, by a [`PointIndex`] made for them and asked cell by cell.
     ///
-    /// Cost: O((n + k) log (n + k)) for k points; exact.
+    /// Cost: that of the index, and O((n + k) log (n + k)) for k points; exact.
     #[must_use]
     pub fn locate_all(&self, points: &[Point]) -> Vec<Location> {
         PointIndex::new(self).locate_all(points)

@@ -41,16 +41,16 @@ pub(super) enum Spot<'a> {
 }
 
 /// Where two segments cross, without rounding.
-pub(super) struct Crossed(Crossing);
+pub(crate) struct Crossed(Crossing);
 
 impl Crossed {
     /// The crossing of two segments, which must cross in a point interior to both.
-    pub(super) fn new(one: [Point; 2], other: [Point; 2]) -> Self {
+    pub(crate) fn new(one: [Point; 2], other: [Point; 2]) -> Self {
         Self(Crossing::new([0, 1], [one, other]))
     }
 
     /// The nearest point with doubles as coordinates, and how far it is from the crossing.
-    pub(super) fn rounded(&self) -> (Point, f64) {
+    pub(crate) fn rounded(&self) -> (Point, f64) {
         self.0.rounded()
     }
 

@@ -32,7 +32,7 @@ impl Voronoi<'_> {
     /// A cell is a face with exactly one site inside, by an exact test. Its corners are rounded; so it may be not
     /// quite convex, and corners closer to each other than doubles can tell are one vertex.
     ///
-    /// Cost: O(n log n).
+    /// Cost: O(n log n); O(n log² n) where the sites crowd in a small part of the window.
     ///
     /// # Errors
     /// [`VoronoiError`]: the window, a site outside of it, or two sites so close to each other that no edge of doubles

@@ -1,0 +1,157 @@
+//! The start and the goal of a path: where one can stand there, and where else if one cannot.
+
+use super::super::failure::{Failure, say};
+use super::map::Map;
+use super::tell::{number, point, refusal};
+use dcel_kit::FaceId;
+use dcel_kit::io::Number;
+use dcel_kit::navmesh::{Nearest, Place, PlaceError};
+use dcel_kit::plane::Point;
+use serde::Serialize;
+
+/// What to do with a start or goal off the mesh.
+#[derive(clap::Args, Debug)]
+pub(super) struct Snap {
+    /// Move a start or goal that is off the mesh to the nearest place, if that is no further away than
+    /// this; the distance is told
+    #[arg(long, value_name = "D", value_parser = number, allow_negative_numbers = true)]
+    snap: Option<f64>,
+}
+
+/// How many ends were moved, and how far at most.
+#[derive(Serialize, Clone, Copy, Default)]
+pub(super) struct Moves {
+    pub(super) count: usize,
+    pub(super) farthest: f64,
+}
+
+/// A start or goal.
+pub(super) struct End {
+    /// Where it was asked for.
+    pub(super) asked: Point,
+    /// The places there: one on each side of a double corner or a wall.
+    pub(super) places: Vec<Place>,
+    /// How far they are from where it was asked for, if it was moved.
+    pub(super) moved: Option<f64>,
+}
+
+/// An end that there is no place for.
+pub(super) struct Lost {
+    pub(super) asked: Point,
+    pub(super) nearest: Option<Nearest>,
+    pub(super) failure: Failure,
+}
+
+/// Where an end is asked for.
+pub(super) struct Wish<'a> {
+    /// `start` or `goal`.
+    pub(super) what: &'a str,
+    /// As the file has it.
+    pub(super) coordinates: [f64; 2],
+    pub(super) face: Option<FaceId>,
+}
+
+impl Snap {
+    /// Refuses what is no distance.
+    pub(super) fn check(&self) -> Result<(), Failure> {
+        match self.snap.filter(|&snap| snap < 0.0) {
+            Some(snap) => Err(Failure::input(format!("a distance of {snap}"), "give a number such as --snap 0.5")),
+            None => Ok(()),
+        }
+    }
+
+    /// The places at a point, or the nearest one.
+    pub(super) fn place(&self, map: &Map, p: Point, moves: &mut Moves) -> Result<Vec<Place>, PlaceError> {
+        map.mesh.places(p).or_else(|error| {
+            let near = self.nearest(map, p).ok_or(error)?;
+            moves.count += 1;
+            moves.farthest = moves.farthest.max(near.distance);
+            Ok(vec![near.place])
+        })
+    }
+
+    /// The nearest place, if it is near enough.
+    fn nearest(&self, map: &Map, p: Point) -> Option<Nearest> {
+        let limit = self.snap?;
+        map.mesh.nearest_point(p).filter(|near| near.distance <= limit)
+    }
+
+    /// The end that is wished for. `why` says more about a point that is off the mesh, if there is more to say.
+    pub(super) fn end(
+        &self,
+        map: &Map,
+        wish: &Wish<'_>,
+        why: impl Fn(&PlaceError) -> Option<String>,
+    ) -> Result<End, Box<Lost>> {
+        let Wish { what, coordinates, face } = *wish;
+        let asked = map.point(coordinates);
+        let found = match face {
+            Some(face) => map.mesh.place_in(face, asked).map(|place| vec![place]),
+            None => map.mesh.places(asked),
+        };
+        let error = match found {
+            Ok(places) => return Ok(End { asked, places, moved: None }),
+            Err(error) => error,
+        };
+        let why = why(&error).unwrap_or_else(|| refusal(map, &error));
+        let is_off = !matches!(error, PlaceError::NotInFace { .. });
+        if let Some(near) = self.nearest(map, asked).filter(|_| is_off) {
+            let Nearest { place, distance } = near;
+            say(
+                "note",
+                format_args!(
+                    "the {what} {why}; moved by {} to {} in {}",
+                    Number(distance),
+                    point(map, place.point),
+                    place.face
+                ),
+            );
+            return Ok(End { asked, places: vec![place], moved: Some(distance) });
+        }
+        let nearest = map.mesh.nearest_point(asked);
+        let place = nearest.map(|near| (point(map, near.place.point), near.place.face, near.distance));
+        let help = match place {
+            None => String::new(),
+            Some((_, face, _)) if !is_off => {
+                format!("leave --{what}-face out, or name a face at the point: {face} is the nearest")
+            }
+            Some((at, face, distance)) => match self.snap {
+                Some(snap) => format!(
+                    "the nearest place is {at} in {face}, {} away: more than --snap {}",
+                    Number(distance),
+                    Number(snap)
+                ),
+                None => format!(
+                    "the nearest place is {at} in {face}; --snap {} moves the {what} there",
+                    Number(above(distance))
+                ),
+            },
+        };
+        let failure = Failure::input(format!("{}: the {what} {why}", map.source), help);
+        Err(Box::new(Lost { asked, nearest, failure }))
+    }
+}
+
+/// A number with few digits that is no less.
+pub(super) fn above(x: f64) -> f64 {
+    let step = 10f64.powf(x.abs().max(f64::MIN_POSITIVE).log10().floor() - 1.0);
+    let rounded = format!("{:.1e}", (x / step).ceil() * step).parse().unwrap_or(x);
+    if rounded >= x && f64::is_finite(rounded) { rounded } else { x }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::above;
+
+    #[test]
+    fn a_limit_has_few_digits_and_is_no_less() {
+        let cases = [(0.5, 0.5), (0.123, 0.13), (73.0, 73.0), (9.99, 10.0), (1.0 / 3.0, 0.34), (1e-9, 1e-9)];
+        for (x, limit) in cases {
+            let found = above(x);
+            assert!(found >= x && (found - limit).abs() <= 1e-12 * limit, "{x}: {found}");
+        }
+        for x in [0.0, 1e300, f64::MAX, f64::MIN_POSITIVE] {
+            assert!(above(x) >= x, "{x}");
+        }
+    }
+}

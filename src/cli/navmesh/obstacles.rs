@@ -1,0 +1,87 @@
+//! Walls and obstacles of the command line, put into a map before anything is asked of it.
+
+use super::super::failure::Failure;
+use dcel_kit::navmesh::{LiveMesh, NavMesh, NavMeshError, ObstacleError};
+use dcel_kit::plane::{Point, Subdivision};
+
+/// What is put into the map.
+#[derive(clap::Args, Debug)]
+#[command(next_help_heading = "Obstacles")]
+pub(super) struct ObstacleArgs {
+    /// Put up a wall between two points; may be given several times
+    #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = wall, allow_hyphen_values = true)]
+    wall: Vec<Corners>,
+    /// Put in an obstacle with these corners, in order, either way round; may be given several times
+    #[arg(long, value_name = "X,Y,X,Y,X,Y", value_parser = polygon, allow_hyphen_values = true)]
+    obstacle: Vec<Corners>,
+}
+
+/// Points as the file has them, and the words they were given by.
+#[derive(Clone, Debug)]
+pub(super) struct Corners {
+    points: Vec<[f64; 2]>,
+    text: String,
+}
+
+fn corners(text: &str) -> Result<Corners, String> {
+    let numbers: Result<Vec<f64>, String> = text.split(',').map(|word| super::tell::number(word.trim())).collect();
+    let numbers = numbers?;
+    if !numbers.len().is_multiple_of(2) {
+        return Err(format!("{} numbers are no points: give x and y of each", numbers.len()));
+    }
+    let points = numbers.chunks_exact(2).map(|p| [p[0], p[1]]).collect();
+    Ok(Corners { points, text: text.to_owned() })
+}
+
+fn wall(text: &str) -> Result<Corners, String> {
+    let ends = corners(text)?;
+    if ends.points.len() == 2 { Ok(ends) } else { Err("a wall has two ends: give x0,y0,x1,y1".to_owned()) }
+}
+
+fn polygon(text: &str) -> Result<Corners, String> {
+    let corners = corners(text)?;
+    if corners.points.len() > 2 { Ok(corners) } else { Err("an obstacle has three corners or more".to_owned()) }
+}
+
+impl ObstacleArgs {
+    /// The map with everything put in, and its navmesh. `place` takes points of the file to those of the map.
+    pub(super) fn put_in(
+        &self,
+        source: &str,
+        map: Subdivision,
+        mesh: NavMesh,
+        place: impl Fn([f64; 2]) -> Point,
+    ) -> Result<(Subdivision, NavMesh), Failure> {
+        if self.wall.is_empty() && self.obstacle.is_empty() {
+            return Ok((map, mesh));
+        }
+        let mesh_error = |error: NavMeshError| Failure::input(format!("{source}: {error}"), "");
+        let mut live = LiveMesh::new(map).map_err(mesh_error)?;
+        let given = self.wall.iter().map(|corners| ("--wall", corners));
+        for (flag, Corners { points, text }) in given.chain(self.obstacle.iter().map(|corners| ("--obstacle", corners)))
+        {
+            let mut points: Vec<Point> = points.iter().map(|&p| place(p)).collect();
+            if twice_area(&points) < 0.0 {
+                points.reverse();
+            }
+            let put = match points[..] {
+                [p, q] => live.insert_wall(p, q),
+                _ => live.insert_obstacle(&points),
+            };
+            put.map_err(|error| {
+                let help = match error {
+                    ObstacleError::Polygon(_) => "give the corners in order, each once",
+                    _ => "",
+                };
+                Failure::input(format!("{source}: {flag} {text}: {error}"), help)
+            })?;
+        }
+        Ok(live.into_parts())
+    }
+}
+
+/// Twice the area inside the corners; negative if they run clockwise.
+fn twice_area(points: &[Point]) -> f64 {
+    let Some(&first) = points.first() else { return 0.0 };
+    points.windows(2).map(|p| (p[0].x - first.x) * (p[1].y - first.y) - (p[0].y - first.y) * (p[1].x - first.x)).sum()
+}
