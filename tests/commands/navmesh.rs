@@ -379,7 +379,7 @@ fn costs_links_distances_and_random_points_come_from_the_command_line() {
     // Eight squares round a hole: below is nearer, unless it is dear. What is told is the length.
     let corners = (0..16).map(|i| format!("v {} {} 0\n", i % 4, i / 4));
     let squares = [0, 1, 2, 4, 6, 8, 9, 10].map(|i| {
-        let corner = i / 4 * 4 + i % 4 + 1;
+        let corner = i + 1;
         format!("f {} {} {} {}\n", corner, corner + 1, corner + 5, corner + 4)
     });
     folder.write("ring.obj", &(corners.collect::<String>() + &squares.concat()));
