@@ -40,7 +40,7 @@
 //! | 4 | what is the shortest way through these faces? | `funnel.rs` |
 //! | 5 | what is the shortest way of all? | `exact/`, over larger faces `merged.rs` |
 //! | 6 | which of them are wide enough? how far is everything? | `inset.rs`, `doors.rs`, `field.rs` |
-//! | | what does a straight line meet? where is somebody at random? | `raycast.rs`, `random.rs` |
+//! | | what does a straight line meet? where is somebody at random? how do teleports and storeys help? | `raycast.rs`, `random.rs`, `links.rs` |
 //! | 7 | and when walls come and go? | `change.rs`, `upkeep.rs`, `live/` |
 //!
 //! Every decision is a sign of [`orientation`](crate::plane::predicates::orientation) on points that were given, so
@@ -62,6 +62,7 @@ mod funnel;
 mod grid;
 mod inset;
 mod jumps;
+mod links;
 mod live;
 mod location;
 mod merged;
@@ -85,6 +86,7 @@ pub use exact::Cone;
 pub use field::DistanceField;
 pub use funnel::FunnelStep;
 pub use inset::{Inset, InsetError};
+pub use links::{Leg, Link, LinkError, LinkedRoute, Stop};
 pub use live::{LiveMesh, ObstacleError, ObstacleId};
 pub use location::{Location, Place, PlaceError};
 pub use merged::MergedFace;

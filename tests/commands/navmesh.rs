@@ -373,6 +373,66 @@ fn walls_obstacles_and_rays_come_from_the_command_line() {
     folder.dcel("navmesh raycast rooms.map 1 1 9").fails(2, "", "");
 }
 
+#[test]
+fn costs_links_distances_and_random_points_come_from_the_command_line() {
+    let folder = folder();
+    // Eight squares round a hole: below is nearer, unless it is dear. What is told is the length.
+    let corners = (0..16).map(|i| format!("v {} {} 0\n", i % 4, i / 4));
+    let squares = [0, 1, 2, 4, 6, 8, 9, 10].map(|i| {
+        let corner = i + 1;
+        format!("f {} {} {} {}\n", corner, corner + 1, corner + 5, corner + 4)
+    });
+    folder.write("ring.obj", &(corners.collect::<String>() + &squares.concat()));
+    let through = |flags: &str| {
+        let answer =
+            folder.dcel(&format!("navmesh path ring.obj 0.5 1.4 2.5 1.4 --rung closest --json {flags}")).json();
+        answer["routes"][0]["faces"]
+            .as_array()
+            .expect("faces")
+            .iter()
+            .map(|f| f.as_str().expect("a face").to_owned())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(through(""), ["f4", "f1", "f2", "f3", "f5"]);
+    assert_eq!(through("--cost f1-f3=9"), ["f4", "f6", "f7", "f8", "f5"]);
+    assert_eq!(through("--cost f1,f3=9 --cost f6-f8=20"), ["f4", "f1", "f2", "f3", "f5"]);
+    let path = "navmesh path rooms.map 1 1 22 12";
+    folder.dcel(&format!("{path} --cost f1=3")).fails(2, "--cost cannot be used with --rung exact", "--rung closest");
+    folder.dcel(&format!("{path} --rung closest --cost f9999=3")).fails(2, "f9999 is no face", "locate");
+    folder.dcel(&format!("{path} --rung closest --cost f1")).fails(2, "write it like f3=2.5", "");
+    folder.dcel(&format!("{path} --rung closest --cost f1=-1")).fails(2, "a cost is 0 or more", "");
+
+    let linked = folder.dcel(&format!("{path} --link 2,1,22,11,0.5 --json -o link.svg")).json();
+    assert_eq!((&linked["cost"], &linked["links"]), (&json!(2.5), &json!([0])));
+    assert_eq!(linked["legs"][1]["points"], json!([[22.0, 11.0], [22.0, 12.0]]));
+    assert!(folder.read("link.svg").contains("a link of the path"));
+    let told = folder.dcel(&format!("{path} --link 2,1,22,11,0.5")).fine();
+    assert!(told.starts_with("exact: 2.5, over 1 link\n") && told.contains("(2, 1) -> (22, 11), costs 0.5"), "{told}");
+    folder.dcel(&format!("{path} --link 2,1,22,11,99")).fine();
+    folder.dcel(&format!("{path} --link 3,2.5,22,11,1")).fails(2, "--link: its start (3, 2.5) is not on the mesh", "");
+    folder.dcel(&format!("{path} --link 2,1,22,11")).fails(2, "give five numbers", "");
+    folder.dcel(&format!("{path} --link 2,1,22,11,1 --rung all")).fails(2, "--rung all", "one rung");
+
+    let near = folder.dcel("navmesh distances rooms.map 0 0 --limit 8 --json -o reach.svg").json();
+    let far = folder.dcel("navmesh distances rooms.map 0 0 --json").json();
+    let rows = |answer: &serde_json::Value| answer["vertices"].as_array().expect("rows").len();
+    assert!(rows(&near) > 0 && rows(&near) < rows(&far), "{} and {}", rows(&near), rows(&far));
+    let first = &near["vertices"][0];
+    assert_eq!((&first["point"], &first["distance"]), (&json!([0.0, 0.0]), &json!(0.0)));
+    assert!(folder.read("reach.svg").contains("how far it is"));
+    folder.dcel("navmesh distances rooms.map 3 2.5").fails(2, "the start (3, 2.5) is not on the mesh", "nearest");
+    folder.dcel("navmesh distances rooms.map 1 1 --limit -1").fails(2, "", "");
+
+    let points = folder.dcel("navmesh random rooms.map --count 4 --seed 9").fine();
+    assert_eq!(
+        (points.lines().count(), &points),
+        (4, &folder.dcel("navmesh random rooms.map --count 4 --seed 9").fine())
+    );
+    let words = points.split_whitespace().collect::<Vec<_>>().join(" ");
+    let located = folder.dcel(&format!("navmesh locate rooms.map {words}")).fine();
+    assert!(!located.contains("outside") && !located.contains("hole"), "{located}");
+}
+
 /// The commands below `Examples:`, with lines joined at `\`.
 fn examples(help: &str) -> Vec<String> {
     let text = help.split("\nExamples:\n").nth(1).expect("examples").replace("\\\n", " ");
@@ -392,6 +452,8 @@ fn the_examples_of_the_help_run_and_the_help_fits_60_columns() {
         "navmesh neighbours",
         "navmesh path",
         "navmesh raycast",
+        "navmesh distances",
+        "navmesh random",
         "navmesh scenario",
     ] {
         let output =

@@ -7,6 +7,7 @@ mod blocking;
 mod corridors;
 mod crossings;
 mod inset;
+mod links;
 mod live;
 mod location;
 mod maps;

@@ -3,20 +3,24 @@
 //! ```text
 //!   info ── locate ── neighbours      what the map is, where a point lies, what lies next to a face
 //!   path ── scenario                  a way by any rung of the ladder; a file of questions and answers
-//!   raycast                           the first wall on a straight line
+//!   raycast ── distances ── random    the first wall on a line; how far everything is; points at random
 //! ```
 //!
 //! Points are given and told as the file has them: of a grid map with y pointing down, of a floor in space by the two
 //! axes that lie flat.
 
+mod distances;
 mod drawing;
 mod ends;
+mod extras;
 mod info;
+mod linked;
 mod locate;
 mod map;
 mod neighbours;
 mod obstacles;
 mod path;
+mod random;
 mod raycast;
 mod scenario;
 mod tell;
@@ -46,6 +50,8 @@ enum Command {
     Locate(locate::Args),
     Neighbours(neighbours::Args),
     Path(Box<path::Args>),
+    Distances(Box<distances::Args>),
+    Random(random::Args),
     Raycast(Box<raycast::Args>),
     Scenario(scenario::Args),
 }
@@ -56,6 +62,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         Command::Locate(args) => locate::run(args, out),
         Command::Neighbours(args) => neighbours::run(args, out),
         Command::Path(args) => path::run(args, out),
+        Command::Distances(args) => distances::run(args, out),
+        Command::Random(args) => random::run(args, out),
         Command::Raycast(args) => raycast::run(args, out),
         Command::Scenario(args) => scenario::run(args, out),
     }

@@ -6,12 +6,13 @@ use super::super::picture::Target;
 use super::super::{Answer, Output};
 use super::drawing::{Drawing, save};
 use super::ends::{End, Lost, Snap, Wish};
+use super::extras::Extras;
 use super::map::{Map, MapArgs, Preparation};
 use super::tell::{Spot, faces, number, point};
 use clap::ValueEnum;
 use dcel_kit::FaceId;
 use dcel_kit::figure::navmesh::Floor;
-use dcel_kit::navmesh::{ComponentId, Inset, Location, Place, PlaceError, Planner, Route, RouteError, Rung};
+use dcel_kit::navmesh::{ComponentId, Inset, Link, Location, Place, PlaceError, Planner, Route, RouteError, Rung};
 use dcel_kit::plane::Point;
 use serde::Serialize;
 use std::io::Write;
@@ -36,7 +37,11 @@ Examples:
   dcel navmesh path rooms.map 2.5 2.5 22 12 \\
     --snap 1
   dcel navmesh path rooms.map 1 1 22 12 \\
-    --radius 0.4 --rung closest -o wide.svg")]
+    --radius 0.4 --rung closest -o wide.svg
+  dcel navmesh path rooms.map 1 1 22 12 \\
+    --link 2,1,22,11,0.5 -o link.svg
+  dcel navmesh path rooms.map 1 1 22 12 \\
+    --rung closest --cost f1=3")]
 pub(super) struct Args {
     #[command(flatten)]
     map: MapArgs,
@@ -58,6 +63,8 @@ pub(super) struct Args {
     /// drawn by as few straight pieces as that allows
     #[arg(long, value_name = "PART", value_parser = number, requires = "radius", default_value_t = Inset::TOLERANCE)]
     tolerance: f64,
+    #[command(flatten)]
+    extras: Extras,
     /// The face to start from, where gaps touch in the start; without it the shortest way decides
     #[arg(long, value_name = "f3")]
     start_face: Option<FaceId>,
@@ -95,6 +102,11 @@ pub(super) enum Which {
 }
 
 impl Which {
+    /// The word for it on the command line.
+    fn word(self) -> String {
+        self.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
+    }
+
     pub(super) fn rungs(self) -> &'static [Rung] {
         match self {
             Self::Bfs => &[Rung::Breadth],
@@ -197,9 +209,22 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let mut planner = args.preparation.planner();
     let [start, goal] = maps.choose(&mut planner, &wishes, &ends);
     let moved = ends.map(|end| end.moved);
+    let links = args.extras.links(map)?;
+    if !links.is_empty() {
+        return linked(args, map, &mut planner, &links, [start, goal], target.as_ref(), out);
+    }
+    let costs = args.extras.costs(&map.source, &map.mesh)?;
     let mut routes: Vec<(Rung, Route)> = Vec::new();
     for &rung in args.rung.rungs() {
-        match planner.route(&map.mesh, rung, &start, &goal) {
+        if costs.is_some() && matches!(rung, Rung::Exact | Rung::Breadth) {
+            let what = format!("--cost cannot be used with --rung {}: it counts lengths or faces", args.rung.word());
+            return Err(Failure::input(what, "choose a quicker rule, for example --rung closest"));
+        }
+        let found = match &costs {
+            Some(costs) => planner.weighted_route(&map.mesh, rung, costs, &start, &goal),
+            None => planner.route(&map.mesh, rung, &start, &goal),
+        };
+        match found {
             Ok(route) => routes.push((rung, route)),
             Err(RouteError::Apart { start: from, goal: to, .. }) => {
                 return apart(args, &maps, ([start, goal], moved), [from, to], target.as_ref(), out);
@@ -220,6 +245,27 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         compare(&rows, out)?;
     }
     Ok(Answer::Yes)
+}
+
+/// The path over links, told and drawn.
+fn linked(
+    args: &Args,
+    map: &Map,
+    planner: &mut Planner,
+    links: &[Link],
+    ends: [Place; 2],
+    target: Option<&Target>,
+    out: &mut Output,
+) -> Result<Answer, Failure> {
+    let &[rung] = args.rung.rungs() else {
+        return Err(Failure::input("--link cannot be used with --rung all", "choose one rung, for example exact"));
+    };
+    let (answer, path) = super::linked::run(map, planner, rung, links, ends, args.json, out)?;
+    if let Some((target, path)) = target.zip(path) {
+        let options = args.drawing.options(map, &format!("A path over links through {}", args.map.title()));
+        save(target, Floor::new(&map.subdivision, &map.mesh).linked(0, &path, links, &options), out)?;
+    }
+    Ok(answer)
 }
 
 /// The map of the file, and what is left of it for an agent with a radius.

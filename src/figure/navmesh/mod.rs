@@ -6,7 +6,8 @@
 //!   apart      why there is no way                 cones    what the exact search looked at
 //!   off_mesh   a start where nobody can stand
 //!   clearance  the margin a wide agent keeps       ladder   every rung beside the shortest way
-//!   ray        what a straight line runs against
+//!   ray        what a straight line runs against    reach    how far everything is
+//!   linked     a path over teleports and the like
 //! ```
 //!
 //! Under each figure lies the map in grey, with its gaps hatched. Roles are the same everywhere: blue is the way,
@@ -17,9 +18,11 @@ mod clearance;
 mod cones;
 mod funnel;
 mod ladder;
+mod links;
 mod mesh;
 mod off_mesh;
 mod ray;
+mod reach;
 mod route;
 
 use super::sketch::{Backdrop, Role, Sketch, SketchError};

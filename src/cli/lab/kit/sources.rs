@@ -1,7 +1,7 @@
 //! The files of this build. Generated: `dcel lab bundle`.
 
 #[rustfmt::skip]
-pub(super) const SOURCES: [(&str, &str); 277] = [
+pub(super) const SOURCES: [(&str, &str); 281] = [
     ("figures/data/rooms.map", include_str!("../../../../figures/data/rooms.map")),
     ("figures/data/rooms.scen", include_str!("../../../../figures/data/rooms.scen")),
     ("figures/data/states-albers-10m.json", include_str!("../../../../figures/data/states-albers-10m.json")),
@@ -48,15 +48,19 @@ pub(super) const SOURCES: [(&str, &str); 277] = [
     ("src/cli/locate.rs", include_str!("../../../../src/cli/locate.rs")),
     ("src/cli/looks.rs", include_str!("../../../../src/cli/looks.rs")),
     ("src/cli/mod.rs", include_str!("../../../../src/cli/mod.rs")),
+    ("src/cli/navmesh/distances.rs", include_str!("../../../../src/cli/navmesh/distances.rs")),
     ("src/cli/navmesh/drawing.rs", include_str!("../../../../src/cli/navmesh/drawing.rs")),
     ("src/cli/navmesh/ends.rs", include_str!("../../../../src/cli/navmesh/ends.rs")),
+    ("src/cli/navmesh/extras.rs", include_str!("../../../../src/cli/navmesh/extras.rs")),
     ("src/cli/navmesh/info.rs", include_str!("../../../../src/cli/navmesh/info.rs")),
+    ("src/cli/navmesh/linked.rs", include_str!("../../../../src/cli/navmesh/linked.rs")),
     ("src/cli/navmesh/locate.rs", include_str!("../../../../src/cli/navmesh/locate.rs")),
     ("src/cli/navmesh/map.rs", include_str!("../../../../src/cli/navmesh/map.rs")),
     ("src/cli/navmesh/mod.rs", include_str!("../../../../src/cli/navmesh/mod.rs")),
     ("src/cli/navmesh/neighbours.rs", include_str!("../../../../src/cli/navmesh/neighbours.rs")),
     ("src/cli/navmesh/obstacles.rs", include_str!("../../../../src/cli/navmesh/obstacles.rs")),
     ("src/cli/navmesh/path.rs", include_str!("../../../../src/cli/navmesh/path.rs")),
+    ("src/cli/navmesh/random.rs", include_str!("../../../../src/cli/navmesh/random.rs")),
     ("src/cli/navmesh/raycast.rs", include_str!("../../../../src/cli/navmesh/raycast.rs")),
     ("src/cli/navmesh/scenario.rs", include_str!("../../../../src/cli/navmesh/scenario.rs")),
     ("src/cli/navmesh/tell.rs", include_str!("../../../../src/cli/navmesh/tell.rs")),

@@ -1,0 +1,102 @@
+//! `dcel navmesh distances`: how far everything is from one place.
+
+use super::super::failure::Failure;
+use super::super::output::table;
+use super::super::{Answer, Output};
+use super::drawing::{Drawing, save};
+use super::map::MapArgs;
+use super::tell::{faces, number, point, refusal};
+use dcel_kit::figure::navmesh::Floor;
+use dcel_kit::navmesh::Planner;
+use dcel_kit::{FaceId, VertexId};
+use serde::Serialize;
+use std::io::Write;
+
+/// Tell how far every vertex is from a point, by the shortest paths
+///
+/// With --limit: what can be reached within a length.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Examples:
+  dcel navmesh distances rooms.map 1 1 --limit 6
+  dcel navmesh distances rooms.map 1 1 --json \\
+    -o distances.svg")]
+pub(super) struct Args {
+    #[command(flatten)]
+    map: MapArgs,
+    /// The point: x y, as the file has it
+    #[arg(value_names = ["X", "Y"], num_args = 2, required = true, allow_negative_numbers = true, value_parser = number)]
+    start: Vec<f64>,
+    /// Leave out what is further away than this
+    #[arg(long, value_name = "LENGTH", value_parser = number)]
+    limit: Option<f64>,
+    /// The face to start from, where holes touch in the start
+    #[arg(long, value_name = "f3")]
+    start_face: Option<FaceId>,
+    /// Answer in JSON
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    drawing: Drawing,
+}
+
+/// The answer. The names are those of the JSON form.
+#[derive(Serialize)]
+struct Answered {
+    source: String,
+    start: [f64; 2],
+    limit: Option<f64>,
+    vertices: Vec<Row>,
+    /// The faces of which every corner is within the limit.
+    faces: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Row {
+    vertex: String,
+    point: [f64; 2],
+    distance: f64,
+}
+
+pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    let [x, y] = args.start[..] else { return Err(Failure::input("one number is no point", "give x and y")) };
+    if let Some(limit) = args.limit.filter(|&limit| limit < 0.0) {
+        return Err(Failure::input(format!("a limit of {limit}"), "give a length of 0 or more"));
+    }
+    let target = args.drawing.target(args.map.file())?;
+    let map = args.map.open()?;
+    let start = map.point([x, y]);
+    let place = args.start_face.map_or_else(|| map.mesh.place(start), |face| map.mesh.place_in(face, start));
+    let place = place.map_err(|error| {
+        let nearest = map.mesh.nearest_point(start);
+        let help = nearest.map(|nearest| format!("the nearest place is {}", point(&map, nearest.place.point)));
+        Failure::input(format!("{}: the start {}", map.source, refusal(&map, &error)), help.unwrap_or_default())
+    })?;
+    let field = Planner::new().distance_field(&map.mesh, &place, args.limit.unwrap_or(f64::INFINITY));
+    if let Some(target) = &target {
+        let options = args.drawing.options(&map, &format!("Distances in {}", args.map.title()));
+        save(target, Floor::new(&map.subdivision, &map.mesh).reach(&field, &options), out)?;
+    }
+    let row = |v: VertexId| {
+        let distance = field.distance(v)?;
+        Some(Row { vertex: v.to_string(), point: map.in_file(map.mesh.point(v)), distance })
+    };
+    let answer = Answered {
+        source: map.source.clone(),
+        start: [x, y],
+        limit: args.limit,
+        vertices: (0..map.mesh.vertex_bound() as u32).map(VertexId::new).filter_map(row).collect(),
+        faces: field.faces_within(&map.mesh).map(|f| f.to_string()).collect(),
+    };
+    if args.json {
+        out.json(&answer)?;
+        return Ok(Answer::Yes);
+    }
+    let within = args.limit.map_or_else(|| "can be reached".to_owned(), |limit| format!("are within {limit}"));
+    let count = answer.vertices.len();
+    let (vertices, reached) = (if count == 1 { "vertex" } else { "vertices" }, faces(answer.faces.len()));
+    writeln!(out, "from {}: {count} {vertices} and {reached} {within}", point(&map, start))?;
+    let told = |row: &Row| [row.vertex.clone(), super::super::output::point(&row.point), row.distance.to_string()];
+    table(out, &answer.vertices.iter().map(told).collect::<Vec<_>>())?;
+    Ok(Answer::Yes)
+}

@@ -1,0 +1,96 @@
+//! `dcel navmesh path --link`: a path over the map and over links.
+
+use super::super::failure::Failure;
+use super::super::output::point as told;
+use super::super::{Answer, Output};
+use super::map::Map;
+use super::tell::point;
+use dcel_kit::navmesh::{Link, LinkError, LinkedRoute, Place, Planner, Rung, Stop};
+use serde::Serialize;
+use std::io::Write;
+
+/// The answer. The names are those of the JSON form.
+#[derive(Serialize)]
+struct Answered {
+    source: String,
+    rung: &'static str,
+    found: bool,
+    /// The lengths of the legs and the costs of the links.
+    cost: Option<f64>,
+    legs: Vec<LegRow>,
+    /// The links between the legs, by their order on the command line, from 0.
+    links: Vec<usize>,
+}
+
+#[derive(Serialize)]
+struct LegRow {
+    length: f64,
+    points: Vec<[f64; 2]>,
+    faces: Vec<String>,
+}
+
+/// Finds the path and tells it. Returns it, for a figure.
+pub(super) fn run(
+    map: &Map,
+    planner: &mut Planner,
+    rung: Rung,
+    links: &[Link],
+    ends: [Place; 2],
+    json: bool,
+    out: &mut Output,
+) -> Result<(Answer, Option<LinkedRoute>), Failure> {
+    let [start, goal] = ends.map(|place| Stop { layer: 0, place });
+    let path = match planner.linked_route(std::slice::from_ref(&map.mesh), links, rung, &start, &goal) {
+        Ok(path) => Some(path),
+        Err(LinkError::Unreachable) => None,
+        Err(error) => return Err(Failure::input(format!("{}: {error}", map.source), "")),
+    };
+    if json {
+        out.json(&answered(map, rung, path.as_ref()))?;
+    } else {
+        tell(map, rung, links, [start, goal], path.as_ref(), out)?;
+    }
+    Ok((if path.is_some() { Answer::Yes } else { Answer::No }, path))
+}
+
+fn answered(map: &Map, rung: Rung, path: Option<&LinkedRoute>) -> Answered {
+    let legs = path.into_iter().flat_map(|path| &path.legs).map(|leg| LegRow {
+        length: leg.route.length,
+        points: leg.route.points.iter().map(|&p| map.in_file(p)).collect(),
+        faces: leg.route.faces.iter().map(ToString::to_string).collect(),
+    });
+    Answered {
+        source: map.source.clone(),
+        rung: rung.name(),
+        found: path.is_some(),
+        cost: path.map(|path| path.cost),
+        legs: legs.collect(),
+        links: path.map_or_else(Vec::new, |path| path.links.clone()),
+    }
+}
+
+fn tell(
+    map: &Map,
+    rung: Rung,
+    links: &[Link],
+    ends: [Stop; 2],
+    path: Option<&LinkedRoute>,
+    out: &mut Output,
+) -> Result<(), Failure> {
+    let Some(path) = path else {
+        let [from, to] = ends.map(|stop| point(map, stop.place.point));
+        writeln!(out, "no path: neither the map nor the links lead from {from} to {to}")?;
+        return Ok(());
+    };
+    let count = path.links.len();
+    writeln!(out, "{rung}: {}, over {count} {}", path.cost, if count == 1 { "link" } else { "links" })?;
+    for (i, leg) in path.legs.iter().enumerate() {
+        if let Some(&link) = i.checked_sub(1).and_then(|before| path.links.get(before)) {
+            let [from, to] = [links[link].from, links[link].to].map(|stop| point(map, stop.place.point));
+            writeln!(out, "  link    {from} -> {to}, costs {}", links[link].cost)?;
+        }
+        let points: Vec<String> = leg.route.points.iter().map(|&p| told(&map.in_file(p))).collect();
+        writeln!(out, "  leg     {}, {} long", points.join(" "), leg.route.length)?;
+    }
+    Ok(())
+}

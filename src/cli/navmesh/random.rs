@@ -1,0 +1,51 @@
+//! `dcel navmesh random`: points at random.
+
+use super::super::failure::Failure;
+use super::super::{Answer, Output};
+use super::map::MapArgs;
+use serde::Serialize;
+use std::io::Write;
+
+/// Give points at random where one can stand, every part of the map as often as its area says
+///
+/// One point a line, x and y as the file has them.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+Examples:
+  dcel navmesh random rooms.map --count 5
+  dcel navmesh random rooms.map --seed 7 --json")]
+pub(super) struct Args {
+    #[command(flatten)]
+    map: MapArgs,
+    /// How many
+    #[arg(long, value_name = "N", default_value_t = 10)]
+    count: usize,
+    /// The same seed gives the same points
+    #[arg(long, value_name = "SEED", default_value_t = 1)]
+    seed: u64,
+    /// Answer in JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// A point. The names are those of the JSON form.
+#[derive(Serialize)]
+struct Found {
+    point: [f64; 2],
+    face: String,
+}
+
+pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    let map = args.map.open()?;
+    let places = map.mesh.random_places(args.seed).take(args.count);
+    if args.json {
+        let found = places.map(|place| Found { point: map.in_file(place.point), face: place.face.to_string() });
+        out.json(&found.collect::<Vec<_>>())?;
+        return Ok(Answer::Yes);
+    }
+    for place in places {
+        let [x, y] = map.in_file(place.point);
+        writeln!(out, "{x} {y}")?;
+    }
+    Ok(Answer::Yes)
+}

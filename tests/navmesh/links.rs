@@ -1,0 +1,109 @@
+//! Paths over links against Dijkstra on all pairs, whose lengths come from the visibility graph.
+
+use crate::maps::{Map, Random};
+use crate::oracle::{Node, Oracle};
+use crate::routes::is_close;
+use dcel_kit::navmesh::{Link, LinkError, NavMesh, Planner, Rung, Stop};
+use dcel_kit::plane::Point;
+
+/// The least costs by relaxing every pair until nothing changes.
+fn least(count: usize, edges: &[(usize, usize, f64)]) -> Vec<f64> {
+    let mut costs = vec![f64::INFINITY; count];
+    costs[0] = 0.0;
+    for _ in 0..count {
+        for &(a, b, cost) in edges {
+            costs[b] = costs[b].min(costs[a] + cost);
+        }
+    }
+    costs
+}
+
+#[test]
+fn the_exact_path_over_links_and_storeys_is_the_cheapest_of_all() {
+    let mut planner = Planner::new();
+    let (mut linked, mut apart, mut several) = (0, 0, 0);
+    for seed in 0..50 {
+        let mut random = Random::new(seed + 18_000);
+        let maps: Vec<Map> = (0..1 + seed % 2).map(|layer| Map::random(9 * seed + layer, 3, 0.7, 0.4)).collect();
+        let meshes: Vec<NavMesh> = maps.iter().map(Map::mesh).collect();
+        let oracles: Vec<Oracle> = maps.iter().map(Oracle::all_free).collect();
+        // A stop in a triangle, and the same for the oracle.
+        let mut stops: Vec<(Stop, Node)> = Vec::new();
+        let count = 8 + 2 * random.below(8);
+        for _ in 0..count {
+            let layer = random.below(maps.len());
+            let triangle = random.below(maps[layer].triangles.len());
+            let point = maps[layer].inside(triangle, &mut random);
+            let place = meshes[layer].place(point).expect("inside");
+            stops.push((Stop { layer, place }, Oracle::inner_node(point, triangle)));
+        }
+        // Stops 0 and 1 are the start and the goal; 2 and 3, 4 and 5, ... are links.
+        let links: Vec<Link> = stops[2..]
+            .chunks(2)
+            .map(|pair| Link { from: pair[0].0, to: pair[1].0, cost: [0.0, 0.3, 2.0][random.below(3)] * random.unit() })
+            .collect();
+        let mut edges: Vec<(usize, usize, f64)> =
+            links.iter().enumerate().map(|(i, link)| (2 * i + 2, 2 * i + 3, link.cost)).collect();
+        for (a, (from, node)) in stops.iter().enumerate() {
+            for (b, (_, other)) in stops.iter().enumerate().filter(|(_, (to, _))| to.layer == from.layer) {
+                edges.extend(oracles[from.layer].shortest(node, other).map(|length| (a, b, length)));
+            }
+        }
+        let expected = least(stops.len(), &edges)[1];
+        let found = planner.linked_route(&meshes, &links, Rung::Exact, &stops[0].0, &stops[1].0);
+        let context = format!("seed {seed}");
+        let Ok(path) = found else {
+            assert_eq!((found, expected), (Err(LinkError::Unreachable), f64::INFINITY), "{context}");
+            apart += 1;
+            continue;
+        };
+        assert!(is_close(path.cost, expected), "{context}: {} and not {expected}", path.cost);
+        assert_eq!(path.legs.len(), path.links.len() + 1, "{context}");
+        // The legs begin and end where the links do, and their costs are the whole.
+        let mut sum: f64 = path.links.iter().map(|&i| links[i].cost).sum();
+        for (i, leg) in path.legs.iter().enumerate() {
+            let from = i.checked_sub(1).map_or(stops[0].0, |before| links[path.links[before]].to);
+            let to = path.links.get(i).map_or(stops[1].0, |&link| links[link].from);
+            let ends = [leg.route.points[0], *leg.route.points.last().expect("two")];
+            assert_eq!((leg.layer, ends), (from.layer, [from.place.point, to.place.point]), "{context}");
+            sum += leg.route.length;
+        }
+        assert!(is_close(sum, path.cost), "{context}: {sum} and not {}", path.cost);
+        linked += usize::from(!path.links.is_empty());
+        several += usize::from(path.links.len() > 1);
+        // Every other rung finds a path, too, and none that is shorter.
+        for rung in Rung::ALL {
+            let other = planner.linked_route(&meshes, &links, rung, &stops[0].0, &stops[1].0);
+            let other = other.unwrap_or_else(|error| panic!("{context}, {rung}: {error}"));
+            assert!(other.cost >= path.cost * (1.0 - 1e-9), "{context}, {rung}: {} < {}", other.cost, path.cost);
+        }
+    }
+    assert!(linked > 15 && several > 5 && apart > 2, "{linked} linked, {several} by several, {apart} apart");
+}
+
+#[test]
+fn links_lead_one_way_and_few_legs_are_searched_for() {
+    let mesh = Map::random(1, 8, 1.0, 0.0).mesh();
+    let layers = std::slice::from_ref(&mesh);
+    let stop = |x: f64, y: f64| Stop { layer: 0, place: mesh.place(Point::new(x, y)).expect("inside") };
+    let [a, b] = [stop(0.3, 0.4), stop(7.6, 7.7)];
+    let teleport = Link { from: a, to: b, cost: 1.0 };
+    let mut planner = Planner::new();
+    let mut cost = |links: &[Link], from: &Stop, to: &Stop| {
+        planner.linked_route(layers, links, Rung::Exact, from, to).map(|path| path.cost)
+    };
+    let straight = cost(&[], &a, &b).expect("no wall");
+    assert_eq!(cost(&[teleport], &a, &b), Ok(1.0));
+    assert_eq!(cost(&[teleport], &b, &a), Ok(straight), "it leads one way");
+    assert_eq!(cost(&[Link { cost: 99.0, ..teleport }], &a, &b), Ok(straight), "it is too dear");
+    let bad = Link { cost: -1.0, ..teleport };
+    assert_eq!(cost(&[teleport, bad], &a, &b), Err(LinkError::Cost { link: 1, cost: -1.0 }));
+    let above = Stop { layer: 3, ..a };
+    assert_eq!(cost(&[teleport], &a, &above), Err(LinkError::NoSuchLayer { layer: 3, layers: 1 }));
+    // A hundred links that lead nowhere near: the work is that of the path itself.
+    let far: Vec<Link> = (0..100).map(|i| Link { from: b, to: stop(7.0, f64::from(i) * 0.07), cost: 5.0 }).collect();
+    let near = stop(0.9, 0.2);
+    let work =
+        |links: &[Link]| Planner::new().linked_route(layers, links, Rung::Closest, &a, &near).expect("near").work;
+    assert_eq!(work(&far), work(&[]));
+}
