@@ -6,7 +6,8 @@
 
 use chull::ConvexHull;
 use dcel_kit::VertexId;
-use dcel_kit::solid::{Convex, Direction, HullFaces, Polyhedron, Shape, SurfaceJournal};
+use dcel_kit::solid::grow::Shape;
+use dcel_kit::solid::{Convex, Direction, HullFaces, Polyhedron, SurfaceJournal};
 use dcel_kit_benches::{DOUBLED, Random, compare, growth, print, program};
 use std::cell::Cell;
 

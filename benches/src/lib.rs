@@ -144,7 +144,7 @@ pub fn print(title: &str, programs: &[Program<'_>], ns: &[f64]) {
 /// Prints how the time of one program grows with its input, as the `linear` runs do: for each size the time an element
 /// takes and, from the second size on, the exponent e of time = size^e since the size before. `prepare` makes the input
 /// and returns what is measured.
-pub fn growth<T: 'static, R: Fn() -> T + Clone>(name: &str, sizes: &[usize], prepare: impl Fn(usize) -> R) {
+pub fn growth<T: 'static, R: Fn() -> T>(name: &str, sizes: &[usize], prepare: impl Fn(usize) -> R) {
     println!("{name}");
     let mut before: Option<(usize, f64)> = None;
     for &size in sizes {
