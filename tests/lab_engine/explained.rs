@@ -157,7 +157,7 @@ fn what_a_wrong_value_is_in_every_failing_call_is_said() {
         let h = HalfEdgeId::new(h[0]);
         let Some(next) = table.next(h) else { return vec![0] };
         let end = table.next(next).and_then(|after| table.origin(after));
-        vec![end.map_or(0, |v| v.number())]
+        vec![end.map_or(0, dcel_kit::VertexId::number)]
     });
     let end = told(&next_end, "destination_by_next");
     assert!(end.contains("failing calls, the answer is where the next half-edge ends."), "{end}");

@@ -63,12 +63,12 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
             let what = format!("{}: an autograder is a zip archive", target.display());
             return Err(Failure::input(what, "let its name end in .zip"));
         }
-        let files = gradescope_files(lab.name(), &place, kit::program_sources()).map_err(no_kit)?;
+        let files = gradescope_files(lab.name(), &place, kit::program_sources()).map_err(|error| no_kit(&error))?;
         write(target, &files)?;
         writeln!(out, "{}: the autograder of {}", target.display(), lab.name())?;
     }
     if let Some(target) = &args.classroom50 {
-        let files = classroom50_files(lab.name(), &place, kit::program_sources()).map_err(no_kit)?;
+        let files = classroom50_files(lab.name(), &place, kit::program_sources()).map_err(|error| no_kit(&error))?;
         if is_zip(target) {
             write(target, &files)?;
         } else {
@@ -79,7 +79,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     Ok(Answer::Yes)
 }
 
-fn no_kit(error: std::io::Error) -> Failure {
+fn no_kit(error: &std::io::Error) -> Failure {
     Failure::input(format!("the sources of the kit: {error}"), "say --kit path=CHECKOUT")
 }
 

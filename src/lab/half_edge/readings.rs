@@ -154,7 +154,6 @@ mod tests {
                 next: id(next),
                 prev: id(prev),
                 face: Some(FaceId::new(face)),
-                ..HalfEdgeRow::default()
             })
         };
         let stored = |n| Some(HalfEdgeId::new(n));
@@ -208,7 +207,6 @@ mod tests {
                 next: Some(walk[(i + 1) % 4]),
                 prev: Some(walk[(i + 3) % 4]),
                 face: Some(FaceId::new(0)),
-                ..HalfEdgeRow::default()
             });
         }
         table.faces[0] = Some(FaceRow { boundary: Some(walk[1]), ..FaceRow::default() });
