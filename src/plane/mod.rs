@@ -52,7 +52,9 @@ pub use hull::{HullError, convex_hull};
 #[cfg(feature = "navmesh")]
 pub(crate) use locate::{Cells, Lines};
 pub use locate::{Location, PointIndex, Walk};
-pub(crate) use meet::{Crossed, Expansion};
+#[cfg(feature = "navmesh")]
+pub(crate) use meet::Crossed;
+pub(crate) use meet::Expansion;
 pub use mend::{Cover, Mended};
 pub use overlay::{Operation, Overlay, ParseOperationError, Parts};
 pub use point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};

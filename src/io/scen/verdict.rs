@@ -109,8 +109,8 @@ impl fmt::Display for Verdict {
 }
 
 impl Scenario {
-    /// What the lengths of the whole file are: see [the page](self). Of a file that fits neither reading it tells
-    /// which one it nearly fits.
+    /// What the lengths of the whole file are: sums a + b√2 of steps, or not. Of a file that fits neither reading it
+    /// tells which one it nearly fits.
     ///
     /// Cost: O(queries · length), where lengths beyond 100,000 are never octile.
     ///
