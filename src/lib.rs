@@ -48,7 +48,7 @@
 #![warn(clippy::unwrap_used)]
 
 pub mod figure;
-#[cfg(any(feature = "io", feature = "grade"))]
+#[cfg(any(feature = "io", feature = "lab"))]
 pub mod files;
 pub mod ids;
 #[cfg(feature = "io")]

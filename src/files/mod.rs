@@ -158,7 +158,7 @@ pub fn write_whole(path: &Path, bytes: impl AsRef<[u8]>) -> io::Result<()> {
     file.commit()
 }
 
-/// A folder for work in between, in the system's folder for such things: it goes when this is dropped, and when a
+/// A folder for work in between, in the system's folder for such things or beside a place: it goes when this is dropped, and when a
 /// signal ends the program (see [`abandon_all`]).
 #[derive(Debug)]
 pub struct ScratchFolder(Temporary);
@@ -169,7 +169,16 @@ impl ScratchFolder {
     /// # Errors
     /// What the machine says.
     pub fn new(name: &str) -> io::Result<Self> {
-        Temporary::folder(&std::env::temp_dir().join(name)).map(Self)
+        Self::beside(&std::env::temp_dir().join(name))
+    }
+
+    /// An empty folder in the folder of `target`, with a hidden name made of its name. What a process that was killed
+    /// left behind there under such a name is removed.
+    ///
+    /// # Errors
+    /// What the machine says.
+    pub fn beside(target: &Path) -> io::Result<Self> {
+        Temporary::folder(target).map(Self)
     }
 
     /// Where it is.

@@ -20,6 +20,7 @@ use super::run::{PATIENCE, SuiteRun, run_suite};
 use super::the_lab::Lab;
 use super::verdict::Verdict;
 use super::zoo::{self, Evidence, Signature};
+use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -169,14 +170,17 @@ fn run_all<'a>(lab: &Lab, course: &dyn Course, program: &dyn Program, suites: &'
 /// Suites run at the same time, until one comes to an end by time or memory; `None` for those that were not begun.
 fn run_ahead(course: &dyn Course, program: &dyn Program, suites: &[Suite]) -> Vec<Option<SuiteRun>> {
     let lanes = program.at_once().min(suites.len());
+    // The longest first: what comes last decides when all is done.
+    let mut order: Vec<usize> = (0..suites.len()).collect();
+    order
+        .sort_by_key(|&number| Reverse(suites[number].asked.iter().map(|asked| asked.case.steps.len()).sum::<usize>()));
     let runs: Vec<Mutex<Option<SuiteRun>>> = suites.iter().map(|_| Mutex::new(None)).collect();
     if lanes > 1 {
         let (next, ended) = (AtomicUsize::new(0), AtomicBool::new(false));
         let lane = || {
             while !ended.load(Ordering::Relaxed) {
-                let number = next.fetch_add(1, Ordering::Relaxed);
-                let Some(suite) = suites.get(number) else { break };
-                let run = run_suite(program, course, suite, 0);
+                let Some(&number) = order.get(next.fetch_add(1, Ordering::Relaxed)) else { break };
+                let run = run_suite(program, course, &suites[number], 0);
                 ended.fetch_or(run.exhausted > 0, Ordering::Relaxed);
                 *runs[number].lock().unwrap_or_else(PoisonError::into_inner) = Some(run);
             }

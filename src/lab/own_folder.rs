@@ -12,10 +12,10 @@
 use super::submission::{Built, Intake, Toolchain, Tree, USUAL_BUILD, build, take_in};
 use super::task::OwnMachine;
 use super::{Driver, Lab, LabFiles, Plan, Report, Verdict, grade_program};
+use crate::files::ScratchFolder;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The manifest of a student's folder.
 const MANIFEST: &str = "Cargo.toml";
@@ -46,19 +46,19 @@ impl FolderCheck {
 /// Cost: one compilation of a small program, then as [`grade_program`].
 #[must_use]
 pub fn check_folder(lab: &Lab, folder: &Path, work: &Path, plan: &Plan) -> FolderCheck {
-    Workbench { work: work.to_owned(), again: false, room: None, toolchain: None }.check(lab, folder, plan)
+    Workbench { work: work.to_owned(), again: false, place: None, toolchain: None }.check(lab, folder, plan)
 }
 
 /// A place to check folders in again and again, a lab each time the same: what the compiler made for one check it uses
 /// for the next, so a check after a small change takes a third of the time. The verdicts are those of [`check_folder`].
 ///
-/// What was made is removed when this is dropped.
+/// What was made is removed when this is dropped; if the process is killed, by the next check.
 #[derive(Debug)]
 pub struct Workbench {
     work: PathBuf,
     again: bool,
-    /// Where the last check was built, if it is to be used again.
-    room: Option<PathBuf>,
+    /// Where the last check was built.
+    place: Option<ScratchFolder>,
     toolchain: Option<Toolchain>,
 }
 
@@ -66,7 +66,7 @@ impl Workbench {
     /// A workbench in the folder `work`, which is made if it is not there.
     #[must_use]
     pub fn new(work: &Path) -> Self {
-        Self { work: work.to_owned(), again: true, room: None, toolchain: None }
+        Self { work: work.to_owned(), again: true, place: None, toolchain: None }
     }
 
     /// As [`check_folder`].
@@ -102,36 +102,17 @@ impl Workbench {
     }
 
     fn lay(&mut self, lab: &Lab, intake: &Intake) -> io::Result<Tree> {
-        if !self.again {
-            return Tree::lay(fresh(&self.work)?, lab, intake, &OwnMachine);
+        // The first time; or somebody has cleaned up.
+        if self.place.as_ref().is_none_or(|place| !place.path().exists()) {
+            fs::create_dir_all(&self.work)?;
+            self.place = Some(ScratchFolder::beside(&std::path::absolute(&self.work)?.join("tree"))?);
         }
-        let room = match &self.room {
-            Some(room) if room.exists() => room.clone(),
-            // The first time; or somebody has cleaned up.
-            _ => self.room.insert(fresh(&self.work)?).clone(),
-        };
-        Tree::lay_again(room, lab, intake, &OwnMachine)
-    }
-}
-
-impl Drop for Workbench {
-    fn drop(&mut self) {
-        if let Some(room) = &self.room {
-            let _ = fs::remove_dir_all(room);
+        let room = self.place.as_ref().map(|place| place.path().join("room")).unwrap_or_default();
+        if self.again {
+            Tree::lay_again(room, lab, intake, &OwnMachine)
+        } else {
+            Tree::lay(room, lab, intake, &OwnMachine)
         }
-    }
-}
-
-/// The path of a folder that nobody else builds in. It does not exist yet.
-fn fresh(work: &Path) -> io::Result<PathBuf> {
-    static TAKEN: AtomicUsize = AtomicUsize::new(0);
-    fs::create_dir_all(work)?;
-    let number = TAKEN.fetch_add(1, Ordering::Relaxed);
-    let place = std::path::absolute(work)?.join(format!("tree-{}-{number}", std::process::id()));
-    // What a process of the same number left behind when it was ended.
-    match fs::remove_dir_all(&place) {
-        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
-        _ => Ok(place),
     }
 }
 

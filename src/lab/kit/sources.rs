@@ -1,7 +1,7 @@
 //! The files of this build. Generated: `dcel lab bundle`.
 
 #[rustfmt::skip]
-pub(super) const SOURCES: [(&str, &str); 310] = [
+pub(super) const SOURCES: [(&str, &str); 313] = [
     ("LICENSE-APACHE", include_str!("../../../LICENSE-APACHE")),
     ("LICENSE-MIT", include_str!("../../../LICENSE-MIT")),
     ("figures/cube.svg", include_str!("../../../figures/cube.svg")),
@@ -111,6 +111,9 @@ pub(super) const SOURCES: [(&str, &str); 310] = [
     ("src/figure/vector.rs", include_str!("../../../src/figure/vector.rs")),
     ("src/figure/vertices.rs", include_str!("../../../src/figure/vertices.rs")),
     ("src/figure/voronoi.rs", include_str!("../../../src/figure/voronoi.rs")),
+    ("src/files/mod.rs", include_str!("../../../src/files/mod.rs")),
+    ("src/files/place.rs", include_str!("../../../src/files/place.rs")),
+    ("src/files/temporary.rs", include_str!("../../../src/files/temporary.rs")),
     ("src/ids.rs", include_str!("../../../src/ids.rs")),
     ("src/lab/bug.rs", include_str!("../../../src/lab/bug.rs")),
     ("src/lab/bundle/04-half-edge.txt", include_str!("../../../src/lab/bundle/04-half-edge.txt")),

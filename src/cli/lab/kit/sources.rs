@@ -1,7 +1,7 @@
 //! The files of this build. Generated: `dcel lab bundle`.
 
 #[rustfmt::skip]
-pub(super) const SOURCES: [(&str, &str); 281] = [
+pub(super) const SOURCES: [(&str, &str); 278] = [
     ("figures/data/rooms.map", include_str!("../../../../figures/data/rooms.map")),
     ("figures/data/rooms.scen", include_str!("../../../../figures/data/rooms.scen")),
     ("figures/data/states-albers-10m.json", include_str!("../../../../figures/data/states-albers-10m.json")),
@@ -125,9 +125,6 @@ pub(super) const SOURCES: [(&str, &str); 281] = [
     ("src/figure/solid/camera.rs", include_str!("../../../../src/figure/solid/camera.rs")),
     ("src/figure/solid/hidden.rs", include_str!("../../../../src/figure/solid/hidden.rs")),
     ("src/figure/solid/mod.rs", include_str!("../../../../src/figure/solid/mod.rs")),
-    ("src/files/mod.rs", include_str!("../../../../src/files/mod.rs")),
-    ("src/files/place.rs", include_str!("../../../../src/files/place.rs")),
-    ("src/files/temporary.rs", include_str!("../../../../src/files/temporary.rs")),
     ("src/io/arrange.rs", include_str!("../../../../src/io/arrange.rs")),
     ("src/io/arrays.rs", include_str!("../../../../src/io/arrays.rs")),
     ("src/io/dcel.rs", include_str!("../../../../src/io/dcel.rs")),
