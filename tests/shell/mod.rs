@@ -33,6 +33,8 @@ pub struct Told {
     pub code: Option<i32>,
     pub out: String,
     pub err: String,
+    /// Whether `--json` was asked for.
+    json: bool,
 }
 
 impl Told {
@@ -53,9 +55,13 @@ impl Told {
     #[track_caller]
     pub fn fails(&self, code: i32, error: &str, help: &str) {
         assert_eq!(self.code, Some(code), "{self:?}");
-        // With --json the error is the answer.
-        let is_error = serde_json::from_str::<Value>(&self.out).is_ok_and(|out| out["error"].is_object());
-        assert!(self.out.is_empty() || is_error, "an answer in spite of the failure: {self:?}");
+        // With --json the error is the answer, and nothing else is.
+        if self.json {
+            let answer: Value = serde_json::from_str(&self.out).unwrap_or_else(|_| panic!("no JSON: {self:?}"));
+            assert!(answer["error"].is_object(), "an answer in spite of the failure: {self:?}");
+        } else {
+            assert_eq!(self.out, "", "an answer in spite of the failure: {self:?}");
+        }
         let found = self.err.lines().find_map(|line| line.strip_prefix("error: ")).unwrap_or("");
         assert!(found.contains(error), "expected `{error}`: {self:?}");
         assert!(self.err.contains(help), "expected the help `{help}`: {self:?}");
@@ -113,21 +119,28 @@ impl Folder {
 
     /// The same with a text on standard input.
     pub fn dcel_with(&self, input: &str, arguments: &str) -> Told {
-        let mut child = self.command(arguments).stdin(Stdio::piped()).spawn().expect("the command starts");
+        let mut command = self.command(arguments);
+        let mut child = command.stdin(Stdio::piped()).spawn().expect("the command starts");
         let mut stdin = child.stdin.take().expect("standard input");
         stdin.write_all(input.as_bytes()).expect("the command reads");
         drop(stdin);
-        collect(child.wait_with_output().expect("the command ends"))
+        collect(&command, child.wait_with_output().expect("the command ends"))
     }
 }
 
 fn told(command: &mut Command) -> Told {
-    collect(command.output().expect("the command starts"))
+    let output = command.output().expect("the command starts");
+    collect(command, output)
 }
 
-fn collect(output: std::process::Output) -> Told {
+fn collect(command: &Command, output: std::process::Output) -> Told {
     let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
-    Told { code: output.status.code(), out: text(output.stdout), err: text(output.stderr) }
+    Told {
+        code: output.status.code(),
+        out: text(output.stdout),
+        err: text(output.stderr),
+        json: command.get_args().any(|word| word == "--json"),
+    }
 }
 
 /// A grid of `n` x `n` squares, each cut into two triangles.

@@ -91,8 +91,8 @@ impl<S: Borrow<Subdivision>> PointIndex<S> {
     }
 
     /// Where each of the points lies, in their order. They are asked cell by cell, so that neighbours find the
-    /// structure in the cache, in blocks that stay in the cache themselves: never slower than one by one, and more
-    /// than twice as fast in a large subdivision.
+    /// structure in the cache, in blocks that stay in the cache themselves: faster than one by one in a large
+    /// subdivision.
     ///
     /// Cost: O(k) for the order of k points, O(k log k) for few of them, and the queries.
     #[must_use]
