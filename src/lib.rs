@@ -38,6 +38,7 @@
 //! | [`script`] | edits as text: typed by a student, printed by a failing test |
 //! | [`io`] | formats in and out |
 //! | [`figure`] | drawings as SVG |
+//! | [`compare`] | two drawings compared by what they mean |
 //! | [`files`] | files that are there whole or not at all |
 //! | `lab` | labs graded from outside (feature `lab`) |
 //!
@@ -47,6 +48,7 @@
 // Nothing may panic on data: an error, or expect() with the reason why it cannot happen.
 #![warn(clippy::unwrap_used)]
 
+pub mod compare;
 pub mod figure;
 #[cfg(any(feature = "io", feature = "lab"))]
 pub mod files;

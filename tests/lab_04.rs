@@ -4,7 +4,7 @@
 //! every bug, are the matter of another file.
 #![cfg(feature = "lab")]
 
-use dcel_kit::figure::compare::{Options, compare};
+use dcel_kit::compare::{Options, compare};
 use dcel_kit::lab::protocol::{CallEnd, Case, Reply, Start, Step, Value, read_answers};
 use dcel_kit::lab::{Bug, BugError, Manifest, MarkError, starter};
 use dcel_kit::script::{Outcome, Script};

@@ -95,7 +95,7 @@ static REFERENCES: &[Reference] = &[
         draw: || {
             let (right, wrong) = (lesson::table(&lesson::cube()?), lesson::wrong_cube()?);
             let options = FigureOptions::new("What differs").id_prefix("difference");
-            Ok(figure::compare::diff_figure(&right, &wrong, &options)?.to_svg())
+            Ok(dcel_kit::compare::diff_figure(&right, &wrong, &options)?.to_svg())
         },
     },
     Reference {

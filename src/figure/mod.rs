@@ -1,15 +1,14 @@
 //! Figures: a half-edge structure as SVG.
 //!
 //! ```text
-//!   view ──> layout ──────────> scene ──────────> SVG
-//!            skeleton.rs  what can be drawn        scene.rs    groups, lines, areas, discs, texts
-//!            fit.rs       scale, level of detail   svg_out.rs  crate svg
-//!            vertices.rs  half_edges.rs  faces.rs  tints.rs   labels.rs captions.rs leaders.rs (crowd.rs, pole.rs)  tiles.rs
-//!   film/    edits, frame by frame
-//!   sketch/  paths, cones, circles, badges …: what the other rooms draw themselves with, alone or over a structure
-//!   solid/   solids in space, hidden lines dashed
-//!   chart/   series over linear and log axes
-//!   dual.rs  voronoi.rs  records.rs  robustness.rs  navmesh/   one subject each
+//!   view ──> layout/  scale, level of detail, free places ──> structure/  elements, names, pointers ──> canvas/  SVG
+//!
+//!   canvas/     ink: shapes with classes, styles, widths of texts, SVG          knows nothing of structures
+//!   layout/     where things go                                                 knows the canvas
+//!   structure/  the structure figure, element by element                        knows both
+//!   sketch/     paths, cones, circles, badges …: drawings made of named parts, alone or over a structure
+//!   kinds/      one subject each: duals, Voronoi diagrams, paths, solids, charts, records, tables …
+//!   film/       edits, frame by frame                      page/   a page of HTML with a picture to walk in
 //! ```
 //!
 //! Reading rules of every figure: arrows run on the left of their edge and their one-sided barb points to
@@ -32,83 +31,37 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod advances;
-mod arrows;
-mod captions;
-pub mod chart;
-pub mod compare;
-mod crop;
-mod crowd;
-mod dual;
-mod face_arrows;
-mod faces;
+pub(crate) mod canvas;
 mod film;
-mod fit;
-mod focus;
-mod grid;
-mod half_edges;
-mod interactive;
-mod labels;
-mod leaders;
-mod log;
-mod multiples;
-#[cfg(feature = "navmesh")]
-pub mod navmesh;
-mod number;
-mod options;
-mod overrides;
+mod kinds;
+pub(crate) mod layout;
 pub(crate) mod page;
-mod panels;
-mod part;
-mod plain;
-mod plate;
-#[cfg(feature = "png")]
-mod png;
-mod pointer;
-mod pointer_style;
-mod pole;
-mod records;
-mod robustness;
-mod scene;
-mod selectors;
-mod sheet;
-mod skeleton;
 pub mod sketch;
-#[cfg(feature = "solid")]
-mod solid;
-mod structure;
-mod style;
-mod style_file;
-mod svg_out;
-mod tables;
-mod text;
-mod tiles;
-mod tints;
-mod unit;
-mod vector;
-mod vertices;
-mod voronoi;
+pub(crate) mod structure;
 
-pub use dual::{DualFigureError, dual};
-pub use film::{Fate, Film, Frame, Written};
-pub use focus::focus;
-pub use options::{Detail, FaceLabels, FigureOptions};
-pub use overrides::{Overrides, OverridesError};
-pub use page::{Page, page};
-pub use panels::pointers;
 #[cfg(feature = "png")]
-pub use png::PngError;
-pub use pointer::Pointers;
-pub use records::records;
-pub use robustness::{NearlyCollinear, robustness};
+pub use canvas::png::PngError;
+pub use canvas::style::file::{ParseColourError, StyleError};
+pub use canvas::style::{Colour, Palette, Style, Theme};
+pub use canvas::unit::{ParseLengthError, Unit};
+pub use film::{Fate, Film, Frame, Written};
+pub use kinds::chart;
+pub use kinds::dual::{DualFigureError, dual};
+pub use kinds::focus::focus;
+#[cfg(feature = "navmesh")]
+pub use kinds::navmesh;
+pub use kinds::panels::pointers;
+pub use kinds::records::records;
+pub use kinds::robustness::{NearlyCollinear, robustness};
 #[cfg(feature = "solid")]
-pub use solid::{Camera, HiddenLines, solid};
-pub use structure::structure;
-pub use style::{Colour, Palette, Style, Theme};
-pub use style_file::{ParseColourError, StyleError};
-pub use tables::tables;
-pub use unit::{ParseLengthError, Unit};
-pub use voronoi::{voronoi_cells, voronoi_edges};
+pub use kinds::solid::{Camera, HiddenLines, solid};
+pub use kinds::structure::structure;
+pub use kinds::tables::tables;
+pub use kinds::voronoi::{voronoi_cells, voronoi_edges};
+pub use layout::options::{Detail, FaceLabels, FigureOptions};
+pub use page::{Page, page};
+pub use structure::overrides::{Overrides, OverridesError};
+pub use structure::pointer::Pointers;
 
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::CoordinateError;
@@ -174,16 +127,16 @@ pub enum FigureError {
 /// A finished drawing.
 #[derive(Clone, Debug)]
 pub struct Figure {
-    scene: scene::Scene,
-    detail: Detail,
-    notes: Vec<String>,
+    pub(crate) scene: canvas::scene::Scene,
+    pub(crate) detail: Detail,
+    pub(crate) notes: Vec<String>,
 }
 
 impl Figure {
     /// The SVG document, with a line break at its end. The same figure always gives the same bytes.
     #[must_use]
     pub fn to_svg(&self) -> String {
-        svg_out::document(&self.scene)
+        canvas::svg_out::document(&self.scene)
     }
 
     /// Writes the SVG document.

@@ -4,9 +4,9 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use ttf_parser::Face;
 
-const REGULAR: &[u8] = include_bytes!("../../src/figure/fonts/DejaVuSans.ttf");
-const BOLD: &[u8] = include_bytes!("../../src/figure/fonts/DejaVuSans-Bold.ttf");
-const OBLIQUE: &[u8] = include_bytes!("../../src/figure/fonts/DejaVuSans-BoldOblique.ttf");
+const REGULAR: &[u8] = include_bytes!("../../src/figure/canvas/fonts/DejaVuSans.ttf");
+const BOLD: &[u8] = include_bytes!("../../src/figure/canvas/fonts/DejaVuSans-Bold.ttf");
+const OBLIQUE: &[u8] = include_bytes!("../../src/figure/canvas/fonts/DejaVuSans-BoldOblique.ttf");
 
 fn faces() -> [Face<'static>; 3] {
     [REGULAR, BOLD, OBLIQUE].map(|bytes| Face::parse(bytes, 0).unwrap())
@@ -100,7 +100,7 @@ fn the_three_faces_are_what_their_names_say_and_all_light_enough() {
 }
 
 fn fonts() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("src/figure/fonts")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("src/figure/canvas/fonts")
 }
 
 /// Every character that a reference figure writes is in the bundled fonts.

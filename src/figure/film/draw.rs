@@ -11,12 +11,14 @@
 //! long as all of the fuller state is there, it stays: an edge that is led past a vertex grows when the vertex goes.
 
 use super::frames::{Fate, Film, Frame, Written};
-use crate::figure::crowd::Shape;
-use crate::figure::plate::{Look, Mark, Plate};
-use crate::figure::pointer::Pointer;
-use crate::figure::scene::Node;
-use crate::figure::skeleton::{destination, half_edges, vertices};
-use crate::figure::structure::{Notes, Picture};
+use crate::figure::canvas::scene::Node;
+use crate::figure::layout::crowd::Shape;
+use crate::figure::structure::look::{Look, Mark};
+use crate::figure::structure::notes::Notes;
+use crate::figure::structure::picture::Picture;
+use crate::figure::structure::plate::Plate;
+use crate::figure::structure::pointer::Pointer;
+use crate::figure::structure::skeleton::{destination, half_edges, vertices};
 use crate::figure::{Detail, FigureError, FigureOptions};
 use crate::ids::{Element, HalfEdgeId, VertexId};
 use crate::plane::PlanarView;

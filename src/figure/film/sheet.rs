@@ -12,9 +12,11 @@
 use super::draw::{Stage, union};
 use super::frames::{Film, Frame};
 use super::style;
-use crate::figure::scene::{Group, Node};
-use crate::figure::vector::xy;
-use crate::figure::{Figure, FigureError, FigureOptions, pointer_style, text};
+use crate::figure::canvas::scene::{Group, Node};
+use crate::figure::canvas::text;
+use crate::figure::canvas::vector::xy;
+use crate::figure::structure::pointer_style;
+use crate::figure::{Figure, FigureError, FigureOptions};
 
 /// Width of a frame unless the caller or the structure asks for more.
 const WIDTH: f64 = 380.0;

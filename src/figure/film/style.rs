@@ -7,9 +7,9 @@
 //!   no style, print        all frames, in rows
 //! ```
 
-use crate::figure::number::drawn;
-use crate::figure::style::{Palette, Style};
-use crate::figure::vector::Xy;
+use crate::figure::canvas::number::drawn;
+use crate::figure::canvas::style::{Palette, Style};
+use crate::figure::canvas::vector::Xy;
 use std::fmt::Write;
 
 /// The rules of new and gone things, scoped like those of the style.

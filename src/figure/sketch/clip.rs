@@ -10,8 +10,8 @@
 //!
 //! Source: Liang and Barsky, *A new concept and method for line clipping*, 1984.
 
-use crate::figure::crop::cut_by_side;
-use crate::figure::vector::{Bounds, Xy, xy};
+use crate::figure::canvas::crop::cut_by_side;
+use crate::figure::canvas::vector::{Bounds, Xy, xy};
 use std::cmp::Ordering;
 
 /// The part of `p + t · way` with `from <= t <= to` inside the box.
@@ -101,7 +101,7 @@ pub(in crate::figure) fn before(rings: &[Vec<Xy>], apex: Xy, p: Xy, q: Xy) -> Ve
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::pole::area;
+    use crate::figure::layout::pole::area;
 
     fn frame() -> Bounds {
         Bounds { min: xy(4.0, 4.0), max: xy(104.1, 84.3) }

@@ -4,8 +4,8 @@
 //!   •  Dot    ●  Disc   ○  Ring   ■  Square   ▲  Triangle   ◆  Diamond   ★  Star   ✕  Cross   ✓  Tick
 //! ```
 
-use crate::figure::scene::{Node, Step};
-use crate::figure::vector::{Xy, xy};
+use crate::figure::canvas::scene::{Node, Step};
+use crate::figure::canvas::vector::{Xy, xy};
 
 /// The shape of a mark.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

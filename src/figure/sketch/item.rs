@@ -2,8 +2,8 @@
 
 use super::round::{Piece, Round};
 use super::{Glyph, Role};
-use crate::figure::text;
-use crate::figure::vector::xy;
+use crate::figure::canvas::text;
+use crate::figure::canvas::vector::xy;
 use crate::plane::Point;
 use crate::plane::predicates::orientation;
 use std::cmp::Ordering;

@@ -8,9 +8,9 @@
 use super::item::{Heads, Item, Kind};
 use super::places::badge_at;
 use super::{Glyph, Role, Sketch};
-use crate::figure::scene::{Group, Node};
-use crate::figure::text;
-use crate::figure::vector::{Xy, xy};
+use crate::figure::canvas::scene::{Group, Node};
+use crate::figure::canvas::text;
+use crate::figure::canvas::vector::{Xy, xy};
 use std::collections::BTreeSet;
 
 /// Size of the words and distance of their lines.
@@ -141,7 +141,7 @@ impl Entry {
                 let end = if item.heads == Heads::None { to } else { to - xy(6.0, 0.0) };
                 let mut nodes = vec![Node::Line { class: item.line_class(), from, to: end }];
                 if item.heads != Heads::None {
-                    let head = crate::figure::arrows::head(to, xy(1.0, 0.0), 9.0);
+                    let head = crate::figure::structure::arrows::head(to, xy(1.0, 0.0), 9.0);
                     nodes.push(Node::Area { class: "gl", hatch: None, outlines: vec![head.to_vec()] });
                 }
                 nodes

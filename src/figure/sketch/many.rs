@@ -14,11 +14,11 @@
 use super::draw::Drawn;
 use super::item::{Dash, Heads, Item, Kind};
 use super::{Glyph, Role, Sketch};
-use crate::figure::crowd::Shape;
-use crate::figure::number::drawn;
-use crate::figure::scene::{Group, Node, Polylines, Step, tenths};
-use crate::figure::tiles::{Tiling, line_width};
-use crate::figure::vector::{Bounds, Xy, xy};
+use crate::figure::canvas::number::drawn;
+use crate::figure::canvas::scene::{Group, Node, Polylines, Step, tenths};
+use crate::figure::canvas::vector::{Bounds, Xy, xy};
+use crate::figure::layout::crowd::Shape;
+use crate::figure::structure::tiles::{Tiling, line_width};
 
 /// With more things than this, those without a label are drawn in bulk.
 const MOST: usize = 2000;

@@ -37,12 +37,13 @@ mod glyph;
 mod item;
 mod legend;
 mod many;
+mod multiples;
 pub(in crate::figure) mod places;
 mod role;
 mod round;
 mod sheet;
 
-pub use super::multiples::Multiples;
+pub use crate::figure::sketch::multiples::Multiples;
 pub use glyph::Glyph;
 pub use item::Item;
 pub use role::Role;

@@ -6,10 +6,11 @@
 //!           ╲ portal
 //! ```
 
-use crate::figure::crowd::{Crowd, Shape};
-use crate::figure::scene::Node;
-use crate::figure::vector::{Bounds, Xy, xy};
-use crate::figure::{captions::Label, text};
+use crate::figure::canvas::scene::Node;
+use crate::figure::canvas::text;
+use crate::figure::canvas::vector::{Bounds, Xy, xy};
+use crate::figure::layout::crowd::{Crowd, Shape};
+use crate::figure::structure::captions::Label;
 
 /// Distances from the thing.
 const GAPS: [f64; 9] = [2.5, 5.0, 8.0, 12.0, 17.0, 23.0, 30.0, 38.0, 48.0];

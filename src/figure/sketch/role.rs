@@ -9,8 +9,8 @@
 //! two roles have the same dash and mark: the picture can be read without any colour.
 
 use super::glyph::Glyph;
-use crate::figure::number::drawn;
-use crate::figure::style::{Colour, Palette};
+use crate::figure::canvas::number::drawn;
+use crate::figure::canvas::style::{Colour, Palette};
 use crate::figure::{FigureOptions, Style};
 use std::fmt::Write;
 

@@ -8,8 +8,8 @@
 //!        ╰───╯
 //! ```
 
-use crate::figure::scene::{Node, Step};
-use crate::figure::vector::{Bounds, Xy, xy};
+use crate::figure::canvas::scene::{Node, Step};
+use crate::figure::canvas::vector::{Bounds, Xy, xy};
 
 /// A circle of the canvas.
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -1,7 +1,7 @@
 //! The drawing of the handout, made with the two splits: compared with the reference as a structure with positions,
 //! and as a picture.
 
-use crate::figure::compare::{Options, compare};
+use crate::compare::{Options, compare};
 use crate::lab::checks::spec::cycle;
 use crate::lab::fault::{Exchange, Fault, FaultKind, exchanges};
 use crate::lab::protocol::{Called, Case, CaseAnswer, Reply, Step};

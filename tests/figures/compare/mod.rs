@@ -9,7 +9,7 @@ mod tools;
 use crate::common;
 use crate::common::Random;
 use cpu_time::ThreadTime;
-use dcel_kit::figure::compare::{Comparison, Layer, Options, Problem, Side, compare, compare_tables, diff_figure};
+use dcel_kit::compare::{Comparison, Layer, Options, Problem, Side, compare, compare_tables, diff_figure};
 use dcel_kit::figure::{Detail, FigureOptions, Theme, structure};
 use dcel_kit::plane::Subdivision;
 use dcel_kit::script::Script;
@@ -550,7 +550,7 @@ fn hostile_files_end_quickly_with_a_clear_error() {
 
 #[test]
 fn other_encodings_are_named() {
-    use dcel_kit::figure::compare::text;
+    use dcel_kit::compare::text;
     let svg = Pen::new(&ship()).svg();
     let utf16: Vec<u8> = [0xff, 0xfe].into_iter().chain(svg.encode_utf16().flat_map(u16::to_le_bytes)).collect();
     let error = text(&utf16, Side::Student).unwrap_err();

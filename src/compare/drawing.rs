@@ -1,0 +1,452 @@
+//! What a file draws: dots, lines and filled outlines on the canvas, whatever elements draw them, and what they paint.
+//!
+//! ```text
+//!   <line> <polyline> <polygon> <path> <rect>  ──> lines          (those with a stroke, or that should have one)
+//!   <circle> <ellipse>, small round <path>     ──> dots
+//!   filled <polygon> <path> <rect> <polyline>  ──> outlines
+//!   all of them, in their order                ──> painting.rs
+//! ```
+//!
+//! y is turned round at once: all points here have y up. In the kit's own figures (`data-figure` on the root) the
+//! half-edges, pointers and hatches beside the edges are decoration: they can hide, and nothing else.
+
+use super::error::{Fault, Problem, quoted};
+use super::ink::{Hidden, Ink, Own};
+use super::markup::is_svg;
+use super::painting::{Area, Clip, Painting};
+use super::transform::Transform;
+use super::viewport::{self, Room};
+use super::{declared, numbers, shapes};
+use crate::figure::canvas::selectors::{Rule, Tag, rules};
+use crate::plane::Point;
+use roxmltree::{Document, Node};
+use std::collections::BTreeMap;
+
+/// Elements inside elements, `use` counted.
+const DEPTH: usize = 200;
+/// Work: elements visited, those drawn again by `use` counted each time, and sixteenths of their attributes.
+const WORK: usize = 1_500_000;
+/// Lines, dots and corners of areas.
+pub(super) const LINES: usize = 400_000;
+/// Rules of style sheets times elements.
+const MATCHES: usize = 4_000_000;
+/// Characters of style sheets.
+const CSS: usize = 1 << 18;
+/// Largest coordinate.
+const FAR: f64 = 1e9;
+/// Words in ids and classes of what stands beside a drawing.
+const ASIDE: [&str; 6] = ["legend", "axis", "colorbar", "tick", "ticks", "rows"];
+
+/// A circle.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Dot {
+    pub(super) at: Point,
+    pub(super) radius: f64,
+    pub(super) hidden: Option<Hidden>,
+    /// The vertex that the group round the circle declares: its name and its place in the model.
+    pub(super) vertex: Option<(String, Point)>,
+    /// Whether it stands in a legend or on an axis, by its name.
+    pub(super) aside: bool,
+}
+
+/// A straight line.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Line {
+    pub(super) ends: [Point; 2],
+    pub(super) hidden: Option<Hidden>,
+    pub(super) aside: bool,
+}
+
+/// A filled outline.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Outline {
+    pub(super) points: Vec<Point>,
+    /// The face that the group round it declares, or nothing.
+    pub(super) name: String,
+    /// What it paints.
+    pub(super) coat: u32,
+    /// Whether some of its sides are curves.
+    pub(super) curved: bool,
+    pub(super) hidden: Option<Hidden>,
+}
+
+/// All that is drawn.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Drawing {
+    pub(super) dots: Vec<Dot>,
+    pub(super) lines: Vec<Line>,
+    pub(super) outlines: Vec<Outline>,
+    pub(super) painting: Painting,
+    /// The part of the plane that is shown: lowest and highest corner.
+    pub(super) canvas: Option<[Point; 2]>,
+    /// What was not read.
+    pub(super) notes: Vec<String>,
+}
+
+impl Drawing {
+    /// Reads a document. O(size), up to the caps.
+    pub(super) fn read(document: &Document<'_>) -> Result<Self, Fault> {
+        let css = style_sheets(document)?;
+        let rules = rules(&css);
+        let elements = document.descendants().filter(Node::is_element).count();
+        if rules.len().saturating_mul(elements) > MATCHES {
+            return Err(Problem::TooLarge { what: "style rules times elements", limit: MATCHES }.into());
+        }
+        let root = document.root_element();
+        let kit = root.has_attribute("data-figure");
+        let mut reader = Reader {
+            document,
+            rules,
+            path: Vec::new(),
+            ids: BTreeMap::new(),
+            kit,
+            // Tiles draw the faces roughly.
+            fills: !(kit && root.attribute("data-detail") == Some("tiles")),
+            clips: BTreeMap::new(),
+            work: 0,
+            points: 0,
+            out: Self::default(),
+            ignored: BTreeMap::new(),
+        };
+        if root.tag_name().namespace().is_none() {
+            let note = "xmlns=\"http://www.w3.org/2000/svg\" is missing on <svg>: browsers show such a file as text";
+            reader.out.notes.push(note.to_owned());
+        }
+        let room = canvas(root);
+        let mut around = Around { room, ..Around::default() };
+        if let Some(room) = room {
+            let corners = corners(room).map(|[x, y]| Point::new(x, -y));
+            reader.out.canvas = Some([Point::new(corners[0].x, corners[2].y), Point::new(corners[2].x, corners[0].y)]);
+            let overflow = root.attribute("overflow").or_else(|| root.attribute("style")).unwrap_or("");
+            if !overflow.contains("visible") {
+                let areas = vec![Area::new(&[corners.to_vec()], false)];
+                reader.out.painting.clips.push(Clip { areas, around: None, canvas: true });
+                around.clip = Some(0);
+            }
+        }
+        reader.element(root, &around, 0)?;
+        for (what, count) in reader.ignored {
+            let what = if count == 1 { what.replacen("curves (edges", "curve (edges", 1) } else { what };
+            reader.out.notes.push(format!("not read: {count} {what}"));
+        }
+        Ok(reader.out)
+    }
+
+    /// The ends of all lines and the middles of all dots.
+    pub(super) fn points(&self) -> impl Iterator<Item = Point> + '_ {
+        self.dots.iter().map(|dot| dot.at).chain(self.lines.iter().flat_map(|line| line.ends))
+    }
+}
+
+fn style_sheets(document: &Document<'_>) -> Result<String, Fault> {
+    let mut css = String::new();
+    for node in document.descendants().filter(|n| n.tag_name().name() == "style") {
+        node.descendants().filter(Node::is_text).filter_map(|n| n.text()).for_each(|text| css.push_str(text));
+        if css.len() > CSS {
+            let problem = Problem::TooLarge { what: "bytes of style sheets", limit: CSS };
+            return Err(Fault::at(node.range().start, problem));
+        }
+    }
+    Ok(css)
+}
+
+/// The part of the plane that is shown, y down.
+fn canvas(root: Node<'_, '_>) -> Option<Room> {
+    let side = |name: &str| numbers::measure(root.attribute(name)?);
+    let size = side("width").zip(side("height")).map(|(width, height)| [width, height]);
+    let ratio = root.attribute("preserveAspectRatio").unwrap_or("");
+    match root.attribute("viewBox").and_then(viewport::view_box) {
+        Some(inside) => Some(viewport::shown(inside, size, ratio)),
+        None => size.map(|[width, height]| [0.0, 0.0, width, height]),
+    }
+}
+
+/// The corners of a rectangle.
+pub(super) fn corners([x, y, width, height]: Room) -> [[f64; 2]; 4] {
+    [[x, y], [x + width, y], [x + width, y + height], [x, y + height]]
+}
+
+/// What an element stands in.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Around {
+    pub(super) transform: Transform,
+    pub(super) ink: Ink,
+    pub(super) own: Own,
+    pub(super) clip: Option<u32>,
+    /// The room that percentages are parts of.
+    pub(super) room: Option<Room>,
+    pub(super) aside: bool,
+    /// Whether it is decoration of the kit, which can only hide.
+    pub(super) decorates: bool,
+}
+
+pub(super) struct Reader<'a, 'i> {
+    document: &'a Document<'i>,
+    rules: Vec<Rule<'a>>,
+    path: Vec<Tag>,
+    /// Elements by id; filled when the first one is needed.
+    ids: BTreeMap<&'a str, Node<'a, 'i>>,
+    pub(super) kit: bool,
+    pub(super) fills: bool,
+    /// Clips that were met, by the place of their element, the clip around and the transform.
+    clips: BTreeMap<(usize, Option<u32>, [u64; 6]), u32>,
+    work: usize,
+    points: usize,
+    pub(super) out: Drawing,
+    ignored: BTreeMap<String, usize>,
+}
+
+impl<'a, 'i> Reader<'a, 'i> {
+    fn element(&mut self, node: Node<'a, 'i>, outer: &Around, depth: usize) -> Result<(), Fault> {
+        let offset = node.range().start;
+        self.work += 1 + node.attributes().map(|a| a.value().len()).sum::<usize>() / 16;
+        if self.work > WORK {
+            return Err(Fault::at(offset, Problem::TooLarge { what: "elements to draw", limit: WORK }));
+        }
+        if depth > DEPTH {
+            return Err(Fault::at(offset, Problem::TooDeep { limit: DEPTH }));
+        }
+        let name = node.tag_name().name();
+        if !is_svg(node) || !self.is_drawn(name) {
+            return Ok(());
+        }
+        if !self.rules.is_empty() {
+            self.path.push(tag(node));
+        }
+        if let Some(around) = self.inside(node, outer)? {
+            match name {
+                "svg" | "g" | "a" => {
+                    let around = if depth > 0 && name == "svg" { self.inner(node, node, around)? } else { around };
+                    self.children(node, &around, depth)?;
+                }
+                "use" => self.reuse(node, around, depth)?,
+                _ => self.shape(node, name, &around)?,
+            }
+        }
+        if !self.rules.is_empty() {
+            self.path.pop();
+        }
+        Ok(())
+    }
+
+    fn children(&mut self, node: Node<'a, 'i>, around: &Around, depth: usize) -> Result<(), Fault> {
+        node.children().filter(Node::is_element).try_for_each(|child| self.element(child, around, depth + 1))
+    }
+
+    /// The style and place of what is inside an element; `None` if that is not displayed.
+    fn inside(&mut self, node: Node<'a, 'i>, outer: &Around) -> Result<Option<Around>, Fault> {
+        let offset = node.range().start;
+        let Some((ink, own)) = outer.ink.inside(node, &self.rules, &self.path) else { return Ok(None) };
+        // A style wins over an attribute.
+        let transform = match own.transform.as_deref().or_else(|| node.attribute("transform")) {
+            Some(text) => outer.transform.after(&Transform::read(text).ok_or_else(|| word(offset, text, "transform"))?),
+            None => outer.transform,
+        };
+        let mut out = Around { transform, ink, ..outer.clone() };
+        if let Some(link) = &own.clip {
+            out.clip = self.clip(node, link, &out)?;
+        }
+        out.own = own;
+        let classes = || node.attribute("class").unwrap_or("").split_whitespace();
+        let id = node.attribute("id").unwrap_or("");
+        let names = |text: &str| text.to_ascii_lowercase().split(|c: char| !c.is_ascii_alphabetic()).any(is_aside);
+        out.aside |= names(id) || classes().any(names);
+        // The labels outside of their faces have lines and dots of their own.
+        let decoration = ["he", "ptr", "hatched"];
+        let decorates = id.ends_with("-label") || classes().any(|class| decoration.contains(&class));
+        out.decorates |= self.kit && (decorates || declared::is_half_edge(node));
+        Ok(Some(out))
+    }
+
+    /// Whether the element can hold or be something that is painted. Counts those that draw something else.
+    fn is_drawn(&mut self, name: &str) -> bool {
+        match name {
+            "svg" | "g" | "a" | "use" | "line" | "polyline" | "polygon" | "path" | "rect" | "circle" | "ellipse"
+            | "image" => true,
+            "title" | "desc" | "metadata" | "defs" | "style" | "text" | "symbol" | "clipPath" | "mask" | "pattern"
+            | "marker" | "linearGradient" | "radialGradient" | "filter" | "view" => false,
+            other => {
+                *self.ignored.entry(format!("<{}>", quoted(other))).or_default() += 1;
+                false
+            }
+        }
+    }
+
+    pub(super) fn ignore(&mut self, what: &str) {
+        *self.ignored.entry(what.to_owned()).or_default() += 1;
+    }
+
+    fn by_id(&mut self, id: &str) -> Option<Node<'a, 'i>> {
+        if self.ids.is_empty() {
+            let named = self.document.descendants().filter_map(|n| Some((n.attribute("id")?, n)));
+            for (id, node) in named {
+                self.ids.entry(id).or_insert(node);
+            }
+        }
+        self.ids.get(id).copied()
+    }
+
+    /// What is inside an `svg` or a `symbol`, placed by `place`: at its own x and y, its `viewBox` fitted in, cut off
+    /// at its border.
+    fn inner(&mut self, node: Node<'a, 'i>, place: Node<'a, 'i>, mut around: Around) -> Result<Around, Fault> {
+        let [x, y] = [length(place, "x", 0, &around)?, length(place, "y", 1, &around)?];
+        let side = |name: &str, axis: usize| match place.attribute(name).or_else(|| node.attribute(name)) {
+            None | Some("auto") => Ok(around.room.map(|room| room[2 + axis])),
+            Some(_) => {
+                let holder = if place.has_attribute(name) { place } else { node };
+                length(holder, name, axis, &around).map(Some)
+            }
+        };
+        let (width, height) = (side("width", 0)?, side("height", 1)?);
+        let inside = node.attribute("viewBox").and_then(viewport::view_box);
+        let size = width.zip(height);
+        if let Some((width, height)) = size.filter(|_| !around.own.overflows) {
+            let ring = corners([x, y, width, height]).map(|p| flipped(around.transform.apply(p)));
+            around.clip = Some(self.add_clip(vec![Area::new(&[ring.to_vec()], false)], around.clip));
+        }
+        let moved = match (inside, size) {
+            (Some(inside), Some((width, height))) => {
+                let ratio = node.attribute("preserveAspectRatio").unwrap_or("");
+                viewport::fitted(inside, [x, y, width, height], ratio)
+            }
+            (Some(_), None) => {
+                self.ignore("viewBox of an inner <svg> without a size");
+                Transform::translate(x, y)
+            }
+            (None, _) => Transform::translate(x, y),
+        };
+        around.transform = around.transform.after(&moved);
+        around.room = inside.or(size.map(|(width, height)| [0.0, 0.0, width, height]));
+        Ok(around)
+    }
+
+    fn reuse(&mut self, node: Node<'a, 'i>, mut around: Around, depth: usize) -> Result<(), Fault> {
+        let link = node.attributes().find(|a| a.name() == "href").map_or("", |a| a.value());
+        let Some(target) = link.trim().strip_prefix('#').and_then(|id| self.by_id(id)) else {
+            self.ignore("<use> of something that is not in the file");
+            return Ok(());
+        };
+        if matches!(target.tag_name().name(), "symbol" | "svg") {
+            let Some(styled) = self.inside(target, &around)? else { return Ok(()) };
+            let inner = self.inner(target, node, styled)?;
+            return self.children(target, &inner, depth + 1);
+        }
+        let moved = Transform::translate(length(node, "x", 0, &around)?, length(node, "y", 1, &around)?);
+        around.transform = around.transform.after(&moved);
+        self.element(target, &around, depth + 1)
+    }
+
+    /// The clip that an element names, inside the one around.
+    fn clip(&mut self, node: Node<'a, 'i>, link: &str, around: &Around) -> Result<Option<u32>, Fault> {
+        let id = link.strip_prefix("url(").and_then(|rest| rest.split(')').next());
+        let id = id.map(|id| id.trim_matches(['"', '\'', ' ']).trim_start_matches('#'));
+        let Some(target) = id.and_then(|id| self.by_id(id)).filter(|n| n.tag_name().name() == "clipPath") else {
+            self.ignore("clip-path that is not in the file");
+            return Ok(around.clip);
+        };
+        let key = (target.range().start, around.clip, around.transform.bits());
+        let by_box = target.attribute("clipPathUnits") == Some("objectBoundingBox");
+        if let Some(&known) = self.clips.get(&key) {
+            return Ok(Some(known));
+        }
+        if by_box {
+            return Err(word(
+                node.range().start,
+                "objectBoundingBox",
+                "unit of a clip path here: write userSpaceOnUse",
+            ));
+        }
+        let mut transform = around.transform;
+        if let Some(text) = target.attribute("transform") {
+            transform =
+                transform.after(&Transform::read(text).ok_or_else(|| word(target.range().start, text, "transform"))?);
+        }
+        let mut areas = Vec::new();
+        for child in target.children().filter(Node::is_element) {
+            self.work += 1 + child.attributes().map(|a| a.value().len()).sum::<usize>();
+            if self.work > WORK {
+                let problem = Problem::TooLarge { what: "elements to draw", limit: WORK };
+                return Err(Fault::at(child.range().start, problem));
+            }
+            let (mut child, mut own) = (child, transform);
+            for _ in 0..2 {
+                if let Some(text) = child.attribute("transform") {
+                    let read = Transform::read(text).ok_or_else(|| word(child.range().start, text, "transform"))?;
+                    own = own.after(&read);
+                }
+                if child.tag_name().name() == "use" {
+                    let link = child.attributes().find(|a| a.name() == "href").map_or("", |a| a.value());
+                    let Some(used) = link.strip_prefix('#').and_then(|id| self.by_id(id)) else { break };
+                    child = used;
+                }
+            }
+            let even_odd = [child, target].iter().find_map(|n| n.attribute("clip-rule")) == Some("evenodd");
+            let rings = shapes::rings(child, &own, around)?;
+            areas.push(Area::new(&rings, even_odd));
+        }
+        let clip = self.add_clip(areas, around.clip);
+        self.clips.insert(key, clip);
+        Ok(Some(clip))
+    }
+
+    fn add_clip(&mut self, areas: Vec<Area>, around: Option<u32>) -> u32 {
+        self.out.painting.clips.push(Clip { areas, around, canvas: false });
+        self.out.painting.clips.len() as u32 - 1
+    }
+
+    /// Counts points, up to the cap.
+    pub(super) fn count(&mut self, points: usize, offset: usize) -> Result<(), Fault> {
+        self.points += points;
+        if self.points > LINES {
+            return Err(Fault::at(offset, Problem::TooLarge { what: "lines", limit: LINES }));
+        }
+        Ok(())
+    }
+}
+
+/// A word of a name that says that something stands beside the drawing.
+fn is_aside(word: &str) -> bool {
+    ASIDE.contains(&word)
+}
+
+/// A point of the canvas, y up.
+pub(super) fn flipped([x, y]: [f64; 2]) -> Point {
+    Point::new(x, -y)
+}
+
+/// A point of an element on the canvas, y up.
+pub(super) fn place(t: &Transform, p: [f64; 2], offset: usize, what: &'static str) -> Result<Point, Fault> {
+    let [x, y] = t.apply(p);
+    if x.abs() <= FAR && y.abs() <= FAR {
+        return Ok(Point::new(x, -y));
+    }
+    Err(Fault::at(offset, Problem::Coordinate { what }))
+}
+
+fn tag(node: Node<'_, '_>) -> Tag {
+    Tag {
+        name: node.tag_name().name().to_owned(),
+        id: node.attribute("id").map(str::to_owned),
+        classes: node.attribute("class").unwrap_or("").split_whitespace().map(str::to_owned).collect(),
+    }
+}
+
+/// A length with its unit, or in percent of the room, of which `axis` 0 is the width, 1 the height and 2 both; 0 if
+/// it is missing.
+pub(super) fn length(node: Node<'_, '_>, name: &str, axis: usize, around: &Around) -> Result<f64, Fault> {
+    let Some(attribute) = node.attribute_node(name) else { return Ok(0.0) };
+    let text = attribute.value().trim();
+    let part = |percent: &str| {
+        let part = numbers::length(percent)? / 100.0;
+        // Without a size, the canvas is as large as the window.
+        let [.., width, height] = around.room.unwrap_or([0.0, 0.0, FAR / 10.0, FAR / 10.0]);
+        Some(part * [width, height, ((width * width + height * height) / 2.0).sqrt()][axis])
+    };
+    let value = text.strip_suffix('%').map_or_else(|| numbers::measure(text), part);
+    let wanted = "number: write px without a unit, such as 12.5";
+    value.ok_or_else(|| word(attribute.range().start, attribute.value(), wanted))
+}
+
+pub(super) fn word(offset: usize, text: &str, wanted: &'static str) -> Fault {
+    Fault::at(offset, Problem::Word { word: quoted(text), wanted })
+}

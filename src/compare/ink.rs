@@ -1,0 +1,319 @@
+//! What can be seen: paints, widths and opacities, by attributes, style sheet and `style`, handed down to children.
+//!
+//! ```text
+//!   stroke="white"          on white paper       ┐
+//!   stroke="none"           or none at all       ├── drawn, but nobody sees it
+//!   stroke-width="0"  opacity="0"  visibility    ┘
+//! ```
+//!
+//! What lies over a line is found out by `eye.rs`, from what all elements paint.
+
+use super::colour::{Paint, paint};
+use super::numbers;
+use crate::figure::canvas::selectors::{Rule, Tag};
+use roxmltree::Node;
+use std::rc::Rc;
+
+/// Less of a line than this drawn by its dashes cannot be seen.
+const DASHED: f64 = 0.2;
+
+/// Why a line, a dot or an area cannot be seen.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(super) enum Hidden {
+    NoStroke,
+    NoWidth,
+    Transparent,
+    Faint,
+    Paper,
+    Ground,
+    Switched,
+    Dashes,
+    Veil,
+    Clip,
+    Canvas,
+    Area,
+    Dot,
+    Line,
+    Ends,
+}
+
+impl Hidden {
+    /// The reason as the end of a sentence about one or several.
+    pub(super) fn reason(self, several: bool) -> &'static str {
+        let [one, many] = match self {
+            Self::NoStroke => ["it has no stroke", "they have no stroke"],
+            Self::NoWidth => ["its stroke-width is 0", "their stroke-width is 0"],
+            Self::Transparent => ["its opacity is 0", "their opacity is 0"],
+            Self::Faint => ["it is almost transparent", "they are almost transparent"],
+            Self::Paper => ["it has the colour of the paper", "they have the colour of the paper"],
+            Self::Ground => ["it has the colour of what lies below it", "they have the colour of what lies below them"],
+            Self::Switched => ["its visibility is hidden", "their visibility is hidden"],
+            Self::Dashes => ["its dashes leave it out", "their dashes leave them out"],
+            Self::Veil => [
+                "it has a mask or a filter, which are not worked out",
+                "they have masks or filters, which are not worked out",
+            ],
+            Self::Clip => ["its clip-path cuts it off", "their clip-path cuts them off"],
+            Self::Canvas => ["it lies outside of the viewBox", "they lie outside of the viewBox"],
+            Self::Area => [
+                "a filled shape is drawn over it: draw faces first",
+                "filled shapes are drawn over them: draw faces first",
+            ],
+            Self::Dot => [
+                "a circle is drawn over it: make the circles smaller",
+                "circles are drawn over them: make the circles smaller",
+            ],
+            Self::Line => ["a line is drawn over it", "lines are drawn over them"],
+            Self::Ends => [
+                "the circles at its ends cover it: make them smaller",
+                "the circles at their ends cover them: make them smaller",
+            ],
+        };
+        if several { many } else { one }
+    }
+}
+
+/// The style of an element.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Ink {
+    fill: Paint,
+    fill_opacity: f64,
+    pub(super) even_odd: bool,
+    stroke: Paint,
+    stroke_opacity: f64,
+    width: f64,
+    /// Whether a line of no length is a dot.
+    pub(super) round: bool,
+    dashes: Rc<[f64]>,
+    dash_start: f64,
+    opacity: f64,
+    visible: bool,
+    colour: Paint,
+    veiled: bool,
+}
+
+impl Default for Ink {
+    fn default() -> Self {
+        Self {
+            fill: Paint::Colour([0; 3], 1.0),
+            fill_opacity: 1.0,
+            even_odd: false,
+            stroke: Paint::None,
+            stroke_opacity: 1.0,
+            width: 1.0,
+            round: false,
+            dashes: Rc::new([]),
+            dash_start: 0.0,
+            opacity: 1.0,
+            visible: true,
+            colour: Paint::Colour([0; 3], 1.0),
+            veiled: false,
+        }
+    }
+}
+
+/// What an element says of itself and does not hand down.
+#[derive(Clone, Default, PartialEq, Debug)]
+pub(super) struct Own {
+    /// The id of a clip path.
+    pub(super) clip: Option<String>,
+    pub(super) transform: Option<String>,
+    /// The radius of a circle, by a style.
+    pub(super) radius: Option<f64>,
+    /// Widths are not scaled.
+    pub(super) fixed_width: bool,
+    /// What lies outside of an inner `svg` is shown.
+    pub(super) overflows: bool,
+    hidden: bool,
+}
+
+impl Ink {
+    /// The style of `node` inside an element with this style; `None` if it is not displayed. `path` is what the
+    /// rules look at: the tags from the root to the node.
+    pub(super) fn inside(&self, node: Node<'_, '_>, rules: &[Rule<'_>], path: &[Tag]) -> Option<(Self, Own)> {
+        let (mut out, mut own) = (self.clone(), Own::default());
+        let style = node.attribute("style").unwrap_or("");
+        let fitting: Vec<&Rule<'_>> = rules.iter().filter(|rule| rule.fits(path)).collect();
+        for attribute in node.attributes().filter(|a| a.namespace().is_none()) {
+            // As an attribute, this one is read with its place.
+            if !matches!(attribute.name(), "transform" | "r") {
+                out.set(attribute.name(), attribute.value(), self, &mut own);
+            }
+        }
+        let sheet = fitting.iter().flat_map(|rule| rule.properties.iter().copied());
+        let written = style.split(';').filter_map(|part| part.split_once(':'));
+        let all: Vec<(&str, &str)> = sheet.chain(written).collect();
+        for important in [false, true] {
+            for (key, value) in &all {
+                let bare = value.trim().strip_suffix("!important").map(str::trim_end);
+                if bare.is_some() == important {
+                    out.set(key.trim(), bare.unwrap_or(value), self, &mut own);
+                }
+            }
+        }
+        (!own.hidden).then_some((out, own))
+    }
+
+    fn set(&mut self, key: &str, value: &str, around: &Self, own: &mut Own) {
+        let value = value.trim();
+        let inherits = value == "inherit";
+        let none = value == "none";
+        match key {
+            "display" => own.hidden = none,
+            "visibility" if inherits => self.visible = around.visible,
+            "visibility" => self.visible = value == "visible",
+            "color" if !inherits => self.colour = paint(value),
+            "fill" if inherits => self.fill = around.fill,
+            "fill" => self.fill = paint(value),
+            "fill-rule" => self.even_odd = value == "evenodd",
+            "stroke" if inherits => self.stroke = around.stroke,
+            "stroke" => self.stroke = paint(value),
+            "stroke-width" => self.width = numbers::measure(value).unwrap_or(around.width),
+            "stroke-linecap" => self.round = matches!(value, "round" | "square"),
+            "stroke-dasharray" => self.dashes = dashes(value),
+            "stroke-dashoffset" => self.dash_start = numbers::measure(value).unwrap_or(0.0),
+            "fill-opacity" => self.fill_opacity = fraction(value).unwrap_or(around.fill_opacity),
+            "stroke-opacity" => self.stroke_opacity = fraction(value).unwrap_or(around.stroke_opacity),
+            // The one property that adds up instead of being handed down.
+            "opacity" => self.opacity = around.opacity * fraction(value).unwrap_or(1.0),
+            "mask" | "filter" => self.veiled = around.veiled || !none,
+            "clip-path" => own.clip = (!none).then(|| value.to_owned()),
+            "transform" => own.transform = (!none).then(|| value.to_owned()),
+            "r" => own.radius = numbers::measure(value),
+            "vector-effect" => own.fixed_width = value == "non-scaling-stroke",
+            "overflow" => own.overflows = matches!(value, "visible" | "auto"),
+            _ => {}
+        }
+    }
+
+    fn resolved(&self, paint: Paint) -> Paint {
+        if paint == Paint::Current { self.colour } else { paint }
+    }
+
+    /// The paint of areas, and how much of what lies below it covers.
+    pub(super) fn fill(&self) -> (Paint, f64) {
+        (self.resolved(self.fill), self.fill_opacity * self.opacity)
+    }
+
+    /// The paint of lines, and how much of what lies below it covers.
+    pub(super) fn stroke(&self) -> (Paint, f64) {
+        (self.resolved(self.stroke), self.stroke_opacity * self.opacity)
+    }
+
+    /// The width of lines before any transform.
+    pub(super) fn width(&self) -> f64 {
+        self.width.max(0.0)
+    }
+
+    /// Why a line of this style cannot be seen, wherever it lies.
+    pub(super) fn hidden_stroke(&self) -> Option<Hidden> {
+        match self.stroke() {
+            _ if !self.visible => Some(Hidden::Switched),
+            (Paint::None, _) => Some(Hidden::NoStroke),
+            _ if self.width <= 0.0 => Some(Hidden::NoWidth),
+            (paint, opacity) => self.unpainted(paint, opacity),
+        }
+    }
+
+    /// Why an area of this style cannot be seen, wherever it lies.
+    pub(super) fn hidden_fill(&self) -> Option<Hidden> {
+        match self.fill() {
+            _ if !self.visible => Some(Hidden::Switched),
+            (Paint::None, _) => Some(Hidden::NoStroke),
+            (paint, opacity) => self.unpainted(paint, opacity),
+        }
+    }
+
+    fn unpainted(&self, paint: Paint, opacity: f64) -> Option<Hidden> {
+        let own = if let Paint::Colour(_, alpha) = paint { alpha } else { 1.0 };
+        match () {
+            () if opacity * own <= 0.0 => Some(Hidden::Transparent),
+            () if self.veiled => Some(Hidden::Veil),
+            () => None,
+        }
+    }
+
+    /// Whether the dashes draw hardly anything of a line that lies so far from the start of its path, its lengths as
+    /// they are before any transform.
+    pub(super) fn dashed_away(&self, from: f64, length: f64) -> bool {
+        let period: f64 = self.dashes.iter().sum();
+        if self.dashes.is_empty() || period <= 0.0 || length <= 0.0 {
+            return false;
+        }
+        let whole = (length / period).floor();
+        let ink: f64 = self.dashes.iter().step_by(2).sum();
+        let start = (from + self.dash_start + whole * period).rem_euclid(period);
+        let end = start + (length - whole * period);
+        let (mut at, mut drawn) = (0.0, whole * ink);
+        for (i, dash) in self.dashes.iter().chain(self.dashes.iter()).enumerate() {
+            let part = (end.min(at + dash) - start.max(at)).max(0.0);
+            drawn += if i % 2 == 0 { part } else { 0.0 };
+            at += dash;
+        }
+        drawn < DASHED * length
+    }
+
+    /// Whether an area of this style is painted, if only with the colour of the paper.
+    pub(super) fn fills(&self) -> bool {
+        self.hidden_fill().is_none_or(|why| why == Hidden::Veil)
+    }
+}
+
+/// An even number of lengths; none for a line without gaps.
+fn dashes(text: &str) -> Rc<[f64]> {
+    let words = text.split([',', ' ']).filter(|word| !word.is_empty());
+    let lengths: Option<Vec<f64>> = words.map(|word| numbers::measure(word).filter(|x| *x >= 0.0)).collect();
+    let mut lengths = lengths.unwrap_or_default();
+    if lengths.len() % 2 == 1 {
+        lengths.extend_from_within(..);
+    }
+    lengths.into()
+}
+
+fn fraction(text: &str) -> Option<f64> {
+    let value = match text.strip_suffix('%') {
+        Some(percent) => numbers::length(percent).map(|p| p / 100.0),
+        None => numbers::length(text),
+    };
+    value.map(|x| x.clamp(0.0, 1.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn styled(element: &str) -> Option<Ink> {
+        let text = format!("<g {element}/>");
+        let document = roxmltree::Document::parse(&text).unwrap();
+        Ink::default().inside(document.root_element(), &[], &[]).map(|(ink, _)| ink)
+    }
+
+    #[test]
+    fn what_nobody_sees_wherever_it_lies() {
+        for (style, why) in [
+            ("stroke='red'", None),
+            ("", Some(Hidden::NoStroke)),
+            ("stroke='red' style='stroke:none!important;stroke:blue'", Some(Hidden::NoStroke)),
+            ("stroke='red' stroke-width='0mm'", Some(Hidden::NoWidth)),
+            ("stroke='red' stroke-opacity='0%'", Some(Hidden::Transparent)),
+            ("stroke='rgb(9 9 9 / 50%)'", None),
+            ("stroke='red' visibility='collapse'", Some(Hidden::Switched)),
+            ("stroke='red' mask='url(#m)'", Some(Hidden::Veil)),
+            ("color='red' stroke='currentColor'", None),
+            ("color='transparent' stroke='currentColor'", Some(Hidden::NoStroke)),
+        ] {
+            assert_eq!(styled(style).unwrap().hidden_stroke(), why, "{style}");
+        }
+        assert_eq!(styled("style='display: none'"), None);
+    }
+
+    #[test]
+    fn dashes_are_lines_unless_they_leave_them_out() {
+        let away = |dashes: &str, from: f64, length: f64| {
+            styled(&format!("stroke-dasharray='{dashes}'")).unwrap().dashed_away(from, length)
+        };
+        assert!(!away("none", 0.0, 9.0) && !away("5", 3.0, 90.0) && !away("1 3", 0.0, 80.0));
+        assert!(away("0 1000", 0.0, 80.0) && away("10,1000", 20.0, 80.0) && away("1 19", 2.0, 8.0));
+        assert!(!away("10,1000", 0.0, 20.0) && !away("50 50", 40.0, 30.0) && away("50 50", 50.0, 50.0));
+    }
+}

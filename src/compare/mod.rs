@@ -1,0 +1,314 @@
+//! Comparing two drawings of half-edge structures by what they mean.
+//!
+//! ```text
+//!   reference.svg ─┐  0 well-formed   1 same bytes?   2 same declared structure?   3 same drawn geometry?
+//!   student.svg ───┴─ markup.rs       equal           declared.rs  tables.rs       drawing.rs  shapes.rs  painting.rs
+//!                                                     links.rs  faces.rs           sketch.rs  eye.rs  drawn.rs
+//!                     4 where no point fits: the right shape in the wrong place?   shape.rs
+//!                     answer: report.rs, and a picture of the differences: diff.rs
+//! ```
+//!
+#![doc = include_str!("../../figures/difference.svg")]
+//!
+//! **0** Both files are XML within limits (8 MiB, 200,000 elements), without declarations and scripts, all numbers
+//! finite; errors name line and column. **1** Equal bytes are equal. **2** If both files declare their structure in
+//! `data-*` attributes, all laws are checked, vertices are matched by place, half-edges by their ends, and every
+//! pointer is compared through that map: numbers may differ. **3** What is drawn is always compared, and must be what
+//! is declared, and can be seen: colours are worked out at points along every edge, in every circle and face. **4** If hardly a point lies where it should, connections are compared without places. Pixels are
+//! never compared: a test of the pixels passes drawings that are wrong and fails drawings that are right.
+//!
+//! # What a program has to write
+//!
+//! | drawn | by |
+//! |---|---|
+//! | edge | `line`, `polyline`, `polygon`, `rect`, or `path`, with a `stroke`; a line through several vertices is several edges; twice is no fault; a thin filled rectangle from vertex to vertex is a line, too |
+//! | vertex | `circle`, `ellipse` or a round closed `path`, filled or with a stroke; a line of no length with round ends |
+//! | face | filled `polygon`, `path` or `rect`: the corners of a bounded face, counter-clockwise as seen |
+//!
+//! Groups, `use`, `symbol`, inner `svg` with `viewBox`, `transform`, clip paths, units (`mm`, `pt`, ...), `style`
+//! attributes and simple style sheets (ids, classes, names, descendants) are understood, and a `DOCTYPE` that declares
+//! nothing. Passed over: texts, curves, what is not displayed, an area round everything (paper) with the lines along its
+//! border and the ticks beyond it, what is called legend or axis and stands clear of the structure, small areas that
+//! touch no vertex (letters), and anything else with a note. In the kit's own figures (`data-figure` on the root)
+//! half-edges, pointers and other decoration are passed over, too. y points down in SVG: write `height - y`.
+//!
+//! # What has to be seen
+//!
+//! An edge is seen if its lines have another colour than the paper and than what lies on both sides, nearly all along;
+//! the small box of a label may hide its middle. A vertex is seen if its circle is, and reaches no other vertex. A face
+//! is seen if it has another colour than the paper. So what is covered by an area, a circle, a picture or a line, cut
+//! off by a clip path or the `viewBox`, left out by dashes, transparent, or behind a mask or filter is told, with the
+//! reason. What the reference's own drawing hides nobody has to show. Colours themselves are not compared.
+//!
+//! A drawing may be scaled and shifted, not mirrored, turned or stretched. A point is where it should be if it is
+//! within 0.05 px of its place on a drawing of 600 px ([`Options::tolerance`]). The outer face may be filled, or not, as
+//! long as it hides nothing.
+//!
+//! ```text
+//!   <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 400">
+//!   <polygon points="62,338 538,338 538,62" fill="#e8f0ff"/>
+//!   <line x1="62" y1="338" x2="538" y2="338" stroke="black"/>
+//!   <circle cx="62" cy="338" r="4"/>
+//!   </svg>
+//! ```
+
+mod areas;
+mod beside;
+mod colour;
+mod declared;
+mod diff;
+mod diff_style;
+mod drawing;
+mod drawn;
+mod error;
+mod eye;
+mod faces;
+mod frame;
+mod graph;
+mod ink;
+mod links;
+mod markup;
+mod numbers;
+mod painting;
+mod pairing;
+mod path;
+mod report;
+mod rings;
+mod segments;
+mod shape;
+mod shapes;
+mod sketch;
+mod tables;
+mod transform;
+mod viewport;
+mod yours;
+
+pub use error::{CompareError, Problem, Side};
+pub use report::{Comparison, Difference, Kind, Layer};
+
+use crate::figure::{Figure, FigureError, FigureOptions};
+use crate::plane::Subdivision;
+use crate::topology::Table;
+use diff::Scenery;
+use drawing::Drawing;
+use drawn::{Seen, Target};
+use error::Fault;
+use sketch::Sketch;
+use tables::Placed;
+
+/// What a comparison asks for.
+#[derive(Clone, Debug)]
+pub struct Options {
+    names: bool,
+    tolerance: f64,
+    faces: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { names: false, tolerance: 0.05, faces: true }
+    }
+}
+
+impl Options {
+    /// Structure, places and faces, but no names.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Whether the numbers of vertices, half-edges and faces, and the names of faces, must be the same, too.
+    /// Default: no. Needs files that declare their structure.
+    #[must_use]
+    pub fn names(self, names: bool) -> Self {
+        Self { names, ..self }
+    }
+
+    /// How far a drawn point may be from its place, in px of a drawing of 600 px. Default: 0.05. Values that are no
+    /// such length change nothing.
+    #[must_use]
+    pub fn tolerance(self, px: f64) -> Self {
+        Self { tolerance: if px > 0.0 && px <= 100.0 { px } else { self.tolerance }, ..self }
+    }
+
+    /// Whether filled polygons are compared. Default: yes, if the reference has any.
+    #[must_use]
+    pub fn faces(self, faces: bool) -> Self {
+        Self { faces, ..self }
+    }
+}
+
+/// The text of an SVG file: UTF-8, with or without a byte order mark.
+///
+/// # Errors
+/// [`Problem::Compressed`] and [`Problem::Encoding`].
+pub fn text(bytes: &[u8], side: Side) -> Result<&str, CompareError> {
+    markup::text(bytes).map_err(|fault| fault.located(side, ""))
+}
+
+/// Compares a student's drawing with the reference: see the [module](self).
+///
+/// The drawn geometry is always compared; the declared structure too if both files declare one. Nothing is
+/// compared by pixels.
+///
+/// Cost: O(n log n); a drawing of a lab takes about a millisecond, 10^5 edges less than a second.
+///
+/// # Errors
+/// [`CompareError`] if a file cannot be read, is too large, holds scripts, or draws nothing, or if the reference
+/// contradicts itself.
+///
+/// ```
+/// use dcel_kit::compare::{Options, compare};
+/// let square = "<svg xmlns='http://www.w3.org/2000/svg'><path stroke='red' fill='none' d='M0 0H9V9H0Z'/></svg>";
+/// let open = "<svg xmlns='http://www.w3.org/2000/svg'><path stroke='red' fill='none' d='M0 0H9V9H0'/></svg>";
+/// let answer = compare(square, open, &Options::new())?;
+/// assert_eq!(answer.differences()[0].text, "edge between (0, 0) and (0, 9) is missing");
+/// assert!(compare(square, square, &Options::new())?.is_equal());
+/// # Ok::<(), dcel_kit::compare::CompareError>(())
+/// ```
+pub fn compare(reference: &str, student: &str, options: &Options) -> Result<Comparison, CompareError> {
+    let [reference, student] = [reference, student].map(markup::without_mark);
+    let at = |side: Side, text: &'_ str| {
+        let text = text.to_owned();
+        move |fault: Fault| fault.located(side, &text)
+    };
+    let expected = File::read(reference).map_err(at(Side::Reference, reference))?;
+    let target = expected.target(options).map_err(at(Side::Reference, reference))?;
+    if reference == student {
+        return Ok(expected.answer(Layer::Bytes, &target, Vec::new(), Vec::new(), String::new(), None));
+    }
+    let found = File::read(student).map_err(at(Side::Student, student))?;
+    expected.compare(&target, &found, options).map_err(at(Side::Student, student))
+}
+
+/// A file that has been read.
+struct File {
+    table: Option<Table>,
+    drawing: Drawing,
+}
+
+impl File {
+    fn read(text: &str) -> Result<Self, Fault> {
+        let document = markup::parse(text)?;
+        Ok(Self { table: declared::read(&document)?, drawing: Drawing::read(&document)? })
+    }
+
+    /// This file as a reference: what it declares must be sound, and be what it draws.
+    fn target(&self, options: &Options) -> Result<Target<'_>, Fault> {
+        let Some(table) = &self.table else {
+            return Target::of_drawing(&self.drawing, options);
+        };
+        let contradiction = |reason: String| Fault::from(Problem::Reference { reason });
+        Subdivision::from_table(table).map_err(|error| contradiction(error.to_string()))?;
+        let mut target = Target::of_table(&Placed::new(table), options)?;
+        target.hint(&self.drawing);
+        let own = target.compare(&self.drawing, options)?;
+        match own.differences.first() {
+            Some(first) => Err(contradiction(format!("it does not draw what it declares: {}", first.text))),
+            None => {
+                target.draws(&self.drawing);
+                Ok(target)
+            }
+        }
+    }
+
+    fn compare(&self, target: &Target<'_>, found: &Self, options: &Options) -> Result<Comparison, Fault> {
+        let mut notes = found.drawing.notes.clone();
+        let mut seen = target.compare(&found.drawing, options)?;
+        notes.append(&mut seen.notes);
+        let student = Some((std::mem::take(&mut seen.sketch), seen.fits));
+        let [Some(mine), Some(theirs)] = [&self.table, &found.table] else {
+            let mut differences = seen.differences;
+            if let Some(table) = &found.table {
+                differences.extend(contradiction(table, &found.drawing, options));
+            }
+            let layer = layer(&differences, Layer::Drawn);
+            let agreed = format!("{} of {} edges agree", seen.agreed.0, seen.agreed.1);
+            return Ok(self.answer(layer, target, differences, notes, agreed, student));
+        };
+        let declared = tables::compare(&Placed::new(mine), &Placed::new(theirs), options);
+        notes.extend(declared.notes.iter().cloned());
+        let (layer, differences) = merged(declared.differences, seen, &mut notes);
+        Ok(self.answer(layer, target, differences, notes, agreed(declared.agreed), student))
+    }
+
+    fn answer(
+        &self,
+        layer: Layer,
+        target: &Target<'_>,
+        differences: Vec<Difference>,
+        notes: Vec<String>,
+        agreed: String,
+        student: Option<(Sketch, bool)>,
+    ) -> Comparison {
+        let graph = || Scenery::Graph(target.sketch.graph.clone());
+        let scenery = self.table.as_ref().map_or_else(graph, |table| Scenery::Table(table.clone()));
+        Comparison { layer, differences, notes, agreed, scenery, student }
+    }
+}
+
+/// The layer of the first difference.
+fn layer(differences: &[Difference], otherwise: Layer) -> Layer {
+    differences.first().map_or(otherwise, |difference| difference.layer)
+}
+
+/// What both layers say, each thing once.
+fn merged(declared: Vec<Difference>, seen: Seen, notes: &mut Vec<String>) -> (Layer, Vec<Difference>) {
+    let mut differences = declared;
+    let deciding = match (differences.is_empty(), seen.differences.is_empty()) {
+        (true, false) => {
+            notes.push("what the file declares (data-*) agrees with the reference; what it draws does not".to_owned());
+            layer(&seen.differences, Layer::Drawn)
+        }
+        (false, true) => {
+            notes.push("what the file draws agrees with the reference; what it declares (data-*) does not".to_owned());
+            layer(&differences, Layer::Declared)
+        }
+        _ => layer(&differences, Layer::Declared),
+    };
+    let known = differences.clone();
+    differences.extend(seen.differences.into_iter().filter(|new| !known.iter().any(|old| old.says(new))));
+    differences.sort_by_key(|difference| difference.kind);
+    (deciding, differences)
+}
+
+/// A file that declares one thing and draws another.
+fn contradiction(table: &Table, drawing: &Drawing, options: &Options) -> Option<Difference> {
+    let placed = Placed::new(table);
+    let text = match Target::of_table(&placed, options) {
+        Err(_) => "what the file declares (data-*) cannot be drawn: give every vertex data-x and data-y".to_owned(),
+        Ok(target) => {
+            let seen = target.compare(drawing, options).ok()?;
+            format!("the file does not draw what it declares (data-*): {}", seen.differences.first()?.text)
+        }
+    };
+    Some(Difference::new(Kind::Drawing, Layer::Declared, text, report::Spot::Nowhere))
+}
+
+/// Compares two structures with positions: `expected`, which must be a sound one, and `actual`, right or wrong.
+/// Vertices are matched by place, everything else through them; numbers may differ. O(n log n).
+#[must_use]
+pub fn compare_tables(expected: &Table, actual: &Table, options: &Options) -> Comparison {
+    let placed = Placed::new(actual);
+    let found = tables::compare(&Placed::new(expected), &placed, options);
+    Comparison {
+        layer: Layer::Declared,
+        differences: found.differences,
+        notes: found.notes,
+        agreed: agreed(found.agreed),
+        scenery: Scenery::Table(expected.clone()),
+        student: Some((Sketch::of_table(&placed), true)),
+    }
+}
+
+fn agreed((right, all): (usize, usize)) -> String {
+    format!("{right} of {all} half-edges agree")
+}
+
+/// The picture of what differs between two structures with positions: see [`Comparison::figure`].
+///
+/// # Errors
+/// Those of [`structure`](crate::figure::structure()).
+pub fn diff_figure(expected: &Table, actual: &Table, options: &FigureOptions) -> Result<Figure, FigureError> {
+    compare_tables(expected, actual, &Options::default()).figure(options)
+}

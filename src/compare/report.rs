@@ -1,0 +1,316 @@
+//! What was found: the verdict, the layer that decided, and the differences in a stable order.
+//!
+//! ```text
+//!   differs in its drawn geometry: 2 differences
+//!     1. edge v5-v6 between (0, 150) and (250, -150) is missing
+//!     2. vertex v7 at (3, 4) is 3 units away: yours lies at (6, 4)
+//!   note: 6 lines are drawn twice
+//! ```
+
+use super::pairing::distance;
+use crate::figure::canvas::number::model;
+use crate::ids::{Element, HalfEdgeId};
+use crate::plane::Point;
+use std::fmt::Write;
+
+/// So many differences are written out.
+const LISTED: usize = 10;
+/// So many notes are written out.
+const NOTED: usize = 8;
+
+/// What a layer of the comparison looks at.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[non_exhaustive]
+pub enum Layer {
+    /// Both files hold the same bytes.
+    Bytes,
+    /// The tables that the files declare in `data-*` attributes.
+    Declared,
+    /// The lines, dots and filled polygons that the files draw.
+    Drawn,
+    /// How the lines hang together, where no point lies where it should.
+    Shape,
+}
+
+impl Layer {
+    /// Its name in a sentence.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Bytes => "bytes",
+            Self::Declared => "declared structure",
+            Self::Drawn => "drawn geometry",
+            Self::Shape => "shape",
+        }
+    }
+
+    /// Its name as one word.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Bytes => "bytes",
+            Self::Declared => "declared",
+            Self::Drawn => "drawn",
+            Self::Shape => "shape",
+        }
+    }
+}
+
+/// What a difference is about; the order of the kinds is the order of the list.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[non_exhaustive]
+pub enum Kind {
+    /// The drawing as a whole.
+    Drawing,
+    /// A vertex.
+    Vertex,
+    /// An edge.
+    Edge,
+    /// A half-edge.
+    HalfEdge,
+    /// A face.
+    Face,
+}
+
+impl Kind {
+    /// Its name.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Drawing => "drawing",
+            Self::Vertex => "vertex",
+            Self::Edge => "edge",
+            Self::HalfEdge => "half-edge",
+            Self::Face => "face",
+        }
+    }
+}
+
+/// One difference.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Difference {
+    /// What it is about.
+    pub kind: Kind,
+    /// The layer that found it.
+    pub layer: Layer,
+    /// The sentence, with names, places, and what was expected.
+    pub text: String,
+    /// What to draw of it.
+    pub(super) spot: Spot,
+}
+
+impl Difference {
+    pub(super) fn new(kind: Kind, layer: Layer, text: String, spot: Spot) -> Self {
+        Self { kind, layer, text, spot }
+    }
+
+    /// Whether `other` tells the same thing, perhaps in other words.
+    pub(super) fn says(&self, other: &Self) -> bool {
+        let apart = [(self.spot == Spot::Nowhere), (other.spot == Spot::Nowhere)];
+        self.text == other.text || (self.kind == other.kind && apart == [false; 2] && self.spot.is_near(&other.spot))
+    }
+}
+
+/// Where a difference is, in the coordinates of the reference.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) enum Spot {
+    Nowhere,
+    MissingVertex(Point),
+    ExtraVertex(Point),
+    Moved(Point, Point),
+    MissingEdge([Point; 2]),
+    ExtraEdge([Point; 2]),
+    /// A pointer of a half-edge of the reference, and where it should and does lead, in its ids.
+    Pointer {
+        half_edge: HalfEdgeId,
+        pointer: Slot,
+        found: Option<Element>,
+    },
+    /// A face by its outline.
+    Face(Vec<Point>),
+    /// A filled polygon that is no face.
+    ExtraFace(Vec<Point>),
+    /// Several at once.
+    Many(Vec<Spot>),
+}
+
+impl Spot {
+    /// One or several.
+    pub(super) fn all(mut spots: Vec<Self>) -> Self {
+        if spots.len() == 1 { spots.remove(0) } else { Self::Many(spots) }
+    }
+
+    /// The spots of which this one is made.
+    pub(super) fn each(&self) -> &[Self] {
+        match self {
+            Self::Many(spots) => spots,
+            one => std::slice::from_ref(one),
+        }
+    }
+
+    /// Whether both mark the same place; what the student has lies where a map has brought it, only nearly the same.
+    fn is_near(&self, other: &Self) -> bool {
+        let near = |a: Point, b: Point| distance(a, b) <= 1e-3 * (1.0 + a.x.abs() + a.y.abs());
+        match (self, other) {
+            (Self::ExtraVertex(a), Self::ExtraVertex(b)) => near(*a, *b),
+            (Self::Moved(a, b), Self::Moved(c, d)) => a == c && near(*b, *d),
+            (Self::ExtraEdge([a, b]), Self::ExtraEdge([c, d])) => {
+                near(*a, *c) && near(*b, *d) || near(*a, *d) && near(*b, *c)
+            }
+            _ => self == other,
+        }
+    }
+}
+
+/// A pointer of a half-edge.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Slot {
+    Twin,
+    Next,
+    Prev,
+    Face,
+    Whole,
+}
+
+/// The answer of a comparison.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    pub(super) layer: Layer,
+    pub(super) differences: Vec<Difference>,
+    pub(super) notes: Vec<String>,
+    pub(super) agreed: String,
+    pub(super) scenery: super::diff::Scenery,
+    /// What the student's file shows, and whether in the coordinates of the reference.
+    pub(super) student: Option<(super::sketch::Sketch, bool)>,
+}
+
+impl Comparison {
+    /// Whether nothing differs.
+    #[must_use]
+    pub fn is_equal(&self) -> bool {
+        self.differences.is_empty()
+    }
+
+    /// The layer that decided.
+    #[must_use]
+    pub const fn layer(&self) -> Layer {
+        self.layer
+    }
+
+    /// What differs: the drawing as a whole first, then vertices, edges, half-edges, faces.
+    #[must_use]
+    pub fn differences(&self) -> &[Difference] {
+        &self.differences
+    }
+
+    /// What was seen on the way and decides nothing: what was not read, what is drawn twice.
+    #[must_use]
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    /// What agrees, such as `21 of 24 half-edges agree`; empty if that was not counted.
+    #[must_use]
+    pub fn agreed(&self) -> &str {
+        &self.agreed
+    }
+
+    /// The verdict in one line: `equal (same drawn geometry)`.
+    #[must_use]
+    pub fn verdict(&self) -> String {
+        let name = self.layer.name();
+        match self.differences.len() {
+            0 => format!("equal (same {name})"),
+            1 => format!("differs in its {name}: 1 difference"),
+            n => format!("differs in its {name}: {n} differences"),
+        }
+    }
+
+    /// The whole answer for people, a line a difference: at most ten, then `and k more`.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let mut out = self.verdict();
+        if !self.agreed.is_empty() && !self.is_equal() {
+            let _ = write!(out, ", {}", self.agreed);
+        }
+        out.push('\n');
+        for (i, difference) in self.differences.iter().take(LISTED).enumerate() {
+            let _ = writeln!(out, "{:>4}. {}", i + 1, difference.text);
+        }
+        if self.differences.len() > LISTED {
+            let _ = writeln!(out, "      and {} more", self.differences.len() - LISTED);
+        }
+        for note in self.notes.iter().take(NOTED) {
+            let _ = writeln!(out, "note: {note}");
+        }
+        if self.notes.len() > NOTED {
+            let _ = writeln!(out, "note: and {} more notes", self.notes.len() - NOTED);
+        }
+        out
+    }
+}
+
+/// How places and lengths are written: rounded to what the tolerance can tell apart.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Writing {
+    /// Powers of ten that a coordinate is multiplied by before it is rounded.
+    grain: f64,
+    /// Whether y is written as it stands in a file with y down.
+    pub(super) down: bool,
+}
+
+impl Writing {
+    pub(super) fn new(tolerance: f64, down: bool) -> Self {
+        let mut grain = 1.0;
+        while grain < 1e12 && grain * tolerance < 1.0 {
+            grain *= 10.0;
+        }
+        Self { grain, down }
+    }
+
+    pub(super) fn number(self, x: f64) -> String {
+        let rounded = (x * self.grain).round() / self.grain;
+        model(if rounded.is_finite() { rounded } else { x })
+    }
+
+    /// `(3, -4.5)`.
+    pub(super) fn point(self, p: Point) -> String {
+        format!("({}, {})", self.number(p.x), self.number(if self.down { -p.y } else { p.y }))
+    }
+
+    /// `(0, 0) and (3, 0)`.
+    pub(super) fn between(self, ends: [Point; 2]) -> String {
+        format!("{} and {}", self.point(ends[0]), self.point(ends[1]))
+    }
+
+    /// `(0, 0), (3, 0), (3, 2), ...`, at most six points.
+    pub(super) fn along(self, points: &[Point]) -> String {
+        let words: Vec<String> = points.iter().take(6).map(|&p| self.point(p)).collect();
+        let rest = if points.len() > 6 { format!(", … ({} points)", points.len()) } else { String::new() };
+        format!("{}{rest}", words.join(", "))
+    }
+
+    /// A distance with two significant digits or so: `3 units`.
+    pub(super) fn distance(self, length: f64) -> String {
+        let mut grain = self.grain;
+        while grain > 10.0 && length * grain > 1000.0 {
+            grain /= 10.0;
+        }
+        let unit = if self.down { "px" } else { "units" };
+        format!("{} {unit}", model((length * grain).round() / grain))
+    }
+}
+
+/// So many are named in one sentence.
+const NAMED: usize = 4;
+
+/// `a, b, c, d, …`: the first few.
+pub(super) fn listed(words: &[String]) -> String {
+    let rest = if words.len() > NAMED { ", …" } else { "" };
+    format!("{}{rest}", words[..words.len().min(NAMED)].join(", "))
+}
+
+/// `1 line is`, `3 lines are`.
+pub(super) fn counted(count: usize, one: &str, many: &str) -> String {
+    if count == 1 { format!("1 {one}") } else { format!("{count} {many}") }
+}

@@ -1,0 +1,367 @@
+//! A drawing as points, edges and outlines: what layer 3 compares.
+//!
+//! ```text
+//!   lines and dots ──snap──> points ──cut──> edges            outlines ──snap, cut──> cyclic sequences of points
+//! ```
+//!
+//! What stands beside the structure, such as paper, axes and letters, is left out by `beside.rs`.
+//!
+//! The reference is cut at its own points; the student's drawing, once it is in the coordinates of the reference, at
+//! the points of the reference. So a further dot on an edge is one fault, and not three.
+
+use super::beside::{Area, Beside, Extent, Trim, kind};
+use super::drawing::{Drawing, Line};
+use super::error::{Fault, Problem};
+use super::frame::Frame;
+use super::graph::Graph;
+use super::ink::Hidden;
+use super::pairing::Places;
+use super::segments::Grid;
+use super::tables::Placed;
+use super::{rings, shape};
+use crate::figure::structure::skeleton::faces;
+use crate::plane::Point;
+use crate::topology::{Ring, View, bounded_cycle};
+use std::collections::BTreeMap;
+
+/// A face's outline.
+#[derive(Clone, Debug)]
+pub(super) struct Outline {
+    /// Points in order, tidied; at least three.
+    pub(super) ring: Vec<u32>,
+    /// The name of the face, or nothing.
+    pub(super) name: String,
+    /// What paints it.
+    pub(super) coat: u32,
+}
+
+/// Points, edges, outlines.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Sketch {
+    pub(super) graph: Graph,
+    /// Which points have a dot, and why not if one is drawn that cannot be seen.
+    pub(super) dots: Vec<Result<(), Option<Hidden>>>,
+    /// How far the dots reach, in px of the canvas; 0 without one.
+    pub(super) radii: Vec<f64>,
+    /// At which points lines end that can be seen.
+    ends: Vec<bool>,
+    pub(super) outlines: Vec<Outline>,
+    /// Outlines that may be filled, and need not be: of the outer face and of holes.
+    pub(super) welcome: Vec<Vec<u32>>,
+    /// Edges that are drawn, but only so that nobody sees them.
+    pub(super) hidden: BTreeMap<[u32; 2], Hidden>,
+    /// How many edges are drawn more than once.
+    pub(super) doubled: usize,
+    /// Lines that nobody sees where nothing else is drawn.
+    pub(super) unseen: usize,
+    pub(super) beside: Beside,
+}
+
+impl Sketch {
+    /// Whether a line ends at a point.
+    pub(super) fn is_end(&self, m: u32) -> bool {
+        self.ends.get(m as usize).copied().unwrap_or(false)
+    }
+
+    /// Whether a point that the reference does not have is a fault of its own: it has a line or a dot.
+    pub(super) fn is_told(&self, m: u32) -> bool {
+        self.is_end(m) || self.dots[m as usize].is_ok()
+    }
+
+    pub(super) fn has_dots(&self) -> bool {
+        self.dots.iter().any(Result::is_ok)
+    }
+
+    /// What a declared structure looks like when it is drawn.
+    pub(super) fn of_table(placed: &Placed<'_>) -> Self {
+        let table = placed.table;
+        let count = placed.graph.points.len();
+        let graph = placed.graph.clone();
+        let mut out = Self { graph, dots: vec![Ok(()); count], radii: vec![0.0; count], ..Self::default() };
+        let corners = |h| -> Vec<u32> {
+            rings::tidy(&bounded_cycle(table, h).filter_map(|h| Some(placed.ends(h)?[0])).collect::<Vec<_>>())
+        };
+        for f in faces(table) {
+            let further = table.rings(f).iter().filter_map(|ring| match ring {
+                Ring::Cycle(h) => Some(*h),
+                Ring::Isolated(_) => None,
+            });
+            let is_outer = table.outer_face == Some(f);
+            for (i, ring) in table.boundary(f).into_iter().chain(further).map(corners).enumerate() {
+                if i == 0 && !is_outer && ring.len() > 2 {
+                    out.outlines.push(Outline { ring, name: f.to_string(), coat: u32::MAX });
+                } else {
+                    out.welcome.push(rings::canonical(&ring));
+                }
+            }
+        }
+        out
+    }
+
+    /// What a reference without declared structure draws, cut at its own points. y is up.
+    pub(super) fn of_drawing(drawing: &Drawing, tolerance: f64) -> Result<Self, Fault> {
+        let mut visible = drawing.clone();
+        visible.lines.retain(|line| line.hidden.is_none());
+        visible.dots.retain(|dot| dot.hidden.is_none());
+        let mut out = Self::read(&visible, &Frame::IDENTITY, &[], tolerance, &Trim::nothing(drawing))?;
+        out.welcome = shape::outside(&out.graph).iter().map(|ring| rings::canonical(&rings::tidy(ring))).collect();
+        Ok(out)
+    }
+
+    /// Writes the places of the model, and the names of vertices, if the dots of a drawing declare them all alike.
+    /// Returns the map that brings the drawing there.
+    pub(super) fn place_in_model(&mut self, drawing: &Drawing, tolerance: f64) -> Option<Frame> {
+        let known: Vec<(Point, &String, Point)> =
+            drawing.dots.iter().filter_map(|dot| dot.vertex.as_ref().map(|(name, p)| (dot.at, name, *p))).collect();
+        let models: Vec<Point> = known.iter().map(|k| k.2).collect();
+        let canvas: Vec<Point> = known.iter().map(|k| k.0).collect();
+        let frame = Frame::between(&canvas, &models, tolerance)?;
+        let places = Places::of(&self.graph.points, tolerance);
+        let numbers: Vec<Option<u32>> = canvas.iter().map(|&p| places.near(p, tolerance)).collect();
+        self.graph.points.iter_mut().for_each(|p| *p = frame.apply(*p));
+        for ((_, name, model), number) in known.into_iter().zip(numbers) {
+            let Some(i) = number else { continue };
+            self.graph.points[i as usize] = model;
+            name.clone_into(&mut self.graph.names[i as usize]);
+        }
+        Some(frame)
+    }
+
+    /// What a drawing shows in the coordinates of `expected`; without those, in its own.
+    pub(super) fn read(
+        drawing: &Drawing,
+        frame: &Frame,
+        expected: &[Point],
+        tolerance: f64,
+        trim: &Trim,
+    ) -> Result<Self, Fault> {
+        let mut snap = Snap::new(expected, tolerance);
+        let mut beside = Beside::default();
+        let around = Extent::around(if expected.is_empty() { drawing.points().collect() } else { expected.to_vec() });
+        let is_beside = |aside: bool, points: &[Point]| trim.aside && aside && around.is_clear_of(points);
+        let mut dots: BTreeMap<u32, (Result<(), Option<Hidden>>, f64)> = BTreeMap::new();
+        for dot in &drawing.dots {
+            let at = frame.apply(dot.at);
+            if is_beside(dot.aside, &[at]) {
+                beside.aside += 1;
+                continue;
+            }
+            let seen = dot.hidden.map_or(Ok(()), |why| Err(Some(why)));
+            let radius = if seen.is_ok() { dot.radius } else { 0.0 };
+            let known = dots.entry(snap.number(at)).or_insert((seen, radius));
+            *known = (known.0.or(seen), known.1.max(radius));
+        }
+        // All ends first: a line is cut only where something ends or stands.
+        let mut lines: Vec<(Line, [Point; 2])> = Vec::with_capacity(drawing.lines.len());
+        for (i, line) in drawing.lines.iter().enumerate() {
+            let ends = line.ends.map(|p| frame.apply(p));
+            if trim.border.get(i).copied().unwrap_or(false) {
+                beside.border += 1;
+            } else if is_beside(line.aside, &ends) {
+                beside.aside += 1;
+            } else {
+                lines.push((*line, ends));
+            }
+        }
+        let mut numbers: Vec<Option<[u32; 2]>> =
+            lines.iter().map(|(line, ends)| line.hidden.is_none().then(|| ends.map(|p| snap.number(p)))).collect();
+        let size = around.size();
+        let mut shapes = Vec::new();
+        for outline in &drawing.outlines {
+            let corners: Vec<Point> = outline.points.iter().map(|&p| frame.apply(p)).collect();
+            let covers = drawing.canvas.is_some_and(|canvas| Extent::around(outline.points.clone()).covers(canvas));
+            match kind(outline, &corners, &snap, &around, size) {
+                // The whole canvas is paper, even if the structure reaches beyond it.
+                Area::Face if covers && !corners.iter().any(|&p| snap.is_known(p)) => beside.paper.push(outline.coat),
+                Area::Bar(ends) => {
+                    beside.bars.push(outline.coat);
+                    lines.push((Line { ends, hidden: outline.hidden, aside: false }, ends));
+                    numbers.push(Some(ends.map(|p| snap.number(p))));
+                }
+                Area::Paper => beside.paper.push(outline.coat),
+                Area::Small => beside.small += 1,
+                Area::Curved => {}
+                Area::Face => shapes.push((outline, corners)),
+            }
+        }
+        for &p in shapes.iter().flat_map(|(_, corners)| corners) {
+            snap.number(p);
+        }
+        let mut cutter = Cutter::new(&snap, expected, tolerance);
+        let mut hidden: BTreeMap<[u32; 2], Hidden> = BTreeMap::new();
+        let mut edges = Vec::with_capacity(lines.len());
+        let mut unseen = 0;
+        for ((line, places), numbers) in lines.iter().zip(numbers) {
+            let Some(numbers) = numbers.or_else(|| snap.known(*places)) else {
+                unseen += 1;
+                continue;
+            };
+            for pair in cutter.chain(numbers, *places)?.windows(2) {
+                let edge = [pair[0].min(pair[1]), pair[0].max(pair[1])];
+                match line.hidden {
+                    None => edges.push(edge),
+                    Some(why) => drop(hidden.insert(edge, why)),
+                }
+            }
+        }
+        let mut outlines = Vec::new();
+        for (outline, corners) in &shapes {
+            let mut ring = Vec::new();
+            for (i, &p) in corners.iter().enumerate() {
+                let side = [p, corners[(i + 1) % corners.len()]];
+                if let Some(numbers) = snap.known(side) {
+                    ring.extend(cutter.chain(numbers, side)?);
+                }
+            }
+            let ring = rings::tidy(&ring);
+            if ring.len() > 2 {
+                outlines.push(Outline { ring, name: outline.name.clone(), coat: outline.coat });
+            }
+        }
+        let names = vec![String::new(); snap.points.len()];
+        let mut graph = Graph { points: snap.points, names, edges };
+        let doubled = graph.tidy();
+        hidden.retain(|edge, _| edge[0] != edge[1] && graph.edges.binary_search(edge).is_err());
+        let dot = |v: u32| dots.get(&v).copied().unwrap_or((Err(None), 0.0));
+        let mut ends = vec![false; graph.points.len()];
+        graph.edges.iter().flatten().for_each(|&m| ends[m as usize] = true);
+        let (dots, radii) = (0..graph.points.len() as u32).map(dot).unzip();
+        beside.bars.sort_unstable();
+        beside.paper.sort_unstable();
+        Ok(Self { graph, dots, radii, ends, outlines, welcome: Vec::new(), hidden, unseen, doubled, beside })
+    }
+
+    /// Takes out what turned out not to be seen: edges, and points that only such edges or circles had. `keeps` says
+    /// which points stay in any case.
+    pub(super) fn take_out(
+        &mut self,
+        edges: &[([u32; 2], Hidden)],
+        dots: &[(u32, Hidden)],
+        keeps: impl Fn(u32) -> bool,
+    ) {
+        for &(m, why) in dots {
+            self.dots[m as usize] = Err(Some(why));
+        }
+        self.hidden.extend(edges.iter().copied());
+        let gone = &self.hidden;
+        self.graph.edges.retain(|edge| !gone.contains_key(edge));
+        let mut used: Vec<bool> =
+            (0..self.graph.points.len()).map(|m| self.dots[m].is_ok() || keeps(m as u32)).collect();
+        let rings = self.outlines.iter().flat_map(|outline| &outline.ring);
+        self.graph.edges.iter().flatten().chain(rings).for_each(|&m| used[m as usize] = true);
+        let mut numbers = vec![u32::MAX; used.len()];
+        for (next, (m, _)) in (0..).zip(used.iter().enumerate().filter(|(_, used)| **used)) {
+            numbers[m] = next;
+        }
+        let new = |m: u32| numbers[m as usize];
+        self.graph.points = kept(&self.graph.points, &used);
+        self.graph.names = kept(&self.graph.names, &used);
+        self.radii = kept(&self.radii, &used);
+        self.dots = kept(&self.dots, &used);
+        self.ends = kept(&self.ends, &used);
+        self.graph.edges.iter_mut().flatten().for_each(|m| *m = new(*m));
+        self.outlines.iter_mut().flat_map(|outline| &mut outline.ring).for_each(|m| *m = new(*m));
+        let before = self.hidden.len();
+        self.hidden = std::mem::take(&mut self.hidden).into_iter().map(|(edge, why)| (edge.map(new), why)).collect();
+        self.hidden.retain(|edge, _| edge.iter().all(|m| *m != u32::MAX));
+        self.unseen += before - self.hidden.len();
+    }
+}
+
+/// The elements of a list that stay.
+fn kept<T: Clone>(list: &[T], used: &[bool]) -> Vec<T> {
+    list.iter().zip(used).filter(|(_, used)| **used).map(|(x, _)| x.clone()).collect()
+}
+
+/// Points by place: those near an expected point become one, and so do those near each other.
+pub(super) struct Snap {
+    expected: Places,
+    /// The number of each expected point, once something is drawn there.
+    numbers: Vec<Option<u32>>,
+    others: Places,
+    other_numbers: Vec<u32>,
+    points: Vec<Point>,
+    tolerance: f64,
+}
+
+impl Snap {
+    fn new(expected: &[Point], tolerance: f64) -> Self {
+        Self {
+            expected: Places::of(expected, 4.0 * tolerance),
+            numbers: vec![None; expected.len()],
+            others: Places::new(4.0 * tolerance),
+            other_numbers: Vec::new(),
+            points: Vec::new(),
+            tolerance,
+        }
+    }
+
+    /// The number of what is at a place, a new one if need be.
+    fn number(&mut self, p: Point) -> u32 {
+        let next = self.points.len() as u32;
+        let number = match self.expected.near(p, self.tolerance) {
+            Some(v) => *self.numbers[v as usize].get_or_insert(next),
+            None => {
+                let i = self.others.near_or_add(p, self.tolerance) as usize;
+                if i == self.other_numbers.len() {
+                    self.other_numbers.push(next);
+                }
+                self.other_numbers[i]
+            }
+        };
+        if number == next {
+            self.points.push(p);
+        }
+        number
+    }
+
+    /// The numbers of both ends, if something is drawn at both.
+    fn known(&self, ends: [Point; 2]) -> Option<[u32; 2]> {
+        let [a, b] = ends.map(|p| self.drawn(p));
+        a.zip(b).map(|(a, b)| [a, b])
+    }
+
+    /// The number of what is drawn at a place.
+    fn drawn(&self, p: Point) -> Option<u32> {
+        match self.expected.near(p, self.tolerance) {
+            Some(v) => self.numbers[v as usize],
+            None => self.others.near(p, self.tolerance).map(|i| self.other_numbers[i as usize]),
+        }
+    }
+
+    /// Whether a place is that of an expected point, or something is drawn there.
+    pub(super) fn is_known(&self, p: Point) -> bool {
+        self.expected.near(p, self.tolerance).is_some() || self.drawn(p).is_some()
+    }
+}
+
+/// Cuts lines at points at which something is drawn: the expected ones, or if nothing is expected all.
+struct Cutter {
+    points: Vec<Point>,
+    numbers: Vec<u32>,
+    grid: Grid,
+    tolerance: f64,
+}
+
+impl Cutter {
+    fn new(snap: &Snap, expected: &[Point], tolerance: f64) -> Self {
+        let (points, numbers): (Vec<Point>, Vec<u32>) = if expected.is_empty() {
+            (snap.points.clone(), (0..snap.points.len() as u32).collect())
+        } else {
+            let drawn = expected.iter().zip(&snap.numbers).filter_map(|(&p, number)| Some((p, (*number)?)));
+            drawn.unzip()
+        };
+        Self { grid: Grid::new(&points), points, numbers, tolerance }
+    }
+
+    /// The numbers along a line, its ends among them.
+    fn chain(&mut self, [a, b]: [u32; 2], ends: [Point; 2]) -> Result<Vec<u32>, Fault> {
+        let too_much = || Fault::from(Problem::TooLarge { what: "points along lines", limit: super::segments::WORK });
+        let between = self.grid.along(&self.points, ends, self.tolerance).ok_or_else(too_much)?;
+        let mut out = vec![a];
+        out.extend(between.into_iter().map(|i| self.numbers[i as usize]));
+        out.push(b);
+        out.dedup();
+        Ok(out)
+    }
+}

@@ -1,0 +1,22 @@
+//! Drawings of one subject each, made of what a structure figure is made of, or of a sketch.
+//!
+//! ```text
+//!   structure.rs  interactive.rs  focus.rs  panels.rs  tables.rs  records.rs     half-edges and their pointers
+//!   dual.rs  voronoi.rs  robustness.rs                             the plane
+//!   navmesh/  solid/  chart/                                       paths, solids, growth
+//! ```
+
+pub mod chart;
+pub(crate) mod dual;
+pub(crate) mod focus;
+pub(crate) mod interactive;
+#[cfg(feature = "navmesh")]
+pub mod navmesh;
+pub(crate) mod panels;
+pub(crate) mod records;
+pub(crate) mod robustness;
+#[cfg(feature = "solid")]
+pub(crate) mod solid;
+pub(crate) mod structure;
+pub(crate) mod tables;
+pub(crate) mod voronoi;

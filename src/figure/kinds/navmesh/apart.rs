@@ -1,0 +1,38 @@
+//! Why there is no way: the two components, and what keeps them apart.
+
+use crate::figure::kinds::navmesh::Floor;
+use crate::figure::sketch::{Role, Sketch, SketchError};
+use crate::figure::{Figure, FigureOptions};
+use crate::navmesh::ComponentId;
+use crate::plane::Point;
+
+impl Floor<'_> {
+    /// The proof that there is no way: all that can be reached from the start, and all from which the goal can be
+    /// reached, in two colours. No face has both.
+    ///
+    /// # Errors
+    /// [`SketchError`]: a coordinate that cannot be drawn.
+    pub fn apart(
+        &self,
+        ends: [Point; 2],
+        components: [ComponentId; 2],
+        options: &FigureOptions,
+    ) -> Result<Figure, SketchError> {
+        let mut sketch = Sketch::new();
+        let names = ["can be reached from the start", "leads to the goal"];
+        for ((role, component), name) in [Role::Start, Role::Goal].into_iter().zip(components).zip(names) {
+            let faces = self.mesh.component_faces(component);
+            let count = self.mesh.component_faces(component).count();
+            self.paint(
+                &mut sketch,
+                role,
+                faces,
+                &format!("{component}, {count} {}: {name}", if count == 1 { "face" } else { "faces" }),
+            );
+        }
+        sketch.point(Role::Start, ends[0]).label("start");
+        sketch.point(Role::Goal, ends[1]).label("goal");
+        self.blocked(&mut sketch);
+        self.over(&sketch, options)
+    }
+}

@@ -1,0 +1,67 @@
+//! The funnel, door by door: how the way through a corridor is pulled straight.
+
+use crate::figure::kinds::navmesh::Floor;
+use crate::figure::sketch::{Backdrop, Multiples, Role, Sketch, SketchError};
+use crate::figure::{Figure, FigureOptions};
+use crate::navmesh::{FunnelStep, Route};
+
+/// So many panels at most; of longer routes the steps at which the way bends are shown, each with the one before, and
+/// the last.
+const PANELS: usize = 12;
+
+impl Floor<'_> {
+    /// One panel for each door of a route, and one for the goal: the certain way, the two chains of the funnel, the
+    /// door that was passed last.
+    ///
+    /// # Errors
+    /// [`SketchError`]: a coordinate that cannot be drawn.
+    pub fn funnel(&self, route: &Route, options: &FigureOptions) -> Result<Figure, SketchError> {
+        let steps = route.funnel_steps(self.mesh);
+        let doors: Vec<_> = route.portals(self.mesh).collect();
+        let mut sheet = Multiples::new();
+        for i in shown(&steps) {
+            let step = &steps[i];
+            let mut sketch = Sketch::new();
+            self.corridor(&mut sketch, route);
+            if let [.., apex] = step.way.as_slice() {
+                if let ([.., left], [.., right]) = (step.left.as_slice(), step.right.as_slice())
+                    && i < doors.len()
+                {
+                    sketch.portal(Role::Secondary, *left, *right).key("the door: left post a square, right a ring");
+                }
+                for (role, points, key) in [
+                    (Role::Right, &step.left, "left chain of the funnel"),
+                    (Role::Wrong, &step.right, "right chain of the funnel"),
+                    (Role::Main, &step.way, "the way as far as it is certain"),
+                ] {
+                    // A chain may be no longer than its apex.
+                    if points.windows(2).any(|pair| pair[0] != pair[1]) {
+                        sketch.path(role, points.iter().copied()).key(key);
+                    }
+                }
+                sketch.point(Role::Event, *apex).key("the apex");
+            }
+            self.marks(&mut sketch, route);
+            let (heading, about) = match doors.get(i) {
+                Some(door) => (format!("{}. {}", i + 1, door.door), format!("from {} to {}", door.from, door.to)),
+                None => (format!("{}. the goal", i + 1), "both chains end there: the way is found".to_owned()),
+            };
+            sheet.over(&heading, &about, self.map, Backdrop::Dimmed, sketch);
+        }
+        sheet.figure(&self.nameless(options))
+    }
+}
+
+/// The steps to show: all, or those at which the apex moves with the ones before them, and the last.
+fn shown(steps: &[FunnelStep]) -> Vec<usize> {
+    let all: Vec<usize> = (0..steps.len()).collect();
+    if all.len() <= PANELS {
+        return all;
+    }
+    let moves = |i: &usize| *i > 0 && steps[*i].way.len() > steps[i - 1].way.len();
+    let mut chosen: Vec<usize> = all.iter().copied().filter(moves).flat_map(|i| [i - 1, i]).collect();
+    chosen.dedup();
+    chosen.truncate(PANELS - 1);
+    chosen.extend(all.last().filter(|last| !chosen.contains(last)));
+    chosen
+}

@@ -1,0 +1,204 @@
+//! The tables of the slides beside the picture: one element, marked in both.
+//!
+//! ```text
+//!   ┌─────────────────┐    h    origin twin next prev face      v    x  y  outgoing
+//!   │    picture      │    h0   v0     h1   h6   h8   f1        v0   0  0  h0
+//!   │                 │  ▸ h2   v1     h3   h4   h0   f1        f    boundary  rings
+//!   └─────────────────┘    ...                                  f0   h1
+//! ```
+
+use crate::figure::canvas::scene::{Group, Node};
+use crate::figure::canvas::vector::{Xy, xy};
+use crate::figure::canvas::{crop, number, text};
+use crate::figure::structure::look::{Look, Mark};
+use crate::figure::structure::notes::Notes;
+use crate::figure::structure::part::Part;
+use crate::figure::structure::plate::Plate;
+use crate::figure::structure::pointer_style;
+use crate::figure::structure::skeleton::{faces, half_edges, vertices};
+use crate::figure::{Figure, FigureError, FigureOptions};
+use crate::ids::Element;
+use crate::plane::PlanarView;
+use crate::topology::Ring;
+
+/// Height of a row, and the size of its text.
+const ROW: f64 = 17.0;
+const TEXT: f64 = 10.5;
+/// Space round the tables.
+const GAP: f64 = 22.0;
+/// A table shows at most so many rows.
+const ROWS: usize = 120;
+
+/// Draws the structure with its vertex, half-edge and face tables beside it, one element marked in both.
+///
+/// Everything but the marked element is grey in the picture; without one nothing is. Of each table at most 120
+/// rows are shown, the others are counted in the notes. Of some [faces](FigureOptions::faces) only, the tables hold
+/// what the picture shows.
+///
+/// # Errors
+/// Those of [`structure`](crate::figure::structure()), and [`FigureError::NotDrawn`] if the marked element is not there.
+///
+/// ```
+/// use dcel_kit::figure::{self, FigureOptions};
+/// use dcel_kit::{HalfEdgeId, plane::Subdivision};
+/// let lab = Subdivision::lab_rectangle();
+/// let svg = figure::tables(&lab, Some(HalfEdgeId::new(2).into()), &FigureOptions::new("Lab"))?.to_svg();
+/// assert!(svg.contains("id=\"lab-row-h2\""));
+/// # Ok::<(), figure::FigureError>(())
+/// ```
+pub fn tables<V: PlanarView + ?Sized>(
+    view: &V,
+    highlight: Option<Element>,
+    options: &FigureOptions,
+) -> Result<Figure, FigureError> {
+    let Some(chosen) = &options.faces else { return draw(view, highlight, options) };
+    draw(&Part::new(view, chosen)?, highlight, options)
+}
+
+fn draw<V: PlanarView + ?Sized>(
+    view: &V,
+    highlight: Option<Element>,
+    options: &FigureOptions,
+) -> Result<Figure, FigureError> {
+    let mut options = options.checked();
+    options.usual_width = 520.0;
+    options.style.face_text = options.style.face_text.min(14.0);
+    let options = &options;
+    let plate = Plate::new(view, options, false)?;
+    let mut notes = Notes(plate.notes.0.clone());
+    let look = look(view, highlight)?;
+    let mut scene = plate.picture.scene(Vec::new());
+    scene.nodes = crop::framed(plate.nodes(view, &look, Vec::new()), scene.size, options);
+    let marked = highlight.map(|element| element.to_string());
+    let mut height = scene.size.y;
+    let mut left = scene.size.x + GAP;
+    let [half_edges, vertices, faces] = [half_edge_table(view), vertex_table(view), face_table(view)];
+    for column in [vec![half_edges], vec![vertices, faces]] {
+        let (mut top, mut right) = (GAP, left);
+        for table in column {
+            let widths = table.widths();
+            scene.nodes.push(table.group(xy(left, top), &widths, marked.as_deref()));
+            top += ROW * (table.rows.len().min(ROWS) as f64 + 2.2);
+            right = right.max(left + widths.iter().sum::<f64>());
+            if table.rows.len() > ROWS {
+                notes.0.push(format!("{} more rows of {} are not shown", table.rows.len() - ROWS, table.name));
+            }
+        }
+        height = height.max(top);
+        left = right + GAP;
+    }
+    scene.size = xy(left, height);
+    scene.css.push_str(&pointer_style::css(&options.style, &scene.prefix));
+    Ok(Figure { scene, detail: plate.picture.detail, notes: notes.0 })
+}
+
+/// The marked element bold, the half-edges grey beside it.
+fn look<V: PlanarView + ?Sized>(view: &V, highlight: Option<Element>) -> Result<Look, FigureError> {
+    let Some(element) = highlight else { return Ok(Look::default()) };
+    let mut look = Look::default().rest(Mark::Dim);
+    match element {
+        Element::Vertex(v) if view.has_vertex(v) => look.mark_vertex(v, Mark::Hot),
+        Element::HalfEdge(h) if view.has_half_edge(h) => look.mark_half_edge(h, Mark::Hot),
+        Element::Edge(e) if e.half_edges().into_iter().all(|h| view.has_half_edge(h)) => {
+            e.half_edges().into_iter().for_each(|h| look.mark_half_edge(h, Mark::Hot));
+        }
+        Element::Face(f) if view.has_face(f) => look.mark_face(f, Mark::Hot),
+        _ => return Err(FigureError::NotDrawn { element }),
+    }
+    Ok(look)
+}
+
+/// A table as words; the first word of a row names its element.
+struct Words {
+    name: &'static str,
+    head: &'static [&'static str],
+    rows: Vec<Vec<String>>,
+}
+
+fn word<I: std::fmt::Display>(id: Option<I>) -> String {
+    id.map_or_else(|| "–".to_owned(), |id| id.to_string())
+}
+
+fn half_edge_table<V: PlanarView + ?Sized>(view: &V) -> Words {
+    let row = |h| {
+        let pointers = [word(view.twin(h)), word(view.next(h)), word(view.prev(h)), word(view.face(h))];
+        [h.to_string(), word(view.origin(h))].into_iter().chain(pointers).collect()
+    };
+    let head = &["", "origin", "twin", "next", "prev", "face"];
+    Words { name: "half-edges", head, rows: half_edges(view).map(row).collect() }
+}
+
+fn vertex_table<V: PlanarView + ?Sized>(view: &V) -> Words {
+    let row = |v| {
+        let at = view.position(v);
+        let coordinate = |axis: Option<f64>| axis.map_or_else(|| "–".to_owned(), number::model);
+        vec![v.to_string(), coordinate(at.map(|p| p.x)), coordinate(at.map(|p| p.y)), word(view.outgoing(v))]
+    };
+    Words { name: "vertices", head: &["", "x", "y", "outgoing"], rows: vertices(view).map(row).collect() }
+}
+
+fn face_table<V: PlanarView + ?Sized>(view: &V) -> Words {
+    let ring = |ring: &Ring| match ring {
+        Ring::Cycle(h) => h.to_string(),
+        Ring::Isolated(v) => v.to_string(),
+    };
+    let row = |f| {
+        let rings: Vec<String> = view.rings(f).iter().map(ring).collect();
+        vec![f.to_string(), word(view.boundary(f)), if rings.is_empty() { "–".to_owned() } else { rings.join(" ") }]
+    };
+    Words { name: "faces", head: &["", "boundary", "rings"], rows: faces(view).map(row).collect() }
+}
+
+impl Words {
+    fn widths(&self) -> Vec<f64> {
+        let column = |i: usize| {
+            let words = self.rows.iter().take(ROWS).filter_map(|row| row.get(i)).map(String::as_str);
+            let wide = words.chain([self.head[i]]).map(|word| text::width(word, TEXT, true));
+            wide.fold(20.0, f64::max) + 14.0
+        };
+        (0..self.head.len()).map(column).collect()
+    }
+
+    fn group(&self, corner: Xy, widths: &[f64], marked: Option<&str>) -> Node {
+        let total: f64 = widths.iter().sum();
+        let middles: Vec<f64> = widths
+            .iter()
+            .scan(0.0, |left, &width| {
+                *left += width;
+                Some(*left - 0.5 * width)
+            })
+            .collect();
+        let cell = |class: &'static str, column: usize, y: f64, word: &str| Node::Text {
+            class,
+            at: corner + xy(middles[column], y),
+            size: TEXT,
+            text: word.to_owned(),
+        };
+        let mut nodes = Vec::new();
+        for (i, head) in self.head.iter().enumerate().filter(|(_, head)| !head.is_empty()) {
+            nodes.push(cell("cm", i, 0.5 * ROW, head));
+        }
+        let under = corner + xy(0.0, ROW);
+        nodes.push(Node::Line { class: "edge", from: under, to: under + xy(total, 0.0) });
+        for (i, row) in self.rows.iter().take(ROWS).enumerate() {
+            let top = ROW * (i as f64 + 1.0);
+            let hit = marked == row.first().map(String::as_str);
+            let mut cells = Vec::new();
+            if hit {
+                let at = corner + xy(0.0, top);
+                let strip = vec![at, at + xy(total, 0.0), at + xy(total, ROW), at + xy(0.0, ROW)];
+                cells.push(Node::Area { class: "hit", hatch: None, outlines: vec![strip] });
+                let tip = at + xy(-3.0, 0.5 * ROW);
+                let pointer = vec![tip, tip + xy(-8.0, 4.5), tip + xy(-8.0, -4.5)];
+                cells.push(Node::Area { class: "mark", hatch: None, outlines: vec![pointer] });
+            }
+            for (column, word) in row.iter().enumerate() {
+                cells.push(cell(if column == 0 { "key" } else { "val" }, column, top + 0.5 * ROW, word));
+            }
+            let id = row.first().map(|name| format!("row-{name}"));
+            let mark = if hit { "hot" } else { "" };
+            nodes.push(Node::Group(Group { class: "row", mark, id, nodes: cells, ..Group::default() }));
+        }
+        Node::Group(Group { class: "table", id: Some(format!("table-{}", self.name)), nodes, ..Group::default() })
+    }
+}

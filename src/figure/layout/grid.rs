@@ -1,0 +1,74 @@
+//! Panels of one size in rows and columns, each below its caption.
+//!
+//! ```text
+//!   half-edge.next          half-edge.twin
+//!   follow next and …       the same edge …
+//!   ┌──────────────┐  gap   ┌──────────────┐
+//!   │              │        │              │
+//!   └──────────────┘        └──────────────┘
+//! ```
+
+use crate::figure::canvas::scene::{Group, Node};
+use crate::figure::canvas::text;
+use crate::figure::canvas::vector::{Xy, xy};
+
+/// Space between panels.
+const GAP: f64 = 14.0;
+/// Size of a heading and how far its lines are apart; at most so many.
+const HEADING: (f64, f64, usize) = (14.0, 17.0, 2);
+/// The same for the sentence below it.
+const TEXT: (f64, f64, usize) = (11.0, 14.0, 3);
+
+/// A panel: its caption and what is drawn.
+pub(crate) struct Panel {
+    pub(crate) heading: String,
+    pub(crate) text: String,
+    /// Without the prefix of the scene; none: the panel has no id.
+    pub(crate) id: Option<String>,
+    pub(crate) nodes: Vec<Node>,
+}
+
+/// Two side by side up to four, three from five on.
+pub(crate) const fn usual_columns(panels: usize) -> usize {
+    match panels {
+        0 | 1 => 1,
+        2..=4 => 2,
+        _ => 3,
+    }
+}
+
+/// The panels as groups, and the size of it all. `size` is that of each drawing.
+pub(crate) fn arrange(panels: Vec<Panel>, size: Xy, columns: usize) -> (Vec<Node>, Xy) {
+    let count = panels.len();
+    let columns = columns.clamp(1, count.max(1));
+    let head = panels.iter().map(|panel| caption(panel, size.x).1).fold(0.0, f64::max);
+    let whole = xy(size.x, size.y + head);
+    let group = |(i, panel): (usize, Panel)| {
+        let (column, row) = ((i % columns) as f64, (i / columns) as f64);
+        let mut nodes = caption(&panel, size.x).0;
+        nodes.push(Node::Group(Group { shift: Some(xy(0.0, head)), nodes: panel.nodes, ..Group::default() }));
+        Node::Group(Group {
+            class: "panel",
+            id: panel.id,
+            shift: Some(xy(column * (whole.x + GAP), row * (whole.y + GAP))),
+            nodes,
+            ..Group::default()
+        })
+    };
+    let nodes = panels.into_iter().enumerate().map(group).collect();
+    let length = |count: usize, one: f64| count as f64 * (one + GAP) - GAP;
+    (nodes, xy(length(columns, whole.x), length(count.div_ceil(columns).max(1), whole.y)))
+}
+
+/// The lines of a caption and their height.
+fn caption(panel: &Panel, width: f64) -> (Vec<Node>, f64) {
+    let mut y = 0.0;
+    let mut out = Vec::new();
+    for (words, (size, step, most), class) in [(&panel.heading, HEADING, "ct"), (&panel.text, TEXT, "cs")] {
+        for line in text::wrap(words, size, class == "ct", width - 16.0, most) {
+            y += step;
+            out.push(Node::Text { class, at: xy(8.0, y - 0.3 * size), size, text: line });
+        }
+    }
+    (out, if y > 0.0 { y + 8.0 } else { 0.0 })
+}

@@ -1,0 +1,108 @@
+//! A part of a view: some faces, the half-edges round them and the vertices of those.
+//!
+//! ```text
+//!   ┌────┬────┬────┐            ┌────┐
+//!   │ f1 │ f2 │ f3 │   f2 only  │ f2 │     Pointers are as in the whole: those that leave the part name
+//!   └────┴────┴────┘            └────┘     elements that are not drawn.
+//! ```
+
+use crate::figure::FigureError;
+use crate::figure::structure::skeleton::half_edges;
+use crate::ids::{FaceId, FaceMap, HalfEdgeId, VertexId, VertexMap};
+use crate::plane::{PlanarView, Point};
+use crate::topology::{Ring, View};
+
+/// The view of some faces of a view.
+pub(crate) struct Part<'a, V: ?Sized> {
+    whole: &'a V,
+    faces: FaceMap<bool>,
+    vertices: VertexMap<bool>,
+}
+
+impl<'a, V: PlanarView + ?Sized> Part<'a, V> {
+    /// O(half-edges).
+    ///
+    /// # Errors
+    /// [`FigureError::UnknownFace`].
+    pub(crate) fn new(whole: &'a V, chosen: &[FaceId]) -> Result<Self, FigureError> {
+        let mut faces = FaceMap::filled(whole.face_bound(), false);
+        let mut kept = VertexMap::filled(whole.vertex_bound(), false);
+        for &face in chosen {
+            if !whole.has_face(face) {
+                let faces = crate::figure::structure::skeleton::faces(whole).count();
+                return Err(FigureError::UnknownFace { face, faces });
+            }
+            faces[face] = true;
+            for ring in whole.rings(face) {
+                if let Ring::Isolated(v) = ring
+                    && whole.has_vertex(*v)
+                {
+                    kept[*v] = true;
+                }
+            }
+        }
+        let out = Self { whole, faces, vertices: VertexMap::default() };
+        for h in half_edges(&out) {
+            let ends = [whole.origin(h), crate::figure::structure::skeleton::destination(whole, h)];
+            ends.into_iter().flatten().filter(|&v| whole.has_vertex(v)).for_each(|v| kept[v] = true);
+        }
+        Ok(Self { vertices: kept, ..out })
+    }
+}
+
+impl<V: PlanarView + ?Sized> View for Part<'_, V> {
+    fn vertex_bound(&self) -> usize {
+        self.whole.vertex_bound()
+    }
+    fn half_edge_bound(&self) -> usize {
+        self.whole.half_edge_bound()
+    }
+    fn face_bound(&self) -> usize {
+        self.whole.face_bound()
+    }
+    fn has_vertex(&self, v: VertexId) -> bool {
+        self.vertices.get(v).copied().unwrap_or(false) && self.whole.has_vertex(v)
+    }
+    fn has_half_edge(&self, h: HalfEdgeId) -> bool {
+        self.whole.has_half_edge(h) && self.whole.face(h).is_some_and(|f| self.has_face(f))
+    }
+    fn has_face(&self, f: FaceId) -> bool {
+        self.faces.get(f).copied().unwrap_or(false)
+    }
+    fn origin(&self, h: HalfEdgeId) -> Option<VertexId> {
+        self.whole.origin(h)
+    }
+    fn twin(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        self.whole.twin(h)
+    }
+    fn next(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        self.whole.next(h)
+    }
+    fn prev(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        self.whole.prev(h)
+    }
+    fn face(&self, h: HalfEdgeId) -> Option<FaceId> {
+        self.whole.face(h)
+    }
+    fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
+        self.whole.outgoing(v)
+    }
+    fn boundary(&self, f: FaceId) -> Option<HalfEdgeId> {
+        self.whole.boundary(f)
+    }
+    fn rings(&self, f: FaceId) -> &[Ring] {
+        self.whole.rings(f)
+    }
+    fn outer_face(&self) -> Option<FaceId> {
+        self.whole.outer_face()
+    }
+    fn is_hole(&self, f: FaceId) -> bool {
+        self.whole.is_hole(f)
+    }
+}
+
+impl<V: PlanarView + ?Sized> PlanarView for Part<'_, V> {
+    fn position(&self, v: VertexId) -> Option<Point> {
+        self.whole.position(v).filter(|_| self.has_vertex(v))
+    }
+}
