@@ -4,7 +4,7 @@
 //! each with a line of its own, so that no two files are equal and nothing comes from a cache. What is measured is the
 //! time on the clock, since most of the work is done by other processes; the peer is the compiler alone.
 
-use dcel_kit::lab::{GradeOptions, Grader, Lab, Outcome, Plan, Submission, launched};
+use dcel_lab::{GradeOptions, Grader, Lab, Outcome, Plan, Submission, launched};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 use std::time::Instant;

@@ -40,7 +40,11 @@
 //! | [`figure`] | drawings as SVG |
 //! | [`compare`] | two drawings compared by what they mean |
 //! | [`files`] | files that are there whole or not at all |
-//! | `lab` | labs graded from outside (feature `lab`) |
+//!
+//! The first three are always there; each of the others is a feature of the same name, and on by default.
+//! `default-features = false` leaves the structure and the plane, built with two crates of others (`robust` and
+//! `thiserror`) in a few seconds; add `features = ["figure"]` for drawings or `["io"]` for files. The feature `png` is
+//! off by default. Labs graded from outside are the package `dcel-lab`, the command line is the package `dcel`.
 //!
 //! Words used elsewhere: *dart* is a half-edge, *sym* or *opposite* is `twin`, *tail* is `origin`, *tip* or
 //! *head* is `destination`, *dcel* and *half-edge structure* mean the same.
@@ -48,21 +52,25 @@
 // Nothing may panic on data: an error, or expect() with the reason why it cannot happen.
 #![warn(clippy::unwrap_used)]
 
+#[cfg(feature = "compare")]
 pub mod compare;
+#[cfg(feature = "figure")]
 pub mod figure;
-#[cfg(any(feature = "io", feature = "lab"))]
+#[cfg(feature = "files")]
 pub mod files;
 pub mod ids;
 #[cfg(feature = "io")]
 pub mod io;
-#[cfg(feature = "lab")]
-pub mod lab;
 #[cfg(feature = "navmesh")]
 pub mod navmesh;
 pub mod plane;
+#[cfg(feature = "script")]
 pub mod script;
 #[cfg(feature = "solid")]
 pub mod solid;
+#[cfg(feature = "sources")]
+#[doc(hidden)]
+pub mod sources;
 pub mod topology;
 
 pub use ids::{

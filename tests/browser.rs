@@ -3,12 +3,15 @@
 
 #[path = "browser/devtools.rs"]
 mod devtools;
+#[path = "support/trials.rs"]
+mod trials;
 
 use dcel_kit::figure::{self, FigureOptions};
 use dcel_kit::plane::Subdivision;
 use devtools::Browser;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
+use trials::trials;
 
 /// A folder with one file.
 struct File {
@@ -51,11 +54,9 @@ fn on_shaft(browser: &mut Browser, id: &str) -> [f64; 2] {
     [0, 1].map(|i| place[i].as_f64().unwrap())
 }
 
-#[test]
-#[cfg_attr(not(chromium), ignore = "needs chromium")]
 fn every_reference_figure_opens_without_a_word_from_the_console() {
     let mut browser = Browser::start(800, 600);
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("figures");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../figures");
     let mut files: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     files.retain(|path| path.extension().is_some_and(|extension| extension == "svg" || extension == "html"));
     files.sort();
@@ -72,8 +73,6 @@ fn every_reference_figure_opens_without_a_word_from_the_console() {
     }
 }
 
-#[test]
-#[cfg_attr(not(chromium), ignore = "needs chromium")]
 fn mouse_focus_and_address_show_the_pointers_of_one_half_edge() {
     let file = picture();
     let mut browser = Browser::start(1700, 1700);
@@ -102,8 +101,6 @@ fn mouse_focus_and_address_show_the_pointers_of_one_half_edge() {
     assert!(browser.complaints().is_empty(), "{:?}", browser.complaints());
 }
 
-#[test]
-#[cfg_attr(not(chromium), ignore = "needs chromium")]
 fn screen_readers_hear_every_half_edge() {
     let file = picture();
     let mut browser = Browser::start(800, 600);
@@ -147,8 +144,6 @@ fn lab_words(end: &str) -> String {
     )
 }
 
-#[test]
-#[cfg_attr(not(chromium), ignore = "needs chromium")]
 fn a_picture_is_one_image_with_a_name_and_a_description() {
     let file = File::new("lab.svg", &figure::structure(&lab(), &FigureOptions::new("Lab")).unwrap().to_svg());
     let mut browser = Browser::start(800, 600);
@@ -161,8 +156,6 @@ fn a_picture_is_one_image_with_a_name_and_a_description() {
     assert_eq!(browser.eval("document.querySelectorAll('[tabindex], a').length"), 0, "nothing to tab to");
 }
 
-#[test]
-#[cfg_attr(not(chromium), ignore = "needs chromium")]
 fn the_keyboard_goes_there_and_back_and_focus_is_seen() {
     let file = picture();
     let mut browser = Browser::start(1000, 800);
@@ -187,10 +180,8 @@ fn the_keyboard_goes_there_and_back_and_focus_is_seen() {
 const FRAMES: &str = "[...document.querySelectorAll('.fr')].filter(g => getComputedStyle(g).display !== 'none')\
                       .map(g => g.id)";
 
-#[test]
-#[cfg_attr(not(chromium), ignore = "needs chromium")]
 fn a_stepper_shows_one_frame_follows_its_links_and_prints_all() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("figures/stepper-split-face.svg");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../figures/stepper-split-face.svg");
     let mut browser = Browser::start(900, 700);
     browser.open(&path, "");
     assert_eq!(browser.eval(FRAMES), json!(["steps-step-0"]), "without an address the first");
@@ -218,8 +209,6 @@ fn a_stepper_shows_one_frame_follows_its_links_and_prints_all() {
     assert!(browser.complaints().is_empty(), "{:?}", browser.complaints());
 }
 
-#[test]
-#[cfg_attr(not(chromium), ignore = "needs chromium")]
 fn a_printed_page_has_no_buttons_and_whole_tables() {
     let file = page();
     let mut browser = Browser::start(1400, 900);
@@ -238,11 +227,9 @@ fn a_printed_page_has_no_buttons_and_whole_tables() {
 
 /// In the dark every figure has dark paper, and no line or letter keeps its light colour, but for those that a file of
 /// colours names one by one. The tints of areas are the same hues, thicker.
-#[test]
-#[cfg_attr(not(chromium), ignore = "needs chromium")]
 fn dark_mode_changes_paper_ink_and_lines_of_every_reference_figure() {
     let mut browser = Browser::start(800, 600);
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("figures");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../figures");
     let mut count = 0;
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
@@ -268,8 +255,6 @@ fn dark_mode_changes_paper_ink_and_lines_of_every_reference_figure() {
     assert!(count >= 10, "{count}");
 }
 
-#[test]
-#[cfg_attr(not(chromium), ignore = "needs chromium")]
 fn the_page_follows_clicks_keys_and_the_search() {
     let (file, lab) = (page(), lab());
     let mut browser = Browser::start(1400, 1200);
@@ -318,8 +303,6 @@ fn the_page_follows_clicks_keys_and_the_search() {
     assert!(browser.complaints().is_empty(), "{:?}", browser.complaints());
 }
 
-#[test]
-#[cfg_attr(not(chromium), ignore = "needs chromium")]
 fn the_page_walks_round_a_face_and_round_a_vertex() {
     let (file, lab) = (page(), lab());
     let mut browser = Browser::start(1400, 1200);
@@ -352,8 +335,6 @@ fn the_page_walks_round_a_face_and_round_a_vertex() {
     assert!(browser.complaints().is_empty(), "{:?}", browser.complaints());
 }
 
-#[test]
-#[cfg_attr(not(chromium), ignore = "needs chromium")]
 fn without_scripts_the_page_is_picture_and_tables() {
     let file = page();
     let mut browser = Browser::start(1400, 1200);
@@ -381,8 +362,6 @@ fn without_scripts_the_page_is_picture_and_tables() {
     assert!(browser.complaints().is_empty(), "{:?}", browser.complaints());
 }
 
-#[test]
-#[cfg_attr(not(chromium), ignore = "needs chromium")]
 fn names_of_the_caller_stay_text() {
     let evil = "</style></title></script><script>console.error('run')</script><b>\"&";
     let options = FigureOptions::new(evil).id_prefix("x").face_name(dcel_kit::FaceId::new(1), evil);
@@ -393,4 +372,23 @@ fn names_of_the_caller_stay_text() {
     assert_eq!(browser.eval("document.title"), evil);
     assert_eq!(browser.eval("document.querySelectorAll('script').length"), 1);
     assert_eq!(browser.eval("document.querySelector('#x-row-f1').dataset.name"), evil);
+}
+
+trials! {
+    every_reference_figure_opens_without_a_word_from_the_console: Chromium;
+    mouse_focus_and_address_show_the_pointers_of_one_half_edge: Chromium;
+    screen_readers_hear_every_half_edge: Chromium;
+    a_picture_is_one_image_with_a_name_and_a_description: Chromium;
+    the_keyboard_goes_there_and_back_and_focus_is_seen: Chromium;
+    a_stepper_shows_one_frame_follows_its_links_and_prints_all: Chromium;
+    a_printed_page_has_no_buttons_and_whole_tables: Chromium;
+    dark_mode_changes_paper_ink_and_lines_of_every_reference_figure: Chromium;
+    the_page_follows_clicks_keys_and_the_search: Chromium;
+    the_page_walks_round_a_face_and_round_a_vertex: Chromium;
+    without_scripts_the_page_is_picture_and_tables: Chromium;
+    names_of_the_caller_stay_text: Chromium;
+}
+
+fn main() {
+    trials::run(trials())
 }

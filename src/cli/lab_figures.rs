@@ -4,12 +4,13 @@ use super::references::ReferenceError;
 use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
 use dcel_kit::figure::{self, Detail, FigureOptions, Overrides};
 use dcel_kit::script::Script;
+use dcel_kit::sources;
 
 /// The drawing that lab 04 asks for.
 pub(super) fn drawing() -> Result<String, ReferenceError> {
-    let script = include_str!("../../figures/scripts/lab-04-drawing.dcels");
+    let script = sources::LAB_04_DRAWING;
     let drawing = Script::parse(script, "lab-04-drawing.dcels")?.run().end;
-    let colours = Overrides::parse(include_str!("../../figures/scripts/lab-04-drawing.colours"))?;
+    let colours = Overrides::parse(sources::LAB_04_COLOURS)?;
     let options = FigureOptions::new("The drawing of lab 04").detail(Detail::Edges).overrides(colours);
     Ok(figure::structure(&drawing, &options.id_prefix("drawing"))?.to_svg())
 }

@@ -5,6 +5,7 @@ use dcel_kit::io::{Document, Format, Grid, ReadError, ReadOptions, read_bytes};
 use dcel_kit::plane::{
     ConvertError, ConvertOptions, JoinFacesError, Point, SegmentsError, SplitEdgeError, SplitFaceError, Subdivision,
 };
+use dcel_kit::sources;
 use dcel_kit::topology::{PolygonList, SplitVertexError, Table};
 use std::collections::BTreeSet;
 
@@ -160,11 +161,11 @@ pub(crate) struct States {
 }
 
 /// The file, as it came: npm package us-atlas 3.0.1, ISC licence, shapes of the US Census Bureau.
-const STATES: &[u8] = include_bytes!("../../figures/data/states-albers-10m.json");
+const STATES: &[u8] = sources::STATES;
 /// A small grid map of rooms: the regions of its open cells.
 pub(crate) fn rooms() -> Result<Subdivision, LessonError> {
     const FILE: &str = "figures/data/rooms.map";
-    Ok(Grid::parse(include_bytes!("../../figures/data/rooms.map"), FILE)?.regions()?)
+    Ok(Grid::parse(sources::ROOMS_MAP, FILE)?.regions()?)
 }
 
 /// What messages call it.

@@ -22,6 +22,7 @@ use dcel_kit::plane::{
 use dcel_kit::script::{Script, ScriptError};
 use dcel_kit::solid::grow::{GrowError, Shape};
 use dcel_kit::solid::{Platonic, Polyhedron, SchlegelError};
+use dcel_kit::sources;
 use std::path::Path;
 
 /// Why a reference figure cannot be drawn.
@@ -106,19 +107,17 @@ static REFERENCES: &[Reference] = &[
     Reference {
         file: "film-join-faces.svg",
         about: "join_faces step by step: the inverse of split_face",
-        draw: || strip(include_str!("../../figures/scripts/join-faces.dcels"), "A film of join_faces", "join-faces"),
+        draw: || strip(sources::JOIN_FACES, "A film of join_faces", "join-faces"),
     },
     Reference {
         file: "film-split-face.svg",
         about: "split_face step by step: what each step of the handout links",
-        draw: || strip(include_str!("../../figures/scripts/split-face.dcels"), "A film of split_face", "split"),
+        draw: || strip(sources::SPLIT_FACE, "A film of split_face", "split"),
     },
     Reference {
         file: "film-split-in-half.svg",
         about: "split_in_half step by step",
-        draw: || {
-            strip(include_str!("../../figures/scripts/split-in-half.dcels"), "A film of split_in_half", "split-in-half")
-        },
+        draw: || strip(sources::SPLIT_IN_HALF, "A film of split_in_half", "split-in-half"),
     },
     Reference {
         file: "focus.svg",
@@ -243,7 +242,7 @@ static REFERENCES: &[Reference] = &[
         file: "stepper-split-face.svg",
         about: "the film of split_face one frame at a time, by links, without a script",
         draw: || {
-            let script = Script::parse(include_str!("../../figures/scripts/split-face.dcels"), "split-face.dcels")?;
+            let script = Script::parse(sources::SPLIT_FACE, "split-face.dcels")?;
             Ok(film(&script).stepper(&FigureOptions::new("Steps of split_face").id_prefix("steps"))?.to_svg())
         },
     },

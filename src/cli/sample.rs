@@ -4,6 +4,7 @@ use super::output::table;
 use super::save::put;
 use super::{Answer, Failure, Output};
 use dcel_kit::io::closest;
+use dcel_kit::sources;
 use serde::Serialize;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -53,7 +54,7 @@ const SAMPLES: &[Sample] = &[
     Sample { name: "fields.geojson", about: "two polygons that overlap: for --mend", bytes: include_bytes!("sample/fields.geojson") },
     Sample { name: "parcels.geojson", about: "two neighbours, to lay a river over", bytes: include_bytes!("sample/parcels.geojson") },
     Sample { name: "floods.geojson", about: "the river", bytes: include_bytes!("sample/floods.geojson") },
-    Sample { name: "states.json", about: "a map of the USA: y down, one ring without area", bytes: include_bytes!("../../figures/data/states-albers-10m.json") },
+    Sample { name: "states.json", about: "a map of the USA: y down, one ring without area", bytes: sources::STATES },
     Sample { name: "plan.poly", about: "a room with a column, as segments", bytes: include_bytes!("sample/plan.poly") },
     Sample { name: "roads.wkt", about: "lines that cross", bytes: include_bytes!("sample/roads.wkt") },
     Sample { name: "rings.segments", about: "rings in each other", bytes: include_bytes!("sample/rings.segments") },
@@ -63,11 +64,11 @@ const SAMPLES: &[Sample] = &[
     Sample { name: "colours.txt", about: "colours and labels for the faces of the square", bytes: include_bytes!("sample/colours.txt") },
     Sample { name: "expected.svg", about: "a drawing of the square", bytes: include_bytes!("sample/expected.svg") },
     Sample { name: "mine.svg", about: "a drawing of it without one edge", bytes: include_bytes!("sample/mine.svg") },
-    Sample { name: "lab.dcels", about: "a script: the lab's structure from a rectangle", bytes: include_bytes!("../../figures/scripts/lab.dcels") },
-    Sample { name: "split-face.dcels", about: "a script: one split of a face", bytes: include_bytes!("../../figures/scripts/split-face.dcels") },
+    Sample { name: "lab.dcels", about: "a script: the lab's structure from a rectangle", bytes: sources::LAB.as_bytes() },
+    Sample { name: "split-face.dcels", about: "a script: one split of a face", bytes: sources::SPLIT_FACE.as_bytes() },
     Sample { name: "torus.dcels", about: "a script without coordinates", bytes: include_bytes!("sample/torus.dcels") },
-    Sample { name: "rooms.map", about: "a grid map to find paths on", bytes: include_bytes!("../../figures/data/rooms.map") },
-    Sample { name: "rooms.scen", about: "questions about it, with answers", bytes: include_bytes!("../../figures/data/rooms.scen") },
+    Sample { name: "rooms.map", about: "a grid map to find paths on", bytes: sources::ROOMS_MAP },
+    Sample { name: "rooms.scen", about: "questions about it, with answers", bytes: sources::ROOMS_SCEN },
     Sample { name: "floor.obj", about: "a floor of two rooms in space, y up", bytes: include_bytes!("sample/floor.obj") },
     Sample { name: "cube.off", about: "a solid", bytes: include_bytes!("sample/cube.off") },
     Sample { name: "tetrahedron.off", about: "a solid of triangles", bytes: include_bytes!("sample/tetrahedron.off") },

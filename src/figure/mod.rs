@@ -35,7 +35,7 @@ pub(crate) mod canvas;
 mod film;
 mod kinds;
 pub(crate) mod layout;
-pub(crate) mod page;
+mod page;
 pub mod sketch;
 pub(crate) mod structure;
 
@@ -59,7 +59,7 @@ pub use kinds::structure::structure;
 pub use kinds::tables::tables;
 pub use kinds::voronoi::{voronoi_cells, voronoi_edges};
 pub use layout::options::{Detail, FaceLabels, FigureOptions};
-pub use page::{Page, page};
+pub use page::{Page, escaped, page};
 pub use structure::overrides::{Overrides, OverridesError};
 pub use structure::pointer::Pointers;
 

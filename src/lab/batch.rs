@@ -103,7 +103,7 @@ impl Default for GradeOptions {
 /// A grader of one lab: the walls tried, the toolchain found.
 ///
 /// ```no_run
-/// use dcel_kit::lab::{GradeOptions, Grader, Lab, Outcome, Plan, Submission};
+/// use dcel_lab::{GradeOptions, Grader, Lab, Outcome, Plan, Submission};
 ///
 /// let grader = Grader::new(Lab::bundled("04")?, &GradeOptions::default())?;
 /// let class = Submission::class(&["alice".into(), "bob.rs".into()], None)?;

@@ -14,7 +14,7 @@
 //! unless it is asked for.
 
 use super::{Report, Verdict};
-use crate::files::write_whole;
+use dcel_kit::files::write_whole;
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};

@@ -125,13 +125,13 @@ impl When {
 pub(super) mod tests {
     use super::*;
 
-    pub(in crate::lab) static WORDS: &[Feature] = &[
+    pub(crate) static WORDS: &[Feature] = &[
         Feature { id: "a", clause: "it is a" },
         Feature { id: "b", clause: "it is b" },
         Feature { id: "c", clause: "it is c" },
     ];
 
-    pub(in crate::lab) fn calls(failing: &[u128], passing: &[u128]) -> Calls {
+    pub(crate) fn calls(failing: &[u128], passing: &[u128]) -> Calls {
         Calls { failing: failing.to_vec(), passing: passing.to_vec() }
     }
 
@@ -173,10 +173,10 @@ pub(super) mod tests {
 
     #[test]
     fn a_told_condition_is_true_of_all_calls() {
-        let mut random = crate::lab::cases::random::Random::new(7, "conditions");
+        let mut random = crate::cases::random::Random::new(7, "conditions");
         let mut told = 0;
         for _ in 0..2000 {
-            let call = |random: &mut crate::lab::cases::random::Random| random.bits() as u128 & 0b1111;
+            let call = |random: &mut crate::cases::random::Random| random.bits() as u128 & 0b1111;
             let target = call(&mut random) | 1;
             let all: Vec<u128> = (0..30).map(|_| call(&mut random)).collect();
             let (failing, passing) = all.iter().partition(|&&call| call & target == target);

@@ -10,8 +10,8 @@
 use super::fault::{Exchange, Fault};
 use super::plan::Plan;
 use super::protocol::{Case, CaseAnswer, Step};
-use crate::Element;
-use crate::topology::Table;
+use dcel_kit::Element;
+use dcel_kit::topology::Table;
 
 /// Where a case comes from, and so who may see it.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]

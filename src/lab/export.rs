@@ -22,7 +22,7 @@ use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
 /// Folders and files of a checkout that its programs are not made from.
-const LEFT_OUT: [&str; 5] = ["target", "benches", "data", "solution", "bugs"];
+const LEFT_OUT: [&str; 4] = ["target", "benches", "solution", "bugs"];
 
 /// What the autograder runs first, with the network.
 const SETUP: &str = "\
@@ -139,9 +139,9 @@ pub fn gradescope_files<'a>(
 ) -> io::Result<BTreeMap<String, Packed>> {
     let mut files = kit_files(kit, sources)?;
     let source = match kit {
-        Kit::Inside | Kit::Path(_) => "--path /autograder/source/kit".to_owned(),
-        Kit::Git(url) => format!("--git {} dcel-kit", typed::word(url)),
-        Kit::Version(version) => format!("--version {} dcel-kit", typed::word(version)),
+        Kit::Inside | Kit::Path(_) => "--path /autograder/source/kit/src/cli".to_owned(),
+        Kit::Git(url) => format!("--git {} dcel", typed::word(url)),
+        Kit::Version(version) => format!("--version {} dcel", typed::word(version)),
     };
     let program = |text: &str| Packed {
         bytes: text.replace("INSTALL", &source).replace("LAB", lab).into_bytes(),
@@ -167,9 +167,9 @@ pub fn classroom50_files<'a>(
     // A string of JSON is one of Python, too.
     let quoted = |text: &str| serde_json::Value::from(text).to_string();
     let source = match kit {
-        Kit::Inside | Kit::Path(_) => "\"--path\", \"kit\"".to_owned(),
-        Kit::Git(url) => format!("\"--git\", {}, \"dcel-kit\"", quoted(url)),
-        Kit::Version(version) => format!("\"--version\", {}, \"dcel-kit\"", quoted(version)),
+        Kit::Inside | Kit::Path(_) => "\"--path\", \"kit/src/cli\"".to_owned(),
+        Kit::Git(url) => format!("\"--git\", {}, \"dcel\"", quoted(url)),
+        Kit::Version(version) => format!("\"--version\", {}, \"dcel\"", quoted(version)),
     };
     let text = AUTOGRADER.replace("INSTALL", &source).replace("LAB", lab);
     files.insert("autograder.py".to_owned(), text.into());
@@ -245,7 +245,7 @@ mod tests {
         assert_eq!(setup.unix_mode().map(|mode| mode & 0o777), Some(0o755));
         let mut text = String::new();
         setup.read_to_string(&mut text).unwrap();
-        assert!(text.contains("--root /opt/dcel --version '0'\\''1' dcel-kit\n"), "{text}");
+        assert!(text.contains("--root /opt/dcel --version '0'\\''1' dcel\n"), "{text}");
     }
 
     #[test]
@@ -259,17 +259,18 @@ mod tests {
         };
         let (names, text) = of(&Kit::Git("a \"b\"\\".to_owned()));
         assert_eq!(names, ["autograder.py"]);
-        assert!(text.contains(r#""--git", "a \"b\"\\", "dcel-kit"], cwd=HERE"#), "{text}");
+        assert!(text.contains(r#""--git", "a \"b\"\\", "dcel"], cwd=HERE"#), "{text}");
         assert!(text.contains("\"grade\", \"04-half-edge\"") && !text.contains("LAB") && !text.contains("INSTALL"));
         let (names, text) = of(&Kit::Inside);
         assert_eq!(names, ["autograder.py", "kit/Cargo.toml"]);
-        assert!(text.contains("\"--path\", \"kit\"], cwd=HERE"));
+        assert!(text.contains("\"--path\", \"kit/src/cli\"], cwd=HERE"));
     }
 
     #[test]
     fn the_sources_of_the_kit_are_those_it_is_built_from() {
-        let files = gradescope_files("04-half-edge", &Kit::Path(env!("CARGO_MANIFEST_DIR").into()), []).unwrap();
-        for needed in ["Cargo.toml", "Cargo.lock", "src/lib.rs", "tests/support/build.rs", "figures/cube.svg"] {
+        let checkout = env!("CARGO_MANIFEST_DIR").strip_suffix("src/lab").unwrap();
+        let files = gradescope_files("04-half-edge", &Kit::Path(checkout.into()), []).unwrap();
+        for needed in ["Cargo.toml", "Cargo.lock", "src/lib.rs", "src/cli/Cargo.toml", "figures/data/rooms.map"] {
             assert!(files.contains_key(&format!("kit/{needed}")), "{needed}");
         }
         assert!(files.keys().all(|path| !path.contains("/target/") && !path.contains("/.git")));

@@ -2,8 +2,8 @@
 
 use super::protocol::{CallEnd, Case, CaseAnswer, Pattern, Reply, Step};
 use super::verdict::Verdict;
-use crate::Element;
-use crate::topology::Table;
+use dcel_kit::Element;
+use dcel_kit::topology::Table;
 use std::sync::Arc;
 
 /// A broken promise.

@@ -144,7 +144,7 @@ impl LabFiles {
     /// The lab as students may have it: without the solution and without the texts of known mistakes.
     ///
     /// ```
-    /// # use dcel_kit::lab::LabFiles;
+    /// # use dcel_lab::LabFiles;
     /// let lab = LabFiles::bundled("04")?;
     /// assert_eq!(lab.handed_out(), lab);
     /// # Ok::<(), Box<dyn std::error::Error>>(())

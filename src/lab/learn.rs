@@ -81,7 +81,7 @@ fn best_term(open: &BTreeSet<u128>, passing: &BTreeSet<u128>) -> Option<u128> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lab::conditions::tests::{WORDS, calls};
+    use crate::conditions::tests::{WORDS, calls};
 
     #[test]
     fn the_condition_of_a_mistake_is_exact_and_read_as_it_is_written() {

@@ -12,7 +12,7 @@
 use super::submission::{Built, Intake, Toolchain, Tree, USUAL_BUILD, build, take_in};
 use super::task::OwnMachine;
 use super::{Driver, Lab, LabFiles, Plan, Report, Verdict, grade_program};
-use crate::files::ScratchFolder;
+use dcel_kit::files::ScratchFolder;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};

@@ -11,7 +11,7 @@
 //! ```
 
 use super::files::LabFiles;
-use super::kit;
+use super::kit::{self, KitBuild};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -19,9 +19,11 @@ use std::str::FromStr;
 /// Folders of a lab that no student gets.
 const KEPT: [&str; 2] = ["solution/", "bugs/"];
 /// How a lab in the repository names the kit.
-const IN_THE_REPOSITORY: &str = "path = \"../..\"";
+const IN_THE_REPOSITORY: &str = "path = \"../../src/lab\"";
 /// The folder of the kit's sources.
 const INSIDE: &str = "kit";
+/// The folder of the package that the tests use, in a checkout of the kit.
+const PACKAGE: &str = "src/lab";
 
 /// Where the tests of a student's folder take the kit from.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -40,8 +42,8 @@ pub enum Kit {
 impl Kit {
     fn toml(&self) -> String {
         match self {
-            Self::Inside => format!("path = \"{INSIDE}\""),
-            Self::Path(path) => format!("path = {}", quoted(&path.to_string_lossy())),
+            Self::Inside => format!("path = \"{INSIDE}/{PACKAGE}\""),
+            Self::Path(path) => format!("path = {}", quoted(&path.join(PACKAGE).to_string_lossy())),
             Self::Git(url) => format!("git = {}", quoted(url)),
             Self::Version(version) => format!("version = {}", quoted(version)),
         }
@@ -76,9 +78,8 @@ pub fn student_files(lab: &LabFiles, kit: &Kit) -> BTreeMap<String, String> {
     files.insert("Cargo.lock".to_owned(), lock(own));
     files.insert(".gitignore".to_owned(), "/target\n".to_owned());
     if *kit == Kit::Inside {
-        files.insert(format!("{INSIDE}/Cargo.toml"), kit::MANIFEST.to_owned());
-        let sources = kit::lab_sources().iter();
-        files.extend(sources.map(|(path, text)| (format!("{INSIDE}/{path}"), (*text).to_owned())));
+        let sources = kit::sources(KitBuild::Check).chain(kit::MANIFESTS);
+        files.extend(sources.map(|(path, text)| (format!("{INSIDE}/{path}"), text.to_owned())));
     }
     files
 }
@@ -90,6 +91,7 @@ fn manifest(text: &str, kit: &Kit) -> String {
         "\n# Nobody debugs into what the tests use; without the means to do so it is compiled sooner.\n\
          [profile.dev.package.\"*\"]\ndebug = false\n\n\
          [profile.dev.package.dcel-kit]\ndebug = false\n\n\
+         [profile.dev.package.dcel-lab]\ndebug = false\n\n\
          # This folder is a workspace of its own, wherever it stands.\n[workspace]\n",
     );
     out
@@ -116,7 +118,7 @@ mod tests {
     #[test]
     fn a_kit_is_read_and_written() {
         for (text, toml) in [
-            ("path=/a b/\"c\\d\"", r#"path = "/a b/\"c\\d\"""#),
+            ("path=/a b/\"c\\d", r#"path = "/a b/\"c\\d/src/lab""#),
             ("git=https://x.test/a=b", "git = \"https://x.test/a=b\""),
             ("version=0.1", "version = \"0.1\""),
         ] {
@@ -137,8 +139,8 @@ mod tests {
             assert!(files.contains_key(needed), "{needed}");
         }
         let manifest: toml::Table = files["Cargo.toml"].parse().unwrap();
-        assert_eq!(manifest["dev-dependencies"]["dcel-kit"]["version"].as_str(), Some("9.9"));
-        assert_eq!(manifest["dev-dependencies"]["dcel-kit"]["default-features"].as_bool(), Some(false));
+        assert_eq!(manifest["dev-dependencies"]["dcel-lab"]["version"].as_str(), Some("9.9"));
+        assert_eq!(manifest["dev-dependencies"]["dcel-lab"]["default-features"].as_bool(), Some(false));
         assert!(manifest.contains_key("workspace"));
         assert!(files.keys().all(|path| !path.starts_with("kit/")));
     }
@@ -146,19 +148,22 @@ mod tests {
     #[test]
     fn a_students_folder_needs_nothing_outside_of_it() {
         let files = student_files(&LabFiles::bundled("04").unwrap(), &Kit::default());
-        for needed in ["kit/Cargo.toml", "kit/src/lib.rs", "kit/src/lab/submission/scan.rs", "kit/LICENSE-MIT"] {
+        for needed in ["kit/Cargo.toml", "kit/src/lib.rs", "kit/src/lab/submission/scan.rs", "kit/src/lab/Cargo.toml"] {
             assert!(files.contains_key(needed), "{needed}");
         }
         // Neither a place of this machine nor one beside the folder.
-        let here = env!("CARGO_MANIFEST_DIR");
+        let here = env!("CARGO_MANIFEST_DIR").strip_suffix(PACKAGE).unwrap();
         for (path, text) in &files {
             assert!(!text.contains(here), "{path} names the checkout");
         }
         let manifest: toml::Table = files["Cargo.toml"].parse().unwrap();
-        assert_eq!(manifest["dev-dependencies"]["dcel-kit"]["path"].as_str(), Some("kit"));
+        assert_eq!(manifest["dev-dependencies"]["dcel-lab"]["path"].as_str(), Some("kit/src/lab"));
         let lock: toml::Table = files["Cargo.lock"].parse().unwrap();
         let packages = lock["package"].as_array().unwrap();
         let has = |name: &str| packages.iter().any(|package| package["name"].as_str() == Some(name));
-        assert!(has("lab-04-half-edge") && has("dcel-kit") && has("toml") && !has("clap"), "{packages:?}");
+        assert!(
+            has("lab-04-half-edge") && has("dcel-kit") && has("dcel-lab") && has("toml") && !has("clap"),
+            "{packages:?}"
+        );
     }
 }

@@ -6,9 +6,9 @@ use std::path::Path;
 ///
 /// ```
 /// use std::path::Path;
-/// assert_eq!(dcel_kit::lab::typed(Path::new("my-lab")), "my-lab");
+/// assert_eq!(dcel_lab::typed(Path::new("my-lab")), "my-lab");
 /// # #[cfg(unix)]
-/// assert_eq!(dcel_kit::lab::typed(Path::new("my lab's")), r"'my lab'\''s'");
+/// assert_eq!(dcel_lab::typed(Path::new("my lab's")), r"'my lab'\''s'");
 /// ```
 #[must_use]
 pub fn typed(path: &Path) -> String {

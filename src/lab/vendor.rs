@@ -7,7 +7,7 @@
 //! ```
 
 use super::export::Packed;
-use crate::files::ScratchFolder;
+use dcel_kit::files::ScratchFolder;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;

@@ -1,7 +1,8 @@
 //! Attacks in a student's file: the scan refuses each at its line, and with the scan switched off the walls hold.
 
 use super::class::{Class, USER};
-use dcel_kit::lab::{Report, Verdict};
+use crate::trials::trials;
+use dcel_lab::{Report, Verdict};
 use std::path::Path;
 
 /// An attack: what stands in the place of the first task's body, and what is added to the file.
@@ -157,7 +158,6 @@ fn verdict_of_the_first(report: &Report) -> Verdict {
     report.tests[0].verdict
 }
 
-#[test]
 fn the_scan_refuses_attacks_at_their_line() {
     let class = Class::new();
     let attacks = forbidden(&class.secret());
@@ -171,7 +171,6 @@ fn the_scan_refuses_attacks_at_their_line() {
     class.assert_nothing_is_left();
 }
 
-#[test]
 fn behind_the_scan_the_walls_hold() {
     let mut class = Class::new();
     // Some of them wait for it; nothing here passes, so on a busy machine only the reason could be another one.
@@ -181,7 +180,7 @@ fn behind_the_scan_the_walls_hold() {
     let files: Vec<_> = attacks.iter().map(|a| class.file(a.name, file_of(&class, a))).collect();
     // Most of them wait for a deadline, not for a core.
     let workers = std::num::NonZeroUsize::new(6);
-    let options = dcel_kit::lab::GradeOptions { scan: false, workers, ..class.options() };
+    let options = dcel_lab::GradeOptions { scan: false, workers, ..class.options() };
     for (attack, report) in attacks.iter().zip(class.grade(&files, &options)) {
         assert_no_points(&report, attack.name);
         assert_eq!(
@@ -201,19 +200,23 @@ fn behind_the_scan_the_walls_hold() {
 }
 
 /// A container as it often is: root, no namespaces, no Landlock. The user of its own is the wall.
-#[test]
-#[cfg_attr(not(root), ignore = "needs root")]
 fn a_user_of_its_own_is_wall_enough() {
     let class = Class::new();
     let chosen = ["exit", "exec", "fork bomb", "daemon", "solution at run time", "solution at compile time"];
     let attacks: Vec<_> =
         forbidden(&class.secret()).into_iter().filter(|attack| chosen.contains(&attack.name)).collect();
     let files: Vec<_> = attacks.iter().map(|a| class.file(a.name, file_of(&class, a))).collect();
-    let options = dcel_kit::lab::GradeOptions { scan: false, walls: USER, ..class.options() };
+    let options = dcel_lab::GradeOptions { scan: false, walls: USER, ..class.options() };
     for (attack, report) in attacks.iter().zip(class.grade(&files, &options)) {
         assert_no_points(&report, attack.name);
         assert_eq!(verdict_of_the_first(&report), attack.behind, "{}: {:?}", attack.name, report.message);
         assert!(!report.printed.contains("LEAK"), "{}: {}", attack.name, report.printed);
     }
     class.assert_nothing_is_left();
+}
+
+trials! {
+    the_scan_refuses_attacks_at_their_line;
+    behind_the_scan_the_walls_hold;
+    a_user_of_its_own_is_wall_enough: Root;
 }

@@ -1,8 +1,6 @@
 //! A class that hands in: a folder of submissions, a grader's secret, and what must be true afterwards.
 
-use dcel_kit::lab::{
-    GradeOptions, Grader, Hidden, Lab, Limits, Outcome, Plan, Report, Submission, Wall, WallChoice, Walls,
-};
+use dcel_lab::{GradeOptions, Grader, Hidden, Lab, Limits, Outcome, Plan, Report, Submission, Wall, WallChoice, Walls};
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock, PoisonError};
@@ -16,7 +14,7 @@ pub(crate) const HOME: &str = "ATTACKS_HOME";
 
 /// Where the checkout is.
 pub(crate) fn home() -> PathBuf {
-    std::env::var_os(HOME).map_or_else(|| env!("CARGO_MANIFEST_DIR").into(), PathBuf::from)
+    std::env::var_os(HOME).map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../.."), PathBuf::from)
 }
 
 pub(crate) fn launcher() -> &'static Path {
@@ -32,48 +30,51 @@ pub(crate) const ALL: WallChoice = WallChoice { own_user: true, namespaces: true
 
 /// A test for each choice of walls: ignored, with the reason, where this machine does not have all of them.
 macro_rules! behind_each {
-    ($($name:ident($attack:path);)*) => { $(
-        mod $name {
+    ($($name:ident($attack:path);)*) => {
+        $(mod $name {
             #[allow(unused_imports)]
             use super::*;
             use crate::class::{ALL, FILES, NONE, ORDINARY, SPACES, USER};
 
-            #[test]
             fn without_walls() {
                 $attack(NONE);
             }
 
-            #[test]
-            #[cfg_attr(not(root), ignore = "needs root")]
             fn as_a_user_of_its_own() {
                 $attack(USER);
             }
 
-            #[test]
-            #[cfg_attr(not(namespaces), ignore = "needs namespaces")]
             fn in_namespaces() {
                 $attack(SPACES);
             }
 
-            #[test]
-            #[cfg_attr(not(landlock), ignore = "needs Landlock")]
             fn with_its_own_files_only() {
                 $attack(FILES);
             }
 
-            #[test]
-            #[cfg_attr(not(all(namespaces, landlock)), ignore = "needs namespaces and Landlock")]
             fn as_an_ordinary_user_grades() {
                 $attack(ORDINARY);
             }
 
-            #[test]
-            #[cfg_attr(not(all(root, namespaces, landlock)), ignore = "needs root, namespaces and Landlock")]
             fn behind_all_of_them() {
                 $attack(ALL);
             }
+
+            crate::trials::trials! {
+                without_walls;
+                as_a_user_of_its_own: Root;
+                in_namespaces: Namespaces;
+                with_its_own_files_only: Landlock;
+                as_an_ordinary_user_grades: Namespaces, Landlock;
+                behind_all_of_them: Root, Namespaces, Landlock;
+            }
+        })*
+
+        /// The tests of all these attacks.
+        pub(crate) fn behind_each() -> Vec<crate::trials::Trial> {
+            [$($name::trials()),*].into_iter().flatten().collect()
         }
-    )* };
+    };
 }
 pub(crate) use behind_each;
 

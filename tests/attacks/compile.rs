@@ -4,7 +4,8 @@
 //! does, and says so in its list of what it read; then the submission is refused.
 
 use super::class::{Class, NONE, USER, behind_each};
-use dcel_kit::lab::{GradeOptions, Hidden, Report, Verdict, WallChoice};
+use crate::trials::trials;
+use dcel_lab::{GradeOptions, Hidden, Report, Verdict, WallChoice};
 use std::fs::{self, File};
 use std::os::fd::AsRawFd;
 use std::os::unix::fs::PermissionsExt;
@@ -148,48 +149,34 @@ fn with_choice(choice: WallChoice, places: &[&str]) {
     class.assert_nothing_is_left();
 }
 
-#[test]
 fn the_list_of_what_was_read_is_enough() {
     with_choice(NONE, &[""]);
 }
 
-#[test]
-#[cfg_attr(not(root), ignore = "needs root")]
 fn a_user_of_its_own_and_the_list_under_opt() {
     with_choice(USER, &["/opt"]);
 }
 
-#[test]
-#[cfg_attr(not(all(root, namespaces)), ignore = "needs root and namespaces")]
 fn in_namespaces_under_opt_and_home() {
     with_choice(super::class::SPACES, &["/opt", "/home"]);
 }
 
-#[test]
-#[cfg_attr(not(all(root, landlock)), ignore = "needs root and Landlock")]
 fn with_its_own_files_only_under_opt_and_home() {
     with_choice(super::class::FILES, &["/opt", "/home"]);
 }
 
-#[test]
-#[cfg_attr(not(all(root, namespaces, landlock)), ignore = "needs root, namespaces and Landlock")]
 fn behind_all_walls_under_home() {
     with_choice(super::class::ALL, &["/home"]);
 }
 
-#[test]
-#[cfg_attr(not(all(namespaces, landlock)), ignore = "needs namespaces and Landlock")]
 fn as_an_ordinary_user_grades() {
     with_choice(super::class::ORDINARY, &[""]);
 }
 
-#[test]
-#[cfg_attr(not(landlock), ignore = "needs Landlock")]
 fn as_an_ordinary_user_grades_without_namespaces() {
     with_choice(super::class::FILES, &[""]);
 }
 
-#[test]
 fn the_scan_refuses_all_of_them_at_their_line() {
     let class = Class::new();
     let other = Other::under(&std::env::temp_dir(), &class);
@@ -221,4 +208,15 @@ fn lines_are_true(choice: WallChoice) {
 
 behind_each! {
     lines(lines_are_true);
+}
+
+trials! {
+    the_list_of_what_was_read_is_enough;
+    a_user_of_its_own_and_the_list_under_opt: Root;
+    in_namespaces_under_opt_and_home: Root, Namespaces;
+    with_its_own_files_only_under_opt_and_home: Root, Landlock;
+    behind_all_walls_under_home: Root, Namespaces, Landlock;
+    as_an_ordinary_user_grades: Namespaces, Landlock;
+    as_an_ordinary_user_grades_without_namespaces: Landlock;
+    the_scan_refuses_all_of_them_at_their_line;
 }

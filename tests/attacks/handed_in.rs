@@ -1,7 +1,8 @@
 //! Folders and files that are not what they should be.
 
 use super::class::{Class, running};
-use dcel_kit::lab::{GradeOptions, Grader, Limits, Outcome, Plan, Report, Submission, Verdict};
+use crate::trials::trials;
+use dcel_lab::{GradeOptions, Grader, Limits, Outcome, Plan, Report, Submission, Verdict};
 use std::os::unix::fs::symlink;
 use std::path::PathBuf;
 
@@ -17,7 +18,6 @@ fn message(report: &Report) -> &str {
     report.message.as_deref().unwrap_or_default()
 }
 
-#[test]
 fn only_the_students_file_is_taken() {
     let class = Class::new();
     let (right, todo) = (solution(&class), starter(&class));
@@ -67,7 +67,6 @@ fn only_the_students_file_is_taken() {
     class.assert_nothing_is_left();
 }
 
-#[test]
 fn files_of_every_kind_get_a_report() {
     let class = Class::new();
     let (right, todo) = (solution(&class), starter(&class));
@@ -112,7 +111,6 @@ fn files_of_every_kind_get_a_report() {
     class.assert_nothing_is_left();
 }
 
-#[test]
 fn settings_above_the_rooms_are_a_fault_of_the_grader() {
     let class = Class::new();
     let right = class.file("right", solution(&class));
@@ -130,7 +128,6 @@ fn settings_above_the_rooms_are_a_fault_of_the_grader() {
     assert!(running(&rooms.to_string_lossy()).is_none());
 }
 
-#[test]
 fn a_build_has_a_deadline() {
     let class = Class::new();
     let right = class.file("right", solution(&class));
@@ -140,4 +137,11 @@ fn a_build_has_a_deadline() {
     assert_eq!((report.verdict, report.points()), (Verdict::TimedOut, 0));
     assert!(message(&report).contains("did not finish"), "{}", message(&report));
     class.assert_nothing_is_left();
+}
+
+trials! {
+    only_the_students_file_is_taken;
+    files_of_every_kind_get_a_report;
+    settings_above_the_rooms_are_a_fault_of_the_grader;
+    a_build_has_a_deadline;
 }

@@ -13,11 +13,41 @@
 //! one.
 //!
 //! All of it is harmless where a wall is down: what is started ends by itself after a few seconds.
-#![cfg(target_os = "linux")]
 
+#[cfg(target_os = "linux")]
 mod behind;
+#[cfg(target_os = "linux")]
 mod class;
+#[cfg(target_os = "linux")]
 mod compile;
+#[cfg(target_os = "linux")]
 mod handed_in;
+#[cfg(target_os = "linux")]
 mod ordinary;
+#[path = "../support/trials.rs"]
+mod trials;
+#[cfg(target_os = "linux")]
 mod walls;
+
+#[cfg(target_os = "linux")]
+fn main() {
+    trials::run(
+        [
+            behind::trials(),
+            compile::trials(),
+            compile::behind_each(),
+            handed_in::trials(),
+            ordinary::trials(),
+            walls::trials(),
+            walls::behind_each(),
+        ]
+        .into_iter()
+        .flatten()
+        .collect(),
+    )
+}
+
+#[cfg(not(target_os = "linux"))]
+fn main() {
+    trials::run(Vec::new())
+}

@@ -7,6 +7,7 @@
 //! ```
 
 use super::class::{HOME, home};
+use crate::trials::trials;
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
@@ -117,26 +118,18 @@ fn grades_with_a_secret(ordinary: bool, namespaces: bool) {
     }
 }
 
-#[test]
-#[cfg_attr(not(all(root, namespaces, landlock)), ignore = "needs root, namespaces and Landlock")]
 fn a_secret_as_root() {
     grades_with_a_secret(false, true);
 }
 
-#[test]
-#[cfg_attr(not(all(root, namespaces, landlock)), ignore = "needs root, namespaces and Landlock")]
 fn a_secret_as_an_ordinary_user() {
     grades_with_a_secret(true, true);
 }
 
-#[test]
-#[cfg_attr(not(all(root, landlock)), ignore = "needs root and Landlock")]
 fn a_secret_as_root_without_namespaces() {
     grades_with_a_secret(false, false);
 }
 
-#[test]
-#[cfg_attr(not(all(root, landlock)), ignore = "needs root and Landlock")]
 fn a_secret_as_an_ordinary_user_without_namespaces() {
     grades_with_a_secret(true, false);
 }
@@ -157,15 +150,20 @@ fn once_more(endings: &[&str], namespaces: bool) {
     assert!(said.contains(&format!("{} passed; 0 failed; 0 ignored", names.len())), "{said}");
 }
 
-#[test]
-#[cfg_attr(not(all(root, namespaces, landlock)), ignore = "needs root, namespaces and Landlock")]
 fn attacks_on_an_ordinary_user() {
     once_more(&["::in_namespaces", "::as_an_ordinary_user_grades"], true);
 }
 
-#[test]
-#[cfg_attr(not(all(root, landlock)), ignore = "needs root and Landlock")]
 fn attacks_on_an_ordinary_user_without_namespaces() {
     let endings = ["::with_its_own_files_only", "::without_walls", "::as_an_ordinary_user_grades_without_namespaces"];
     once_more(&endings, false);
+}
+
+trials! {
+    a_secret_as_root: Root, Namespaces, Landlock;
+    a_secret_as_an_ordinary_user: Root, Namespaces, Landlock;
+    a_secret_as_root_without_namespaces: Root, Landlock;
+    a_secret_as_an_ordinary_user_without_namespaces: Root, Landlock;
+    attacks_on_an_ordinary_user: Root, Namespaces, Landlock;
+    attacks_on_an_ordinary_user_without_namespaces: Root, Landlock;
 }

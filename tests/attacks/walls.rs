@@ -1,7 +1,8 @@
 //! Each wall alone, with a program that was never scanned.
 
 use super::class::{NONE, behind_each, home, launcher, running, walls};
-use dcel_kit::lab::{End, Limits, Program, Ran, WallChoice, Walls};
+use crate::trials::trials;
+use dcel_lab::{End, Limits, Program, Ran, WallChoice, Walls};
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -95,7 +96,6 @@ fn deadlines_hold(choice: WallChoice) {
     }
 }
 
-#[test]
 fn processor_time_ends_a_loop_before_the_deadline() {
     // Unless the machine is very busy.
     let busy = Limits { seconds: 30.0, cpu_seconds: 1, ..LIMITS };
@@ -125,14 +125,10 @@ fn fork_bombs_burn_out(choice: WallChoice) {
     assert_nothing_runs("4.125");
 }
 
-#[test]
-#[cfg_attr(not(root), ignore = "needs root")]
 fn fork_bombs_of_a_user_of_its_own_burn_out() {
     fork_bombs_burn_out(WallChoice { own_user: true, ..NONE });
 }
 
-#[test]
-#[cfg_attr(not(all(root, namespaces)), ignore = "needs root and namespaces")]
 fn fork_bombs_in_namespaces_burn_out() {
     fork_bombs_burn_out(WallChoice { own_user: true, namespaces: true, ..NONE });
 }
@@ -224,8 +220,6 @@ fn other_processes_are_out_of_reach(choice: WallChoice) {
     }
 }
 
-#[test]
-#[cfg_attr(not(root), ignore = "needs root")]
 fn a_user_of_its_own_has_no_rights() {
     let status = said(&run(super::class::USER, "user"));
     let field =
@@ -238,8 +232,6 @@ fn a_user_of_its_own_has_no_rights() {
 }
 
 /// Root, or whoever grades, has no rights in the namespaces either: nothing that covers can be taken away.
-#[test]
-#[cfg_attr(not(namespaces), ignore = "needs namespaces")]
 fn nobody_has_rights_in_namespaces() {
     let status = said(&run(super::class::SPACES, "user"));
     let field = |key: &str| status.lines().find_map(|line| line.strip_prefix(key)).unwrap_or_default().trim();
@@ -255,7 +247,6 @@ fn the_network_is_out_of_reach(choice: WallChoice) {
     assert_eq!(said(&ran).starts_with("ok"), open, "{}", said(&ran));
 }
 
-#[test]
 fn a_missing_wall_is_named() {
     let walls = Walls::probe(Some(launcher()), NONE);
     assert_eq!(walls.up(), NONE);
@@ -266,7 +257,6 @@ fn a_missing_wall_is_named() {
     assert!(broken.said().iter().all(|wall| wall.missing.is_some()), "{:?}", broken.said());
 }
 
-#[test]
 fn a_wall_that_falls_later_stops_the_run() {
     let folder = tempfile::tempdir().unwrap();
     let copy = folder.path().join("launcher");
@@ -280,4 +270,14 @@ fn a_wall_that_falls_later_stops_the_run() {
     let nowhere = Walls::probe(Some(launcher()), NONE).program(&folder.path().join("gone"), LIMITS).unwrap();
     let end = nowhere.run("exit 0").end;
     assert!(matches!(&end, End::NotStarted(why) if why.contains("gone")), "{end:?}");
+}
+
+trials! {
+    processor_time_ends_a_loop_before_the_deadline;
+    fork_bombs_of_a_user_of_its_own_burn_out: Root;
+    fork_bombs_in_namespaces_burn_out: Root, Namespaces;
+    a_user_of_its_own_has_no_rights: Root;
+    nobody_has_rights_in_namespaces: Namespaces;
+    a_missing_wall_is_named;
+    a_wall_that_falls_later_stops_the_run;
 }

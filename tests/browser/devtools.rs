@@ -3,6 +3,7 @@
 //!
 //! Every browser has a profile folder of its own, which goes with it. Whatever the console says is kept.
 
+use crate::trials::chromium;
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
@@ -33,7 +34,8 @@ impl Browser {
     pub(crate) fn start(width: u32, height: u32) -> Self {
         let profile = tempfile::tempdir().unwrap();
         let mut child = Command::new("sh")
-            .args(["-c", LAUNCH, env!("CHROMIUM_PATH")])
+            .args(["-c", LAUNCH])
+            .arg(chromium().expect("a browser"))
             .args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"])
             .args(["--disable-background-networking", "--disable-component-update", "--disable-sync"])
             .args(["--hide-scrollbars", "--remote-debugging-pipe"])

@@ -1,10 +1,11 @@
 //! The command line as its users type it, a file for each group of commands.
-#![cfg(feature = "cli")]
 
 mod build;
 mod compare;
+mod degenerate;
 mod delaunay;
 mod errors;
+mod figure_options;
 mod files;
 mod locate;
 mod manners;
@@ -13,7 +14,7 @@ mod navmesh;
 mod reading;
 mod samples;
 mod script;
-mod shared;
 #[path = "../shell/mod.rs"]
 mod shell;
+mod solid;
 mod triangulate;

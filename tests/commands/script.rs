@@ -84,7 +84,7 @@ fn films_are_drawings_or_pages() {
 /// The scripts of the help and of the reference figures.
 #[test]
 fn the_scripts_of_the_project_run() {
-    let dir = Path::new(env!("CARGO_MANIFEST_DIR")).join("figures/scripts");
+    let dir = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../figures/scripts");
     let mut count = 0;
     for entry in std::fs::read_dir(dir).unwrap() {
         let path = entry.unwrap().path();

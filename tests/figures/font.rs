@@ -74,7 +74,7 @@ fn list(numbers: &[u16]) -> String {
 
 #[test]
 fn the_width_table_is_that_of_the_bundled_fonts() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/figure/advances.rs");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src/figure/canvas/advances.rs");
     if std::env::var_os("BLESS").is_some() {
         std::fs::write(&path, table()).unwrap();
     }
@@ -100,14 +100,14 @@ fn the_three_faces_are_what_their_names_say_and_all_light_enough() {
 }
 
 fn fonts() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("src/figure/canvas/fonts")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../src/figure/canvas/fonts")
 }
 
 /// Every character that a reference figure writes is in the bundled fonts.
 #[test]
 fn the_fonts_have_all_that_the_reference_figures_write() {
     let known = characters(&faces()[0]);
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("figures");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../figures");
     let mut texts = 0;
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();

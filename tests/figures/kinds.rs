@@ -3,8 +3,6 @@
 use crate::cases;
 use crate::cases::{P, h};
 use crate::drawn;
-#[cfg(feature = "cli")]
-use crate::shell::Folder;
 use dcel_kit::figure::{FigureError, FigureOptions, Pointers, focus, pointers, records, tables};
 use dcel_kit::topology::{Ring, Table, View};
 use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
@@ -284,50 +282,4 @@ fn windows_end_where_panels_and_tables_begin() {
             assert!(shown > 2 && shown < table.half_edges.len(), "{shown}");
         }
     }
-}
-
-/// Every option of looks and drawing changes every kind of figure, or is refused.
-#[cfg(feature = "cli")]
-#[test]
-fn no_option_is_ignored() {
-    let folder = Folder::new();
-    folder.write("style.json", r##"{ "light": { "ink": "#102030" }, "vertex_radius": 12.5 }"##);
-    folder.write("rooms.txt", "f1 #123456 \"hall\"\n");
-    let options = [
-        "--title Other",
-        "--id-prefix p",
-        "--max-height 180",
-        "--width 900",
-        "--width 12cm",
-        "--theme light",
-        "--theme dark",
-        "--style style.json",
-        "--colours rooms.txt",
-        "--faces f1",
-        "--crop 0,0,3,2",
-        "--plain",
-        "--no-labels",
-        "--no-vertex-labels",
-        "--no-half-edge-labels",
-        "--face-labels off",
-        "--detail arrows",
-    ];
-    for kind in ["", "--pointers next", "--pointers all", "--focus h0", "--tables", "--tables --highlight h0"] {
-        let base = folder.dcel(&format!("figure square.obj {kind}")).fine();
-        for option in options {
-            let told = folder.dcel(&format!("figure square.obj {kind} {option}"));
-            // The names of the focus are its subject.
-            let has_no_say = kind.starts_with("--focus") && option == "--no-half-edge-labels";
-            assert_eq!(told.out == base, has_no_say, "`{kind} {option}`: {}", told.err);
-            assert!(told.code == Some(0), "`{kind} {option}`: {}", told.err);
-        }
-        folder.dcel(&format!("figure square.obj {kind} --faces f9")).fails(2, "there is no f9: there are 3 faces", "");
-    }
-    let base = folder.dcel("figure --records").fine();
-    for option in options {
-        let told = folder.dcel(&format!("figure --records {option}"));
-        assert!(told.code == Some(2) || told.out != base, "`{option}` is ignored by the records");
-    }
-    folder.dcel("figure square.obj --focus h5 --faces f1").fails(2, "h5 is not in the drawing", "faces");
-    folder.dcel("figure square.obj --tables --highlight h77").fails(2, "h77 is not in the drawing", "number");
 }

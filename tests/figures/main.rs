@@ -10,12 +10,7 @@ mod film;
 mod font;
 mod hard;
 mod kinds;
-#[cfg(feature = "cli")]
-mod options;
 mod pages;
 mod pointers;
-#[cfg(feature = "cli")]
-#[path = "../shell/mod.rs"]
-mod shell;
 mod structure;
 mod vocabulary;

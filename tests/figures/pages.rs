@@ -83,7 +83,7 @@ fn check_references(name: &str, text: &str) {
 
 #[test]
 fn no_reference_figure_has_an_id_twice_or_a_reference_to_nothing() {
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("figures");
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../figures");
     let mut count = 0;
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 fn data(folder: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data").join(folder)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/data").join(folder)
 }
 
 fn expected(folder: &str) -> BTreeMap<String, Value> {
@@ -28,7 +28,7 @@ fn edges(soup: &PolygonSoup) -> BTreeSet<[u32; 2]> {
 }
 
 fn states() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("figures/data/states-albers-10m.json")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../figures/data/states-albers-10m.json")
 }
 
 #[test]

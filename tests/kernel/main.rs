@@ -4,7 +4,6 @@
 mod builder;
 #[path = "../common/mod.rs"]
 mod common;
-mod degenerate;
 mod edits;
 mod flips;
 mod inverses;

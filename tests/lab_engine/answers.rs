@@ -1,6 +1,6 @@
 //! Answers are read strictly: whatever is missing, doubled, forged or too much breaks its case, and no other.
 
-use dcel_kit::lab::protocol::{Answers, Broken, CallEnd, Case, Pattern, Reply, Start, Step, Value, read_answers};
+use dcel_lab::protocol::{Answers, Broken, CallEnd, Case, Pattern, Reply, Start, Step, Value, read_answers};
 
 const DUMP: &str = "dump\nouter 0\nvertex 0 0 -1.5 0\nhalf_edge 0 0 - 0 0 1\nface 0 -\nface 1 0\nend_dump\n";
 

@@ -1,7 +1,7 @@
 //! Counted reads: a loop that does not come back costs its own step and no other, and nobody can give it more reads.
 
 use super::{build, folder, lab, try_build};
-use dcel_kit::lab::{Plan, Report, Verdict, grade_program};
+use dcel_lab::{Plan, Report, Verdict, grade_program};
 use std::fs;
 
 fn solution() -> String {

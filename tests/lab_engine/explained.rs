@@ -3,8 +3,8 @@
 use super::fake::{Answer, Done, Fake};
 use super::{ends_after, grade, lab, new_ones, row, stops_after, wrong_in};
 use dcel_kit::HalfEdgeId;
-use dcel_kit::lab::{Plan, Report, TestResult, Verdict, grade_program};
 use dcel_kit::topology::View;
+use dcel_lab::{Plan, Report, TestResult, Verdict, grade_program};
 
 fn test<'a>(report: &'a Report, name: &str) -> &'a TestResult {
     report.tests.iter().find(|test| test.name == name).unwrap_or_else(|| panic!("no {name}"))

@@ -1,12 +1,12 @@
 //! A driver in memory: it answers cases as the real one does, right by itself, and can be made wrong in any way.
 
-use dcel_kit::lab::checks::spec::{self, TwinSide};
-use dcel_kit::lab::protocol::Start;
-use dcel_kit::lab::{End, Program, Ran};
 use dcel_kit::plane::PlanarView;
 use dcel_kit::script::Script;
 use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
 use dcel_kit::{Element, FaceId, HalfEdgeId, Id, VertexId};
+use dcel_lab::checks::spec::{self, TwinSide};
+use dcel_lab::protocol::Start;
+use dcel_lab::{End, Program, Ran};
 use std::fmt::Write;
 use std::sync::OnceLock;
 

@@ -1,11 +1,11 @@
 //! The specification of the two splits, written for tables, against the kit's own kernel.
 
-use dcel_kit::lab::cases::classes::classes;
-use dcel_kit::lab::cases::random::Random;
-use dcel_kit::lab::checks::align::align;
-use dcel_kit::lab::checks::spec::{self, Legal, TwinSide, may_split_face};
 use dcel_kit::topology::{Dcel, SameOptions, Table, same, same_with, violations};
 use dcel_kit::{Element, FaceId, HalfEdgeId};
+use dcel_lab::cases::classes::classes;
+use dcel_lab::cases::random::Random;
+use dcel_lab::checks::align::align;
+use dcel_lab::checks::spec::{self, Legal, TwinSide, may_split_face};
 
 fn table(dcel: &Dcel) -> Table {
     Table { outer_face: Some(FaceId::new(0)), ..Table::from_view(dcel) }

@@ -1,28 +1,24 @@
 //! The engine of the labs: right programs pass, each wrong one fails at the right promise with the right words, and
 //! whatever a program does, the rest of it is still graded.
-#![cfg(feature = "lab")]
 
 mod answers;
 mod counted;
 mod explained;
 mod fake;
 mod kernel;
-#[cfg(feature = "grade")]
 mod reports;
 
 use dcel_kit::HalfEdgeId;
-use dcel_kit::lab::checks::spec::TwinSide;
-use dcel_kit::lab::{
-    Driver, End, Lab, Limits, Plan, Report, Secret, TestResult, Verdict, grade_and_sign, grade_program,
-};
 use dcel_kit::topology::{Table, View};
+use dcel_lab::checks::spec::TwinSide;
+use dcel_lab::{Driver, End, Lab, Limits, Plan, Report, Secret, TestResult, Verdict, grade_and_sign, grade_program};
 use fake::{Answer, Done, Fake};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("labs/04-half-edge")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../labs/04-half-edge")
 }
 
 fn lab() -> Lab {
@@ -407,8 +403,8 @@ fn a_process_that_dies_loses_the_case_in_progress_only() {
 /// Counts how often a program is started.
 struct Counted<'a>(&'a Fake, std::sync::atomic::AtomicUsize);
 
-impl dcel_kit::lab::Program for Counted<'_> {
-    fn run(&self, input: &str) -> dcel_kit::lab::Ran {
+impl dcel_lab::Program for Counted<'_> {
+    fn run(&self, input: &str) -> dcel_lab::Ran {
         self.1.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
         self.0.run(input)
     }
@@ -452,8 +448,8 @@ fn a_program_that_is_ended_twice_by_time_or_memory_is_asked_no_more() {
 /// A program of which several runs may go on at the same time.
 struct AtOnce(Fake, usize);
 
-impl dcel_kit::lab::Program for AtOnce {
-    fn run(&self, input: &str) -> dcel_kit::lab::Ran {
+impl dcel_lab::Program for AtOnce {
+    fn run(&self, input: &str) -> dcel_lab::Ran {
         self.0.run(input)
     }
 
@@ -498,10 +494,10 @@ fn suites_at_the_same_time_come_to_the_same_report() {
 #[test]
 fn what_is_not_the_students_fault_is_not_their_loss() {
     struct Missing;
-    impl dcel_kit::lab::Program for Missing {
-        fn run(&self, _: &str) -> dcel_kit::lab::Ran {
+    impl dcel_lab::Program for Missing {
+        fn run(&self, _: &str) -> dcel_lab::Ran {
             let end = End::NotStarted("driver: no such file".into());
-            dcel_kit::lab::Ran { stdout: Vec::new(), stderr: Vec::new(), end, millis: 0 }
+            dcel_lab::Ran { stdout: Vec::new(), stderr: Vec::new(), end, millis: 0 }
         }
     }
     let report = grade_program(&lab(), &Missing, &Plan::with_seed(1));

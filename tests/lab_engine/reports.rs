@@ -1,7 +1,7 @@
 //! Reports hold what each format promises, for good and for hostile submissions.
 
-use dcel_kit::lab::reports::Format;
-use dcel_kit::lab::{Adjustment, Finding, Picture, Report, Similar, TestResult, Verdict, Visibility, Wall};
+use dcel_lab::reports::Format;
+use dcel_lab::{Adjustment, Finding, Picture, Report, Similar, TestResult, Verdict, Visibility, Wall};
 use serde_json::Value;
 
 /// A name that tries to break out of every format.
@@ -424,14 +424,14 @@ fn a_page_that_is_handed_back_tells_nothing_hidden_and_nothing_of_others() {
 fn an_index_links_to_the_pages_and_says_when_some_are_missing() {
     let class = [report(), Report { submission: Some("b/c & <d>".to_owned()), ..report() }];
     let pages = ["students/anna.html".to_owned(), "students/b c#%.html".to_owned()];
-    let page = dcel_kit::lab::reports::index(&class, &pages, 3);
+    let page = dcel_lab::reports::index(&class, &pages, 3);
     assert!(
         page.contains("href=\"students/anna.html\"") && page.contains("href=\"students/b%20c%23%25.html\""),
         "{page}"
     );
     assert!(page.contains("2 of 3 submissions") && page.contains("Not all are graded yet"), "{page}");
-    assert!(!dcel_kit::lab::reports::index(&class, &pages, 2).contains("Not all"));
+    assert!(!dcel_lab::reports::index(&class, &pages, 2).contains("Not all"));
     // The details are on the other pages.
     let bare: Vec<Report> = class.iter().map(Report::without_details).collect();
-    assert_eq!(dcel_kit::lab::reports::index(&bare, &pages, 3), page);
+    assert_eq!(dcel_lab::reports::index(&bare, &pages, 3), page);
 }

@@ -1,7 +1,7 @@
 //! Which submissions are said to look alike: copies in disguise are, honest solutions of one task are not.
 
 use crate::shell::Folder;
-use dcel_kit::lab::{LabFiles, Report, Similar};
+use dcel_lab::{LabFiles, Report, Similar};
 use std::fmt::Write;
 use std::fs;
 

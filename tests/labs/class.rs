@@ -1,7 +1,7 @@
 //! A class as it comes out of a course system: names, archives, lists, and what is done when it is interrupted.
 
 use crate::shell::Folder;
-use dcel_kit::lab::{LabFiles, Report, Verdict};
+use dcel_lab::{LabFiles, Report, Verdict};
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,7 @@
 //! The commands of a lab, typed as a student and an instructor type them.
 
 use crate::shell::Folder;
-use dcel_kit::lab::{Bug, LabFiles, Report, Verdict};
+use dcel_lab::{Bug, LabFiles, Report, Verdict};
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
@@ -17,7 +17,7 @@ fn student() -> Folder {
 
 /// The lab with all that only a checkout has.
 pub(crate) fn lab() -> LabFiles {
-    LabFiles::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("labs/04-half-edge")).unwrap()
+    LabFiles::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../labs/04-half-edge")).unwrap()
 }
 
 pub(crate) fn solution() -> String {

@@ -5,7 +5,7 @@
 
 use super::commands::{solution, with_bug};
 use crate::shell::Folder;
-use dcel_kit::lab::{Lab, Plan, Report, Verdict, Workbench, check_folder};
+use dcel_lab::{Lab, Plan, Report, Verdict, Workbench, check_folder};
 use std::fs;
 use std::path::Path;
 

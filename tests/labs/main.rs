@@ -1,5 +1,4 @@
 //! The labs: every bug is caught and named, and the commands do what students and instructors type.
-#![cfg(feature = "cli")]
 #![allow(clippy::unwrap_used)]
 
 mod alike;

@@ -1,11 +1,11 @@
 //! Every lab grades rightly, and what is compiled into the kit is what stands in `labs/`.
 
-use dcel_kit::lab::{KitBuild, Lab, LabFiles, Verdict, lab_sources, verify, verify_some};
+use dcel_lab::{COPIES, KitBuild, Lab, LabFiles, Package, Verdict, sources, verify, verify_some};
 use std::collections::BTreeSet;
 use std::path::Path;
 
 fn folder(name: &str) -> std::path::PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("labs").join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../labs").join(name)
 }
 
 #[test]
@@ -33,22 +33,49 @@ fn the_labs_of_the_program_are_those_of_the_repository() {
 /// The list holds names, the files are compiled in as they stand: so what can be wrong is a name.
 #[test]
 fn the_program_carries_the_sources_that_its_builds_read() {
-    let checkout = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let checkout = &Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let read = |path: String| std::fs::read_to_string(checkout.join(&path)).unwrap_or_else(|e| panic!("{path}: {e}"));
     let packages = |lock: &str| -> BTreeSet<String> {
         lock.split("[[package]]").skip(1).filter(|entry| entry.contains("source = ")).map(pinned).collect()
     };
     let versions = packages(&read("Cargo.lock".to_owned()));
+    let anew = "write it anew with `dcel lab bundle`";
+    for package in Package::ALL {
+        let list = package.list_file();
+        assert_eq!(read(list.to_owned()), package.list(checkout).unwrap(), "{list}: {anew}");
+    }
     for build in KitBuild::ALL {
         let generated = |file: &str| read(format!("{}/{file}", build.folder()));
-        let anew = "write it anew with `dcel lab bundle`";
-        assert_eq!(generated("sources.rs"), build.list(&build.files(checkout).unwrap()), "{build:?}: {anew}");
-        assert_eq!(generated("Cargo.toml.txt"), build.manifest(&read("Cargo.toml".to_owned())), "{build:?}: {anew}");
+        for (package, manifest) in build.manifests(checkout).unwrap() {
+            let file = format!("{}.toml.txt", package.name());
+            assert_eq!(generated(&file), manifest, "{build:?}: {file}: {anew}");
+        }
         let own = packages(&generated("Cargo.lock.txt"));
         assert!(own.len() > 10 && own.is_subset(&versions), "{build:?}: {:?}: {anew}", own.difference(&versions));
     }
-    for (path, text) in lab_sources() {
-        assert_eq!(*text, read((*path).to_owned()), "{path}");
+    for (path, text) in sources(KitBuild::Program) {
+        assert_eq!(text, read(path.to_owned()), "{path}");
+    }
+    for (copy, of) in COPIES {
+        assert_eq!(read(copy.to_owned()), read(of.to_owned()), "{copy}: {anew}");
+    }
+}
+
+/// A published package reads nothing outside of its own folder.
+#[test]
+fn no_package_reads_outside_of_its_folder() {
+    let checkout = &Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    for package in Package::ALL {
+        let files = package.files(KitBuild::Program, checkout).unwrap();
+        // What the root holds but packages of their own do not publish with it.
+        let others = Package::ALL.into_iter().filter(|other| *other != package && !other.folder().is_empty());
+        let others: Vec<&str> = others.map(Package::folder).chain(["tests/", "labs/", "benches/"]).collect();
+        let outside: Vec<&String> = files
+            .iter()
+            .filter(|file| !file.starts_with(package.folder()) || others.iter().any(|other| file.starts_with(other)))
+            .collect();
+        assert_eq!(outside, [""; 0], "{}", package.name());
+        assert!(files.len() > 100, "{}: {}", package.name(), files.len());
     }
 }
 
@@ -62,13 +89,13 @@ fn pinned(entry: &str) -> String {
 #[test]
 fn the_program_holds_no_solution_and_no_text_of_a_known_mistake() {
     const SHORTEST: usize = 20;
-    let checkout = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let checkout = &Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let program = strings(&std::fs::read(env!("CARGO_BIN_EXE_dcel")).unwrap(), SHORTEST);
     for name in LabFiles::bundled_names() {
         let lab = Lab::read(&folder(&name)).unwrap();
         // Given to everybody: the lab's own files, and the kernel of the kit, which is another structure's code.
         let handed_out = lab.files.handed_out();
-        let sources = KitBuild::ALL.iter().flat_map(|build| build.files(checkout).unwrap());
+        let sources = Package::ALL.iter().flat_map(|package| package.files(KitBuild::Program, checkout).unwrap());
         let kernel = sources.filter(|path| path.starts_with("src/") && !path.starts_with("src/lab/"));
         let kernel: Vec<String> = kernel.map(|path| std::fs::read_to_string(checkout.join(path)).unwrap()).collect();
         let texts = handed_out.iter().map(|(_, text)| text).chain(kernel.iter().map(String::as_str));

@@ -13,7 +13,7 @@ use dcel_kit::plane::Subdivision;
 
 /// The shared folder with the data of others.
 fn data(name: &str) -> std::path::PathBuf {
-    std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data").join(name)
+    std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/data").join(name)
 }
 
 fn soup(text: &[u8], format: Format) -> PolygonSoup {

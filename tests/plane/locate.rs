@@ -458,7 +458,7 @@ fn a_triangulation_is_walked_by_its_cube_root_and_asked_in_constant_work() {
 // ---- stated answers ----------------------------------------------------------------------------------------
 
 fn data(path: &str) -> String {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data").join(path);
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/data").join(path);
     std::fs::read_to_string(path).unwrap()
 }
 

@@ -5,14 +5,9 @@
 
 #[path = "../common/mod.rs"]
 mod common;
-#[cfg(feature = "cli")]
-#[path = "../shell/mod.rs"]
-mod shell;
 
 mod bent;
 mod collapse;
-#[cfg(feature = "cli")]
-mod command;
 mod dynamic;
 mod hull;
 mod measures;

@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
 fn shared(place: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data").join(place)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/data").join(place)
 }
 
 fn json(path: &Path) -> Value {

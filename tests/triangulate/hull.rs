@@ -82,7 +82,7 @@ fn points_that_cannot_be_used_are_named() {
 }
 
 fn data(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data").join(path)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/data").join(path)
 }
 
 fn json(path: &Path) -> Value {

@@ -10,7 +10,7 @@ use std::path::Path;
 #[track_caller]
 fn graded(test: &str) {
     let (folder, work) = (Path::new(env!("CARGO_MANIFEST_DIR")), Path::new(env!("CARGO_TARGET_TMPDIR")));
-    dcel_kit::lab::graded("04-half-edge", folder, work, test);
+    dcel_lab::graded("04-half-edge", folder, work, test);
 }
 
 #[test]

@@ -1,9 +1,9 @@
 //! Two drawings.
 
 use super::{Args, Line, Report};
-use crate::cli::failure::say;
-use crate::cli::save::put;
-use crate::cli::{Answer, Failure, Output};
+use crate::failure::say;
+use crate::save::put;
+use crate::{Answer, Failure, Output};
 use dcel_kit::compare::{self, CompareError, Comparison, Options, Side};
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::io::source_name;

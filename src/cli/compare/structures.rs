@@ -6,9 +6,9 @@
 //! ```
 
 use super::{Args, Line, Report};
-use crate::cli::output::point;
-use crate::cli::subject::Subject;
-use crate::cli::{Answer, Failure, Output};
+use crate::output::point;
+use crate::subject::Subject;
+use crate::{Answer, Failure, Output};
 use dcel_kit::ids::{Element, HalfEdgeId, VertexId};
 use dcel_kit::io::counted;
 use dcel_kit::topology::{Difference, Matching, SameOptions, View, Which, first_violation, same_with};

@@ -9,7 +9,7 @@
 //! Everything in them is checked before the first submission is graded.
 
 use super::super::{Failure, failure};
-use dcel_kit::lab::{Adjustment, Lab, Report, Verdict};
+use dcel_lab::{Adjustment, Lab, Report, Verdict};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;

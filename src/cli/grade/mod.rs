@@ -15,7 +15,7 @@ mod targets;
 
 use super::{Answer, Failure, Output, failure};
 use class::{Class, KEPT};
-use dcel_kit::lab::{
+use dcel_lab::{
     ClassError, GradeOptions, Grader, Hidden, Lab, Outcome, Plan, Report, Secret, Stop, Submission, Verdict,
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -254,7 +254,7 @@ fn plan(args: &Args, kept: Option<&Path>) -> Result<Plan, Failure> {
 
 /// What no submission may see. The labs are those of the checkout that this program was built from.
 fn hidden(args: &Args) -> Vec<Hidden> {
-    let labs = Path::new(env!("CARGO_MANIFEST_DIR")).join("labs");
+    let labs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../labs");
     let lists = args.names.iter().chain(&args.adjust).chain(&args.cache).chain(&args.results).cloned();
     let things = [
         ("the labs with their solutions", vec![labs]),

@@ -1,6 +1,6 @@
 //! Ctrl-C and the like, as a wish to stop.
 
-use dcel_kit::lab::Stop;
+use dcel_lab::Stop;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 use std::io;

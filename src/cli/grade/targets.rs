@@ -2,8 +2,8 @@
 
 use super::super::{Failure, Output, save};
 use dcel_kit::files::{WholeFile, is_same_file};
-use dcel_kit::lab::Report;
-use dcel_kit::lab::reports::Format;
+use dcel_lab::Report;
+use dcel_lab::reports::Format;
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::Write;
@@ -58,7 +58,7 @@ impl Target {
                 return Err(Failure::input(format!("{}: two reports go there", target.file), "name two files"));
             }
             if reports != 1 && !target.is_one_each() && !target.format.holds_a_class() {
-                return Err(one_at_a_time(dcel_kit::lab::reports::OneAtATime(target.format)));
+                return Err(one_at_a_time(dcel_lab::reports::OneAtATime(target.format)));
             }
             if target.is_standard_output() {
                 continue;
@@ -105,7 +105,7 @@ impl Target {
     }
 }
 
-fn one_at_a_time(error: dcel_kit::lab::reports::OneAtATime) -> Failure {
+fn one_at_a_time(error: dcel_lab::reports::OneAtATime) -> Failure {
     let what = error.to_string();
     let (what, help) = what.split_once("; ").unwrap_or((&what, ""));
     Failure::input(what, help)

@@ -2,7 +2,8 @@
 
 use super::super::{Answer, Failure, Output, save};
 use dcel_kit::files::ScratchFolder;
-use dcel_kit::lab::{KitBuild, LabFiles};
+use dcel_lab::{COPIES, KitBuild, LabFiles, Package};
+use std::collections::BTreeMap;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -25,26 +26,35 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         save::put(&path, lab.to_archive())?;
         writeln!(out, "{}: {} files", path.display(), lab.iter().count())?;
     }
-    let root = args.dir.join("Cargo.toml");
-    let root =
-        fs::read_to_string(&root).map_err(|error| Failure::input(format!("{}: {error}", root.display()), HELP))?;
+    for (made, of) in COPIES {
+        let text =
+            fs::read_to_string(args.dir.join(of)).map_err(|error| Failure::input(format!("{of}: {error}"), HELP))?;
+        save::put(&args.dir.join(made), text)?;
+    }
+    for package in Package::ALL {
+        let path = args.dir.join(package.list_file());
+        let list = package.list(&args.dir).map_err(|error| Failure::input(error, HELP))?;
+        writeln!(out, "{}: {} files", path.display(), list.matches("include_str!").count())?;
+        save::put(&path, list)?;
+    }
     for build in KitBuild::ALL {
-        let files = build.files(&args.dir).map_err(|error| Failure::input(error, HELP))?;
         let folder = args.dir.join(build.folder());
-        save::put(&folder.join("sources.rs"), build.list(&files))?;
-        save::put(&folder.join("Cargo.toml.txt"), build.manifest(&root))?;
-        save::put(&folder.join("Cargo.lock.txt"), versions(&args.dir, build, &build.manifest(&root))?)?;
-        writeln!(out, "{}: {} files", folder.display(), files.len())?;
+        let manifests = build.manifests(&args.dir).map_err(|error| Failure::input(error, HELP))?;
+        save::put(&folder.join("Cargo.lock.txt"), versions(&args.dir, build, &manifests)?)?;
+        writeln!(out, "{}: {} packages", folder.display(), manifests.len())?;
+        for (package, manifest) in manifests {
+            save::put(&folder.join(format!("{}.toml.txt", package.name())), manifest)?;
+        }
     }
     Ok(Answer::Yes)
 }
 
 /// The lock file of a build, as cargo writes it: the versions of the checkout, as far as they are needed.
-fn versions(checkout: &Path, build: KitBuild, manifest: &str) -> Result<String, Failure> {
+fn versions(checkout: &Path, build: KitBuild, manifests: &BTreeMap<Package, String>) -> Result<String, Failure> {
     let made = || -> std::io::Result<String> {
         let scratch = ScratchFolder::new("dcel-bundle")?;
         let folder = scratch.path();
-        for (path, text) in build.workspace(manifest) {
+        for (path, text) in build.workspace(manifests) {
             let path = folder.join(path);
             fs::create_dir_all(path.parent().unwrap_or(folder))?;
             fs::write(path, text)?;

@@ -3,8 +3,8 @@
 use super::super::{Answer, Failure, Output, failure};
 use super::{folder, hint};
 use dcel_kit::files::write_whole;
-use dcel_kit::lab::reports::Format;
-use dcel_kit::lab::{Lab, Manifest, Plan, Report, TestResult, Verdict, Workbench, check_folder, test_text};
+use dcel_lab::reports::Format;
+use dcel_lab::{Lab, Manifest, Plan, Report, TestResult, Verdict, Workbench, check_folder, test_text};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -170,7 +170,7 @@ impl Bench {
         if open == 0 {
             writeln!(out, "\nEverything passes. Hand it in.")?;
         } else if let Some(page) = page {
-            writeln!(out, "\nWith pictures: {}", dcel_kit::lab::typed(page))?;
+            writeln!(out, "\nWith pictures: {}", dcel_lab::typed(page))?;
         }
         if !report.printed.is_empty() {
             writeln!(out, "\nYour program printed:")?;

@@ -2,7 +2,7 @@
 
 use super::super::{Answer, Failure, Output, save};
 use super::{bundled, folder, kit};
-use dcel_kit::lab::{Kit, Packed, classroom50_files, gradescope_files, zipped};
+use dcel_lab::{Kit, Packed, classroom50_files, gradescope_files, zipped};
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};

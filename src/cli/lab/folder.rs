@@ -2,7 +2,7 @@
 
 use super::super::Failure;
 use dcel_kit::files::WholeFolder;
-use dcel_kit::lab::{Kit, LabFiles, Packed, student_files, vendored};
+use dcel_lab::{Kit, LabFiles, Packed, student_files, vendored};
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;

@@ -8,7 +8,7 @@
 use super::super::{Answer, Failure, Output};
 use super::folder;
 use dcel_kit::files::write_whole;
-use dcel_kit::lab::{Lab, LabFiles, Manifest, Report};
+use dcel_lab::{Lab, LabFiles, Manifest, Report};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs;
@@ -104,7 +104,7 @@ fn tell(dir: &Path, number: u32, level: u8, named: Option<&Path>, out: &mut Outp
 
 /// A command as it is typed, with a folder if one was named.
 fn typed(command: &str, dir: Option<(&str, &Path)>) -> String {
-    dir.map_or_else(|| command.to_owned(), |(flag, dir)| format!("{command} {flag}{}", dcel_kit::lab::typed(dir)))
+    dir.map_or_else(|| command.to_owned(), |(flag, dir)| format!("{command} {flag}{}", dcel_lab::typed(dir)))
 }
 
 /// The headings and texts of a task's hints.

@@ -2,7 +2,7 @@
 
 use super::super::{Answer, Failure, Output, output};
 use super::lab;
-use dcel_kit::lab::{Lab, LabFiles, Test};
+use dcel_lab::{Lab, LabFiles, Test};
 use serde::Serialize;
 use std::io::Write;
 

@@ -60,8 +60,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
 }
 
 /// The lab of that name, or which ones there are.
-fn bundled(name: &str) -> Result<dcel_kit::lab::LabFiles, Failure> {
-    dcel_kit::lab::LabFiles::bundled(name).map_err(|error| {
+fn bundled(name: &str) -> Result<dcel_lab::LabFiles, Failure> {
+    dcel_lab::LabFiles::bundled(name).map_err(|error| {
         let what = error.to_string();
         let (what, help) = what.split_once("; ").unwrap_or((&what, ""));
         Failure::input(what, help)
@@ -69,6 +69,6 @@ fn bundled(name: &str) -> Result<dcel_kit::lab::LabFiles, Failure> {
 }
 
 /// A lab that is compiled in, ready to grade.
-pub(super) fn lab(name: &str) -> Result<dcel_kit::lab::Lab, Failure> {
-    dcel_kit::lab::Lab::new(bundled(name)?).map_err(Failure::kit)
+pub(super) fn lab(name: &str) -> Result<dcel_lab::Lab, Failure> {
+    dcel_lab::Lab::new(bundled(name)?).map_err(Failure::kit)
 }

@@ -2,7 +2,7 @@
 
 use super::super::{Answer, Failure, Output, save};
 use super::{bundled, folder};
-use dcel_kit::lab::{Kit, Manifest, student_files};
+use dcel_lab::{Kit, Manifest, student_files};
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};

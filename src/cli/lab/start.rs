@@ -2,7 +2,7 @@
 
 use super::super::{Answer, Failure, Output};
 use super::{folder, lab};
-use dcel_kit::lab::{Kit, typed};
+use dcel_lab::{Kit, typed};
 use std::io::Write;
 use std::path::PathBuf;
 

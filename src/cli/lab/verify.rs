@@ -2,7 +2,7 @@
 
 use super::super::{Answer, Failure, Output, failure, save};
 use dcel_kit::files::ScratchFolder;
-use dcel_kit::lab::{Lab, LabFiles, verify};
+use dcel_lab::{Lab, LabFiles, verify};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 

@@ -1,10 +1,10 @@
 //! What the commands on solids share: reading, writing, and the short answer.
 
-use crate::cli::failure::Failure;
-use crate::cli::input::InputOptions;
-use crate::cli::save::{Files, InPlace};
-use crate::cli::subject::Kind;
-use crate::cli::{Answer, Output};
+use crate::failure::Failure;
+use crate::input::InputOptions;
+use crate::save::{Files, InPlace};
+use crate::subject::Kind;
+use crate::{Answer, Output};
 use dcel_kit::io::{Format, Model, counted, write, write_path};
 use dcel_kit::solid::{PartCounts, Polyhedron};
 use serde::Serialize;

@@ -1,8 +1,8 @@
 //! `dcel solid dual`: faces become vertices.
 
 use super::common::{Target, open, refused};
-use crate::cli::input::InputOptions;
-use crate::cli::{Answer, Failure, Output};
+use crate::input::InputOptions;
+use crate::{Answer, Failure, Output};
 use dcel_kit::solid::DualPositions;
 use std::path::PathBuf;
 

@@ -1,10 +1,10 @@
 //! `dcel solid figure`: a solid with its hidden lines.
 
 use super::common::{open, vector};
-use crate::cli::input::InputOptions;
-use crate::cli::picture::{Pixels, Target};
-use crate::cli::save::Files;
-use crate::cli::{Answer, Failure, Output};
+use crate::input::InputOptions;
+use crate::picture::{Pixels, Target};
+use crate::save::Files;
+use crate::{Answer, Failure, Output};
 use dcel_kit::figure::{self, Camera, FigureOptions, HiddenLines};
 use std::path::PathBuf;
 

@@ -1,8 +1,8 @@
 //! `dcel solid info`: counts, angles, curvature, volume, shape.
 
 use super::common::open;
-use crate::cli::input::InputOptions;
-use crate::cli::{Answer, Failure, Output};
+use crate::input::InputOptions;
+use crate::{Answer, Failure, Output};
 use dcel_kit::io::counted;
 use dcel_kit::solid::{PartCounts, Polyhedron};
 use serde::Serialize;

@@ -1,7 +1,7 @@
 //! `dcel solid make`: regular solids, grown ones, and convex hulls.
 
 use super::common::{Target, check_size};
-use crate::cli::{Answer, Failure, Output};
+use crate::{Answer, Failure, Output};
 use dcel_kit::io::{Document, ReadOptions, closest, read_path, source_name};
 use dcel_kit::solid::grow::Shape;
 use dcel_kit::solid::{Archimedean, HullFaces, Platonic, Polyhedron};

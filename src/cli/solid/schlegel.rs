@@ -1,10 +1,10 @@
 //! `dcel solid schlegel`: a convex solid seen through a face, as a structure of the plane.
 
 use super::common::{open, refused};
-use crate::cli::input::InputOptions;
-use crate::cli::picture::{Pixels, Target};
-use crate::cli::save::{Files, InPlace};
-use crate::cli::{Answer, Failure, Output};
+use crate::input::InputOptions;
+use crate::picture::{Pixels, Target};
+use crate::save::{Files, InPlace};
+use crate::{Answer, Failure, Output};
 use dcel_kit::figure::{self, FigureOptions};
 use dcel_kit::ids::FaceId;
 use dcel_kit::io::{Format, Model, write, write_path};

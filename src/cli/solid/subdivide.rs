@@ -1,8 +1,8 @@
 //! `dcel solid subdivide`: finer and rounder.
 
 use super::common::{Target, check_size, open};
-use crate::cli::input::InputOptions;
-use crate::cli::{Answer, Failure, Output};
+use crate::input::InputOptions;
+use crate::{Answer, Failure, Output};
 use dcel_kit::EdgeId;
 use dcel_kit::solid::{Polyhedron, Selection};
 use std::path::PathBuf;

@@ -1,9 +1,9 @@
 //! `dcel solid support`: the vertex furthest in a direction, and the way there.
 
 use super::common::{open, refused, vector};
-use crate::cli::input::InputOptions;
-use crate::cli::output::point;
-use crate::cli::{Answer, Failure, Output};
+use crate::input::InputOptions;
+use crate::output::point;
+use crate::{Answer, Failure, Output};
 use dcel_kit::ids::VertexId;
 use dcel_kit::solid::Direction;
 use serde::Serialize;

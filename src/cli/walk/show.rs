@@ -2,7 +2,7 @@
 
 use super::Output;
 use super::rounds::{Cycle, FaceName, FaceWalk, Links, Star};
-use crate::cli::output::{point, table};
+use crate::output::{point, table};
 use dcel_kit::io::counted;
 use std::io::{self, Write};
 

@@ -279,7 +279,8 @@ impl Target {
 }
 
 /// The text with the characters that HTML reserves as entities.
-pub(crate) fn escaped(text: &str) -> String {
+#[must_use]
+pub fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

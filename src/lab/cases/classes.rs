@@ -11,9 +11,9 @@
 //!
 //! Source: one root at a time, as in `topology::same`.
 
-use crate::lab::checks::spec::{self, TwinSide};
-use crate::topology::{Dcel, Table, View};
-use crate::{FaceId, HalfEdgeId};
+use crate::checks::spec::{self, TwinSide};
+use dcel_kit::topology::{Dcel, Table, View};
+use dcel_kit::{FaceId, HalfEdgeId};
 use std::collections::BTreeSet;
 
 /// One structure of each kind that at most `operations` splits make of polygons with `corners`, smallest first.
@@ -110,7 +110,7 @@ fn text_from(table: &Table, root: HalfEdgeId) -> Vec<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::topology::{same, violations};
+    use dcel_kit::topology::{same, violations};
 
     #[test]
     fn no_two_classes_are_the_same() {

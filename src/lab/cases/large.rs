@@ -9,8 +9,8 @@
 //! The k-th edge has the half-edges h(2k), which runs from the first of its ends, and h(2k + 1). Written independently
 //! of the drivers: an edge knows its ends and its two faces, and the links follow from these.
 
-use crate::topology::{FaceRow, HalfEdgeRow, Table, VertexRow};
-use crate::{FaceId, HalfEdgeId, VertexId};
+use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow};
+use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -114,7 +114,7 @@ fn structure(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::topology::violations;
+    use dcel_kit::topology::violations;
 
     #[test]
     fn large_structures_obey_the_laws_and_have_the_sizes_that_they_say() {

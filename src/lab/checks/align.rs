@@ -8,8 +8,8 @@
 //! Cost: O(n) for each pairing; there are at most two ways for a split of a face, and four for one of an edge.
 
 use super::spec::New;
-use crate::topology::{HalfEdgeRow, Table, VertexRow, View};
-use crate::{Element, FaceId, HalfEdgeId, VertexId};
+use dcel_kit::topology::{HalfEdgeRow, Table, VertexRow, View};
+use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
 use std::fmt;
 
 /// A pointer of a record, or another of its fields.

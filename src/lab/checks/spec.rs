@@ -14,8 +14,8 @@
 //! Works on tables, because that is what a student's program gives. The table before must obey the laws; the
 //! functions refuse one that is too broken to tell what should come of it.
 
-use crate::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
-use crate::{FaceId, HalfEdgeId, VertexId};
+use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
+use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 
 /// Whether a face may be split between the origins of two of its half-edges.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -187,7 +187,7 @@ fn link(table: &mut Table, h: HalfEdgeId, next: HalfEdgeId) -> Option<()> {
 /// The cycle of half-edges from `start` along `next`; cut where it is broken or longer than the table.
 #[must_use]
 pub fn cycle(table: &Table, start: HalfEdgeId) -> Vec<HalfEdgeId> {
-    crate::topology::bounded_cycle(table, start).collect()
+    dcel_kit::topology::bounded_cycle(table, start).collect()
 }
 
 /// The half-edges that start at `origin(start)`, counter-clockwise: `prev.twin` again and again.

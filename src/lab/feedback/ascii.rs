@@ -9,11 +9,11 @@
 //!      yours      h2 h4 h6 h8 h10 h0 ...
 //! ```
 
-use crate::FaceId;
-use crate::lab::checks::align::{Content, Difference, differences};
-use crate::lab::checks::spec::cycle;
-use crate::lab::fault::Exchange;
-use crate::topology::{Table, View};
+use crate::checks::align::{Content, Difference, differences};
+use crate::checks::spec::cycle;
+use crate::fault::Exchange;
+use dcel_kit::FaceId;
+use dcel_kit::topology::{Table, View};
 use std::fmt::Write;
 
 /// How many fields are listed.
@@ -62,10 +62,10 @@ fn name(difference: &Difference) -> String {
 /// What stood in a field before the call: what the expected structure has, unless it differs from that.
 fn was(old: &[Difference], wanted: &Difference, before: &Table) -> String {
     let exists = wanted.owner.is_none_or(|owner| match owner {
-        crate::Element::Vertex(v) => before.has_vertex(v),
-        crate::Element::HalfEdge(h) => before.has_half_edge(h),
-        crate::Element::Face(f) => before.has_face(f),
-        crate::Element::Edge(_) => false,
+        dcel_kit::Element::Vertex(v) => before.has_vertex(v),
+        dcel_kit::Element::HalfEdge(h) => before.has_half_edge(h),
+        dcel_kit::Element::Face(f) => before.has_face(f),
+        dcel_kit::Element::Edge(_) => false,
     });
     if !exists {
         return "-".to_owned();

@@ -2,7 +2,7 @@
 
 use super::page::page;
 use super::test_text;
-use crate::lab::{FolderCheck, Lab, Plan, Report, TestResult, Verdict, check_folder, typed};
+use crate::{FolderCheck, Lab, Plan, Report, TestResult, Verdict, check_folder, typed};
 use std::io::Write;
 use std::path::Path;
 use std::sync::OnceLock;

@@ -1,7 +1,7 @@
 //! The feedback on one test as a page of its own, with its pictures: what a terminal cannot show.
 
-use crate::figure::page::escaped;
-use crate::lab::Picture;
+use crate::Picture;
+use dcel_kit::figure::escaped;
 use std::fmt::Write;
 
 /// The page.

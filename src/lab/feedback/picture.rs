@@ -8,14 +8,14 @@
 //! ```
 
 use super::ascii;
-use crate::figure::{self, Colour, Detail, Figure, FigureError, FigureOptions, Overrides, Pointers};
-use crate::lab::Picture;
-use crate::lab::checks::align::{Field, differences};
-use crate::lab::course::Course;
-use crate::lab::fault::{Exchange, Fault};
-use crate::lab::protocol::CallEnd;
-use crate::topology::Table;
-use crate::{Element, HalfEdgeId};
+use crate::Picture;
+use crate::checks::align::{Field, differences};
+use crate::course::Course;
+use crate::fault::{Exchange, Fault};
+use crate::protocol::CallEnd;
+use dcel_kit::figure::{self, Colour, Detail, Figure, FigureError, FigureOptions, Overrides, Pointers};
+use dcel_kit::topology::Table;
+use dcel_kit::{Element, HalfEdgeId};
 
 /// The colour of what is wrong.
 const RED: Colour = Colour(0xc8_1e_1e);

@@ -1,7 +1,7 @@
 //! From a failing case to a short one: try shorter ones, many in one process, and go on from the shortest that fails.
 
 use super::Shown;
-use crate::lab::protocol::Case;
+use crate::protocol::Case;
 
 /// How often the shortest one is tried to be made shorter still.
 const ROUNDS: usize = 6;

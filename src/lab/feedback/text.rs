@@ -1,6 +1,6 @@
 //! The result of a test in words: what a failing `cargo test` prints.
 
-use crate::lab::{Report, TestResult};
+use crate::{Report, TestResult};
 use std::fmt::Write;
 
 /// Everything that a student is told about one test. `replay` is the command that shows the failing case again, if

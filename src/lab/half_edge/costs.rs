@@ -9,10 +9,10 @@
 //! Time plays no part: reads are counted, and are the same on every machine.
 
 use super::walks;
-use crate::lab::fault::{Fault, FaultKind};
-use crate::lab::protocol::{Called, Case, CaseAnswer, Many, Reply, Start, Step, grouped};
-use crate::topology::Table;
-use crate::{Element, FaceId, HalfEdgeId, VertexId};
+use crate::fault::{Fault, FaultKind};
+use crate::protocol::{Called, Case, CaseAnswer, Many, Reply, Start, Step, grouped};
+use dcel_kit::topology::Table;
+use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
 
 /// The large structure.
 pub(super) const GRID: Start = Start::Grid(150, 150);
@@ -149,7 +149,7 @@ fn wrong_of_many(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::topology::View;
+    use dcel_kit::topology::View;
 
     #[test]
     fn the_half_edges_of_the_splits_are_those_of_cells() {

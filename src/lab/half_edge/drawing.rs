@@ -1,14 +1,14 @@
 //! The drawing of the handout, made with the two splits: compared with the reference as a structure with positions,
 //! and as a picture.
 
-use crate::compare::{Options, compare};
-use crate::lab::checks::spec::cycle;
-use crate::lab::fault::{Exchange, Fault, FaultKind, exchanges};
-use crate::lab::protocol::{Called, Case, CaseAnswer, Reply, Step};
-use crate::plane::PlanarView;
-use crate::script::Script;
-use crate::topology::{SameOptions, Table, View, position_key, same_with, violations};
-use crate::{Element, FaceId, HalfEdgeId, VertexId};
+use crate::checks::spec::cycle;
+use crate::fault::{Exchange, Fault, FaultKind, exchanges};
+use crate::protocol::{Called, Case, CaseAnswer, Reply, Step};
+use dcel_kit::compare::{Options, compare};
+use dcel_kit::plane::PlanarView;
+use dcel_kit::script::Script;
+use dcel_kit::topology::{SameOptions, Table, View, position_key, same_with, violations};
+use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -18,7 +18,7 @@ pub(super) const TESTS: [&str; 2] = ["drawing", "drawing_svg"];
 const NAMED: usize = 4;
 
 /// The calls that make the drawing, in the kit's own numbers.
-const SCRIPT: &str = include_str!("../../../figures/scripts/lab-04-drawing.dcels");
+const SCRIPT: &str = include_str!("drawing.dcels");
 
 /// The structure of the drawing; `None` only if its script were broken.
 pub(super) fn reference() -> Option<Table> {

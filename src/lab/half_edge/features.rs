@@ -7,11 +7,11 @@
 //!        ●◀───────▼ he2             he1 starts at a vertex of degree 1?   …
 //! ```
 
-use crate::lab::checks::spec::{Legal, cycle, may_split_face, star};
-use crate::lab::course::Feature;
-use crate::lab::fault::Exchange;
-use crate::topology::{Table, View};
-use crate::{FaceId, HalfEdgeId, VertexId};
+use crate::checks::spec::{Legal, cycle, may_split_face, star};
+use crate::course::Feature;
+use crate::fault::Exchange;
+use dcel_kit::topology::{Table, View};
+use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeSet;
 
 macro_rules! vocabulary {
@@ -307,7 +307,7 @@ fn midpoint(set: &mut Set, table: &Table, h: HalfEdgeId) {
     let place = |v: Option<VertexId>| table.vertices.get(v?.index()).copied().flatten()?.position;
     let ends = (place(table.origin(h)), place(table.twin(h).and_then(|twin| table.origin(twin))));
     let (Some(p), Some(q)) = ends else { return };
-    let middle = crate::lab::checks::spec::midpoint(p, q);
+    let middle = crate::checks::spec::midpoint(p, q);
     set.add(Word::Fraction, middle.iter().any(|x| x.fract() != 0.0));
     set.add(Word::Negative, middle.iter().any(|&x| x < 0.0));
     let decimals = |x: &f64| (x * 1e4).round() / 1e4;

@@ -27,8 +27,8 @@ pub(super) use suites::HALF_EDGE;
 use super::checks::align::align;
 use super::checks::spec;
 use super::fault::Exchange;
-use crate::HalfEdgeId;
-use crate::topology::{Table, View};
+use dcel_kit::HalfEdgeId;
+use dcel_kit::topology::{Table, View};
 
 /// The structure that a call should have left behind, in the numbers of the student's. A call that reads, and one
 /// that is refused, leaves it as it was.

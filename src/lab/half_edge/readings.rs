@@ -8,10 +8,10 @@
 //!
 //! Nothing here decides a verdict. What is said holds of this call; the report says what holds of every failing one.
 
-use crate::lab::checks::cyclic::is_rotation;
-use crate::lab::checks::spec::{cycle, star};
-use crate::topology::{Table, View};
-use crate::{FaceId, HalfEdgeId, VertexId};
+use crate::checks::cyclic::is_rotation;
+use crate::checks::spec::{cycle, star};
+use dcel_kit::topology::{Table, View};
+use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeSet;
 
 /// All that can be said of a wrong answer; what says most comes first. Cost: O(n log n) for n elements.
@@ -142,7 +142,7 @@ fn numbers(walk: &[HalfEdgeId]) -> Vec<u32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::topology::{FaceRow, HalfEdgeRow, VertexRow};
+    use dcel_kit::topology::{FaceRow, HalfEdgeRow, VertexRow};
 
     /// A triangle: h0, h2, h4 round f1, their twins h1, h5, h3 round the outer face f0.
     fn triangle() -> Table {

@@ -5,9 +5,9 @@
 
 use super::starts::{antenna, bridge, outer_antenna, petals, tree};
 use super::{costs, split_face, split_in_half};
-use crate::lab::cases::random::Random;
-use crate::lab::fault::{Fault, FaultKind, exchanges};
-use crate::lab::protocol::{Case, CaseAnswer, Start, Step};
+use crate::cases::random::Random;
+use crate::fault::{Fault, FaultKind, exchanges};
+use crate::protocol::{Case, CaseAnswer, Start, Step};
 use std::sync::Arc;
 
 /// What a random sequence is made of.
@@ -114,7 +114,7 @@ fn start(random: &mut Random) -> (Start, [usize; 3]) {
 
 /// A polygon of the classes, as a line.
 pub(super) fn polygon(corners: usize) -> Start {
-    let table = crate::lab::cases::classes::polygon(corners).unwrap_or_default();
+    let table = crate::cases::classes::polygon(corners).unwrap_or_default();
     Start::Polygon(table.vertices.iter().flatten().filter_map(|row| row.position).collect())
 }
 

@@ -9,7 +9,7 @@
 
 use super::sequences::polygon;
 use super::starts::dangling;
-use crate::lab::protocol::{Case, Start, Step};
+use crate::protocol::{Case, Start, Step};
 
 /// How many are tried at a time.
 const TRIED: usize = 240;

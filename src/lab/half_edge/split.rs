@@ -1,10 +1,10 @@
 //! What the judges of the two splits share: differences become faults of steps.
 
-use crate::Element;
-use crate::lab::checks::align::{Aligned, Content, Difference, differences};
-use crate::lab::fault::{Fault, FaultKind, Instead};
-use crate::lab::protocol::CallEnd;
-use crate::topology::{Table, violations};
+use crate::checks::align::{Aligned, Content, Difference, differences};
+use crate::fault::{Fault, FaultKind, Instead};
+use crate::protocol::CallEnd;
+use dcel_kit::Element;
+use dcel_kit::topology::{Table, violations};
 
 /// The part that an element plays which plays none.
 pub(super) const ELSEWHERE: &str = "elsewhere";

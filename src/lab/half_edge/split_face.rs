@@ -8,12 +8,12 @@
 //! The outer face is a face like any other. Two corners of one face at the same vertex are joined by a loop.
 
 use super::split::{ELSEWHERE, Steps};
-use crate::lab::checks::align::{Difference, Field, align};
-use crate::lab::checks::spec::{self, Legal};
-use crate::lab::fault::{Exchange, Fault, FaultKind};
-use crate::lab::protocol::{CallEnd, Value};
-use crate::topology::View;
-use crate::{Element, HalfEdgeId};
+use crate::checks::align::{Difference, Field, align};
+use crate::checks::spec::{self, Legal};
+use crate::fault::{Exchange, Fault, FaultKind};
+use crate::protocol::{CallEnd, Value};
+use dcel_kit::topology::View;
+use dcel_kit::{Element, HalfEdgeId};
 
 /// The graded test of each step.
 pub(super) const TESTS: [&str; 6] = [

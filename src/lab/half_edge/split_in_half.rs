@@ -7,11 +7,11 @@
 //! ```
 
 use super::split::{ELSEWHERE, Steps};
-use crate::lab::checks::align::{Aligned, Difference, Field, align};
-use crate::lab::checks::spec::{self, TwinSide};
-use crate::lab::fault::{Exchange, Fault};
-use crate::topology::{Table, View};
-use crate::{Element, HalfEdgeId};
+use crate::checks::align::{Aligned, Difference, Field, align};
+use crate::checks::spec::{self, TwinSide};
+use crate::fault::{Exchange, Fault};
+use dcel_kit::topology::{Table, View};
+use dcel_kit::{Element, HalfEdgeId};
 
 /// The graded test of each step; there is no step 0, because every call is legal.
 pub(super) const TESTS: [&str; 4] =

@@ -11,11 +11,11 @@
 //!   ●╱            ╲●               tree: v0──v1──v2, with no face but the outer one
 //! ```
 
-use crate::lab::cases::random::Random;
-use crate::lab::checks::spec;
-use crate::lab::protocol::Start;
-use crate::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
-use crate::{FaceId, HalfEdgeId, VertexId};
+use crate::cases::random::Random;
+use crate::checks::spec;
+use crate::protocol::Start;
+use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
+use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeMap;
 
 /// A square with an edge from one corner into it that ends nowhere.
@@ -221,8 +221,8 @@ pub(super) fn relabelled(table: &Table, random: &mut Random) -> Table {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lab::cases::classes::classes;
-    use crate::topology::{same, violations};
+    use crate::cases::classes::classes;
+    use dcel_kit::topology::{same, violations};
 
     #[test]
     fn starts_obey_the_laws_and_relabelling_changes_names_only() {

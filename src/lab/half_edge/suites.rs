@@ -9,15 +9,15 @@ use super::sequences::{Mix, polygon, random, sequence};
 use super::shorter::shorter;
 use super::starts::{blind, odd, relabelled, rounding, window};
 use super::{drawing, features, sequences, split_face, split_in_half, walks};
-use crate::lab::cases::classes::classes;
-use crate::lab::cases::random::Random;
-use crate::lab::checks::spec::{Legal, may_split_face};
-use crate::lab::course::{Asked, Course, Feature, Source, Suite};
-use crate::lab::fault::{Exchange, Fault};
-use crate::lab::plan::Plan;
-use crate::lab::protocol::{Case, CaseAnswer, Start, Step};
-use crate::topology::{HalfEdgeRow, Table};
-use crate::{Element, HalfEdgeId};
+use crate::cases::classes::classes;
+use crate::cases::random::Random;
+use crate::checks::spec::{Legal, may_split_face};
+use crate::course::{Asked, Course, Feature, Source, Suite};
+use crate::fault::{Exchange, Fault};
+use crate::plan::Plan;
+use crate::protocol::{Case, CaseAnswer, Start, Step};
+use dcel_kit::topology::{HalfEdgeRow, Table};
+use dcel_kit::{Element, HalfEdgeId};
 use std::sync::Arc;
 
 /// How many random sequences are asked for each test, and of how many calls.
@@ -32,10 +32,10 @@ const IN_THE_BLIND: &str =
     " (Here all vertices are at one place: the answer must come from the references, not from positions.)";
 
 /// The course of lab 04.
-pub(in crate::lab) struct HalfEdge;
+pub(crate) struct HalfEdge;
 
 /// The course of lab 04.
-pub(in crate::lab) static HALF_EDGE: HalfEdge = HalfEdge;
+pub(crate) static HALF_EDGE: HalfEdge = HalfEdge;
 
 impl Course for HalfEdge {
     fn suites(&self, plan: &Plan) -> Vec<Suite> {
@@ -153,7 +153,7 @@ fn is_unseen(exchange: &Exchange) -> bool {
 }
 
 fn by_call(case: &Case, answer: &CaseAnswer, judge: impl Fn(&Exchange) -> Vec<Fault>) -> Vec<Fault> {
-    crate::lab::fault::exchanges(case, answer).iter().flat_map(judge).collect()
+    crate::fault::exchanges(case, answer).iter().flat_map(judge).collect()
 }
 
 fn fixed(cases: Vec<Case>) -> Vec<Asked> {

@@ -8,12 +8,12 @@
 //! ```
 
 use super::{costs, readings};
-use crate::lab::checks::cyclic::{self, WalkFault};
-use crate::lab::checks::spec::{cycle, star};
-use crate::lab::fault::{Exchange, Fault, FaultKind, Instead, exchanges};
-use crate::lab::protocol::{CallEnd, Case, CaseAnswer, Value};
-use crate::topology::{Table, View};
-use crate::{Element, FaceId, HalfEdgeId, VertexId};
+use crate::checks::cyclic::{self, WalkFault};
+use crate::checks::spec::{cycle, star};
+use crate::fault::{Exchange, Fault, FaultKind, Instead, exchanges};
+use crate::protocol::{CallEnd, Case, CaseAnswer, Value};
+use dcel_kit::topology::{Table, View};
+use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
 
 /// Judges every call of a case by what it returned.
 pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {

@@ -1,170 +1,226 @@
-//! The kit's own sources, as the program carries them: what a student's tests are built from wherever the folder goes.
+//! The kit's own sources, as its packages carry them: what a student's tests and a grader elsewhere are built from,
+//! wherever the folder goes.
 //!
 //! ```text
-//!   src/…, Cargo.toml, Cargo.lock ──dcel lab bundle──▶ kit/sources.rs      one include_str! for each file
-//!                                                      kit/Cargo.toml.txt  a manifest for these files alone
-//!                                                      kit/Cargo.lock.txt  the versions, as cargo writes them
+//!   package     files that it lists                       built for    with the features
+//!   dcel-kit    src/…            ─▶ src/sources/list.rs   check        compare figure files script
+//!                                                         program      all but png
+//!   dcel-lab    src/lab/…        ─▶ kit/sources.rs        check        none
+//!                                                         program      grade
+//!   dcel        src/cli/…        ─▶ lab/kit/sources.rs    program
+//!
+//!   Cargo.toml, Cargo.lock ──dcel lab bundle──▶ kit/*.txt   manifests and versions for these files alone
 //! ```
 //!
-//! The list holds names and no copies: what is compiled in is the file itself, and can never be an old one. A test
-//! compares the list with what a build reads.
+//! A list holds names and no copies: what is compiled in is the file itself, and can never be an old one. A test
+//! compares the lists with what the builds read. Files keep the places that they have in the checkout.
 
+mod manifest;
 mod sources;
 mod walk;
 
 use walk::files_of_build;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
+use std::fs;
 use std::io;
 use std::path::Path;
 
-/// The manifest of the folder `kit/` of a student.
-pub(super) const MANIFEST: &str = include_str!("Cargo.toml.txt");
+/// The manifests in the folder `kit/` of a student: path and text.
+pub(super) const MANIFESTS: [(&str, &str); 2] =
+    [("Cargo.toml", include_str!("dcel-kit.toml.txt")), ("src/lab/Cargo.toml", include_str!("dcel-lab.toml.txt"))];
 /// The versions that a student's folder is built with; the lab's own package stands there as [`ANY_LAB`].
 pub(super) const LOCK: &str = include_str!("Cargo.lock.txt");
 /// The name and the version of the lab in [`LOCK`].
 pub(super) const ANY_LAB: [&str; 2] = ["lab-00", "0.0.0"];
 
+/// Files of this package that are copies, and what they are copies of: a package reads nothing outside of its folder.
+pub const COPIES: [(&str, &str); 1] = [("src/lab/half_edge/drawing.dcels", "figures/scripts/lab-04-drawing.dcels")];
+
 /// What goes wherever the sources go.
 const LICENCES: [&str; 2] = ["LICENSE-APACHE", "LICENSE-MIT"];
 
-/// The files of the kit that the graded tests of a lab need: path in the checkout, and text.
-#[must_use]
-pub fn lab_sources() -> &'static [(&'static str, &'static str)] {
-    &sources::SOURCES
+/// The files of the packages `dcel-kit` and `dcel-lab` that a build reads: path in the checkout, and text.
+pub fn sources(build: KitBuild) -> impl Iterator<Item = (&'static str, &'static str)> {
+    let further = [dcel_kit::sources::FURTHER, sources::FURTHER].concat();
+    let further = if build == KitBuild::Program { further } else { Vec::new() };
+    dcel_kit::sources::CHECK.iter().chain(sources::CHECK).copied().chain(further)
+}
+
+/// A package of the kit.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Package {
+    /// `dcel-kit`, the library.
+    Kit,
+    /// `dcel-lab`, the engine of the labs.
+    Lab,
+    /// `dcel`, the program.
+    Program,
+}
+
+impl Package {
+    /// All, each after those that it needs.
+    pub const ALL: [Self; 3] = [Self::Kit, Self::Lab, Self::Program];
+
+    /// As it is published.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Kit => "dcel-kit",
+            Self::Lab => "dcel-lab",
+            Self::Program => "dcel",
+        }
+    }
+
+    /// Its folder in a checkout, with a `/` at the end unless it is the root.
+    #[must_use]
+    pub fn folder(self) -> &'static str {
+        match self {
+            Self::Kit => "",
+            Self::Lab => "src/lab/",
+            Self::Program => "src/cli/",
+        }
+    }
+
+    /// The root of its crate.
+    fn entry(self) -> &'static str {
+        match self {
+            Self::Kit => "src/lib.rs",
+            Self::Lab => "src/lab/lib.rs",
+            Self::Program => "src/cli/main.rs",
+        }
+    }
+
+    /// Where in a checkout its list of files is.
+    #[must_use]
+    pub fn list_file(self) -> &'static str {
+        match self {
+            Self::Kit => "src/sources/list.rs",
+            Self::Lab => "src/lab/kit/sources.rs",
+            Self::Program => "src/cli/lab/kit/sources.rs",
+        }
+    }
+
+    /// The text of its list of files.
+    ///
+    /// # Errors
+    /// A file that cannot be read.
+    pub fn list(self, checkout: &Path) -> io::Result<String> {
+        let check = self.files(KitBuild::Check, checkout)?;
+        let all = self.files(KitBuild::Program, checkout)?;
+        let mut out = "//! The files of this package. Generated: `dcel lab bundle`.\n".to_owned();
+        // From the folder of the list to that of the package.
+        let up = "../".repeat(self.list_file()[self.folder().len()..].matches('/').count());
+        let mut array = |name: &str, about: &str, files: &mut dyn Iterator<Item = &String>| {
+            let files: Vec<_> = files.collect();
+            let visible = if self == Self::Kit { "pub" } else { "pub(super)" };
+            let _ = writeln!(out, "\n/// {about}: path in the checkout, and text.\n#[rustfmt::skip]");
+            let _ = writeln!(out, "{visible} const {name}: &[(&str, &str)] = &[");
+            for file in files {
+                let inside = file.strip_prefix(self.folder()).unwrap_or(file);
+                let _ = writeln!(out, "    (\"{file}\", include_str!(\"{up}{inside}\")),");
+            }
+            out.push_str("];\n");
+        };
+        if self != Self::Program {
+            array("CHECK", "What the tests in a student's folder need", &mut check.iter());
+        }
+        array("FURTHER", "What a grader needs besides", &mut all.difference(&check));
+        Ok(out)
+    }
+
+    /// The files of this package that a build reads, as paths from the root of the checkout.
+    ///
+    /// # Errors
+    /// A file that cannot be read.
+    pub fn files(self, build: KitBuild, checkout: &Path) -> io::Result<BTreeSet<String>> {
+        if !build.packages().contains(&self) {
+            return Ok(BTreeSet::new());
+        }
+        let mut files = files_of_build(checkout, self.entry(), build.features(self))?;
+        files.extend(LICENCES.map(|licence| format!("{}{licence}", self.folder())));
+        Ok(files)
+    }
 }
 
 /// A build of the kit whose sources are carried along.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum KitBuild {
-    /// The library with the engine of the labs: for the graded tests in a student's folder.
-    Lab,
+    /// What the graded tests in a student's folder need.
+    Check,
     /// The program: for a grader elsewhere.
     Program,
 }
 
 impl KitBuild {
     /// Both, the smaller one first.
-    pub const ALL: [Self; 2] = [Self::Lab, Self::Program];
+    pub const ALL: [Self; 2] = [Self::Check, Self::Program];
 
-    /// Where the generated files of this build are in a checkout.
+    /// The packages of this build, each after those that it needs.
+    #[must_use]
+    pub fn packages(self) -> &'static [Package] {
+        match self {
+            Self::Check => &[Package::Kit, Package::Lab],
+            Self::Program => &Package::ALL,
+        }
+    }
+
+    /// Where its manifests and its versions are in a checkout.
     #[must_use]
     pub fn folder(self) -> &'static str {
         match self {
-            Self::Lab => "src/lab/kit",
+            Self::Check => "src/lab/kit",
             Self::Program => "src/cli/lab/kit",
         }
     }
 
-    fn features(self) -> &'static [&'static str] {
-        match self {
-            Self::Lab => &["lab"],
-            Self::Program => &["lab", "grade", "cli", "io", "navmesh", "solid"],
+    fn features(self, package: Package) -> &'static [&'static str] {
+        match (self, package) {
+            (Self::Check, Package::Kit) => &["compare", "figure", "files", "script"],
+            (Self::Program, Package::Kit) => {
+                &["compare", "figure", "files", "io", "navmesh", "script", "solid", "sources"]
+            }
+            (Self::Program, Package::Lab) => &["grade"],
+            (Self::Check, _) | (Self::Program, Package::Program) => &[],
         }
     }
 
-    /// The files of the checkout that this build reads. Those of the program are listed without those of the labs.
+    /// The manifests of this build, from those of the checkout: without tests, and without the packages of labs.
     ///
     /// # Errors
     /// A file that cannot be read.
-    pub fn files(self, checkout: &Path) -> io::Result<BTreeSet<String>> {
-        let mut library = files_of_build(checkout, &["src/lib.rs"], Self::Lab.features())?;
-        library.extend(LICENCES.map(str::to_owned));
-        match self {
-            Self::Lab => Ok(library),
-            Self::Program => {
-                let all = files_of_build(checkout, &["src/lib.rs", "src/main.rs"], self.features())?;
-                Ok(all.difference(&library).cloned().collect())
-            }
-        }
-    }
-
-    /// The text of `sources.rs`.
-    #[must_use]
-    pub fn list(self, files: &BTreeSet<String>) -> String {
-        let up = "../".repeat(self.folder().matches('/').count() + 1);
-        let mut out = "//! The files of this build. Generated: `dcel lab bundle`.\n\n".to_owned();
-        let _ = writeln!(out, "#[rustfmt::skip]\npub(super) const SOURCES: [(&str, &str); {}] = [", files.len());
-        for file in files {
-            let _ = writeln!(out, "    (\"{file}\", include_str!(\"{up}{file}\")),");
-        }
-        out.push_str("];\n");
-        out
+    pub fn manifests(self, checkout: &Path) -> io::Result<BTreeMap<Package, String>> {
+        let of = |&package: &Package| {
+            let path = format!("{}Cargo.toml", package.folder());
+            let text = fs::read_to_string(checkout.join(&path));
+            let text = text.map_err(|error| io::Error::other(format!("{path}: {error}")))?;
+            Ok((package, manifest::of_build(self, package, &text)))
+        };
+        self.packages().iter().map(of).collect()
     }
 
     /// The least that cargo needs to settle the versions of this build: paths and texts.
     #[must_use]
-    pub fn workspace(self, manifest: &str) -> Vec<(&'static str, String)> {
-        let (none, text) = (String::new, manifest.to_owned());
-        match self {
-            Self::Lab => {
-                let [name, version] = ANY_LAB;
-                let lab = format!(
-                    "[package]\nname = \"{name}\"\nversion = \"{version}\"\nedition = \"2024\"\n\n\
-                     [dev-dependencies]\ndcel-kit = {{ path = \"kit\", features = [\"lab\"] }}\n\n[workspace]\n"
-                );
-                vec![("Cargo.toml", lab), ("src/lib.rs", none()), ("kit/Cargo.toml", text), ("kit/src/lib.rs", none())]
-            }
-            Self::Program => vec![("Cargo.toml", text), ("src/lib.rs", none()), ("src/main.rs", none())],
+    pub fn workspace(self, manifests: &BTreeMap<Package, String>) -> Vec<(String, String)> {
+        let kit = match self {
+            Self::Check => "kit/",
+            Self::Program => "",
+        };
+        let mut files = Vec::new();
+        for (package, manifest) in manifests {
+            files.push((format!("{kit}{}Cargo.toml", package.folder()), manifest.clone()));
+            files.push((format!("{kit}{}", package.entry()), String::new()));
         }
-    }
-
-    /// The manifest of this build, from that of the checkout: without tests, and without the package of a lab.
-    #[must_use]
-    pub fn manifest(self, checkout: &str) -> String {
-        let sections = Sections(checkout);
-        let mut out =
-            "# The half-edge kit, as far as it is needed here. Generated: `dcel lab bundle`.\n[package]\n".to_owned();
-        for key in ["name", "version", "edition", "rust-version", "description", "license"] {
-            out.extend(sections.line("package", key).map(|line| format!("{line}\n")));
+        if self == Self::Check {
+            let [name, version] = ANY_LAB;
+            let lab = format!(
+                "[package]\nname = \"{name}\"\nversion = \"{version}\"\nedition = \"2024\"\n\n\
+                 [dev-dependencies]\ndcel-lab = {{ path = \"kit/src/lab\", default-features = false }}\n\n[workspace]\n"
+            );
+            files.extend([("Cargo.toml".to_owned(), lab), ("src/lib.rs".to_owned(), String::new())]);
         }
-        out.push_str("publish = false\nbuild = false\nautobins = false\nautotests = false\nautoexamples = false\nautobenches = false\n");
-        match self {
-            Self::Lab => {
-                // What the feature switches on is always there: nobody builds this without it.
-                let needs = sections.line("features", "lab").unwrap_or_default();
-                out.push_str("\n[features]\nlab = []\n\n[dependencies]\n");
-                for line in sections.lines("dependencies") {
-                    let name = line.split(' ').next().unwrap_or_default();
-                    if !line.contains("optional = true") || needs.contains(&format!("\"dep:{name}\"")) {
-                        let _ = writeln!(out, "{}", line.replace(", optional = true", ""));
-                    }
-                }
-            }
-            Self::Program => {
-                out.push_str("\n[[bin]]\nname = \"dcel\"\npath = \"src/main.rs\"\nrequired-features = [\"cli\"]\n");
-                for section in ["features", "dependencies", "target.'cfg(target_os = \"linux\")'.dependencies"] {
-                    let _ = writeln!(out, "\n[{section}]");
-                    // Figures as PNG have fonts of their own, which a grader does without.
-                    for line in
-                        sections.lines(section).filter(|line| !line.starts_with("png ") && !line.starts_with("resvg "))
-                    {
-                        let _ = writeln!(out, "{line}");
-                    }
-                }
-                out.push_str("\n[profile.release]\ndebug = false\n\n[workspace]\n");
-            }
-        }
-        out.push_str(
-            "\n[lints.rust]\nunexpected_cfgs = \"allow\" # features that this part of the kit does not have\n",
-        );
-        out
-    }
-}
-
-/// A manifest by sections; each entry stands in one line.
-struct Sections<'a>(&'a str);
-
-impl<'a> Sections<'a> {
-    fn lines(&self, section: &str) -> impl Iterator<Item = &'a str> {
-        let head = format!("[{section}]");
-        let lines = self.0.lines().skip_while(move |line| *line != head).skip(1);
-        lines.take_while(|line| !line.starts_with('[')).filter(|line| line.contains(" = ") && !line.starts_with('#'))
-    }
-
-    fn line(&self, section: &str, key: &str) -> Option<&'a str> {
-        self.lines(section).find(|line| line.split(" =").next() == Some(key))
+        files
     }
 }
 
@@ -200,14 +256,14 @@ mod tests {
     }
 
     #[test]
-    fn a_manifest_of_the_labs_has_what_the_feature_needs() {
-        let root = "[package]\nname = \"k\"\nbuild = \"x.rs\"\n[features]\nlab = [\"dep:toml\"]\ncli = [\"dep:clap\"]\n\n\
-            [dependencies]\n# why\nrobust = \"1\" # a\ntoml = { version = \"1\", optional = true } # b\n\
-            clap = { version = \"4\", optional = true }\n\n[dev-dependencies]\ntempfile = \"3\"\n";
-        let made = KitBuild::Lab.manifest(root);
-        assert!(made.contains("[dependencies]\nrobust = \"1\" # a\ntoml = { version = \"1\" } # b\n\n"), "{made}");
-        assert!(!made.contains("clap") && !made.contains("tempfile") && !made.contains("x.rs"), "{made}");
-        let made = KitBuild::Program.manifest(root);
-        assert!(made.contains("clap = { version = \"4\", optional = true }\n") && !made.contains("tempfile"), "{made}");
+    fn a_build_has_each_file_once_and_the_program_has_all_of_the_check() {
+        let paths = |build| sources(build).map(|(path, _)| path).collect::<Vec<_>>();
+        let [check, program] = KitBuild::ALL.map(paths);
+        let known: BTreeSet<&str> = program.iter().copied().collect();
+        assert_eq!(known.len(), program.len());
+        assert!(check.iter().all(|path| known.contains(path)) && check.len() < program.len());
+        for (file, in_check) in [("src/lab/submission/scan.rs", true), ("src/lab/batch.rs", false)] {
+            assert_eq!((check.contains(&file), known.contains(file)), (in_check, true), "{file}");
+        }
     }
 }

@@ -1,32 +1,35 @@
 //! Which files of the checkout a build with some features reads.
 //!
 //! ```text
-//!   src/lib.rs ──mod──▶ src/lab/mod.rs ──mod──▶ src/lab/grade.rs ──include_str!──▶ figures/…
+//!   src/lib.rs ──mod──▶ src/figure/mod.rs ──mod──▶ src/figure/page.rs ──include_str!──▶ src/figure/page.css
 //!        └── #[cfg(feature = "navmesh")] mod navmesh;      left out unless the feature is on
 //! ```
 //!
 //! It reads the lines of our own sources, not Rust at large: one `mod name;` a line, its attributes on the lines before,
 //! paths of `include_str!` and `include_bytes!` as literals.
 
+use super::Package;
 use std::collections::BTreeSet;
 use std::fs;
 use std::io;
 use std::path::Path;
 
-/// The files, as paths from the root of the checkout with `/`, that the crates at `entries` are built from.
+/// The files, as paths from the root of the checkout with `/`, that the crate at `entry` is built from. What the lists
+/// of files name is not among them: it may be gone, and they are made from this.
 ///
 /// # Errors
 /// A file that cannot be read, or a module without a file.
-pub(super) fn files_of_build(root: &Path, entries: &[&str], features: &[&str]) -> io::Result<BTreeSet<String>> {
+pub(super) fn files_of_build(root: &Path, entry: &str, features: &[&str]) -> io::Result<BTreeSet<String>> {
     let mut files = BTreeSet::new();
-    let mut open: Vec<String> = entries.iter().map(|entry| (*entry).to_owned()).collect();
+    let mut open = vec![entry.to_owned()];
     while let Some(path) = open.pop() {
         if files.contains(&path) {
             continue;
         }
         let text =
             fs::read_to_string(root.join(&path)).map_err(|error| io::Error::other(format!("{path}: {error}")))?;
-        for needed in needs(&text, features) {
+        let is_list = Package::ALL.iter().any(|package| package.list_file() == path);
+        for needed in if is_list { Vec::new() } else { needs(&text, features) } {
             match needed {
                 Needed::Module(name) => open.push(file_of(root, &path, name)?),
                 Needed::Text(relative) => {
@@ -124,6 +127,6 @@ mod tests {
         };
         assert_eq!(names(&["io"]), ["../figures/a.svg", "mod a", "mod b", "mod c", "x.bin"]);
         assert_eq!(names(&[]), ["../figures/a.svg", "mod a", "mod b", "x.bin"]);
-        assert_eq!(joined("src/lab/half_edge/drawing.rs", "../../../figures/x"), "figures/x");
+        assert_eq!(joined("src/plane/seed.rs", "../../figures/x"), "figures/x");
     }
 }

@@ -7,7 +7,7 @@
 
 use super::pipes::{Event, Pipe, feed};
 use super::{End, Limits, Program, Ran, end_of};
-use crate::lab::{Stop, Wall};
+use crate::{Stop, Wall};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, channel};

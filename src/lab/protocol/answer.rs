@@ -1,6 +1,6 @@
 //! What a driver answered, once it has been read.
 
-use crate::topology::Table;
+use dcel_kit::topology::Table;
 use std::sync::Arc;
 
 /// The answer to some cases.

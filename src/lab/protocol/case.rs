@@ -1,8 +1,8 @@
 //! A case: a start, then calls, as text for a driver.
 
-use crate::lab::cases::large;
-use crate::topology::{Table, View};
-use crate::{FaceId, HalfEdgeId, VertexId};
+use crate::cases::large;
+use dcel_kit::topology::{Table, View};
+use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::fmt::{Display, Write};
 use std::sync::Arc;
 

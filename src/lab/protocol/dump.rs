@@ -9,8 +9,8 @@
 
 use super::answer::Broken;
 use super::read::cut;
-use crate::topology::{FaceRow, HalfEdgeRow, Table, VertexRow};
-use crate::{FaceId, HalfEdgeId, VertexId};
+use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow};
+use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::sync::Arc;
 
 /// How many records of all kinds are read.

@@ -6,7 +6,7 @@
 use super::answer::{Answers, Broken, CallEnd, Called, CaseAnswer, Many, Pattern, Reply, Stopped, Value};
 use super::case::{Case, Step};
 use super::dump::{Dump, id};
-use crate::topology::Table;
+use dcel_kit::topology::Table;
 use std::borrow::Cow;
 use std::iter::Peekable;
 use std::sync::Arc;

@@ -1,7 +1,7 @@
 //! The named bugs of a class: what to talk about in the next lecture.
 
 use super::{sheet, words};
-use crate::lab::Report;
+use crate::Report;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The bugs by name with those who have them, the most frequent first, equal ones by name.

@@ -7,7 +7,7 @@
 
 use super::html::{document, escaped, one, standing, submission};
 use super::{bugs, words};
-use crate::lab::Report;
+use crate::Report;
 use std::fmt::Write;
 
 /// The page of a class.

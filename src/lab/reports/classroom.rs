@@ -1,7 +1,7 @@
 //! `result.json` of Classroom 50, schema `classroom50/result/v1`: whole points, keys with hyphens.
 
 use super::pretty;
-use crate::lab::{Report, TestResult};
+use crate::{Report, TestResult};
 use serde_json::{Value, json};
 
 /// The file.

@@ -2,7 +2,7 @@
 //! output each, the number of the task.
 
 use super::{open_to_the_student, pretty, words};
-use crate::lab::{Report, TestResult, Verdict};
+use crate::{Report, TestResult, Verdict};
 use serde_json::{Value, json};
 
 const OUTPUT: usize = 500;

@@ -4,7 +4,7 @@
 //! found is in the file, because the instructor reads it there and Gradescope keeps it from the student.
 
 use super::{pretty, words};
-use crate::lab::{Report, TestResult, Visibility};
+use crate::{Report, TestResult, Visibility};
 use serde_json::{Value, json};
 
 /// The file.

@@ -17,7 +17,7 @@
 //! not be read: a narrow screen scrolls them. "Enlarge" shows one alone, by its place on the page.
 
 use super::words;
-use crate::lab::{Picture, Report, TestResult, Verdict};
+use crate::{Picture, Report, TestResult, Verdict};
 use std::fmt::Write;
 
 const CSS: &str = include_str!("html.css");
@@ -238,5 +238,5 @@ pub(super) fn document(title: &str, body: &str) -> String {
 
 /// The text with the characters that HTML reserves as entities, and nothing that steers a reader's screen.
 pub(super) fn escaped(text: &str) -> String {
-    crate::figure::page::escaped(&words::clean(text))
+    dcel_kit::figure::escaped(&words::clean(text))
 }

@@ -4,7 +4,7 @@
 //! test failed is skipped. Times are left out, so that equal runs give equal bytes.
 
 use super::words;
-use crate::lab::{Report, TestResult, Verdict};
+use crate::{Report, TestResult, Verdict};
 use quick_junit::{NonSuccessKind, Report as Suites, TestCase, TestCaseStatus, TestSuite};
 
 /// The file.

@@ -1,7 +1,7 @@
 //! A summary for a page of a code host, such as a step summary: Markdown without pictures, cut below a mebibyte.
 
 use super::{open_to_the_student, words};
-use crate::lab::Report;
+use crate::Report;
 use std::fmt::Write;
 
 /// Code hosts take less than 1 MiB.

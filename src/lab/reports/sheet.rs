@@ -7,7 +7,7 @@
 //! Where the grader failed there are no points, because that is no grade: the cell is empty.
 
 use super::words;
-use crate::lab::Report;
+use crate::Report;
 
 /// The points of every test, the total and the named bugs of each submission.
 pub(super) fn write(reports: &[Report]) -> String {

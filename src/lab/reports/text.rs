@@ -1,7 +1,7 @@
 //! For a terminal: a line for each test, then what is to be mended.
 
 use super::words;
-use crate::lab::Report;
+use crate::Report;
 use std::fmt::Write;
 
 /// The widest verdict, in characters.

@@ -1,6 +1,6 @@
 //! What a test found, as lines of plain text: the same words in every format.
 
-use crate::lab::{Report, Similar, TestResult, Verdict};
+use crate::{Report, Similar, TestResult, Verdict};
 use std::fmt::Write;
 
 /// What happened in one test, without its name and verdict: message, place, findings, bug, script, replay, what to

@@ -17,7 +17,7 @@
 
 mod tokens;
 
-use crate::lab::LabFiles;
+use crate::LabFiles;
 use std::collections::{BTreeSet, HashMap};
 use tokens::{names, tokens};
 

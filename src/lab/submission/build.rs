@@ -12,8 +12,8 @@
 use super::reads::{Reads, is_own};
 use super::toolchain::Toolchain;
 use super::tree::{Tree, own_only};
-use crate::lab::task::{Sandbox, Task, View};
-use crate::lab::{End, Limits, Verdict};
+use crate::task::{Sandbox, Task, View};
+use crate::{End, Limits, Verdict};
 use serde::Deserialize;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -15,7 +15,7 @@ use super::archive::{self, Keep};
 use super::handed::Submission;
 use super::parts::{self, Content, Kind, Part, Source};
 use super::scan::{Forbidden, ScanError, scan};
-use crate::lab::{Manifest, Verdict};
+use crate::{Manifest, Verdict};
 use std::fs;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};

@@ -1,6 +1,6 @@
 //! Where rooms are: a folder of the grader's own, through which a user without an account can pass but not look.
 
-use crate::lab::walls::{Walls, unguessable};
+use crate::walls::{Walls, unguessable};
 use std::fs::{self, DirBuilder};
 use std::io;
 use std::path::{Path, PathBuf};

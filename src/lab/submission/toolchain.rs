@@ -11,9 +11,9 @@ use super::linker::Linker;
 #[cfg(feature = "grade")]
 use super::tree::own_only;
 #[cfg(feature = "grade")]
-use crate::lab::End;
+use crate::End;
 #[cfg(feature = "grade")]
-use crate::lab::walls::{Task, View, Walls, unguessable};
+use crate::walls::{Task, View, Walls, unguessable};
 use std::fs;
 #[cfg(feature = "grade")]
 use std::io;

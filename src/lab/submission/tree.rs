@@ -10,8 +10,8 @@
 //! ```
 
 use super::intake::Intake;
-use crate::lab::Lab;
-use crate::lab::task::Sandbox;
+use crate::Lab;
+use crate::task::Sandbox;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};

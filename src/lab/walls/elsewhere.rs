@@ -1,8 +1,8 @@
 //! Systems other than Linux: the plain driver's limits, and the rest of the walls named as missing.
 
 use super::{Hidden, Limits, Program, Ran, Task, Wall, WallChoice, Walls};
-use crate::lab::Driver;
-use crate::lab::program::run_within;
+use crate::Driver;
+use crate::program::run_within;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};

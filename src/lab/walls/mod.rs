@@ -271,7 +271,7 @@ impl Sandbox for Resident {
 ///
 /// ```text
 ///   fn main() -> ExitCode {
-///       if let Some(code) = dcel_kit::lab::launched() {
+///       if let Some(code) = dcel_lab::launched() {
 ///           return code;
 ///       }
 ///       …

@@ -6,7 +6,7 @@ use super::linux::Resident;
 use super::processes::{runs, start_of};
 use super::spec::{INSIDE, WORD};
 use super::{Hidden, Limits, Task, View, Wall, WallChoice, Walls, unguessable};
-use crate::lab::End;
+use crate::End;
 use std::fs;
 use std::net::{Ipv4Addr, TcpListener, UdpSocket};
 use std::path::{Path, PathBuf};

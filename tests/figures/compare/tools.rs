@@ -32,7 +32,7 @@ fn says(file: &str, svg: &str, said: &str) {
 
 #[test]
 fn every_file_of_the_folder_is_judged() {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/figures/compare/tools");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/figures/compare/tools");
     let mut found = 0;
     for entry in std::fs::read_dir(folder).unwrap() {
         let name = entry.unwrap().file_name().into_string().unwrap();

@@ -9,7 +9,7 @@ use std::path::Path;
 
 /// The structure and the name of every face that is (a part of) a state.
 pub(crate) fn load() -> (Table, Vec<(FaceId, String)>) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("figures/data/states-albers-10m.json");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../figures/data/states-albers-10m.json");
     let json: Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
     let arcs: Vec<Vec<[i64; 2]>> = json["arcs"].as_array().unwrap().iter().map(arc).collect();
 

@@ -106,7 +106,7 @@ fn every_drawing_is_sound_and_the_same_twice() {
 #[test]
 fn reference_figures_are_sound_and_small() {
     for file in ["vocabulary", "walk", "wrong-signs", "figure-sizes"] {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("figures/{file}.svg"));
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../figures/{file}.svg"));
         let svg = std::fs::read_to_string(path).unwrap();
         is_sound(&svg, file);
         assert!(svg.len() < 60_000, "{file}: {} bytes", svg.len());

@@ -1,12 +1,19 @@
-//! The sources of the whole program, for a grader that is built elsewhere: those that the library carries along, and
-//! the rest.
+//! The sources of the whole program, for a grader that is built elsewhere: those that the packages below carry along,
+//! and its own.
 
 mod sources;
 
-use dcel_kit::lab::lab_sources;
+use dcel_lab::KitBuild;
 
-/// The files of a folder in which `cargo install --locked --path .` makes this program: path and text.
+/// What is generated beside the sources: where it goes, and its text.
+const MADE: [(&str, &str); 4] = [
+    ("Cargo.toml", include_str!("dcel-kit.toml.txt")),
+    ("src/lab/Cargo.toml", include_str!("dcel-lab.toml.txt")),
+    ("src/cli/Cargo.toml", include_str!("dcel.toml.txt")),
+    ("Cargo.lock", include_str!("Cargo.lock.txt")),
+];
+
+/// The files of a folder in which `cargo install --locked --path src/cli` makes this program: path and text.
 pub(super) fn program_sources() -> impl Iterator<Item = (&'static str, &'static str)> {
-    let made = [("Cargo.toml", include_str!("Cargo.toml.txt")), ("Cargo.lock", include_str!("Cargo.lock.txt"))];
-    lab_sources().iter().chain(&sources::SOURCES).copied().chain(made)
+    dcel_lab::sources(KitBuild::Program).chain(sources::FURTHER.iter().copied()).chain(MADE)
 }

@@ -10,6 +10,11 @@
 //! Nothing that the student wrote is ever linked to the tests, so nothing in it can decide about them: a pass needs
 //! a complete and right dump for every case. `cargo test` in a lab's folder and `dcel grade` call the same functions
 //! here and give the same verdicts.
+//!
+//! Without the feature `grade` there is what those tests need, and nothing more.
+
+// Nothing may panic on data: an error, or expect() with the reason why it cannot happen.
+#![warn(clippy::unwrap_used)]
 
 #[cfg(feature = "grade")]
 mod batch;
@@ -70,7 +75,7 @@ pub use feedback::{graded, test_text};
 pub use files::{LabFiles, LabFilesError};
 pub use grade::{grade_and_sign, grade_program};
 #[cfg(feature = "grade")]
-pub use kit::{KitBuild, lab_sources};
+pub use kit::{COPIES, KitBuild, Package, sources};
 pub use manifest::{Manifest, Task, Test};
 pub use marked::{MarkError, starter};
 pub use own_folder::{FolderCheck, Workbench, check_folder};

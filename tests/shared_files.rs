@@ -1,11 +1,17 @@
 //! The command on files made by others, against counts made by others.
 
-use crate::shell::Folder;
+#[path = "shell/mod.rs"]
+mod shell;
+#[path = "support/trials.rs"]
+mod trials;
+
 use serde_json::Value;
+use shell::Folder;
 use std::path::{Path, PathBuf};
+use trials::trials;
 
 fn shared(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data").join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data").join(name)
 }
 
 fn json(path: &Path) -> Value {
@@ -15,10 +21,9 @@ fn json(path: &Path) -> Value {
 const STATES: &str = "--y-down --drop-degenerate-rings";
 
 fn states() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("figures/data/states-albers-10m.json")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../figures/data/states-albers-10m.json")
 }
 
-#[test]
 fn the_states_have_the_counts_of_the_map() {
     let folder = Folder::new();
     let told = folder.dcel_on(&states(), &format!("info --json {STATES}"));
@@ -33,7 +38,6 @@ fn the_states_have_the_counts_of_the_map() {
     assert_eq!(folder.dcel_on(&states(), &format!("validate {STATES}")).code, Some(0));
 }
 
-#[test]
 fn tennessee_has_eight_neighbours() {
     let folder = Folder::new();
     let call = format!("walk --json {STATES} --face-name");
@@ -51,8 +55,6 @@ fn tennessee_has_eight_neighbours() {
     told.fails(2, "no face is named `Tenessee`", "did you mean `Tennessee`?");
 }
 
-#[test]
-#[cfg_attr(not(shared_data), ignore = "needs ../shared/data")]
 fn maps_have_the_counts_of_others() {
     let folder = Folder::new();
     let expected = json(&shared("O08-us-atlas/expected.json"));
@@ -85,8 +87,6 @@ fn maps_have_the_counts_of_others() {
     }
 }
 
-#[test]
-#[cfg_attr(not(shared_data), ignore = "needs ../shared/data")]
 fn surfaces_have_the_counts_of_others() {
     let folder = Folder::new();
     let mut refused = Vec::new();
@@ -123,8 +123,6 @@ fn surfaces_have_the_counts_of_others() {
     assert!(counted >= 20, "only {counted} files were counted");
 }
 
-#[test]
-#[cfg_attr(not(shared_data), ignore = "needs ../shared/data")]
 fn flat_files_are_planes_with_one_face_more() {
     let folder = Folder::new();
     let expected = json(&shared("O11-pmp-small/expected.json"));
@@ -200,8 +198,6 @@ fn wkt_area(text: &str) -> f64 {
     polygons.map(rings).map(|rings| (rings[0] - rings[1..].iter().sum::<f64>()) / 2.0).sum()
 }
 
-#[test]
-#[cfg_attr(not(shared_data), ignore = "needs ../shared/data")]
 fn osm_areas_are_refused_or_mended_as_stated() {
     let folder = Folder::new();
     // Wrong by their tags, or because nodes are not shared; by their coordinates they are areas once corners inside
@@ -241,4 +237,17 @@ fn osm_areas_are_refused_or_mended_as_stated() {
         }
     }
     assert_eq!((refused, compared >= 25), (21, true), "{compared} areas were compared");
+}
+
+trials! {
+    the_states_have_the_counts_of_the_map;
+    tennessee_has_eight_neighbours;
+    maps_have_the_counts_of_others: SharedData;
+    surfaces_have_the_counts_of_others: SharedData;
+    flat_files_are_planes_with_one_face_more: SharedData;
+    osm_areas_are_refused_or_mended_as_stated: SharedData;
+}
+
+fn main() {
+    trials::run(trials())
 }

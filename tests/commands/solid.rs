@@ -1,6 +1,6 @@
 //! `dcel solid` from the shell.
 
-use super::shell::{CUBE, Folder};
+use crate::shell::{CUBE, Folder};
 use serde_json::json;
 
 #[test]

@@ -1,4 +1,4 @@
-//! The command line: parse, run one command, exit code.
+//! The `dcel` command: parse, run one command, exit code.
 //!
 //! ```text
 //!   file ──> input.rs ──> subject.rs ──> one file per command ──> output.rs ──> stdout   the answer
@@ -147,8 +147,13 @@ impl Command {
     }
 }
 
+fn main() -> ExitCode {
+    // Behind walls the command starts itself again to put them up.
+    dcel_lab::launched().unwrap_or_else(answered)
+}
+
 /// Runs the command that the arguments ask for.
-pub(crate) fn main() -> ExitCode {
+fn answered() -> ExitCode {
     let mut out = Output::new();
     let json = failure::is_json_wanted();
     let command = match Cli::try_parse() {
