@@ -7,12 +7,15 @@
 //! programs take turns, four times, and the least time of each counts. The peer searches the same triangles, and its own merged polygons; so does the kit, which also
 //! goes from crossing to crossing.
 //!
+//! `-- live` puts obstacles into a map, moves them, and takes them out. `-- blocked` compares maps that list blocked
+//! triangles with the same maps without them.
+//!
 //! `-- linear` shows how making a mesh and its index grows with pillars that stand in a row: most triangles are slivers
 //! from their tips to one corner.
 
 use dcel_kit::HalfEdgeId;
 use dcel_kit::io::{Grid, Scenario};
-use dcel_kit::navmesh::{Location, NavMesh, Planner, Rung};
+use dcel_kit::navmesh::{LiveMesh, Location, NavMesh, ObstacleId, Planner, Rung};
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
 use dcel_kit_benches::{DOUBLED, Random, growth};
 use glam::Vec2;
@@ -28,6 +31,12 @@ type Ends = (Point, Point);
 fn main() {
     if std::env::args().any(|arg| arg == "linear") {
         return linear();
+    }
+    if std::env::args().any(|arg| arg == "live") {
+        return live();
+    }
+    if std::env::args().any(|arg| arg == "blocked") {
+        return blocked();
     }
     let mut random = Random::new(5);
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data/O15-gppc-acrossthecape/AcrosstheCape.map");
@@ -75,6 +84,122 @@ fn linear() {
         let points: Vec<Point> = (0..count).map(|_| point()).collect();
         move || points.iter().filter(|&&p| matches!(mesh.locate(p), Location::Face(_))).count()
     });
+}
+
+/// Maps that list blocked triangles as well, beside the same maps without them: location and memory.
+fn blocked() {
+    let mut random = Random::new(5);
+    let maps = [
+        ("caves", triangles(caves(400, false, &mut random).regions().expect("regions"))),
+        ("rough caves", triangles(caves(180, true, &mut random).regions().expect("regions"))),
+        ("blocks", blocks(75, &mut random)),
+    ];
+    for (name, whole) in maps {
+        let mut cut = whole;
+        cut.triangulate_all(TriangulationMethod::Monotone).expect("holes are simple");
+        let listed = NavMesh::new(&cut).expect("triangles");
+        // The same triangles alone: the holes are what is left.
+        let corners = |f| <[u32; 3]>::try_from(listed.corners(f).map(|v| v.number()).collect::<Vec<_>>());
+        let walkable: Vec<[u32; 3]> = listed.faces().map(|f| corners(f).expect("a triangle")).collect();
+        let points = (0..listed.vertex_bound() as u32).map(|v| listed.point(dcel_kit::VertexId::new(v))).collect();
+        let map = Subdivision::from_triangles(points, &walkable).expect("they do not overlap");
+        let alone = NavMesh::new(&map).expect("triangles");
+        let peer = peer(&map, &alone);
+        println!("{name}: {} triangles and {} blocked ones", alone.face_count(), cut.hole_faces().count());
+        for (what, mesh) in [("without the blocked", &alone), ("with them", &listed)] {
+            println!("  {:.1} bytes a walkable triangle {what}", mesh.memory() as f64 / mesh.face_count() as f64);
+        }
+        let anywhere = anywhere(&alone, &mut random);
+        let inside: Vec<Point> =
+            anywhere.iter().copied().filter(|&p| matches!(alone.locate(p), Location::Face(_))).collect();
+        let beside: Vec<Point> =
+            anywhere.iter().copied().filter(|&p| !matches!(alone.locate(p), Location::Face(_))).collect();
+        for (what, points) in [("anywhere", &anywhere), ("inside", &inside), ("in no face", &beside)] {
+            let count = |mesh: &NavMesh| points.iter().filter(|&&p| matches!(mesh.locate(p), Location::Face(_))).count();
+            assert_eq!(count(&alone), count(&listed), "the same triangles");
+            let mut least = [f64::INFINITY; 3];
+            for _ in 0..4 * ROUNDS {
+                timed(&mut least[0], || count(&alone));
+                timed(&mut least[1], || count(&listed));
+                timed(&mut least[2], || points.iter().filter(|p| peer.point_in_mesh(vec(**p))).count());
+            }
+            let [alone, listed, peer] = least.map(|time| time * 1e9 / points.len() as f64);
+            println!(
+                "  points {what}: {alone:.0} ns without, {listed:.0} ns with them, {:.2} times; peer (without) {peer:.0} ns, share {:.3}",
+                listed / alone,
+                listed / peer
+            );
+        }
+    }
+}
+
+/// Obstacles into and out of a map of 33,000 triangles: what each costs, without and with merged faces and junctions
+/// that are mended.
+fn live() {
+    let mut random = Random::new(5);
+    for size in [53, 75, 106] {
+        let map = blocks(size, &mut random);
+        for prepared in [false, true] {
+            obstacles(&map, 4.0 * size as f64, prepared);
+        }
+    }
+}
+
+fn obstacles(map: &Subdivision, width: f64, prepared: bool) {
+    let mut live = LiveMesh::new(map.clone()).expect("triangles");
+    let triangles = live.mesh().face_count();
+    if prepared {
+        live.merge_faces();
+        live.link_crossings();
+    }
+    let mut random = Random::new(9);
+    let mut inside: Vec<ObstacleId> = Vec::new();
+    let (mut times, mut refused) = ([const { Vec::new() }; 3], 0);
+    let mut measure = |what: usize, run: &mut dyn FnMut()| {
+        let start = Instant::now();
+        run();
+        times[what].push(start.elapsed().as_secs_f64() * 1e6);
+    };
+    for i in 0..1000 {
+        let [x, y] = [(); 2].map(|()| random.unit() * (width - 3.0) + 1.5);
+        let (corners, radius, turn) = (2 + i % 4, 0.3 + random.unit(), random.unit());
+        let corner = |k: usize| (turn + std::f64::consts::TAU * k as f64 / corners as f64).sin_cos();
+        let corners: Vec<Point> =
+            (0..corners).map(corner).map(|(sin, cos)| Point::new(x + radius * cos, y + radius * sin)).collect();
+        measure(0, &mut || {
+            let put = if let [p, q] = corners[..] { live.insert_wall(p, q) } else { live.insert_obstacle(&corners) };
+            match put {
+                Ok(id) => inside.push(id),
+                Err(_) => refused += 1,
+            }
+        });
+    }
+    for &id in &inside {
+        let by = [(); 2].map(|()| random.unit() - 0.5);
+        measure(1, &mut || refused += usize::from(live.move_obstacle(id, by).is_err()));
+    }
+    random.shuffle(&mut inside);
+    for &id in &inside {
+        measure(2, &mut || live.remove(id).expect("in the map"));
+    }
+    let counts = |map: &Subdivision| [map.vertex_count(), map.edge_count(), map.face_count()];
+    assert_eq!(counts(live.map()), counts(map), "the map is what it was");
+    println!(
+        "{triangles} triangles, 1000 obstacles of 2 to 5 corners{}; {refused} refused",
+        if prepared { ", merged faces and junctions mended" } else { "" }
+    );
+    for (what, mut times) in ["in", "moved", "out"].into_iter().zip(times) {
+        times.sort_by(f64::total_cmp);
+        let at = |share: f64| times[((times.len() - 1) as f64 * share) as usize];
+        let mean = times.iter().sum::<f64>() / times.len() as f64;
+        println!(
+            "  {what:5}  mean {mean:7.1} us, median {:7.1}, 9 of 10 below {:7.1}, 99 of 100 {:7.1}, all {:7.1}",
+            at(0.5),
+            at(0.9),
+            at(0.99),
+            at(1.0)
+        );
+    }
 }
 
 fn triangles(mut map: Subdivision) -> Subdivision {
@@ -208,13 +333,18 @@ fn pairs(mesh: &NavMesh, inside: &[Point]) -> Vec<Ends> {
     joined.map(|pair| (pair[0], pair[1])).take(QUERIES).collect()
 }
 
-/// Locates random points; returns those inside.
-fn locate(mesh: &NavMesh, peer: &polyanya::Mesh, random: &mut Random) -> Vec<Point> {
+/// Random points in the box round the mesh.
+fn anywhere(mesh: &NavMesh, random: &mut Random) -> Vec<Point> {
     let corners = || mesh.faces().flat_map(|f| mesh.corners(f)).map(|v| mesh.point(v));
     let least = |of: fn(Point) -> f64| corners().map(of).fold(f64::INFINITY, f64::min);
     let ([left, right], [low, high]) = ([least(|p| p.x), -least(|p| -p.x)], [least(|p| p.y), -least(|p| -p.y)]);
     let mut point = || Point::new(left + (right - left) * random.unit(), low + (high - low) * random.unit());
-    let points: Vec<Point> = (0..POINTS).map(|_| point()).collect();
+    (0..POINTS).map(|_| point()).collect()
+}
+
+/// Locates random points; returns those inside.
+fn locate(mesh: &NavMesh, peer: &polyanya::Mesh, random: &mut Random) -> Vec<Point> {
+    let points = anywhere(mesh, random);
     let is_inside = |p: &Point| matches!(mesh.locate(*p), Location::Face(_));
     let inside: Vec<Point> = points.iter().copied().filter(is_inside).collect();
     for (what, points) in [("anywhere", &points), ("inside", &inside)] {

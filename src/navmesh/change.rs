@@ -122,6 +122,7 @@ impl NavMesh {
     fn unpeel(&mut self, f: u32, open_again: &mut Vec<u32>) {
         // The doors are found by their marks, so the whole path comes first.
         let path: Vec<FaceId> = self.door_path(FaceId::new(f)).collect();
+        self.visited += path.len();
         for pair in path.windows(2) {
             self.set_peeled(pair[0].number(), false);
             self.mark_dead_end(pair[1].number(), pair[0].number(), false);
@@ -146,6 +147,7 @@ impl NavMesh {
     fn relabel_components(&mut self, near: &BTreeSet<u32>) {
         let seeds: Vec<u32> = near.iter().copied().filter(|&f| self.is_walkable(FaceId::new(f))).collect();
         let (ended, growing) = self.grow_parts(&seeds);
+        self.visited += ended.iter().map(Vec::len).sum::<usize>() + growing.len();
         // What is still growing keeps the number of its largest old part; the near faces have lost theirs.
         let open = |side: &&SideRecord| side.across & CLOSED == 0;
         let beside = growing.iter().flat_map(|&f| self.sides_of(FaceId::new(f)).iter().filter(open));
@@ -163,11 +165,10 @@ impl NavMesh {
     }
 
     fn free_number(&mut self) -> u32 {
-        let free = self.component_sizes.iter().position(|&size| size == 0);
-        free.unwrap_or_else(|| {
+        self.free_components.first().copied().unwrap_or_else(|| {
             self.component_sizes.push(0);
-            self.component_sizes.len() - 1
-        }) as u32
+            self.component_sizes.len() as u32 - 1
+        })
     }
 
     /// Grows parts from all seeds, turn by turn, joins those that meet, and stops when one is left. Returns the parts

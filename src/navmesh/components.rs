@@ -37,6 +37,7 @@ impl NavMesh {
     /// Numbers all components anew, in the order of their first faces. O(n).
     pub(super) fn label_components(&mut self) {
         self.component_sizes.clear();
+        self.free_components.clear();
         self.faces.iter_mut().for_each(|face| face.component = NONE);
         for f in 0..self.faces.len() as u32 {
             if self.is_walkable(FaceId::new(f)) && self.faces[f as usize].component == NONE {
@@ -60,12 +61,22 @@ impl NavMesh {
     }
 
     pub(super) fn set_component(&mut self, f: u32, component: u32) {
+        if self.faces[f as usize].component == component {
+            return;
+        }
+        self.visited += 1;
         let before = std::mem::replace(&mut self.faces[f as usize].component, component);
         if let Some(size) = self.component_sizes.get_mut(before as usize) {
             *size -= 1;
+            if *size == 0 {
+                self.free_components.insert(before);
+            }
         }
         if let Some(size) = self.component_sizes.get_mut(component as usize) {
             *size += 1;
+            if *size == 1 {
+                self.free_components.remove(&component);
+            }
         }
     }
 }

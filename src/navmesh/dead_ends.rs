@@ -47,6 +47,7 @@ impl NavMesh {
     /// face that may have one now.
     pub(super) fn peel(&mut self, ends: &mut Vec<u32>) {
         while let Some(f) = ends.pop() {
+            self.visited += 1;
             if self.is_peeled(f) {
                 continue;
             }

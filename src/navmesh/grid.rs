@@ -12,11 +12,16 @@
 //! rounding never loses a face. One cell for two faces: some 16 bytes a face, and 12 for the lattice. Where faces are so
 //! long and thin that they would be listed very often, the cells are made larger, and points are asked of another index
 //! (`slivers.rs`).
+//!
+//! When faces come and go, the cells they reach into are written anew, and no others (`mend`). A list that has become
+//! too long for its place is put behind the last one; once half of all places are spent, the lists close ranks. Only
+//! when there are twice as many entries as in the beginning the whole is made anew, with smaller cells.
 
 use super::coarse::Coarse;
 use super::mesh::{CLOSED, ID, NavMesh};
+use super::records::FaceTable;
 use super::slivers::Slivers;
-use crate::ids::{EdgeId, FaceId, HalfEdgeId};
+use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::plane::predicates::orientation;
 use crate::plane::{Point, Subdivision};
 use std::collections::BTreeMap;
@@ -34,12 +39,12 @@ const SEVERAL: u32 = GAP | ID;
 /// The cell sees no border at all.
 const NOTHING: u32 = SEVERAL - 1;
 
-/// An edge between two gaps: a wall in the void, or a side of a triangle of a hole.
+/// An edge between two gaps: between a hole and the outer face.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct GapEdge {
     /// The ends, the lower one first.
-    ends: [Point; 2],
-    /// The gap on the left and the gap on the right.
+    ends: [VertexId; 2],
+    /// The names of the gaps on the left and on the right.
     gaps: [u32; 2],
 }
 
@@ -53,10 +58,14 @@ impl GapEdge {
             gaps[0] != gaps[1] && !gaps.into_iter().any(|f| mesh.has_face(f))
         };
         let edge = |h: HalfEdgeId| Self {
-            ends: [map.origin(h), map.destination(h)].map(|v| map.point(v)),
-            gaps: [map.face(h), map.face(h.twin())].map(FaceId::number),
+            ends: [map.origin(h), map.destination(h)],
+            gaps: [map.face(h), map.face(h.twin())].map(|f| mesh.gap_name(f.number())),
         };
-        halves.filter(is_up).filter(between).map(edge).collect()
+        halves.filter(is_up).filter(between).map(edge).filter(|edge| edge.gaps[0] != edge.gaps[1]).collect()
+    }
+
+    fn points(&self, mesh: &NavMesh) -> [Point; 2] {
+        self.ends.map(|v| mesh.point(v))
     }
 }
 
@@ -74,7 +83,7 @@ pub(super) enum Look {
 }
 
 fn look_at_gap(item: u32) -> Look {
-    if item == SEVERAL { Look::SomeGap } else { Look::Gap(item & ID) }
+    if item == SEVERAL || item == NOTHING { Look::SomeGap } else { Look::Gap(item & ID) }
 }
 
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -89,12 +98,19 @@ pub(super) struct Grid {
     cells: Vec<u32>,
     /// Per cell with several items its faces, then at most one gap.
     items: Vec<u32>,
+    /// How many places of `items` are of no use any more.
+    spent: usize,
+    /// How many entries the cells have, and had when they were made.
+    entries: [usize; 2],
+    /// How many cells were written since they were made.
+    written: usize,
     coarse: Coarse,
-    /// The edges between gaps that reach into each cell, by cell.
-    gap_edges: Vec<(u32, GapEdge)>,
+    gap_edges: Vec<GapEdge>,
+    /// The edges between gaps that reach into each cell: the cell, and which edge.
+    gap_cells: Vec<(u32, u32)>,
     /// The index that is asked if cells of one size would see too many faces each.
     slivers: Option<Box<Slivers>>,
-    /// Faces that came later, per cell.
+    /// On a map of slivers the faces that came later, per cell.
     late: BTreeMap<u32, Vec<u32>>,
     late_count: usize,
 }
@@ -102,9 +118,9 @@ pub(super) struct Grid {
 impl Grid {
     /// An index over all faces of the mesh. O(n) for faces of about one size; where faces are long and thin, that of
     /// `slivers`.
-    pub(super) fn new(mesh: &NavMesh, gap_edges: &[GapEdge], slivers: impl FnOnce() -> Slivers) -> Self {
-        let corners = mesh.faces().flat_map(|f| mesh.corners(f)).map(|v| mesh.point(v));
-        let corners = corners.chain(gap_edges.iter().flat_map(|edge| edge.ends));
+    pub(super) fn new(mesh: &NavMesh, gap_edges: Vec<GapEdge>, slivers: impl FnOnce() -> Slivers) -> Self {
+        let corners = mesh.faces().flat_map(|f| mesh.corners(f));
+        let corners = corners.chain(gap_edges.iter().flat_map(|edge| edge.ends)).map(|v| mesh.point(v));
         let first = corners.clone().next().unwrap_or_default();
         let (min, max) = corners.fold((first, first), |(min, max), p| {
             (Point::new(min.x.min(p.x), min.y.min(p.y)), Point::new(max.x.max(p.x), max.y.max(p.y)))
@@ -114,7 +130,7 @@ impl Grid {
         let mut columns = (count * (width / height)).sqrt().clamp(1.0, count).ceil();
         let mut rows = (count / columns).ceil().max(1.0);
         // A convex face is listed once for each column and each row it runs through, about, and inside.
-        let [across, up] = extents(mesh, gap_edges);
+        let [across, up] = extents(mesh, &gap_edges);
         let places = across / width * columns + up / height * rows;
         let most = MOST_LISTED * (mesh.face_count() + gap_edges.len()) as f64;
         let is_crowded = places > most;
@@ -131,18 +147,22 @@ impl Grid {
             rows: rows as usize,
             cells: Vec::new(),
             items: Vec::new(),
+            spent: 0,
+            entries: [0; 2],
+            written: 0,
             coarse: Coarse::new(min, max),
             gap_edges: Vec::new(),
+            gap_cells: Vec::new(),
             slivers: is_crowded.then(|| Box::new(slivers())),
             late: BTreeMap::new(),
             late_count: 0,
         };
-        for edge in gap_edges {
-            let mut cells = Vec::new();
-            grid.visit_cells(&edge.ends, |cell| cells.push((cell, *edge)));
-            grid.gap_edges.append(&mut cells);
+        let mut gap_cells = Vec::new();
+        for (i, edge) in (0..).zip(&gap_edges) {
+            grid.visit_cells(&edge.points(mesh), |cell| gap_cells.push((cell, i)));
         }
-        grid.gap_edges.sort_by_key(|&(cell, _)| cell);
+        gap_cells.sort_unstable();
+        (grid.gap_edges, grid.gap_cells) = (gap_edges, gap_cells);
         grid.fill(mesh);
         grid.name_empty_cells(mesh);
         grid.order_items(mesh);
@@ -153,6 +173,7 @@ impl Grid {
     pub(super) fn memory(&self) -> usize {
         4 * (self.cells.len() + self.items.len() + self.late_count)
             + size_of_val(&*self.gap_edges)
+            + size_of_val(&*self.gap_cells)
             + self.coarse.memory()
             + self.slivers.as_ref().map_or(0, |slivers| slivers.memory())
     }
@@ -163,15 +184,27 @@ impl Grid {
         self.slivers.as_deref()
     }
 
-    /// The faces that came later and may have the point.
+    /// The faces that came later and may have the point, on a map of slivers.
     pub(super) fn late_faces(&self, p: Point) -> &[u32] {
         let [column, row] = self.cell(p);
         self.late.get(&((row * self.columns + column) as u32)).map_or(&[], Vec::as_slice)
     }
 
-    /// Whether no face came later.
+    /// Whether no face came later, on a map of slivers.
     pub(super) fn is_fresh(&self) -> bool {
         self.late.is_empty()
+    }
+
+    /// How many cells were written since they were made.
+    pub(super) fn written(&self) -> usize {
+        self.written
+    }
+
+    /// Another index over the mesh as it is now: the gaps are what they were. O(n), as [`new`](Self::new).
+    pub(super) fn anew(&mut self, mesh: &NavMesh, slivers: impl FnOnce() -> Slivers) -> Self {
+        let mut other = Self::new(mesh, std::mem::take(&mut self.gap_edges), slivers);
+        other.written = self.written + other.cells.len();
+        other
     }
 
     /// The column and the row of a point; points outside go to the nearest cell.
@@ -237,12 +270,9 @@ impl Grid {
 
     /// What is plain to see of a point of the box.
     #[inline]
-    pub(super) fn look(&self, p: Point) -> Look {
+    pub(super) fn look(&self, faces: &FaceTable, p: Point) -> Look {
         let [column, row] = self.cell(p);
         let cell = row * self.columns + column;
-        if !self.late.is_empty() && self.late.contains_key(&(cell as u32)) {
-            return Look::Unclear;
-        }
         let word = self.cells[cell];
         if word & (GAP | LAST) != 0 {
             return if word & GAP == 0 { Look::Face(word & ID) } else { look_at_gap(word) };
@@ -252,7 +282,7 @@ impl Grid {
             if item & GAP != 0 {
                 return look_at_gap(item);
             }
-            match self.coarse.is_inside(item & ID, place) {
+            match self.coarse.is_inside(slot_of(faces, item & ID), place) {
                 Some(true) => return Look::Face(item & ID),
                 Some(false) if item & LAST == 0 => {}
                 _ => break,
@@ -261,24 +291,146 @@ impl Grid {
         Look::Unclear
     }
 
-    /// Takes in a face that has come or changed its shape. Whatever another face has lost, one of these must have got.
-    /// O(number of cells it reaches into).
-    pub(super) fn add(&mut self, mesh: &NavMesh, f: u32) {
+    /// The cells that list a face of this shape.
+    pub(super) fn cells_of(&self, mesh: &NavMesh, f: FaceId, cells: &mut Vec<(u32, u32)>) {
+        let corners: Vec<Point> = mesh.corners(f).map(|v| mesh.point(v)).collect();
+        self.visit_cells(&corners, |cell| cells.push((cell, f.number())));
+    }
+
+    /// Lists faces anew: `gone` are the cells of those that are no more, or had another shape, as
+    /// [`cells_of`](Self::cells_of) told before; `come` are those that are new, or have another shape now.
+    ///
+    /// Cost: O(k log k) for k entries of the cells they reach into.
+    pub(super) fn mend(&mut self, mesh: &NavMesh, mut gone: Vec<(u32, u32)>, come: &[FaceId]) {
+        if self.slivers.is_some() {
+            return self.mend_late(mesh, come);
+        }
+        gone.sort_unstable();
+        let (mut entries, mut corners) = (Vec::new(), Vec::new());
+        for &f in come {
+            corners.clear();
+            corners.extend(mesh.corners(f).map(|v| mesh.point(v)));
+            self.list(mesh, f, &corners, &mut entries);
+            self.coarse.put(slot_of(&mesh.faces, f.number()), &corners);
+        }
+        entries.sort_unstable();
+        entries.dedup();
+        let (mut gone, mut come) = (gone.as_slice(), entries.as_slice());
+        let (mut faces, mut gaps): (Vec<u32>, Vec<u32>) = (Vec::new(), Vec::new());
+        while let Some(cell) = gone.first().into_iter().chain(come.first()).map(|&(cell, _)| cell).min() {
+            let of_cell = |list: &[(u32, u32)]| list.iter().take_while(|&&(other, _)| other == cell).count();
+            let (lost, got);
+            (lost, gone) = gone.split_at(of_cell(gone));
+            (got, come) = come.split_at(of_cell(come));
+            faces.clear();
+            gaps.clear();
+            let is_lost = |f: u32| lost.iter().any(|&(_, other)| other == f);
+            for &item in self.own_items(cell as usize) {
+                if item & GAP != 0 {
+                    gaps.push(item);
+                } else if !is_lost(item & ID) {
+                    faces.push(item & ID);
+                }
+            }
+            for &(_, item) in got {
+                let list = if item & GAP != 0 { &mut gaps } else { &mut faces };
+                if !list.contains(&item) {
+                    list.push(item);
+                }
+            }
+            self.write_cell(mesh, cell as usize, &mut faces, &gaps);
+        }
+        if 2 * self.spent > self.items.len() + 64 {
+            self.close_ranks();
+        }
+    }
+
+    /// On a map of slivers: whatever another face has lost, one of these must have got.
+    fn mend_late(&mut self, mesh: &NavMesh, come: &[FaceId]) {
         let mut cells = Vec::new();
-        let corners: Vec<Point> = mesh.corners(FaceId::new(f)).map(|v| mesh.point(v)).collect();
-        self.visit_cells(&corners, |cell| cells.push(cell));
-        for cell in cells {
+        come.iter().for_each(|&f| self.cells_of(mesh, f, &mut cells));
+        for (cell, f) in cells {
             let here = self.late.entry(cell).or_default();
             if !here.contains(&f) {
                 here.push(f);
                 self.late_count += 1;
+                self.written += 1;
             }
         }
     }
 
-    /// Whether so many faces came later that a new index is worth its cost.
+    /// Whether so much has come that a new index is worth its cost.
     pub(super) fn is_stale(&self) -> bool {
-        self.late_count > 64 + self.items.len() / 2
+        self.late_count > 64 + self.items.len() / 2 || self.entries[0] > 2 * self.entries[1] + 64
+    }
+
+    /// The items of a cell, with their marks; nothing for one that has none.
+    fn own_items(&self, cell: usize) -> &[u32] {
+        let items = self.items(cell);
+        let last = items.iter().position(|item| item & (GAP | LAST) != 0).map_or(items.len(), |last| last + 1);
+        if items[0] == NOTHING { &[] } else { &items[..last] }
+    }
+
+    /// Writes the items of a cell anew.
+    fn write_cell(&mut self, mesh: &NavMesh, cell: usize, faces: &mut [u32], gaps: &[u32]) {
+        self.written += 1;
+        let before = self.own_items(cell).len();
+        let old_place = (self.cells[cell] & (GAP | LAST) == 0).then_some(self.cells[cell] as usize);
+        // The face that has the middle comes first.
+        let middle = self.coarse.place(self.middle([cell % self.columns, cell / self.columns]));
+        let has_it = |&f: &u32| self.coarse.is_inside(slot_of(&mesh.faces, f), middle) == Some(true);
+        if let Some(first) = faces.iter().position(has_it) {
+            faces.swap(0, first);
+        }
+        let gap = gaps.first().map(|&first| if gaps.iter().all(|&gap| gap == first) { first } else { SEVERAL });
+        if let (Some(last), None) = (faces.last_mut(), gap) {
+            *last |= LAST;
+        }
+        let count = faces.len() + usize::from(gap.is_some());
+        self.entries[0] = (self.entries[0] + count).saturating_sub(before);
+        let spent = old_place.map_or(0, |_| before);
+        if count <= 1 {
+            self.spent += spent;
+            self.cells[cell] = faces.first().copied().or(gap).unwrap_or(NOTHING);
+            return;
+        }
+        let place = old_place.filter(|_| count <= before).unwrap_or(self.items.len());
+        if place == self.items.len() {
+            self.spent += spent;
+            self.items.resize(place + count, 0);
+        } else {
+            self.spent += before - count;
+        }
+        self.items[place..place + faces.len()].copy_from_slice(faces);
+        if let Some(gap) = gap {
+            self.items[place + count - 1] = gap;
+        }
+        self.cells[cell] = place as u32;
+    }
+
+    /// Leaves out the places that no cell has.
+    fn close_ranks(&mut self) {
+        let mut items = Vec::with_capacity(self.items.len() - self.spent + self.spent / 4);
+        for cell in 0..self.cells.len() {
+            if self.cells[cell] & (GAP | LAST) == 0 {
+                let start = items.len();
+                items.extend_from_slice(self.own_items(cell));
+                self.cells[cell] = start as u32;
+            }
+        }
+        (self.items, self.spent) = (items, 0);
+    }
+
+    /// Appends for each cell into which a face reaches that face, and the gaps behind its sides that reach there.
+    fn list(&self, mesh: &NavMesh, f: FaceId, corners: &[Point], entries: &mut Vec<(u32, u32)>) {
+        self.visit_cells(corners, |cell| entries.push((cell, f.number())));
+        for (side, s) in mesh.sides_of(f).iter().zip(mesh.range(f)) {
+            let gap = side.across & ID;
+            if side.across & CLOSED != 0 && !mesh.has_face(FaceId::new(gap)) {
+                let (ends, name) = (mesh.ends(f, s).map(|v| mesh.point(v)), mesh.gap_name(gap));
+                self.visit_cells(&ends, |cell| entries.push((cell, GAP | name)));
+            }
+        }
     }
 
     fn fill(&mut self, mesh: &NavMesh) {
@@ -287,17 +439,11 @@ impl Grid {
         for f in mesh.faces() {
             corners.clear();
             corners.extend(mesh.corners(f).map(|v| mesh.point(v)));
-            self.visit_cells(&corners, |cell| pairs.push((cell, f.number())));
-            self.coarse.put(f.number(), &corners);
-            for (side, s) in mesh.sides_of(f).iter().zip(mesh.range(f)) {
-                let gap = side.across & ID;
-                if side.across & CLOSED != 0 && !mesh.has_face(FaceId::new(gap)) {
-                    let ends = mesh.ends(f, s).map(|v| mesh.point(v));
-                    self.visit_cells(&ends, |cell| pairs.push((cell, GAP | gap)));
-                }
-            }
+            self.coarse.put(slot_of(&mesh.faces, f.number()), &corners);
+            self.list(mesh, f, &corners, &mut pairs);
         }
-        pairs.extend(self.gap_edges.iter().flat_map(|(cell, edge)| edge.gaps.map(|gap| (*cell, GAP | gap))));
+        let by_edge = self.gap_cells.iter();
+        pairs.extend(by_edge.flat_map(|&(cell, i)| self.gap_edges[i as usize].gaps.map(|gap| (cell, GAP | gap))));
         let cells = self.columns * self.rows;
         let mut ends = vec![0u32; cells + 1];
         pairs.iter().for_each(|&(cell, _)| ends[cell as usize + 1] += 1);
@@ -328,6 +474,8 @@ impl Grid {
             });
         }
         self.items.shrink_to_fit();
+        let inline = self.cells.iter().filter(|&&word| word & (GAP | LAST) != 0 && word != NOTHING).count();
+        self.entries = [self.items.len() + inline; 2];
     }
 
     /// Of the faces of a cell the one that has its middle comes first: most points are there. The last item is marked.
@@ -402,14 +550,15 @@ impl Grid {
                     // With the gap on its right, towards p, the border runs up.
                     let met = a.y <= p.y && b.y > p.y && orientation(a, b, p).is_lt();
                     if met && nearest.is_none_or(|(other, _)| is_right_of([a, b], other)) {
-                        nearest = Some(([a, b], gap));
+                        nearest = Some(([a, b], mesh.gap_name(gap)));
                     }
                 }
             }
             let cell = (row * self.columns + column) as u32;
-            let first = self.gap_edges.partition_point(|&(other, _)| other < cell);
-            for (_, edge) in self.gap_edges[first..].iter().take_while(|&&(other, _)| other == cell) {
-                let [a, b] = edge.ends;
+            let first = self.gap_cells.partition_point(|&(other, _)| other < cell);
+            for &(_, i) in self.gap_cells[first..].iter().take_while(|&&(other, _)| other == cell) {
+                let edge = &self.gap_edges[i as usize];
+                let [a, b] = edge.points(mesh);
                 let met = a.y <= p.y && b.y > p.y && orientation(a, b, p).is_lt();
                 if met && nearest.is_none_or(|(other, _)| is_right_of([a, b], other)) {
                     nearest = Some(([a, b], edge.gaps[1]));
@@ -463,6 +612,12 @@ impl Grid {
     }
 }
 
+/// Where the face is on the lattice.
+#[inline]
+fn slot_of(faces: &FaceTable, f: u32) -> u32 {
+    faces.slot(f as usize).map_or(f, |slot| slot as u32)
+}
+
 /// The widths and the heights of all faces and edges between gaps, added. O(n).
 fn extents(mesh: &NavMesh, gap_edges: &[GapEdge]) -> [f64; 2] {
     let of = |corners: &mut dyn Iterator<Item = Point>| {
@@ -471,7 +626,7 @@ fn extents(mesh: &NavMesh, gap_edges: &[GapEdge]) -> [f64; 2] {
         corners.fold([none; 2], |[x, y], p| [wide(x, p.x), wide(y, p.y)]).map(|[low, high]| high - low)
     };
     let faces = mesh.faces().map(|f| of(&mut mesh.corners(f).map(|v| mesh.point(v))));
-    let edges = gap_edges.iter().map(|edge| of(&mut edge.ends.into_iter()));
+    let edges = gap_edges.iter().map(|edge| of(&mut edge.points(mesh).into_iter()));
     faces.chain(edges).fold([0.0; 2], |[x, y], [width, height]| [x + width, y + height])
 }
 

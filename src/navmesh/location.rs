@@ -26,7 +26,9 @@ pub enum Location {
     Edge(HalfEdgeId),
     /// Inside a face of the mesh, blocked or not.
     Face(FaceId),
-    /// Inside a hole face, or on something in it.
+    /// Inside a hole, or on something in it. Hole faces side by side are one hole, named by the one with the lowest
+    /// number; which of them has the point says [`Subdivision::locate`](crate::plane::Subdivision::locate). What an
+    /// obstacle cuts off a hole, or off the outer face, still is the hole, or the outer face.
     Hole(FaceId),
     /// In the outer face.
     Outer,
@@ -131,7 +133,7 @@ impl NavMesh {
         if let Some(slivers) = self.grid.slivers() {
             return self.locate_among(slivers, p);
         }
-        match self.grid.look(p) {
+        match self.grid.look(&self.faces, p) {
             Look::Face(f) => (Location::Face(FaceId::new(f)), Some(FaceId::new(f))),
             Look::Gap(gap) => (gap_location(FaceId::new(gap)), None),
             Look::SomeGap => (self.gap_at(p), None),

@@ -13,12 +13,14 @@
 //! into a face that leads nowhere else is marked as a *dead end* (see `dead_ends.rs`). A corner is marked as a
 //! *turn* if a shortest way may bend there: what is free round the vertex, in one piece, is more than half a turn.
 //!
-//! Memory: 48 bytes a triangle and 20 a vertex.
+//! Memory: 48 bytes a triangle and 20 a vertex; gaps take a few bits each (`records.rs`, `gaps.rs`).
 
 use super::crossings::Crossings;
 use super::error::NavMeshError;
+use super::gaps::Gaps;
 use super::grid::{GapEdge, Grid};
 use super::merged::Merged;
+use super::records::FaceTable;
 use super::slivers::Slivers;
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::plane::predicates::{left_to_right, orientation};
@@ -105,11 +107,13 @@ pub struct Side {
 #[derive(Clone, Debug)]
 pub struct NavMesh {
     pub(super) points: Vec<Point>,
-    pub(super) faces: Vec<FaceRecord>,
+    pub(super) faces: FaceTable,
     pub(super) sides: Vec<SideRecord>,
     pub(super) half_edges: Vec<HalfEdgeId>,
     /// How many sides no face has any more.
     pub(super) spent_sides: usize,
+    /// Where these are, by how many lie side by side.
+    pub(super) free_sides: BTreeMap<usize, Vec<u32>>,
     /// For each vertex a face from which its first fan can be walked counter-clockwise to the end.
     pub(super) fans: Vec<u32>,
     /// Further fans of vertices where gaps touch.
@@ -118,6 +122,9 @@ pub struct NavMesh {
     pub(super) walls: BTreeSet<EdgeId>,
     /// How many faces have each component number; 0 for numbers that are free.
     pub(super) component_sizes: Vec<u32>,
+    /// The numbers that are free.
+    pub(super) free_components: BTreeSet<u32>,
+    pub(super) gaps: Gaps,
     pub(super) grid: Grid,
     /// Larger faces for the exact search, made when they are first needed.
     pub(super) merged: OnceLock<Merged>,
@@ -127,6 +134,8 @@ pub struct NavMesh {
     pub(super) written: Option<Vec<(u32, bool)>>,
     /// Whether sides have got new numbers since the last change.
     pub(super) renumbered: bool,
+    /// How many faces changes have looked at for dead ends and components.
+    pub(super) visited: usize,
 }
 
 impl NavMesh {
@@ -152,21 +161,26 @@ impl NavMesh {
         }
         let mut mesh = Self {
             points: (0..map.vertex_bound() as u32).map(|v| place_of(map, VertexId::new(v))).collect(),
-            faces: vec![FaceRecord::ABSENT; map.face_bound()],
+            faces: FaceTable::new(map.face_bound(), |f| is_floor(map, FaceId::new(f as u32))),
             sides: Vec::new(),
             half_edges: Vec::new(),
             spent_sides: 0,
+            free_sides: BTreeMap::new(),
             fans: vec![NONE; map.vertex_bound()],
             more_fans: BTreeMap::new(),
             walls: BTreeSet::new(),
             component_sizes: Vec::new(),
+            free_components: BTreeSet::new(),
+            gaps: Gaps::default(),
             grid: Grid::default(),
             merged: OnceLock::new(),
             crossings: OnceLock::new(),
             written: None,
             renumbered: false,
+            visited: 0,
         };
-        for f in map.faces().filter(|&f| f != map.outer_face() && !map.is_hole(f)) {
+        mesh.gaps = Gaps::new(map, &mesh.faces);
+        for f in map.faces().filter(|&f| is_floor(map, f)) {
             mesh.read_face(map, f)?;
         }
         if mesh.sides.is_empty() {
@@ -201,11 +215,36 @@ impl NavMesh {
             self.sides.push(SideRecord { origin: corners[1].number(), across: across.number() | mark });
             self.half_edges.push(h);
         }
+        let count = self.sides.len() - start;
         if self.sides.len() >= MOST {
             return Err(NavMeshError::TooMany);
         }
-        self.faces[f.index()] = FaceRecord::new(start, self.sides.len());
+        let start = self.put_into_free_place(start);
+        self.faces[f.index()] = FaceRecord::new(start, start + count);
         Ok(())
+    }
+
+    /// Moves the sides from `start` on, which are the last ones, to a place that others have left. Returns where they are.
+    fn put_into_free_place(&mut self, start: usize) -> usize {
+        let count = self.sides.len() - start;
+        let Some(free) = self.free_sides.get_mut(&count).and_then(Vec::pop) else { return start };
+        let free = free as usize;
+        self.sides.copy_within(start.., free);
+        self.half_edges.copy_within(start.., free);
+        self.sides.truncate(start);
+        self.half_edges.truncate(start);
+        self.spent_sides -= count;
+        free
+    }
+
+    /// The sides of `f` are of no use any more, and neither is its record.
+    pub(super) fn drop_face(&mut self, f: FaceId) {
+        let range = self.range(f);
+        if !range.is_empty() {
+            self.spent_sides += range.len();
+            self.free_sides.entry(range.len()).or_default().push(range.start as u32);
+        }
+        self.faces[f.index()] = FaceRecord::ABSENT;
     }
 
     /// Bytes of the arrays; the index for location, and merged faces and junctions, if they have been made, among
@@ -213,7 +252,8 @@ impl NavMesh {
     #[must_use]
     pub fn memory(&self) -> usize {
         size_of_val(&*self.points)
-            + size_of_val(&*self.faces)
+            + self.faces.memory()
+            + self.gaps.memory()
             + size_of_val(&*self.sides)
             + size_of_val(&*self.half_edges)
             + size_of_val(&*self.fans)
@@ -224,7 +264,22 @@ impl NavMesh {
 
     /// Makes the index anew. O(n); O(n log² n) where faces are long and thin.
     pub(super) fn index_all(&mut self, map: &Subdivision) {
-        self.grid = Grid::new(self, &GapEdge::all(map, self), || Slivers::new(map));
+        self.grid = Grid::new(self, GapEdge::all(map, self), || self.slivers(map));
+    }
+
+    /// Makes the index anew after edits. O(n), as [`index_all`](Self::index_all).
+    pub(super) fn index_again(&mut self, map: &Subdivision) {
+        let mut grid = std::mem::take(&mut self.grid);
+        self.grid = grid.anew(self, || self.slivers(map));
+    }
+
+    fn slivers(&self, map: &Subdivision) -> Slivers {
+        Slivers::new(map, |f| if self.has_face(f) { f } else { FaceId::new(self.gap_name(f.number())) })
+    }
+
+    /// The name of the gap that has `gap`, which is no face of the mesh.
+    pub(super) fn gap_name(&self, gap: u32) -> u32 {
+        self.gaps.name(&self.faces, gap)
     }
 
     /// Where `v` is. O(1).
@@ -368,6 +423,11 @@ impl NavMesh {
         let face = &mut self.faces[f.index()];
         face.len = face.len & !BLOCKED | if blocked { BLOCKED } else { 0 };
     }
+}
+
+/// Whether a face of the map is one of its navmesh.
+fn is_floor(map: &Subdivision, f: FaceId) -> bool {
+    map.has_face(f) && f != map.outer_face() && !map.is_hole(f)
 }
 
 pub(super) fn place_of(map: &Subdivision, v: VertexId) -> Point {

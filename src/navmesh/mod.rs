@@ -34,8 +34,8 @@
 //! | rung | question | file |
 //! |---|---|---|
 //! | 0 | is it a navmesh at all, and what is wrong? | `validate.rs`, `weld.rs` |
-//! | 1 | which faces lie across the sides, round a vertex, in one piece? | `mesh.rs`, `around.rs`, `components.rs`, `dead_ends.rs` |
-//! | 2 | in which face is a point? | `grid.rs`, `coarse.rs`, `slivers.rs`, `location.rs`, `nearest.rs` |
+//! | 1 | which faces lie across the sides, round a vertex, in one piece? | `mesh.rs`, `records.rs`, `around.rs`, `components.rs`, `dead_ends.rs` |
+//! | 2 | in which face is a point? | `grid.rs`, `coarse.rs`, `slivers.rs`, `gaps.rs`, `location.rs`, `nearest.rs` |
 //! | 3 | which faces lead from here to there? | `waves.rs`, `corridor.rs`, by whole passages `crossings.rs`, `jumps.rs`, `strides.rs` |
 //! | 4 | what is the shortest way through these faces? | `funnel.rs` |
 //! | 5 | what is the shortest way of all? | `exact/`, over larger faces `merged.rs` |
@@ -59,6 +59,7 @@ mod error;
 mod exact;
 mod field;
 mod funnel;
+mod gaps;
 mod grid;
 mod inset;
 mod jumps;
@@ -71,6 +72,7 @@ mod nearest;
 mod planner;
 mod random;
 mod raycast;
+mod records;
 mod rooms;
 mod route;
 mod slivers;
@@ -87,7 +89,7 @@ pub use field::DistanceField;
 pub use funnel::FunnelStep;
 pub use inset::{Inset, InsetError};
 pub use links::{Leg, Link, LinkError, LinkedRoute, Stop};
-pub use live::{LiveMesh, ObstacleError, ObstacleId};
+pub use live::{EditWork, LiveMesh, ObstacleError, ObstacleId};
 pub use location::{Location, Place, PlaceError};
 pub use merged::MergedFace;
 pub use mesh::{ComponentId, NavMesh, Side};

@@ -64,8 +64,8 @@ impl PartialEq for Slivers {
 }
 
 impl Slivers {
-    /// The index of all edges of a map. O(n log² n), whatever their shape.
-    pub(super) fn new(map: &Subdivision) -> Self {
+    /// The index of all edges of a map; `name` says what a face is called. O(n log² n), whatever their shape.
+    pub(super) fn new(map: &Subdivision, name: impl Fn(FaceId) -> FaceId) -> Self {
         let halves = map.edges().map(|e| {
             let [h, t] = e.half_edges();
             let is_rightward = left_to_right(map.point(map.origin(h)), map.point(map.origin(t))).is_lt();
@@ -73,7 +73,7 @@ impl Slivers {
         });
         let vertices: Vec<[VertexId; 2]> = halves.clone().map(|pair| pair.map(|h| map.origin(h))).collect();
         let ends = vertices.iter().map(|pair| pair.map(|v| map.point(v))).collect();
-        let faces = halves.map(|pair| pair.map(|h| map.face(h))).collect();
+        let faces = halves.map(|pair| pair.map(|h| name(map.face(h)))).collect();
         let edges = Edges { ends, vertices, faces };
         let upper = (0..edges.ends.len() as u32).map(|i| HalfEdgeId::new(2 * i));
         let cells = Cells::new(&edges, &upper, &std::iter::empty(), map.outer_face(), 1.0);

@@ -80,6 +80,7 @@ impl Subdivision {
 
     /// Takes the rings of `f` out of the map. The boundary of `f0` is one of them.
     pub(super) fn take_rings(&mut self, f: FaceId) -> Vec<Ring> {
+        self.keep_rings(f);
         let rest = self.rings.remove(&f).unwrap_or_default();
         let first = if f == self.outer_face() { self.dcel.boundary(f) } else { None };
         first.map(Ring::Cycle).into_iter().chain(rest).collect()
@@ -97,6 +98,7 @@ impl Subdivision {
                 self.dcel.set_boundary(f, boundary, rec);
             }
         }
+        self.keep_rings(f);
         if rings.is_empty() {
             self.rings.remove(&f);
         } else {

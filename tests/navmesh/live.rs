@@ -28,7 +28,7 @@ fn anew(live: &LiveMesh) -> NavMesh {
 }
 
 /// Faces, neighbours, components, locations and lengths agree.
-fn check(live: &LiveMesh, planner: &mut Planner, random: &mut Random, width: f64, context: &str) {
+fn check(live: &LiveMesh, first: &NavMesh, planner: &mut Planner, random: &mut Random, width: f64, context: &str) {
     let (mesh, fresh) = (live.mesh(), anew(live));
     assert!(mesh.faces().eq(fresh.faces()), "{context}: faces");
     assert_eq!(mesh.component_count(), fresh.component_count(), "{context}: components");
@@ -52,7 +52,13 @@ fn check(live: &LiveMesh, planner: &mut Planner, random: &mut Random, width: f64
     }
     for _ in 0..12 {
         let [a, b] = [(); 2].map(|()| at(random.unit() * width, random.unit() * width));
-        assert_eq!(mesh.locate(a), fresh.locate(a), "{context}: {a}");
+        // What an obstacle cuts off a gap is that gap still, as it was in the first map.
+        let is_gap = |found: Location| matches!(found, Location::Hole(_) | Location::Outer);
+        let anew = fresh.locate(a);
+        let expected = if is_gap(anew) { first.locate(a) } else { anew };
+        assert_eq!(mesh.locate(a), expected, "{context}: {a}");
+        assert_eq!(mesh.locate_by_scan(a), expected, "{context}: {a}, by a scan");
+        assert_eq!(is_gap(expected), is_gap(anew), "{context}: {a}");
         let length = |mesh: &NavMesh, planner: &mut Planner| {
             planner.route_between(mesh, Rung::Exact, a, b).ok().map(|route| route.length)
         };
@@ -68,7 +74,7 @@ fn walls_and_obstacles_that_come_and_go_leave_what_building_anew_finds() {
     let mut planner = Planner::new();
     for seed in 0..12 {
         let map = Map::random(seed, 4, 0.9, [0.0, 0.4][seed as usize % 2]);
-        let mut live = LiveMesh::new(map.subdivision()).expect("triangles");
+        let (first, mut live) = (map.mesh(), LiveMesh::new(map.subdivision()).expect("triangles"));
         let mut random = Random::new(seed + 6000);
         let mut inside: Vec<ObstacleId> = Vec::new();
         for step in 0..10 {
@@ -89,7 +95,7 @@ fn walls_and_obstacles_that_come_and_go_leave_what_building_anew_finds() {
                 _ => {}
             }
             assert_eq!(live.map().geometry_violations(), [], "{context}");
-            check(&live, &mut planner, &mut random, 4.0, &context);
+            check(&live, &first, &mut planner, &mut random, 4.0, &context);
         }
         // All taken out: the map is what it was.
         inside.into_iter().for_each(|obstacle| live.remove(obstacle).expect("in the map"));
@@ -132,7 +138,7 @@ fn the_last_obstacle_takes_the_last_cut_with_it() {
         // Merged cells as well as triangles; obstacles reach into gaps and out of the map.
         let size = 2 + seed as usize % 3;
         let map = Map::random(seed, size, [0.7, 1.0][seed as usize / 2 % 2], [0.0, 0.5][seed as usize % 2]);
-        let first = map.subdivision();
+        let (first, mesh) = (map.subdivision(), map.mesh());
         let mut live = LiveMesh::new(first.clone()).expect("triangles");
         let mut random = Random::new(seed + 9000);
         let mut inside: Vec<(ObstacleId, Vec<Point>)> = Vec::new();
@@ -160,7 +166,7 @@ fn the_last_obstacle_takes_the_last_cut_with_it() {
                 inside.push((id, corners));
             }
             assert_eq!(live.map().geometry_violations(), [], "{script}");
-            check(&live, &mut planner, &mut random, size as f64, &script);
+            check(&live, &mesh, &mut planner, &mut random, size as f64, &script);
             // On a grid walls end on others: there a last place decides whether an agent slips through.
             if seed % 3 != 0 {
                 check_anew(&live, &first, &inside, &mut planner, &mut random, &script);
@@ -517,7 +523,8 @@ fn an_obstacle_that_moves_is_as_if_it_had_been_put_there() {
     let mut planner = Planner::new();
     for seed in 0..16 {
         let map = Map::random(seed, 4, 0.9, [0.0, 0.4][seed as usize % 2]).subdivision();
-        let mut live = LiveMesh::new(map.clone()).expect("triangles");
+        let (first, mut live) =
+            (NavMesh::new(&map).expect("triangles"), LiveMesh::new(map.clone()).expect("triangles"));
         let mut random = Random::new(seed + 17_000);
         let mut inside: Vec<(ObstacleId, Vec<Point>)> = Vec::new();
         for i in 0..4 {
@@ -538,7 +545,7 @@ fn an_obstacle_that_moves_is_as_if_it_had_been_put_there() {
             *corners = corners.iter().map(|p| at(p.x + by[0], p.y + by[1])).collect();
             assert_eq!(live.corners(*id), Some(corners.as_slice()), "{context}");
             assert_eq!(live.map().geometry_violations(), [], "{context}");
-            check(&live, &mut planner, &mut random, 4.0, &context);
+            check(&live, &first, &mut planner, &mut random, 4.0, &context);
             check_anew(&live, &map, &inside, &mut planner, &mut random, &context);
         }
         // What is refused leaves it where it stands.
@@ -551,6 +558,96 @@ fn an_obstacle_that_moves_is_as_if_it_had_been_put_there() {
         let none = ObstacleId(99);
         assert_eq!(live.move_obstacle(none, [1.0, 0.0]), Err(ObstacleError::NoSuchObstacle { obstacle: none }));
         inside.into_iter().for_each(|(id, _)| live.remove(id).expect("in the map"));
+        check_restored(&live, &map, &format!("seed {seed}"));
+    }
+}
+
+/// A floor of cells with a pillar in every third of every third row, each cell in two triangles: near (0, 0) the same for
+/// every size.
+fn pillars(size: usize) -> Subdivision {
+    let corner = |x: usize, y: usize| (y * (size + 1) + x) as u32;
+    let points = (0..=size).flat_map(|y| (0..=size).map(move |x| at(x as f64, y as f64))).collect();
+    let cells = (0..size).flat_map(|y| (0..size).map(move |x| (x, y)));
+    let triangles: Vec<[u32; 3]> = cells
+        .filter(|(x, y)| x % 3 != 1 || y % 3 != 1)
+        .flat_map(|(x, y)| {
+            let [a, b, c, d] = [corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)];
+            if (x + y) % 2 == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] }
+        })
+        .collect();
+    Subdivision::from_triangles(points, &triangles).expect("cells")
+}
+
+/// The work of an edit is that near the obstacle, in a map of any size: with merged faces and junctions, too.
+#[test]
+fn the_work_of_an_edit_does_not_grow_with_the_map() {
+    let work = |size: usize| {
+        let map = pillars(size);
+        let mut live = LiveMesh::new(map.clone()).expect("triangles");
+        live.merge_faces();
+        live.link_crossings();
+        let (mut random, mut inside) = (Random::new(31), Vec::new());
+        // Put in, moved, taken out: the sum of links, faces, cells, faces visited.
+        let mut sums = [[0usize; 4]; 3];
+        let mut count = |what: usize, live: &LiveMesh| {
+            let work = live.last_edit();
+            let counts = [work.links, work.faces, work.cells, work.visited];
+            sums[what].iter_mut().zip(counts).for_each(|(sum, count)| *sum += count);
+        };
+        for i in 0..60 {
+            let [x, y] = [(); 2].map(|()| 2.0 + 16.0 * random.unit());
+            let corners = [at(x, y), at(x + 0.9, y + 0.2), at(x + 0.3, y + 0.8)];
+            inside.push(insert(&mut live, &corners[..2 + i % 2]).expect("it fits"));
+            count(0, &live);
+            if i % 3 == 0 {
+                live.move_obstacle(inside[i], [0.3, -0.2]).expect("it fits there, too");
+                count(1, &live);
+            }
+        }
+        for id in inside {
+            live.remove(id).expect("in the map");
+            count(2, &live);
+        }
+        check_restored(&live, &map, &format!("{size} x {size} cells"));
+        sums
+    };
+    let [small, large] = [24, 72].map(work);
+    for (what, (small, large)) in ["in", "moved", "out"].into_iter().zip(small.into_iter().zip(large)) {
+        assert_eq!((small[0], small[1]), (large[0], large[1]), "{what}: links and faces");
+        // Cells have not quite the same size in both, and dead ends at the far border are near in the small one.
+        for k in [2, 3] {
+            assert!(large[k] > 0 && 10 * large[k] < 13 * small[k] + 100, "{what}: {small:?} and {large:?}");
+        }
+    }
+}
+
+/// Blocked triangles that fill the rest of the map, as in files that list them: obstacles reach into them, too.
+#[test]
+fn obstacles_come_and_go_where_gaps_are_cut_into_many_faces() {
+    let mut planner = Planner::new();
+    for seed in 0..8 {
+        let mut random = Random::new(seed + 18_000);
+        let mut map = Map::random(seed, 9, 1.0, 0.3).subdivision();
+        let blocked: Vec<FaceId> = map.faces().filter(|&f| f != map.outer_face() && random.unit() < 0.55).collect();
+        blocked.into_iter().for_each(|f| assert_eq!(map.set_hole(f, true), Some(false)));
+        let first = NavMesh::new(&map).expect("triangles");
+        let mut live = LiveMesh::new(map.clone()).expect("triangles");
+        let mut inside = Vec::new();
+        for step in 0..14 {
+            let context = format!("seed {seed}, step {step}");
+            let [x, y] = [(); 2].map(|()| random.unit() * 10.0 - 0.5);
+            if random.below(3) == 0 && !inside.is_empty() {
+                let gone: ObstacleId = inside.swap_remove(random.below(inside.len()));
+                live.remove(gone).unwrap_or_else(|error| panic!("{context}: {error}"));
+            } else {
+                let corners = [at(x, y), at(x + 1.4, y + 0.3), at(x + 0.5, y + 1.2)];
+                let put = insert(&mut live, &corners[..2 + step % 2]);
+                inside.push(put.unwrap_or_else(|error| panic!("{context}: {error}")));
+            }
+            assert_eq!(live.map().geometry_violations(), [], "{context}");
+            check(&live, &first, &mut planner, &mut random, 9.0, &context);
+        }
+        inside.into_iter().for_each(|id| live.remove(id).expect("in the map"));
         check_restored(&live, &map, &format!("seed {seed}"));
     }
 }

@@ -3,7 +3,7 @@
 use crate::maps::{Map, Random};
 use crate::oracle::{distance, triangles_with};
 use dcel_kit::FaceId;
-use dcel_kit::navmesh::{Location, NavMesh, Place, PlaceError};
+use dcel_kit::navmesh::{LiveMesh, Location, NavMesh, Place, PlaceError, Planner, Rung};
 use dcel_kit::plane::predicates::orientation;
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
 
@@ -177,11 +177,12 @@ fn a_walk_fails_where_gaps_are_no_faces_and_not_where_they_are() {
     let mut whole = s.clone();
     whole.triangulate_all(TriangulationMethod::Ears).expect("a square");
     assert_eq!(lost(&whole, &|f| f == whole.outer_face()), 0);
-    // Gaps that border on gaps are told apart, too.
+    // Gaps side by side are one hole, named by the first of them.
     let cut = NavMesh::new(&whole).expect("triangles");
+    let first = whole.hole_faces().next().expect("the hole");
+    assert!(whole.hole_faces().count() > 1);
     for (x, y) in [(2., 4.), (4., 2.), (7., 5.), (5., 7.)] {
-        let Location::Hole(f) = cut.locate(at(x, y)) else { panic!("({x}, {y}) is in the hole") };
-        assert_eq!(walk(&whole, |f| f == whole.outer_face(), f, at(x, y)), Some(f), "({x}, {y})");
+        assert_eq!(cut.locate(at(x, y)), Location::Hole(first), "({x}, {y})");
     }
     // The index needs no walk.
     assert!(matches!(mesh.locate(goal), Location::Face(_) | Location::Edge(_)));
@@ -232,4 +233,100 @@ fn the_nearest_point_to_one_far_away_is_the_right_one() {
             assert!((near.distance / far / expected - 1.0).abs() < 1e-12 || far >= f64::MAX, "{p}: {}", near.distance);
         }
     }
+}
+
+/// Maps whose files list what is blocked, too: more gaps than faces, side by side.
+#[test]
+fn maps_with_many_gaps_are_what_they_are_with_a_record_for_each_number() {
+    let mut holes = std::collections::BTreeSet::new();
+    for seed in 0..40 {
+        let jitter = [0.0, 0.4][seed as usize % 2];
+        let (size, share) = (3 + seed as usize % 14, [0.2, 0.55, 0.8][seed as usize % 3]);
+        let mut map = Map::random(seed, size, [1.0, 0.8][seed as usize / 2 % 2], jitter).subdivision();
+        let mut random = Random::new(seed + 5000);
+        let inner: Vec<FaceId> = map.faces().filter(|&f| f != map.outer_face()).collect();
+        for &f in inner[1..].iter().filter(|_| random.unit() < share) {
+            map.set_hole(f, true);
+        }
+        // The hole that each hole face belongs to, by numbers that go down until nothing changes.
+        let mut first_of: Vec<u32> = (0..map.face_bound() as u32).collect();
+        loop {
+            let before = first_of.clone();
+            for h in map.half_edges() {
+                let [f, g] = [map.face(h), map.face(h.twin())];
+                if map.is_hole(f) && map.is_hole(g) {
+                    first_of[f.index()] = first_of[f.index()].min(first_of[g.index()]);
+                }
+            }
+            if before == first_of {
+                break;
+            }
+        }
+        let mesh = NavMesh::new(&map).expect("triangles");
+        // Before the first obstacle there is a record for each number.
+        let live = LiveMesh::new(map.clone()).expect("triangles");
+        let dense = live.mesh();
+        assert!(mesh.faces().eq(dense.faces()) && mesh.components().eq(dense.components()), "seed {seed}");
+        for f in (0..map.face_bound() as u32 + 2).map(FaceId::new) {
+            assert!(mesh.sides(f).eq(dense.sides(f)) && mesh.corners(f).eq(dense.corners(f)), "seed {seed}: {f}");
+            let facts =
+                |mesh: &NavMesh| (mesh.has_face(f), mesh.is_walkable(f), mesh.component(f), mesh.is_dead_end(f));
+            assert_eq!(facts(&mesh), facts(dense), "seed {seed}: {f}");
+        }
+        let at_random = (0..150).map(|_| {
+            let [x, y] = [(); 2].map(|()| random.unit() * (size as f64 + 1.0) - 0.5);
+            Point::new(x, y)
+        });
+        let asked: Vec<Point> = at_random.chain(map.vertices().map(|v| map.point(v))).collect();
+        for p in asked {
+            let found = mesh.locate(p);
+            assert_eq!((mesh.locate_by_scan(p), dense.locate(p)), (found, found), "seed {seed}: {p}");
+            if let dcel_kit::plane::Location::Face(f) = map.locate_by_scan(p) {
+                let expected = match f {
+                    f if f == map.outer_face() => Location::Outer,
+                    f if map.is_hole(f) => Location::Hole(FaceId::new(first_of[f.index()])),
+                    f => Location::Face(f),
+                };
+                assert_eq!(found, expected, "seed {seed}: {p}");
+                holes.extend(map.is_hole(f).then_some((seed, first_of[f.index()])));
+            }
+        }
+        let mut planner = Planner::new();
+        for _ in 0..20 {
+            let mut point = || Point::new(random.unit() * size as f64, random.unit() * size as f64);
+            let ends = (point(), point());
+            for rung in Rung::ALL {
+                let mut route = |mesh: &NavMesh| planner.route_between(mesh, rung, ends.0, ends.1);
+                assert_eq!(route(&mesh), route(dense), "seed {seed}: {ends:?}");
+            }
+        }
+    }
+    assert!(holes.len() > 200, "only {} holes were asked for", holes.len());
+}
+
+/// Blocked faces cost some bits, and not the records of a face.
+#[test]
+fn a_map_with_more_gaps_than_faces_is_not_much_larger_than_one_without() {
+    let mut map = Map::random(5, 60, 1.0, 0.3).subdivision();
+    // Blocks of blocked triangles; none at the border, so that both maps have the same vertices there.
+    let blocked: Vec<FaceId> = map
+        .faces()
+        .filter(|&f| f != map.outer_face())
+        .filter(|&f| {
+            let h = map.incident_half_edges(f).next().expect("a triangle");
+            let p = map.point(map.origin(h));
+            (p.x as usize / 2 + p.y as usize / 2) % 2 == 1 || p.x as usize % 7 == 3
+        })
+        .collect();
+    blocked.iter().for_each(|&f| assert_eq!(map.set_hole(f, true), Some(false)));
+    let mesh = NavMesh::new(&map).expect("triangles");
+    assert!(blocked.len() > mesh.face_count(), "{} gaps, {} faces", blocked.len(), mesh.face_count());
+    let points: Vec<Point> = (0..map.vertex_bound() as u32).map(|v| map.point(dcel_kit::VertexId::new(v))).collect();
+    let triangles: Vec<[u32; 3]> =
+        mesh.faces().map(|f| mesh.corners(f).map(|v| v.number()).collect::<Vec<_>>().try_into().expect("3")).collect();
+    let without = NavMesh::new(&Subdivision::from_triangles(points, &triangles).expect("the same")).expect("triangles");
+    assert_eq!(mesh.face_count(), without.face_count());
+    let each = |bytes: usize| bytes as f64 / mesh.face_count() as f64;
+    let (with, without) = (each(mesh.memory()), each(without.memory()));
+    assert!(with < without + 8.0, "{with:.1} bytes a face, {without:.1} without gaps");
 }

@@ -4,7 +4,7 @@ use super::super::failure::Failure;
 use super::super::output::table;
 use super::super::{Answer, Output};
 use super::map::{Map, MapArgs};
-use super::tell::{Spot, number, point};
+use super::tell::{Spot, in_map, number, point};
 use dcel_kit::navmesh::Location;
 use serde::Serialize;
 use std::io::Write;
@@ -84,7 +84,7 @@ fn locate(map: &Map, coordinates: [f64; 2]) -> Found {
     let nearest = if walkable.is_none() { mesh.nearest_point(p) } else { None };
     let component = walkable.and_then(|f| mesh.component(f));
     let dead_end = !faces.is_empty() && faces.iter().all(|&f| mesh.is_dead_end(f));
-    let mut words = location.to_string();
+    let mut words = in_map(map, p, location).to_string();
     if !matches!(location, Location::Face(_)) && !faces.is_empty() {
         let names: Vec<String> = faces.iter().map(ToString::to_string).collect();
         words += &format!(", of {}", names.join(" "));

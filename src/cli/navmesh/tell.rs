@@ -3,7 +3,7 @@
 use super::super::output;
 use super::map::Map;
 use dcel_kit::navmesh::{Location, PlaceError};
-use dcel_kit::plane::Point;
+use dcel_kit::plane::{self, Point};
 use serde::Serialize;
 
 /// Where a point lies. The names are those of the JSON form.
@@ -19,7 +19,7 @@ pub(super) struct Spot {
 
 impl Spot {
     pub(super) fn of(map: &Map, point: Point, location: Location) -> Self {
-        let (on, element) = match location {
+        let (on, element) = match in_map(map, point, location) {
             Location::Vertex(v) => ("vertex", Some(v.to_string())),
             Location::Edge(h) => ("edge", Some(h.to_string())),
             Location::Face(f) => ("face", Some(f.to_string())),
@@ -27,6 +27,17 @@ impl Spot {
             Location::Outer => ("outer", None),
         };
         Self { point: map.in_file(point), on, element }
+    }
+}
+
+/// The same location, by the very face of the file if a hole is cut into several.
+pub(super) fn in_map(map: &Map, p: Point, location: Location) -> Location {
+    match location {
+        Location::Hole(_) => match map.subdivision.locate(p) {
+            plane::Location::Face(f) if map.subdivision.is_hole(f) => Location::Hole(f),
+            _ => location,
+        },
+        other => other,
     }
 }
 
@@ -44,7 +55,7 @@ pub(super) fn faces(count: usize) -> String {
 pub(super) fn refusal(map: &Map, error: &PlaceError) -> String {
     match error {
         PlaceError::OffMesh { point: p, location } => {
-            format!("{} is not on the mesh: it is {location}", point(map, *p))
+            format!("{} is not on the mesh: it is {}", point(map, *p), in_map(map, *p, *location))
         }
         PlaceError::Blocked { point: p, location } => format!("{} is blocked: it is {location}", point(map, *p)),
         PlaceError::Ambiguous { point: p, location, faces } => {

@@ -11,14 +11,14 @@ use super::ObstacleError;
 use super::book::Book;
 use super::clear::take_out;
 use super::cut::{changed_faces, make_convex};
-use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
+use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use crate::navmesh::location::is_between;
 use crate::navmesh::mesh::ID;
 use crate::navmesh::nearest::{closest_on, distance};
 use crate::navmesh::{Location, NavMesh};
 use crate::plane::predicates::orientation;
 use crate::plane::{InsertSegmentError, InsertVertexError, Point, Subdivision};
-use crate::topology::Journal;
+use crate::topology::{Change, Journal, Slot};
 use std::collections::BTreeSet;
 
 /// The sides of an obstacle in the map.
@@ -45,9 +45,16 @@ pub(super) fn cut_in(
     }
     let (whole_from, near) = (rec.len(), near(mesh, sides));
     let mut inserted = Inserted { sides: Vec::with_capacity(sides.len()) };
-    for (side, ends) in sides.iter().enumerate() {
-        let half_edges = put_in(map, mesh, book, *ends, near, rec);
-        let half_edges = half_edges.map_err(|error| ObstacleError::Side { side, error })?;
+    let mut corners: Vec<VertexId> = Vec::with_capacity(sides.len() + 1);
+    for (side, &[p, q]) in sides.iter().enumerate() {
+        let refused = |error| ObstacleError::Side { side, error };
+        for corner in [p, q].iter().skip(usize::from(side > 0)) {
+            // An obstacle ends where it begins.
+            let known = corners.first().filter(|_| side > 1 && *corner == sides[0][0]).copied();
+            let v = known.map_or_else(|| vertex_at(map, mesh, book, *corner, near, rec), Ok);
+            corners.push(v.map_err(|error| refused(error.into()))?);
+        }
+        let half_edges = put_in(map, mesh, [p, q], [corners[side], corners[side + 1]], near, rec).map_err(refused)?;
         inserted.sides.push((half_edges, rec.len()));
     }
     let mut changed = changed_faces(map, &rec.changes()[whole_from..]);
@@ -95,20 +102,19 @@ fn near(mesh: &NavMesh, sides: &[[Point; 2]]) -> f64 {
     corners.map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max) * 2f64.powi(-47)
 }
 
-/// Puts in one side. Returns its half-edges in order.
+/// Puts in one side between its two corners. Returns its half-edges in order.
 ///
 /// A vertex that is next to the side is one of it: it may be where others cross, rounded, and a second vertex beside
 /// it would leave no room between.
 fn put_in(
     map: &mut Subdivision,
     mesh: &NavMesh,
-    book: &Book,
     ends: [Point; 2],
+    [from, to]: [VertexId; 2],
     near: f64,
     rec: &mut Journal,
 ) -> Result<Vec<HalfEdgeId>, InsertSegmentError> {
-    let mut at = vertex_at(map, mesh, book, ends[0], near, rec)?;
-    let to = vertex_at(map, mesh, book, ends[1], near, rec)?;
+    let mut at = from;
     let mut half_edges: Vec<HalfEdgeId> = Vec::new();
     let mut stops = vertices_beside(map, mesh, ends, near);
     stops.retain(|&v| v != to);
@@ -176,13 +182,34 @@ fn vertex_at(
         Location::Outer => Some(map.outer_face()),
         Location::Vertex(_) | Location::Edge(_) => None,
     };
-    // What was put in since, or a face that is gone, is found by a look at the map.
-    let known = inside.filter(|&f| map.has_face(f)).map(|f| map.insert_vertex_in_with(f, p, rec));
-    if let Some(Ok(v)) = known {
-        return Ok(v);
+    // If it is in none that was there before, it is in one that the edit has written to.
+    let mut faces: BTreeSet<FaceId> = inside.into_iter().filter(|&f| map.has_face(f)).collect();
+    for _ in 0..2 {
+        for &f in &faces {
+            match map.insert_vertex_in_with(f, p, rec) {
+                Err(InsertVertexError::NotInFace { at: Some(Element::Vertex(v)), .. }) => return Ok(v),
+                Err(InsertVertexError::NotInFace { at: Some(Element::HalfEdge(h)), .. }) => {
+                    if let Ok((v, _)) = map.split_edge_with(h, p, rec) {
+                        return Ok(v);
+                    }
+                }
+                Err(InsertVertexError::NotInFace { .. }) => {}
+                other => return other,
+            }
+        }
+        faces = written_faces(map, rec.changes());
     }
     match map.insert_vertex_with(p, rec) {
         Err(InsertVertexError::Occupied { vertex, .. }) => Ok(vertex),
         other => other,
     }
+}
+
+/// The faces beside the half-edges that the changes have written to.
+fn written_faces(map: &Subdivision, changes: &[Change]) -> BTreeSet<FaceId> {
+    let half_edge = |change: &Change| match *change {
+        Change::Write { slot: Slot::Next(h) | Slot::Face(h), .. } if map.has_half_edge(h) => Some(h),
+        _ => None,
+    };
+    changes.iter().filter_map(half_edge).flat_map(|h| [map.face(h), map.face(h.twin())]).collect()
 }

@@ -86,6 +86,21 @@ pub struct LiveMesh {
     map: Subdivision,
     mesh: NavMesh,
     book: Book,
+    work: EditWork,
+}
+
+/// What the last edit of a [`LiveMesh`] has touched: counts that depend on the obstacle and on what is near it, and not
+/// on the size of the map.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct EditWork {
+    /// Links of the map that were written.
+    pub links: usize,
+    /// Faces of the mesh that were read anew, those that went among them.
+    pub faces: usize,
+    /// Cells of the index for location that were written.
+    pub cells: usize,
+    /// Faces that were looked at for dead ends and components, each time counted.
+    pub visited: usize,
 }
 
 impl LiveMesh {
@@ -94,9 +109,10 @@ impl LiveMesh {
     /// # Errors
     /// [`NavMeshError`], as for [`NavMesh::new`].
     pub fn new(map: Subdivision) -> Result<Self, NavMeshError> {
-        let mesh = NavMesh::new(&map)?;
+        let mut mesh = NavMesh::new(&map)?;
+        mesh.make_room_for_edits(&map);
         let book = Book::new(&map);
-        Ok(Self { map, mesh, book })
+        Ok(Self { map, mesh, book, work: EditWork::default() })
     }
 
     /// The navmesh as it is now.
@@ -105,13 +121,19 @@ impl LiveMesh {
         &self.mesh
     }
 
-    /// Makes exact queries quicker until the next obstacle comes or goes: see
+    /// What the last edit that was not refused has touched.
+    #[must_use]
+    pub fn last_edit(&self) -> EditWork {
+        self.work
+    }
+
+    /// Makes what exact queries run over now, not with the first of them; edits mend it: see
     /// [`merge_faces`](NavMesh::merge_faces).
     pub fn merge_faces(&mut self) -> usize {
         self.mesh.merge_faces()
     }
 
-    /// Makes queries for the fewest faces quicker until the next obstacle comes or goes: see
+    /// Makes what queries for the fewest faces run over now, not with the first of them; edits mend it: see
     /// [`link_crossings`](NavMesh::link_crossings).
     pub fn link_crossings(&mut self) -> usize {
         self.mesh.link_crossings()
@@ -147,12 +169,14 @@ impl LiveMesh {
     /// Cuts that it crosses are taken out first, and others are made when it stands: none is ever bent. Edges of the map
     /// and other obstacles are split where it crosses them.
     ///
-    /// Cost: O(size of the faces along the wall), a copy of all positions to be able to go back, and that of
-    /// [`block`](NavMesh::block) for what it cuts off. If it cuts a gap in two, O(n) to name the gaps anew.
+    /// Cost: O(k log k) for k sides of the faces along the wall, and of the gaps it reaches into; that of
+    /// [`block`](NavMesh::block) for what it cuts off. It does not grow with the map, but for an index and lists that
+    /// are made anew once the map has twice as many parts: O(1) for each part, over all edits.
     ///
     /// # Errors
     /// [`ObstacleError`]; then nothing has changed.
     pub fn insert_wall(&mut self, p: Point, q: Point) -> Result<ObstacleId, ObstacleError> {
+        self.work = EditWork::default();
         self.insert(None, &[p, q])
     }
 
@@ -164,6 +188,7 @@ impl LiveMesh {
     /// [`ObstacleError`]; then nothing has changed.
     pub fn insert_obstacle(&mut self, corners: &[Point]) -> Result<ObstacleId, ObstacleError> {
         Subdivision::polygon(corners)?;
+        self.work = EditWork::default();
         self.insert(None, corners)
     }
 
@@ -199,6 +224,7 @@ impl LiveMesh {
         if corners.len() != 2 {
             Subdivision::polygon(corners)?;
         }
+        self.work = EditWork::default();
         self.take_out(obstacle)?;
         let moved = self.insert(Some(obstacle), corners);
         if moved.is_err() {
@@ -216,9 +242,8 @@ impl LiveMesh {
     /// stays bent if something stands in the way of the straight one. Should the faces that are left be finer than
     /// doubles can tell, nothing but the borders goes now, and the rest with a later obstacle nearby.
     ///
-    /// Cost: O(size of the faces the obstacle touches, and of the gaps it reaches into), that of
-    /// [`block`](NavMesh::block) for these faces, and a copy of all positions to be able to go back. If a piece of a gap
-    /// goes, O(n) to name the gaps anew.
+    /// Cost: O(k log k) for k sides of the faces the obstacle touches, and of the gaps it reaches into, and that of
+    /// [`block`](NavMesh::block) for these faces.
     ///
     /// # Errors
     /// [`ObstacleError::NoSuchObstacle`].
@@ -226,6 +251,7 @@ impl LiveMesh {
         if self.book.obstacle(obstacle).is_none() {
             return Err(ObstacleError::NoSuchObstacle { obstacle });
         }
+        self.work = EditWork::default();
         self.take_out(obstacle)
     }
 
@@ -256,7 +282,7 @@ impl LiveMesh {
             checked.map_err(|error| ObstacleError::Side { side, error })?;
         }
         let mut journal = Journal::new();
-        let Self { map, mesh, book } = self;
+        let Self { map, mesh, book, .. } = self;
         let inserted = map.all_or_nothing(&mut journal, |map, rec| insert::cut_in(map, mesh, book, sides, rec))?;
         let obstacle = number.unwrap_or_else(|| book.add(corners));
         book.put_corners(obstacle, corners);
@@ -287,18 +313,23 @@ impl LiveMesh {
         edges: &[EdgeId],
         journal: &Journal,
     ) -> Result<(), ObstacleError> {
-        let map = &self.map;
+        let (map, book) = (&self.map, &self.book);
         let mut edges: BTreeSet<EdgeId> = edges.iter().copied().collect();
-        let mut gaps_changed = false;
         for change in journal.changes() {
+            if let Change::Write { slot: Slot::Face(_), old: Some(Element::Face(old)), new: Some(Element::Face(new)) } =
+                *change
+                && map.is_hole(new)
+                && !book.is_first(new)
+            {
+                self.mesh.put_gap(new, old);
+            }
             match *change {
                 Change::Write { slot: Slot::Origin(h) | Slot::Next(h) | Slot::Prev(h) | Slot::Face(h), .. } => {
                     let beside = [h, h.twin()].into_iter().filter(|&h| map.has_half_edge(h));
                     faces.extend(beside.map(|h| map.face(h)));
                 }
-                Change::Added { element: Element::Face(f), .. } => gaps_changed |= map.is_hole(f),
                 Change::Removed { element: Element::Face(f) } => {
-                    gaps_changed |= !self.mesh.has_face(f);
+                    self.mesh.forget_gap(f);
                     faces.insert(f);
                 }
                 Change::Removed { element: Element::Edge(e) } => {
@@ -313,10 +344,13 @@ impl LiveMesh {
         edges.extend(here.flat_map(|&f| map.incident_edges(f)));
         let walls: Vec<(EdgeId, bool)> = edges.into_iter().map(|e| (e, self.book.is_border(e))).collect();
         let faces: Vec<(FaceId, bool)> = faces.into_iter().map(|f| (f, self.book.is_covered(f))).collect();
+        let before = self.mesh.counts();
         self.mesh.read_again(map, &faces, &walls)?;
-        if gaps_changed {
-            self.mesh.index_all(map);
-        }
+        let [cells, visited] = self.mesh.counts();
+        self.work.links += journal.changes().len();
+        self.work.faces += faces.len();
+        self.work.cells += cells - before[0];
+        self.work.visited += visited - before[1];
         Ok(())
     }
 }

@@ -1,17 +1,42 @@
 //! The flat view of a map that was edited, read anew where the edit was.
 //!
 //! ```text
-//!   sides   f1 f1 f1 | f2 f2 f2 | f3 f3 f3 f3 | f2 f2 f2 f2      A face that is read again has its sides at the end;
-//!                      spent                    new              when half of all are spent, they close ranks.
+//!   sides   f1 f1 f1 | f2 f2 f2 | f3 f3 f3 f3 | f2 f2 f2 f2      A face that is read again has its sides in a place of
+//!                      spent                    new              that size which another has left, or at the end; when
+//!                                                                half of all are spent, they close ranks.
 //! ```
 
 use crate::ids::{EdgeId, FaceId, VertexId};
-use crate::navmesh::mesh::{FaceRecord, MOST, NONE, place_of};
+use crate::navmesh::mesh::{MOST, NONE, place_of};
 use crate::navmesh::{NavMesh, NavMeshError};
 use crate::plane::Subdivision;
 use std::collections::BTreeSet;
 
 impl NavMesh {
+    /// Makes a record for each number, so that any of them can become a face. O(n), if the map has many gaps.
+    pub(super) fn make_room_for_edits(&mut self, map: &Subdivision) {
+        if self.faces.gap_slot(0).is_some() {
+            self.gaps.unpack(map, &self.faces);
+            self.faces.resize(map.face_bound());
+            self.index_all(map);
+        }
+    }
+
+    /// A piece was cut off the gap `of`.
+    pub(super) fn put_gap(&mut self, piece: FaceId, of: FaceId) {
+        self.gaps.put(&self.faces, piece, of);
+    }
+
+    /// A face is gone.
+    pub(super) fn forget_gap(&mut self, face: FaceId) {
+        self.gaps.forget(face);
+    }
+
+    /// How many cells were written, and faces visited, by all edits so far.
+    pub(super) fn counts(&self) -> [usize; 2] {
+        [self.grid.written(), self.visited]
+    }
+
     /// Reads faces anew from the map they come from, after edits there that concern no others; those that have gone are
     /// among them. Says of each whether it is blocked, and of edges whether they are walls. Cost: as for
     /// [`block`](Self::block) of all of them.
@@ -27,16 +52,17 @@ impl NavMesh {
         let mut result = Ok(());
         let ids: Vec<FaceId> = faces.iter().map(|&(f, _)| f).collect();
         let mut corners: BTreeSet<VertexId> = ids.iter().flat_map(|&f| self.corners(f)).collect();
+        let mut gone = Vec::new();
+        ids.iter().filter(|&&f| self.has_face(f)).for_each(|&f| self.grid.cells_of(self, f, &mut gone));
         self.change(&ids, |mesh| {
             for v in mesh.points.len()..map.vertex_bound() {
                 mesh.points.push(place_of(map, VertexId::new(v as u32)));
                 mesh.fans.push(NONE);
             }
-            mesh.faces.resize(map.face_bound().max(mesh.faces.len()), FaceRecord::ABSENT);
+            mesh.faces.resize(map.face_bound());
             walls.iter().for_each(|&(edge, wall)| mesh.put_wall(edge, wall));
+            ids.iter().for_each(|&f| mesh.drop_face(f));
             for &(f, blocked) in faces {
-                mesh.spent_sides += mesh.range(f).len();
-                mesh.faces[f.index()] = FaceRecord::ABSENT;
                 if !map.has_face(f) || map.is_hole(f) {
                     continue;
                 }
@@ -57,11 +83,12 @@ impl NavMesh {
             }
             mesh.close_ranks();
         });
+        let come: Vec<FaceId> = ids.into_iter().filter(|&f| self.has_face(f)).collect();
         let mut grid = std::mem::take(&mut self.grid);
-        ids.iter().filter(|&&f| self.has_face(f)).for_each(|f| grid.add(self, f.number()));
+        grid.mend(self, gone, &come);
         self.grid = grid;
         if self.grid.is_stale() {
-            self.index_all(map);
+            self.index_again(map);
         }
         result
     }
@@ -82,6 +109,7 @@ impl NavMesh {
             self.half_edges.extend_from_slice(&half_edges[range]);
         }
         self.spent_sides = 0;
+        self.free_sides.clear();
         self.renumbered = true;
     }
 }

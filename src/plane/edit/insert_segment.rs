@@ -86,8 +86,7 @@ impl Subdivision {
     /// that both the edge and the segment may bend by as little there; if the bend ran over anything, the call is
     /// refused.
     ///
-    /// Cost: that of [`locate`](Self::locate) for each end, and O(size of the faces on the way); a copy of all rings to
-    /// be able to go back.
+    /// Cost: that of [`locate`](Self::locate) for each end, and O(size of the faces on the way).
     ///
     /// # Errors
     /// See [`InsertSegmentError`]; a refused call leaves everything bit for bit as it was.

@@ -101,7 +101,7 @@ impl Subdivision {
             Location::Vertex(vertex) => Err(InsertVertexError::Occupied { vertex, point }),
             Location::Edge(h) => {
                 let (v, _) = self.dcel.split_edge_unchecked(h, rec);
-                self.points.set(v, point, Point::default());
+                self.put_point(v, point);
                 Ok(v)
             }
             Location::Face(f) => Ok(self.add_isolated(f, point, rec)),
@@ -134,7 +134,8 @@ impl Subdivision {
 
     fn add_isolated(&mut self, f: FaceId, point: Point, rec: &mut impl Recorder) -> VertexId {
         let v = self.dcel.add_vertex_record(rec);
-        self.points.set(v, point, Point::default());
+        self.put_point(v, point);
+        self.keep_rings(f);
         self.rings.entry(f).or_default().push(Ring::Isolated(v));
         v
     }

@@ -80,7 +80,9 @@ impl Subdivision {
         self.can_join_edges(h)?;
         let goes = self.dcel.next(h);
         for (gone, stays) in [(goes, h), (goes.twin(), h.twin())] {
-            let rings = self.rings.get_mut(&self.dcel.face(gone));
+            let face = self.dcel.face(gone);
+            self.keep_rings(face);
+            let rings = self.rings.get_mut(&face);
             if let Some(ring) = rings.and_then(|rings| rings.iter_mut().find(|ring| **ring == Ring::Cycle(gone))) {
                 *ring = Ring::Cycle(stays);
             }

@@ -86,14 +86,13 @@ impl Subdivision {
         }
         kept_rings.append(&mut gone_rings);
         self.give_rings(kept, kept_rings, rec);
-        self.holes.remove(&gone);
+        self.put_hole(gone, false);
         Ok(gone)
     }
 
     /// Says whether a bounded face is a hole, that is, not part of the domain. Returns what it was before; for
     /// `f0` and for faces that do not exist nothing changes and the answer is `None`.
     pub fn set_hole(&mut self, f: FaceId, hole: bool) -> Option<bool> {
-        (f != self.outer_face() && self.dcel.has_face(f))
-            .then(|| if hole { !self.holes.insert(f) } else { self.holes.remove(&f) })
+        (f != self.outer_face() && self.dcel.has_face(f)).then(|| self.put_hole(f, hole))
     }
 }

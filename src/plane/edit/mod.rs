@@ -34,6 +34,7 @@ pub use remove_edge::{RemoveEdgeError, RemoveVertexError};
 pub use split_edge::SplitEdgeError;
 pub use split_face::SplitFaceError;
 pub(in crate::plane) use spot::Towards;
+pub(in crate::plane) use whole::OldValues;
 
 use super::cycle::on_segment;
 use super::predicates::orientation;

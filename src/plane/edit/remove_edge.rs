@@ -156,8 +156,7 @@ impl Subdivision {
     /// Takes away a vertex, first all its edges, in the order round it from `outgoing(v)` on. Returns the faces that
     /// are gone.
     ///
-    /// Cost: that of removing the edges one by one; O(number of all rings) for the vertex, and a copy of all rings to
-    /// be able to go back.
+    /// Cost: that of removing the edges one by one; O(number of all rings) for the vertex.
     ///
     /// # Errors
     /// See [`RemoveVertexError`]; a refused call leaves everything bit for bit as it was.

@@ -111,7 +111,7 @@ impl Subdivision {
     ) -> Result<(VertexId, HalfEdgeId), SplitEdgeError> {
         self.can_split_edge(h, point)?;
         let (m, c) = self.dcel.split_edge_unchecked(h, rec);
-        self.points.set(m, point, Point::default());
+        self.put_point(m, point);
         Ok((m, c))
     }
 

@@ -164,7 +164,7 @@ impl Subdivision {
             self.split_ring(h1, h2, rec)
         };
         if self.holes.contains(&old) {
-            self.holes.insert(new);
+            self.put_hole(new, true);
         }
         (a, new)
     }
