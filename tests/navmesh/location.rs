@@ -2,10 +2,10 @@
 
 use crate::maps::{Map, Random};
 use crate::oracle::{distance, triangles_with};
-use dcel_kit::FaceId;
 use dcel_kit::navmesh::{LiveMesh, Location, NavMesh, Place, PlaceError, Planner, Rung};
 use dcel_kit::plane::predicates::orientation;
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
+use dcel_kit::{FaceId, VertexId};
 
 /// Where the point lies, by all triangles and by the parity of what a ray crosses.
 fn check(map: &Map, s: &Subdivision, mesh: &NavMesh, p: Point, context: &str) {
@@ -321,9 +321,11 @@ fn a_map_with_more_gaps_than_faces_is_not_much_larger_than_one_without() {
     blocked.iter().for_each(|&f| assert_eq!(map.set_hole(f, true), Some(false)));
     let mesh = NavMesh::new(&map).expect("triangles");
     assert!(blocked.len() > mesh.face_count(), "{} gaps, {} faces", blocked.len(), mesh.face_count());
-    let points: Vec<Point> = (0..map.vertex_bound() as u32).map(|v| map.point(dcel_kit::VertexId::new(v))).collect();
-    let triangles: Vec<[u32; 3]> =
-        mesh.faces().map(|f| mesh.corners(f).map(|v| v.number()).collect::<Vec<_>>().try_into().expect("3")).collect();
+    let points: Vec<Point> = (0..map.vertex_bound() as u32).map(|v| map.point(VertexId::new(v))).collect();
+    let triangles: Vec<[u32; 3]> = mesh
+        .faces()
+        .map(|f| mesh.corners(f).map(VertexId::number).collect::<Vec<_>>().try_into().expect("3"))
+        .collect();
     let without = NavMesh::new(&Subdivision::from_triangles(points, &triangles).expect("the same")).expect("triangles");
     assert_eq!(mesh.face_count(), without.face_count());
     let each = |bytes: usize| bytes as f64 / mesh.face_count() as f64;
