@@ -4,9 +4,9 @@
 //!   ring of points, tidied, in its smallest rotation        equal: filled; equal the other way round: reversed
 //! ```
 
-use super::drawn::{Critic, GROUP};
+use super::drawn::Critic;
 use super::graph::Graph;
-use super::report::{Kind, Spot, counted, listed};
+use super::report::{GROUP, Kind, Spot, counted, listed};
 use super::rings;
 use super::sketch::Outline;
 use crate::plane::Point;

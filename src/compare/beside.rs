@@ -10,7 +10,7 @@
 
 use super::drawing::{Drawing, Outline};
 use super::pairing::distance;
-use super::sketch::Snap;
+use super::snap::Snap;
 use crate::plane::Point;
 
 /// An area is small up to this part of the whole, if it touches no vertex.

@@ -11,9 +11,9 @@
 //!
 //! The reference is placed as in any figure; what only the student has is part of the layout, but drawn on top.
 
-use super::graph::Graph;
+use super::answer::{Comparison, Scenery};
 use super::pairing::{Places, span};
-use super::report::{Comparison, Difference, Slot, Spot, counted};
+use super::report::{Difference, Slot, Spot, counted};
 use super::{diff_style, yours};
 use crate::figure::canvas::scene::{Group, Node, Step};
 use crate::figure::canvas::text;
@@ -44,15 +44,6 @@ const SIZE: f64 = 12.0;
 const LINE: f64 = 16.0;
 const COLUMN: f64 = 380.0;
 const WORDS: f64 = 330.0;
-
-/// What the differences are drawn upon.
-#[derive(Clone, Debug)]
-pub(super) enum Scenery {
-    /// A declared structure.
-    Table(Table),
-    /// Drawn points and lines.
-    Graph(Graph),
-}
 
 impl Comparison {
     /// The picture of the differences: what agrees grey, what only the reference has red and dashed, what only the

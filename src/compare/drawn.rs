@@ -14,11 +14,11 @@ use super::frame::{Best, Frame, Search, Turn};
 use super::graph::{Graph, Matched, Telling};
 use super::ink::Hidden;
 use super::pairing::{Places, span};
-use super::report::{Difference, Kind, Layer, Spot, Writing, counted, listed};
+use super::placed::Placed;
+use super::report::{Difference, GROUP, Kind, Layer, Spot, Writing, counted, listed};
 use super::rings;
 use super::shape;
 use super::sketch::{Outline, Sketch};
-use super::tables::Placed;
 use crate::plane::Point;
 use std::collections::BTreeSet;
 
@@ -26,8 +26,6 @@ use std::collections::BTreeSet;
 const CANVAS: f64 = 600.0;
 /// If one edge of so many is hidden in the reference, its lines are too wide to be told apart.
 const MERGED: usize = 4;
-/// So many of a kind are told in one sentence.
-pub(super) const GROUP: usize = 4;
 /// Drawings of more points are not tried mirrored and turned.
 const TURNED: usize = 20_000;
 /// What came of it.

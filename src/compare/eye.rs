@@ -216,7 +216,7 @@ impl<'a> Eye<'a> {
                     Shape::Stroke([c, d], half) if coat.part == Part::Line => {
                         let (x, y) = (d.x - c.x, d.y - c.y);
                         let skew = (x * along.y - y * along.x).abs() / x.hypot(y);
-                        if skew <= 0.05 && super::graph::lies_on(p, [*c, *d], 2.0 * tolerance) {
+                        if skew <= 0.05 && super::pairing::lies_on(p, [*c, *d], 2.0 * tolerance) {
                             out.coats.push(i);
                             out.half = out.half.max(*half);
                         }

@@ -6,8 +6,8 @@
 //! ```
 
 use super::links::Links;
+use super::placed::Placed;
 use super::report::{Difference, Kind, Layer, Slot, Spot};
-use super::tables::Placed;
 use crate::figure::structure::skeleton::{faces, half_edges, mutual_twin};
 use crate::ids::{Element, FaceId, HalfEdgeId};
 use crate::topology::{Ring, Table, View, bounded_cycle};

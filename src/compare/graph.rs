@@ -7,10 +7,9 @@
 //!
 //! The declared structure and the drawn geometry are both compared by this.
 
-use super::drawn::GROUP;
 use super::ink::Hidden;
-use super::pairing::{Places, distance, span, strays};
-use super::report::{Difference, Kind, Layer, Spot, Writing, listed};
+use super::pairing::{Places, distance, lies_on, span, strays};
+use super::report::{Difference, GROUP, Kind, Layer, Spot, Writing, listed};
 use crate::plane::Point;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -311,15 +310,4 @@ fn two_neighbours(v: u32, edges: &[[u32; 2]]) -> Option<[u32; 2]> {
     let mut others = edges.iter().filter(|edge| edge.contains(&v)).map(|&[a, b]| if a == v { b } else { a });
     let both = [others.next()?, others.next()?];
     others.next().is_none().then_some(both)
-}
-
-/// Whether a point lies on a segment, within the tolerance.
-pub(super) fn lies_on(p: Point, [a, b]: [Point; 2], tolerance: f64) -> bool {
-    let (x, y) = (b.x - a.x, b.y - a.y);
-    let squared = x * x + y * y;
-    if squared <= 0.0 {
-        return distance(p, a) <= tolerance;
-    }
-    let t = (((p.x - a.x) * x + (p.y - a.y) * y) / squared).clamp(0.0, 1.0);
-    distance(p, Point::new(a.x + t * x, a.y + t * y)) <= tolerance
 }

@@ -9,7 +9,7 @@
 //! ```
 
 use super::graph::Matched;
-use super::tables::Placed;
+use super::placed::Placed;
 use crate::figure::structure::skeleton::{half_edges, mutual_twin};
 use crate::ids::HalfEdgeId;
 use crate::topology::{SameOptions, Table, View, same_with};

@@ -2,10 +2,10 @@
 //!
 //! ```text
 //!   reference.svg ─┐  0 well-formed   1 same bytes?   2 same declared structure?   3 same drawn geometry?
-//!   student.svg ───┴─ markup.rs       equal           declared.rs  tables.rs       drawing.rs  shapes.rs  painting.rs
+//!   student.svg ───┴─ markup.rs       equal           declared.rs  tables.rs       drawing/  painting.rs
 //!                                                     links.rs  faces.rs           sketch.rs  eye.rs  drawn.rs
 //!                     4 where no point fits: the right shape in the wrong place?   shape.rs
-//!                     answer: report.rs, and a picture of the differences: diff.rs
+//!                     answer: answer.rs (report.rs), and a picture of the differences: diff.rs
 //! ```
 //!
 #![doc = include_str!("../../figures/difference.svg")]
@@ -52,6 +52,7 @@
 //!   </svg>
 //! ```
 
+mod answer;
 mod areas;
 mod beside;
 mod colour;
@@ -72,29 +73,31 @@ mod numbers;
 mod painting;
 mod pairing;
 mod path;
+mod placed;
 mod report;
 mod rings;
 mod segments;
 mod shape;
-mod shapes;
 mod sketch;
+mod snap;
 mod tables;
 mod transform;
 mod viewport;
 mod yours;
 
+pub use answer::Comparison;
 pub use error::{CompareError, Problem, Side};
-pub use report::{Comparison, Difference, Kind, Layer};
+pub use report::{Difference, Kind, Layer};
 
 use crate::figure::{Figure, FigureError, FigureOptions};
 use crate::plane::Subdivision;
 use crate::topology::Table;
-use diff::Scenery;
+use answer::Scenery;
 use drawing::Drawing;
 use drawn::{Seen, Target};
 use error::Fault;
+use placed::Placed;
 use sketch::Sketch;
-use tables::Placed;
 
 /// What a comparison asks for.
 #[derive(Clone, Debug)]

@@ -159,7 +159,7 @@ impl Coat {
     /// Whether a point is covered, clips left out, and the work that it took.
     pub(super) fn covers(&self, p: Point) -> (bool, usize) {
         match &self.shape {
-            Shape::Stroke(ends, half) => (super::graph::lies_on(p, *ends, *half), 1),
+            Shape::Stroke(ends, half) => (super::pairing::lies_on(p, *ends, *half), 1),
             Shape::Disc(disc) => (disc.covers(p), 1),
             Shape::Area(area) => area.covers(p),
         }

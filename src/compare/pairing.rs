@@ -79,6 +79,17 @@ pub(super) fn distance(a: Point, b: Point) -> f64 {
     (x * x + y * y).sqrt()
 }
 
+/// Whether a point lies on a segment, within the tolerance.
+pub(super) fn lies_on(p: Point, [a, b]: [Point; 2], tolerance: f64) -> bool {
+    let (x, y) = (b.x - a.x, b.y - a.y);
+    let squared = x * x + y * y;
+    if squared <= 0.0 {
+        return distance(p, a) <= tolerance;
+    }
+    let t = (((p.x - a.x) * x + (p.y - a.y) * y) / squared).clamp(0.0, 1.0);
+    distance(p, Point::new(a.x + t * x, a.y + t * y)) <= tolerance
+}
+
 /// The longer side of the box round all points.
 pub(super) fn span(points: &[Point]) -> f64 {
     let side = |of: fn(&Point) -> f64| {

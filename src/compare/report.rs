@@ -11,12 +11,9 @@ use super::pairing::distance;
 use crate::figure::canvas::number::model;
 use crate::ids::{Element, HalfEdgeId};
 use crate::plane::Point;
-use std::fmt::Write;
 
-/// So many differences are written out.
-const LISTED: usize = 10;
-/// So many notes are written out.
-const NOTED: usize = 8;
+/// So many of a kind are told in one sentence.
+pub(super) const GROUP: usize = 4;
 
 /// What a layer of the comparison looks at.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -170,84 +167,6 @@ pub(super) enum Slot {
     Prev,
     Face,
     Whole,
-}
-
-/// The answer of a comparison.
-#[derive(Clone, Debug)]
-pub struct Comparison {
-    pub(super) layer: Layer,
-    pub(super) differences: Vec<Difference>,
-    pub(super) notes: Vec<String>,
-    pub(super) agreed: String,
-    pub(super) scenery: super::diff::Scenery,
-    /// What the student's file shows, and whether in the coordinates of the reference.
-    pub(super) student: Option<(super::sketch::Sketch, bool)>,
-}
-
-impl Comparison {
-    /// Whether nothing differs.
-    #[must_use]
-    pub fn is_equal(&self) -> bool {
-        self.differences.is_empty()
-    }
-
-    /// The layer that decided.
-    #[must_use]
-    pub const fn layer(&self) -> Layer {
-        self.layer
-    }
-
-    /// What differs: the drawing as a whole first, then vertices, edges, half-edges, faces.
-    #[must_use]
-    pub fn differences(&self) -> &[Difference] {
-        &self.differences
-    }
-
-    /// What was seen on the way and decides nothing: what was not read, what is drawn twice.
-    #[must_use]
-    pub fn notes(&self) -> &[String] {
-        &self.notes
-    }
-
-    /// What agrees, such as `21 of 24 half-edges agree`; empty if that was not counted.
-    #[must_use]
-    pub fn agreed(&self) -> &str {
-        &self.agreed
-    }
-
-    /// The verdict in one line: `equal (same drawn geometry)`.
-    #[must_use]
-    pub fn verdict(&self) -> String {
-        let name = self.layer.name();
-        match self.differences.len() {
-            0 => format!("equal (same {name})"),
-            1 => format!("differs in its {name}: 1 difference"),
-            n => format!("differs in its {name}: {n} differences"),
-        }
-    }
-
-    /// The whole answer for people, a line a difference: at most ten, then `and k more`.
-    #[must_use]
-    pub fn text(&self) -> String {
-        let mut out = self.verdict();
-        if !self.agreed.is_empty() && !self.is_equal() {
-            let _ = write!(out, ", {}", self.agreed);
-        }
-        out.push('\n');
-        for (i, difference) in self.differences.iter().take(LISTED).enumerate() {
-            let _ = writeln!(out, "{:>4}. {}", i + 1, difference.text);
-        }
-        if self.differences.len() > LISTED {
-            let _ = writeln!(out, "      and {} more", self.differences.len() - LISTED);
-        }
-        for note in self.notes.iter().take(NOTED) {
-            let _ = writeln!(out, "note: {note}");
-        }
-        if self.notes.len() > NOTED {
-            let _ = writeln!(out, "note: and {} more notes", self.notes.len() - NOTED);
-        }
-        out
-    }
 }
 
 /// How places and lengths are written: rounded to what the tolerance can tell apart.

@@ -4,8 +4,7 @@
 //!   a ──●───●── b        one line through two points is three edges
 //! ```
 
-use super::graph::lies_on;
-use super::pairing::distance;
+use super::pairing::{distance, lies_on};
 use crate::plane::Point;
 
 /// Work of one comparison: cells and points looked at. Drawings that need more are refused.

@@ -11,56 +11,19 @@
 //! mistake gives its own sentence and no others.
 
 use super::frame::Search;
-use super::graph::{Graph, Matched, Telling};
+use super::graph::{Matched, Telling};
 use super::links::{Links, Reduced};
+use super::placed::Placed;
 use super::report::{Difference, Kind, Layer, Slot, Spot, Writing};
 use super::{Options, faces, shape};
 use crate::figure::structure::skeleton::{half_edges, mutual_twin, vertices};
 use crate::ids::{Element, HalfEdgeId, VertexId};
-use crate::plane::Point;
 use crate::topology::{Table, View, violations};
 
 /// Coordinates agree up to this part of the whole.
 const CLOSE: f64 = 1e-9;
 /// So many broken laws are told beside differences.
 const LAWS: usize = 3;
-
-/// A table with its vertices and edges by place.
-pub(super) struct Placed<'a> {
-    pub(super) table: &'a Table,
-    pub(super) graph: Graph,
-    /// The vertex of each point of the graph.
-    pub(super) vertices: Vec<VertexId>,
-    /// The point of each vertex.
-    pub(super) numbers: Vec<Option<u32>>,
-}
-
-impl<'a> Placed<'a> {
-    pub(super) fn new(table: &'a Table) -> Self {
-        let mut out =
-            Self { table, graph: Graph::default(), vertices: Vec::new(), numbers: vec![None; table.vertex_bound()] };
-        for v in vertices(table) {
-            let Some([x, y]) = table.vertices[v.index()].and_then(|row| row.position) else { continue };
-            out.numbers[v.index()] = Some(out.vertices.len() as u32);
-            out.vertices.push(v);
-            out.graph.points.push(Point::new(x, y));
-            out.graph.names.push(v.to_string());
-        }
-        out.graph.edges = half_edges(table).filter_map(|h| out.ends(h)).collect();
-        out.graph.tidy();
-        out
-    }
-
-    fn number(&self, v: Option<VertexId>) -> Option<u32> {
-        *self.numbers.get(v?.index())?
-    }
-
-    /// The points where a half-edge starts and ends.
-    pub(super) fn ends(&self, h: HalfEdgeId) -> Option<[u32; 2]> {
-        let end = crate::figure::structure::skeleton::destination(self.table, h);
-        Some([self.number(self.table.origin(h))?, self.number(end)?])
-    }
-}
 
 /// What came of it.
 pub(super) struct Found {

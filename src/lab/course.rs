@@ -90,6 +90,9 @@ pub trait Course: Sync {
         None
     }
 
+    /// The promise that a fault of a hidden case breaks, without anything of the case.
+    fn promise(&self, fault: &Fault) -> &'static str;
+
     /// The structure that a call should have left behind, in the numbers of the student's, for a picture.
     fn expected(&self, exchange: &Exchange) -> Option<Table>;
 

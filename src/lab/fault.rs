@@ -70,6 +70,28 @@ pub enum FaultKind {
     GraderFault,
 }
 
+impl Fault {
+    /// What happened, in a sentence: of a call that did not return, first how it ended, then what it has left behind.
+    pub(super) fn what_happened(&self, exchange: Option<&Exchange>) -> String {
+        let called = exchange.and_then(|exchange| Some((exchange, exchange.called?.1)));
+        let Some((exchange, end)) = called else { return self.words.clone() };
+        let (how, known) = match (&self.kind, end) {
+            (FaultKind::DoesNotComeBack { .. } | FaultKind::TooSlow { .. }, CallEnd::Stopped(stopped)) => {
+                (stopped.words(), stopped.words())
+            }
+            (FaultKind::Crashed { .. }, CallEnd::Panicked { message, .. }) => {
+                (format!("panicked: {message}"), message.clone())
+            }
+            _ => return self.words.clone(),
+        };
+        if self.words.contains(&known) {
+            return self.words.clone();
+        }
+        let call = format!("{} {}", exchange.function, exchange.words.join(" "));
+        format!("{}: {how}. Left behind: {}", call.trim_end(), self.words)
+    }
+}
+
 impl FaultKind {
     /// Of a call that did not return: what is still to do, a crash, or a loop that was stopped.
     #[must_use]

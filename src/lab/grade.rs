@@ -11,15 +11,17 @@ use super::conditions::{Calls, necessary, necessary_sentence, sentence, shortest
 use super::course::{Course, Source, Suite, course};
 use super::fault::{Fault, FaultKind, Instead};
 use super::feedback;
+use super::findings::findings;
 use super::judged::{Needs, Ruling, Unit, Units};
 use super::manifest::Test;
 use super::plan::Plan;
 use super::program::Program;
-use super::report::{Finding, Report, TestResult};
-use super::run::{PATIENCE, SuiteRun, run_suite};
+use super::report::{Report, TestResult};
+use super::run::{Graded, PATIENCE, SuiteRun, run_suite};
+use super::signatures::Signature;
 use super::the_lab::Lab;
 use super::verdict::Verdict;
-use super::zoo::{self, Evidence, Signature};
+use super::zoo::{self, Evidence};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -29,18 +31,8 @@ use std::time::Instant;
 /// What is said of a test that was not asked any more.
 const GIVEN_UP: &str =
     "It was not run: the program had to be ended twice before, because of time or memory. Mend the test above first.";
-/// How many findings are listed.
-const FINDINGS: usize = 10;
 /// How much of the student's printing is in the report.
 const PRINTED: usize = 4 * 1024;
-
-/// A suite that was run.
-pub(super) struct Graded<'a> {
-    pub(super) suite: &'a Suite,
-    pub(super) run: SuiteRun,
-    /// It was not run, because what all of its tests need did not come back.
-    blocked: bool,
-}
 
 /// What is known of a test before it becomes a result.
 struct State<'a> {
@@ -199,13 +191,6 @@ fn is_blocked(lab: &Lab, suite: &Suite, graded: &[Graded]) -> bool {
     };
     let needs = |test: &&str| lab.manifest.test(test).map_or(&[][..], |test| &test.needs);
     suite.tests.iter().all(|test| needs(test).iter().any(|need| broken_off(need)))
-}
-
-impl Graded<'_> {
-    /// Whether every case was asked.
-    fn is_whole(&self) -> bool {
-        !self.blocked && self.run.faults.len() == self.suite.asked.len()
-    }
 }
 
 impl<'a> Run<'a> {
@@ -421,14 +406,13 @@ impl Run<'_> {
         }
         let section = self.lab.manifest.task(state.test.task).map_or("", |task| task.section.as_str());
         let hidden = self.graded[number].suite.asked[unit.case].source == Source::Hidden;
-        let what =
-            faults.first().map_or_else(String::new, |fault| feedback::what_happened(fault, unit.exchange.as_ref()));
+        let what = faults.first().map_or_else(String::new, |fault| fault.what_happened(unit.exchange.as_ref()));
         result.message = if hidden {
             "A hidden case fails; the cases that you can see do not.".to_owned()
         } else {
             format!("{what} ({})", count(ruling))
         };
-        result.findings = findings(&faults, section, hidden);
+        result.findings = findings(self.course, &faults, section, hidden);
         if !hidden {
             let told = [self.pattern(state, number), self.instead(state, number)];
             let told: Vec<String> = told.into_iter().flatten().collect();
@@ -532,36 +516,4 @@ fn count(ruling: &Ruling) -> String {
         }
     };
     format!("{failing} of {judged} {calls}{rest}.")
-}
-
-/// The faults of one case as findings: each sentence once. Of hidden cases only the promise is said.
-pub(super) fn findings(faults: &[&Fault], section: &str, hidden: bool) -> Vec<Finding> {
-    let mut out: Vec<Finding> = Vec::new();
-    for fault in faults {
-        let words = if hidden { promise(fault) } else { fault.words.clone() };
-        let finding = Finding { rule: fault.rule.clone(), words, section: section.to_owned() };
-        if out.len() < FINDINGS && !out.contains(&finding) {
-            out.push(finding);
-        }
-    }
-    out
-}
-
-/// The promise that a hidden case found broken, without anything of the case.
-fn promise(fault: &Fault) -> String {
-    let sentence = match (&fault.kind, fault.rule.as_str()) {
-        (FaultKind::Crashed { .. }, _) => "after some splits, the next one panics or ends the program",
-        (FaultKind::TimedOut | FaultKind::OutOfMemory, _) => "after some splits, the next one does not come back",
-        (_, "split_face.0") => "split_face refuses illegal calls, and only these, without changing anything",
-        (_, "split_face.1") => "split_face makes one face and no vertex",
-        (_, "split_face.2") => "split_face makes two half-edges, twins with the right origins",
-        (_, "split_face.3") => "after split_face, next and prev close both cycles",
-        (_, "split_face.4") => "after split_face, every half-edge knows its face",
-        (_, "split_face.5") => "after split_face, faces and vertices know a half-edge of their own",
-        (_, "split_in_half.1") => "split_in_half makes one vertex, at the midpoint",
-        (_, "split_in_half.2") => "split_in_half makes two half-edges with the right origins and twins",
-        (_, "split_in_half.3") => "after split_in_half, links, faces and what vertices refer to are right",
-        _ => "after some splits, all laws of the structure hold",
-    };
-    format!("broken in a hidden case: {sentence}")
 }

@@ -30,6 +30,7 @@ mod export;
 pub mod fault;
 mod feedback;
 mod files;
+mod findings;
 mod grade;
 mod half_edge;
 mod judged;
@@ -47,6 +48,7 @@ mod report;
 #[cfg(feature = "grade")]
 pub mod reports;
 mod run;
+mod signatures;
 #[cfg(feature = "grade")]
 mod similar;
 mod stop;
@@ -82,6 +84,7 @@ pub use own_folder::{FolderCheck, Workbench, check_folder};
 pub use plan::{Plan, Secret};
 pub use program::{Driver, End, Limits, Program, Ran, end_of, signal_name};
 pub use report::{Adjustment, Finding, Picture, Report, Similar, TestResult, Visibility, Wall};
+pub use signatures::{Signature, Signatures};
 pub use stop::Stop;
 #[cfg(feature = "grade")]
 pub use student::{Kit, student_files};
@@ -98,4 +101,3 @@ pub use verdict::Verdict;
 pub use verify::{BugRow, Verification, verify, verify_some};
 #[cfg(feature = "grade")]
 pub use walls::{Hidden, WallChoice, WalledProgram, Walls, launched};
-pub use zoo::{Signature, Signatures};

@@ -55,6 +55,21 @@ impl SuiteRun {
     }
 }
 
+/// A suite that was run.
+pub(super) struct Graded<'a> {
+    pub(super) suite: &'a Suite,
+    pub(super) run: SuiteRun,
+    /// It was not run, because what all of its tests need did not come back.
+    pub(super) blocked: bool,
+}
+
+impl Graded<'_> {
+    /// Whether every case was asked.
+    pub(super) fn is_whole(&self) -> bool {
+        !self.blocked && self.run.faults.len() == self.suite.asked.len()
+    }
+}
+
 /// Runs and judges all cases of a suite.
 ///
 /// `exhausted` is how often the program was ended before because of time or memory.

@@ -3,8 +3,8 @@
 use super::bug::Bug;
 use super::files::{LabFiles, LabFilesError};
 use super::manifest::Manifest;
+use super::signatures::Signatures;
 use super::toml_file::ManifestError;
-use super::zoo::Signatures;
 use std::path::Path;
 
 /// A lab: its manifest and its zoo.

@@ -11,8 +11,9 @@
 
 use super::course::course;
 use super::grade::{grade, random_evidence};
+use super::signatures::{Signature, Signatures};
 use super::student::{Kit, student_files};
-use super::zoo::{Signature, Signatures, with_conditions};
+use super::zoo::with_conditions;
 use super::{Driver, Lab, Plan, Report, Verdict, starter};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;

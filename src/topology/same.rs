@@ -22,6 +22,7 @@
 
 mod colour;
 mod difference;
+mod explain;
 mod forest;
 mod matcher;
 mod world;
@@ -134,6 +135,6 @@ pub fn same_with<A: View + ?Sized, B: View + ?Sized>(
         return Err(Difference::Broken { which: Which::Second, violation: Box::new(violation) });
     }
     let world = World::new(a, b, options)?;
-    difference::histograms(&world)?;
+    explain::histograms(&world)?;
     forest::compare(&world)
 }

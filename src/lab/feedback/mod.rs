@@ -18,12 +18,12 @@ pub use text::test_text;
 
 use super::course::{Asked, Course, Source, Suite};
 use super::fault::{Exchange, Fault, FaultKind, exchanges};
-use super::grade::{Graded, findings};
+use super::findings::findings;
 use super::judged::Needs;
 use super::program::Program;
-use super::protocol::{CallEnd, Case, CaseAnswer, Step};
+use super::protocol::{Case, CaseAnswer, Step};
 use super::report::TestResult;
-use super::run::run_suite;
+use super::run::{Graded, run_suite};
 use super::the_lab::Lab;
 
 /// A structure with more half-edges is not drawn: nobody could see anything in it.
@@ -65,14 +65,14 @@ impl Context<'_> {
         };
         let faults: Vec<&Fault> = shown.faults.iter().filter(|fault| fault.test == result.name).collect();
         let section = self.lab.manifest.task(result.task).map_or("", |task| task.section.as_str());
-        result.findings = findings(&faults, section, false);
+        result.findings = findings(self.course, &faults, section, false);
         if let Some(fault) = faults.first() {
             let count = result.message.rfind(" (").map_or("", |at| &result.message[at..]);
             result.place = fault.kind.place().map(str::to_owned).or_else(|| result.place.take());
             let exchange = exchanges(&shown.case, &shown.answer).into_iter().find(|e| e.step == fault.step);
             let fits = |e: &Exchange| e.before.is_none_or(|table| table.half_edges.len() <= DRAWN);
             let exchange = exchange.filter(fits);
-            result.message = format!("{}{count}", what_happened(fault, exchange.as_ref()));
+            result.message = format!("{}{count}", fault.what_happened(exchange.as_ref()));
             result.picture = exchange.and_then(|exchange| picture::of(self.course, &exchange, &faults));
         }
         result.script = Some(shown.case.script());
@@ -108,26 +108,6 @@ impl Context<'_> {
             .map(|((asked, answer), faults)| Shown { case: asked.case, answer, faults })
             .collect()
     }
-}
-
-/// What happened, in a sentence: of a call that did not return, first how it ended, then what it has left behind.
-pub(super) fn what_happened(fault: &Fault, exchange: Option<&Exchange>) -> String {
-    let called = exchange.and_then(|exchange| Some((exchange, exchange.called?.1)));
-    let Some((exchange, end)) = called else { return fault.words.clone() };
-    let (how, known) = match (&fault.kind, end) {
-        (FaultKind::DoesNotComeBack { .. } | FaultKind::TooSlow { .. }, CallEnd::Stopped(stopped)) => {
-            (stopped.words(), stopped.words())
-        }
-        (FaultKind::Crashed { .. }, CallEnd::Panicked { message, .. }) => {
-            (format!("panicked: {message}"), message.clone())
-        }
-        _ => return fault.words.clone(),
-    };
-    if fault.words.contains(&known) {
-        return fault.words.clone();
-    }
-    let call = format!("{} {}", exchange.function, exchange.words.join(" "));
-    format!("{}: {how}. Left behind: {}", call.trim_end(), fault.words)
 }
 
 /// The driver reads a case from a file; the script of a test is kept under the test's name.

@@ -8,7 +8,7 @@
 //!
 //! Time plays no part: reads are counted, and are the same on every machine.
 
-use super::walks;
+use super::walk;
 use crate::fault::{Fault, FaultKind};
 use crate::protocol::{Called, Case, CaseAnswer, Many, Reply, Start, Step, grouped};
 use dcel_kit::topology::Table;
@@ -123,7 +123,7 @@ fn wrong_of_many(
         _ => (table.half_edges.len(), |n| HalfEdgeId::new(n).into()),
     };
     let asked = count.min(length);
-    let answers_of = |n: u32| walks::expected(table, function, n).map_or(0, |walk| walk.elements.len() as u64);
+    let answers_of = |n: u32| walk::expected(table, function, n).map_or(0, |walk| walk.elements.len() as u64);
     if many.asked < asked || many.reads > budget {
         let words = format!(
             "{function} looks at everything: {} reads for {}, whose answer has {}, in a structure of {} records",

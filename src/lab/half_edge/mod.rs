@@ -20,6 +20,7 @@ mod split_face;
 mod split_in_half;
 mod starts;
 mod suites;
+mod walk;
 mod walks;
 
 pub(super) use suites::HALF_EDGE;

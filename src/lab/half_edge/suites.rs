@@ -8,12 +8,12 @@ use super::costs::{self, SMALL_GRID};
 use super::sequences::{Mix, polygon, random, sequence};
 use super::shorter::shorter;
 use super::starts::{blind, odd, relabelled, rounding, window};
-use super::{drawing, features, sequences, split_face, split_in_half, walks};
+use super::{drawing, features, sequences, split_face, split_in_half, walk, walks};
 use crate::cases::classes::classes;
 use crate::cases::random::Random;
 use crate::checks::spec::{Legal, may_split_face};
 use crate::course::{Asked, Course, Feature, Source, Suite};
-use crate::fault::{Exchange, Fault};
+use crate::fault::{Exchange, Fault, FaultKind};
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step};
 use dcel_kit::topology::{HalfEdgeRow, Table};
@@ -124,6 +124,23 @@ impl Course for HalfEdge {
         features::of(earlier, exchange)
     }
 
+    fn promise(&self, fault: &Fault) -> &'static str {
+        match (&fault.kind, fault.rule.as_str()) {
+            (FaultKind::Crashed { .. }, _) => "after some splits, the next one panics or ends the program",
+            (FaultKind::TimedOut | FaultKind::OutOfMemory, _) => "after some splits, the next one does not come back",
+            (_, "split_face.0") => "split_face refuses illegal calls, and only these, without changing anything",
+            (_, "split_face.1") => "split_face makes one face and no vertex",
+            (_, "split_face.2") => "split_face makes two half-edges, twins with the right origins",
+            (_, "split_face.3") => "after split_face, next and prev close both cycles",
+            (_, "split_face.4") => "after split_face, every half-edge knows its face",
+            (_, "split_face.5") => "after split_face, faces and vertices know a half-edge of their own",
+            (_, "split_in_half.1") => "split_in_half makes one vertex, at the midpoint",
+            (_, "split_in_half.2") => "split_in_half makes two half-edges with the right origins and twins",
+            (_, "split_in_half.3") => "after split_in_half, links, faces and what vertices refer to are right",
+            _ => "after some splits, all laws of the structure hold",
+        }
+    }
+
     fn expected(&self, exchange: &Exchange) -> Option<Table> {
         super::expected(exchange)
     }
@@ -131,7 +148,7 @@ impl Course for HalfEdge {
     fn answer(&self, exchange: &Exchange) -> Vec<Element> {
         let asked = exchange.before.zip(exchange.called);
         let walk =
-            asked.and_then(|(table, (arguments, _))| walks::expected(table, exchange.function, *arguments.first()?));
+            asked.and_then(|(table, (arguments, _))| walk::expected(table, exchange.function, *arguments.first()?));
         walk.map_or_else(Vec::new, |walk| walk.elements.iter().map(|&number| (walk.element)(number)).collect())
     }
 

@@ -8,7 +8,7 @@
 //! ```
 
 use super::answer::Broken;
-use super::read::cut;
+use super::cut;
 use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::sync::Arc;

@@ -23,3 +23,12 @@ mod read;
 pub use answer::{Answers, Broken, CallEnd, Called, CaseAnswer, Many, Pattern, Reply, Stopped, Value, grouped};
 pub use case::{Case, Start, Step};
 pub use read::read_answers;
+
+/// The beginning of a text, for messages.
+fn cut(text: &str) -> String {
+    let mut out: String = text.chars().take(80).collect();
+    if out.len() < text.len() {
+        out.push('…');
+    }
+    out
+}

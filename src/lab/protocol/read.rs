@@ -5,6 +5,7 @@
 
 use super::answer::{Answers, Broken, CallEnd, Called, CaseAnswer, Many, Pattern, Reply, Stopped, Value};
 use super::case::{Case, Step};
+use super::cut;
 use super::dump::{Dump, id};
 use dcel_kit::topology::Table;
 use std::borrow::Cow;
@@ -54,15 +55,6 @@ pub fn read_answers(stdout: &[u8], token: &str, cases: &[&Case]) -> Answers {
         answers.done = line == "done" && lines.lines.peek().is_none();
     }
     answers
-}
-
-/// The beginning of a text, for messages.
-pub(super) fn cut(text: &str) -> String {
-    let mut out: String = text.chars().take(80).collect();
-    if out.len() < text.len() {
-        out.push('…');
-    }
-    out
 }
 
 /// The lines of the driver, with their numbers among them.

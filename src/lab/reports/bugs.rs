@@ -1,6 +1,6 @@
 //! The named bugs of a class: what to talk about in the next lecture.
 
-use super::{sheet, words};
+use super::{rows::rows, words};
 use crate::Report;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -20,9 +20,9 @@ pub(super) fn count(reports: &[Report]) -> Vec<(String, Vec<String>)> {
 
 /// A row for each bug.
 pub(super) fn write(reports: &[Report]) -> String {
-    let rows = count(reports)
+    let all = count(reports)
         .into_iter()
         .map(|(bug, authors)| vec![bug, authors.len().to_string(), authors.join("; ")])
         .collect::<Vec<_>>();
-    sheet::rows(&["bug", "submissions", "who"], rows)
+    rows(&["bug", "submissions", "who"], all)
 }

@@ -20,6 +20,7 @@ mod gradescope;
 mod html;
 mod junit;
 mod markdown;
+mod rows;
 mod sheet;
 mod text;
 mod words;

@@ -6,7 +6,7 @@
 //!
 //! Where the grader failed there are no points, because that is no grade: the cell is empty.
 
-use super::words;
+use super::{rows::rows, words};
 use crate::Report;
 
 /// The points of every test, the total and the named bugs of each submission.
@@ -49,22 +49,4 @@ pub(super) fn write(reports: &[Report]) -> String {
         row
     };
     rows(&head, reports.iter().map(row).collect())
-}
-
-/// A table with a head, as RFC 4180 has it.
-pub(super) fn rows(head: &[&str], rows: Vec<Vec<String>>) -> String {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    // Writing into memory cannot fail, and every row is as long as the head.
-    let _ = writer.write_record(head);
-    for row in rows {
-        let _ = writer.write_record(row.iter().map(|cell| harmless(cell)));
-    }
-    writer.into_inner().ok().and_then(|bytes| String::from_utf8(bytes).ok()).unwrap_or_default()
-}
-
-/// The cell, with an apostrophe where a spreadsheet would see a formula. Numbers stay numbers.
-fn harmless(cell: &str) -> String {
-    let bare = cell.trim_start_matches(|c: char| c.is_whitespace() && !"\t\r\n".contains(c));
-    let formula = bare.starts_with(['=', '+', '-', '@', '＝', '＋', '－', '＠', '\t', '\r', '\n']);
-    if formula && cell.parse::<f64>().is_err() { format!("'{cell}") } else { cell.to_owned() }
 }

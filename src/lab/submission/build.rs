@@ -35,17 +35,6 @@ pub(crate) enum Built {
     },
 }
 
-/// What a build may use, if nothing else is said: many times what a lab's file takes.
-pub(crate) const USUAL: Limits = Limits {
-    seconds: 30.0,
-    cpu_seconds: 40,
-    memory_mb: 4096,
-    output_kb: 4096,
-    file_kb: 256 * 1024,
-    files: 1024,
-    processes: 256,
-};
-
 /// Builds a tree in a sandbox.
 pub(crate) fn build(tree: &Tree, toolchain: &Toolchain, limits: Limits, sandbox: &dyn Sandbox) -> Built {
     if let Some(settings) = settings_above(&tree.folder()).filter(|_| !sandbox.obeys_settings()) {

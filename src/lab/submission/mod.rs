@@ -27,7 +27,7 @@ mod scan;
 mod toolchain;
 mod tree;
 
-pub(crate) use build::{Built, USUAL as USUAL_BUILD, build};
+pub(crate) use build::{Built, build};
 #[cfg(feature = "grade")]
 pub use handed::{ClassError, Submission};
 pub use intake::{Intake, IntakeError, take_in};
@@ -38,3 +38,16 @@ pub(crate) use room::Rooms;
 pub use scan::{Forbidden, ScanError, scan};
 pub(crate) use toolchain::Toolchain;
 pub(crate) use tree::Tree;
+
+use super::Limits;
+
+/// What a build may use, if nothing else is said: many times what a lab's file takes.
+pub(crate) const USUAL_BUILD: Limits = Limits {
+    seconds: 30.0,
+    cpu_seconds: 40,
+    memory_mb: 4096,
+    output_kb: 4096,
+    file_kb: 256 * 1024,
+    files: 1024,
+    processes: 256,
+};

@@ -5,7 +5,7 @@
 //! cannot be made, copies.
 
 #[cfg(feature = "grade")]
-use super::build::USUAL;
+use super::USUAL_BUILD;
 #[cfg(feature = "grade")]
 use super::linker::Linker;
 #[cfg(feature = "grade")]
@@ -122,7 +122,7 @@ impl Toolchain {
                 write: vec![made],
                 tools: true,
             },
-            limits: USUAL,
+            limits: USUAL_BUILD,
         };
         let ran = laid.map(|()| resident.run(&task, "")).map_err(why);
         let _ = fs::remove_dir_all(&folder);

@@ -1,10 +1,11 @@
 //! The way from given segments to a subdivision, step by step.
 
+use super::chains::Split;
 use super::collinear::{Pieces, Stretch};
 use super::error::{SegmentFault, SegmentsError};
 use super::faults::all_faults;
 use super::graph::{Distinct, Graph, Single};
-use super::split::{Split, split as split_all};
+use super::split::split as split_all;
 use super::trace::{Stars, trace};
 use super::{ArrangeOptions, Arranged};
 use crate::ids::{HalfEdgeId, VertexId};

@@ -12,6 +12,7 @@
 //! Antennas, single edges, isolated points, nested rings and several components are all legal.
 
 mod arrange;
+mod chains;
 mod collinear;
 mod error;
 mod faults;

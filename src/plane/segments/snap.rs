@@ -28,9 +28,9 @@
 //! and Marimont, *Rounding arrangements dynamically*, 1998; Goodrich, Guibas, Hershberger and Tanenbaum, *Snap rounding
 //! line segments efficiently in two and three dimensions*, 1997.
 
+use super::chains::{Snapped, Split};
 use super::graph::{Distinct, Graph, Single};
 use super::pixels::Pixels;
-use super::split::{Snapped, Split};
 use crate::plane::Point;
 use crate::plane::meet::{Grid, Spot, all_meetings};
 use crate::plane::predicates::left_to_right;

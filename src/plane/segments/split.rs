@@ -14,6 +14,7 @@
 //! In bundles of lines a few last bits apart, every round may make new crossings between the doubles. What has not
 //! settled after four rounds is therefore rounded to a grid, which always settles: see `snap.rs`.
 
+use super::chains::Split;
 use super::graph::{Graph, Single};
 use super::snap::{Plain, snap};
 use crate::plane::Point;
@@ -23,46 +24,6 @@ use std::ops::ControlFlow;
 
 /// Rounds after which a grid is used. One or two are usual.
 const PLAIN_ROUNDS: u32 = 4;
-
-/// What became of the edges of a graph.
-pub(super) struct Split {
-    /// Where the chain of each edge starts in `chain`, and the end.
-    pub(super) starts: Vec<u32>,
-    /// Half-edges of the new edges, one chain after another: twice the edge, plus 1 against its direction.
-    pub(super) chain: Vec<u32>,
-    /// The points made for crossings, and how far each lies from its crossing.
-    pub(super) made: Vec<(u32, f64)>,
-    pub(super) rounds: u32,
-    /// What the grid did, if one was used.
-    pub(super) snapped: Option<Snapped>,
-    /// No point of an edge is further from its chain, nor the other way round.
-    pub(super) farthest: f64,
-}
-
-/// What became of the points of a graph that was rounded to a grid.
-pub(super) struct Snapped {
-    pub(super) grid: Grid,
-    /// The new number of each point; those of the points that were there before come first.
-    pub(super) number: Vec<u32>,
-    /// How many points those before have become.
-    pub(super) given: usize,
-    /// The points that moved, by their new numbers, and how far.
-    pub(super) displaced: Vec<(u32, f64)>,
-}
-
-impl Split {
-    /// Every edge is its own chain.
-    pub(super) fn none(edges: usize) -> Self {
-        Self {
-            starts: (0..=edges as u32).collect(),
-            chain: (0..edges as u32).map(|e| 2 * e).collect(),
-            made: Vec::new(),
-            rounds: 0,
-            snapped: None,
-            farthest: 0.0,
-        }
-    }
-}
 
 /// Splits the edges of `graph` until nothing meets; on the grid, if there is one, else in place where that settles.
 ///

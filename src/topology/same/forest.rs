@@ -9,7 +9,8 @@
 
 use super::super::flat::{Grouped, NONE};
 use super::colour::{Look, mix, refine};
-use super::difference::{first_pointer, which};
+use super::difference::which;
+use super::explain::first_pointer;
 use super::matcher::Matcher;
 use super::world::World;
 use super::{Difference, Matching, Which};

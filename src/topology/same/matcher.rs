@@ -7,7 +7,7 @@
 //! ```
 
 use super::super::flat::NONE;
-use super::difference::first_pointer;
+use super::explain::first_pointer;
 use super::world::World;
 use super::{Difference, Matching};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};

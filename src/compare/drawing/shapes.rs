@@ -5,15 +5,15 @@
 //!   ▭▭▭▭▭▭▭                         a thin filled rectangle may be a line: sketch.rs decides that by its ends
 //! ```
 
-use super::colour::Paint;
-use super::drawing::{Around, Dot, Line, Outline, Reader, corners, flipped, length, place, word};
-use super::error::Fault;
-use super::ink::Hidden;
-use super::painting::{Area, Disc, Part, Shape};
-use super::pairing::distance;
-use super::path::{self, Subpath};
-use super::transform::Transform;
-use super::{declared, numbers};
+use super::{Around, Dot, Line, Outline, Reader, corners, flipped, length, place, word};
+use crate::compare::colour::Paint;
+use crate::compare::error::Fault;
+use crate::compare::ink::Hidden;
+use crate::compare::painting::{Area, Disc, Part, Shape};
+use crate::compare::pairing::distance;
+use crate::compare::path::{self, Subpath};
+use crate::compare::transform::Transform;
+use crate::compare::{declared, numbers};
 use crate::plane::Point;
 use roxmltree::Node;
 

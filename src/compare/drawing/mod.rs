@@ -10,13 +10,15 @@
 //! y is turned round at once: all points here have y up. In the kit's own figures (`data-figure` on the root) the
 //! half-edges, pointers and hatches beside the edges are decoration: they can hide, and nothing else.
 
+mod shapes;
+
 use super::error::{Fault, Problem, quoted};
 use super::ink::{Hidden, Ink, Own};
 use super::markup::is_svg;
 use super::painting::{Area, Clip, Painting};
 use super::transform::Transform;
 use super::viewport::{self, Room};
-use super::{declared, numbers, shapes};
+use super::{declared, numbers};
 use crate::figure::canvas::selectors::{Rule, Tag, rules};
 use crate::plane::Point;
 use roxmltree::{Document, Node};
@@ -27,7 +29,7 @@ const DEPTH: usize = 200;
 /// Work: elements visited, those drawn again by `use` counted each time, and sixteenths of their attributes.
 const WORK: usize = 1_500_000;
 /// Lines, dots and corners of areas.
-pub(super) const LINES: usize = 400_000;
+pub(in crate::compare) const LINES: usize = 400_000;
 /// Rules of style sheets times elements.
 const MATCHES: usize = 4_000_000;
 /// Characters of style sheets.
@@ -39,53 +41,53 @@ const ASIDE: [&str; 6] = ["legend", "axis", "colorbar", "tick", "ticks", "rows"]
 
 /// A circle.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) struct Dot {
-    pub(super) at: Point,
-    pub(super) radius: f64,
-    pub(super) hidden: Option<Hidden>,
+pub(in crate::compare) struct Dot {
+    pub(in crate::compare) at: Point,
+    pub(in crate::compare) radius: f64,
+    pub(in crate::compare) hidden: Option<Hidden>,
     /// The vertex that the group round the circle declares: its name and its place in the model.
-    pub(super) vertex: Option<(String, Point)>,
+    pub(in crate::compare) vertex: Option<(String, Point)>,
     /// Whether it stands in a legend or on an axis, by its name.
-    pub(super) aside: bool,
+    pub(in crate::compare) aside: bool,
 }
 
 /// A straight line.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Line {
-    pub(super) ends: [Point; 2],
-    pub(super) hidden: Option<Hidden>,
-    pub(super) aside: bool,
+pub(in crate::compare) struct Line {
+    pub(in crate::compare) ends: [Point; 2],
+    pub(in crate::compare) hidden: Option<Hidden>,
+    pub(in crate::compare) aside: bool,
 }
 
 /// A filled outline.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) struct Outline {
-    pub(super) points: Vec<Point>,
+pub(in crate::compare) struct Outline {
+    pub(in crate::compare) points: Vec<Point>,
     /// The face that the group round it declares, or nothing.
-    pub(super) name: String,
+    pub(in crate::compare) name: String,
     /// What it paints.
-    pub(super) coat: u32,
+    pub(in crate::compare) coat: u32,
     /// Whether some of its sides are curves.
-    pub(super) curved: bool,
-    pub(super) hidden: Option<Hidden>,
+    pub(in crate::compare) curved: bool,
+    pub(in crate::compare) hidden: Option<Hidden>,
 }
 
 /// All that is drawn.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Drawing {
-    pub(super) dots: Vec<Dot>,
-    pub(super) lines: Vec<Line>,
-    pub(super) outlines: Vec<Outline>,
-    pub(super) painting: Painting,
+pub(in crate::compare) struct Drawing {
+    pub(in crate::compare) dots: Vec<Dot>,
+    pub(in crate::compare) lines: Vec<Line>,
+    pub(in crate::compare) outlines: Vec<Outline>,
+    pub(in crate::compare) painting: Painting,
     /// The part of the plane that is shown: lowest and highest corner.
-    pub(super) canvas: Option<[Point; 2]>,
+    pub(in crate::compare) canvas: Option<[Point; 2]>,
     /// What was not read.
-    pub(super) notes: Vec<String>,
+    pub(in crate::compare) notes: Vec<String>,
 }
 
 impl Drawing {
     /// Reads a document. O(size), up to the caps.
-    pub(super) fn read(document: &Document<'_>) -> Result<Self, Fault> {
+    pub(in crate::compare) fn read(document: &Document<'_>) -> Result<Self, Fault> {
         let css = style_sheets(document)?;
         let rules = rules(&css);
         let elements = document.descendants().filter(Node::is_element).count();
@@ -133,7 +135,7 @@ impl Drawing {
     }
 
     /// The ends of all lines and the middles of all dots.
-    pub(super) fn points(&self) -> impl Iterator<Item = Point> + '_ {
+    pub(in crate::compare) fn points(&self) -> impl Iterator<Item = Point> + '_ {
         self.dots.iter().map(|dot| dot.at).chain(self.lines.iter().flat_map(|line| line.ends))
     }
 }
@@ -162,37 +164,37 @@ fn canvas(root: Node<'_, '_>) -> Option<Room> {
 }
 
 /// The corners of a rectangle.
-pub(super) fn corners([x, y, width, height]: Room) -> [[f64; 2]; 4] {
+pub(in crate::compare) fn corners([x, y, width, height]: Room) -> [[f64; 2]; 4] {
     [[x, y], [x + width, y], [x + width, y + height], [x, y + height]]
 }
 
 /// What an element stands in.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Around {
-    pub(super) transform: Transform,
-    pub(super) ink: Ink,
-    pub(super) own: Own,
-    pub(super) clip: Option<u32>,
+pub(in crate::compare) struct Around {
+    pub(in crate::compare) transform: Transform,
+    pub(in crate::compare) ink: Ink,
+    pub(in crate::compare) own: Own,
+    pub(in crate::compare) clip: Option<u32>,
     /// The room that percentages are parts of.
-    pub(super) room: Option<Room>,
-    pub(super) aside: bool,
+    pub(in crate::compare) room: Option<Room>,
+    pub(in crate::compare) aside: bool,
     /// Whether it is decoration of the kit, which can only hide.
-    pub(super) decorates: bool,
+    pub(in crate::compare) decorates: bool,
 }
 
-pub(super) struct Reader<'a, 'i> {
+pub(in crate::compare) struct Reader<'a, 'i> {
     document: &'a Document<'i>,
     rules: Vec<Rule<'a>>,
     path: Vec<Tag>,
     /// Elements by id; filled when the first one is needed.
     ids: BTreeMap<&'a str, Node<'a, 'i>>,
-    pub(super) kit: bool,
-    pub(super) fills: bool,
+    pub(in crate::compare) kit: bool,
+    pub(in crate::compare) fills: bool,
     /// Clips that were met, by the place of their element, the clip around and the transform.
     clips: BTreeMap<(usize, Option<u32>, [u64; 6]), u32>,
     work: usize,
     points: usize,
-    pub(super) out: Drawing,
+    pub(in crate::compare) out: Drawing,
     ignored: BTreeMap<String, usize>,
 }
 
@@ -272,7 +274,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         }
     }
 
-    pub(super) fn ignore(&mut self, what: &str) {
+    pub(in crate::compare) fn ignore(&mut self, what: &str) {
         *self.ignored.entry(what.to_owned()).or_default() += 1;
     }
 
@@ -395,7 +397,7 @@ impl<'a, 'i> Reader<'a, 'i> {
     }
 
     /// Counts points, up to the cap.
-    pub(super) fn count(&mut self, points: usize, offset: usize) -> Result<(), Fault> {
+    pub(in crate::compare) fn count(&mut self, points: usize, offset: usize) -> Result<(), Fault> {
         self.points += points;
         if self.points > LINES {
             return Err(Fault::at(offset, Problem::TooLarge { what: "lines", limit: LINES }));
@@ -410,12 +412,12 @@ fn is_aside(word: &str) -> bool {
 }
 
 /// A point of the canvas, y up.
-pub(super) fn flipped([x, y]: [f64; 2]) -> Point {
+pub(in crate::compare) fn flipped([x, y]: [f64; 2]) -> Point {
     Point::new(x, -y)
 }
 
 /// A point of an element on the canvas, y up.
-pub(super) fn place(t: &Transform, p: [f64; 2], offset: usize, what: &'static str) -> Result<Point, Fault> {
+pub(in crate::compare) fn place(t: &Transform, p: [f64; 2], offset: usize, what: &'static str) -> Result<Point, Fault> {
     let [x, y] = t.apply(p);
     if x.abs() <= FAR && y.abs() <= FAR {
         return Ok(Point::new(x, -y));
@@ -433,7 +435,7 @@ fn tag(node: Node<'_, '_>) -> Tag {
 
 /// A length with its unit, or in percent of the room, of which `axis` 0 is the width, 1 the height and 2 both; 0 if
 /// it is missing.
-pub(super) fn length(node: Node<'_, '_>, name: &str, axis: usize, around: &Around) -> Result<f64, Fault> {
+pub(in crate::compare) fn length(node: Node<'_, '_>, name: &str, axis: usize, around: &Around) -> Result<f64, Fault> {
     let Some(attribute) = node.attribute_node(name) else { return Ok(0.0) };
     let text = attribute.value().trim();
     let part = |percent: &str| {
@@ -447,6 +449,6 @@ pub(super) fn length(node: Node<'_, '_>, name: &str, axis: usize, around: &Aroun
     value.ok_or_else(|| word(attribute.range().start, attribute.value(), wanted))
 }
 
-pub(super) fn word(offset: usize, text: &str, wanted: &'static str) -> Fault {
+pub(in crate::compare) fn word(offset: usize, text: &str, wanted: &'static str) -> Fault {
     Fault::at(offset, Problem::Word { word: quoted(text), wanted })
 }
