@@ -86,7 +86,7 @@ mod tests {
             [dev-dependencies]\ntempfile = \"3\"\n";
         let made = of_build(KitBuild::Check, Package::Kit, root);
         assert!(made.contains("[dependencies]\nrobust = \"1\" # a\nsvg = { version = \"1\" } # b\n\n"), "{made}");
-        assert!(made.contains("[features]\nfigure = []\n"), "{made}");
+        assert!(made.contains("[features]\ncompare = []\nfigure = []\n"), "{made}");
         assert!(!made.contains("serde") && !made.contains("tempfile") && !made.contains("x.rs"), "{made}");
         let made = of_build(KitBuild::Program, Package::Kit, root);
         assert!(made.contains("serde = { version = \"1\", optional = true }\n"), "{made}");

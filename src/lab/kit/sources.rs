@@ -85,6 +85,7 @@ pub(super) const FURTHER: &[(&str, &str)] = &[
     ("src/lab/export.rs", include_str!("../export.rs")),
     ("src/lab/kit/Cargo.lock.txt", include_str!("../kit/Cargo.lock.txt")),
     ("src/lab/kit/dcel-kit.toml.txt", include_str!("../kit/dcel-kit.toml.txt")),
+    ("src/lab/kit/dcel-lab.toml.txt", include_str!("../kit/dcel-lab.toml.txt")),
     ("src/lab/kit/manifest.rs", include_str!("../kit/manifest.rs")),
     ("src/lab/kit/mod.rs", include_str!("../kit/mod.rs")),
     ("src/lab/kit/sources.rs", include_str!("../kit/sources.rs")),

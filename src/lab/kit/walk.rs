@@ -59,8 +59,10 @@ fn needs<'a>(text: &'a str, features: &[&str]) -> Vec<Needed<'a>> {
             continue;
         }
         if !off && !line.starts_with("//") {
-            let included = ["include_str!(\"", "include_bytes!(\""].iter().find_map(|start| line.split_once(start));
-            found.extend(included.and_then(|(_, rest)| Some(Needed::Text(rest.split_once('"')?.0))));
+            for start in ["include_str!(\"", "include_bytes!(\""] {
+                let included = line.split(start).skip(1).filter_map(|rest| rest.split('"').next());
+                found.extend(included.map(Needed::Text));
+            }
             let module = line.strip_suffix(';').and_then(|line| line.rsplit_once("mod "));
             let is_module = |(before, name): &(&str, &str)| {
                 let before = before.trim();
@@ -117,7 +119,8 @@ mod tests {
     fn modules_and_texts_are_found_by_their_features() {
         let text = "//! mod not;\n#![doc = include_str!(\"../figures/a.svg\")]\nmod a;\npub mod b;\n#[cfg(feature = \"io\")]\n\
             pub(crate) mod c;\n#[cfg(feature = \"png\")]\n#[allow(x)]\nmod d;\n#[cfg(test)]\nmod e;\nmod f { }\n\
-            #[cfg(doctest)]\n#[doc = include_str!(\"../README.md\")]\nstruct Readme;\nlet mod_x = include_bytes!(\"x.bin\");\n";
+            #[cfg(doctest)]\n#[doc = include_str!(\"../README.md\")]\nstruct Readme;\nlet mod_x = include_bytes!(\"x.bin\");\n\
+            let two = [include_str!(\"y\"), include_str!(\"z\")];\n";
         let names = |features: &[&str]| -> Vec<String> {
             let word = |needed| match needed {
                 Needed::Module(name) => format!("mod {name}"),
@@ -125,8 +128,8 @@ mod tests {
             };
             needs(text, features).into_iter().map(word).collect()
         };
-        assert_eq!(names(&["io"]), ["../figures/a.svg", "mod a", "mod b", "mod c", "x.bin"]);
-        assert_eq!(names(&[]), ["../figures/a.svg", "mod a", "mod b", "x.bin"]);
+        assert_eq!(names(&["io"]), ["../figures/a.svg", "mod a", "mod b", "mod c", "x.bin", "y", "z"]);
+        assert_eq!(names(&[]), ["../figures/a.svg", "mod a", "mod b", "x.bin", "y", "z"]);
         assert_eq!(joined("src/plane/seed.rs", "../../figures/x"), "figures/x");
     }
 }
