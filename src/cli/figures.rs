@@ -1,6 +1,6 @@
 //! `dcel figures`: the reference figures of the project, made anew or compared.
 
-use super::references::{draw_all, write_all};
+use super::gallery::{draw_all, write_all};
 use super::{Answer, Failure, Output, failure};
 use std::collections::BTreeSet;
 use std::io::Write;

@@ -44,7 +44,6 @@ struct Sample {
     bytes: &'static [u8],
 }
 
-// One `include_bytes!` a line: the list of the kit's own sources is made from them.
 #[rustfmt::skip]
 const SAMPLES: &[Sample] = &[
     Sample { name: "square.obj", about: "a square of two triangles", bytes: include_bytes!("sample/square.obj") },

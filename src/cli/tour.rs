@@ -1,7 +1,7 @@
 //! `dcel tour`: the whole kit in one run, from the lab's rectangle to a real map.
 
-use super::lesson::{self, LAB_STEPS, STATES_FILE};
-use super::references::{draw_all, write_all};
+use super::gallery::lesson::{self, LAB_STEPS, STATES_FILE};
+use super::gallery::{draw_all, write_all};
 use super::{Answer, Failure, Output};
 use dcel_kit::ids::{FaceId, VertexId};
 use dcel_kit::plane::Subdivision;

@@ -17,4 +17,5 @@ mod script;
 #[path = "../shell/mod.rs"]
 mod shell;
 mod solid;
+mod targets;
 mod triangulate;

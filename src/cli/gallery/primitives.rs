@@ -1,7 +1,7 @@
 //! The reference figure of the two primitives: vertex split and face split, before and after.
 
-use super::lesson::{LessonError, table};
-use super::references::ReferenceError;
+use super::Made;
+use super::lesson::table;
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
 use dcel_kit::ids::{FaceId, HalfEdgeId, VertexId};
@@ -19,7 +19,7 @@ fn rim(i: u32) -> At {
 }
 
 /// A hub joined to a rim of six: `v0` in the middle, `v1` to the right, the others counter-clockwise.
-fn wheel() -> Result<Subdivision, LessonError> {
+fn wheel() -> Made<Subdivision> {
     let mut points = vec![Point::from((HUB[0], HUB[1]))];
     points.extend((0..6).map(rim).map(|[x, y]| Point::from((x, y))));
     let mut faces = PolygonList::new();
@@ -61,13 +61,13 @@ fn marked(new: [At; 2], moved: &[[At; 2]]) -> Sketch {
 }
 
 /// Six panels: a wheel and what vertex splits make of it, a face and its split.
-pub(super) fn figure() -> Result<String, ReferenceError> {
+pub(super) fn figure() -> Made<String> {
     let wheel = wheel()?;
     let spoke = |i: u32| -> HalfEdgeId {
         let end = VertexId::new(i % 6 + 1);
         wheel.outgoing_half_edges(VertexId::new(0)).find(|&h| wheel.destination(h) == end).unwrap_or(HalfEdgeId::new(0))
     };
-    let split = |first: u32, last: u32, hub: At, new: At| -> Result<Table, LessonError> {
+    let split = |first: u32, last: u32, hub: At, new: At| -> Made<Table> {
         let mut after = wheel.topology().clone();
         let (_, m) = after.split_vertex(spoke(first), spoke(last))?;
         Ok(drawn(&wheel, &after, &[(VertexId::new(0), hub), (m, new)]))
@@ -80,13 +80,13 @@ pub(super) fn figure() -> Result<String, ReferenceError> {
     let mut corners = PolygonList::new();
     corners.push_face(&[0, 1, 2, 3, 4, 5]);
     let rim_points = (0..6).map(rim).map(|[x, y]| Point::from((x, y))).collect();
-    let face = Subdivision::from_polygons(rim_points, &corners).map_err(LessonError::from)?;
+    let face = Subdivision::from_polygons(rim_points, &corners)?;
     let from = |i: u32| {
         let mut round = face.half_edges().filter(|&h| face.face(h) != FaceId::new(0));
         round.find(|&h| face.origin(h) == VertexId::new(i)).unwrap_or(HalfEdgeId::new(0))
     };
     let mut two_faces = face.clone();
-    two_faces.split_face(from(4), from(0)).map_err(LessonError::from)?;
+    two_faces.split_face(from(4), from(0))?;
 
     let mut sheet = Multiples::new();
     sheet.columns(3);

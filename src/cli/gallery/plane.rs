@@ -1,8 +1,8 @@
 //! The reference figures of what is done with subdivisions.
 
+use super::Made;
 use super::lesson;
-use super::references::ReferenceError;
-use super::triangulate::sketch;
+use crate::triangulate::sketch;
 use dcel_kit::FaceId;
 use dcel_kit::figure::sketch::{Backdrop, Multiples};
 use dcel_kit::figure::{self, Detail, FigureOptions};
@@ -24,7 +24,7 @@ const HOLE: [[f64; 2]; 4] = [[4.0, 3.0], [6.0, 2.4], [6.6, 4.4], [4.8, 4.8]];
 const ALONE: [f64; 2] = [8.2, 5.2];
 
 /// A face with a hole and an isolated vertex.
-fn island() -> Result<Subdivision, ReferenceError> {
+fn island() -> Made<Subdivision> {
     let points: Vec<Point> = OUTLINE.iter().chain(&HOLE).chain([&ALONE]).map(|&p| p.into()).collect();
     let closed = |first: u32, n: u32| (0..n).map(move |i| [first + i, first + (i + 1) % n]);
     let (outline, hole) = (OUTLINE.len() as u32, HOLE.len() as u32);
@@ -35,7 +35,7 @@ fn island() -> Result<Subdivision, ReferenceError> {
 }
 
 /// Pieces, their triangles, and ears, side by side.
-pub(super) fn triangulation() -> Result<String, ReferenceError> {
+pub(super) fn triangulation() -> Made<String> {
     let island = island()?;
     let mut sheet = Multiples::new();
     let mut pieces = island.clone();
@@ -55,7 +55,7 @@ pub(super) fn triangulation() -> Result<String, ReferenceError> {
 }
 
 /// The dual graph of the lab's subdivision.
-pub(super) fn dual() -> Result<String, ReferenceError> {
+pub(super) fn dual() -> Made<String> {
     let options = FigureOptions::new("The dual graph").id_prefix("dual");
     Ok(figure::dual(&lesson::lab_subdivision()?, &options)?.to_svg())
 }

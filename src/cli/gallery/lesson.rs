@@ -1,34 +1,12 @@
 //! The structures that the tour and the reference figures show.
 
+use super::Made;
 use dcel_kit::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
-use dcel_kit::io::{Document, Format, Grid, ReadError, ReadOptions, read_bytes};
-use dcel_kit::plane::{
-    ConvertError, ConvertOptions, JoinFacesError, Point, SegmentsError, SplitEdgeError, SplitFaceError, Subdivision,
-};
+use dcel_kit::io::{Document, Format, Grid, ReadOptions, read_bytes};
+use dcel_kit::plane::{ConvertOptions, Point, Subdivision};
 use dcel_kit::sources;
-use dcel_kit::topology::{PolygonList, SplitVertexError, Table};
+use dcel_kit::topology::{PolygonList, Table};
 use std::collections::BTreeSet;
-
-/// Why a lesson's structure cannot be built. None of this depends on the user's input.
-#[derive(Debug, thiserror::Error)]
-pub(crate) enum LessonError {
-    #[error(transparent)]
-    SplitFace(#[from] SplitFaceError),
-    #[error(transparent)]
-    SplitEdge(#[from] SplitEdgeError),
-    #[error(transparent)]
-    Convert(#[from] ConvertError),
-    #[error(transparent)]
-    Read(#[from] ReadError),
-    #[error(transparent)]
-    Segments(#[from] SegmentsError),
-    #[error(transparent)]
-    JoinFaces(#[from] JoinFacesError),
-    #[error(transparent)]
-    SplitVertex(#[from] SplitVertexError),
-    #[error("the map holds no polygons")]
-    NoPolygons,
-}
 
 /// One of the two edits of the lab, by the numbers of its half-edges.
 #[derive(Clone, Copy)]
@@ -48,7 +26,7 @@ pub(crate) const LAB_STEPS: [LabStep; 6] = [
 ];
 
 /// Makes one step; the answer names what is new.
-pub(crate) fn take_step(lab: &mut Subdivision, step: LabStep) -> Result<String, LessonError> {
+pub(crate) fn take_step(lab: &mut Subdivision, step: LabStep) -> Made<String> {
     Ok(match step {
         LabStep::SplitFace(h1, h2) => {
             let (h1, h2) = (HalfEdgeId::new(h1), HalfEdgeId::new(h2));
@@ -65,7 +43,7 @@ pub(crate) fn take_step(lab: &mut Subdivision, step: LabStep) -> Result<String, 
 }
 
 /// The result of [`LAB_STEPS`].
-pub(crate) fn lab_subdivision() -> Result<Subdivision, LessonError> {
+pub(crate) fn lab_subdivision() -> Made<Subdivision> {
     let mut lab = Subdivision::lab_rectangle();
     for step in LAB_STEPS {
         take_step(&mut lab, step)?;
@@ -74,7 +52,7 @@ pub(crate) fn lab_subdivision() -> Result<Subdivision, LessonError> {
 }
 
 /// A square in a square with their corners joined: 8 vertices, 12 edges, 6 faces, like a cube seen from above.
-pub(crate) fn cube() -> Result<Subdivision, LessonError> {
+pub(crate) fn cube() -> Made<Subdivision> {
     let points = [(0., 0.), (6., 0.), (6., 6.), (0., 6.), (1.8, 1.8), (4.2, 1.8), (4.2, 4.2), (1.8, 4.2)];
     let mut faces = PolygonList::new();
     for face in [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7], [4, 5, 6, 7]] {
@@ -97,7 +75,7 @@ pub(crate) fn table(plane: &Subdivision) -> Table {
 
 /// The cube as somebody might hand it in: the edge v5-v6 is missing, v5-v7 is too much, the half-edge from v4 to v0
 /// goes back on its own twin, and v2 has slipped.
-pub(crate) fn wrong_cube() -> Result<Table, LessonError> {
+pub(crate) fn wrong_cube() -> Made<Table> {
     let mut cube = cube()?;
     let between = |plane: &Subdivision, from: u32, to: u32| {
         let ends = [from, to].map(VertexId::new);
@@ -122,7 +100,7 @@ pub(crate) fn wrong_cube() -> Result<Table, LessonError> {
 }
 
 /// A square grid of `side` times `side` faces.
-pub(crate) fn grid(side: u32) -> Result<Subdivision, LessonError> {
+pub(crate) fn grid(side: u32) -> Made<Subdivision> {
     let across = side + 1;
     let points = (0..across * across).map(|k| Point::new(f64::from(k % across), f64::from(k / across)));
     let mut faces = PolygonList::new();
@@ -133,7 +111,7 @@ pub(crate) fn grid(side: u32) -> Result<Subdivision, LessonError> {
 }
 
 /// A face with two holes, an island in one of them, a second component outside.
-pub(crate) fn rings() -> Result<Subdivision, LessonError> {
+pub(crate) fn rings() -> Made<Subdivision> {
     let points = [
         [(0., 0.), (14., 0.), (14., 8.), (0., 8.)].as_slice(),
         &[(1., 1.), (7., 1.), (7., 7.), (1., 7.)],
@@ -163,7 +141,7 @@ pub(crate) struct States {
 /// The file, as it came: npm package us-atlas 3.0.1, ISC licence, shapes of the US Census Bureau.
 const STATES: &[u8] = sources::STATES;
 /// A small grid map of rooms: the regions of its open cells.
-pub(crate) fn rooms() -> Result<Subdivision, LessonError> {
+pub(crate) fn rooms() -> Made<Subdivision> {
     const FILE: &str = "figures/data/rooms.map";
     Ok(Grid::parse(sources::ROOMS_MAP, FILE)?.regions()?)
 }
@@ -172,10 +150,10 @@ pub(crate) fn rooms() -> Result<Subdivision, LessonError> {
 pub(crate) const STATES_FILE: &str = "figures/data/states-albers-10m.json";
 
 /// Converts the map of the states. Its y points down, and it holds one ring without area.
-pub(crate) fn states() -> Result<States, LessonError> {
+pub(crate) fn states() -> Made<States> {
     let options = ReadOptions { y_down: true, drop_degenerate_rings: true, ..ReadOptions::default() };
     let read = read_bytes(STATES, Format::TopoJson, STATES_FILE, &options)?;
-    let Document::Polygons(soup) = read.document else { return Err(LessonError::NoPolygons) };
+    let Document::Polygons(soup) = read.document else { return Err("the map holds no polygons".into()) };
     let points = soup.points.iter().map(|&[x, y, _]| Point::new(x, y)).collect();
     let options = ConvertOptions { orient: true, full_check: true, ..ConvertOptions::default() };
     let subdivision = Subdivision::convert_polygons(points, &soup.faces, &options)?.subdivision;

@@ -1,7 +1,7 @@
 //! The reference figures of the drawing vocabulary.
 
+use super::Made;
 use super::lesson;
-use super::references::ReferenceError;
 use dcel_kit::figure::chart::{Axis, Chart, Growth};
 use dcel_kit::figure::navmesh::Floor;
 use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
@@ -22,7 +22,7 @@ fn room() -> Sketch {
 }
 
 /// The sheet: every element and every role in a panel where it is at home.
-pub(super) fn vocabulary() -> Result<String, ReferenceError> {
+pub(super) fn vocabulary() -> Made<String> {
     let mut sheet = Multiples::new();
     sheet.sketch("Regions, paths, portals", "the corridor in blue, its portals in the order of the way", corridor());
     sheet.sketch("Cones and rays", "what is seen from the start, cut by the frame or by an end", cones());
@@ -102,7 +102,7 @@ fn badges() -> Sketch {
 }
 
 /// The three examples of the source, and how many of the first n × n points doubles get wrong.
-pub(super) fn wrong_signs() -> Result<String, ReferenceError> {
+pub(super) fn wrong_signs() -> Made<String> {
     let step = 0.5 * f64::EPSILON;
     let examples = [
         ("a", NearlyCollinear::default()),
@@ -130,7 +130,7 @@ pub(super) fn wrong_signs() -> Result<String, ReferenceError> {
 
 /// How many bytes a figure takes for each edge of a grid, and how much it shows. Counted, not measured: the same on
 /// every machine.
-pub(super) fn figure_sizes() -> Result<String, ReferenceError> {
+pub(super) fn figure_sizes() -> Made<String> {
     let levels = [
         (Detail::Full, "everything"),
         (Detail::Arrows, "half-edges without labels"),
@@ -154,7 +154,7 @@ pub(super) fn figure_sizes() -> Result<String, ReferenceError> {
 }
 
 /// A straight walk through a subdivision: what a point location does, over the structure it does it in.
-pub(super) fn walk() -> Result<String, ReferenceError> {
+pub(super) fn walk() -> Made<String> {
     let cube = lesson::cube()?;
     let mut sketch = Sketch::new();
     let (from, to) = ([0.9, 3.6], [5.3, 2.3]);
@@ -174,7 +174,7 @@ pub(super) fn walk() -> Result<String, ReferenceError> {
 }
 
 /// Every rung of the ladder between two rooms of a map, cut into triangles.
-pub(super) fn ladder() -> Result<String, ReferenceError> {
+pub(super) fn ladder() -> Made<String> {
     let mut map = lesson::rooms()?;
     let borders = map.edge_bound();
     map.triangulate(TriangulationMethod::default())?;

@@ -1,6 +1,6 @@
 //! The reference figures of Delaunay triangulations and Voronoi diagrams.
 
-use super::references::ReferenceError;
+use super::Made;
 use dcel_kit::EdgeId;
 use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
 use dcel_kit::figure::{self, Detail, FigureOptions};
@@ -24,7 +24,7 @@ const SITES: [[f64; 2]; 14] = [
 ];
 
 /// The diagram and its dual over each other.
-pub(super) fn voronoi() -> Result<String, ReferenceError> {
+pub(super) fn voronoi() -> Made<String> {
     let sites = SITES.map(Point::from);
     let delaunay = Subdivision::delaunay(&sites)?.subdivision;
     let voronoi = delaunay.voronoi()?;
@@ -45,7 +45,7 @@ fn look(s: &Subdivision, edge: EdgeId, role: Role, words: &str) -> Sketch {
 }
 
 /// From a bad triangulation to the best, flip by flip.
-pub(super) fn lawson() -> Result<String, ReferenceError> {
+pub(super) fn lawson() -> Made<String> {
     let points = [[0.0, 0.0], [4.0, -1.0], [8.0, 0.5], [9.0, 4.0], [5.0, 6.0], [1.0, 4.5]].map(Point::from).to_vec();
     let before = Subdivision::from_triangles(points, &[[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]])?;
     let bad = before.non_delaunay_edges(|_| false).next();

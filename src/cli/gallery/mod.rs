@@ -1,72 +1,30 @@
 //! The reference figures: what stands in `figures/`, and how each is made.
+//!
+//! ```text
+//!   lesson     the structures that figures and tour begin with
+//!   specimen  primitives  plane  delaunay  labs     a function for each figure that takes more than a line
+//! ```
 
-use super::Failure;
-use super::camera::film;
-use super::delaunay_figures;
-use super::lab_figures;
-use super::lesson::{self, LessonError};
-use super::plane_figures;
-use super::primitives;
-use super::specimen;
-use dcel_kit::figure::chart::ChartError;
-use dcel_kit::figure::sketch::SketchError;
-use dcel_kit::figure::{
-    self, Camera, DualFigureError, FigureError, FigureOptions, HiddenLines, NearlyCollinear, OverridesError, Pointers,
-};
+mod delaunay;
+mod labs;
+pub(crate) mod lesson;
+mod plane;
+mod primitives;
+mod specimen;
+
+use crate::camera::film;
+use crate::{Failure, save};
+use dcel_kit::figure::{self, Camera, FigureOptions, HiddenLines, NearlyCollinear, Pointers};
 use dcel_kit::ids::{FaceId, HalfEdgeId};
-use dcel_kit::navmesh::{NavMeshError, RouteError};
-use dcel_kit::plane::{
-    ConvertError, CoordinateError, DelaunayError, FlipEdgeError, MarkHolesError, SegmentsError, Subdivision,
-    TriangulateError, VoronoiError,
-};
-use dcel_kit::script::{Script, ScriptError};
-use dcel_kit::solid::grow::{GrowError, Shape};
-use dcel_kit::solid::{Platonic, Polyhedron, SchlegelError};
+use dcel_kit::plane::Subdivision;
+use dcel_kit::script::Script;
+use dcel_kit::solid::grow::Shape;
+use dcel_kit::solid::{Platonic, Polyhedron};
 use dcel_kit::sources;
 use std::path::Path;
 
-/// Why a reference figure cannot be drawn.
-#[derive(Debug, thiserror::Error)]
-pub(crate) enum ReferenceError {
-    #[error(transparent)]
-    Lesson(#[from] LessonError),
-    #[error(transparent)]
-    Figure(#[from] FigureError),
-    #[error(transparent)]
-    Overrides(#[from] OverridesError),
-    #[error(transparent)]
-    Script(#[from] ScriptError),
-    #[error(transparent)]
-    Sketch(#[from] SketchError),
-    #[error(transparent)]
-    Chart(#[from] ChartError),
-    #[error(transparent)]
-    Coordinate(#[from] CoordinateError),
-    #[error(transparent)]
-    Segments(#[from] SegmentsError),
-    #[error(transparent)]
-    MarkHoles(#[from] MarkHolesError),
-    #[error(transparent)]
-    Triangulate(#[from] TriangulateError),
-    #[error(transparent)]
-    Dual(#[from] DualFigureError),
-    #[error(transparent)]
-    NavMesh(#[from] NavMeshError),
-    #[error(transparent)]
-    Route(#[from] RouteError),
-    #[error(transparent)]
-    Grow(#[from] GrowError),
-    #[error(transparent)]
-    Schlegel(#[from] SchlegelError),
-    #[error(transparent)]
-    Delaunay(#[from] DelaunayError),
-    #[error(transparent)]
-    Voronoi(#[from] VoronoiError),
-    #[error(transparent)]
-    Convert(#[from] ConvertError),
-    #[error(transparent)]
-    FlipEdge(#[from] FlipEdgeError),
-}
+/// What a figure of the project comes to. None of it depends on the user's input, so that a failure is the kit's own.
+pub(crate) type Made<T> = Result<T, Box<dyn std::error::Error>>;
 
 /// A figure of the project, regenerated and compared by `dcel figures`.
 struct Reference {
@@ -75,7 +33,7 @@ struct Reference {
     /// What it shows.
     about: &'static str,
     /// Draws it.
-    draw: fn() -> Result<String, ReferenceError>,
+    draw: fn() -> Made<String>,
 }
 
 /// All reference figures, in the order of their files.
@@ -102,7 +60,7 @@ static REFERENCES: &[Reference] = &[
     Reference {
         file: "dual.svg",
         about: "the dual graph over its subdivision: a point in each face, a line across each edge",
-        draw: plane_figures::dual,
+        draw: plane::dual,
     },
     Reference {
         file: "film-join-faces.svg",
@@ -138,18 +96,14 @@ static REFERENCES: &[Reference] = &[
     Reference {
         file: "lab-04-drawing.svg",
         about: "the drawing of lab 04, made of the rectangle with split_face and split_in_half alone",
-        draw: lab_figures::drawing,
+        draw: labs::drawing,
     },
     Reference {
         file: "lab-04-two-nexts.svg",
         about: "an edge of two faces has two next edges; two half-edges have one each",
-        draw: lab_figures::two_nexts,
+        draw: labs::two_nexts,
     },
-    Reference {
-        file: "lawson.svg",
-        about: "a triangulation becomes Delaunay by flips",
-        draw: delaunay_figures::lawson,
-    },
+    Reference { file: "lawson.svg", about: "a triangulation becomes Delaunay by flips", draw: delaunay::lawson },
     Reference {
         file: "lab-subdivision.svg",
         about: "what the tour makes of the rectangle with split_face and split_in_half alone",
@@ -257,7 +211,7 @@ static REFERENCES: &[Reference] = &[
     Reference {
         file: "triangulation.svg",
         about: "a face with a hole and a vertex inside: its monotone pieces, their triangles, and those of the ears",
-        draw: plane_figures::triangulation,
+        draw: plane::triangulation,
     },
     Reference {
         file: "vocabulary.svg",
@@ -267,7 +221,7 @@ static REFERENCES: &[Reference] = &[
     Reference {
         file: "voronoi.svg",
         about: "the Voronoi diagram of some sites, and its dual, their Delaunay triangulation",
-        draw: delaunay_figures::voronoi,
+        draw: delaunay::voronoi,
     },
     Reference {
         file: "walk.svg",
@@ -281,12 +235,12 @@ static REFERENCES: &[Reference] = &[
     },
 ];
 
-fn strip(script: &str, title: &str, prefix: &str) -> Result<String, ReferenceError> {
+fn strip(script: &str, title: &str, prefix: &str) -> Made<String> {
     let script = Script::parse(script, title)?;
     Ok(film(&script).strip(&FigureOptions::new(title).id_prefix(prefix))?.to_svg())
 }
 
-fn structure(subdivision: &Subdivision, title: &str) -> Result<String, ReferenceError> {
+fn structure(subdivision: &Subdivision, title: &str) -> Made<String> {
     Ok(figure::structure(subdivision, &FigureOptions::new(title))?.to_svg())
 }
 
@@ -373,7 +327,7 @@ pub(crate) fn write_all(dir: &Path, files: &[Drawn]) -> Result<(), Failure> {
         if std::fs::read(&path).is_ok_and(|bytes| bytes == text.as_bytes()) {
             continue;
         }
-        super::save::put(&path, text)?;
+        save::put(&path, text)?;
     }
     Ok(())
 }
