@@ -58,6 +58,7 @@ pub mod compare;
 pub mod figure;
 #[cfg(feature = "files")]
 pub mod files;
+mod geometry;
 pub mod ids;
 #[cfg(feature = "io")]
 pub mod io;

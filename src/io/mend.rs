@@ -4,7 +4,7 @@ use super::load::{LoadError, Whereabouts};
 use super::misfit::Told;
 use super::soup::Places;
 use super::words::counted;
-use super::write::Number;
+use crate::geometry::number::Number;
 use crate::ids::{FaceId, FaceMap, VertexId};
 use crate::plane::{Cover, Mended, Point, SegmentsError, Subdivision};
 use std::collections::{BTreeMap, BTreeSet};

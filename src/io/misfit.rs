@@ -6,7 +6,7 @@
 //! ```
 
 use super::soup::Places;
-use super::write::Number;
+use crate::geometry::number::Number;
 use crate::ids::VertexId;
 use crate::plane::predicates::{left_to_right, orientation};
 use crate::plane::{

@@ -59,6 +59,7 @@ pub mod wkt;
 mod words;
 mod write;
 
+pub use crate::geometry::number::Number;
 pub use arrange::{arrange, arrange_with, describe, faults_with_places, on_grid};
 pub use format::{Format, UnknownFormat};
 pub use grid::Grid;
@@ -73,4 +74,4 @@ pub use scen::{Misfits, Optimum, Query, Scenario, Verdict};
 pub use segments::SegmentSoup;
 pub use soup::{Axis, Places, PolygonSoup};
 pub use words::counted;
-pub use write::{Number, WriteError, write, write_path, write_triangle};
+pub use write::{WriteError, write, write_path, write_triangle};

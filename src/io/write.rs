@@ -8,6 +8,7 @@ use super::format::Format;
 use super::model::{Model, Polygons};
 use super::{mesh, stl, tables};
 use crate::files::WholeFile;
+use crate::geometry::number::Number;
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::topology::Ring;
 use std::fmt;
@@ -124,20 +125,6 @@ pub enum WriteError {
         /// The format.
         format: &'static str,
     },
-}
-
-/// A number with as few digits as bring back the same number; with an exponent where that is shorter to read.
-#[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
-pub struct Number(pub f64);
-
-impl fmt::Display for Number {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.0 == 0.0 || (1e-5..1e16).contains(&self.0.abs()) {
-            write!(f, "{}", self.0)
-        } else {
-            write!(f, "{:e}", self.0)
-        }
-    }
 }
 
 /// `(1, 2, 3)`

@@ -4,9 +4,9 @@
 
 use super::convert::by_direction;
 use super::cycle::encloses;
-use super::predicates::left_to_right;
 use super::sweep::{Meeting, NOTHING, sweep};
 use super::{Point, Subdivision};
+use crate::geometry::predicates::left_to_right;
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use crate::topology::{Ring, Rule};
 

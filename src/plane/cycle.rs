@@ -1,7 +1,7 @@
 //! The geometry of closed walks: which way they run, what they surround. All exact.
 
 use super::Point;
-use super::predicates::{left_to_right, orientation};
+use crate::geometry::predicates::{left_to_right, orientation};
 use std::cmp::Ordering;
 
 /// Whether the region on the left of the closed walk is the bounded one, that is, whether the walk runs

@@ -12,8 +12,8 @@
 //! Source: Andrew, *Another efficient algorithm for convex hulls in two dimensions*, Information Processing Letters 9,
 //! 1979; de Berg et al., *Computational Geometry*, 3rd ed., section 1.1.
 
-use super::predicates::{orientation, sort_key};
 use super::{CoordinateError, Point, Subdivision};
+use crate::geometry::predicates::{orientation, sort_key};
 use crate::ids::MAX_IDS;
 use crate::topology::TooMany;
 

@@ -1,7 +1,6 @@
 //! Half-edge structures in the plane: positions, exact decisions, faces that cover the whole plane.
 //!
 //! ```text
-//!   point.rs  predicates.rs     points, the range in which signs are exact, the signs
 //!   subdivision.rs              a Dcel with positions: f0 is the outer face, faces may have rings
 //!   convert/                    polygons and triangles -> subdivision       table.rs   tables -> subdivision
 //!   segments/                   any straight-line graph -> subdivision         meet/      all crossings, exactly
@@ -21,15 +20,12 @@ mod convert;
 mod cycle;
 mod delaunay;
 pub mod edit;
-mod group;
 mod hull;
 mod locate;
 mod measure;
 mod meet;
 mod mend;
 mod overlay;
-mod point;
-pub mod predicates;
 mod rings;
 mod seed;
 mod segments;
@@ -40,6 +36,8 @@ mod table;
 mod triangulate;
 mod voronoi;
 
+pub use crate::geometry::point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};
+pub use crate::geometry::predicates;
 pub use check::{GEOMETRY_RULES, GeometryViolation};
 pub use convert::{ConvertError, ConvertOptions, Converted};
 pub use delaunay::{ConstrainedDelaunay, DelaunayBuilt, DelaunayError};
@@ -57,7 +55,6 @@ pub(crate) use meet::Crossed;
 pub(crate) use meet::Expansion;
 pub use mend::{Cover, Mended};
 pub use overlay::{Operation, Overlay, ParseOperationError, Parts};
-pub use point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};
 pub use seed::LAB_RECTANGLE;
 pub use segments::{
     ArrangeOptions, Arranged, InsertedCorner, MarkHolesError, Residues, SegmentFault, SegmentsAlong, SegmentsError,

@@ -14,9 +14,9 @@
 //! Source: Shamos and Hoey, *Geometric intersection problems*, FOCS 1976.
 
 use super::Point;
-use super::group::grouped;
-use super::predicates::{left_to_right, orientation};
 use super::status::Status;
+use crate::geometry::grouping::grouped;
+use crate::geometry::predicates::{left_to_right, orientation};
 use std::cmp::Ordering;
 use std::ops::Range;
 

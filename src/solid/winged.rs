@@ -15,7 +15,7 @@
 //! rows are numbered from 1, here they have the names of the elements.
 
 use super::Polyhedron;
-use crate::io::Number;
+use crate::geometry::number::Number;
 use std::fmt::{self, Display, Formatter};
 
 /// The tables of a surface; printed by `Display`.

@@ -41,12 +41,12 @@ fn table() -> String {
     }
     let mut out = String::from(
         "//! Advance widths of the bundled fonts. Written by `BLESS=1 cargo test --test figures`, which reads the fonts.\n\n\
-         /// How many units the em has.\npub(super) const EM: u16 = ",
+         /// How many units the em has.\npub(crate) const EM: u16 = ",
     );
     let _ = write!(
         out,
         "{};\n\n/// Runs of characters: the first, the widths of the regular face, those of the wider bold one.\n\
-         #[rustfmt::skip]\npub(super) static RUNS: [(char, &[u16], &[u16]); {}] = [\n",
+         #[rustfmt::skip]\npub(crate) static RUNS: [(char, &[u16], &[u16]); {}] = [\n",
         regular.units_per_em(),
         runs.len()
     );

@@ -7,10 +7,11 @@
 //!        0 ───────── 1
 //! ```
 
+use crate::geometry::number::Number;
 use crate::ids::{FaceMap, HalfEdgeId, VertexId};
 use crate::io::format::Format;
 use crate::io::model::{Model, Polygons};
-use crate::io::write::{Number, WriteError};
+use crate::io::write::WriteError;
 use crate::plane::Point;
 use crate::plane::predicates::orientation;
 use std::cmp::Ordering;

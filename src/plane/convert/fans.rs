@@ -9,9 +9,9 @@
 //! ```
 
 use super::ConvertError;
+use crate::geometry::predicates::{left_to_right, orientation};
 use crate::ids::{HalfEdgeId, VertexId};
 use crate::plane::Point;
-use crate::plane::predicates::{left_to_right, orientation};
 use crate::topology::{Dcel, NoRecorder};
 use std::cmp::Ordering;
 

@@ -8,9 +8,9 @@
 //! ```
 
 use super::ConvertError;
+use crate::geometry::predicates::{left_to_right, orientation};
 use crate::plane::Point;
 use crate::plane::cycle::encloses;
-use crate::plane::predicates::{left_to_right, orientation};
 use crate::plane::sweep::{Meeting, sweep};
 use std::cmp::Ordering;
 

@@ -11,9 +11,9 @@
 //! Source: Sloan, *A fast algorithm for generating constrained Delaunay triangulations*, 1993.
 
 use super::{Subdivision, assembled, ordered};
+use crate::geometry::predicates::orientation;
 use crate::ids::{EdgeId, EdgeMap, FaceId, FaceMap, HalfEdgeId, VertexId};
 use crate::plane::Point;
-use crate::plane::predicates::orientation;
 use crate::topology::{NoRecorder, TooMany};
 use std::cmp::Ordering;
 use std::collections::VecDeque;

@@ -10,8 +10,8 @@
 //!
 //! Source: Lawson, *Software for C1 surface interpolation*, 1977; de Berg et al., section 9.3.
 
+use crate::geometry::predicates::in_circle;
 use crate::ids::{EdgeId, HalfEdgeId};
-use crate::plane::predicates::in_circle;
 use crate::plane::{Point, Subdivision};
 use crate::topology::{NoRecorder, Recorder};
 

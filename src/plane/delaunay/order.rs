@@ -11,8 +11,8 @@
 //! Source: Dwyer, *A faster divide-and-conquer algorithm for constructing Delaunay triangulations*, 1987 (cuts in
 //! turn); Morton, *A computer oriented geodetic data base*, 1966 (the order).
 
+use crate::geometry::predicates::left_to_right;
 use crate::plane::Point;
-use crate::plane::predicates::left_to_right;
 use std::cmp::Ordering;
 
 /// A direction in which points are divided.

@@ -8,9 +8,9 @@
 //!        d                   d
 //! ```
 
+use crate::geometry::predicates::orientation;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::Subdivision;
-use crate::plane::predicates::orientation;
 use crate::topology::{self, NoRecorder, Recorder};
 
 /// Why an edge of a subdivision cannot be flipped.

@@ -37,9 +37,9 @@ pub(in crate::plane) use spot::Towards;
 pub(in crate::plane) use whole::OldValues;
 
 use super::cycle::on_segment;
-use super::predicates::orientation;
 use super::sweep::cross;
 use super::{Point, Subdivision};
+use crate::geometry::predicates::orientation;
 use crate::ids::{HalfEdgeId, VertexId};
 
 /// What stands in the way of an edge that moves.

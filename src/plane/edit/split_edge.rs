@@ -9,9 +9,9 @@
 //! ```
 
 use super::Obstacle;
+use crate::geometry::predicates::orientation;
 use crate::ids::{Element, HalfEdgeId, VertexId};
 use crate::plane::cycle::on_segment;
-use crate::plane::predicates::orientation;
 use crate::plane::{CoordinateError, Point, Subdivision};
 use crate::topology::{self, NoRecorder, Recorder};
 

@@ -17,8 +17,8 @@
 use super::Location;
 use super::crowd::Crowds;
 use super::order::{Ends, crosses_level, is_above, is_above_level, is_left_of, is_right};
+use crate::geometry::predicates::orientation;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
-use crate::plane::predicates::orientation;
 use crate::plane::{Point, SMALLEST};
 use std::cmp::Ordering;
 

@@ -19,9 +19,9 @@
 use super::Location;
 use super::cells::{Lines, TAG, face_right_of, on_edge};
 use super::order::{Ends, crosses_level, is_above, is_above_level, is_left_of, is_right};
+use crate::geometry::predicates::{left_to_right, orientation};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::Point;
-use crate::plane::predicates::{left_to_right, orientation};
 use std::cmp::Ordering;
 use std::ops::Range;
 

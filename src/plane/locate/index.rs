@@ -9,8 +9,8 @@
 //! ```
 
 use super::{Cells, Lines, Location};
+use crate::geometry::grouping::grouped;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
-use crate::plane::group::grouped;
 use crate::plane::{Point, Subdivision};
 use std::borrow::Borrow;
 

@@ -6,8 +6,8 @@
 //!    · · ·╲· │ ╱· · · · level  of two comes first on it is asked with x and y exchanged.
 //! ```
 
+use crate::geometry::predicates::{left_to_right, orientation};
 use crate::plane::Point;
-use crate::plane::predicates::{left_to_right, orientation};
 pub(super) use crate::plane::sweep::is_above;
 use std::cmp::Ordering;
 

@@ -8,7 +8,7 @@
 
 use super::order::{Ends, is_above};
 use super::{Location, is_beyond};
-use crate::plane::predicates::{left_to_right, orientation};
+use crate::geometry::predicates::{left_to_right, orientation};
 use crate::plane::{Point, Subdivision};
 use std::cmp::Ordering;
 

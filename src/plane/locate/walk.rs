@@ -18,10 +18,10 @@
 
 use super::order::Ends;
 use super::{Location, is_beyond};
+use crate::geometry::predicates::orientation;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::cycle::on_segment;
 use crate::plane::edit::Towards;
-use crate::plane::predicates::orientation;
 use crate::plane::{Point, Subdivision};
 use crate::topology::IdError;
 use std::cmp::Ordering;

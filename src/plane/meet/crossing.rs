@@ -8,9 +8,9 @@
 //!        a ╱   ╲ d         Questions are answered from a box that P is known to lie in, or from X, Y, W exactly.
 //! ```
 
-use super::expansion::{Expansion, cross};
 use super::grid::Grid;
-use super::interval::Interval;
+use crate::geometry::expansion::{Expansion, cross};
+use crate::geometry::interval::Interval;
 use crate::plane::{Point, SMALLEST};
 use std::cell::OnceCell;
 use std::cmp::Ordering;

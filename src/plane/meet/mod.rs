@@ -15,17 +15,15 @@
 //! of many edges through one point as in de Berg et al., *Computational Geometry*, 3rd ed., section 2.1.
 
 mod crossing;
-mod expansion;
 mod grid;
-mod interval;
 
 use super::Point;
-use super::group::grouped;
-use super::predicates::{left_to_right, orientation};
 use super::status::Status;
 use super::sweep::rightwards;
+pub(crate) use crate::geometry::expansion::{Expansion, cross};
+use crate::geometry::grouping::grouped;
+use crate::geometry::predicates::{left_to_right, orientation};
 use crossing::Crossing;
-pub(crate) use expansion::{Expansion, cross};
 pub(super) use grid::Grid;
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;

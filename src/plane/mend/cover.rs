@@ -8,9 +8,9 @@
 //!   f3       f4                 f4 is covered by A and C
 //! ```
 
+use crate::geometry::grouping::grouped;
 use crate::ids::{FaceId, FaceMap, HalfEdgeId};
 use crate::plane::Subdivision;
-use crate::plane::group::grouped;
 use crate::topology::PolygonList;
 use std::collections::BTreeSet;
 

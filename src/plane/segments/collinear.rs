@@ -12,9 +12,9 @@
 //! points of the input on its line: nothing is rounded.
 
 use super::graph::Graph;
+use crate::geometry::predicates::{ROUNDING, orientation, sort_key};
 use crate::plane::Point;
 use crate::plane::meet::{Expansion, cross};
-use crate::plane::predicates::{ROUNDING, orientation, sort_key};
 use crate::plane::sweep::rightwards;
 use std::cmp::Ordering;
 use std::ops::Range;

@@ -2,9 +2,9 @@
 
 use super::error::SegmentFault;
 use super::graph::Graph;
+use crate::geometry::predicates::{left_to_right, orientation};
 use crate::plane::Point;
 use crate::plane::meet::{Spot, Stop, all_meetings, same_direction};
-use crate::plane::predicates::{left_to_right, orientation};
 use crate::plane::sweep::rightwards;
 use std::ops::ControlFlow;
 

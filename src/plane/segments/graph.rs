@@ -9,9 +9,9 @@
 
 use super::error::SegmentFault;
 use super::places::{FEW, first_at_each_place};
+use crate::geometry::grouping::grouped;
+use crate::geometry::predicates::left_to_right;
 use crate::plane::Point;
-use crate::plane::group::grouped;
-use crate::plane::predicates::left_to_right;
 
 /// A straight-line graph: distinct points, and edges by the numbers of their ends.
 #[derive(Clone, Debug, Default)]

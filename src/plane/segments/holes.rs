@@ -1,7 +1,7 @@
 //! Marking hole faces: by points inside them, or what lies inside other things.
 
+use crate::geometry::predicates::left_to_right;
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
-use crate::plane::predicates::left_to_right;
 use crate::plane::sweep::{Meeting, NOTHING, sweep};
 use crate::plane::{CoordinateError, Point, Subdivision};
 use crate::topology::{Ring, components};

@@ -8,9 +8,9 @@
 //!          ┗╲━━┛   skipped with all that is in it. At the leaves each pixel is tested, exactly.
 //! ```
 
+use crate::geometry::predicates::{left_to_right, orientation};
 use crate::plane::Point;
 use crate::plane::meet::Grid;
-use crate::plane::predicates::{left_to_right, orientation};
 use std::cmp::Ordering;
 
 /// So many pixels are tested one by one.

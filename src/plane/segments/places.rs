@@ -10,9 +10,9 @@
 //!
 //! A cell or a column that most points crowd into is sorted: never worse than O(n log n).
 
+use crate::geometry::grouping::grouped;
+use crate::geometry::predicates::sort_key;
 use crate::plane::Point;
-use crate::plane::group::grouped;
-use crate::plane::predicates::sort_key;
 
 /// So many things are compared pair by pair; more are sorted.
 pub(super) const FEW: usize = 12;

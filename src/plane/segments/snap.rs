@@ -31,9 +31,9 @@
 use super::chains::{Snapped, Split};
 use super::graph::{Distinct, Graph, Single};
 use super::pixels::Pixels;
+use crate::geometry::predicates::left_to_right;
 use crate::plane::Point;
 use crate::plane::meet::{Grid, Spot, all_meetings};
-use crate::plane::predicates::left_to_right;
 use crate::topology::find;
 use std::ops::ControlFlow;
 

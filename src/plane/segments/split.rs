@@ -17,9 +17,9 @@
 use super::chains::Split;
 use super::graph::{Graph, Single};
 use super::snap::{Plain, snap};
+use crate::geometry::predicates::left_to_right;
 use crate::plane::Point;
 use crate::plane::meet::{Grid, Spot, all_meetings};
-use crate::plane::predicates::left_to_right;
 use std::ops::ControlFlow;
 
 /// Rounds after which a grid is used. One or two are usual.

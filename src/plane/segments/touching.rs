@@ -7,10 +7,10 @@
 
 use super::graph::Single;
 use super::places::first_at_each_place;
+use crate::geometry::grouping::grouped;
+use crate::geometry::predicates::left_to_right;
 use crate::plane::Point;
-use crate::plane::group::grouped;
 use crate::plane::meet::{Spot, all_meetings};
-use crate::plane::predicates::left_to_right;
 use crate::topology::PolygonList;
 use std::ops::ControlFlow;
 

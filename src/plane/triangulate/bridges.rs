@@ -12,9 +12,9 @@
 
 use super::TriangulateError;
 use super::patch::{Part, Patch, PatchRing};
+use crate::geometry::predicates::orientation;
 use crate::plane::Point;
 use crate::plane::cycle::in_corner;
-use crate::plane::predicates::orientation;
 use crate::plane::sweep::is_above;
 
 /// Joins all rings of the patch to the boundaries of their faces. O(n) for each ring of a face of n corners.

@@ -22,8 +22,8 @@
 
 use super::TriangulateError;
 use super::patch::{Patch, PatchRing};
+use crate::geometry::predicates::orientation;
 use crate::plane::Point;
-use crate::plane::predicates::orientation;
 use crate::plane::status::{Place, Status};
 
 const NONE: u32 = u32::MAX;

@@ -12,8 +12,8 @@
 //! A *corner* of a face is named by the half-edge that leaves it. A diagonal joins two corners.
 
 use super::TriangulateError;
+use crate::geometry::predicates::{orientation, sort_key};
 use crate::ids::{FaceId, HalfEdgeId, MAX_IDS, VertexId};
-use crate::plane::predicates::{orientation, sort_key};
 use crate::plane::{Point, Subdivision};
 use crate::topology::{Ring, TooMany};
 use std::cmp::Ordering;

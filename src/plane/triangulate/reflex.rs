@@ -11,8 +11,8 @@
 //! Source: Bentley, *Multidimensional binary search trees used for associative searching*, CACM 18, 1975.
 
 use super::patch::Patch;
+use crate::geometry::predicates::orientation;
 use crate::plane::Point;
-use crate::plane::predicates::orientation;
 use std::cmp::Ordering;
 use std::ops::Range;
 

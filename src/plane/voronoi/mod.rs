@@ -18,8 +18,8 @@ mod window;
 pub use cells::VoronoiCells;
 pub use window::Window;
 
-use super::predicates::{in_circle, orientation, twice_area};
 use super::{CoordinateError, Point, SMALLEST, SegmentsError, Subdivision};
+use crate::geometry::predicates::{in_circle, orientation, twice_area};
 use crate::ids::{EdgeId, FaceId, FaceMap, HalfEdgeId, VertexId};
 
 /// Why there is no Voronoi diagram.

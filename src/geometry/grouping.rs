@@ -7,7 +7,7 @@
 
 /// Which group each of `count` things belongs to decides where it goes: the things of group g are
 /// `list[starts[g]..starts[g + 1]]`, in increasing order. O(groups + count).
-pub(super) fn grouped(groups: usize, count: usize, group: impl Fn(usize) -> usize) -> (Vec<u32>, Vec<u32>) {
+pub(crate) fn grouped(groups: usize, count: usize, group: impl Fn(usize) -> usize) -> (Vec<u32>, Vec<u32>) {
     let mut starts = vec![0_u32; groups + 1];
     (0..count).for_each(|i| starts[group(i)] += 1);
     let mut sum = 0;

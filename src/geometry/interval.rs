@@ -5,13 +5,13 @@ use std::ops::{Add, Mul, Sub};
 
 /// All numbers from `low` to `high`; the true one is among them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Interval {
-    pub(super) low: f64,
-    pub(super) high: f64,
+pub(crate) struct Interval {
+    pub(crate) low: f64,
+    pub(crate) high: f64,
 }
 
 impl Interval {
-    pub(super) const fn of(a: f64) -> Self {
+    pub(crate) const fn of(a: f64) -> Self {
         Self { low: a, high: a }
     }
 
@@ -23,12 +23,12 @@ impl Interval {
     }
 
     /// The number, if it is known exactly.
-    pub(super) fn only(self) -> Option<f64> {
+    pub(crate) fn only(self) -> Option<f64> {
         (self.low >= self.high).then_some(self.low)
     }
 
     /// The sign, if it is certain.
-    pub(super) fn sign(self) -> Option<Ordering> {
+    pub(crate) fn sign(self) -> Option<Ordering> {
         if self.low > 0.0 {
             Some(Ordering::Greater)
         } else if self.high < 0.0 {
@@ -41,7 +41,7 @@ impl Interval {
     }
 
     /// The order of the two numbers, if it is certain.
-    pub(super) fn order(self, other: Self) -> Option<Ordering> {
+    pub(crate) fn order(self, other: Self) -> Option<Ordering> {
         if self.high < other.low {
             Some(Ordering::Less)
         } else if self.low > other.high {
@@ -52,14 +52,14 @@ impl Interval {
     }
 
     /// The quotient; `None` if the divisor may be 0.
-    pub(super) fn over(self, by: Self) -> Option<Self> {
+    pub(crate) fn over(self, by: Self) -> Option<Self> {
         by.sign()?;
         let (a, b) = (self, by);
         Some(Self::around(&[a.low / b.low, a.low / b.high, a.high / b.low, a.high / b.high]))
     }
 
     /// The part within the limits, which hold the true number for another reason.
-    pub(super) fn within(self, a: f64, b: f64) -> Self {
+    pub(crate) fn within(self, a: f64, b: f64) -> Self {
         Self { low: self.low.max(a.min(b)), high: self.high.min(a.max(b)) }
     }
 }

@@ -1,6 +1,6 @@
 //! Exact signs. Every geometric decision of the kit comes down to these.
 
-use super::Point;
+use super::point::Point;
 use robust::Coord;
 use std::cmp::Ordering;
 
@@ -62,7 +62,7 @@ pub fn left_to_right(a: Point, b: Point) -> Ordering {
 
 /// A whole number that orders finite numbers as they are, with -0 = 0.
 #[inline]
-pub(super) fn sort_key(x: f64) -> u64 {
+pub(crate) fn sort_key(x: f64) -> u64 {
     let bits = (x + 0.0).to_bits();
     if bits >> 63 == 0 { bits | 1 << 63 } else { !bits }
 }
