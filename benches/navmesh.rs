@@ -13,10 +13,11 @@
 //! `-- linear` shows how making a mesh and its index grows with pillars that stand in a row: most triangles are slivers
 //! from their tips to one corner.
 
-use dcel_kit::HalfEdgeId;
+use cpu_time::ProcessTime;
 use dcel_kit::io::{Grid, Scenario};
 use dcel_kit::navmesh::{LiveMesh, Location, NavMesh, ObstacleId, Planner, Rung};
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
+use dcel_kit::{HalfEdgeId, VertexId};
 use dcel_kit_benches::{DOUBLED, Random, growth};
 use glam::Vec2;
 use std::hint::black_box;
@@ -101,7 +102,7 @@ fn blocked() {
         // The same triangles alone: the holes are what is left.
         let corners = |f| <[u32; 3]>::try_from(listed.corners(f).map(|v| v.number()).collect::<Vec<_>>());
         let walkable: Vec<[u32; 3]> = listed.faces().map(|f| corners(f).expect("a triangle")).collect();
-        let points = (0..listed.vertex_bound() as u32).map(|v| listed.point(dcel_kit::VertexId::new(v))).collect();
+        let points = (0..listed.vertex_bound() as u32).map(|v| listed.point(VertexId::new(v))).collect();
         let map = Subdivision::from_triangles(points, &walkable).expect("they do not overlap");
         let alone = NavMesh::new(&map).expect("triangles");
         let peer = peer(&map, &alone);
@@ -115,13 +116,14 @@ fn blocked() {
         let beside: Vec<Point> =
             anywhere.iter().copied().filter(|&p| !matches!(alone.locate(p), Location::Face(_))).collect();
         for (what, points) in [("anywhere", &anywhere), ("inside", &inside), ("in no face", &beside)] {
-            let count = |mesh: &NavMesh| points.iter().filter(|&&p| matches!(mesh.locate(p), Location::Face(_))).count();
+            let count =
+                |mesh: &NavMesh| points.iter().filter(|&&p| matches!(mesh.locate(p), Location::Face(_))).count();
             assert_eq!(count(&alone), count(&listed), "the same triangles");
             let mut least = [f64::INFINITY; 3];
             for _ in 0..4 * ROUNDS {
-                timed(&mut least[0], || count(&alone));
-                timed(&mut least[1], || count(&listed));
-                timed(&mut least[2], || points.iter().filter(|p| peer.point_in_mesh(vec(**p))).count());
+                spent(&mut least[0], || count(&alone));
+                spent(&mut least[1], || count(&listed));
+                spent(&mut least[2], || points.iter().filter(|p| peer.point_in_mesh(vec(**p))).count());
             }
             let [alone, listed, peer] = least.map(|time| time * 1e9 / points.len() as f64);
             println!(
@@ -152,11 +154,11 @@ fn obstacles(map: &Subdivision, width: f64, prepared: bool) {
         live.merge_faces();
         live.link_crossings();
     }
-    let mut random = Random::new(9);
+    let (mut random, mut planner) = (Random::new(9), Planner::new());
     let mut inside: Vec<ObstacleId> = Vec::new();
-    let (mut times, mut refused) = ([const { Vec::new() }; 3], 0);
+    let (mut times, mut refused) = ([const { Vec::new() }; 4], 0);
     let mut measure = |what: usize, run: &mut dyn FnMut()| {
-        let start = Instant::now();
+        let start = ProcessTime::now();
         run();
         times[what].push(start.elapsed().as_secs_f64() * 1e6);
     };
@@ -180,7 +182,17 @@ fn obstacles(map: &Subdivision, width: f64, prepared: bool) {
     }
     random.shuffle(&mut inside);
     for &id in &inside {
+        let near = live.corners(id).map_or(Point::default(), |corners| corners[0]);
         measure(2, &mut || live.remove(id).expect("in the map"));
+        // A short way nearby: what was not mended has to be made anew for it.
+        let goal = Point::new(near.x + 0.5, near.y + 0.5);
+        if prepared {
+            measure(3, &mut || {
+                for rung in [Rung::Exact, Rung::Breadth] {
+                    let _ = black_box(planner.route_between(live.mesh(), rung, near, goal));
+                }
+            });
+        }
     }
     let counts = |map: &Subdivision| [map.vertex_count(), map.edge_count(), map.face_count()];
     assert_eq!(counts(live.map()), counts(map), "the map is what it was");
@@ -188,7 +200,8 @@ fn obstacles(map: &Subdivision, width: f64, prepared: bool) {
         "{triangles} triangles, 1000 obstacles of 2 to 5 corners{}; {refused} refused",
         if prepared { ", merged faces and junctions mended" } else { "" }
     );
-    for (what, mut times) in ["in", "moved", "out"].into_iter().zip(times) {
+    for (what, mut times) in ["in", "moved", "out", "way"].into_iter().zip(times).filter(|(_, times)| !times.is_empty())
+    {
         times.sort_by(f64::total_cmp);
         let at = |share: f64| times[((times.len() - 1) as f64 * share) as usize];
         let mean = times.iter().sum::<f64>() / times.len() as f64;
@@ -274,7 +287,7 @@ fn blocks(size: usize, random: &mut Random) -> Subdivision {
 fn peer(map: &Subdivision, mesh: &NavMesh) -> polyanya::Mesh {
     let mut numbers = vec![u32::MAX; mesh.face_bound()];
     mesh.faces().enumerate().for_each(|(i, f)| numbers[f.index()] = i as u32);
-    let vertices = (0..mesh.vertex_bound() as u32).map(dcel_kit::VertexId::new).map(|v| {
+    let vertices = (0..mesh.vertex_bound() as u32).map(VertexId::new).map(|v| {
         let p = mesh.point(v);
         let mut around: Vec<u32> = map.incident_faces(v).map(|f| numbers[f.index()]).collect();
         around.dedup();
@@ -302,6 +315,13 @@ fn timed<T>(least: &mut f64, run: impl FnOnce() -> T) -> T {
     let answer = black_box(run());
     *least = least.min(start.elapsed().as_secs_f64());
     answer
+}
+
+/// The seconds of processor time a call takes, if they are less than `least`.
+fn spent<T>(least: &mut f64, run: impl FnOnce() -> T) {
+    let start = ProcessTime::now();
+    black_box(run());
+    *least = least.min(start.elapsed().as_secs_f64());
 }
 
 fn measure(name: &str, map: Subdivision, queries: Option<Vec<Ends>>, random: &mut Random) {
@@ -386,7 +406,8 @@ fn routes(mesh: &NavMesh, peers: &[polyanya::Mesh; 2], queries: &[Ends]) {
     for (i, &(start, goal)) in queries.iter().enumerate() {
         for (k, &program) in (0..ROUNDS).flat_map(|_| programs.iter().enumerate()) {
             let least = &mut least[k][i];
-            let mut find = |planner: &mut Planner, rung| timed(least, || planner.route_between(&prepared, rung, start, goal));
+            let mut find =
+                |planner: &mut Planner, rung| timed(least, || planner.route_between(&prepared, rung, start, goal));
             lengths[k][i] = match program {
                 Program::Plain(rung) => find(&mut plain, rung).expect("one component").length,
                 Program::Prepared(rung) => find(&mut planner, rung).expect("one component").length,

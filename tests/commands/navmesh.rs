@@ -80,6 +80,21 @@ fn points_are_located_where_the_file_has_them() {
     assert!(text.contains("outside; the nearest place is (0.5, 0) in f1"), "{text}");
 }
 
+/// Blocked polygons side by side are one hole for the mesh; the command still says in which of them a point is.
+#[test]
+fn blocked_polygons_of_a_file_are_told_apart() {
+    let folder = folder();
+    let text = "mesh\n3\n5 4\n0 0\n0 8\n8 8\n8 0\n5 5\n0 3  4 1 5  -4 0 -2\n0 3  1 2 5  -1 0 -3\n\
+                1 3  2 3 5  -2 0 4\n1 3  3 4 5  3 0 -1\n";
+    folder.write("two.mesh", text);
+    let found = folder.dcel("navmesh locate two.mesh 4 1 1 4 6 7 --json").json();
+    let elements: Vec<_> = found.as_array().into_iter().flatten().map(|spot| spot["element"].clone()).collect();
+    assert_eq!(json!(elements), json!(["f1", "f2", "f3"]));
+    let told = folder.dcel("navmesh locate two.mesh 1 4").fine();
+    assert!(told.contains("in the hole f2"), "{told}");
+    folder.dcel("navmesh path two.mesh 1 4 7 6").fails(2, "it is in the hole f2", "");
+}
+
 #[test]
 fn neighbours_are_listed_side_by_side() {
     let folder = folder();
