@@ -292,7 +292,7 @@ fn plane(
     mut notes: Vec<String>,
     format: Format,
 ) -> Result<Loaded, LoadError> {
-    let PolygonSoup { points, has_z, faces, names, places, blocked, any_direction } = soup;
+    let PolygonSoup { points, has_z, faces, names, places, blocked, any_direction, .. } = soup;
     if has_z {
         notes.push("the z of the points was dropped".to_owned());
     }

@@ -22,6 +22,7 @@
 //!   obj.rs off.rs ply/ stl.rs triangle.rs mesh/ grid.rs (scen.rs) geojson.rs topojson.rs (json.rs arrays.rs)
 //!   wkt.rs poly.rs segments.rs dcel.rs tables.rs   one format each
 //!   points.rs points alone, of any of them or of plain text    words.rs  numbers with their words
+//!   labels.rs groups and materials of faces
 //!   room.rs   memory that is asked for before it is needed
 //! ```
 
@@ -32,6 +33,7 @@ mod format;
 pub mod geojson;
 pub mod grid;
 mod json;
+mod labels;
 mod load;
 mod mend;
 pub mod mesh;
@@ -63,6 +65,7 @@ pub use crate::geometry::number::Number;
 pub use arrange::{arrange, arrange_with, describe, faults_with_places, on_grid};
 pub use format::{Format, UnknownFormat};
 pub use grid::Grid;
+pub use labels::Labels;
 pub use load::{LoadError, LoadOptions, Loaded, NOTHING_TO_MEND, Structure, assemble, load};
 pub use mend::Covering;
 pub use model::Model;

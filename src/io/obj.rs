@@ -6,6 +6,7 @@
 //!   f 1 2 3 4                             a face: corners counted from 1
 //!   f 1/1 2/2 3/3      f 1//5 2//6 3//7   corner / texture / normal; only the corner counts
 //!   f -4 -3 -2                            counted backwards from the last point so far
+//!   g floor ramp       usemtl stone       o house: names of the faces that follow
 //! ```
 //!
 //! A face may use a point that comes later in the file; counting backwards it cannot. All other statements
@@ -16,9 +17,10 @@
 //! Source: the OBJ chapter of the Advanced Visualizer manual, appendix B1 (Wavefront, 1993).
 
 use super::format::Format;
+use super::labels::Labels;
 use super::problem::{ReadError, ReadProblem};
 use super::read::{Document, Read};
-use super::soup::SoupBuilder;
+use super::soup::{PolygonSoup, SoupBuilder};
 use super::text::{Scanner, Syntax, Word, parse_integer};
 use super::words::counted;
 
@@ -80,12 +82,18 @@ pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
     let mut forward = Forward { index: 0, word: None };
     let mut unknown: Option<(Word<'_>, usize)> = None;
     let mut gives_z = false;
+    let (mut named, mut labels) = (Named::default(), Labels::default());
     loop {
         if let Some(statement) = scanner.word() {
             match statement.text {
                 b"v" => point(&mut scanner, &mut soup, &mut gives_z)?,
                 b"f" | b"fo" => face(&mut scanner, &mut soup, &mut corners, &mut forward)?,
-                text if NAMED.contains(&text) => drop(scanner.rest_of_line()),
+                text if NAMED.contains(&text) => {
+                    let rest = String::from_utf8_lossy(scanner.rest_of_line());
+                    if named.take(text, &rest) {
+                        labels.begin(soup.faces.face_count() as u32, named.all());
+                    }
+                }
                 text if SKIPPED.contains(&text) => {}
                 text if std::str::from_utf8(text).is_err() => {
                     return Err(scanner.error(statement.at, ReadProblem::NotText, "save the file as UTF-8 text"));
@@ -112,7 +120,40 @@ pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
             word.show()
         ));
     }
-    Ok(Read { document: Document::Polygons(soup.finish(source, gives_z)?), notes, format: Format::Obj })
+    let soup = PolygonSoup { labels, ..soup.finish(source, gives_z)? };
+    Ok(Read { document: Document::Polygons(soup), notes, format: Format::Obj })
+}
+
+/// The names that hold for the next face.
+#[derive(Default)]
+struct Named {
+    groups: Vec<String>,
+    object: Option<String>,
+    material: Option<String>,
+}
+
+impl Named {
+    /// Takes the names of a statement. Returns whether it is one that names faces.
+    fn take(&mut self, statement: &[u8], rest: &str) -> bool {
+        let whole = || Some(rest.to_owned()).filter(|name| !name.is_empty());
+        match statement {
+            b"g" => self.groups = rest.split_whitespace().map(str::to_owned).collect(),
+            b"o" => self.object = whole(),
+            b"usemtl" => self.material = whole(),
+            _ => return false,
+        }
+        true
+    }
+
+    fn all(&self) -> Vec<String> {
+        let mut all: Vec<String> = Vec::new();
+        for name in self.groups.iter().chain(&self.object).chain(&self.material) {
+            if !all.contains(name) {
+                all.push(name.clone());
+            }
+        }
+        all
+    }
 }
 
 fn point(scanner: &mut Scanner<'_>, soup: &mut SoupBuilder, gives_z: &mut bool) -> Result<(), ReadError> {

@@ -1,5 +1,6 @@
 //! What polygon formats hold: points, faces as lists of corners, and where each stood in the file.
 
+use super::labels::Labels;
 use super::problem::{ReadError, ReadProblem};
 use super::room::reserved;
 use crate::ids::MAX_IDS;
@@ -19,6 +20,8 @@ pub struct PolygonSoup {
     pub faces: PolygonList,
     /// The name of each face, or nothing at all if the format has no names.
     pub names: Vec<Option<String>>,
+    /// The groups, objects and materials that faces belong to, of formats that have them.
+    pub labels: Labels,
     /// Where the points and faces stand in the file.
     pub places: Places,
     /// The faces that are no part of the domain, in increasing order: they become hole faces.
@@ -63,7 +66,8 @@ impl PolygonSoup {
         }
         let is_blocked = |f: &u32| self.blocked.binary_search(f).is_ok();
         let blocked = (0..).zip(origins).filter(|(_, f)| is_blocked(f)).map(|(i, _)| i).collect();
-        Self { faces, names: of(&self.names, origins), places, blocked, points: self.points.clone(), ..*self }
+        let (names, labels) = (of(&self.names, origins), self.labels.with_origins(origins));
+        Self { faces, names, labels, places, blocked, points: self.points.clone(), ..*self }
     }
 
     /// Lays a floor in space flat, as it is seen from above: drops the axis that points up. Faces that run
@@ -77,17 +81,41 @@ impl PolygonSoup {
     ///   x       (y, z)
     /// ```
     pub fn lay_flat(&mut self, up: Axis) {
-        for p in &mut self.points {
-            // 0 - z, so that 0 stays 0 and does not become -0.
-            let [x, y] = match up {
-                Axis::X => [p[1], p[2]],
-                Axis::Y => [p[0], 0.0 - p[2]],
-                Axis::Z => [p[0], p[1]],
-            };
-            *p = [x, y, 0.0];
-        }
+        self.stand_up(up);
+        self.points.iter_mut().for_each(|p| p[2] = 0.0);
         self.has_z = false;
+    }
+
+    /// Turns a floor in space so that its third coordinate is the height. The first two are those of
+    /// [`lay_flat`](Self::lay_flat).
+    pub fn stand_up(&mut self, up: Axis) {
+        self.points.iter_mut().for_each(|p| *p = up.standing(*p));
+        let heights = |p: &[f64; 3]| p[2].to_bits() != self.points[0][2].to_bits();
+        self.has_z = self.points.iter().any(heights);
         self.places.y_down = up == Axis::Y;
+    }
+}
+
+impl Axis {
+    /// A point of a file where this axis points up, turned so that its third coordinate is the height.
+    #[must_use]
+    pub fn standing(self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        // 0 - z, so that 0 stays 0 and does not become -0.
+        match self {
+            Self::X => [y, z, x],
+            Self::Y => [x, 0.0 - z, y],
+            Self::Z => [x, y, z],
+        }
+    }
+
+    /// The point of the file that [`standing`](Self::standing) makes this one of.
+    #[must_use]
+    pub fn lying(self, [x, y, height]: [f64; 3]) -> [f64; 3] {
+        match self {
+            Self::X => [height, x, y],
+            Self::Y => [x, height, 0.0 - y],
+            Self::Z => [x, y, height],
+        }
     }
 }
 
@@ -113,6 +141,11 @@ pub struct Places {
 }
 
 impl Places {
+    /// Says that the y of the points was negated: coordinates in messages are those of the file.
+    pub fn set_y_down(&mut self, down: bool) {
+        self.y_down = down;
+    }
+
     /// Where point `vertex` stands: `cube.obj:12`, or just the file.
     #[must_use]
     pub fn vertex(&self, vertex: usize) -> String {

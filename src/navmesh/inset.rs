@@ -81,9 +81,9 @@ pub struct Inset {
 }
 
 impl Inset {
-    /// By which part of the radius a way may be kept further off than the radius, if nothing else is said: two tangents
-    /// and one vertex more for a right angle.
-    pub const TOLERANCE: f64 = 0.1;
+    /// By which part of the radius a way may be kept further off than the radius, if nothing else is said: the finest
+    /// with which large maps grow to no more than three times their triangles.
+    pub const TOLERANCE: f64 = 0.02;
 
     /// The map that is left; what the margin cuts off or encloses is hole faces.
     #[must_use]

@@ -15,8 +15,12 @@
 //!
 //! Source: Dellin and Srinivasa, *A unifying formalism for shortest path problems with expensive edge evaluations*, 2016.
 
+use super::funnel::Post;
 use super::nearest::distance;
-use super::{NavMesh, Place, Planner, Route, Rung, Work};
+use super::steps::{End, steps};
+use super::{DistanceField, NavMesh, Place, Planner, Route, Rung, Work};
+use crate::ids::{FaceMap, VertexId};
+use crate::plane::Point;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -88,13 +92,114 @@ pub enum LinkError {
 }
 
 /// A piece between two stops: from node `from` to target `to`.
-struct Piece {
+struct Piece<R> {
     from: usize,
     to: usize,
     /// The cost up to its beginning.
     before: f64,
     /// Once it was searched for.
-    route: Option<Route>,
+    route: Option<R>,
+}
+
+/// What a search over links found.
+pub(super) struct Found<R> {
+    /// The legs to the goal, and the links between them; none without a goal.
+    pub(super) legs: Vec<(usize, R)>,
+    pub(super) links: Vec<usize>,
+    pub(super) cost: f64,
+    /// The least cost to the start, and to the end of each link; infinite if they were not reached.
+    pub(super) reached: Vec<f64>,
+}
+
+/// The cheapest path over links that cost `costs`. Node 0 is the start and node i + 1 the end of link i; target i is the
+/// beginning of link i, and the target after the last link the goal. `guess` gives at most the cost of the leg from a
+/// node to a target, or none if there is none; `search` gives the leg and its cost.
+///
+/// Without a goal all ends of links within the limit are reached, and what is found has no legs.
+pub(super) fn over_links<R>(
+    costs: &[f64],
+    goal: Option<()>,
+    limit: f64,
+    guess: impl Fn(usize, usize) -> Option<f64>,
+    mut search: impl FnMut(usize, usize) -> Option<(f64, R)>,
+) -> Option<Found<R>> {
+    let goal_target = costs.len();
+    let targets = goal_target + usize::from(goal.is_some());
+    let mut pieces: Vec<Piece<R>> = Vec::new();
+    let mut queue: BinaryHeap<Reverse<(u64, usize)>> = BinaryHeap::new();
+    // By which piece each node was reached first, that is, at the least cost.
+    let mut reached: Vec<Option<usize>> = vec![None; costs.len() + 1];
+    let mut least = vec![f64::INFINITY; costs.len() + 1];
+    let mut settled = Some((0, 0.0));
+    loop {
+        if let Some((from, before)) = settled.take() {
+            least[from] = before;
+            for to in 0..targets {
+                let is_new = to == goal_target || reached[to + 1].is_none();
+                let Some(leg) = guess(from, to).filter(|_| is_new) else { continue };
+                let whole = before + leg + costs.get(to).unwrap_or(&0.0);
+                if whole <= limit {
+                    queue.push(Reverse((whole.to_bits(), pieces.len())));
+                    pieces.push(Piece { from, to, before, route: None });
+                }
+            }
+        }
+        let Some(Reverse((key, i))) = queue.pop() else {
+            let all = Found { legs: Vec::new(), links: Vec::new(), cost: 0.0, reached: least };
+            return goal.is_none().then_some(all);
+        };
+        let Piece { from, to, before, .. } = pieces[i];
+        if to != goal_target && reached[to + 1].is_some() {
+            continue;
+        }
+        if pieces[i].route.is_none() {
+            let Some((leg, route)) = search(from, to) else { continue };
+            // Rounding of the length must not bring it before what came to the front already.
+            let known = (before + leg + costs.get(to).unwrap_or(&0.0)).max(f64::from_bits(key));
+            if known <= limit {
+                pieces[i].route = Some(route);
+                queue.push(Reverse((known.to_bits(), i)));
+            }
+            continue;
+        }
+        let cost = f64::from_bits(key);
+        if to == goal_target {
+            return Some(trace(pieces, &reached, i, cost, least));
+        }
+        reached[to + 1] = Some(i);
+        settled = Some((to + 1, cost));
+    }
+}
+
+/// The legs that led to the last piece.
+fn trace<R>(mut pieces: Vec<Piece<R>>, by: &[Option<usize>], last: usize, cost: f64, reached: Vec<f64>) -> Found<R> {
+    let mut found = Found { legs: Vec::new(), links: Vec::new(), cost, reached };
+    let mut at = Some(last);
+    while let Some(i) = at {
+        let Piece { from, ref mut route, .. } = pieces[i];
+        found.legs.extend(route.take().map(|route| (from, route)));
+        found.links.extend(from.checked_sub(1));
+        at = by[from];
+    }
+    found.legs.reverse();
+    found.links.reverse();
+    found
+}
+
+/// Refuses costs that cannot be compared, and layers that are not there.
+pub(super) fn check_costs(costs: impl IntoIterator<Item = f64>) -> Result<(), LinkError> {
+    match costs.into_iter().enumerate().find(|(_, cost)| !cost.is_finite() || *cost < 0.0) {
+        Some((link, cost)) => Err(LinkError::Cost { link, cost }),
+        None => Ok(()),
+    }
+}
+
+fn check(layers: usize, links: &[Link], ends: &[&Stop]) -> Result<(), LinkError> {
+    let stops = links.iter().flat_map(|link| [&link.from, &link.to]).chain(ends.iter().copied());
+    match stops.into_iter().find(|stop| stop.layer >= layers) {
+        Some(stop) => Err(LinkError::NoSuchLayer { layer: stop.layer, layers }),
+        None => check_costs(links.iter().map(|link| link.cost)),
+    }
 }
 
 impl Planner {
@@ -129,84 +234,199 @@ impl Planner {
         start: &Stop,
         goal: &Stop,
     ) -> Result<LinkedRoute, LinkError> {
-        let stops = links.iter().flat_map(|link| [&link.from, &link.to]).chain([start, goal]);
-        if let Some(stop) = stops.into_iter().find(|stop| stop.layer >= layers.len()) {
-            return Err(LinkError::NoSuchLayer { layer: stop.layer, layers: layers.len() });
-        }
-        let is_bad = |link: &Link| !link.cost.is_finite() || link.cost < 0.0;
-        if let Some(link) = links.iter().position(is_bad) {
-            return Err(LinkError::Cost { link, cost: links[link].cost });
-        }
-        // Node 0 is the start, node i + 1 the end of link i; target i is the beginning of link i, the last is the goal.
-        let goal_target = links.len();
-        let node = |i: usize| if i == 0 { start } else { &links[i - 1].to };
-        let target = |i: usize| links.get(i).map_or((goal, 0.0), |link| (&link.from, link.cost));
         let mut work = Work::default();
-        let mut pieces: Vec<Piece> = Vec::new();
-        let mut queue: BinaryHeap<Reverse<(u64, usize)>> = BinaryHeap::new();
-        // By which piece each node was reached first, that is, at the least cost.
-        let mut reached: Vec<Option<usize>> = vec![None; links.len() + 1];
-        let mut settled = Some((0, 0.0));
-        loop {
-            if let Some((from, before)) = settled.take() {
-                let here = node(from);
-                for to in 0..=goal_target {
-                    let (there, cost) = target(to);
-                    let is_new = to == goal_target || reached[to + 1].is_none();
-                    if is_new && here.layer == there.layer && is_joined(&layers[here.layer], &here.place, &there.place)
-                    {
-                        let guess = before + distance(here.place.point, there.place.point) + cost;
-                        queue.push(Reverse((guess.to_bits(), pieces.len())));
-                        pieces.push(Piece { from, to, before, route: None });
-                    }
+        let path = self.over_links(
+            layers,
+            links,
+            [start, goal],
+            |_| 1.0,
+            |planner, layer, [from, to]| {
+                let route = planner.route(&layers[layer], rung, from, to).ok()?;
+                work += route.work;
+                Some((route.length, route))
+            },
+        )?;
+        Ok(LinkedRoute { work, ..path })
+    }
+
+    /// The same where a unit of length in a face costs as much as `costs` says, layer by layer. Legs are found as by
+    /// [`weighted_route`](Self::weighted_route), so they are good ones and not the cheapest of all; which links are used
+    /// is decided by what these legs cost.
+    ///
+    /// # Errors
+    /// [`LinkError`].
+    ///
+    /// # Panics
+    /// If there are not as many costs as layers, or some are shorter than [`face_bound`](NavMesh::face_bound).
+    ///
+    /// ```
+    /// use dcel_kit::navmesh::{Link, NavMesh, Planner, Rung, Stop};
+    /// use dcel_kit::{FaceMap, plane::{Point, Subdivision}};
+    /// let hall = [(0., 0.), (8., 0.), (8., 4.), (0., 4.)].map(Point::from);
+    /// let hall = NavMesh::new(&Subdivision::polygon(&hall)?)?;
+    /// let stop = |x, y| hall.place(Point::new(x, y)).map(|place| Stop { layer: 0, place });
+    /// let ferry = Link { from: stop(1., 3.)?, to: stop(7., 3.)?, cost: 8.0 };
+    /// let mut costs = FaceMap::filled(hall.face_bound(), 1.0);
+    /// let mut planner = Planner::new();
+    /// let mut path = |costs: &FaceMap<f64>| {
+    ///     let (layers, costs) = (std::slice::from_ref(&hall), std::slice::from_ref(costs));
+    ///     planner.weighted_linked_route(layers, &[ferry], Rung::Closest, costs, &stop(1., 2.)?, &stop(7., 2.)?)
+    ///         .map_err(Box::<dyn std::error::Error>::from)
+    /// };
+    /// assert_eq!(path(&costs)?.links.len(), 0, "6 on foot, 1 + 8 + 1 by the ferry");
+    /// costs[dcel_kit::FaceId::new(1)] = 2.0;
+    /// assert_eq!(path(&costs)?.cost, 2.0 + 8.0 + 2.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn weighted_linked_route(
+        &mut self,
+        layers: &[NavMesh],
+        links: &[Link],
+        rung: Rung,
+        costs: &[FaceMap<f64>],
+        start: &Stop,
+        goal: &Stop,
+    ) -> Result<LinkedRoute, LinkError> {
+        assert_eq!(costs.len(), layers.len(), "costs for every layer");
+        let cheapest = |(mesh, costs): (&NavMesh, &FaceMap<f64>)| {
+            mesh.faces().map(|f| costs[f].max(0.0)).fold(f64::INFINITY, f64::min)
+        };
+        let least: Vec<f64> = layers.iter().zip(costs).map(cheapest).collect();
+        let mut work = Work::default();
+        let path = self.over_links(
+            layers,
+            links,
+            [start, goal],
+            |layer| least[layer],
+            |planner, layer, [from, to]| {
+                let route = planner.weighted_route(&layers[layer], rung, &costs[layer], from, to).ok()?;
+                work += route.work;
+                Some((layers[layer].cost_along(&route, &costs[layer]), route))
+            },
+        )?;
+        Ok(LinkedRoute { work, ..path })
+    }
+
+    /// A unit as the crow flies costs at least `least` on a layer; `leg` finds a leg on a layer and its cost.
+    fn over_links(
+        &mut self,
+        layers: &[NavMesh],
+        links: &[Link],
+        [start, goal]: [&Stop; 2],
+        least: impl Fn(usize) -> f64,
+        mut leg: impl FnMut(&mut Self, usize, [&Place; 2]) -> Option<(f64, Route)>,
+    ) -> Result<LinkedRoute, LinkError> {
+        check(layers.len(), links, &[start, goal])?;
+        let node = |i: usize| if i == 0 { start } else { &links[i - 1].to };
+        let target = |i: usize| links.get(i).map_or(goal, |link| &link.from);
+        let costs: Vec<f64> = links.iter().map(|link| link.cost).collect();
+        let found = over_links(
+            &costs,
+            Some(()),
+            f64::INFINITY,
+            |from, to| Some(least(node(from).layer) * as_crow_flies(layers, node(from), target(to))?),
+            |from, to| leg(self, node(from).layer, [&node(from).place, &target(to).place]),
+        );
+        let Found { legs, links, cost, .. } = found.ok_or(LinkError::Unreachable)?;
+        let legs = legs.into_iter().map(|(from, route)| Leg { layer: node(from).layer, route }).collect();
+        Ok(LinkedRoute { legs, links, cost, work: Work::default() })
+    }
+
+    /// How far it is from a place to all vertices of all layers, over the meshes and links, as far as that is no more
+    /// than `limit`. One field for each layer.
+    ///
+    /// Cost: that of a [`distance_field`](Self::distance_field) for the start and for each link that is reached, and
+    /// that of the legs between links.
+    ///
+    /// # Errors
+    /// [`LinkError`].
+    ///
+    /// ```
+    /// use dcel_kit::navmesh::{Link, NavMesh, Planner, Stop};
+    /// use dcel_kit::{VertexId, plane::{Point, Subdivision}};
+    /// let hall = [(0., 0.), (8., 0.), (8., 4.), (0., 4.)].map(Point::from);
+    /// let hall = NavMesh::new(&Subdivision::polygon(&hall)?)?;
+    /// let stop = |x, y| hall.place(Point::new(x, y)).map(|place| Stop { layer: 0, place });
+    /// let teleport = Link { from: stop(1., 3.)?, to: stop(8., 1.)?, cost: 0.5 };
+    /// let layers = std::slice::from_ref(&hall);
+    /// let fields = Planner::new().linked_distance_field(layers, &[teleport], &stop(1., 2.)?, f64::INFINITY)?;
+    /// assert_eq!(fields[0].distance(VertexId::new(1)), Some(1.0 + 0.5 + 1.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn linked_distance_field(
+        &mut self,
+        layers: &[NavMesh],
+        links: &[Link],
+        start: &Stop,
+        limit: f64,
+    ) -> Result<Vec<DistanceField>, LinkError> {
+        check(layers.len(), links, &[start])?;
+        let node = |i: usize| if i == 0 { start } else { &links[i - 1].to };
+        let costs: Vec<f64> = links.iter().map(|link| link.cost).collect();
+        let found = over_links(
+            &costs,
+            None,
+            limit,
+            |from, to| as_crow_flies(layers, node(from), &links[to].from),
+            |from, to| {
+                let [from, to] = [node(from), &links[to].from];
+                let route = self.route(&layers[from.layer], Rung::Exact, &from.place, &to.place).ok()?;
+                Some((route.length, ()))
+            },
+        );
+        let mut fields: Vec<DistanceField> =
+            layers.iter().map(|mesh| DistanceField::new(mesh, &start.place, limit)).collect();
+        let reached = found.map_or_else(Vec::new, |found| found.reached);
+        for (i, &before) in reached.iter().enumerate().filter(|(_, before)| before.is_finite()) {
+            let Stop { layer, ref place } = *node(i);
+            let near = self.distance_field(&layers[layer], place, limit - before);
+            fields[layer].work += near.work;
+            for v in (0..layers[layer].vertex_bound() as u32).map(VertexId::new) {
+                if let Some(length) = near.distance(v) {
+                    fields[layer].see(v.number(), before + length);
                 }
             }
-            let Some(Reverse((key, i))) = queue.pop() else { return Err(LinkError::Unreachable) };
-            let Piece { from, to, before, .. } = pieces[i];
-            if to != goal_target && reached[to + 1].is_some() {
-                continue;
-            }
-            if pieces[i].route.is_none() {
-                let (here, (there, cost)) = (node(from), target(to));
-                let Ok(route) = self.route(&layers[here.layer], rung, &here.place, &there.place) else { continue };
-                work.pops += route.work.pops;
-                work.pushes += route.work.pushes;
-                work.expansions += route.work.expansions;
-                // Rounding of the length must not bring it before what came to the front already.
-                let known = (before + route.length + cost).to_bits().max(key);
-                pieces[i].route = Some(route);
-                queue.push(Reverse((known, i)));
-                continue;
-            }
-            if to == goal_target {
-                return Ok(trace(pieces, &reached, i, node, f64::from_bits(key), work));
-            }
-            reached[to + 1] = Some(i);
-            settled = Some((to + 1, f64::from_bits(key)));
         }
+        Ok(fields)
     }
 }
 
-/// The legs that led to the last piece.
-fn trace<'a>(
-    mut pieces: Vec<Piece>,
-    reached: &[Option<usize>],
-    last: usize,
-    node: impl Fn(usize) -> &'a Stop,
-    cost: f64,
-    work: Work,
-) -> LinkedRoute {
-    let mut found = LinkedRoute { legs: Vec::new(), links: Vec::new(), cost, work };
-    let mut at = Some(last);
-    while let Some(i) = at {
-        let Piece { from, ref mut route, .. } = pieces[i];
-        found.legs.extend(route.take().map(|route| Leg { layer: node(from).layer, route }));
-        found.links.extend(from.checked_sub(1));
-        at = reached[from];
+impl NavMesh {
+    /// What a route costs if a unit of length in a face costs as much as `costs` says: the path is taken apart where it
+    /// passes from face to face. On an edge the face counts that the route names.
+    ///
+    /// Cost: O(sides of its faces).
+    ///
+    /// # Panics
+    /// If `costs` has no entry for a face of the route.
+    #[must_use]
+    pub fn cost_along(&self, route: &Route, costs: &FaceMap<f64>) -> f64 {
+        let [Some(&start), Some(&goal)] = [route.points.first(), route.points.last()] else { return 0.0 };
+        let post = |&v: &VertexId| Post::at(self, v);
+        let portals: Vec<[Post; 2]> =
+            route.portals(self).map(|portal| [portal.left, portal.right].map(|v| post(&v))).collect();
+        let ends = [start, goal].map(Post::free);
+        let path: Vec<Post> = std::iter::once(ends[0]).chain(route.corners.iter().map(post)).chain([ends[1]]).collect();
+        let (mut cost, mut last) = (0.0, start);
+        for step in steps(&portals, &path) {
+            let at = match step.end {
+                End::Portal(d, share) => {
+                    let [left, right] = portals[d].map(|post| post.point);
+                    Point::new(right.x + (left.x - right.x) * share, right.y + (left.y - right.y) * share)
+                }
+                End::Post(k) => path[k].point,
+            };
+            cost += distance(last, at) * costs[route.faces[step.face]].max(0.0);
+            last = at;
+        }
+        cost
     }
-    found.legs.reverse();
-    found.links.reverse();
-    found
+}
+
+/// The distance of two stops of one layer, as the crow flies; none if nothing joins them.
+fn as_crow_flies(layers: &[NavMesh], a: &Stop, b: &Stop) -> Option<f64> {
+    let joined = a.layer == b.layer && is_joined(&layers[a.layer], &a.place, &b.place);
+    joined.then(|| distance(a.place.point, b.place.point))
 }
 
 /// Whether two places are in one component, as far as their faces tell.

@@ -40,8 +40,9 @@
 //! | 4 | what is the shortest way through these faces? | `funnel.rs` |
 //! | 5 | what is the shortest way of all? | `exact/`, over larger faces `merged.rs` |
 //! | 6 | which of them are wide enough? how far is everything? | `inset.rs`, `doors.rs`, `field.rs` |
-//! | | what does a straight line meet? where is somebody at random? how do teleports and storeys help? | `raycast.rs`, `random.rs`, `links.rs` |
+//! | | what does a straight line meet? where is somebody at random? how do teleports and storeys help? | `raycast.rs`, `random.rs`, `links.rs`, `steps.rs` |
 //! | 7 | and when walls come and go? | `change.rs`, `upkeep.rs`, `live/` |
+//! | 8 | and in space, up and down, over and under each other? | `surface/` |
 //!
 //! Every decision is a sign of [`orientation`](crate::plane::predicates::orientation) on points that were given, so
 //! it is exact; lengths are plain doubles. Ids are those of the subdivision.
@@ -76,7 +77,9 @@ mod records;
 mod rooms;
 mod route;
 mod slivers;
+mod steps;
 mod strides;
+mod surface;
 mod upkeep;
 mod validate;
 mod waves;
@@ -98,5 +101,9 @@ pub use planner::Planner;
 pub use random::RandomPlaces;
 pub use raycast::{RayHit, Raycast, RaycastError};
 pub use route::{Portal, Route, RouteError, Rung, Work};
+pub use surface::{
+    Floor, LinkedSurfaceRoute, NavSurface, SurfaceError, SurfaceField, SurfaceLink, SurfacePlace, SurfacePlaceError,
+    SurfacePlanner, SurfaceRoute, SurfaceRouteError,
+};
 pub use validate::{MeshFault, double_corners_of, mesh_faults};
 pub use weld::{Welded, weld};

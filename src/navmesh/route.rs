@@ -65,6 +65,14 @@ pub struct Work {
     pub expansions: u64,
 }
 
+impl std::ops::AddAssign for Work {
+    fn add_assign(&mut self, more: Self) {
+        self.pops += more.pops;
+        self.pushes += more.pushes;
+        self.expansions += more.expansions;
+    }
+}
+
 /// A way from one point to another: through which faces, by which doors, along which points.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Route {

@@ -17,5 +17,6 @@ mod reach;
 mod routes;
 mod sight;
 mod slivers;
+mod surface;
 mod traps;
 mod weld;

@@ -4,10 +4,12 @@ use super::super::failure::Failure;
 use super::super::output::table;
 use super::super::{Answer, Output};
 use super::drawing::{Drawing, save};
-use super::map::MapArgs;
+use super::extras::LinkArgs;
+use super::map::{Input, MapArgs};
+use super::space;
 use super::tell::{faces, number, point, refusal};
 use dcel_kit::figure::navmesh::Floor;
-use dcel_kit::navmesh::Planner;
+use dcel_kit::navmesh::{Planner, Stop};
 use dcel_kit::{FaceId, VertexId};
 use serde::Serialize;
 use std::io::Write;
@@ -20,12 +22,15 @@ use std::io::Write;
 Examples:
   dcel navmesh distances rooms.map 1 1 --limit 6
   dcel navmesh distances rooms.map 1 1 --json \\
-    -o distances.svg")]
+    -o distances.svg
+  dcel navmesh distances rooms.map 1 1 \
+    --link 2,1,22,11,0.5
+  dcel navmesh distances house.obj --up z 1 1 0")]
 pub(super) struct Args {
     #[command(flatten)]
     map: MapArgs,
-    /// The point: x y, as the file has it
-    #[arg(value_names = ["X", "Y"], num_args = 2, required = true, allow_negative_numbers = true, value_parser = number)]
+    /// The point: x y, as the file has it; on a floor whose heights differ x y z, too
+    #[arg(value_names = ["X", "Y"], num_args = 2..=3, required = true, allow_negative_numbers = true, value_parser = number)]
     start: Vec<f64>,
     /// Leave out what is further away than this
     #[arg(long, value_name = "LENGTH", value_parser = number)]
@@ -33,6 +38,11 @@ pub(super) struct Args {
     /// The face to start from, where holes touch in the start
     #[arg(long, value_name = "f3")]
     start_face: Option<FaceId>,
+    /// The layer of the start, where storeys lie over each other
+    #[arg(long, value_name = "N")]
+    start_layer: Option<usize>,
+    #[command(flatten)]
+    links: LinkArgs,
     /// Answer in JSON
     #[arg(long)]
     json: bool,
@@ -59,12 +69,34 @@ struct Row {
 }
 
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    let [x, y] = args.start[..] else { return Err(Failure::input("one number is no point", "give x and y")) };
     if let Some(limit) = args.limit.filter(|&limit| limit < 0.0) {
         return Err(Failure::input(format!("a limit of {limit}"), "give a length of 0 or more"));
     }
     let target = args.drawing.target(args.map.file())?;
-    let map = args.map.open()?;
+    let draft = match args.map.read_as(!args.map.has_obstacles())? {
+        Input::Plane(draft) => draft,
+        Input::Space(ground) => {
+            let question = space::distances::Question {
+                wish: space::Wish {
+                    what: "start",
+                    numbers: &args.start,
+                    layer: args.start_layer,
+                    face: args.start_face,
+                },
+                limit: args.limit,
+                links: &args.links,
+                json: args.json,
+                drawing: &args.drawing,
+                target: target.as_ref(),
+                title: args.map.title(),
+            };
+            return space::distances::run(&ground, &question, out);
+        }
+    };
+    let [x, y] = args.start[..] else {
+        return Err(Failure::input(format!("{} numbers are no point", args.start.len()), "give x and y"));
+    };
+    let map = args.map.open_draft(draft, &[])?;
     let start = map.point([x, y]);
     let place = args.start_face.map_or_else(|| map.mesh.place(start), |face| map.mesh.place_in(face, start));
     let place = place.map_err(|error| {
@@ -72,10 +104,15 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         let help = nearest.map(|nearest| format!("the nearest place is {}", point(&map, nearest.place.point)));
         Failure::input(format!("{}: the start {}", map.source, refusal(&map, &error)), help.unwrap_or_default())
     })?;
-    let field = Planner::new().distance_field(&map.mesh, &place, args.limit.unwrap_or(f64::INFINITY));
+    let links = args.links.links(&map)?;
+    let limit = args.limit.unwrap_or(f64::INFINITY);
+    let layers = std::slice::from_ref(&map.mesh);
+    let fields = Planner::new().linked_distance_field(layers, &links, &Stop { layer: 0, place }, limit);
+    let fields = fields.map_err(|error| Failure::input(format!("{}: {error}", map.source), ""))?;
+    let [field] = &fields[..] else { return Err(Failure::kit("one layer has one field")) };
     if let Some(target) = &target {
         let options = args.drawing.options(&map, &format!("Distances in {}", args.map.title()));
-        save(target, Floor::new(&map.subdivision, &map.mesh).reach(&field, &options), out)?;
+        save(target, Floor::new(&map.subdivision, &map.mesh).reach(field, &options), out)?;
     }
     let row = |v: VertexId| {
         let distance = field.distance(v)?;

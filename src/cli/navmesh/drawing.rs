@@ -8,6 +8,7 @@ use super::super::save::Files;
 use super::map::Map;
 use dcel_kit::figure::sketch::SketchError;
 use dcel_kit::figure::{Figure, FigureOptions, Unit};
+use dcel_kit::plane::Point;
 use std::path::PathBuf;
 
 /// The figure.
@@ -37,12 +38,17 @@ impl Drawing {
 
     /// The choices about the size of a figure of this title.
     pub(super) fn options(&self, map: &Map, title: &str) -> FigureOptions {
+        self.options_with(title, |p| map.point(p))
+    }
+
+    /// The same; `place` takes points of the file to those of the picture.
+    pub(super) fn options_with(&self, title: &str, place: impl Fn([f64; 2]) -> Point) -> FigureOptions {
         let mut options = FigureOptions::new(title);
         if let Some((px, unit)) = self.width {
             options = options.width(px).unit(unit);
         }
         if let Some([x0, y0, x1, y1]) = self.crop {
-            let [a, b] = [[x0, y0], [x1, y1]].map(|p| map.point(p));
+            let [a, b] = [[x0, y0], [x1, y1]].map(place);
             options = options.crop([a.x, a.y], [b.x, b.y]);
         }
         options

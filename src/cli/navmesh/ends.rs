@@ -52,6 +52,16 @@ pub(super) struct Wish<'a> {
 }
 
 impl Snap {
+    /// Ends stay where they are.
+    pub(super) const fn none() -> Self {
+        Self { snap: None }
+    }
+
+    /// How far an end may be moved.
+    pub(super) fn limit(&self) -> Option<f64> {
+        self.snap
+    }
+
     /// Refuses what is no distance.
     pub(super) fn check(&self) -> Result<(), Failure> {
         match self.snap.filter(|&snap| snap < 0.0) {

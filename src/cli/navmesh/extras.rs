@@ -1,74 +1,76 @@
 //! Costs of faces and links between places, as the command line gives them.
 
 use super::super::failure::Failure;
+use super::areas::{Area, area};
+use super::ends::Snap;
 use super::map::Map;
+use super::space::{Ground, Wish};
 use super::tell::{number, point};
-use dcel_kit::navmesh::{Link, NavMesh, Stop};
-use dcel_kit::{FaceId, FaceMap};
+use dcel_kit::navmesh::{Link, Rung, Stop, SurfaceLink, SurfacePlace};
 
 /// What changes the length of a path beside walls.
 #[derive(clap::Args, Debug)]
 #[command(next_help_heading = "Costs and links")]
 pub(super) struct Extras {
-    /// A unit of length in these faces costs as much; may be given several times. Not for
-    /// --rung exact: the corridor is a good one for these costs, not the best of all
-    #[arg(long, value_name = "f3,f7-f9=COST", value_parser = area, conflicts_with_all = ["radius", "link"])]
+    /// A unit of length in an area costs as much; may be given several times. An area is faces (f3,f7-f9=2),
+    /// a name of them (a group, object or material of an .obj, a feature of GeoJSON: mud=2), or corners
+    /// (x,y,x,y,x,y=2), along which faces are cut. Not for --rung exact: the corridor is a good one for
+    /// these costs, not the best of all
+    #[arg(long, value_name = "AREA=COST", value_parser = area, conflicts_with = "radius", allow_hyphen_values = true)]
     cost: Vec<Area>,
-    /// A teleport, ladder or jump from one point to another, one way, that costs as much as this
-    /// length; may be given several times
-    #[arg(long, value_name = "X0,Y0,X1,Y1,COST", value_parser = link, allow_hyphen_values = true)]
-    link: Vec<[f64; 5]>,
+    #[command(flatten)]
+    links: LinkArgs,
 }
 
-/// Faces and what they cost.
+/// Links between places.
+#[derive(clap::Args, Debug)]
+#[command(next_help_heading = "Costs and links")]
+pub(super) struct LinkArgs {
+    /// A teleport, ladder or jump from one point to another, one way, that costs as much as this
+    /// length; may be given several times. On a floor whose heights differ points may have three
+    /// coordinates, as the file has them
+    #[arg(long, value_name = "X0,Y0,X1,Y1,COST", value_parser = link, allow_hyphen_values = true)]
+    link: Vec<LinkWish>,
+}
+
+/// A link of the command line: two points of two or of three numbers, and what it costs.
 #[derive(Clone, Debug)]
-struct Area {
-    faces: Vec<[FaceId; 2]>,
+struct LinkWish {
+    numbers: Vec<f64>,
     cost: f64,
 }
 
-fn area(text: &str) -> Result<Area, String> {
-    let form = || "write it like f3=2.5, or f3,f7-f9=2.5".to_owned();
-    let (faces, cost) = text.split_once('=').ok_or_else(form)?;
-    let face = |word: &str| word.trim().parse::<FaceId>().map_err(|_| form());
-    let range = |word: &str| match word.split_once('-') {
-        Some((first, last)) => Ok([face(first)?, face(last)?]),
-        None => face(word).map(|f| [f, f]),
-    };
-    let cost = number(cost.trim())?;
-    if cost < 0.0 {
-        return Err("a cost is 0 or more".to_owned());
+fn link(text: &str) -> Result<LinkWish, String> {
+    let mut numbers: Vec<f64> = text.split(',').map(|word| number(word.trim())).collect::<Result<_, String>>()?;
+    if ![5, 7].contains(&numbers.len()) {
+        return Err("give five numbers: x0,y0,x1,y1,cost; or seven on a floor in space".to_owned());
     }
-    Ok(Area { faces: faces.split(',').map(range).collect::<Result<_, String>>()?, cost })
-}
-
-fn link(text: &str) -> Result<[f64; 5], String> {
-    let numbers: Vec<f64> = text.split(',').map(|word| number(word.trim())).collect::<Result<_, String>>()?;
-    let link: [f64; 5] = numbers.try_into().map_err(|_| "give five numbers: x0,y0,x1,y1,cost".to_owned())?;
-    if link[4] < 0.0 { Err("a cost is 0 or more".to_owned()) } else { Ok(link) }
+    let cost = numbers.pop().unwrap_or_default();
+    if cost < 0.0 { Err("a cost is 0 or more".to_owned()) } else { Ok(LinkWish { numbers, cost }) }
 }
 
 impl Extras {
-    /// The costs of all faces; `None` if none was given.
-    pub(super) fn costs(&self, source: &str, mesh: &NavMesh) -> Result<Option<FaceMap<f64>>, Failure> {
-        if self.cost.is_empty() {
-            return Ok(None);
+    /// Refuses costs for searches that know none.
+    pub(super) fn check(&self, rung: Rung, word: &str) -> Result<(), Failure> {
+        if self.cost.is_empty() || !matches!(rung, Rung::Exact | Rung::Breadth) {
+            return Ok(());
         }
-        let mut costs = FaceMap::filled(mesh.face_bound(), 1.0);
-        for Area { faces, cost } in &self.cost {
-            for &[first, last] in faces {
-                for f in (first.number()..=last.number()).map(FaceId::new) {
-                    if !mesh.has_face(f) {
-                        let what = format!("{source}: --cost: {f} is no face of the mesh");
-                        return Err(Failure::input(what, "dcel navmesh locate tells the face of a point"));
-                    }
-                    costs[f] = *cost;
-                }
-            }
-        }
-        Ok(Some(costs))
+        let what = format!("--cost cannot be used with --rung {word}: it counts lengths or faces");
+        Err(Failure::input(what, "choose a quicker rule, for example --rung closest"))
     }
 
+    /// The links between places.
+    pub(super) fn links(&self) -> &LinkArgs {
+        &self.links
+    }
+
+    /// The areas with costs.
+    pub(super) fn areas(&self) -> &[Area] {
+        &self.cost
+    }
+}
+
+impl LinkArgs {
     /// The links; their ends must be on the mesh.
     pub(super) fn links(&self, map: &Map) -> Result<Vec<Link>, Failure> {
         let stop = |at: [f64; 2], what: &str| -> Result<Stop, Failure> {
@@ -81,8 +83,27 @@ impl Extras {
             })?;
             Ok(Stop { layer: 0, place })
         };
-        let link = |&[x0, y0, x1, y1, cost]: &[f64; 5]| {
-            Ok(Link { from: stop([x0, y0], "start")?, to: stop([x1, y1], "end")?, cost })
+        let link = |wish: &LinkWish| match wish.numbers[..] {
+            [x0, y0, x1, y1] => {
+                Ok(Link { from: stop([x0, y0], "start")?, to: stop([x1, y1], "end")?, cost: wish.cost })
+            }
+            _ => Err(Failure::input(
+                format!("{}: --link: its points have three coordinates, those of the map have two", map.source),
+                "give x0,y0,x1,y1,cost",
+            )),
+        };
+        self.link.iter().map(link).collect()
+    }
+
+    /// The links of a surface.
+    pub(super) fn on(&self, ground: &Ground, snap: &Snap) -> Result<Vec<SurfaceLink>, Failure> {
+        let place = |numbers: &[f64], what: &str| -> Result<SurfacePlace, Failure> {
+            let wish = Wish { what, numbers, layer: None, face: None };
+            Ok(ground.end(&wish, snap)?.places[0])
+        };
+        let link = |LinkWish { numbers, cost }: &LinkWish| {
+            let [from, to] = [&numbers[..numbers.len() / 2], &numbers[numbers.len() / 2..]];
+            Ok(SurfaceLink { from: place(from, "link's start")?, to: place(to, "link's end")?, cost: *cost })
         };
         self.link.iter().map(link).collect()
     }

@@ -3,7 +3,8 @@
 use super::super::failure::Failure;
 use super::super::{Answer, Output};
 use super::drawing::{Drawing, save};
-use super::map::{Draft, Map, MapArgs};
+use super::map::{Draft, Input, Map, MapArgs};
+use super::space;
 use clap::ValueEnum;
 use dcel_kit::figure;
 use dcel_kit::figure::navmesh::Floor;
@@ -20,13 +21,17 @@ use std::io::{self, Write};
 /// Wrong are faces that run clockwise, that are not convex or have no area, that overlap, T-junctions
 /// and vertices at the same place. Double corners, where gaps touch, are told as a warning. Exit code
 /// 1 if something is wrong.
+///
+/// Of a floor in space whose heights differ (--up) it tells the heights, the steepest slope and the layers:
+/// parts of which none lies over itself.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
   dcel navmesh info rooms.map
   dcel navmesh info rooms.map --json
   dcel navmesh info rooms.map --triangles \\
-    --draw dead-ends -o dead-ends.svg")]
+    --draw dead-ends -o dead-ends.svg
+  dcel navmesh info house.obj --up z -o house.svg")]
 pub(super) struct Args {
     #[command(flatten)]
     map: MapArgs,
@@ -81,7 +86,13 @@ struct Told {
 
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let target = args.drawing.target(args.map.file())?;
-    let draft = args.map.read()?;
+    let draft = match args.map.read_as(matches!(args.draw, Draw::Map) && !args.map.has_obstacles())? {
+        Input::Plane(draft) => draft,
+        Input::Space(ground) => {
+            let (drawing, title) = (&args.drawing, args.map.title());
+            return space::info::run(&ground, args.json, drawing, target.as_ref(), &title, out);
+        }
+    };
     let mut told = Vec::new();
     if let Draft::Polygons { read, faults } = &draft
         && let Document::Polygons(soup) = &read.document
@@ -97,7 +108,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         }
         told.retain(|fault| !cut_up(fault.kind));
     }
-    let map = args.map.finish(draft)?;
+    let map = args.map.finish(draft, &[])?;
     if let Some(target) = &target {
         let floor = Floor::new(&map.subdivision, &map.mesh);
         let title = args.map.title();

@@ -5,6 +5,7 @@ use super::super::output::point as told;
 use super::super::{Answer, Output};
 use super::map::Map;
 use super::tell::point;
+use dcel_kit::FaceMap;
 use dcel_kit::navmesh::{Link, LinkError, LinkedRoute, Place, Planner, Rung, Stop};
 use serde::Serialize;
 use std::io::Write;
@@ -34,13 +35,18 @@ pub(super) fn run(
     map: &Map,
     planner: &mut Planner,
     rung: Rung,
-    links: &[Link],
+    (links, costs): (&[Link], Option<&FaceMap<f64>>),
     ends: [Place; 2],
     json: bool,
     out: &mut Output,
 ) -> Result<(Answer, Option<LinkedRoute>), Failure> {
     let [start, goal] = ends.map(|place| Stop { layer: 0, place });
-    let path = match planner.linked_route(std::slice::from_ref(&map.mesh), links, rung, &start, &goal) {
+    let layers = std::slice::from_ref(&map.mesh);
+    let found = match costs {
+        Some(costs) => planner.weighted_linked_route(layers, links, rung, std::slice::from_ref(costs), &start, &goal),
+        None => planner.linked_route(layers, links, rung, &start, &goal),
+    };
+    let path = match found {
         Ok(path) => Some(path),
         Err(LinkError::Unreachable) => None,
         Err(error) => return Err(Failure::input(format!("{}: {error}", map.source), "")),

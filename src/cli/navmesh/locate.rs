@@ -3,8 +3,10 @@
 use super::super::failure::Failure;
 use super::super::output::table;
 use super::super::{Answer, Output};
-use super::map::{Map, MapArgs};
+use super::map::{Input, Map, MapArgs};
+use super::space;
 use super::tell::{Spot, in_map, number, point};
+use dcel_kit::io::counted;
 use dcel_kit::navmesh::Location;
 use serde::Serialize;
 use std::io::Write;
@@ -18,13 +20,19 @@ use std::io::Write;
 Examples:
   dcel navmesh locate rooms.map 1.5 1.5
   dcel navmesh locate rooms.map \\
-    1 1 0 0 99 3 --json")]
+    1 1 0 0 99 3 --json
+  dcel navmesh locate house.obj --up z \
+    --xyz 1 1 2")]
 pub(super) struct Args {
     #[command(flatten)]
     map: MapArgs,
     /// The points: x y, as the file has them, as many as you like
     #[arg(value_name = "X Y", required = true, allow_negative_numbers = true, value_parser = number)]
     coordinates: Vec<f64>,
+    /// The points have all three coordinates, as the file has them: of storeys over each other the one at that
+    /// height or below it is told, and not all
+    #[arg(long, requires = "up")]
+    xyz: bool,
     /// Answer in JSON
     #[arg(long)]
     json: bool,
@@ -47,14 +55,29 @@ struct Found {
 }
 
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    if !args.coordinates.len().is_multiple_of(2) {
+    if args.xyz && !args.coordinates.len().is_multiple_of(3) {
+        let what = format!("{} are no points", counted(args.coordinates.len(), "number", "numbers"));
+        return Err(Failure::input(what, "give all three coordinates of each point, or leave --xyz out"));
+    }
+    if !args.xyz && !args.coordinates.len().is_multiple_of(2) {
         let what = match args.coordinates.len() {
             1 => "1 number is no point".to_owned(),
             count => format!("{count} numbers are no points"),
         };
         return Err(Failure::input(what, "give x and y of each point"));
     }
-    let map = args.map.open()?;
+    let draft = match args.map.read_as(!args.map.has_obstacles())? {
+        Input::Plane(draft) => draft,
+        Input::Space(ground) => {
+            let points: Vec<&[f64]> = args.coordinates.chunks_exact(if args.xyz { 3 } else { 2 }).collect();
+            return space::locate::run(&ground, &points, args.json, out);
+        }
+    };
+    if args.xyz {
+        let what = format!("{}: --xyz is for floors whose heights differ", args.map.source());
+        return Err(Failure::input(what, "give x and y of each point, and leave --xyz out"));
+    }
+    let map = args.map.open_draft(draft, &[])?;
     let found: Vec<Found> = args.coordinates.chunks_exact(2).map(|p| locate(&map, [p[0], p[1]])).collect();
     if args.json {
         out.json(&found)?;

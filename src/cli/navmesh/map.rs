@@ -1,18 +1,20 @@
 //! From a file to a map with its navmesh.
 
 use super::super::failure::{Failure, say};
+use super::areas::{Area, Faces, Names, cut_along, middle};
 use super::ends::above;
 use super::obstacles::ObstacleArgs;
+use super::space::{Ground, surface_failure};
 use clap::ValueEnum;
-use dcel_kit::FaceId;
 use dcel_kit::io::{
     Axis, Document, Format, Grid, LoadOptions, Number, PolygonSoup, Read, ReadOptions, Structure, assemble, counted,
     read_path, source_name,
 };
-use dcel_kit::navmesh::{Inset, MeshFault, NavMesh, NavMeshError, Planner, Welded, mesh_faults, weld};
+use dcel_kit::navmesh::{Inset, MeshFault, NavMesh, NavMeshError, NavSurface, Planner, Welded, mesh_faults, weld};
 use dcel_kit::plane::predicates::orientation;
 use dcel_kit::plane::{Point, Subdivision, TriangulateError, TriangulationMethod};
 use dcel_kit::topology::Mode;
+use dcel_kit::{FaceId, FaceMap};
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
@@ -28,9 +30,14 @@ pub(super) struct MapArgs {
     /// y points down in the file, as on screens; of a .map that is known
     #[arg(long, help_heading = "Reading")]
     y_down: bool,
-    /// The axis that points up, of a floor in space: it is dropped
+    /// The axis that points up, of a floor in space. Where heights differ, `path`, `distances`, `locate` and
+    /// `info` measure along the surface and know storeys over each other; other commands look at the plan
     #[arg(long, value_name = "AXIS", conflicts_with = "y_down", help_heading = "Reading")]
     up: Option<Up>,
+    /// Leave out faces that are steeper than this, and those that face down: of a whole house that leaves
+    /// its floors
+    #[arg(long, value_name = "DEGREES", value_parser = super::tell::number, requires = "up", help_heading = "Reading")]
+    max_slope: Option<f64>,
     /// Turn round faces that run clockwise
     #[arg(long, help_heading = "Reading")]
     orient: bool,
@@ -86,6 +93,8 @@ pub(super) struct Map {
     pub(super) format: Format,
     pub(super) subdivision: Subdivision,
     pub(super) mesh: NavMesh,
+    /// What the file calls its faces.
+    pub(super) names: Names,
     frame: Frame,
 }
 
@@ -107,6 +116,12 @@ impl Frame {
     }
 }
 
+/// What a file is: a map of the plane, or a surface in space.
+pub(super) enum Input {
+    Plane(Draft),
+    Space(Box<Ground>),
+}
+
 /// What was read, before it is a map.
 pub(super) enum Draft {
     /// Polygons that are not joined yet, and what is wrong with them as a navmesh.
@@ -126,12 +141,27 @@ impl Map {
     /// The same map without the margin of a radius.
     pub(super) fn inset(&self, inset: Inset) -> Self {
         let (subdivision, mesh) = inset.into_parts();
-        Self { source: self.source.clone(), format: self.format, subdivision, mesh, frame: self.frame }
+        let names = Names::default();
+        Self { source: self.source.clone(), format: self.format, subdivision, mesh, names, frame: self.frame }
     }
 
     /// A point of the map, as the file has it.
     pub(super) fn in_file(&self, p: Point) -> [f64; 2] {
         self.frame.in_file(p)
+    }
+
+    /// What a unit of length costs in each face; `None` if there are no areas.
+    pub(super) fn costs(&self, areas: &[Area]) -> Result<Option<FaceMap<f64>>, Failure> {
+        let inside = |f: FaceId| middle(&self.mesh.corners(f).map(|v| self.mesh.point(v)).collect::<Vec<_>>());
+        let faces = Faces {
+            source: &self.source,
+            bound: self.mesh.face_bound(),
+            all: self.mesh.faces().collect(),
+            names: &self.names,
+            inside: &inside,
+            place: Some(&|p| self.point(p)),
+        };
+        faces.costs(areas)
     }
 }
 
@@ -164,8 +194,17 @@ impl MapArgs {
         self.format.or_else(|| Format::from_path(&self.file)) == Some(Format::Map)
     }
 
-    /// Reads the file. Tells the notes.
+    /// Reads the file as a map of the plane. Tells the notes.
     pub(super) fn read(&self) -> Result<Draft, Failure> {
+        match self.read_as(false)? {
+            Input::Plane(draft) => Ok(draft),
+            Input::Space(ground) => Err(Failure::kit(format!("{} was asked for as a map of the plane", ground.source))),
+        }
+    }
+
+    /// Reads the file. With `space`, a floor whose heights differ is read as a surface. Tells the notes.
+    pub(super) fn read_as(&self, space: bool) -> Result<Input, Failure> {
+        let plane = |draft| Ok(Input::Plane(draft));
         if self.is_grid() && self.mend {
             let what = format!("{}: --mend cannot be used on a grid map: cells always fit together", self.source());
             return Err(Failure::input(what, "leave --mend out"));
@@ -177,7 +216,7 @@ impl MapArgs {
         if self.is_grid() && self.triangles {
             let grid = Grid::parse(&bytes(&self.file)?, &self.source())?;
             let regions = grid.regions().map_err(|error| Failure::input(format!("{}: {error}", self.source()), ""))?;
-            return Ok(Draft::Regions(regions));
+            return plane(Draft::Regions(regions));
         }
         let options = ReadOptions {
             y_down: self.y_down,
@@ -197,14 +236,20 @@ impl MapArgs {
                 let what = format!("{}: --weld cannot be used on {}: it is for polygons", self.source(), read.format);
                 return Err(Failure::input(what, "leave --weld out"));
             }
-            return Ok(Draft::Other(read));
+            return plane(Draft::Other(read));
         };
-        match self.up {
-            Some(up) => soup.lay_flat(match up {
-                Up::X => Axis::X,
-                Up::Y => Axis::Y,
-                Up::Z => Axis::Z,
-            }),
+        match self.up() {
+            Some(up) => {
+                soup.stand_up(up);
+                if soup.has_z && space {
+                    return self.ground(read, up).map(|ground| Input::Space(Box::new(ground)));
+                }
+                if soup.has_z {
+                    self.look_at_plan(soup)?;
+                }
+                soup.lay_flat(Axis::Z);
+                soup.places.set_y_down(up == Axis::Y);
+            }
             None if soup.has_z => {
                 let what = format!("{}: this is a surface in space", self.source());
                 return Err(Failure::input(
@@ -219,7 +264,7 @@ impl MapArgs {
         }
         // What is mended is judged afterwards.
         let faults = if self.mend { Vec::new() } else { faults_of(soup, self.orient) };
-        Ok(Draft::Polygons { read, faults })
+        plane(Draft::Polygons { read, faults })
     }
 
     /// Welds polygons. Tells what was done.
@@ -245,10 +290,78 @@ impl MapArgs {
         Ok(())
     }
 
+    /// The axis that points up.
+    fn up(&self) -> Option<Axis> {
+        self.up.map(|up| match up {
+            Up::X => Axis::X,
+            Up::Y => Axis::Y,
+            Up::Z => Axis::Z,
+        })
+    }
+
+    /// Whether something is put into the map.
+    pub(super) fn has_obstacles(&self) -> bool {
+        self.obstacles.are_given()
+    }
+
+    /// A floor whose heights differ, as a surface.
+    fn ground(&self, mut read: Read, up: Axis) -> Result<Ground, Failure> {
+        let source = self.source();
+        if let Some((flag, why)) = [
+            (self.mend, "--mend", "it is for polygons and segments of the plane"),
+            (self.weld.is_some(), "--weld", "it joins what lies at the same place of the plan, storeys among it"),
+        ]
+        .into_iter()
+        .find_map(|(given, flag, why)| given.then_some((flag, why)))
+        {
+            let what = format!("{source}: {flag} cannot be used on a floor whose heights differ: {why}");
+            return Err(Failure::input(what, format!("leave {flag} out, and join vertices in the file")));
+        }
+        read.notes.iter().for_each(|note| say("note", note));
+        let Document::Polygons(soup) = &mut read.document else {
+            return Err(Failure::kit(format!("{source}: a surface is made of polygons")));
+        };
+        if self.orient {
+            turn_over(soup);
+        }
+        let surface = NavSurface::new(&soup.points, &soup.faces, self.max_slope)
+            .map_err(|error| surface_failure(&source, soup, &error))?;
+        Ok(Ground { source, format: read.format, up, surface, names: Names::of(soup) })
+    }
+
+    /// Makes the plan of a floor whose heights differ: what is too steep is blocked.
+    fn look_at_plan(&self, soup: &mut PolygonSoup) -> Result<(), Failure> {
+        let source = self.source();
+        let surface = match NavSurface::new(&soup.points, &soup.faces, self.max_slope) {
+            Ok(surface) => surface,
+            // What the plan says of it is as good.
+            Err(_) if self.max_slope.is_none() => return Ok(()),
+            Err(error) => return Err(surface_failure(&source, soup, &error)),
+        };
+        if surface.layer_count() > 1 {
+            let what =
+                format!("{source}: {} storeys lie over each other: this looks at the plan", surface.layer_count());
+            let help = "dcel navmesh path (without --radius, --wall and --obstacle), distances, locate and info \
+                        measure along the surface";
+            return Err(Failure::input(what, help));
+        }
+        say("note", "heights differ: what is told here is measured in the plan, and not along the surface");
+        let bound = soup.faces.face_count() as u32;
+        let left_out = (0..bound).filter(|&f| surface.layer(FaceId::new(f + 1)).is_none());
+        soup.blocked.extend(left_out);
+        soup.blocked.sort_unstable();
+        soup.blocked.dedup();
+        Ok(())
+    }
+
     /// Reads the file and makes a map of it. Tells what nearly meets.
     pub(super) fn open(&self) -> Result<Map, Failure> {
+        self.open_draft(self.read()?, &[])
+    }
+
+    /// Makes a map of what was read, cut along the sides of areas. Tells what nearly meets.
+    pub(super) fn open_draft(&self, draft: Draft, areas: &[Area]) -> Result<Map, Failure> {
         const SHOWN: usize = 3;
-        let draft = self.read()?;
         if let Draft::Polygons { read, faults } = &draft
             && let Document::Polygons(soup) = &read.document
         {
@@ -271,12 +384,19 @@ impl MapArgs {
                 say("help", format_args!("--weld {} joins them", Number(above(widest))));
             }
         }
-        self.finish(draft)
+        self.finish(draft, areas)
     }
 
-    /// Makes a map of what was read.
-    pub(super) fn finish(&self, draft: Draft) -> Result<Map, Failure> {
+    /// Makes a map of what was read, cut along the sides of areas.
+    pub(super) fn finish(&self, draft: Draft, areas: &[Area]) -> Result<Map, Failure> {
         let source = self.source();
+        // Polygons that are mended are no faces of the file any more.
+        let mut names = match &draft {
+            Draft::Polygons { read: Read { document: Document::Polygons(soup), .. }, .. } if !self.mend => {
+                Names::of(soup)
+            }
+            _ => Names::default(),
+        };
         let (mut subdivision, format) = match draft {
             Draft::Regions(regions) => (regions, Format::Map),
             Draft::Polygons { read, .. } | Draft::Other(read) => {
@@ -291,6 +411,9 @@ impl MapArgs {
                 }
             }
         };
+        if !names.is_empty() && !areas.is_empty() {
+            names.remember(&subdivision);
+        }
         if self.weld.is_some() && !self.triangles {
             cut_bent_faces(&mut subdivision).map_err(|error| Failure::input(format!("{source}: {error}"), ""))?;
         }
@@ -301,6 +424,8 @@ impl MapArgs {
             // Slivers lead astray whoever goes from door to door.
             subdivision.make_delaunay(|edge| edge.index() < given);
         }
+        let frame = self.frame(format);
+        cut_along(areas, &source, &mut subdivision, |p| frame.point(p))?;
         let mesh = NavMesh::new(&subdivision).map_err(|error| {
             let what = error.to_string();
             let (what, own_help) = what.split_once(": ").unwrap_or((&what, ""));
@@ -310,9 +435,8 @@ impl MapArgs {
             };
             Failure::input(format!("{source}: {what}"), help)
         })?;
-        let frame = self.frame(format);
         let (subdivision, mesh) = self.obstacles.put_in(&source, subdivision, mesh, |p| frame.point(p))?;
-        Ok(Map { source, format, subdivision, mesh, frame })
+        Ok(Map { source, format, subdivision, mesh, names, frame })
     }
 }
 
@@ -333,6 +457,20 @@ fn cut_bent_faces(map: &mut Subdivision) -> Result<(), TriangulateError> {
         say("note", format_args!("{faces} cut into triangles"));
     }
     Ok(())
+}
+
+/// Turns over the faces of a floor in space that face down.
+fn turn_over(soup: &mut PolygonSoup) {
+    for face in 0..soup.faces.face_count() {
+        let outline = soup.faces.cycle_range(face).start;
+        let ring = soup.faces.cycle_mut(outline);
+        let at = |v: u32| soup.points.get(v as usize).copied().unwrap_or_default();
+        let sides = ring.iter().zip(ring.iter().cycle().skip(1));
+        let twice_area: f64 = sides.map(|(&a, &b)| at(a)[0] * at(b)[1] - at(a)[1] * at(b)[0]).sum();
+        if twice_area < 0.0 {
+            ring.reverse();
+        }
+    }
 }
 
 /// What is wrong with polygons as a navmesh; clockwise ones are no fault if they are to be turned.

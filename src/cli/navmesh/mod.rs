@@ -6,9 +6,10 @@
 //!   raycast ── distances ── random    the first wall on a line; how far everything is; points at random
 //! ```
 //!
-//! Points are given and told as the file has them: of a grid map with y pointing down, of a floor in space by the two
-//! axes that lie flat.
+//! Points are given and told as the file has them: of a grid map with y pointing down, of a flat floor in space by the
+//! two axes that lie flat. Floors whose heights differ are surfaces (`space/`): their points are told by all three.
 
+mod areas;
 mod distances;
 mod drawing;
 mod ends;
@@ -23,6 +24,7 @@ mod path;
 mod random;
 mod raycast;
 mod scenario;
+mod space;
 mod tell;
 
 use super::{Answer, Failure, Output};

@@ -44,6 +44,11 @@ fn polygon(text: &str) -> Result<Corners, String> {
 }
 
 impl ObstacleArgs {
+    /// Whether there is anything to put in.
+    pub(super) fn are_given(&self) -> bool {
+        !self.wall.is_empty() || !self.obstacle.is_empty()
+    }
+
     /// The map with everything put in, and its navmesh. `place` takes points of the file to those of the map.
     pub(super) fn put_in(
         &self,

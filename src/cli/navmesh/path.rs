@@ -7,13 +7,14 @@ use super::super::{Answer, Output};
 use super::drawing::{Drawing, save};
 use super::ends::{End, Lost, Snap, Wish};
 use super::extras::Extras;
-use super::map::{Map, MapArgs, Preparation};
+use super::map::{Input, Map, MapArgs, Preparation};
+use super::space::{self, Ground, points_of};
 use super::tell::{Spot, faces, number, point};
 use clap::ValueEnum;
-use dcel_kit::FaceId;
 use dcel_kit::figure::navmesh::Floor;
 use dcel_kit::navmesh::{ComponentId, Inset, Link, Location, Place, PlaceError, Planner, Route, RouteError, Rung};
 use dcel_kit::plane::Point;
+use dcel_kit::{FaceId, FaceMap};
 use serde::Serialize;
 use std::io::Write;
 
@@ -23,6 +24,10 @@ use std::io::Write;
 /// faces by a quicker rule and pull the way straight in it; --rung all compares them. If there is no
 /// way, the answer is the proof: the two components. Exit code 1 then. A start or goal off the mesh is
 /// refused, with the nearest place; --snap moves it there. The figure is drawn all the same.
+///
+/// On a floor in space whose heights differ (--up) the length is measured along the surface, up and down
+/// its slopes, and the exact path is the shortest of all on the surface, not the shortest in the plan. It
+/// leads over ramps and stairs from storey to storey. With --radius, --wall or --obstacle the plan decides.
 #[derive(clap::Args, Debug)]
 #[command(override_usage = "dcel navmesh path [OPTIONS] <MAP> <X> <Y> <X> <Y>")]
 #[command(after_help = "\
@@ -41,12 +46,14 @@ Examples:
   dcel navmesh path rooms.map 1 1 22 12 \\
     --link 2,1,22,11,0.5 -o link.svg
   dcel navmesh path rooms.map 1 1 22 12 \\
-    --rung closest --cost f1=3")]
+    --rung closest --cost f1=3
+  dcel navmesh path house.obj --up z \
+    1 1 0 1 1 3 -o storeys.svg")]
 pub(super) struct Args {
     #[command(flatten)]
     map: MapArgs,
-    /// The start and the goal: x y x y, as the file has them
-    #[arg(value_names = ["X", "Y", "X", "Y"], num_args = 4, required = true, allow_negative_numbers = true, value_parser = number)]
+    /// The start and the goal: x y x y, as the file has them; on a floor whose heights differ x y z x y z, too
+    #[arg(value_names = ["X", "Y", "X", "Y"], num_args = 4..=6, required = true, allow_negative_numbers = true, value_parser = number)]
     ends: Vec<f64>,
     /// How the way is found
     #[arg(long, value_name = "RUNG", default_value = "exact")]
@@ -71,6 +78,12 @@ pub(super) struct Args {
     /// The face to end in, where gaps touch in the goal; without it the shortest way decides
     #[arg(long, value_name = "f3")]
     goal_face: Option<FaceId>,
+    /// The layer of the start, where storeys lie over each other; dcel navmesh info tells the layers
+    #[arg(long, value_name = "N")]
+    start_layer: Option<usize>,
+    /// The layer of the goal
+    #[arg(long, value_name = "N")]
+    goal_layer: Option<usize>,
     /// Answer in JSON
     #[arg(long)]
     json: bool,
@@ -182,12 +195,21 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if args.draw == Draw::Funnel && args.rung == Which::All {
         return Err(Failure::input("a funnel is drawn of one way", "choose one rung, for example --rung bfs"));
     }
-    let [x0, y0, x1, y1] = args.ends[..] else {
-        return Err(Failure::input("a way has two ends", "give x y of the start and x y of the goal"));
-    };
     args.snap.check()?;
     let target = args.drawing.target(args.map.file())?;
-    let whole = args.map.open()?;
+    // What the plan alone knows.
+    let is_plan = args.radius.is_some() || args.map.has_obstacles() || args.draw != Draw::Route;
+    let draft = match args.map.read_as(!is_plan)? {
+        Input::Plane(draft) => draft,
+        Input::Space(ground) => return in_space(args, &ground, target.as_ref(), out),
+    };
+    let [x0, y0, x1, y1] = args.ends[..] else {
+        return Err(Failure::input("a path has two ends", "give x y of the start and x y of the goal"));
+    };
+    if args.start_layer.or(args.goal_layer).is_some_and(|layer| layer > 0) {
+        return Err(Failure::input(format!("{}: a map of the plane has one layer", args.map.source()), "leave it out"));
+    }
+    let whole = args.map.open_draft(draft, args.extras.areas())?;
     let inset = match args.radius.filter(|&radius| radius > 0.0) {
         Some(radius) => {
             let inset = whole.mesh.inset_within(radius, args.tolerance);
@@ -209,17 +231,16 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let mut planner = args.preparation.planner();
     let [start, goal] = maps.choose(&mut planner, &wishes, &ends);
     let moved = ends.map(|end| end.moved);
-    let links = args.extras.links(map)?;
-    if !links.is_empty() {
-        return linked(args, map, &mut planner, &links, [start, goal], target.as_ref(), out);
+    for &rung in args.rung.rungs() {
+        args.extras.check(rung, &args.rung.word())?;
     }
-    let costs = args.extras.costs(&map.source, &map.mesh)?;
+    let costs = map.costs(args.extras.areas())?;
+    let links = args.extras.links().links(map)?;
+    if !links.is_empty() {
+        return linked(args, map, &mut planner, (&links, costs.as_ref()), [start, goal], target.as_ref(), out);
+    }
     let mut routes: Vec<(Rung, Route)> = Vec::new();
     for &rung in args.rung.rungs() {
-        if costs.is_some() && matches!(rung, Rung::Exact | Rung::Breadth) {
-            let what = format!("--cost cannot be used with --rung {}: it counts lengths or faces", args.rung.word());
-            return Err(Failure::input(what, "choose a quicker rule, for example --rung closest"));
-        }
         let found = match &costs {
             Some(costs) => planner.weighted_route(&map.mesh, rung, costs, &start, &goal),
             None => planner.route(&map.mesh, rung, &start, &goal),
@@ -247,12 +268,34 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     Ok(Answer::Yes)
 }
 
+/// The path on a floor whose heights differ.
+fn in_space(args: &Args, ground: &Ground, target: Option<&Target>, out: &mut Output) -> Result<Answer, Failure> {
+    let points = points_of(&args.ends, 2, true)?;
+    for &rung in args.rung.rungs() {
+        args.extras.check(rung, &args.rung.word())?;
+    }
+    let question = space::path::Question {
+        wishes: [
+            space::Wish { what: "start", numbers: points[0], layer: args.start_layer, face: args.start_face },
+            space::Wish { what: "goal", numbers: points[1], layer: args.goal_layer, face: args.goal_face },
+        ],
+        rungs: args.rung.rungs(),
+        snap: &args.snap,
+        extras: &args.extras,
+        json: args.json,
+        drawing: &args.drawing,
+        target,
+        title: args.map.title(),
+    };
+    space::path::run(ground, &question, out)
+}
+
 /// The path over links, told and drawn.
 fn linked(
     args: &Args,
     map: &Map,
     planner: &mut Planner,
-    links: &[Link],
+    (links, costs): (&[Link], Option<&FaceMap<f64>>),
     ends: [Place; 2],
     target: Option<&Target>,
     out: &mut Output,
@@ -260,7 +303,7 @@ fn linked(
     let &[rung] = args.rung.rungs() else {
         return Err(Failure::input("--link cannot be used with --rung all", "choose one rung, for example exact"));
     };
-    let (answer, path) = super::linked::run(map, planner, rung, links, ends, args.json, out)?;
+    let (answer, path) = super::linked::run(map, planner, rung, (links, costs), ends, args.json, out)?;
     if let Some((target, path)) = target.zip(path) {
         let options = args.drawing.options(map, &format!("A path over links through {}", args.map.title()));
         save(target, Floor::new(&map.subdivision, &map.mesh).linked(0, &path, links, &options), out)?;

@@ -8,6 +8,7 @@
 //!   clearance  the margin a wide agent keeps       ladder   every rung beside the shortest way
 //!   ray        what a straight line runs against    reach    how far everything is
 //!   linked     a path over teleports and the like
+//!   Storeys    a surface in space, a panel for each layer
 //! ```
 //!
 //! Under each figure lies the map in grey, with its gaps hatched. Roles are the same everywhere: blue is the way,
@@ -24,6 +25,9 @@ mod off_mesh;
 mod ray;
 mod reach;
 mod route;
+mod storeys;
+
+pub use storeys::Storeys;
 
 use crate::figure::sketch::{Backdrop, Role, Sketch, SketchError};
 use crate::figure::{Colour, Detail, FaceLabels, Figure, FigureOptions};

@@ -8,7 +8,7 @@ use crate::ids::VertexId;
 use crate::navmesh::DistanceField;
 
 /// With more vertices than this, their distances are titles only: words would hide the map.
-const WORDS: usize = 60;
+pub(super) const WORDS: usize = 60;
 
 impl Floor<'_> {
     /// The faces that can be reached whole within the limit of a distance field, and the distance to each vertex.

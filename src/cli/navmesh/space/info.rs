@@ -1,0 +1,106 @@
+//! `dcel navmesh info` on a floor whose heights differ.
+
+use super::super::super::failure::Failure;
+use super::super::super::picture::Target;
+use super::super::super::{Answer, Output};
+use super::super::drawing::{Drawing, save};
+use super::Ground;
+use dcel_kit::figure::navmesh::Storeys;
+use dcel_kit::io::{Number, counted};
+use serde::Serialize;
+use std::io::Write;
+
+/// The answer. The names are those of the JSON form.
+#[derive(Serialize)]
+struct Info {
+    source: String,
+    format: &'static str,
+    valid: bool,
+    faces: usize,
+    triangles: usize,
+    /// Faces that are too steep, or face down.
+    left_out: usize,
+    layers: Vec<Layer>,
+    components: Vec<usize>,
+    /// Along the surface.
+    area: f64,
+    heights: [f64; 2],
+    /// In degrees, and a face that has it.
+    steepest: f64,
+    steepest_face: Option<String>,
+}
+
+#[derive(Serialize)]
+struct Layer {
+    faces: usize,
+    heights: [f64; 2],
+}
+
+pub(in super::super) fn run(
+    ground: &Ground,
+    json: bool,
+    drawing: &Drawing,
+    target: Option<&Target>,
+    title: &str,
+    out: &mut Output,
+) -> Result<Answer, Failure> {
+    let surface = &ground.surface;
+    if let Some(target) = target {
+        save(target, Storeys::new(surface).map(&ground.options(drawing, title)), out)?;
+    }
+    let layer = |layer: usize| {
+        let faces: Vec<_> = surface.faces().filter(|&f| surface.layer(f) == Some(layer)).collect();
+        let heights = faces.iter().flat_map(|&f| surface.triangles(f)).flatten().map(|p| p[2]);
+        let heights = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| [low.min(z), high.max(z)]);
+        Layer { faces: faces.len(), heights }
+    };
+    let mut components = vec![0; surface.component_count()];
+    surface.faces().filter_map(|f| surface.component(f)).for_each(|c| components[c as usize] += 1);
+    components.sort_unstable_by(|a, b| b.cmp(a));
+    let steepest = surface.steepest();
+    let faces = surface.faces().count();
+    let info = Info {
+        source: ground.source.clone(),
+        format: ground.format.name(),
+        valid: true,
+        faces,
+        triangles: surface.triangle_count(),
+        left_out: surface.face_bound() - 1 - faces,
+        layers: (0..surface.layer_count()).map(layer).collect(),
+        components,
+        area: surface.area(),
+        heights: surface.heights(),
+        steepest: steepest.map_or(0.0, |(slope, _)| slope),
+        steepest_face: steepest.map(|(_, face)| face.to_string()),
+    };
+    if json {
+        out.json(&info)?;
+        return Ok(Answer::Yes);
+    }
+    writeln!(out, "{}: {}, a surface to walk on", info.source, info.format)?;
+    let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
+    let left_out = match info.left_out {
+        0 => String::new(),
+        count => format!("; {} left out: too steep, or facing down", counted(count, "is", "are")),
+    };
+    line("faces", format!("{faces}, cut into {}{left_out}", counted(info.triangles, "triangle", "triangles")))?;
+    let between = |[low, high]: [f64; 2]| format!("{} to {}", Number(low), Number(high));
+    line("heights", between(info.heights))?;
+    if let Some(face) = &info.steepest_face {
+        line("steepest slope", format!("{:.4} degrees, in {face}", info.steepest))?;
+    }
+    line("layers", info.layers.len().to_string())?;
+    for (i, layer) in info.layers.iter().enumerate().filter(|_| info.layers.len() > 1) {
+        line(
+            &format!("  layer {i}"),
+            format!("{}, heights {}", counted(layer.faces, "face", "faces"), between(layer.heights)),
+        )?;
+    }
+    const SHOWN: usize = 10;
+    let sizes: Vec<String> = info.components.iter().take(SHOWN).map(ToString::to_string).collect();
+    let rest = if info.components.len() > SHOWN { ", ..." } else { "" };
+    let plural = if info.components == [1] { "face" } else { "faces" };
+    line("components", format!("{}, of {}{rest} {plural}", info.components.len(), sizes.join(", ")))?;
+    line("area", format!("{} along the surface", Number(info.area)))?;
+    Ok(Answer::Yes)
+}

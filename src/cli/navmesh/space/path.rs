@@ -1,0 +1,306 @@
+//! `dcel navmesh path` on a floor whose heights differ.
+
+use super::super::super::failure::{Failure, say};
+use super::super::super::output::{point as told, table};
+use super::super::super::picture::Target;
+use super::super::super::{Answer, Output};
+use super::super::drawing::{Drawing, save};
+use super::super::ends::Snap;
+use super::super::extras::Extras;
+use super::super::tell::faces;
+use super::{End, Ground, Spot, Wish};
+use dcel_kit::FaceMap;
+use dcel_kit::figure::navmesh::Storeys;
+use dcel_kit::navmesh::{LinkError, Rung, SurfaceLink, SurfacePlace, SurfacePlanner, SurfaceRoute, SurfaceRouteError};
+use serde::Serialize;
+use std::io::Write;
+
+/// What is asked for.
+pub(in super::super) struct Question<'a> {
+    pub(in super::super) wishes: [Wish<'a>; 2],
+    pub(in super::super) rungs: &'a [Rung],
+    pub(in super::super) snap: &'a Snap,
+    pub(in super::super) extras: &'a Extras,
+    pub(in super::super) json: bool,
+    pub(in super::super) drawing: &'a Drawing,
+    pub(in super::super) target: Option<&'a Target>,
+    pub(in super::super) title: String,
+}
+
+/// The answer. The names are those of the JSON form.
+#[derive(Serialize)]
+struct Answered {
+    source: String,
+    start: Spot,
+    goal: Spot,
+    /// How far they were moved, in the plan.
+    start_moved: Option<f64>,
+    goal_moved: Option<f64>,
+    found: bool,
+    /// If nothing was found: the components of the start and of the goal.
+    apart: Option<[u32; 2]>,
+    routes: Vec<Row>,
+}
+
+/// A path, or a leg of one.
+#[derive(Serialize)]
+struct Row {
+    rung: &'static str,
+    /// Along the surface.
+    length: f64,
+    /// With the costs of faces, if there are any.
+    cost: Option<f64>,
+    ratio: Option<f64>,
+    points: Vec<[f64; 3]>,
+    /// The layer of each piece between two points.
+    layers: Vec<usize>,
+    corners: Vec<String>,
+    faces: Vec<String>,
+    pops: u64,
+    pushes: u64,
+    expansions: u64,
+}
+
+/// The answer for a path over links. The names are those of the JSON form.
+#[derive(Serialize)]
+struct Linked {
+    source: String,
+    rung: &'static str,
+    found: bool,
+    /// What the legs and the links cost.
+    cost: Option<f64>,
+    legs: Vec<Row>,
+    /// The links between the legs, by their order on the command line, from 0.
+    links: Vec<usize>,
+}
+
+pub(in super::super) fn run(ground: &Ground, question: &Question<'_>, out: &mut Output) -> Result<Answer, Failure> {
+    let surface = &ground.surface;
+    let ends = [ground.end(&question.wishes[0], question.snap)?, ground.end(&question.wishes[1], question.snap)?];
+    let mut planner = SurfacePlanner::new();
+    let [start, goal] = choose(ground, &mut planner, question, &ends);
+    let moved = ends.map(|end| end.moved);
+    let costs = ground.costs(question.extras.areas())?;
+    let links = question.extras.links().on(ground, question.snap)?;
+    if !links.is_empty() {
+        return linked(ground, &mut planner, question, costs.as_ref(), &links, [start, goal], out);
+    }
+    let mut routes: Vec<(Rung, SurfaceRoute)> = Vec::new();
+    for &rung in question.rungs {
+        let found = match &costs {
+            Some(costs) => planner.weighted_route(surface, rung, costs, &start, &goal),
+            None => planner.route(surface, rung, &start, &goal),
+        };
+        match found {
+            Ok(route) => routes.push((rung, route)),
+            Err(SurfaceRouteError::Unreachable { start: from, goal: to, .. }) => {
+                draw(ground, question, &[], &[start, goal], out)?;
+                return apart(ground, question, ([start, goal], moved), [from, to], out);
+            }
+            Err(error) => return Err(Failure::input(format!("{}: {error}", ground.source), "")),
+        }
+    }
+    let paths: Vec<&SurfaceRoute> = routes.last().map(|(_, route)| route).into_iter().collect();
+    draw(ground, question, &paths, &[start, goal], out)?;
+    let exact = routes.iter().find(|(rung, _)| *rung == Rung::Exact).map(|(_, route)| route.length);
+    let rows: Vec<Row> =
+        routes.iter().map(|(rung, route)| Row::of(ground, *rung, route, exact, costs.as_ref())).collect();
+    if question.json {
+        let [from, to] = [start, goal].map(|place| ground.spot(&place));
+        out.json(&Answered {
+            source: ground.source.clone(),
+            start: from,
+            goal: to,
+            start_moved: moved[0],
+            goal_moved: moved[1],
+            found: true,
+            apart: None,
+            routes: rows,
+        })?;
+    } else if let [row] = rows.as_slice() {
+        row.print(out)?;
+    } else {
+        compare(&rows, out)?;
+    }
+    Ok(Answer::Yes)
+}
+
+/// Of several places at the ends those of the shortest path.
+fn choose(
+    ground: &Ground,
+    planner: &mut SurfacePlanner,
+    question: &Question<'_>,
+    ends: &[End; 2],
+) -> [SurfacePlace; 2] {
+    let [starts, goals] = ends.each_ref().map(|end| end.places.as_slice());
+    if starts.len() == 1 && goals.len() == 1 {
+        return [starts[0], goals[0]];
+    }
+    let found = planner.route_among(&ground.surface, Rung::Exact, starts, goals);
+    let [i, k] = found.map_or([0, 0], |(_, chosen)| chosen);
+    for ((wish, end), chosen) in
+        question.wishes.iter().zip(ends).zip([i, k]).filter(|((_, end), _)| end.places.len() > 1)
+    {
+        let others: Vec<String> = end.places.iter().map(|place| place.face.to_string()).collect();
+        let (what, at, face) = (wish.what, told(wish.numbers), end.places[chosen].face);
+        let others = others.join(", ");
+        say(
+            "note",
+            format_args!(
+                "the {what} {at} is where faces touch in a vertex, in {others}: the shortest path is that of {face}; --{what}-face chooses"
+            ),
+        );
+    }
+    [starts[i], goals[k]]
+}
+
+fn draw(
+    ground: &Ground,
+    question: &Question<'_>,
+    paths: &[&SurfaceRoute],
+    ends: &[SurfacePlace; 2],
+    out: &mut Output,
+) -> Result<(), Failure> {
+    let Some(target) = question.target else { return Ok(()) };
+    let what = if paths.is_empty() { "No path through" } else { "A path through" };
+    let options = ground.options(question.drawing, &format!("{what} {}", question.title));
+    save(target, Storeys::new(&ground.surface).paths(paths, &[], ends, &options), out)
+}
+
+/// The answer if there is no path.
+fn apart(
+    ground: &Ground,
+    question: &Question<'_>,
+    (ends, moved): ([SurfacePlace; 2], [Option<f64>; 2]),
+    components: [u32; 2],
+    out: &mut Output,
+) -> Result<Answer, Failure> {
+    if question.json {
+        let [start, goal] = ends.map(|place| ground.spot(&place));
+        out.json(&Answered {
+            source: ground.source.clone(),
+            start,
+            goal,
+            start_moved: moved[0],
+            goal_moved: moved[1],
+            found: false,
+            apart: Some(components),
+            routes: Vec::new(),
+        })?;
+        return Ok(Answer::No);
+    }
+    let [from, to] = ends.map(|place| ground.told(place.point));
+    let [a, b] = components;
+    let count = |c: u32| ground.surface.faces().filter(|&f| ground.surface.component(f) == Some(c)).count();
+    let [of_a, of_b] = [a, b].map(|c| faces(count(c)));
+    writeln!(out, "no path: {from} is in component {a} of {of_a}, {to} is in component {b} of {of_b}")?;
+    Ok(Answer::No)
+}
+
+fn linked(
+    ground: &Ground,
+    planner: &mut SurfacePlanner,
+    question: &Question<'_>,
+    costs: Option<&FaceMap<f64>>,
+    links: &[SurfaceLink],
+    [start, goal]: [SurfacePlace; 2],
+    out: &mut Output,
+) -> Result<Answer, Failure> {
+    let &[rung] = question.rungs else {
+        return Err(Failure::input("--link cannot be used with --rung all", "choose one rung, for example exact"));
+    };
+    let path = match planner.linked_route(&ground.surface, links, rung, costs, [&start, &goal]) {
+        Ok(path) => Some(path),
+        Err(LinkError::Unreachable) => None,
+        Err(error) => return Err(Failure::input(format!("{}: {error}", ground.source), "")),
+    };
+    if let (Some(target), Some(path)) = (question.target, &path) {
+        let legs: Vec<&SurfaceRoute> = path.legs.iter().collect();
+        let used: Vec<SurfaceLink> = path.links.iter().map(|&i| links[i]).collect();
+        let options = ground.options(question.drawing, &format!("A path over links through {}", question.title));
+        save(target, Storeys::new(&ground.surface).paths(&legs, &used, &[start, goal], &options), out)?;
+    }
+    let answer = if path.is_some() { Answer::Yes } else { Answer::No };
+    if question.json {
+        let legs = path.iter().flat_map(|path| &path.legs);
+        out.json(&Linked {
+            source: ground.source.clone(),
+            rung: rung.name(),
+            found: path.is_some(),
+            cost: path.as_ref().map(|path| path.cost),
+            legs: legs.map(|leg| Row::of(ground, rung, leg, None, costs)).collect(),
+            links: path.as_ref().map_or_else(Vec::new, |path| path.links.clone()),
+        })?;
+        return Ok(answer);
+    }
+    let Some(path) = path else {
+        let [from, to] = [start, goal].map(|place| ground.told(place.point));
+        writeln!(out, "no path: neither the surface nor the links lead from {from} to {to}")?;
+        return Ok(answer);
+    };
+    let count = path.links.len();
+    writeln!(out, "{rung}: {}, over {count} {}", path.cost, if count == 1 { "link" } else { "links" })?;
+    for (i, leg) in path.legs.iter().enumerate() {
+        if let Some(&link) = i.checked_sub(1).and_then(|before| path.links.get(before)) {
+            let [from, to] = [links[link].from, links[link].to].map(|place| ground.told(place.point));
+            writeln!(out, "  link    {from} -> {to}, costs {}", links[link].cost)?;
+        }
+        let points: Vec<String> = leg.points.iter().map(|&p| ground.told(p)).collect();
+        let cost = costs.map(|_| format!(", costs {}", leg.cost)).unwrap_or_default();
+        writeln!(out, "  leg     {}, {} long{cost}", points.join(" "), leg.length)?;
+    }
+    Ok(answer)
+}
+
+impl Row {
+    fn of(ground: &Ground, rung: Rung, route: &SurfaceRoute, exact: Option<f64>, costs: Option<&FaceMap<f64>>) -> Self {
+        Self {
+            rung: rung.name(),
+            length: route.length,
+            cost: costs.map(|_| route.cost),
+            ratio: exact.filter(|&exact| exact > 0.0).map(|exact| route.length / exact),
+            points: route.points.iter().map(|&p| ground.in_file(p)).collect(),
+            layers: route.layers.clone(),
+            corners: route.corners.iter().map(ToString::to_string).collect(),
+            faces: route.faces.iter().map(ToString::to_string).collect(),
+            pops: route.work.pops,
+            pushes: route.work.pushes,
+            expansions: route.work.expansions,
+        }
+    }
+
+    fn print(&self, out: &mut Output) -> Result<(), Failure> {
+        let cost = self.cost.map(|cost| format!(", costs {cost}")).unwrap_or_default();
+        writeln!(out, "{}: {} along the surface{cost}, through {}", self.rung, self.length, faces(self.faces.len()))?;
+        let points: Vec<String> = self.points.iter().map(|p| told(p)).collect();
+        let mut layers: Vec<String> = self.layers.iter().map(ToString::to_string).collect();
+        layers.dedup();
+        for (what, words) in
+            [("path", &points), ("layers", &layers), ("corners", &self.corners), ("faces", &self.faces)]
+        {
+            if !words.is_empty() {
+                writeln!(out, "  {what:<8}{}", words.join(" "))?;
+            }
+        }
+        writeln!(out, "  {:<8}{} taken from the queue, {} looked behind", "work", self.pops, self.expansions)?;
+        Ok(())
+    }
+}
+
+/// The ladder as a table.
+fn compare(rows: &[Row], out: &mut Output) -> Result<(), Failure> {
+    let head = ["rung", "length", "of the exact", "faces", "corners", "from queue"].map(str::to_owned);
+    let mut lines = vec![head];
+    for row in rows {
+        lines.push([
+            row.rung.to_owned(),
+            format!("{:.6}", row.length),
+            row.ratio.map_or_else(|| "-".to_owned(), |ratio| format!("{ratio:.6}")),
+            row.faces.len().to_string(),
+            row.corners.len().to_string(),
+            row.pops.to_string(),
+        ]);
+    }
+    table(out, &lines)?;
+    Ok(())
+}

@@ -1,0 +1,109 @@
+//! The quicker rungs of the ladder: rows of triangles by simple rules, as in the plane.
+
+use super::super::Rung;
+use super::{NONE, NavSurface, Space, SurfacePlanner, between, dot, lerp, minus};
+use crate::ids::FaceMap;
+use std::cmp::Reverse;
+
+/// What a search knows of a triangle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Reached {
+    query: u32,
+    /// The side by which it is entered, or `NONE`.
+    by: u32,
+    done: bool,
+    key: u64,
+    length: f64,
+    at: Space,
+}
+
+const UNKNOWN: Reached = Reached { query: 0, by: NONE, done: false, key: 0, length: 0.0, at: [0.0; 3] };
+
+impl SurfacePlanner {
+    /// The sides by which triangles are left, from the start on.
+    pub(super) fn corridor(
+        &mut self,
+        surface: &NavSurface,
+        metric: Rung,
+        costs: Option<&FaceMap<f64>>,
+        [start, goal]: [Space; 2],
+        starts: &[usize],
+        goals: &[usize],
+    ) -> Option<Vec<usize>> {
+        let query = self.query();
+        self.corridor.resize(surface.triangle_count().max(self.corridor.len()), UNKNOWN);
+        for &t in starts {
+            self.corridor[t] = Reached { query, at: start, ..UNKNOWN };
+            self.put(0.0, t);
+        }
+        while let Some(Reverse((least, t))) = self.take() {
+            self.work.pops += 1;
+            let here = self.corridor[t];
+            if std::mem::replace(&mut self.corridor[t].done, true) {
+                continue;
+            }
+            if goals.contains(&t) {
+                return Some(self.row(surface, t));
+            }
+            self.work.expansions += 1;
+            let cost = costs.map_or(1.0, |costs| costs[surface.face_of(t)].max(0.0));
+            for s in 3 * t..3 * t + 3 {
+                let twin = surface.sides[s].twin;
+                if twin == NONE || here.by == s as u32 {
+                    continue;
+                }
+                let beyond = twin as usize / 3;
+                let (at, length, key) = if metric == Rung::Breadth {
+                    (here.at, here.length + 1.0, here.length + 1.0)
+                } else {
+                    let at = surface.point_of_line(metric, s, here.at, goal);
+                    let length = here.length + cost * between(here.at, at);
+                    (at, length, length + between(at, goal))
+                };
+                let key = key.to_bits().max(least);
+                let reached = &mut self.corridor[beyond];
+                if reached.query == query && (reached.key, reached.length) <= (key, length) {
+                    continue;
+                }
+                *reached = Reached { query, by: twin, done: false, key, length, at };
+                self.put(f64::from_bits(key), beyond);
+            }
+        }
+        None
+    }
+
+    /// The sides that led to a triangle.
+    fn row(&self, surface: &NavSurface, goal: usize) -> Vec<usize> {
+        let mut doors = Vec::new();
+        let mut by = self.corridor[goal].by;
+        while by != NONE {
+            let door = surface.sides[by as usize].twin as usize;
+            doors.push(door);
+            by = self.corridor[door / 3].by;
+        }
+        doors.reverse();
+        doors
+    }
+}
+
+impl NavSurface {
+    /// To which point the line of a metric goes from `from` through a side.
+    fn point_of_line(&self, metric: Rung, s: usize, from: Space, goal: Space) -> Space {
+        let [a, b] = self.ends(s);
+        let along = |x: f64| lerp(a, b, (x / self.sides[s].length).clamp(0.0, 1.0));
+        match metric {
+            Rung::Centroid => {
+                let [a, b, c] = self.corners(self.sides[s].twin as usize / 3);
+                [0, 1, 2].map(|i| (a[i] + b[i] + c[i]) / 3.0)
+            }
+            Rung::Midpoint => lerp(a, b, 0.5),
+            Rung::Closest => along(dot(minus(b, a), minus(from, a)) / self.sides[s].length),
+            _ => {
+                // Turned round the side into one plane, the start below it and the goal above.
+                let [[x, depth], [goal_x, height]] = [from, goal].map(|p| self.turned(s, p));
+                let whole = depth + height;
+                along(if whole > 0.0 { x + (goal_x - x) * (depth / whole) } else { goal_x })
+            }
+        }
+    }
+}

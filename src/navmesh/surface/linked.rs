@@ -1,0 +1,124 @@
+//! Links between places of a surface: teleports, lifts, jumps.
+
+use super::super::links::{Found, LinkError, check_costs, over_links};
+use super::super::{Rung, Work};
+use super::{NavSurface, SurfaceField, SurfacePlace, SurfacePlanner, SurfaceRoute, between};
+use crate::ids::FaceMap;
+
+/// A way from one place of a surface to another that is not on it, in this direction only.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct SurfaceLink {
+    /// Where it begins.
+    pub from: SurfacePlace,
+    /// Where it ends.
+    pub to: SurfacePlace,
+    /// What it costs to use it, in the unit of lengths; not negative.
+    pub cost: f64,
+}
+
+/// A path over a surface and over links.
+#[derive(Clone, PartialEq, Debug)]
+pub struct LinkedSurfaceRoute {
+    /// The legs in order.
+    pub legs: Vec<SurfaceRoute>,
+    /// The links between them, by their indices: one fewer than legs.
+    pub links: Vec<usize>,
+    /// The lengths of the legs, or what they cost, and the costs of the links.
+    pub cost: f64,
+    /// The work for all legs that were searched for.
+    pub work: Work,
+}
+
+impl SurfacePlanner {
+    /// A path over a surface and links. Each leg is found by `rung`, or for the costs of faces if there are any; which
+    /// links are used is decided by what legs and links cost. With [`Rung::Exact`] and no costs the answer is the path of
+    /// the least cost.
+    ///
+    /// Cost: as [`Planner::linked_route`](super::super::Planner::linked_route).
+    ///
+    /// # Errors
+    /// [`LinkError`].
+    ///
+    /// # Panics
+    /// If there are costs and they are shorter than [`face_bound`](NavSurface::face_bound).
+    pub fn linked_route(
+        &mut self,
+        surface: &NavSurface,
+        links: &[SurfaceLink],
+        rung: Rung,
+        costs: Option<&FaceMap<f64>>,
+        [start, goal]: [&SurfacePlace; 2],
+    ) -> Result<LinkedSurfaceRoute, LinkError> {
+        check_costs(links.iter().map(|link| link.cost))?;
+        let target = |i: usize| links.get(i).map_or(goal, |link| &link.from);
+        let least = costs.map_or(1.0, |costs| surface.faces().map(|f| costs[f].max(0.0)).fold(f64::INFINITY, f64::min));
+        let prices: Vec<f64> = links.iter().map(|link| link.cost).collect();
+        let mut work = Work::default();
+        let found = over_links(
+            &prices,
+            Some(()),
+            f64::INFINITY,
+            |from, to| Some(least * as_crow_flies(surface, node(links, start, from), target(to))?),
+            |from, to| {
+                let [from, to] = [node(links, start, from), target(to)];
+                let route = match costs {
+                    Some(costs) => self.weighted_route(surface, rung, costs, from, to),
+                    None => self.route(surface, rung, from, to),
+                };
+                let route = route.ok()?;
+                work += route.work;
+                Some((route.cost, route))
+            },
+        );
+        let Found { legs, links, cost, .. } = found.ok_or(LinkError::Unreachable)?;
+        Ok(LinkedSurfaceRoute { legs: legs.into_iter().map(|(_, route)| route).collect(), links, cost, work })
+    }
+
+    /// How far it is from a place to all vertices over the surface and links, as far as that is no more than `limit`.
+    ///
+    /// Cost: that of a [`distance_field`](Self::distance_field) for the start and for each link that is reached, and
+    /// that of the legs between links.
+    ///
+    /// # Errors
+    /// [`LinkError`].
+    pub fn linked_distance_field(
+        &mut self,
+        surface: &NavSurface,
+        links: &[SurfaceLink],
+        start: &SurfacePlace,
+        limit: f64,
+    ) -> Result<SurfaceField, LinkError> {
+        check_costs(links.iter().map(|link| link.cost))?;
+        let prices: Vec<f64> = links.iter().map(|link| link.cost).collect();
+        let found = over_links(
+            &prices,
+            None,
+            limit,
+            |from, to| as_crow_flies(surface, node(links, start, from), &links[to].from),
+            |from, to| {
+                let route = self.route(surface, Rung::Exact, node(links, start, from), &links[to].from).ok()?;
+                Some((route.length, ()))
+            },
+        );
+        let reached = found.map_or_else(Vec::new, |found| found.reached);
+        let mut whole: Option<SurfaceField> = None;
+        for (i, &before) in reached.iter().enumerate().filter(|(_, before)| before.is_finite()) {
+            let field = self.distance_field(surface, node(links, start, i), limit - before);
+            whole = Some(match whole {
+                Some(whole) => whole.joined(field, before),
+                None => field,
+            });
+        }
+        Ok(whole.unwrap_or_else(|| self.distance_field(surface, start, limit)))
+    }
+}
+
+fn node<'a>(links: &'a [SurfaceLink], start: &'a SurfacePlace, i: usize) -> &'a SurfacePlace {
+    if i == 0 { start } else { &links[i - 1].to }
+}
+
+/// The distance of two places, as the crow flies; none if the surface does not lead from one to the other.
+fn as_crow_flies(surface: &NavSurface, a: &SurfacePlace, b: &SurfacePlace) -> Option<f64> {
+    let joined = surface.component(a.face) == surface.component(b.face);
+    joined.then(|| between(a.point, b.point))
+}

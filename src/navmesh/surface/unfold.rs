@@ -1,0 +1,147 @@
+//! A row of triangles unfolded into the plane, pulled straight, and folded back.
+//!
+//! ```text
+//!     ╱╲╱╲            ┌───────────────┐       Unfolding keeps all lengths within the row, so the shortest path through it
+//!    ╱  ╲ ╲    ──>    │╲  ╱╲   ╱╲   ╱ │       is found in the plane, by the funnel; where it passes the sides says where
+//!        ╲ ╲          └───────────────┘       it runs in space.
+//! ```
+
+use super::super::Work;
+use super::super::funnel::{Funnel, Post};
+use super::super::steps::{End, Step, steps};
+use super::build::normal;
+use super::{NavSurface, SideRecord, Space, SurfaceRoute, between, cross, dot, lerp, minus, next, norm, prev};
+use crate::ids::{FaceId, FaceMap, VertexId};
+use crate::plane::Point;
+
+/// Triangles from one with the start to one with the goal, by the sides that they are left by.
+pub(super) struct Strip<'a> {
+    pub(super) surface: &'a NavSurface,
+    pub(super) first: usize,
+    pub(super) doors: &'a [usize],
+}
+
+/// Edges whose faces are inclined by less than this are no creases.
+const CREASE: f64 = 1e-9;
+
+impl Strip<'_> {
+    /// The shortest path through the row.
+    pub(super) fn pull(&self, start: Space, goal: Space, costs: Option<&FaceMap<f64>>) -> SurfaceRoute {
+        let (portals, [from, to]) = self.unfold(start, goal);
+        let mut funnel = Funnel::default();
+        funnel.start(Post::free(from));
+        portals.iter().for_each(|&[left, right]| funnel.pass(left, right));
+        let path = funnel.finish(Post::free(to)).to_vec();
+        self.fold([start, goal], &path, &steps(&portals, &path), costs)
+    }
+
+    /// The sides as portals, left and right post, and the ends, all in one plane.
+    fn unfold(&self, start: Space, goal: Space) -> (Vec<[Post; 2]>, [Point; 2]) {
+        let surface = self.surface;
+        let mut portals = Vec::with_capacity(self.doors.len());
+        // A side of the triangle that was entered last, and where its ends are.
+        let mut side = 3 * self.first;
+        let mut ends = [Point::new(0.0, 0.0), Point::new(surface.sides[side].length, 0.0)];
+        let place = |[a, b]: [Point; 2], length: f64, [x, y]: [f64; 2]| {
+            let [ex, ey] = [(b.x - a.x) / length, (b.y - a.y) / length];
+            Point::new(a.x + ex * x - ey * y, a.y + ey * x + ex * y)
+        };
+        let within = |side: usize, ends: [Point; 2], p: Space| {
+            let SideRecord { length, .. } = surface.sides[side];
+            let [a, b] = surface.ends(side);
+            let up = {
+                let c = surface.points[surface.sides[prev(side)].origin as usize];
+                let along = minus(b, a);
+                cross(cross(along, minus(c, a)), along)
+            };
+            let off = minus(p, a);
+            place(ends, length, [dot(minus(b, a), off) / length, dot(up, off) / norm(up)])
+        };
+        let from = within(side, ends, start);
+        for &door in self.doors {
+            let SideRecord { length, apex, .. } = surface.sides[side];
+            let top = place(ends, length, apex);
+            let door_ends = if door == side {
+                ends
+            } else if door == next(side) {
+                [ends[1], top]
+            } else {
+                [top, ends[0]]
+            };
+            let post = |s: usize, point: Point| Post { point, vertex: surface.sides[s].origin };
+            portals.push([post(next(door), door_ends[1]), post(door, door_ends[0])]);
+            side = surface.sides[door].twin as usize;
+            ends = [door_ends[1], door_ends[0]];
+        }
+        (portals, [from, within(side, ends, goal)])
+    }
+
+    /// The path in space.
+    fn fold(
+        &self,
+        [start, goal]: [Space; 2],
+        path: &[Post],
+        steps: &[Step],
+        costs: Option<&FaceMap<f64>>,
+    ) -> SurfaceRoute {
+        let surface = self.surface;
+        let beyond = |door: usize| surface.sides[door].twin as usize / 3;
+        let triangles: Vec<usize> =
+            std::iter::once(self.first).chain(self.doors.iter().map(|&door| beyond(door))).collect();
+        let mut faces: Vec<FaceId> = triangles.iter().map(|&t| surface.face_of(t)).collect();
+        let mut route = SurfaceRoute {
+            faces: Vec::new(),
+            points: vec![start],
+            layers: Vec::new(),
+            corners: Vec::new(),
+            length: 0.0,
+            cost: 0.0,
+            work: Work::default(),
+        };
+        let mut last = start;
+        for step in steps {
+            let face = faces[step.face];
+            let (at, shows) = match step.end {
+                End::Portal(d, share) => {
+                    let [right, left] = surface.ends(self.doors[d]);
+                    (lerp(right, left, share), surface.shows(self.doors[d]))
+                }
+                End::Post(k) if k + 1 == path.len() => (goal, true),
+                End::Post(k) => {
+                    let node = path[k].vertex as usize;
+                    let at = surface.points[node];
+                    if at != start && at != goal {
+                        route.corners.push(VertexId::new(surface.vertices[node]));
+                    }
+                    (at, true)
+                }
+            };
+            let length = between(last, at);
+            route.length += length;
+            route.cost += length * costs.map_or(1.0, |costs| costs[face].max(0.0));
+            last = at;
+            if shows
+                && (route.points.last() != Some(&at)
+                    || route.points.len() == 1 && step.end == End::Post(path.len() - 1))
+            {
+                route.points.push(at);
+                route.layers.push(surface.layer(face).unwrap_or(0));
+            }
+        }
+        faces.dedup();
+        route.faces = faces;
+        route
+    }
+}
+
+impl NavSurface {
+    /// Whether a path that passes a side bends there in space, or comes to another layer.
+    fn shows(&self, side: usize) -> bool {
+        let [one, other] = [side, self.sides[side].twin as usize].map(|s| s / 3);
+        if self.layer(self.face_of(one)) != self.layer(self.face_of(other)) {
+            return true;
+        }
+        let [m, n] = [one, other].map(|t| normal(self.corners(t)));
+        norm(cross(m, n)) > CREASE * norm(m) * norm(n)
+    }
+}
