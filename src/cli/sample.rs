@@ -69,7 +69,7 @@ const SAMPLES: &[Sample] = &[
     Sample { name: "rooms.map", about: "a grid map to find paths on", bytes: sources::ROOMS_MAP },
     Sample { name: "rooms.scen", about: "questions about it, with answers", bytes: sources::ROOMS_SCEN },
     Sample { name: "floor.obj", about: "a floor of two rooms in space, y up", bytes: include_bytes!("sample/floor.obj") },
-    Sample { name: "house.obj", about: "two storeys and a ramp, z up, with groups and materials", bytes: include_bytes!("sample/house.obj") },
+    Sample { name: "house.obj", about: "a hall, a ramp and a gallery over the hall, z up, with groups and materials", bytes: include_bytes!("sample/house.obj") },
     Sample { name: "cube.off", about: "a solid", bytes: include_bytes!("sample/cube.off") },
     Sample { name: "tetrahedron.off", about: "a solid of triangles", bytes: include_bytes!("sample/tetrahedron.off") },
     Sample { name: "cloud.obj", about: "points in space", bytes: include_bytes!("sample/cloud.obj") },

@@ -18,4 +18,5 @@ mod script;
 mod shell;
 mod solid;
 mod targets;
+mod storeys;
 mod triangulate;

@@ -3,8 +3,9 @@
 use crate::maps::{Map, Random};
 use crate::oracle::{Node, Oracle};
 use crate::routes::is_close;
-use dcel_kit::navmesh::{Link, LinkError, NavMesh, Planner, Rung, Stop};
+use dcel_kit::navmesh::{Link, LinkError, Location, NavMesh, Planner, Rung, Stop};
 use dcel_kit::plane::Point;
+use dcel_kit::{FaceMap, VertexId};
 
 /// The least costs by relaxing every pair until nothing changes.
 fn least(count: usize, edges: &[(usize, usize, f64)]) -> Vec<f64> {
@@ -106,4 +107,100 @@ fn links_lead_one_way_and_few_legs_are_searched_for() {
     let work =
         |links: &[Link]| Planner::new().linked_route(layers, links, Rung::Closest, &a, &near).expect("near").work;
     assert_eq!(work(&far), work(&[]));
+}
+
+#[test]
+fn a_field_over_links_has_the_lengths_of_the_paths_over_them() {
+    let mut planner = Planner::new();
+    let (mut compared, mut linked, mut beyond) = (0, 0, 0);
+    for seed in 0..20 {
+        let mut random = Random::new(seed + 400);
+        let maps: Vec<Map> = (0..1 + seed % 2).map(|layer| Map::random(7 * seed + layer, 3, 0.7, 0.4)).collect();
+        let meshes: Vec<NavMesh> = maps.iter().map(Map::mesh).collect();
+        let mut stop = || {
+            let layer = random.below(maps.len());
+            let triangle = random.below(maps[layer].triangles.len());
+            let point = maps[layer].inside(triangle, &mut random);
+            Stop { layer, place: meshes[layer].place(point).expect("inside") }
+        };
+        let start = stop();
+        let links: Vec<Link> =
+            (0..5).map(|i| Link { from: stop(), to: stop(), cost: 0.2 * f64::from(i) }).collect();
+        let limit = if seed % 3 == 0 { 2.0 } else { f64::INFINITY };
+        let fields = planner.linked_distance_field(&meshes, &links, &start, limit).expect("costs");
+        assert_eq!(fields.len(), meshes.len());
+        for (layer, (mesh, map)) in meshes.iter().zip(&maps).enumerate() {
+            for (v, &point) in (0..).map(VertexId::new).zip(&map.points) {
+                let Ok(places) = mesh.places(point) else { continue };
+                let paths = places.into_iter().map(|place| {
+                    planner.linked_route(&meshes, &links, Rung::Exact, &start, &Stop { layer, place })
+                });
+                let paths: Vec<_> = paths.filter_map(Result::ok).collect();
+                let least = paths.iter().map(|path| path.cost).fold(f64::INFINITY, f64::min);
+                match fields[layer].distance(v) {
+                    Some(found) => assert!(is_close(found, least), "seed {seed}, {v}: {found} and not {least}"),
+                    None => assert!(least > limit || least.is_infinite(), "seed {seed}, {v}: {least}"),
+                }
+                compared += 1;
+                linked += usize::from(paths.iter().any(|path| path.cost == least && !path.links.is_empty()));
+                beyond += usize::from(least.is_finite() && least > limit);
+            }
+        }
+    }
+    assert!(compared > 200 && linked > 50 && beyond > 20, "{compared} vertices, {linked} by links, {beyond} beyond");
+}
+
+#[test]
+fn costs_along_a_route_are_what_many_samples_say_and_decide_about_links() {
+    let mut planner = Planner::new();
+    let (mut sampled, mut decided) = (0, 0);
+    for seed in 0..30 {
+        let mut random = Random::new(seed + 900);
+        let map = Map::random(seed + 60, 5, 0.85, 0.4);
+        let mesh = map.mesh();
+        let costs: Vec<f64> = (0..mesh.face_bound()).map(|_| [0.0, 1.0, 2.5][random.below(3)]).collect();
+        let costs = FaceMap::from(costs);
+        let mut stop = || {
+            let point = map.inside(random.below(map.triangles.len()), &mut random);
+            Stop { layer: 0, place: mesh.place(point).expect("inside") }
+        };
+        let (start, goal) = (stop(), stop());
+        let Ok(route) = planner.weighted_route(&mesh, Rung::Closest, &costs, &start.place, &goal.place) else {
+            continue;
+        };
+        const SAMPLES: usize = 4000;
+        let mut expected = 0.0;
+        for pair in route.points.windows(2) {
+            let [x, y] = [pair[1].x - pair[0].x, pair[1].y - pair[0].y];
+            for i in 0..SAMPLES {
+                let t = (i as f64 + 0.5) / SAMPLES as f64;
+                let p = Point::new(pair[0].x + x * t, pair[0].y + y * t);
+                // Along an edge the cost of either side would do.
+                let face = mesh.place(p).map_or(route.faces[0], |place| place.face);
+                expected += costs[face] * x.hypot(y) / SAMPLES as f64;
+            }
+        }
+        let cost = mesh.cost_along(&route, &costs);
+        let along_edges = route.points.windows(2).any(|pair| {
+            let middle = Point::new((pair[0].x + pair[1].x) / 2.0, (pair[0].y + pair[1].y) / 2.0);
+            !matches!(mesh.locate(middle), Location::Face(_))
+        });
+        if !along_edges {
+            assert!((cost - expected).abs() < 0.01 * (1.0 + expected), "seed {seed}: {cost} and not {expected}");
+            sampled += 1;
+        }
+        // A link that costs a little less than the way on foot is taken, one that costs a little more is not.
+        let (layers, costs) = (std::slice::from_ref(&mesh), std::slice::from_ref(&costs));
+        for (factor, links) in [(0.9, 1), (1.1, 0)] {
+            let link = Link { from: start, to: goal, cost: factor * cost };
+            let path = planner.weighted_linked_route(layers, &[link], Rung::Closest, costs, &start, &goal);
+            let path = path.expect("a path");
+            if cost > 0.0 {
+                assert_eq!(path.links.len(), links, "seed {seed}: {cost}");
+                assert!(is_close(path.cost, cost.min(link.cost)), "seed {seed}");
+                decided += 1;
+            }
+        }
+    }
+    assert!(sampled > 15 && decided > 40, "{sampled} sampled, {decided} decided");
 }

@@ -511,7 +511,7 @@ fn polygons_of_many_corners_are_one_face_and_have_the_lengths_of_the_plane() {
     assert_eq!((surface.faces().count(), surface.triangle_count()), (1, 4));
     assert!(is_close(surface.area(), 7.0));
     let outline: Vec<_> = surface.outline(FaceId::new(1)).collect();
-    assert!(outline.len() == 6 && outline.iter().all(|(_, open)| !open));
+    assert!(outline.len() == 6 && outline.iter().all(|(_, beyond)| beyond.is_none()));
     let [start, goal] = [[4.0, 0.3], [0.5, 2.4]].map(|at| surface.place(at, Floor::Any).expect("there"));
     let route = SurfacePlanner::new().route(&surface, Rung::Exact, &start, &goal).expect("a path");
     assert_eq!((route.faces.len(), route.corners.as_slice()), (1, [VertexId::new(3)].as_slice()));

@@ -46,7 +46,7 @@ Examples:
   dcel navmesh path rooms.map 1 1 22 12 \\
     --link 2,1,22,11,0.5 -o link.svg
   dcel navmesh path rooms.map 1 1 22 12 \\
-    --rung closest --cost f1=3
+    --rung closest --cost f1=3 --cost 9,0,14,0,14,9=2
   dcel navmesh path house.obj --up z \
     1 1 0 1 1 3 -o storeys.svg")]
 pub(super) struct Args {
@@ -174,6 +174,8 @@ struct Apart {
 struct Row {
     rung: &'static str,
     length: f64,
+    /// With the costs of areas, if there are any.
+    cost: Option<f64>,
     /// How much longer than the exact way, if that was asked for.
     ratio: Option<f64>,
     points: Vec<[f64; 2]>,
@@ -257,7 +259,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         draw(args, &maps, &planner, &routes, target, out)?;
     }
     let exact = routes.iter().find(|(rung, _)| *rung == Rung::Exact).map(|(_, route)| route.length);
-    let rows: Vec<Row> = routes.iter().map(|(rung, route)| Row::of(map, *rung, route, exact)).collect();
+    let rows: Vec<Row> = routes.iter().map(|(rung, route)| Row::of(map, *rung, route, exact, costs.as_ref())).collect();
     if args.json {
         out.json(&Answered::of(&maps, [start, goal], moved, rows))?;
     } else if let [row] = rows.as_slice() {
@@ -467,10 +469,11 @@ fn apart(
 }
 
 impl Row {
-    fn of(map: &Map, rung: Rung, route: &Route, exact: Option<f64>) -> Self {
+    fn of(map: &Map, rung: Rung, route: &Route, exact: Option<f64>, costs: Option<&FaceMap<f64>>) -> Self {
         Self {
             rung: rung.name(),
             length: route.length,
+            cost: costs.map(|costs| map.mesh.cost_along(route, costs)),
             ratio: exact.filter(|&exact| exact > 0.0).map(|exact| route.length / exact),
             points: route.points.iter().map(|&p| map.in_file(p)).collect(),
             corners: route.corners.iter().map(ToString::to_string).collect(),
@@ -483,7 +486,8 @@ impl Row {
     }
 
     fn print(&self, out: &mut Output) -> Result<(), Failure> {
-        writeln!(out, "{}: {}, through {}", self.rung, self.length, faces(self.faces.len()))?;
+        let cost = self.cost.map(|cost| format!(", costs {cost}")).unwrap_or_default();
+        writeln!(out, "{}: {}{cost}, through {}", self.rung, self.length, faces(self.faces.len()))?;
         let points: Vec<String> = self.points.iter().map(|p| super::super::output::point(p)).collect();
         for (what, words) in
             [("way", &points), ("corners", &self.corners), ("faces", &self.faces), ("doors", &self.doors)]

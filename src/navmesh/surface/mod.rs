@@ -163,14 +163,14 @@ impl NavSurface {
         range.map(|s| self.sides[s].origin as usize).map(|node| (VertexId::new(self.vertices[node]), self.points[node]))
     }
 
-    /// The borders of a face, from point to point: the sides that are no cuts, and whether one may cross each.
-    pub fn outline(&self, f: FaceId) -> impl Iterator<Item = ([Space; 2], bool)> + '_ {
+    /// The sides of a face that are no cuts, from point to point, and the face beyond each; none if it is a border.
+    pub fn outline(&self, f: FaceId) -> impl Iterator<Item = ([Space; 2], Option<FaceId>)> + '_ {
         let range = f.index().checked_sub(1).filter(|&p| p < self.layer.len());
         let range = range.map_or(0..0, |p| 3 * self.starts[p] as usize..3 * self.starts[p + 1] as usize);
         range.filter_map(move |s| {
-            let twin = self.sides[s].twin;
-            let inner = twin != NONE && self.polygon[twin as usize / 3] as usize + 1 == f.index();
-            (!inner).then(|| (self.ends(s), twin != NONE))
+            let twin = Some(self.sides[s].twin).filter(|&twin| twin != NONE);
+            let beyond = twin.map(|twin| self.face_of(twin as usize / 3));
+            (beyond != Some(f)).then(|| (self.ends(s), beyond))
         })
     }
 

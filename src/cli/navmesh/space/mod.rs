@@ -137,14 +137,19 @@ impl Ground {
             Err(error) => error,
         };
         let given = told(wish.numbers);
+        // The ends of links have no flags of their own.
+        let by_layer = |layer: usize| match wish.what {
+            "start" | "goal" => format!(", or choose with --{what}-layer {layer}"),
+            _ => String::new(),
+        };
         let (why, help) = match &error {
             SurfacePlaceError::Ambiguous { places, .. } => (
                 format!("{given} is on {} storeys: {}", places.len(), self.storeys(places)),
-                format!("give all three coordinates of the points, or choose with --{what}-layer {}", places[0].layer),
+                format!("give all three coordinates of the points{}", by_layer(places[0].layer)),
             ),
             SurfacePlaceError::NothingBelow { lowest, .. } => (
                 format!("{given} is below the surface, which is at {} there", self.told(lowest.point)),
-                format!("a point is on the surface or above it: the nearest below it is taken; or use --{what}-layer"),
+                format!("the surface at a point or below it is taken: give a greater height{}", by_layer(lowest.layer)),
             ),
             SurfacePlaceError::NotOnLayer { layer, others, .. } => {
                 (format!("{given} is not on layer {layer}, but on {}", self.storeys(others)), String::new())

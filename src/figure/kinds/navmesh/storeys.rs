@@ -1,7 +1,7 @@
 //! Surfaces in space, drawn from above: one panel for each layer.
 
-use super::reach::WORDS;
-use super::route::length;
+use crate::figure::kinds::navmesh::reach::WORDS;
+use crate::figure::kinds::navmesh::route::length;
 use crate::figure::sketch::{Multiples, Role, Sketch, SketchError};
 use crate::figure::{Figure, FigureOptions};
 use crate::ids::VertexId;
@@ -136,16 +136,22 @@ impl<'a> Storeys<'a> {
         let faces = || self.surface.faces().filter(|&f| self.surface.layer(f) == Some(layer));
         let triangles: Vec<[[f64; 3]; 3]> = faces().flat_map(|f| self.surface.triangles(f)).collect();
         sketch.region(Role::Plain, triangles.iter().map(|t| t.map(plan))).plain().key("the surface");
-        let (mut inner, mut border) = (Vec::new(), Vec::new());
-        for (ends, open) in faces().flat_map(|f| self.surface.outline(f)) {
+        let (mut inner, mut border, mut leading) = (Vec::new(), Vec::new(), Vec::new());
+        for (ends, beyond) in faces().flat_map(|f| self.surface.outline(f)) {
             let line = ends.map(plan);
-            if !open {
-                border.push(line);
-            } else if line[0] < line[1] {
-                inner.push(line);
+            match beyond.map(|f| self.surface.layer(f) == Some(layer)) {
+                None => border.push(line),
+                Some(false) => leading.push(line),
+                // Once, of the two faces that have it.
+                Some(true) if line[0] < line[1] => inner.push(line),
+                Some(true) => {}
             }
         }
-        for (lines, role, key) in [(inner, Role::Dimmed, "an edge to pass"), (border, Role::Plain, "a border")] {
+        for (lines, role, key) in [
+            (inner, Role::Dimmed, "an edge to pass"),
+            (border, Role::Plain, "a border"),
+            (leading, Role::Secondary, "an edge to another layer"),
+        ] {
             for line in lines {
                 sketch.path(role, line).solid().key(key);
             }
