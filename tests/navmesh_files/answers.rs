@@ -2,7 +2,7 @@
 
 use crate::{data, plane};
 use dcel_kit::io::{Format, Grid, Optimum, Scenario};
-use dcel_kit::navmesh::{NavMesh, Planner, Rung};
+use dcel_kit::navmesh::{Inset, NavMesh, Planner, Rung};
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
 
 /// The lengths that the kit finds, none where it finds no way, and how many agree with the file.
@@ -136,5 +136,21 @@ fn a_floor_in_space_is_laid_flat_as_it_is_seen_from_above() {
         let points: Vec<[u64; 2]> = soup.points.iter().map(|p| [p[0].to_bits(), p[1].to_bits()]).collect();
         assert_eq!(points, flat.map(|p| p.map(f64::to_bits)), "{up:?}");
         assert!(!soup.has_z);
+    }
+}
+
+#[test]
+#[cfg_attr(not(shared_data), ignore = "needs ../shared/data")]
+fn radii_with_the_usual_tolerance_leave_no_more_than_three_times_the_faces() {
+    let bytes = std::fs::read(data("O09-polyanya-arena").join("arena.mesh")).expect("the file");
+    let mesh = NavMesh::new(&plane(&bytes, Format::Mesh)).expect("convex faces");
+    for radius in [0.25, 0.5, 1.0, 2.0] {
+        let faces = |tolerance: f64| mesh.inset_within(radius, tolerance).expect("room").mesh().face_count();
+        let usual = faces(Inset::TOLERANCE);
+        assert!(usual <= 3 * mesh.face_count(), "radius {radius}: {usual} of {}", mesh.face_count());
+        // Half of it is too fine: the usual one is about the finest that keeps the promise.
+        if radius < 2.0 {
+            assert!(faces(Inset::TOLERANCE / 2.0) > 3 * mesh.face_count(), "radius {radius}");
+        }
     }
 }

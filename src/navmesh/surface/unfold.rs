@@ -49,13 +49,12 @@ impl Strip<'_> {
         let within = |side: usize, ends: [Point; 2], p: Space| {
             let SideRecord { length, .. } = surface.sides[side];
             let [a, b] = surface.ends(side);
-            let up = {
-                let c = surface.points[surface.sides[prev(side)].origin as usize];
-                let along = minus(b, a);
-                cross(cross(along, minus(c, a)), along)
-            };
+            let c = surface.points[surface.sides[prev(side)].origin as usize];
+            let unit = |v: Space| v.map(|x| x / norm(v));
+            let along = unit(minus(b, a));
+            let up = unit(cross(cross(along, unit(minus(c, a))), along));
             let off = minus(p, a);
-            place(ends, length, [dot(minus(b, a), off) / length, dot(up, off) / norm(up)])
+            place(ends, length, [dot(along, off), dot(up, off)])
         };
         let from = within(side, ends, start);
         for &door in self.doors {
