@@ -1,13 +1,14 @@
 //! The quicker rungs of the ladder: rows of triangles by simple rules, as in the plane.
 
-use super::super::Rung;
-use super::{NONE, NavSurface, Space, SurfacePlanner, between, dot, lerp, minus};
+use super::super::{Rung, Work};
+use super::{NONE, NavSurface, Space, between, dot, lerp, minus};
 use crate::ids::FaceMap;
 use std::cmp::Reverse;
+use std::collections::BinaryHeap;
 
 /// What a search knows of a triangle.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Reached {
+struct Reached {
     query: u32,
     /// The side by which it is entered, or `NONE`.
     by: u32,
@@ -19,27 +20,44 @@ pub(super) struct Reached {
 
 const UNKNOWN: Reached = Reached { query: 0, by: NONE, done: false, key: 0, length: 0.0, at: [0.0; 3] };
 
-impl SurfacePlanner {
+/// The search, with its memory.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Corridors {
+    query: u32,
+    reached: Vec<Reached>,
+    /// Keys are the bits of lengths: they are in the order of the lengths.
+    queue: BinaryHeap<Reverse<(u64, u32)>>,
+    pub(super) work: Work,
+}
+
+impl Corridors {
     /// The sides by which triangles are left, from the start on.
-    pub(super) fn corridor(
+    pub(super) fn find(
         &mut self,
         surface: &NavSurface,
         metric: Rung,
         costs: Option<&FaceMap<f64>>,
         [start, goal]: [Space; 2],
-        starts: &[usize],
-        goals: &[usize],
+        [starts, goals]: [&[usize]; 2],
     ) -> Option<Vec<usize>> {
-        let query = self.query();
-        self.corridor.resize(surface.triangle_count().max(self.corridor.len()), UNKNOWN);
-        for &t in starts {
-            self.corridor[t] = Reached { query, at: start, ..UNKNOWN };
-            self.put(0.0, t);
+        self.query = self.query.wrapping_add(1);
+        if self.query == 0 {
+            self.reached.clear();
+            self.query = 1;
         }
-        while let Some(Reverse((least, t))) = self.take() {
+        let query = self.query;
+        self.reached.resize(surface.triangle_count().max(self.reached.len()), UNKNOWN);
+        self.queue.clear();
+        self.work = Work::default();
+        for &t in starts {
+            self.reached[t] = Reached { query, at: start, ..UNKNOWN };
+            self.put(0, t);
+        }
+        while let Some(Reverse((least, t))) = self.queue.pop() {
+            let t = t as usize;
             self.work.pops += 1;
-            let here = self.corridor[t];
-            if std::mem::replace(&mut self.corridor[t].done, true) {
+            let here = self.reached[t];
+            if std::mem::replace(&mut self.reached[t].done, true) {
                 continue;
             }
             if goals.contains(&t) {
@@ -61,25 +79,30 @@ impl SurfacePlanner {
                     (at, length, length + between(at, goal))
                 };
                 let key = key.to_bits().max(least);
-                let reached = &mut self.corridor[beyond];
+                let reached = &mut self.reached[beyond];
                 if reached.query == query && (reached.key, reached.length) <= (key, length) {
                     continue;
                 }
                 *reached = Reached { query, by: twin, done: false, key, length, at };
-                self.put(f64::from_bits(key), beyond);
+                self.put(key, beyond);
             }
         }
         None
     }
 
+    fn put(&mut self, key: u64, triangle: usize) {
+        self.work.pushes += 1;
+        self.queue.push(Reverse((key, triangle as u32)));
+    }
+
     /// The sides that led to a triangle.
     fn row(&self, surface: &NavSurface, goal: usize) -> Vec<usize> {
         let mut doors = Vec::new();
-        let mut by = self.corridor[goal].by;
+        let mut by = self.reached[goal].by;
         while by != NONE {
             let door = surface.sides[by as usize].twin as usize;
             doors.push(door);
-            by = self.corridor[door / 3].by;
+            by = self.reached[door / 3].by;
         }
         doors.reverse();
         doors

@@ -10,6 +10,7 @@
 //! of it have half a turn or more; a hair less will do, so that what rounding hides behind a corner is still seen.
 
 use super::super::{Rung, Work};
+use super::corridor::Corridors;
 use super::place::SurfacePlace;
 use super::unfold::Strip;
 use super::window::Window;
@@ -54,6 +55,13 @@ enum By {
     Node(u32),
 }
 
+impl Arrival {
+    /// Its query is written when it is kept.
+    fn new(by: By, corner: usize, back: f64, length: f64) -> Self {
+        Self { query: 0, by, corner: corner as u32, back, length, done: false }
+    }
+}
+
 const UNKNOWN: Arrival = Arrival { query: 0, by: By::Start, corner: 0, back: 0.0, length: f64::INFINITY, done: false };
 
 /// The best that is known of the corner above a side.
@@ -87,8 +95,14 @@ pub struct SurfacePlanner {
     windows: Vec<Window>,
     /// Keys are the bits of lengths: they are in the order of the lengths.
     queue: BinaryHeap<Reverse<(u64, u32)>>,
-    pub(super) corridor: Vec<super::corridor::Reached>,
-    pub(super) work: Work,
+    corridors: Corridors,
+    work: Work,
+}
+
+/// What the search is for: a goal, or everything within a limit.
+struct Aim {
+    goal: Option<Goal>,
+    limit: f64,
 }
 
 /// Where the search is to end.
@@ -204,7 +218,12 @@ impl SurfacePlanner {
         let doors = match common {
             Some(_) => Some(Vec::new()),
             None if rung == Rung::Exact => self.search(surface, start, &starts, goal.point, goals),
-            None => self.corridor(surface, rung, costs, [start.point, goal.point], &starts, &goals),
+            None => {
+                let ends = [start.point, goal.point];
+                let found = self.corridors.find(surface, rung, costs, ends, [&starts, &goals]);
+                self.work = self.corridors.work;
+                found
+            }
         };
         // Within a component there is a path.
         let unreachable = SurfaceRouteError::Unreachable { from: start.face, to: goal.face, start: from, goal: to };
@@ -220,8 +239,9 @@ impl SurfacePlanner {
     /// Cost: as an exact search that looks at everything within the limit.
     pub fn distance_field(&mut self, surface: &NavSurface, start: &SurfacePlace, limit: f64) -> SurfaceField {
         self.begin(surface);
-        self.leave(surface, start, &surface.triangles_at(start), &mut None, limit);
-        self.spread(surface, &mut None, limit);
+        let mut aim = Aim { goal: None, limit };
+        self.leave(surface, start, &surface.triangles_at(start), &mut aim);
+        self.spread(surface, &mut aim);
         let bound = surface.vertices.iter().max().map_or(0, |&v| v as usize + 1);
         let mut lengths = vec![f64::INFINITY; bound];
         for (node, &v) in surface.vertices.iter().enumerate() {
@@ -238,7 +258,6 @@ impl SurfacePlanner {
         if self.query == 0 {
             self.arrivals.clear();
             self.seen.clear();
-            self.corridor.clear();
             self.query = 1;
         }
         self.arrivals.resize(surface.points.len().max(self.arrivals.len()), UNKNOWN);
@@ -246,21 +265,6 @@ impl SurfacePlanner {
         self.windows.clear();
         self.queue.clear();
         self.work = Work::default();
-    }
-
-    pub(super) fn query(&self) -> u32 {
-        self.query
-    }
-
-    /// Puts a triangle into the queue.
-    pub(super) fn put(&mut self, key: f64, triangle: usize) {
-        self.work.pushes += 1;
-        self.queue.push(Reverse((key.to_bits(), triangle as u32)));
-    }
-
-    /// Takes the least triangle from the queue.
-    pub(super) fn take(&mut self) -> Option<Reverse<(u64, usize)>> {
-        self.queue.pop().map(|Reverse((key, triangle))| Reverse((key, triangle as usize)))
     }
 
     /// The least length that is known of a node.
@@ -279,22 +283,15 @@ impl SurfacePlanner {
         goal: Space,
         triangles: Vec<usize>,
     ) -> Option<Vec<usize>> {
-        let mut goal = Some(Goal { at: goal, triangles, best: f64::INFINITY, by: None });
-        self.leave(surface, start, starts, &mut goal, f64::INFINITY);
-        self.spread(surface, &mut goal, f64::INFINITY);
-        let goal = goal?;
-        Some(self.trace(surface, goal.by?))
+        let goal = Goal { at: goal, triangles, best: f64::INFINITY, by: None };
+        let mut aim = Aim { goal: Some(goal), limit: f64::INFINITY };
+        self.leave(surface, start, starts, &mut aim);
+        self.spread(surface, &mut aim);
+        Some(self.trace(surface, aim.goal?.by?))
     }
 
     /// Looks at what the start sees.
-    fn leave(
-        &mut self,
-        surface: &NavSurface,
-        start: &SurfacePlace,
-        starts: &[usize],
-        goal: &mut Option<Goal>,
-        limit: f64,
-    ) {
+    fn leave(&mut self, surface: &NavSurface, start: &SurfacePlace, starts: &[usize], aim: &mut Aim) {
         for &t in starts {
             for s in 3 * t..3 * t + 3 {
                 let corner = surface.sides[s].origin;
@@ -302,7 +299,7 @@ impl SurfacePlanner {
                 let back = minus(start.point, at);
                 let length = norm(back);
                 let angle = angle_between(minus(ahead, at), back);
-                self.reach(surface, corner, By::Start, s, angle, length, goal, limit);
+                self.reach(surface, corner, Arrival::new(By::Start, s, angle, length), aim);
                 if length == 0.0 {
                     // What lies behind it is what the start sees itself.
                     self.arrivals[corner as usize].done = true;
@@ -323,35 +320,35 @@ impl SurfacePlanner {
                         at: [length - x, depth],
                         length: 0.0,
                     };
-                    self.keep(surface, window, goal, limit);
+                    self.keep(surface, window, aim);
                 }
             }
         }
     }
 
     /// Takes windows and nodes from the queue until nothing shorter can come.
-    fn spread(&mut self, surface: &NavSurface, goal: &mut Option<Goal>, limit: f64) {
+    fn spread(&mut self, surface: &NavSurface, aim: &mut Aim) {
         while let Some(Reverse((key, item))) = self.queue.pop() {
-            if goal.as_ref().is_some_and(|goal| f64::from_bits(key) >= goal.best) {
+            if aim.goal.as_ref().is_some_and(|goal| f64::from_bits(key) >= goal.best) {
                 break;
             }
             self.work.pops += 1;
             if item & NODE != 0 {
                 let arrival = &mut self.arrivals[(item & !NODE) as usize];
                 if !std::mem::replace(&mut arrival.done, true) {
-                    self.bend(surface, item & !NODE, goal, limit);
+                    self.bend(surface, item & !NODE, aim);
                 }
                 continue;
             }
             let window = self.windows[item as usize];
             if window.root == NONE || window.length <= self.length(window.root) {
-                self.look_behind(surface, window, item, goal, limit);
+                self.look_behind(surface, window, item, aim);
             }
         }
     }
 
     /// Looks at what a window shows behind the triangle.
-    fn look_behind(&mut self, surface: &NavSurface, window: Window, number: u32, goal: &mut Option<Goal>, limit: f64) {
+    fn look_behind(&mut self, surface: &NavSurface, window: Window, number: u32, aim: &mut Aim) {
         self.work.expansions += 1;
         let s = window.side as usize;
         let side = surface.sides[s];
@@ -365,7 +362,8 @@ impl SurfacePlanner {
             let angle = (along[0] * back[1] - along[1] * back[0]).atan2(along[0] * back[0] + along[1] * back[1]);
             let corner = prev(s);
             let angle = angle.clamp(0.0, surface.sides[corner].angle);
-            self.reach(surface, surface.sides[corner].origin, By::Window(number), corner, angle, length, goal, limit);
+            let arrival = Arrival::new(By::Window(number), corner, angle, length);
+            self.reach(surface, surface.sides[corner].origin, arrival, aim);
             let seen = &mut self.seen[s];
             if seen.query != self.query || length < seen.length {
                 *seen = Seen { query: self.query, length, x };
@@ -380,10 +378,10 @@ impl SurfacePlanner {
         // The post that the way in and the way out have in common, and the other one.
         let [a, b] = [s, next(s)].map(|s| surface.sides[s].origin);
         if let Some(child) = left.filter(|child| !self.is_outdone(surface, child, b, 0)) {
-            self.keep(surface, child, goal, limit);
+            self.keep(surface, child, aim);
         }
         if let Some(child) = right.filter(|child| !self.is_outdone(surface, child, a, 1)) {
-            self.keep(surface, child, goal, limit);
+            self.keep(surface, child, aim);
         }
     }
 
@@ -408,9 +406,9 @@ impl SurfacePlanner {
     }
 
     /// Puts a window into the queue, and sees whether the goal is in sight.
-    fn keep(&mut self, surface: &NavSurface, window: Window, goal: &mut Option<Goal>, limit: f64) {
+    fn keep(&mut self, surface: &NavSurface, window: Window, aim: &mut Aim) {
         let number = self.windows.len() as u32;
-        let key = match goal {
+        let key = match &mut aim.goal {
             Some(goal) => {
                 let turned = surface.turned(window.side as usize, goal.at);
                 if goal.triangles.contains(&(window.side as usize / 3))
@@ -423,8 +421,8 @@ impl SurfacePlanner {
             }
             None => window.nearest(),
         };
-        let is_best = matches!(goal, Some(Goal { by: Some(Last::Window(best)), .. }) if *best == number);
-        if is_best || (key <= limit && goal.as_ref().is_none_or(|goal| key < goal.best)) {
+        let is_best = matches!(aim.goal, Some(Goal { by: Some(Last::Window(best)), .. }) if best == number);
+        if is_best || (key <= aim.limit && aim.goal.as_ref().is_none_or(|goal| key < goal.best)) {
             self.windows.push(window);
             self.work.pushes += 1;
             self.queue.push(Reverse((key.to_bits(), number)));
@@ -432,25 +430,14 @@ impl SurfacePlanner {
     }
 
     /// A node has been reached.
-    #[allow(clippy::too_many_arguments)]
-    fn reach(
-        &mut self,
-        surface: &NavSurface,
-        node: u32,
-        by: By,
-        corner: usize,
-        back: f64,
-        length: f64,
-        goal: &mut Option<Goal>,
-        limit: f64,
-    ) {
-        if length >= self.length(node) * (1.0 - EQUAL) || length > limit {
+    fn reach(&mut self, surface: &NavSurface, node: u32, arrival: Arrival, aim: &mut Aim) {
+        let length = arrival.length;
+        if length >= self.length(node) * (1.0 - EQUAL) || length > aim.limit {
             return;
         }
-        let corner = corner as u32;
-        self.arrivals[node as usize] = Arrival { query: self.query, by, corner, back, length, done: false };
+        self.arrivals[node as usize] = Arrival { query: self.query, ..arrival };
         let at = surface.points[node as usize];
-        if let Some(goal) = goal {
+        if let Some(goal) = &mut aim.goal {
             for &t in &goal.triangles {
                 let here = (3 * t..3 * t + 3).find(|&s| surface.sides[s].origin == node);
                 let whole = length + between(at, goal.at);
@@ -461,8 +448,8 @@ impl SurfacePlanner {
         }
         let turns = if surface.border[node as usize] { PI } else { 2.0 * PI };
         if surface.around[node as usize] >= turns - HAIR {
-            let key = length + goal.as_ref().map_or(0.0, |goal| between(at, goal.at));
-            if goal.as_ref().is_none_or(|goal| key < goal.best) {
+            let key = length + aim.goal.as_ref().map_or(0.0, |goal| between(at, goal.at));
+            if aim.goal.as_ref().is_none_or(|goal| key < goal.best) {
                 self.work.pushes += 1;
                 self.queue.push(Reverse((key.to_bits(), node | NODE)));
             }
@@ -470,7 +457,7 @@ impl SurfacePlanner {
     }
 
     /// Looks at what lies behind a node: where a path may go on from it, bent or straight.
-    fn bend(&mut self, surface: &NavSurface, node: u32, goal: &mut Option<Goal>, limit: f64) {
+    fn bend(&mut self, surface: &NavSurface, node: u32, aim: &mut Aim) {
         self.work.expansions += 1;
         let Arrival { corner, back, length, .. } = self.arrivals[node as usize];
         let first = corner as usize;
@@ -482,7 +469,7 @@ impl SurfacePlanner {
         let mut at = surface.turn_left(first);
         while let Some(s) = at.filter(|&s| s != first) {
             let angle = surface.sides[s].angle;
-            self.see(surface, node, s, [least - turned, most - turned], length, goal, limit);
+            self.see(surface, node, s, [least - turned, most - turned], length, aim);
             turned += angle;
             if turned > most {
                 break;
@@ -496,24 +483,14 @@ impl SurfacePlanner {
         let mut at = surface.turn_right(first);
         while let Some(s) = at {
             let angle = surface.sides[s].angle;
-            self.see(surface, node, s, [f64::NEG_INFINITY, angle + turned - least], length, goal, limit);
+            self.see(surface, node, s, [f64::NEG_INFINITY, angle + turned - least], length, aim);
             turned += angle;
             at = surface.turn_right(s);
         }
     }
 
     /// Looks from a node into one triangle, between two angles from the side that leaves it.
-    #[allow(clippy::too_many_arguments)]
-    fn see(
-        &mut self,
-        surface: &NavSurface,
-        node: u32,
-        s: usize,
-        [from, to]: [f64; 2],
-        length: f64,
-        goal: &mut Option<Goal>,
-        limit: f64,
-    ) {
+    fn see(&mut self, surface: &NavSurface, node: u32, s: usize, [from, to]: [f64; 2], length: f64, aim: &mut Aim) {
         let angle = surface.sides[s].angle;
         if to < 0.0 || from > angle {
             return;
@@ -522,11 +499,13 @@ impl SurfacePlanner {
         if from <= 0.0 {
             let back = surface.sides[ahead].angle;
             let whole = length + surface.sides[s].length;
-            self.reach(surface, surface.sides[ahead].origin, By::Node(s as u32), ahead, back, whole, goal, limit);
+            let arrival = Arrival::new(By::Node(s as u32), ahead, back, whole);
+            self.reach(surface, surface.sides[ahead].origin, arrival, aim);
         }
         if to >= angle {
             let whole = length + surface.sides[behind].length;
-            self.reach(surface, surface.sides[behind].origin, By::Node(s as u32), behind, 0.0, whole, goal, limit);
+            let arrival = Arrival::new(By::Node(s as u32), behind, 0.0, whole);
+            self.reach(surface, surface.sides[behind].origin, arrival, aim);
         }
         let SideRecord { twin, length: width, apex: [x, depth], .. } = surface.sides[ahead];
         if twin == NONE {
@@ -542,7 +521,7 @@ impl SurfacePlanner {
         let ends = [if to >= angle { 0.0 } else { meet(to) }, if from <= 0.0 { width } else { meet(from) }];
         if ends[0] < ends[1] {
             let window = Window { side: twin, parent: NONE, root: node, corner: s as u32, ends, at: root, length };
-            self.keep(surface, window, goal, limit);
+            self.keep(surface, window, aim);
         }
     }
 
