@@ -462,6 +462,7 @@ fn examples(help: &str) -> Vec<String> {
 #[test]
 fn the_examples_of_the_help_run_and_the_help_fits_60_columns() {
     let folder = folder();
+    folder.dcel("sample house.obj").fine();
     std::fs::create_dir_all(folder.path("figures/data")).expect("a folder");
     folder.write("figures/data/rooms.map", include_str!("../../figures/data/rooms.map"));
     folder.write("figures/data/rooms.scen", include_str!("../../figures/data/rooms.scen"));

@@ -23,7 +23,7 @@ Examples:
   dcel navmesh distances rooms.map 1 1 --limit 6
   dcel navmesh distances rooms.map 1 1 --json \\
     -o distances.svg
-  dcel navmesh distances rooms.map 1 1 \
+  dcel navmesh distances rooms.map 1 1 \\
     --link 2,1,22,11,0.5
   dcel navmesh distances house.obj --up z 1 1 0")]
 pub(super) struct Args {

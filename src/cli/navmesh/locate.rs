@@ -21,7 +21,7 @@ Examples:
   dcel navmesh locate rooms.map 1.5 1.5
   dcel navmesh locate rooms.map \\
     1 1 0 0 99 3 --json
-  dcel navmesh locate house.obj --up z \
+  dcel navmesh locate house.obj --up z \\
     --xyz 1 1 2")]
 pub(super) struct Args {
     #[command(flatten)]

@@ -47,7 +47,7 @@ Examples:
     --link 2,1,22,11,0.5 -o link.svg
   dcel navmesh path rooms.map 1 1 22 12 \\
     --rung closest --cost f1=3 --cost 9,0,14,0,14,9=2
-  dcel navmesh path house.obj --up z \
+  dcel navmesh path house.obj --up z \\
     1 1 0 1 1 3 -o storeys.svg")]
 pub(super) struct Args {
     #[command(flatten)]
