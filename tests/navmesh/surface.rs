@@ -140,7 +140,7 @@ fn through(doors: &[[Space; 2]], start: Space, goal: Space) -> f64 {
     let mut flat: Vec<[Flat; 2]> = vec![[[0.0, 0.0], [far(doors[0][0], doors[0][1]), 0.0]]];
     for (i, door) in doors.iter().enumerate().skip(1) {
         let (before, laid) = (doors[i - 1], flat[i - 1]);
-        flat.push(door.map(|p| match before.iter().position(|&q| q == p) {
+        flat.push(door.map(|p| match before.iter().position(|q| [p].contains(q)) {
             Some(k) => laid[k],
             None => beside(laid, before, p, -1.0),
         }));
@@ -156,7 +156,7 @@ fn through(doors: &[[Space; 2]], start: Space, goal: Space) -> f64 {
         let (along, door, off) = (minus(q, p), minus(b, a), minus(a, p));
         let whole = cross(along, door);
         let share = -cross(along, off) / whole;
-        let here = |end: Flat| end == p || end == q;
+        let here = |end: Flat| [p, q].contains(&end);
         here(a) || here(b) || (-1e-12..=1.0 + 1e-12).contains(&share)
     };
     let mut least = vec![f64::INFINITY; nodes.len()];
@@ -219,7 +219,7 @@ impl Brute<'_> {
 fn triangles_of(surface: &NavSurface) -> (Vec<Space>, Vec<[u32; 3]>) {
     let mut points: Vec<Space> = Vec::new();
     let mut number = |p: Space| {
-        points.iter().position(|&q| q == p).unwrap_or_else(|| {
+        points.iter().position(|q| [p].contains(q)).unwrap_or_else(|| {
             points.push(p);
             points.len() - 1
         }) as u32

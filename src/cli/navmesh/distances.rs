@@ -74,7 +74,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     }
     let target = args.drawing.target(args.map.file())?;
     let draft = match args.map.read_as(!args.map.has_obstacles())? {
-        Input::Plane(draft) => draft,
+        Input::Plane(draft) => *draft,
         Input::Space(ground) => {
             let question = space::distances::Question {
                 wish: space::Wish {

@@ -87,7 +87,7 @@ struct Told {
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let target = args.drawing.target(args.map.file())?;
     let draft = match args.map.read_as(matches!(args.draw, Draw::Map) && !args.map.has_obstacles())? {
-        Input::Plane(draft) => draft,
+        Input::Plane(draft) => *draft,
         Input::Space(ground) => {
             let (drawing, title) = (&args.drawing, args.map.title());
             return space::info::run(&ground, args.json, drawing, target.as_ref(), &title, out);

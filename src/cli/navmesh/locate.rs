@@ -67,7 +67,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Err(Failure::input(what, "give x and y of each point"));
     }
     let draft = match args.map.read_as(!args.map.has_obstacles())? {
-        Input::Plane(draft) => draft,
+        Input::Plane(draft) => *draft,
         Input::Space(ground) => {
             let points: Vec<&[f64]> = args.coordinates.chunks_exact(if args.xyz { 3 } else { 2 }).collect();
             return space::locate::run(&ground, &points, args.json, out);

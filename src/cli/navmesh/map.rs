@@ -118,7 +118,7 @@ impl Frame {
 
 /// What a file is: a map of the plane, or a surface in space.
 pub(super) enum Input {
-    Plane(Draft),
+    Plane(Box<Draft>),
     Space(Box<Ground>),
 }
 
@@ -197,14 +197,14 @@ impl MapArgs {
     /// Reads the file as a map of the plane. Tells the notes.
     pub(super) fn read(&self) -> Result<Draft, Failure> {
         match self.read_as(false)? {
-            Input::Plane(draft) => Ok(draft),
+            Input::Plane(draft) => Ok(*draft),
             Input::Space(ground) => Err(Failure::kit(format!("{} was asked for as a map of the plane", ground.source))),
         }
     }
 
     /// Reads the file. With `space`, a floor whose heights differ is read as a surface. Tells the notes.
     pub(super) fn read_as(&self, space: bool) -> Result<Input, Failure> {
-        let plane = |draft| Ok(Input::Plane(draft));
+        let plane = |draft| Ok(Input::Plane(Box::new(draft)));
         if self.is_grid() && self.mend {
             let what = format!("{}: --mend cannot be used on a grid map: cells always fit together", self.source());
             return Err(Failure::input(what, "leave --mend out"));

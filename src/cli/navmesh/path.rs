@@ -202,7 +202,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     // What the plan alone knows.
     let is_plan = args.radius.is_some() || args.map.has_obstacles() || args.draw != Draw::Route;
     let draft = match args.map.read_as(!is_plan)? {
-        Input::Plane(draft) => draft,
+        Input::Plane(draft) => *draft,
         Input::Space(ground) => return in_space(args, &ground, target.as_ref(), out),
     };
     let [x0, y0, x1, y1] = args.ends[..] else {

@@ -105,7 +105,7 @@ impl SurfacePlanner {
         for (i, &before) in reached.iter().enumerate().filter(|(_, before)| before.is_finite()) {
             let field = self.distance_field(surface, node(links, start, i), limit - before);
             whole = Some(match whole {
-                Some(whole) => whole.joined(field, before),
+                Some(whole) => whole.joined(&field, before),
                 None => field,
             });
         }

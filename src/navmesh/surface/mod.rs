@@ -233,7 +233,7 @@ fn next(s: usize) -> usize {
 /// The side before in the same triangle.
 #[inline]
 fn prev(s: usize) -> usize {
-    if s % 3 == 0 { s + 2 } else { s - 1 }
+    if s.is_multiple_of(3) { s + 2 } else { s - 1 }
 }
 
 fn minus(a: Space, b: Space) -> Space {

@@ -58,7 +58,7 @@ impl SurfaceField {
     }
 
     /// The lesser of the distances of this field and of another one that begins at a distance of `before`.
-    pub(super) fn joined(mut self, other: Self, before: f64) -> Self {
+    pub(super) fn joined(mut self, other: &Self, before: f64) -> Self {
         for v in (0..other.lengths.len() as u32).map(VertexId::new) {
             self.lengths[v] = self.lengths[v].min(before + other.lengths[v]);
         }

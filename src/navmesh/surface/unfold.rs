@@ -109,7 +109,7 @@ impl Strip<'_> {
                 End::Post(k) => {
                     let node = path[k].vertex as usize;
                     let at = surface.points[node];
-                    if at != start && at != goal {
+                    if ![start, goal].contains(&at) {
                         route.corners.push(VertexId::new(surface.vertices[node]));
                     }
                     (at, true)

@@ -205,7 +205,7 @@ impl Ground {
 }
 
 /// Numbers of the command line as points of two or three.
-pub(super) fn points_of<'a>(numbers: &'a [f64], points: usize, in_space: bool) -> Result<Vec<&'a [f64]>, Failure> {
+pub(super) fn points_of(numbers: &[f64], points: usize, in_space: bool) -> Result<Vec<&[f64]>, Failure> {
     let size = if in_space && numbers.len() == 3 * points { 3 } else { 2 };
     if numbers.len() == size * points {
         return Ok(numbers.chunks_exact(size).collect());
