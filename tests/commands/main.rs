@@ -17,6 +17,6 @@ mod script;
 #[path = "../shell/mod.rs"]
 mod shell;
 mod solid;
-mod targets;
 mod storeys;
+mod targets;
 mod triangulate;
