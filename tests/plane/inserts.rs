@@ -334,15 +334,19 @@ fn a_vertex_goes_with_its_edges_or_not_at_all() {
     assert_eq!(s.remove_vertex(v(6)).unwrap().len(), 5);
     assert_right(&s, "no hub");
     assert_eq!((s.vertex_count(), s.edge_count(), s.face_count()), (6, 6, 2));
-    for face in 1..7 {
+    // Of two holes side by side one goes before the call is refused.
+    let holes = (1..7).flat_map(|face| [vec![face], vec![face, face % 6 + 1], vec![face, (face + 1) % 6 + 1]]);
+    for holes in holes {
         let mut s = wheel.clone();
         // A removed vertex, so that the refused call takes and gives back a used slot.
         let spare = s.insert_vertex(point(50, 50)).unwrap();
         s.remove_vertex(spare).unwrap();
-        s.set_hole(f(face), true);
+        for &face in &holes {
+            s.set_hole(f(face), true);
+        }
         let before = s.clone();
-        assert!(s.remove_vertex(v(6)).is_err(), "hole {face}");
-        assert!(s == before, "hole {face}: refused, but changed");
+        assert!(s.remove_vertex(v(6)).is_err(), "holes {holes:?}");
+        assert!(s == before, "holes {holes:?}: refused, but changed");
     }
 }
 
@@ -378,4 +382,25 @@ fn a_segment_that_would_bend_an_edge_over_something_is_refused_whole() {
         assert_eq!(s.geometry_violations(), [], "{i}");
     }
     assert!(refused < 200);
+}
+
+/// Two lines so close that both crossings with a third are rounded to the same point: the second is refused after three
+/// vertices have been made, all of them in used slots.
+#[test]
+fn a_refused_segment_gives_back_the_slots_it_took() {
+    let points = [(0.0, 0.0), (3.0, 1.0), (0.0, 2f64.powi(-54))].map(Point::from);
+    let mut s = Subdivision::from_graph(&points, &[[0, 1], [2, 1]]).unwrap();
+    let spare = [60, 70, 80, 90].map(|x| s.insert_vertex(point(x, 60)).unwrap());
+    spare.into_iter().for_each(|v| assert!(s.remove_vertex(v).is_ok()));
+    let mut refused = 0;
+    for i in 0..40 {
+        let x = 1.5 + f64::from(i) / 77.0;
+        let before = s.clone();
+        if s.insert_segment(Point::new(x, 0.0), Point::new(x + 0.001, 1.5)).is_err() {
+            refused += 1;
+            assert!(s == before, "{i}: refused, but changed");
+        }
+        s = before;
+    }
+    assert!(refused > 10, "{refused} of 40 refused");
 }

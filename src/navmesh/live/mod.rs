@@ -307,14 +307,9 @@ impl LiveMesh {
     }
 
     /// Reads anew what an edit has touched: these faces, those beside the edges, and all that the journal speaks of.
-    fn refresh(
-        &mut self,
-        mut faces: BTreeSet<FaceId>,
-        edges: &[EdgeId],
-        journal: &Journal,
-    ) -> Result<(), ObstacleError> {
+    fn refresh(&mut self, faces: BTreeSet<FaceId>, edges: &[EdgeId], journal: &Journal) -> Result<(), ObstacleError> {
         let (map, book) = (&self.map, &self.book);
-        let mut edges: BTreeSet<EdgeId> = edges.iter().copied().collect();
+        let (mut faces, mut edges): (Vec<FaceId>, Vec<EdgeId>) = (faces.into_iter().collect(), edges.to_vec());
         for change in journal.changes() {
             if let Change::Write { slot: Slot::Face(_), old: Some(Element::Face(old)), new: Some(Element::Face(new)) } =
                 *change
@@ -330,18 +325,20 @@ impl LiveMesh {
                 }
                 Change::Removed { element: Element::Face(f) } => {
                     self.mesh.forget_gap(f);
-                    faces.insert(f);
+                    faces.push(f);
                 }
-                Change::Removed { element: Element::Edge(e) } => {
-                    edges.insert(e);
-                }
+                Change::Removed { element: Element::Edge(e) } => edges.push(e),
                 _ => {}
             }
         }
+        faces.sort_unstable();
+        faces.dedup();
         // The number of a face that went may be that of a hole now.
         faces.retain(|&f| f != map.outer_face() && (!map.is_hole(f) || self.mesh.has_face(f)));
         let here = faces.iter().filter(|&&f| map.has_face(f));
         edges.extend(here.flat_map(|&f| map.incident_edges(f)));
+        edges.sort_unstable();
+        edges.dedup();
         let walls: Vec<(EdgeId, bool)> = edges.into_iter().map(|e| (e, self.book.is_border(e))).collect();
         let faces: Vec<(FaceId, bool)> = faces.into_iter().map(|f| (f, self.book.is_covered(f))).collect();
         let before = self.mesh.counts();
