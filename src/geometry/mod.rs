@@ -12,6 +12,7 @@
 pub(crate) mod expansion;
 pub(crate) mod grouping;
 pub(crate) mod interval;
+#[cfg(any(feature = "io", feature = "solid"))]
 pub(crate) mod number;
 pub(crate) mod point;
 pub mod predicates;

@@ -4,6 +4,7 @@ use std::fmt;
 
 /// A number with as few digits as bring back the same number; with an exponent where that is shorter to read.
 #[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
+#[cfg_attr(not(feature = "io"), allow(unreachable_pub))] // public as `io::Number`
 pub struct Number(pub f64);
 
 impl fmt::Display for Number {
