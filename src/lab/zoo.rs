@@ -19,7 +19,9 @@
 
 use super::conditions::{Calls, When};
 use super::course::Feature;
-use super::signatures::{Signature, hash_in};
+use super::signatures::Signature;
+#[cfg(feature = "grade")]
+use super::signatures::hash_in;
 use super::the_lab::Lab;
 use std::collections::{BTreeMap, BTreeSet};
 
