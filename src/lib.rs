@@ -35,6 +35,7 @@
 //! | [`plane`] | [`Subdivision`](plane::Subdivision): positions, exact decisions, the converter from triangles |
 //! | [`navmesh`] | [`NavMesh`](navmesh::NavMesh): neighbours, location, ways over a map, up to the exact shortest one |
 //! | [`solid`] | [`Polyhedron`](solid::Polyhedron): positions in space |
+//! | [`edits`] | the table of all edits: a word, arguments and results for each |
 //! | [`script`] | edits as text: typed by a student, printed by a failing test |
 //! | [`io`] | formats in and out |
 //! | [`figure`] | drawings as SVG |
@@ -54,6 +55,7 @@
 
 #[cfg(feature = "compare")]
 pub mod compare;
+pub mod edits;
 #[cfg(feature = "figure")]
 pub mod figure;
 #[cfg(feature = "files")]

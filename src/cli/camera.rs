@@ -26,7 +26,7 @@ impl Camera {
                 let caption = std::mem::take(&mut self.caption);
                 let mut marked = std::mem::take(&mut self.marked);
                 if marked.is_empty() {
-                    marked = edit.half_edges().into_iter().map(Element::from).collect();
+                    marked = edit.elements();
                 }
                 self.film.edit(&edit.to_string(), &caption, &marked, journal, after);
             }

@@ -10,10 +10,12 @@ use super::camera::Camera;
 use super::picture::{Pixels, Target, is_page};
 use super::save::{Files, put};
 use super::{Answer, Failure, Output, failure};
+use dcel_kit::edits::{self, Call, Editable};
 use dcel_kit::figure::{FigureOptions, Film};
 use dcel_kit::io::{Format, Model, write};
 use dcel_kit::plane::Subdivision;
-use dcel_kit::script::{Ground, Outcome, Script, ScriptError, Step, is_kernel_script};
+use dcel_kit::script::{Ground, Outcome, Script, ScriptError, Step};
+use dcel_kit::solid::Polyhedron;
 use dcel_kit::topology::{Dcel, Table};
 use serde_json::{Value, json};
 use std::io::{Read, Write};
@@ -25,30 +27,7 @@ use std::path::{Path, PathBuf};
 /// Every call is printed with what it returned, every walk with what it met. A refused edit changes
 /// nothing, is told with its reason, and ends the script.
 #[derive(clap::Args, Debug)]
-#[command(after_help = "\
-A script is one statement a line: a start, then edits, walks, marks. `#` starts a comment.
-  rectangle | polygon X Y X Y ... | triangles X Y ... / I J K ...
-  split_face A B     split_in_half A     split_edge A X Y     join_faces A     join_edges A     flip_edge A
-  walk_face A        walk_vertex A       highlight A ...      caption TEXT     dump
-  let NAME = ...     names what a split makes, or any element
-A, B: h0, h1, ... of the start, a NAME, or links from one: h0.next.twin, a.origin, a.face
-Without coordinates, whatever is combinatorially legal:
-  torus | ring N | surface N / I J K ... / ...
-  split_face A B     split_edge A        split_vertex A B     split_isolated_vertex V
-  join_faces A       join_edges A        join_vertices A      collapse_edge A      flip_edge A
-
-Examples:
-  dcel script lab.dcels
-  dcel script lab.dcels --json
-  dcel script split-face.dcels --film split.svg
-  dcel script split-face.dcels --film split.html
-  dcel script split-face.dcels --film split.png
-  echo 'rectangle
-  split_face h2 h8
-  dump' | dcel script -
-  echo 'torus
-  let a = split_vertex h0 h1
-  join_vertices a' | dcel script -")]
+#[command(after_help = help())]
 pub(crate) struct Args {
     /// The script, or - for standard input
     file: PathBuf,
@@ -71,16 +50,51 @@ pub(crate) struct Args {
     json: bool,
 }
 
+/// What a script may say; the edits are those of the table.
+fn help() -> String {
+    format!(
+        "\
+A script is one statement a line: a start, then edits, walks, marks. `#` starts a comment.
+  walk_face A        walk_vertex A       highlight A ...      caption TEXT     dump
+  let NAME = ...     names what an edit makes, or any element
+A, B: h0, h1, ... of the start, a NAME, or links from one: h0.next.twin, a.origin, a.face
+V, E, F: vertices, edges and faces in the same way: v0, a.origin, h2.edge, f1
+In the plane: rectangle | polygon X Y X Y ... | triangles X Y ... / I J K ...
+{}Without coordinates, whatever is combinatorially legal:
+torus | ring N | surface N / I J K ... / ...
+{}In space: solid cube (or another of Plato's five) | mesh X Y Z ... / I J K ... / ...
+{}
+Examples:
+  dcel script lab.dcels
+  dcel script lab.dcels --json
+  dcel script split-face.dcels --film split.svg
+  dcel script split-face.dcels --film split.html
+  dcel script split-face.dcels --film split.png
+  echo 'rectangle
+  split_face h2 h8
+  dump' | dcel script -
+  echo 'torus
+  let a = split_vertex h0 h1
+  join_vertices a' | dcel script -",
+        edits::help::<Subdivision>(),
+        edits::help::<Dcel>(),
+        edits::help::<Polyhedron>()
+    )
+}
+
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     Files::reading([&args.file]).writes("--film", args.film.as_deref()).check()?;
     let (text, source) = read(&args.file)?;
-    if is_kernel_script(&text) {
+    let ground = Ground::of(&text);
+    if ground != Ground::Plane {
         if let Some(path) = &args.film {
             let what = format!("--film {}: this script has no coordinates to draw", path.display());
             return Err(Failure::input(what, "start with rectangle, polygon or triangles, or leave out --film"));
         }
-        let script = Script::parse_kernel(&text, &source)?;
-        return play(args, &script, &source, |_, _| (), out)?.put(out);
+        return match ground {
+            Ground::Space => play(args, &Script::parse_solid(&text, &source)?, &source, |_, _| (), out)?.put(out),
+            _ => play(args, &Script::parse_kernel(&text, &source)?, &source, |_, _| (), out)?.put(out),
+        };
     }
     let script = Script::parse(&text, &source)?;
     let mut camera = Camera::new(&script);
@@ -121,7 +135,7 @@ fn play<G: Dump>(
     args: &Args,
     script: &Script<G>,
     source: &str,
-    mut watch: impl FnMut(&Step<G::Edit>, &G),
+    mut watch: impl FnMut(&Step<Call<G>>, &G),
     out: &mut Output,
 ) -> Result<Played, Failure> {
     let mut teller = Teller { args, script, source, answer: Answer::Yes, told: Vec::new() };
@@ -193,7 +207,7 @@ impl From<ScriptError> for Failure {
 }
 
 /// A structure that can be written out.
-trait Dump: Ground {
+trait Dump: Editable {
     /// It as a .dcel file.
     fn dump(&self) -> Result<String, Failure>;
 }
@@ -207,6 +221,13 @@ impl Dump for Subdivision {
 impl Dump for Dcel {
     fn dump(&self) -> Result<String, Failure> {
         dump(&Model::table(&Table::from_view(self)))
+    }
+}
+
+impl Dump for Polyhedron {
+    fn dump(&self) -> Result<String, Failure> {
+        let position = |v| self.has_vertex(v).then(|| self.point(v));
+        dump(&Model::surface(self, position, |f| self.is_boundary_face(f)))
     }
 }
 
@@ -226,7 +247,7 @@ struct Teller<'a, G> {
 }
 
 impl<G: Dump> Teller<'_, G> {
-    fn tell(&mut self, step: &Step<G::Edit>, structure: &G, out: &mut Output) -> Result<(), Failure> {
+    fn tell(&mut self, step: &Step<Call<G>>, structure: &G, out: &mut Output) -> Result<(), Failure> {
         let said = &self.script.statements()[step.statement];
         if let Outcome::Refused { reason, .. } = &step.outcome {
             self.answer = Answer::No;
@@ -257,7 +278,7 @@ impl<G: Dump> Teller<'_, G> {
     }
 }
 
-fn to_json<G: Dump>(outcome: &Outcome<G::Edit>, structure: &G) -> Result<Value, Failure> {
+fn to_json<G: Dump>(outcome: &Outcome<Call<G>>, structure: &G) -> Result<Value, Failure> {
     let strings = |items: &mut dyn Iterator<Item = String>| Value::from_iter(items);
     Ok(match outcome {
         Outcome::Edited { edit, returned, journal } => {
@@ -269,7 +290,7 @@ fn to_json<G: Dump>(outcome: &Outcome<G::Edit>, structure: &G) -> Result<Value, 
             json!({ "call": edit.to_string(), "returned": returned, "steps": Value::from_iter(steps) })
         }
         Outcome::Refused { edit, reason } => {
-            json!({ "call": edit.map(|edit| edit.to_string()), "refused": reason.to_string() })
+            json!({ "call": edit.as_ref().map(ToString::to_string), "refused": reason.to_string() })
         }
         Outcome::WalkedFace { face, cycle } => json!({
             "face": face.to_string(),

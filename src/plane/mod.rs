@@ -8,13 +8,16 @@
 //!   voronoi/                    cells of nearest sites: the dual of Delaunay
 //!   overlay/                    two subdivisions on each other, and their regions
 //!   mend/                       polygons that overlap or cross -> subdivision
+//!   affine.rs                   maps that keep straight lines straight
 //!   check.rs                    the laws of the plane                                   measure.rs areas, exactly
 //!   edit/                       split_face, join_faces, split_edge, join_edges; insert and remove vertices, edges, segments
+//!   plane_journal.rs            watching the edits, undo
 //!   locate/                     where a point lies: scan, walk, index
 //!   triangulate/                faces into triangles: ears, monotone pieces              hull.rs    points -> convex hull
 //!   sweep.rs cycle.rs rings.rs  what lies below, which way round, which ring in which face
 //! ```
 
+mod affine;
 mod check;
 mod convert;
 mod cycle;
@@ -26,6 +29,7 @@ mod measure;
 mod meet;
 mod mend;
 mod overlay;
+mod plane_journal;
 mod rings;
 mod seed;
 mod segments;
@@ -36,6 +40,7 @@ mod table;
 mod triangulate;
 mod voronoi;
 
+pub use affine::Affine;
 pub use crate::geometry::point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};
 pub use crate::geometry::predicates;
 pub use check::{GEOMETRY_RULES, GeometryViolation};
@@ -43,8 +48,8 @@ pub use convert::{ConvertError, ConvertOptions, Converted};
 pub use delaunay::{ConstrainedDelaunay, DelaunayBuilt, DelaunayError};
 pub use edit::{
     FlipEdgeError, InsertAntennaError, InsertEdgeError, InsertSegmentError, InsertVertexError, InsertedEdge,
-    InsertedSegment, JoinEdgesError, JoinFacesError, RemoveEdgeError, RemoveVertexError, SplitEdgeError,
-    SplitFaceError,
+    InsertedSegment, JoinEdgesError, JoinFacesError, RemoveEdgeError, RemoveVertexError, SetPointError, SplitEdgeError,
+    SplitFaceError, TransformError,
 };
 pub use hull::{HullError, convex_hull};
 #[cfg(feature = "navmesh")]
@@ -55,6 +60,7 @@ pub(crate) use meet::Crossed;
 pub(crate) use meet::Expansion;
 pub use mend::{Cover, Mended};
 pub use overlay::{Operation, Overlay, ParseOperationError, Parts};
+pub use plane_journal::{PlaneChange, PlaneJournal, PlaneRecorder};
 pub use seed::LAB_RECTANGLE;
 pub use segments::{
     ArrangeOptions, Arranged, InsertedCorner, MarkHolesError, Residues, SegmentFault, SegmentsAlong, SegmentsError,

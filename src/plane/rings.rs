@@ -1,10 +1,10 @@
 //! Bookkeeping of rings while faces are split and joined.
 
 use super::cycle::surrounds;
-use super::{Point, Subdivision};
 use crate::geometry::predicates::left_to_right;
+use super::{PlaneChange, PlaneRecorder, Point, Subdivision};
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
-use crate::topology::{NoRecorder, Recorder, Ring};
+use crate::topology::{NoRecorder, Ring};
 
 /// A ring while its face is being looked for.
 pub(super) struct Loose {
@@ -79,15 +79,17 @@ impl Subdivision {
     }
 
     /// Takes the rings of `f` out of the map. The boundary of `f0` is one of them.
-    pub(super) fn take_rings(&mut self, f: FaceId) -> Vec<Ring> {
-        self.keep_rings(f);
+    pub(super) fn take_rings(&mut self, f: FaceId, rec: &mut impl PlaneRecorder) -> Vec<Ring> {
         let rest = self.rings.remove(&f).unwrap_or_default();
+        if !rest.is_empty() {
+            rec.plane(|| PlaneChange::Rings { face: f, old: rest.clone() });
+        }
         let first = if f == self.outer_face() { self.dcel.boundary(f) } else { None };
         first.map(Ring::Cycle).into_iter().chain(rest).collect()
     }
 
     /// Gives `f` the rings; the first cycle among those of `f0` becomes its boundary.
-    pub(super) fn give_rings(&mut self, f: FaceId, mut rings: Vec<Ring>, rec: &mut impl Recorder) {
+    pub(super) fn give_rings(&mut self, f: FaceId, mut rings: Vec<Ring>, rec: &mut impl PlaneRecorder) {
         if f == self.outer_face() {
             let first = rings.iter().position(|ring| matches!(ring, Ring::Cycle(_))).map(|i| rings.remove(i));
             let boundary = match first {
@@ -98,23 +100,30 @@ impl Subdivision {
                 self.dcel.set_boundary(f, boundary, rec);
             }
         }
-        self.keep_rings(f);
-        if rings.is_empty() {
-            self.rings.remove(&f);
-        } else {
-            self.rings.insert(f, rings);
+        let old = if rings.is_empty() { self.rings.remove(&f) } else { self.rings.insert(f, rings) };
+        if old.is_some() || self.rings.contains_key(&f) {
+            rec.plane(|| PlaneChange::Rings { face: f, old: old.unwrap_or_default() });
+        }
+    }
+
+    /// Replaces a cycle in the list of `f` by another half-edge of the same cycle.
+    pub(super) fn rename_ring(&mut self, f: FaceId, [gone, stays]: [HalfEdgeId; 2], rec: &mut impl PlaneRecorder) {
+        let Some(rings) = self.rings.get_mut(&f) else { return };
+        if let Some(i) = rings.iter().position(|&ring| ring == Ring::Cycle(gone)) {
+            rec.plane(|| PlaneChange::Rings { face: f, old: rings.clone() });
+            rings[i] = Ring::Cycle(stays);
         }
     }
 
     /// Makes all half-edges of a ring point to `f`.
-    pub(super) fn relabel_ring(&mut self, ring: Ring, f: FaceId, rec: &mut impl Recorder) {
+    pub(super) fn relabel_ring(&mut self, ring: Ring, f: FaceId, rec: &mut impl PlaneRecorder) {
         if let Ring::Cycle(start) = ring {
             self.relabel_cycle(start, f, rec);
         }
     }
 
     /// Makes all half-edges of the cycle of `start` point to `f`.
-    pub(super) fn relabel_cycle(&mut self, start: HalfEdgeId, f: FaceId, rec: &mut impl Recorder) {
+    pub(super) fn relabel_cycle(&mut self, start: HalfEdgeId, f: FaceId, rec: &mut impl PlaneRecorder) {
         let mut h = start;
         loop {
             self.dcel.set_face(h, f, rec);
@@ -156,7 +165,7 @@ impl Subdivision {
         [old, new]: [FaceId; 2],
         rings: Vec<Ring>,
         split: Option<usize>,
-        rec: &mut impl Recorder,
+        rec: &mut impl PlaneRecorder,
     ) {
         let (mut kept, mut moved) = (Vec::new(), Vec::new());
         for (i, ring) in rings.into_iter().enumerate() {

@@ -39,7 +39,7 @@ impl Subdivision {
     }
 
     pub(super) fn from_parts(dcel: Dcel, points: VertexMap<Point>) -> Self {
-        Self { dcel, points, rings: Default::default(), holes: Default::default(), old: Default::default() }
+        Self { dcel, points, rings: Default::default(), holes: Default::default() }
     }
 
     /// Drops the dead records and renumbers the rest along a walk, see [`Dcel::compact`]. Rings and holes

@@ -15,7 +15,6 @@
 //! Source: de Berg et al., *Computational Geometry*, 3rd ed., section 2.2 (OuterComponent, InnerComponents).
 
 use super::Point;
-use super::edit::OldValues;
 use crate::ids::{FaceId, HalfEdgeId, VertexId, VertexMap};
 use crate::topology::{Dcel, Ring, View};
 use std::collections::{BTreeMap, BTreeSet};
@@ -41,8 +40,6 @@ pub struct Subdivision {
     /// Only faces that have rings are here, so that a simple face pays nothing.
     pub(super) rings: BTreeMap<FaceId, Vec<Ring>>,
     pub(super) holes: BTreeSet<FaceId>,
-    /// What an edit under way may have to put back.
-    pub(super) old: OldValues,
 }
 
 impl Deref for Subdivision {

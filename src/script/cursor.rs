@@ -60,11 +60,18 @@ impl<'a> Cursor<'a> {
         let not = || Problem::Number { word: show(word.text), wanted: "a number" };
         let value: f64 = word.text.parse().map_err(|_| self.at(word, not(), "write a number such as 1.5 or -250"))?;
         check_coordinate('x', value).map_err(|_| {
-            let axis = if wanted == "y" { 'y' } else { 'x' };
+            let axis = wanted.chars().next().unwrap_or('x');
             let error = check_coordinate(axis, value).err();
             self.at(word, error.map_or_else(not, Problem::Coordinate), "")
         })?;
         Ok(value)
+    }
+
+    /// A number that is no coordinate.
+    pub(super) fn plain_number(&mut self, wanted: &'static str, help: &str) -> Result<f64, Complaint> {
+        let word = self.need(wanted, help)?;
+        let number = word.text.parse::<f64>().ok().filter(|number| number.is_finite());
+        number.ok_or_else(|| self.at(word, Problem::Number { word: show(word.text), wanted: "a number" }, help))
     }
 
     pub(super) fn point(&mut self, help: &str) -> Result<Point, Complaint> {

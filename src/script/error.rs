@@ -78,6 +78,10 @@ pub enum Problem {
     /// The start is no structure of the kernel.
     #[error(transparent)]
     KernelStart(#[from] KernelStartError),
+    /// The start is no surface in space.
+    #[cfg(feature = "solid")]
+    #[error(transparent)]
+    SolidStart(#[from] crate::solid::SolidError),
     /// A word that names nothing.
     #[error("`{word}` is not known")]
     Name {

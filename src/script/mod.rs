@@ -22,9 +22,14 @@
 //!
 //! **Without coordinates.** A script that starts with `torus`, `ring N` (a double-sided disc) or
 //! `surface N / i j k ... / ...` (N vertices and their faces) is played on the kernel, where whatever is
-//! combinatorially legal may be done: `split_face A B`, `split_edge A`, `split_vertex A B`,
-//! `split_isolated_vertex V`, `join_faces A`, `join_edges A`, `join_vertices A`, `collapse_edge A`, `flip_edge A`.
-//! [`Script::parse_kernel`] reads it.
+//! combinatorially legal may be done. [`Script::parse_kernel`] reads it.
+//!
+//! **In space.** A script that starts with `solid cube` (or another of Plato's solids) or
+//! `mesh x y z ... / i j k ... / ...` (points, then the corners of each face) is played on a surface with positions.
+//! `Script::parse_solid` reads it.
+//!
+//! **Edits.** All edits are words; which of them a structure has, and what they take, is said by the
+//! [table of edits](crate::edits::rows). A place is `X Y` in the plane and `X Y Z` in space.
 //!
 //! | link | from | to |
 //! |---|---|---|
@@ -39,8 +44,8 @@
 //!
 //! ```text
 //!   syntax.rs  what a script says                  words.rs, cursor.rs, starts.rs, parse.rs  from text
-//!   edit.rs    one call of an edit of the plane    play.rs    step by step      error.rs  file:line:column
-//!   kernel.rs  and of the kernel                   ground.rs  what both share   replay.rs edits back to text
+//!   kernel.rs  starts without coordinates          play.rs    step by step      error.rs  file:line:column
+//!   replay.rs  edits back to text                  the edits themselves: the table in edits/
 //! ```
 //!
 //! ```
@@ -53,22 +58,31 @@
 //! ```
 
 mod cursor;
-mod edit;
 mod error;
-mod ground;
 mod kernel;
 mod parse;
 mod play;
 mod replay;
+#[cfg(feature = "solid")]
+mod solid;
 mod starts;
 mod syntax;
 mod words;
 
-pub use edit::{Edit, EditError, EditKind, Returned};
 pub use error::{Problem, ScriptError};
-pub use ground::{Call, Ground};
-pub use kernel::{KernelEdit, KernelEditError, KernelStart, KernelStartError};
+pub use kernel::{KernelStart, KernelStartError};
 pub use play::{Outcome, Refusal, Run, Step};
 pub use replay::{of_edits, of_kernel_edits};
-pub use starts::is_kernel_script;
+pub use starts::{Ground, is_kernel_script};
 pub use syntax::{Link, Script, Statement};
+#[cfg(feature = "solid")]
+pub use {replay::of_solid_edits, solid::SolidStart};
+
+/// A call of an edit of the plane.
+pub type Edit = crate::edits::Call<crate::plane::Subdivision>;
+/// A call of an edit of the kernel.
+pub type KernelEdit = crate::edits::Call<crate::topology::Dcel>;
+
+/// A call of an edit of a surface in space.
+#[cfg(feature = "solid")]
+pub type SolidEdit = crate::edits::Call<crate::solid::Polyhedron>;

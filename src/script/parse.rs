@@ -1,12 +1,11 @@
 //! From text to a script: every word is looked up, so that only edits can fail later.
 
 use super::cursor::{Complaint, Cursor, show};
-use super::edit::EditKind;
 use super::error::{Problem, ScriptError};
-use super::ground::{Call, Ground};
-use super::starts::{OF_THE_KERNEL, OF_THE_PLANE, WORDS, kernel_start, plane_start};
-use super::syntax::{Action, Base, Kind, Link, Name, Path, Script, Statement};
+use super::starts::{OF_THE_KERNEL, OF_THE_PLANE, kernel_start, plane_start, start_word};
+use super::syntax::{Action, Base, Link, Name, Path, Script, Statement, Value};
 use super::words::{Word, lines};
+use crate::edits::{Argument, Editable, Kind, Row, Takes, find, rows_of, switch};
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use crate::topology::Dcel;
 
@@ -46,7 +45,27 @@ impl Script<Dcel> {
     }
 }
 
-fn read<G: Ground>(
+#[cfg(feature = "solid")]
+impl Script<crate::solid::Polyhedron> {
+    /// Reads a script in space: the edits of a surface with positions.
+    ///
+    /// Cost: O(length of the text), and that of building the start.
+    ///
+    /// # Errors
+    /// [`ScriptError`] names the first word that does not fit, its place, and what is known there.
+    ///
+    /// ```
+    /// use dcel_kit::script::Script;
+    /// let run = Script::parse_solid("solid cube\nremove_face f0\n", "example")?.run();
+    /// assert_eq!(run.end.boundary_faces().len(), 1);
+    /// # Ok::<(), dcel_kit::script::ScriptError>(())
+    /// ```
+    pub fn parse_solid(text: &str, source: &str) -> Result<Self, ScriptError> {
+        read(text, source, super::starts::solid_start, super::starts::OF_SPACE)
+    }
+}
+
+fn read<G: Editable>(
     text: &str,
     source: &str,
     start: impl FnOnce(&mut Cursor<'_>) -> Result<G, Complaint>,
@@ -78,7 +97,7 @@ struct Parser<G> {
     script: Script<G>,
 }
 
-impl<G: Ground> Parser<G> {
+impl<G: Editable> Parser<G> {
     fn action(&mut self, cursor: &mut Cursor<'_>) -> Result<Action, Complaint> {
         let Some(first) = cursor.next() else { return Ok(Action::Dump) };
         if first.text != LET {
@@ -94,7 +113,7 @@ impl<G: Ground> Parser<G> {
             return Err(cursor.at(sign, what, help));
         }
         let word = cursor.need("an edit or a half-edge after `=`", help)?;
-        let is_statement = OTHERS.contains(&word.text) || edit::<G>(word.text).is_some();
+        let is_statement = OTHERS.contains(&word.text) || find::<G>(word.text).is_some();
         if is_statement || !(word.text.contains('.') || self.base(word.text).is_some()) {
             return self.statement(cursor, word, Some(name));
         }
@@ -118,11 +137,11 @@ impl<G: Ground> Parser<G> {
             let complain = |_| cursor.at(word, Problem::NothingToName { statement: statement.clone() }, help);
             name.map_or(Ok(()), |name| Err(complain(name)))
         };
-        if let Some(kind) = edit::<G>(word.text) {
-            if !kind.makes_an_edge() {
+        if let Some(row) = find::<G>(word.text) {
+            if row.names().is_none() {
                 nothing_to_name(cursor)?;
             }
-            return self.edit(cursor, kind, name);
+            return self.edit(cursor, row, name);
         }
         if OTHERS.contains(&word.text) {
             nothing_to_name(cursor)?;
@@ -143,12 +162,12 @@ impl<G: Ground> Parser<G> {
                 Action::Caption(cursor.line.text["caption".len()..].trim().to_owned())
             }
             "dump" => Action::Dump,
-            other if WORDS.contains(&other) => {
+            other if start_word(other).is_some() => {
                 let what = Problem::Start { word: show(other), first: false };
                 return Err(cursor.at(word, what, "only the first statement is a start"));
             }
             other => {
-                let mut known: Vec<&str> = G::Edit::KINDS.iter().map(|kind| kind.word()).collect();
+                let mut known: Vec<&str> = rows_of::<G>().map(|row| row.word).collect();
                 known.extend(OTHERS);
                 let help = format!("known: {} {LET}", known.join(" "));
                 return Err(cursor.at(word, Problem::Statement { word: show(other) }, help));
@@ -158,14 +177,43 @@ impl<G: Ground> Parser<G> {
         Ok(action)
     }
 
-    fn edit(&mut self, cursor: &mut Cursor<'_>, kind: EditKind, name: Option<Word<'_>>) -> Result<Action, Complaint> {
-        let arguments = kind.takes().iter().map(|&taken| self.element(cursor, &[taken]));
-        let arguments = arguments.collect::<Result<Vec<_>, _>>()?;
-        let help = "write split_edge A x y: the half-edge and the place of the new vertex";
-        let point = if kind == EditKind::SplitEdgeAt { Some(cursor.point(help)?) } else { None };
+    fn edit(
+        &mut self,
+        cursor: &mut Cursor<'_>,
+        row: &'static Row,
+        name: Option<Word<'_>>,
+    ) -> Result<Action, Complaint> {
+        let help = format!("write {}", row.usage::<G>());
+        let mut arguments = Vec::new();
+        for parameter in row.takes {
+            arguments.push(match parameter.takes {
+                Takes::Element(kind) => Value::Element(self.element(cursor, &[kind])?),
+                Takes::Place if G::DIMENSION == 0 => continue,
+                Takes::Place => {
+                    let mut place = [0.0; 3];
+                    for (x, axis) in place[..G::DIMENSION].iter_mut().zip(["x", "y", "z"]) {
+                        *x = cursor.number(axis, &help)?;
+                    }
+                    Value::Plain(Argument::Place(place))
+                }
+                Takes::Number => Value::Plain(Argument::Number(cursor.plain_number("a number", &help)?)),
+                Takes::Switch => {
+                    let word = cursor.need("yes or no", &help)?;
+                    let not =
+                        || cursor.at(word, Problem::Number { word: show(word.text), wanted: "yes or no" }, &*help);
+                    Value::Plain(Argument::Switch(switch(word.text).ok_or_else(not)?))
+                }
+                Takes::Vertices => {
+                    while arguments.is_empty() || cursor.peek().is_some() {
+                        arguments.push(Value::Element(self.element(cursor, &[Kind::Vertex])?));
+                    }
+                    continue;
+                }
+            });
+        }
         cursor.done()?;
-        let name = name.map(|name| self.give(cursor, name, Kind::HalfEdge));
-        Ok(Action::Edit { kind, arguments, point, name })
+        let name = name.zip(row.names()).map(|(name, kind)| self.give(cursor, name, kind));
+        Ok(Action::Edit { row, arguments, name })
     }
 
     /// The next word as an element of one of the kinds; any kind if none is said.
@@ -173,6 +221,8 @@ impl<G: Ground> Parser<G> {
         let wanted = match kinds {
             [Kind::HalfEdge] => "a half-edge",
             [Kind::Vertex] => "a vertex",
+            [Kind::Edge] => "an edge",
+            [Kind::Face] => "a face",
             [Kind::HalfEdge, Kind::Face] => "a half-edge or a face",
             [Kind::HalfEdge, Kind::Vertex] => "a half-edge or a vertex",
             _ => "an element",
@@ -249,7 +299,7 @@ impl<G: Ground> Parser<G> {
     fn check_name(&self, cursor: &Cursor<'_>, word: Word<'_>) -> Result<(), Complaint> {
         let letters = word.text.chars().all(|c| c.is_alphanumeric() || c == '_');
         let begins = word.text.chars().next().is_some_and(char::is_alphabetic);
-        let reserved = word.text == LET || OTHERS.contains(&word.text) || edit::<G>(word.text).is_some();
+        let reserved = word.text == LET || OTHERS.contains(&word.text) || find::<G>(word.text).is_some();
         if id(word.text).is_some() || !letters || !begins || reserved {
             let help = "a name begins with a letter, holds letters, digits and `_`, and is neither a statement nor \
                         an id such as h12";
@@ -268,10 +318,6 @@ impl<G: Ground> Parser<G> {
         self.script.names.push(Name { text: word.text.to_owned(), line: cursor.line.number, kind });
         self.script.names.len() - 1
     }
-}
-
-fn edit<G: Ground>(word: &str) -> Option<EditKind> {
-    G::Edit::KINDS.iter().copied().find(|kind| kind.word() == word)
 }
 
 /// `h3`, `v0`, `e1` or `f2`.

@@ -6,10 +6,10 @@
 //!      returned h12, f2                                       a = h12
 //! ```
 
-use super::edit::{Edit, EditError, Returned};
-use super::ground::{Call, Ground};
-use super::syntax::{Action, Base, Link, Path, Script, Statement};
-use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
+use super::Edit;
+use super::syntax::{Action, Base, Link, Path, Script, Statement, Value, follow};
+use crate::edits::{Argument, Call, EditError, Editable, Returned};
+use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::Subdivision;
 use crate::topology::{Change, Journal};
 use std::collections::BTreeMap;
@@ -144,26 +144,26 @@ pub enum Refusal {
 
 /// A script that has been carried out.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Run<G: Ground = Subdivision> {
+pub struct Run<G: Editable = Subdivision> {
     /// One for each statement.
-    pub steps: Vec<Step<G::Edit>>,
+    pub steps: Vec<Step<Call<G>>>,
     /// The structure at the end.
     pub end: G,
 }
 
-impl<G: Ground> Run<G> {
+impl<G: Editable> Run<G> {
     /// The edits that were made, in order: [`of_edits`](super::of_edits) prints them.
     #[must_use]
-    pub fn edits(&self) -> Vec<G::Edit> {
+    pub fn edits(&self) -> Vec<Call<G>> {
         let made = self.steps.iter().filter_map(|step| match &step.outcome {
-            Outcome::Edited { edit, .. } => Some(*edit),
+            Outcome::Edited { edit, .. } => Some(edit.clone()),
             _ => None,
         });
         made.collect()
     }
 }
 
-impl<G: Ground> Script<G> {
+impl<G: Editable> Script<G> {
     /// Carries out all statements. Refused ones change nothing, and the script goes on.
     #[must_use]
     pub fn run(&self) -> Run<G> {
@@ -179,7 +179,7 @@ impl<G: Ground> Script<G> {
     /// play. Returns the structure as it is then.
     ///
     /// Cost: that of the edits and walks.
-    pub fn play(&self, mut watch: impl FnMut(Step<G::Edit>, &G) -> ControlFlow<()>) -> G {
+    pub fn play(&self, mut watch: impl FnMut(Step<Call<G>>, &G) -> ControlFlow<()>) -> G {
         let mut stage = Stage {
             ground: self.start.clone(),
             names: self.names.iter().map(|name| Bound::Refused { line: name.line }).collect(),
@@ -210,19 +210,19 @@ struct Stage<G> {
     gone: BTreeMap<Element, u32>,
 }
 
-impl<G: Ground> Stage<G> {
-    fn act(&mut self, said: &Statement) -> Outcome<G::Edit> {
+impl<G: Editable> Stage<G> {
+    fn act(&mut self, said: &Statement) -> Outcome<Call<G>> {
         self.try_act(said).unwrap_or_else(|reason| Outcome::Refused { edit: None, reason })
     }
 
-    fn try_act(&mut self, said: &Statement) -> Result<Outcome<G::Edit>, Refusal> {
+    fn try_act(&mut self, said: &Statement) -> Result<Outcome<Call<G>>, Refusal> {
         Ok(match &said.action {
-            Action::Edit { kind, arguments, point, name } => {
-                let arguments = arguments.iter().map(|path| self.resolve(path)).collect::<Result<Vec<_>, _>>()?;
-                match G::Edit::of(*kind, &arguments, *point) {
-                    Some(edit) => self.edit(edit, said.line, *name),
-                    None => Outcome::Dump,
-                }
+            Action::Edit { row, arguments, name } => {
+                let resolved = arguments.iter().map(|value| match value {
+                    Value::Element(path) => self.resolve(path).map(Argument::Element),
+                    Value::Plain(argument) => Ok(*argument),
+                });
+                self.edit(Call::unchecked(row, resolved.collect::<Result<_, _>>()?), said.line, *name)
             }
             Action::Name { path, name } => {
                 let element = self.resolve(path)?;
@@ -254,19 +254,20 @@ impl<G: Ground> Stage<G> {
         })
     }
 
-    fn edit(&mut self, edit: G::Edit, line: u32, name: Option<usize>) -> Outcome<G::Edit> {
-        let mut journal = Journal::new();
-        let returned = match self.ground.make(edit, &mut journal) {
+    fn edit(&mut self, edit: Call<G>, line: u32, name: Option<usize>) -> Outcome<Call<G>> {
+        let mut log = G::Log::default();
+        let returned = match edit.apply(&mut self.ground, &mut log) {
             Ok(returned) => returned,
             Err(reason) => return Outcome::Refused { edit: Some(edit), reason: reason.into() },
         };
+        let journal = G::pointers(log);
         for change in journal.changes() {
             if let Change::Removed { element } = *change {
                 self.remove(element, line);
             }
         }
-        if let (Some(name), Some(h)) = (name, returned.half_edge()) {
-            self.names[name] = Bound::To(h.into());
+        if let (Some(name), Some(element)) = (name, returned.named()) {
+            self.names[name] = Bound::To(element);
         }
         Outcome::Edited { edit, returned, journal }
     }
@@ -313,23 +314,7 @@ impl<G: Ground> Stage<G> {
         };
         path.links.iter().try_fold(start, |element, &link| {
             let no_target = || Refusal::NoTarget { word: path.text.clone(), element, link };
-            self.follow(element, link).ok_or_else(no_target)
-        })
-    }
-
-    fn follow(&self, element: Element, link: Link) -> Option<Element> {
-        let on = self.ground.topology();
-        Some(match (element, link) {
-            (Element::HalfEdge(h), Link::Next) => on.next(h).into(),
-            (Element::HalfEdge(h), Link::Prev) => on.prev(h).into(),
-            (Element::HalfEdge(h), Link::Twin) => h.twin().into(),
-            (Element::HalfEdge(h), Link::Origin) => on.origin(h).into(),
-            (Element::HalfEdge(h), Link::Destination) => on.destination(h).into(),
-            (Element::HalfEdge(h), Link::Face) => on.face(h).into(),
-            (Element::HalfEdge(h), Link::Edge) => EdgeId::new(h.number() / 2).into(),
-            (Element::Vertex(v), Link::Outgoing) => on.outgoing(v)?.into(),
-            (Element::Face(f), Link::Boundary) => on.boundary(f)?.into(),
-            _ => return None,
+            follow(self.ground.topology(), element, link).ok_or_else(no_target)
         })
     }
 }

@@ -6,13 +6,14 @@
 //!   join_edges h13         join_edges a2.twin.next
 //! ```
 
-use super::edit::{Edit, EditKind};
-use super::ground::{Call, Ground};
-use super::kernel::{KernelEdit, KernelStart};
-use crate::ids::{EdgeId, Element, HalfEdgeId, VertexId};
+use super::kernel::KernelStart;
+use super::syntax::{Link, follow};
+use super::{Edit, KernelEdit};
+use crate::edits::{Call, Editable, Kind};
+use crate::ids::Element;
 use crate::plane::{Point, Subdivision};
-use crate::topology::{Change, Journal};
-use std::collections::BTreeMap;
+use crate::topology::Change;
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 /// The script that starts with the polygon of these corners and makes these calls, refused ones too.
 ///
@@ -33,11 +34,10 @@ pub fn of_edits(corners: &[Point], edits: &[Edit]) -> String {
 /// The script without coordinates that makes these calls; otherwise as [`of_edits`].
 ///
 /// ```
-/// use dcel_kit::HalfEdgeId;
 /// use dcel_kit::script::{KernelEdit, KernelStart, of_kernel_edits};
-/// let [h0, h4] = [0, 4].map(HalfEdgeId::new);
-/// let edits = [KernelEdit::SplitVertex(h0, h0), KernelEdit::JoinVertices(h4)];
+/// let edits: Vec<KernelEdit> = vec!["split_vertex h0 h0".parse()?, "join_vertices h4".parse()?];
 /// assert_eq!(of_kernel_edits(&KernelStart::Torus, &edits), "torus\nlet a1 = split_vertex h0 h0\njoin_vertices a1\n");
+/// # Ok::<(), dcel_kit::edits::CallError>(())
 /// ```
 #[must_use]
 pub fn of_kernel_edits(start: &KernelStart, edits: &[KernelEdit]) -> String {
@@ -47,102 +47,155 @@ pub fn of_kernel_edits(start: &KernelStart, edits: &[KernelEdit]) -> String {
     }
 }
 
-/// A script while it is being written.
-struct Writer<G> {
-    ground: G,
-    lines: Vec<String>,
-    /// By edge: the edit that made it; none for those of the start.
-    edges: BTreeMap<EdgeId, Option<usize>>,
-    /// By edit: the half-edge that its name means.
-    named: BTreeMap<usize, HalfEdgeId>,
-    vertices: BTreeMap<VertexId, Maker>,
+/// The script in space that makes these calls; otherwise as [`of_edits`].
+#[cfg(feature = "solid")]
+#[must_use]
+pub fn of_solid_edits(start: &super::SolidStart, edits: &[super::SolidEdit]) -> String {
+    match start.build() {
+        Ok(solid) => Writer::write(start.to_string(), solid, edits),
+        Err(_) => format!("{start}\n"),
+    }
 }
 
-/// Where a vertex comes from.
-#[derive(Clone, Copy)]
-enum Maker {
+/// How far from the named element another one may be that the same edit has made.
+const FAR: usize = 10_000;
+
+/// A script while it is being written.
+struct Writer<S> {
+    structure: S,
+    lines: Vec<String>,
+    /// Where each live edge, vertex and face comes from.
+    sources: BTreeMap<Element, Source>,
+    /// The names given so far, besides those of the edits.
+    names: BTreeSet<String>,
+}
+
+/// Where an element comes from.
+#[derive(Clone, Debug)]
+enum Source {
     Start,
-    /// The edit with this number made it; its line is `line`, and `link` leads from the named half-edge there.
-    Edit {
+    /// The word for it, and for an edge which half the word means.
+    Named(String, Element),
+    /// Links from the name of the edit with this number lead there; its line is `line`.
+    Made {
         number: usize,
         line: usize,
-        link: &'static str,
+        links: Vec<Link>,
+        to: Element,
     },
-    /// The same, and the line after it gives the vertex a name.
-    Named(usize),
 }
 
-impl<G: Ground> Writer<G> {
-    fn write(start: String, ground: G, edits: &[G::Edit]) -> String {
-        let edges = ground.topology().edges().map(|e| (e, None)).collect();
-        let vertices = ground.topology().vertices().map(|v| (v, Maker::Start)).collect();
-        let mut writer = Self { ground, lines: vec![start], edges, named: BTreeMap::new(), vertices };
-        for (number, &edit) in (1..).zip(edits) {
+impl<S: Editable> Writer<S> {
+    fn write(start: String, structure: S, edits: &[Call<S>]) -> String {
+        let on = structure.topology();
+        let edges = on.edges().map(Element::from);
+        let all = edges.chain(on.vertices().map(Element::from)).chain(on.faces().map(Element::from));
+        let sources = all.map(|element| (element, Source::Start)).collect();
+        let mut writer = Self { structure, lines: vec![start], sources, names: BTreeSet::new() };
+        for (number, edit) in (1..).zip(edits) {
             writer.edit(number, edit);
         }
         writer.lines.join("\n") + "\n"
     }
 
-    fn edit(&mut self, number: usize, edit: G::Edit) {
-        let words = edit.elements().iter().map(|&element| self.word(element)).collect::<Option<Vec<_>>>();
-        let Some(words) = words else {
-            let element = if edit.kind() == EditKind::SplitIsolatedVertex { "vertex" } else { "half-edge" };
-            self.lines.push(format!("# {edit}: no such {element}"));
-            return;
+    fn edit(&mut self, number: usize, edit: &Call<S>) {
+        let call = match edit.write_with(|element| self.word(element)) {
+            Ok(call) => call,
+            Err(missing) => {
+                self.lines.push(format!("# {edit}: no such {}", Kind::of(missing).name()));
+                return;
+            }
         };
-        let mut call = format!("{} {}", edit.kind().word(), words.join(" "));
-        if let Some(p) = edit.point() {
-            call.push_str(&format!(" {} {}", p.x, p.y));
-        }
-        let mut journal = Journal::new();
-        let Ok(returned) = self.ground.make(edit, &mut journal) else {
+        let mut log = S::Log::default();
+        let Ok(returned) = edit.apply(&mut self.structure, &mut log) else {
             self.lines.push(format!("{call}   # refused"));
             return;
         };
-        let link = match edit.kind() {
-            EditKind::SplitVertex | EditKind::SplitIsolatedVertex => "destination",
-            _ => "origin",
-        };
-        let made = Maker::Edit { number, line: self.lines.len(), link };
-        for change in journal.changes() {
+        let mut made = Vec::new();
+        for change in S::pointers(log).changes() {
             match *change {
-                Change::Removed { element: Element::Edge(e) } => drop(self.edges.remove(&e)),
-                Change::Added { element: Element::Edge(e), .. } => drop(self.edges.insert(e, Some(number))),
-                Change::Removed { element: Element::Vertex(v) } => drop(self.vertices.remove(&v)),
-                Change::Added { element: Element::Vertex(v), .. } => drop(self.vertices.insert(v, made)),
-                _ => {}
+                Change::Removed { element } => {
+                    self.sources.remove(&element);
+                    made.retain(|&gone| gone != element);
+                }
+                Change::Added { element, .. } => made.push(element),
+                Change::Write { .. } => {}
             }
         }
-        match returned.half_edge() {
-            Some(h) => {
-                self.named.insert(number, h);
-                self.lines.push(format!("let a{number} = {call}"));
-            }
-            None => self.lines.push(call),
+        let line = self.lines.len();
+        let Some(named) = returned.named() else {
+            self.lines.push(call);
+            return;
+        };
+        let name = format!("a{number}");
+        self.lines.push(format!("let {name} = {call}"));
+        self.sources.insert(whole(named), Source::Named(name, named));
+        made.retain(|&element| element != whole(named));
+        for (links, to) in self.ways_from(named, made) {
+            self.sources.insert(whole(to), Source::Made { number, line, links, to });
         }
     }
 
-    /// How the script can name an element; `None` if it does not exist.
-    fn word(&mut self, element: Element) -> Option<String> {
-        match element {
-            Element::HalfEdge(h) => Some(match *self.edges.get(&h.edge())? {
-                None => h.to_string(),
-                Some(number) if self.named.get(&number) == Some(&h) => format!("a{number}"),
-                Some(number) => format!("a{number}.twin"),
-            }),
-            Element::Vertex(v) => {
-                let maker = self.vertices.get_mut(&v)?;
-                if let Maker::Edit { number, line, link } = *maker {
-                    // By now the vertex may have lost the half-edge that leads there: it is named where it was made.
-                    self.lines[line].push_str(&format!("\nlet p{number} = a{number}.{link}"));
-                    *maker = Maker::Named(number);
-                }
-                Some(match *maker {
-                    Maker::Named(number) | Maker::Edit { number, .. } => format!("p{number}"),
-                    Maker::Start => v.to_string(),
-                })
+    /// The shortest links from an element to each of the others.
+    fn ways_from(&self, start: Element, mut wanted: Vec<Element>) -> Vec<(Vec<Link>, Element)> {
+        let mut found = Vec::new();
+        let mut seen: BTreeMap<Element, Option<(Element, Link)>> = BTreeMap::from([(start, None)]);
+        let mut queue = VecDeque::from([start]);
+        while let Some(at) = queue.pop_front().filter(|_| !wanted.is_empty() && seen.len() < FAR) {
+            if let Some(i) = wanted.iter().position(|&element| element == whole(at)) {
+                wanted.swap_remove(i);
+                let back = std::iter::successors(seen[&at], |(before, _)| seen[before]);
+                let mut links: Vec<Link> = back.map(|(_, link)| link).collect();
+                links.reverse();
+                found.push((links, at));
             }
-            Element::Edge(_) | Element::Face(_) => None,
+            for link in Link::ALL {
+                if let Some(to) = follow(self.structure.topology(), at, link)
+                    && !seen.contains_key(&to)
+                {
+                    seen.insert(to, Some((at, link)));
+                    queue.push_back(to);
+                }
+            }
         }
+        found
+    }
+
+    /// How the script can name an element; `None` if it does not exist, or nothing leads there.
+    fn word(&mut self, element: Element) -> Option<String> {
+        let source = self.sources.get(&whole(element))?.clone();
+        let (word, names) = match source {
+            Source::Start => return Some(element.to_string()),
+            Source::Named(word, names) => (word, names),
+            Source::Made { number, line, links, to } => {
+                // By now the links may lead elsewhere: it is named where it was made.
+                let letter = match to {
+                    Element::Vertex(_) => 'p',
+                    Element::Face(_) => 'q',
+                    Element::HalfEdge(_) | Element::Edge(_) => 'b',
+                };
+                let first = std::iter::once(format!("{letter}{number}"));
+                let word = first
+                    .chain((2..).map(|i| format!("{letter}{number}_{i}")))
+                    .find(|word| self.names.insert(word.clone()))?;
+                let links: Vec<&str> = links.iter().map(|link| link.word()).collect();
+                self.lines[line].push_str(&format!("\nlet {word} = a{number}.{}", links.join(".")));
+                self.sources.insert(whole(to), Source::Named(word.clone(), to));
+                (word, to)
+            }
+        };
+        Some(match (element, names) {
+            (Element::HalfEdge(h), Element::HalfEdge(named)) if h == named.twin() => format!("{word}.twin"),
+            (Element::Edge(_), Element::HalfEdge(_)) => format!("{word}.edge"),
+            _ => word,
+        })
+    }
+}
+
+/// The edge of a half-edge; other elements are themselves.
+fn whole(element: Element) -> Element {
+    match element {
+        Element::HalfEdge(h) => h.edge().into(),
+        other => other,
     }
 }

@@ -1,9 +1,9 @@
 //! What a script says, after all its words have been looked up.
 
-use super::edit::EditKind;
-use super::ground::Ground;
+use crate::edits::{Argument, Editable, Kind, Row};
 use crate::ids::Element;
-use crate::plane::{Point, Subdivision};
+use crate::plane::Subdivision;
+use crate::topology::Dcel;
 
 /// A checked script: a start and the statements after it. [`Script::parse`] makes one of the plane,
 /// [`Script::parse_kernel`] one without coordinates; [`run`](Script::run) and [`play`](Script::play) carry it out.
@@ -15,7 +15,7 @@ pub struct Script<G = Subdivision> {
     pub(super) names: Vec<Name>,
 }
 
-impl<G: Ground> Script<G> {
+impl<G: Editable> Script<G> {
     /// The structure that the script starts from.
     #[must_use]
     pub fn start(&self) -> &G {
@@ -62,13 +62,22 @@ pub(super) struct Name {
 /// What a statement does.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) enum Action {
-    Edit { kind: EditKind, arguments: Vec<Path>, point: Option<Point>, name: Option<usize> },
+    Edit { row: &'static Row, arguments: Vec<Value>, name: Option<usize> },
     Name { path: Path, name: usize },
     WalkFace(Path),
     WalkVertex(Path),
     Highlight(Vec<Path>),
     Caption(String),
     Dump,
+}
+
+/// An argument of an edit, as written.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) enum Value {
+    /// An element, which is looked up when the edit is made.
+    Element(Path),
+    /// Anything else.
+    Plain(Argument),
 }
 
 /// An element by a word and links from it: `h0.next.twin`.
@@ -86,35 +95,6 @@ pub(super) enum Base {
     Given(Element),
     /// An index into the names of the script.
     Named(usize),
-}
-
-/// The kinds of elements.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Kind {
-    Vertex,
-    HalfEdge,
-    Edge,
-    Face,
-}
-
-impl Kind {
-    pub(super) fn of(element: Element) -> Self {
-        match element {
-            Element::Vertex(_) => Self::Vertex,
-            Element::HalfEdge(_) => Self::HalfEdge,
-            Element::Edge(_) => Self::Edge,
-            Element::Face(_) => Self::Face,
-        }
-    }
-
-    pub(super) fn a(self) -> &'static str {
-        match self {
-            Self::Vertex => "a vertex",
-            Self::HalfEdge => "a half-edge",
-            Self::Edge => "an edge",
-            Self::Face => "a face",
-        }
-    }
 }
 
 /// A step from one element to another.
@@ -186,4 +166,20 @@ impl Link {
             _ => Kind::HalfEdge,
         }
     }
+}
+
+/// Where a link leads; `None` if the element has no such link, or it is not set.
+pub(super) fn follow(on: &Dcel, element: Element, link: Link) -> Option<Element> {
+    Some(match (element, link) {
+        (Element::HalfEdge(h), Link::Next) => on.next(h).into(),
+        (Element::HalfEdge(h), Link::Prev) => on.prev(h).into(),
+        (Element::HalfEdge(h), Link::Twin) => h.twin().into(),
+        (Element::HalfEdge(h), Link::Origin) => on.origin(h).into(),
+        (Element::HalfEdge(h), Link::Destination) => on.destination(h).into(),
+        (Element::HalfEdge(h), Link::Face) => on.face(h).into(),
+        (Element::HalfEdge(h), Link::Edge) => h.edge().into(),
+        (Element::Vertex(v), Link::Outgoing) => on.outgoing(v)?.into(),
+        (Element::Face(f), Link::Boundary) => on.boundary(f)?.into(),
+        _ => return None,
+    })
 }

@@ -15,6 +15,7 @@
 //! ```text
 //!   dynamic/    add_face, remove_face, add_vertex,            surface_journal.rs  watching them, undo
 //!               remove_vertex, collapse_edge
+//!   local/      split, flip, bevel, inset, extrude; points move
 //!   measure.rs  counts, area, volume                          flat.rs convex.rs wings.rs  exact questions about shape
 //!   angles.rs   angles and curvatures
 //!   hull/       the convex hull of points                     support.rs          the furthest vertex, by climbing
@@ -35,6 +36,7 @@ mod flat;
 pub mod grow;
 mod handles;
 mod hull;
+mod local;
 mod measure;
 mod platonic;
 pub mod predicates;
@@ -63,6 +65,7 @@ pub use dual::{Dual, DualError, DualPositions};
 pub use dynamic::{AddFaceError, AddVertexError, CollapseError, RemoveFaceError, RemoveVertexError};
 pub use flat::FaceFault;
 pub use hull::{Hull, HullError, HullFaces};
+pub use local::{BevelEdgeError, BevelVertexError, PlaceError, RimError, SpaceTransformError, SurfaceEditError};
 pub use measure::PartCounts;
 pub use platonic::Platonic;
 pub use schlegel::{Schlegel, SchlegelError};

@@ -5,12 +5,11 @@
 //!   of the surface                   └ f7 is a boundary face            └ v5 stands at (1, 0, 2), its slot at (0, 0, 0)
 //! ```
 //!
-//! A change of the surface is told after the change of the kernel it belongs to, so that a mark in the one is a mark
-//! in the other.
+//! A change of the surface is told after the change of the kernel it belongs to.
 
 use super::Polyhedron;
 use crate::ids::{FaceId, VertexId};
-use crate::topology::{Change, Journal, NoRecorder, Recorder};
+use crate::topology::{Journal, Log, NoRecorder, Recorder};
 
 /// What a surface holds besides its structure, changed.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -65,58 +64,11 @@ impl<R: SurfaceRecorder> SurfaceRecorder for &mut R {
 /// assert_eq!(cube, before);
 /// # Ok::<(), dcel_kit::solid::RemoveFaceError>(())
 /// ```
-#[derive(Clone, PartialEq, Debug, Default)]
-pub struct SurfaceJournal {
-    kernel: Journal,
-    /// Each with the number of changes of the kernel before it.
-    surface: Vec<(usize, SurfaceChange)>,
-}
-
-impl SurfaceJournal {
-    /// An empty journal.
-    #[must_use]
-    pub fn new() -> Self {
-        Self::default()
-    }
-
-    /// The changes of the structure.
-    #[must_use]
-    pub fn kernel(&self) -> &Journal {
-        &self.kernel
-    }
-
-    /// The changes of the surface, each with the number of changes of the structure before it.
-    #[must_use]
-    pub fn surface(&self) -> &[(usize, SurfaceChange)] {
-        &self.surface
-    }
-
-    /// How many changes of the structure there are: a mark to undo back to.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.kernel.len()
-    }
-
-    /// Whether nothing was recorded.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.kernel.is_empty()
-    }
-}
-
-impl Recorder for SurfaceJournal {
-    fn step(&mut self, number: u32, what: &'static str) {
-        self.kernel.step(number, what);
-    }
-
-    fn record(&mut self, change: Change) {
-        self.kernel.record(change);
-    }
-}
+pub type SurfaceJournal = Log<SurfaceChange>;
 
 impl SurfaceRecorder for SurfaceJournal {
     fn surface(&mut self, change: SurfaceChange) {
-        self.surface.push((self.kernel.len(), change));
+        self.push(change);
     }
 }
 
@@ -126,14 +78,12 @@ impl Polyhedron {
     ///
     /// Cost: O(changes taken back), and the logarithm of the number of boundary faces for each that came or went.
     pub fn undo(&mut self, journal: &mut SurfaceJournal, mark: usize) {
-        while let Some((_, change)) = journal.surface.pop_if(|(at, _)| *at > mark) {
-            match change {
-                SurfaceChange::Border { face, is_border: true } => drop(self.boundary_faces.remove(&face)),
-                SurfaceChange::Border { face, is_border: false } => drop(self.boundary_faces.insert(face)),
-                SurfaceChange::Placed { vertex, old: Some(old), .. } => self.points[vertex] = old,
-                SurfaceChange::Placed { vertex, old: None, .. } => self.points.truncate(vertex.index()),
-            }
-        }
-        self.dcel.undo(&mut journal.kernel, mark);
+        let Self { dcel, points, boundary_faces } = self;
+        journal.take_back(dcel, mark, |change| match change {
+            SurfaceChange::Border { face, is_border: true } => drop(boundary_faces.remove(&face)),
+            SurfaceChange::Border { face, is_border: false } => drop(boundary_faces.insert(face)),
+            SurfaceChange::Placed { vertex, old: Some(old), .. } => points[vertex] = old,
+            SurfaceChange::Placed { vertex, old: None, .. } => points.truncate(vertex.index()),
+        });
     }
 }

@@ -8,6 +8,7 @@
 //!   seed.rs      polygons to start from        build.rs     from lists of polygons
 //!   orient.rs    which faces to turn round
 //!   record.rs    watching an edit              view.rs, table.rs   reading any structure   replay.rs  an edit on a table
+//!   log.rs       a journal of more than pointers
 //!   validate.rs  the laws                      same.rs      equality up to names      measure.rs  counts
 //!   dual.rs      faces become vertices
 //! ```
@@ -17,6 +18,7 @@ mod dual;
 mod edit;
 mod flat;
 mod links;
+mod log;
 mod measure;
 mod orient;
 mod polygons;
@@ -39,6 +41,7 @@ pub use edit::{
 };
 pub(crate) use links::Columns;
 pub use links::Dcel;
+pub use log::Log;
 pub(crate) use measure::find;
 pub use measure::{ComponentCounts, Components, Counts, Mode, components, measure, measure_with};
 pub use orient::{OneSided, faces_to_turn};

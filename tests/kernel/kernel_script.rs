@@ -1,10 +1,14 @@
 //! Scripts without coordinates: every word of the kernel, what is wrong with a line, and edits back to text.
 
 use crate::common::{Random, h, v};
-use dcel_kit::HalfEdgeId;
+use dcel_kit::edits::{Argument, Row, rows};
 use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::script::{Edit, KernelEdit, KernelStart, Outcome, Script, is_kernel_script, of_edits, of_kernel_edits};
 use dcel_kit::topology::{Dcel, Journal, PolygonList, same};
+
+fn call<const N: usize>(row: &'static Row, arguments: [Argument; N]) -> KernelEdit {
+    KernelEdit::new(row, arguments).unwrap()
+}
 
 fn play(text: &str) -> (Vec<String>, Dcel) {
     let run = Script::parse_kernel(text, "test").unwrap_or_else(|error| panic!("{error}\n{text}")).run();
@@ -66,15 +70,15 @@ fn edits_of_the_kernel_print_a_script_that_replays() {
             }
             let point = d.vertices().find(|&v| d.outgoing(v).is_none());
             let edit = match kind {
-                0 => KernelEdit::SplitFace(a, b),
-                1 => KernelEdit::SplitVertex(a, b),
-                2 => KernelEdit::SplitEdge(a),
-                3 => KernelEdit::SplitIsolatedVertex(point.unwrap_or(v(random.below(9) as u32))),
-                4 => KernelEdit::JoinFaces(a),
-                5 => KernelEdit::JoinEdges(a),
-                6 => KernelEdit::JoinVertices(a),
-                7 => KernelEdit::CollapseEdge(a),
-                _ => KernelEdit::FlipEdge(a),
+                0 => call(&rows::split_face, [a.into(), b.into()]),
+                1 => call(&rows::split_vertex, [a.into(), b.into()]),
+                2 => call(&rows::split_edge, [a.into()]),
+                3 => call(&rows::split_isolated_vertex, [point.unwrap_or(v(random.below(9) as u32)).into()]),
+                4 => call(&rows::join_faces, [a.into()]),
+                5 => call(&rows::join_edges, [a.into()]),
+                6 => call(&rows::join_vertices, [a.into()]),
+                7 => call(&rows::collapse_edge, [a.into()]),
+                _ => call(&rows::flip_edge, [a.into()]),
             };
             let done = edit.apply(&mut d, &mut journal).is_ok();
             made[kind] += usize::from(done);
@@ -106,12 +110,13 @@ fn edits_of_the_kernel_print_a_script_that_replays() {
 fn a_vertex_that_lost_its_edges_keeps_its_name() {
     let start = KernelStart::Surface { vertices: 1, faces: PolygonList::new() };
     let edits = [
-        KernelEdit::SplitIsolatedVertex(v(0)),
-        KernelEdit::JoinVertices(h(1)),
-        KernelEdit::SplitIsolatedVertex(v(1)),
-        KernelEdit::SplitIsolatedVertex(v(7)),
-        KernelEdit::JoinFaces(h(9)),
-    ];
+        "split_isolated_vertex v0",
+        "join_vertices h1",
+        "split_isolated_vertex v1",
+        "split_isolated_vertex v7",
+        "join_faces h9",
+    ]
+    .map(|call| call.parse::<KernelEdit>().unwrap());
     assert_eq!(
         of_kernel_edits(&start, &edits),
         "surface 1\nlet a1 = split_isolated_vertex v0\nlet p1 = a1.destination\njoin_vertices a1.twin\n\
@@ -156,7 +161,7 @@ fn wrong_lines_of_the_kernel_are_named_with_their_place() {
 #[test]
 fn a_diagonal_of_the_plane_is_flipped_and_printed() {
     let corners = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.5]].map(Point::from);
-    let edits = [Edit::SplitFace(HalfEdgeId::new(0), HalfEdgeId::new(4)), Edit::FlipEdge(HalfEdgeId::new(9))];
+    let edits = ["split_face h0 h4", "flip_edge h9"].map(|call| call.parse::<Edit>().unwrap());
     let text = of_edits(&corners, &edits);
     assert!(text.ends_with("let a1 = split_face h0 h4\nflip_edge a1.twin\n"), "{text}");
     let run = Script::parse(&text, "flip").unwrap().run();

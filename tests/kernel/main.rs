@@ -12,6 +12,7 @@ mod oracles;
 mod refusals;
 mod same;
 mod script;
+mod table_of_edits;
 mod tables;
 mod validator;
 mod walks;

@@ -1,6 +1,6 @@
 //! The language of edits: every statement does what it says, every wrong word is named with its place.
 
-use dcel_kit::plane::{Point, Subdivision};
+use dcel_kit::plane::{PlaneJournal, Point, Subdivision};
 use dcel_kit::script::{Edit, Outcome, Refusal, Script, of_edits};
 use dcel_kit::topology::violations;
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
@@ -163,16 +163,17 @@ fn a_given_word_stays_with_its_element() {
 fn edits_print_a_script_that_replays() {
     let corners = [[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [0.0, 4.5]].map(Point::from);
     let edits = [
-        Edit::SplitFace(h(0), h(4)),
-        Edit::SplitInHalf(h(9)),
-        Edit::SplitFace(h(0), h(2)),
-        Edit::SplitEdge(h(2), Point::new(6.5, 2.25)),
-        Edit::JoinEdges(h(9)),
-        Edit::JoinFaces(h(99)),
-        Edit::JoinFaces(h(8)),
-    ];
+        "split_face h0 h4",
+        "split_in_half h9",
+        "split_face h0 h2",
+        "split_edge h2 6.5 2.25",
+        "join_edges h9",
+        "join_faces h99",
+        "join_faces h8",
+    ]
+    .map(|call| call.parse::<Edit>().unwrap());
     let mut by_hand = Subdivision::polygon(&corners).unwrap();
-    edits.iter().for_each(|edit| drop(edit.apply(&mut by_hand, &mut dcel_kit::topology::NoRecorder)));
+    edits.iter().for_each(|edit| drop(edit.apply(&mut by_hand, &mut PlaneJournal::new())));
     let text = of_edits(&corners, &edits);
     assert!(text.contains("let a1 = split_face h0 h4\nlet a2 = split_in_half a1.twin\n"), "{text}");
     assert!(text.contains("# join_faces h99: no such half-edge"), "{text}");
@@ -285,7 +286,7 @@ proptest! {
         let run = script.run();
         prop_assert!(violations(&run.end).is_empty(), "{text}");
         let edits: Vec<Edit> = run.steps.iter().filter_map(|step| match &step.outcome {
-            Outcome::Edited { edit, .. } => Some(*edit),
+            Outcome::Edited { edit, .. } => Some(edit.clone()),
             _ => None,
         }).collect();
         let again = of_edits(&dcel_kit::plane::LAB_RECTANGLE, &edits);

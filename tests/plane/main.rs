@@ -9,6 +9,7 @@ mod exact;
 mod inserts;
 mod locate;
 mod mend;
+mod moves;
 mod numbers;
 mod overlay;
 mod segments;

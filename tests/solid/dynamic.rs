@@ -98,7 +98,7 @@ fn random_scripts_keep_all_laws_and_agree_with_a_list_of_faces() {
         let mut table = Table::from_view(&surface);
         for _ in 0..60 {
             let before = surface.clone();
-            let mark = journal.len();
+            let (mark, pointers) = (journal.len(), journal.kernel().len());
             match random.below(12) {
                 0..3 if !model.is_empty() => {
                     let face = *model.keys().nth(random.below(model.len())).unwrap();
@@ -141,7 +141,7 @@ fn random_scripts_keep_all_laws_and_agree_with_a_list_of_faces() {
             let gaps = |&v: &VertexId| surface.incident_faces(v).filter(|&f| surface.is_boundary_face(f)).count();
             pinched += usize::from(vertices.iter().any(|v| gaps(v) > 1));
             compare_with_the_builder(&surface, &model, &script);
-            journal.kernel().changes()[mark..].iter().for_each(|change| table.apply(change));
+            journal.kernel().changes()[pointers..].iter().for_each(|change| table.apply(change));
             assert_eq!(rows(&table), rows(&Table::from_view(&surface)), "{script}");
             pages.push((mark, before));
         }
@@ -149,7 +149,7 @@ fn random_scripts_keep_all_laws_and_agree_with_a_list_of_faces() {
             surface.undo(&mut journal, mark);
             assert_eq!(surface, before, "undo to {mark}: {script}");
         }
-        assert!(journal.is_empty() && journal.surface().is_empty(), "{script}");
+        assert!(journal.is_empty(), "{script}");
     }
     assert!(pinched > 500 && refused > 500 && largest > 8, "{pinched} {refused} {largest}");
 }

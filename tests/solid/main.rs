@@ -10,6 +10,7 @@ mod bent;
 mod collapse;
 mod dynamic;
 mod hull;
+mod local;
 mod measures;
 mod rejections;
 mod seen;

@@ -15,8 +15,7 @@ use super::book::Book;
 use super::cut::make_convex;
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::navmesh::mesh::turns_left_or_runs_straight;
-use crate::plane::Subdivision;
-use crate::topology::Journal;
+use crate::plane::{PlaneJournal, Subdivision};
 use std::collections::BTreeSet;
 
 /// Takes out what nobody needs near the edges, which an obstacle has given up.
@@ -29,9 +28,9 @@ pub(super) fn clear(
     map: &mut Subdivision,
     book: &mut Book,
     edges: &[EdgeId],
-    rec: &mut Journal,
+    rec: &mut PlaneJournal,
 ) -> Result<(), ObstacleError> {
-    let begin = rec.len();
+    let begin = rec.kernel().len();
     let mut faces = BTreeSet::new();
     let vertices = vertices_near(map, edges);
     for &e in edges.iter().filter(|&&e| book.is_cut(e)) {
@@ -46,12 +45,12 @@ pub(super) fn clear(
     for v in bends {
         straighten(map, book, v, &mut faces, rec);
     }
-    book.follow(&rec.changes()[begin..]);
-    let convex_from = rec.len();
+    book.follow(&rec.kernel().changes()[begin..]);
+    let convex_from = rec.kernel().len();
     faces.retain(|&f| map.has_face(f));
     let faces = make_convex(map, faces, rec)?;
-    book.follow(&rec.changes()[convex_from..]);
-    let joined_from = rec.len();
+    book.follow(&rec.kernel().changes()[convex_from..]);
+    let joined_from = rec.kernel().len();
     let cuts: BTreeSet<EdgeId> =
         faces.iter().flat_map(|&f| map.incident_edges(f)).filter(|&e| book.is_cut(e)).collect();
     for e in cuts {
@@ -59,7 +58,7 @@ pub(super) fn clear(
             take_out(map, book, e, &mut BTreeSet::new(), rec)?;
         }
     }
-    book.follow(&rec.changes()[joined_from..]);
+    book.follow(&rec.kernel().changes()[joined_from..]);
     Ok(())
 }
 
@@ -79,7 +78,7 @@ pub(super) fn take_out(
     book: &Book,
     e: EdgeId,
     faces: &mut BTreeSet<FaceId>,
-    rec: &mut Journal,
+    rec: &mut PlaneJournal,
 ) -> Result<(), ObstacleError> {
     let [h, t] = e.half_edges();
     let [f, g] = [map.face(h), map.face(t)];
@@ -99,7 +98,7 @@ fn give_up(
     book: &Book,
     v: VertexId,
     faces: &mut BTreeSet<FaceId>,
-    rec: &mut Journal,
+    rec: &mut PlaneJournal,
 ) -> Result<bool, ObstacleError> {
     let (cuts, lines): (Vec<HalfEdgeId>, Vec<HalfEdgeId>) =
         map.outgoing_half_edges(v).partition(|h| book.is_cut(h.edge()));
@@ -122,7 +121,7 @@ fn give_up(
 
 /// Makes one edge of two at a vertex that has no other. What may be in the way of the straight line belongs to another
 /// obstacle; then the vertex stays, and goes with that one.
-fn straighten(map: &mut Subdivision, book: &Book, v: VertexId, faces: &mut BTreeSet<FaceId>, rec: &mut Journal) {
+fn straighten(map: &mut Subdivision, book: &Book, v: VertexId, faces: &mut BTreeSet<FaceId>, rec: &mut PlaneJournal) {
     let mut at = map.outgoing_half_edges(v);
     let (Some(a), Some(b)) = (at.next(), at.next()) else { return };
     // The edge that was there first keeps its name.

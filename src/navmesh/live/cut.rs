@@ -10,19 +10,19 @@
 use super::ObstacleError;
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId};
 use crate::navmesh::mesh::turns_left_or_runs_straight;
-use crate::plane::Subdivision;
-use crate::topology::{Change, Journal, Ring, Slot};
+use crate::plane::{PlaneJournal, Subdivision};
+use crate::topology::{Change, Ring, Slot};
 use std::collections::BTreeSet;
 
-/// The faces whose shape the changes have changed. Bounded pieces of the outer face become hole faces, and pieces of these.
-pub(super) fn changed_faces(map: &mut Subdivision, changes: &[Change]) -> BTreeSet<FaceId> {
+/// The faces whose shape the changes from `from` on have changed. Bounded pieces of the outer face become hole faces, and pieces of these.
+pub(super) fn changed_faces(map: &mut Subdivision, from: usize, rec: &mut PlaneJournal) -> BTreeSet<FaceId> {
     let mut faces = BTreeSet::new();
-    for change in changes {
-        match *change {
+    for i in from..rec.kernel().len() {
+        match rec.kernel().changes()[i] {
             Change::Write { slot: Slot::Face(_), old: Some(Element::Face(old)), new: Some(Element::Face(new)) }
                 if (old == map.outer_face() || map.is_hole(old)) && map.has_face(new) =>
             {
-                map.set_hole(new, true);
+                map.set_hole_with(new, true, rec);
             }
             Change::Write { slot: Slot::Next(h), .. } if map.has_half_edge(h) => {
                 faces.extend([map.face(h), map.face(h.twin())]);
@@ -37,7 +37,7 @@ pub(super) fn changed_faces(map: &mut Subdivision, changes: &[Change]) -> BTreeS
 pub(super) fn make_convex(
     map: &mut Subdivision,
     faces: BTreeSet<FaceId>,
-    rec: &mut Journal,
+    rec: &mut PlaneJournal,
 ) -> Result<BTreeSet<FaceId>, ObstacleError> {
     let is_gap = |f: FaceId| f == map.outer_face() || map.is_hole(f);
     let mut done: BTreeSet<FaceId> = faces.into_iter().filter(|&f| !is_gap(f)).collect();
@@ -67,7 +67,7 @@ fn wrong_corner(map: &Subdivision, face: FaceId) -> Option<HalfEdgeId> {
 }
 
 /// Joins something inside a face to its boundary by an edge.
-fn tie(map: &mut Subdivision, face: FaceId, ring: Ring, rec: &mut Journal) -> Result<(), ObstacleError> {
+fn tie(map: &mut Subdivision, face: FaceId, ring: Ring, rec: &mut PlaneJournal) -> Result<(), ObstacleError> {
     let inner: Vec<_> = match ring {
         Ring::Cycle(h) => map.cycle(h).map(|h| map.origin(h)).collect(),
         Ring::Isolated(v) => vec![v],

@@ -17,8 +17,8 @@ use crate::navmesh::mesh::ID;
 use crate::navmesh::nearest::{closest_on, distance};
 use crate::navmesh::{Location, NavMesh};
 use crate::plane::predicates::orientation;
-use crate::plane::{InsertSegmentError, InsertVertexError, Point, Subdivision};
-use crate::topology::{Change, Journal, Slot};
+use crate::plane::{InsertSegmentError, InsertVertexError, PlaneJournal, Point, Subdivision};
+use crate::topology::{Change, Slot};
 use std::collections::BTreeSet;
 
 /// The sides of an obstacle in the map.
@@ -36,14 +36,14 @@ pub(super) fn cut_in(
     mesh: &NavMesh,
     book: &Book,
     sides: &[[Point; 2]],
-    rec: &mut Journal,
+    rec: &mut PlaneJournal,
 ) -> Result<Inserted, ObstacleError> {
     let crossed: BTreeSet<EdgeId> = sides.iter().flat_map(|&side| cuts_across(mesh, book, side)).collect();
     let mut faces = BTreeSet::new();
     for e in crossed {
         take_out(map, book, e, &mut faces, rec)?;
     }
-    let (whole_from, near) = (rec.len(), near(mesh, sides));
+    let (whole_from, near) = (rec.kernel().len(), near(mesh, sides));
     let mut inserted = Inserted { sides: Vec::with_capacity(sides.len()) };
     let mut corners: Vec<VertexId> = Vec::with_capacity(sides.len() + 1);
     for (side, &[p, q]) in sides.iter().enumerate() {
@@ -55,9 +55,9 @@ pub(super) fn cut_in(
             corners.push(v.map_err(|error| refused(error.into()))?);
         }
         let half_edges = put_in(map, mesh, [p, q], [corners[side], corners[side + 1]], near, rec).map_err(refused)?;
-        inserted.sides.push((half_edges, rec.len()));
+        inserted.sides.push((half_edges, rec.kernel().len()));
     }
-    let mut changed = changed_faces(map, &rec.changes()[whole_from..]);
+    let mut changed = changed_faces(map, whole_from, rec);
     changed.extend(faces.into_iter().filter(|&f| map.has_face(f)));
     make_convex(map, changed, rec)?;
     Ok(inserted)
@@ -112,7 +112,7 @@ fn put_in(
     ends: [Point; 2],
     [from, to]: [VertexId; 2],
     near: f64,
-    rec: &mut Journal,
+    rec: &mut PlaneJournal,
 ) -> Result<Vec<HalfEdgeId>, InsertSegmentError> {
     let mut at = from;
     let mut half_edges: Vec<HalfEdgeId> = Vec::new();
@@ -158,7 +158,7 @@ fn vertex_at(
     book: &Book,
     p: Point,
     near: f64,
-    rec: &mut Journal,
+    rec: &mut PlaneJournal,
 ) -> Result<VertexId, InsertVertexError> {
     let inside = match mesh.locate(p) {
         Location::Vertex(v) if map.has_vertex(v) && map.point(v) == p => return Ok(v),
@@ -197,7 +197,7 @@ fn vertex_at(
                 other => return other,
             }
         }
-        faces = written_faces(map, rec.changes());
+        faces = written_faces(map, rec.kernel().changes());
     }
     match map.insert_vertex_with(p, rec) {
         Err(InsertVertexError::Occupied { vertex, .. }) => Ok(vertex),

@@ -10,8 +10,8 @@
 
 use crate::geometry::predicates::orientation;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
-use crate::plane::Subdivision;
-use crate::topology::{self, NoRecorder, Recorder};
+use crate::plane::{PlaneRecorder, Subdivision};
+use crate::topology::{self, NoRecorder};
 
 /// Why an edge of a subdivision cannot be flipped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -99,7 +99,7 @@ impl Subdivision {
     }
 
     /// [`flip_edge`](Self::flip_edge), watched by a recorder.
-    pub fn flip_edge_with(&mut self, h: HalfEdgeId, rec: &mut impl Recorder) -> Result<(), FlipEdgeError> {
+    pub fn flip_edge_with(&mut self, h: HalfEdgeId, rec: &mut impl PlaneRecorder) -> Result<(), FlipEdgeError> {
         self.can_flip_edge(h)?;
         self.dcel.flip_edge_unchecked(h, rec);
         Ok(())

@@ -14,8 +14,8 @@ use super::Obstacle;
 use super::spot::Towards;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::cycle::on_segment;
-use crate::plane::{Point, Subdivision};
-use crate::topology::{IdError, NoRecorder, Recorder, Ring, TooMany};
+use crate::plane::{PlaneRecorder, Point, Subdivision};
+use crate::topology::{IdError, NoRecorder, Ring, TooMany};
 
 /// Why two vertices cannot be joined by a straight edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -156,7 +156,7 @@ impl Subdivision {
         &mut self,
         from: VertexId,
         to: VertexId,
-        rec: &mut impl Recorder,
+        rec: &mut impl PlaneRecorder,
     ) -> Result<InsertedEdge, InsertEdgeError> {
         let (f, ends) = self.plan_edge(from, to)?;
         if let [End::Corner(h1), End::Corner(h2)] = ends
@@ -174,10 +174,10 @@ impl Subdivision {
         f: FaceId,
         vertices: [VertexId; 2],
         ends: [End; 2],
-        rec: &mut impl Recorder,
+        rec: &mut impl PlaneRecorder,
     ) -> HalfEdgeId {
         let on_boundary = ends.map(|end| matches!(end, End::Corner(h) if self.is_on_outer_boundary(h)));
-        let mut rings = self.take_rings(f);
+        let mut rings = self.take_rings(f, rec);
         let indices = ends.map(|end| match end {
             End::Corner(h) => self.ring_index(&rings, h),
             End::Isolated(v) => rings.iter().position(|&ring| ring == Ring::Isolated(v)),

@@ -15,8 +15,8 @@ use super::{Obstacle, SplitEdgeError};
 use crate::geometry::predicates::left_to_right;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::meet::Crossed;
-use crate::plane::{CoordinateError, Point, Subdivision};
-use crate::topology::{NoRecorder, Recorder};
+use crate::plane::{CoordinateError, PlaneRecorder, Point, Subdivision};
+use crate::topology::NoRecorder;
 use std::cmp::Ordering;
 
 /// Why a segment cannot be inserted.
@@ -108,7 +108,7 @@ impl Subdivision {
         &mut self,
         p: Point,
         q: Point,
-        rec: &mut impl Recorder,
+        rec: &mut impl PlaneRecorder,
     ) -> Result<InsertedSegment, InsertSegmentError> {
         p.check()?;
         q.check()?;
@@ -121,7 +121,7 @@ impl Subdivision {
         })
     }
 
-    fn vertex_at(&mut self, p: Point, rec: &mut impl Recorder) -> Result<VertexId, InsertVertexError> {
+    fn vertex_at(&mut self, p: Point, rec: &mut impl PlaneRecorder) -> Result<VertexId, InsertVertexError> {
         match self.insert_vertex_with(p, rec) {
             Err(InsertVertexError::Occupied { vertex, .. }) => Ok(vertex),
             other => other,
@@ -133,7 +133,7 @@ impl Subdivision {
         &mut self,
         from: VertexId,
         to: VertexId,
-        rec: &mut impl Recorder,
+        rec: &mut impl PlaneRecorder,
     ) -> Result<InsertedSegment, InsertSegmentError> {
         let mut done = InsertedSegment { half_edges: Vec::new(), crossings: Vec::new(), moved: Vec::new() };
         let most = 64 + 8 * self.dcel.edge_count();
@@ -213,7 +213,7 @@ impl Subdivision {
         h: HalfEdgeId,
         crossed: &Crossed,
         done: &mut InsertedSegment,
-        rec: &mut impl Recorder,
+        rec: &mut impl PlaneRecorder,
     ) -> Result<VertexId, InsertSegmentError> {
         let (place, off) = crossed.rounded();
         let ends = [self.dcel.origin(h), self.dcel.destination(h)];

@@ -9,8 +9,8 @@
 use super::Obstacle;
 use super::insert_edge::End;
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
-use crate::plane::{CoordinateError, Location, Point, Subdivision};
-use crate::topology::{IdError, NoRecorder, Recorder, Ring, TooMany};
+use crate::plane::{CoordinateError, Location, PlaneRecorder, Point, Subdivision};
+use crate::topology::{IdError, NoRecorder, Ring, TooMany};
 
 /// Why a point cannot become a vertex.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -94,14 +94,18 @@ impl Subdivision {
     }
 
     /// [`insert_vertex`](Self::insert_vertex), watched by a recorder.
-    pub fn insert_vertex_with(&mut self, point: Point, rec: &mut impl Recorder) -> Result<VertexId, InsertVertexError> {
+    pub fn insert_vertex_with(
+        &mut self,
+        point: Point,
+        rec: &mut impl PlaneRecorder,
+    ) -> Result<VertexId, InsertVertexError> {
         point.check()?;
         self.dcel.room_for(1, 1, 0)?;
         match self.locate(point) {
             Location::Vertex(vertex) => Err(InsertVertexError::Occupied { vertex, point }),
             Location::Edge(h) => {
                 let (v, _) = self.dcel.split_edge_unchecked(h, rec);
-                self.put_point(v, point);
+                self.place(v, point, rec);
                 Ok(v)
             }
             Location::Face(f) => Ok(self.add_isolated(f, point, rec)),
@@ -123,7 +127,7 @@ impl Subdivision {
         &mut self,
         f: FaceId,
         point: Point,
-        rec: &mut impl Recorder,
+        rec: &mut impl PlaneRecorder,
     ) -> Result<VertexId, InsertVertexError> {
         self.dcel.check(f)?;
         point.check()?;
@@ -132,11 +136,12 @@ impl Subdivision {
         Ok(self.add_isolated(f, point, rec))
     }
 
-    fn add_isolated(&mut self, f: FaceId, point: Point, rec: &mut impl Recorder) -> VertexId {
+    fn add_isolated(&mut self, f: FaceId, point: Point, rec: &mut impl PlaneRecorder) -> VertexId {
         let v = self.dcel.add_vertex_record(rec);
-        self.put_point(v, point);
-        self.keep_rings(f);
-        self.rings.entry(f).or_default().push(Ring::Isolated(v));
+        self.place(v, point, rec);
+        let mut rings = self.take_rings(f, rec);
+        rings.push(Ring::Isolated(v));
+        self.give_rings(f, rings, rec);
         v
     }
 
@@ -168,7 +173,7 @@ impl Subdivision {
         &mut self,
         vertex: VertexId,
         point: Point,
-        rec: &mut impl Recorder,
+        rec: &mut impl PlaneRecorder,
     ) -> Result<(VertexId, HalfEdgeId), InsertAntennaError> {
         self.dcel.check(vertex)?;
         point.check()?;

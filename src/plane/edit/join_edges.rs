@@ -9,9 +9,9 @@
 
 use super::Obstacle;
 use crate::ids::{Element, HalfEdgeId, VertexId};
-use crate::plane::Subdivision;
 use crate::plane::cycle::on_segment;
-use crate::topology::{self, NoRecorder, Recorder, Ring};
+use crate::plane::{PlaneRecorder, Subdivision};
+use crate::topology::{self, NoRecorder};
 
 /// Why the vertex at the end of a half-edge cannot be taken away.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -76,16 +76,11 @@ impl Subdivision {
     }
 
     /// [`join_edges`](Self::join_edges), watched by a recorder.
-    pub fn join_edges_with(&mut self, h: HalfEdgeId, rec: &mut impl Recorder) -> Result<VertexId, JoinEdgesError> {
+    pub fn join_edges_with(&mut self, h: HalfEdgeId, rec: &mut impl PlaneRecorder) -> Result<VertexId, JoinEdgesError> {
         self.can_join_edges(h)?;
         let goes = self.dcel.next(h);
         for (gone, stays) in [(goes, h), (goes.twin(), h.twin())] {
-            let face = self.dcel.face(gone);
-            self.keep_rings(face);
-            let rings = self.rings.get_mut(&face);
-            if let Some(ring) = rings.and_then(|rings| rings.iter_mut().find(|ring| **ring == Ring::Cycle(gone))) {
-                *ring = Ring::Cycle(stays);
-            }
+            self.rename_ring(self.dcel.face(gone), [gone, stays], rec);
         }
         Ok(self.dcel.join_edges_unchecked(h, rec))
     }

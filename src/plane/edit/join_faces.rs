@@ -9,8 +9,8 @@
 //! ```
 
 use crate::ids::{FaceId, HalfEdgeId};
-use crate::plane::Subdivision;
-use crate::topology::{self, NoRecorder, Recorder, Ring};
+use crate::plane::{PlaneRecorder, Subdivision};
+use crate::topology::{self, NoRecorder, Ring};
 
 /// Why the faces on both sides of a half-edge cannot be joined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -53,7 +53,7 @@ impl Subdivision {
     }
 
     /// [`join_faces`](Self::join_faces), watched by a recorder.
-    pub fn join_faces_with(&mut self, h: HalfEdgeId, rec: &mut impl Recorder) -> Result<FaceId, JoinFacesError> {
+    pub fn join_faces_with(&mut self, h: HalfEdgeId, rec: &mut impl PlaneRecorder) -> Result<FaceId, JoinFacesError> {
         self.can_join_faces(h)?;
         let h = if self.dcel.face(h) == self.outer_face() { h.twin() } else { h };
         let (gone, kept) = (self.dcel.face(h), self.dcel.face(h.twin()));
@@ -61,8 +61,8 @@ impl Subdivision {
         let kept_around = !self.is_on_outer_boundary(h.twin());
         let gone_boundary = self.dcel.boundary(gone);
 
-        let mut gone_rings = self.take_rings(gone);
-        let mut kept_rings = self.take_rings(kept);
+        let mut gone_rings = self.take_rings(gone, rec);
+        let mut kept_rings = self.take_rings(kept, rec);
         let in_gone = if gone_around { self.ring_index(&gone_rings, h) } else { None };
         let in_kept = if kept_around { self.ring_index(&kept_rings, h.twin()) } else { None };
         let rest = self.dcel.next(h.twin());
@@ -86,13 +86,18 @@ impl Subdivision {
         }
         kept_rings.append(&mut gone_rings);
         self.give_rings(kept, kept_rings, rec);
-        self.put_hole(gone, false);
+        self.mark_hole(gone, false, rec);
         Ok(gone)
     }
 
     /// Says whether a bounded face is a hole, that is, not part of the domain. Returns what it was before; for
     /// `f0` and for faces that do not exist nothing changes and the answer is `None`.
     pub fn set_hole(&mut self, f: FaceId, hole: bool) -> Option<bool> {
-        (f != self.outer_face() && self.dcel.has_face(f)).then(|| self.put_hole(f, hole))
+        self.set_hole_with(f, hole, &mut NoRecorder)
+    }
+
+    /// [`set_hole`](Self::set_hole), watched by a recorder.
+    pub fn set_hole_with(&mut self, f: FaceId, hole: bool, rec: &mut impl PlaneRecorder) -> Option<bool> {
+        (f != self.outer_face() && self.dcel.has_face(f)).then(|| self.mark_hole(f, hole, rec))
     }
 }

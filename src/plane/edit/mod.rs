@@ -5,6 +5,7 @@
 //!   split_face join_faces split_edge join_edges flip_edge     by half-edges, as the lab does
 //!   insert_vertex insert_edge insert_antenna        by points and vertices, wherever the faces and rings are
 //!   insert_segment                                  through everything
+//!   set_point transform                             a vertex, or everything, moves
 //!   remove_edge remove_vertex                       spot.rs  where is it     whole.rs  all steps or none
 //! ```
 //!
@@ -19,9 +20,11 @@ mod insert_vertex;
 mod join_edges;
 mod join_faces;
 mod remove_edge;
+mod set_point;
 mod split_edge;
 mod split_face;
 mod spot;
+mod transform;
 mod whole;
 
 pub use flip_edge::FlipEdgeError;
@@ -31,10 +34,11 @@ pub use insert_vertex::{InsertAntennaError, InsertVertexError};
 pub use join_edges::JoinEdgesError;
 pub use join_faces::JoinFacesError;
 pub use remove_edge::{RemoveEdgeError, RemoveVertexError};
+pub use set_point::SetPointError;
 pub use split_edge::SplitEdgeError;
 pub use split_face::SplitFaceError;
 pub(in crate::plane) use spot::Towards;
-pub(in crate::plane) use whole::OldValues;
+pub use transform::TransformError;
 
 use super::cycle::on_segment;
 use super::sweep::cross;

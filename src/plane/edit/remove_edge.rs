@@ -13,9 +13,9 @@
 
 use super::JoinFacesError;
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
-use crate::plane::Subdivision;
 use crate::plane::cycle::encloses;
-use crate::topology::{IdError, NoRecorder, Recorder, Ring};
+use crate::plane::{PlaneRecorder, Subdivision};
+use crate::topology::{IdError, NoRecorder, Ring};
 
 /// Why an edge cannot be removed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -90,7 +90,7 @@ impl Subdivision {
     pub fn remove_edge_with(
         &mut self,
         edge: EdgeId,
-        rec: &mut impl Recorder,
+        rec: &mut impl PlaneRecorder,
     ) -> Result<Option<FaceId>, RemoveEdgeError> {
         self.can_remove_edge(edge)?;
         let [h, t] = edge.half_edges();
@@ -103,11 +103,11 @@ impl Subdivision {
     }
 
     /// Takes away an edge with the same face on both sides.
-    fn cut_apart(&mut self, edge: EdgeId, rec: &mut impl Recorder) {
+    fn cut_apart(&mut self, edge: EdgeId, rec: &mut impl PlaneRecorder) {
         let [a, b] = edge.half_edges();
         let f = self.dcel.face(a);
         let was_boundary = self.is_on_outer_boundary(a);
-        let mut rings = self.take_rings(f);
+        let mut rings = self.take_rings(f, rec);
         let index = if was_boundary { None } else { self.ring_index(&rings, a) };
 
         rec.step(1, "Take the two half-edges out of the cyclic lists.");
@@ -139,7 +139,7 @@ impl Subdivision {
     }
 
     /// Leads the links at the origin of `out` past it. Returns a half-edge that starts there now, if any does.
-    fn take_out(&mut self, out: HalfEdgeId, rec: &mut impl Recorder) -> Option<HalfEdgeId> {
+    fn take_out(&mut self, out: HalfEdgeId, rec: &mut impl PlaneRecorder) -> Option<HalfEdgeId> {
         let v = self.dcel.origin(out);
         let (before, after) = (self.dcel.prev(out), self.dcel.next(out.twin()));
         if after == out {
@@ -177,7 +177,7 @@ impl Subdivision {
     pub fn remove_vertex_with(
         &mut self,
         v: VertexId,
-        rec: &mut impl Recorder,
+        rec: &mut impl PlaneRecorder,
     ) -> Result<Vec<FaceId>, RemoveVertexError> {
         self.dcel.check(v)?;
         if self.dcel.outgoing(v).is_none() {
@@ -197,9 +197,9 @@ impl Subdivision {
         })
     }
 
-    fn remove_isolated(&mut self, v: VertexId, rec: &mut impl Recorder) {
+    fn remove_isolated(&mut self, v: VertexId, rec: &mut impl PlaneRecorder) {
         let f = self.face_around(v);
-        let mut rings = self.take_rings(f);
+        let mut rings = self.take_rings(f, rec);
         rings.retain(|&ring| ring != Ring::Isolated(v));
         self.give_rings(f, rings, rec);
         self.dcel.remove_vertex_record(v, rec);

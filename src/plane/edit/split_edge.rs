@@ -12,8 +12,8 @@ use super::Obstacle;
 use crate::geometry::predicates::orientation;
 use crate::ids::{Element, HalfEdgeId, VertexId};
 use crate::plane::cycle::on_segment;
-use crate::plane::{CoordinateError, Point, Subdivision};
-use crate::topology::{self, NoRecorder, Recorder};
+use crate::plane::{CoordinateError, PlaneRecorder, Point, Subdivision};
+use crate::topology::{self, NoRecorder};
 
 /// Why an edge of a subdivision cannot be split at a point.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -107,11 +107,11 @@ impl Subdivision {
         &mut self,
         h: HalfEdgeId,
         point: Point,
-        rec: &mut impl Recorder,
+        rec: &mut impl PlaneRecorder,
     ) -> Result<(VertexId, HalfEdgeId), SplitEdgeError> {
         self.can_split_edge(h, point)?;
         let (m, c) = self.dcel.split_edge_unchecked(h, rec);
-        self.put_point(m, point);
+        self.place(m, point, rec);
         Ok((m, c))
     }
 
@@ -140,7 +140,7 @@ impl Subdivision {
     pub fn split_in_half_with(
         &mut self,
         h: HalfEdgeId,
-        rec: &mut impl Recorder,
+        rec: &mut impl PlaneRecorder,
     ) -> Result<(VertexId, HalfEdgeId), SplitEdgeError> {
         self.dcel.can_split_edge(h)?;
         self.split_edge_with(h, self.midpoint(h), rec)

@@ -10,9 +10,9 @@
 
 use super::Obstacle;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
-use crate::plane::Subdivision;
 use crate::plane::cycle::{encloses, in_corner, same_direction};
-use crate::topology::{self, NoRecorder, Recorder, Ring};
+use crate::plane::{PlaneRecorder, Subdivision};
+use crate::topology::{self, NoRecorder, Ring};
 
 /// Why a face of a subdivision cannot be split between the origins of two half-edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -141,7 +141,7 @@ impl Subdivision {
         &mut self,
         h1: HalfEdgeId,
         h2: HalfEdgeId,
-        rec: &mut impl Recorder,
+        rec: &mut impl PlaneRecorder,
     ) -> Result<(HalfEdgeId, FaceId), SplitFaceError> {
         self.can_split_face(h1, h2)?;
         Ok(self.split_face_unchecked(h1, h2, rec))
@@ -152,28 +152,28 @@ impl Subdivision {
         &mut self,
         h1: HalfEdgeId,
         h2: HalfEdgeId,
-        rec: &mut impl Recorder,
+        rec: &mut impl PlaneRecorder,
     ) -> (HalfEdgeId, FaceId) {
         let old = self.dcel.face(h1);
         let (a, new) = if self.is_on_outer_boundary(h1) {
             let (a, new) = self.dcel.split_face_unchecked(h1, h2, rec);
-            let rings = self.take_rings(old);
+            let rings = self.take_rings(old, rec);
             self.share_rings([old, new], rings, None, rec);
             (a, new)
         } else {
             self.split_ring(h1, h2, rec)
         };
         if self.holes.contains(&old) {
-            self.put_hole(new, true);
+            self.mark_hole(new, true, rec);
         }
         (a, new)
     }
 
     /// Splits a face along one of its rings: a bounded piece is cut off.
-    fn split_ring(&mut self, h1: HalfEdgeId, h2: HalfEdgeId, rec: &mut impl Recorder) -> (HalfEdgeId, FaceId) {
+    fn split_ring(&mut self, h1: HalfEdgeId, h2: HalfEdgeId, rec: &mut impl PlaneRecorder) -> (HalfEdgeId, FaceId) {
         let old = self.dcel.face(h1);
         let boundary = self.dcel.boundary(old);
-        let mut rings = self.take_rings(old);
+        let mut rings = self.take_rings(old, rec);
         let split = self.ring_index(&rings, h1);
         let left_part = self.dcel.cycle(h2).take_while(|&h| h != h1).chain([h1]);
         let left_is_bounded = encloses(left_part.map(|h| self.points[self.dcel.origin(h)]));

@@ -31,9 +31,9 @@ mod write;
 
 pub use error::TriangulateError;
 
-use super::Subdivision;
+use super::{PlaneRecorder, Subdivision};
 use crate::ids::{EdgeId, FaceId};
-use crate::topology::{NoRecorder, Recorder};
+use crate::topology::NoRecorder;
 use patch::Patch;
 
 /// How faces are triangulated. The number of triangles is the same, their shapes are not.
@@ -146,7 +146,7 @@ impl Subdivision {
         &mut self,
         f: FaceId,
         method: TriangulationMethod,
-        rec: &mut impl Recorder,
+        rec: &mut impl PlaneRecorder,
     ) -> Result<Triangulated, TriangulateError> {
         self.check_bounded(f)?;
         self.cut(&[f], Goal::Triangles(method), rec)
@@ -185,7 +185,12 @@ impl Subdivision {
     }
 
     /// Cuts different bounded faces.
-    fn cut(&mut self, faces: &[FaceId], goal: Goal, rec: &mut impl Recorder) -> Result<Triangulated, TriangulateError> {
+    fn cut(
+        &mut self,
+        faces: &[FaceId],
+        goal: Goal,
+        rec: &mut impl PlaneRecorder,
+    ) -> Result<Triangulated, TriangulateError> {
         let mut patch = Patch::new(self, faces)?;
         match goal {
             Goal::Triangles(TriangulationMethod::Ears) => {

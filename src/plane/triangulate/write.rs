@@ -8,8 +8,7 @@
 use super::Triangulated;
 use super::patch::Links;
 use crate::ids::{FaceId, HalfEdgeId};
-use crate::plane::Subdivision;
-use crate::topology::Recorder;
+use crate::plane::{PlaneChange, PlaneRecorder, Subdivision};
 
 impl Subdivision {
     /// Writes the links of a patch of `faces` and their pieces, each by its first half-edge. O(patch).
@@ -18,7 +17,7 @@ impl Subdivision {
         faces: &[FaceId],
         links: &Links,
         pieces: &[u32],
-        rec: &mut impl Recorder,
+        rec: &mut impl PlaneRecorder,
     ) -> Triangulated {
         let mut added = Triangulated::default();
         let mut ids = links.given.clone();
@@ -59,19 +58,24 @@ impl Subdivision {
             }
             self.set_faces(start, face, links, &ids, rec);
         }
-        for f in faces {
-            self.rings.remove(f);
+        for &f in faces {
+            let given = self.rings.remove(&f);
+            if let Some(old) = given {
+                rec.plane(|| PlaneChange::Rings { face: f, old });
+            }
         }
         if !self.holes.is_empty() {
             let holes: Vec<FaceId> =
                 added.new_faces.iter().filter(|(_, old)| self.holes.contains(old)).map(|&(new, _)| new).collect();
-            self.holes.extend(holes);
+            for f in holes {
+                self.mark_hole(f, true, rec);
+            }
         }
         added
     }
 
     /// Makes the half-edges of one piece point to their face.
-    fn set_faces(&mut self, start: u32, face: FaceId, links: &Links, ids: &[HalfEdgeId], rec: &mut impl Recorder) {
+    fn set_faces(&mut self, start: u32, face: FaceId, links: &Links, ids: &[HalfEdgeId], rec: &mut impl PlaneRecorder) {
         let mut i = start;
         loop {
             let h = ids[i as usize];

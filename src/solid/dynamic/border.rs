@@ -16,7 +16,7 @@ use std::collections::BTreeSet;
 
 impl Polyhedron {
     /// Whether the face of `h` is a boundary face. A half-edge that has no face yet is no border.
-    pub(super) fn is_border(&self, h: HalfEdgeId) -> bool {
+    pub(in crate::solid) fn is_border(&self, h: HalfEdgeId) -> bool {
         self.boundary_faces.contains(&self.dcel.face(h))
     }
 

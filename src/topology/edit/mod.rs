@@ -12,6 +12,7 @@ mod join_vertices;
 mod split_edge;
 mod split_face;
 mod split_vertex;
+mod turn_over;
 
 pub use collapse_edge::CollapseEdgeError;
 pub use flip_edge::FlipEdgeError;

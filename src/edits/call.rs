@@ -1,0 +1,352 @@
+//! A row of the table with its arguments: one call of an edit.
+
+use super::returned::{EditError, Returned};
+use super::row::{Kind, Row, Takes};
+use super::structure::Editable;
+use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
+use crate::plane::Point;
+use std::fmt;
+use std::marker::PhantomData;
+use std::slice::Iter;
+use std::str::FromStr;
+
+/// An argument of an edit.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[non_exhaustive]
+pub enum Argument {
+    /// An element.
+    Element(Element),
+    /// A place; in the plane the third coordinate is 0.
+    Place([f64; 3]),
+    /// A number.
+    Number(f64),
+    /// `yes` or `no`.
+    Switch(bool),
+}
+
+impl<E: Into<Element>> From<E> for Argument {
+    fn from(element: E) -> Self {
+        Self::Element(element.into())
+    }
+}
+
+impl From<Point> for Argument {
+    fn from(point: Point) -> Self {
+        Self::Place([point.x, point.y, 0.0])
+    }
+}
+
+impl From<[f64; 3]> for Argument {
+    fn from(place: [f64; 3]) -> Self {
+        Self::Place(place)
+    }
+}
+
+impl From<f64> for Argument {
+    fn from(number: f64) -> Self {
+        Self::Number(number)
+    }
+}
+
+impl From<bool> for Argument {
+    fn from(yes: bool) -> Self {
+        Self::Switch(yes)
+    }
+}
+
+/// A call of an edit on a structure `S`, with its arguments resolved to ids.
+#[derive(Clone, PartialEq)]
+pub struct Call<S> {
+    row: &'static Row,
+    arguments: Vec<Argument>,
+    on: PhantomData<fn(&mut S)>,
+}
+
+/// Why there is no such call.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CallError {
+    /// The structure has no edit with this word.
+    #[error("{structure} has no edit `{word}`; known: {known}")]
+    Unknown {
+        /// The word.
+        word: String,
+        /// The structure.
+        structure: &'static str,
+        /// The words it has.
+        known: String,
+    },
+    /// Too few arguments, too many, or of the wrong kind.
+    #[error("`{call}` does not fit; write {usage}")]
+    Misfit {
+        /// The call.
+        call: String,
+        /// How it is written.
+        usage: String,
+    },
+}
+
+impl<S: Editable> Call<S> {
+    /// The call of a row with these arguments.
+    ///
+    /// # Errors
+    /// [`CallError`] if the structure does not have the edit, or the arguments are not those that it takes.
+    pub fn new(row: &'static Row, arguments: impl IntoIterator<Item = Argument>) -> Result<Self, CallError> {
+        let call = Self::unchecked(row, arguments.into_iter().collect());
+        if S::column(row).is_none() {
+            return Err(unknown::<S>(row.word));
+        }
+        if call.fits() {
+            return Ok(call);
+        }
+        Err(CallError::Misfit { call: call.to_string(), usage: row.usage::<S>() })
+    }
+
+    pub(crate) fn unchecked(row: &'static Row, arguments: Vec<Argument>) -> Self {
+        Self { row, arguments, on: PhantomData }
+    }
+
+    fn fits(&self) -> bool {
+        let mut rest = self.arguments.iter().peekable();
+        let is_vertex = |argument: &&Argument| matches!(argument, Argument::Element(Element::Vertex(_)));
+        let all = self.row.takes.iter().all(|parameter| match parameter.takes {
+            Takes::Element(kind) => {
+                rest.next_if(|a| matches!(a, Argument::Element(e) if Kind::of(*e) == kind)).is_some()
+            }
+            Takes::Place if S::DIMENSION == 0 => true,
+            Takes::Place => rest.next_if(|a| matches!(a, Argument::Place(_))).is_some(),
+            Takes::Number => rest.next_if(|a| matches!(a, Argument::Number(_))).is_some(),
+            Takes::Switch => rest.next_if(|a| matches!(a, Argument::Switch(_))).is_some(),
+            Takes::Vertices => {
+                let some = rest.next_if(is_vertex).is_some();
+                while rest.next_if(is_vertex).is_some() {}
+                some
+            }
+        });
+        all && rest.next().is_none()
+    }
+
+    /// The row of the table.
+    #[must_use]
+    pub fn row(&self) -> &'static Row {
+        self.row
+    }
+
+    /// The arguments, in order.
+    #[must_use]
+    pub fn arguments(&self) -> &[Argument] {
+        &self.arguments
+    }
+
+    /// The elements among its arguments, in order.
+    #[must_use]
+    pub fn elements(&self) -> Vec<Element> {
+        let element = |argument: &Argument| match *argument {
+            Argument::Element(element) => Some(element),
+            _ => None,
+        };
+        self.arguments.iter().filter_map(element).collect()
+    }
+
+    /// Makes the call; `log` gets every change. Cost: that of the edit.
+    ///
+    /// # Errors
+    /// Those of the edit; a refused call leaves everything bit for bit as it was.
+    pub fn apply(&self, structure: &mut S, log: &mut S::Log) -> Result<Returned, EditError> {
+        let column = S::column(self.row).ok_or_else(|| EditError::new(unknown::<S>(self.row.word)))?;
+        let mut arguments = Arguments { list: self.arguments.iter(), dimension: S::DIMENSION };
+        Ok(column(structure, &mut arguments, log)?.of_row(self.row))
+    }
+
+    /// Writes an argument as a script says it; elements by `name`.
+    pub(crate) fn write_with(&self, mut name: impl FnMut(Element) -> Option<String>) -> Result<String, Element> {
+        let mut out = self.row.word.to_owned();
+        for argument in &self.arguments {
+            match *argument {
+                Argument::Element(element) => {
+                    out.push(' ');
+                    out.push_str(&name(element).ok_or(element)?);
+                }
+                Argument::Place(place) => place[..S::DIMENSION].iter().for_each(|x| out.push_str(&format!(" {x}"))),
+                Argument::Number(number) => out.push_str(&format!(" {number}")),
+                Argument::Switch(yes) => out.push_str(if yes { " yes" } else { " no" }),
+            }
+        }
+        Ok(out)
+    }
+}
+
+impl<S: Editable> fmt::Display for Call<S> {
+    /// `split_face h2 h8`
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let text = self.write_with(|element| Some(element.to_string()));
+        f.write_str(&text.unwrap_or_default())
+    }
+}
+
+impl<S: Editable> fmt::Debug for Call<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl<S: Editable> FromStr for Call<S> {
+    type Err = CallError;
+
+    /// Reads what [`Display`](fmt::Display) writes.
+    fn from_str(text: &str) -> Result<Self, CallError> {
+        let mut words = text.split_whitespace();
+        let word = words.next().unwrap_or("");
+        let row = super::find::<S>(word).ok_or_else(|| unknown::<S>(word))?;
+        let misfit = || CallError::Misfit { call: text.to_owned(), usage: row.usage::<S>() };
+        let mut arguments = Vec::new();
+        for parameter in row.takes {
+            let mut number = || words.next().and_then(|word| word.parse::<f64>().ok()).ok_or_else(misfit);
+            match parameter.takes {
+                Takes::Place if S::DIMENSION == 0 => {}
+                Takes::Place => {
+                    let mut place = [0.0; 3];
+                    for x in &mut place[..S::DIMENSION] {
+                        *x = number()?;
+                    }
+                    arguments.push(Argument::Place(place));
+                }
+                Takes::Number => arguments.push(Argument::Number(number()?)),
+                Takes::Switch => {
+                    arguments.push(Argument::Switch(words.next().and_then(switch).ok_or_else(misfit)?));
+                }
+                Takes::Element(kind) => {
+                    arguments.push(words.next().and_then(|word| element(kind, word)).ok_or_else(misfit)?.into());
+                }
+                Takes::Vertices => {
+                    for word in words.by_ref() {
+                        arguments.push(element(Kind::Vertex, word).ok_or_else(misfit)?.into());
+                    }
+                }
+            }
+        }
+        if words.next().is_some() {
+            return Err(misfit());
+        }
+        Self::new(row, arguments)
+    }
+}
+
+/// The words of a switch.
+pub(crate) fn switch(word: &str) -> Option<bool> {
+    match word {
+        "yes" => Some(true),
+        "no" => Some(false),
+        _ => None,
+    }
+}
+
+fn element(kind: Kind, word: &str) -> Option<Element> {
+    Some(match kind {
+        Kind::Vertex => word.parse::<VertexId>().ok()?.into(),
+        Kind::HalfEdge => word.parse::<HalfEdgeId>().ok()?.into(),
+        Kind::Edge => word.parse::<EdgeId>().ok()?.into(),
+        Kind::Face => word.parse::<FaceId>().ok()?.into(),
+    })
+}
+
+fn unknown<S: Editable>(word: &str) -> CallError {
+    let known: Vec<&str> = super::rows_of::<S>().map(|row| row.word).collect();
+    CallError::Unknown { word: word.to_owned(), structure: S::NAME, known: known.join(" ") }
+}
+
+/// The arguments of a call as a row reads them, one after the other. They have been checked against what the row says
+/// it takes.
+#[derive(Clone, Debug)]
+pub struct Arguments<'a> {
+    list: Iter<'a, Argument>,
+    dimension: usize,
+}
+
+const CHECKED: &str = "a call is made only with the arguments that its row takes";
+
+impl Arguments<'_> {
+    fn element(&mut self) -> Element {
+        match self.list.next() {
+            Some(&Argument::Element(element)) => element,
+            _ => panic!("{CHECKED}"),
+        }
+    }
+
+    /// The next argument, a vertex.
+    ///
+    /// # Panics
+    /// As the others, if the row reads another kind than it says.
+    pub fn vertex(&mut self) -> VertexId {
+        let Element::Vertex(v) = self.element() else { panic!("{CHECKED}") };
+        v
+    }
+
+    /// The next argument, a half-edge.
+    pub fn half_edge(&mut self) -> HalfEdgeId {
+        let Element::HalfEdge(h) = self.element() else { panic!("{CHECKED}") };
+        h
+    }
+
+    /// The next argument, an edge.
+    pub fn edge(&mut self) -> EdgeId {
+        let Element::Edge(e) = self.element() else { panic!("{CHECKED}") };
+        e
+    }
+
+    /// The next argument, a face.
+    pub fn face(&mut self) -> FaceId {
+        let Element::Face(f) = self.element() else { panic!("{CHECKED}") };
+        f
+    }
+
+    /// The rest of the arguments, vertices.
+    pub fn vertices(&mut self) -> Vec<VertexId> {
+        (0..self.list.len()).map(|_| self.vertex()).collect()
+    }
+
+    /// The next argument, a place; the origin where there are no coordinates.
+    pub fn place(&mut self) -> Place {
+        if self.dimension == 0 {
+            return Place([0.0; 3]);
+        }
+        let Some(&Argument::Place(place)) = self.list.next() else { panic!("{CHECKED}") };
+        Place(place)
+    }
+
+    /// The next argument, a number.
+    pub fn number(&mut self) -> f64 {
+        let Some(&Argument::Number(number)) = self.list.next() else { panic!("{CHECKED}") };
+        number
+    }
+
+    /// The next argument, `yes` or `no`.
+    pub fn switch(&mut self) -> bool {
+        let Some(&Argument::Switch(yes)) = self.list.next() else { panic!("{CHECKED}") };
+        yes
+    }
+}
+
+/// A place, as a point of the plane or of space.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Place([f64; 3]);
+
+impl Place {
+    /// The first two coordinates.
+    #[must_use]
+    pub fn xy(self) -> [f64; 2] {
+        [self.0[0], self.0[1]]
+    }
+}
+
+impl From<Place> for Point {
+    fn from(place: Place) -> Self {
+        Self::new(place.0[0], place.0[1])
+    }
+}
+
+impl From<Place> for [f64; 3] {
+    fn from(place: Place) -> Self {
+        place.0
+    }
+}

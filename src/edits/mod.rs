@@ -1,0 +1,71 @@
+//! The table of edits: one row for each, and everything else follows from the row.
+//!
+//! ```text
+//!   rows.rs    split_face (a: half_edge, b: half_edge) -> [half_edge, face]     one help sentence
+//!                │ kernel: d.split_face_with(a, b, log)
+//!                └ plane:  s.split_face_with(a, b, log)
+//!
+//!   from it:   words of scripts and their checks, scripts printed back, answers in JSON, films, help, this page
+//! ```
+//!
+//! A [`Row`] says the word of an edit, what it takes, what it gives back, how each structure makes it, and one sentence
+//! of help. The rows of the kit are in [`rows`], all of them in [`TABLE`]. A [`Call`] is a row with its arguments.
+//!
+//! One word may take more in one structure than in another: a *place* is `X Y` in the plane, `X Y Z` in space, and
+//! nothing in the kernel, which knows no coordinates.
+//!
+//! **A new edit** of the kit is a method on its structure, and a row here. One outside the kit is a row, too: see
+//! [`Row::new`].
+//!
+//! ```text
+//!   row.rs  what a row says      call.rs  a row with arguments      returned.rs  what came back, or why not
+//!   structure.rs  what edits are made on                            rows.rs      the table
+//! ```
+//!
+//! ```
+//! use dcel_kit::edits::{Call, rows};
+//! use dcel_kit::plane::{PlaneJournal, Subdivision};
+//! use dcel_kit::HalfEdgeId;
+//! let [h2, h8] = [2, 8].map(HalfEdgeId::new);
+//! let call = Call::<Subdivision>::new(&rows::split_face, [h2.into(), h8.into()])?;
+//! assert_eq!(call, "split_face h2 h8".parse()?);
+//! let (mut lab, mut log) = (Subdivision::lab_rectangle(), PlaneJournal::new());
+//! assert_eq!(call.apply(&mut lab, &mut log)?.to_string(), "h12, f2");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod call;
+mod returned;
+mod row;
+pub mod rows;
+mod structure;
+
+pub(crate) use call::switch;
+pub use call::{Argument, Arguments, Call, CallError, Place};
+pub use returned::{EditError, Returned, Returns};
+pub use row::{Apply, Given, Kind, Parameter, Row, Takes};
+pub use rows::TABLE;
+pub use structure::Editable;
+
+/// The rows of the edits that this structure has, in the order of the table.
+pub fn rows_of<S: Editable>() -> impl Iterator<Item = &'static Row> {
+    TABLE.iter().copied().filter(|row| S::column(row).is_some())
+}
+
+/// The row with this word, if the structure has such an edit.
+#[must_use]
+pub fn find<S: Editable>(word: &str) -> Option<&'static Row> {
+    rows_of::<S>().find(|row| row.word == word)
+}
+
+/// One line for each edit of the structure: how it is written, and what it does.
+///
+/// ```
+/// let help = dcel_kit::edits::help::<dcel_kit::topology::Dcel>();
+/// assert!(help.starts_with("  split_face A B           Split a face"), "{help}");
+/// ```
+#[must_use]
+pub fn help<S: Editable>() -> String {
+    let lines = rows_of::<S>().map(|row| format!("  {:<23}  {}\n", row.usage::<S>(), row.help));
+    lines.collect()
+}

@@ -1,0 +1,302 @@
+//! The table: a row for each edit.
+//!
+//! ```text
+//!   word (name: what it takes, ...) -> [what it gives, ...] "what it does";
+//!   { structure |the structure, its log| the call; }
+//! ```
+
+use super::call::Arguments;
+use super::returned::{EditError, Returned};
+use super::row::{Given, Kind, Parameter, Row, Takes};
+use crate::ids::FaceId;
+use crate::plane::Affine;
+
+macro_rules! takes {
+    (vertex) => {
+        Takes::Element(Kind::Vertex)
+    };
+    (half_edge) => {
+        Takes::Element(Kind::HalfEdge)
+    };
+    (edge) => {
+        Takes::Element(Kind::Edge)
+    };
+    (face) => {
+        Takes::Element(Kind::Face)
+    };
+    (place) => {
+        Takes::Place
+    };
+    (number) => {
+        Takes::Number
+    };
+    (switch) => {
+        Takes::Switch
+    };
+    (vertices) => {
+        Takes::Vertices
+    };
+}
+
+macro_rules! gives {
+    (vertex) => {
+        Given::New(Kind::Vertex)
+    };
+    (half_edge) => {
+        Given::New(Kind::HalfEdge)
+    };
+    (face) => {
+        Given::New(Kind::Face)
+    };
+    (vertex_gone) => {
+        Given::Gone(Kind::Vertex)
+    };
+    (face_gone) => {
+        Given::Gone(Kind::Face)
+    };
+}
+
+macro_rules! parameters {
+    (( $($name:ident: $takes:ident),* )) => {
+        &[$(Parameter { name: stringify!($name), takes: takes!($takes) }),*]
+    };
+}
+
+/// A variable for each argument.
+macro_rules! read {
+    ($arguments:ident ( $($name:ident: $takes:ident),* )) => {
+        $(let $name = $arguments.$takes();)*
+    };
+}
+
+/// The rows as statics with their words as names, and the table of all.
+macro_rules! rows {
+    ($(
+        $word:ident $list:tt -> [ $($gives:ident),* ] $help:literal;
+        {
+            $(kernel |$d:ident, $d_log:ident| $kernel:expr;)?
+            $(plane |$s:ident, $s_log:ident| $plane:expr;)?
+            $(solid |$p:ident, $p_log:ident| $solid:expr;)?
+        }
+    )*) => {
+        $(
+            #[doc = $help]
+            #[allow(non_upper_case_globals)] // the word itself
+            pub static $word: Row = {
+                let row = Row::new(
+                    stringify!($word),
+                    parameters!($list),
+                    &[$(gives!($gives)),*],
+                    $help,
+                );
+                $(#[allow(unused_variables)] // of a row that takes nothing
+                let row = row.on_kernel(|$d, arguments: &mut Arguments<'_>, $d_log| {
+                    read!(arguments $list);
+                    $kernel.map(Returned::of).map_err(EditError::new)
+                });)?
+                $(#[allow(unused_variables)]
+                let row = row.on_plane(|$s, arguments: &mut Arguments<'_>, $s_log| {
+                    read!(arguments $list);
+                    $plane.map(Returned::of).map_err(EditError::new)
+                });)?
+                $(
+                    #[cfg(feature = "solid")]
+                    #[allow(unused_variables)]
+                    let row = row.on_solid(|$p, arguments: &mut Arguments<'_>, $p_log| {
+                        read!(arguments $list);
+                        $solid.map(Returned::of).map_err(EditError::new)
+                    });
+                )?
+                row
+            };
+        )*
+
+        /// All rows.
+        pub static TABLE: &[&Row] = &[$(&$word),*];
+    };
+}
+
+rows! {
+    split_face(a: half_edge, b: half_edge) -> [half_edge, face]
+        "Split a face by a new edge from the origin of A to the origin of B"; {
+        kernel |d, log| d.split_face_with(a, b, log);
+        plane |s, log| s.split_face_with(a, b, log);
+        solid |p, log| p.split_face_with(a, b, log);
+    }
+
+    split_in_half(a: half_edge) -> [vertex, half_edge]
+        "Split an edge by a new vertex in its middle"; {
+        plane |s, log| s.split_in_half_with(a, log);
+        solid |p, log| p.split_in_half_with(a, log);
+    }
+
+    split_edge(a: half_edge, at: place) -> [vertex, half_edge]
+        "Split an edge by a new vertex"; {
+        kernel |d, log| { let _ = at; d.split_edge_with(a, log) };
+        plane |s, log| s.split_edge_with(a, at.into(), log);
+        solid |p, log| p.split_edge_with(a, at.into(), log);
+    }
+
+    split_vertex(a: half_edge, b: half_edge) -> [half_edge, vertex]
+        "Split a vertex: its half-edges from A on, up to B and without it, move to a new vertex"; {
+        kernel |d, log| d.split_vertex_with(a, b, log);
+    }
+
+    split_isolated_vertex(v: vertex) -> [half_edge, face]
+        "Split a vertex without edges: an edge and a face round it are new"; {
+        kernel |d, log| d.split_isolated_vertex_with(v, log);
+    }
+
+    join_faces(a: half_edge) -> [face_gone]
+        "Join the faces on both sides of an edge; the edge goes"; {
+        kernel |d, log| d.join_faces_with(a, log);
+        plane |s, log| s.join_faces_with(a, log);
+        solid |p, log| p.join_faces_with(a, log);
+    }
+
+    join_edges(a: half_edge) -> [vertex_gone]
+        "Join an edge with the one after it; the vertex between them goes"; {
+        kernel |d, log| d.join_edges_with(a, log);
+        plane |s, log| s.join_edges_with(a, log);
+        solid |p, log| p.join_edges_with(a, log);
+    }
+
+    join_vertices(a: half_edge) -> [vertex_gone]
+        "Join the two ends of an edge, whatever becomes of the faces beside it"; {
+        kernel |d, log| d.join_vertices_with(a, log);
+    }
+
+    collapse_edge(a: half_edge) -> [vertex_gone]
+        "Join the two ends of an edge if the surface stays one; two-sided faces go, too"; {
+        kernel |d, log| d.collapse_edge_with(a, log);
+        solid |p, log| p.collapse_edge_with(a, log);
+    }
+
+    flip_edge(a: half_edge) -> []
+        "Turn an edge: both its ends move on to the next corner, counter-clockwise"; {
+        kernel |d, log| d.flip_edge_with(a, log);
+        plane |s, log| s.flip_edge_with(a, log);
+        solid |p, log| p.flip_edge_with(a, log);
+    }
+
+    insert_vertex(at: place) -> [vertex]
+        "Insert a vertex: into an edge, which it splits, or into a face"; {
+        plane |s, log| s.insert_vertex_with(at.into(), log);
+    }
+
+    insert_vertex_in(f: face, at: place) -> [vertex]
+        "Insert a vertex inside a face"; {
+        plane |s, log| s.insert_vertex_in_with(f, at.into(), log);
+    }
+
+    insert_edge(u: vertex, v: vertex) -> [half_edge, face]
+        "Join two vertices by a straight edge"; {
+        plane |s, log| s.insert_edge_with(u, v, log);
+    }
+
+    insert_antenna(v: vertex, at: place) -> [vertex, half_edge]
+        "Insert a dangling edge from a vertex to a new one"; {
+        plane |s, log| s.insert_antenna_with(v, at.into(), log);
+    }
+
+    insert_segment(p: place, q: place) -> [half_edge, vertex]
+        "Insert a segment through everything; what it crosses is split"; {
+        plane |s, log| s.insert_segment_with(p.into(), q.into(), log);
+    }
+
+    remove_edge(e: edge) -> [face_gone]
+        "Remove an edge; the faces beside it are joined"; {
+        plane |s, log| s.remove_edge_with(e, log);
+    }
+
+    remove_vertex(v: vertex) -> [face_gone]
+        "Remove a vertex with its edges, in space with its faces"; {
+        plane |s, log| s.remove_vertex_with(v, log);
+        solid |p, log| p.remove_vertex_with(v, log);
+    }
+
+    add_vertex(at: place) -> [vertex]
+        "Add a vertex without edges"; {
+        solid |p, log| p.add_vertex_with(at.into(), log);
+    }
+
+    add_face(v: vertices) -> [face]
+        "Add a face with these corners, counter-clockwise as seen from outside"; {
+        solid |p, log| p.add_face_with(&v, log);
+    }
+
+    remove_face(f: face) -> []
+        "Remove a face and the edges that have no other"; {
+        solid |p, log| p.remove_face_with(f, log);
+    }
+
+    bisect_edge(a: half_edge) -> [vertex, half_edge]
+        "Split an edge in its middle, and the triangles beside it"; {
+        solid |p, log| p.bisect_edge_with(a, log);
+    }
+
+    bevel_vertex(v: vertex, t: number) -> [half_edge, face]
+        "Cut off a vertex: a face takes its place, its corners after a share T of each edge"; {
+        solid |p, log| p.bevel_vertex_with(v, t, log);
+    }
+
+    bevel_edge(a: half_edge, t: number) -> [half_edge, face]
+        "Cut off an edge: a face takes its place, its corners after a share T of each other edge"; {
+        solid |p, log| p.bevel_edge_with(a, t, log);
+    }
+
+    bevel_face(f: face, t: number, d: number) -> [half_edge]
+        "Inset a face by a share T of the way to its middle and pull it out by a distance D"; {
+        solid |p, log| p.bevel_face_with(f, t, d, log);
+    }
+
+    inset_face(f: face, t: number) -> [half_edge]
+        "Put a smaller face into a face, a share T of the way to its middle"; {
+        solid |p, log| p.inset_face_with(f, t, log);
+    }
+
+    extrude_face(f: face, d: number) -> [half_edge]
+        "Pull a face out by a distance D, with walls at its sides; 0 leaves it in place"; {
+        solid |p, log| p.extrude_face_with(f, d, log);
+    }
+
+    set_hole(f: face, hole: switch) -> []
+        "Say whether a bounded face is a hole of the domain"; {
+        plane |s, log| s.set_hole_with(f, hole, log).ok_or(NoBoundedFace(f));
+    }
+
+    set_point(v: vertex, at: place) -> []
+        "Move a vertex with its edges"; {
+        plane |s, log| s.set_point_with(v, at.into(), log);
+        solid |p, log| p.set_point_with(v, at.into(), log);
+    }
+
+    translate_by(at: place) -> []
+        "Move everything"; {
+        plane |s, log| s.transform_with(&Affine::translation(at.xy()), log);
+        solid |p, log| p.transform_with(&Affine::translation(at.into()), log);
+    }
+
+    scale_by(s: number) -> []
+        "Make everything larger by a factor, seen from the origin"; {
+        plane |p, log| p.transform_with(&Affine::scaling(s), log);
+        solid |p, log| p.transform_with(&Affine::scaling(s), log);
+    }
+
+    reflect_x() -> []
+        "Mirror everything: x becomes -x"; {
+        plane |s, log| s.transform_with(&Affine::reflection(0), log);
+        solid |p, log| p.transform_with(&Affine::reflection(0), log);
+    }
+
+    quarter_turn() -> []
+        "Turn everything by a right angle, counter-clockwise, in space about the z axis"; {
+        plane |s, log| s.transform_with(&Affine::<2>::quarter_turn(), log);
+        solid |p, log| p.transform_with(&Affine::<3>::quarter_turn(), log);
+    }
+}
+
+/// Only bounded faces that exist can be holes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("{0} is no bounded face: only those can be holes; choose another face than f0")]
+struct NoBoundedFace(FaceId);

@@ -1,0 +1,105 @@
+//! What edits are made on.
+//!
+//! ```text
+//!   Dcel           no coordinates: whatever is combinatorially legal       Journal
+//!   Subdivision    x y, straight edges that do not cross                   PlaneJournal
+//!   Polyhedron     x y z, a surface that may have borders                  SurfaceJournal
+//! ```
+
+use super::row::{Apply, Row};
+use crate::plane::{PlaneJournal, Subdivision};
+#[cfg(feature = "solid")]
+use crate::solid::{Polyhedron, SurfaceJournal};
+use crate::topology::{Dcel, Journal};
+use std::fmt;
+
+/// A structure that has edits.
+pub trait Editable: Clone + PartialEq + fmt::Debug + Sized + 'static {
+    /// Keeps all changes of its edits.
+    type Log: Default + Clone + fmt::Debug;
+
+    /// How many coordinates a place has.
+    const DIMENSION: usize;
+
+    /// What it is called in messages: `the kernel`, `the plane`, `a surface in space`.
+    const NAME: &'static str;
+
+    /// How its elements hang together.
+    fn topology(&self) -> &Dcel;
+
+    /// How it makes the edit of a row, if it has it.
+    fn column(row: &Row) -> Option<Apply<Self, Self::Log>>;
+
+    /// Takes back all changes of a log. The structure is bit for bit what it was before.
+    fn take_back(&mut self, log: &mut Self::Log);
+
+    /// The changes of the pointers in a log.
+    fn pointers(log: Self::Log) -> Journal;
+}
+
+impl Editable for Dcel {
+    type Log = Journal;
+    const DIMENSION: usize = 0;
+    const NAME: &'static str = "the kernel";
+
+    fn topology(&self) -> &Dcel {
+        self
+    }
+
+    fn column(row: &Row) -> Option<Apply<Self, Journal>> {
+        row.kernel
+    }
+
+    fn take_back(&mut self, log: &mut Journal) {
+        self.undo(log, 0);
+    }
+
+    fn pointers(log: Journal) -> Journal {
+        log
+    }
+}
+
+impl Editable for Subdivision {
+    type Log = PlaneJournal;
+    const DIMENSION: usize = 2;
+    const NAME: &'static str = "the plane";
+
+    fn topology(&self) -> &Dcel {
+        Self::topology(self)
+    }
+
+    fn column(row: &Row) -> Option<Apply<Self, PlaneJournal>> {
+        row.plane
+    }
+
+    fn take_back(&mut self, log: &mut PlaneJournal) {
+        self.undo(log, 0);
+    }
+
+    fn pointers(log: PlaneJournal) -> Journal {
+        log.into_kernel()
+    }
+}
+
+#[cfg(feature = "solid")]
+impl Editable for Polyhedron {
+    type Log = SurfaceJournal;
+    const DIMENSION: usize = 3;
+    const NAME: &'static str = "a surface in space";
+
+    fn topology(&self) -> &Dcel {
+        Self::topology(self)
+    }
+
+    fn column(row: &Row) -> Option<Apply<Self, SurfaceJournal>> {
+        row.solid
+    }
+
+    fn take_back(&mut self, log: &mut SurfaceJournal) {
+        self.undo(log, 0);
+    }
+
+    fn pointers(log: SurfaceJournal) -> Journal {
+        log.into_kernel()
+    }
+}
