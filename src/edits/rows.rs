@@ -291,8 +291,8 @@ rows! {
 
     quarter_turn() -> []
         "Turn everything by a right angle, counter-clockwise, in space about the z axis"; {
-        plane |s, log| s.transform_with(&Affine::<2>::quarter_turn(), log);
-        solid |p, log| p.transform_with(&Affine::<3>::quarter_turn(), log);
+        plane |s, log| s.transform_with(&Affine::quarter_turn(), log);
+        solid |p, log| p.transform_with(&Affine::quarter_turn(), log);
     }
 }
 

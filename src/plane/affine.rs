@@ -50,6 +50,18 @@ impl<const N: usize> Affine<N> {
         map
     }
 
+    /// The turn by a right angle, counter-clockwise; in space about the z axis, as seen from above.
+    ///
+    /// # Panics
+    /// If there is but one coordinate.
+    #[must_use]
+    pub fn quarter_turn() -> Self {
+        let mut map = Self::scaling(1.0);
+        (map.matrix[0][0], map.matrix[0][1]) = (0.0, -1.0);
+        (map.matrix[1][0], map.matrix[1][1]) = (1.0, 0.0);
+        map
+    }
+
     /// The same map with a further shift after it.
     #[must_use]
     pub fn then_by(mut self, shift: [f64; N]) -> Self {
@@ -93,21 +105,5 @@ impl<const N: usize> Affine<N> {
             if N == 2 && j == 1 { sum.minus(&term) } else { sum.plus(&term) }
         });
         sum.sign()
-    }
-}
-
-impl Affine<3> {
-    /// The turn by a right angle about the z axis, counter-clockwise as seen from above.
-    #[must_use]
-    pub fn quarter_turn() -> Self {
-        Self { matrix: [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]], shift: [0.0; 3] }
-    }
-}
-
-impl Affine<2> {
-    /// The turn by a right angle, counter-clockwise.
-    #[must_use]
-    pub fn quarter_turn() -> Self {
-        Self { matrix: [[0.0, -1.0], [1.0, 0.0]], shift: [0.0; 2] }
     }
 }

@@ -7,7 +7,7 @@
 
 use super::{Point, Subdivision};
 use crate::ids::{FaceId, VertexId};
-use crate::topology::{Journal, Log, NoRecorder, Recorder, Ring};
+use crate::topology::{Followed, Follows, Journal, Log, NoRecorder, Recorder, Ring};
 
 /// What a subdivision holds besides its structure, changed.
 #[derive(Clone, PartialEq, Debug)]
@@ -57,6 +57,17 @@ impl<R: PlaneRecorder> PlaneRecorder for &mut R {
         (**self).plane(change);
     }
 }
+
+impl<A: PlaneRecorder, B: PlaneRecorder> PlaneRecorder for (A, B) {
+    fn plane(&mut self, change: impl FnOnce() -> PlaneChange) {
+        let change = change();
+        self.0.plane(|| change.clone());
+        self.1.plane(|| change);
+    }
+}
+
+/// Follows the elements; positions are not its business.
+impl<I: Follows, T: Clone> PlaneRecorder for Followed<I, T> {}
 
 /// Keeps all changes; [`Subdivision::undo`] takes them back.
 ///

@@ -21,7 +21,15 @@ impl Script {
     /// # Errors
     /// [`ScriptError`] names the first word that does not fit, its place, and what is known there.
     pub fn parse(text: &str, source: &str) -> Result<Self, ScriptError> {
-        read(text, source, plane_start, OF_THE_PLANE)
+        read(text, source, plane_start, OF_THE_PLANE, &[])
+    }
+
+    /// [`parse`](Self::parse) with further edits: rows of your own, as in `examples/own_edit.rs`.
+    ///
+    /// # Errors
+    /// [`ScriptError`] names the first word that does not fit, its place, and what is known there.
+    pub fn parse_with(text: &str, source: &str, own: &[&'static Row]) -> Result<Self, ScriptError> {
+        read(text, source, plane_start, OF_THE_PLANE, own)
     }
 }
 
@@ -41,7 +49,15 @@ impl Script<Dcel> {
     /// # Ok::<(), dcel_kit::script::ScriptError>(())
     /// ```
     pub fn parse_kernel(text: &str, source: &str) -> Result<Self, ScriptError> {
-        read(text, source, kernel_start, OF_THE_KERNEL)
+        read(text, source, kernel_start, OF_THE_KERNEL, &[])
+    }
+
+    /// [`parse_kernel`](Self::parse_kernel) with further edits: rows of your own.
+    ///
+    /// # Errors
+    /// [`ScriptError`] names the first word that does not fit, its place, and what is known there.
+    pub fn parse_kernel_with(text: &str, source: &str, own: &[&'static Row]) -> Result<Self, ScriptError> {
+        read(text, source, kernel_start, OF_THE_KERNEL, own)
     }
 }
 
@@ -61,7 +77,15 @@ impl Script<crate::solid::Polyhedron> {
     /// # Ok::<(), dcel_kit::script::ScriptError>(())
     /// ```
     pub fn parse_solid(text: &str, source: &str) -> Result<Self, ScriptError> {
-        read(text, source, super::starts::solid_start, super::starts::OF_SPACE)
+        read(text, source, super::starts::solid_start, super::starts::OF_SPACE, &[])
+    }
+
+    /// [`parse_solid`](Self::parse_solid) with further edits: rows of your own.
+    ///
+    /// # Errors
+    /// [`ScriptError`] names the first word that does not fit, its place, and what is known there.
+    pub fn parse_solid_with(text: &str, source: &str, own: &[&'static Row]) -> Result<Self, ScriptError> {
+        read(text, source, super::starts::solid_start, super::starts::OF_SPACE, own)
     }
 }
 
@@ -70,6 +94,7 @@ fn read<G: Editable>(
     source: &str,
     start: impl FnOnce(&mut Cursor<'_>) -> Result<G, Complaint>,
     starts: &str,
+    own: &[&'static Row],
 ) -> Result<Script<G>, ScriptError> {
     let read = || {
         let mut lines = lines(text);
@@ -77,7 +102,7 @@ fn read<G: Editable>(
             return Err(Complaint { line: 1, column: 1, what: Problem::Empty, help: starts.to_owned() });
         };
         let start = start(&mut Cursor::new(&first))?;
-        let mut parser = Parser { script: Script { start, statements: Vec::new(), names: Vec::new() } };
+        let mut parser = Parser { script: Script { start, statements: Vec::new(), names: Vec::new() }, own };
         for line in lines {
             let action = parser.action(&mut Cursor::new(&line))?;
             parser.script.statements.push(Statement { line: line.number, text: line.text.to_owned(), action });
@@ -93,11 +118,19 @@ fn read<G: Editable>(
     })
 }
 
-struct Parser<G> {
+struct Parser<'a, G> {
     script: Script<G>,
+    /// Rows beside those of the table.
+    own: &'a [&'static Row],
 }
 
-impl<G: Editable> Parser<G> {
+impl<G: Editable> Parser<'_, G> {
+    /// The edit with this word.
+    fn find(&self, word: &str) -> Option<&'static Row> {
+        let own = self.own.iter().copied().find(|row| row.word == word && G::column(row).is_some());
+        own.or_else(|| find::<G>(word))
+    }
+
     fn action(&mut self, cursor: &mut Cursor<'_>) -> Result<Action, Complaint> {
         let Some(first) = cursor.next() else { return Ok(Action::Dump) };
         if first.text != LET {
@@ -113,7 +146,7 @@ impl<G: Editable> Parser<G> {
             return Err(cursor.at(sign, what, help));
         }
         let word = cursor.need("an edit or a half-edge after `=`", help)?;
-        let is_statement = OTHERS.contains(&word.text) || find::<G>(word.text).is_some();
+        let is_statement = OTHERS.contains(&word.text) || self.find(word.text).is_some();
         if is_statement || !(word.text.contains('.') || self.base(word.text).is_some()) {
             return self.statement(cursor, word, Some(name));
         }
@@ -137,7 +170,7 @@ impl<G: Editable> Parser<G> {
             let complain = |_| cursor.at(word, Problem::NothingToName { statement: statement.clone() }, help);
             name.map_or(Ok(()), |name| Err(complain(name)))
         };
-        if let Some(row) = find::<G>(word.text) {
+        if let Some(row) = self.find(word.text) {
             if row.names().is_none() {
                 nothing_to_name(cursor)?;
             }
@@ -167,7 +200,8 @@ impl<G: Editable> Parser<G> {
                 return Err(cursor.at(word, what, "only the first statement is a start"));
             }
             other => {
-                let mut known: Vec<&str> = rows_of::<G>().map(|row| row.word).collect();
+                let own = self.own.iter().copied().filter(|row| G::column(row).is_some());
+                let mut known: Vec<&str> = rows_of::<G>().chain(own).map(|row| row.word).collect();
                 known.extend(OTHERS);
                 let help = format!("known: {} {LET}", known.join(" "));
                 return Err(cursor.at(word, Problem::Statement { word: show(other) }, help));
@@ -299,7 +333,7 @@ impl<G: Editable> Parser<G> {
     fn check_name(&self, cursor: &Cursor<'_>, word: Word<'_>) -> Result<(), Complaint> {
         let letters = word.text.chars().all(|c| c.is_alphanumeric() || c == '_');
         let begins = word.text.chars().next().is_some_and(char::is_alphabetic);
-        let reserved = word.text == LET || OTHERS.contains(&word.text) || find::<G>(word.text).is_some();
+        let reserved = word.text == LET || OTHERS.contains(&word.text) || self.find(word.text).is_some();
         if id(word.text).is_some() || !letters || !begins || reserved {
             let help = "a name begins with a letter, holds letters, digits and `_`, and is neither a statement nor \
                         an id such as h12";

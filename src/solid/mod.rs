@@ -15,6 +15,7 @@
 //! ```text
 //!   dynamic/    add_face, remove_face, add_vertex,            surface_journal.rs  watching them, undo
 //!               remove_vertex, collapse_edge
+//!   parts.rs    what a surface is made of
 //!   local/      split, flip, bevel, inset, extrude; points move
 //!   measure.rs  counts, area, volume                          flat.rs convex.rs wings.rs  exact questions about shape
 //!   angles.rs   angles and curvatures
@@ -38,6 +39,7 @@ mod handles;
 mod hull;
 mod local;
 mod measure;
+mod parts;
 mod platonic;
 pub mod predicates;
 mod schlegel;
@@ -67,6 +69,7 @@ pub use flat::FaceFault;
 pub use hull::{Hull, HullError, HullFaces};
 pub use local::{BevelEdgeError, BevelVertexError, PlaceError, RimError, SpaceTransformError, SurfaceEditError};
 pub use measure::PartCounts;
+pub use parts::PartsError;
 pub use platonic::Platonic;
 pub use schlegel::{Schlegel, SchlegelError};
 pub use selection::Selection;
@@ -217,7 +220,7 @@ impl Polyhedron {
     }
 
     /// A surface from its parts, which must fit together: a position for each vertex up to the bound.
-    fn from_parts(dcel: Dcel, points: VertexMap<[f64; 3]>, boundary_faces: BTreeSet<FaceId>) -> Self {
+    fn assembled(dcel: Dcel, points: VertexMap<[f64; 3]>, boundary_faces: BTreeSet<FaceId>) -> Self {
         Self { dcel, points, boundary_faces }
     }
 

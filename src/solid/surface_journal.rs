@@ -9,7 +9,7 @@
 
 use super::Polyhedron;
 use crate::ids::{FaceId, VertexId};
-use crate::topology::{Journal, Log, NoRecorder, Recorder};
+use crate::topology::{Followed, Follows, Journal, Log, NoRecorder, Recorder};
 
 /// What a surface holds besides its structure, changed.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -51,6 +51,16 @@ impl<R: SurfaceRecorder> SurfaceRecorder for &mut R {
         (**self).surface(change);
     }
 }
+
+impl<A: SurfaceRecorder, B: SurfaceRecorder> SurfaceRecorder for (A, B) {
+    fn surface(&mut self, change: SurfaceChange) {
+        self.0.surface(change);
+        self.1.surface(change);
+    }
+}
+
+/// Follows the elements; positions are not its business.
+impl<I: Follows, T: Clone> SurfaceRecorder for Followed<I, T> {}
 
 /// Keeps all changes; [`Polyhedron::undo`] takes them back.
 ///

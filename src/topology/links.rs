@@ -334,6 +334,19 @@ impl Dcel {
         }
     }
 
+    /// Where a pointer leads; `None` if it is not set, or its record is dead.
+    pub(super) fn raw(&self, slot: Slot) -> Option<Element> {
+        let word = |column: &[u32], i: usize| column.get(i).copied().and_then(target);
+        match slot {
+            Slot::Origin(h) => word(&self.origin, h.index()).map(|i| VertexId(i).into()),
+            Slot::Next(h) => word(&self.next, h.index()).map(|i| HalfEdgeId(i).into()),
+            Slot::Prev(h) => word(&self.prev, h.index()).map(|i| HalfEdgeId(i).into()),
+            Slot::Face(h) => word(&self.face, h.index()).map(|i| FaceId(i).into()),
+            Slot::Outgoing(v) => word(&self.outgoing, v.index()).map(|i| HalfEdgeId(i).into()),
+            Slot::Boundary(f) => word(&self.boundary, f.index()).map(|i| HalfEdgeId(i).into()),
+        }
+    }
+
     /// Writes a pointer without recording it.
     pub(super) fn put(&mut self, slot: Slot, to: Option<Element>) {
         *self.word(slot) = to.map_or(NONE, |element| match element {

@@ -8,7 +8,8 @@
 //!   seed.rs      polygons to start from        build.rs     from lists of polygons
 //!   orient.rs    which faces to turn round
 //!   record.rs    watching an edit              view.rs, table.rs   reading any structure   replay.rs  an edit on a table
-//!   log.rs       a journal of more than pointers
+//!   log.rs       a journal of more than pointers           follow.rs   data that follow edits
+//!   own.rs       edits that are not in the kit
 //!   validate.rs  the laws                      same.rs      equality up to names      measure.rs  counts
 //!   dual.rs      faces become vertices
 //! ```
@@ -17,10 +18,12 @@ mod build;
 mod dual;
 mod edit;
 mod flat;
+mod follow;
 mod links;
 mod log;
 mod measure;
 mod orient;
+mod own;
 mod polygons;
 mod pool;
 mod record;
@@ -39,12 +42,14 @@ pub use edit::{
     CollapseEdgeError, FlipEdgeError, JoinEdgesError, JoinFacesError, JoinVerticesError, SplitEdgeError,
     SplitFaceError, SplitVertexError,
 };
+pub use follow::{Followed, Follows};
 pub(crate) use links::Columns;
 pub use links::Dcel;
 pub use log::Log;
 pub(crate) use measure::find;
 pub use measure::{ComponentCounts, Components, Counts, Mode, components, measure, measure_with};
 pub use orient::{OneSided, faces_to_turn};
+pub use own::{Editing, OwnEditError};
 pub use polygons::PolygonList;
 pub use pool::{IdError, Renumbering, TooMany};
 pub use record::{Change, Journal, NoRecorder, Recorder, Slot, Step};

@@ -9,6 +9,7 @@ mod flips;
 mod inverses;
 mod kernel_script;
 mod oracles;
+mod own;
 mod refusals;
 mod same;
 mod script;

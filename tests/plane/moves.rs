@@ -1,7 +1,7 @@
 //! Vertices that move, one or all: allowed exactly where the full check of the moved drawing finds nothing.
 
 use dcel_kit::plane::{
-    Affine, GeometryViolation, PlaneJournal, PlanarView, Point, SetPointError, Subdivision, TransformError,
+    Affine, GeometryViolation, PlanarView, PlaneJournal, Point, SetPointError, Subdivision, TransformError,
 };
 use dcel_kit::topology::{Table, violations};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
@@ -69,7 +69,8 @@ fn a_vertex_moves_exactly_where_the_full_check_allows_it() {
             for (x, y) in (-1..7).flat_map(|x| (-1..7).map(move |y| (x, y))) {
                 let to = Point::new(f64::from(x) + offset, f64::from(y) - offset);
                 let (answer, oracle) = (s.can_set_point(v, to), moved(&s, v, to));
-                let words = format!("drawing {seed}: {v} from {} to {to}: {answer:?}, full check {oracle:?}", s.point(v));
+                let words =
+                    format!("drawing {seed}: {v} from {} to {to}: {answer:?}, full check {oracle:?}", s.point(v));
                 assert_eq!(answer.is_ok(), oracle.is_ok(), "{words}");
                 *met.entry(answer.as_ref().map_or_else(name, |()| "moved")).or_default() += 1;
                 let (mut after, mut log) = (s.clone(), PlaneJournal::new());
@@ -115,7 +116,7 @@ fn maps() -> Vec<(Affine<2>, i8)> {
     let matrix = |a: f64, b: f64, c: f64, d: f64| Affine { matrix: [[a, b], [c, d]], shift: [3.0, -7.0] };
     let mut maps = vec![(Affine::quarter_turn(), 1), (Affine::reflection(0), -1), (Affine::reflection(1), -1)];
     for [a, b, c, d] in [[2, 1, 1, 1], [1, 2, 3, 4], [3, -4, 4, 3], [0, 1, 1, 0], [-1, 0, 0, -1], [1, 2, 2, 4]] {
-        let det = a * d - b * c;
+        let det: i32 = a * d - b * c;
         maps.push((matrix(f64::from(a), f64::from(b), f64::from(c), f64::from(d)), det.signum() as i8));
     }
     maps
@@ -143,7 +144,8 @@ fn maps_keep_the_faces_and_reflections_turn_the_half_edges_round() {
             assert_eq!(violations(&after), [], "{words}");
             assert_eq!(after.geometry_violations(), [], "{words}");
             let sides = |s: &Subdivision, f: FaceId| -> Vec<HalfEdgeId> {
-                let mut all: Vec<_> = s.cycles(f).flat_map(|h| s.incident_half_edges(s.face(h)).chain(s.cycle(h))).collect();
+                let mut all: Vec<_> =
+                    s.cycles(f).flat_map(|h| s.incident_half_edges(s.face(h)).chain(s.cycle(h))).collect();
                 all.sort_unstable();
                 all.dedup();
                 all
@@ -198,7 +200,9 @@ fn a_log_takes_a_subdivision_back_to_any_mark() {
                 }
                 (3, ..) => done += usize::from(s.set_hole_with(f, true, &mut log).is_some()),
                 (4, ..) => done += usize::from(s.transform_with(&Affine::reflection(0), &mut log).is_ok()),
-                (_, Some(v), _) => done += usize::from(s.set_point_with(v, Point::new(9.0, 9.0 + f64::from(step)), &mut log).is_ok()),
+                (_, Some(v), _) => {
+                    done += usize::from(s.set_point_with(v, Point::new(9.0, 9.0 + f64::from(step)), &mut log).is_ok())
+                }
                 _ => {}
             }
             assert_eq!(s.geometry_violations(), [], "drawing {seed}, step {step}");

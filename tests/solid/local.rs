@@ -331,3 +331,35 @@ fn a_reflected_surface_is_right_side_out() {
         assert_eq!(p.face_bound(), start.face_bound());
     }
 }
+
+#[test]
+fn parts_are_checked_and_renumbering_keeps_the_surface() {
+    use dcel_kit::VertexMap;
+    use dcel_kit::solid::PartsError;
+    let mut p = Polyhedron::platonic(Platonic::Icosahedron);
+    p.remove_face(f(3)).unwrap();
+    p.remove_vertex(v(7)).unwrap();
+    p.bevel_vertex(v(2), 0.5).unwrap();
+    let (dcel, points, borders) = p.clone().into_parts();
+    assert_eq!(Polyhedron::from_parts(dcel.clone(), points.clone(), borders.clone()), Ok(p.clone()));
+    let no_face = Polyhedron::from_parts(dcel.clone(), points.clone(), [f(999)]);
+    assert_eq!(no_face, Err(PartsError::NoFace { face: f(999) }));
+    let few = Polyhedron::from_parts(dcel.clone(), VertexMap::default(), borders.clone());
+    assert!(matches!(few, Err(PartsError::NoPoint { .. })), "{few:?}");
+    let mut bad = points;
+    bad[v(0)] = [0.0, f64::NAN, 0.0];
+    let bad = Polyhedron::from_parts(dcel, bad, borders);
+    assert!(matches!(bad, Err(PartsError::Coordinate { vertex, .. }) if vertex == v(0)), "{bad:?}");
+
+    let before = p.clone();
+    let map = p.compact();
+    sound(&p, "compact");
+    assert_eq!(p.vertex_bound(), before.vertex_count());
+    for vertex in before.vertices() {
+        assert_eq!(p.point(map.vertices[vertex].unwrap()), before.point(vertex));
+    }
+    for face in before.faces() {
+        assert_eq!(p.is_boundary_face(map.faces[face].unwrap()), before.is_boundary_face(face));
+    }
+    assert!(same(p.topology(), before.topology()).is_ok());
+}

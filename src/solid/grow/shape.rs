@@ -259,7 +259,7 @@ impl Shape {
     pub fn build(self) -> Result<Grown, GrowError> {
         let mut dcel = self.seed()?;
         let Placed { points, parts, creases } = self.grow(&mut dcel)?;
-        Ok(Grown { polyhedron: Polyhedron::from_parts(dcel, points, BTreeSet::new()), parts, creases })
+        Ok(Grown { polyhedron: Polyhedron::assembled(dcel, points, BTreeSet::new()), parts, creases })
     }
 }
 

@@ -107,7 +107,7 @@ fn compacted(solid: &Polyhedron, creases: &Selection<EdgeId>) -> (Polyhedron, Se
             finer.add(new, creases.mask(e));
         }
     }
-    (Polyhedron::from_parts(dcel, points, boundary_faces), finer)
+    (Polyhedron::assembled(dcel, points, boundary_faces), finer)
 }
 
 /// The columns of the finer structure while they are written.
@@ -188,6 +188,6 @@ impl Fine {
     /// The finished surface; `faces` are those that are no boundary faces.
     pub(super) fn finish(self, points: Vec<[f64; 3]>, faces: usize) -> Polyhedron {
         let boundary_faces = (faces..self.columns.boundary.len()).map(|f| FaceId::new(f as u32)).collect();
-        Polyhedron::from_parts(Dcel::from_columns(self.columns), points.into(), boundary_faces)
+        Polyhedron::assembled(Dcel::from_columns(self.columns), points.into(), boundary_faces)
     }
 }
