@@ -55,6 +55,7 @@
 
 #[cfg(feature = "compare")]
 pub mod compare;
+#[cfg(feature = "script")]
 pub mod edits;
 #[cfg(feature = "figure")]
 pub mod figure;

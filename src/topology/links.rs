@@ -334,6 +334,17 @@ impl Dcel {
         }
     }
 
+    /// Whether the record is in use: not removed, though none of its pointers may be set yet.
+    pub(super) fn has_record(&self, element: Element) -> bool {
+        let live = |column: &[u32], i: usize| column.get(i).is_some_and(|&word| is_live(word));
+        match element {
+            Element::Vertex(v) => live(&self.outgoing, v.index()),
+            Element::HalfEdge(h) => live(&self.origin, h.index()),
+            Element::Edge(e) => live(&self.origin, 2 * e.index()),
+            Element::Face(f) => live(&self.boundary, f.index()),
+        }
+    }
+
     /// Where a pointer leads; `None` if it is not set, or its record is dead.
     pub(super) fn raw(&self, slot: Slot) -> Option<Element> {
         let word = |column: &[u32], i: usize| column.get(i).copied().and_then(target);

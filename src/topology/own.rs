@@ -25,6 +25,9 @@ pub enum OwnEditError<E> {
     /// The edit itself refused.
     #[error(transparent)]
     Refused(E),
+    /// The edit has written to an element that does not exist. Everything has been taken back.
+    #[error("the edit writes to an element that does not exist: {0}")]
+    Id(IdError),
     /// The edit left a law broken. Everything has been taken back.
     #[error(
         "the edit would break a law: {}; see the laws at dcel_kit::topology::violations",
@@ -43,6 +46,8 @@ pub enum OwnEditError<E> {
 pub struct Editing<'a> {
     dcel: &'a mut Dcel,
     journal: Journal,
+    /// The first write to an element that does not exist; it was not made.
+    astray: Option<IdError>,
 }
 
 impl Deref for Editing<'_> {
@@ -131,29 +136,50 @@ impl Editing<'_> {
         Ok(())
     }
 
-    /// Lets `h` start at `v`.
+    /// Whether the element can be written to; if not, the whole edit will fail.
+    fn may_write(&mut self, element: impl Into<Element>) -> bool {
+        let element = element.into();
+        if self.dcel.has_record(element) {
+            return true;
+        }
+        self.astray = self.astray.or(self.dcel.check(element).err());
+        false
+    }
+
+    /// Lets `h` start at `v`. As with all setters: if the element that is written to does not exist, nothing is
+    /// written, and the whole edit fails with [`OwnEditError::Id`].
     pub fn set_origin(&mut self, h: HalfEdgeId, v: VertexId) {
-        self.dcel.set_origin(h, v, &mut self.journal);
+        if self.may_write(h) {
+            self.dcel.set_origin(h, v, &mut self.journal);
+        }
     }
 
     /// Lets `g` follow `h`: sets the `next` of `h` and the `prev` of `g`.
     pub fn set_next(&mut self, h: HalfEdgeId, g: HalfEdgeId) {
-        self.dcel.set_next(h, g, &mut self.journal);
+        if self.may_write(h) && self.may_write(g) {
+            self.dcel.set_next(h, g, &mut self.journal);
+        }
     }
 
     /// Lets `f` lie on the left of `h`.
     pub fn set_face(&mut self, h: HalfEdgeId, f: FaceId) {
-        self.dcel.set_face(h, f, &mut self.journal);
+        if self.may_write(h) {
+            self.dcel.set_face(h, f, &mut self.journal);
+        }
     }
 
     /// Sets the stored half-edge of a vertex, or none.
     pub fn set_outgoing(&mut self, v: VertexId, h: Option<HalfEdgeId>) {
-        self.dcel.set_outgoing(v, h, &mut self.journal);
+        if self.may_write(v) {
+            self.dcel.set_outgoing(v, h, &mut self.journal);
+        }
     }
 
     /// Sets the stored half-edge of a face, or none.
     pub fn set_boundary(&mut self, f: FaceId, h: Option<HalfEdgeId>) {
-        self.dcel.set_boundary(f, h, &mut self.journal);
+        if self.may_write(f) {
+            self.dcel.set_boundary(f, h, &mut self.journal);
+        }
     }
 
     kit_edits! {
@@ -196,11 +222,12 @@ impl Dcel {
         rec: &mut impl Recorder,
         edit: impl FnOnce(&mut Editing<'_>) -> Result<T, E>,
     ) -> Result<T, OwnEditError<E>> {
-        let mut editing = Editing { dcel: self, journal: Journal::new() };
+        let mut editing = Editing { dcel: self, journal: Journal::new(), astray: None };
         let result = edit(&mut editing);
-        let mut journal = editing.journal;
-        let refusal = match result {
-            Ok(value) if self.is_sound_at(journal.changes()) => {
+        let (mut journal, astray) = (editing.journal, editing.astray);
+        let refusal = match (result, astray) {
+            (Ok(_), Some(error)) => OwnEditError::Id(error),
+            (Ok(value), None) if self.is_sound_at(journal.changes()) => {
                 let mut steps = journal.steps().iter().peekable();
                 for (i, &change) in journal.changes().iter().enumerate() {
                     while let Some(step) = steps.next_if(|step| step.start <= i) {
@@ -210,8 +237,8 @@ impl Dcel {
                 }
                 return Ok(value);
             }
-            Ok(_) => OwnEditError::Broken { violations: violations(self) },
-            Err(error) => OwnEditError::Refused(error),
+            (Ok(_), None) => OwnEditError::Broken { violations: violations(self) },
+            (Err(error), _) => OwnEditError::Refused(error),
         };
         self.undo(&mut journal, 0);
         Err(refusal)

