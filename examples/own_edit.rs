@@ -17,7 +17,7 @@ use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 
 /// Why a face cannot be poked.
 #[derive(Debug)]
-pub enum PokeError {
+pub(crate) enum PokeError {
     /// There is no such face.
     Id(IdError),
     /// The structure is full.
@@ -48,7 +48,7 @@ impl From<TooMany> for PokeError {
 }
 
 /// Joins a new vertex inside `f` to all corners of `f`, which keeps one of the triangles. Returns the vertex.
-pub fn poke_face(dcel: &mut Dcel, f: FaceId, rec: &mut impl Recorder) -> Result<VertexId, EditError> {
+pub(crate) fn poke_face(dcel: &mut Dcel, f: FaceId, rec: &mut impl Recorder) -> Result<VertexId, EditError> {
     let poke = dcel.edit_with(rec, |e| {
         e.check(f)?;
         let sides: Vec<HalfEdgeId> = e.incident_half_edges(f).collect();
@@ -78,7 +78,7 @@ pub fn poke_face(dcel: &mut Dcel, f: FaceId, rec: &mut impl Recorder) -> Result<
 }
 
 /// The row of the table that makes it a word: `poke_face F`.
-pub static POKE_FACE: Row = Row::new(
+pub(crate) static POKE_FACE: Row = Row::new(
     "poke_face",
     &[Parameter { name: "f", takes: Takes::Element(Kind::Face) }],
     &[Given::New(Kind::Vertex)],
@@ -87,7 +87,7 @@ pub static POKE_FACE: Row = Row::new(
 .on_kernel(|dcel, arguments, log| poke_face(dcel, arguments.face(), log).map(Returned::of));
 
 /// Pokes the inside of a pentagon, by call and by script, and takes it back.
-pub fn main() -> Result<(), Box<dyn std::error::Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut pentagon = Dcel::polygon(5)?;
     let (before, mut journal) = (pentagon.clone(), Journal::new());
 

@@ -202,9 +202,9 @@ fn edges_are_split_joined_and_flipped_and_borders_stay() {
             let (vertex, _) = p.split_in_half(h).unwrap();
             sound(&p, "split_in_half");
             let ends = [start.origin(h), start.destination(h)].map(|v| start.point(v));
-            for i in 0..3 {
-                assert!((p.point(vertex)[i] - (ends[0][i] + ends[1][i]) / 2.0).abs() < 1e-12);
-            }
+            let [from, to] = ends;
+            let middle: [f64; 3] = std::array::from_fn(|i| (from[i] + to[i]) / 2.0);
+            assert!(p.point(vertex).iter().zip(middle).all(|(x, m)| (x - m).abs() < 1e-12));
             assert_eq!(p.join_edges(h), Ok(vertex));
             assert!(same(p.topology(), start.topology()).is_ok());
 
@@ -251,7 +251,7 @@ fn refusals_say_why_and_what_to_try() {
     assert!(matches!(tetrahedron.inset_face(f(0), 1.0), Err(RimError::Share { .. })));
     assert!(matches!(tetrahedron.extrude_face(f(0), f64::INFINITY), Err(RimError::Distance { .. })));
     assert!(matches!(tetrahedron.extrude_face(f(0), 1e80), Err(RimError::Coordinate { .. })));
-    assert!(matches!(tetrahedron.set_point(v(0), [0.0, f64::NAN, 0.0]), Err(_)));
+    assert!(tetrahedron.set_point(v(0), [0.0, f64::NAN, 0.0]).is_err());
     assert_eq!(
         tetrahedron.transform(&Affine { matrix: [[1.0; 3]; 3], shift: [0.0; 3] }),
         Err(SpaceTransformError::Flat)
