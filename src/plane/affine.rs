@@ -4,9 +4,8 @@
 //!   x' = matrix · x + shift        every coordinate of x' is the exact value, rounded once
 //! ```
 
-use super::CoordinateError;
 use super::meet::Expansion;
-use super::point::check_coordinate;
+use super::{CoordinateError, check_coordinate};
 use std::cmp::Ordering;
 
 /// An affine map of the plane (`N` = 2) or of space (`N` = 3): a matrix, then a shift. The rows of the matrix come one

@@ -40,9 +40,9 @@ mod table;
 mod triangulate;
 mod voronoi;
 
-pub use affine::Affine;
 pub use crate::geometry::point::{CoordinateError, LARGEST, Point, SMALLEST, check_coordinate};
 pub use crate::geometry::predicates;
+pub use affine::Affine;
 pub use check::{GEOMETRY_RULES, GeometryViolation};
 pub use convert::{ConvertError, ConvertOptions, Converted};
 pub use delaunay::{ConstrainedDelaunay, DelaunayBuilt, DelaunayError};

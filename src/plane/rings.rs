@@ -1,8 +1,8 @@
 //! Bookkeeping of rings while faces are split and joined.
 
 use super::cycle::surrounds;
-use crate::geometry::predicates::left_to_right;
 use super::{PlaneChange, PlaneRecorder, Point, Subdivision};
+use crate::geometry::predicates::left_to_right;
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::topology::{NoRecorder, Ring};
 
