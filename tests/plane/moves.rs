@@ -199,7 +199,7 @@ fn a_log_takes_a_subdivision_back_to_any_mark() {
                 (3, ..) => done += usize::from(s.set_hole_with(f, true, &mut log).is_some()),
                 (4, ..) => done += usize::from(s.transform_with(&Affine::reflection(0), &mut log).is_ok()),
                 (_, Some(v), _) => {
-                    done += usize::from(s.set_point_with(v, Point::new(9.0, 9.0 + f64::from(step)), &mut log).is_ok())
+                    done += usize::from(s.set_point_with(v, Point::new(9.0, 9.0 + f64::from(step)), &mut log).is_ok());
                 }
                 _ => {}
             }
