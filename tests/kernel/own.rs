@@ -71,7 +71,7 @@ fn the_local_check_agrees_with_the_full_one() {
             assert!(!matches!(error, OwnEditError::Broken { violations } if violations.is_empty()), "seed {seed}");
         }
     }
-    assert!(verdicts.iter().all(|&n| n > 50), "{verdicts:?}");
+    assert!(verdicts.iter().all(|&n| n > 20), "{verdicts:?}");
 }
 
 #[test]
