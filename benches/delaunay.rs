@@ -4,9 +4,11 @@
 //! spade's bulk load (exact, into its own half-edge structure) and delaunator (a list of triangles, by doubles).
 //! `-- parts` adds what else can be done with a million random points: delaunator and our converter and flips, a
 //! check of all edges, the Voronoi diagram and its cells; `-- linear` the growth of constrained triangulations where all
-//! edges meet in one vertex, and of Voronoi diagrams of points on a circle.
+//! edges meet in one vertex, of Voronoi diagrams of points on a circle and of points that crowd, and of two ways to cut a
+//! floor with square pillars in rows into Delaunay triangles: monotone pieces and flips, with the number of flips, and
+//! constrained Delaunay at once.
 
-use dcel_kit::plane::{Point, Subdivision, Window};
+use dcel_kit::plane::{Point, Subdivision, TriangulationMethod, Window};
 use dcel_kit_benches::{DOUBLED, Random, compare, growth, print, program};
 use spade::Triangulation as _;
 
@@ -53,14 +55,65 @@ fn linear() {
         let s = Subdivision::from_segments(&spokes).expect("they meet in the hub only");
         move || s.constrained_delaunay().expect("not too many").subdivision.edge_count()
     });
-    growth("Voronoi cells, points on a circle", &DOUBLED, |count| {
-        let points = circle(count);
+    for (name, points) in [("on a circle", circle as fn(usize) -> Vec<Point>), ("that crowd", crowded)] {
+        growth(&format!("Voronoi cells, points {name}"), &DOUBLED, |count| {
+            let points = points(count);
+            move || {
+                let delaunay = Subdivision::delaunay(&points).expect("good points").subdivision;
+                let voronoi = delaunay.voronoi().expect("Delaunay");
+                voronoi.cells(Window::around(&points)).expect("no two sites too close").subdivision.edge_count()
+            }
+        });
+    }
+    growth("floor with pillars in rows: monotone pieces, then flips", &DOUBLED, |count| {
+        let floor = floor(count);
+        let flips = flipped(&floor).1;
+        println!("  {flips} flips for {} vertices", floor.vertex_count());
+        move || flipped(&floor).1
+    });
+    growth("floor with pillars in rows: constrained Delaunay", &DOUBLED, |count| {
+        let floor = floor(count);
         move || {
-            let delaunay = Subdivision::delaunay(&points).expect("good points").subdivision;
-            let voronoi = delaunay.voronoi().expect("Delaunay");
-            voronoi.cells(Window::around(&points)).expect("no two sites too close").subdivision.edge_count()
+            let mut copy = floor.clone();
+            copy.triangulate(TriangulationMethod::Delaunay).expect("a floor");
+            copy.face_count()
         }
     });
+}
+
+/// Points in squares of sides 1, 1/1000, 10^-6 and 10^-9, all of them at the origin.
+fn crowded(count: usize) -> Vec<Point> {
+    let mut random = Random::new(6);
+    (0..count)
+        .map(|i| {
+            let scale = 1000_f64.powi(-((10 * i / count) as i32 / 3));
+            Point::new(scale * random.unit(), scale * random.unit())
+        })
+        .collect()
+}
+
+/// A square floor with about `count` corners: square pillars in rows and columns.
+fn floor(count: usize) -> Subdivision {
+    let side = ((count / 4) as f64).sqrt() as usize;
+    let wide = side as f64 + 1.0;
+    let mut points: Vec<Point> = [(0., 0.), (wide, 0.), (wide, wide), (0., wide)].map(Point::from).to_vec();
+    for i in 0..side * side {
+        let (x, y) = ((i % side) as f64 + 0.75, (i / side) as f64 + 0.75);
+        points.extend([(x, y), (x + 0.5, y), (x + 0.5, y + 0.5), (x, y + 0.5)].map(Point::from));
+    }
+    let edges: Vec<[u32; 2]> = (0..points.len() as u32).map(|i| [i, if i % 4 == 3 { i - 3 } else { i + 1 }]).collect();
+    let mut floor = Subdivision::from_graph(&points, &edges).expect("pillars stand apart");
+    floor.mark_nested_holes();
+    floor
+}
+
+/// The floor in Delaunay triangles, by flips, and how many.
+fn flipped(floor: &Subdivision) -> (Subdivision, usize) {
+    let mut copy = floor.clone();
+    let given = copy.edge_bound();
+    copy.triangulate(TriangulationMethod::Monotone).expect("a floor");
+    let flips = copy.make_delaunay(|e| e.index() < given);
+    (copy, flips)
 }
 
 fn peers() {

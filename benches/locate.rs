@@ -2,7 +2,7 @@
 //!
 //! `cargo bench --bench locate` measures the index, the batch, and crate `spade` with its hierarchy of triangulations,
 //! all with typed answers (vertex, edge or face), and the making of each; `-- linear` the growth from 10^4 to 10^6
-//! triangles; `-- crowds` the index where edges crowd, and `from_segments` of the same segments.
+//! triangles; `-- batches` batches of 10^3 to 10^6 points in one triangulation, beside the same one by one; `-- crowds` the index where edges crowd, and `from_segments` of the same segments.
 
 use dcel_kit::plane::{Point, PointIndex, Subdivision};
 use dcel_kit_benches::{Random, compare, delaunay, print, program};
@@ -34,8 +34,9 @@ fn asked(count: usize) -> Vec<Point> {
 }
 
 fn main() {
-    match std::env::args().find(|arg| ["linear", "crowds"].contains(&arg.as_str())).as_deref() {
+    match std::env::args().find(|arg| ["linear", "batches", "crowds"].contains(&arg.as_str())).as_deref() {
         Some("linear") => [10_000, 100_000, 1_000_000].into_iter().for_each(against_spade),
+        Some("batches") => batches(),
         Some(_) => crowds(),
         None => against_spade(1_000_000),
     }
@@ -79,6 +80,22 @@ fn against_spade(triangles: usize) {
     ];
     let ns = compare(&mut programs, 3, triangles);
     print("making, ns per triangle", &programs, &ns);
+}
+
+fn batches() {
+    for triangles in [10_000, 1_000_000] {
+        let s = ours(triangles);
+        let index = PointIndex::new(&s);
+        for count in [1_000, 10_000, 100_000, 1_000_000] {
+            let points = asked(count);
+            let mut programs = [
+                program("one by one", || points.iter().map(|&p| index.locate(p)).collect::<Vec<_>>()),
+                program("all at once", || index.locate_all(&points)),
+            ];
+            let ns = compare(&mut programs, 9, points.len());
+            print(&format!("{count} points in {triangles} triangles, ns per point"), &programs, &ns);
+        }
+    }
 }
 
 fn crowds() {

@@ -6,6 +6,7 @@
 
 use chull::ConvexHull;
 use dcel_kit::VertexId;
+use dcel_kit::figure::{self, Camera, FigureOptions, HiddenLines};
 use dcel_kit::solid::grow::Shape;
 use dcel_kit::solid::{Convex, Direction, HullFaces, Polyhedron, SurfaceJournal};
 use dcel_kit_benches::{DOUBLED, Random, compare, growth, print, program};
@@ -199,6 +200,17 @@ fn linear() {
     growth("cylinder: is it convex", &DOUBLED, |sides| {
         let solid = cylinder(sides);
         move || solid.check_convex().is_ok()
+    });
+    growth("making a cylinder of three sides, by layers", &DOUBLED, |layers| {
+        move || Shape::Cylinder { sides: 3, layers }.build().expect("not too many").polyhedron
+    });
+    growth("figure of a torus with hidden lines, by vertices", &DOUBLED, |vertices| {
+        let n = (vertices as f64).sqrt() as usize;
+        let torus = Shape::Torus { n, m: n }.build().expect("not too many").polyhedron;
+        move || {
+            let options = FigureOptions::new("Torus");
+            figure::solid(&torus, &Camera::default(), HiddenLines::Dashed, &options).expect("a solid").to_svg().len()
+        }
     });
     growth("cylinder: deficit angles of all vertices", &DOUBLED, |sides| {
         let solid = cylinder(sides);

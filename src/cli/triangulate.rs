@@ -66,6 +66,8 @@ enum Method {
     Ears,
     /// Cut into monotone pieces first, O(n log n)
     Monotone,
+    /// Constrained Delaunay: no needless slivers, O(n log n) for most shapes
+    Delaunay,
 }
 
 impl From<Method> for TriangulationMethod {
@@ -73,6 +75,7 @@ impl From<Method> for TriangulationMethod {
         match method {
             Method::Ears => Self::Ears,
             Method::Monotone => Self::Monotone,
+            Method::Delaunay => Self::Delaunay,
         }
     }
 }
@@ -135,6 +138,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
             (true, _) => "monotone pieces",
             (false, Method::Ears) => "ears",
             (false, Method::Monotone) => "monotone",
+            (false, Method::Delaunay) => "delaunay",
         },
         faces_cut: chosen,
         pieces: chosen + added.new_faces.len(),

@@ -170,6 +170,9 @@ trait AreaVectors {
 
     fn dihedral_angle(&self, e: EdgeId) -> Option<f64> {
         let surface = self.surface();
+        if e.index() >= surface.topology().edge_bound() {
+            surface.topology().no_such(e);
+        }
         let [h, twin] = e.half_edges();
         let faces = [h, twin].map(|h| surface.topology().face(h));
         if faces.iter().any(|&f| surface.is_boundary_face(f)) {

@@ -252,9 +252,17 @@ impl Polyhedron {
     }
 
     /// Where `v` is. O(1).
+    ///
+    /// # Panics
+    /// If `v` was never allocated: `there is no v99: there are 8 vertices`.
     #[must_use]
+    #[inline]
+    #[track_caller]
     pub fn point(&self, v: VertexId) -> [f64; 3] {
-        self.points[v]
+        match self.points.get(v) {
+            Some(&point) => point,
+            None => self.dcel.no_such(v),
+        }
     }
 
     /// Whether `f` stands for a border of the surface and is no polygon of it.

@@ -5,7 +5,8 @@ use dcel_kit::plane::{Point, Subdivision, Triangulated, TriangulationMethod};
 use dcel_kit::topology::{Ring, violations};
 use dcel_kit::{FaceId, FaceMap, HalfEdgeId};
 
-pub(crate) const METHODS: [TriangulationMethod; 2] = [TriangulationMethod::Ears, TriangulationMethod::Monotone];
+pub(crate) const METHODS: [TriangulationMethod; 3] =
+    [TriangulationMethod::Ears, TriangulationMethod::Monotone, TriangulationMethod::Delaunay];
 
 /// Twice the signed area of a closed walk with whole coordinates, exactly.
 fn doubled_area(corners: &[Point]) -> i128 {
@@ -83,6 +84,10 @@ pub(crate) fn judge_whole(before: &Subdivision) {
         let mut after = before.clone();
         let added = after.triangulate(method).unwrap_or_else(|error| panic!("{method:?}: {error}"));
         judge(before, &bounded, &after, &added);
+        if method == TriangulationMethod::Delaunay {
+            let slivers = after.non_delaunay_edges(|e| e.index() < before.edge_bound());
+            assert_eq!(slivers.collect::<Vec<_>>(), [], "diagonals that are not locally Delaunay");
+        }
         let mut areas = FaceMap::filled(before.face_bound(), 0);
         let mut came_from = FaceMap::filled(after.face_bound(), FaceId::new(0));
         added.new_faces.iter().for_each(|&(new, old)| came_from[new] = old);

@@ -418,11 +418,9 @@ impl MapArgs {
             cut_bent_faces(&mut subdivision).map_err(|error| Failure::input(format!("{source}: {error}"), ""))?;
         }
         if self.triangles {
-            let given = subdivision.edge_bound();
-            let cut = subdivision.triangulate(TriangulationMethod::default());
+            // Slivers lead astray whoever goes from portal to portal.
+            let cut = subdivision.triangulate(TriangulationMethod::Delaunay);
             cut.map_err(|error| Failure::input(format!("{source}: {error}"), ""))?;
-            // Slivers lead astray whoever goes from door to door.
-            subdivision.make_delaunay(|edge| edge.index() < given);
         }
         let frame = self.frame(format);
         cut_along(areas, &source, &mut subdivision, |p| frame.point(p))?;

@@ -60,6 +60,14 @@ impl Subdivision {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn constrained_delaunay(&self) -> Result<ConstrainedDelaunay, TooMany> {
+        self.constrained_halves().map(|(made, _)| made)
+    }
+
+    /// The constrained Delaunay triangulation, and for each edge of this subdivision a half in the triangulation and
+    /// the half here that runs the same way.
+    pub(in crate::plane) fn constrained_halves(
+        &self,
+    ) -> Result<(ConstrainedDelaunay, Vec<(HalfEdgeId, HalfEdgeId)>), TooMany> {
         if self.dcel.vertex_bound() > crate::ids::MAX_IDS / 6 {
             return Err(TooMany);
         }
@@ -82,14 +90,14 @@ impl Subdivision {
             marked.push((h, e.half_edges()[0]));
         }
         made.make_delaunay(|e| constrained[e]);
-        for (h, g) in marked {
+        for &(h, g) in &marked {
             faces[made.dcel.face(h).index()] = Some(self.dcel.face(g));
             faces[made.dcel.face(h.twin()).index()] = Some(self.dcel.face(g.twin()));
         }
         let faces = made.spread_faces(faces);
         made.holes = made.dcel.faces().filter(|&f| faces[f] == self.outer_face() || self.is_hole(faces[f])).collect();
         made.holes.remove(&self.outer_face());
-        Ok(ConstrainedDelaunay { subdivision: made, constrained, faces })
+        Ok((ConstrainedDelaunay { subdivision: made, constrained, faces }, marked))
     }
 
     /// Makes the edge from `u` to `w` by flips, in a triangulation of the convex hull with no vertex between the two

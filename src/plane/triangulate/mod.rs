@@ -7,6 +7,7 @@
 //!                     ──> monotone.rs  pieces from left  ──>  none
 //!                                      to right
 //!                         chains.rs    each in one pass
+//!                     ──> delaunay.rs  the constrained Delaunay triangulation
 //! ```
 //!
 //! Every bounded face can be triangulated: with antennas, with vertices that it passes more than once, with rings
@@ -22,6 +23,7 @@
 mod bridges;
 mod candidates;
 mod chains;
+mod delaunay;
 mod ears;
 mod error;
 mod monotone;
@@ -60,6 +62,11 @@ pub enum TriangulationMethod {
     /// Source: de Berg et al., *Computational Geometry*, 3rd ed., sections 3.2 and 3.3.
     #[default]
     Monotone,
+    /// Constrained Delaunay triangles: every diagonal is locally Delaunay, so that no triangle is a needless sliver.
+    ///
+    /// Cost: that of [`Subdivision::constrained_delaunay`] for the whole subdivision, O(n log n) for n vertices besides
+    /// edges that are not Delaunay themselves, however few of its faces are cut.
+    Delaunay,
 }
 
 /// What a triangulation added.
@@ -201,6 +208,7 @@ impl Subdivision {
                 monotone::split(&mut patch)?;
                 chains::triangulate(&mut patch);
             }
+            Goal::Triangles(TriangulationMethod::Delaunay) => delaunay::triangulate(&mut patch, self)?,
             Goal::MonotonePieces => monotone::split(&mut patch)?,
         }
         let pieces = match goal {

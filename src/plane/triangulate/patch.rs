@@ -157,6 +157,16 @@ impl Patch {
         self.links.face.reserve(more);
     }
 
+    /// The half-edges given.
+    pub(super) fn given_half_edges(&self) -> &[HalfEdgeId] {
+        &self.links.given
+    }
+
+    /// The vertex at each place.
+    pub(super) fn vertices(&self) -> &[VertexId] {
+        &self.links.vertex
+    }
+
     /// The number of half-edges given: those of diagonals come after them.
     pub(super) fn given(&self) -> u32 {
         self.links.given.len() as u32
@@ -248,8 +258,10 @@ impl Patch {
         x + 1
     }
 
+    /// Adds a diagonal of a face between two places that hangs on nothing yet. Returns its half-edge that leaves `from`;
+    /// the other one is the next number.
     #[inline]
-    fn add(&mut self, from: u32, to: u32, face: FaceId) -> u32 {
+    pub(super) fn add(&mut self, from: u32, to: u32, face: FaceId) -> u32 {
         let a = self.len();
         self.links.origin.extend([from, to]);
         self.links.face.extend([face; 2]);
@@ -258,8 +270,9 @@ impl Patch {
         a
     }
 
+    /// Makes `h` the next half-edge after `g`.
     #[inline]
-    fn follow(&mut self, g: u32, h: u32) {
+    pub(super) fn follow(&mut self, g: u32, h: u32) {
         self.links.next[g as usize] = h;
         self.links.prev[h as usize] = g;
     }

@@ -12,36 +12,65 @@
 //!
 //! Each extrusion moves the selected side by one step; a new wall continues the side below it.
 
+use super::extrude::extrude_faces;
 use super::shape::{Placed, part, stride};
-use super::{GrowError, Primitives, extrude};
+use super::{GrowError, Primitives};
 use crate::ids::FaceId;
 
 /// The walls round the first layer, in the order of the ring's half-edges.
 const ROUND: [u8; 4] = [part::FRONT, part::RIGHT, part::BACK, part::LEFT];
 
 /// Grows a box of `steps` cubes from a ring of four; its corners are at -1 and 1.
+///
+/// Cost: O(x y z) for x, y and z steps: each step walks round the faces of one side, and moves it.
 pub(super) fn cuboid(on: &mut impl Primitives, steps: [usize; 3]) -> Result<Placed, GrowError> {
     let mut placed = Placed::default();
     placed.parts.add(FaceId::new(0), part::BOTTOM);
     placed.parts.add(FaceId::new(1), part::TOP);
+    let mut sides = Sides { top: vec![FaceId::new(1)], back: Vec::new(), right: Vec::new() };
     placed.points = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]].into();
     for _ in 0..steps[2] {
-        push(on, &mut placed, part::TOP, 2)?;
+        push(on, &mut placed, &mut sides, part::TOP, 2)?;
     }
     for _ in 1..steps[1] {
-        push(on, &mut placed, part::BACK, 1)?;
+        push(on, &mut placed, &mut sides, part::BACK, 1)?;
     }
     for _ in 1..steps[0] {
-        push(on, &mut placed, part::RIGHT, 0)?;
+        push(on, &mut placed, &mut sides, part::RIGHT, 0)?;
     }
     let scaled = |p: [f64; 3]| std::array::from_fn(|axis| stride(p[axis] as usize, steps[axis]));
     placed.points = placed.points.as_slice().iter().map(|&p| scaled(p)).collect::<Vec<_>>().into();
     Ok(placed)
 }
 
+/// The faces of the sides that are pushed, in the order of their numbers.
+struct Sides {
+    top: Vec<FaceId>,
+    back: Vec<FaceId>,
+    right: Vec<FaceId>,
+}
+
+impl Sides {
+    fn of(&mut self, part: u8) -> Option<&mut Vec<FaceId>> {
+        match part {
+            part::TOP => Some(&mut self.top),
+            part::BACK => Some(&mut self.back),
+            part::RIGHT => Some(&mut self.right),
+            _ => None,
+        }
+    }
+}
+
 /// Extrudes one side of the box by one step along an axis.
-fn push(on: &mut impl Primitives, placed: &mut Placed, side: u8, axis: usize) -> Result<(), GrowError> {
-    let made = extrude(on, &placed.parts, side)?;
+fn push(
+    on: &mut impl Primitives,
+    placed: &mut Placed,
+    sides: &mut Sides,
+    side: u8,
+    axis: usize,
+) -> Result<(), GrowError> {
+    let faces = sides.of(side).cloned().unwrap_or_default();
+    let made = extrude_faces(on, faces, |f| placed.parts.has(f, side))?;
     for (foot, above) in made.lifted {
         let mut point = placed.points[foot];
         point[axis] += 1.0;
@@ -53,7 +82,11 @@ fn push(on: &mut impl Primitives, placed: &mut Placed, side: u8, axis: usize) ->
     for (i, wall) in made.walls.iter().enumerate() {
         let below = placed.parts.mask(wall.below);
         let first_layer = side == part::TOP && below == part::BOTTOM;
-        placed.parts.add(wall.face, if first_layer { ROUND[i % 4] } else { below });
+        let part = if first_layer { ROUND[i % 4] } else { below };
+        placed.parts.add(wall.face, part);
+        if let Some(list) = sides.of(part) {
+            list.push(wall.face);
+        }
     }
     Ok(())
 }

@@ -44,8 +44,8 @@ pub struct Extruded {
 /// Lifts the faces that have a bit of `mask` in `selection`: their border is doubled and joined by walls of four
 /// sides. The caller moves the new vertices where they belong.
 ///
-/// With b border edges: V + b, E + 2b, F + b. Cost: O(all faces + sides of the selected ones), and a sort of their
-/// vertices.
+/// With b border edges: V + b, E + 2b, F + b. Cost: O(length of the selection + sides of the selected faces), and a sort
+/// of their vertices.
 ///
 /// # Errors
 /// [`GrowError`]: a selected face does not exist or has fewer than three sides, there is no border, or the structure
@@ -62,12 +62,20 @@ pub struct Extruded {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn extrude(on: &mut impl Primitives, selection: &Selection<FaceId>, mask: u8) -> Result<Extruded, GrowError> {
+    extrude_faces(on, selection.ids(mask), |f| selection.has(f, mask))
+}
+
+/// [`extrude`] for who knows the selected faces without a look at all: `is_in` is true for `faces` and no others.
+pub(super) fn extrude_faces(
+    on: &mut impl Primitives,
+    faces: impl IntoIterator<Item = FaceId>,
+    is_in: impl Fn(FaceId) -> bool,
+) -> Result<Extruded, GrowError> {
     let dcel = on.dcel();
-    let is_in = |f: FaceId| selection.has(f, mask);
     let mut border = Vec::new();
     let mut touched = Vec::new();
     let mut selected = 0;
-    for face in selection.ids(mask) {
+    for face in faces {
         dcel.check(face)?;
         selected += 1;
         let first = border.len();

@@ -208,7 +208,7 @@ impl Shape {
 
     /// Grows the shape on its [`seed`](Self::seed), by vertex splits and face splits only.
     ///
-    /// Cost: O(V + E + F), but for long boxes: O(faces x steps).
+    /// Cost: O(V + E + F), and for boxes O(x y z): each step of a box moves a whole side.
     ///
     /// # Errors
     /// [`GrowError`] as for the seed, or if `on` is not the seed.

@@ -10,8 +10,9 @@
 //!     ●──┼──●  profile[0]
 //! ```
 
+use super::extrude::extrude_faces;
 use super::shape::{Placed, part};
-use super::{GrowError, Primitives, extrude, pole};
+use super::{GrowError, Primitives, pole};
 use crate::ids::{FaceId, HalfEdgeId, VertexMap};
 use std::f64::consts::TAU;
 
@@ -37,7 +38,7 @@ pub(super) fn spin(on: &mut impl Primitives, sides: usize, profile: &Profile) ->
         placed.points.push(at(c, profile.rings[0]));
     }
     for &ring in &profile.rings[1..] {
-        let made = extrude(on, &placed.parts, part::TOP)?;
+        let made = extrude_faces(on, [top], |f| f == top)?;
         for (foot, above) in made.lifted {
             column.set(above, column[foot], 0);
             placed.points.set(above, at(column[foot], ring), [0.0; 3]);

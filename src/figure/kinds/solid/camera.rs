@@ -81,6 +81,27 @@ impl Picture {
         self.eye.map_or(1.0, |eye| dot(minus(eye, p), self.towards))
     }
 
+    /// How near to the eye a point is: of two points on one line of sight the nearer one has the greater value. For a
+    /// plane it changes evenly across the paper.
+    pub(super) fn nearness(&self, p: Vector) -> f64 {
+        self.eye.map_or_else(|| dot(minus(p, self.middle), self.towards), |eye| 1.0 / dot(minus(eye, p), self.towards))
+    }
+
+    /// No less than how near a plane is, where a point lies on the paper: infinite if the plane is seen almost along
+    /// itself. The plane has an area vector and a point on it.
+    pub(super) fn nearness_on(&self, p: Vector, [normal, on]: [Vector; 2]) -> f64 {
+        let ray = self.ray(p);
+        let slope = dot(normal, ray);
+        let steps = dot(normal, minus(on, p)) / slope;
+        let near = self.nearness([0, 1, 2].map(|i| p[i] + steps * ray[i]));
+        let is_steep = slope.abs() < 1e-6 * (dot(normal, normal) * dot(ray, ray)).sqrt();
+        // Behind the eye nearness is negative: a plane that passes it is as near as can be.
+        if is_steep || !near.is_finite() || (self.eye.is_some() && near <= 0.0) {
+            return f64::INFINITY;
+        }
+        near + 1e-9 * (near.abs() + if self.eye.is_some() { 0.0 } else { self.size })
+    }
+
     /// From a point towards the eye.
     pub(super) fn ray(&self, p: Vector) -> Vector {
         self.eye.map_or(self.towards, |eye| minus(eye, p))

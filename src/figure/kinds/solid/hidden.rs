@@ -8,6 +8,8 @@
 //! ```
 
 use crate::figure::kinds::solid::camera::{Picture, dot, minus};
+use crate::figure::kinds::solid::inside::Outline;
+use crate::figure::kinds::solid::tree::{Bounds, Tree};
 use crate::ids::{EdgeId, FaceId, FaceMap};
 use crate::plane::Point;
 use crate::solid::Polyhedron;
@@ -35,34 +37,45 @@ struct Look<'a> {
     picture: &'a Picture,
     /// Whether a face looks at the eye.
     front: FaceMap<bool>,
-    /// The corners of each face on the paper, and the least and greatest x and y of them.
-    shapes: FaceMap<(Vec<Point>, [f64; 4])>,
+    /// Each face on the paper, and its box.
+    shapes: FaceMap<(Outline, Bounds)>,
     /// The area vector of each face, and the mean of its corners.
     planes: FaceMap<[[f64; 3]; 2]>,
     outline: Vec<EdgeId>,
 }
 
+/// What may hide something, by where it is on the paper.
+struct Index {
+    polygons: Vec<FaceId>,
+    faces: Tree,
+    outline: Tree,
+}
+
+/// Edges are looked for so much further out, in sizes of the solid, than where they are.
+const MARGIN: f64 = 1e-6;
+
 impl Seen {
     pub(super) fn new(solid: &Polyhedron, picture: &Picture) -> Self {
         let look = Look::new(solid, picture);
-        let is_convex = solid.check_convex().is_ok();
+        let index = solid.check_convex().is_err().then(|| look.index());
         let mut whole = look.front.clone();
         let mut cut: Vec<(EdgeId, Stretches)> = Vec::new();
+        let mut cover = None;
         for e in solid.edges() {
             let sides = look.sides(e);
             let away = sides.iter().all(|&f| solid.is_boundary_face(f) || !look.front[f]);
             let closed = sides.iter().all(|&f| !solid.is_boundary_face(f));
-            let pieces = match (is_convex, away && closed) {
+            let pieces = match (&index, away && closed) {
                 (_, true) => vec![(0.0, 1.0, true)],
-                (true, false) => vec![(0.0, 1.0, false)],
-                (false, false) => look.cut(e),
+                (None, false) => vec![(0.0, 1.0, false)],
+                (Some(index), false) => look.cut(e, index, &mut cover),
             };
             if pieces.iter().any(|&(.., hidden)| hidden) {
                 sides.iter().for_each(|&f| whole[f] = false);
             }
             cut.push((e, pieces));
         }
-        if !is_convex {
+        if index.is_some() {
             look.clear_covered(&mut whole);
         }
         let faces: Vec<FaceId> = solid.polygon_faces().filter(|&f| whole[f]).collect();
@@ -84,16 +97,17 @@ impl Seen {
 impl<'a> Look<'a> {
     fn new(solid: &'a Polyhedron, picture: &'a Picture) -> Self {
         let mut front = FaceMap::filled(solid.face_bound(), false);
-        let mut shapes = FaceMap::filled(solid.face_bound(), (Vec::new(), [0.0; 4]));
+        let mut shapes = FaceMap::filled(solid.face_bound(), (Outline::default(), Bounds::NONE));
         let mut planes = FaceMap::filled(solid.face_bound(), [[0.0; 3]; 2]);
         for f in solid.polygon_faces() {
             let [normal, mean] = [solid.area_vector(f), solid.face_mean(f)];
             planes[f] = [normal, mean];
             front[f] = dot(normal, picture.ray(mean)) > 0.0;
             let corners: Vec<Point> = solid.incident_vertices(f).map(|v| picture.points[v]).collect();
-            let empty = [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
-            let bounds = corners.iter().fold(empty, |[a, b, c, d], p| [a.min(p.x), b.max(p.x), c.min(p.y), d.max(p.y)]);
-            shapes[f] = (corners, bounds);
+            let near = solid.incident_vertices(f).map(|v| picture.nearness_on(solid.point(v), planes[f]));
+            let near = near.fold(f64::NEG_INFINITY, f64::max);
+            let bounds = corners.iter().fold(Bounds::NONE, |all, &p| all.with(Bounds::at(p)));
+            shapes[f] = (Outline::new(corners), Bounds { near, ..bounds });
         }
         let mut look = Self { solid, picture, front, shapes, planes, outline: Vec::new() };
         look.outline = solid
@@ -119,25 +133,60 @@ impl<'a> Look<'a> {
         [0, 1, 2].map(|i| a[i] + t * (b[i] - a[i]))
     }
 
-    /// The parts of an edge. Neighbours that are alike are one part.
-    fn cut(&self, e: EdgeId) -> Stretches {
+    /// Trees over the polygons and over the outline. O(n log n).
+    fn index(&self) -> Index {
+        let polygons: Vec<FaceId> = self.solid.polygon_faces().collect();
+        let outline: Vec<Bounds> = self.outline.iter().map(|&e| self.bounds(e)).collect();
+        let flat = |i: usize| [outline[i].left + outline[i].right, outline[i].low + outline[i].high, 0.0];
+        Index { faces: self.tree(&polygons), outline: Tree::new(&outline, flat), polygons }
+    }
+
+    fn tree(&self, faces: &[FaceId]) -> Tree {
+        let bounds: Vec<Bounds> = faces.iter().map(|&f| self.shapes[f].1).collect();
+        Tree::new(&bounds, |i| {
+            let mean = self.planes[faces[i]][1];
+            let Point { x, y } = self.picture.place(mean);
+            [x, y, self.picture.nearness(mean)]
+        })
+    }
+
+    /// The box of an edge on the paper, with a margin.
+    fn bounds(&self, e: EdgeId) -> Bounds {
+        let [a, b] = self.ends(e).map(|p| Bounds::at(self.picture.place(p)));
+        a.with(b).wider(MARGIN * self.picture.size)
+    }
+
+    /// The parts of an edge. Neighbours that are alike are one part. `cover` is the face that hid something last: what
+    /// comes next is likely to lie behind it, too.
+    fn cut(&self, e: EdgeId, index: &Index, cover: &mut Option<FaceId>) -> Stretches {
         let [a, b] = self.ends(e).map(|p| self.picture.place(p));
         let mut places = vec![0.0, 1.0];
-        for &other in self.outline.iter().filter(|&&other| other != e) {
-            let [c, d] = self.ends(other).map(|p| self.picture.place(p));
-            let (along, across) = ([b.x - a.x, b.y - a.y], [d.x - c.x, d.y - c.y]);
-            let turn = along[0] * across[1] - along[1] * across[0];
-            let gap = [c.x - a.x, c.y - a.y];
-            let t = (gap[0] * across[1] - gap[1] * across[0]) / turn;
-            let u = (gap[0] * along[1] - gap[1] * along[0]) / turn;
-            if (1e-9..1.0 - 1e-9).contains(&t) && (-1e-9..1.0 + 1e-9).contains(&u) {
-                places.push(self.place_in_space(e, t));
-            }
-        }
+        let own = self.bounds(e);
+        index.outline.any(
+            |bounds| own.touches(bounds) && bounds.meets_line(a, b),
+            |other| {
+                let other = self.outline[other];
+                let [c, d] = self.ends(other).map(|p| self.picture.place(p));
+                let (along, across) = ([b.x - a.x, b.y - a.y], [d.x - c.x, d.y - c.y]);
+                let turn = along[0] * across[1] - along[1] * across[0];
+                let gap = [c.x - a.x, c.y - a.y];
+                let t = (gap[0] * across[1] - gap[1] * across[0]) / turn;
+                let u = (gap[0] * along[1] - gap[1] * along[0]) / turn;
+                if other != e && (1e-9..1.0 - 1e-9).contains(&t) && (-1e-9..1.0 + 1e-9).contains(&u) {
+                    places.push(self.place_in_space(e, t));
+                }
+                false
+            },
+        );
         places.sort_by(f64::total_cmp);
         let mut pieces = Stretches::new();
         for pair in places.windows(2).filter(|pair| pair[1] - pair[0] > 1e-9) {
-            let hidden = self.is_covered(self.along(e, f64::midpoint(pair[0], pair[1])), &self.sides(e));
+            let middle = self.along(e, f64::midpoint(pair[0], pair[1]));
+            let own = self.sides(e);
+            let again = cover.filter(|f| !own.contains(f) && self.covers(*f, middle, self.picture.place(middle)));
+            let found = again.or_else(|| self.cover_of(middle, &own, index));
+            let hidden = found.is_some();
+            *cover = found.or(*cover);
             match pieces.last_mut() {
                 Some(last) if last.2 == hidden => last.1 = pair[1],
                 _ => pieces.push((pair[0], pair[1], hidden)),
@@ -152,15 +201,24 @@ impl<'a> Look<'a> {
         t * a / (t * a + (1.0 - t) * b)
     }
 
-    /// Whether a face that is none of `own` lies between `p` and the eye.
-    fn is_covered(&self, p: [f64; 3], own: &[FaceId]) -> bool {
-        let at = self.picture.place(p);
-        self.solid.polygon_faces().filter(|f| !own.contains(f)).any(|f| self.covers(f, p, at))
+    /// A face that is none of `own` and lies between `p` and the eye.
+    fn cover_of(&self, p: [f64; 3], own: &[FaceId], index: &Index) -> Option<FaceId> {
+        let (at, near) = (self.picture.place(p), self.picture.nearness(p));
+        let mut cover = None;
+        index.faces.any(
+            |bounds| bounds.holds(at) && bounds.near >= near,
+            |i| {
+                let f = index.polygons[i];
+                cover = (!own.contains(&f) && self.covers(f, p, at)).then_some(f);
+                cover.is_some()
+            },
+        );
+        cover
     }
 
     fn covers(&self, f: FaceId, p: [f64; 3], at: Point) -> bool {
-        let (corners, [left, right, low, high]) = &self.shapes[f];
-        if at.x < *left || at.x > *right || at.y < *low || at.y > *high || !is_inside(corners, at) {
+        let (outline, bounds) = &self.shapes[f];
+        if !bounds.holds(at) || !outline.contains(at) {
             return false;
         }
         let [normal, mean] = self.planes[f];
@@ -172,25 +230,24 @@ impl<'a> Look<'a> {
 
     /// Takes faces out that something stands in front of, although all of their edges are seen.
     fn clear_covered(&self, whole: &mut FaceMap<bool>) {
+        let faces: Vec<FaceId> = self.solid.polygon_faces().filter(|&f| whole[f]).collect();
+        let tree = self.tree(&faces);
         for &e in &self.outline {
             let middle = self.along(e, 0.5);
             let at = self.picture.place(middle);
             let own = self.sides(e);
-            for f in self.solid.polygon_faces().filter(|f| !own.contains(f)) {
-                let (corners, [left, right, low, high]) = &self.shapes[f];
-                let near = at.x >= *left && at.x <= *right && at.y >= *low && at.y <= *high;
-                if whole[f] && near && is_inside(corners, at) && !self.covers(f, middle, at) {
-                    whole[f] = false;
-                }
-            }
+            tree.any(
+                |bounds| bounds.holds(at),
+                |i| {
+                    let f = faces[i];
+                    let (outline, bounds) = &self.shapes[f];
+                    let behind = whole[f] && !own.contains(&f) && bounds.holds(at) && outline.contains(at);
+                    if behind && !self.covers(f, middle, at) {
+                        whole[f] = false;
+                    }
+                    false
+                },
+            );
         }
     }
-}
-
-/// Whether a point lies in a polygon, by the number of sides to its right.
-fn is_inside(corners: &[Point], at: Point) -> bool {
-    let sides = corners.iter().zip(corners.iter().cycle().skip(1));
-    let crossed =
-        sides.filter(|(a, b)| (a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x));
-    crossed.count() % 2 == 1
 }

@@ -14,6 +14,8 @@
 
 mod camera;
 mod hidden;
+mod inside;
+mod tree;
 
 pub use crate::figure::kinds::solid::camera::Camera;
 
@@ -39,8 +41,10 @@ pub enum HiddenLines {
 /// Draws a solid as `camera` sees it. The title of the options is that of the figure; if they choose faces, only
 /// those of them are drawn as faces.
 ///
-/// Cost: O(E) for convex solids; for others O(E times edges of the outline), and a look at all faces for each piece
-/// of an edge.
+/// Cost: O(E) for convex solids. For others about O((E + k) log E), if edges pass in front of or behind outlines at k
+/// places of the paper: faces and outlines are found by trees over their boxes. That is so where faces are about as long
+/// as wide. Where very many long narrow walls stand behind each other, as in a comb, k is up to E², and boxes overlap, so
+/// that each place costs up to O(E).
 ///
 /// # Errors
 /// [`SketchError`]: a solid without vertices has nothing to draw.
