@@ -191,6 +191,21 @@ impl Element {
     }
 }
 
+/// The panic of a list that reaches from 0 to below `bound`, for an id that it has not: one that names both.
+#[inline]
+#[track_caller]
+pub(crate) fn must_be_below(element: impl Into<Element>, index: usize, bound: usize) {
+    #[cold]
+    #[inline(never)]
+    #[track_caller]
+    fn refuse(element: Element, bound: usize) -> ! {
+        panic!("{}", element.missing(bound, bound))
+    }
+    if index >= bound {
+        refuse(element.into(), bound);
+    }
+}
+
 impl fmt::Debug for Element {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
@@ -221,7 +236,7 @@ impl From<FaceId> for Element {
     }
 }
 
-/// One value per id in a plain array: `map[id]`, O(1), no hashing.
+/// One value per id in a plain array: `map[id]`, O(1), no hashing. An id beyond its end is a panic that names it.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct IdMap<I, T> {
     values: Vec<T>,
@@ -321,14 +336,36 @@ impl<I, T> From<Vec<T>> for IdMap<I, T> {
 impl<I: Id, T> Index<I> for IdMap<I, T> {
     type Output = T;
 
+    #[inline]
+    #[track_caller]
     fn index(&self, id: I) -> &T {
-        &self.values[id.index()]
+        match self.values.get(id.index()) {
+            Some(value) => value,
+            None => beyond(id, self.values.len()),
+        }
     }
 }
 
 impl<I: Id, T> IndexMut<I> for IdMap<I, T> {
+    #[inline]
+    #[track_caller]
     fn index_mut(&mut self, id: I) -> &mut T {
-        &mut self.values[id.index()]
+        let len = self.values.len();
+        match self.values.get_mut(id.index()) {
+            Some(value) => value,
+            None => beyond(id, len),
+        }
+    }
+}
+
+/// Ends with the message that a map does not reach as far as an id: `there is no v99: the map holds 5 values, v0 to v4`.
+#[cold]
+#[inline(never)]
+#[track_caller]
+fn beyond<I: Id>(id: I, len: usize) -> ! {
+    match len.checked_sub(1) {
+        None => panic!("there is no {id}: the map is empty"),
+        Some(last) => panic!("there is no {id}: the map holds {len} values, {0}0 to {0}{last}", I::LETTER),
     }
 }
 

@@ -22,7 +22,7 @@ use super::grid::{GapEdge, Grid};
 use super::merged::Merged;
 use super::records::FaceTable;
 use super::slivers::Slivers;
-use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
+use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId, must_be_below};
 use crate::plane::predicates::{left_to_right, orientation};
 use crate::plane::{Point, Subdivision};
 use std::collections::{BTreeMap, BTreeSet};
@@ -285,10 +285,12 @@ impl NavMesh {
     /// Where `v` is. O(1).
     ///
     /// # Panics
-    /// If there is no such vertex.
+    /// If there is no such vertex: `there is no v99: there are 5 vertices`.
     #[must_use]
     #[inline]
+    #[track_caller]
     pub fn point(&self, v: VertexId) -> Point {
+        must_be_below(v, v.index(), self.points.len());
         self.points[v.index()]
     }
 

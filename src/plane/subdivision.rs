@@ -64,10 +64,17 @@ impl Subdivision {
     }
 
     /// Where `v` is. O(1).
+    ///
+    /// # Panics
+    /// If `v` was never allocated: `there is no v99: there are 5 vertices`.
     #[must_use]
     #[inline]
+    #[track_caller]
     pub fn point(&self, v: VertexId) -> Point {
-        self.points[v]
+        match self.points.get(v) {
+            Some(&point) => point,
+            None => self.dcel.no_such(v),
+        }
     }
 
     /// The cycles of `f` beside its boundary, and the isolated vertices in it.

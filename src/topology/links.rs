@@ -148,18 +148,29 @@ impl Dcel {
         self.boundary.len()
     }
 
-    /// The vertex a half-edge starts at. O(1). Panics if `h` was never allocated, as every getter does.
+    /// The vertex a half-edge starts at. O(1).
+    ///
+    /// # Panics
+    /// If `h` was never allocated, as every getter does: `there is no h99: there are 10 half-edges`.
     #[must_use]
     #[inline]
+    #[track_caller]
     pub fn origin(&self, h: HalfEdgeId) -> VertexId {
-        VertexId(self.origin[h.index()])
+        match self.origin.get(h.index()) {
+            Some(&word) => VertexId(word),
+            None => self.no_such(h),
+        }
     }
 
     /// The vertex a half-edge ends at: the origin of its twin. O(1).
     #[must_use]
     #[inline]
+    #[track_caller]
     pub fn destination(&self, h: HalfEdgeId) -> VertexId {
-        self.origin(h.twin())
+        match self.origin.get(h.twin().index()) {
+            Some(&word) => VertexId(word),
+            None => self.no_such(h),
+        }
     }
 
     /// The other half of the same edge. O(1), no memory access.
@@ -179,37 +190,68 @@ impl Dcel {
     /// The half-edge after `h` along the boundary of its face. O(1).
     #[must_use]
     #[inline]
+    #[track_caller]
     pub fn next(&self, h: HalfEdgeId) -> HalfEdgeId {
-        HalfEdgeId(self.next[h.index()])
+        match self.next.get(h.index()) {
+            Some(&word) => HalfEdgeId(word),
+            None => self.no_such(h),
+        }
     }
 
     /// The half-edge before `h` along the boundary of its face. O(1).
     #[must_use]
     #[inline]
+    #[track_caller]
     pub fn prev(&self, h: HalfEdgeId) -> HalfEdgeId {
-        HalfEdgeId(self.prev[h.index()])
+        match self.prev.get(h.index()) {
+            Some(&word) => HalfEdgeId(word),
+            None => self.no_such(h),
+        }
     }
 
     /// The face on the left of `h`. O(1).
     #[must_use]
     #[inline]
+    #[track_caller]
     pub fn face(&self, h: HalfEdgeId) -> FaceId {
-        FaceId(self.face[h.index()])
+        match self.face.get(h.index()) {
+            Some(&word) => FaceId(word),
+            None => self.no_such(h),
+        }
     }
 
     /// One half-edge that starts at `v`; none if `v` is isolated (or removed). O(1).
     #[must_use]
     #[inline]
+    #[track_caller]
     pub fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
-        target(self.outgoing[v.index()]).map(HalfEdgeId)
+        match self.outgoing.get(v.index()) {
+            Some(&word) => target(word).map(HalfEdgeId),
+            None => self.no_such(v),
+        }
     }
 
     /// One half-edge whose face is `f` (the lab's `incidentHalfEdge`); none if `f` has no boundary (or was
     /// removed). O(1).
     #[must_use]
     #[inline]
+    #[track_caller]
     pub fn boundary(&self, f: FaceId) -> Option<HalfEdgeId> {
-        target(self.boundary[f.index()]).map(HalfEdgeId)
+        match self.boundary.get(f.index()) {
+            Some(&word) => target(word).map(HalfEdgeId),
+            None => self.no_such(f),
+        }
+    }
+
+    /// Ends with the message that an id is of no element: `there is no v99: there are 5 vertices`.
+    #[cold]
+    #[inline(never)]
+    #[track_caller]
+    pub(crate) fn no_such(&self, element: impl Into<Element>) -> ! {
+        match self.check(element.into()) {
+            Err(error) => panic!("{error}"),
+            Ok(()) => panic!("an id that exists was not found"),
+        }
     }
 
     /// Whether `h` has no face yet: a border half-edge while a structure is being built.

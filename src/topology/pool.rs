@@ -10,7 +10,7 @@
 use super::Dcel;
 use super::links::{Columns, FREE_END, NONE, TAG};
 use super::record::{Change, Journal, Recorder};
-use crate::ids::{EdgeId, EdgeMap, Element, FaceId, FaceMap, HalfEdgeId, MAX_IDS, VertexId, VertexMap};
+use crate::ids::{EdgeId, EdgeMap, Element, FaceId, FaceMap, HalfEdgeId, MAX_IDS, VertexId, VertexMap, must_be_below};
 
 /// An id that names no element of this structure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -50,7 +50,9 @@ pub struct Renumbering {
 impl Renumbering {
     /// Where a half-edge went: the same half of its edge's new number.
     #[must_use]
+    #[track_caller]
     pub fn half_edge(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        must_be_below(h, h.index(), 2 * self.edges.len());
         self.edges[h.edge()].map(|e| e.half_edges()[(h.number() & 1) as usize])
     }
 }

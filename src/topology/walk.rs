@@ -120,6 +120,7 @@ impl Dcel {
     /// The next half-edge counter-clockwise round the origin of `h`: `twin(prev(h))`. O(1).
     #[must_use]
     #[inline]
+    #[track_caller]
     pub fn ccw(&self, h: HalfEdgeId) -> HalfEdgeId {
         self.prev(h).twin()
     }
@@ -127,7 +128,11 @@ impl Dcel {
     /// The next half-edge clockwise round the origin of `h`: `next(twin(h))`. O(1).
     #[must_use]
     #[inline]
+    #[track_caller]
     pub fn cw(&self, h: HalfEdgeId) -> HalfEdgeId {
+        if h.index() >= self.half_edge_bound() {
+            self.no_such(h);
+        }
         self.next(h.twin())
     }
 

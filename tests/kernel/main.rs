@@ -8,6 +8,7 @@ mod edits;
 mod flips;
 mod inverses;
 mod kernel_script;
+mod missing_ids;
 mod oracles;
 mod own;
 mod refusals;

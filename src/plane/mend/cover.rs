@@ -9,7 +9,7 @@
 //! ```
 
 use crate::geometry::grouping::grouped;
-use crate::ids::{FaceId, FaceMap, HalfEdgeId};
+use crate::ids::{FaceId, FaceMap, HalfEdgeId, must_be_below};
 use crate::plane::Subdivision;
 use crate::topology::PolygonList;
 use std::collections::BTreeSet;
@@ -30,6 +30,11 @@ impl Lists {
     /// Ends the list at hand.
     pub(super) fn end(&mut self) {
         self.ends.push(self.list.len() as u32);
+    }
+
+    /// The number of lists that have ended.
+    pub(super) fn len(&self) -> usize {
+        self.ends.len()
     }
 
     pub(super) fn of(&self, i: usize) -> &[u32] {
@@ -221,14 +226,21 @@ impl Cover {
     }
 
     /// How many polygons cover `f`. O(1).
+    ///
+    /// # Panics
+    /// If there is no such face: `there is no f99: there are 4 faces`.
     #[must_use]
+    #[track_caller]
     pub fn count(&self, f: FaceId) -> u32 {
+        must_be_below(f, f.index(), self.counts.len());
         self.counts[f]
     }
 
     /// The polygons that cover `f`, in increasing order. O(the number of faces between `f` and f0).
     #[must_use]
+    #[track_caller]
     pub fn polygons(&self, f: FaceId) -> Vec<u32> {
+        must_be_below(f, f.index(), self.counts.len());
         let mut inside = BTreeSet::new();
         let mut face = Some(f);
         while let Some(f) = face {

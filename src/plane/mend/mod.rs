@@ -22,7 +22,7 @@ pub use cover::Cover;
 
 use super::segments::sides_of;
 use super::{ArrangeOptions, Arranged, Point, SegmentsError, Subdivision};
-use crate::ids::{EdgeId, VertexId};
+use crate::ids::{EdgeId, VertexId, must_be_below};
 use crate::topology::PolygonList;
 use cover::{Lists, changes_over_edges};
 
@@ -51,8 +51,13 @@ pub struct Mended {
 
 impl Mended {
     /// The polygons whose outline runs along an edge, so that they cover just one side of it, in increasing order.
+    ///
+    /// # Panics
+    /// If there is no such edge: `there is no e99: there are 12 edges`.
     #[must_use]
+    #[track_caller]
     pub fn outlines(&self, e: EdgeId) -> &[u32] {
+        must_be_below(e, e.index(), self.outlines.len());
         self.outlines.of(e.index())
     }
 }

@@ -8,7 +8,7 @@
 //!
 //! Where rounding has joined several edges of a, they are passed one after another: P | Q and Q | R make P | R.
 
-use crate::ids::{EdgeId, FaceId, FaceMap, HalfEdgeId};
+use crate::ids::{EdgeId, FaceId, FaceMap, HalfEdgeId, must_be_below};
 use crate::plane::Subdivision;
 
 /// The edges of a source along each edge of the overlay.
@@ -41,7 +41,9 @@ impl Sources {
         Self { starts, list }
     }
 
+    #[track_caller]
     pub(super) fn along(&self, e: EdgeId) -> &[HalfEdgeId] {
+        must_be_below(e, e.index(), self.starts.len() - 1);
         &self.list[self.starts[e.index()] as usize..self.starts[e.index() + 1] as usize]
     }
 

@@ -62,6 +62,9 @@ pub struct Overlay {
 
 impl Overlay {
     /// The half-edges of a along the even half of an edge: none, one, or several that rounding has joined.
+    ///
+    /// # Panics
+    /// If there is no such edge: `there is no e99: there are 12 edges`.
     #[must_use]
     pub fn edges_of_a(&self, e: EdgeId) -> &[HalfEdgeId] {
         self.edges_of_a.along(e)

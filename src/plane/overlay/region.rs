@@ -9,7 +9,7 @@
 //! ```
 
 use super::Overlay;
-use crate::ids::{EdgeId, FaceId, FaceMap};
+use crate::ids::{EdgeId, FaceId, FaceMap, must_be_below};
 use crate::plane::{Point, SegmentsError, Subdivision};
 use std::fmt;
 use std::str::FromStr;
@@ -88,8 +88,13 @@ impl FromStr for Operation {
 
 impl Overlay {
     /// Whether a face of the overlay lies in the region of a, and whether in that of b.
+    ///
+    /// # Panics
+    /// If there is no such face: `there is no f99: there are 4 faces`.
     #[must_use]
+    #[track_caller]
     pub fn is_in(&self, f: FaceId) -> [bool; 2] {
+        must_be_below(f, f.index(), self.face_of_a.len());
         let outer = self.subdivision.outer_face();
         let within = |label: FaceId, holes: &[FaceId]| label != outer && holes.binary_search(&label).is_err();
         [within(self.face_of_a[f], &self.holes[0]), within(self.face_of_b[f], &self.holes[1])]

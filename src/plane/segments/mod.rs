@@ -33,7 +33,7 @@ pub use touching::InsertedCorner;
 pub(super) use touching::{insert_touching, sides_of};
 
 use super::{Point, Subdivision};
-use crate::ids::{EdgeId, HalfEdgeId, VertexId};
+use crate::ids::{EdgeId, HalfEdgeId, VertexId, must_be_below};
 use arrange::{Chains, Input, arrange};
 
 /// What to do with segments that are no plane graph.
@@ -161,7 +161,9 @@ impl SegmentsAlong {
     /// # Panics
     /// If there is no such edge.
     #[must_use]
+    #[track_caller]
     pub fn of(&self, e: EdgeId) -> &[u32] {
+        must_be_below(e, e.index(), self.starts.len() - 1);
         &self.list[self.starts[e.index()]..self.starts[e.index() + 1]]
     }
 }

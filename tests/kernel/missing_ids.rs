@@ -1,0 +1,319 @@
+//! An id that does not exist is named, and told how many there are: by every public function that takes one, as an error
+//! or as a panic, unless the answer for such an id is an ordinary one.
+
+use dcel_kit::navmesh::NavMesh;
+use dcel_kit::plane::{ArrangeOptions, Location, Point, Subdivision, TriangulationMethod};
+use dcel_kit::solid::grow::{pole, quads};
+use dcel_kit::solid::{Direction, Platonic, Polyhedron};
+use dcel_kit::topology::{Dcel, NoRecorder, PolygonList, components};
+use dcel_kit::{EdgeId, FaceId, HalfEdgeId, VertexId};
+use std::collections::BTreeSet;
+use std::fmt::Display;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
+
+const V: VertexId = VertexId::new(99);
+const H: HalfEdgeId = HalfEdgeId::new(99);
+const E: EdgeId = EdgeId::new(99);
+const F: FaceId = FaceId::new(99);
+
+/// What was said of functions, each by its name.
+#[derive(Default)]
+struct Table {
+    rows: Vec<(&'static str, String)>,
+}
+
+impl Table {
+    /// A function that must panic.
+    fn panics<T>(&mut self, name: &'static str, call: impl FnOnce() -> T) {
+        let said = match catch_unwind(AssertUnwindSafe(|| drop(call()))) {
+            Ok(()) => "an answer".to_owned(),
+            Err(said) => said.downcast_ref::<String>().cloned().unwrap_or_else(|| "no words".to_owned()),
+        };
+        self.rows.push((name, said));
+    }
+
+    /// A function that must refuse.
+    fn refuses<T, E: Display>(&mut self, name: &'static str, answer: Result<T, E>) {
+        self.rows.push((name, answer.map_or_else(|error| error.to_string(), |_| "an answer".to_owned())));
+    }
+
+    /// Checks what was said, and hands out the names.
+    fn checked(self, missing: &[&str]) -> BTreeSet<&'static str> {
+        for (name, said) in &self.rows {
+            assert!(missing.iter().any(|missing| said.contains(missing)), "{name} said: {said}");
+        }
+        self.rows.into_iter().map(|(name, _)| name).collect()
+    }
+}
+
+/// Functions for which an id that does not exist is an ordinary question: `None`, `false`, nothing, or a number made of
+/// the id alone. Their answers are in their docs.
+const ORDINARY: [&str; 30] = [
+    "block",
+    "bounded_cycle",
+    "climb",
+    "component",
+    "corner_of",
+    "corners",
+    "distance",
+    "door",
+    "door_path",
+    "edge",
+    "faces_around",
+    "has_edge",
+    "has_face",
+    "has_half_edge",
+    "has_vertex",
+    "is_blocked",
+    "is_boundary_face",
+    "is_dead_end",
+    "is_hole",
+    "is_walkable",
+    "is_wall",
+    "neighbours",
+    "rings",
+    "set_hole",
+    "set_wall",
+    "sides",
+    "support_from",
+    "twin",
+    "unblock",
+    "wedges",
+];
+
+fn topology() -> BTreeSet<&'static str> {
+    let dcel = Dcel::polygon(5).expect("a pentagon");
+    let (d, mut t) = (&dcel, Table::default());
+    let (mut own, mut none) = (dcel.clone(), NoRecorder);
+    t.panics("origin", || d.origin(H));
+    t.panics("destination", || d.destination(H));
+    t.panics("next", || d.next(H));
+    t.panics("prev", || d.prev(H));
+    t.panics("face", || d.face(H));
+    t.panics("outgoing", || d.outgoing(V));
+    t.panics("boundary", || d.boundary(F));
+    t.panics("ccw", || d.ccw(H));
+    t.panics("cw", || d.cw(H));
+    t.panics("cycle", || d.cycle(H).count());
+    t.panics("star", || d.star(H).count());
+    t.panics("incident_half_edges", || d.incident_half_edges(F).count());
+    t.panics("incident_vertices", || d.incident_vertices(F).count());
+    t.panics("incident_edges", || d.incident_edges(F).count());
+    t.panics("adjacent_faces", || d.adjacent_faces(F).count());
+    t.panics("outgoing_half_edges", || d.outgoing_half_edges(V).count());
+    t.panics("incoming_half_edges", || d.incoming_half_edges(V).count());
+    t.panics("adjacent_vertices", || d.adjacent_vertices(V).count());
+    t.panics("incident_faces", || d.incident_faces(V).count());
+    t.panics("degree", || d.degree(V));
+    t.panics("find_half_edge", || d.find_half_edge(V, VertexId::new(0)));
+    t.refuses("can_split_face", d.can_split_face(H, H));
+    t.refuses("split_face", own.split_face(H, H));
+    t.refuses("split_face_with", own.split_face_with(H, H, &mut none));
+    t.refuses("can_split_vertex", d.can_split_vertex(H, H));
+    t.refuses("split_vertex", own.split_vertex(H, H));
+    t.refuses("split_vertex_with", own.split_vertex_with(H, H, &mut none));
+    t.refuses("can_split_isolated_vertex", d.can_split_isolated_vertex(V));
+    t.refuses("split_isolated_vertex", own.split_isolated_vertex(V));
+    t.refuses("split_isolated_vertex_with", own.split_isolated_vertex_with(V, &mut none));
+    t.refuses("can_collapse_edge", d.can_collapse_edge(H));
+    t.refuses("collapse_edge", own.collapse_edge(H));
+    t.refuses("collapse_edge_with", own.collapse_edge_with(H, &mut none));
+    t.refuses("can_join_faces", d.can_join_faces(H));
+    t.refuses("join_faces", own.join_faces(H));
+    t.refuses("join_faces_with", own.join_faces_with(H, &mut none));
+    t.refuses("can_flip_edge", d.can_flip_edge(H));
+    t.refuses("flip_edge", own.flip_edge(H));
+    t.refuses("flip_edge_with", own.flip_edge_with(H, &mut none));
+    t.refuses("can_join_edges", d.can_join_edges(H));
+    t.refuses("join_edges", own.join_edges(H));
+    t.refuses("join_edges_with", own.join_edges_with(H, &mut none));
+    t.refuses("can_split_edge", d.can_split_edge(H));
+    t.refuses("split_edge", own.split_edge(H));
+    t.refuses("split_edge_with", own.split_edge_with(H, &mut none));
+    t.refuses("can_join_vertices", d.can_join_vertices(H));
+    t.refuses("join_vertices", own.join_vertices(H));
+    t.refuses("join_vertices_with", own.join_vertices_with(H, &mut none));
+    let renumbering = own.compact();
+    t.panics("half_edge", || renumbering.half_edge(H));
+    assert_eq!(components(d).of(V), None);
+    let one = ["there is no v99: there are 5 vertices", "there is no h99: there are 10 half-edges"];
+    let mut tried = t.checked(&[one[0], one[1], "there is no f99: there are 2 faces"]);
+    tried.insert("of");
+    tried
+}
+
+fn plane() -> BTreeSet<&'static str> {
+    let lab = Subdivision::lab_rectangle();
+    let (s, mut t) = (&lab, Table::default());
+    let (mut own, mut none) = (lab.clone(), NoRecorder);
+    let at = Point::new(1.0, 1.0);
+    let (method, v0) = (TriangulationMethod::default(), VertexId::new(0));
+    t.panics("point", || s.point(V));
+    t.panics("area", || s.area(F));
+    t.panics("cycles", || s.cycles(F).count());
+    t.panics("midpoint", || s.midpoint(H));
+    t.panics("is_locally_delaunay", || s.is_locally_delaunay(H));
+    t.refuses("locate_from", s.locate_from(V, at));
+    t.refuses("walk_from", s.walk_from(V, at));
+    t.refuses("triangulate_face", own.triangulate_face(F, method));
+    t.refuses("triangulate_face_with", own.triangulate_face_with(F, method, &mut none));
+    t.refuses("split_into_monotone", own.split_into_monotone(F));
+    t.refuses("can_split_face", s.can_split_face(H, H));
+    t.refuses("split_face", own.split_face(H, H));
+    t.refuses("split_face_with", own.split_face_with(H, H, &mut none));
+    t.refuses("can_remove_edge", s.can_remove_edge(E));
+    t.refuses("remove_edge", own.remove_edge(E));
+    t.refuses("remove_edge_with", own.remove_edge_with(E, &mut none));
+    t.refuses("remove_vertex", own.remove_vertex(V));
+    t.refuses("remove_vertex_with", own.remove_vertex_with(V, &mut none));
+    t.refuses("can_insert_edge", s.can_insert_edge(v0, V));
+    t.refuses("insert_edge", own.insert_edge(V, v0));
+    t.refuses("insert_edge_with", own.insert_edge_with(V, v0, &mut none));
+    t.refuses("insert_antenna", own.insert_antenna(V, at));
+    t.refuses("insert_antenna_with", own.insert_antenna_with(V, at, &mut none));
+    t.refuses("insert_vertex_in", own.insert_vertex_in(F, at));
+    t.refuses("insert_vertex_in_with", own.insert_vertex_in_with(F, at, &mut none));
+    t.refuses("can_join_faces", s.can_join_faces(H));
+    t.refuses("join_faces", own.join_faces(H));
+    t.refuses("join_faces_with", own.join_faces_with(H, &mut none));
+    t.refuses("can_flip_edge", s.can_flip_edge(H));
+    t.refuses("flip_edge", own.flip_edge(H));
+    t.refuses("flip_edge_with", own.flip_edge_with(H, &mut none));
+    t.refuses("can_join_edges", s.can_join_edges(H));
+    t.refuses("join_edges", own.join_edges(H));
+    t.refuses("join_edges_with", own.join_edges_with(H, &mut none));
+    t.refuses("can_split_edge", s.can_split_edge(H, at));
+    t.refuses("split_edge", own.split_edge(H, at));
+    t.refuses("split_edge_with", own.split_edge_with(H, at, &mut none));
+    t.refuses("split_in_half", own.split_in_half(H));
+    t.refuses("split_in_half_with", own.split_in_half_with(H, &mut none));
+    let overlay = s.overlay(s).expect("the same twice");
+    t.panics("edges_of_a", || overlay.edges_of_a(E).len());
+    t.panics("edges_of_b", || overlay.edges_of_b(E).len());
+    t.panics("is_in", || overlay.is_in(F));
+    let mut list = PolygonList::new();
+    list.push_face(&[0, 1, 2]);
+    let points = [(0., 0.), (4., 0.), (0., 4.)].map(Point::from);
+    let mended = Subdivision::mend_polygons(&points, &list).expect("a triangle");
+    t.panics("outlines", || mended.outlines(E).len());
+    t.panics("count", || mended.cover.count(F));
+    t.panics("polygons", || mended.cover.polygons(F));
+    let arranged = Subdivision::arrange_segments(&[[points[0], points[1]]], &ArrangeOptions::default());
+    let along = arranged.expect("one segment").segments_along();
+    t.panics("of", || along.of(E).len());
+    let counts = [s.vertex_count(), s.half_edge_count(), s.edge_count(), s.face_count()];
+    let [v, h, e, f] = counts;
+    t.checked(&[
+        &format!("there is no v99: there are {v} vertices"),
+        &format!("there is no h99: there are {h} half-edges"),
+        &format!("there is no e99: there are {e} edges"),
+        &format!("there is no f99: there are {f} faces"),
+        "there is no e99: there are 3 edges",
+        "there is no e99: there is 1 edge, e0",
+        "there is no f99: there are 2 faces",
+    ])
+}
+
+fn solid() -> BTreeSet<&'static str> {
+    let cube = Polyhedron::platonic(Platonic::Cube);
+    let (c, measures, mut t) = (&cube, cube.measures(), Table::default());
+    let mut own = cube.clone();
+    let mut journal = dcel_kit::solid::SurfaceJournal::new();
+    t.panics("point", || c.point(V));
+    t.panics("area_vector", || c.area_vector(F));
+    t.panics("normal", || c.normal(F));
+    t.panics("face_mean", || c.face_mean(F));
+    t.panics("bend_of_face", || c.bend_of_face(F));
+    t.panics("is_flat", || c.is_flat(F));
+    t.panics("check_convex_face", || c.check_convex_face(F).is_ok());
+    for of in [true, false] {
+        t.panics("corner_angle", || if of { c.corner_angle(H) } else { measures.corner_angle(H) });
+        t.panics("dihedral_angle", || if of { c.dihedral_angle(E) } else { measures.dihedral_angle(E) });
+        t.panics("deficit_angle", || if of { c.deficit_angle(V) } else { measures.deficit_angle(V) });
+        t.panics("vertex_area", || if of { c.vertex_area(V) } else { measures.vertex_area(V) });
+        t.panics("gauss_curvature", || if of { c.gauss_curvature(V) } else { measures.gauss_curvature(V) });
+        t.panics("mean_curvature", || if of { c.mean_curvature(V) } else { measures.mean_curvature(V) });
+    }
+    t.refuses("schlegel", c.schlegel(F));
+    t.refuses("pole", pole(&mut c.topology().clone(), H));
+    t.refuses("quads", quads(&mut c.topology().clone(), H));
+    t.refuses("can_collapse_edge", c.can_collapse_edge(H));
+    t.refuses("collapse_edge", own.collapse_edge(H));
+    t.refuses("collapse_edge_with", own.collapse_edge_with(H, &mut journal));
+    t.refuses("remove_face", own.remove_face(F));
+    t.refuses("remove_face_with", own.remove_face_with(F, &mut journal));
+    t.refuses("remove_vertex", own.remove_vertex(V));
+    t.refuses("remove_vertex_with", own.remove_vertex_with(V, &mut journal));
+    let corners = [VertexId::new(0), VertexId::new(1), V];
+    t.refuses("can_add_face", c.can_add_face(&corners));
+    t.refuses("add_face", own.add_face(&corners));
+    t.refuses("add_face_with", own.add_face_with(&corners, &mut journal));
+    // A hint that does not exist is not used.
+    let convex = c.check_convex().expect("a cube");
+    let up = Direction::try_from([0.1, 0.2, 1.0]).expect("finite");
+    assert_eq!(convex.support_from(up, V), convex.support(up));
+    let one = ["there is no v99: there are 8 vertices", "there is no h99: there are 24 half-edges"];
+    t.checked(&[one[0], one[1], "there is no e99: there are 12 edges", "there is no f99: there are 6 faces"])
+}
+
+fn navmesh() -> BTreeSet<&'static str> {
+    let mut t = Table::default();
+    let map = Subdivision::lab_rectangle();
+    let mut mesh = NavMesh::new(&map).expect("convex faces");
+    t.panics("point", || mesh.point(V));
+    t.refuses("place_in", mesh.place_in(F, Point::new(1.0, 1.0)));
+    assert_eq!((mesh.block(F), mesh.unblock(F), mesh.set_wall(F, E, true)), (None, None, None));
+    assert_eq!((mesh.component(F), mesh.door(F), mesh.has_face(F)), (None, None, false));
+    assert!(!mesh.is_blocked(F) && !mesh.is_walkable(F) && !mesh.is_dead_end(F) && !mesh.is_wall(E));
+    assert_eq!((mesh.corners(F).count(), mesh.sides(F).count(), mesh.neighbours(F).count()), (0, 0, 0));
+    assert!(mesh.faces_around(V).is_empty() && mesh.wedges(V).is_empty());
+    assert_ne!(mesh.locate(Point::new(1.0, 1.0)), dcel_kit::navmesh::Location::Outer);
+    // Whether there is such a face is no question of `place_in`: the point does not lie in it.
+    t.checked(&["there is no v99: there are 6 vertices", "f99"])
+}
+
+/// The names of the public functions in the folder that take an id.
+fn with_ids(folder: &Path, names: &mut BTreeSet<String>) {
+    for entry in std::fs::read_dir(folder).expect("a folder of the sources") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            with_ids(&path, names);
+            continue;
+        }
+        let text = std::fs::read_to_string(&path).expect("a source");
+        let text = text.split("#[cfg(test)]").next().unwrap_or_default();
+        for function in text.split("pub fn ").skip(1) {
+            let name: String = function.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+            let mut depth = 0;
+            let mut parameters = String::new();
+            for c in function.chars().skip_while(|&c| c != '(') {
+                depth += i32::from(c == '(') - i32::from(c == ')');
+                match depth {
+                    0 => break,
+                    1 => parameters.push(c),
+                    _ => {} // what closures take
+                }
+            }
+            let takes =
+                |kind: &str| [format!(": {kind}"), format!(": &[{kind}]")].iter().any(|p| parameters.contains(p));
+            if ["VertexId", "HalfEdgeId", "EdgeId", "FaceId"].into_iter().any(takes) {
+                names.insert(name);
+            }
+        }
+    }
+}
+
+#[test]
+fn an_id_that_does_not_exist_is_named_by_every_function_that_takes_one() {
+    let known: [BTreeSet<&str>; 4] = [topology(), plane(), solid(), navmesh()];
+    for (folder, tried) in ["topology", "plane", "solid", "navmesh"].into_iter().zip(known) {
+        let mut names = BTreeSet::new();
+        with_ids(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(folder), &mut names);
+        assert!(names.len() > 15, "{folder} has more functions that take ids than {names:?}");
+        let left: Vec<&String> =
+            names.iter().filter(|name| !tried.contains(name.as_str()) && !ORDINARY.contains(&name.as_str())).collect();
+        assert!(left.is_empty(), "functions of {folder} that take an id and are not tried here: {left:?}");
+    }
+    assert!(matches!(Subdivision::lab_rectangle().locate(Point::new(-9.0, 0.0)), Location::Face(_)));
+}
