@@ -11,6 +11,7 @@
 use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
 use super::read::{Document, Read, ReadOptions, load, load_path, read_bytes, read_path, source_name};
+use super::room::reserved;
 use super::soup::SoupBuilder;
 use super::text::{Scanner, Syntax, check_text, note_of_the_end};
 use super::triangle;
@@ -36,6 +37,15 @@ impl PointList {
     #[must_use]
     pub fn place(&self, point: usize) -> String {
         self.lines.get(point).map_or_else(|| self.source.clone(), |line| format!("{}:{line}", self.source))
+    }
+
+    /// Whether there is memory for what is made of the points, so many bytes for each of them. It is asked for and given
+    /// back.
+    ///
+    /// # Errors
+    /// [`ReadProblem::OutOfMemory`].
+    pub fn check_room(&self, bytes_per_point: usize) -> Result<(), ReadError> {
+        reserved::<u8>(self.points.len().saturating_mul(bytes_per_point), &self.source).map(drop)
     }
 }
 

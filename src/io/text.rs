@@ -10,6 +10,7 @@
 //! and column, so that the way without errors pays nothing for them.
 
 use super::problem::{ReadError, ReadProblem};
+use super::room::for_text;
 use crate::plane::check_coordinate;
 use std::borrow::Cow;
 
@@ -441,7 +442,7 @@ pub(super) fn parse_integer(text: &[u8]) -> Option<i64> {
     Some(if negative { -value } else { value })
 }
 
-/// Refuses what no reader can take: no bytes, too many bytes, UTF-16.
+/// Refuses what no reader can take: no bytes, too many bytes, more than there is memory for, UTF-16.
 pub(super) fn check_text(bytes: &[u8], source: &str) -> Result<(), ReadError> {
     let fail = |what, help| Err(ReadError::whole(source, what, help));
     if bytes.is_empty() {
@@ -453,7 +454,7 @@ pub(super) fn check_text(bytes: &[u8], source: &str) -> Result<(), ReadError> {
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
         return fail(ReadProblem::Refused { what: "text in UTF-16".into() }, "save the file as UTF-8 text");
     }
-    Ok(())
+    for_text(bytes, source)
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ mod figure_options;
 mod files;
 mod locate;
 mod manners;
+mod memory;
 mod mend;
 mod navmesh;
 mod reading;
