@@ -19,13 +19,14 @@ pub(crate) fn clean_up() -> io::Result<()> {
     flag::register(SIGXFSZ, Arc::new(AtomicBool::new(false)))?;
     let ending = [SIGINT, SIGTERM, SIGHUP, SIGQUIT].into_iter().filter(|&signal| !is_ignored(signal));
     let mut signals = Signals::new(ending)?;
-    std::thread::spawn(move || {
+    // Where there is no memory for a thread, that is an error and no panic.
+    std::thread::Builder::new().spawn(move || {
         if let Some(signal) = signals.forever().next() {
             abandon_all();
             // Ends the program as the signal would have done by itself, so that the shell is told the same.
             let _ = low_level::emulate_default_handler(signal);
         }
-    });
+    })?;
     Ok(())
 }
 

@@ -14,6 +14,7 @@ mod numbers;
 mod overlay;
 mod segments;
 mod settled;
+mod shared_mend;
 mod shared_plane;
 mod shared_segments;
 mod tracer;

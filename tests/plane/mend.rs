@@ -7,7 +7,7 @@ use dcel_kit::plane::{ConvertError, ConvertOptions, Location, Mended, Point, Sub
 use dcel_kit::topology::{PolygonList, components, violations};
 
 /// The points and polygons of rings of coordinates: equal points are one.
-fn soup(polygons: &[Vec<Vec<(f64, f64)>>]) -> (Vec<Point>, PolygonList) {
+pub(crate) fn soup(polygons: &[Vec<Vec<(f64, f64)>>]) -> (Vec<Point>, PolygonList) {
     let (mut points, mut list): (Vec<Point>, _) = (Vec::new(), PolygonList::default());
     for rings in polygons {
         for (i, ring) in rings.iter().enumerate() {
@@ -83,7 +83,7 @@ fn area_by_strips(rings: &[Vec<(f64, f64)>]) -> f64 {
     area
 }
 
-fn area(s: &Subdivision, f: FaceId) -> f64 {
+pub(crate) fn area(s: &Subdivision, f: FaceId) -> f64 {
     let cross = |h| {
         let (p, q) = (s.point(s.origin(h)), s.point(s.destination(h)));
         p.x * q.y - p.y * q.x
@@ -92,7 +92,7 @@ fn area(s: &Subdivision, f: FaceId) -> f64 {
 }
 
 /// Labels and areas against those found without the kit.
-fn check(polygons: &[Vec<Vec<(f64, f64)>>], next: &mut Numbers, context: &str) {
+pub(crate) fn check(polygons: &[Vec<Vec<(f64, f64)>>], next: &mut Numbers, context: &str) {
     let mended = mended(polygons);
     let s = &mended.subdivision;
     let mut areas = vec![0.0; polygons.len()];
