@@ -49,7 +49,7 @@ impl Table {
 
 /// Functions for which an id that does not exist is an ordinary question: `None`, `false`, nothing, or a number made of
 /// the id alone. Their answers are in their docs.
-const ORDINARY: [&str; 30] = [
+const ORDINARY: [&str; 34] = [
     "block",
     "bounded_cycle",
     "climb",
@@ -71,14 +71,18 @@ const ORDINARY: [&str; 30] = [
     "is_hole",
     "is_walkable",
     "is_wall",
+    "layer",
     "neighbours",
+    "outline",
     "rings",
     "set_hole",
     "set_wall",
     "sides",
     "support_from",
+    "triangles",
     "twin",
     "unblock",
+    "vertices",
     "wedges",
 ];
 
