@@ -31,7 +31,7 @@ use std::path::{Path, PathBuf};
 pub(crate) struct Args {
     /// The script, or - for standard input
     file: PathBuf,
-    /// Write the structure at the end, as a `dump` in the last line would
+    /// Write the structure at the end, as a `dump` in the last line would: as .dcel, in space as .obj
     #[arg(long)]
     dump: bool,
     /// Draw the edits frame by frame: a strip (.svg, .png), or a page that shows one frame at a time (.html)
@@ -75,7 +75,10 @@ Examples:
   dump' | dcel script -
   echo 'torus
   let a = split_vertex h0 h1
-  join_vertices a' | dcel script -",
+  join_vertices a' | dcel script -
+  echo 'solid cube
+  bevel_vertex v0 0.25
+  dump' | dcel script -",
         edits::help::<Subdivision>(),
         edits::help::<Dcel>(),
         edits::help::<Polyhedron>()
@@ -88,7 +91,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let ground = Ground::of(&text);
     if ground != Ground::Plane {
         if let Some(path) = &args.film {
-            let what = format!("--film {}: this script has no coordinates to draw", path.display());
+            let why = if ground == Ground::Space { "is one of solids" } else { "has no coordinates to draw" };
+            let what = format!("--film {}: this script {why}, and films show the plane", path.display());
             return Err(Failure::input(what, "start with rectangle, polygon or triangles, or leave out --film"));
         }
         return match ground {
@@ -208,32 +212,33 @@ impl From<ScriptError> for Failure {
 
 /// A structure that can be written out.
 trait Dump: Editable {
-    /// It as a .dcel file.
+    /// It as a .dcel file; in space, which that format does not know, as an .obj file.
     fn dump(&self) -> Result<String, Failure>;
 }
 
 impl Dump for Subdivision {
     fn dump(&self) -> Result<String, Failure> {
-        dump(&Model::planar(self))
+        dump(&Model::planar(self), Format::Dcel)
     }
 }
 
 impl Dump for Dcel {
     fn dump(&self) -> Result<String, Failure> {
-        dump(&Model::table(&Table::from_view(self)))
+        dump(&Model::table(&Table::from_view(self)), Format::Dcel)
     }
 }
 
 impl Dump for Polyhedron {
     fn dump(&self) -> Result<String, Failure> {
         let position = |v| self.has_vertex(v).then(|| self.point(v));
-        dump(&Model::surface(self, position, |f| self.is_boundary_face(f)))
+        dump(&Model::surface(self, position, |f| self.is_boundary_face(f)), Format::Obj)
     }
 }
 
-fn dump(model: &Model<'_>) -> Result<String, Failure> {
+fn dump(model: &Model<'_>, format: Format) -> Result<String, Failure> {
     let mut bytes = Vec::new();
-    write(&mut bytes, model, Format::Dcel).map_err(Failure::kit)?;
+    let cannot = |error| Failure::input(error, "leave out the dump");
+    write(&mut bytes, model, format).map_err(cannot)?;
     String::from_utf8(bytes).map_err(Failure::kit)
 }
 

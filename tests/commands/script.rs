@@ -120,6 +120,26 @@ fn scripts_without_coordinates_are_played_on_the_kernel() {
     assert!(err.starts_with("error: <stdin>:1:1: face 0 has a cycle with 2 corners"), "{err}");
 }
 
+/// A surface in space has three coordinates, which .dcel does not hold.
+#[test]
+fn scripts_in_space_dump_what_solids_are_read_from() {
+    let count = |text: &str, word: &str| text.lines().filter(|line| line.starts_with(word)).count();
+    for args in [&[][..], &["--dump"]] {
+        let text = if args.is_empty() {
+            "solid cube\nbevel_vertex v0 0.25\ndump\n"
+        } else {
+            "solid cube\nbevel_vertex v0 0.25\n"
+        };
+        let (code, out, err) = told(&script(text, args));
+        assert_eq!((code, err.as_str()), (Some(0), ""), "{out}");
+        // A corner became three, and a triangle.
+        assert_eq!((count(&out, "v "), count(&out, "f ")), (10, 7), "{out}");
+    }
+    let (code, _, err) = told(&script("solid cube\n", &["--film", "x.svg"]));
+    assert_eq!(code, Some(2));
+    assert!(err.contains("--film x.svg: this script is one of solids, and films show the plane"), "{err}");
+}
+
 /// Marks and a caption after the last edit belong to the frame after it.
 #[test]
 fn the_last_highlight_of_a_film_is_drawn() {

@@ -6,6 +6,7 @@ mod builder;
 mod common;
 mod edits;
 mod flips;
+mod house;
 mod inverses;
 mod kernel_script;
 mod missing_ids;
