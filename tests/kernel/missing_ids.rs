@@ -5,7 +5,7 @@ use dcel_kit::navmesh::NavMesh;
 use dcel_kit::plane::{ArrangeOptions, Location, Point, Subdivision, TriangulationMethod};
 use dcel_kit::solid::grow::{pole, quads};
 use dcel_kit::solid::{Direction, Platonic, Polyhedron};
-use dcel_kit::topology::{Dcel, NoRecorder, PolygonList, components};
+use dcel_kit::topology::{Dcel, Editing, IdError, NoRecorder, OwnEditError, PolygonList, components};
 use dcel_kit::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeSet;
 use std::fmt::Display;
@@ -49,7 +49,7 @@ impl Table {
 
 /// Functions for which an id that does not exist is an ordinary question: `None`, `false`, nothing, or a number made of
 /// the id alone. Their answers are in their docs.
-const ORDINARY: [&str; 34] = [
+const ORDINARY: [&str; 35] = [
     "block",
     "bounded_cycle",
     "climb",
@@ -76,6 +76,7 @@ const ORDINARY: [&str; 34] = [
     "outline",
     "rings",
     "set_hole",
+    "set_hole_with",
     "set_wall",
     "sides",
     "support_from",
@@ -138,11 +139,29 @@ fn topology() -> BTreeSet<&'static str> {
     t.refuses("can_join_vertices", d.can_join_vertices(H));
     t.refuses("join_vertices", own.join_vertices(H));
     t.refuses("join_vertices_with", own.join_vertices_with(H, &mut none));
+    // In an edit of one's own a write that goes astray refuses the whole edit.
+    let (h0, v0, f0) = (HalfEdgeId::new(0), VertexId::new(0), FaceId::new(0));
+    t.refuses("remove_vertex", own.edit_with(&mut none, |e| e.remove_vertex(V)));
+    t.refuses("remove_edge", own.edit_with(&mut none, |e| e.remove_edge(E)));
+    t.refuses("remove_face", own.edit_with(&mut none, |e| e.remove_face(F)));
+    let mut write = |name, write: &dyn Fn(&mut Editing<'_>)| {
+        let answer: Result<(), OwnEditError<IdError>> = own.edit_with(&mut none, |e| {
+            write(e);
+            Ok(())
+        });
+        t.refuses(name, answer);
+    };
+    write("set_origin", &|e| e.set_origin(H, v0));
+    write("set_next", &|e| e.set_next(h0, H));
+    write("set_face", &|e| e.set_face(H, f0));
+    write("set_outgoing", &|e| e.set_outgoing(V, Some(h0)));
+    write("set_boundary", &|e| e.set_boundary(F, Some(h0)));
     let renumbering = own.compact();
     t.panics("half_edge", || renumbering.half_edge(H));
     assert_eq!(components(d).of(V), None);
     let one = ["there is no v99: there are 5 vertices", "there is no h99: there are 10 half-edges"];
-    let mut tried = t.checked(&[one[0], one[1], "there is no f99: there are 2 faces"]);
+    let others = ["there is no e99: there are 5 edges", "there is no f99: there are 2 faces"];
+    let mut tried = t.checked(&[one[0], one[1], others[0], others[1]]);
     tried.insert("of");
     tried
 }
@@ -192,6 +211,9 @@ fn plane() -> BTreeSet<&'static str> {
     t.refuses("split_edge_with", own.split_edge_with(H, at, &mut none));
     t.refuses("split_in_half", own.split_in_half(H));
     t.refuses("split_in_half_with", own.split_in_half_with(H, &mut none));
+    t.refuses("can_set_point", s.can_set_point(V, at));
+    t.refuses("set_point", own.set_point(V, at));
+    t.refuses("set_point_with", own.set_point_with(V, at, &mut none));
     let overlay = s.overlay(s).expect("the same twice");
     t.panics("edges_of_a", || overlay.edges_of_a(E).len());
     t.panics("edges_of_b", || overlay.edges_of_b(E).len());
@@ -253,6 +275,34 @@ fn solid() -> BTreeSet<&'static str> {
     t.refuses("can_add_face", c.can_add_face(&corners));
     t.refuses("add_face", own.add_face(&corners));
     t.refuses("add_face_with", own.add_face_with(&corners, &mut journal));
+    t.refuses("bevel_edge", own.bevel_edge(H, 0.2));
+    t.refuses("bevel_edge_with", own.bevel_edge_with(H, 0.2, &mut journal));
+    t.refuses("bevel_face", own.bevel_face(F, 0.2, 0.1));
+    t.refuses("bevel_face_with", own.bevel_face_with(F, 0.2, 0.1, &mut journal));
+    t.refuses("bevel_vertex", own.bevel_vertex(V, 0.2));
+    t.refuses("bevel_vertex_with", own.bevel_vertex_with(V, 0.2, &mut journal));
+    t.refuses("bisect_edge", own.bisect_edge(H));
+    t.refuses("bisect_edge_with", own.bisect_edge_with(H, &mut journal));
+    t.refuses("extrude_face", own.extrude_face(F, 0.5));
+    t.refuses("extrude_face_with", own.extrude_face_with(F, 0.5, &mut journal));
+    t.refuses("flip_edge", own.flip_edge(H));
+    t.refuses("flip_edge_with", own.flip_edge_with(H, &mut journal));
+    t.refuses("inset_face", own.inset_face(F, 0.2));
+    t.refuses("inset_face_with", own.inset_face_with(F, 0.2, &mut journal));
+    t.refuses("join_edges", own.join_edges(H));
+    t.refuses("join_edges_with", own.join_edges_with(H, &mut journal));
+    t.refuses("join_faces", own.join_faces(H));
+    t.refuses("join_faces_with", own.join_faces_with(H, &mut journal));
+    t.refuses("set_point", own.set_point(V, [0.0; 3]));
+    t.refuses("set_point_with", own.set_point_with(V, [0.0; 3], &mut journal));
+    t.refuses("split_edge", own.split_edge(H, [0.0; 3]));
+    t.refuses("split_edge_with", own.split_edge_with(H, [0.0; 3], &mut journal));
+    t.refuses("split_face", own.split_face(H, H));
+    t.refuses("split_face_with", own.split_face_with(H, H, &mut journal));
+    t.refuses("split_in_half", own.split_in_half(H));
+    t.refuses("split_in_half_with", own.split_in_half_with(H, &mut journal));
+    t.refuses("can_bevel_edge", c.can_bevel_edge(H, 0.2));
+    t.refuses("can_bevel_vertex", c.can_bevel_vertex(V, 0.2));
     // A hint that does not exist is not used.
     let convex = c.check_convex().expect("a cube");
     let up = Direction::try_from([0.1, 0.2, 1.0]).expect("finite");
