@@ -128,7 +128,8 @@ pub(super) fn own_only(path: &Path, mode: u32) -> io::Result<()> {
 /// The manifest. Overflow is checked as in the student's own build, so that the same cases panic.
 ///
 /// What is built once is not optimised: that would take a second, and saves a half. What is built again after each save
-/// is: only the changed functions are compiled then. Calls stay calls at this level, so that a recursion without end
+/// is: only the parts with changed functions are compiled then, and without optimising across parts, which would touch
+/// all of them again. Calls stay calls at this level, so that a recursion without end
 /// overflows the stack in both.
 fn manifest_of(package: &str, incremental: bool) -> String {
     // An older compiler is told so by cargo, and not by errors in files that nobody here wrote.
@@ -140,7 +141,7 @@ fn manifest_of(package: &str, incremental: bool) -> String {
          autolib = false\nautobins = false\nautotests = false\nautoexamples = false\nautobenches = false\n\n\
          [[bin]]\nname = \"{package}\"\npath = \"src/main.rs\"\ntest = false\n\n\
          [lints.rust]\nunsafe_code = \"forbid\"\n\n\
-         [profile.dev]\ndebug = false\nopt-level = {level}\nincremental = {incremental}\n\n[workspace]\n"
+         [profile.dev]\ndebug = false\nopt-level = {level}\nlto = \"off\"\nincremental = {incremental}\n\n[workspace]\n"
     )
 }
 
