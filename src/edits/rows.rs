@@ -94,14 +94,14 @@ macro_rules! rows {
                     read!(arguments $list);
                     $kernel.map(Returned::of).map_err(EditError::new)
                 });)?
-                $(#[allow(unused_variables)]
+                $(#[allow(unused_variables)] // of a row that takes nothing
                 let row = row.on_plane(|$s, arguments: &mut Arguments<'_>, $s_log| {
                     read!(arguments $list);
                     $plane.map(Returned::of).map_err(EditError::new)
                 });)?
                 $(
                     #[cfg(feature = "solid")]
-                    #[allow(unused_variables)]
+                    #[allow(unused_variables)] // of a row that takes nothing
                     let row = row.on_solid(|$p, arguments: &mut Arguments<'_>, $p_log| {
                         read!(arguments $list);
                         $solid.map(Returned::of).map_err(EditError::new)

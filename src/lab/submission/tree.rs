@@ -129,8 +129,7 @@ pub(super) fn own_only(path: &Path, mode: u32) -> io::Result<()> {
 ///
 /// What is built once is not optimised: that would take a second, and saves a half. What is built again after each save
 /// is: only the parts with changed functions are compiled then, and without optimising across parts, which would touch
-/// all of them again. Calls stay calls at this level, so that a recursion without end
-/// overflows the stack in both.
+/// all of them again. Calls stay calls at this level, so that a recursion without end overflows the stack in both.
 fn manifest_of(package: &str, incremental: bool) -> String {
     // An older compiler is told so by cargo, and not by errors in files that nobody here wrote.
     let oldest = env!("CARGO_PKG_RUST_VERSION");
