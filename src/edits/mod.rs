@@ -18,8 +18,9 @@
 //! [`Row::new`].
 //!
 //! ```text
-//!   row.rs  what a row says      call.rs  a row with arguments      returned.rs  what came back, or why not
-//!   structure.rs  what edits are made on                            rows.rs      the table
+//!   kind.rs       kinds of elements      arguments.rs  what a call is made with    returned.rs  its result or refusal
+//!   row.rs        what a row says        structure.rs  what edits are made on      rows.rs      the table
+//!   call.rs       a row with its arguments
 //! ```
 //!
 //! ```
@@ -34,16 +35,20 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod arguments;
 mod call;
+mod kind;
 mod returned;
 mod row;
 pub mod rows;
 mod structure;
 
+pub use arguments::{Argument, Arguments, Place};
 pub(crate) use call::switch;
-pub use call::{Argument, Arguments, Call, CallError, Place};
+pub use call::{Call, CallError};
+pub use kind::{Given, Kind, Parameter, Takes};
 pub use returned::{EditError, Returned, Returns};
-pub use row::{Apply, Given, Kind, Parameter, Row, Takes};
+pub use row::{Apply, Row};
 pub use rows::TABLE;
 pub use structure::Editable;
 

@@ -1,6 +1,6 @@
 //! What an edit gives back, or why it was refused.
 
-use super::row::{Kind, Row};
+use super::kind::Kind;
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::{InsertedEdge, InsertedSegment};
 use std::error::Error;
@@ -23,10 +23,10 @@ impl Returned {
         Self { elements, named: None }
     }
 
-    /// With what a name for it means.
-    pub(super) fn of_row(mut self, row: &Row) -> Self {
+    /// With what a name for it means: its first element of this kind.
+    pub(super) fn named_by(mut self, kind: Option<Kind>) -> Self {
         let of_kind = |kind| self.elements.iter().copied().find(|&element| Kind::of(element) == kind);
-        self.named = row.names().and_then(of_kind);
+        self.named = kind.and_then(of_kind);
         self
     }
 

@@ -5,9 +5,10 @@
 //!   { structure |the structure, its log| the call; }
 //! ```
 
-use super::call::Arguments;
+use super::arguments::Arguments;
+use super::kind::{Given, Kind, Parameter, Takes};
 use super::returned::{EditError, Returned};
-use super::row::{Given, Kind, Parameter, Row, Takes};
+use super::row::Row;
 use crate::ids::FaceId;
 use crate::plane::Affine;
 

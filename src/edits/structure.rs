@@ -6,6 +6,7 @@
 //!   Polyhedron     x y z, a surface that may have borders                  SurfaceJournal
 //! ```
 
+use super::kind::{Parameter, Takes};
 use super::row::{Apply, Row};
 use crate::plane::{PlaneJournal, Subdivision};
 #[cfg(feature = "solid")]
@@ -35,6 +36,28 @@ pub trait Editable: Clone + PartialEq + fmt::Debug + Sized + 'static {
 
     /// The changes of the pointers in a log.
     fn pointers(log: Self::Log) -> Journal;
+}
+
+impl Row {
+    /// How it is written for this structure: `split_edge A X Y`.
+    #[must_use]
+    pub fn usage<S: Editable>(&self) -> String {
+        let mut out = self.word.to_owned();
+        for Parameter { name, takes } in self.takes {
+            let name = name.to_uppercase();
+            match takes {
+                Takes::Element(_) | Takes::Number => out.push_str(&format!(" {name}")),
+                // A place beside others is told apart by its name.
+                Takes::Place => ["X", "Y", "Z"][..S::DIMENSION].iter().for_each(|axis| match name.as_str() {
+                    "AT" => out.push_str(&format!(" {axis}")),
+                    _ => out.push_str(&format!(" {name}{axis}")),
+                }),
+                Takes::Switch => out.push_str(" yes|no"),
+                Takes::Vertices => out.push_str(&format!(" {name} {name} ...")),
+            }
+        }
+        out
+    }
 }
 
 impl Editable for Dcel {

@@ -16,30 +16,13 @@
 
 use super::Location;
 use super::crowd::Crowds;
+use super::lines::{Lines, TAG, face_right_of, on_edge};
 use super::order::{Ends, crosses_level, is_above, is_above_level, is_left_of, is_right};
 use crate::geometry::predicates::orientation;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::{Point, SMALLEST};
 use std::cmp::Ordering;
 
-/// The edges that a grid is made for.
-pub(crate) trait Lines {
-    /// Where the half-edge starts.
-    fn origin(&self, h: HalfEdgeId) -> VertexId;
-    /// Where the vertex is.
-    fn point(&self, v: VertexId) -> Point;
-    /// The face on the left of the half-edge.
-    fn face(&self, h: HalfEdgeId) -> FaceId;
-
-    /// The ends of the half-edge, its origin first.
-    #[inline]
-    fn ends(&self, h: HalfEdgeId) -> Ends {
-        [h, h.twin()].map(|h| self.point(self.origin(h)))
-    }
-}
-
-/// Marks a word that is no half-edge: an isolated vertex in a list, a crowded cell in a face word.
-pub(super) const TAG: u32 = 1 << 31;
 /// Cells with more edges than this get a tree.
 const CROWDED: u32 = 24;
 /// Places in lists, for each edge beside its first one, with one cell for each edge. Where edges are so long that they
@@ -236,13 +219,6 @@ fn in_list(lines: &impl Lines, list: &[u32], corner: Point, p: Point) -> Option<
     face.map(Location::Face)
 }
 
-/// The location of a point of the edge that is not its right end.
-#[inline]
-pub(super) fn on_edge(lines: &impl Lines, h: HalfEdgeId, p: Point) -> Location {
-    let v = lines.origin(h);
-    if lines.point(v) == p { Location::Vertex(v) } else { Location::Edge(h) }
-}
-
 /// The face right of the first edge met on the way from `x` left to the corner, along the bottom of the cell.
 fn left_along_bottom(lines: &impl Lines, list: &[u32], corner: Point, x: f64) -> Option<FaceId> {
     let from = Point::new(x, corner.y);
@@ -259,11 +235,6 @@ fn left_along_bottom(lines: &impl Lines, list: &[u32], corner: Point, x: f64) ->
         }
     }
     first.map(|(h, ends)| face_right_of(lines, h, ends))
-}
-
-/// The face right of an edge that crosses a level.
-pub(super) fn face_right_of(lines: &impl Lines, h: HalfEdgeId, [a, b]: Ends) -> FaceId {
-    lines.face(if a.y < b.y { h.twin() } else { h })
 }
 
 /// Where the cells lie.

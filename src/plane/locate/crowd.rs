@@ -17,7 +17,7 @@
 //! Source: Preparata, *A new approach to planar point location*, 1981 (the trapezoid method).
 
 use super::Location;
-use super::cells::{Lines, TAG, face_right_of, on_edge};
+use super::lines::{Lines, TAG, face_right_of, on_edge};
 use super::order::{Ends, crosses_level, is_above, is_above_level, is_left_of, is_right};
 use crate::geometry::predicates::{left_to_right, orientation};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};

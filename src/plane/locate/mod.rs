@@ -3,7 +3,7 @@
 //! ```text
 //!   scan.rs    a look at everything: O(n), nothing to go wrong         the answer the others are tested against
 //!   walk.rs    from a vertex towards the point, face by face           nothing to prepare; changes are welcome
-//!   index.rs   a grid made once, for very many points                  cells.rs  the grid     crowd.rs  full cells
+//!   index.rs   a grid made once, for very many points: lines.rs cells.rs crowd.rs, order.rs breaks its ties
 //! ```
 //!
 //! All of them give the same answer. Points that do not pass [`Point::check`] get an answer, too, but where they are
@@ -12,12 +12,14 @@
 mod cells;
 mod crowd;
 mod index;
+mod lines;
 mod order;
 mod scan;
 mod walk;
 
-pub(crate) use cells::{Cells, Lines};
+pub(crate) use cells::Cells;
 pub use index::PointIndex;
+pub(crate) use lines::Lines;
 pub use walk::Walk;
 
 use super::{LARGEST, Point, Subdivision};

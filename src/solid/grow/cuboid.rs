@@ -13,7 +13,7 @@
 //! Each extrusion moves the selected side by one step; a new wall continues the side below it.
 
 use super::extrude::extrude_faces;
-use super::shape::{Placed, part, stride};
+use super::placed::{Placed, part, stride};
 use super::{GrowError, Primitives};
 use crate::ids::FaceId;
 

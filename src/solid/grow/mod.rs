@@ -22,6 +22,7 @@ mod error;
 mod extrude;
 mod fan;
 mod grid;
+mod placed;
 mod shape;
 mod spun;
 
@@ -31,7 +32,8 @@ use crate::topology::{Dcel, SplitFaceError, SplitVertexError};
 pub use error::GrowError;
 pub use extrude::{Extruded, Wall, extrude};
 pub use fan::{Fan, pole, quads};
-pub use shape::{Grown, Placed, Shape, part};
+pub use placed::{Placed, part};
+pub use shape::{Grown, Shape};
 
 /// A structure that can be read, and changed by the two primitives alone.
 ///

@@ -14,31 +14,14 @@
 
 use super::cuboid::cuboid;
 use super::grid::{Sides, backwards, divide, tessellate};
+use super::placed::{Placed, part, stride};
 use super::spun::{Profile, spin};
 use super::{GrowError, Primitives};
-use crate::ids::{EdgeId, FaceId, HalfEdgeId, MAX_IDS, VertexMap};
+use crate::ids::{EdgeId, FaceId, HalfEdgeId, MAX_IDS};
 use crate::solid::{Polyhedron, Selection};
 use crate::topology::{Dcel, TooMany};
 use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
-
-/// The masks of the sides of a grown surface.
-pub mod part {
-    /// Faces that look down, to -z.
-    pub const BOTTOM: u8 = 1;
-    /// Faces that look up, to +z.
-    pub const TOP: u8 = 2;
-    /// The side of a box to -y.
-    pub const FRONT: u8 = 4;
-    /// The side of a box to +x.
-    pub const RIGHT: u8 = 8;
-    /// The side of a box to +y.
-    pub const BACK: u8 = 16;
-    /// The side of a box to -x.
-    pub const LEFT: u8 = 32;
-    /// The mantle of round shapes.
-    pub const SIDE: u8 = 64;
-}
 
 /// The distance from the axis of a torus to the middle of its tube is 1; this is the radius of the tube.
 const TUBE: f64 = 0.4;
@@ -113,17 +96,6 @@ pub enum Shape {
         /// Steps about the tube.
         m: usize,
     },
-}
-
-/// Where the elements of a grown structure belong.
-#[derive(Clone, PartialEq, Debug, Default)]
-pub struct Placed {
-    /// The position of each vertex.
-    pub points: VertexMap<[f64; 3]>,
-    /// What each face is part of; see [`part`].
-    pub parts: Selection<FaceId>,
-    /// Bit 0: a hard edge, between two parts.
-    pub creases: Selection<EdgeId>,
 }
 
 /// A grown surface in space.
@@ -261,11 +233,6 @@ impl Shape {
         let Placed { points, parts, creases } = self.grow(&mut dcel)?;
         Ok(Grown { polyhedron: Polyhedron::assembled(dcel, points, BTreeSet::new()), parts, creases })
     }
-}
-
-/// Where k of m steps from -1 to 1 lead; exactly symmetric about 0.
-pub(super) fn stride(k: usize, m: usize) -> f64 {
-    (2.0 * k as f64 - m as f64) / m as f64
 }
 
 fn half_edge(number: u32) -> HalfEdgeId {

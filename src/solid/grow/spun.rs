@@ -11,7 +11,7 @@
 //! ```
 
 use super::extrude::extrude_faces;
-use super::shape::{Placed, part};
+use super::placed::{Placed, part};
 use super::{GrowError, Primitives, pole};
 use crate::ids::{FaceId, HalfEdgeId, VertexMap};
 use std::f64::consts::TAU;
