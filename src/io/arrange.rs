@@ -1,9 +1,9 @@
 //! From points and segments of a file to a subdivision, with the lines of what does not fit.
 
 use super::Number;
-use super::load::{LoadError, Whereabouts};
+use super::load_error::{LoadError, Whereabouts};
 use super::room::for_segments;
-use super::segments::SegmentSoup;
+use super::soup::SegmentSoup;
 use super::words::counted;
 use crate::ids::VertexId;
 use crate::plane::{ArrangeOptions, Arranged, MarkHolesError, SegmentFault, SegmentsError, Subdivision};

@@ -5,7 +5,7 @@
 //!                   ^each   ^position      nothing is stored on the way; every item knows its byte
 //! ```
 
-use super::json::Fault;
+use super::nodes::Fault;
 use super::problem::ReadProblem;
 use super::text::parse_integer;
 use serde_json::value::RawValue;

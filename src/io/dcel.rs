@@ -51,9 +51,9 @@
 //! bytes. Ids after the last existing one are forgotten.
 
 use super::closest;
+use super::document::{Document, Read};
 use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
-use super::read::{Document, Read};
 use super::text::{Scanner, Syntax, Word};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::topology::{FaceRow, HalfEdgeRow, Ring, Table, VertexRow};

@@ -18,11 +18,12 @@
 //! Source: RFC 7946.
 
 use super::arrays::Arrays;
-use super::json::{Fault, Node, Place, Skipped, lacks, named, polygons, shape};
+use super::document::ReadOptions;
+use super::geometries::{Skipped, polygons};
+use super::nodes::{Fault, Node, Place, lacks, named, shape};
 use super::problem::ReadProblem;
-use super::read::ReadOptions;
 use super::rings::Rings;
-use super::segments::SegmentSoup;
+use super::soup::SegmentSoup;
 use super::text::LineCounter;
 use super::words::counted;
 use crate::plane::check_coordinate;

@@ -24,9 +24,9 @@
 //!
 //! Source: N. Sturtevant, *Benchmarks for grid-based pathfinding*, 2012.
 
+use super::document::{Document, Read};
 use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
-use super::read::{Document, Read};
 use super::soup::{PolygonSoup, SoupBuilder};
 use super::text::{Scanner, Syntax, Word};
 use crate::ids::{HalfEdgeId, MAX_IDS};

@@ -11,21 +11,19 @@
 //! ```
 
 use super::arrange::{arrange, describe};
+use super::document::{Document, Read, ReadOptions};
 use super::format::Format;
+use super::load_error::{LoadError, Whereabouts};
 use super::mend::{Covering, MendedSoup, mend};
 use super::misfit::{Misfit, Told};
-use super::problem::ReadError;
-use super::read::{Document, Read, ReadOptions, read_path, source_name};
-use super::room::for_structure;
+use super::read::{read_path, source_name};
+use super::room::{for_corners, for_half_edges, for_segments};
 use super::soup::{Places, PolygonSoup};
 use super::words::counted;
 use crate::ids::{FaceId, FaceMap, VertexId};
-use crate::plane::{
-    ConvertError, ConvertOptions, Converted, MarkHolesError, Point, SegmentsError, Subdivision, TableError,
-};
-use crate::solid::{Polyhedron, SolidError};
+use crate::plane::{ConvertError, ConvertOptions, Converted, Point, Subdivision};
+use crate::solid::Polyhedron;
 use crate::topology::{BuildError, Mode, PolygonList};
-use std::fmt;
 use std::path::Path;
 
 /// What is told where there was nothing to mend.
@@ -78,144 +76,6 @@ pub struct Loaded {
     pub places: Option<Places>,
 }
 
-/// Why a file is no structure.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum LoadError {
-    /// It cannot be read.
-    #[error(transparent)]
-    Read(#[from] ReadError),
-    /// Its polygons are no subdivision of the plane.
-    #[error("{at}: {what}{at:#}")]
-    Plane {
-        /// Where.
-        at: Box<Whereabouts>,
-        /// Why not.
-        error: ConvertError,
-        /// The same in the words and coordinates of the file.
-        what: String,
-    },
-    /// Its polygons are no surface.
-    #[error("{at}: {error}{at:#}")]
-    Surface {
-        /// Where.
-        at: Box<Whereabouts>,
-        /// Why not.
-        error: SolidError,
-    },
-    /// Its segments meet elsewhere than at common ends.
-    #[error("{at}: {error}{at:#}")]
-    Segments {
-        /// Where the first of them are.
-        at: Box<Whereabouts>,
-        /// Which ones, and how.
-        error: SegmentsError,
-    },
-    /// Its hole points do not lie in bounded faces.
-    #[error("{place}: {error}")]
-    Holes {
-        /// Where the point stands.
-        place: String,
-        /// Which one, and why not.
-        error: MarkHolesError,
-    },
-    /// Its table is no subdivision of the plane.
-    #[error("{source_name}: {error}")]
-    Table {
-        /// The file.
-        source_name: String,
-        /// Why not.
-        error: TableError,
-    },
-}
-
-/// Where the elements of an error stand in a file. Prints as the place of the first one, and with `{:#}` as the
-/// places of the others in brackets.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Whereabouts {
-    /// The place of the first face the error speaks of, or of its first vertex, or the file.
-    pub first: String,
-    /// The other elements, `face 5` or `vertex 7`, with their places: `line 19`, `states[3] "Ohio" polygon 0`,
-    /// or the whole if that is in another file.
-    pub others: Vec<(String, String)>,
-}
-
-impl Whereabouts {
-    fn new(places: &Places, faces: &[u32], vertices: &[u32]) -> Self {
-        let faces = faces.iter().map(|&f| (format!("face {f}"), places.face(f as usize)));
-        let known = if places.vertex_lines.is_empty() { &[] } else { vertices };
-        let vertices = known.iter().map(|&v| (format!("vertex {v}"), places.vertex(v as usize)));
-        Self::of(&places.source, faces.chain(vertices))
-    }
-
-    /// The places of the rings a misfit speaks of, and of the faces and vertices if it speaks of them by number.
-    fn of_misfit(told: &Told<'_>, error: &ConvertError, rings: &[[u32; 2]]) -> Self {
-        if rings.is_empty() || told.places.face_path(0).is_none() {
-            let mut faces = error.faces();
-            faces.extend(rings.iter().map(|ring| ring[0]).filter(|_| error.faces().is_empty()));
-            faces.dedup();
-            return Self::new(told.places, &faces, &error.vertices());
-        }
-        let mut rings = rings.to_vec();
-        rings.dedup();
-        let all = rings.iter().map(|&ring| (told.name(ring), told.places.ring_place(told.number(ring))));
-        Self::of(&told.places.source, all)
-    }
-
-    /// The places of elements of the file `source`.
-    pub(super) fn of(source: &str, mut all: impl Iterator<Item = (String, String)>) -> Self {
-        let first = all.next().map_or_else(|| source.to_owned(), |(_, place)| place);
-        let others = all.map(|(element, place)| {
-            let rest = place.strip_prefix(source).and_then(|rest| rest.strip_prefix(':'));
-            let short = rest.map(|rest| rest.strip_prefix(' ').map_or_else(|| format!("line {rest}"), str::to_owned));
-            (element, short.unwrap_or(place))
-        });
-        Self { first, others: others.collect() }
-    }
-}
-
-impl fmt::Display for Whereabouts {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if !f.alternate() {
-            return f.write_str(&self.first);
-        }
-        for (i, (element, place)) in self.others.iter().enumerate() {
-            write!(f, "{}{element}: {place}", if i == 0 { " (" } else { ", " })?;
-        }
-        if self.others.is_empty() { Ok(()) } else { f.write_str(")") }
-    }
-}
-
-impl LoadError {
-    /// Where the elements stand that the error speaks of; nothing if the file could not even be read.
-    #[must_use]
-    pub fn whereabouts(&self) -> Option<&Whereabouts> {
-        match self {
-            Self::Plane { at, .. } | Self::Surface { at, .. } | Self::Segments { at, .. } => Some(at),
-            Self::Read(_) | Self::Table { .. } | Self::Holes { .. } => None,
-        }
-    }
-
-    /// What is wrong, without the place.
-    #[must_use]
-    pub fn what(&self) -> String {
-        match self {
-            Self::Read(error) => error.what.to_string(),
-            Self::Plane { what, .. } => what.clone(),
-            Self::Surface { error, .. } => error.to_string(),
-            Self::Segments { error, .. } => error.to_string(),
-            Self::Holes { error, .. } => error.to_string(),
-            Self::Table { error, .. } => error.to_string(),
-        }
-    }
-
-    /// Whether the file was read and its contents are at fault, not its syntax.
-    #[must_use]
-    pub const fn is_about_structure(&self) -> bool {
-        !matches!(self, Self::Read(_))
-    }
-}
-
 /// Reads a file and makes a structure of it; `-` is standard input.
 ///
 /// Cost: that of the reader and of the builder, about linear; O(n log n) for tables and for the full check.
@@ -243,7 +103,11 @@ pub fn load(path: &Path, options: &LoadOptions) -> Result<Loaded, LoadError> {
 /// # Ok::<(), dcel_kit::io::ReadError>(())
 /// ```
 pub fn assemble(read: Read, source_name: &str, options: &LoadOptions) -> Result<Loaded, LoadError> {
-    for_structure(&read.document, source_name)?;
+    match &read.document {
+        Document::Polygons(soup) => for_corners(soup.faces.corner_count(), source_name),
+        Document::Segments(soup) => for_segments(soup.segments.len(), source_name),
+        Document::Table(table) => for_half_edges(table.half_edges.len(), source_name),
+    }?;
     let Read { document, mut notes, format } = read;
     let soup = match document {
         Document::Polygons(soup) => soup,

@@ -1,6 +1,6 @@
 //! Polygons of a file that do not fit together, mended and told.
 
-use super::load::{LoadError, Whereabouts};
+use super::load_error::{LoadError, Whereabouts};
 use super::misfit::Told;
 use super::soup::Places;
 use super::words::counted;

@@ -15,31 +15,38 @@
 //! No reader trusts a count in a file: memory grows with the data that are there. None panics or hangs.
 //!
 //! ```text
-//!   text.rs   words with places          problem.rs  what can be wrong     read.rs, write.rs  the ways in and out
-//!   soup.rs   points and polygons        rings.rs    joining equal points  model.rs           what is written
-//!   load.rs   from a file to a structure, with the places of what does not fit     arrange.rs  of segments
-//!   misfit.rs what does not fit, in the words of the file      mend.rs  polygons that are split so that they fit
-//!   obj.rs off.rs ply/ stl.rs triangle.rs mesh/ grid.rs (scen.rs) geojson.rs topojson.rs (json.rs arrays.rs)
-//!   wkt.rs poly.rs segments.rs dcel.rs tables.rs   one format each
-//!   points.rs points alone, of any of them or of plain text    words.rs  numbers with their words
-//!   labels.rs groups and materials of faces
-//!   room.rs   memory that is asked for before it is needed
+//!   ways in       read.rs load.rs        from bytes or a path to a Document (document.rs), and on to a structure
+//!   ways out      write.rs model.rs      from a structure to a file; names.rs writes ids
+//!   polygons      obj.rs off.rs ply/ stl.rs triangle.rs mesh/ grid.rs     one format each, into soup.rs and labels.rs
+//!   JSON          json.rs -> geojson.rs topojson.rs -> geometries.rs arrays.rs nodes.rs
+//!                 rings.rs               joins equal points of rings
+//!   segments      segments.rs wkt.rs poly.rs -> arrange.rs
+//!   others        dcel.rs tables.rs      whole structures       scen/  queries       points.rs  points alone
+//!   formats       format.rs sniff.rs     by name or by content
+//!   text          text.rs words.rs near.rs    words with places, numbers with their words, words that were meant
+//!   faults        problem.rs load_error.rs misfit.rs write_error.rs       room.rs  asks for memory before it is needed
+//!   repair        mend.rs                polygons that are split so that they fit
 //! ```
 
 mod arrange;
 mod arrays;
 pub mod dcel;
+mod document;
 mod format;
 pub mod geojson;
+mod geometries;
 pub mod grid;
 mod json;
 mod labels;
 mod load;
+mod load_error;
 mod mend;
 pub mod mesh;
 mod misfit;
 mod model;
+mod names;
 mod near;
+mod nodes;
 pub mod obj;
 pub mod off;
 pub mod ply;
@@ -51,6 +58,7 @@ mod rings;
 mod room;
 pub mod scen;
 pub mod segments;
+mod sniff;
 mod soup;
 pub mod stl;
 pub mod tables;
@@ -60,21 +68,24 @@ pub mod triangle;
 pub mod wkt;
 mod words;
 mod write;
+mod write_error;
 
 pub use crate::geometry::number::Number;
 pub use arrange::{arrange, arrange_with, describe, faults_with_places, on_grid};
+pub use document::{Document, Read, ReadOptions};
 pub use format::{Format, UnknownFormat};
 pub use grid::Grid;
 pub use labels::Labels;
-pub use load::{LoadError, LoadOptions, Loaded, NOTHING_TO_MEND, Structure, assemble, load};
+pub use load::{LoadOptions, Loaded, NOTHING_TO_MEND, Structure, assemble, load};
+pub use load_error::LoadError;
 pub use mend::Covering;
 pub use model::Model;
 pub use near::closest;
 pub use points::{PointList, points_from_text, read_points};
 pub use problem::{ReadError, ReadProblem};
-pub use read::{Document, Read, ReadOptions, read_bytes, read_path, read_triangle, source_name};
+pub use read::{read_bytes, read_path, read_triangle, source_name};
 pub use scen::{Misfits, Optimum, Query, Scenario, Verdict};
-pub use segments::SegmentSoup;
-pub use soup::{Axis, Places, PolygonSoup};
+pub use soup::{Axis, Places, PolygonSoup, SegmentSoup};
 pub use words::counted;
-pub use write::{WriteError, write, write_path, write_triangle};
+pub use write::{write, write_path, write_triangle};
+pub use write_error::WriteError;

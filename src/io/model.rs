@@ -1,7 +1,7 @@
 //! What the writers write: any view, with positions and names.
 
 use super::format::Format;
-use super::write::WriteError;
+use super::write_error::WriteError;
 use crate::ids::{FaceId, HalfEdgeId, VertexId, VertexMap};
 use crate::plane::PlanarView;
 use crate::topology::{PolygonList, Ring, Table, View};

@@ -16,10 +16,10 @@
 //!
 //! Source: the OBJ chapter of the Advanced Visualizer manual, appendix B1 (Wavefront, 1993).
 
+use super::document::{Document, Read};
 use super::format::Format;
 use super::labels::Labels;
 use super::problem::{ReadError, ReadProblem};
-use super::read::{Document, Read};
 use super::soup::{PolygonSoup, SoupBuilder};
 use super::text::{Scanner, Syntax, Word, parse_integer};
 use super::words::counted;

@@ -17,9 +17,9 @@
 //!
 //! Source: the Geomview manual, section "OFF".
 
+use super::document::{Document, Read};
 use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
-use super::read::{Document, Read};
 use super::soup::SoupBuilder;
 use super::text::{Scanner, Syntax, parse_integer};
 use super::words::counted;

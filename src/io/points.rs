@@ -8,9 +8,10 @@
 //!   0;3                # starts a comment
 //! ```
 
+use super::document::{Document, Read, ReadOptions};
 use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
-use super::read::{Document, Read, ReadOptions, load, load_path, read_bytes, read_path, source_name};
+use super::read::{load, load_path, read_bytes, read_path, source_name};
 use super::room::reserved;
 use super::soup::SoupBuilder;
 use super::text::{Scanner, Syntax, check_text, note_of_the_end};

@@ -18,11 +18,10 @@
 //!
 //! Source: J. R. Shewchuk, *Triangle*, the page on `.poly` files (1996).
 
+use super::document::{Document, Read};
 use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
-use super::read::{Document, Read};
-use super::segments::SegmentSoup;
-use super::soup::SoupBuilder;
+use super::soup::{SegmentSoup, SoupBuilder};
 use super::text::Scanner;
 use super::triangle::{File, SYNTAX, attributes, no_more, nodes, optional_count, points, record};
 use crate::plane::Point;

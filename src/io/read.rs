@@ -1,57 +1,14 @@
 //! The way in: from a path or from bytes to a [`Document`].
 
+use super::document::{Document, Read, ReadOptions};
 use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
 use super::room::too_little;
-use super::segments::SegmentSoup;
-use super::soup::PolygonSoup;
 use super::text::{LARGEST_FILE, note_of_the_end};
 use super::{dcel, grid, json, mesh, obj, off, ply, poly, segments, stl, triangle, wkt};
-use crate::topology::Table;
 use std::fs::File;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
-
-/// What a file holds.
-#[derive(Clone, PartialEq, Debug)]
-pub enum Document {
-    /// Points and polygons, to be joined to a structure.
-    Polygons(PolygonSoup),
-    /// A half-edge structure, right or wrong.
-    Table(Table),
-    /// Points and segments, to be cut and joined to a structure.
-    Segments(SegmentSoup),
-}
-
-/// What was read, and what had to be left out.
-#[derive(Clone, PartialEq, Debug)]
-pub struct Read {
-    /// The contents.
-    pub document: Document,
-    /// What was dropped, repaired or chosen, one sentence each: to be told to the user.
-    pub notes: Vec<String>,
-    /// The format it was: of a JSON file what it says of itself, whatever its name.
-    pub format: Format,
-}
-
-/// How to read.
-#[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub struct ReadOptions {
-    /// The y of the file points down: negate it. That of grid maps is known to, and negated without this.
-    pub y_down: bool,
-    /// Drop rings of GeoJSON and TopoJSON with fewer than three distinct points, with a note, instead of
-    /// refusing them.
-    pub drop_degenerate_rings: bool,
-    /// Close rings of GeoJSON that do not end where they start, with a note, instead of refusing them.
-    pub close_rings: bool,
-    /// The object of a TopoJSON file to read; without it, the one with the most polygons.
-    pub object: Option<String>,
-    /// Read polygons of GeoJSON as their outlines, together with the lines. Without it lines are read only if there
-    /// is no polygon.
-    pub outlines: bool,
-    /// The format; without it, the file name or the first bytes decide.
-    pub format: Option<Format>,
-}
 
 /// Reads a file that is in memory. `source_name` is what errors call it.
 ///

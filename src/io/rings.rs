@@ -10,10 +10,9 @@
 //! equal: exactly, with -0 = 0, and nothing else is joined. Equal points are found by sorting, O(n log n).
 //! Points are numbered in the order in which they first come in a ring that is kept.
 
-use super::json::Fault;
+use super::nodes::Fault;
 use super::problem::ReadProblem;
-use super::segments::SegmentSoup;
-use super::soup::{Places, PolygonSoup, check_sizes};
+use super::soup::{Places, PolygonSoup, SegmentSoup, check_sizes};
 use super::text::LineCounter;
 use super::words::counted;
 use crate::ids::MAX_IDS;

@@ -2,7 +2,6 @@
 //! instead of ending the program in the middle.
 
 use super::problem::{ReadError, ReadProblem};
-use super::read::Document;
 
 /// What a structure takes at its making for each corner of a polygon, each segment, each half-edge of a table: measured
 /// on grids of 10^5 faces.
@@ -35,14 +34,14 @@ fn numbers_in(bytes: &[u8]) -> usize {
     first + bytes.windows(2).filter(|pair| pair[1].is_ascii_digit() && !goes_on(pair[0])).count()
 }
 
-/// Whether there is memory for the structure of what was read.
-pub(super) fn for_structure(document: &Document, source: &str) -> Result<(), ReadError> {
-    let bytes = match document {
-        Document::Polygons(soup) => soup.faces.corner_count().saturating_mul(BYTES_PER_CORNER),
-        Document::Segments(soup) => return for_segments(soup.segments.len(), source),
-        Document::Table(table) => table.half_edges.len().saturating_mul(BYTES_PER_HALF_EDGE),
-    };
-    reserved::<u8>(bytes, source).map(drop)
+/// Whether there is memory for the structure of so many corners of polygons.
+pub(super) fn for_corners(count: usize, source: &str) -> Result<(), ReadError> {
+    reserved::<u8>(count.saturating_mul(BYTES_PER_CORNER), source).map(drop)
+}
+
+/// The same for a table with so many half-edges.
+pub(super) fn for_half_edges(count: usize, source: &str) -> Result<(), ReadError> {
+    reserved::<u8>(count.saturating_mul(BYTES_PER_HALF_EDGE), source).map(drop)
 }
 
 /// The same for a number of segments.

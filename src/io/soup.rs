@@ -1,9 +1,10 @@
-//! What polygon formats hold: points, faces as lists of corners, and where each stood in the file.
+//! What formats hold: points with faces or segments, and where each stood in the file.
 
 use super::labels::Labels;
 use super::problem::{ReadError, ReadProblem};
 use super::room::reserved;
 use crate::ids::MAX_IDS;
+use crate::plane::Point;
 use crate::topology::PolygonList;
 
 /// Polygons as a file gives them: nothing is joined, turned round or checked against anything else.
@@ -181,6 +182,84 @@ impl Places {
         let end = *self.path_ends.get(face)? as usize;
         let start = face.checked_sub(1).map_or(0, |before| self.path_ends[before] as usize);
         self.paths.get(start..end)
+    }
+}
+
+/// Points and segments as a file gives them: nothing is joined, split or checked against anything else.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct SegmentSoup {
+    /// The points in the order of the file. Those that no segment uses are points by themselves.
+    pub points: Vec<Point>,
+    /// The segments by the numbers of their ends.
+    pub segments: Vec<[u32; 2]>,
+    /// Points that mark the faces around them as holes.
+    pub hole_points: Vec<Point>,
+    /// The file.
+    pub source: String,
+    /// The line of each point, from 1.
+    pub point_lines: Vec<u32>,
+    /// The line of each segment, from 1.
+    pub segment_lines: Vec<u32>,
+    /// The line of each hole point, from 1.
+    pub hole_lines: Vec<u32>,
+}
+
+impl SegmentSoup {
+    /// Nothing yet, for the file `source`.
+    pub(super) fn new(source: &str) -> Self {
+        Self { source: source.to_owned(), ..Self::default() }
+    }
+
+    /// Appends a point and returns its number.
+    pub(super) fn point(&mut self, [x, y]: [f64; 2], line: u32) -> u32 {
+        self.points.push(Point::new(x, y));
+        self.point_lines.push(line);
+        self.points.len() as u32 - 1
+    }
+
+    /// Appends a segment.
+    pub(super) fn segment(&mut self, ends: [u32; 2], line: u32) {
+        self.segments.push(ends);
+        self.segment_lines.push(line);
+    }
+
+    /// Appends the segments of a chain of points, of which some came before; `closed` adds the way back.
+    pub(super) fn chain(&mut self, first: u32, closed: bool) {
+        let end = self.points.len() as u32;
+        for p in first + 1..end {
+            self.segment([p - 1, p], self.point_lines[p as usize]);
+        }
+        if closed && first + 1 < end {
+            self.segment([end - 1, first], self.point_lines[end as usize - 1]);
+        }
+    }
+
+    /// Refuses more points or segments than there are ids.
+    pub(super) fn checked(self) -> Result<Self, ReadError> {
+        let counts = [(self.points.len(), "points"), (2 * self.segments.len(), "half-edges")];
+        match counts.into_iter().find(|&(count, _)| count > MAX_IDS) {
+            Some((_, what)) => {
+                let problem = ReadProblem::TooLarge { what, limit: MAX_IDS as u64 };
+                Err(ReadError::whole(&self.source, problem, ""))
+            }
+            None => Ok(self),
+        }
+    }
+
+    /// Where a segment stands: `roads.wkt:12`.
+    #[must_use]
+    pub fn place(&self, segment: usize) -> String {
+        self.at_line(self.segment_lines.get(segment))
+    }
+
+    /// Where a point stands.
+    #[must_use]
+    pub fn point_place(&self, point: usize) -> String {
+        self.at_line(self.point_lines.get(point))
+    }
+
+    pub(super) fn at_line(&self, line: Option<&u32>) -> String {
+        line.map_or_else(|| self.source.clone(), |line| format!("{}:{line}", self.source))
     }
 }
 

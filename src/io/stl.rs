@@ -23,16 +23,16 @@
 //!
 //! Source: 3D Systems, *StereoLithography Interface Specification*, 1988.
 
+use super::document::{Document, Read};
 use super::format::Format;
 use super::model::Polygons;
 use super::problem::{ReadError, ReadProblem};
-use super::read::{Document, Read};
 use super::rings::representatives;
 use super::room::reserved;
 use super::soup::SoupBuilder;
 use super::text::{Scanner, Syntax};
 use super::words::counted;
-use super::write::WriteError;
+use super::write_error::WriteError;
 use crate::geometry::number::Number;
 use crate::plane::check_coordinate;
 use crate::topology::PolygonList;

@@ -21,7 +21,7 @@
 //! Source: de Berg et al., *Computational Geometry*, 3rd ed., section 2.2.
 
 use super::model::Model;
-use super::write::{Pointer, RingName};
+use super::names::{Pointer, RingName};
 use crate::geometry::number::Number;
 use crate::topology::Ring;
 use std::io::{self, Write};

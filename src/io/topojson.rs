@@ -20,12 +20,13 @@
 //! Source: M. Bostock and C. Metcalf, *The TopoJSON Format Specification* (version 1).
 
 use super::arrays::Arrays;
+use super::document::ReadOptions;
 use super::geojson::Shapes;
-use super::json::{Fault, Node, Place, Skipped, lacks, named, polygons, shape};
+use super::geometries::{Skipped, polygons};
+use super::nodes::{Fault, Node, Place, lacks, named, shape};
 use super::problem::ReadProblem;
-use super::read::ReadOptions;
 use super::rings::{Rings, same};
-use super::segments::SegmentSoup;
+use super::soup::SegmentSoup;
 use super::text::LineCounter;
 use super::words::counted;
 use crate::plane::check_coordinate;

@@ -16,9 +16,9 @@
 //!
 //! Source: J. R. Shewchuk, *Triangle*, the pages on `.node` and `.ele` files (1996).
 
+use super::document::{Document, Read};
 use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
-use super::read::{Document, Read};
 use super::soup::SoupBuilder;
 use super::text::{Scanner, Syntax};
 

@@ -16,10 +16,10 @@
 //!
 //! Source: OGC 06-103r4, *Simple feature access*, part 1, section 7.
 
+use super::document::{Document, Read};
 use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
-use super::read::{Document, Read};
-use super::segments::SegmentSoup;
+use super::soup::SegmentSoup;
 use super::text::{check_text, line_and_column};
 use super::words::counted;
 use crate::plane::check_coordinate;

@@ -11,7 +11,7 @@ use crate::geometry::number::Number;
 use crate::ids::{FaceMap, HalfEdgeId, VertexId};
 use crate::io::format::Format;
 use crate::io::model::{Model, Polygons};
-use crate::io::write::WriteError;
+use crate::io::write_error::WriteError;
 use crate::plane::Point;
 use crate::plane::predicates::orientation;
 use std::cmp::Ordering;

@@ -28,8 +28,8 @@
 mod body;
 mod header;
 
+use super::document::{Document, Read};
 use super::problem::{ReadError, ReadProblem};
-use super::read::{Document, Read};
 use super::soup::SoupBuilder;
 use crate::io::Format;
 use body::{Binary, Records, Text};

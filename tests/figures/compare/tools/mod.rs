@@ -9,7 +9,7 @@ macro_rules! drawings {
         $(
             #[test]
             fn $name() {
-                $verdict($file, include_str!(concat!("tools/", $file)) $(, $said)?);
+                $verdict($file, include_str!($file) $(, $said)?);
             }
         )*
 
@@ -18,7 +18,7 @@ macro_rules! drawings {
     };
 }
 
-const REFERENCE: &str = include_str!("tools/reference.svg");
+const REFERENCE: &str = include_str!("reference.svg");
 
 fn equal(file: &str, svg: &str) {
     let answer = judge(REFERENCE, svg);

@@ -29,9 +29,9 @@
 
 mod write;
 
+use super::document::{Document, Read};
 use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
-use super::read::{Document, Read};
 use super::soup::SoupBuilder;
 use super::text::{Scanner, Syntax};
 

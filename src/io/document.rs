@@ -1,0 +1,46 @@
+//! What a reader gives back, and how it is asked.
+
+use super::format::Format;
+use super::soup::{PolygonSoup, SegmentSoup};
+use crate::topology::Table;
+
+/// What a file holds.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Document {
+    /// Points and polygons, to be joined to a structure.
+    Polygons(PolygonSoup),
+    /// A half-edge structure, right or wrong.
+    Table(Table),
+    /// Points and segments, to be cut and joined to a structure.
+    Segments(SegmentSoup),
+}
+
+/// What was read, and what had to be left out.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Read {
+    /// The contents.
+    pub document: Document,
+    /// What was dropped, repaired or chosen, one sentence each: to be told to the user.
+    pub notes: Vec<String>,
+    /// The format it was: of a JSON file what it says of itself, whatever its name.
+    pub format: Format,
+}
+
+/// How to read.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct ReadOptions {
+    /// The y of the file points down: negate it. That of grid maps is known to, and negated without this.
+    pub y_down: bool,
+    /// Drop rings of GeoJSON and TopoJSON with fewer than three distinct points, with a note, instead of
+    /// refusing them.
+    pub drop_degenerate_rings: bool,
+    /// Close rings of GeoJSON that do not end where they start, with a note, instead of refusing them.
+    pub close_rings: bool,
+    /// The object of a TopoJSON file to read; without it, the one with the most polygons.
+    pub object: Option<String>,
+    /// Read polygons of GeoJSON as their outlines, together with the lines. Without it lines are read only if there
+    /// is no polygon.
+    pub outlines: bool,
+    /// The format; without it, the file name or the first bytes decide.
+    pub format: Option<Format>,
+}

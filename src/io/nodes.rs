@@ -1,0 +1,141 @@
+//! Objects of the two JSON formats, the place of an element in them, and what can be wrong there.
+
+use super::problem::ReadProblem;
+use serde::Deserialize;
+use serde_json::value::RawValue;
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// Any object of the two formats with the members the kit uses.
+#[derive(Deserialize)]
+#[serde(expecting = "an object")]
+pub(super) struct Node<'a> {
+    #[serde(borrow, rename = "type")]
+    kind: Option<&'a RawValue>,
+    #[serde(borrow)]
+    pub(super) features: Option<Vec<Node<'a>>>,
+    #[serde(borrow)]
+    pub(super) geometry: Option<Box<Node<'a>>>,
+    #[serde(borrow)]
+    pub(super) geometries: Option<Vec<Node<'a>>>,
+    #[serde(borrow)]
+    pub(super) objects: Option<BTreeMap<String, Node<'a>>>,
+    #[serde(borrow)]
+    pub(super) transform: Option<Box<Transform<'a>>>,
+    #[serde(borrow)]
+    pub(super) coordinates: Option<&'a RawValue>,
+    #[serde(borrow)]
+    pub(super) arcs: Option<&'a RawValue>,
+    #[serde(borrow)]
+    properties: Option<Properties<'a>>,
+    #[serde(borrow)]
+    id: Option<&'a RawValue>,
+}
+
+/// The transform of a quantised topology.
+#[derive(Deserialize)]
+#[serde(expecting = "an object")]
+pub(super) struct Transform<'a> {
+    #[serde(borrow)]
+    pub(super) scale: Option<&'a RawValue>,
+    #[serde(borrow)]
+    pub(super) translate: Option<&'a RawValue>,
+}
+
+#[derive(Deserialize)]
+#[serde(expecting = "an object")]
+struct Properties<'a> {
+    #[serde(borrow)]
+    name: Option<&'a RawValue>,
+    #[serde(borrow, rename = "NAME")]
+    upper_name: Option<&'a RawValue>,
+}
+
+/// A problem with what to try, and where in the file it is.
+pub(super) struct Fault {
+    pub(super) what: ReadProblem,
+    pub(super) help: Cow<'static, str>,
+    pub(super) at: Option<usize>,
+}
+
+impl Fault {
+    /// A problem at a byte of the file.
+    pub(super) fn at(at: usize, what: ReadProblem) -> Self {
+        Self { at: Some(at), ..Self::from(what) }
+    }
+}
+
+impl From<ReadProblem> for Fault {
+    fn from(what: ReadProblem) -> Self {
+        let help = match &what {
+            ReadProblem::UnclosedRing { .. } => {
+                "repeat the first point of the ring at its end, or close such rings with --mend"
+            }
+            ReadProblem::DegenerateRing { .. } => {
+                "correct the data, or drop such rings with --drop-degenerate-rings or --mend"
+            }
+            _ => "",
+        };
+        Self { what, help: help.into(), at: None }
+    }
+}
+
+/// The problem that an element has the wrong shape.
+pub(super) fn shape(place: &str, wanted: impl Into<Cow<'static, str>>) -> ReadProblem {
+    ReadProblem::Shape { place: place.to_owned(), wanted: wanted.into() }
+}
+
+/// The problem that an element lacks a member.
+pub(super) fn lacks(place: &str, member: &str) -> ReadProblem {
+    shape(place, format!("an array \"{member}\""))
+}
+
+impl<'a> Node<'a> {
+    /// The `type`; none if there is none.
+    pub(super) fn kind(&self) -> Option<Cow<'a, str>> {
+        self.kind.and_then(string)
+    }
+
+    /// The `type`, which must be there.
+    pub(super) fn need_kind(&self, place: &str) -> Result<Cow<'a, str>, ReadProblem> {
+        self.kind().ok_or_else(|| shape(place, "a \"type\""))
+    }
+
+    /// The name of a feature: `properties.name`, `properties.NAME`, or its `id`.
+    pub(super) fn name(&self) -> Option<Cow<'a, str>> {
+        let properties = self.properties.as_ref();
+        let names = [properties.and_then(|p| p.name), properties.and_then(|p| p.upper_name), self.id];
+        names.into_iter().flatten().find_map(|value| match value.get().as_bytes() {
+            [b'\"', ..] => string(value),
+            [b'-' | b'0'..=b'9', ..] => Some(value.get().into()),
+            _ => None,
+        })
+    }
+}
+
+/// The text of a JSON string.
+fn string(value: &RawValue) -> Option<Cow<'_, str>> {
+    let inside = value.get().strip_prefix('"')?.strip_suffix('"')?;
+    if inside.contains('\\') { serde_json::from_str(value.get()).ok().map(Cow::Owned) } else { Some(inside.into()) }
+}
+
+/// The path of an element with its name: `features[3] "Ohio"`.
+pub(super) fn named(path: &str, name: Option<&str>) -> String {
+    name.map_or_else(|| path.to_owned(), |name| format!("{path} {name:?}"))
+}
+
+/// The place of a ring in a geometry.
+#[derive(Clone, Copy)]
+pub(super) struct Place<'a> {
+    pub(super) path: &'a str,
+    pub(super) polygon: usize,
+    pub(super) ring: usize,
+}
+
+impl fmt::Display for Place<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { path, polygon, ring } = self;
+        write!(f, "{path} polygon {polygon} ring {ring}")
+    }
+}
