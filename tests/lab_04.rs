@@ -7,7 +7,8 @@ use dcel_kit::compare::{Options, compare};
 use dcel_kit::script::{Outcome, Script};
 use dcel_kit::topology::{FaceRow, HalfEdgeRow, SameOptions, Table, VertexRow, position_key, same_with};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
-use dcel_lab::protocol::{CallEnd, Case, Reply, Start, Step, Value, read_answers};
+use dcel_lab::cases::starts::{convex, grid, wheel};
+use dcel_lab::protocol::{CallEnd, Case, Reply, Schema, Start, Step, Value, read_answers};
 use dcel_lab::{Bug, BugError, Manifest, MarkError, starter};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -306,13 +307,14 @@ fn the_plane_accepts_the_drawing_and_the_solution_draws_the_same() {
     let reference = script(text);
     assert_eq!((reference.vertex_count(), reference.edge_count(), reference.face_count()), (22, 33, 13));
 
-    let case = Case::new("drawing", Start::Rectangle);
+    let case = Case::new("drawing", Start::line("rectangle"));
     let mut case = case.step(Step::call::<&str>("drawing", [])).step(Step::Dump).step(Step::Svg);
     case.steps
         .extend((0..66).flat_map(|h| ["destination_by_next", "destination"].map(|f| Step::call(f, [format!("h{h}")]))));
     case.steps.extend((0..22).map(|v| Step::call("walk_vertex", [format!("v{v}")])));
     let replies = answers_to(&case);
     let Reply::Dump(mine) = &replies[1] else { panic!("{:?}", replies[1]) };
+    let mine = mine.half_edges().unwrap();
     assert_eq!(dcel_kit::topology::violations(mine.as_ref()), []);
     let of_mine = |v: VertexId| position_key(mine.vertices[v.index()].unwrap().position.unwrap());
     let of_reference = |v: VertexId| position_key([reference.point(v).x, reference.point(v).y]);
@@ -327,7 +329,7 @@ fn the_plane_accepts_the_drawing_and_the_solution_draws_the_same() {
         assert_eq!(returned(&pair[0]), returned(&pair[1]), "h{h}");
     }
     for (v, reply) in replies[135..].iter().enumerate() {
-        let star = reference_star(mine, v).into_iter().map(|h| Value::Number(h as u32)).collect();
+        let star = reference_star(mine, v).into_iter().map(|h| Value::Id(h as u32)).collect();
         assert_eq!(returned(reply), CallEnd::Returned(star), "v{v}");
     }
 
@@ -341,7 +343,7 @@ fn the_plane_accepts_the_drawing_and_the_solution_draws_the_same() {
 /// What the solution answers to a case.
 fn answers_to(case: &Case) -> Vec<Reply> {
     let text = answers(&Case::input("T", [case]));
-    let mut answers = read_answers(text.as_bytes(), "T", &[case]);
+    let mut answers = read_answers(text.as_bytes(), "T", &[case], Schema::HalfEdges);
     assert!(answers.done && answers.cases[0].complete, "{text}");
     answers.cases.remove(0).replies
 }
@@ -389,14 +391,11 @@ fn a_dump_is_read_back_as_it_was() {
 
 #[test]
 fn large_starts_have_the_numbers_that_the_grader_expects() {
-    for start in [Start::Convex(3), Start::Convex(300), Start::Wheel(3), Start::Wheel(40), Start::Grid(1, 1)]
-        .into_iter()
-        .chain([Start::Grid(20, 15), Start::Grid(1, 30)])
-    {
+    for start in [convex(3), convex(300), wheel(3), wheel(40), grid(1, 1), grid(20, 15), grid(1, 30)] {
         let replies = answers_to(&Case::new("x", start.clone()).step(Step::Dump));
         let Reply::Dump(mine) = &replies[0] else { panic!("{replies:?}") };
-        assert_eq!(*mine, start.table().unwrap(), "{start:?}");
-        let kit = dcel_kit::plane::Subdivision::from_table(mine);
+        assert_eq!(Some(mine), start.structure(), "{start:?}");
+        let kit = dcel_kit::plane::Subdivision::from_table(mine.half_edges().unwrap());
         assert!(kit.is_ok(), "{start:?}: {:?}", kit.err());
     }
     for bad in ["convex 2", "wheel x", "grid 3", "grid 0 4", "grid 100000 100000", "rectangle 1", "polygon 0 0 1"] {
@@ -407,18 +406,17 @@ fn large_starts_have_the_numbers_that_the_grader_expects() {
 
 #[test]
 fn changes_are_those_since_the_last_dump() {
-    let case =
-        Case::new("x", Start::Grid(4, 3)).step(Step::Changes).step(Step::call("split_face", ["h0", "h0.next.next"]));
+    let case = Case::new("x", grid(4, 3)).step(Step::Changes).step(Step::call("split_face", ["h0", "h0.next.next"]));
     let case = case.step(Step::Changes).step(Step::call("split_in_half", ["h5"])).step(Step::Changes).step(Step::Dump);
     let replies = answers_to(&case);
     let tables: Vec<_> = replies
         .iter()
         .filter_map(|reply| match reply {
-            Reply::Dump(table) => Some(table),
+            Reply::Dump(structure) => structure.half_edges(),
             _ => None,
         })
         .collect();
-    assert_eq!(*tables[0], case.start.table().unwrap());
+    assert_eq!(Some(tables[0]), case.start.half_edges());
     assert_eq!(tables[1].faces.len(), tables[0].faces.len() + 1);
     assert_eq!(tables[2], tables[3], "what has changed, put over what was there, is what is there");
     let said = answers("dump changes\nrectangle\ndump changes\ndump changes\n");

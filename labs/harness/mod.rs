@@ -25,8 +25,8 @@ mod words;
 pub use reads::Meter;
 pub use records::{Record, Records};
 pub use run::{answers, main};
-pub use structure::{Cell, Column, Link, Shortcut, Structure, Table};
-pub use value::{Argument, Take, Value, coordinate, points, whole};
+pub use structure::{Cell, Column, Link, Shortcut, Structure, Table, dump};
+pub use value::{Argument, Take, Value, coordinate, places, points, whole};
 
 /// What a lab brings along.
 pub trait Lab: 'static {

@@ -5,7 +5,7 @@
 use super::output::Output;
 use super::reads::{self, Meter};
 use super::structure::{Structure, changes, dump, read_record, records};
-use super::value::{Argument, Take, Value, coordinate, points, whole};
+use super::value::{Argument, Take, Value, coordinate, places, points, whole};
 use super::words::{Element, Line, Names, Unresolved, follow, lines};
 use super::{Call, Lab};
 use std::io::{IsTerminal, Read, Write};
@@ -249,13 +249,14 @@ impl<'a, L: Lab> Case<'a, L> {
     ) -> Result<(), Failure> {
         let arguments = self.arguments(call, words, line, output)?;
         let structure = self.structure()?;
-        let words: String = arguments.iter().map(|argument| format!(" {}", argument.words())).collect();
+        let words = arguments.iter().map(Argument::words).filter(|words| !words.is_empty());
+        let words: String = words.map(|words| format!(" {words}")).collect();
         output.announce(&format!("{}{words}", call.word));
         if let Some(value) = output.call(records(structure), || (call.run)(structure, &arguments, Meter::new())) {
             output.line(format!("returned {}", value.words()).trim_end());
-            if let Value::Structure(text) = value {
-                output.lines("dump", &text, "end_dump");
-            }
+            let mut structures = Vec::new();
+            value.structures(&mut structures);
+            structures.into_iter().for_each(|text| output.lines("dump", text, "end_dump"));
         }
         Ok(())
     }
@@ -273,7 +274,8 @@ impl<'a, L: Lab> Case<'a, L> {
         for take in call.takes {
             let count = match take {
                 Take::Point => 2,
-                Take::Points => left.len(),
+                Take::Place => 3,
+                Take::Points | Take::Places | Take::Wholes => left.len(),
                 _ => 1,
             };
             let Some((taken, rest)) = left.split_at_checked(count) else { return Err(wrong()) };
@@ -285,6 +287,10 @@ impl<'a, L: Lab> Case<'a, L> {
                 Take::Truth => Argument::Truth(taken[0].parse().map_err(|_| wrong())?),
                 Take::Point => Argument::Point([coordinate(taken[0])?, coordinate(taken[1])?]),
                 Take::Points => Argument::Points(points(taken)?),
+                Take::Whole => Argument::Whole(whole(taken[0])?),
+                Take::Wholes => Argument::Wholes(taken.iter().map(|word| whole(word)).collect::<Result<_, _>>()?),
+                Take::Place => Argument::Place([coordinate(taken[0])?, coordinate(taken[1])?, coordinate(taken[2])?]),
+                Take::Places => Argument::Places(places(taken)?),
             });
         }
         if left.is_empty() { Ok(arguments) } else { Err(wrong()) }

@@ -130,8 +130,8 @@ pub(super) fn records<S: Structure>(structure: &S) -> usize {
     (0..S::TABLES.len()).map(|table| structure.len(table)).sum()
 }
 
-/// The lines of a dump.
-pub(super) fn dump<S: Structure>(structure: &S) -> String {
+/// The lines of a dump: of what a call returns, too, see [`Value::Structure`](super::Value::Structure).
+pub fn dump<S: Structure>(structure: &S) -> String {
     let mut text = singles(structure);
     for table in 0..S::TABLES.len() {
         (0..structure.len(table)).for_each(|number| record(structure, table, number, &mut text));

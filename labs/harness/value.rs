@@ -1,7 +1,7 @@
 //! What goes into a call and what comes back, and how it is written.
 //!
 //! ```text
-//!   id         12                      number    #0.1            point     (0.5,2)
+//!   id         12                      number    #0.1            point     (0.5,2)   (0,0,1)
 //!   yes or no  true                    polygon   <0,0 4,0 3,3>   refusal   refused "the points are on one line"
 //!   list       1 2 3   inside another: [1 2 3]                   nothing   (an empty line)
 //! ```
@@ -19,8 +19,10 @@ pub enum Value {
     Id(usize),
     /// A number.
     Number(f64),
-    /// A point.
+    /// A point of the plane.
     Point([f64; 2]),
+    /// A point of space.
+    Place([f64; 3]),
     /// Several values, in order.
     List(Vec<Value>),
     /// A polygon by its corners.
@@ -35,6 +37,15 @@ impl Value {
     /// A list of numbers of records.
     pub fn ids(ids: Vec<usize>) -> Self {
         Self::List(ids.into_iter().map(Self::Id).collect())
+    }
+
+    /// The structures among the values, in their order.
+    pub(super) fn structures<'a>(&'a self, out: &mut Vec<&'a str>) {
+        match self {
+            Self::List(values) => values.iter().for_each(|value| value.structures(out)),
+            Self::Structure(text) => out.push(text),
+            _ => {}
+        }
     }
 
     /// How many values it is: those of a list, else one.
@@ -63,6 +74,7 @@ impl Value {
             Self::Id(id) => id.to_string(),
             Self::Number(x) => format!("#{x}"),
             Self::Point(p) => format!("({})", point(p)),
+            Self::Place([x, y, z]) => format!("({x},{y},{z})"),
             Self::List(values) => format!("[{}]", joined(values)),
             Self::Polygon(corners) => format!("<{}>", corners.iter().map(point).collect::<Vec<_>>().join(" ")),
             Self::Refusal(why) => format!("refused {why:?}"),
@@ -87,10 +99,18 @@ pub enum Take {
     Number,
     /// `true` or `false`.
     Truth,
+    /// A whole number from 0.
+    Whole,
+    /// All whole numbers that are left.
+    Wholes,
     /// Two numbers.
     Point,
     /// All numbers that are left, two for each point.
     Points,
+    /// Three numbers.
+    Place,
+    /// All numbers that are left, three for each point.
+    Places,
 }
 
 /// An argument of a call.
@@ -106,12 +126,64 @@ pub enum Argument {
     Point([f64; 2]),
     /// Points.
     Points(Vec<[f64; 2]>),
+    /// A whole number.
+    Whole(usize),
+    /// Whole numbers.
+    Wholes(Vec<usize>),
+    /// A point of space.
+    Place([f64; 3]),
+    /// Points of space.
+    Places(Vec<[f64; 3]>),
 }
 
+const CHECKED: &str = "what a call takes is checked before it is made";
+
 impl Argument {
-    /// The number of a record; what a call takes is checked before it is made.
+    // What a call takes is checked before it is made, so each of these is asked for what is there.
+
+    /// The number of a record.
     pub fn id(&self) -> usize {
-        if let Self::Id(id) = self { *id } else { unreachable!("the call takes the number of a record") }
+        if let Self::Id(id) = self { *id } else { unreachable!("{CHECKED}") }
+    }
+
+    /// A number.
+    pub fn number(&self) -> f64 {
+        if let Self::Number(x) = self { *x } else { unreachable!("{CHECKED}") }
+    }
+
+    /// Yes or no.
+    pub fn truth(&self) -> bool {
+        if let Self::Truth(truth) = self { *truth } else { unreachable!("{CHECKED}") }
+    }
+
+    /// A whole number.
+    pub fn whole(&self) -> usize {
+        if let Self::Whole(n) = self { *n } else { unreachable!("{CHECKED}") }
+    }
+
+    /// Whole numbers.
+    pub fn wholes(&self) -> &[usize] {
+        if let Self::Wholes(all) = self { all } else { unreachable!("{CHECKED}") }
+    }
+
+    /// A point of the plane.
+    pub fn point(&self) -> [f64; 2] {
+        if let Self::Point(p) = self { *p } else { unreachable!("{CHECKED}") }
+    }
+
+    /// Points of the plane.
+    pub fn points(&self) -> &[[f64; 2]] {
+        if let Self::Points(all) = self { all } else { unreachable!("{CHECKED}") }
+    }
+
+    /// A point of space.
+    pub fn place(&self) -> [f64; 3] {
+        if let Self::Place(p) = self { *p } else { unreachable!("{CHECKED}") }
+    }
+
+    /// Points of space.
+    pub fn places(&self) -> &[[f64; 3]] {
+        if let Self::Places(all) = self { all } else { unreachable!("{CHECKED}") }
     }
 
     /// As it is written.
@@ -122,6 +194,10 @@ impl Argument {
             Self::Truth(truth) => truth.to_string(),
             Self::Point([x, y]) => format!("{x} {y}"),
             Self::Points(points) => points.iter().map(|[x, y]| format!("{x} {y}")).collect::<Vec<_>>().join(" "),
+            Self::Whole(n) => n.to_string(),
+            Self::Wholes(all) => all.iter().map(usize::to_string).collect::<Vec<_>>().join(" "),
+            Self::Place([x, y, z]) => format!("{x} {y} {z}"),
+            Self::Places(all) => all.iter().map(|[x, y, z]| format!("{x} {y} {z}")).collect::<Vec<_>>().join(" "),
         }
     }
 }
@@ -135,6 +211,15 @@ pub fn whole(word: &str) -> Result<usize, String> {
 pub fn coordinate(word: &str) -> Result<f64, String> {
     let number: Option<f64> = word.parse().ok();
     number.filter(|x| x.is_finite()).ok_or_else(|| format!("`{word}` is not a number such as -2.5"))
+}
+
+/// Points of space, three numbers each.
+pub fn places(words: &[&str]) -> Result<Vec<[f64; 3]>, String> {
+    if !words.len().is_multiple_of(3) {
+        return Err("a point of space has three coordinates; one of them is missing".to_owned());
+    }
+    let place = |three: &[&str]| Ok([coordinate(three[0])?, coordinate(three[1])?, coordinate(three[2])?]);
+    words.chunks(3).map(place).collect()
 }
 
 /// Points, two numbers each.

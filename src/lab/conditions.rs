@@ -11,7 +11,7 @@
 //! calls; with two features at least four and eight, and so many that less than one choice in twenty times the
 //! pairs that were tried would look like this. A sentence is true of the calls that were made, whatever the reason.
 
-use super::course::Feature;
+use super::judge::Feature;
 
 /// Failing and passing calls that one feature needs.
 const ONE: [usize; 2] = [2, 3];

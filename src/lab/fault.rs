@@ -1,6 +1,6 @@
 //! A broken promise at one step of a case, before it becomes part of a report.
 
-use super::protocol::{CallEnd, Case, CaseAnswer, Pattern, Reply, Step};
+use super::protocol::{CallEnd, Case, CaseAnswer, Pattern, Records, Reply, Step, Structure};
 use super::verdict::Verdict;
 use dcel_kit::Element;
 use dcel_kit::topology::Table;
@@ -87,8 +87,7 @@ impl Fault {
         if self.words.contains(&known) {
             return self.words.clone();
         }
-        let call = format!("{} {}", exchange.function, exchange.words.join(" "));
-        format!("{}: {how}. Left behind: {}", call.trim_end(), self.words)
+        format!("{}: {how}. Left behind: {}", exchange.line(), self.words)
     }
 }
 
@@ -152,9 +151,47 @@ pub struct Exchange<'a> {
     /// The arguments as numbers, and how it ended; `None` if a word led nowhere.
     pub called: Option<(&'a [u32], &'a CallEnd)>,
     /// The structure before the call, as it was dumped last.
-    pub before: Option<&'a Arc<Table>>,
+    pub structure_before: Option<&'a Structure>,
     /// The structure after the call, if the next step dumps it.
-    pub after: Option<&'a Arc<Table>>,
+    pub structure_after: Option<&'a Structure>,
+}
+
+impl<'a> Exchange<'a> {
+    /// The half-edges before the call.
+    #[must_use]
+    pub fn before(&self) -> Option<&'a Arc<Table>> {
+        self.structure_before?.half_edges()
+    }
+
+    /// The half-edges after the call, if the next step dumps them.
+    #[must_use]
+    pub fn after(&self) -> Option<&'a Arc<Table>> {
+        self.structure_after?.half_edges()
+    }
+
+    /// The records before the call, of a lab that declares its own.
+    #[must_use]
+    pub fn records_before(&self) -> Option<&'a Arc<Records>> {
+        self.structure_before?.records()
+    }
+
+    /// The records after the call.
+    #[must_use]
+    pub fn records_after(&self) -> Option<&'a Arc<Records>> {
+        self.structure_after?.records()
+    }
+
+    /// The call as it stands in the case: `split_face h2 h8`.
+    #[must_use]
+    pub fn line(&self) -> String {
+        format!("{} {}", self.function, self.words.join(" ")).trim_end().to_owned()
+    }
+
+    /// The words of the arguments as numbers, up to the first that is none.
+    #[must_use]
+    pub fn numbers(&self) -> Vec<f64> {
+        self.words.iter().map_while(|word| word.parse().ok()).collect()
+    }
 }
 
 /// The calls of a case that were answered.
@@ -170,19 +207,33 @@ pub fn exchanges<'a>(case: &'a Case, answer: &'a CaseAnswer) -> Vec<Exchange<'a>
             Step::Restore => now = saved,
             _ => {
                 let Some(reply) = replies.next() else { break };
-                let before = now;
+                let structure_before = now;
                 match (asked, reply) {
                     (Step::Call { function, arguments }, Reply::Called(called)) => {
                         let known = Some((&*called.arguments, &called.end));
-                        out.push(Exchange { step, function, words: arguments, called: known, before, after: None });
+                        out.push(Exchange {
+                            step,
+                            function,
+                            words: arguments,
+                            called: known,
+                            structure_before,
+                            structure_after: None,
+                        });
                     }
                     (Step::Call { function, arguments }, _) => {
-                        out.push(Exchange { step, function, words: arguments, called: None, before, after: None });
+                        out.push(Exchange {
+                            step,
+                            function,
+                            words: arguments,
+                            called: None,
+                            structure_before,
+                            structure_after: None,
+                        });
                     }
-                    (_, Reply::Dump(table)) => {
-                        now = Some(table);
+                    (_, Reply::Dump(structure)) => {
+                        now = Some(structure);
                         if let Some(last) = out.last_mut().filter(|_| just_called) {
-                            last.after = now;
+                            last.structure_after = now;
                         }
                     }
                     _ => {}

@@ -13,6 +13,7 @@
 //! leave out folders that are packages themselves, and so the labs; the archive is how the program has them
 //! wherever it runs. Every file is UTF-8 text and ends with a line break; lines end as they do on unix.
 
+use super::courses;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -70,10 +71,18 @@ pub enum LabFilesError {
 }
 
 impl LabFiles {
-    /// The names of the labs that are compiled in, in the order of their numbers.
+    /// The names of the labs that are compiled in, in the order of their numbers; then those that were added to this
+    /// program, see [`add_own`](crate::courses::add_own).
     #[must_use]
     pub fn bundled_names() -> Vec<String> {
-        BUNDLE.iter().filter_map(|archive| archive.lines().next()?.strip_prefix("lab ").map(str::to_owned)).collect()
+        let names = BUNDLE.iter().filter_map(|archive| archive.lines().next()?.strip_prefix("lab ").map(str::to_owned));
+        names.chain(courses::own().iter().map(courses::OwnLab::name)).collect()
+    }
+
+    /// The folder of a lab that was added to this program, if it is one: the lab with its solution.
+    #[must_use]
+    pub fn own_folder(name: &str) -> Option<PathBuf> {
+        courses::own().into_iter().find(|own| own.name() == name).map(|own| own.folder)
     }
 
     /// A lab that is compiled in, by its name, its number, or its name without the number: `04-half-edge`, `04`,
@@ -83,10 +92,12 @@ impl LabFiles {
     /// [`LabFilesError::Unknown`] with the names that there are.
     pub fn bundled(name: &str) -> Result<Self, LabFilesError> {
         let known = Self::bundled_names();
-        let archive = known.iter().position(|lab| is_called(lab, name)).and_then(|i| BUNDLE.get(i));
-        match archive {
+        let Some(place) = known.iter().position(|lab| is_called(lab, name)) else {
+            return Err(LabFilesError::Unknown { name: name.to_owned(), known });
+        };
+        match BUNDLE.get(place) {
             Some(archive) => Self::from_archive(archive),
-            None => Err(LabFilesError::Unknown { name: name.to_owned(), known }),
+            None => Ok(Self::read(&Self::own_folder(&known[place]).unwrap_or_default())?.handed_out()),
         }
     }
 

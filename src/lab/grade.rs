@@ -8,10 +8,10 @@
 //! ```
 
 use super::conditions::{Calls, necessary, necessary_sentence, sentence, shortest};
-use super::course::{Course, Source, Suite, course};
 use super::fault::{Fault, FaultKind, Instead};
 use super::feedback;
 use super::findings::findings;
+use super::judge::{Judge, Source, Suite};
 use super::judged::{Needs, Ruling, Unit, Units};
 use super::manifest::Test;
 use super::plan::Plan;
@@ -48,7 +48,7 @@ struct State<'a> {
 /// All that came of a run.
 struct Run<'a> {
     lab: &'a Lab,
-    course: &'static dyn Course,
+    judge: &'static dyn Judge,
     graded: &'a [Graded<'a>],
     units: Vec<Units<'a>>,
     states: Vec<State<'a>>,
@@ -75,12 +75,12 @@ pub fn grade_and_sign(lab: &Lab, program: &dyn Program, plan: &Plan) -> (Report,
 pub(super) fn grade(lab: &Lab, program: &dyn Program, plan: &Plan, all: bool) -> (Report, Signature, Evidence) {
     let begin = Instant::now();
     let mut report = empty_report(lab, plan, program);
-    let Some(course) = course(&lab.name) else {
+    let Some(judge) = lab.judge() else {
         report.message = Some(format!("this version of the kit has no cases for {}", lab.name));
         return (report, Signature::new(), Evidence::new());
     };
-    let suites = wanted(course.suites(plan), lab, plan);
-    let graded = run_all(lab, course, program, &suites);
+    let suites = wanted(judge.suites(plan), lab, plan);
+    let graded = run_all(lab, judge, program, &suites);
     for part in &graded {
         report.printed.push_str(&part.run.printed);
     }
@@ -89,7 +89,7 @@ pub(super) fn grade(lab: &Lab, program: &dyn Program, plan: &Plan, all: bool) ->
         cut -= 1;
     }
     report.printed.truncate(cut);
-    let run = Run::new(lab, course, &graded, plan.only.is_some());
+    let run = Run::new(lab, judge, &graded, plan.only.is_some());
     let signature = run.signature();
     let skipped: BTreeSet<&str> = run
         .states
@@ -99,13 +99,13 @@ pub(super) fn grade(lab: &Lab, program: &dyn Program, plan: &Plan, all: bool) ->
         .collect();
     let fails = run.states.iter().any(|state| state.verdict.is_failure());
     let evidence = if fails { run.evidence(&|source| source != Source::Fixed) } else { Evidence::new() };
-    let context = feedback::Context { lab, program, course };
+    let context = feedback::Context { lab, program, judge };
     for state in &run.states {
         let mut result = TestResult::new(state.test, state.verdict);
         run.describe(&mut result, state);
         if state.verdict.is_failure() {
             let found = zoo::Found { signature: &signature, skipped: &skipped, evidence: &evidence };
-            result.bugs = zoo::names(lab, course.vocabulary(), state.test.task, &found);
+            result.bugs = zoo::names(lab, judge.vocabulary(), state.test.task, &found);
             if let (Some(suite), Some(unit)) = (state.suite, run.first_failing(state)) {
                 context.illustrate(&mut result, &graded[suite], unit.case, unit.step, &state.needs);
             }
@@ -127,21 +127,21 @@ fn summary(verdicts: impl Iterator<Item = Verdict> + Clone) -> Verdict {
 /// In which calls of the random cases each test fails and in which it does not.
 #[cfg(feature = "grade")]
 pub(super) fn random_evidence(lab: &Lab, program: &dyn Program, plan: &Plan) -> Evidence {
-    let Some(course) = course(&lab.name) else { return Evidence::new() };
-    let mut suites = course.suites(plan);
+    let Some(judge) = lab.judge() else { return Evidence::new() };
+    let mut suites = judge.suites(plan);
     suites.iter_mut().for_each(|suite| suite.asked.retain(|asked| asked.source == Source::Random));
-    let graded = run_all(lab, course, program, &suites);
-    Run::new(lab, course, &graded, true).evidence(&|_| true)
+    let graded = run_all(lab, judge, program, &suites);
+    Run::new(lab, judge, &graded, true).evidence(&|_| true)
 }
 
 /// Runs the suites, several at a time where the program allows that.
 ///
 /// What comes of them is the same as one after the other: a suite that would not have been asked, or not so far, is
 /// not taken as it was run ahead.
-fn run_all<'a>(lab: &Lab, course: &dyn Course, program: &dyn Program, suites: &'a [Suite]) -> Vec<Graded<'a>> {
+fn run_all<'a>(lab: &Lab, judge: &dyn Judge, program: &dyn Program, suites: &'a [Suite]) -> Vec<Graded<'a>> {
     let mut graded: Vec<Graded> = Vec::new();
     let mut exhausted = 0;
-    let mut ahead = run_ahead(course, program, suites);
+    let mut ahead = run_ahead(judge, program, suites);
     for (suite, ahead) in suites.iter().zip(&mut ahead) {
         let blocked = is_blocked(lab, suite, &graded);
         let last = graded.iter().rev().find_map(|graded| graded.run.exhausted_by());
@@ -150,7 +150,7 @@ fn run_all<'a>(lab: &Lab, course: &dyn Course, program: &dyn Program, suites: &'
             Some(end) if exhausted >= PATIENCE => SuiteRun::given_up(end),
             _ => match ahead.take() {
                 Some(run) if exhausted == 0 || run.exhausted == 0 => run,
-                _ => run_suite(program, course, suite, exhausted),
+                _ => run_suite(program, judge, suite, exhausted),
             },
         };
         exhausted += run.exhausted;
@@ -160,7 +160,7 @@ fn run_all<'a>(lab: &Lab, course: &dyn Course, program: &dyn Program, suites: &'
 }
 
 /// Suites run at the same time, until one comes to an end by time or memory; `None` for those that were not begun.
-fn run_ahead(course: &dyn Course, program: &dyn Program, suites: &[Suite]) -> Vec<Option<SuiteRun>> {
+fn run_ahead(judge: &dyn Judge, program: &dyn Program, suites: &[Suite]) -> Vec<Option<SuiteRun>> {
     let lanes = program.at_once().min(suites.len());
     // The longest first: what comes last decides when all is done.
     let mut order: Vec<usize> = (0..suites.len()).collect();
@@ -172,7 +172,7 @@ fn run_ahead(course: &dyn Course, program: &dyn Program, suites: &[Suite]) -> Ve
         let lane = || {
             while !ended.load(Ordering::Relaxed) {
                 let Some(&number) = order.get(next.fetch_add(1, Ordering::Relaxed)) else { break };
-                let run = run_suite(program, course, &suites[number], 0);
+                let run = run_suite(program, judge, &suites[number], 0);
                 ended.fetch_or(run.exhausted > 0, Ordering::Relaxed);
                 *runs[number].lock().unwrap_or_else(PoisonError::into_inner) = Some(run);
             }
@@ -194,9 +194,9 @@ fn is_blocked(lab: &Lab, suite: &Suite, graded: &[Graded]) -> bool {
 }
 
 impl<'a> Run<'a> {
-    fn new(lab: &'a Lab, course: &'static dyn Course, graded: &'a [Graded<'a>], in_part: bool) -> Self {
-        let units = graded.iter().map(|part| Units::new(course, part.suite, &part.run)).collect();
-        let mut run = Self { lab, course, graded, units, states: Vec::new() };
+    fn new(lab: &'a Lab, judge: &'static dyn Judge, graded: &'a [Graded<'a>], in_part: bool) -> Self {
+        let units = graded.iter().map(|part| Units::new(judge, part.suite, &part.run)).collect();
+        let mut run = Self { lab, judge, graded, units, states: Vec::new() };
         for test in &lab.manifest.tests {
             if let Some(state) = run.state(test, in_part) {
                 run.states.push(state);
@@ -229,7 +229,7 @@ impl<'a> Run<'a> {
             state.verdict = end.verdict();
             return Some(state);
         }
-        state.ruling = self.units[number].ruling(self.course, &test.name, &state.needs);
+        state.ruling = self.units[number].ruling(self.judge, &test.name, &state.needs);
         state.verdict = match state.ruling.failing.first() {
             Some(&first) => {
                 let unit = &self.units[number].all[first];
@@ -311,7 +311,7 @@ impl<'a> Run<'a> {
                 if number == own {
                     let add = |unit: usize, to: &mut Vec<u128>| {
                         if wanted(asked[units.all[unit].case].source) {
-                            to.extend(units.features(self.course, unit));
+                            to.extend(units.features(self.judge, unit));
                         }
                     };
                     state.ruling.failing.iter().for_each(|&unit| add(unit, &mut calls.failing));
@@ -322,7 +322,7 @@ impl<'a> Run<'a> {
                         wanted(asked[unit.case].source)
                             && unit.exchange.is_some_and(|exchange| functions.contains(exchange.function))
                     };
-                    units.lent(self.course, suite, &state.test.name, &state.needs, &of, calls);
+                    units.lent(self.judge, suite, &state.test.name, &state.needs, &of, calls);
                 }
             }
         }
@@ -412,7 +412,7 @@ impl Run<'_> {
         } else {
             format!("{what} ({})", count(ruling))
         };
-        result.findings = findings(self.course, &faults, section, hidden);
+        result.findings = findings(self.judge, &faults, section, hidden);
         if !hidden {
             let told = [self.pattern(state, number), self.instead(state, number)];
             let told: Vec<String> = told.into_iter().flatten().collect();
@@ -464,12 +464,12 @@ impl Run<'_> {
         let is_hidden = |unit: &usize| asked[units.all[*unit].case].source == Source::Hidden;
         let visible = |all: &[usize]| all.iter().copied().filter(|unit| !is_hidden(unit)).collect::<Vec<_>>();
         let (failing, passing) = (visible(&state.ruling.failing), visible(&state.ruling.passing));
-        let failing: Option<Vec<u128>> = failing.into_iter().map(|unit| units.features(self.course, unit)).collect();
+        let failing: Option<Vec<u128>> = failing.into_iter().map(|unit| units.features(self.judge, unit)).collect();
         let all_passing = passing.len();
-        let passing: Vec<u128> = passing.into_iter().filter_map(|unit| units.features(self.course, unit)).collect();
+        let passing: Vec<u128> = passing.into_iter().filter_map(|unit| units.features(self.judge, unit)).collect();
         let unknown = all_passing - passing.len();
         let calls = Calls { failing: failing?, passing };
-        let vocabulary = self.course.vocabulary();
+        let vocabulary = self.judge.vocabulary();
         let exact = shortest(&calls).map(|condition| sentence(condition, &calls, vocabulary));
         let mut told = exact.or_else(|| Some(necessary_sentence(necessary(&calls)?, &calls, vocabulary)))?;
         if unknown > 0 {

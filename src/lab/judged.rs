@@ -7,10 +7,10 @@
 //!   step 3 needs 2    ✓        –        ✗        ✓
 //! ```
 //!
-//! - A call decides a test if it concerns the test (see [`Course::concerns`]), nothing that the test needs has failed
+//! - A call decides a test if it concerns the test (see [`Judge::concerns`]), nothing that the test needs has failed
 //!   in this call, and nothing has failed before it in the same *part* of its case. A part begins where the structure
 //!   is known to be right: at the start, after `restore`, and at each call that only reads.
-//! - A fault in a sequence is charged to the test whose promise it breaks ([`Course::blames`]), if the sequence needs
+//! - A fault in a sequence is charged to the test whose promise it breaks ([`Judge::blames`]), if the sequence needs
 //!   that test and it fails by itself, too. The calls before it still count.
 //! - A test passes if no call that decides it fails, every case was asked, and at least a quarter of the calls that
 //!   concern it decide it (three calls, or all if there are fewer), of each function that is called. With less evidence
@@ -18,8 +18,8 @@
 //! - A program that ends in the middle of a call has not said how far it came: that call speaks against all steps.
 
 use super::conditions::Calls;
-use super::course::{Course, Suite};
 use super::fault::{Exchange, Fault, exchanges};
+use super::judge::{Judge, Suite};
 use super::manifest::{Manifest, Test};
 use super::protocol::{Case, CaseAnswer, Step};
 use super::run::{NO_ANSWER, SuiteRun};
@@ -52,11 +52,11 @@ pub(super) struct Units<'a> {
 }
 
 impl<'a> Units<'a> {
-    /// Cost: linear in the calls, and what [`Course::concerns`] takes for each.
-    pub(super) fn new(course: &dyn Course, suite: &'a Suite, run: &'a SuiteRun) -> Self {
+    /// Cost: linear in the calls, and what [`Judge::concerns`] takes for each.
+    pub(super) fn new(judge: &dyn Judge, suite: &'a Suite, run: &'a SuiteRun) -> Self {
         let mut all = Vec::new();
         for (number, ((asked, answer), faults)) in suite.asked.iter().zip(&run.answers).zip(&run.faults).enumerate() {
-            all.extend(units(course, suite, number, &asked.case, answer, faults));
+            all.extend(units(judge, suite, number, &asked.case, answer, faults));
         }
         Self { all, faults: &run.faults }
     }
@@ -67,19 +67,19 @@ impl<'a> Units<'a> {
     }
 
     /// What can be said of a call before it is made; `None` if that is not known.
-    pub(super) fn features(&self, course: &dyn Course, unit: usize) -> Option<u128> {
+    pub(super) fn features(&self, judge: &dyn Judge, unit: usize) -> Option<u128> {
         let Unit { case, part, exchange, .. } = &self.all[unit];
         let before = self.all[..unit].iter().rev().take_while(|other| other.case == *case);
         let mut earlier: Vec<&Exchange> =
             before.filter(|other| other.part == *part).filter_map(|other| other.exchange.as_ref()).collect();
         earlier.reverse();
-        course.features(&earlier, exchange.as_ref()?)
+        judge.features(&earlier, exchange.as_ref()?)
     }
 
     /// What calls of this suite say of a test that another suite decides: those which do what that suite asks for.
     pub(super) fn lent(
         &self,
-        course: &dyn Course,
+        judge: &dyn Judge,
         suite: &Suite,
         test: &str,
         needs: &Needs,
@@ -96,21 +96,21 @@ impl<'a> Units<'a> {
             }
             let Some(exchange) = unit.exchange.filter(|_| !already && of(unit)) else { continue };
             // A fault that no test is to blame for says nothing; one in an earlier step hides this one.
-            let blamed: Option<Vec<&str>> = faults.iter().map(|fault| course.blames(fault)).collect();
+            let blamed: Option<Vec<&str>> = faults.iter().map(|fault| judge.blames(fault)).collect();
             let Some(blamed) = blamed.filter(|blamed| !blamed.iter().any(|name| needs.has_here(name))) else {
                 continue;
             };
             let step = Step::Call { function: exchange.function.to_owned(), arguments: exchange.words.to_vec() };
-            if !course.concerns(suite, &step, Some(&exchange)).contains(&test) {
+            if !judge.concerns(suite, &step, Some(&exchange)).contains(&test) {
                 continue;
             }
             let to = if blamed.contains(&test) { &mut calls.failing } else { &mut calls.passing };
-            to.extend(self.features(course, i));
+            to.extend(self.features(judge, i));
         }
     }
 
     /// What the calls say of a test.
-    pub(super) fn ruling(&self, course: &dyn Course, test: &str, needs: &Needs) -> Ruling {
+    pub(super) fn ruling(&self, judge: &dyn Judge, test: &str, needs: &Needs) -> Ruling {
         let mut ruling = Ruling::default();
         let mut stopped: BTreeSet<(usize, usize)> = BTreeSet::new();
         for (i, unit) in self.all.iter().enumerate() {
@@ -141,7 +141,7 @@ impl<'a> Units<'a> {
                     continue;
                 }
                 (None, None) => ruling.passing.push(i),
-                (None, Some(own)) => match needs.to_blame(course.blames(own)) {
+                (None, Some(own)) => match needs.to_blame(judge.blames(own)) {
                     Some(other) => {
                         ruling.because.insert(other);
                         ruling.died |= own.rule == NO_ANSWER;
@@ -165,7 +165,7 @@ fn at(faults: &[Fault], step: usize) -> &[Fault] {
 
 /// The calls and pictures of a case, in order.
 fn units<'a>(
-    course: &dyn Course,
+    judge: &dyn Judge,
     suite: &Suite,
     number: usize,
     case: &'a Case,
@@ -181,7 +181,7 @@ fn units<'a>(
         replies -= usize::from(is_answered);
         let exchange = calls.next_if(|exchange| exchange.step == step);
         let tests = match asked {
-            Step::Call { .. } | Step::Svg if is_answered => course.concerns(suite, asked, exchange.as_ref()),
+            Step::Call { .. } | Step::Svg if is_answered => judge.concerns(suite, asked, exchange.as_ref()),
             // Where the program stopped: all that is said of it concerns the tests that it is said of.
             _ => at(faults, step).iter().map(|fault| fault.test).collect(),
         };

@@ -7,7 +7,7 @@
 //! ```
 
 use super::conditions::{Calls, NEVER, When, of};
-use super::course::Feature;
+use super::judge::Feature;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 

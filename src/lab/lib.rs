@@ -16,6 +16,7 @@
 // Nothing may panic on data: an error, or expect() with the reason why it cannot happen.
 #![warn(clippy::unwrap_used)]
 
+pub mod answers;
 #[cfg(feature = "grade")]
 mod batch;
 mod bug;
@@ -24,15 +25,16 @@ mod cache;
 pub mod cases;
 pub mod checks;
 mod conditions;
-pub mod course;
+pub mod courses;
 #[cfg(feature = "grade")]
 mod export;
 pub mod fault;
+mod features;
 mod feedback;
 mod files;
 mod findings;
 mod grade;
-mod half_edge;
+pub mod judge;
 mod judged;
 #[cfg(feature = "grade")]
 mod kit;
@@ -41,6 +43,7 @@ mod learn;
 mod manifest;
 mod marked;
 mod own_folder;
+pub mod pictures;
 mod plan;
 mod program;
 pub mod protocol;
@@ -73,6 +76,7 @@ pub use batch::{GradeOptions, Grader, Outcome};
 pub use bug::{Bug, BugError, Edit};
 #[cfg(feature = "grade")]
 pub use export::{Packed, classroom50_files, gradescope_files, zipped};
+pub use features::FeatureSet;
 pub use feedback::{graded, test_text};
 pub use files::{LabFiles, LabFilesError};
 pub use grade::{grade_and_sign, grade_program};

@@ -9,8 +9,8 @@
 //! time or memory, of whatever suites, the submission's run is over: what is left is not asked any more.
 
 use super::cases::random::fresh_seed;
-use super::course::{Course, Suite};
 use super::fault::{Fault, FaultKind, first_unanswered};
+use super::judge::{Judge, Suite};
 use super::program::{End, Program};
 use super::protocol::{Case, CaseAnswer, read_answers};
 
@@ -73,7 +73,7 @@ impl Graded<'_> {
 /// Runs and judges all cases of a suite.
 ///
 /// `exhausted` is how often the program was ended before because of time or memory.
-pub(super) fn run_suite(program: &dyn Program, course: &dyn Course, suite: &Suite, exhausted: usize) -> SuiteRun {
+pub(super) fn run_suite(program: &dyn Program, judge: &dyn Judge, suite: &Suite, exhausted: usize) -> SuiteRun {
     let mut run = SuiteRun::default();
     for _ in 0..=RESTARTS {
         let cases: Vec<&Case> = suite.asked.iter().skip(run.answers.len()).map(|asked| &asked.case).collect();
@@ -87,7 +87,7 @@ pub(super) fn run_suite(program: &dyn Program, course: &dyn Course, suite: &Suit
             run.grader_fault = Some(format!("the program could not be started: {why}"));
             break;
         }
-        let mut answers = read_answers(&ran.stdout, &token, &cases);
+        let mut answers = read_answers(&ran.stdout, &token, &cases, judge.schema());
         run.printed.push_str(&answers.printed);
         if let Some(complaint) = answers.complaint {
             run.grader_fault = Some(format!("the program does not understand the cases: {complaint}"));
@@ -98,7 +98,7 @@ pub(super) fn run_suite(program: &dyn Program, course: &dyn Course, suite: &Suit
         }
         let last = answers.cases.len() - 1;
         for (i, (case, answer)) in cases.iter().zip(answers.cases).enumerate() {
-            let mut faults = course.judge(suite, case, &answer);
+            let mut faults = judge.judge(suite, case, &answer);
             // The last one counts as answered only if the program went on, or came to its end.
             let died = i == last && !answers.done && (i + 1 == cases.len() || !answer.complete);
             if let Some(broken) = &answer.broken {

@@ -1,10 +1,13 @@
 //! A lab with everything that grading needs of it.
 
 use super::bug::Bug;
+use super::courses;
 use super::files::{LabFiles, LabFilesError};
+use super::judge::Judge;
 use super::manifest::Manifest;
 use super::signatures::Signatures;
 use super::toml_file::ManifestError;
+use std::fmt;
 use std::path::Path;
 
 /// A lab: its manifest and its zoo.
@@ -20,6 +23,23 @@ pub struct Lab {
     pub signatures: Signatures,
     /// All of its files.
     pub files: LabFiles,
+    judge: Bound,
+}
+
+/// Who judges a lab. Labs are compared by their files.
+#[derive(Clone, Copy)]
+struct Bound(Option<&'static dyn Judge>);
+
+impl fmt::Debug for Bound {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(if self.0.is_some() { "a judge" } else { "no judge" })
+    }
+}
+
+impl PartialEq for Bound {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.is_some() == other.0.is_some()
+    }
 }
 
 /// Why a lab cannot be used.
@@ -43,11 +63,30 @@ pub enum LabError {
 }
 
 impl Lab {
-    /// The lab in these files.
+    /// The lab in these files, with the judge of the kit's lab of that name, if there is one.
     ///
     /// # Errors
     /// [`LabError`] if the manifest or a bug cannot be read. A zoo without signatures names nothing, and is no error.
     pub fn new(files: LabFiles) -> Result<Self, LabError> {
+        let judge = courses::judge_of(files.name());
+        Self::judged_by(files, judge)
+    }
+
+    /// The lab in these files, with a judge of its own.
+    ///
+    /// # Errors
+    /// As for [`Lab::new`].
+    pub fn with_judge(files: LabFiles, judge: &'static dyn Judge) -> Result<Self, LabError> {
+        Self::judged_by(files, Some(judge))
+    }
+
+    /// What knows the cases of this lab and judges the answers; `None` if this version of the kit has no such lab.
+    #[must_use]
+    pub fn judge(&self) -> Option<&'static dyn Judge> {
+        self.judge.0
+    }
+
+    fn judged_by(files: LabFiles, judge: Option<&'static dyn Judge>) -> Result<Self, LabError> {
         let name = files.name().to_owned();
         let missing = |path: &str| LabError::Missing { lab: name.clone(), path: path.to_owned() };
         let manifest = files.get("lab.toml").ok_or_else(|| missing("lab.toml"))?;
@@ -63,7 +102,7 @@ impl Lab {
             .map(|(path, text)| Bug::parse(text, path))
             .collect::<Result<Vec<_>, _>>()?;
         bugs.sort_by_key(|bug| bug.number);
-        Ok(Self { name, manifest, bugs, signatures, files })
+        Ok(Self { name, manifest, bugs, signatures, files, judge: Bound(judge) })
     }
 
     /// A lab that is compiled into the kit, see [`LabFiles::bundled`].

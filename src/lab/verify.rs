@@ -9,7 +9,6 @@
 //! Every bug must be caught by a test and named, no bug may be called by a wrong name, and every test must catch a
 //! bug: a check that no wrong program fails checks nothing.
 
-use super::course::course;
 use super::grade::{grade, random_evidence};
 use super::signatures::{Signature, Signatures};
 use super::student::{Kit, student_files};
@@ -315,7 +314,7 @@ fn grade_variant(
                 all.passing.extend(calls.passing);
             }
         }
-        with_conditions(&mut signature, &evidence, course(&lab.name).map_or(&[], |course| course.vocabulary()));
+        with_conditions(&mut signature, &evidence, lab.judge().map_or(&[], |judge| judge.vocabulary()));
     }
     Ok(Ok(Outcome { report, signature }))
 }

@@ -18,7 +18,7 @@
 //! name is given once a random call decides the test.
 
 use super::conditions::{Calls, When};
-use super::course::Feature;
+use super::judge::Feature;
 use super::signatures::Signature;
 #[cfg(feature = "grade")]
 use super::signatures::hash_in;

@@ -1,12 +1,16 @@
 //! Answers are read strictly: whatever is missing, doubled, forged or too much breaks its case, and no other.
 
-use dcel_lab::protocol::{Answers, Broken, CallEnd, Case, Pattern, Reply, Start, Step, Value, read_answers};
+use dcel_lab::cases::starts;
+use dcel_lab::protocol::{
+    Answers, Broken, CallEnd, Case, Cell, ColumnSchema, Pattern, RecordSchema, Reply, Schema, Start, Step, TableSchema,
+    Value, read_answers,
+};
 
 const DUMP: &str = "dump\nouter 0\nvertex 0 0 -1.5 0\nhalf_edge 0 0 - 0 0 1\nface 0 -\nface 1 0\nend_dump\n";
 
 fn case(name: &str) -> Case {
     let call = Step::call("split_face", ["h0", "h4"]);
-    Case { steps: vec![Step::Dump, call, Step::Dump], ..Case::new(name, Start::Rectangle) }
+    Case { steps: vec![Step::Dump, call, Step::Dump], ..Case::new(name, Start::line("rectangle")) }
 }
 
 fn good(name: &str) -> String {
@@ -16,7 +20,7 @@ fn good(name: &str) -> String {
 /// Reads an answer to the cases `a` and `b`; every line gets the token.
 fn read(text: &str) -> Answers {
     let said: String = text.lines().map(|line| format!("\n@T {line}\n")).collect();
-    read_answers(said.as_bytes(), "T", &[&case("a"), &case("b")])
+    read_answers(said.as_bytes(), "T", &[&case("a"), &case("b")], Schema::HalfEdges)
 }
 
 fn broken(first: &str) -> Broken {
@@ -36,6 +40,7 @@ fn a_whole_answer_is_read() {
     };
     assert_eq!((first, &called.arguments[..]), (last, &[0, 4][..]));
     assert_eq!(called.end, CallEnd::Returned(vec![Value::Truth(true)]));
+    let first = first.half_edges().unwrap();
     assert_eq!(first.vertices[0].unwrap().position, Some([0.0, -1.5]));
     assert_eq!((first.half_edges[0].unwrap().twin, first.faces.len()), (None, 2));
 }
@@ -99,12 +104,12 @@ fn an_answer_that_stops_is_not_complete() {
 fn what_has_no_token_was_printed_by_the_student() {
     let said: String = format!("{}{}done\n", good("a"), good("b")).lines().map(|line| format!("@T {line}\n")).collect();
     let noisy = format!("case a\n{DUMP}@X done\n{said}bye");
-    let answers = read_answers(noisy.as_bytes(), "T", &[&case("a"), &case("b")]);
+    let answers = read_answers(noisy.as_bytes(), "T", &[&case("a"), &case("b")], Schema::HalfEdges);
     assert!(answers.done && answers.cases.iter().all(|case| case.complete), "{answers:?}");
     assert!(answers.printed.starts_with("case a\ndump\n") && answers.printed.ends_with("@X done\nbye\n"));
     // It is kept up to a few kilobytes, and need not be text.
     let flood: Vec<u8> = (0..1_000_000).map(|i| if i % 80 == 0 { b'\n' } else { 0xff }).collect();
-    let answers = read_answers(&flood, "T", &[&case("a")]);
+    let answers = read_answers(&flood, "T", &[&case("a")], Schema::HalfEdges);
     assert!(answers.printed.len() < 16 * 1024 && answers.cases.is_empty() && !answers.done);
 }
 
@@ -118,7 +123,8 @@ fn sizes_are_capped_and_great_numbers_name_nothing() {
     let line = good("a").replacen("dump\n", &format!("{}\n", "x".repeat(100_000)), 1);
     assert!(matches!(broken(&line), Broken::TooMuch { what: "bytes in a line", .. }));
     let answers = read(&good("a").replacen("half_edge 0 0 - 0 0 1", "half_edge 0 18446744073709551615 - 0 0 1", 1));
-    let Reply::Dump(table) = &answers.cases[0].replies[0] else { panic!("{answers:?}") };
+    let Reply::Dump(structure) = &answers.cases[0].replies[0] else { panic!("{answers:?}") };
+    let table = structure.half_edges().unwrap();
     assert_eq!(table.half_edges[0].unwrap().origin.unwrap().number(), u32::MAX - 1);
     // Not even the validator minds.
     assert!(!dcel_kit::topology::violations(table.as_ref()).is_empty());
@@ -146,7 +152,7 @@ fn the_input_is_what_a_student_would_type() {
     let text = Case::input("T", [&case("a")]);
     assert_eq!(text, "token T\ncase a\nrectangle\ndump\nsplit_face h0 h4\ndump\n");
     assert_eq!(case("a").script(), "rectangle\ndump\nsplit_face h0 h4\ndump\n");
-    let triangles = Start::Triangles(vec![[0.0, 0.5], [2.0, 0.0], [1.0, 3.0]], vec![[0, 1, 2]]);
+    let triangles = starts::triangles(&[[0.0, 0.5], [2.0, 0.0], [1.0, 3.0]], &[[0, 1, 2]]);
     assert_eq!(Case::new("x", triangles).script(), "triangles 0 0.5 2 0 1 3 / 0 1 2\n");
 }
 
@@ -168,4 +174,74 @@ fn stopped_calls_are_read_with_what_they_did_last() {
     for wrong in ["stopped", "stopped x circle - h1", "stopped 1 round - h1", "stopped 1"] {
         assert!(matches!(broken(&good("a").replacen("returned true", wrong, 1)), Broken::Expected { .. }), "{wrong}");
     }
+}
+
+/// Nodes of a linked polygon: what a lab without half-edges may have.
+static NODES: RecordSchema = RecordSchema {
+    singles: &["first"],
+    tables: &[TableSchema {
+        word: "node",
+        letter: 'n',
+        columns: &[ColumnSchema::Number("x"), ColumnSchema::Number("y"), ColumnSchema::Link("next", 'n')],
+    }],
+};
+
+#[test]
+fn records_of_other_kinds_are_read_as_strictly() {
+    let case = Case { steps: vec![Step::Dump, Step::of_line("ears")], ..Case::new("a", Start::line("nodes 2")) };
+    let text = "case a\ndump\nfirst 1\nnode 0 0.5 2 1\nnode 1 0 0 -\nend_dump\ncall ears\nreturned 1 [0 2] #0.5\nend_case a\ndone\n";
+    let read = |text: &str| {
+        let said: String = text.lines().map(|line| format!("\n@T {line}\n")).collect();
+        read_answers(said.as_bytes(), "T", &[&case], Schema::Records(&NODES))
+    };
+    let answers = read(text);
+    assert!(answers.done && answers.cases[0].complete, "{answers:?}");
+    let Reply::Dump(structure) = &answers.cases[0].replies[0] else { panic!("{answers:?}") };
+    let records = structure.records().unwrap();
+    assert_eq!((records.singles[0], records.len(0)), (Some(1), 2));
+    assert_eq!(records.row(0, 1).unwrap(), [Cell::Number(0.0), Cell::Number(0.0), Cell::Link(None)]);
+    assert_eq!(records.row(0, 2), None);
+    let Reply::Called(called) = &answers.cases[0].replies[1] else { panic!("{answers:?}") };
+    let values = vec![Value::Id(1), Value::List(vec![Value::Id(0), Value::Id(2)]), Value::Number(0.5)];
+    assert_eq!(called.end, CallEnd::Returned(values));
+    // What is printed is what a case can begin with.
+    let again = Case::new("b", Start::structure_of(structure.clone()));
+    assert_eq!(again.script(), "table\nfirst 1\nnode 0 0.5 2 1\nnode 1 0 0 -\nend_table\n");
+    for (from, to) in [
+        ("first 1\n", ""),
+        ("first 1\n", "first 1\nfirst 1\n"),
+        ("node 1 0 0 -", "node 1 0 0"),
+        ("node 1 0 0 -", "node 1 0 0 - -"),
+        ("node 1 0 0 -", "node 2 0 0 -"),
+        ("node 1 0 0 -", "nodes 1 0 0 -"),
+        ("node 1 0 0 -", "node 1 0 - -"),
+        ("returned 1 [0 2] #0.5", "returned 1 [0 2 #0.5"),
+        ("returned 1 [0 2] #0.5", "returned1"),
+        ("returned 1 [0 2] #0.5", "returned "),
+    ] {
+        let forged = text.replacen(from, to, 1);
+        assert_ne!(forged, text, "{from}");
+        assert!(!read(&forged).cases[0].complete, "{forged}");
+        assert!(read(&forged).cases[0].broken.is_some(), "{forged}");
+    }
+}
+
+#[test]
+fn a_structure_that_a_call_returns_follows_as_a_dump() {
+    let case = Case { steps: vec![Step::of_line("dual 1.5 true")], ..Case::new("a", Start::none()) };
+    assert_eq!(case.script(), "dual 1.5 true\n");
+    let text = format!("case a\ncall dual 1.5 true\nreturned [structure 3] structure\n{DUMP}{DUMP}end_case a\ndone\n");
+    let read = |text: &str| {
+        let said: String = text.lines().map(|line| format!("\n@T {line}\n")).collect();
+        read_answers(said.as_bytes(), "T", &[&case], Schema::HalfEdges)
+    };
+    let answers = read(&text);
+    let Reply::Called(called) = &answers.cases[0].replies[0] else { panic!("{answers:?}") };
+    assert!(answers.cases[0].complete && called.arguments.is_empty(), "{answers:?}");
+    let CallEnd::Returned(values) = &called.end else { panic!("{called:?}") };
+    let (Value::List(list), Value::Structure(last)) = (&values[0], &values[1]) else { panic!("{values:?}") };
+    let Value::Structure(first) = &list[0] else { panic!("{list:?}") };
+    assert_eq!((first, first.half_edges().unwrap().faces.len()), (last, 2));
+    let one = text.replacen(DUMP, "", 1);
+    assert!(!read(&one).cases[0].complete);
 }

@@ -4,8 +4,9 @@ use dcel_kit::plane::PlanarView;
 use dcel_kit::script::Script;
 use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
 use dcel_kit::{Element, FaceId, HalfEdgeId, Id, VertexId};
-use dcel_lab::checks::spec::{self, TwinSide};
-use dcel_lab::protocol::Start;
+use dcel_lab::cases::starts;
+use dcel_lab::checks::walks::{cycle, star};
+use dcel_lab::courses::half_edge::spec::{self, TwinSide};
 use dcel_lab::{End, Program, Ran};
 use std::fmt::Write;
 use std::sync::OnceLock;
@@ -123,11 +124,11 @@ impl Talk<'_> {
             "convex" | "wheel" | "grid" => {
                 let number = |i: usize| words[i].parse().unwrap();
                 let start = match words[0] {
-                    "convex" => Start::Convex(number(1)),
-                    "wheel" => Start::Wheel(number(1)),
-                    _ => Start::Grid(number(1), number(2)),
+                    "convex" => starts::convex(number(1)),
+                    "wheel" => starts::wheel(number(1)),
+                    _ => starts::grid(number(1), number(2)),
                 };
-                self.table = start.table().unwrap().as_ref().clone();
+                self.table = start.half_edges().unwrap().as_ref().clone();
                 self.shown = self.table.clone();
             }
             "reads" => said.push_str("reads 9\n"),
@@ -201,10 +202,8 @@ impl Talk<'_> {
         let answers: usize = (0..count)
             .map(|i| i * length / count)
             .map(|n| match function {
-                "walk_vertex" => spec::star(&table, table.outgoing(VertexId::new(n as u32)).unwrap()).len(),
-                "walk_face" | "walk_vertices" => {
-                    spec::cycle(&table, table.boundary(FaceId::new(n as u32)).unwrap()).len()
-                }
+                "walk_vertex" => star(&table, table.outgoing(VertexId::new(n as u32)).unwrap()).len(),
+                "walk_face" | "walk_vertices" => cycle(&table, table.boundary(FaceId::new(n as u32)).unwrap()).len(),
                 _ => 1,
             })
             .sum();
@@ -228,17 +227,17 @@ impl Talk<'_> {
                 (split.map_or(table, |(after, _)| after), String::new())
             }
             "walk_face" => {
-                let walk = spec::cycle(&table, table.boundary(FaceId::new(arguments[0])).unwrap());
+                let walk = cycle(&table, table.boundary(FaceId::new(arguments[0])).unwrap());
                 (table, list(walk))
             }
             "walk_vertices" => {
-                let walk = spec::cycle(&table, table.boundary(FaceId::new(arguments[0])).unwrap());
+                let walk = cycle(&table, table.boundary(FaceId::new(arguments[0])).unwrap());
                 let origins: Vec<String> =
                     walk.iter().map(|&h| table.origin(h).unwrap().number().to_string()).collect();
                 (table, origins.join(" "))
             }
             "walk_vertex" => {
-                let walk = spec::star(&table, table.outgoing(VertexId::new(arguments[0])).unwrap());
+                let walk = star(&table, table.outgoing(VertexId::new(arguments[0])).unwrap());
                 (table, list(walk))
             }
             "destination" => {

@@ -2,10 +2,11 @@
 
 use dcel_kit::topology::{Dcel, SameOptions, Table, same, same_with, violations};
 use dcel_kit::{Element, FaceId, HalfEdgeId};
-use dcel_lab::cases::classes::classes;
 use dcel_lab::cases::random::Random;
 use dcel_lab::checks::align::align;
-use dcel_lab::checks::spec::{self, Legal, TwinSide, may_split_face};
+use dcel_lab::checks::walks::{cycle, star};
+use dcel_lab::courses::half_edge::classes::classes;
+use dcel_lab::courses::half_edge::spec::{self, Legal, TwinSide, may_split_face};
 
 fn table(dcel: &Dcel) -> Table {
     Table { outer_face: Some(FaceId::new(0)), ..Table::from_view(dcel) }
@@ -109,8 +110,8 @@ fn a_broken_structure_is_compared_without_panic() {
         assert!(align(&expected, &new, &yours).differences.len() <= 8);
         for i in 0..40 {
             let h = HalfEdgeId::new(i);
-            assert!(spec::cycle(&yours, h).len() <= yours.half_edges.len());
-            assert!(spec::star(&yours, h).len() <= yours.half_edges.len() + 1);
+            assert!(cycle(&yours, h).len() <= yours.half_edges.len());
+            assert!(star(&yours, h).len() <= yours.half_edges.len() + 1);
             let _ = (spec::split_face(&yours, h, HalfEdgeId::new(3)), spec::split_in_half(&yours, h, TwinSide::Kept));
         }
     }

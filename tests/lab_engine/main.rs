@@ -10,7 +10,7 @@ mod reports;
 
 use dcel_kit::HalfEdgeId;
 use dcel_kit::topology::{Table, View};
-use dcel_lab::checks::spec::TwinSide;
+use dcel_lab::courses::half_edge::spec::TwinSide;
 use dcel_lab::{Driver, End, Lab, Limits, Plan, Report, Secret, TestResult, Verdict, grade_and_sign, grade_program};
 use fake::{Answer, Done, Fake};
 use std::fs;
@@ -558,7 +558,7 @@ fn a_failing_sequence_is_shrunk_to_the_shortest_script() {
 
 #[test]
 fn hidden_cases_say_the_promise_and_nothing_of_the_case() {
-    let secret = Secret::parse("seed = 5\ncalls = 40\nsequences = 60\n", "secret.toml").unwrap();
+    let secret = Secret::parse("seed = 5\ncalls = 40\nsequences = 60\n", "secret.toml", &[]).unwrap();
     let fake = wrong_with_faces(9);
     let visible = grade(&fake);
     assert_eq!(visible.points(), 100, "{:#?}", first_open(&visible));

@@ -158,7 +158,7 @@ fn graded(args: &Args, lab: &Lab, lists: &Lists, out: &mut Output) -> Result<(Ve
     let lists = lists.resolve(&own, |i, name| submissions[i].is_called(name))?;
     let mut class = Class::new(args, lab, &lists, submissions.len())?;
     let kept = args.cache.clone().or_else(|| args.results.as_ref().map(|results| results.join(KEPT)));
-    let secret = args.secret.as_deref().map(secret).transpose()?;
+    let secret = args.secret.as_deref().map(|file| secret(file, lab)).transpose()?;
     let plan = Plan { secret, ..plan(args, kept.as_deref())? };
     let stop = Stop::new();
     let signals = Signals::wish(&stop).map_err(|error| Failure::machine(format!("signals: {error}"), ""))?;
@@ -266,10 +266,11 @@ fn hidden(args: &Args) -> Vec<Hidden> {
     things.into_iter().filter(|(_, paths)| there(paths)).map(|(name, paths)| Hidden::new(name, paths)).collect()
 }
 
-fn secret(file: &Path) -> Result<Secret, Failure> {
+fn secret(file: &Path, lab: &Lab) -> Result<Secret, Failure> {
     let text = fs::read_to_string(file)
         .map_err(|error| Failure::input(format!("{}: {error}", file.display()), "name a file with `seed = NUMBER`"))?;
-    Secret::parse(&text, &file.display().to_string())
+    let weighted = lab.judge().map_or(&[][..], |judge| judge.weighted());
+    Secret::parse(&text, &file.display().to_string(), weighted)
         .map_err(|error| Failure::input(error, "see `dcel help grade`; a line `seed = NUMBER` is enough"))
 }
 

@@ -44,8 +44,17 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
                 Some(name) => vec![super::lab(name)?.name],
                 None => LabFiles::bundled_names(),
             };
-            let folder = labs(args.labs.as_deref(), &names)?;
-            names.iter().map(|name| read(&folder.join(name))).collect::<Result<Vec<_>, _>>()?
+            let (own, names): (Vec<_>, Vec<_>) =
+                names.into_iter().partition(|name| LabFiles::own_folder(name).is_some());
+            let own: Vec<PathBuf> = own.iter().filter_map(|name| LabFiles::own_folder(name)).collect();
+            // Who brings a lab along need not have those of the kit at hand.
+            let folder = if names.is_empty() { Ok(PathBuf::new()) } else { labs(args.labs.as_deref(), &names) };
+            let of_kit: Vec<PathBuf> = match folder {
+                Ok(folder) => names.iter().map(|name| folder.join(name)).collect(),
+                Err(_) if args.lab.is_none() && !own.is_empty() => Vec::new(),
+                Err(failure) => return Err(failure),
+            };
+            of_kit.iter().chain(&own).map(|folder| read(folder)).collect::<Result<Vec<_>, _>>()?
         }
     };
     let mut answer = Answer::Yes;

@@ -1,5 +1,5 @@
-//! Which cases are asked: small structures of every kind, large ones, and random sequences with a seed.
+//! What judges make cases of: large structures that need not be printed, and numbers from a seed.
 
-pub mod classes;
 pub mod large;
 pub mod random;
+pub mod starts;

@@ -7,10 +7,20 @@
 //!
 //! Cost: O(n) for each pairing; there are at most two ways for a split of a face, and four for one of an edge.
 
-use super::spec::New;
 use dcel_kit::topology::{HalfEdgeRow, Table, VertexRow, View};
 use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
 use std::fmt;
+
+/// The new elements that a call should make, by the numbers that they have in the structure that is expected.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct New {
+    /// The new half-edges, in an order that the judge knows.
+    pub half_edges: Vec<HalfEdgeId>,
+    /// The new vertices.
+    pub vertices: Vec<VertexId>,
+    /// The new faces.
+    pub faces: Vec<FaceId>,
+}
 
 /// A pointer of a record, or another of its fields.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

@@ -10,8 +10,7 @@
 //! ```
 
 use crate::checks::align::{Content, Difference, differences};
-use crate::checks::spec::cycle;
-use crate::fault::Exchange;
+use crate::checks::walks::cycle;
 use dcel_kit::FaceId;
 use dcel_kit::topology::{Table, View};
 use std::fmt::Write;
@@ -22,8 +21,7 @@ const FIELDS: usize = 12;
 const CYCLE: usize = 14;
 
 /// The text; empty if nothing differs.
-pub(super) fn of(before: &Table, expected: &Table, yours: &Table, exchange: &Exchange) -> String {
-    let _ = exchange;
+pub(super) fn of(before: &Table, expected: &Table, yours: &Table) -> String {
     let all = differences(expected, yours);
     let mut out = String::new();
     if all.is_empty() {

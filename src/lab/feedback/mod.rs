@@ -16,9 +16,9 @@ mod text;
 pub use graded::graded;
 pub use text::test_text;
 
-use super::course::{Asked, Course, Source, Suite};
 use super::fault::{Exchange, Fault, FaultKind, exchanges};
 use super::findings::findings;
+use super::judge::{Asked, Judge, Source, Suite};
 use super::judged::Needs;
 use super::program::Program;
 use super::protocol::{Case, CaseAnswer, Step};
@@ -34,7 +34,7 @@ const DRAWN: usize = 1500;
 pub(super) struct Context<'a> {
     pub(super) lab: &'a Lab,
     pub(super) program: &'a dyn Program,
-    pub(super) course: &'a dyn Course,
+    pub(super) judge: &'a dyn Judge,
 }
 
 /// A case that fails, run by itself.
@@ -65,15 +65,18 @@ impl Context<'_> {
         };
         let faults: Vec<&Fault> = shown.faults.iter().filter(|fault| fault.test == result.name).collect();
         let section = self.lab.manifest.task(result.task).map_or("", |task| task.section.as_str());
-        result.findings = findings(self.course, &faults, section, false);
+        result.findings = findings(self.judge, &faults, section, false);
         if let Some(fault) = faults.first() {
             let count = result.message.rfind(" (").map_or("", |at| &result.message[at..]);
             result.place = fault.kind.place().map(str::to_owned).or_else(|| result.place.take());
             let exchange = exchanges(&shown.case, &shown.answer).into_iter().find(|e| e.step == fault.step);
-            let fits = |e: &Exchange| e.before.is_none_or(|table| table.half_edges.len() <= DRAWN);
+            let fits = |e: &Exchange| e.before().is_none_or(|table| table.half_edges.len() <= DRAWN);
             let exchange = exchange.filter(fits);
             result.message = format!("{}{count}", fault.what_happened(exchange.as_ref()));
-            result.picture = exchange.and_then(|exchange| picture::of(self.course, &exchange, &faults));
+            result.picture = exchange.and_then(|exchange| {
+                let own = self.judge.picture(&exchange, &faults);
+                own.or_else(|| picture::of(self.judge, &exchange, &faults))
+            });
         }
         result.script = Some(shown.case.script());
         result.replay = Some(replay(&result.name));
@@ -83,7 +86,7 @@ impl Context<'_> {
     fn shown(&self, suite: &Suite, reduced: Case, first: &Fault, needs: &Needs) -> Option<Shown> {
         let failing = |cases| self.run(suite, cases, first, needs);
         let reduced = failing(vec![reduced]).pop()?;
-        Some(shrink::shrink(reduced, |case| self.course.shorter(case), failing))
+        Some(shrink::shrink(reduced, |case| self.judge.shorter(case), failing))
     }
 
     /// Runs cases and keeps those that fail like `first`: the same rule of the same test, where all that the test
@@ -94,7 +97,7 @@ impl Context<'_> {
             Asked { case, source: Source::Fixed }
         });
         let suite = Suite { asked: asked.collect(), ..suite.clone() };
-        let run = run_suite(self.program, self.course, &suite, 0);
+        let run = run_suite(self.program, self.judge, &suite, 0);
         let answered = suite.asked.into_iter().zip(run.answers).zip(run.faults);
         let alike = |faults: &[Fault]| {
             if faults.iter().any(|fault| needs.has_here(fault.test)) {

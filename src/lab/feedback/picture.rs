@@ -10,8 +10,8 @@
 use super::ascii;
 use crate::Picture;
 use crate::checks::align::{Field, differences};
-use crate::course::Course;
 use crate::fault::{Exchange, Fault};
+use crate::judge::Judge;
 use crate::protocol::CallEnd;
 use dcel_kit::figure::{self, Colour, Detail, Figure, FigureError, FigureOptions, Overrides, Pointers};
 use dcel_kit::topology::Table;
@@ -26,10 +26,10 @@ const ARROWS: usize = 60;
 const WIDTH: [f64; 2] = [560.0, 1100.0];
 
 /// The picture of a call; `None` if it cannot be drawn, or nothing is known of the structures.
-pub(super) fn of(course: &dyn Course, exchange: &Exchange, faults: &[&Fault]) -> Option<Picture> {
-    let before = exchange.before?;
-    let yours = exchange.after.unwrap_or(before);
-    let expected = course.expected(exchange)?;
+pub(super) fn of(judge: &dyn Judge, exchange: &Exchange, faults: &[&Fault]) -> Option<Picture> {
+    let before = exchange.before()?;
+    let yours = exchange.after().unwrap_or(before);
+    let expected = judge.expected(exchange)?;
     let wrong: Vec<Element> = faults.iter().flat_map(|fault| fault.elements.iter().copied()).collect();
     let round = walked(exchange);
     let mut families = families(&expected, yours);
@@ -43,7 +43,7 @@ pub(super) fn of(course: &dyn Course, exchange: &Exchange, faults: &[&Fault]) ->
     };
     let red = if round.is_empty() { &wrong } else { &round };
     // Of a call that only reads, what it should have returned is red where it is expected.
-    let answer = course.answer(exchange);
+    let answer = judge.answer(exchange);
     let right: &[Element] = match () {
         () if !answer.is_empty() => &answer,
         () if round.is_empty() => &wrong,
@@ -53,7 +53,7 @@ pub(super) fn of(course: &dyn Course, exchange: &Exchange, faults: &[&Fault]) ->
         before: draw(before, "Before", &families, &[])?,
         expected: draw(&expected, "Expected", &families, right)?,
         yours: draw(yours, "Yours", &families, red)?,
-        ascii: ascii::of(before, &expected, yours, exchange),
+        ascii: ascii::of(before, &expected, yours),
     })
 }
 

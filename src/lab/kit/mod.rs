@@ -36,7 +36,8 @@ pub(super) const LOCK: &str = include_str!("Cargo.lock.txt");
 pub(super) const ANY_LAB: [&str; 2] = ["lab-00", "0.0.0"];
 
 /// Files of this package that are copies, and what they are copies of: a package reads nothing outside of its folder.
-pub const COPIES: [(&str, &str); 1] = [("src/lab/half_edge/drawing.dcels", "figures/scripts/lab-04-drawing.dcels")];
+pub const COPIES: [(&str, &str); 1] =
+    [("src/lab/courses/half_edge/drawing.dcels", "figures/scripts/lab-04-drawing.dcels")];
 
 /// What goes wherever the sources go.
 const LICENCES: [&str; 2] = ["LICENSE-APACHE", "LICENSE-MIT"];
@@ -83,12 +84,12 @@ impl Package {
         }
     }
 
-    /// The root of its crate.
-    fn entry(self) -> &'static str {
+    /// The roots of its crates.
+    fn entries(self) -> &'static [&'static str] {
         match self {
-            Self::Kit => "src/lib.rs",
-            Self::Lab => "src/lab/lib.rs",
-            Self::Program => "src/cli/main.rs",
+            Self::Kit => &["src/lib.rs"],
+            Self::Lab => &["src/lab/lib.rs"],
+            Self::Program => &["src/cli/lib.rs", "src/cli/main.rs"],
         }
     }
 
@@ -138,7 +139,10 @@ impl Package {
         if !build.packages().contains(&self) {
             return Ok(BTreeSet::new());
         }
-        let mut files = files_of_build(checkout, self.entry(), build.features(self))?;
+        let mut files = BTreeSet::new();
+        for entry in self.entries() {
+            files.extend(files_of_build(checkout, entry, build.features(self))?);
+        }
         files.extend(LICENCES.map(|licence| format!("{}{licence}", self.folder())));
         Ok(files)
     }
@@ -210,7 +214,7 @@ impl KitBuild {
         let mut files = Vec::new();
         for (package, manifest) in manifests {
             files.push((format!("{kit}{}Cargo.toml", package.folder()), manifest.clone()));
-            files.push((format!("{kit}{}", package.entry()), String::new()));
+            files.extend(package.entries().iter().map(|entry| (format!("{kit}{entry}"), String::new())));
         }
         if self == Self::Check {
             let [name, version] = ANY_LAB;

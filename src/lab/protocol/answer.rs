@@ -1,7 +1,7 @@
 //! What a driver answered, once it has been read.
 
-use dcel_kit::topology::Table;
-use std::sync::Arc;
+use super::structure::Structure;
+use super::value::Value;
 
 /// The answer to some cases.
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -35,7 +35,7 @@ pub enum Reply {
     /// A call could not be made, because a word of it leads over a pointer that is not set.
     Unresolved(String),
     /// The structure.
-    Dump(Arc<Table>),
+    Dump(Structure),
     /// A drawing.
     Svg(String),
     /// How many records the last call looked at.
@@ -62,16 +62,16 @@ pub struct Many {
 }
 
 /// A call and its end.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Called {
-    /// The arguments as numbers of elements.
+    /// The arguments as numbers of elements; none if one of them is no such number.
     pub arguments: Vec<u32>,
     /// How it ended.
     pub end: CallEnd,
 }
 
 /// How a call ended.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub enum CallEnd {
     /// It returned.
     Returned(Vec<Value>),
@@ -164,15 +164,6 @@ impl CallEnd {
 #[must_use]
 pub(crate) fn is_todo(message: &str) -> bool {
     message.starts_with("not yet implemented")
-}
-
-/// A value that was returned.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Value {
-    /// Yes or no.
-    Truth(bool),
-    /// The number of an element. Numbers that no element can have are read as the greatest that an id can hold.
-    Number(u32),
 }
 
 /// Why an answer is not what the driver prints for the case.

@@ -1,57 +1,91 @@
 //! A case: a start, then calls, as text for a driver.
 
-use crate::cases::large;
-use dcel_kit::topology::{Table, View};
-use dcel_kit::{FaceId, HalfEdgeId, VertexId};
+use super::structure::Structure;
+use dcel_kit::topology::Table;
 use std::fmt::{Display, Write};
 use std::sync::Arc;
 
-/// What a case begins with.
+/// What a case begins with: a line that the student's program makes a structure of, or the lines of a table.
+///
+/// ```
+/// use dcel_lab::protocol::{Case, Start, Step};
+/// let case = Case::new("first", Start::line("polygon 0 0 4 0 3 3")).step(Step::Dump);
+/// assert_eq!(case.script(), "polygon 0 0 4 0 3 3\ndump\n");
+/// ```
 #[derive(Clone, PartialEq, Debug)]
-pub enum Start {
-    /// The six-vertex rectangle of the lab.
-    Rectangle,
-    /// A polygon by its corners, counter-clockwise.
-    Polygon(Vec<[f64; 2]>),
-    /// Triangles: points, then corners by number.
-    Triangles(Vec<[f64; 2]>, Vec<[u32; 3]>),
-    /// A convex polygon with so many corners.
-    Convex(usize),
-    /// So many triangles round one vertex.
-    Wheel(usize),
-    /// So many columns and rows of square cells.
-    Grid(usize, usize),
-    /// Any structure, as the lines of a dump.
-    Table(Arc<Table>),
+pub struct Start {
+    /// Its lines, without the last line end; empty for a case that begins with nothing.
+    text: String,
+    /// The structure, if it need not be printed to be known.
+    known: Option<Structure>,
 }
 
 impl Start {
-    /// The structure, if it need not be printed to be known: that of a number of corners, spokes or cells, and a table.
-    ///
-    /// Cost: linear, once for each size of a grid.
+    /// Nothing: for labs whose functions need no structure.
     #[must_use]
-    pub fn table(&self) -> Option<Arc<Table>> {
-        match self {
-            Self::Convex(corners) => Some(Arc::new(large::convex(*corners))),
-            Self::Wheel(spokes) => Some(Arc::new(large::wheel(*spokes))),
-            Self::Grid(columns, rows) => Some(large::grid(*columns, *rows)),
-            Self::Table(table) => Some(Arc::clone(table)),
-            Self::Rectangle | Self::Polygon(_) | Self::Triangles(..) => None,
-        }
+    pub fn none() -> Self {
+        Self { text: String::new(), known: None }
+    }
+
+    /// A line whose structure is known once the program has printed it.
+    pub fn line(line: impl Into<String>) -> Self {
+        Self { text: line.into(), known: None }
+    }
+
+    /// A line that makes a structure which is known without being printed.
+    pub fn known(line: impl Into<String>, structure: Structure) -> Self {
+        Self { text: line.into(), known: Some(structure) }
+    }
+
+    /// Any structure, as the lines of a dump.
+    #[must_use]
+    pub fn structure_of(structure: Structure) -> Self {
+        let mut text = String::from("table\n");
+        structure.write(&mut text);
+        text.push_str("end_table");
+        Self { text, known: Some(structure) }
+    }
+
+    /// Half-edges, as the lines of a dump.
+    #[must_use]
+    pub fn table(table: impl Into<Arc<Table>>) -> Self {
+        Self::structure_of(Structure::HalfEdges(table.into()))
+    }
+
+    /// Its lines.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Whether its records are written out.
+    #[must_use]
+    pub fn is_table(&self) -> bool {
+        self.text.starts_with("table\n")
+    }
+
+    /// The structure, if it need not be printed to be known.
+    #[must_use]
+    pub fn structure(&self) -> Option<&Structure> {
+        self.known.as_ref()
+    }
+
+    /// The half-edges, if they need not be printed to be known.
+    #[must_use]
+    pub fn half_edges(&self) -> Option<&Arc<Table>> {
+        self.known.as_ref().and_then(Structure::half_edges)
     }
 
     /// How to show the structure after it: of a large one only what has changed.
     #[must_use]
     pub fn dump(&self) -> Step {
-        match self {
-            Self::Grid(columns, rows) if columns * rows > LARGE => Step::Changes,
-            _ => Step::Dump,
-        }
+        let is_large = self.known.as_ref().is_some_and(|structure| structure.len() > LARGE);
+        if is_large { Step::Changes } else { Step::Dump }
     }
 }
 
-/// Grids with more cells are never printed whole.
-const LARGE: usize = 2000;
+/// Structures with more records are never printed whole.
+const LARGE: usize = 10_000;
 
 /// A line after the start.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
@@ -93,6 +127,14 @@ impl Step {
         Self::Call { function: function.to_owned(), arguments }
     }
 
+    /// A call as it is typed: the function, then its arguments.
+    #[must_use]
+    pub fn of_line(line: &str) -> Self {
+        let mut words = line.split_whitespace();
+        let function = words.next().unwrap_or_default();
+        Self::call(function, words)
+    }
+
     /// Whether the structure is shown.
     #[must_use]
     pub fn shows(&self) -> bool {
@@ -121,6 +163,11 @@ impl Case {
     /// A case without any step yet.
     pub fn new(name: impl Into<String>, start: Start) -> Self {
         Self { name: name.into(), start, steps: Vec::new() }
+    }
+
+    /// A case that calls a function of the line, `left_turn 0 0 1 0 0 1`, and no other.
+    pub fn call(name: impl Into<String>, start: Start, line: &str) -> Self {
+        Self::new(name, start).step(Step::of_line(line))
     }
 
     /// Adds a step.
@@ -178,41 +225,10 @@ impl Case {
     }
 
     fn write_start(&self, out: &mut String) {
-        let points = |out: &mut String, points: &[[f64; 2]]| {
-            for [x, y] in points {
-                let _ = write!(out, " {x} {y}");
-            }
-        };
-        match &self.start {
-            Start::Rectangle => out.push_str("rectangle"),
-            Start::Polygon(corners) => {
-                out.push_str("polygon");
-                points(out, corners);
-            }
-            Start::Triangles(places, triangles) => {
-                out.push_str("triangles");
-                points(out, places);
-                out.push_str(" /");
-                for [i, j, k] in triangles {
-                    let _ = write!(out, " {i} {j} {k}");
-                }
-            }
-            Start::Convex(corners) => {
-                let _ = write!(out, "convex {corners}");
-            }
-            Start::Wheel(spokes) => {
-                let _ = write!(out, "wheel {spokes}");
-            }
-            Start::Grid(columns, rows) => {
-                let _ = write!(out, "grid {columns} {rows}");
-            }
-            Start::Table(table) => {
-                out.push_str("table\n");
-                write_dump(table, out);
-                out.push_str("end_table");
-            }
+        if !self.start.text.is_empty() {
+            out.push_str(&self.start.text);
+            out.push('\n');
         }
-        out.push('\n');
     }
 }
 
@@ -240,27 +256,6 @@ impl Step {
     }
 }
 
-/// The records of a table, one a line, as a driver prints and reads them. Tables with gaps have no such text:
-/// the lab's structures never lose an element.
-fn write_dump(table: &Table, out: &mut String) {
-    let number = |n: Option<u32>| n.map_or_else(|| "-".to_owned(), |n| n.to_string());
-    let half_edge = |h: Option<HalfEdgeId>| number(h.map(HalfEdgeId::number));
-    let face = |f: Option<FaceId>| number(f.map(FaceId::number));
-    let _ = writeln!(out, "outer {}", face(table.outer_face()));
-    for (i, row) in table.vertices.iter().flatten().enumerate() {
-        let [x, y] = row.position.unwrap_or_default();
-        let _ = writeln!(out, "vertex {i} {x} {y} {}", half_edge(row.outgoing));
-    }
-    for (i, row) in table.half_edges.iter().flatten().enumerate() {
-        let [twin, next, prev] = [row.twin, row.next, row.prev].map(half_edge);
-        let origin = number(row.origin.map(VertexId::number));
-        let _ = writeln!(out, "half_edge {i} {origin} {twin} {next} {prev} {}", face(row.face));
-    }
-    for (i, row) in table.faces.iter().flatten().enumerate() {
-        let _ = writeln!(out, "face {i} {}", half_edge(row.boundary));
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -279,7 +274,7 @@ mod tests {
     fn a_case_is_reduced_to_what_leads_to_a_step() {
         let steps =
             calls(&["h0", "dump", "save", "h2", "dump", "restore", "h4", "dump", "restore", "h9", "h6", "dump"]);
-        let case = Case { steps, ..Case::new("x", Start::Rectangle) };
+        let case = Case { steps, ..Case::new("x", Start::line("rectangle")) };
         let (reduced, at) = case.reduced_to(10, true);
         assert_eq!(reduced.script(), "rectangle\nsplit_in_half h0\ndump\nsplit_in_half h6\ndump\n");
         assert_eq!(at, 2);

@@ -8,84 +8,147 @@
 //! ```
 
 use super::answer::Broken;
-use super::cut;
+use super::structure::{Cell, ColumnSchema, Records, Schema, Structure};
+use super::text::{cut, id};
 use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::sync::Arc;
 
 /// How many records of all kinds are read.
 const RECORDS: usize = 50_000;
-/// Ids beyond are read as this one, which no structure has.
-pub(super) const GREATEST: u32 = u32::MAX - 1;
 
-/// A table that is being read.
-#[derive(Default)]
+/// A structure that is being read.
 pub(super) struct Dump {
-    table: Table,
-    begun: bool,
+    read_into: Into,
+    /// How many of the references of the structure itself were read; they stand first.
+    singles: usize,
     /// Whether records may stand for others: those that have changed.
     over: bool,
     /// How many records were read.
     read: usize,
 }
 
+enum Into {
+    HalfEdges(Table),
+    Records(Records),
+}
+
 impl Dump {
+    /// A whole structure.
+    pub(super) fn new(schema: Schema) -> Self {
+        let read_into = match schema {
+            Schema::HalfEdges => Into::HalfEdges(Table::default()),
+            Schema::Records(schema) => Into::Records(Records::new(schema)),
+        };
+        Self { read_into, singles: 0, over: false, read: 0 }
+    }
+
     /// Changes of a structure.
-    pub(super) fn on(base: Arc<Table>) -> Self {
-        Self { table: Arc::unwrap_or_clone(base), over: true, ..Self::default() }
+    pub(super) fn on(base: Structure) -> Self {
+        let read_into = match base {
+            Structure::HalfEdges(table) => Into::HalfEdges(Arc::unwrap_or_clone(table)),
+            Structure::Records(records) => Into::Records(Arc::unwrap_or_clone(records)),
+        };
+        Self { read_into, singles: 0, over: true, read: 0 }
+    }
+
+    /// The reference of the structure itself that is due, if not all were read.
+    fn due(&self) -> Option<&'static str> {
+        match &self.read_into {
+            Into::HalfEdges(_) => ["outer"].get(self.singles).copied(),
+            Into::Records(records) => records.schema().singles.get(self.singles).copied(),
+        }
     }
 
     /// Reads a record.
     pub(super) fn line(&mut self, number: usize, line: &str) -> Result<(), Broken> {
         let mut words = Words { number, line, words: line.split(' ') };
         let kind = words.next().unwrap_or_default();
-        if self.begun == (kind == "outer") {
-            let expected = if self.begun { "a record of the dump" } else { "`outer`" };
-            return Err(words.expected(expected));
-        }
         self.read += 1;
         if self.read > RECORDS {
             return Err(Broken::TooMuch { line: number, what: "records", cap: RECORDS });
         }
-        match kind {
-            "outer" => {
-                self.table.outer_face = words.pointer()?.map(FaceId::new);
-                self.begun = true;
+        if let Some(due) = self.due() {
+            if kind != due {
+                return Err(words.expected(&format!("`{due}`")));
             }
-            "vertex" => {
-                let place = words.place("vertex", self.table.vertices.len(), self.over)?;
-                let position = Some([words.coordinate()?, words.coordinate()?]);
-                let outgoing = words.pointer()?.map(HalfEdgeId::new);
-                put(&mut self.table.vertices, place, Some(VertexRow { position, outgoing }));
+            let to = words.pointer()?;
+            match &mut self.read_into {
+                Into::HalfEdges(table) => table.outer_face = to.map(FaceId::new),
+                Into::Records(records) => records.singles[self.singles] = to,
             }
-            "half_edge" => {
-                let place = words.place("half_edge", self.table.half_edges.len(), self.over)?;
-                let row = HalfEdgeRow {
-                    origin: words.pointer()?.map(VertexId::new),
-                    twin: words.pointer()?.map(HalfEdgeId::new),
-                    next: words.pointer()?.map(HalfEdgeId::new),
-                    prev: words.pointer()?.map(HalfEdgeId::new),
-                    face: words.pointer()?.map(FaceId::new),
-                };
-                put(&mut self.table.half_edges, place, Some(row));
-            }
-            "face" => {
-                let place = words.place("face", self.table.faces.len(), self.over)?;
-                let boundary = words.pointer()?.map(HalfEdgeId::new);
-                put(&mut self.table.faces, place, Some(FaceRow { boundary, ..FaceRow::default() }));
-            }
-            _ => return Err(words.expected("a record of the dump or `end_dump`")),
+            self.singles += 1;
+            return words.end();
         }
+        match &mut self.read_into {
+            Into::HalfEdges(table) => half_edge_record(table, self.over, kind, &mut words),
+            Into::Records(records) => record(records, self.over, kind, &mut words),
+        }?;
         words.end()
     }
 
-    /// The table, at the line `end_dump`.
-    pub(super) fn end(self, number: usize) -> Result<Table, Broken> {
-        if self.begun {
-            return Ok(self.table);
+    /// The structure, at the line `end_dump`.
+    pub(super) fn end(self, number: usize) -> Result<Structure, Broken> {
+        if let Some(due) = self.due() {
+            let found = "end_dump".to_owned();
+            return Err(Broken::Expected { line: number, expected: format!("`{due}`"), found });
         }
-        Err(Broken::Expected { line: number, expected: "`outer`".to_owned(), found: "end_dump".to_owned() })
+        Ok(match self.read_into {
+            Into::HalfEdges(table) => Structure::HalfEdges(Arc::new(table)),
+            Into::Records(records) => Structure::Records(Arc::new(records)),
+        })
     }
+}
+
+const A_RECORD: &str = "a record of the dump or `end_dump`";
+
+fn half_edge_record(table: &mut Table, over: bool, kind: &str, words: &mut Words) -> Result<(), Broken> {
+    match kind {
+        "vertex" => {
+            let place = words.place("vertex", table.vertices.len(), over)?;
+            let position = Some([words.coordinate()?, words.coordinate()?]);
+            let outgoing = words.pointer()?.map(HalfEdgeId::new);
+            put(&mut table.vertices, place, Some(VertexRow { position, outgoing }));
+        }
+        "half_edge" => {
+            let place = words.place("half_edge", table.half_edges.len(), over)?;
+            let row = HalfEdgeRow {
+                origin: words.pointer()?.map(VertexId::new),
+                twin: words.pointer()?.map(HalfEdgeId::new),
+                next: words.pointer()?.map(HalfEdgeId::new),
+                prev: words.pointer()?.map(HalfEdgeId::new),
+                face: words.pointer()?.map(FaceId::new),
+            };
+            put(&mut table.half_edges, place, Some(row));
+        }
+        "face" => {
+            let place = words.place("face", table.faces.len(), over)?;
+            let boundary = words.pointer()?.map(HalfEdgeId::new);
+            put(&mut table.faces, place, Some(FaceRow { boundary, ..FaceRow::default() }));
+        }
+        _ => return Err(words.expected(A_RECORD)),
+    }
+    Ok(())
+}
+
+fn record(records: &mut Records, over: bool, kind: &str, words: &mut Words) -> Result<(), Broken> {
+    let schema = records.schema();
+    let Some(table) = schema.tables.iter().position(|table| table.word == kind) else {
+        return Err(words.expected(A_RECORD));
+    };
+    let place = words.place(schema.tables[table].word, records.len(table), over)?;
+    let mut row = Vec::with_capacity(schema.tables[table].columns.len());
+    for column in schema.tables[table].columns {
+        row.push(match column {
+            ColumnSchema::Number(_) => Cell::Number(words.coordinate()?),
+            ColumnSchema::Link(..) => Cell::Link(words.pointer()?),
+        });
+    }
+    match records.row_mut(table, place) {
+        Some(old) => old.copy_from_slice(&row),
+        None => records.push(table, &row),
+    }
+    Ok(())
 }
 
 /// Puts a record where it belongs: over another, or at the end.
@@ -145,10 +208,4 @@ impl<'a> Words<'a> {
     fn end(&mut self) -> Result<(), Broken> {
         if self.words.next().is_some() { Err(self.expected("no further word")) } else { Ok(()) }
     }
-}
-
-/// A number of an element; too great ones are those of none.
-pub(super) fn id(word: &str) -> Option<u32> {
-    let is_number = !word.is_empty() && word.len() <= 20 && word.bytes().all(|b| b.is_ascii_digit());
-    is_number.then(|| word.parse::<u128>().map_or(GREATEST, |n| n.min(u128::from(GREATEST)) as u32))
 }

@@ -19,16 +19,12 @@ mod answer;
 mod case;
 mod dump;
 mod read;
+mod structure;
+mod text;
+mod value;
 
-pub use answer::{Answers, Broken, CallEnd, Called, CaseAnswer, Many, Pattern, Reply, Stopped, Value, grouped};
+pub use answer::{Answers, Broken, CallEnd, Called, CaseAnswer, Many, Pattern, Reply, Stopped, grouped};
 pub use case::{Case, Start, Step};
 pub use read::read_answers;
-
-/// The beginning of a text, for messages.
-fn cut(text: &str) -> String {
-    let mut out: String = text.chars().take(80).collect();
-    if out.len() < text.len() {
-        out.push('…');
-    }
-    out
-}
+pub use structure::{Cell, ColumnSchema, RecordSchema, Records, Schema, Structure, TableSchema};
+pub use value::Value;

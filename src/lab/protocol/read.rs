@@ -3,14 +3,14 @@
 //! Only lines with the token are the driver's; every other line was printed by the student's code, and is kept
 //! aside. A line of the driver's that is not due breaks its case; reading goes on with the next case.
 
-use super::answer::{Answers, Broken, CallEnd, Called, CaseAnswer, Many, Pattern, Reply, Stopped, Value};
+use super::answer::{Answers, Broken, CallEnd, Called, CaseAnswer, Many, Pattern, Reply, Stopped};
 use super::case::{Case, Step};
-use super::cut;
-use super::dump::{Dump, id};
-use dcel_kit::topology::Table;
+use super::dump::Dump;
+use super::structure::{Schema, Structure};
+use super::text::{cut, id, quoted};
+use super::value::{self, Unreadable, Value};
 use std::borrow::Cow;
 use std::iter::Peekable;
-use std::sync::Arc;
 
 /// How many bytes of a line are read.
 const LINE: usize = 64 * 1024;
@@ -20,14 +20,14 @@ const PRINTED: usize = 4 * 1024;
 const SVG_LINES: usize = 20_000;
 /// How many elements are named of a call that was stopped.
 const ELEMENTS: usize = 24;
-/// How many values a call may return.
-const VALUES: usize = 20_000;
+/// How many structures a call may return.
+const STRUCTURES: usize = 16;
 
-/// Reads what a driver printed in answer to `cases`.
+/// Reads what a driver printed in answer to `cases`, whose structures look like `schema`.
 ///
 /// Never fails: whatever is missing or wrong is said in the answer of its case. Cost: O(length of the text).
 #[must_use]
-pub fn read_answers(stdout: &[u8], token: &str, cases: &[&Case]) -> Answers {
+pub fn read_answers(stdout: &[u8], token: &str, cases: &[&Case], schema: Schema) -> Answers {
     let mut answers = Answers::default();
     let prefix = format!("@{token} ");
     let mut printed = Vec::new();
@@ -43,7 +43,7 @@ pub fn read_answers(stdout: &[u8], token: &str, cases: &[&Case]) -> Answers {
     }
     printed.truncate(PRINTED);
     answers.printed = String::from_utf8_lossy(&printed).into_owned();
-    let mut lines = Lines { lines: driver.into_iter().enumerate().peekable(), in_pieces: false };
+    let mut lines = Lines { lines: driver.into_iter().enumerate().peekable(), schema, in_pieces: false };
     for case in cases {
         let Some(answer) = lines.case(case) else { break };
         answers.cases.push(answer);
@@ -60,6 +60,7 @@ pub fn read_answers(stdout: &[u8], token: &str, cases: &[&Case]) -> Answers {
 /// The lines of the driver, with their numbers among them.
 struct Lines<'a, I: Iterator<Item = (usize, &'a [u8])>> {
     lines: Peekable<I>,
+    schema: Schema,
     /// Whether the last case was broken, so that the rest of it may stand before the next one.
     in_pieces: bool,
 }
@@ -101,7 +102,7 @@ impl<'a, I: Iterator<Item = (usize, &'a [u8])>> Lines<'a, I> {
 
     /// Whether the answer came to its end; not if the lines ran out.
     fn replies(&mut self, case: &Case, replies: &mut Vec<Reply>) -> Result<bool, Broken> {
-        let mut last: Option<Arc<Table>> = None;
+        let mut last: Option<Structure> = None;
         for step in case.steps.iter().filter(|step| step.is_answered()) {
             let Some((number, line)) = self.next() else { return Ok(false) };
             if line.len() >= LINE {
@@ -113,20 +114,20 @@ impl<'a, I: Iterator<Item = (usize, &'a [u8])>> Lines<'a, I> {
                 Step::Reads => Some(Reply::Reads(reads(number, &line)?)),
                 Step::Many { function, .. } => self.many(number, &line, function)?,
                 Step::Changes => {
-                    let base = last.take().or_else(|| case.start.table());
+                    let base = last.take().or_else(|| case.start.structure().cloned());
                     let base = base.ok_or(Broken::NothingBefore { line: number })?;
-                    let table = self.dump(number, &line, "dump changes", Dump::on(base))?;
-                    last.clone_from(&table);
-                    table.map(Reply::Dump)
+                    let structure = self.dump(number, &line, "dump changes", Dump::on(base))?;
+                    last.clone_from(&structure);
+                    structure.map(Reply::Dump)
                 }
                 _ if line == "dump same" => {
                     let same = last.clone().ok_or(Broken::NothingBefore { line: number })?;
                     Some(Reply::Dump(same))
                 }
                 _ => {
-                    let table = self.dump(number, &line, "dump", Dump::default())?;
-                    last.clone_from(&table);
-                    table.map(Reply::Dump)
+                    let structure = self.dump(number, &line, "dump", Dump::new(self.schema))?;
+                    last.clone_from(&structure);
+                    structure.map(Reply::Dump)
                 }
             };
             let Some(reply) = reply else { return Ok(false) };
@@ -145,19 +146,49 @@ impl<'a, I: Iterator<Item = (usize, &'a [u8])>> Lines<'a, I> {
         if words.next() != Some("call") || words.next() != Some(function) {
             return Err(expected(number, format!("`call {function}`"), line));
         }
-        let numbers: Option<Vec<u32>> = words.map(id).collect();
-        let Some(numbers) = numbers.filter(|numbers| numbers.len() == arguments) else {
+        let words: Vec<&str> = words.collect();
+        let is_argument = |word: &&str| id(word).is_some() || matches!(*word, "true" | "false") || is_number(word);
+        if words.len() != arguments || !words.iter().all(is_argument) {
             return Err(expected(number, format!("`call {function}` and {arguments} numbers"), line));
-        };
+        }
+        let numbers: Vec<u32> = words.into_iter().map(id).collect::<Option<_>>().unwrap_or_default();
         let Some((number, line)) = self.next() else { return Ok(None) };
         let end = if let Some(rest) = line.strip_prefix("returned") {
-            returned(number, rest)?
+            match self.returned(number, rest)? {
+                Some(values) => CallEnd::Returned(values),
+                None => return Ok(None),
+            }
         } else if let Some(end) = not_returned(number, &line)? {
             end
         } else {
             return Err(expected(number, "`returned`, `panicked` or `stopped`".to_owned(), &line));
         };
         Ok(Some(Reply::Called(Called { arguments: numbers, end })))
+    }
+
+    /// The values of a line, and the structures among them, whose lines follow.
+    fn returned(&mut self, line: usize, rest: &str) -> Result<Option<Vec<Value>>, Broken> {
+        let text = match rest.strip_prefix(' ') {
+            Some("") => return Err(expected(line, "a value".to_owned(), rest)),
+            Some(text) => text,
+            None if rest.is_empty() => "",
+            None => return Err(expected(line, "`returned`".to_owned(), rest)),
+        };
+        let mut values = value::read(text).map_err(|error| match error {
+            Unreadable::From(word) => Broken::Number { line, word: cut(word), wanted: "a value" },
+            Unreadable::TooMany => Broken::TooMuch { line, what: "values", cap: value::MOST },
+        })?;
+        let mut structures = Vec::new();
+        of_structures(&mut values, &mut structures);
+        if structures.len() > STRUCTURES {
+            return Err(Broken::TooMuch { line, what: "structures", cap: STRUCTURES });
+        }
+        for place in structures {
+            let Some((number, line)) = self.next() else { return Ok(None) };
+            let Some(structure) = self.dump(number, &line, "dump", Dump::new(self.schema))? else { return Ok(None) };
+            *place = structure;
+        }
+        Ok(Some(values))
     }
 
     fn svg(&mut self, number: usize, line: &str) -> Result<Option<Reply>, Broken> {
@@ -194,14 +225,14 @@ impl<'a, I: Iterator<Item = (usize, &'a [u8])>> Lines<'a, I> {
         many(&line).map(|many| Some(Reply::Many(many))).ok_or_else(|| expected(number, "`asked`".to_owned(), &line))
     }
 
-    fn dump(&mut self, number: usize, line: &str, due: &str, mut dump: Dump) -> Result<Option<Arc<Table>>, Broken> {
+    fn dump(&mut self, number: usize, line: &str, due: &str, mut dump: Dump) -> Result<Option<Structure>, Broken> {
         if line != due {
             return Err(expected(number, format!("`{due}`"), line));
         }
         loop {
             let Some((number, line)) = self.next() else { return Ok(None) };
             if line == "end_dump" {
-                return dump.end(number).map(|table| Some(Arc::new(table)));
+                return dump.end(number).map(Some);
             }
             dump.line(number, &line)?;
         }
@@ -216,24 +247,19 @@ fn expected(line: usize, expected: String, found: &str) -> Broken {
     Broken::Expected { line, expected, found: cut(found) }
 }
 
-fn returned(line: usize, rest: &str) -> Result<CallEnd, Broken> {
-    let value = |word: &str| match word {
-        "true" => Some(Value::Truth(true)),
-        "false" => Some(Value::Truth(false)),
-        word => id(word).map(Value::Number),
-    };
-    let mut values = Vec::new();
-    for word in rest.split(' ').skip(1) {
-        if values.len() == VALUES {
-            return Err(Broken::TooMuch { line, what: "values", cap: VALUES });
+/// The places of the structures among some values, in their order.
+fn of_structures<'a>(values: &'a mut [Value], out: &mut Vec<&'a mut Structure>) {
+    for value in values {
+        match value {
+            Value::Structure(structure) => out.push(structure),
+            Value::List(values) => of_structures(values, out),
+            _ => {}
         }
-        let not = || Broken::Number { line, word: cut(word), wanted: "a number of an element, `true` or `false`" };
-        values.push(value(word).ok_or_else(not)?);
     }
-    if rest.is_empty() || rest.starts_with(' ') {
-        return Ok(CallEnd::Returned(values));
-    }
-    Err(Broken::Expected { line, expected: "`returned`".to_owned(), found: cut(rest) })
+}
+
+fn is_number(word: &str) -> bool {
+    word.parse::<f64>().is_ok()
 }
 
 /// How a call ended that did not return; `None` if the line says something else.
@@ -289,22 +315,9 @@ fn stopped(rest: &str) -> Option<CallEnd> {
     Some(CallEnd::Stopped(Stopped { reads, pattern, place, elements }))
 }
 
-/// `"message" place`, where the message has `\"`, `\\` and `\n` for the characters that would end it.
+/// `"message" place`
 fn panicked(rest: &str) -> Option<CallEnd> {
-    let mut message = String::new();
-    let mut chars = rest.strip_prefix('"')?.chars();
-    loop {
-        match chars.next()? {
-            '"' => break,
-            '\\' => match chars.next()? {
-                'n' => message.push('\n'),
-                't' => message.push('\t'),
-                'r' => {}
-                other => message.push(other),
-            },
-            c => message.push(c),
-        }
-    }
-    let place = chars.as_str().trim();
+    let (message, place) = quoted(rest)?;
+    let place = place.trim();
     Some(CallEnd::Panicked { message, place: (!place.is_empty()).then(|| cut(place)) })
 }

@@ -49,6 +49,7 @@ pub(super) const FURTHER: &[(&str, &str)] = &[
     ("src/cli/lab/start.rs", include_str!("../../lab/start.rs")),
     ("src/cli/lab/verify.rs", include_str!("../../lab/verify.rs")),
     ("src/cli/lab/watch.rs", include_str!("../../lab/watch.rs")),
+    ("src/cli/lib.rs", include_str!("../../lib.rs")),
     ("src/cli/locate.rs", include_str!("../../locate.rs")),
     ("src/cli/looks.rs", include_str!("../../looks.rs")),
     ("src/cli/main.rs", include_str!("../../main.rs")),

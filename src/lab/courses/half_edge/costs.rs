@@ -9,15 +9,22 @@
 //! Time plays no part: reads are counted, and are the same on every machine.
 
 use super::walk;
+use crate::cases::starts::grid;
 use crate::fault::{Fault, FaultKind};
-use crate::protocol::{Called, Case, CaseAnswer, Many, Reply, Start, Step, grouped};
+use crate::protocol::{Called, Case, CaseAnswer, Many, Reply, Start, Step, Structure, grouped};
 use dcel_kit::topology::Table;
 use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
 
 /// The large structure.
-pub(super) const GRID: Start = Start::Grid(150, 150);
+pub(super) fn large_grid() -> Start {
+    grid(150, 150)
+}
+
 /// A grid with 300 faces and ids past 256, printed whole.
-pub(super) const SMALL_GRID: Start = Start::Grid(20, 15);
+pub(super) fn small_grid() -> Start {
+    grid(20, 15)
+}
+
 /// How many questions are asked, and how many reads they have together. The solution needs a tenth of it.
 const QUESTIONS: usize = 10_000;
 const BUDGET: u64 = 1_000_000;
@@ -33,14 +40,14 @@ pub(super) fn questions(name: &str, function: &str, letter: char) -> Case {
         'v' => &[22_800, 22_649, 400],
         _ => &[90_599, 65_537, 90_000],
     };
-    let mut case = Case::new(format!("{name}.large"), GRID).step(Step::Changes);
+    let mut case = Case::new(format!("{name}.large"), large_grid()).step(Step::Changes);
     case.steps.extend(single.iter().map(|number| Step::call(function, [format!("{letter}{number}")])));
     case.step(Step::Many { function: function.to_owned(), count: QUESTIONS, budget: BUDGET })
 }
 
 /// Splits in the large grid: two are looked at closely, of the others only the reads are counted.
 pub(super) fn splits(name: &str, function: &str) -> Case {
-    let mut case = Case::new(format!("{name}.large"), GRID).step(Step::Changes);
+    let mut case = Case::new(format!("{name}.large"), large_grid()).step(Step::Changes);
     for (i, h) in AT.iter().enumerate() {
         let words = match function {
             "split_face" => vec![format!("h{h}"), format!("h{h}.next.next")],
@@ -85,8 +92,8 @@ pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
                 return out;
             }
             (Step::Many { function, count, budget }, Reply::Many(many)) => {
-                let Some(table) = case.start.table() else { continue };
-                let (words, tag, kind) = match wrong_of_many(&table, function, *count, *budget, many) {
+                let Some(table) = case.start.half_edges() else { continue };
+                let (words, tag, kind) = match wrong_of_many(table, function, *count, *budget, many) {
                     Some(wrong) => wrong,
                     None => continue,
                 };
@@ -105,8 +112,7 @@ pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
 }
 
 fn records(case: &Case) -> String {
-    let count = case.start.table().map_or(0, |table| table.vertices.len() + table.half_edges.len() + table.faces.len());
-    grouped(count as u64)
+    grouped(case.start.structure().map_or(0, Structure::len) as u64)
 }
 
 fn wrong_of_many(
@@ -153,7 +159,7 @@ mod tests {
 
     #[test]
     fn the_half_edges_of_the_splits_are_those_of_cells() {
-        let table = GRID.table().unwrap();
+        let table = large_grid().half_edges().unwrap().clone();
         for h in AT.map(HalfEdgeId::new) {
             assert!(table.face(h).is_some_and(|f| f.number() != 0), "{h}");
         }

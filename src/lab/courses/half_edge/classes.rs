@@ -11,7 +11,7 @@
 //!
 //! Source: one root at a time, as in `topology::same`.
 
-use crate::checks::spec::{self, TwinSide};
+use super::spec::{self, TwinSide};
 use dcel_kit::topology::{Dcel, Table, View};
 use dcel_kit::{FaceId, HalfEdgeId};
 use std::collections::BTreeSet;

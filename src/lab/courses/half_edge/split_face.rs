@@ -7,9 +7,9 @@
 //!
 //! The outer face is a face like any other. Two corners of one face at the same vertex are joined by a loop.
 
+use super::spec::{self, Legal};
 use super::split::{ELSEWHERE, Steps};
 use crate::checks::align::{Difference, Field, align};
-use crate::checks::spec::{self, Legal};
 use crate::fault::{Exchange, Fault, FaultKind};
 use crate::protocol::{CallEnd, Value};
 use dcel_kit::topology::View;
@@ -27,7 +27,7 @@ pub(super) const TESTS: [&str; 6] = [
 
 /// Whether a call is one that must be carried out; so is one of which nothing is known.
 pub(super) fn is_legal(exchange: &Exchange) -> bool {
-    match (exchange.before, exchange.called) {
+    match (exchange.before(), exchange.called) {
         (Some(before), Some((&[h1, h2], _))) => {
             let [h1, h2] = [h1, h2].map(HalfEdgeId::new);
             spec::may_split_face(before, h1, h2) == Legal::Yes
@@ -38,7 +38,8 @@ pub(super) fn is_legal(exchange: &Exchange) -> bool {
 
 /// Judges one call; the faults of each step go to the test at its place in `tests`.
 pub(super) fn judge(exchange: &Exchange, tests: &[&'static str]) -> Vec<Fault> {
-    let (Some((&[h1, h2], end)), Some(before), Some(after)) = (exchange.called, exchange.before, exchange.after) else {
+    let (Some((&[h1, h2], end)), Some(before), Some(after)) = (exchange.called, exchange.before(), exchange.after())
+    else {
         return Vec::new();
     };
     let [h1, h2] = [h1, h2].map(HalfEdgeId::new);

@@ -6,9 +6,9 @@
 //!   3 next, prev and face, and what the vertices refer to
 //! ```
 
+use super::spec::{self, TwinSide};
 use super::split::{ELSEWHERE, Steps};
 use crate::checks::align::{Aligned, Difference, Field, align};
-use crate::checks::spec::{self, TwinSide};
 use crate::fault::{Exchange, Fault};
 use dcel_kit::topology::{Table, View};
 use dcel_kit::{Element, HalfEdgeId};
@@ -32,7 +32,7 @@ pub(super) fn expected(before: &Table, he: HalfEdgeId, after: &Table) -> Option<
 
 /// Judges one call; the faults of each step go to the test at its place in `tests`.
 pub(super) fn judge(exchange: &Exchange, tests: &[&'static str]) -> Vec<Fault> {
-    let (Some((&[he], end)), Some(before), Some(after)) = (exchange.called, exchange.before, exchange.after) else {
+    let (Some((&[he], end)), Some(before), Some(after)) = (exchange.called, exchange.before(), exchange.after()) else {
         return Vec::new();
     };
     let he = HalfEdgeId::new(he);

@@ -14,6 +14,7 @@
 //! Works on tables, because that is what a student's program gives. The table before must obey the laws; the
 //! functions refuse one that is too broken to tell what should come of it.
 
+use crate::checks::align::New;
 use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 
@@ -65,17 +66,6 @@ pub fn may_split_face(table: &Table, h1: HalfEdgeId, h2: HalfEdgeId) -> Legal {
     } else {
         Legal::Yes
     }
-}
-
-/// The new elements of a split, in the order in which the functions here add them.
-#[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub struct New {
-    /// `a` and `b` of `split_face`; `c` and `d` of `split_in_half`.
-    pub half_edges: Vec<HalfEdgeId>,
-    /// The new vertex.
-    pub vertices: Vec<VertexId>,
-    /// The new face.
-    pub faces: Vec<FaceId>,
 }
 
 /// The structure after a legal `split_face(h1, h2)`; `None` if it is not legal.
@@ -182,27 +172,4 @@ fn link(table: &mut Table, h: HalfEdgeId, next: HalfEdgeId) -> Option<()> {
     row_mut(table, h)?.next = Some(next);
     row_mut(table, next)?.prev = Some(h);
     Some(())
-}
-
-/// The cycle of half-edges from `start` along `next`; cut where it is broken or longer than the table.
-#[must_use]
-pub fn cycle(table: &Table, start: HalfEdgeId) -> Vec<HalfEdgeId> {
-    dcel_kit::topology::bounded_cycle(table, start).collect()
-}
-
-/// The half-edges that start at `origin(start)`, counter-clockwise: `prev.twin` again and again.
-#[must_use]
-pub fn star(table: &Table, start: HalfEdgeId) -> Vec<HalfEdgeId> {
-    let mut star = vec![start];
-    let mut at = start;
-    for _ in 0..table.half_edges.len() {
-        match table.prev(at).and_then(|prev| table.twin(prev)) {
-            Some(next) if next != start => {
-                star.push(next);
-                at = next;
-            }
-            _ => break,
-        }
-    }
-    star
 }

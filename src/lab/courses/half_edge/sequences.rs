@@ -3,12 +3,12 @@
 //! Every call is judged by the structure that the student's program had before it. The first fault ends the
 //! sequence: what comes after it has no right start.
 
-use super::starts::{antenna, bridge, outer_antenna, petals, tree};
+use super::starts::{antenna, bridge, outer_antenna, petals, rectangle, tree};
 use super::{costs, split_face, split_in_half};
 use crate::cases::random::Random;
+use crate::cases::starts;
 use crate::fault::{Fault, FaultKind, exchanges};
 use crate::protocol::{Case, CaseAnswer, Start, Step};
-use std::sync::Arc;
 
 /// What a random sequence is made of.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -44,10 +44,10 @@ pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
             return faults;
         }
         // A call whose result is not shown is judged by its end alone.
-        if let (Some((_, end)), None) = (exchange.called, exchange.after)
+        if let (Some((_, end)), None) = (exchange.called, exchange.after())
             && let Some(kind) = FaultKind::of_end(end)
         {
-            let words = format!("{} {}: {}", exchange.function, exchange.words.join(" "), end.words());
+            let words = format!("{}: {}", exchange.line(), end.words());
             let rule = "R1".to_owned();
             return vec![Fault {
                 test,
@@ -102,20 +102,21 @@ pub(super) fn random(name: &str, mix: Mix, random: &mut Random) -> Case {
 fn start(random: &mut Random) -> (Start, [usize; 3]) {
     let odd = [antenna, outer_antenna, bridge, petals, tree];
     match random.below(8) {
-        0 => (Start::Rectangle, [12, 6, 2]),
+        0 => (rectangle(), [12, 6, 2]),
         i @ 1..=4 => (polygon(i + 2), [2 * (i + 2), i + 2, 2]),
         _ => {
             let table = odd[random.below(odd.len())]();
             let counts = [table.half_edges.len(), table.vertices.len(), table.faces.len()];
-            (Start::Table(Arc::new(table)), counts)
+            (Start::table(table), counts)
         }
     }
 }
 
 /// A polygon of the classes, as a line.
 pub(super) fn polygon(corners: usize) -> Start {
-    let table = crate::cases::classes::polygon(corners).unwrap_or_default();
-    Start::Polygon(table.vertices.iter().flatten().filter_map(|row| row.position).collect())
+    let table = super::classes::polygon(corners).unwrap_or_default();
+    let places: Vec<[f64; 2]> = table.vertices.iter().flatten().filter_map(|row| row.position).collect();
+    starts::polygon(&places)
 }
 
 /// A half-edge: a given one or a stored one, then up to two links.

@@ -8,7 +8,7 @@
 //! ```
 
 use super::sequences::polygon;
-use super::starts::dangling;
+use super::starts::{dangling, rectangle};
 use crate::protocol::{Case, Start, Step};
 
 /// How many are tried at a time.
@@ -24,7 +24,7 @@ pub(super) fn shorter(case: &Case) -> Vec<Case> {
     let Some((&last, earlier)) = calls.split_last() else { return Vec::new() };
     if earlier.is_empty() {
         // One call on a start of one line is as short as can be.
-        return if matches!(case.start, Start::Table(_)) { without_table(case, last) } else { Vec::new() };
+        return if case.start.is_table() { without_table(case, last) } else { Vec::new() };
     }
     let starts = starts(&case.start);
     let mut all = Vec::new();
@@ -106,7 +106,7 @@ fn without_table(case: &Case, last: &Step) -> Vec<Case> {
     }
     for small in dangling() {
         let count = small.half_edges.len();
-        let start = Start::Table(std::sync::Arc::new(small));
+        let start = Start::table(small);
         all.extend(
             words(count).into_iter().map(|words| sequence(&case.name, start.clone(), &[Step::call(function, words)])),
         );
@@ -119,18 +119,25 @@ fn without_table(case: &Case, last: &Step) -> Vec<Case> {
 fn size(case: &Case) -> (usize, usize, usize, String) {
     let script = case.script();
     let calls = case.steps.iter().filter(|step| matches!(step, Step::Call { .. })).count();
-    let calls = if matches!(case.start, Start::Table(_)) { calls + script.lines().count() / 3 } else { calls };
+    let calls = if case.start.is_table() { calls + script.lines().count() / 3 } else { calls };
     let links = script.lines().skip(1).flat_map(str::chars).filter(|&c| c == '.').count();
-    let corners = match &case.start {
-        // One word.
-        Start::Rectangle => 0,
-        Start::Polygon(corners) => corners.len(),
-        Start::Convex(corners) => *corners,
-        Start::Wheel(spokes) => 2 * spokes,
-        Start::Grid(columns, rows) => 4 * columns * rows,
-        Start::Triangles(..) | Start::Table(_) => usize::MAX,
-    };
+    let corners = corners(&case.start).unwrap_or(usize::MAX);
     (calls, links, corners, script)
+}
+
+/// How many corners a start shows, as far as a reader minds: the rectangle is one word.
+fn corners(start: &Start) -> Option<usize> {
+    let mut words = start.text().split(' ');
+    let kind = words.next()?;
+    let numbers: Vec<usize> = words.clone().map_while(|word| word.parse().ok()).collect();
+    match (kind, &numbers[..]) {
+        ("rectangle", _) => Some(0),
+        ("polygon", _) => Some(words.count() / 2),
+        ("convex", [corners]) => Some(*corners),
+        ("wheel", [spokes]) => Some(2 * spokes),
+        ("grid", [columns, rows]) => Some(4 * columns * rows),
+        _ => None,
+    }
 }
 
 fn sequence(name: &str, start: Start, calls: &[Step]) -> Case {
@@ -142,11 +149,11 @@ fn sequence(name: &str, start: Start, calls: &[Step]) -> Case {
 
 /// The start itself and those with fewer corners.
 fn starts(start: &Start) -> Vec<Start> {
-    let corners = match start {
-        Start::Polygon(corners) => corners.len(),
+    let corners = match start.text().split_once(' ') {
+        Some(("polygon", _)) => corners(start).unwrap_or(6),
         _ => 6,
     };
-    [Start::Rectangle].into_iter().chain((3..corners).map(polygon)).chain([start.clone()]).collect()
+    [rectangle()].into_iter().chain((3..corners).map(polygon)).chain([start.clone()]).collect()
 }
 
 /// Which of the earlier calls to keep: every choice if they are few; else all but one, the last ones, or one.

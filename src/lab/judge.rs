@@ -1,15 +1,17 @@
-//! What a lab brings along: its cases and its judge.
+//! What a lab brings along: its cases and what is right in them.
 //!
 //! ```text
 //!   suite = some cases, run one after the other in one process, and the graded tests that they decide
 //! ```
 //!
-//! The engine runs suites and counts faults; only the course knows what the functions of its lab should do. A new
-//! lab is a new implementation of [`Course`], registered in [`course`].
+//! The engine runs suites and counts faults; only the judge knows what the functions of its lab should do. A new lab is
+//! a new implementation of [`Judge`]: in [`courses`](crate::courses), or in a crate of its own (see `dcel lab new`).
+//! Where functions give values back and change nothing, [`Answers`](crate::answers::Answers) is most of the work.
 
 use super::fault::{Exchange, Fault};
 use super::plan::Plan;
-use super::protocol::{Case, CaseAnswer, Step};
+use super::protocol::{Case, CaseAnswer, Schema, Step};
+use super::report::Picture;
 use dcel_kit::Element;
 use dcel_kit::topology::Table;
 
@@ -33,6 +35,27 @@ pub struct Asked {
     pub source: Source,
 }
 
+impl Asked {
+    /// Cases that are always the same.
+    pub fn fixed(cases: impl IntoIterator<Item = Case>) -> Vec<Self> {
+        Self::all(cases, Source::Fixed)
+    }
+
+    /// Cases from the seed of the report.
+    pub fn random(cases: impl IntoIterator<Item = Case>) -> Vec<Self> {
+        Self::all(cases, Source::Random)
+    }
+
+    /// Cases from the instructor's seed.
+    pub fn hidden(cases: impl IntoIterator<Item = Case>) -> Vec<Self> {
+        Self::all(cases, Source::Hidden)
+    }
+
+    fn all(cases: impl IntoIterator<Item = Case>, source: Source) -> Vec<Self> {
+        cases.into_iter().map(|case| Self { case, source }).collect()
+    }
+}
+
 /// Cases that are run together.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Suite {
@@ -54,7 +77,12 @@ pub struct Feature {
 }
 
 /// The cases of a lab and what is right in them.
-pub trait Course: Sync {
+pub trait Judge: Sync {
+    /// What the records of the lab look like.
+    fn schema(&self) -> Schema {
+        Schema::HalfEdges
+    }
+
     /// All suites, in the order of the tasks.
     fn suites(&self, plan: &Plan) -> Vec<Suite>;
 
@@ -90,11 +118,26 @@ pub trait Course: Sync {
         None
     }
 
+    /// The functions that an instructor's file can give weights in hidden sequences: `split_face = 2`.
+    fn weighted(&self) -> &'static [&'static str] {
+        &[]
+    }
+
     /// The promise that a fault of a hidden case breaks, without anything of the case.
     fn promise(&self, fault: &Fault) -> &'static str;
 
-    /// The structure that a call should have left behind, in the numbers of the student's, for a picture.
-    fn expected(&self, exchange: &Exchange) -> Option<Table>;
+    /// The half-edges that a call should have left behind, in the numbers of the student's, for a picture.
+    fn expected(&self, exchange: &Exchange) -> Option<Table> {
+        let _ = exchange;
+        None
+    }
+
+    /// A picture of a failing call: before, expected, yours. Without one, half-edges are drawn as they are, with those
+    /// of [`expected`](Self::expected).
+    fn picture(&self, exchange: &Exchange, faults: &[&Fault]) -> Option<Picture> {
+        let _ = (exchange, faults);
+        None
+    }
 
     /// What a call that only reads should have returned; nothing for other calls.
     fn answer(&self, exchange: &Exchange) -> Vec<Element> {
@@ -103,14 +146,8 @@ pub trait Course: Sync {
     }
 
     /// Shorter cases than a failing one that may fail in the same way, each of which a student can type.
-    fn shorter(&self, case: &Case) -> Vec<Case>;
-}
-
-/// The course of a lab by its name.
-#[must_use]
-pub fn course(lab: &str) -> Option<&'static dyn Course> {
-    match lab {
-        "04-half-edge" => Some(&super::half_edge::HALF_EDGE),
-        _ => None,
+    fn shorter(&self, case: &Case) -> Vec<Case> {
+        let _ = case;
+        Vec::new()
     }
 }

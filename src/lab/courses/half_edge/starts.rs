@@ -11,8 +11,9 @@
 //!   ●╱            ╲●               tree: v0──v1──v2, with no face but the outer one
 //! ```
 
+use super::spec;
 use crate::cases::random::Random;
-use crate::checks::spec;
+use crate::cases::starts::polygon;
 use crate::protocol::Start;
 use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
@@ -128,12 +129,17 @@ pub(super) fn blind(table: &Table) -> Table {
     out
 }
 
+/// The six-vertex rectangle of the handout.
+pub(super) fn rectangle() -> Start {
+    Start::line("rectangle")
+}
+
 /// Polygons whose coordinates need all of their bits. All usual ways to write the midpoint agree on their edges.
 pub(super) fn rounding() -> [Start; 3] {
     [
-        Start::Polygon(vec![[0.1, 0.7], [0.3, 0.2], [0.8, 0.4], [0.6, 0.8]]),
-        Start::Polygon(vec![[1e-30, 0.0], [3e-30, 1e-31], [2e-30, 5e-30]]),
-        Start::Polygon(vec![[1e15, 1e-30], [1_000_000_000_000_001.0, 0.1], [999_999_999_999_999.0, 1e15]]),
+        polygon(&[[0.1, 0.7], [0.3, 0.2], [0.8, 0.4], [0.6, 0.8]]),
+        polygon(&[[1e-30, 0.0], [3e-30, 1e-31], [2e-30, 5e-30]]),
+        polygon(&[[1e15, 1e-30], [1_000_000_000_000_001.0, 0.1], [999_999_999_999_999.0, 1e15]]),
     ]
 }
 
@@ -221,7 +227,7 @@ pub(super) fn relabelled(table: &Table, random: &mut Random) -> Table {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cases::classes::classes;
+    use crate::courses::half_edge::classes::classes;
     use dcel_kit::topology::{same, violations};
 
     #[test]
@@ -242,7 +248,8 @@ mod tests {
     #[allow(clippy::float_cmp)] // exact equality is meant
     fn the_usual_ways_to_write_a_midpoint_agree_where_bits_matter_and_careless_ones_do_not() {
         for start in rounding() {
-            let Start::Polygon(corners) = start else { unreachable!() };
+            let numbers: Vec<f64> = start.text().split(' ').skip(1).map(|word| word.parse().unwrap()).collect();
+            let corners: Vec<[f64; 2]> = numbers.chunks(2).map(|pair| [pair[0], pair[1]]).collect();
             let axis = |k: usize| (0..2).map(move |axis| [k, axis]);
             let mut careless = [true; 2];
             for [k, axis] in (0..corners.len()).flat_map(axis) {

@@ -1,7 +1,7 @@
 //! What the functions that only read should return, and what is wrong with a list that is another.
 
 use crate::checks::cyclic::{self, WalkFault};
-use crate::checks::spec::{cycle, star};
+use crate::checks::walks::{cycle, star};
 use dcel_kit::topology::{Table, View};
 use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
 

@@ -24,7 +24,7 @@ pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
 
 fn fault(test: &'static str, exchange: &Exchange) -> Option<Fault> {
     let Exchange { step, function, .. } = *exchange;
-    let call = format!("{function} {}", exchange.words.join(" "));
+    let call = exchange.line();
     let fault = |kind, tag: String, words, elements| {
         Some(Fault { test, kind, step, rule: function.to_owned(), tag, words, elements, instead: None })
     };
@@ -36,7 +36,7 @@ fn fault(test: &'static str, exchange: &Exchange) -> Option<Fault> {
         CallEnd::Panicked { .. } | CallEnd::Stopped(_) => {
             let kind = FaultKind::of_end(end)?;
             let h = HalfEdgeId::new(*arguments.first()?);
-            let alone = exchange.before.is_some_and(|table| match function {
+            let alone = exchange.before().is_some_and(|table| match function {
                 "destination" => table.next(h).is_none(),
                 "destination_by_next" => table.twin(h).is_none(),
                 _ => false,
@@ -49,8 +49,8 @@ fn fault(test: &'static str, exchange: &Exchange) -> Option<Fault> {
             return fault(kind, "panic".to_owned(), format!("{call} {}{why}", end.words()), Vec::new());
         }
     };
-    let found: Vec<u32> = values.iter().filter_map(|value| number(*value)).collect();
-    let (&argument, table) = (arguments.first()?, exchange.before?);
+    let found: Vec<u32> = values.iter().filter_map(Value::id).collect();
+    let (&argument, table) = (arguments.first()?, exchange.before()?);
     let walk = expected(table, function, argument)?;
     if found.len() != values.len() {
         let words = format!("{call} did not return numbers of elements");
@@ -67,11 +67,4 @@ fn fault(test: &'static str, exchange: &Exchange) -> Option<Fault> {
     let wrong = fault(FaultKind::Wrong, tag, words, found.iter().map(|&n| (walk.element)(n)).collect());
     let is = readings::of(table, function, argument, &found);
     wrong.map(|fault| Fault { instead: Some(Instead { subject: "the answer".to_owned(), is }), ..fault })
-}
-
-fn number(value: Value) -> Option<u32> {
-    match value {
-        Value::Number(n) => Some(n),
-        Value::Truth(_) => None,
-    }
 }

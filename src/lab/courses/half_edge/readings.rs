@@ -9,7 +9,7 @@
 //! Nothing here decides a verdict. What is said holds of this call; the report says what holds of every failing one.
 
 use crate::checks::cyclic::is_rotation;
-use crate::checks::spec::{cycle, star};
+use crate::checks::walks::{cycle, star};
 use dcel_kit::topology::{Table, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeSet;

@@ -1,10 +1,10 @@
 //! The drawing of the handout, made with the two splits: compared with the reference as a structure with positions,
 //! and as a picture.
 
-use crate::checks::spec::cycle;
+use crate::checks::walks::cycle;
 use crate::fault::{Exchange, Fault, FaultKind, exchanges};
-use crate::protocol::{Called, Case, CaseAnswer, Reply, Step};
-use dcel_kit::compare::{Options, compare};
+use crate::pictures;
+use crate::protocol::{Case, CaseAnswer, Reply, Step};
 use dcel_kit::plane::PlanarView;
 use dcel_kit::script::Script;
 use dcel_kit::topology::{SameOptions, Table, View, position_key, same_with, violations};
@@ -67,34 +67,9 @@ fn plain_picture(table: &Table) -> String {
     out + "</svg>\n"
 }
 
-/// Judges the picture as it is drawn; how it is written does not matter.
+/// Judges the picture.
 fn picture(step: usize, reply: &Reply) -> Vec<Fault> {
-    let fault = |kind: FaultKind, rule: &str, words: String| Fault {
-        test: TESTS[1],
-        kind,
-        step,
-        rule: rule.to_owned(),
-        tag: String::new(),
-        words,
-        elements: Vec::new(),
-        instead: None,
-    };
-    let svg = match reply {
-        Reply::Svg(svg) => svg,
-        Reply::Called(Called { end, .. }) => {
-            let kind = FaultKind::of_end(end).unwrap_or(FaultKind::Wrong);
-            return vec![fault(kind, "picture", format!("the picture {}", end.words()))];
-        }
-        _ => return vec![fault(FaultKind::Wrong, "picture", "there is no picture".to_owned())],
-    };
-    let Some(reference) = reference() else { return Vec::new() };
-    match compare(&plain_picture(&reference), svg, &Options::new()) {
-        Ok(comparison) => {
-            let differences = comparison.differences().iter();
-            differences.map(|d| fault(FaultKind::Wrong, "picture", d.text.clone())).collect()
-        }
-        Err(error) => vec![fault(FaultKind::Wrong, "picture", error.to_string())],
-    }
+    reference().map_or_else(Vec::new, |reference| pictures::judge(TESTS[1], step, reply, &plain_picture(&reference)))
 }
 
 fn faults(exchange: &Exchange) -> Vec<Fault> {
@@ -108,7 +83,7 @@ fn faults(exchange: &Exchange) -> Vec<Fault> {
         elements,
         instead: None,
     };
-    let (Some((_, end)), Some(after)) = (exchange.called, exchange.after) else { return Vec::new() };
+    let (Some((_, end)), Some(after)) = (exchange.called, exchange.after()) else { return Vec::new() };
     if let Some(kind) = FaultKind::of_end(end) {
         return vec![fault(kind, "drawing", format!("drawing {}", end.words()), Vec::new())];
     }

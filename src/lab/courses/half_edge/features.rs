@@ -7,25 +7,16 @@
 //!        ●◀───────▼ he2             he1 starts at a vertex of degree 1?   …
 //! ```
 
-use crate::checks::spec::{Legal, cycle, may_split_face, star};
-use crate::course::Feature;
+use super::spec::{Legal, may_split_face, midpoint as middle_of};
+use crate::checks::walks::{cycle, star};
 use crate::fault::Exchange;
+use crate::features::FeatureSet;
+use crate::judge::Feature;
 use dcel_kit::topology::{Table, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeSet;
 
-macro_rules! vocabulary {
-    ($($name:ident $id:literal $clause:literal,)*) => {
-        /// A feature, by its bit.
-        #[derive(Clone, Copy)]
-        enum Word { $($name,)* }
-
-        /// All features, those that a reader would rather hear first.
-        pub(super) static VOCABULARY: &[Feature] = &[$(Feature { id: $id, clause: $clause },)*];
-    };
-}
-
-vocabulary! {
+crate::features! {
     Same "same" "he1 and he2 are the same half-edge",
     Next "next" "he2 is the next of he1",
     Prev "prev" "he1 is the next of he2",
@@ -147,31 +138,33 @@ vocabulary! {
     IsSplitInHalf "is_split_in_half" "split_in_half is called",
 }
 
+/// All features of lab 04.
+pub(super) fn vocabulary() -> &'static [Feature] {
+    VOCABULARY
+}
+
 /// A set of features.
 #[derive(Default)]
-struct Set(u128);
+struct Set(FeatureSet);
 
 impl Set {
     fn add(&mut self, word: Word, holds: bool) {
-        self.0 |= u128::from(holds) << word as u32;
+        self.0.add(word as u32, holds);
     }
 
     /// One or the other.
     fn either(&mut self, yes: Word, no: Word, holds: bool) {
-        self.add(yes, holds);
-        self.add(no, !holds);
+        self.0.either(yes as u32, no as u32, holds);
     }
 
     fn more(&mut self, count: usize, steps: &[(usize, Word)]) {
-        for &(than, word) in steps {
-            self.add(word, count > than);
-        }
+        self.0.more(count, steps.iter().map(|&(than, word)| (than, word as u32)));
     }
 }
 
 /// What holds of a call. `earlier` are the calls before it in the same sequence.
 pub(super) fn of(earlier: &[&Exchange], exchange: &Exchange) -> Option<u128> {
-    let (before, arguments) = (exchange.before?, exchange.called?.0);
+    let (before, arguments) = (exchange.before()?, exchange.called?.0);
     let mut set = Set::default();
     let of_table = |set: &mut Set| whole(set, before);
     match (exchange.function, arguments) {
@@ -195,7 +188,7 @@ pub(super) fn of(earlier: &[&Exchange], exchange: &Exchange) -> Option<u128> {
     set.add(Word::Later, !earlier.is_empty());
     set.add(Word::AfterHalf, was("split_in_half"));
     set.add(Word::AfterSplit, was("split_face"));
-    Some(set.0)
+    Some(set.0.bits())
 }
 
 fn whole(set: &mut Set, table: &Table) {
@@ -307,7 +300,7 @@ fn midpoint(set: &mut Set, table: &Table, h: HalfEdgeId) {
     let place = |v: Option<VertexId>| table.vertices.get(v?.index()).copied().flatten()?.position;
     let ends = (place(table.origin(h)), place(table.twin(h).and_then(|twin| table.origin(twin))));
     let (Some(p), Some(q)) = ends else { return };
-    let middle = crate::checks::spec::midpoint(p, q);
+    let middle = middle_of(p, q);
     set.add(Word::Fraction, middle.iter().any(|x| x.fract() != 0.0));
     set.add(Word::Negative, middle.iter().any(|&x| x < 0.0));
     let decimals = |x: &f64| (x * 1e4).round() / 1e4;

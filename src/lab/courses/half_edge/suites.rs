@@ -4,21 +4,21 @@
 //! other tasks. Small cases that a student can type come first, then one case for each small structure with every
 //! call that can be made on it, then random sequences.
 
-use super::costs::{self, SMALL_GRID};
+use super::classes::classes;
+use super::costs::{self, small_grid};
 use super::sequences::{Mix, polygon, random, sequence};
 use super::shorter::shorter;
-use super::starts::{blind, odd, relabelled, rounding, window};
+use super::spec::{Legal, may_split_face};
+use super::starts::{blind, odd, rectangle, relabelled, rounding, window};
 use super::{drawing, features, sequences, split_face, split_in_half, walk, walks};
-use crate::cases::classes::classes;
 use crate::cases::random::Random;
-use crate::checks::spec::{Legal, may_split_face};
-use crate::course::{Asked, Course, Feature, Source, Suite};
+use crate::cases::starts::{convex, polygon as polygon_at, triangles, wheel};
 use crate::fault::{Exchange, Fault, FaultKind};
+use crate::judge::{Asked, Feature, Judge, Source, Suite};
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step};
 use dcel_kit::topology::{HalfEdgeRow, Table};
 use dcel_kit::{Element, HalfEdgeId};
-use std::sync::Arc;
 
 /// How many random sequences are asked for each test, and of how many calls.
 const RANDOM: (usize, usize) = (16, 10);
@@ -31,13 +31,13 @@ const BLIND: &str = ".blind";
 const IN_THE_BLIND: &str =
     " (Here all vertices are at one place: the answer must come from the references, not from positions.)";
 
-/// The course of lab 04.
-pub(crate) struct HalfEdge;
+/// The judge of lab 04.
+pub struct HalfEdge;
 
-/// The course of lab 04.
-pub(crate) static HALF_EDGE: HalfEdge = HalfEdge;
+/// The judge of lab 04.
+pub static HALF_EDGE: HalfEdge = HalfEdge;
 
-impl Course for HalfEdge {
+impl Judge for HalfEdge {
     fn suites(&self, plan: &Plan) -> Vec<Suite> {
         let mut suites: Vec<Suite> = [
             ("face_walk", &["face_walk"] as &[&str], "walk_face"),
@@ -46,13 +46,13 @@ impl Course for HalfEdge {
             ("destination_by_next", &["destination_by_next"], "destination_by_next"),
             ("vertex_star", &["vertex_star"], "walk_vertex"),
         ]
-        .map(|(name, tests, function)| Suite { name, tests, asked: fixed(reading(name, function)) })
+        .map(|(name, tests, function)| Suite { name, tests, asked: Asked::fixed(reading(name, function)) })
         .into();
         let structures = structures();
         suites.push(Suite {
             name: "split_face",
             tests: &split_face::TESTS,
-            asked: fixed(split_face_cases(&structures)),
+            asked: Asked::fixed(split_face_cases(&structures)),
         });
         suites.push(Suite {
             name: "split_face_sequences",
@@ -62,16 +62,16 @@ impl Course for HalfEdge {
         suites.push(Suite {
             name: "split_in_half",
             tests: &split_in_half::TESTS[1..],
-            asked: fixed(split_in_half_cases(&structures)),
+            asked: Asked::fixed(split_in_half_cases(&structures)),
         });
         suites.push(Suite {
             name: "split_in_half_sequences",
             tests: &["split_in_half_sequences"],
             asked: sequence_cases("split_in_half_sequences", mixed_sequences(), [1, 1], plan),
         });
-        let case = Case::new("drawing", Start::Rectangle);
+        let case = Case::new("drawing", rectangle());
         let case = case.step(Step::Dump).step(Step::call::<&str>("drawing", [])).step(Step::Dump).step(Step::Svg);
-        suites.push(Suite { name: "drawing", tests: &drawing::TESTS, asked: fixed(vec![case]) });
+        suites.push(Suite { name: "drawing", tests: &drawing::TESTS, asked: Asked::fixed(vec![case]) });
         suites
     }
 
@@ -117,7 +117,7 @@ impl Course for HalfEdge {
     }
 
     fn vocabulary(&self) -> &'static [Feature] {
-        features::VOCABULARY
+        features::vocabulary()
     }
 
     fn features(&self, earlier: &[&Exchange], exchange: &Exchange) -> Option<u128> {
@@ -141,12 +141,16 @@ impl Course for HalfEdge {
         }
     }
 
+    fn weighted(&self) -> &'static [&'static str] {
+        &["split_face", "split_in_half"]
+    }
+
     fn expected(&self, exchange: &Exchange) -> Option<Table> {
         super::expected(exchange)
     }
 
     fn answer(&self, exchange: &Exchange) -> Vec<Element> {
-        let asked = exchange.before.zip(exchange.called);
+        let asked = exchange.before().zip(exchange.called);
         let walk =
             asked.and_then(|(table, (arguments, _))| walk::expected(table, exchange.function, *arguments.first()?));
         walk.map_or_else(Vec::new, |walk| walk.elements.iter().map(|&number| (walk.element)(number)).collect())
@@ -159,26 +163,22 @@ impl Course for HalfEdge {
 
 /// Whether all vertices are at one place. A case that was made shorter has another name, and the same start.
 fn is_blind(start: &Start) -> bool {
-    let Start::Table(table) = start else { return false };
+    let Some(table) = start.half_edges() else { return false };
     let mut places = table.vertices.iter().flatten().map(|row| row.position);
     places.next().is_some_and(|first| places.all(|other| other == first))
 }
 
 /// Whether the structure that a split has left is not shown.
 fn is_unseen(exchange: &Exchange) -> bool {
-    matches!(exchange.function, "split_face" | "split_in_half") && exchange.after.is_none()
+    matches!(exchange.function, "split_face" | "split_in_half") && exchange.after().is_none()
 }
 
 fn by_call(case: &Case, answer: &CaseAnswer, judge: impl Fn(&Exchange) -> Vec<Fault>) -> Vec<Fault> {
     crate::fault::exchanges(case, answer).iter().flat_map(judge).collect()
 }
 
-fn fixed(cases: Vec<Case>) -> Vec<Asked> {
-    cases.into_iter().map(|case| Asked { case, source: Source::Fixed }).collect()
-}
-
 fn table(table: Table) -> Start {
-    Start::Table(Arc::new(table))
+    Start::table(table)
 }
 
 /// The structures of the exhaustive cases, with their names: those on which corners and vertices differ, one of
@@ -214,11 +214,11 @@ fn reading(name: &str, function: &str) -> Vec<Case> {
     };
     let first = format!("{letter}{}", u8::from(letter == 'f'));
     let mut cases =
-        vec![Case::new(format!("{name}.first"), Start::Rectangle).step(Step::Dump).step(Step::call(function, [first]))];
-    let fan = Start::Triangles(vec![[0.0, 0.0], [8.0, 0.0], [6.0, 5.0], [-1.0, 7.0]], vec![[0, 1, 2], [0, 2, 3]]);
+        vec![Case::new(format!("{name}.first"), rectangle()).step(Step::Dump).step(Step::call(function, [first]))];
+    let fan = triangles(&[[0.0, 0.0], [8.0, 0.0], [6.0, 5.0], [-1.0, 7.0]], &[[0, 1, 2], [0, 2, 3]]);
     let mut random = Random::new(4, name);
     let starts = [
-        ("rectangle", Start::Rectangle, [2, 6, 12]),
+        ("rectangle", rectangle(), [2, 6, 12]),
         ("triangle", polygon(3), [2, 3, 6]),
         ("two_triangles", fan, [3, 4, 10]),
         ("window", table(window()), [5, 9, 24]),
@@ -233,8 +233,8 @@ fn reading(name: &str, function: &str) -> Vec<Case> {
         starts.push((format!("{odd_name}{BLIND}"), table(blind(&odd)), counts));
     }
     starts.push((format!("window{BLIND}"), table(blind(&window())), [5, 9, 24]));
-    starts.push(("wheel".to_owned(), Start::Wheel(40), [3, 3, 9]));
-    starts.push(("convex".to_owned(), Start::Convex(300), [2, 2, 4]));
+    starts.push(("wheel".to_owned(), wheel(40), [3, 3, 9]));
+    starts.push(("convex".to_owned(), convex(300), [2, 2, 4]));
     for (start_name, start, [faces, vertices, half_edges]) in starts {
         let count = match letter {
             'f' => faces,
@@ -245,7 +245,7 @@ fn reading(name: &str, function: &str) -> Vec<Case> {
         case.steps.extend((0..count).map(|i| Step::call(function, [format!("{letter}{i}")])));
         cases.push(case);
     }
-    let mut grid = Case::new(format!("{name}.grid"), SMALL_GRID).step(Step::Dump);
+    let mut grid = Case::new(format!("{name}.grid"), small_grid()).step(Step::Dump);
     let far = match letter {
         'f' => [0, 256, 257, 300],
         'v' => [255, 256, 257, 335],
@@ -274,22 +274,22 @@ fn split_face_cases(structures: &[(String, Table)]) -> Vec<Case> {
         sequence(&format!("split_face.{name}"), start, &[&format!("split_face {pair}")])
     };
     let mut cases = vec![
-        one("across", Start::Rectangle, "h2 h8"),
-        one("back", Start::Rectangle, "h8 h2"),
+        one("across", rectangle(), "h2 h8"),
+        one("back", rectangle(), "h8 h2"),
         one("square", polygon(4), "h0 h4"),
-        one("outside", Start::Rectangle, "h1 h5"),
-        one("outside_back", Start::Rectangle, "h9 h3"),
-        one("same", Start::Rectangle, "h4 h4"),
-        one("next", Start::Rectangle, "h0 h2"),
-        one("prev", Start::Rectangle, "h2 h0"),
-        one("other_face", Start::Rectangle, "h0 h5"),
-        one("other_face_back", Start::Rectangle, "h5 h0"),
-        one("twelve", Start::Polygon(TWELVE.to_vec()), "h0 h4"),
-        one("convex", Start::Convex(300), "h0 h8"),
-        one("convex_outside", Start::Convex(300), "h1 h201"),
-        one("wheel", Start::Wheel(40), "h3 h83"),
-        one("grid", SMALL_GRID, "h1200 h1200.next.next"),
-        one("grid_outside", SMALL_GRID, "h1 h41"),
+        one("outside", rectangle(), "h1 h5"),
+        one("outside_back", rectangle(), "h9 h3"),
+        one("same", rectangle(), "h4 h4"),
+        one("next", rectangle(), "h0 h2"),
+        one("prev", rectangle(), "h2 h0"),
+        one("other_face", rectangle(), "h0 h5"),
+        one("other_face_back", rectangle(), "h5 h0"),
+        one("twelve", polygon_at(&TWELVE), "h0 h4"),
+        one("convex", convex(300), "h0 h8"),
+        one("convex_outside", convex(300), "h1 h201"),
+        one("wheel", wheel(40), "h3 h83"),
+        one("grid", small_grid(), "h1200 h1200.next.next"),
+        one("grid_outside", small_grid(), "h1 h41"),
     ];
     for (name, structure) in structures {
         let mut case =
@@ -312,12 +312,12 @@ fn split_in_half_cases(structures: &[(String, Table)]) -> Vec<Case> {
         sequence(&format!("split_in_half.{name}"), start, &[&format!("split_in_half {h}")])
     };
     let mut cases = vec![
-        one("inside", Start::Rectangle, "h0"),
-        one("outside", Start::Rectangle, "h5"),
+        one("inside", rectangle(), "h0"),
+        one("outside", rectangle(), "h5"),
         one("triangle", polygon(3), "h2"),
         one("triangle_outside", polygon(3), "h3"),
-        one("convex", Start::Convex(300), "h598"),
-        one("grid", SMALL_GRID, "h1200"),
+        one("convex", convex(300), "h598"),
+        one("grid", small_grid(), "h1200"),
     ];
     for (i, start) in rounding().into_iter().enumerate() {
         let mut case = Case::new(format!("split_in_half.rounding.{i}"), start).step(Step::Dump).step(Step::Save);
@@ -356,10 +356,10 @@ const TWELVE: [[f64; 2]; 12] = [
 /// Sequences of `split_face` with stored representatives, on both sides.
 fn face_sequences() -> Vec<(&'static str, Start, Vec<&'static str>)> {
     vec![
-        ("fan", Start::Rectangle, vec!["split_face h2 h6", "split_face h2 h8", "split_face h2 h10"]),
+        ("fan", rectangle(), vec!["split_face h2 h6", "split_face h2 h8", "split_face h2 h10"]),
         (
             "stored",
-            Start::Rectangle,
+            rectangle(),
             vec![
                 "split_face h2 h8",
                 "split_face f1.boundary f1.boundary.next.next",
@@ -369,7 +369,7 @@ fn face_sequences() -> Vec<(&'static str, Start, Vec<&'static str>)> {
         ),
         (
             "both_sides",
-            Start::Rectangle,
+            rectangle(),
             vec![
                 "split_face h2 h8",
                 "split_face h8.prev.twin h4",
@@ -389,7 +389,7 @@ fn face_sequences() -> Vec<(&'static str, Start, Vec<&'static str>)> {
         ),
         (
             "many_corners",
-            Start::Polygon(TWELVE.to_vec()),
+            polygon_at(&TWELVE),
             vec!["split_face h0 h4", "split_face h10 h4.prev.twin", "split_face h1 h15"],
         ),
         (
@@ -414,11 +414,11 @@ fn mixed_sequences() -> Vec<(&'static str, Start, Vec<&'static str>)> {
             polygon(3),
             vec!["split_in_half h0", "split_in_half h0", "split_in_half h0.next.twin", "split_in_half h0.prev"],
         ),
-        ("halves_of_halves", Start::Rectangle, vec!["split_in_half h0"; 8]),
+        ("halves_of_halves", rectangle(), vec!["split_in_half h0"; 8]),
         ("forty_halves", polygon(3), vec!["split_in_half h2"; 40]),
         (
             "door",
-            Start::Rectangle,
+            rectangle(),
             vec![
                 "split_face h2 h8",
                 "split_in_half h8.prev",
@@ -429,7 +429,7 @@ fn mixed_sequences() -> Vec<(&'static str, Start, Vec<&'static str>)> {
         ),
         (
             "stored",
-            Start::Rectangle,
+            rectangle(),
             vec![
                 "split_in_half f1.boundary",
                 "split_in_half f0.boundary",
@@ -464,7 +464,7 @@ fn sequence_cases(
     let named = fixed_ones.into_iter().map(|(case, start, calls)| sequence(&format!("{name}.{case}"), start, &calls));
     let mut named: Vec<Case> = named.collect();
     named.push(costs::splits(name, if weights[1] == 0 { "split_face" } else { "split_in_half" }));
-    let mut asked = fixed(named);
+    let mut asked = Asked::fixed(named);
     let (count, calls) = RANDOM;
     let mut numbers = Random::new(plan.seed, name);
     asked.extend((0..count).map(|i| Asked {
@@ -473,7 +473,8 @@ fn sequence_cases(
     }));
     if let Some(secret) = &plan.secret {
         let mut numbers = Random::new(secret.seed, name);
-        let weights = if weights[1] == 0 { weights } else { [secret.split_face, secret.split_in_half] };
+        let weights =
+            if weights[1] == 0 { weights } else { [secret.weight("split_face"), secret.weight("split_in_half")] };
         asked.extend((0..secret.sequences).map(|i| Asked {
             case: random(&format!("{name}.hidden.{i}"), Mix { calls: secret.calls, weights }, &mut numbers),
             source: Source::Hidden,

@@ -1,0 +1,198 @@
+//! The `dcel` command: parse, run one command, exit code.
+//!
+//! A library, so that an instructor's own lab can be the same program with one lab more: [`with_own_lab`].
+//!
+//! ```text
+//!   file ──> input.rs ──> subject.rs ──> one file per command ──> output.rs ──> stdout   the answer
+//!                                               │
+//!                                               └─> failure.rs ───────────────> stderr   errors, notes
+//!
+//!   exit code   0  fine         1  the answer is no         2  usage or input         3  the machine
+//! ```
+//!
+//! With `--json` errors go to stdout as JSON, too. Every file is written by save.rs: whole or not at all, and never over
+//! what is read; signals.rs removes what is half written.
+
+mod answer;
+mod build;
+mod camera;
+mod compare;
+mod completions;
+mod convert;
+mod delaunay;
+mod failure;
+mod figure;
+mod figure_kind;
+mod figures;
+mod gallery;
+mod grade;
+mod info;
+mod input;
+mod lab;
+mod locate;
+mod looks;
+mod navmesh;
+mod output;
+mod overlay;
+mod picture;
+mod sample;
+mod save;
+mod script;
+mod signals;
+mod solid;
+mod subject;
+mod tour;
+mod triangulate;
+mod validate;
+mod voronoi;
+mod walk;
+
+use answer::Answer;
+use clap::{Parser, Subcommand};
+use dcel_lab::judge::Judge;
+use failure::Failure;
+use output::Output;
+use std::io::Write;
+use std::path::Path;
+use std::process::ExitCode;
+
+/// Half-edge structures: look at them, check them, draw them
+#[derive(Parser, Debug)]
+#[command(
+    name = "dcel",
+    version,
+    propagate_version = false,
+    max_term_width = 100,
+    after_help = "\
+Exit codes: 0 fine, 1 the answer is no (invalid, differs), 2 usage or bad input, 3 the machine failed.
+
+Polygons that overlap, touch or cross are refused by name and place; --mend cuts them where they meet,
+on every command that reads polygons or segments. --trust skips the check; then nothing is called valid.
+
+Files are written whole or not at all; a failed command leaves the old file as it was. The input is only
+written over with --in-place.
+
+With --json an error is JSON on standard output, too: {\"error\": {\"kind\", \"message\", \"place\": {\"file\",
+\"line\", \"column\"} or null, \"notes\", \"help\", \"exit_code\"}}; kind is usage, input, machine or signal.
+
+`dcel sample --all .` writes the files that the examples of all commands use.
+
+Examples:
+  dcel sample square.obj
+  dcel info square.obj
+  dcel help info"
+)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand, Debug)]
+enum Command {
+    Info(info::Args),
+    Validate(validate::Args),
+    Walk(walk::Args),
+    Compare(compare::Args),
+    Convert(convert::Args),
+    Build(build::Args),
+    Locate(locate::Args),
+    Overlay(overlay::Args),
+    Triangulate(Box<triangulate::Args>),
+    Navmesh(navmesh::Args),
+    Delaunay(Box<delaunay::Args>),
+    Voronoi(Box<voronoi::Args>),
+    Figure(Box<figure::Args>),
+    Script(script::Args),
+    Solid(solid::Args),
+    Lab(lab::Args),
+    Grade(Box<grade::Args>),
+    Sample(sample::Args),
+    Tour(tour::Args),
+    Figures(figures::Args),
+    Completions(completions::Args),
+}
+
+impl Command {
+    /// Whether it waits for signals itself, to stop in order.
+    fn ends_in_order(&self) -> bool {
+        matches!(self, Self::Grade(args) if args.runs_programs())
+    }
+
+    fn run(self, out: &mut Output) -> Result<Answer, Failure> {
+        match self {
+            Self::Info(args) => info::run(&args, out),
+            Self::Validate(args) => validate::run(&args, out),
+            Self::Walk(args) => walk::run(&args, out),
+            Self::Compare(args) => compare::run(&args, out),
+            Self::Convert(args) => convert::run(&args, out),
+            Self::Build(args) => build::run(&args, out),
+            Self::Locate(args) => locate::run(&args, out),
+            Self::Overlay(args) => overlay::run(&args, out),
+            Self::Triangulate(args) => triangulate::run(&args, out),
+            Self::Navmesh(args) => navmesh::run(&args, out),
+            Self::Delaunay(args) => delaunay::run(&args, out),
+            Self::Voronoi(args) => voronoi::run(&args, out),
+            Self::Figure(args) => figure::run(&args, out),
+            Self::Script(args) => script::run(&args, out),
+            Self::Solid(args) => solid::run(&args, out),
+            Self::Lab(args) => lab::run(&args, out),
+            Self::Grade(args) => grade::run(&args, out),
+            Self::Sample(args) => sample::run(&args, out),
+            Self::Tour(args) => tour::run(&args, out),
+            Self::Figures(args) => figures::run(&args, out),
+            Self::Completions(args) => completions::run(&args, out),
+        }
+    }
+}
+
+/// The program `dcel`.
+pub fn main() -> ExitCode {
+    // Behind walls the command starts itself again to put them up.
+    dcel_lab::launched().unwrap_or_else(answered)
+}
+
+/// The program `dcel` with one lab more, that of an instructor: `lab check`, `lab verify`, `lab export`, `grade` and all
+/// others know it by its name and number. `folder` is the folder of the lab, where its `lab.toml` lies.
+///
+/// ```no_run
+/// use dcel_lab::judge::Judge;
+/// # fn judge() -> &'static dyn Judge { todo!() }
+/// fn main() -> std::process::ExitCode {
+///     dcel_cli::with_own_lab(concat!(env!("CARGO_MANIFEST_DIR"), "/.."), judge())
+/// }
+/// ```
+pub fn with_own_lab(folder: impl AsRef<Path>, judge: &'static dyn Judge) -> ExitCode {
+    dcel_lab::courses::add_own(folder.as_ref(), judge);
+    main()
+}
+
+/// Runs the command that the arguments ask for.
+fn answered() -> ExitCode {
+    let mut out = Output::new();
+    let json = failure::is_json_wanted();
+    let command = match Cli::try_parse() {
+        Ok(cli) => cli.command,
+        Err(error) => {
+            if json && error.use_stderr() {
+                Failure::usage(&error).report_json(&mut out);
+            }
+            error.exit()
+        }
+    };
+    let ready = if command.ends_in_order() { Ok(()) } else { signals::clean_up() };
+    let ready = ready.map_err(|error| Failure::machine(format!("signals: {error}"), ""));
+    let answer = ready.and_then(|()| command.run(&mut out)).and_then(|answer| {
+        out.flush()?;
+        Ok(answer)
+    });
+    match answer {
+        Ok(answer) => answer.exit_code(),
+        Err(failure) => {
+            failure.report();
+            if json {
+                failure.report_json(&mut out);
+            }
+            failure.exit_code()
+        }
+    }
+}

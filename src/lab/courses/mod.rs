@@ -1,0 +1,50 @@
+//! The judges of the labs that come with the kit. Nothing else here knows a lab by its name.
+//!
+//! A further lab is a folder here, a line in [`judge_of`], and a folder in `labs/`. A lab outside of the kit brings its
+//! judge along, see [`Lab::with_judge`](crate::Lab::with_judge).
+
+pub mod half_edge;
+
+use crate::judge::Judge;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+/// The judge of a lab, by the name of its folder: one of the kit's, or one that [`add_own`] has added.
+#[must_use]
+pub fn judge_of(lab: &str) -> Option<&'static dyn Judge> {
+    match lab {
+        "04-half-edge" => Some(&half_edge::HALF_EDGE),
+        _ => own().into_iter().find(|own| own.name() == lab).map(|own| own.judge),
+    }
+}
+
+/// A lab outside of the kit.
+#[derive(Clone)]
+pub(crate) struct OwnLab {
+    /// Where its `lab.toml` lies.
+    pub(crate) folder: PathBuf,
+    judge: &'static dyn Judge,
+}
+
+impl OwnLab {
+    /// As its folder is called.
+    pub(crate) fn name(&self) -> String {
+        self.folder.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+    }
+}
+
+/// The labs that were added to this process.
+static OWN: Mutex<Vec<OwnLab>> = Mutex::new(Vec::new());
+
+/// Adds a lab that lies outside of the kit, in the folder with its `lab.toml`: from now on it is found by its name, as
+/// those of the kit are.
+pub fn add_own(folder: &Path, judge: &'static dyn Judge) {
+    // `judge/..` is the lab's folder by another name.
+    let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
+    OWN.lock().unwrap_or_else(PoisonError::into_inner).push(OwnLab { folder, judge });
+}
+
+/// The labs that were added.
+pub(crate) fn own() -> Vec<OwnLab> {
+    OWN.lock().unwrap_or_else(PoisonError::into_inner).clone()
+}

@@ -1,0 +1,66 @@
+//! The words in which a judge says what holds of a call, as bits of a set.
+
+use super::judge::Feature;
+
+/// Declares the features of a lab: an enum of their names and the vocabulary, in the order in which a reader would
+/// rather hear them. There may be 128.
+///
+/// ```
+/// dcel_lab::features! {
+///     Outer "outer" "the face is the outer one",
+///     Many "many" "the face has more than 8 half-edges",
+/// }
+/// let mut set = dcel_lab::FeatureSet::default();
+/// set.add(Word::Many as u32, true);
+/// assert_eq!((set.bits(), VOCABULARY[1].id), (0b10, "many"));
+/// ```
+#[macro_export]
+macro_rules! features {
+    ($($name:ident $id:literal $clause:literal,)*) => {
+        /// A feature, by its bit.
+        #[derive(Clone, Copy)]
+        #[repr(u32)]
+        enum Word { $($name,)* }
+
+        /// All features, those that a reader would rather hear first.
+        static VOCABULARY: &[$crate::judge::Feature] = &[$($crate::judge::Feature { id: $id, clause: $clause },)*];
+
+        const _: () = assert!(VOCABULARY.len() <= 128, "a set has 128 bits");
+    };
+}
+
+/// A set of features.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct FeatureSet(u128);
+
+impl FeatureSet {
+    /// Adds a feature if it holds.
+    pub fn add(&mut self, bit: u32, holds: bool) {
+        self.0 |= u128::from(holds) << bit;
+    }
+
+    /// Adds one feature or the other.
+    pub fn either(&mut self, yes: u32, no: u32, holds: bool) {
+        self.add(yes, holds);
+        self.add(no, !holds);
+    }
+
+    /// Adds each feature whose number is passed: `[(2, bit of "more than 2"), …]`.
+    pub fn more(&mut self, count: usize, steps: impl IntoIterator<Item = (usize, u32)>) {
+        for (than, bit) in steps {
+            self.add(bit, count > than);
+        }
+    }
+
+    /// The set, bit i for feature i of the vocabulary.
+    #[must_use]
+    pub fn bits(self) -> u128 {
+        self.0
+    }
+
+    /// Whether a feature of the vocabulary is in it, by its id.
+    #[must_use]
+    pub fn has(self, vocabulary: &[Feature], id: &str) -> bool {
+        vocabulary.iter().position(|feature| feature.id == id).is_some_and(|bit| self.0 >> bit & 1 == 1)
+    }
+}
