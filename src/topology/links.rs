@@ -53,8 +53,8 @@ pub struct Dcel {
     pub(super) free: FreeLists,
 }
 
-/// Heads and lengths of the three free lists.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+/// Heads and lengths of the three free lists. Which ids are kept makes no difference to `==`.
+#[derive(Clone, Copy, Eq, Debug)]
 pub(super) struct FreeLists {
     pub(super) vertex: u32,
     pub(super) edge: u32,
@@ -62,10 +62,20 @@ pub(super) struct FreeLists {
     pub(super) vertices: u32,
     pub(super) edges: u32,
     pub(super) faces: u32,
+    /// Numbers of vertices, edges and faces below these are in no list: see `pool.rs`.
+    pub(super) kept: [u32; 3],
+}
+
+impl PartialEq for FreeLists {
+    fn eq(&self, other: &Self) -> bool {
+        let lists = |free: &Self| [free.vertex, free.edge, free.face, free.vertices, free.edges, free.faces];
+        lists(self) == lists(other)
+    }
 }
 
 impl FreeLists {
-    const EMPTY: Self = Self { vertex: FREE_END, edge: FREE_END, face: FREE_END, vertices: 0, edges: 0, faces: 0 };
+    pub(super) const EMPTY: Self =
+        Self { vertex: FREE_END, edge: FREE_END, face: FREE_END, vertices: 0, edges: 0, faces: 0, kept: [0; 3] };
 }
 
 /// The whole columns of a structure, as a builder fills them.

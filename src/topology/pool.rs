@@ -6,9 +6,12 @@
 //! ```
 //!
 //! An edit allocates before it frees, so a slot is never taken again by the edit that freed it.
+//!
+//! An owner can keep all ids of a moment (`keep_ids`): what is removed of these is in no list, and its slot is empty
+//! until the owner offers that very id to the next edit.
 
 use super::Dcel;
-use super::links::{Columns, FREE_END, NONE, TAG};
+use super::links::{Columns, FREE_END, FreeLists, NONE, TAG};
 use super::record::{Change, Journal, Recorder};
 use crate::ids::{EdgeId, EdgeMap, Element, FaceId, FaceMap, HalfEdgeId, MAX_IDS, VertexId, VertexMap, must_be_below};
 
@@ -179,22 +182,71 @@ impl Dcel {
         rec.record(Change::Removed { element: f.into() });
     }
 
+    /// From now on no edit uses the number of an element that is removed, if it is below the present bounds, unless it
+    /// is offered by [`offer_edge`](Self::offer_edge) or [`offer_face`](Self::offer_face). O(1).
+    pub(crate) fn keep_ids(&mut self) {
+        let [vertices, edges, faces] = [self.vertex_bound(), self.edge_bound(), self.face_bound()];
+        self.free.kept = [vertices, edges, faces].map(|bound| bound as u32);
+        (self.free.vertex, self.free.edge, self.free.face) = (FREE_END, FREE_END, FREE_END);
+    }
+
+    /// Takes back [`keep_ids`](Self::keep_ids): every number that is free can be used by any edit. O(n).
+    pub(crate) fn release_ids(&mut self) {
+        self.free = FreeLists::EMPTY;
+        for v in (0..self.vertex_bound() as u32).rev().map(VertexId) {
+            if !self.has_record(v.into()) {
+                self.free_vertex(v);
+            }
+        }
+        for e in (0..self.edge_bound() as u32).rev().map(EdgeId) {
+            if !self.has_record(e.into()) {
+                self.free_edge(e);
+            }
+        }
+        for f in (0..self.face_bound() as u32).rev().map(FaceId) {
+            if !self.has_record(f.into()) {
+                self.free_face(f);
+            }
+        }
+    }
+
+    /// The next edge that is made gets this number, which is kept and of no edge now.
+    pub(crate) fn offer_edge(&mut self, e: EdgeId) {
+        debug_assert!(e.0 < self.free.kept[1] && !self.has_edge(e), "{e} is no kept number, or in use");
+        let link = TAG | self.free.edge;
+        self.edge_words(e).fill(link);
+        self.free.edge = e.0;
+    }
+
+    /// The next face that is made gets this number, which is kept and of no face now.
+    pub(crate) fn offer_face(&mut self, f: FaceId) {
+        debug_assert!(f.0 < self.free.kept[2] && !self.has_face(f), "{f} is no kept number, or in use");
+        *self.face_word(f) = TAG | self.free.face;
+        self.free.face = f.0;
+    }
+
     fn free_vertex(&mut self, v: VertexId) {
         *self.vertex_word(v) = TAG | self.free.vertex;
-        self.free.vertex = v.0;
+        if v.0 >= self.free.kept[0] {
+            self.free.vertex = v.0;
+        }
         self.free.vertices += 1;
     }
 
     fn free_edge(&mut self, e: EdgeId) {
         let link = TAG | self.free.edge;
         self.edge_words(e).fill(link);
-        self.free.edge = e.0;
+        if e.0 >= self.free.kept[1] {
+            self.free.edge = e.0;
+        }
         self.free.edges += 1;
     }
 
     fn free_face(&mut self, f: FaceId) {
         *self.face_word(f) = TAG | self.free.face;
-        self.free.face = f.0;
+        if f.0 >= self.free.kept[2] {
+            self.free.face = f.0;
+        }
         self.free.faces += 1;
     }
 
@@ -227,7 +279,20 @@ impl Dcel {
     }
 
     fn undo_removed(&mut self, element: Element) {
+        let [vertices, edges, faces] = self.free.kept;
         match element {
+            Element::Vertex(v) if v.0 < vertices => {
+                *self.vertex_word(v) = NONE;
+                self.free.vertices -= 1;
+            }
+            Element::Edge(e) if e.0 < edges => {
+                self.edge_words(e).fill(NONE);
+                self.free.edges -= 1;
+            }
+            Element::Face(f) if f.0 < faces => {
+                *self.face_word(f) = NONE;
+                self.free.faces -= 1;
+            }
             Element::Vertex(_) => drop(self.add_vertex_record(&mut super::NoRecorder)),
             Element::Edge(_) => drop(self.add_edge_record(&mut super::NoRecorder)),
             Element::Face(_) => drop(self.add_face_record(&mut super::NoRecorder)),

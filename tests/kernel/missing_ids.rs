@@ -1,7 +1,7 @@
 //! An id that does not exist is named, and told how many there are: by every public function that takes one, as an error
 //! or as a panic, unless the answer for such an id is an ordinary one.
 
-use dcel_kit::navmesh::NavMesh;
+use dcel_kit::navmesh::{LiveMesh, NavMesh};
 use dcel_kit::plane::{ArrangeOptions, Location, Point, Subdivision, TriangulationMethod};
 use dcel_kit::solid::grow::{pole, quads};
 use dcel_kit::solid::{Direction, Platonic, Polyhedron};
@@ -49,7 +49,8 @@ impl Table {
 
 /// Functions for which an id that does not exist is an ordinary question: `None`, `false`, nothing, or a number made of
 /// the id alone. Their answers are in their docs.
-const ORDINARY: [&str; 35] = [
+const ORDINARY: [&str; 36] = [
+    "area",
     "block",
     "bounded_cycle",
     "climb",
@@ -319,6 +320,8 @@ fn navmesh() -> BTreeSet<&'static str> {
     t.refuses("place_in", mesh.place_in(F, Point::new(1.0, 1.0)));
     assert_eq!((mesh.block(F), mesh.unblock(F), mesh.set_wall(F, E, true)), (None, None, None));
     assert_eq!((mesh.component(F), mesh.door(F), mesh.has_face(F)), (None, None, false));
+    let live = LiveMesh::new(map.clone()).expect("convex faces");
+    assert_eq!((live.area(F), live.area(FaceId::new(1))), (None, Some(0)));
     assert!(!mesh.is_blocked(F) && !mesh.is_walkable(F) && !mesh.is_dead_end(F) && !mesh.is_wall(E));
     assert_eq!((mesh.corners(F).count(), mesh.sides(F).count(), mesh.neighbours(F).count()), (0, 0, 0));
     assert!(mesh.faces_around(V).is_empty() && mesh.wedges(V).is_empty());

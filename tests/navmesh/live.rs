@@ -651,3 +651,147 @@ fn obstacles_come_and_go_where_gaps_are_cut_into_many_faces() {
         check_restored(&live, &map, &format!("seed {seed}"));
     }
 }
+
+/// The edges of a map between two walkable faces.
+fn inner_edges(map: &Subdivision) -> Vec<EdgeId> {
+    let is_free = |f: FaceId| f != map.outer_face() && !map.is_hole(f);
+    map.edges().filter(|e| e.half_edges().iter().all(|&h| is_free(map.face(h)))).collect()
+}
+
+/// Each inner edge of the first map is there as it was, with its id, or it is not there at all: and then something stands
+/// in its way. Each vertex is one of the first map, the corner of an obstacle, or where two lines cross that close
+/// something.
+fn check_unbent(live: &LiveMesh, first: &Subdivision, inner: &[EdgeId], context: &str) -> usize {
+    let map = live.map();
+    let ends = |s: &Subdivision, e: EdgeId| e.half_edges().map(|h| s.point(s.origin(h)));
+    let lines = || {
+        let sides = |corners: &[Point]| match corners {
+            &[p, q] => vec![[p, q]],
+            corners => {
+                corners.iter().copied().zip(corners.iter().copied().cycle().skip(1)).map(|(p, q)| [p, q]).collect()
+            }
+        };
+        live.obstacles().into_iter().flat_map(move |id| sides(live.corners(id).expect("in the map")))
+    };
+    let borders = first.edges().filter(|e| inner.binary_search(e).is_err()).map(|e| ends(first, e));
+    let closed: Vec<[Point; 2]> = borders.chain(lines()).collect();
+    // Rounding may lead a wall past the end of an edge: some last places are left to it.
+    let near = |p: Point, [a, b]: [Point; 2]| {
+        let [x, y] = [b.x - a.x, b.y - a.y];
+        let along = (((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y)).clamp(0.0, 1.0);
+        (p.x - a.x - along * x).hypot(p.y - a.y - along * y) < 1e-12
+    };
+    for v in map.vertices() {
+        let p = map.point(v);
+        let is_first = v.index() < first.vertex_bound() && first.point(v) == p;
+        let is_corner = || lines().any(|line| line.contains(&p));
+        let is_crossing = || closed.iter().filter(|&&line| near(p, line)).count() > 1;
+        assert!(is_first || is_corner() || is_crossing(), "{context}: {v} at {p} is where nothing crosses");
+    }
+    let mut out = 0;
+    for &e in inner {
+        let [a, b] = ends(first, e);
+        if map.has_edge(e) {
+            assert_eq!(ends(map, e), [a, b], "{context}: {e} is bent, or another edge");
+            continue;
+        }
+        out += 1;
+        let crosses = |[p, q]: [Point; 2]| {
+            let side = |a: Point, b: Point, c: Point| (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+            side(a, b, p) * side(a, b, q) <= 0.0 && side(p, q, a) * side(p, q, b) <= 0.0
+        };
+        let touches = |line: [Point; 2]| {
+            crosses(line) || line.iter().any(|&p| near(p, [a, b])) || [a, b].iter().any(|&p| near(p, line))
+        };
+        assert!(lines().any(touches), "{context}: {e} is out, and nothing is in its way");
+    }
+    out
+}
+
+/// Inner edges of the given map are never bent, and nothing else keeps a rounded corner: they are out while something is
+/// in their way, and come back with their ids and those of the faces beside them.
+#[test]
+fn edges_of_the_given_map_are_never_bent() {
+    let (mut out, mut back) = (0, 0);
+    for seed in 0..24 {
+        let size = 4 + seed as usize % 3;
+        let map = Map::random(seed, size, [1.0, 0.85][seed as usize % 2], [0.0, 0.4][seed as usize / 2 % 2]);
+        let first = map.subdivision();
+        let inner = inner_edges(&first);
+        let mut live = LiveMesh::new(first.clone()).expect("triangles");
+        let mut random = Random::new(seed + 19_000);
+        let mut inside: Vec<(ObstacleId, Vec<Point>)> = Vec::new();
+        let mut script = format!("seed {seed}");
+        let mut planner = Planner::new();
+        for _ in 0..16 {
+            let on_grid = seed % 4 == 3;
+            let mut place = || {
+                let [x, y] = [(); 2].map(|()| random.unit() * size as f64);
+                if on_grid { at((4.0 * x).round() / 4.0, (4.0 * y).round() / 4.0) } else { at(x, y) }
+            };
+            let [p, q] = [place(), place()];
+            match random.below(6) {
+                0 | 1 if p != q => {
+                    script += &format!("\n{p} {q}");
+                    let id = live.insert_wall(p, q).unwrap_or_else(|error| panic!("{script}: {error}"));
+                    inside.push((id, vec![p, q]));
+                }
+                2 | 3 => {
+                    let corners = vec![p, at(p.x + 0.75, p.y + 0.25), at(p.x + 0.25, p.y + 1.0)];
+                    script += &format!("\n{corners:?}");
+                    let id = live.insert_obstacle(&corners).unwrap_or_else(|error| panic!("{script}: {error}"));
+                    inside.push((id, corners));
+                }
+                _ if !inside.is_empty() => {
+                    let (gone, _) = inside.swap_remove(random.below(inside.len()));
+                    script += &format!("\nremove {gone}");
+                    let before = inner.iter().filter(|&&e| live.map().has_edge(e)).count();
+                    live.remove(gone).unwrap_or_else(|error| panic!("{script}: {error}"));
+                    back += inner.iter().filter(|&&e| live.map().has_edge(e)).count() - before;
+                }
+                _ => {}
+            }
+            assert_eq!(live.map().geometry_violations(), [], "{script}");
+            out += check_unbent(&live, &first, &inner, &script);
+            if !on_grid {
+                check_anew(&live, &first, &inside, &mut planner, &mut random, &script);
+            }
+        }
+        inside.into_iter().for_each(|(id, _)| live.remove(id).expect("in the map"));
+        check_restored(&live, &first, &script);
+    }
+    assert!(out > 1000 && back > 300, "{out} out, {back} back: nothing is put to the test");
+}
+
+/// Borders of areas stay where they are, and each face knows its area whatever it is cut into.
+#[test]
+fn areas_keep_their_borders_while_obstacles_come_and_go() {
+    for seed in 0..8 {
+        let first = Map::random(seed, 5, 1.0, 0.0).subdivision();
+        let index = dcel_kit::plane::PointIndex::new(first.clone());
+        let area = |f: FaceId| f.number() / 7 % 3;
+        let mut live = LiveMesh::with_areas(first.clone(), area).expect("triangles");
+        let mut random = Random::new(seed + 20_000);
+        let mut inside: Vec<ObstacleId> = Vec::new();
+        for step in 0..12 {
+            let [x, y] = [(); 2].map(|()| 4.0 * random.unit());
+            if random.below(3) == 0 && !inside.is_empty() {
+                live.remove(inside.swap_remove(random.below(inside.len()))).expect("in the map");
+            } else {
+                let corners = [at(x, y), at(x + 1.3, y + 0.3), at(x + 0.4, y + 1.2)];
+                inside.push(insert(&mut live, &corners[..2 + step % 2]).expect("it fits"));
+            }
+            for f in live.mesh().faces() {
+                let corners: Vec<Point> = live.mesh().corners(f).map(|v| live.mesh().point(v)).collect();
+                let n = corners.len() as f64;
+                let [x, y] = corners.iter().fold([0.0; 2], |[x, y], p| [x + p.x / n, y + p.y / n]);
+                let dcel_kit::plane::Location::Face(was) = index.locate(at(x, y)) else { continue };
+                if was != first.outer_face() {
+                    assert_eq!(live.area(f), Some(area(was)), "seed {seed}, step {step}: {f} in {was}");
+                }
+            }
+        }
+        inside.into_iter().for_each(|id| live.remove(id).expect("in the map"));
+        check_restored(&live, &first, &format!("seed {seed}"));
+    }
+}

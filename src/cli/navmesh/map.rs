@@ -8,14 +8,13 @@ use super::space::{Ground, surface_failure};
 use clap::ValueEnum;
 use dcel_kit::io::{
     Axis, Document, Format, Grid, LoadOptions, Number, PolygonSoup, Read, ReadOptions, Structure, assemble, counted,
-    read_path, source_name,
+    read_path, read_whole, source_name,
 };
 use dcel_kit::navmesh::{Inset, MeshFault, NavMesh, NavMeshError, NavSurface, Planner, Welded, mesh_faults, weld};
 use dcel_kit::plane::predicates::orientation;
 use dcel_kit::plane::{Point, Subdivision, TriangulateError, TriangulationMethod};
 use dcel_kit::topology::Mode;
 use dcel_kit::{FaceId, FaceMap};
-use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 /// The map, and how to read it.
@@ -95,6 +94,8 @@ pub(super) struct Map {
     pub(super) mesh: NavMesh,
     /// What the file calls its faces.
     pub(super) names: Names,
+    /// What faces cost, if obstacles have changed them since that was said.
+    costs: Option<FaceMap<f64>>,
     frame: Frame,
 }
 
@@ -142,7 +143,8 @@ impl Map {
     pub(super) fn inset(&self, inset: Inset) -> Self {
         let (subdivision, mesh) = inset.into_parts();
         let names = Names::default();
-        Self { source: self.source.clone(), format: self.format, subdivision, mesh, names, frame: self.frame }
+        let source = self.source.clone();
+        Self { source, format: self.format, subdivision, mesh, names, costs: None, frame: self.frame }
     }
 
     /// A point of the map, as the file has it.
@@ -152,6 +154,9 @@ impl Map {
 
     /// What a unit of length costs in each face; `None` if there are no areas.
     pub(super) fn costs(&self, areas: &[Area]) -> Result<Option<FaceMap<f64>>, Failure> {
+        if self.costs.is_some() {
+            return Ok(self.costs.clone());
+        }
         let inside = |f: FaceId| middle(&self.mesh.corners(f).map(|v| self.mesh.point(v)).collect::<Vec<_>>());
         let faces = Faces {
             source: &self.source,
@@ -214,7 +219,7 @@ impl MapArgs {
             return Err(Failure::input(what, "leave --weld out"));
         }
         if self.is_grid() && self.triangles {
-            let grid = Grid::parse(&bytes(&self.file)?, &self.source())?;
+            let grid = Grid::parse(&read_whole(&self.file)?, &self.source())?;
             let regions = grid.regions().map_err(|error| Failure::input(format!("{}: {error}", self.source()), ""))?;
             return plane(Draft::Regions(regions));
         }
@@ -433,8 +438,15 @@ impl MapArgs {
             };
             Failure::input(format!("{source}: {what}"), help)
         })?;
-        let (subdivision, mesh) = self.obstacles.put_in(&source, subdivision, mesh, |p| frame.point(p))?;
-        Ok(Map { source, format, subdivision, mesh, names, frame })
+        let map = Map { source, format, subdivision, mesh, names, costs: None, frame };
+        if !self.has_obstacles() {
+            return Ok(map);
+        }
+        let costs = map.costs(areas)?;
+        let Map { source, subdivision, names, .. } = map;
+        let put = self.obstacles.put_in(&source, subdivision, costs.as_ref(), |p| frame.point(p));
+        let (subdivision, mesh, costs) = put?;
+        Ok(Map { source, format, subdivision, mesh, names, costs, frame })
     }
 }
 
@@ -487,20 +499,4 @@ fn faults_of(soup: &PolygonSoup, orient: bool) -> Vec<MeshFault> {
         }
     }
     mesh_faults(&points, &turned, &soup.blocked)
-}
-
-/// All bytes of a file, or of standard input for `-`.
-pub(super) fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
-    let mut bytes = Vec::new();
-    let read = match path.as_os_str() == "-" {
-        true => std::io::stdin().lock().read_to_end(&mut bytes),
-        false => std::fs::File::open(path).and_then(|mut file| file.read_to_end(&mut bytes)),
-    };
-    read.map_err(|error| match error.kind() {
-        std::io::ErrorKind::IsADirectory => {
-            Failure::input(format!("{}: cannot be read: it is a directory", path.display()), "give a file in it")
-        }
-        _ => Failure::input(format!("{}: cannot be read: {error}", path.display()), "check the name of the file"),
-    })?;
-    Ok(bytes)
 }

@@ -1,6 +1,7 @@
 //! Walls and obstacles of the command line, put into a map before anything is asked of it.
 
 use super::super::failure::Failure;
+use dcel_kit::FaceMap;
 use dcel_kit::navmesh::{LiveMesh, NavMesh, NavMeshError, ObstacleError};
 use dcel_kit::plane::{Point, Subdivision};
 
@@ -49,19 +50,27 @@ impl ObstacleArgs {
         !self.wall.is_empty() || !self.obstacle.is_empty()
     }
 
-    /// The map with everything put in, and its navmesh. `place` takes points of the file to those of the map.
+    /// The map with everything put in, its navmesh, and what faces cost in it if they had costs before. `place` takes
+    /// points of the file to those of the map.
     pub(super) fn put_in(
         &self,
         source: &str,
         map: Subdivision,
-        mesh: NavMesh,
+        costs: Option<&FaceMap<f64>>,
         place: impl Fn([f64; 2]) -> Point,
-    ) -> Result<(Subdivision, NavMesh), Failure> {
-        if self.wall.is_empty() && self.obstacle.is_empty() {
-            return Ok((map, mesh));
-        }
-        let mesh_error = |error: NavMeshError| Failure::input(format!("{source}: {error}"), "");
-        let mut live = LiveMesh::new(map).map_err(mesh_error)?;
+    ) -> Result<(Subdivision, NavMesh, Option<FaceMap<f64>>), Failure> {
+        // Faces of one cost are one area.
+        let mut areas: Vec<f64> = costs.iter().flat_map(|costs| costs.as_slice()).copied().collect();
+        areas.sort_by(f64::total_cmp);
+        areas.dedup();
+        let live = match costs {
+            None => LiveMesh::new(map),
+            Some(costs) => LiveMesh::with_areas(map, |f| {
+                let cost = costs.get(f).copied().unwrap_or(1.0);
+                areas.partition_point(|area| area.total_cmp(&cost).is_lt()) as u32
+            }),
+        };
+        let mut live = live.map_err(|error: NavMeshError| Failure::input(format!("{source}: {error}"), ""))?;
         let given = self.wall.iter().map(|corners| ("--wall", corners));
         for (flag, Corners { points, text }) in given.chain(self.obstacle.iter().map(|corners| ("--obstacle", corners)))
         {
@@ -81,7 +90,15 @@ impl ObstacleArgs {
                 Failure::input(format!("{source}: {flag} {text}: {error}"), help)
             })?;
         }
-        Ok(live.into_parts())
+        let costs = costs.map(|_| {
+            let mut costs = FaceMap::filled(live.mesh().face_bound(), 1.0);
+            for f in live.mesh().faces() {
+                costs[f] = live.area(f).and_then(|area| areas.get(area as usize)).copied().unwrap_or(1.0);
+            }
+            costs
+        });
+        let (map, mesh) = live.into_parts();
+        Ok((map, mesh, costs))
     }
 }
 

@@ -1,10 +1,14 @@
 //! What every edge and face of the map is there for.
 //!
 //! ```text
-//!   ═══●═══════●═══    pieces of an edge of the first map      An edge that is neither a piece of the first map nor
-//!      │      ╱        the side of an obstacle                 on the side of an obstacle is a cut: it is there to
-//!      │ ┄┄┄┄╱         a cut                                   keep faces convex, and for nothing else.
+//!   ═══●═══════●═══    pieces of a border of the first map     An edge that is neither a piece of a border nor on the
+//!      │      ╱        the side of an obstacle                 side of an obstacle is a cut: it is there to keep faces
+//!      │ ┄┄┄┄╱         a cut                                   convex, and for nothing else.
 //! ```
+//!
+//! Edges of the first map with walkable faces of one area on both sides are cuts, too. They are in the map whole, with
+//! the id they had, or not at all: one that an obstacle crosses is out until nothing is in its way any more. Its id is
+//! kept for it.
 //!
 //! What is split hands its reasons on to both parts. So two edges in a row have equal reasons just if the vertex
 //! between them is in the middle of one line, as it was given; where rounding has bent the line, too.
@@ -12,7 +16,7 @@
 //! Each obstacle knows its edges and faces, and every change is written down until the edit is kept: so an edit costs
 //! what it touches, however many obstacles there are.
 
-use crate::ids::{EdgeId, Element, FaceId, VertexId};
+use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::{Point, Subdivision};
 use crate::topology::{Change, Slot};
 use std::collections::{BTreeMap, BTreeSet};
@@ -30,14 +34,19 @@ impl std::fmt::Display for ObstacleId {
 /// One side of an obstacle, from 0.
 pub(super) type SideOf = (ObstacleId, usize);
 
-/// The elements of the map before the first obstacle. None of them ever goes: edges lend their ids to a piece.
+/// The elements of the map before the first obstacle: all with numbers below these. Vertices and borders never go, and
+/// borders lend their ids to a piece.
 #[derive(Clone, Debug, PartialEq)]
 struct First {
     vertices: usize,
     edges: usize,
     faces: usize,
-    /// Numbers below these that were free.
-    free: BTreeSet<Element>,
+    /// The faces beside each edge, that of its first half first.
+    beside: Vec<[FaceId; 2]>,
+    /// Whether each edge was a cut.
+    cuts: Vec<bool>,
+    /// The area of each face; empty if there is one only.
+    areas: Vec<u32>,
 }
 
 /// An obstacle and what it closes.
@@ -47,6 +56,8 @@ pub(super) struct Obstacle {
     pub(super) corners: Vec<Point>,
     edges: BTreeSet<EdgeId>,
     faces: BTreeSet<FaceId>,
+    /// Cuts of the first map that are out, with something of this obstacle in their way.
+    blocks: BTreeSet<EdgeId>,
 }
 
 /// What an entry was before it was changed.
@@ -55,6 +66,17 @@ enum Before {
     Piece(EdgeId, Option<EdgeId>),
     Borders(EdgeId, BTreeSet<SideOf>),
     Covers(FaceId, BTreeSet<ObstacleId>),
+    Area(FaceId, Option<u32>),
+}
+
+/// What has become of a cut of the first map that was out.
+pub(super) enum Return {
+    /// It is in the map again.
+    Done,
+    /// Something of this obstacle is in its way.
+    Blocked(ObstacleId),
+    /// What is in its way belongs to no obstacle: a border that rounding has bent.
+    Later,
 }
 
 /// Who closes what, and what was there before.
@@ -67,6 +89,12 @@ pub(super) struct Book {
     borders: BTreeMap<EdgeId, BTreeSet<SideOf>>,
     /// The obstacles that cover a face.
     covers: BTreeMap<FaceId, BTreeSet<ObstacleId>>,
+    /// The areas of faces that came later.
+    areas: BTreeMap<FaceId, u32>,
+    /// Cuts of the first map that are out, and the ends they had.
+    out: BTreeMap<EdgeId, [VertexId; 2]>,
+    /// Those of them that no obstacle blocks, as far as is known.
+    waiting: BTreeSet<EdgeId>,
     obstacles: BTreeMap<ObstacleId, Obstacle>,
     next: u32,
     /// What the edit under way has changed, the last change last.
@@ -74,34 +102,88 @@ pub(super) struct Book {
 }
 
 impl Book {
-    /// For a map without obstacles. O(n).
-    pub(super) fn new(map: &Subdivision) -> Self {
+    /// For a map without obstacles, with the area of each face; none if there is one only. O(n).
+    pub(super) fn new(map: &Subdivision, areas: Vec<u32>) -> Self {
         let [vertices, edges, faces] = [map.vertex_bound(), map.edge_bound(), map.face_bound()];
-        let free_vertices = (0..vertices as u32).map(VertexId::new).filter(|&v| !map.has_vertex(v)).map(Element::from);
-        let free_edges = (0..edges as u32).map(EdgeId::new).filter(|&e| !map.has_edge(e)).map(Element::from);
-        let free_faces = (0..faces as u32).map(FaceId::new).filter(|&f| !map.has_face(f)).map(Element::from);
-        let free = free_vertices.chain(free_edges).chain(free_faces).collect();
+        let beside = |e: EdgeId| match map.has_edge(e) {
+            true => e.half_edges().map(|h| map.face(h)),
+            false => [map.outer_face(); 2],
+        };
+        let beside: Vec<[FaceId; 2]> = (0..edges as u32).map(|e| beside(EdgeId::new(e))).collect();
+        let is_gap = |f: FaceId| f == map.outer_face() || map.is_hole(f);
+        let area = |f: FaceId| areas.get(f.index());
+        let cuts = beside.iter().map(|&[f, g]| !is_gap(f) && !is_gap(g) && area(f) == area(g)).collect();
         Self {
-            first: First { vertices, edges, faces, free },
+            first: First { vertices, edges, faces, beside, cuts, areas },
             pieces: BTreeMap::new(),
             borders: BTreeMap::new(),
             covers: BTreeMap::new(),
+            areas: BTreeMap::new(),
+            out: BTreeMap::new(),
+            waiting: BTreeSet::new(),
             obstacles: BTreeMap::new(),
             next: 0,
             before: Vec::new(),
         }
     }
 
-    /// Whether the element was there before the first obstacle.
+    /// Whether the element was there before the first obstacle. Ids of that time are used by nothing else.
     pub(super) fn is_first(&self, element: impl Into<Element>) -> bool {
-        let element = element.into();
-        let known = match element {
+        match element.into() {
             Element::Vertex(v) => v.index() < self.first.vertices,
             Element::HalfEdge(h) => h.edge().index() < self.first.edges,
             Element::Edge(e) => e.index() < self.first.edges,
             Element::Face(f) => f.index() < self.first.faces,
-        };
-        known && !self.first.free.contains(&element)
+        }
+    }
+
+    /// Whether the edge is a cut of the first map: whole, or not there.
+    pub(super) fn is_first_cut(&self, e: EdgeId) -> bool {
+        self.first.cuts.get(e.index()) == Some(&true)
+    }
+
+    /// The face of the first map on the left of a half-edge that is one of it, or of a piece of it with its id.
+    pub(super) fn first_face(&self, h: HalfEdgeId) -> Option<FaceId> {
+        self.first.beside.get(h.edge().index()).map(|faces| faces[h.index() % 2])
+    }
+
+    /// The area of a face.
+    pub(super) fn area(&self, f: FaceId) -> u32 {
+        let first = || self.first.areas.get(f.index()).copied().unwrap_or(0);
+        self.areas.get(&f).copied().unwrap_or_else(first)
+    }
+
+    /// The cuts of the first map that are out and that no obstacle blocks, as far as is known, with the ends they had.
+    pub(super) fn waiting(&self) -> Vec<(EdgeId, [VertexId; 2])> {
+        self.waiting.iter().filter_map(|&e| Some((e, *self.out.get(&e)?))).collect()
+    }
+
+    /// What is out since the obstacle came is blocked by it.
+    pub(super) fn claim(&mut self, obstacle: ObstacleId) {
+        let waiting = std::mem::take(&mut self.waiting);
+        self.obstacles.entry(obstacle).or_default().blocks.extend(waiting);
+    }
+
+    /// Writes down what has become of cuts of the first map.
+    pub(super) fn put_returned(&mut self, returned: Vec<(EdgeId, Return)>) {
+        for (e, what) in returned {
+            match what {
+                Return::Done => {
+                    self.out.remove(&e);
+                    self.waiting.remove(&e);
+                }
+                Return::Blocked(obstacle) => {
+                    self.waiting.remove(&e);
+                    self.obstacles.entry(obstacle).or_default().blocks.insert(e);
+                }
+                Return::Later => {}
+            }
+        }
+    }
+
+    /// An obstacle that closes the edge.
+    pub(super) fn owner(&self, e: EdgeId) -> Option<ObstacleId> {
+        self.borders.get(&e)?.first().map(|&(obstacle, _)| obstacle)
     }
 
     /// Enters an obstacle under a new number.
@@ -119,7 +201,9 @@ impl Book {
 
     /// Takes out the entry of an obstacle that closes nothing.
     pub(super) fn forget(&mut self, obstacle: ObstacleId) {
-        self.obstacles.remove(&obstacle);
+        if let Some(gone) = self.obstacles.remove(&obstacle) {
+            self.waiting.extend(gone.blocks);
+        }
     }
 
     /// The obstacles in the map.
@@ -152,7 +236,10 @@ impl Book {
     }
 
     fn piece_of(&self, e: EdgeId) -> Option<EdgeId> {
-        if self.is_first(e) { Some(e) } else { self.pieces.get(&e).copied() }
+        match self.first.cuts.get(e.index()) {
+            Some(&is_cut) => (!is_cut).then_some(e),
+            None => self.pieces.get(&e).copied(),
+        }
     }
 
     pub(super) fn put_border(&mut self, e: EdgeId, side: SideOf) {
@@ -193,6 +280,7 @@ impl Book {
     /// What was split hands its reasons on to both parts; what went needs none.
     pub(super) fn follow(&mut self, changes: &[Change]) {
         let mut new_edge = None;
+        let mut ends = [None; 2];
         for change in changes {
             match *change {
                 Change::Added { element, .. } => {
@@ -209,17 +297,33 @@ impl Book {
                         self.set_piece(e, Some(first));
                     }
                 }
+                Change::Write { slot: Slot::Origin(h), old: Some(Element::Vertex(v)), new: None } => {
+                    new_edge = None;
+                    ends[h.index() % 2] = Some(v);
+                }
                 Change::Write { slot: Slot::Face(_), old: Some(Element::Face(old)), new: Some(Element::Face(new)) } => {
                     if let Some(owners) = self.covers.get(&old).cloned() {
                         self.set_covers(new, owners);
                     }
+                    if !self.first.areas.is_empty() && !self.is_first(new) {
+                        self.set_area(new, Some(self.area(old)));
+                    }
                 }
                 Change::Removed { element: Element::Edge(e) } => {
                     new_edge = None;
+                    if self.is_first_cut(e)
+                        && let [Some(from), Some(to)] = std::mem::take(&mut ends)
+                    {
+                        self.out.insert(e, [from, to]);
+                        self.waiting.insert(e);
+                    }
                     self.set_borders(e, BTreeSet::new());
                     self.set_piece(e, None);
                 }
-                Change::Removed { element: Element::Face(f) } => self.set_covers(f, BTreeSet::new()),
+                Change::Removed { element: Element::Face(f) } => {
+                    self.set_covers(f, BTreeSet::new());
+                    self.set_area(f, None);
+                }
                 // A split writes nothing but origins between its new edge and the twin's.
                 _ => new_edge = None,
             }
@@ -238,6 +342,7 @@ impl Book {
                 Before::Piece(e, first) => self.set_piece(e, first),
                 Before::Borders(e, owners) => self.set_borders(e, owners),
                 Before::Covers(f, owners) => self.set_covers(f, owners),
+                Before::Area(f, area) => self.set_area(f, area),
             }
             self.before.pop();
         }
@@ -249,6 +354,14 @@ impl Book {
             None => self.pieces.remove(&e),
         };
         self.before.push(Before::Piece(e, before));
+    }
+
+    fn set_area(&mut self, f: FaceId, area: Option<u32>) {
+        let before = match area {
+            Some(area) => self.areas.insert(f, area),
+            None => self.areas.remove(&f),
+        };
+        self.before.push(Before::Area(f, before));
     }
 
     fn set_borders(&mut self, e: EdgeId, owners: BTreeSet<SideOf>) {

@@ -7,18 +7,22 @@
 //!   └───●══●───┘       └──────●───┘       └──────────┘     need not be are taken out.
 //! ```
 //!
-//! Each cut has an end that an obstacle brought in, so with the last obstacle the last cut goes. A line that is joined
-//! again runs straight between two points that were there before it was crossed: rounding leaves no trace.
+//! A line that is joined again runs straight between two points that were there before it was crossed: rounding leaves
+//! no trace. Cuts of the first map that were crossed come back under their ids, unless another obstacle is in their way,
+//! and so do the faces of the first map whose sides are all there (`back.rs`). These are convex, so with the last
+//! obstacle the last cut of ours goes.
 
 use super::ObstacleError;
-use super::book::Book;
-use super::cut::make_convex;
+use super::back::{bring_back, name_faces};
+use super::book::{Book, Return};
+use super::cut::{make_convex, written_faces};
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::navmesh::mesh::turns_left_or_runs_straight;
 use crate::plane::{PlaneJournal, Subdivision};
 use std::collections::BTreeSet;
 
-/// Takes out what nobody needs near the edges, which an obstacle has given up.
+/// Takes out what nobody needs near the edges, which an obstacle has given up, and brings back what can come back.
+/// Returns what has become of the cuts of the first map that were out and waited.
 ///
 /// Cost: O(size of the faces at the ends of the edges, and of the gaps the obstacle reached into).
 ///
@@ -29,7 +33,7 @@ pub(super) fn clear(
     book: &mut Book,
     edges: &[EdgeId],
     rec: &mut PlaneJournal,
-) -> Result<(), ObstacleError> {
+) -> Result<Vec<(EdgeId, Return)>, ObstacleError> {
     let begin = rec.kernel().len();
     let mut faces = BTreeSet::new();
     let vertices = vertices_near(map, edges);
@@ -46,20 +50,29 @@ pub(super) fn clear(
         straighten(map, book, v, &mut faces, rec);
     }
     book.follow(&rec.kernel().changes()[begin..]);
+    let back_from = rec.kernel().len();
+    let mut returned = Vec::new();
+    for (e, ends) in book.waiting() {
+        returned.push((e, bring_back(map, book, e, ends, &mut faces, rec)?));
+    }
+    book.follow(&rec.kernel().changes()[back_from..]);
     let convex_from = rec.kernel().len();
     faces.retain(|&f| map.has_face(f));
     let faces = make_convex(map, faces, rec)?;
     book.follow(&rec.kernel().changes()[convex_from..]);
     let joined_from = rec.kernel().len();
     let cuts: BTreeSet<EdgeId> =
-        faces.iter().flat_map(|&f| map.incident_edges(f)).filter(|&e| book.is_cut(e)).collect();
+        faces.iter().flat_map(|&f| map.incident_edges(f)).filter(|&e| book.is_cut(e) && !book.is_first(e)).collect();
     for e in cuts {
         if is_needless(map, e) {
             take_out(map, book, e, &mut BTreeSet::new(), rec)?;
         }
     }
+    let mut faces = written_faces(map, &rec.kernel().changes()[begin..]);
+    faces.retain(|&f| f != map.outer_face() && !map.is_hole(f));
+    name_faces(map, book, &faces, rec)?;
     book.follow(&rec.kernel().changes()[joined_from..]);
-    Ok(())
+    Ok(returned)
 }
 
 /// The ends of the edges, and the corners of the faces there; of gaps the ends only.

@@ -96,3 +96,12 @@ pub(super) fn inside(map: &Subdivision, border: &[HalfEdgeId], is_border: impl F
     inside.remove(&map.outer_face());
     inside
 }
+
+/// The faces beside the half-edges that the changes have written to.
+pub(super) fn written_faces(map: &Subdivision, changes: &[Change]) -> BTreeSet<FaceId> {
+    let half_edge = |change: &Change| match *change {
+        Change::Write { slot: Slot::Next(h) | Slot::Face(h), .. } if map.has_half_edge(h) => Some(h),
+        _ => None,
+    };
+    changes.iter().filter_map(half_edge).flat_map(|h| [map.face(h), map.face(h.twin())]).collect()
+}

@@ -6,11 +6,14 @@
 //!   │   ╱   ╱   │        │        ╱  │        │  ╲    ╱ ╲ │      in; then what is not convex is cut anew.
 //!   └──╱───●────┘        └───────●───┘        └───╲──●───╲┘
 //! ```
+//!
+//! A side that is led through a vertex beside it may meet cuts that the straight one does not, or run along one of the
+//! first map. Then all is taken back and done again without these.
 
 use super::ObstacleError;
 use super::book::Book;
 use super::clear::take_out;
-use super::cut::{changed_faces, make_convex};
+use super::cut::{changed_faces, make_convex, written_faces};
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use crate::navmesh::location::is_between;
 use crate::navmesh::mesh::ID;
@@ -38,9 +41,33 @@ pub(super) fn cut_in(
     sides: &[[Point; 2]],
     rec: &mut PlaneJournal,
 ) -> Result<Inserted, ObstacleError> {
-    let crossed: BTreeSet<EdgeId> = sides.iter().flat_map(|&side| cuts_across(mesh, book, side)).collect();
+    let mut crossed: BTreeSet<EdgeId> = sides.iter().flat_map(|&side| cuts_across(mesh, book, side)).collect();
+    let (mark, first_change) = (rec.len(), rec.kernel().len());
+    loop {
+        let inserted = cut_in_without(map, mesh, book, sides, &crossed, rec);
+        let mut met = split_cuts(book, &rec.kernel().changes()[first_change..]);
+        let sides = inserted.iter().flat_map(|inserted| &inserted.sides);
+        let along = sides.flat_map(|(half_edges, _)| half_edges.iter().map(|h| h.edge()));
+        met.extend(along.filter(|&e| book.is_first_cut(e)));
+        if met.is_empty() {
+            return inserted;
+        }
+        map.undo(rec, mark);
+        crossed.extend(met);
+    }
+}
+
+/// Cuts the sides into the map without these cuts.
+fn cut_in_without(
+    map: &mut Subdivision,
+    mesh: &NavMesh,
+    book: &Book,
+    sides: &[[Point; 2]],
+    crossed: &BTreeSet<EdgeId>,
+    rec: &mut PlaneJournal,
+) -> Result<Inserted, ObstacleError> {
     let mut faces = BTreeSet::new();
-    for e in crossed {
+    for &e in crossed {
         take_out(map, book, e, &mut faces, rec)?;
     }
     let (whole_from, near) = (rec.kernel().len(), near(mesh, sides));
@@ -63,7 +90,29 @@ pub(super) fn cut_in(
     Ok(inserted)
 }
 
-/// The cuts that a segment crosses, or on which an end of it lies. O(cells of the index along the segment).
+/// The cuts that the changes have split, and that were there before.
+fn split_cuts(book: &Book, changes: &[Change]) -> Vec<EdgeId> {
+    let mut added = BTreeSet::new();
+    let mut new_edge = false;
+    let mut found = Vec::new();
+    for change in changes {
+        match *change {
+            Change::Added { element: Element::Edge(e), .. } => new_edge = added.insert(e),
+            Change::Write { slot: Slot::Origin(_), old: None, .. } => {}
+            // The twin of the half-edge that is split starts at the new vertex from now on.
+            Change::Write { slot: Slot::Origin(h), old: Some(_), new: Some(_) } => {
+                if std::mem::take(&mut new_edge) && !added.contains(&h.edge()) && book.is_cut(h.edge()) {
+                    found.push(h.edge());
+                }
+            }
+            _ => new_edge = false,
+        }
+    }
+    found
+}
+
+/// The cuts that a segment crosses, or on which an end of it lies, and those of the first map along which it runs.
+/// O(cells of the index along the segment).
 fn cuts_across(mesh: &NavMesh, book: &Book, [p, q]: [Point; 2]) -> Vec<EdgeId> {
     let mut found = Vec::new();
     mesh.visit_faces_along([p, q], |f| {
@@ -73,9 +122,10 @@ fn cuts_across(mesh: &NavMesh, book: &Book, [p, q]: [Point; 2]) -> Vec<EdgeId> {
             if half_edge.number() % 2 == 1 || !mesh.has_face(FaceId::new(mesh.sides[s].across & ID)) {
                 continue;
             }
-            let [a, b] = mesh.ends(f, s).map(|v| mesh.point(v));
-            if meets_inside([p, q], [a, b]) && book.is_cut(half_edge.edge()) {
-                found.push(half_edge.edge());
+            let (ends, e) = (mesh.ends(f, s).map(|v| mesh.point(v)), half_edge.edge());
+            let meets = meets_inside([p, q], ends) || (book.is_first_cut(e) && runs_along([p, q], ends));
+            if meets && book.is_cut(e) {
+                found.push(e);
             }
         }
     });
@@ -94,6 +144,17 @@ fn meets_inside([p, q]: [Point; 2], [a, b]: [Point; 2]) -> bool {
     }
     let on = |end: Point, side: std::cmp::Ordering| side.is_ne() || is_between(a, b, end);
     on(p, of_edge[0]) && on(q, of_edge[1])
+}
+
+/// Whether two segments have more than a point in common.
+fn runs_along(segment: [Point; 2], [a, b]: [Point; 2]) -> bool {
+    if segment.into_iter().any(|p| orientation(a, b, p).is_ne()) {
+        return false;
+    }
+    // On one line the order by coordinates is the order along it.
+    let ordered = |[p, q]: [Point; 2]| if (p.x, p.y) <= (q.x, q.y) { [p, q] } else { [q, p] };
+    let [[p, q], [a, b]] = [ordered(segment), ordered([a, b])];
+    (p.x, p.y) < (b.x, b.y) && (a.x, a.y) < (q.x, q.y)
 }
 
 /// What is nearer than this may be there by rounding only: some last places of the greatest coordinate.
@@ -203,13 +264,4 @@ fn vertex_at(
         Err(InsertVertexError::Occupied { vertex, .. }) => Ok(vertex),
         other => other,
     }
-}
-
-/// The faces beside the half-edges that the changes have written to.
-fn written_faces(map: &Subdivision, changes: &[Change]) -> BTreeSet<FaceId> {
-    let half_edge = |change: &Change| match *change {
-        Change::Write { slot: Slot::Next(h) | Slot::Face(h), .. } if map.has_half_edge(h) => Some(h),
-        _ => None,
-    };
-    changes.iter().filter_map(half_edge).flat_map(|h| [map.face(h), map.face(h.twin())]).collect()
 }

@@ -12,9 +12,10 @@
 //! ```text
 //!   book.rs    what every edge is there for      clear.rs    what goes with an obstacle
 //!   insert.rs  cutting an obstacle into the map   cut.rs      making faces convex
-//!   refresh.rs the flat view, read anew in parts
+//!   refresh.rs the flat view, read anew in parts  back.rs     what comes back under its id
 //! ```
 
+mod back;
 mod book;
 mod clear;
 mod cut;
@@ -109,10 +110,51 @@ impl LiveMesh {
     /// # Errors
     /// [`NavMeshError`], as for [`NavMesh::new`].
     pub fn new(map: Subdivision) -> Result<Self, NavMeshError> {
+        Self::begin(map, Vec::new())
+    }
+
+    /// A map without obstacles whose faces are of several areas. Edges between two areas stay where they are; where a
+    /// wall crosses one it is split, at the crossing as it is rounded. All other edges between two faces are never
+    /// split: they are out while something crosses them.
+    ///
+    /// # Errors
+    /// [`NavMeshError`], as for [`NavMesh::new`].
+    ///
+    /// ```
+    /// use dcel_kit::{EdgeId, navmesh::LiveMesh, plane::{Point, Subdivision}};
+    /// let points = [(0., 0.), (4., 0.), (4., 4.), (0., 4.)].map(Point::from);
+    /// let map = Subdivision::from_triangles(points.to_vec(), &[[0, 1, 2], [0, 2, 3]])?;
+    /// let diagonal = map.edges().find(|e| e.half_edges().iter().all(|&h| map.face(h) != map.outer_face())).expect("one");
+    /// let wall = |live: &mut LiveMesh| live.insert_wall(Point::new(1.0, 3.0), Point::new(2.0, 1.0));
+    /// let mut floor = LiveMesh::new(map.clone())?;
+    /// let crossing = wall(&mut floor)?;
+    /// assert!(!floor.map().has_edge(diagonal)); // for the time being
+    /// floor.remove(crossing)?;
+    /// assert!(floor.map().has_edge(diagonal));
+    /// // Grass above it, gravel below.
+    /// let mut meadow = LiveMesh::with_areas(map, |f| f.number())?;
+    /// wall(&mut meadow)?;
+    /// assert!(meadow.map().has_edge(diagonal));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with_areas(map: Subdivision, area: impl Fn(FaceId) -> u32) -> Result<Self, NavMeshError> {
+        let areas = (0..map.face_bound() as u32).map(|f| area(FaceId::new(f))).collect();
+        Self::begin(map, areas)
+    }
+
+    fn begin(mut map: Subdivision, areas: Vec<u32>) -> Result<Self, NavMeshError> {
         let mut mesh = NavMesh::new(&map)?;
         mesh.make_room_for_edits(&map);
-        let book = Book::new(&map);
+        let book = Book::new(&map, areas);
+        map.keep_ids();
         Ok(Self { map, mesh, book, work: EditWork::default() })
+    }
+
+    /// The area of a face of the mesh as it is now: that of the first map's face where it lies; 0 on a map that was made
+    /// by [`new`](Self::new). `None` if it is no face of the mesh.
+    #[must_use]
+    pub fn area(&self, f: FaceId) -> Option<u32> {
+        self.mesh.has_face(f).then(|| self.book.area(f))
     }
 
     /// The navmesh as it is now.
@@ -147,7 +189,8 @@ impl LiveMesh {
 
     /// The map and its navmesh, as they are now.
     #[must_use]
-    pub fn into_parts(self) -> (Subdivision, NavMesh) {
+    pub fn into_parts(mut self) -> (Subdivision, NavMesh) {
+        self.map.release_ids();
         (self.map, self.mesh)
     }
 
@@ -166,8 +209,9 @@ impl LiveMesh {
     /// Puts up a wall from `p` to `q`: a segment that nobody crosses. It may begin and end anywhere, on vertices, edges
     /// and other walls, too.
     ///
-    /// Cuts that it crosses are taken out first, and others are made when it stands: none is ever bent. Edges of the map
-    /// and other obstacles are split where it crosses them.
+    /// Cuts that it crosses are taken out first, and others are made when it stands: none is ever bent. Edges of the
+    /// given map between two faces are cuts, too, and come back under their ids when nothing crosses them any more.
+    /// Borders of gaps, of areas and of other obstacles are split where it crosses them.
     ///
     /// Cost: O(k log k) for k sides of the faces along the wall, and of the gaps it reaches into; that of
     /// [`block`](NavMesh::block) for what it cuts off. It does not grow with the map, but for an index and lists that
@@ -238,8 +282,9 @@ impl LiveMesh {
     /// obstacle covers them, and so are the cuts and the corners that only it needed. With the last obstacle the map is
     /// what it was in the beginning: the same vertices, edges and faces, with the same ids, at the same points.
     ///
-    /// While other obstacles are there, their cuts may stay, and a line that was bent by rounding where it was crossed
-    /// stays bent if something stands in the way of the straight one. Should the faces that are left be finer than
+    /// While other obstacles are there, their cuts may stay, and a border that was bent by rounding where it was crossed
+    /// stays bent if something stands in the way of the straight one. Edges between two faces of the given map come
+    /// back as soon as nothing crosses them. Should the faces that are left be finer than
     /// doubles can tell, nothing but the borders goes now, and the rest with a later obstacle nearby.
     ///
     /// Cost: O(k log k) for k sides of the faces the obstacle touches, and of the gaps it reaches into, and that of
@@ -263,9 +308,9 @@ impl LiveMesh {
         let mut journal = Journal::new();
         let Self { map, book, .. } = self;
         book.begin();
-        let cleared = map.all_or_nothing(&mut journal, |map, rec| clear(map, book, &edges, rec));
-        if cleared.is_err() {
-            book.roll_back();
+        match map.all_or_nothing(&mut journal, |map, rec| clear(map, book, &edges, rec)) {
+            Ok(returned) => book.put_returned(returned),
+            Err(_) => book.roll_back(),
         }
         self.refresh(touched, &edges, &journal)
     }
@@ -293,6 +338,7 @@ impl LiveMesh {
             begin = *end;
         }
         book.follow(&journal.changes()[begin..]);
+        book.claim(obstacle);
         let edges = book.border_of(obstacle);
         let mut touched: BTreeSet<FaceId> = edges.iter().flat_map(|e| e.half_edges()).map(|h| map.face(h)).collect();
         if covers {

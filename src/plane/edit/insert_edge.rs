@@ -92,7 +92,7 @@ impl Subdivision {
         self.plan_edge(from, to).map(drop)
     }
 
-    fn plan_edge(&self, from: VertexId, to: VertexId) -> Result<(FaceId, [End; 2]), InsertEdgeError> {
+    pub(super) fn plan_edge(&self, from: VertexId, to: VertexId) -> Result<(FaceId, [End; 2]), InsertEdgeError> {
         self.dcel.check(from)?;
         self.dcel.check(to)?;
         self.dcel.room_for(0, 1, 1)?;
@@ -158,14 +158,24 @@ impl Subdivision {
         to: VertexId,
         rec: &mut impl PlaneRecorder,
     ) -> Result<InsertedEdge, InsertEdgeError> {
-        let (f, ends) = self.plan_edge(from, to)?;
+        let plan = self.plan_edge(from, to)?;
+        Ok(self.put_edge(plan, [from, to], rec))
+    }
+
+    /// The write phase: the plan is what [`plan_edge`](Self::plan_edge) has found.
+    pub(super) fn put_edge(
+        &mut self,
+        (f, ends): (FaceId, [End; 2]),
+        vertices: [VertexId; 2],
+        rec: &mut impl PlaneRecorder,
+    ) -> InsertedEdge {
         if let [End::Corner(h1), End::Corner(h2)] = ends
             && self.dcel.cycle(h1).any(|h| h == h2)
         {
             let (half_edge, new) = self.split_face_unchecked(h1, h2, rec);
-            return Ok(InsertedEdge { half_edge, new_face: Some(new) });
+            return InsertedEdge { half_edge, new_face: Some(new) };
         }
-        Ok(InsertedEdge { half_edge: self.join_by_edge(f, [from, to], ends, rec), new_face: None })
+        InsertedEdge { half_edge: self.join_by_edge(f, vertices, ends, rec), new_face: None }
     }
 
     /// Puts an edge between two cycles, or isolated vertices, of the face `f`.

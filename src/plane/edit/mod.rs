@@ -7,6 +7,7 @@
 //!   insert_segment                                  through everything
 //!   set_point transform                             a vertex, or everything, moves
 //!   remove_edge remove_vertex                       spot.rs  where is it     whole.rs  all steps or none
+//!                                                   kept_ids.rs  what was removed comes back under its id
 //! ```
 //!
 //! The kernel takes whatever is combinatorially legal; here an edit must also keep edges straight, disjoint and
@@ -19,6 +20,7 @@ mod insert_segment;
 mod insert_vertex;
 mod join_edges;
 mod join_faces;
+mod kept_ids;
 mod remove_edge;
 mod set_point;
 mod split_edge;
