@@ -12,13 +12,13 @@ use super::save::{Files, put};
 use super::{Answer, Failure, Output, failure};
 use dcel_kit::edits::{self, Call, Editable};
 use dcel_kit::figure::{FigureOptions, Film};
-use dcel_kit::io::{Format, Model, write};
+use dcel_kit::io::{Format, Model, read_whole, source_name, write};
 use dcel_kit::plane::Subdivision;
 use dcel_kit::script::{Ground, Outcome, Script, ScriptError, Step};
 use dcel_kit::solid::Polyhedron;
 use dcel_kit::topology::{Dcel, Table};
 use serde_json::{Value, json};
-use std::io::{Read, Write};
+use std::io::Write;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
@@ -187,17 +187,7 @@ fn page(svg: &str, title: &str) -> String {
 
 /// The text, and what messages call it.
 fn read(file: &Path) -> Result<(String, String), Failure> {
-    let is_stdin = file.as_os_str() == "-";
-    let source = if is_stdin { "<stdin>".to_owned() } else { file.display().to_string() };
-    let mut bytes = Vec::new();
-    let read = if is_stdin {
-        std::io::stdin().lock().read_to_end(&mut bytes).map(drop)
-    } else {
-        std::fs::read(file).map(|read| bytes = read)
-    };
-    read.map_err(|error| {
-        Failure::input(format!("{source}: cannot be read: {error}"), "name a script, or - for stdin")
-    })?;
+    let (source, bytes) = (source_name(file), read_whole(file)?);
     let text = String::from_utf8(bytes)
         .map_err(|_| Failure::input(format!("{source}: this is not text in UTF-8"), "save it as plain text"))?;
     Ok((text, source))

@@ -83,7 +83,7 @@ pub use model::Model;
 pub use near::closest;
 pub use points::{PointList, points_from_text, read_points};
 pub use problem::{ReadError, ReadProblem};
-pub use read::{read_bytes, read_path, read_triangle, source_name};
+pub use read::{read_bytes, read_path, read_triangle, read_whole, source_name};
 pub use scen::{Misfits, Optimum, Query, Scenario, Verdict};
 pub use soup::{Axis, Places, PolygonSoup, SegmentSoup};
 pub use words::counted;

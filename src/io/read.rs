@@ -103,9 +103,7 @@ pub fn read_triangle(
 /// # Errors
 /// As [`read_bytes`], and what the machine says.
 pub fn read_path(path: &Path, options: &ReadOptions) -> Result<Read, ReadError> {
-    let stdin = path.as_os_str() == "-";
-    let source = source_name(path);
-    let bytes = if stdin { load(std::io::stdin().lock(), &source)? } else { load_path(path)? };
+    let (stdin, source, bytes) = (is_stdin(path), source_name(path), load_whole(path)?);
     let by_name = || if stdin { None } else { Format::from_path(path).filter(|format| format.can_read()) };
     match options.format.or_else(by_name).or_else(|| Format::from_content(&bytes)) {
         Some(Format::Triangle) if !stdin => pair(path, &bytes, options),
@@ -129,10 +127,31 @@ pub fn read_path(path: &Path, options: &ReadOptions) -> Result<Read, ReadError> 
     }
 }
 
+/// All bytes of a file, or of standard input for `-`.
+///
+/// # Errors
+/// [`ReadError`]: what the machine says; too little memory; more bytes than any reader takes.
+pub fn read_whole(path: &Path) -> Result<Vec<u8>, ReadError> {
+    let bytes = load_whole(path)?;
+    if bytes.len() as u64 >= LARGEST_FILE {
+        let problem = ReadProblem::TooLarge { what: "bytes", limit: LARGEST_FILE };
+        return Err(ReadError::whole(&source_name(path), problem, ""));
+    }
+    Ok(bytes)
+}
+
+fn load_whole(path: &Path) -> Result<Vec<u8>, ReadError> {
+    if is_stdin(path) { load(std::io::stdin().lock(), &source_name(path)) } else { load_path(path) }
+}
+
+fn is_stdin(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
 /// What errors call the file: its path, or `<stdin>` for `-`.
 #[must_use]
 pub fn source_name(path: &Path) -> String {
-    if path.as_os_str() == "-" { "<stdin>".to_owned() } else { path.display().to_string() }
+    if is_stdin(path) { "<stdin>".to_owned() } else { path.display().to_string() }
 }
 
 /// Reads `path` and the file that belongs to it.

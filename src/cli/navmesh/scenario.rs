@@ -3,10 +3,10 @@
 use super::super::failure::{Failure, say};
 use super::super::{Answer, Output};
 use super::ends::{Moves, Snap};
-use super::map::{Map, MapArgs, Preparation, bytes};
+use super::map::{Map, MapArgs, Preparation};
 use super::path::Which;
 use clap::ValueEnum;
-use dcel_kit::io::{Number, Optimum, Query, Scenario, Verdict, counted, source_name};
+use dcel_kit::io::{Number, Optimum, Query, Scenario, Verdict, counted, read_whole, source_name};
 use dcel_kit::navmesh::{PlaceError, Planner, RouteError, Rung};
 use serde::Serialize;
 use std::io::Write;
@@ -121,7 +121,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Err(Failure::input(format!("a tolerance of {}", args.tolerance), "give a number such as 1e-9"));
     }
     args.snap.check()?;
-    let scenario = Scenario::parse(&bytes(&args.scenario)?, &source_name(&args.scenario))?;
+    let scenario = Scenario::parse(&read_whole(&args.scenario)?, &source_name(&args.scenario))?;
     let map = args.map.open()?;
     tell_other_maps(args, &scenario);
     let verdict = scenario.verdict();
