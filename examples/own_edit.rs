@@ -10,6 +10,17 @@
 //! ```
 //!
 //! Run it: `cargo run --example own_edit`
+//!
+//! It prints:
+//!
+//! ```text
+//! poke_face f1 returned v5
+//!   1. Create the vertex, and an edge from it to every corner.
+//!   2. Make a triangle of every side and its two spokes.
+//! V 6 E 10 F 6
+//! poke_face f1 returned v5
+//! round v5: h10 (v0) h12 (v1) h14 (v2) h16 (v3) h18 (v4)
+//! ```
 
 use dcel_kit::edits::{Call, EditError, Given, Kind, Parameter, Returned, Row, Takes};
 use dcel_kit::topology::{Dcel, IdError, Journal, Recorder, TooMany, measure, violations};

@@ -80,6 +80,12 @@ pub mod topology;
 pub use ids::{
     EdgeId, EdgeMap, Element, FaceId, FaceMap, HalfEdgeId, HalfEdgeMap, Id, IdMap, ParseIdError, VertexId, VertexMap,
 };
+#[cfg(feature = "navmesh")]
+pub use navmesh::NavMesh;
+pub use plane::{Point, Subdivision};
+#[cfg(feature = "solid")]
+pub use solid::Polyhedron;
+pub use topology::Dcel;
 
 /// The examples of the README, run as tests.
 #[cfg(doctest)]

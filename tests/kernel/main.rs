@@ -5,6 +5,7 @@ mod builder;
 #[path = "../common/mod.rs"]
 mod common;
 mod edits;
+mod examples;
 mod flips;
 mod house;
 mod inverses;
