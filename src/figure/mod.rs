@@ -7,7 +7,7 @@
 //!   layout/     where things go                                                 knows the canvas
 //!   structure/  the structure figure, element by element                        knows both
 //!   sketch/     paths, cones, circles, badges …: drawings made of named parts, alone or over a structure
-//!   kinds/      one subject each: duals, Voronoi diagrams, paths, solids, charts, records, tables …
+//!   kinds/      one subject each: duals, Voronoi diagrams, paths, solids, records, tables …
 //!   film/       edits, frame by frame                      page/   a page of HTML with a picture to walk in
 //! ```
 //!
@@ -45,7 +45,6 @@ pub use canvas::style::file::{ParseColourError, StyleError};
 pub use canvas::style::{Colour, Palette, Style, Theme};
 pub use canvas::unit::{ParseLengthError, Unit};
 pub use film::{Fate, Film, Frame, Written};
-pub use kinds::chart;
 pub use kinds::dual::{DualFigureError, dual};
 pub use kinds::focus::focus;
 #[cfg(feature = "navmesh")]

@@ -2,9 +2,11 @@
 //!
 //! ```text
 //!   lesson     the structures that figures and tour begin with
+//!   chart      logarithmic axes
 //!   specimen  primitives  plane  delaunay  labs     a function for each figure that takes more than a line
 //! ```
 
+mod chart;
 mod delaunay;
 mod labs;
 pub(crate) mod lesson;

@@ -1,8 +1,8 @@
 //! The reference figures of the drawing vocabulary.
 
 use super::Made;
+use super::chart::Chart;
 use super::lesson;
-use dcel_kit::figure::chart::{Axis, Chart, Growth};
 use dcel_kit::figure::navmesh::Floor;
 use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
 use dcel_kit::figure::{self, Detail, FigureOptions, NearlyCollinear};
@@ -117,15 +117,15 @@ pub(super) fn wrong_signs() -> Made<String> {
             )?,
         ),
     ];
-    let mut chart = Chart::new(Axis::log("side n of the grid").unit("points"), Axis::log("wrong signs"));
+    let mut chart = Chart::new(["side n of the grid (points)", "wrong signs"], [5.0, 50.0], [500.0, 20_000.0]);
     for (name, points) in examples {
-        let counts = [8, 16, 32, 64, 128, 256].map(|n| (n as f64, points.wrong_within(n) as f64));
+        let counts = [8, 16, 32, 64, 128, 256].map(|n| [n as f64, points.wrong_within(n) as f64]);
         chart.series(&format!("example {name}"), counts);
     }
-    chart.reference(Growth::Quadratic, [256.0, 65536.0]);
-    chart.reference(Growth::Linear, [8.0, 8.0]);
+    chart.growth("n²", [8.0, 64.0], [140.0, 140.0 * 140.0]);
+    chart.growth("n", [50.0, 50.0], [500.0, 500.0]);
     let options = FigureOptions::new("Wrong signs of plain doubles").id_prefix("wrong-signs");
-    Ok(chart.figure(&options)?.to_svg())
+    Ok(chart.sketch.figure(&options)?.to_svg())
 }
 
 /// How many bytes a figure takes for each edge of a grid, and how much it shows. Counted, not measured: the same on
@@ -145,12 +145,13 @@ pub(super) fn figure_sizes() -> Made<String> {
         let edges = grid.edge_count() as f64;
         samples.push((figure.detail(), [edges, figure.to_svg().len() as f64 / edges]));
     }
-    let mut chart = Chart::new(Axis::log("edges of a square grid"), Axis::log("bytes of the figure for each edge"));
+    let titles = ["edges of a square grid", "bytes of the figure for each edge"];
+    let mut chart = Chart::new(titles, [2.0, 10.0], [50_000.0, 2_000.0]);
     for (level, name) in levels {
         chart.series(name, samples.iter().filter(|sample| sample.0 == level).map(|sample| sample.1));
     }
     let options = FigureOptions::new("Level of detail and size of a figure").id_prefix("figure-sizes");
-    Ok(chart.figure(&options)?.to_svg())
+    Ok(chart.sketch.figure(&options)?.to_svg())
 }
 
 /// A straight walk through a subdivision: what a point location does, over the structure it does it in.

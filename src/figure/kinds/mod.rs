@@ -3,10 +3,9 @@
 //! ```text
 //!   structure.rs  interactive.rs  focus.rs  panels.rs  tables.rs  records.rs     half-edges and their pointers
 //!   dual.rs  voronoi.rs  robustness.rs                             the plane
-//!   navmesh/  solid/  chart/                                       paths, solids, growth
+//!   navmesh/  solid/                                               paths, solids
 //! ```
 
-pub mod chart;
 pub(crate) mod dual;
 pub(crate) mod focus;
 pub(crate) mod interactive;

@@ -46,7 +46,7 @@ fn part(p: Xy, way: Xy, from: f64, to: f64, frame: &Bounds) -> Option<(Xy, Xy)> 
 }
 
 /// The part of a segment inside the frame.
-pub(in crate::figure) fn segment(a: Xy, b: Xy, frame: &Bounds) -> Option<(Xy, Xy)> {
+pub(super) fn segment(a: Xy, b: Xy, frame: &Bounds) -> Option<(Xy, Xy)> {
     let (from, to) = part(a, b - a, 0.0, 1.0, frame)?;
     // An end inside stays as it is, whatever rounding does to a + (b - a).
     let inside = |p: Xy| frame.contains(&Bounds { min: p, max: p });
@@ -54,17 +54,17 @@ pub(in crate::figure) fn segment(a: Xy, b: Xy, frame: &Bounds) -> Option<(Xy, Xy
 }
 
 /// The part of the ray from `p` on inside the frame.
-pub(in crate::figure) fn ray(p: Xy, way: Xy, frame: &Bounds) -> Option<(Xy, Xy)> {
+pub(super) fn ray(p: Xy, way: Xy, frame: &Bounds) -> Option<(Xy, Xy)> {
     part(p, way, 0.0, f64::INFINITY, frame)
 }
 
 /// The part of the line through `p` inside the frame.
-pub(in crate::figure) fn line(p: Xy, way: Xy, frame: &Bounds) -> Option<(Xy, Xy)> {
+pub(super) fn line(p: Xy, way: Xy, frame: &Bounds) -> Option<(Xy, Xy)> {
     part(p, way, f64::NEG_INFINITY, f64::INFINITY, frame)
 }
 
 /// The parts of a polyline inside the frame.
-pub(in crate::figure) fn polyline(points: &[Xy], frame: &Bounds) -> Vec<Vec<Xy>> {
+pub(super) fn polyline(points: &[Xy], frame: &Bounds) -> Vec<Vec<Xy>> {
     let mut out: Vec<Vec<Xy>> = Vec::new();
     for w in points.windows(2) {
         let Some((a, b)) = segment(w[0], w[1], frame) else { continue };
@@ -78,7 +78,7 @@ pub(in crate::figure) fn polyline(points: &[Xy], frame: &Bounds) -> Vec<Vec<Xy>>
 
 /// The rings (even-odd) of the wedge that runs counter-clockwise from the ray along `right` to the ray along
 /// `left`, inside the frame. `turn` is the side of `right` on which `left` lies.
-pub(in crate::figure) fn wedge(apex: Xy, right: Xy, left: Xy, turn: Ordering, frame: &Bounds) -> Vec<Vec<Xy>> {
+pub(super) fn wedge(apex: Xy, right: Xy, left: Xy, turn: Ordering, frame: &Bounds) -> Vec<Vec<Xy>> {
     let corners = vec![frame.min, xy(frame.max.x, frame.min.y), frame.max, xy(frame.min.x, frame.max.y)];
     let beside = |ring: &[Xy], inward: Xy| cut_by_side(ring, inward, apex.dot(inward));
     match turn {
@@ -92,7 +92,7 @@ pub(in crate::figure) fn wedge(apex: Xy, right: Xy, left: Xy, turn: Ordering, fr
 }
 
 /// The part of rings on that side of the line through `p` and `q` on which `apex` lies.
-pub(in crate::figure) fn before(rings: &[Vec<Xy>], apex: Xy, p: Xy, q: Xy) -> Vec<Vec<Xy>> {
+pub(super) fn before(rings: &[Vec<Xy>], apex: Xy, p: Xy, q: Xy) -> Vec<Vec<Xy>> {
     let across = (q - p).left();
     let inward = if (apex - p).dot(across) >= 0.0 { across } else { across * -1.0 };
     rings.iter().map(|ring| cut_by_side(ring, inward, p.dot(inward))).collect()

@@ -31,14 +31,14 @@
 //! Of more than 2000 things those without a label are drawn in bulk: lines as a few thin paths, points as small dots,
 //! one group for each role and kind in place of an id and a title for each. So 10^5 points take 1 MB.
 
-pub(in crate::figure) mod clip;
+mod clip;
 mod draw;
 mod glyph;
 mod item;
 mod legend;
 mod many;
 mod multiples;
-pub(in crate::figure) mod places;
+mod places;
 mod role;
 mod round;
 mod sheet;
@@ -51,7 +51,6 @@ pub use sheet::Backdrop;
 
 pub(in crate::figure) use draw::Canvas;
 pub(in crate::figure) use legend::merged;
-pub(in crate::figure) use role::css;
 pub(in crate::figure) use sheet::{Below, Drawing, check, extent, lone_fit, roles, scene};
 
 use super::FigureError;

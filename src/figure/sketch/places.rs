@@ -36,26 +36,26 @@ const COMPASS: [(f64, f64); 12] = [
 
 /// A point beside which words may stand.
 #[derive(Clone, PartialEq, Debug)]
-pub(in crate::figure) struct Anchor {
-    pub(in crate::figure) at: Xy,
+pub(super) struct Anchor {
+    pub(super) at: Xy,
     /// How far its own ink reaches.
-    pub(in crate::figure) clear: f64,
+    pub(super) clear: f64,
     /// In which directions; none: on the point itself.
-    pub(in crate::figure) ways: Vec<Xy>,
+    pub(super) ways: Vec<Xy>,
     /// Whether it is a point, past which words may run, and not a line.
-    pub(in crate::figure) is_point: bool,
+    pub(super) is_point: bool,
 }
 
 impl Anchor {
-    pub(in crate::figure) fn centred(at: Xy) -> Self {
+    pub(super) fn centred(at: Xy) -> Self {
         Self { at, clear: 0.0, ways: Vec::new(), is_point: true }
     }
 
-    pub(in crate::figure) fn round(at: Xy, clear: f64) -> Self {
+    pub(super) fn round(at: Xy, clear: f64) -> Self {
         Self { at, clear, ways: COMPASS.map(|(x, y)| xy(x, y)).to_vec(), is_point: true }
     }
 
-    pub(in crate::figure) fn beside(at: Xy, clear: f64, ways: Vec<Xy>) -> Self {
+    pub(super) fn beside(at: Xy, clear: f64, ways: Vec<Xy>) -> Self {
         Self { at, clear, ways, is_point: false }
     }
 
@@ -73,13 +73,13 @@ impl Anchor {
 
 /// Where something has found room.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(in crate::figure) struct Place {
-    pub(in crate::figure) at: Xy,
-    pub(in crate::figure) tie: Option<(Xy, Xy)>,
+pub(super) struct Place {
+    pub(super) at: Xy,
+    pub(super) tie: Option<(Xy, Xy)>,
 }
 
 /// The first free place for a box of this half size, which the crowd then knows.
-pub(in crate::figure) fn find(anchors: &[Anchor], half: Xy, frame: &Bounds, crowd: &mut Crowd) -> Option<Place> {
+pub(super) fn find(anchors: &[Anchor], half: Xy, frame: &Bounds, crowd: &mut Crowd) -> Option<Place> {
     let room = frame.grown(-1.0);
     let centred =
         anchors.iter().filter(|anchor| anchor.ways.is_empty()).map(|anchor| Place { at: anchor.at, tie: None });
@@ -111,7 +111,7 @@ pub(in crate::figure) fn find(anchors: &[Anchor], half: Xy, frame: &Bounds, crow
 }
 
 /// A label in one line, if there is room.
-pub(in crate::figure) fn label(
+pub(super) fn label(
     words: &str,
     size: f64,
     anchors: &[Anchor],
@@ -130,12 +130,7 @@ pub(in crate::figure) fn label(
 const BADGE: f64 = 9.0;
 
 /// A numbered disc, if there is room.
-pub(in crate::figure) fn badge(
-    number: usize,
-    anchors: &[Anchor],
-    frame: &Bounds,
-    crowd: &mut Crowd,
-) -> Option<Vec<Node>> {
+pub(super) fn badge(number: usize, anchors: &[Anchor], frame: &Bounds, crowd: &mut Crowd) -> Option<Vec<Node>> {
     let place = find(anchors, xy(BADGE + 0.5, BADGE + 0.5), frame, crowd)?;
     let mut nodes: Vec<Node> = place.tie.map(|(from, to)| Node::Line { class: "tie", from, to }).into_iter().collect();
     nodes.extend(badge_at(number, place.at));
@@ -143,7 +138,7 @@ pub(in crate::figure) fn badge(
 }
 
 /// The disc and its number.
-pub(in crate::figure) fn badge_at(number: usize, at: Xy) -> [Node; 2] {
+pub(super) fn badge_at(number: usize, at: Xy) -> [Node; 2] {
     let text = number.to_string();
     let size = [11.0, 10.0, 7.5][(text.len() - 1).min(2)];
     [Node::Disc { class: "gl", centre: at, radius: BADGE }, Node::Text { class: "bn", at, size, text }]

@@ -141,8 +141,8 @@ impl Role {
     }
 }
 
-/// The style rules of sketches and charts: those of the options and those of the roles.
-pub(in crate::figure) fn css(options: &FigureOptions, roles: &[Role]) -> String {
+/// The style rules of sketches: those of the options and those of the roles.
+pub(super) fn css(options: &FigureOptions, roles: &[Role]) -> String {
     let scope = options.prefix();
     let mut out = options.css();
     let mut fixed = |selector: &str, properties: &str| {
@@ -162,13 +162,9 @@ pub(in crate::figure) fn css(options: &FigureOptions, roles: &[Role]) -> String 
     fixed(".tx", &format!("{halo};stroke-width:.3em"));
     fixed(".start", "text-anchor:start");
     fixed(".bn", "font-weight:700");
-    fixed(".grid", "stroke-width:.6");
-    fixed(".axis", "fill:none;stroke-width:1.2;stroke-linecap:square");
     fixed(".ct", "font-weight:700;text-anchor:start");
     fixed(".cs", "text-anchor:start");
-    fixed(".ce", "text-anchor:end");
     fixed(".cm", "text-anchor:middle");
-    fixed(".bold", "font-weight:700");
     for role in roles {
         fixed(&format!(".{} .ln", role.class()), &format!("stroke-width:{}", drawn(role.width())));
         if let Some(dash) = role.dash() {
@@ -197,12 +193,10 @@ fn colours(out: &mut String, scope: &str, palette: &Palette, roles: &[Role]) {
     rule(".over .fi", format!("fill-opacity:{}", drawn(0.5 * tint_opacity)));
     rule(".gt", format!("stroke:{background}"));
     rule(".bn", format!("fill:{background}"));
-    for class in [".ct", ".cs", ".ce", ".cm"] {
+    for class in [".ct", ".cs", ".cm"] {
         rule(class, format!("fill:{ink}"));
     }
     rule(".frame", format!("stroke:{dim}"));
-    rule(".grid", format!("stroke:{dim}"));
-    rule(".axis", format!("stroke:{ink}"));
     for (class, property, colour) in [
         (".sh", "stroke", dim),
         (".barb", "fill", dim),

@@ -3,7 +3,6 @@
 
 mod read;
 
-mod chart;
 mod contrast;
 mod geometry;
 mod many;
