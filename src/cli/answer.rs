@@ -1,5 +1,8 @@
-//! What a command found.
+//! What a command found, and how it is told: in words, or as JSON.
 
+use super::{Failure, Output};
+use serde::Serialize;
+use std::io;
 use std::process::ExitCode;
 
 /// The answer of a command that could do its work.
@@ -18,4 +21,20 @@ impl Answer {
             Self::No => ExitCode::from(1),
         }
     }
+}
+
+/// A report whose fields are the answer in JSON, and that people can read, too.
+pub(crate) trait InWords: Serialize {
+    /// Prints it for people.
+    fn print(&self, out: &mut Output) -> io::Result<()>;
+}
+
+/// Tells what was found: all is fine.
+pub(crate) fn tell(report: &impl InWords, json: bool, out: &mut Output) -> Result<Answer, Failure> {
+    if json {
+        out.json(report)?;
+    } else {
+        report.print(out)?;
+    }
+    Ok(Answer::Yes)
 }

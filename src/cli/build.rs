@@ -1,10 +1,11 @@
 //! `dcel build`: from segments to a subdivision, and what became of them.
 
+use super::answer::InWords;
 use super::failure::{Failure, say};
-use super::save::{Files, InPlace, put, save};
+use super::results::Results;
 use super::{Answer, Output};
 use dcel_kit::VertexId;
-use dcel_kit::figure::{self, FigureOptions};
+use dcel_kit::figure;
 use dcel_kit::io::{
     Document, Format, LoadError, Model, NOTHING_TO_MEND, ReadOptions, SegmentSoup, arrange_with, counted, describe,
     faults_with_places, read_path, source_name,
@@ -59,17 +60,8 @@ pub(crate) struct Args {
     /// y points down in the file, as on screens
     #[arg(long)]
     y_down: bool,
-    /// Write the structure, for example as .dcel; - for dcel text instead of the report
-    #[arg(short, long, value_name = "OUT")]
-    output: Option<PathBuf>,
     #[command(flatten)]
-    in_place: InPlace,
-    /// Draw it
-    #[arg(long, value_name = "OUT.svg")]
-    figure: Option<PathBuf>,
-    /// Answer in JSON
-    #[arg(long, conflicts_with = "output")]
-    json: bool,
+    results: Results,
 }
 
 fn hole(text: &str) -> Result<Point, String> {
@@ -109,6 +101,9 @@ struct Report {
     rounds: u32,
     dangles: Vec<String>,
     cut_edges: Vec<String>,
+    /// What was done to the segments, in words.
+    #[serde(skip)]
+    notes: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -124,10 +119,7 @@ struct Moved {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    Files::reading([&args.file])
-        .writes_or_replaces("-o", args.output.as_deref(), args.in_place)
-        .writes("--figure", args.figure.as_deref())
-        .check()?;
+    args.results.check(&args.file)?;
     let mend = args.mend || args.split_crossings;
     let options = ReadOptions {
         y_down: args.y_down,
@@ -166,26 +158,14 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if mend && arranged.rounds == 0 && arranged.grid.is_none() {
         say("note", NOTHING_TO_MEND);
     }
-    if let Some(path) = &args.figure {
-        let title = args.file.file_stem().map_or_else(|| "Segments".into(), |stem| stem.to_string_lossy());
-        let drawn = figure::structure(&arranged.subdivision, &FigureOptions::new(title))
-            .map_err(|error| Failure::input(format!("{source}: {error}"), ""))?;
-        put(path, drawn.to_svg())?;
-    }
-    if let Some(path) = &args.output {
-        save(path, &Model::planar(&arranged.subdivision), out)?;
-        if path.as_os_str() == "-" {
-            describe(&arranged).iter().for_each(|note| say("note", note));
-            return Ok(Answer::Yes);
-        }
-    }
+    args.results.draw(&args.file, "Segments", |options| {
+        figure::structure(&arranged.subdivision, &options).map_err(|error| Failure::about(&source, error))
+    })?;
     let report = Report::of(source, read.format, soup, &arranged);
-    if args.json {
-        out.json(&report)?;
-    } else {
-        report.print(&arranged, out)?;
+    if args.results.is_text() {
+        report.say_notes();
     }
-    Ok(Answer::Yes)
+    args.results.finish(&Model::planar(&arranged.subdivision), &report, out)
 }
 
 /// The error, and the faults after the first one with their places.
@@ -228,10 +208,17 @@ impl Report {
             rounds: arranged.rounds,
             dangles: names(residues.dangles.iter()),
             cut_edges: names(residues.cut_edges.iter()),
+            notes: describe(arranged),
         }
     }
 
-    fn print(&self, arranged: &Arranged, out: &mut Output) -> io::Result<()> {
+    fn say_notes(&self) {
+        self.notes.iter().for_each(|note| say("note", note));
+    }
+}
+
+impl InWords for Report {
+    fn print(&self, out: &mut Output) -> io::Result<()> {
         writeln!(out, "{}: plane, {}, {}", self.source, self.format, counted(self.segments, "segment", "segments"))?;
         let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
         line("vertices", self.vertices.to_string())?;
@@ -249,7 +236,7 @@ impl Report {
                 line(what, listed(list))?;
             }
         }
-        describe(arranged).iter().for_each(|note| say("note", note));
+        self.say_notes();
         Ok(())
     }
 }

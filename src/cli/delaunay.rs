@@ -1,8 +1,9 @@
 //! `dcel delaunay`: of points, of a graph whose edges stay, or of a triangulation by flips.
 
+use super::answer::InWords;
 use super::failure::{Failure, say};
 use super::input::InputOptions;
-use super::save::{Files, InPlace, put, save};
+use super::results::Results;
 use super::subject::Kind;
 use super::{Answer, Output};
 use dcel_kit::figure::sketch::{Backdrop, Role, Sketch};
@@ -39,20 +40,11 @@ pub(crate) struct Args {
     /// Flip the edges of the triangulation in the file, and count the flips
     #[arg(long)]
     flips: bool,
-    /// Write the structure, for example as .dcel; - for dcel text instead of the report
-    #[arg(short, long, value_name = "OUT")]
-    output: Option<PathBuf>,
     #[command(flatten)]
-    in_place: InPlace,
-    /// Draw it
-    #[arg(long, value_name = "OUT.svg")]
-    figure: Option<PathBuf>,
+    results: Results,
     /// Draw the circles round the triangles, too
     #[arg(long, requires = "figure")]
     circles: bool,
-    /// Answer in JSON
-    #[arg(long, conflicts_with = "output")]
-    json: bool,
     #[command(flatten)]
     input: InputOptions,
 }
@@ -109,18 +101,10 @@ impl Made {
 const BYTES_PER_POINT: usize = 320;
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    Files::reading([&args.file])
-        .writes_or_replaces("-o", args.output.as_deref(), args.in_place)
-        .writes("--figure", args.figure.as_deref())
-        .check()?;
+    args.results.check(&args.file)?;
     let made = if args.constrained || args.flips { of_graph(args)? } else { of_points(args)? };
     let s = &made.subdivision;
-    if let Some(path) = &args.figure {
-        let title = args.file.file_stem().map_or_else(|| "Delaunay".into(), |stem| stem.to_string_lossy());
-        let drawn = draw(&made, args.circles, &title)?;
-        drawn.notes().iter().for_each(|note| say("note", note));
-        put(path, drawn.to_svg())?;
-    }
+    args.results.draw(&args.file, "Delaunay", |options| draw(&made, args.circles, &options))?;
     let report = Report {
         source: source_name(&args.file),
         points: made.points,
@@ -135,26 +119,14 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         flips: made.flips,
     };
     report.say_notes();
-    if let Some(path) = &args.output {
-        save(path, &Model::planar(s), out)?;
-        if path.as_os_str() == "-" {
-            return Ok(Answer::Yes);
-        }
-    }
-    if args.json {
-        out.json(&report)?;
-    } else {
-        report.print(out)?;
-    }
-    Ok(Answer::Yes)
+    args.results.finish(&Model::planar(s), &report, out)
 }
 
 fn of_points(args: &Args) -> Result<Made, Failure> {
     let list = read_points(&args.file, &args.input.for_points()?)?;
     list.notes.iter().for_each(|note| say("note", note));
     list.check_room(BYTES_PER_POINT)?;
-    let built =
-        Subdivision::delaunay(&list.points).map_err(|error| Failure::input(format!("{}: {error}", list.source), ""))?;
+    let built = Subdivision::delaunay(&list.points).map_err(|error| Failure::about(&list.source, error))?;
     Ok(Made {
         subdivision: built.subdivision,
         points: list.points.len(),
@@ -177,12 +149,12 @@ fn of_graph(args: &Args) -> Result<Made, Failure> {
         let flips = Some(subdivision.make_delaunay(|_| false));
         return Ok(Made { subdivision, points, repeated: Vec::new(), constrained: EdgeMap::default(), flips });
     }
-    let made = subdivision.constrained_delaunay().map_err(|error| Failure::input(format!("{source}: {error}"), ""))?;
+    let made = subdivision.constrained_delaunay().map_err(|error| Failure::about(source, error))?;
     let (subdivision, constrained) = (made.subdivision, made.constrained);
     Ok(Made { subdivision, points, repeated: Vec::new(), constrained, flips: None })
 }
 
-fn draw(made: &Made, circles: bool, title: &str) -> Result<Figure, Failure> {
+fn draw(made: &Made, circles: bool, options: &FigureOptions) -> Result<Figure, Failure> {
     let s = &made.subdivision;
     let mut sketch = Sketch::new();
     if circles && s.face_count() > MOST_CIRCLES + 1 {
@@ -199,8 +171,7 @@ fn draw(made: &Made, circles: bool, title: &str) -> Result<Figure, Failure> {
         let ends = e.half_edges().map(|h| s.point(s.origin(h)));
         sketch.path(Role::Main, ends).title(format!("{e} stays")).key("edge that stays");
     }
-    let drawn = sketch.over(s, Backdrop::Plain, &FigureOptions::new(title));
-    drawn.map_err(|error| Failure::input(error, ""))
+    sketch.over(s, Backdrop::Plain, options).map_err(|error| Failure::input(error, ""))
 }
 
 impl Report {
@@ -216,7 +187,9 @@ impl Report {
             say("note", "all points lie on one line: this is a path");
         }
     }
+}
 
+impl InWords for Report {
     fn print(&self, out: &mut Output) -> io::Result<()> {
         writeln!(out, "{}: {}", self.source, counted(self.points, "point", "points"))?;
         let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");

@@ -98,6 +98,11 @@ impl Failure {
         Self::new(Kind::Input, what, help)
     }
 
+    /// What is wrong with this file, or at this place in it: exit code 2.
+    pub(crate) fn about(place: impl Display, error: impl Display) -> Self {
+        Self::input(format!("{place}: {error}"), "")
+    }
+
     fn new(kind: Kind, what: impl Display, help: impl Into<String>) -> Self {
         Self { kind, what: what.to_string(), file: None, notes: Vec::new(), help: help.into() }
     }

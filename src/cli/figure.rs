@@ -1,5 +1,6 @@
 //! `dcel figure`: the structure as a drawing.
 
+use super::choice::{Choice, one_of};
 use super::failure::say;
 use super::figure_kind::Kind;
 use super::input::InputOptions;
@@ -80,8 +81,8 @@ struct Drawing {
     #[arg(long, value_name = "PX", value_parser = px)]
     max_height: Option<f64>,
     /// How much to draw [default: as much as there is room for]
-    #[arg(long, value_name = "LEVEL")]
-    detail: Option<Level>,
+    #[arg(long, value_name = "LEVEL", value_parser = one_of(LEVELS))]
+    detail: Option<Detail>,
     /// Half-edges show their pointers under the mouse, with the keyboard's focus, and by #id
     #[arg(long, conflicts_with_all = ["records", "kind"])]
     interactive: bool,
@@ -95,33 +96,24 @@ struct Drawing {
     #[arg(long)]
     no_half_edge_labels: bool,
     /// What is written into faces
-    #[arg(long, value_name = "WHAT", default_value = "names")]
-    face_labels: FaceText,
+    #[arg(long, value_name = "WHAT", default_value = "names", value_parser = one_of(FACE_LABELS))]
+    face_labels: FaceLabels,
 }
 
 /// How much is drawn.
-#[derive(clap::ValueEnum, Clone, Copy, Debug)]
-enum Level {
-    /// Outlines and areas
-    Tiles,
-    /// Every edge, vertex and face
-    Edges,
-    /// Half-edges too
-    Arrows,
-    /// Everything, with names
-    Full,
-}
+static LEVELS: &[Choice<Detail>] = &[
+    ("tiles", "Outlines and areas", Detail::Tiles),
+    ("edges", "Every edge, vertex and face", Detail::Edges),
+    ("arrows", "Half-edges too", Detail::Arrows),
+    ("full", "Everything, with names", Detail::Full),
+];
 
 /// What the faces show.
-#[derive(clap::ValueEnum, Clone, Copy, Debug)]
-enum FaceText {
-    /// Nothing
-    Off,
-    /// Their ids
-    Ids,
-    /// Their names, ids where there is none
-    Names,
-}
+static FACE_LABELS: &[Choice<FaceLabels>] = &[
+    ("off", "Nothing", FaceLabels::Off),
+    ("ids", "Their ids", FaceLabels::Ids),
+    ("names", "Their names, ids where there is none", FaceLabels::Names),
+];
 
 fn px(text: &str) -> Result<f64, String> {
     let number: f64 = text.parse().map_err(|_| "write a number of px, for example 800".to_owned())?;
@@ -151,7 +143,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     };
     let names = subject.faces().filter_map(|f| Some((f, subject.name(f)?)));
     let options = args.looks.apply(args.drawing.options(file).face_names(names), &subject)?;
-    let refused = |error| Failure::input(format!("{}: {error}", subject.source), "");
+    let refused = |error| Failure::about(&subject.source, error);
     if let Some(path) = &args.html {
         let page = figure::page(view, &options).map_err(refused)?;
         put(path, page.to_html())?;
@@ -189,12 +181,7 @@ impl Drawing {
             .vertex_labels(!self.no_labels && !self.no_vertex_labels)
             .interactive(self.interactive)
             .half_edge_labels(!self.no_labels && !self.no_half_edge_labels)
-            .face_labels(match self.face_labels {
-                _ if self.no_labels => FaceLabels::Off,
-                FaceText::Off => FaceLabels::Off,
-                FaceText::Ids => FaceLabels::Ids,
-                FaceText::Names => FaceLabels::Names,
-            });
+            .face_labels(if self.no_labels { FaceLabels::Off } else { self.face_labels });
         if let Some(prefix) = &self.id_prefix {
             options = options.id_prefix(prefix);
         }
@@ -203,10 +190,7 @@ impl Drawing {
         }
         match self.detail {
             None => options,
-            Some(Level::Tiles) => options.detail(Detail::Tiles),
-            Some(Level::Edges) => options.detail(Detail::Edges),
-            Some(Level::Arrows) => options.detail(Detail::Arrows),
-            Some(Level::Full) => options.detail(Detail::Full),
+            Some(detail) => options.detail(detail),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Which figure `dcel figure` draws: the structure, its pointers, one half-edge, its tables.
 
+use super::choice::{Choice, one_of};
 use dcel_kit::figure::{self, Figure, FigureError, FigureOptions, Pointers};
 use dcel_kit::plane::PlanarView;
 use dcel_kit::{Element, HalfEdgeId};
@@ -9,8 +10,8 @@ use dcel_kit::{Element, HalfEdgeId};
 #[command(next_help_heading = "What to show")]
 pub(crate) struct Kind {
     /// A panel for each family of pointers, the rest grey
-    #[arg(long, value_name = "FAMILY,…", value_delimiter = ',', group = "kind")]
-    pointers: Vec<Family>,
+    #[arg(long, value_name = "FAMILY,…", value_delimiter = ',', group = "kind", value_parser = one_of(FAMILIES))]
+    pointers: Vec<&'static [Pointers]>,
     /// One half-edge with all its pointers named, for example h5
     #[arg(long, value_name = "HALF-EDGE", group = "kind")]
     focus: Option<HalfEdgeId>,
@@ -26,21 +27,14 @@ pub(crate) struct Kind {
 }
 
 /// A family of pointers, or all of them.
-#[derive(clap::ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
-enum Family {
-    /// The half-edge after each
-    Next,
-    /// The other half of each
-    Twin,
-    /// The half-edge that each vertex knows
-    Outgoing,
-    /// The half-edge that each face knows
-    Boundary,
-    /// The face of each half-edge
-    Face,
-    /// All five
-    All,
-}
+static FAMILIES: &[Choice<&[Pointers]>] = &[
+    ("next", "The half-edge after each", &[Pointers::Next]),
+    ("twin", "The other half of each", &[Pointers::Twin]),
+    ("outgoing", "The half-edge that each vertex knows", &[Pointers::Outgoing]),
+    ("boundary", "The half-edge that each face knows", &[Pointers::Boundary]),
+    ("face", "The face of each half-edge", &[Pointers::Face]),
+    ("all", "All five", &Pointers::ALL),
+];
 
 fn element(text: &str) -> Result<Element, String> {
     let half_edge = || text.parse().map(Element::HalfEdge);
@@ -65,14 +59,6 @@ impl Kind {
         if self.pointers.is_empty() {
             return figure::structure(view, options);
         }
-        let families = self.pointers.iter().flat_map(|family| match family {
-            Family::Next => vec![Pointers::Next],
-            Family::Twin => vec![Pointers::Twin],
-            Family::Outgoing => vec![Pointers::Outgoing],
-            Family::Boundary => vec![Pointers::Boundary],
-            Family::Face => vec![Pointers::Face],
-            Family::All => Pointers::ALL.to_vec(),
-        });
-        figure::pointers(view, &families.collect::<Vec<_>>(), options)
+        figure::pointers(view, &self.pointers.concat(), options)
     }
 }

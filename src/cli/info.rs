@@ -1,5 +1,6 @@
 //! `dcel info`: what a structure consists of.
 
+use super::answer::{InWords, tell};
 use super::input::InputOptions;
 use super::subject::{Kind, Subject};
 use super::{Answer, Failure, Output};
@@ -126,12 +127,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if info.valid == Some(false) {
         super::failure::say("note", format!("{}: laws are broken; `dcel validate` names them", subject.source));
     }
-    if args.json {
-        out.json(&info)?;
-    } else {
-        info.print(out)?;
-    }
-    Ok(Answer::Yes)
+    tell(&info, args.json, out)
 }
 
 impl Info {
@@ -196,6 +192,17 @@ impl Info {
         }
     }
 
+    /// ` (3: 12, 4: 6)`, if there are few different numbers.
+    fn histogram(&self) -> String {
+        if self.faces_by_sides.is_empty() || self.faces_by_sides.len() > 8 {
+            return String::new();
+        }
+        let each: Vec<String> = self.faces_by_sides.iter().map(|(sides, count)| format!("{count} x {sides}")).collect();
+        format!(" ({})", each.join(", "))
+    }
+}
+
+impl InWords for Info {
     fn print(&self, out: &mut Output) -> io::Result<()> {
         let format = self.format;
         let valid = match self.valid {
@@ -247,15 +254,6 @@ impl Info {
             line("memory", format!("{bytes} bytes{each}"))?;
         }
         Ok(())
-    }
-
-    /// ` (3: 12, 4: 6)`, if there are few different numbers.
-    fn histogram(&self) -> String {
-        if self.faces_by_sides.is_empty() || self.faces_by_sides.len() > 8 {
-            return String::new();
-        }
-        let each: Vec<String> = self.faces_by_sides.iter().map(|(sides, count)| format!("{count} x {sides}")).collect();
-        format!(" ({})", each.join(", "))
     }
 }
 

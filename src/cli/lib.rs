@@ -16,6 +16,7 @@
 mod answer;
 mod build;
 mod camera;
+mod choice;
 mod compare;
 mod completions;
 mod convert;
@@ -35,6 +36,7 @@ mod navmesh;
 mod output;
 mod overlay;
 mod picture;
+mod results;
 mod sample;
 mod save;
 mod script;

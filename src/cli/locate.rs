@@ -1,5 +1,6 @@
 //! `dcel locate`: where points lie.
 
+use super::answer::{InWords, tell};
 use super::failure::{Failure, say};
 use super::input::InputOptions;
 use super::output::point;
@@ -122,12 +123,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     }
     let line = |i: usize| Found::new(&subject, s, given[i], found[i], walks.as_ref().map(|walks| &walks[i]));
     let report = Report { source: subject.source.clone(), points: (0..given.len()).map(line).collect() };
-    if args.json {
-        out.json(&report)?;
-    } else {
-        report.print(out)?;
-    }
-    Ok(Answer::Yes)
+    tell(&report, args.json, out)
 }
 
 impl Args {
@@ -198,7 +194,7 @@ impl Found {
     }
 }
 
-impl Report {
+impl InWords for Report {
     fn print(&self, out: &mut Output) -> io::Result<()> {
         for found in &self.points {
             writeln!(out, "{}  {}", point(&[found.x, found.y]), found.words())?;
@@ -254,7 +250,5 @@ fn draw(
     let title = args.file.file_stem().map_or_else(|| "Points".into(), |stem| stem.to_string_lossy());
     let names = subject.faces().filter_map(|f| Some((f, subject.name(f)?)));
     let options = FigureOptions::new(format!("Points in {title}")).face_names(names);
-    sketch
-        .over(s, Backdrop::Plain, &options)
-        .map_err(|error| Failure::input(format!("{}: {error}", subject.source), ""))
+    sketch.over(s, Backdrop::Plain, &options).map_err(|error| Failure::about(&subject.source, error))
 }

@@ -1,9 +1,9 @@
 //! The options of figures that are about looks: theme, style file, part, colours.
 
 use super::Failure;
+use super::choice::{Choice, one_of};
 use super::save::Files;
 use super::subject::Subject;
-use clap::ValueEnum;
 use dcel_kit::FaceId;
 use dcel_kit::figure::{FigureOptions, Overrides, Style, Theme, Unit};
 use std::path::{Path, PathBuf};
@@ -16,8 +16,8 @@ pub(crate) struct Looks {
     #[arg(long, value_name = "LENGTH", value_parser = length)]
     width: Option<(f64, Unit)>,
     /// For which pages
-    #[arg(long, value_name = "THEME", default_value = "auto")]
-    theme: ThemeName,
+    #[arg(long, value_name = "THEME", default_value = "auto", value_parser = one_of(THEMES))]
+    theme: Theme,
     /// A JSON file with the fields of the style to change: colours, sizes, font
     #[arg(long, value_name = "FILE")]
     style: Option<PathBuf>,
@@ -36,15 +36,11 @@ pub(crate) struct Looks {
 }
 
 /// For which pages a figure is.
-#[derive(ValueEnum, Clone, Copy, Debug)]
-enum ThemeName {
-    /// Light, and dark for readers who prefer that
-    Auto,
-    /// Always light
-    Light,
-    /// Always dark
-    Dark,
-}
+static THEMES: &[Choice<Theme>] = &[
+    ("auto", "Light, and dark for readers who prefer that", Theme::Auto),
+    ("light", "Always light", Theme::Light),
+    ("dark", "Always dark", Theme::Dark),
+];
 
 pub(super) fn length(text: &str) -> Result<(f64, Unit), String> {
     let (px, unit) = Unit::parse_length(text).map_err(|error| error.to_string())?;
@@ -91,11 +87,7 @@ impl Looks {
             Some(path) => Style::from_json(&read(path)?)
                 .map_err(|error| Failure::input(format!("{}:{error}", path.display()), ""))?,
         };
-        let options = options.plain(self.plain).style(style.theme(match self.theme {
-            ThemeName::Auto => Theme::Auto,
-            ThemeName::Light => Theme::Light,
-            ThemeName::Dark => Theme::Dark,
-        }));
+        let options = options.plain(self.plain).style(style.theme(self.theme));
         Ok(match self.width {
             Some((px, unit)) => options.width(px).unit(unit),
             None => options,

@@ -82,7 +82,7 @@ fn pixels(figure: &Figure, path: &Path, scale: f64) -> Result<Vec<u8>, Failure> 
     if !strange.is_empty() {
         super::failure::say("note", format_args!("boxes stand for what the bundled font does not have: {strange}"));
     }
-    figure.to_png(scale).map_err(|error| Failure::input(format!("{}: {error}", path.display()), ""))
+    figure.to_png(scale).map_err(|error| Failure::about(path.display(), error))
 }
 
 #[cfg(not(feature = "png"))]

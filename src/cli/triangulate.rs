@@ -1,8 +1,10 @@
 //! `dcel triangulate`: faces into triangles, or into monotone pieces.
 
-use super::failure::{Failure, say};
+use super::answer::InWords;
+use super::choice::{Choice, one_of};
+use super::failure::Failure;
 use super::input::InputOptions;
-use super::save::{Files, InPlace, put, save};
+use super::results::Results;
 use super::subject::Kind;
 use super::{Answer, Output};
 use dcel_kit::figure::sketch::{Backdrop, Role, Sketch, SketchError};
@@ -33,8 +35,8 @@ pub(crate) struct Args {
     #[arg(value_name = "IN")]
     file: PathBuf,
     /// How the triangles are found
-    #[arg(long, value_name = "METHOD", default_value = "monotone")]
-    method: Method,
+    #[arg(long, value_name = "METHOD", default_value = "monotone", value_parser = one_of(METHODS))]
+    method: TriangulationMethod,
     /// Cut into monotone pieces only: the first half of that method
     #[arg(long, conflicts_with = "method")]
     pieces: bool,
@@ -44,41 +46,22 @@ pub(crate) struct Args {
     /// Cut this face only
     #[arg(long, value_name = "FACE", conflicts_with = "holes")]
     face: Option<FaceId>,
-    /// Write the structure, for example as .dcel; - for dcel text instead of the report
-    #[arg(short, long, value_name = "OUT")]
-    output: Option<PathBuf>,
     #[command(flatten)]
-    in_place: InPlace,
-    /// Draw it, with the diagonals
-    #[arg(long, value_name = "OUT.svg")]
-    figure: Option<PathBuf>,
-    /// Answer in JSON
-    #[arg(long, conflicts_with = "output")]
-    json: bool,
+    results: Results,
     #[command(flatten)]
     input: InputOptions,
 }
 
 /// How the triangles are found.
-#[derive(clap::ValueEnum, Clone, Copy, Debug)]
-enum Method {
-    /// Cut off one ear after another, O(n²) at worst
-    Ears,
-    /// Cut into monotone pieces first, O(n log n)
-    Monotone,
-    /// Constrained Delaunay: no needless slivers, O(n log n) for most shapes
-    Delaunay,
-}
-
-impl From<Method> for TriangulationMethod {
-    fn from(method: Method) -> Self {
-        match method {
-            Method::Ears => Self::Ears,
-            Method::Monotone => Self::Monotone,
-            Method::Delaunay => Self::Delaunay,
-        }
-    }
-}
+static METHODS: &[Choice<TriangulationMethod>] = &[
+    ("ears", "Cut off one ear after another, O(n²) at worst", TriangulationMethod::Ears),
+    ("monotone", "Cut into monotone pieces first, O(n log n)", TriangulationMethod::Monotone),
+    (
+        "delaunay",
+        "Constrained Delaunay: no needless slivers, O(n log n) for most shapes",
+        TriangulationMethod::Delaunay,
+    ),
+];
 
 /// The answer. The names are those of the JSON form.
 #[derive(Serialize)]
@@ -96,10 +79,7 @@ struct Report {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    Files::reading([&args.file])
-        .writes_or_replaces("-o", args.output.as_deref(), args.in_place)
-        .writes("--figure", args.figure.as_deref())
-        .check()?;
+    args.results.check(&args.file)?;
     let mut subject = args.input.open_as(&args.file, false)?;
     let source = subject.source.clone();
     let Kind::Plane(subdivision) = &mut subject.kind else {
@@ -118,27 +98,15 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
             subject.names.set(new, Some(name), None);
         }
     }
-    if let Some(path) = &args.figure {
-        let title = args.file.file_stem().map_or_else(|| "Triangles".into(), |stem| stem.to_string_lossy());
-        let drawn = draw(&before, &after, &added.diagonals, &FigureOptions::new(title))
-            .map_err(|error| Failure::input(format!("{source}: {error}"), ""))?;
-        drawn.notes().iter().for_each(|note| say("note", note));
-        put(path, drawn.to_svg())?;
-    }
-    if let Some(path) = &args.output {
-        save(path, &subject.model(), out)?;
-        if path.as_os_str() == "-" {
-            return Ok(Answer::Yes);
-        }
-    }
+    args.results.draw(&args.file, "Triangles", |options| {
+        draw(&before, &after, &added.diagonals, &options).map_err(|error| Failure::about(&source, error))
+    })?;
     let report = Report {
         source,
         format: subject.format.name(),
-        method: match (args.pieces, args.method) {
-            (true, _) => "monotone pieces",
-            (false, Method::Ears) => "ears",
-            (false, Method::Monotone) => "monotone",
-            (false, Method::Delaunay) => "delaunay",
+        method: match METHODS.iter().find(|(.., method)| !args.pieces && *method == args.method) {
+            Some((word, ..)) => word,
+            None => "monotone pieces",
         },
         faces_cut: chosen,
         pieces: chosen + added.new_faces.len(),
@@ -148,17 +116,12 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         faces: after.face_count(),
         hole_faces: after.hole_faces().count(),
     };
-    if args.json {
-        out.json(&report)?;
-    } else {
-        report.print(out)?;
-    }
-    Ok(Answer::Yes)
+    args.results.finish(&subject.model(), &report, out)
 }
 
 /// Cuts what is asked for; returns the number of faces it was, too.
 fn cut(args: &Args, s: &mut Subdivision) -> Result<(usize, Triangulated), dcel_kit::plane::TriangulateError> {
-    let method = args.method.into();
+    let method = args.method;
     let bounded = s.faces().filter(|&f| f != s.outer_face() && (args.holes || !s.is_hole(f)));
     let faces: Vec<FaceId> = args.face.map_or_else(|| bounded.collect(), |f| vec![f]);
     if args.pieces {
@@ -203,7 +166,7 @@ pub(super) fn sketch(after: &Subdivision, diagonals: &[EdgeId]) -> Sketch {
     sketch
 }
 
-impl Report {
+impl InWords for Report {
     fn print(&self, out: &mut Output) -> io::Result<()> {
         writeln!(out, "{}: plane, {}, by {}", self.source, self.format, self.method)?;
         let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");

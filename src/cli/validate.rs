@@ -1,5 +1,6 @@
 //! `dcel validate`: which laws does a structure break?
 
+use super::answer::{InWords, tell};
 use super::failure::say;
 use super::input::{InputOptions, Opened};
 use super::subject::{Kind, Subject};
@@ -9,7 +10,7 @@ use dcel_kit::io::{LoadError, counted, source_name};
 use dcel_kit::plane::{ConvertError, GEOMETRY_RULES, GeometryViolation, Subdivision, TableError};
 use dcel_kit::topology::{Mode, Rule, Violation, violations};
 use serde::Serialize;
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::PathBuf;
 
 /// List the laws that a structure breaks
@@ -79,11 +80,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         Opened::Subject(subject) => Report::of(&subject),
         Opened::Misfit(error) => Report::misfit(source_name(file), &error),
     };
-    if args.json {
-        out.json(&report)?;
-    } else {
-        report.print(out)?;
-    }
+    tell(&report, args.json, out)?;
     Ok(if report.valid { Answer::Yes } else { Answer::No })
 }
 
@@ -114,8 +111,10 @@ impl Report {
         let fault = Fault { rule, text, elements, chain: Vec::new(), found: None, expected: None };
         Self { source, mode: None, valid: false, violations: vec![fault], unchecked: Vec::new() }
     }
+}
 
-    fn print(&self, out: &mut Output) -> Result<(), Failure> {
+impl InWords for Report {
+    fn print(&self, out: &mut Output) -> io::Result<()> {
         for Fault { rule, text, .. } in &self.violations {
             writeln!(out, "{rule}: {text}")?;
         }

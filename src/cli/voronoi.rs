@@ -1,11 +1,12 @@
 //! `dcel voronoi`: the cells of nearest sites.
 
+use super::answer::InWords;
 use super::delaunay::Repeated;
 use super::failure::{Failure, say};
 use super::input::InputOptions;
-use super::save::{Files, InPlace, put, save};
+use super::results::Results;
 use super::{Answer, Output};
-use dcel_kit::figure::{self, FigureOptions};
+use dcel_kit::figure;
 use dcel_kit::io::{Model, PointList, counted, read_points};
 use dcel_kit::plane::{DelaunayBuilt, Point, Subdivision, Voronoi, VoronoiCells, VoronoiError, Window};
 use serde::Serialize;
@@ -30,23 +31,14 @@ pub(crate) struct Args {
     /// The box: left, bottom, right and top; all points must lie inside
     #[arg(long = "box", value_names = ["LEFT", "BOTTOM", "RIGHT", "TOP"], num_args = 4, allow_negative_numbers = true)]
     window: Option<Vec<f64>>,
-    /// Write the cells, for example as .dcel; - for dcel text instead of the report
-    #[arg(short, long, value_name = "OUT")]
-    output: Option<PathBuf>,
     #[command(flatten)]
-    in_place: InPlace,
-    /// Draw it
-    #[arg(long, value_name = "OUT.svg")]
-    figure: Option<PathBuf>,
+    results: Results,
     /// Draw the Delaunay triangulation over it
     #[arg(long, requires = "figure")]
     delaunay: bool,
     /// Draw the edges alone, cut off at the box
     #[arg(long, requires = "figure")]
     rays: bool,
-    /// Answer in JSON
-    #[arg(long, conflicts_with = "output")]
-    json: bool,
     #[command(flatten)]
     input: InputOptions,
 }
@@ -82,58 +74,39 @@ struct Cell {
 const BYTES_PER_SITE: usize = 1_300;
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    Files::reading([&args.file])
-        .writes_or_replaces("-o", args.output.as_deref(), args.in_place)
-        .writes("--figure", args.figure.as_deref())
-        .check()?;
+    args.results.check(&args.file)?;
     let list = read_points(&args.file, &args.input.for_points()?)?;
     list.notes.iter().for_each(|note| say("note", note));
     list.check_room(BYTES_PER_SITE)?;
-    let built =
-        Subdivision::delaunay(&list.points).map_err(|error| Failure::input(format!("{}: {error}", list.source), ""))?;
+    let built = Subdivision::delaunay(&list.points).map_err(|error| Failure::about(&list.source, error))?;
     let window = match args.window.as_deref() {
         Some(&[left, bottom, right, top]) => Window { low: Point::new(left, bottom), high: Point::new(right, top) },
         _ => Window::around(&list.points),
     };
     let voronoi = built.subdivision.voronoi().map_err(|error| refused(&list, &built, &error))?;
     let cells = voronoi.cells(window).map_err(|error| refused(&list, &built, &error))?;
-    if let Some(path) = &args.figure {
-        let title = args.file.file_stem().map_or_else(|| "Voronoi".into(), |stem| stem.to_string_lossy());
-        let options = FigureOptions::new(title);
+    args.results.draw(&args.file, "Voronoi", |options| {
         let drawn = if args.rays {
             figure::voronoi_edges(&voronoi, &window, args.delaunay, &options)
         } else {
             figure::voronoi_cells(&voronoi, &cells, args.delaunay, &options)
         };
-        let drawn = drawn.map_err(|error| Failure::input(format!("{}: {error}", list.source), ""))?;
-        drawn.notes().iter().for_each(|note| say("note", note));
-        put(path, drawn.to_svg())?;
-    }
+        drawn.map_err(|error| Failure::about(&list.source, error))
+    })?;
     let report = Report::of(&list, &built, &voronoi, &cells, &window);
     if cells.slivers > 0 {
         say("note", format_args!("faces that rounding had made and that were joined to cells: {}", cells.slivers));
     }
-    if let Some(path) = &args.output {
-        save(path, &Model::planar(&cells.subdivision), out)?;
-        if path.as_os_str() == "-" {
-            return Ok(Answer::Yes);
-        }
-    }
-    if args.json {
-        out.json(&report)?;
-    } else {
-        report.print(out)?;
-    }
-    Ok(Answer::Yes)
+    args.results.finish(&Model::planar(&cells.subdivision), &report, out)
 }
 
 /// The failure with the line of the site it speaks of.
 fn refused(list: &PointList, built: &DelaunayBuilt, error: &VoronoiError) -> Failure {
     let (VoronoiError::SiteOutside { site, .. } | VoronoiError::TooClose { site, .. }) = error else {
-        return Failure::input(format!("{}: {error}", list.source), "");
+        return Failure::about(&list.source, error);
     };
     let point = built.vertices.iter().position(|v| v == site);
-    Failure::input(format!("{}: {error}", list.place(point.unwrap_or(usize::MAX))), "")
+    Failure::about(list.place(point.unwrap_or(usize::MAX)), error)
 }
 
 impl Report {
@@ -165,7 +138,9 @@ impl Report {
             cells: sites.vertices().map(cell).collect(),
         }
     }
+}
 
+impl InWords for Report {
     fn print(&self, out: &mut Output) -> io::Result<()> {
         writeln!(out, "{}: {}", self.source, counted(self.points, "point", "points"))?;
         let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");

@@ -66,8 +66,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     }
     let lines = if args.no_hidden { HiddenLines::LeftOut } else { HiddenLines::Dashed };
     let camera = Camera { towards, distance: args.distance };
-    let drawn = figure::solid(&solid, &camera, lines, &options)
-        .map_err(|error| Failure::input(format!("{}: {error}", args.file.display()), ""))?;
+    let drawn =
+        figure::solid(&solid, &camera, lines, &options).map_err(|error| Failure::about(args.file.display(), error))?;
     target.write(&drawn, out)?;
     Ok(Answer::Yes)
 }

@@ -1,6 +1,7 @@
 //! `dcel solid info`: counts, angles, curvature, volume, shape.
 
 use super::common::open;
+use crate::answer::{InWords, tell};
 use crate::input::InputOptions;
 use crate::{Answer, Failure, Output};
 use dcel_kit::io::counted;
@@ -103,12 +104,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Ok(Answer::Yes);
     }
     let info = Info::of(dcel_kit::io::source_name(&args.file), &solid);
-    if args.json {
-        out.json(&info)?;
-    } else {
-        info.print(out)?;
-    }
-    Ok(Answer::Yes)
+    tell(&info, args.json, out)
 }
 
 /// The least and the greatest of some values, each with the first element that has it.
@@ -173,7 +169,9 @@ impl Info {
             volume: closed.then(|| solid.signed_volume() + 0.0),
         }
     }
+}
 
+impl InWords for Info {
     fn print(&self, out: &mut Output) -> io::Result<()> {
         let Self { vertices, edges, faces, euler, .. } = self;
         let counts = [

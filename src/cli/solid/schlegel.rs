@@ -50,8 +50,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if let Some(target) = &target {
         let names = seen.faces.iter().map(|(f, of)| (f, format!("{f} = {of}")));
         let options = FigureOptions::new(format!("Seen through {face}")).face_names(names);
-        let drawn = figure::structure(&seen.diagram, &options)
-            .map_err(|error| Failure::input(format!("{}: {error}", args.file.display()), ""))?;
+        let drawn =
+            figure::structure(&seen.diagram, &options).map_err(|error| Failure::about(args.file.display(), error))?;
         target.write(&drawn, out)?;
     }
     let model = Model::planar(&seen.diagram);

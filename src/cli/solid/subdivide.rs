@@ -44,7 +44,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let mut creases = sharp_edges(&solid, args.sharper);
     for _ in 0..args.steps {
         let finer = if args.by_loop { solid.loop_subdivision(&creases) } else { solid.catmull_clark(&creases) };
-        let finer = finer.map_err(|error| Failure::input(format!("{}: {error}", args.file.display()), ""))?;
+        let finer = finer.map_err(|error| Failure::about(args.file.display(), error))?;
         (solid, creases) = (finer.polyhedron, finer.creases);
     }
     args.target.put("subdivided", &solid, None, out)

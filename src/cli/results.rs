@@ -1,0 +1,62 @@
+//! What a command that makes a structure of the plane does with it: writes it, draws it, tells of it.
+
+use super::answer::{InWords, tell};
+use super::failure::say;
+use super::save::{Files, InPlace, put, save};
+use super::{Answer, Failure, Output};
+use dcel_kit::figure::{Figure, FigureOptions};
+use dcel_kit::io::Model;
+use std::path::{Path, PathBuf};
+
+/// Where the results go.
+#[derive(clap::Args, Debug)]
+pub(crate) struct Results {
+    /// Write the structure, for example as .dcel; - for dcel text instead of the report
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    in_place: InPlace,
+    /// Draw it
+    #[arg(long, value_name = "OUT.svg")]
+    figure: Option<PathBuf>,
+    /// Answer in JSON
+    #[arg(long, conflicts_with = "output")]
+    json: bool,
+}
+
+impl Results {
+    /// Refuses to write over the input, unless that is said, and to write two results into one file.
+    pub(crate) fn check(&self, input: &Path) -> Result<(), Failure> {
+        Files::reading([input])
+            .writes_or_replaces("-o", self.output.as_deref(), self.in_place)
+            .writes("--figure", self.figure.as_deref())
+            .check()
+    }
+
+    /// Whether the structure itself is the answer on standard output.
+    pub(crate) fn is_text(&self) -> bool {
+        self.output.as_ref().is_some_and(|path| path.as_os_str() == "-")
+    }
+
+    /// Draws, if asked to; the title is the name of the input, or this one for standard input without a name.
+    pub(crate) fn draw(
+        &self,
+        input: &Path,
+        unnamed: &str,
+        draw: impl FnOnce(FigureOptions) -> Result<Figure, Failure>,
+    ) -> Result<(), Failure> {
+        let Some(path) = &self.figure else { return Ok(()) };
+        let title = input.file_stem().map_or_else(|| unnamed.into(), |stem| stem.to_string_lossy());
+        let drawn = draw(FigureOptions::new(title))?;
+        drawn.notes().iter().for_each(|note| say("note", note));
+        put(path, drawn.to_svg())
+    }
+
+    /// Writes the structure, if asked to, and answers with the report, unless the structure is the answer.
+    pub(crate) fn finish(&self, model: &Model<'_>, report: &impl InWords, out: &mut Output) -> Result<Answer, Failure> {
+        if let Some(path) = &self.output {
+            save(path, model, out)?;
+        }
+        if self.is_text() { Ok(Answer::Yes) } else { tell(report, self.json, out) }
+    }
+}
