@@ -25,6 +25,48 @@ pub(crate) fn grouped(groups: usize, count: usize, group: impl Fn(usize) -> usiz
     (starts, list)
 }
 
+/// Values by groups, in two flat arrays.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) struct Groups<T> {
+    starts: Vec<u32>,
+    values: Vec<T>,
+}
+
+impl<T: Copy> Groups<T> {
+    /// Pairs of a group below `groups` and a value; they are gone through twice. O(groups + pairs).
+    pub(crate) fn new(groups: usize, pairs: impl Iterator<Item = (usize, T)> + Clone) -> Self {
+        let mut starts = vec![0_u32; groups + 1];
+        pairs.clone().for_each(|(group, _)| starts[group + 1] += 1);
+        (0..groups).for_each(|g| starts[g + 1] += starts[g]);
+        let any = pairs.clone().next();
+        let mut values = any.map_or_else(Vec::new, |(_, value)| vec![value; starts[groups] as usize]);
+        let mut next = starts.clone();
+        for (group, value) in pairs {
+            values[next[group] as usize] = value;
+            next[group] += 1;
+        }
+        Self { starts, values }
+    }
+
+    /// The number of groups.
+    #[inline]
+    pub(crate) fn count(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// The values of one group, in the order given.
+    #[inline]
+    pub(crate) fn of(&self, group: usize) -> &[T] {
+        &self.values[self.starts[group] as usize..self.starts[group + 1] as usize]
+    }
+
+    /// The same, to be put into another order.
+    #[inline]
+    pub(crate) fn of_mut(&mut self, group: usize) -> &mut [T] {
+        &mut self.values[self.starts[group] as usize..self.starts[group + 1] as usize]
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -33,5 +75,8 @@ mod tests {
     fn things_keep_their_order_in_their_groups() {
         let groups = [2, 0, 2, 3, 0, 2];
         assert_eq!(grouped(5, groups.len(), |i| groups[i]), (vec![0, 2, 2, 5, 6, 6], vec![1, 4, 0, 2, 5, 3]));
+        let pairs = Groups::new(5, groups.into_iter().zip("abcdef".chars()));
+        let all: Vec<String> = (0..pairs.count()).map(|group| pairs.of(group).iter().collect()).collect();
+        assert_eq!(all, ["be", "", "acf", "d", ""]);
     }
 }

@@ -147,22 +147,22 @@ impl Flat {
     }
 
     /// The live vertices.
-    pub(super) fn vertices(&self) -> impl Iterator<Item = u32> + '_ {
+    pub(super) fn vertices(&self) -> impl Iterator<Item = u32> + Clone + '_ {
         live(&self.has_vertex)
     }
 
     /// The live half-edges.
-    pub(super) fn half_edges(&self) -> impl Iterator<Item = u32> + '_ {
+    pub(super) fn half_edges(&self) -> impl Iterator<Item = u32> + Clone + '_ {
         live(&self.has_half_edge)
     }
 
     /// The live faces.
-    pub(super) fn faces(&self) -> impl Iterator<Item = u32> + '_ {
+    pub(super) fn faces(&self) -> impl Iterator<Item = u32> + Clone + '_ {
         live(&self.has_face)
     }
 
     /// One half-edge for each listed cycle with the face that lists it: boundaries first, then rings.
-    pub(super) fn listed_cycles(&self) -> impl Iterator<Item = (u32, u32)> + '_ {
+    pub(super) fn listed_cycles(&self) -> impl Iterator<Item = (u32, u32)> + Clone + '_ {
         let boundaries = self.faces().map(|f| (f, self.boundary[f as usize])).filter(|&(_, h)| h != NONE);
         boundaries.chain(self.rings.iter().filter_map(|&(f, ring)| match ring {
             Ring::Cycle(h) => Some((f, h.0)),
@@ -171,7 +171,7 @@ impl Flat {
     }
 
     /// The vertices listed as isolated, with the face that lists each.
-    pub(super) fn listed_vertices(&self) -> impl Iterator<Item = (u32, u32)> + '_ {
+    pub(super) fn listed_vertices(&self) -> impl Iterator<Item = (u32, u32)> + Clone + '_ {
         self.rings.iter().filter_map(|&(f, ring)| match ring {
             Ring::Isolated(v) => Some((f, v.0)),
             Ring::Cycle(_) => None,
@@ -179,7 +179,7 @@ impl Flat {
     }
 }
 
-fn live(flags: &[bool]) -> impl Iterator<Item = u32> + '_ {
+fn live(flags: &[bool]) -> impl Iterator<Item = u32> + Clone + '_ {
     flags.iter().enumerate().filter(|&(_, &live)| live).map(|(i, _)| i as u32)
 }
 
@@ -206,32 +206,4 @@ pub(super) fn closed_orbits<B>(
         }
     }
     ControlFlow::Continue(())
-}
-
-/// Values grouped by a number, in two flat arrays.
-pub(super) struct Grouped<T> {
-    starts: Vec<u32>,
-    values: Vec<T>,
-}
-
-impl<T: Copy> Grouped<T> {
-    /// Pairs of a group below `groups` and a value. O(n log n), linear if they come in order.
-    pub(super) fn new(groups: usize, pairs: impl Iterator<Item = (usize, T)>) -> Self {
-        let mut pairs: Vec<(usize, T)> = pairs.collect();
-        pairs.sort_by_key(|&(group, _)| group);
-        let mut starts = vec![0; groups + 1];
-        pairs.iter().for_each(|&(group, _)| starts[group + 1] += 1);
-        (0..groups).for_each(|g| starts[g + 1] += starts[g]);
-        Self { starts, values: pairs.into_iter().map(|(_, value)| value).collect() }
-    }
-
-    /// The number of groups.
-    pub(super) fn groups(&self) -> usize {
-        self.starts.len() - 1
-    }
-
-    /// The values of one group, in the order given.
-    pub(super) fn of(&self, group: usize) -> &[T] {
-        &self.values[self.starts[group] as usize..self.starts[group + 1] as usize]
-    }
 }

@@ -8,6 +8,7 @@
 //! ```
 
 use super::PolygonList;
+use crate::geometry::grouping::Groups;
 
 /// A surface with one side: there is no way to turn its faces so that they fit.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -55,7 +56,7 @@ struct Beside {
 /// assert_eq!(one_sided.band.len(), 5);
 /// ```
 pub fn faces_to_turn(polygons: &PolygonList) -> Result<Vec<u32>, OneSided> {
-    let neighbours = Neighbours::new(polygons);
+    let neighbours = neighbours(polygons);
     let count = polygons.face_count();
     // By face: turned or not relative to the first one of its piece, and who was there before.
     let mut turned: Vec<Option<bool>> = vec![None; count];
@@ -73,7 +74,7 @@ pub fn faces_to_turn(polygons: &PolygonList) -> Result<Vec<u32>, OneSided> {
         while let Some(&face) = piece.get(done) {
             done += 1;
             let is_turned = turned[face as usize] == Some(true);
-            for beside in neighbours.of(face) {
+            for beside in neighbours.of(face as usize) {
                 let wanted = is_turned ^ beside.clash;
                 match turned[beside.face as usize] {
                     None => {
@@ -117,38 +118,24 @@ fn band(from: &[u32], a: u32, b: u32) -> Vec<u32> {
 }
 
 /// For each face the faces behind those of its edges that have two faces.
-struct Neighbours {
-    starts: Vec<u32>,
-    beside: Vec<Beside>,
-}
-
-impl Neighbours {
-    fn new(polygons: &PolygonList) -> Self {
-        let mut sides: Vec<((u32, u32), u32, bool)> = Vec::with_capacity(polygons.corner_count());
-        for face in 0..polygons.face_count() {
-            for corners in polygons.cycles(face) {
-                for (i, &from) in corners.iter().enumerate() {
-                    let to = corners[(i + 1) % corners.len()];
-                    sides.push(((from.min(to), from.max(to)), face as u32, from < to));
-                }
+fn neighbours(polygons: &PolygonList) -> Groups<Beside> {
+    let mut sides: Vec<((u32, u32), u32, bool)> = Vec::with_capacity(polygons.corner_count());
+    for face in 0..polygons.face_count() {
+        for corners in polygons.cycles(face) {
+            for (i, &from) in corners.iter().enumerate() {
+                let to = corners[(i + 1) % corners.len()];
+                sides.push(((from.min(to), from.max(to)), face as u32, from < to));
             }
         }
-        sides.sort_unstable();
-        let mut pairs: Vec<(u32, Beside)> = Vec::with_capacity(sides.len());
-        for edge in sides.chunk_by(|a, b| a.0 == b.0) {
-            if let [(_, a, forward_a), (_, b, forward_b)] = *edge {
-                let clash = forward_a == forward_b;
-                pairs.extend([(a, Beside { face: b, clash }), (b, Beside { face: a, clash })]);
-            }
+    }
+    sides.sort_unstable();
+    let mut pairs: Vec<(u32, Beside)> = Vec::with_capacity(sides.len());
+    for edge in sides.chunk_by(|a, b| a.0 == b.0) {
+        if let [(_, a, forward_a), (_, b, forward_b)] = *edge {
+            let clash = forward_a == forward_b;
+            pairs.extend([(a, Beside { face: b, clash }), (b, Beside { face: a, clash })]);
         }
-        pairs.sort_unstable_by_key(|&(face, beside)| (face, beside.face));
-        let mut starts = vec![0; polygons.face_count() + 1];
-        pairs.iter().for_each(|&(face, _)| starts[face as usize + 1] += 1);
-        (0..polygons.face_count()).for_each(|face| starts[face + 1] += starts[face]);
-        Self { starts, beside: pairs.into_iter().map(|(_, beside)| beside).collect() }
     }
-
-    fn of(&self, face: u32) -> &[Beside] {
-        &self.beside[self.starts[face as usize] as usize..self.starts[face as usize + 1] as usize]
-    }
+    pairs.sort_unstable_by_key(|&(face, beside)| (face, beside.face));
+    Groups::new(polygons.face_count(), pairs.into_iter().map(|(face, beside)| (face as usize, beside)))
 }

@@ -11,7 +11,7 @@ const ROOMS: [(&str, &[&str]); 13] = [
     ("files", &[]),
     ("sources", &[]),
     ("geometry", &[]),
-    ("topology", &["ids"]),
+    ("topology", &["geometry", "ids"]),
     ("plane", &["geometry", "ids", "topology"]),
     ("solid", &["geometry", "ids", "plane", "topology"]),
     ("navmesh", &["geometry", "ids", "plane", "topology"]),

@@ -10,6 +10,7 @@
 use crate::figure::FigureOptions;
 use crate::figure::structure::faces::Region;
 use crate::figure::structure::skeleton::half_edges;
+use crate::geometry::grouping::Groups;
 use crate::ids::{FaceId, FaceMap};
 use crate::plane::PlanarView;
 use std::collections::BTreeMap;
@@ -59,16 +60,8 @@ fn borders<V: PlanarView + ?Sized>(view: &V, country: &FaceMap<u32>) -> Vec<(u32
 
 /// Colours a graph given by its sorted pairs. O(vertices + pairs).
 fn colour(count: usize, pairs: &[(u32, u32)]) -> Vec<u8> {
-    let mut starts = vec![0usize; count + 1];
-    for &(a, _) in pairs {
-        starts[a as usize + 1] += 1;
-    }
-    for i in 0..count {
-        starts[i + 1] += starts[i];
-    }
-    let neighbours = |a: usize| pairs[starts[a]..starts[a + 1]].iter().map(|&(_, b)| b as usize);
-
-    let mut degree: Vec<usize> = (0..count).map(|a| starts[a + 1] - starts[a]).collect();
+    let neighbours = Groups::new(count, pairs.iter().map(|&(a, b)| (a as usize, b as usize)));
+    let mut degree: Vec<usize> = (0..count).map(|a| neighbours.of(a).len()).collect();
     let mut buckets: Vec<Vec<usize>> = vec![Vec::new(); degree.iter().max().map_or(0, |&d| d + 1)];
     for a in (0..count).rev() {
         buckets[degree[a]].push(a);
@@ -86,7 +79,7 @@ fn colour(count: usize, pairs: &[(u32, u32)]) -> Vec<u8> {
         }
         taken[a] = true;
         order.push(a);
-        for b in neighbours(a).filter(|&b| !taken[b]) {
+        for &b in neighbours.of(a).iter().filter(|&&b| !taken[b]) {
             degree[b] -= 1;
             buckets[degree[b]].push(b);
         }
@@ -96,7 +89,7 @@ fn colour(count: usize, pairs: &[(u32, u32)]) -> Vec<u8> {
     let mut hue = vec![u8::MAX; count];
     for &a in order.iter().rev() {
         let mut used = [0usize; HUES];
-        for b in neighbours(a) {
+        for &b in neighbours.of(a) {
             if let Some(uses) = used.get_mut(usize::from(hue[b])) {
                 *uses += 1;
             }

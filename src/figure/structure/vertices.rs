@@ -10,6 +10,7 @@ use crate::figure::canvas::text;
 use crate::figure::canvas::vector::{Xy, xy};
 use crate::figure::layout::crowd::{Crowd, Shape};
 use crate::figure::structure::skeleton::{Skeleton, vertices};
+use crate::geometry::grouping::Groups;
 use crate::ids::{HalfEdgeId, VertexId, VertexMap};
 use crate::plane::PlanarView;
 
@@ -64,42 +65,21 @@ pub(crate) fn name_size(name: &str, radius: f64, style: &Style) -> Option<f64> {
 }
 
 /// The directions of the edges at every vertex, in flat arrays.
-pub(crate) struct Spokes {
-    starts: Vec<u32>,
-    directions: Vec<Xy>,
-}
+pub(crate) struct Spokes(Groups<Xy>);
 
 impl Spokes {
     pub(crate) fn new(vertex_bound: usize, skeleton: &Skeleton) -> Self {
-        let both = || {
-            skeleton.edges.iter().filter_map(|&h| {
-                let (p, q) = skeleton.segment(h)?;
-                Some((skeleton.ends(h)?, (q - p).unit()?))
-            })
-        };
-        let mut starts = vec![0u32; vertex_bound + 1];
-        for ([a, b], _) in both() {
-            starts[a.index() + 1] += 1;
-            starts[b.index() + 1] += 1;
-        }
-        for i in 0..vertex_bound {
-            starts[i + 1] += starts[i];
-        }
-        let mut next = starts.clone();
-        let mut directions = vec![Xy::default(); starts[vertex_bound] as usize];
-        for ([a, b], along) in both() {
-            for (v, direction) in [(a, along), (b, along * -1.0)] {
-                directions[next[v.index()] as usize] = direction;
-                next[v.index()] += 1;
-            }
-        }
-        Self { starts, directions }
+        let both = skeleton.edges.iter().filter_map(|&h| {
+            let (p, q) = skeleton.segment(h)?;
+            let ([a, b], along) = (skeleton.ends(h)?, (q - p).unit()?);
+            Some([(a.index(), along), (b.index(), along * -1.0)])
+        });
+        Self(Groups::new(vertex_bound, both.flatten()))
     }
 
     /// The bisectors of the corners round `v`, the widest corner first.
     pub(crate) fn bisectors(&self, v: VertexId) -> Vec<Xy> {
-        let range = self.starts[v.index()] as usize..self.starts[v.index() + 1] as usize;
-        let mut round = self.directions[range].to_vec();
+        let mut round = self.0.of(v.index()).to_vec();
         round.sort_by(|a, b| a.pseudo_angle().total_cmp(&b.pseudo_angle()));
         let Some(&first) = round.first() else {
             return vec![xy(0.0, 1.0), xy(0.0, -1.0), xy(1.0, 0.0), xy(-1.0, 0.0)];

@@ -8,16 +8,15 @@
 //!
 //! Where rounding has joined several edges of a, they are passed one after another: P | Q and Q | R make P | R.
 
+use crate::geometry::grouping::Groups;
 use crate::ids::{EdgeId, FaceId, FaceMap, HalfEdgeId, must_be_below};
 use crate::plane::Subdivision;
 
 /// The edges of a source along each edge of the overlay.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Sources {
-    /// Where the list of each edge starts, and the end.
-    starts: Vec<u32>,
     /// Half-edges of the source, directed as the even half of the edge.
-    list: Vec<HalfEdgeId>,
+    by_edge: Groups<HalfEdgeId>,
 }
 
 impl Sources {
@@ -27,24 +26,17 @@ impl Sources {
         halves: &[HalfEdgeId],
         chain: impl Fn(usize) -> &'a [HalfEdgeId] + Copy,
     ) -> Self {
-        let pairs = || halves.iter().enumerate().flat_map(|(i, &g)| chain(i).iter().map(move |&h| (h, g)));
-        let mut starts = vec![0_u32; edges + 1];
-        pairs().for_each(|(h, _)| starts[h.edge().index() + 1] += 1);
-        (0..edges).for_each(|e| starts[e + 1] += starts[e]);
-        let mut list = vec![HalfEdgeId::new(0); starts[edges] as usize];
-        let mut free = starts.clone();
-        for (h, g) in pairs() {
-            let place = &mut free[h.edge().index()];
-            list[*place as usize] = if h == h.edge().half_edges()[0] { g } else { g.twin() };
-            *place += 1;
-        }
-        Self { starts, list }
+        let pairs = halves.iter().enumerate().flat_map(|(i, &g)| chain(i).iter().map(move |&h| (h, g)));
+        let directed = |(h, g): (HalfEdgeId, HalfEdgeId)| {
+            (h.edge().index(), if h == h.edge().half_edges()[0] { g } else { g.twin() })
+        };
+        Self { by_edge: Groups::new(edges, pairs.map(directed)) }
     }
 
     #[track_caller]
     pub(super) fn along(&self, e: EdgeId) -> &[HalfEdgeId] {
-        must_be_below(e, e.index(), self.starts.len() - 1);
-        &self.list[self.starts[e.index()] as usize..self.starts[e.index() + 1] as usize]
+        must_be_below(e, e.index(), self.by_edge.count());
+        self.by_edge.of(e.index())
     }
 
     /// The label on the right of `h`, if that on its left is `label`.

@@ -33,6 +33,7 @@ pub use touching::InsertedCorner;
 pub(super) use touching::{insert_touching, sides_of};
 
 use super::{Point, Subdivision};
+use crate::geometry::grouping::Groups;
 use crate::ids::{EdgeId, HalfEdgeId, VertexId, must_be_below};
 use arrange::{Chains, Input, arrange};
 
@@ -130,30 +131,14 @@ impl Arranged {
     /// ```
     #[must_use]
     pub fn segments_along(&self) -> SegmentsAlong {
-        let edges = self.subdivision.edge_bound();
-        let mut starts = vec![0_usize; edges + 1];
-        let chains = || (0..self.chains.count()).map(|i| (i as u32, self.chains.of(i)));
-        chains().flat_map(|(_, chain)| chain).for_each(|h| starts[h.edge().index() + 1] += 1);
-        (0..edges).for_each(|e| starts[e + 1] += starts[e]);
-        let mut list = vec![0; starts[edges]];
-        let mut free = starts.clone();
-        for (i, chain) in chains() {
-            for h in chain {
-                let place = &mut free[h.edge().index()];
-                list[*place] = i;
-                *place += 1;
-            }
-        }
-        SegmentsAlong { starts, list }
+        let along = |i: usize| self.chains.of(i).iter().map(move |h| (h.edge().index(), i as u32));
+        SegmentsAlong(Groups::new(self.subdivision.edge_bound(), (0..self.chains.count()).flat_map(along)))
     }
 }
 
 /// Which segments run along each edge; made by [`Arranged::segments_along`].
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct SegmentsAlong {
-    starts: Vec<usize>,
-    list: Vec<u32>,
-}
+pub struct SegmentsAlong(Groups<u32>);
 
 impl SegmentsAlong {
     /// The numbers of the segments along an edge, in increasing order. At least one. O(1).
@@ -163,8 +148,8 @@ impl SegmentsAlong {
     #[must_use]
     #[track_caller]
     pub fn of(&self, e: EdgeId) -> &[u32] {
-        must_be_below(e, e.index(), self.starts.len() - 1);
-        &self.list[self.starts[e.index()]..self.starts[e.index() + 1]]
+        must_be_below(e, e.index(), self.0.count());
+        self.0.of(e.index())
     }
 }
 

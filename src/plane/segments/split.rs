@@ -17,6 +17,7 @@
 use super::chains::Split;
 use super::graph::{Graph, Single};
 use super::snap::{Plain, snap};
+use crate::geometry::grouping::Groups;
 use crate::geometry::predicates::left_to_right;
 use crate::plane::Point;
 use crate::plane::meet::{Grid, Spot, all_meetings};
@@ -86,20 +87,12 @@ fn find_cuts(graph: &Graph) -> Cuts {
 /// The pieces of all edges, and where those of each edge start. A piece has two different ends.
 fn cut(graph: &Graph, cuts: &[(u32, u32)], place: impl Fn(u32) -> u32) -> (Vec<u32>, Vec<[u32; 2]>) {
     // The cuts by edge.
-    let mut firsts = vec![0_u32; graph.edges.len() + 1];
-    cuts.iter().for_each(|&(edge, _)| firsts[edge as usize + 1] += 1);
-    (0..graph.edges.len()).for_each(|e| firsts[e + 1] += firsts[e]);
-    let mut next = firsts.clone();
-    let mut by_edge = vec![0; cuts.len()];
-    for &(edge, point) in cuts {
-        by_edge[next[edge as usize] as usize] = place(point);
-        next[edge as usize] += 1;
-    }
+    let mut by_edge = Groups::new(graph.edges.len(), cuts.iter().map(|&(edge, point)| (edge as usize, place(point))));
     let mut starts = Vec::with_capacity(graph.edges.len() + 1);
     let mut pieces = Vec::with_capacity(graph.edges.len() + cuts.len());
-    for (&[a, b], range) in graph.edges.iter().zip(firsts.windows(2)) {
+    for (e, &[a, b]) in graph.edges.iter().enumerate() {
         starts.push(pieces.len() as u32);
-        let cuts = &mut by_edge[range[0] as usize..range[1] as usize];
+        let cuts = by_edge.of_mut(e);
         let at = |v: u32| graph.points[v as usize];
         if left_to_right(at(a), at(b)).is_gt() {
             cuts.reverse();

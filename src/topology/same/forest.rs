@@ -7,13 +7,14 @@
 //!        P2 ─ f5 ─ P3    centre: here P2. A face without any piece is a tree of its own.
 //! ```
 
-use super::super::flat::{Grouped, NONE};
+use super::super::flat::NONE;
 use super::colour::{Look, mix, refine};
 use super::difference::which;
 use super::explain::first_pointer;
 use super::matcher::Matcher;
 use super::world::World;
 use super::{Difference, Matching, Which};
+use crate::geometry::grouping::Groups;
 use crate::ids::{FaceId, HalfEdgeId};
 use std::collections::{BTreeMap, VecDeque};
 
@@ -61,11 +62,11 @@ enum Node {
 struct Forest<'a> {
     world: &'a World,
     /// The half-edges of each piece.
-    pieces: Grouped<u32>,
+    pieces: Groups<u32>,
     /// The pieces at each joining face, without repetition.
-    pieces_at: Grouped<u32>,
+    pieces_at: Groups<u32>,
     /// The joining faces of each piece.
-    faces_at: Grouped<u32>,
+    faces_at: Groups<u32>,
     /// Whether the face is a node: it borders more than one piece, or none.
     joins: Vec<bool>,
     /// The face through which the centre is reached; `NONE` for a root.
@@ -87,21 +88,21 @@ impl<'a> Forest<'a> {
     fn new(world: &'a World) -> Self {
         let (bound, face_bound) = (world.next.len(), world.face_label.len());
         let (pieces, piece_of) = pieces(world);
-        let count = pieces.groups();
+        let count = pieces.count();
         let cycles = world.faces.iter().flat_map(|&f| world.cycles.of(f as usize).iter().map(move |&h| (f, h)));
         let mut at_faces: Vec<(u32, u32)> = cycles.map(|(f, h)| (f, piece_of[h as usize])).collect();
         at_faces.sort_unstable();
         at_faces.dedup();
         let mut joins = vec![false; face_bound];
-        let pieces_at = Grouped::new(face_bound, at_faces.iter().map(|&(f, p)| (f as usize, p)));
+        let pieces_at = Groups::new(face_bound, at_faces.iter().map(|&(f, p)| (f as usize, p)));
         world.faces.iter().for_each(|&f| joins[f as usize] = pieces_at.of(f as usize).len() != 1);
         at_faces.retain(|&(f, _)| joins[f as usize]);
         let face_class = (0..face_bound).map(|f| world.face_label[f] | if joins[f] { PARENT } else { 0 }).collect();
         Self {
             world,
             pieces,
-            pieces_at: Grouped::new(face_bound, at_faces.iter().map(|&(f, p)| (f as usize, p))),
-            faces_at: Grouped::new(count, at_faces.iter().map(|&(f, p)| (p as usize, f))),
+            pieces_at: Groups::new(face_bound, at_faces.iter().map(|&(f, p)| (f as usize, p))),
+            faces_at: Groups::new(count, at_faces.iter().map(|&(f, p)| (p as usize, f))),
             joins,
             parent: vec![NONE; count],
             face_parent: vec![NONE; face_bound],
@@ -301,7 +302,7 @@ impl<'a> Forest<'a> {
 }
 
 /// The half-edges that `next` and `twin` connect, piece by piece, and the piece of each.
-fn pieces(world: &World) -> (Grouped<u32>, Vec<u32>) {
+fn pieces(world: &World) -> (Groups<u32>, Vec<u32>) {
     let mut piece_of = vec![NONE; world.next.len()];
     let (mut count, mut members) = (0, Vec::with_capacity(world.half_edges.len()));
     for &start in &world.half_edges {
@@ -321,7 +322,7 @@ fn pieces(world: &World) -> (Grouped<u32>, Vec<u32>) {
         }
         count += 1;
     }
-    (Grouped::new(count as usize, members.into_iter()), piece_of)
+    (Groups::new(count as usize, members.into_iter()), piece_of)
 }
 
 /// The first of `here` that has no partner of its class in `there`; both are sorted by class.

@@ -1,8 +1,9 @@
 //! Both views side by side in one set of numbers: those of the second follow those of the first.
 
-use super::super::flat::{Flat, Grouped, NONE};
+use super::super::flat::{Flat, NONE};
 use super::difference::which;
 use super::{Difference, SameOptions, VertexKey, View};
+use crate::geometry::grouping::Groups;
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 
 /// Two legal views as one structure, with exact labels: partners must have equal labels.
@@ -22,9 +23,9 @@ pub(super) struct World {
     pub(super) label: Vec<u32>,
     pub(super) face_label: Vec<u32>,
     /// One half-edge for each cycle, grouped by face.
-    pub(super) cycles: Grouped<u32>,
+    pub(super) cycles: Groups<u32>,
     /// The isolated vertices, grouped by the face that lists them.
-    pub(super) isolated: Grouped<u32>,
+    pub(super) isolated: Groups<u32>,
     /// Isolated vertices that no face lists.
     pub(super) adrift: Vec<u32>,
 }
@@ -80,8 +81,8 @@ impl World {
             vertex_label: Vec::new(),
             label: Vec::new(),
             face_label: Vec::new(),
-            cycles: Grouped::new(face_bound, cycles),
-            isolated: Grouped::new(face_bound, isolated),
+            cycles: Groups::new(face_bound, cycles),
+            isolated: Groups::new(face_bound, isolated),
             adrift: Vec::new(),
         };
         world.adrift = world.find_adrift(first.outgoing.len() + second.outgoing.len());

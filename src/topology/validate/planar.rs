@@ -10,10 +10,11 @@
 //! around their component and one for each bounded face, K = C + (F - 1); and V - E + K = 2C, if no component
 //! has a handle; together V - E + F = 1 + C.
 
-use super::super::flat::{Flat, Grouped, NONE};
+use super::super::flat::{Flat, NONE};
 use super::super::measure::{count, parts};
 use super::Violation;
 use super::rules::{E1, E2};
+use crate::geometry::grouping::Groups;
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::topology::Ring;
 use std::ops::ControlFlow;
@@ -44,7 +45,7 @@ fn nesting(flat: &Flat, firsts: &[VertexId], visit: &mut impl FnMut(&Violation) 
     let part = |v: u32| parts.of(VertexId(v)).unwrap_or(NONE) as usize;
     let part_of_cycle = |h: u32| part(flat.origin[h as usize]);
     let outer = flat.outer.unwrap_or(NONE);
-    let rings_by_face = Grouped::new(
+    let rings_by_face = Groups::new(
         flat.boundary.len(),
         flat.rings.iter().map(|&(f, ring)| match ring {
             Ring::Cycle(h) => (f as usize, (Element::HalfEdge(h), part_of_cycle(h.0))),
@@ -52,7 +53,7 @@ fn nesting(flat: &Flat, firsts: &[VertexId], visit: &mut impl FnMut(&Violation) 
         }),
     );
     let bounded = flat.faces().filter(|&f| f != outer);
-    let faces_by_part = Grouped::new(firsts.len(), bounded.map(|f| (part_of_cycle(flat.boundary[f as usize]), f)));
+    let faces_by_part = Groups::new(firsts.len(), bounded.map(|f| (part_of_cycle(flat.boundary[f as usize]), f)));
 
     let mut entered = vec![false; firsts.len()];
     let mut faces = vec![outer];

@@ -9,6 +9,7 @@
 //!
 //! Source: de Berg et al., *Computational Geometry*, 3rd ed., section 10.3 (segment trees).
 
+use crate::geometry::grouping::Groups;
 use crate::plane::Point;
 
 /// With fewer corners a look at all sides is as fast.
@@ -65,10 +66,8 @@ struct Rows {
     levels: Vec<f64>,
     /// The nodes of the tree as in a heap: those of node i are 2 i and 2 i + 1; row r is node `leaves + r`.
     leaves: usize,
-    /// Where the list of each node starts; one more at the end.
-    starts: Vec<u32>,
     /// The sides of each node, from left to right; `crossing` ones in any order.
-    listed: Vec<Side>,
+    listed: Groups<Side>,
     /// Whether some of the sides of a node cross, so that there is no order from left to right.
     crossing: Vec<bool>,
 }
@@ -79,16 +78,13 @@ impl Rows {
         levels.sort_unstable_by(f64::total_cmp);
         levels.dedup();
         let leaves = levels.len().next_power_of_two();
-        let mut rows =
-            Self { levels, leaves, starts: vec![0; 2 * leaves + 1], listed: Vec::new(), crossing: Vec::new() };
+        let listed = Groups::new(2 * leaves, std::iter::empty());
+        let mut rows = Self { levels, leaves, listed, crossing: Vec::new() };
         let mut nodes_of = Vec::new();
         for side in sides(corners) {
-            rows.cover(&side, |node| nodes_of.push((node as u32, side)));
+            rows.cover(&side, |node| nodes_of.push((node, side)));
         }
-        nodes_of.iter().for_each(|&(node, _)| rows.starts[node as usize + 1] += 1);
-        (1..rows.starts.len()).for_each(|i| rows.starts[i] += rows.starts[i - 1]);
-        nodes_of.sort_by_key(|&(node, _)| node);
-        rows.listed = nodes_of.into_iter().map(|(_, side)| side).collect();
+        rows.listed = Groups::new(2 * leaves, nodes_of.into_iter());
         rows.crossing = (0..2 * leaves).map(|node| rows.put_in_order(node)).collect();
         rows
     }
@@ -113,7 +109,7 @@ impl Rows {
     /// Sorts the sides of a node. Returns whether some of them cross.
     fn put_in_order(&mut self, node: usize) -> bool {
         let [low, high] = self.span(node);
-        let list = &mut self.listed[self.starts[node] as usize..self.starts[node + 1] as usize];
+        let list = self.listed.of_mut(node);
         if list.len() < 2 {
             return false;
         }
@@ -139,7 +135,7 @@ impl Rows {
         }
         let (mut node, mut count) = (above - 1 + self.leaves, 0);
         while node > 0 {
-            let list = &self.listed[self.starts[node] as usize..self.starts[node + 1] as usize];
+            let list = self.listed.of(node);
             count += match self.crossing[node] {
                 true => list.iter().filter(|side| is_right_of(side, at)).count(),
                 false => list.len() - list.partition_point(|side| !is_right_of(side, at)),
