@@ -11,6 +11,7 @@
 use super::drawing::{Drawing, Outline};
 use super::pairing::distance;
 use super::snap::Snap;
+use crate::geometry::point::corners;
 use crate::plane::Point;
 
 /// An area is small up to this part of the whole, if it touches no vertex.
@@ -112,14 +113,8 @@ pub(super) struct Extent {
 
 impl Extent {
     pub(super) fn around(points: Vec<Point>) -> Self {
-        let first = Self {
-            low: Point::new(f64::INFINITY, f64::INFINITY),
-            high: Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
-        };
-        points.into_iter().fold(first, |out, p| Self {
-            low: Point::new(out.low.x.min(p.x), out.low.y.min(p.y)),
-            high: Point::new(out.high.x.max(p.x), out.high.y.max(p.y)),
-        })
+        let [low, high] = corners(points);
+        Self { low, high }
     }
 
     pub(super) fn corners(&self) -> [Point; 4] {

@@ -11,6 +11,7 @@
 
 use super::pairing::{Places, distance};
 use crate::figure::canvas::number::model;
+use crate::geometry::point;
 use crate::plane::Point;
 
 /// Pairs are tried against every pair of at most this many points.
@@ -307,10 +308,7 @@ impl<'a> Search<'a> {
 
 /// The corners of the box round all points.
 fn corners(points: &[Point]) -> Option<[Point; 2]> {
-    points.iter().fold(None, |corners: Option<[Point; 2]>, &p| {
-        let [low, high] = corners.unwrap_or([p; 2]);
-        Some([Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y))])
-    })
+    (!points.is_empty()).then(|| point::corners(points.iter().copied()))
 }
 
 /// Pairs of extreme points in different directions.

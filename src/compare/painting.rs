@@ -6,6 +6,7 @@
 //! ```
 
 use super::colour::Paint;
+use crate::geometry::point::corners;
 use crate::plane::Point;
 
 /// What a coat is for a comparison.
@@ -68,13 +69,7 @@ impl Area {
         let ahead = |ring: &[Point], i: usize| ring[(i + 1) % ring.len()];
         let sides: Vec<[Point; 2]> =
             rings.iter().flat_map(|ring| (0..ring.len()).map(|i| [ring[i], ahead(ring, i)])).collect();
-        let low = sides
-            .iter()
-            .flatten()
-            .fold(Point::new(f64::INFINITY, f64::INFINITY), |low, p| Point::new(low.x.min(p.x), low.y.min(p.y)));
-        let high = sides.iter().flatten().fold(Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY), |high, p| {
-            Point::new(high.x.max(p.x), high.y.max(p.y))
-        });
+        let [low, high] = corners(sides.iter().flatten().copied());
         let mut out = Self { even_odd, low, high, sides, bands: Vec::new() };
         if out.sides.len() >= FEW {
             // As many entries as a few times the sides, however long these are.

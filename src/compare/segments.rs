@@ -5,6 +5,8 @@
 //! ```
 
 use super::pairing::{distance, lies_on};
+use crate::geometry::grouping::Groups;
+use crate::geometry::point::corners;
 use crate::plane::Point;
 
 /// Work of one comparison: cells and points looked at. Drawings that need more are refused.
@@ -18,40 +20,28 @@ pub(super) struct Grid {
     size: f64,
     columns: usize,
     rows: usize,
-    /// Where the points of each cell begin in `order`.
-    starts: Vec<u32>,
-    order: Vec<u32>,
+    cells: Groups<u32>,
     work: usize,
 }
 
 impl Grid {
     /// O(points + cells), about as many cells as points.
     pub(super) fn new(points: &[Point]) -> Self {
-        let low = points.iter().fold([f64::INFINITY; 2], |l, p| [l[0].min(p.x), l[1].min(p.y)]);
-        let high = points.iter().fold([f64::NEG_INFINITY; 2], |h, p| [h[0].max(p.x), h[1].max(p.y)]);
-        let sides = [0, 1].map(|i| (high[i] - low[i]).max(0.0));
+        let [corner, high] = corners(points.iter().copied());
+        let sides = [high.x - corner.x, high.y - corner.y].map(|side| side.max(0.0));
         let cells = (points.len() as f64).sqrt().clamp(1.0, SIDE);
         let size = (sides[0].max(sides[1]) / cells).max(f64::MIN_POSITIVE);
         let count = |side: f64| ((side / size) as usize + 1).min(SIDE as usize + 2);
         let mut out = Self {
-            corner: Point::new(low[0], low[1]),
+            corner,
             size,
             columns: count(sides[0]),
             rows: count(sides[1]),
-            starts: Vec::new(),
-            order: vec![0; points.len()],
+            cells: Groups::new(0, std::iter::empty()),
             work: 0,
         };
-        let cells: Vec<usize> = points.iter().map(|p| out.row(p.y) * out.columns + out.column(p.x)).collect();
-        let mut starts = vec![0u32; out.columns * out.rows + 1];
-        cells.iter().for_each(|&cell| starts[cell + 1] += 1);
-        (0..out.columns * out.rows).for_each(|cell| starts[cell + 1] += starts[cell]);
-        let mut next = starts.clone();
-        for (i, &cell) in cells.iter().enumerate() {
-            out.order[next[cell] as usize] = i as u32;
-            next[cell] += 1;
-        }
-        out.starts = starts;
+        let cell = |p: &Point| out.row(p.y) * out.columns + out.column(p.x);
+        out.cells = Groups::new(out.columns * out.rows, points.iter().map(cell).zip(0..));
         out
     }
 
@@ -84,10 +74,9 @@ impl Grid {
             let (left, right) = (ends[0].min(ends[1]) - tolerance, ends[0].max(ends[1]) + tolerance);
             for column in self.column(left)..=self.column(right) {
                 let cell = row * self.columns + column;
-                let range = self.starts[cell] as usize..self.starts[cell + 1] as usize;
-                self.work += 1 + range.len();
-                let inside = self.order[range].iter().filter(|&&i| lies_on(points[i as usize], [a, b], tolerance));
-                hits.extend(inside.copied());
+                let near = self.cells.of(cell);
+                self.work += 1 + near.len();
+                hits.extend(near.iter().filter(|&&i| lies_on(points[i as usize], [a, b], tolerance)));
             }
             if self.work > WORK {
                 return None;

@@ -13,6 +13,7 @@ use crate::figure::layout::options::FigureOptions;
 use crate::figure::layout::pole::pole;
 use crate::figure::sketch::{Backdrop, Role, Sketch, SketchError};
 use crate::figure::{Figure, FigureError};
+use crate::geometry::point::corners;
 use crate::ids::{EdgeMap, FaceId, FaceMap, HalfEdgeId};
 use crate::plane::predicates::orientation;
 use crate::plane::{Point, Subdivision, TriangulateError, TriangulationMethod};
@@ -115,12 +116,8 @@ impl<'a> Rooms<'a> {
         let mut parts: Vec<(FaceId, FaceId)> = added.new_faces.iter().map(|&(new, old)| (old, new)).collect();
         parts.extend(s.faces().filter(|&f| f != s.outer_face()).map(|f| (f, f)));
         parts.sort_unstable();
-        let corners = || s.vertices().map(|v| s.point(v));
-        let extent = |by: fn(Point) -> f64| {
-            let (low, high) = corners().map(by).fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(x), h.max(x)));
-            (high - low).max(0.0)
-        };
-        let reach = extent(|p| p.x).max(extent(|p| p.y));
+        let [low, high] = corners(s.vertices().map(|v| s.point(v)));
+        let reach = (high.x - low.x).max(high.y - low.y).max(0.0);
         let rooms = FaceMap::filled(s.face_bound(), None);
         let home = FaceMap::filled(triangles.face_bound(), None);
         let mut found = Self { s, triangles, is_diagonal, rooms, home, reach };

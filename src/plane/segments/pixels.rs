@@ -8,6 +8,7 @@
 //!          ┗╲━━┛   skipped with all that is in it. At the leaves each pixel is tested, exactly.
 //! ```
 
+use crate::geometry::point::corners;
 use crate::geometry::predicates::{left_to_right, orientation};
 use crate::plane::Point;
 use crate::plane::meet::Grid;
@@ -49,11 +50,7 @@ impl Pixels {
 
     /// Adds the node of a part of the order, and all below it. The depth is the logarithm of the part.
     fn grow(&mut self, start: usize, end: usize) {
-        let at = |i: &u32| self.middles[*i as usize];
-        let part = &self.order[start..end];
-        let (low, high) = part.iter().map(at).fold((at(&part[0]), at(&part[0])), |(low, high), p| {
-            (Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y)))
-        });
+        let [low, high] = corners(self.order[start..end].iter().map(|&i| self.middles[i as usize]));
         let node = self.nodes.len();
         self.nodes.push(Node { low, high, start: start as u32, end: end as u32, skip: 0 });
         if end - start > LEAF {

@@ -11,6 +11,7 @@
 //! A cell or a column that most points crowd into is sorted: never worse than O(n log n).
 
 use crate::geometry::grouping::grouped;
+use crate::geometry::point::corners;
 use crate::geometry::predicates::sort_key;
 use crate::plane::Point;
 
@@ -28,10 +29,7 @@ struct Grid {
 impl Grid {
     /// About one cell for two points.
     fn new(points: &[Point]) -> Self {
-        let first = points.first().copied().unwrap_or_default();
-        let (low, high) = points.iter().fold((first, first), |(low, high), p| {
-            (Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y)))
-        });
+        let [low, high] = corners(points.iter().copied());
         let side = ((points.len() / 2) as f64).sqrt().ceil().max(1.0);
         // Too small a difference gives an infinite scale: then all points are in the last column or the first.
         let scale = [high.x - low.x, high.y - low.y].map(|length| if length > 0.0 { side / length } else { 0.0 });

@@ -11,6 +11,7 @@
 //! Source: Bentley, *Multidimensional binary search trees used for associative searching*, CACM 18, 1975.
 
 use super::patch::Patch;
+use crate::geometry::point;
 use crate::geometry::predicates::orientation;
 use crate::plane::Point;
 use std::cmp::Ordering;
@@ -65,13 +66,10 @@ impl ReflexCorners {
     /// Makes a box of these corners, and the boxes within it. The depth is the logarithm of their number.
     fn open(&mut self, patch: &Patch, corners: &mut [(u32, u32)], number: usize, axis: usize) {
         let at = |place: u32| patch.points[place as usize];
-        let nothing = [f64::INFINITY, f64::NEG_INFINITY].map(|x| Point::new(x, x));
-        let [low, high] = corners.iter().fold(nothing, |[low, high], &(place, _)| {
-            let p = at(place);
-            [Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y))]
-        });
+        let [low, high] = point::corners(corners.iter().map(|&(place, _)| at(place)));
         if self.boxes.len() <= number {
-            let empty = Bounds { low: nothing[0], high: nothing[1], left: 0 };
+            let [low, high] = point::corners([]);
+            let empty = Bounds { low, high, left: 0 };
             self.boxes.resize(number + 1, empty);
         }
         self.boxes[number] = Bounds { low, high, left: corners.len() as u32 };
