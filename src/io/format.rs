@@ -62,6 +62,26 @@ pub enum Format {
     Tables,
 }
 
+/// Name, ends of file names without the dot, and one line for people, in the order of [`Format::ALL`].
+const ROWS: [(&str, &[&str], &str); 16] = [
+    ("obj", &["obj"], "Wavefront OBJ: vertices and polygons in space"),
+    ("off", &["off"], "Geomview OFF: vertices and polygons in space"),
+    ("ply", &["ply"], "Stanford PLY, text or binary: vertices and polygons in space"),
+    ("ply-binary", &["ply"], "Stanford PLY, written as binary (little endian)"),
+    ("stl", &["stl"], "STL, text or binary: triangles in space; written as text"),
+    ("stl-binary", &["stl"], "STL, written as binary, in single precision"),
+    ("triangle", &["node", "ele"], "Triangle's .node and .ele: triangles in the plane, two files"),
+    ("geojson", &["geojson", "json"], "GeoJSON: polygons with holes and names; lines, if there is no polygon"),
+    ("topojson", &["topojson"], "TopoJSON: polygons with shared borders (read only)"),
+    ("mesh", &["mesh"], "polyanya .mesh, versions 2 and 3: a navigation mesh"),
+    ("map", &["map"], "Moving AI .map: a grid of cells, as rectangles (read only)"),
+    ("wkt", &["wkt"], "well-known text: points, lines and polygons, as segments (read only)"),
+    ("poly", &["poly"], "Triangle's .poly: points, segments and holes (read only)"),
+    ("segments", &["segments", "seg", "cin"], "plain segments: four numbers a line (read only)"),
+    ("dcel", &["dcel"], "the kit's text: the whole structure, broken ones included"),
+    ("tables", &["tables", "txt"], "the vertex, half-edge and face tables of the slides (write only)"),
+];
+
 /// The word is not the name of a format.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("`{name}` is not a format: choose one of {}", Format::ALL.map(Format::name).join(", "))]
@@ -93,68 +113,19 @@ impl Format {
     /// The word that names the format on the command line.
     #[must_use]
     pub const fn name(self) -> &'static str {
-        match self {
-            Self::Obj => "obj",
-            Self::Off => "off",
-            Self::Ply => "ply",
-            Self::PlyBinary => "ply-binary",
-            Self::Stl => "stl",
-            Self::StlBinary => "stl-binary",
-            Self::Triangle => "triangle",
-            Self::GeoJson => "geojson",
-            Self::TopoJson => "topojson",
-            Self::Mesh => "mesh",
-            Self::Map => "map",
-            Self::Wkt => "wkt",
-            Self::Poly => "poly",
-            Self::Segments => "segments",
-            Self::Dcel => "dcel",
-            Self::Tables => "tables",
-        }
+        ROWS[self as usize].0
     }
 
     /// The ends of file names that belong to it, without the dot.
     #[must_use]
     pub const fn extensions(self) -> &'static [&'static str] {
-        match self {
-            Self::Obj => &["obj"],
-            Self::Off => &["off"],
-            Self::Ply | Self::PlyBinary => &["ply"],
-            Self::Stl | Self::StlBinary => &["stl"],
-            Self::Triangle => &["node", "ele"],
-            Self::GeoJson => &["geojson", "json"],
-            Self::TopoJson => &["topojson"],
-            Self::Mesh => &["mesh"],
-            Self::Map => &["map"],
-            Self::Wkt => &["wkt"],
-            Self::Poly => &["poly"],
-            Self::Segments => &["segments", "seg", "cin"],
-            Self::Dcel => &["dcel"],
-            Self::Tables => &["tables", "txt"],
-        }
+        ROWS[self as usize].1
     }
 
     /// One line for people.
     #[must_use]
     pub const fn describe(self) -> &'static str {
-        match self {
-            Self::Obj => "Wavefront OBJ: vertices and polygons in space",
-            Self::Off => "Geomview OFF: vertices and polygons in space",
-            Self::Ply => "Stanford PLY, text or binary: vertices and polygons in space",
-            Self::PlyBinary => "Stanford PLY, written as binary (little endian)",
-            Self::Stl => "STL, text or binary: triangles in space; written as text",
-            Self::StlBinary => "STL, written as binary, in single precision",
-            Self::Triangle => "Triangle's .node and .ele: triangles in the plane, two files",
-            Self::GeoJson => "GeoJSON: polygons with holes and names; lines, if there is no polygon",
-            Self::TopoJson => "TopoJSON: polygons with shared borders (read only)",
-            Self::Mesh => "polyanya .mesh, versions 2 and 3: a navigation mesh",
-            Self::Map => "Moving AI .map: a grid of cells, as rectangles (read only)",
-            Self::Wkt => "well-known text: points, lines and polygons, as segments (read only)",
-            Self::Poly => "Triangle's .poly: points, segments and holes (read only)",
-            Self::Segments => "plain segments: four numbers a line (read only)",
-            Self::Dcel => "the kit's text: the whole structure, broken ones included",
-            Self::Tables => "the vertex, half-edge and face tables of the slides (write only)",
-        }
+        ROWS[self as usize].2
     }
 
     /// Whether the kit can read it.
@@ -202,8 +173,8 @@ mod tests {
 
     #[test]
     fn names_and_extensions_lead_back_to_the_format() {
-        for format in Format::ALL {
-            assert_eq!(format.name().parse(), Ok(format));
+        for (i, format) in Format::ALL.into_iter().enumerate() {
+            assert_eq!((format as usize, format.name().parse()), (i, Ok(format)));
         }
         assert_eq!(Format::from_path(Path::new("a/cube.OBJ")), Some(Format::Obj));
         assert_eq!(Format::from_path(Path::new("spiral.1.ele")), Some(Format::Triangle));
