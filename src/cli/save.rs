@@ -112,12 +112,25 @@ pub(crate) fn put(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), Failure> {
 
 /// Writes a structure; the end of the name tells the format. `-` is dcel text on standard output.
 pub(crate) fn save(path: &Path, model: &Model<'_>, out: &mut Output) -> Result<(), Failure> {
-    let written = match Format::from_path(path) {
-        _ if path.as_os_str() == "-" => write(out, model, Format::Dcel),
+    save_as(path, None, Format::Dcel, "end it in .dcel", model, out)
+}
+
+/// Writes a structure in this format, or in the one that the end of the name tells; `usual` is that of standard output.
+/// `help` says how to name a file whose format is not known.
+pub(crate) fn save_as(
+    path: &Path,
+    format: Option<Format>,
+    usual: Format,
+    help: &str,
+    model: &Model<'_>,
+    out: &mut Output,
+) -> Result<(), Failure> {
+    let written = match format.or_else(|| Format::from_path(path)) {
+        format if path.as_os_str() == "-" => write(out, model, format.unwrap_or(usual)),
         Some(format) => write_path(path, model, format),
         None => {
             let what = format!("{}: the name does not tell the format to write", path.display());
-            return Err(Failure::input(what, "end it in .dcel"));
+            return Err(Failure::input(what, help));
         }
     };
     written.map_err(|error| Failure::of_writing(path, error))

@@ -2,10 +2,10 @@
 
 use crate::failure::Failure;
 use crate::input::InputOptions;
-use crate::save::{Files, InPlace};
+use crate::save::{Files, InPlace, save_as};
 use crate::subject::Kind;
 use crate::{Answer, Output};
-use dcel_kit::io::{Format, Model, counted, write, write_path};
+use dcel_kit::io::{Format, Model, counted};
 use dcel_kit::solid::{PartCounts, Polyhedron};
 use serde::Serialize;
 use std::io::Write;
@@ -108,15 +108,8 @@ impl Target {
 
 fn save(path: &Path, to: Option<Format>, solid: &Polyhedron, out: &mut Output) -> Result<(), Failure> {
     let model = Model::surface(solid, |v| Some(solid.point(v)), |f| solid.is_boundary_face(f));
-    let written = match to.or_else(|| Format::from_path(path)) {
-        format if path.as_os_str() == "-" => write(out, &model, format.unwrap_or(Format::Off)),
-        Some(format) => write_path(path, &model, format),
-        None => {
-            let what = format!("{}: the name does not tell the format to write", path.display());
-            return Err(Failure::input(what, "end it in .off, .obj, .ply or .stl, or say it with --to"));
-        }
-    };
-    written.map_err(|error| Failure::of_writing(path, error))
+    let help = "end it in .off, .obj, .ply or .stl, or say it with --to";
+    save_as(path, to, Format::Off, help, &model, out)
 }
 
 /// Refuses what would fill the memory of a small machine.

@@ -3,11 +3,11 @@
 use super::common::{open, refused};
 use crate::input::InputOptions;
 use crate::picture::{Pixels, Target};
-use crate::save::{Files, InPlace};
+use crate::save::{Files, InPlace, save};
 use crate::{Answer, Failure, Output};
 use dcel_kit::figure::{self, FigureOptions};
 use dcel_kit::ids::FaceId;
-use dcel_kit::io::{Format, Model, write, write_path};
+use dcel_kit::io::Model;
 use std::path::PathBuf;
 
 /// Look at a convex solid through one of its faces
@@ -55,17 +55,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         target.write(&drawn, out)?;
     }
     let model = Model::planar(&seen.diagram);
-    match &args.output {
-        None if target.is_some() => return Ok(Answer::Yes),
-        Some(path) if path.as_os_str() != "-" => {
-            let format = Format::from_path(path).ok_or_else(|| {
-                let what = format!("{}: the name does not tell the format to write", path.display());
-                Failure::input(what, "end it in .dcel")
-            })?;
-            write_path(path, &model, format)
-        }
-        _ => write(out, &model, Format::Dcel),
+    if args.output.is_some() || target.is_none() {
+        save(args.output.as_deref().unwrap_or("-".as_ref()), &model, out)?;
     }
-    .map_err(|error| Failure::of_writing(args.output.as_deref().unwrap_or("-".as_ref()), error))?;
     Ok(Answer::Yes)
 }
