@@ -48,7 +48,7 @@ mod subdivide;
 mod support;
 mod support_map;
 mod surface_journal;
-mod vector;
+pub(crate) mod vector;
 mod winged;
 mod wings;
 mod wythoff;

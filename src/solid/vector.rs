@@ -1,8 +1,8 @@
 //! Vectors in space: the arithmetic of measures. Decisions are made by `predicates.rs`, never here.
 
-pub(super) type Vector = [f64; 3];
+pub(crate) type Vector = [f64; 3];
 
-pub(super) fn minus(a: Vector, b: Vector) -> Vector {
+pub(crate) fn minus(a: Vector, b: Vector) -> Vector {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
@@ -14,11 +14,11 @@ pub(super) fn times(a: Vector, factor: f64) -> Vector {
     a.map(|x| x * factor)
 }
 
-pub(super) fn dot(a: Vector, b: Vector) -> f64 {
+pub(crate) fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-pub(super) fn cross(a: Vector, b: Vector) -> Vector {
+pub(crate) fn cross(a: Vector, b: Vector) -> Vector {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 

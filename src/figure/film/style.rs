@@ -27,12 +27,7 @@ pub(super) fn marks(style: &Style, scope: &str) -> String {
     ] {
         let _ = writeln!(out, "#{scope} {selector}{{{properties}}}");
     }
-    colours(&mut out, scope, &style.light);
-    if let Some(dark) = &style.dark {
-        out.push_str("@media (prefers-color-scheme:dark){\n");
-        colours(&mut out, scope, dark);
-        out.push_str("}\n");
-    }
+    style.in_both(&mut out, |out, palette| colours(out, scope, palette));
     out
 }
 

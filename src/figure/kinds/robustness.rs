@@ -234,14 +234,11 @@ pub fn robustness(points: &NearlyCollinear, options: &FigureOptions) -> Figure {
     ] {
         css.push_str(&format!("#{prefix} .{class}{{{properties}}}\n"));
     }
-    let inks = |ink: crate::figure::Colour| {
-        let rule = |class: &str, key: &str| format!("#{prefix} .{class}{{{key}:{ink}}}\n");
-        [rule("ct", "fill"), rule("cs", "fill"), rule("truth", "stroke")].concat()
-    };
-    css.push_str(&inks(options.style.light.ink));
-    if let Some(dark) = &options.style.dark {
-        css.push_str(&format!("@media (prefers-color-scheme:dark){{\n{}}}\n", inks(dark.ink)));
-    }
+    options.style.in_both(&mut css, |css, palette| {
+        for (class, key) in [("ct", "fill"), ("cs", "fill"), ("truth", "stroke")] {
+            css.push_str(&format!("#{prefix} .{class}{{{key}:{}}}\n", palette.ink));
+        }
+    });
     let about = format!(
         "A map of {cells} points next to a line. Strong cells show where the orientation test in doubles is wrong: \
          {wrong} times."

@@ -50,6 +50,7 @@ pub enum FaceLabels {
 /// let options = FigureOptions::new("Two rooms").width(480.0).face_name(FaceId::new(1), "kitchen");
 /// assert_eq!(options.prefix(), "two-rooms");
 /// ```
+#[must_use = "the options are returned, not changed in place"]
 #[derive(Clone, PartialEq, Debug)]
 pub struct FigureOptions {
     pub(crate) title: String,
@@ -107,7 +108,6 @@ impl FigureOptions {
     }
 
     /// The longer text for screen readers. Default: the counts and how to read the arrows.
-    #[must_use]
     pub fn description(mut self, text: impl AsRef<str>) -> Self {
         self.description = Some(text::clean(text.as_ref()));
         self
@@ -115,7 +115,6 @@ impl FigureOptions {
 
     /// What every id and every CSS rule begins with; two figures of one page need different ones. Characters
     /// other than ASCII letters, digits and `-` become `-`. Default: made from the title.
-    #[must_use]
     pub fn id_prefix(mut self, prefix: impl AsRef<str>) -> Self {
         self.id_prefix = Some(slug(prefix.as_ref(), false));
         self
@@ -128,7 +127,6 @@ impl FigureOptions {
     }
 
     /// Colours, sizes and fonts. Default: [`Style::default`].
-    #[must_use]
     pub fn style(mut self, style: Style) -> Self {
         self.style = style;
         self
@@ -136,21 +134,18 @@ impl FigureOptions {
 
     /// Width of the canvas in px (100 to 20,000). Default: 640, and for at most 60 edges up to 1600, until the
     /// median edge is 110 px long. A drawing that reaches the height first makes the canvas narrower.
-    #[must_use]
     pub fn width(mut self, px: f64) -> Self {
         self.width = px.is_finite().then(|| px.clamp(100.0, 20_000.0));
         self
     }
 
     /// Greatest height of the canvas in px (100 to 20,000). Default: 5/4 of the width.
-    #[must_use]
     pub fn max_height(mut self, px: f64) -> Self {
         self.height = px.is_finite().then(|| px.clamp(100.0, 20_000.0));
         self
     }
 
     /// Fixes the level of detail. Default: chosen, see [`Detail`].
-    #[must_use]
     pub fn detail(mut self, detail: Detail) -> Self {
         self.detail = Some(detail);
         self
@@ -158,27 +153,23 @@ impl FigureOptions {
 
     /// Leaves half-edges out of a drawing of so many edges: up to 5000 of them [`Detail::Edges`] is fixed, beyond the
     /// level is chosen, see [`Detail`].
-    #[must_use]
     pub fn without_half_edges(self, edges: usize) -> Self {
         if edges <= 5000 { self.detail(Detail::Edges) } else { self }
     }
 
     /// Whether vertices show their names. Default: yes.
-    #[must_use]
     pub fn vertex_labels(mut self, on: bool) -> Self {
         self.vertex_labels = on;
         self
     }
 
     /// Whether half-edges show their names. Default: yes.
-    #[must_use]
     pub fn half_edge_labels(mut self, on: bool) -> Self {
         self.half_edge_labels = on;
         self
     }
 
     /// What the faces show. Default: [`FaceLabels::Names`].
-    #[must_use]
     pub fn face_labels(mut self, labels: FaceLabels) -> Self {
         self.face_labels = labels;
         self
@@ -187,27 +178,23 @@ impl FigureOptions {
     /// Whether the half-edge under the mouse, with the keyboard's focus or named by the address (`file.svg#FIG-h5`)
     /// shows its pointers: next, prev (as the next of that), twin, face and origin. No script is needed. Needs
     /// [`Detail::Arrows`] at least. Default: no.
-    #[must_use]
     pub fn interactive(mut self, on: bool) -> Self {
         self.interactive = on;
         self
     }
 
     /// Names one face. Faces with the same name share a tint, and one label.
-    #[must_use]
     pub fn face_name(mut self, face: FaceId, name: impl AsRef<str>) -> Self {
         self.names.set(face, Some(text::clean(name.as_ref())), None);
         self
     }
 
     /// Names many faces, see [`face_name`](Self::face_name).
-    #[must_use]
     pub fn face_names<N: AsRef<str>>(self, names: impl IntoIterator<Item = (FaceId, N)>) -> Self {
         names.into_iter().fold(self, |options, (face, name)| options.face_name(face, name))
     }
 
     /// Colours and labels of single elements. Labels of faces are names, see [`face_name`](Self::face_name).
-    #[must_use]
     pub fn overrides(mut self, overrides: Overrides) -> Self {
         for (face, name) in overrides.face_labels() {
             self.names.set(face, Some(name.to_owned()), None);
@@ -218,7 +205,6 @@ impl FigureOptions {
 
     /// Draws these faces only, with their half-edges and vertices, as large as there is room for. Default: all.
     /// Films always show all faces, and so do the tables of a page.
-    #[must_use]
     pub fn faces(mut self, faces: impl IntoIterator<Item = FaceId>) -> Self {
         self.faces = Some(faces.into_iter().collect());
         self
@@ -227,7 +213,6 @@ impl FigureOptions {
     /// Shows the part of the plane between two corners only: the picture ends there, without a free band round
     /// it. Default: everything. Corners that span no area, or that are no numbers, change nothing. Films always show
     /// everything.
-    #[must_use]
     pub fn crop(mut self, corner: [f64; 2], opposite: [f64; 2]) -> Self {
         let [a, b] = [corner, opposite].map(|[x, y]| Point::new(x, y));
         let is_box = |a: Point, b: Point| [b.x - a.x, b.y - a.y].iter().all(|side| side.is_finite() && *side != 0.0);
@@ -238,7 +223,6 @@ impl FigureOptions {
     /// Leaves room for these points, too, as if there were vertices. Two figures of one width that reach to the same
     /// points have one scale, and what stands at one place stands at one place in both. Default: none. A cropped
     /// figure shows its window.
-    #[must_use]
     pub fn reach(mut self, points: impl IntoIterator<Item = [f64; 2]>) -> Self {
         let finite = |[x, y]: &[f64; 2]| x.is_finite() && y.is_finite();
         self.reach = points.into_iter().filter(finite).map(|[x, y]| Point::new(x, y)).collect();
@@ -246,7 +230,6 @@ impl FigureOptions {
     }
 
     /// The unit in which the file states its width and height. Default: px, 96 of them an inch.
-    #[must_use]
     pub fn unit(mut self, unit: Unit) -> Self {
         self.unit = unit;
         self
@@ -254,7 +237,6 @@ impl FigureOptions {
 
     /// Whether the file has no style sheet: every element carries its colours and fonts itself, those for light
     /// pages. For slide and drawing programs that read no CSS. Default: no.
-    #[must_use]
     pub fn plain(mut self, on: bool) -> Self {
         self.plain = on;
         self

@@ -9,9 +9,9 @@
 //! two roles have the same dash and mark: the picture can be read without any colour.
 
 use super::glyph::Glyph;
+use crate::figure::FigureOptions;
 use crate::figure::canvas::number::drawn;
 use crate::figure::canvas::style::{Colour, Palette};
-use crate::figure::{FigureOptions, Style};
 use std::fmt::Write;
 
 /// What a thing is for.
@@ -173,13 +173,7 @@ pub(super) fn css(options: &FigureOptions, roles: &[Role]) -> String {
     }
     fixed(".sk .solid", "stroke-dasharray:none");
     fixed(".sk .dashed", "stroke-dasharray:6 4");
-    let Style { light, dark, .. } = &options.style;
-    colours(&mut out, &scope, light, roles);
-    if let Some(dark) = dark {
-        out.push_str("@media (prefers-color-scheme:dark){\n");
-        colours(&mut out, &scope, dark, roles);
-        out.push_str("}\n");
-    }
+    options.style.in_both(&mut out, |out, palette| colours(out, &scope, palette, roles));
     out
 }
 

@@ -35,12 +35,7 @@ pub(crate) fn css(style: &Style, scope: &str) -> String {
     let halo = "font-weight:700;paint-order:stroke;stroke-width:.3em;stroke-linejoin:round";
     ["next", "twin", "origin", "face"].iter().for_each(|key| fixed(&format!(".k-{key}"), halo));
     fixed(".pn", "font-weight:700;paint-order:stroke;stroke-width:.3em;stroke-linejoin:round");
-    colours(&mut out, scope, &style.light);
-    if let Some(dark) = &style.dark {
-        out.push_str("@media (prefers-color-scheme:dark){\n");
-        colours(&mut out, scope, dark);
-        out.push_str("}\n");
-    }
+    style.in_both(&mut out, |out, palette| colours(out, scope, palette));
     out
 }
 

@@ -251,13 +251,18 @@ impl Style {
         for (i, hue) in self.tints.iter().enumerate() {
             rule(&mut out, scope, &format!("t{i}"), &format!("fill:{hue}"));
         }
-        colours(&mut out, scope, &self.light);
+        self.in_both(&mut out, |out, palette| colours(out, scope, palette));
+        out
+    }
+
+    /// Adds the rules of the light palette, and those of the dark one for readers who prefer that.
+    pub(crate) fn in_both(&self, out: &mut String, mut rules: impl FnMut(&mut String, &Palette)) {
+        rules(out, &self.light);
         if let Some(dark) = &self.dark {
             out.push_str("@media (prefers-color-scheme:dark){\n");
-            colours(&mut out, scope, dark);
+            rules(out, dark);
             out.push_str("}\n");
         }
-        out
     }
 }
 

@@ -10,8 +10,7 @@
 use crate::ids::VertexMap;
 use crate::plane::Point;
 use crate::solid::Polyhedron;
-
-type Vector = [f64; 3];
+use crate::solid::vector::{Vector, cross, dot, minus};
 
 /// Where the eye is.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -106,18 +105,6 @@ impl Picture {
     pub(super) fn ray(&self, p: Vector) -> Vector {
         self.eye.map_or(self.towards, |eye| minus(eye, p))
     }
-}
-
-pub(super) fn minus(a: Vector, b: Vector) -> Vector {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-pub(super) fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 fn unit(a: Vector) -> Vector {

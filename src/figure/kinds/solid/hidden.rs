@@ -7,12 +7,13 @@
 //!     ┗━━━━━━━┛
 //! ```
 
-use crate::figure::kinds::solid::camera::{Picture, dot, minus};
+use crate::figure::kinds::solid::camera::Picture;
 use crate::figure::kinds::solid::inside::Outline;
 use crate::figure::kinds::solid::tree::{Bounds, Tree};
 use crate::ids::{EdgeId, FaceId, FaceMap};
 use crate::plane::Point;
 use crate::solid::Polyhedron;
+use crate::solid::vector::{dot, minus};
 
 /// Parts of an edge, from 0 at one end to 1 at the other: from, to, and whether it is hidden.
 type Stretches = Vec<(f64, f64, bool)>;

@@ -22,11 +22,10 @@ pub use crate::figure::kinds::solid::camera::Camera;
 use crate::figure::kinds::solid::hidden::{Piece, Seen};
 use crate::figure::sketch::{Backdrop, Role, Sketch, SketchError};
 use crate::figure::{Figure, FigureOptions};
-use crate::ids::{FaceId, VertexMap};
+use crate::ids::{VertexId, VertexMap};
 use crate::plane::{PlanarView, Point};
 use crate::solid::Polyhedron;
-use crate::topology::View;
-use crate::{HalfEdgeId, VertexId};
+use crate::topology::{Dcel, View};
 
 /// What becomes of hidden lines.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
@@ -74,7 +73,7 @@ pub fn solid(
         };
         path.title(if *is_hidden { "hidden edge" } else { "edge" });
     }
-    let projected = Projected { solid, points: view.points };
+    let projected = Projected { dcel: solid.topology(), points: view.points };
     let chosen = options.faces.clone();
     let faces = seen.faces.into_iter().filter(|f| chosen.as_ref().is_none_or(|chosen| chosen.contains(f)));
     let options = options.clone().faces(faces);
@@ -83,50 +82,12 @@ pub fn solid(
 
 /// A solid with the positions of its picture.
 struct Projected<'a> {
-    solid: &'a Polyhedron,
+    dcel: &'a Dcel,
     points: VertexMap<Point>,
 }
 
 impl View for Projected<'_> {
-    fn vertex_bound(&self) -> usize {
-        View::vertex_bound(self.solid)
-    }
-    fn half_edge_bound(&self) -> usize {
-        View::half_edge_bound(self.solid)
-    }
-    fn face_bound(&self) -> usize {
-        View::face_bound(self.solid)
-    }
-    fn has_vertex(&self, v: VertexId) -> bool {
-        View::has_vertex(self.solid, v)
-    }
-    fn has_half_edge(&self, h: HalfEdgeId) -> bool {
-        View::has_half_edge(self.solid, h)
-    }
-    fn has_face(&self, f: FaceId) -> bool {
-        View::has_face(self.solid, f)
-    }
-    fn origin(&self, h: HalfEdgeId) -> Option<VertexId> {
-        View::origin(self.solid, h)
-    }
-    fn twin(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
-        View::twin(self.solid, h)
-    }
-    fn next(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
-        View::next(self.solid, h)
-    }
-    fn prev(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
-        View::prev(self.solid, h)
-    }
-    fn face(&self, h: HalfEdgeId) -> Option<FaceId> {
-        View::face(self.solid, h)
-    }
-    fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
-        View::outgoing(self.solid, v)
-    }
-    fn boundary(&self, f: FaceId) -> Option<HalfEdgeId> {
-        View::boundary(self.solid, f)
-    }
+    crate::topology::pointers_of_dcel!(dcel);
 }
 
 impl PlanarView for Projected<'_> {
