@@ -166,10 +166,7 @@ impl Dcel {
     #[inline]
     #[track_caller]
     pub fn origin(&self, h: HalfEdgeId) -> VertexId {
-        match self.origin.get(h.index()) {
-            Some(&word) => VertexId(word),
-            None => self.no_such(h),
-        }
+        VertexId(self.read(&self.origin, h.index(), h))
     }
 
     /// The vertex a half-edge ends at: the origin of its twin. O(1).
@@ -177,10 +174,7 @@ impl Dcel {
     #[inline]
     #[track_caller]
     pub fn destination(&self, h: HalfEdgeId) -> VertexId {
-        match self.origin.get(h.twin().index()) {
-            Some(&word) => VertexId(word),
-            None => self.no_such(h),
-        }
+        VertexId(self.read(&self.origin, h.twin().index(), h))
     }
 
     /// The other half of the same edge. O(1), no memory access.
@@ -202,10 +196,7 @@ impl Dcel {
     #[inline]
     #[track_caller]
     pub fn next(&self, h: HalfEdgeId) -> HalfEdgeId {
-        match self.next.get(h.index()) {
-            Some(&word) => HalfEdgeId(word),
-            None => self.no_such(h),
-        }
+        HalfEdgeId(self.read(&self.next, h.index(), h))
     }
 
     /// The half-edge before `h` along the boundary of its face. O(1).
@@ -213,10 +204,7 @@ impl Dcel {
     #[inline]
     #[track_caller]
     pub fn prev(&self, h: HalfEdgeId) -> HalfEdgeId {
-        match self.prev.get(h.index()) {
-            Some(&word) => HalfEdgeId(word),
-            None => self.no_such(h),
-        }
+        HalfEdgeId(self.read(&self.prev, h.index(), h))
     }
 
     /// The face on the left of `h`. O(1).
@@ -224,10 +212,7 @@ impl Dcel {
     #[inline]
     #[track_caller]
     pub fn face(&self, h: HalfEdgeId) -> FaceId {
-        match self.face.get(h.index()) {
-            Some(&word) => FaceId(word),
-            None => self.no_such(h),
-        }
+        FaceId(self.read(&self.face, h.index(), h))
     }
 
     /// One half-edge that starts at `v`; none if `v` is isolated (or removed). O(1).
@@ -235,10 +220,7 @@ impl Dcel {
     #[inline]
     #[track_caller]
     pub fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
-        match self.outgoing.get(v.index()) {
-            Some(&word) => target(word).map(HalfEdgeId),
-            None => self.no_such(v),
-        }
+        target(self.read(&self.outgoing, v.index(), v)).map(HalfEdgeId)
     }
 
     /// One half-edge whose face is `f` (the lab's `incidentHalfEdge`); none if `f` has no boundary (or was
@@ -247,9 +229,16 @@ impl Dcel {
     #[inline]
     #[track_caller]
     pub fn boundary(&self, f: FaceId) -> Option<HalfEdgeId> {
-        match self.boundary.get(f.index()) {
-            Some(&word) => target(word).map(HalfEdgeId),
-            None => self.no_such(f),
+        target(self.read(&self.boundary, f.index(), f)).map(HalfEdgeId)
+    }
+
+    /// A word of a column, for an element that has one there.
+    #[inline(always)]
+    #[track_caller]
+    fn read(&self, column: &[u32], index: usize, element: impl Into<Element>) -> u32 {
+        match column.get(index) {
+            Some(&word) => word,
+            None => self.no_such(element),
         }
     }
 
