@@ -10,13 +10,18 @@
 //! `-- live` puts obstacles into a map, moves them, and takes them out. `-- blocked` compares maps that list blocked
 //! triangles with the same maps without them.
 //!
+//! `-- surfaces` shows how floors with heights grow: making one, and locating, nearest places, rays and paths on it.
+//!
 //! `-- linear` shows how making a mesh and its index grows with pillars that stand in a row: most triangles are slivers
 //! from their tips to one corner.
 
 use cpu_time::ProcessTime;
 use dcel_kit::io::{Grid, Scenario};
-use dcel_kit::navmesh::{LiveMesh, Location, NavMesh, ObstacleId, Planner, Rung};
+use dcel_kit::navmesh::{
+    Floor, LiveMesh, Location, NavMesh, NavSurface, ObstacleId, Planner, Rung, SurfacePlace, SurfacePlanner,
+};
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
+use dcel_kit::topology::PolygonList;
 use dcel_kit::{HalfEdgeId, VertexId};
 use dcel_kit_benches::{DOUBLED, Random, growth};
 use glam::Vec2;
@@ -38,6 +43,9 @@ fn main() {
     }
     if std::env::args().any(|arg| arg == "blocked") {
         return blocked();
+    }
+    if std::env::args().any(|arg| arg == "surfaces") {
+        return surfaces();
     }
     let mut random = Random::new(5);
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data/O15-gppc-acrossthecape/AcrosstheCape.map");
@@ -85,6 +93,68 @@ fn linear() {
         let points: Vec<Point> = (0..count).map(|_| point()).collect();
         move || points.iter().filter(|&&p| matches!(mesh.locate(p), Location::Face(_))).count()
     });
+}
+
+/// A floor of about `count` triangles with a gentle height in every point.
+fn hills(count: usize) -> NavSurface {
+    let side = ((count / 2) as f64).sqrt() as usize;
+    let mut random = Random::new(8);
+    let points: Vec<[f64; 3]> = (0..(side + 1) * (side + 1))
+        .map(|i| [(i % (side + 1)) as f64, (i / (side + 1)) as f64, 0.3 * random.unit()])
+        .collect();
+    let mut triangles = PolygonList::new();
+    for i in (0..side * side).map(|i| (i + i / side) as u32) {
+        let [a, b, c, d] = [i, i + 1, i + side as u32 + 2, i + side as u32 + 1];
+        triangles.push_face(&[a, b, c]);
+        triangles.push_face(&[a, c, d]);
+    }
+    NavSurface::new(&points, &triangles, None).expect("a floor")
+}
+
+fn surfaces() {
+    growth("NavSurface::new, hills, by triangles", &DOUBLED, |count| move || hills(count).triangle_count());
+    let points = |surface: &NavSurface, spread: f64| {
+        let mut random = Random::new(3);
+        let width = (surface.triangle_count() as f64 / 2.0).sqrt();
+        (0..1000).map(|_| [(); 2].map(|()| (random.unit() * spread - (spread - 1.0) / 2.0) * width)).collect::<Vec<_>>()
+    };
+    growth("1000 places on it", &DOUBLED, |count| {
+        let surface = hills(count);
+        let points = points(&surface, 1.0);
+        move || points.iter().filter(|&&p| surface.place(p, Floor::Any).is_ok()).count()
+    });
+    growth("1000 nearest places, three of four points beside it", &DOUBLED, |count| {
+        let surface = hills(count);
+        let points = points(&surface, 2.0);
+        move || points.iter().filter(|&&p| surface.nearest(p, Floor::Any).is_some()).count()
+    });
+    growth("1000 rays of 10 units", &DOUBLED, |count| {
+        let surface = hills(count);
+        let starts: Vec<_> = surface.random_places(4).take(1000).collect();
+        move || {
+            let cast = |place: &SurfacePlace| surface.raycast(place, [place.point[0] + 8.0, place.point[1] + 6.0]);
+            starts.iter().filter_map(|place| cast(place).ok()).map(|cast| cast.faces.len()).sum::<usize>()
+        }
+    });
+    for (name, rung) in [("closest", Rung::Closest), ("exact", Rung::Exact)] {
+        growth(&format!("10 paths of 10 units, {name}"), &DOUBLED, |count| {
+            let surface = hills(count);
+            let ends: Vec<_> = surface
+                .random_places(4)
+                .filter_map(|from| {
+                    let goal = [from.point[0] + 8.0, from.point[1] + 6.0];
+                    Some((from, surface.place(goal, Floor::Any).ok()?))
+                })
+                .take(10)
+                .collect();
+            let planner = std::cell::RefCell::new(SurfacePlanner::new());
+            move || {
+                let mut planner = planner.borrow_mut();
+                let routes = ends.iter().filter_map(|(from, to)| planner.route(&surface, rung, from, to).ok());
+                routes.map(|route| route.points.len()).sum::<usize>()
+            }
+        });
+    }
 }
 
 /// Maps that list blocked triangles as well, beside the same maps without them: location and memory.

@@ -8,7 +8,8 @@
 //!                           If a wedge is more than half a turn, a shortest way may bend round the vertex in it.
 //! ```
 
-use super::mesh::{CLOSED, ID, NONE, NavMesh, TURN};
+use super::marks::{CLOSED, ID, NONE, TURN};
+use super::mesh::NavMesh;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::Subdivision;
 use crate::plane::predicates::{left_to_right, orientation};

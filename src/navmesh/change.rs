@@ -9,7 +9,8 @@
 //!
 //! Merged faces and junctions, if they have been made, are kept: those near the change are made anew (`upkeep.rs`).
 
-use super::mesh::{CLOSED, DEAD_END, ID, NONE, NavMesh, SideRecord};
+use super::marks::{CLOSED, DEAD_END, ID, NONE, SideRecord};
+use super::mesh::NavMesh;
 use super::upkeep::Upkeep;
 use crate::ids::{EdgeId, FaceId, VertexId};
 use std::collections::{BTreeMap, BTreeSet};

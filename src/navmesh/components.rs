@@ -6,7 +6,8 @@
 //!   └───┴───┘  └───┘
 //! ```
 
-use super::mesh::{CLOSED, ComponentId, ID, NONE, NavMesh};
+use super::marks::{CLOSED, ID, NONE};
+use super::mesh::{ComponentId, NavMesh};
 use crate::ids::FaceId;
 
 impl NavMesh {

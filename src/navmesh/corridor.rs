@@ -17,32 +17,14 @@
 //! is an end. In the open the aimed line is the straight one, and the guess is right: little else is looked at. Where
 //! only one way leads on it is taken at once, up to the next face with a choice, whatever else waits in the queue.
 
-use super::mesh::{ID, NONE, SideRecord};
+use super::marks::{ID, NONE, SideRecord};
 use super::nearest::{closest_on, distance};
-use super::planner::Scratch;
+use super::scratch::{Reached, Scratch};
 use super::{NavMesh, Rung};
 use crate::ids::{FaceId, FaceMap};
 use crate::plane::Point;
 use std::cmp::Reverse;
 use std::collections::binary_heap::PeekMut;
-
-/// What a search knows about a face.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Reached {
-    /// In which query it was reached.
-    query: u32,
-    /// From which face, by which side of it; `NONE` for a start.
-    from: u32,
-    side: u32,
-    /// Whether it was taken from the queue with this guess.
-    done: bool,
-    /// The guess, as the queue has it.
-    key: u64,
-    /// The length of the line so far.
-    length: f64,
-    /// Where the line ends.
-    at: Point,
-}
 
 /// A row of faces with a short line of the given kind, through sides that fit. Returns whether there is one.
 pub(super) fn a_star(

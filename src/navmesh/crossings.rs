@@ -20,7 +20,7 @@
 
 use super::NavMesh;
 use super::curve::Curve;
-use super::mesh::{CLOSED, DEAD_END, ID, NONE};
+use super::marks::{CLOSED, DEAD_END, ID, NONE};
 use crate::ids::{FaceId, VertexId};
 use std::ops::Range;
 

@@ -12,7 +12,8 @@
 //!
 //! Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (the tree parts of TRA*).
 
-use super::mesh::{CLOSED, DEAD_END, ID, NavMesh};
+use super::marks::{CLOSED, DEAD_END, ID};
+use super::mesh::NavMesh;
 use crate::ids::FaceId;
 
 impl NavMesh {

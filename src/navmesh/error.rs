@@ -26,6 +26,6 @@ pub enum NavMeshError {
     #[error("the map has no bounded face that is not a hole: there is nothing to walk on")]
     NoFaces,
     /// Two bits of every id are marks here.
-    #[error("the map is too large for a navmesh: ids must stay below {}", super::mesh::MOST)]
+    #[error("the map is too large for a navmesh: ids must stay below {}", super::marks::MOST)]
     TooMany,
 }

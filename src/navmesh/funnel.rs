@@ -18,7 +18,7 @@
 //!
 //! Source: Lee and Preparata, *Euclidean shortest paths in the presence of rectilinear barriers*, 1984.
 
-use super::mesh::NONE;
+use super::marks::NONE;
 use super::nearest::distance;
 use super::{NavMesh, Route};
 use crate::ids::VertexId;

@@ -12,8 +12,8 @@
 //! apart, as there need not be any crossing between them.
 
 use super::crossings::{CROSSING, Crossings, Link, PassageRecord};
-use super::mesh::NONE;
-use super::planner::Scratch;
+use super::marks::NONE;
+use super::scratch::Scratch;
 use super::{NavMesh, Work};
 use crate::ids::FaceId;
 use std::ops::Range;
@@ -344,8 +344,7 @@ impl PassageRecord {
 }
 
 /// The row of the fewest faces. Returns whether there is one. No start may be a goal.
-pub(super) fn fewest_faces(mesh: &NavMesh, crossings: &Crossings, scratch: &mut Scratch) -> bool {
-    let mut jumps = std::mem::take(&mut scratch.jumps);
+pub(super) fn fewest_faces(mesh: &NavMesh, crossings: &Crossings, jumps: &mut Jumps, scratch: &mut Scratch) -> bool {
     jumps.begin(mesh, crossings, scratch);
     for i in 0..jumps.ends[0].len() {
         for k in 0..jumps.ends[1].len() {
@@ -365,6 +364,5 @@ pub(super) fn fewest_faces(mesh: &NavMesh, crossings: &Crossings, scratch: &mut 
     }
     let pushes = jumps.queues.iter().map(|queue| queue.items.len() as u64).sum();
     scratch.work = Work { pops: jumps.settled, pushes, expansions: jumps.settled };
-    scratch.jumps = jumps;
     best.is_some()
 }

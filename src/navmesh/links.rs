@@ -194,7 +194,7 @@ pub(super) fn check_costs(costs: impl IntoIterator<Item = f64>) -> Result<(), Li
     }
 }
 
-fn check(layers: usize, links: &[Link], ends: &[&Stop]) -> Result<(), LinkError> {
+pub(super) fn check(layers: usize, links: &[Link], ends: &[&Stop]) -> Result<(), LinkError> {
     let stops = links.iter().flat_map(|link| [&link.from, &link.to]).chain(ends.iter().copied());
     match stops.into_iter().find(|stop| stop.layer >= layers) {
         Some(stop) => Err(LinkError::NoSuchLayer { layer: stop.layer, layers }),

@@ -9,7 +9,7 @@
 
 use super::NavMesh;
 use super::grid::Look;
-use super::mesh::{ID, NONE};
+use super::marks::{ID, NONE};
 use super::slivers::{Seen, Slivers};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::Point;

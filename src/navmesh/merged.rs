@@ -20,8 +20,9 @@
 //!
 //! Source: Hertel and Mehlhorn, *Fast triangulation of simple polygons*, 1983, for taking doors away.
 
+use super::corner::turns_left_or_runs_straight;
 use super::curve::Curve;
-use super::mesh::{CLOSED, DEAD_END, ID, NONE, SideRecord, turns_left_or_runs_straight};
+use super::marks::{CLOSED, DEAD_END, ID, NONE, SideRecord};
 use super::rooms::{Corner, Rooms};
 use super::{NavMesh, Place};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};

@@ -13,70 +13,22 @@
 //! into a face that leads nowhere else is marked as a *dead end* (see `dead_ends.rs`). A corner is marked as a
 //! *turn* if a shortest way may bend there: what is free round the vertex, in one piece, is more than half a turn.
 //!
-//! Memory: 48 bytes a triangle and 20 a vertex; gaps take a few bits each (`records.rs`, `gaps.rs`).
+//! Memory: 48 bytes a triangle and 20 a vertex (`marks.rs`); gaps take a few bits each (`records.rs`, `gaps.rs`).
 
+use super::corner::turns_left_or_runs_straight;
 use super::crossings::Crossings;
 use super::error::NavMeshError;
+use super::gap_edges::GapEdge;
 use super::gaps::Gaps;
-use super::grid::{GapEdge, Grid};
+use super::grid::Grid;
+use super::marks::{BLOCKED, CLOSED, FaceRecord, ID, MOST, NONE, PEELED, SideRecord};
 use super::merged::Merged;
 use super::records::FaceTable;
 use super::slivers::Slivers;
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId, must_be_below};
-use crate::plane::predicates::{left_to_right, orientation};
 use crate::plane::{Point, Subdivision};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
-
-/// Ids are smaller than this: two bits of a word are marks.
-pub(super) const MOST: usize = 1 << 30;
-/// No face, no component.
-pub(super) const NONE: u32 = u32::MAX;
-/// In `across`: the side must not be crossed.
-pub(super) const CLOSED: u32 = 1 << 31;
-/// In `across`, on open sides: what lies behind leads nowhere else.
-pub(super) const DEAD_END: u32 = 1 << 30;
-/// In `origin`: a shortest way may bend here.
-pub(super) const TURN: u32 = 1 << 31;
-/// The id without its marks.
-pub(super) const ID: u32 = DEAD_END - 1;
-/// In `len`: the face is blocked.
-const BLOCKED: u32 = 1 << 31;
-/// In `len`: the face is a dead end. Its door is its only open side that does not lead into another one.
-const PEELED: u32 = 1 << 30;
-
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct SideRecord {
-    /// The vertex the side starts from, with the mark [`TURN`].
-    pub(super) origin: u32,
-    /// The face behind the side, with the marks [`CLOSED`] and [`DEAD_END`].
-    pub(super) across: u32,
-}
-
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct FaceRecord {
-    /// The first of the sides.
-    pub(super) start: u32,
-    /// How many sides, with the marks [`BLOCKED`] and [`PEELED`]; 0 if this is no face of the mesh.
-    len: u32,
-    pub(super) component: u32,
-}
-
-impl FaceRecord {
-    pub(super) const ABSENT: Self = Self { start: 0, len: 0, component: NONE };
-
-    /// A face with sides `start .. end` and no marks.
-    pub(super) fn new(start: usize, end: usize) -> Self {
-        Self { start: start as u32, len: (end - start) as u32, ..Self::ABSENT }
-    }
-
-    /// The indices of the sides.
-    #[inline]
-    pub(super) fn range(&self) -> std::ops::Range<usize> {
-        let start = self.start as usize;
-        start..start + (self.len & !(BLOCKED | PEELED)) as usize
-    }
-}
 
 /// A part of the mesh in which every face can be reached from every other.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -434,13 +386,4 @@ fn is_floor(map: &Subdivision, f: FaceId) -> bool {
 
 pub(super) fn place_of(map: &Subdivision, v: VertexId) -> Point {
     if map.has_vertex(v) { map.point(v) } else { Point::default() }
-}
-
-/// Whether the corner u -> v -> w turns left, or runs straight on.
-pub(super) fn turns_left_or_runs_straight([u, v, w]: [Point; 3]) -> bool {
-    match orientation(u, v, w) {
-        std::cmp::Ordering::Greater => true,
-        std::cmp::Ordering::Equal => left_to_right(u, v) == left_to_right(v, w),
-        std::cmp::Ordering::Less => false,
-    }
 }

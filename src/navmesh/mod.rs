@@ -33,13 +33,13 @@
 //!
 //! | rung | question | file |
 //! |---|---|---|
-//! | 0 | is it a navmesh at all, and what is wrong? | `validate.rs`, `weld.rs` |
-//! | 1 | which faces lie across the sides, round a vertex, in one piece? | `mesh.rs`, `records.rs`, `around.rs`, `components.rs`, `dead_ends.rs` |
-//! | 2 | in which face is a point? | `grid.rs`, `coarse.rs`, `slivers.rs`, `gaps.rs`, `location.rs`, `nearest.rs` |
+//! | 0 | is it a navmesh at all, and what is wrong? | `validate.rs`, `fault.rs`, `weld.rs` |
+//! | 1 | which faces lie across the sides, round a vertex, in one piece? | `mesh.rs`, `marks.rs`, `records.rs`, `around.rs`, `components.rs`, `dead_ends.rs` |
+//! | 2 | in which face is a point? | `grid.rs`, `grid_cells.rs`, `gap_edges.rs`, `coarse.rs`, `slivers.rs`, `gaps.rs`, `location.rs`, `nearest.rs` |
 //! | 3 | which faces lead from here to there? | `waves.rs`, `corridor.rs`, by whole passages `crossings.rs`, `jumps.rs`, `strides.rs` |
 //! | 4 | what is the shortest way through these faces? | `funnel.rs` |
 //! | 5 | what is the shortest way of all? | `exact/`, over larger faces `merged.rs` |
-//! | 6 | which of them are wide enough? how far is everything? | `inset.rs`, `doors.rs`, `field.rs` |
+//! | 6 | which of them are wide enough? how far is everything? | `inset.rs`, `doors.rs`, `field.rs`, where faces cost more `weighted.rs`, `weighted_field.rs` |
 //! | | what does a straight line meet? where is somebody at random? how do teleports and storeys help? | `raycast.rs`, `random.rs`, `links.rs`, `steps.rs` |
 //! | 7 | and when walls come and go? | `change.rs`, `upkeep.rs`, `live/` |
 //! | 8 | and in space, up and down, over and under each other? | `surface/` |
@@ -51,6 +51,7 @@ mod around;
 mod change;
 mod coarse;
 mod components;
+mod corner;
 mod corridor;
 mod crossings;
 mod curve;
@@ -58,15 +59,19 @@ mod dead_ends;
 mod doors;
 mod error;
 mod exact;
+mod fault;
 mod field;
 mod funnel;
+mod gap_edges;
 mod gaps;
 mod grid;
+mod grid_cells;
 mod inset;
 mod jumps;
 mod links;
 mod live;
 mod location;
+mod marks;
 mod merged;
 mod mesh;
 mod nearest;
@@ -76,6 +81,7 @@ mod raycast;
 mod records;
 mod rooms;
 mod route;
+mod scratch;
 mod slivers;
 mod steps;
 mod strides;
@@ -83,11 +89,14 @@ mod surface;
 mod upkeep;
 mod validate;
 mod waves;
+mod weighted;
+mod weighted_field;
 mod weld;
 
 pub use crossings::Passage;
 pub use error::NavMeshError;
 pub use exact::Cone;
+pub use fault::MeshFault;
 pub use field::DistanceField;
 pub use funnel::FunnelStep;
 pub use inset::{Inset, InsetError};
@@ -102,8 +111,8 @@ pub use random::RandomPlaces;
 pub use raycast::{RayHit, Raycast, RaycastError};
 pub use route::{Portal, Route, RouteError, Rung, Work};
 pub use surface::{
-    Floor, LinkedSurfaceRoute, NavSurface, SurfaceError, SurfaceField, SurfaceLink, SurfacePlace, SurfacePlaceError,
-    SurfacePlanner, SurfaceRoute, SurfaceRouteError,
+    Floor, LinkedSurfaceRoute, NavSurface, RandomSurfacePlaces, SurfaceError, SurfaceField, SurfaceLink, SurfacePlace,
+    SurfacePlaceError, SurfacePlanner, SurfaceRayHit, SurfaceRaycast, SurfaceRoute, SurfaceRouteError,
 };
-pub use validate::{MeshFault, double_corners_of, mesh_faults};
+pub use validate::{double_corners_of, mesh_faults};
 pub use weld::{Welded, weld};

@@ -7,19 +7,17 @@
 //! A query writes a number of its own into whatever record it uses, so that nothing has to be cleared. The mesh makes its
 //! merged faces and junctions when the first query needs them.
 
-use super::corridor::{self, Reached};
+use super::corridor;
 use super::exact::Exact;
-use super::funnel::{self, Funnel, Post};
 use super::jumps::{self, Jumps};
+use super::marks::NONE;
 use super::merged::Merged;
-use super::mesh::{CLOSED, DEAD_END, ID, NONE};
+use super::scratch::Scratch;
 use super::strides::{self, Strides};
 use super::waves::{self, Waves};
-use super::{DistanceField, NavMesh, Place, Route, RouteError, Rung, Work, doors};
-use crate::ids::{FaceId, FaceMap, HalfEdgeId, VertexId};
+use super::{DistanceField, NavMesh, Place, Route, RouteError, Rung, doors};
+use crate::ids::{FaceId, FaceMap};
 use crate::plane::Point;
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
 
 /// Finds routes. One planner serves any number of queries, on any mesh, and allocates next to nothing after the first.
 ///
@@ -40,34 +38,13 @@ pub struct Planner {
     /// Whether merged faces and junctions are left alone.
     plain: bool,
     pub(super) scratch: Scratch,
-    pub(super) exact: Exact,
-}
-
-/// What all searches share.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Scratch {
-    /// The number of the query.
-    pub(super) query: u32,
-    /// A bit for each face, or for each side of the merged ones: whether what it belongs to may be entered even if it
-    /// is a dead end.
-    allowed: Vec<u64>,
-    /// The words of these bits that are not 0.
-    allowed_words: Vec<usize>,
-    pub(super) reached: Vec<Reached>,
     /// Breadth first: what was reached.
-    pub(super) waves: Waves,
+    waves: Waves,
     /// The same from crossing to crossing.
-    pub(super) jumps: Jumps,
+    jumps: Jumps,
     /// A* from crossing to crossing.
-    pub(super) strides: Strides,
-    /// Keys are the bits of a length, which is not negative: they are in the order of the lengths.
-    pub(super) queue: BinaryHeap<Reverse<(u64, u32)>>,
-    pub(super) funnel: Funnel,
-    pub(super) starts: Vec<FaceId>,
-    pub(super) goals: Vec<FaceId>,
-    pub(super) work: Work,
-    /// The doors of the corridor that was found, by side, from the goal to the start.
-    pub(super) doors: Vec<(u32, u32)>,
+    strides: Strides,
+    pub(super) exact: Exact,
 }
 
 impl Planner {
@@ -188,14 +165,15 @@ impl Planner {
         let crossings = (prepared && rung != Rung::Exact).then(|| mesh.network());
         self.search(mesh, start, goal, merged, |planner| match rung {
             Rung::Breadth => match crossings {
-                Some(crossings) => jumps::fewest_faces(mesh, crossings, &mut planner.scratch),
-                None => waves::breadth_first(mesh, &mut planner.scratch),
+                Some(crossings) => jumps::fewest_faces(mesh, crossings, &mut planner.jumps, &mut planner.scratch),
+                None => waves::breadth_first(mesh, &mut planner.waves, &mut planner.scratch),
             },
             Rung::Exact => planner.exact.search(mesh, merged, &mut planner.scratch, start, goal.point),
             metric => {
                 let (ends, scratch) = ([start.point, goal.point], &mut planner.scratch);
+                let memory = (&mut planner.strides, &mut planner.jumps);
                 crossings
-                    .and_then(|crossings| strides::a_star(mesh, crossings, scratch, metric, ends))
+                    .and_then(|crossings| strides::a_star(mesh, crossings, memory, scratch, metric, ends))
                     .unwrap_or_else(|| corridor::a_star(mesh, scratch, metric, None, |_, _| true, ends))
             }
         })
@@ -322,103 +300,4 @@ impl Planner {
 /// Whether there is anything to search: not within a face, and not from one component to another.
 fn is_worth_it(mesh: &NavMesh, start: &Place, goal: &Place) -> bool {
     start.face != goal.face && mesh.component(start.face) == mesh.component(goal.face)
-}
-
-impl Scratch {
-    /// Takes a new number for the query, and lets it into the dead ends of its start and goal. Starts, goals and dead
-    /// ends are merged faces, if there are any.
-    fn begin(&mut self, mesh: &NavMesh, start: &Place, goal: &Place, merged: Option<&Merged>) {
-        self.query = self.query.wrapping_add(1);
-        if self.query == 0 {
-            self.reached.clear();
-            self.query = 1;
-        }
-        self.allowed_words.drain(..).for_each(|word| self.allowed[word] = 0);
-        let bound = merged.map_or(mesh.face_bound(), Merged::bound);
-        self.allowed.resize((bound / 64 + 1).max(self.allowed.len()), 0);
-        self.queue.clear();
-        self.doors.clear();
-        self.work = Work::default();
-        self.starts.clear();
-        mesh.add_faces_at(start, &mut self.starts);
-        self.goals.clear();
-        mesh.add_faces_at(goal, &mut self.goals);
-        let room = |f: FaceId| merged.map_or(f, |merged| merged.whole(f));
-        for &f in self.starts.iter().chain(&self.goals) {
-            for f in mesh.door_path(f) {
-                let bits = merged.map_or(f.index()..f.index() + 1, |merged| merged.range(room(f)));
-                // A merged face is let in once, however many of its faces the path has.
-                if self.is_allowed(bits.start as u32) {
-                    continue;
-                }
-                for bit in bits {
-                    let word = &mut self.allowed[bit / 64];
-                    if *word == 0 {
-                        self.allowed_words.push(bit / 64);
-                    }
-                    *word |= 1 << (bit % 64);
-                }
-            }
-        }
-        if merged.is_some() {
-            for ends in [&mut self.starts, &mut self.goals] {
-                ends.iter_mut().for_each(|f| *f = room(*f));
-                ends.dedup();
-            }
-        }
-    }
-
-    /// Lets the query into all dead ends.
-    fn allow_all(&mut self) {
-        self.allowed.fill(u64::MAX);
-        self.allowed_words.clear();
-        self.allowed_words.extend(0..self.allowed.len());
-    }
-
-    /// Whether a search may cross a side with this word: it is open, and no useless dead end lies behind.
-    #[inline]
-    pub(super) fn may_cross(&self, across: u32) -> bool {
-        // Without a branch: what lies where is not to be guessed.
-        (across & CLOSED == 0) & ((across & DEAD_END == 0) | self.is_allowed(across & ID))
-    }
-
-    /// Whether a dead end, by the face or by the side of the merged one, is no useless one.
-    #[inline]
-    pub(super) fn is_allowed(&self, dead_end: u32) -> bool {
-        self.allowed[dead_end as usize / 64] >> (dead_end % 64) & 1 != 0
-    }
-
-    /// Pulls the way straight through the doors that were found: its points, and the vertices it bends at.
-    fn pull(
-        &mut self,
-        mesh: &NavMesh,
-        merged: Option<&Merged>,
-        [start, goal]: [Point; 2],
-    ) -> (Vec<Point>, Vec<VertexId>) {
-        self.funnel.start(Post::free(start));
-        for &(face, side) in self.doors.iter().rev() {
-            let face = FaceId::new(face);
-            let [right, left] = merged.map_or_else(|| mesh.ends(face, side as usize), |merged| merged.ends(side));
-            self.funnel.pass_between(mesh, left, right);
-        }
-        let way = self.funnel.finish(Post::free(goal));
-        // A bend at the start or the goal itself is none; but a way may come back to that corner in another wedge.
-        let begin = way.iter().position(|post| post.point != start).unwrap_or(way.len());
-        let end = way.iter().rposition(|post| post.point != goal).map_or(begin, |last| begin.max(last + 1));
-        let corners: Vec<VertexId> = way[begin..end].iter().map(|post| VertexId::new(post.vertex)).collect();
-        let bends = corners.iter().map(|&v| mesh.point(v));
-        (std::iter::once(start).chain(bends).chain([goal]).collect(), corners)
-    }
-
-    /// The route along the way, through the doors of the mesh.
-    fn finish(&self, mesh: &NavMesh, first: FaceId, (points, corners): (Vec<Point>, Vec<VertexId>)) -> Route {
-        let mut faces = Vec::with_capacity(self.doors.len() + 1);
-        let mut doors: Vec<HalfEdgeId> = Vec::with_capacity(self.doors.len());
-        faces.push(first);
-        for &(_, side) in self.doors.iter().rev() {
-            doors.push(mesh.half_edges[side as usize]);
-            faces.push(FaceId::new(mesh.sides[side as usize].across & ID));
-        }
-        Route { faces, doors, length: funnel::length(&points), points, corners, work: self.work }
-    }
 }

@@ -19,7 +19,7 @@ pub struct RandomPlaces<'a> {
     mesh: &'a NavMesh,
     /// For each triangle its face, its corners, and the area up to and with it.
     triangles: Vec<(FaceId, [VertexId; 3], f64)>,
-    state: u64,
+    numbers: Numbers,
 }
 
 impl NavMesh {
@@ -56,18 +56,33 @@ impl NavMesh {
                 last = corner;
             }
         }
-        RandomPlaces { mesh: self, triangles, state: seed }
+        RandomPlaces { mesh: self, triangles, numbers: Numbers::new(seed) }
     }
 }
 
-impl RandomPlaces<'_> {
+/// Random numbers.
+#[derive(Clone, Debug)]
+pub(super) struct Numbers(u64);
+
+impl Numbers {
+    pub(super) fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
     /// A number from 0 up to, but without, 1.
-    fn unit(&mut self) -> f64 {
-        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.state;
+    pub(super) fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    /// A point in a triangle, or by rounding a hair beside it.
+    pub(super) fn in_triangle(&mut self, [a, b, c]: [Point; 3]) -> Point {
+        let (s, t) = (self.unit().sqrt(), self.unit());
+        let mix = |a: f64, b: f64, c: f64| (1.0 - s) * a + s * ((1.0 - t) * b + t * c);
+        Point::new(mix(a.x, b.x, c.x), mix(a.y, b.y, c.y))
     }
 }
 
@@ -77,13 +92,10 @@ impl Iterator for RandomPlaces<'_> {
     /// `None` only if there is no face to stand in.
     fn next(&mut self) -> Option<Place> {
         let &(.., whole) = self.triangles.last()?;
-        let chosen = self.unit() * whole;
+        let chosen = self.numbers.unit() * whole;
         let i = self.triangles.partition_point(|&(.., area)| area <= chosen).min(self.triangles.len() - 1);
         let (face, corners, _) = self.triangles[i];
-        let [a, b, c] = corners.map(|v| self.mesh.point(v));
-        let (s, t) = (self.unit().sqrt(), self.unit());
-        let mix = |a: f64, b: f64, c: f64| (1.0 - s) * a + s * ((1.0 - t) * b + t * c);
-        let at = Point::new(mix(a.x, b.x, c.x), mix(a.y, b.y, c.y));
+        let at = self.numbers.in_triangle(corners.map(|v| self.mesh.point(v)));
         // Rounding may have moved it over a side: then it goes back by as little as it takes.
         Some(self.mesh.nearest_in(face, at, at).place)
     }

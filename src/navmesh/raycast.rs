@@ -8,7 +8,7 @@
 //!         -         -                Only the point that is hit is computed; all else is signs of given points.
 //! ```
 
-use super::mesh::{CLOSED, ID};
+use super::marks::{CLOSED, ID};
 use super::nearest::distance;
 use super::{Location, NavMesh, Place, PlaceError};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};

@@ -10,7 +10,7 @@
 //!
 //! Memory: 12 bytes a face, and a bit and a half a number; or 12 bytes a number.
 
-use super::mesh::FaceRecord;
+use super::marks::FaceRecord;
 use std::ops::{Index, IndexMut};
 
 /// The records of the faces by their numbers.

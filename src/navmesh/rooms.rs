@@ -4,7 +4,7 @@
 //! rooms is compiled for each of them.
 
 use super::NavMesh;
-use super::mesh::{ID, SideRecord};
+use super::marks::{ID, SideRecord};
 use crate::plane::Point;
 use std::ops::Range;
 

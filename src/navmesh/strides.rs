@@ -12,9 +12,9 @@
 use super::corridor::point_of_line;
 use super::crossings::{CROSSING, Crossings, Link, PassageRecord};
 use super::jumps::{AT_CROSSING, End, Jumps, Meeting, from_end};
-use super::mesh::NONE;
+use super::marks::NONE;
 use super::nearest::distance;
-use super::planner::Scratch;
+use super::scratch::Scratch;
 use super::{NavMesh, Rung, Work};
 use crate::ids::{FaceId, VertexId};
 use crate::plane::Point;
@@ -117,24 +117,19 @@ impl Drawing<'_> {
 pub(super) fn a_star(
     mesh: &NavMesh,
     crossings: &Crossings,
+    (strides, jumps): (&mut Strides, &mut Jumps),
     scratch: &mut Scratch,
     metric: Rung,
     [start, goal]: [Point; 2],
 ) -> Option<bool> {
     let drawing = Drawing { mesh, crossings, metric, goal };
-    let mut jumps = std::mem::take(&mut scratch.jumps);
-    let mut strides = std::mem::take(&mut scratch.strides);
     jumps.begin(mesh, crossings, scratch);
     let goes_round = |end: &End| end.passage != NONE && crossings.passage(end.passage).ends[0] == NONE;
-    let found = if jumps.ends(0).iter().any(goes_round) {
-        None
-    } else {
-        Some(strides.search(&drawing, &mut jumps, scratch, start))
-    };
+    let found =
+        if jumps.ends(0).iter().any(goes_round) { None } else { Some(strides.search(&drawing, jumps, scratch, start)) };
     if found == Some(true) {
         scratch.doors.extend(jumps.faces().windows(2).rev().map(|pair| mesh.door_to(pair[0], pair[1])));
     }
-    (scratch.jumps, scratch.strides) = (jumps, strides);
     found
 }
 

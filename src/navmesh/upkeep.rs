@@ -12,8 +12,8 @@
 
 use super::NavMesh;
 use super::crossings::Crossings;
+use super::marks::ID;
 use super::merged::Merged;
-use super::mesh::ID;
 use crate::ids::{FaceId, VertexId};
 use std::collections::BTreeSet;
 

@@ -15,8 +15,8 @@
 //! The neighbours of some faces are gathered before any of them is looked at: so the processor waits for the memory
 //! once for all of them, and not at every branch.
 
-use super::mesh::{ID, NONE};
-use super::planner::Scratch;
+use super::marks::{ID, NONE};
+use super::scratch::Scratch;
 use super::{NavMesh, Work};
 use crate::ids::FaceId;
 use std::ops::Range;
@@ -127,8 +127,7 @@ impl Waves {
 }
 
 /// The row of the fewest faces. Returns whether there is one. No start may be a goal.
-pub(super) fn breadth_first(mesh: &NavMesh, scratch: &mut Scratch) -> bool {
-    let mut waves = std::mem::take(&mut scratch.waves);
+pub(super) fn breadth_first(mesh: &NavMesh, waves: &mut Waves, scratch: &mut Scratch) -> bool {
     waves.begin(mesh, &scratch.starts, &scratch.goals);
     let met = waves.meet(mesh, scratch);
     if let Some([here, there]) = met {
@@ -145,6 +144,5 @@ pub(super) fn breadth_first(mesh: &NavMesh, scratch: &mut Scratch) -> bool {
     for &(f, _) in waves.waves.iter().flatten() {
         waves.marks[f as usize / 32] = 0;
     }
-    scratch.waves = waves;
     met.is_some()
 }

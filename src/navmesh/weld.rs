@@ -11,7 +11,7 @@
 //! Only *border sides* matter: those that no other face has in the other direction. Vertices are looked up in a grid of
 //! equal cells, one for each.
 
-use super::validate::MeshFault;
+use super::fault::MeshFault;
 use crate::plane::Point;
 use crate::plane::predicates::orientation;
 use crate::topology::PolygonList;

@@ -580,3 +580,41 @@ fn hand_made_floors_are_welded_on_request_and_warned_about_else() {
     folder.dcel("navmesh info near.obj --weld -1").fails(2, "a distance of -1", "--weld 0.001");
     folder.dcel("navmesh info rooms.map --weld 1").fails(2, "--weld cannot be used on a grid map", "leave --weld out");
 }
+
+/// What `--snap` is proposed has two digits, is no less than the distance, and is enough.
+#[test]
+fn the_snap_that_is_proposed_has_few_digits_and_is_enough() {
+    let folder = folder();
+    folder.write("hall.obj", "v 0 0\nv 8 0\nv 8 4\nv 0 4\nf 1 2 3 4\n");
+    for distance in [0.5, 0.123, 73.0, 9.99, 1.0 / 3.0, 1e-9, 1e-300, 1e60] {
+        let path = format!("navmesh path hall.obj {} 1 4 2", -distance);
+        let told = folder.dcel(&path).err;
+        let proposed = told.split("--snap ").nth(1).and_then(|rest| rest.split(' ').next()).unwrap_or_default();
+        let snap: f64 = proposed.parse().unwrap_or_else(|_| panic!("{told}"));
+        assert!(snap >= distance && snap <= 1.11 * distance, "{distance}: {told}");
+        let digits = format!("{snap:e}").split('e').next().map_or(0, |digits| digits.replace('.', "").len());
+        assert!(digits <= 2, "{distance}: {told}");
+        folder.dcel(&format!("{path} --snap {proposed}")).fine();
+    }
+}
+
+/// Areas are those of the file, whatever obstacles cut their faces into.
+#[test]
+fn areas_keep_their_costs_where_walls_cut_through_them() {
+    let folder = folder();
+    // Two squares, the right one of mud, and a wall that crosses both and reaches round to the left.
+    folder
+        .write("mud.obj", "v 0 0\nv 8 0\nv 8 4\nv 0 4\nv 4 0\nv 4 4\nusemtl grass\nf 1 5 6 4\nusemtl mud\nf 5 2 3 6\n");
+    let cost = |more: &str| {
+        let path = format!("navmesh path mud.obj 1 2 7 2 --rung closest --json {more}");
+        folder.dcel(&path).json()["routes"][0]["cost"].as_f64().expect("a cost")
+    };
+    assert_eq!(cost("--cost mud=3"), 3.0 + 9.0);
+    for area in ["mud=3", "f2=3", "4,0,8,0,8,4,4,4=3"] {
+        let around = cost(&format!("--cost {area} --wall 3,1.7,5,2.5"));
+        let least = 12.0f64;
+        assert!(around > least && around < 1.1 * least, "{area}: {around}");
+        // A wall beside the way changes nothing, though it cuts both faces.
+        assert_eq!(cost(&format!("--cost {area} --wall 3,0.5,5,0.7")), least, "{area}");
+    }
+}

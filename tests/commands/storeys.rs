@@ -116,7 +116,12 @@ fn info_tells_heights_slopes_and_layers() {
 #[test]
 fn what_looks_at_the_plan_says_so() {
     let folder = folder();
-    for command in ["raycast house.obj 1 1 2 2", "random house.obj", "path house.obj 1 1 2 2 --radius 0.2"] {
+    for command in [
+        "raycast house.obj 1 1 2 2 --wall 0,0,1,1",
+        "random house.obj --wall 0,0,1,1",
+        "neighbours house.obj",
+        "path house.obj 1 1 2 2 --radius 0.2",
+    ] {
         folder.dcel(&format!("navmesh {command} --up z")).fails(2, "2 storeys lie over each other", "distances");
     }
     // One storey whose heights differ: the plan is looked at, and the length is that of the plan.
@@ -149,12 +154,17 @@ fn distances_are_along_the_surface_and_over_links() {
     let lift = folder.dcel("navmesh distances house.obj --up z 1 1 0 --link 1,1,0,1,1,3,2 --json").json();
     assert!(is_close(&far(&lift, "v13"), 2.0 + up_the_ramp()[3]), "{lift}");
     assert!(is_close(&far(&lift, "v7"), 68f64.sqrt()), "what is near stays near: {lift}");
+    let dear = folder.dcel("navmesh distances house.obj --up z 1 1 0 --cost f1=2 --json").json();
+    let [plain, costly] = [&field, &dear].map(|field| far(field, "v13").as_f64().expect("a number"));
+    assert!(costly > plain && costly < 2.1 * plain, "{plain}, and {costly} with a dear hall");
     let near = folder.dcel("navmesh distances house.obj --up z 1 1 0 --limit 6 --json").json();
     assert_eq!(near["vertices"].as_array().map(Vec::len), Some(2));
     // A map of the plane, too: a teleport of 0.5 from (2, 1) to (22, 11).
     folder.write("hall.obj", "v 0 0\nv 8 0\nv 8 4\nv 0 4\nf 1 2 3 4\n");
     let hall = folder.dcel("navmesh distances hall.obj 1 2 --link 1,3,8,1,0.5 --json").json();
     assert!(is_close(&far(&hall, "v1"), 2.5) && is_close(&far(&hall, "v0"), 5f64.sqrt()), "{hall}");
+    let mud = folder.dcel("navmesh distances hall.obj 1 2 --cost 0,0,8,0,8,4,0,4=3 --json").json();
+    assert!(is_close(&far(&mud, "v0"), 3.0 * 5f64.sqrt()), "one cost is exact: {mud}");
     let cost = folder.dcel("navmesh path house.obj --up z 1 1 0 1 1 3 --link 1,1,0,1,1,3,2 --json -o lift.svg").json();
     assert_eq!((&cost["cost"], &cost["links"]), (&json!(2.0), &json!([0])));
     assert!(folder.read("lift.svg").contains("a link of the path"));
@@ -206,4 +216,35 @@ fn areas_are_faces_names_or_corners() {
         "names no faces",
     );
     folder.dcel("navmesh path bare.obj 1 2 9 2 --cost 1,2,3,4=2").fails(2, "three corners or more", "");
+}
+
+#[test]
+fn lines_and_random_places_are_on_the_surface() {
+    let folder = folder();
+    // On the upper storey and on the lower one the same line of the plan.
+    for (height, layer) in [("0", 0), ("3", 1)] {
+        let answer =
+            folder.dcel(&format!("navmesh raycast house.obj --up z 1 1 {height} 99 1 0 --json -o ray.svg")).json();
+        assert_eq!((&answer["clear"], &answer["start"][2]), (&json!(false), &json!(f64::from(layer) * 3.0)));
+        assert!(folder.read("ray.svg").contains("<svg"));
+        let told = folder.dcel(&format!("navmesh raycast house.obj --up z 1 1 99 1 --start-layer {layer}")).fine();
+        assert!(told.starts_with("hit: the side v") && told.contains("away along the surface"), "{told}");
+    }
+    let told = folder.dcel("navmesh raycast house.obj --up z 1 1 0 2 1 0").fine();
+    assert!(told.starts_with("clear: (2, 1, 0) is in sight of (1, 1, 0) in the plan, 1 away"), "{told}");
+    folder.dcel("navmesh raycast house.obj --up z 1 1 2 2").fails(2, "(1, 1) is on 2 storeys", "--start-layer");
+    folder.dcel("navmesh raycast house.obj --up z 1 1 0 2 2").fails(2, "5 numbers are not 2 points", "");
+
+    let points = folder.dcel("navmesh random house.obj --up z --count 40 --seed 3").fine();
+    assert_eq!(points, folder.dcel("navmesh random house.obj --up z --count 40 --seed 3").fine());
+    let rows: Vec<Vec<f64>> =
+        points.lines().map(|line| line.split(' ').map(|word| word.parse().expect("a number")).collect()).collect();
+    assert!(rows.len() == 40 && rows.iter().all(|row| row.len() == 3), "{points}");
+    // Both storeys have some.
+    assert!(rows.iter().any(|row| row[2] == 0.0) && rows.iter().any(|row| row[2] == 3.0), "{points}");
+    let words = points.split_whitespace().collect::<Vec<_>>().join(" ");
+    let located = folder.dcel(&format!("navmesh locate house.obj --up z --xyz {words} --json")).json();
+    for (row, found) in rows.iter().zip(located.as_array().expect("rows")) {
+        assert_eq!(found["places"][0]["point"][2], json!(row[2]), "{row:?}: {found}");
+    }
 }

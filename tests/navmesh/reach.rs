@@ -3,9 +3,10 @@
 use crate::maps::{Map, Random};
 use crate::oracle::{Node, Oracle};
 use crate::routes::{is_close, place};
-use dcel_kit::VertexId;
-use dcel_kit::navmesh::{NavMesh, Planner, RouteError, Rung};
+use dcel_kit::navmesh::{Link, LinkError, NavMesh, Planner, RouteError, Rung, Stop};
 use dcel_kit::plane::{Point, Subdivision};
+use dcel_kit::topology::PolygonList;
+use dcel_kit::{FaceId, FaceMap, VertexId};
 
 #[test]
 fn the_field_has_the_length_of_the_shortest_way_to_every_vertex() {
@@ -85,4 +86,81 @@ fn a_wide_agent_takes_the_wide_gap_and_a_very_wide_one_none() {
     }
     let error = planner.wide_route(&mesh, 4.0, &start, &goal).expect_err("no gap is 8 wide");
     assert!(matches!(error, RouteError::TooNarrow { .. }), "{error}");
+}
+
+/// Where costs differ by next to nothing the lengths are next to those of the exact field; never less, and little more.
+#[test]
+fn costs_of_paths_are_no_less_than_the_least_and_little_more() {
+    let mut planner = Planner::new();
+    let mut worst = 1.0f64;
+    for seed in 0..24 {
+        let map = Map::random(seed + 40, 8, 0.8, [0.0, 0.5][seed as usize % 2]);
+        let mesh = map.mesh();
+        let mut random = Random::new(seed);
+        let start = map.inside(random.below(map.triangles.len()), &mut random);
+        let Ok(place) = mesh.place(start) else { continue };
+        let exact = planner.distance_field(&mesh, &place, f64::INFINITY);
+        let mut costs = FaceMap::filled(mesh.face_bound(), 1.0);
+        let field = planner.weighted_distance_field(&mesh, &costs, &[], &place, f64::INFINITY).expect("no links");
+        let vertices = || (0..mesh.vertex_bound() as u32).map(VertexId::new);
+        assert!(vertices().all(|v| field.distance(v) == exact.distance(v)), "seed {seed}: one cost");
+        costs[mesh.faces().next().expect("a face")] = 1.0 + 1e-12;
+        let field = planner.weighted_distance_field(&mesh, &costs, &[], &place, f64::INFINITY).expect("no links");
+        for v in vertices() {
+            match (field.distance(v), exact.distance(v)) {
+                (Some(cost), Some(length)) => {
+                    assert!(cost >= length * (1.0 - 1e-12), "seed {seed}: {v}: {cost}, and {length} is the least");
+                    worst = worst.max(cost / length);
+                }
+                (one, other) => assert_eq!(one, other, "seed {seed}: {v}"),
+            }
+        }
+        // Dear and cheap faces: between the least and the greatest cost of a unit, and more where more is dear.
+        let mut dear = costs.clone();
+        for f in mesh.faces() {
+            costs[f] = 1.0 + 3.0 * random.unit();
+            dear[f] = costs[f] * (1.0 + random.unit());
+        }
+        let [field, dear] = [&costs, &dear]
+            .map(|costs| planner.weighted_distance_field(&mesh, costs, &[], &place, f64::INFINITY).expect("no links"));
+        let near = planner.weighted_distance_field(&mesh, &costs, &[], &place, 6.0).expect("no links");
+        for v in vertices() {
+            let (Some(cost), Some(length)) = (field.distance(v), exact.distance(v)) else { continue };
+            assert!(cost >= length * (1.0 - 1e-12) && cost <= 4.0 * worst.max(1.02) * length, "seed {seed}: {v}");
+            assert!(dear.distance(v).is_some_and(|dear| dear >= cost), "seed {seed}: {v}");
+            assert_eq!(near.distance(v), Some(cost).filter(|&cost| cost <= 6.0), "seed {seed}: {v}");
+        }
+    }
+    assert!(worst > 1.0 && worst < 1.02, "{worst}");
+}
+
+/// Over the border of two fields a path is bent as light is: the least by a look at every place where it may cross.
+#[test]
+fn a_dear_field_is_left_by_the_shortest_line_and_links_lead_past_it() {
+    // Grass below the line y = 1, mud of three times the cost above it.
+    let points = [(0., 0.), (6., 0.), (6., 1.), (0., 1.), (6., 4.), (0., 4.)].map(Point::from);
+    let mut fields = PolygonList::new();
+    [[0, 1, 2, 3], [3, 2, 4, 5]].iter().for_each(|field| fields.push_face(field));
+    let mesh =
+        NavMesh::new(&Subdivision::from_polygons(points.to_vec(), &fields).expect("two fields")).expect("convex");
+    let mut costs = FaceMap::filled(mesh.face_bound(), 1.0);
+    costs[FaceId::new(2)] = 3.0;
+    let start = mesh.place(Point::new(0.5, 0.25)).expect("on the grass");
+    let least = |goal: Point| {
+        let cost = |x: f64| (x - 0.5f64).hypot(0.75) + 3.0 * (goal.x - x).hypot(goal.y - 1.0);
+        (0..=60_000).map(|i| cost(f64::from(i) * 1e-4)).fold(f64::INFINITY, f64::min)
+    };
+    let mut planner = Planner::new();
+    let field = planner.weighted_distance_field(&mesh, &costs, &[], &start, f64::INFINITY).expect("no links");
+    for v in [4, 5] {
+        let (found, least) = (field.distance(VertexId::new(v)).expect("near"), least(points[v as usize]));
+        assert!(found >= least - 1e-9 && found < 1.01 * least, "v{v}: {found}, and {least} is the least");
+    }
+    let stop = |x, y| Stop { layer: 0, place: mesh.place(Point::new(x, y)).expect("on a field") };
+    let lift = Link { from: stop(0.5, 0.75), to: stop(5.5, 4.0), cost: 1.0 };
+    let linked = planner.weighted_distance_field(&mesh, &costs, &[lift], &start, f64::INFINITY).expect("a lift");
+    assert_eq!(linked.distance(VertexId::new(4)), Some(0.5 + 1.0 + 3.0 * 0.5));
+    let wrong = Link { cost: -1.0, ..lift };
+    let refused = planner.weighted_distance_field(&mesh, &costs, &[wrong], &start, f64::INFINITY);
+    assert!(matches!(refused, Err(LinkError::Cost { link: 0, .. })), "{refused:?}");
 }

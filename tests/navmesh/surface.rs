@@ -521,3 +521,121 @@ fn polygons_of_many_corners_are_one_face_and_have_the_lengths_of_the_plane() {
     let plain = Planner::new().route_between(&mesh, Rung::Exact, Point::new(4.0, 0.5), Point::new(0.5, 4.0));
     assert!(is_close(route.length, plain.expect("a way").length));
 }
+
+/// Straight in the plan, a line on a hilly floor meets what it meets in the plane, at the height of the surface there.
+#[test]
+fn a_line_on_a_surface_meets_what_it_meets_in_the_plan() {
+    let (mut hits, mut clear) = (0, 0);
+    for seed in 0..60 {
+        // Also where all lies on common lines: through vertices and along edges.
+        let on_grid = seed % 3 == 0;
+        let map = Map::random(seed + 900, 7, 0.85, if on_grid { 0.0 } else { 0.5 });
+        let mesh = map.mesh();
+        let mut heights = Random::new(seed);
+        let surface = lifted(&map, |p| [p.x, p.y, 2.0 * heights.unit()]);
+        assert_eq!(surface.layer_count(), 1);
+        let mut random = Random::new(seed + 77);
+        for _ in 0..40 {
+            let mut at = || {
+                let [x, y] = [(); 2].map(|()| 7.0 * random.unit());
+                if on_grid { Point::new((2.0 * x).round() / 2.0, (2.0 * y).round() / 2.0) } else { Point::new(x, y) }
+            };
+            let [from, to] = [at(), at()];
+            let (Ok(start), Ok(place)) = (surface.place([from.x, from.y], Floor::Any), mesh.place(from)) else {
+                continue;
+            };
+            let context = format!("seed {seed}: {from} -> {to}");
+            let flat = mesh.raycast_from(&place, to).expect("it begins on the mesh");
+            let cast = surface.raycast(&start, [to.x, to.y]).expect("finite");
+            assert_eq!(cast.hit.is_some(), flat.hit.is_some(), "{context}");
+            let end = cast.points[cast.points.len() - 1];
+            let expected = flat.hit.map_or(to, |hit| hit.point);
+            assert!((end[0] - expected.x).hypot(end[1] - expected.y) < 1e-9, "{context}: {end:?}, and {expected}");
+            if let (Some(hit), Some(in_plan)) = (cast.hit, flat.hit) {
+                assert_eq!((hit.point, hit.vertex), (end, in_plan.vertex), "{context}");
+                hits += 1;
+            } else {
+                clear += 1;
+            }
+            // It lies on the surface all along, and its length is the sum of its pieces.
+            let sum: f64 = cast.points.windows(2).map(|pair| far(pair[0], pair[1])).sum();
+            assert!(is_close(sum, cast.length) && cast.layers.len() + 1 == cast.points.len(), "{context}: {cast:?}");
+            for pair in cast.points.windows(2) {
+                let middle: Space = std::array::from_fn(|i| (pair[0][i] + pair[1][i]) / 2.0);
+                let off = cast.faces.iter().flat_map(|&f| surface.triangles(f)).map(|t| off_triangle(middle, t));
+                assert!(off.fold(f64::INFINITY, f64::min) < 1e-9, "{context}: {middle:?} is off the surface");
+            }
+        }
+    }
+    assert!(hits > 300 && clear > 100, "{hits} hits, {clear} clear");
+}
+
+#[test]
+fn a_line_stays_on_its_storey_and_climbs_ramps() {
+    let (points, faces) = spiral(3, 16, 2.0);
+    let surface = NavSurface::new(&points, &list(&faces), None).expect("a ramp");
+    assert!(surface.layer_count() > 1);
+    for place in surface.random_places(5).take(200) {
+        let cast = surface.raycast(&place, [0.0, 0.0]).expect("finite");
+        // The way to the axis is barred by the inner border of the very turn it starts from.
+        let hit = cast.hit.unwrap_or_else(|| panic!("{place:?} sees the axis"));
+        assert!((hit.point[2] - place.point[2]).abs() < 2.0 / 3.0, "{place:?} leaps to {hit:?}");
+        assert_eq!(cast.faces[0], place.face);
+    }
+}
+
+#[test]
+fn the_nearest_place_is_that_of_a_look_at_every_triangle() {
+    for seed in 0..20 {
+        let map = Map::random(seed + 300, 6, 0.6, 0.5);
+        let mut heights = Random::new(seed);
+        let surface = lifted(&map, |p| [p.x, p.y, 2.0 * heights.unit()]);
+        let mut random = Random::new(seed + 1);
+        for round in 0..60 {
+            let size = [6.0, 30.0, 1e6][round % 3];
+            let at = [(); 2].map(|()| (random.unit() - 0.3) * size);
+            let closest = |[a, b]: [Space; 2]| {
+                let [x, y] = [b[0] - a[0], b[1] - a[1]];
+                let share = (((at[0] - a[0]) * x + (at[1] - a[1]) * y) / (x * x + y * y)).clamp(0.0, 1.0);
+                (a[0] + share * x - at[0]).hypot(a[1] + share * y - at[1])
+            };
+            let is_inside = surface.place(at, Floor::Any).is_ok();
+            let sides =
+                surface.faces().flat_map(|f| surface.triangles(f)).flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]);
+            let least = if is_inside { 0.0 } else { sides.map(closest).fold(f64::INFINITY, f64::min) };
+            let (place, distance) = surface.nearest(at, Floor::Any).expect("finite");
+            assert!((distance - least).abs() <= 1e-9 * (1.0 + least), "seed {seed}: {at:?}: {distance}, and {least}");
+            assert!(((place.point[0] - at[0]).hypot(place.point[1] - at[1]) - distance).abs() <= 1e-9 * (1.0 + least));
+        }
+    }
+}
+
+/// Laid flat, a surface has the costs of the plane; by one cost for all it is exact.
+#[test]
+fn costs_on_a_surface_that_can_be_laid_flat_are_those_of_the_plane() {
+    let (mut planner, mut plain) = (SurfacePlanner::new(), Planner::new());
+    for seed in 0..10 {
+        let map = Map::random(seed + 700, 6, 0.85, 0.5);
+        let (mesh, surface) = (map.mesh(), lifted(&map, |p| [0.6 * p.x, p.y, 0.8 * p.x]));
+        let mut random = Random::new(seed);
+        let from = map.inside(random.below(map.triangles.len()), &mut random);
+        let (Ok(place), Ok(start)) = (mesh.place(from), surface.place([0.6 * from.x, from.y], Floor::Any)) else {
+            continue;
+        };
+        let mut costs = FaceMap::filled(mesh.face_bound(), 2.0);
+        for round in 0..2 {
+            let flat = plain.weighted_distance_field(&mesh, &costs, &[], &place, f64::INFINITY).expect("no links");
+            let field =
+                planner.weighted_distance_field(&surface, &costs, &[], &start, f64::INFINITY).expect("no links");
+            for v in (0..map.points.len() as u32).map(VertexId::new) {
+                match (flat.distance(v), field.distance(v)) {
+                    (Some(one), Some(other)) => {
+                        assert!((one - other).abs() < 1e-9 * (1.0 + one), "seed {seed}, {round}: {v}")
+                    }
+                    (one, other) => assert_eq!(one, other, "seed {seed}, {round}: {v}"),
+                }
+            }
+            mesh.faces().for_each(|f| costs[f] = 1.0 + 3.0 * random.unit());
+        }
+    }
+}

@@ -1,7 +1,7 @@
 //! Areas of a map and what a unit of length costs in them: faces by their numbers, by a name, or inside a polygon.
 
 use super::super::failure::Failure;
-use super::tell::number;
+use super::numbers::number;
 use dcel_kit::io::{Labels, PolygonSoup, closest};
 use dcel_kit::plane::predicates::orientation;
 use dcel_kit::plane::{Location, Point, PointIndex, Subdivision, TriangulationMethod};

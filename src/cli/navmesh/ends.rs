@@ -2,7 +2,8 @@
 
 use super::super::failure::{Failure, say};
 use super::map::Map;
-use super::tell::{number, point, refusal};
+use super::numbers::{above, number};
+use super::tell::{point, refusal};
 use dcel_kit::FaceId;
 use dcel_kit::io::Number;
 use dcel_kit::navmesh::{Nearest, Place, PlaceError};
@@ -139,29 +140,5 @@ impl Snap {
         };
         let failure = Failure::input(format!("{}: the {what} {why}", map.source), help);
         Err(Box::new(Lost { asked, nearest, failure }))
-    }
-}
-
-/// A number with few digits that is no less.
-pub(super) fn above(x: f64) -> f64 {
-    let step = 10f64.powf(x.abs().max(f64::MIN_POSITIVE).log10().floor() - 1.0);
-    let rounded = format!("{:.1e}", (x / step).ceil() * step).parse().unwrap_or(x);
-    if rounded >= x && f64::is_finite(rounded) { rounded } else { x }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::above;
-
-    #[test]
-    fn a_limit_has_few_digits_and_is_no_less() {
-        let cases = [(0.5, 0.5), (0.123, 0.13), (73.0, 73.0), (9.99, 10.0), (1.0 / 3.0, 0.34), (1e-9, 1e-9)];
-        for (x, limit) in cases {
-            let found = above(x);
-            assert!(found >= x && (found - limit).abs() <= 1e-12 * limit, "{x}: {found}");
-        }
-        for x in [0.0, 1e300, f64::MAX, f64::MIN_POSITIVE] {
-            assert!(above(x) >= x, "{x}");
-        }
     }
 }

@@ -4,22 +4,31 @@ use super::super::failure::Failure;
 use super::areas::{Area, area};
 use super::ends::Snap;
 use super::map::Map;
+use super::numbers::number;
 use super::space::{Ground, Wish};
-use super::tell::{number, point};
+use super::tell::point;
 use dcel_kit::navmesh::{Link, Rung, Stop, SurfaceLink, SurfacePlace};
 
 /// What changes the length of a path beside walls.
 #[derive(clap::Args, Debug)]
 #[command(next_help_heading = "Costs and links")]
 pub(super) struct Extras {
-    /// A unit of length in an area costs as much; may be given several times. An area is faces (f3,f7-f9=2),
-    /// a name of them (a group, object or material of an .obj, a feature of GeoJSON: mud=2), or corners
-    /// (x,y,x,y,x,y=2), along which faces are cut. Not for --rung exact: the corridor is a good one for
-    /// these costs, not the best of all
-    #[arg(long, value_name = "AREA=COST", value_parser = area, conflicts_with = "radius", allow_hyphen_values = true)]
-    cost: Vec<Area>,
+    #[command(flatten)]
+    costs: CostArgs,
     #[command(flatten)]
     links: LinkArgs,
+}
+
+/// Areas with costs.
+#[derive(clap::Args, Debug)]
+#[command(next_help_heading = "Costs and links")]
+pub(super) struct CostArgs {
+    /// A unit of length in an area costs as much; may be given several times. An area is faces (f3,f7-f9=2),
+    /// a name of them (a group, object or material of an .obj, a feature of GeoJSON: mud=2), or corners
+    /// (x,y,x,y,x,y=2), along which faces are cut. Answers are good ones for these costs, not the best of
+    /// all; a path needs a quicker rule than --rung exact
+    #[arg(long, value_name = "AREA=COST", value_parser = area, allow_hyphen_values = true)]
+    cost: Vec<Area>,
 }
 
 /// Links between places.
@@ -52,7 +61,7 @@ fn link(text: &str) -> Result<LinkWish, String> {
 impl Extras {
     /// Refuses costs for searches that know none.
     pub(super) fn check(&self, rung: Rung, word: &str) -> Result<(), Failure> {
-        if self.cost.is_empty() || !matches!(rung, Rung::Exact | Rung::Breadth) {
+        if self.areas().is_empty() || !matches!(rung, Rung::Exact | Rung::Breadth) {
             return Ok(());
         }
         let what = format!("--cost cannot be used with --rung {word}: it counts lengths or faces");
@@ -64,6 +73,13 @@ impl Extras {
         &self.links
     }
 
+    /// The areas with costs.
+    pub(super) fn areas(&self) -> &[Area] {
+        self.costs.areas()
+    }
+}
+
+impl CostArgs {
     /// The areas with costs.
     pub(super) fn areas(&self) -> &[Area] {
         &self.cost

@@ -3,7 +3,8 @@
 use super::super::failure::Failure;
 use super::super::{Answer, Output};
 use super::drawing::{Drawing, save};
-use super::map::{Draft, Input, Map, MapArgs};
+use super::map::Map;
+use super::reading::{Draft, Input, MapArgs};
 use super::space;
 use clap::ValueEnum;
 use dcel_kit::figure;

@@ -3,9 +3,11 @@
 use super::super::failure::Failure;
 use super::super::output::table;
 use super::super::{Answer, Output};
-use super::map::{Input, Map, MapArgs};
+use super::map::Map;
+use super::numbers::number;
+use super::reading::{Input, MapArgs};
 use super::space;
-use super::tell::{Spot, in_map, number, point};
+use super::tell::{Spot, in_map, point};
 use dcel_kit::io::counted;
 use dcel_kit::navmesh::Location;
 use serde::Serialize;

@@ -3,7 +3,7 @@
 use super::super::failure::Failure;
 use super::super::output::table;
 use super::super::{Answer, Output};
-use super::map::MapArgs;
+use super::reading::MapArgs;
 use super::tell::point;
 use dcel_kit::FaceId;
 use serde::Serialize;

@@ -1,6 +1,7 @@
 //! Walls and obstacles of the command line, put into a map before anything is asked of it.
 
 use super::super::failure::Failure;
+use super::numbers::number;
 use dcel_kit::FaceMap;
 use dcel_kit::navmesh::{LiveMesh, NavMesh, NavMeshError, ObstacleError};
 use dcel_kit::plane::{Point, Subdivision};
@@ -25,7 +26,7 @@ pub(super) struct Corners {
 }
 
 fn corners(text: &str) -> Result<Corners, String> {
-    let numbers: Result<Vec<f64>, String> = text.split(',').map(|word| super::tell::number(word.trim())).collect();
+    let numbers: Result<Vec<f64>, String> = text.split(',').map(|word| number(word.trim())).collect();
     let numbers = numbers?;
     if !numbers.len().is_multiple_of(2) {
         return Err(format!("{} numbers are no points: give x and y of each", numbers.len()));

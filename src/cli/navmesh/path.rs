@@ -7,9 +7,11 @@ use super::super::{Answer, Output};
 use super::drawing::{Drawing, save};
 use super::ends::{End, Lost, Snap, Wish};
 use super::extras::Extras;
-use super::map::{Input, Map, MapArgs, Preparation};
+use super::map::Map;
+use super::numbers::number;
+use super::reading::{Input, MapArgs, Preparation};
 use super::space::{self, Ground, points_of};
-use super::tell::{Spot, faces, number, point};
+use super::tell::{Spot, faces, point};
 use clap::ValueEnum;
 use dcel_kit::figure::navmesh::Floor;
 use dcel_kit::navmesh::{ComponentId, Inset, Link, Location, Place, PlaceError, Planner, Route, RouteError, Rung};
@@ -64,7 +66,7 @@ pub(super) struct Args {
     snap: Snap,
     /// The radius of the agent: its way keeps that far from every border. Faces, doors and corners
     /// are then those of the map without its margin
-    #[arg(long, value_name = "R", value_parser = number)]
+    #[arg(long, value_name = "R", value_parser = number, conflicts_with = "cost")]
     radius: Option<f64>,
     /// How much further off a way round a corner may be kept, as a part of the radius: arcs are
     /// drawn by as few straight pieces as that allows

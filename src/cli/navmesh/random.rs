@@ -2,18 +2,21 @@
 
 use super::super::failure::Failure;
 use super::super::{Answer, Output};
-use super::map::MapArgs;
+use super::reading::{Input, MapArgs};
+use super::space;
 use serde::Serialize;
 use std::io::Write;
 
 /// Give points at random where one can stand, every part of the map as often as its area says
 ///
-/// One point a line, x and y as the file has them.
+/// One point a line, x and y as the file has them. On a floor in space whose heights differ (--up) all
+/// three coordinates, and areas are measured along the surface; with --wall or --obstacle in the plan.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
   dcel navmesh random rooms.map --count 5
-  dcel navmesh random rooms.map --seed 7 --json")]
+  dcel navmesh random rooms.map --seed 7 --json
+  dcel navmesh random house.obj --up z --count 3")]
 pub(super) struct Args {
     #[command(flatten)]
     map: MapArgs,
@@ -36,7 +39,11 @@ struct Found {
 }
 
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    let map = args.map.open()?;
+    let draft = match args.map.read_as(!args.map.has_obstacles())? {
+        Input::Plane(draft) => *draft,
+        Input::Space(ground) => return space::random::run(&ground, (args.seed, args.count), args.json, out),
+    };
+    let map = args.map.open_draft(draft, &[])?;
     let places = map.mesh.random_places(args.seed).take(args.count);
     if args.json {
         let found = places.map(|place| Found { point: map.in_file(place.point), face: place.face.to_string() });

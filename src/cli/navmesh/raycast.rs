@@ -3,8 +3,11 @@
 use super::super::failure::Failure;
 use super::super::{Answer, Output};
 use super::drawing::{Drawing, save};
-use super::map::{Map, MapArgs};
-use super::tell::{faces, number, point, refusal};
+use super::map::Map;
+use super::numbers::number;
+use super::reading::{Input, MapArgs};
+use super::space;
+use super::tell::{faces, point, refusal};
 use dcel_kit::figure::navmesh::Floor;
 use dcel_kit::navmesh::{Raycast, RaycastError};
 use serde::Serialize;
@@ -14,22 +17,31 @@ use std::io::Write;
 ///
 /// Whether and which wall is hit is decided exactly. Running along a wall, or past a corner that the
 /// line touches, is allowed, as it is for a path.
+///
+/// On a floor in space whose heights differ (--up) the line is straight in the plan and follows the
+/// surface from face to face, up and down ramps; its length is that along the surface. It never leaps
+/// to another storey. With --wall or --obstacle the plan decides.
 #[derive(clap::Args, Debug)]
 #[command(override_usage = "dcel navmesh raycast [OPTIONS] <MAP> <X> <Y> <X> <Y>")]
 #[command(after_help = "\
 Examples:
   dcel navmesh raycast rooms.map 1 1 22 12
   dcel navmesh raycast rooms.map 1 1 9 1 \\
-    --wall 5,0,5,1.5 --json -o ray.svg")]
+    --wall 5,0,5,1.5 --json -o ray.svg
+  dcel navmesh raycast house.obj --up z 1 1 0 3 3 0")]
 pub(super) struct Args {
     #[command(flatten)]
     map: MapArgs,
-    /// Where the line starts, and where it is to end: x y x y, as the file has them
-    #[arg(value_names = ["X", "Y", "X", "Y"], num_args = 4, required = true, allow_negative_numbers = true, value_parser = number)]
+    /// Where the line starts, and where it is to end: x y x y, as the file has them; on a floor whose heights
+    /// differ x y z x y z, too
+    #[arg(value_names = ["X", "Y", "X", "Y"], num_args = 4..=6, required = true, allow_negative_numbers = true, value_parser = number)]
     ends: Vec<f64>,
     /// The face to start from, where holes touch in the start
     #[arg(long, value_name = "f3")]
     start_face: Option<dcel_kit::FaceId>,
+    /// The layer of the start, where storeys lie over each other; dcel navmesh info tells the layers
+    #[arg(long, value_name = "N")]
+    start_layer: Option<usize>,
     /// Answer in JSON
     #[arg(long)]
     json: bool,
@@ -58,11 +70,27 @@ struct Hit {
 }
 
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    let target = args.drawing.target(args.map.file())?;
+    let draft = match args.map.read_as(!args.map.has_obstacles())? {
+        Input::Plane(draft) => *draft,
+        Input::Space(ground) => {
+            let points = space::points_of(&args.ends, 2, true)?;
+            let (layer, face) = (args.start_layer, args.start_face);
+            let question = space::raycast::Question {
+                wish: space::Wish { what: "start", numbers: points[0], layer, face },
+                to: points[1],
+                json: args.json,
+                drawing: &args.drawing,
+                target: target.as_ref(),
+                title: args.map.title(),
+            };
+            return space::raycast::run(&ground, &question, out);
+        }
+    };
     let [x0, y0, x1, y1] = args.ends[..] else {
         return Err(Failure::input("a line has two ends", "give x y of the start and x y of the end"));
     };
-    let target = args.drawing.target(args.map.file())?;
-    let map = args.map.open()?;
+    let map = args.map.open_draft(draft, &[])?;
     let [start, end] = [map.point([x0, y0]), map.point([x1, y1])];
     let place = args.start_face.map_or_else(|| map.mesh.place(start), |face| map.mesh.place_in(face, start));
     let cast = place.map_err(RaycastError::Start).and_then(|place| map.mesh.raycast_from(&place, end));

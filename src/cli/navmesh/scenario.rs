@@ -3,8 +3,9 @@
 use super::super::failure::{Failure, say};
 use super::super::{Answer, Output};
 use super::ends::{Moves, Snap};
-use super::map::{Map, MapArgs, Preparation};
+use super::map::Map;
 use super::path::Which;
+use super::reading::{MapArgs, Preparation};
 use clap::ValueEnum;
 use dcel_kit::io::{Number, Optimum, Query, Scenario, Verdict, counted, read_whole, source_name};
 use dcel_kit::navmesh::{PlaceError, Planner, RouteError, Rung};

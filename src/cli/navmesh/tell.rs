@@ -70,9 +70,3 @@ pub(super) fn refusal(map: &Map, error: &PlaceError) -> String {
         other => other.to_string(),
     }
 }
-
-/// A number of the command line.
-pub(super) fn number(text: &str) -> Result<f64, String> {
-    let finite = text.parse().ok().filter(|x: &f64| x.is_finite());
-    finite.ok_or_else(|| "this is no finite number: write it like 1.5".to_owned())
-}

@@ -8,7 +8,7 @@
 //!                      root                     door is in sight.
 //! ```
 
-use super::super::mesh::ID;
+use super::super::marks::ID;
 use super::super::rooms::Rooms;
 use super::ray::{Ray, Turn, difference};
 use crate::ids::FaceId;

@@ -11,10 +11,10 @@
 //! Sides out of sight on the right are reached by a bend at the right post, if the cone ends there and a way may bend
 //! there; so on the left. A side seen edge-on is passed by a bend at its nearer end.
 
-use super::super::mesh::{CLOSED, DEAD_END, ID, TURN};
+use super::super::marks::{CLOSED, DEAD_END, ID, TURN};
 use super::super::nearest::distance;
-use super::super::planner::Scratch;
 use super::super::rooms::{Corner, Rooms};
+use super::super::scratch::Scratch;
 use super::cone::{AT_POST, BENT, Beam, ENDS, Node, START};
 use super::ray::{Turn, difference};
 use super::search::Exact;

@@ -1,11 +1,13 @@
 //! The search itself: cones in the order of their guesses.
 
 use super::super::Place;
+use super::super::marks::{ID, NONE};
 use super::super::merged::Merged;
-use super::super::mesh::{ID, NONE, NavMesh};
+use super::super::mesh::NavMesh;
 use super::super::nearest::{closest_on, distance};
-use super::super::planner::{Planner, Scratch};
+use super::super::planner::Planner;
 use super::super::rooms::Rooms;
+use super::super::scratch::Scratch;
 use super::cone::{Beam, Cone, ENDS, Node, START};
 use super::estimate::{between, guess, seen};
 use crate::ids::FaceId;

@@ -9,7 +9,7 @@
 
 use super::ObstacleError;
 use super::book::{Book, Return};
-use super::clear::take_out;
+use super::cut::take_out;
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::navmesh::NavMeshError;
 use crate::plane::{InsertEdgeError, PlaneJournal, Subdivision};

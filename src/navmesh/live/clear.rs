@@ -15,9 +15,9 @@
 use super::ObstacleError;
 use super::back::{bring_back, name_faces};
 use super::book::{Book, Return};
-use super::cut::{make_convex, written_faces};
+use super::cut::{make_convex, take_out, written_faces};
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
-use crate::navmesh::mesh::turns_left_or_runs_straight;
+use crate::navmesh::corner::turns_left_or_runs_straight;
 use crate::plane::{PlaneJournal, Subdivision};
 use std::collections::BTreeSet;
 
@@ -83,25 +83,6 @@ fn vertices_near(map: &Subdivision, edges: &[EdgeId]) -> BTreeSet<VertexId> {
     let faces: BTreeSet<FaceId> = near.iter().flat_map(|&v| map.incident_faces(v)).filter(|f| !is_gap(f)).collect();
     near.extend(faces.into_iter().flat_map(|f| map.incident_vertices(f)));
     near
-}
-
-/// Takes out an edge. Of two faces the one stays that was there first, so that it has its name again in the end.
-pub(super) fn take_out(
-    map: &mut Subdivision,
-    book: &Book,
-    e: EdgeId,
-    faces: &mut BTreeSet<FaceId>,
-    rec: &mut PlaneJournal,
-) -> Result<(), ObstacleError> {
-    let [h, t] = e.half_edges();
-    let [f, g] = [map.face(h), map.face(t)];
-    let (goes, stays) = if book.is_first(f) { (t, f) } else { (h, g) };
-    let done = match f == g {
-        true => map.remove_edge_with(e, rec).is_ok(),
-        false => map.join_faces_with(goes, rec).is_ok(),
-    };
-    faces.insert(stays);
-    if done { Ok(()) } else { Err(ObstacleError::Concave { face: stays }) }
 }
 
 /// Takes out the cuts at a vertex that is in the middle of one line or of none, and then, if it is of none, the vertex.

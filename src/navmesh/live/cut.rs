@@ -8,8 +8,9 @@
 //! ```
 
 use super::ObstacleError;
+use super::book::Book;
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId};
-use crate::navmesh::mesh::turns_left_or_runs_straight;
+use crate::navmesh::corner::turns_left_or_runs_straight;
 use crate::plane::{PlaneJournal, Subdivision};
 use crate::topology::{Change, Ring, Slot};
 use std::collections::BTreeSet;
@@ -77,6 +78,25 @@ fn tie(map: &mut Subdivision, face: FaceId, ring: Ring, rec: &mut PlaneJournal) 
     let fit = pairs.into_iter().find(|&[v, w]| map.can_insert_edge(v, w).is_ok());
     let [v, w] = fit.ok_or(ObstacleError::Concave { face })?;
     map.insert_edge_with(v, w, rec).map(drop).map_err(|_| ObstacleError::Concave { face })
+}
+
+/// Takes out an edge. Of two faces the one stays that was there first, so that it has its name again in the end.
+pub(super) fn take_out(
+    map: &mut Subdivision,
+    book: &Book,
+    e: EdgeId,
+    faces: &mut BTreeSet<FaceId>,
+    rec: &mut PlaneJournal,
+) -> Result<(), ObstacleError> {
+    let [h, t] = e.half_edges();
+    let [f, g] = [map.face(h), map.face(t)];
+    let (goes, stays) = if book.is_first(f) { (t, f) } else { (h, g) };
+    let done = match f == g {
+        true => map.remove_edge_with(e, rec).is_ok(),
+        false => map.join_faces_with(goes, rec).is_ok(),
+    };
+    faces.insert(stays);
+    if done { Ok(()) } else { Err(ObstacleError::Concave { face: stays }) }
 }
 
 /// The bounded faces inside a border: those on the left of these half-edges, and what hangs together with them without

@@ -12,11 +12,10 @@
 
 use super::ObstacleError;
 use super::book::Book;
-use super::clear::take_out;
-use super::cut::{changed_faces, make_convex, written_faces};
+use super::cut::{changed_faces, make_convex, take_out, written_faces};
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use crate::navmesh::location::is_between;
-use crate::navmesh::mesh::ID;
+use crate::navmesh::marks::ID;
 use crate::navmesh::nearest::{closest_on, distance};
 use crate::navmesh::{Location, NavMesh};
 use crate::plane::predicates::orientation;

@@ -7,7 +7,8 @@
 //! ```
 
 use crate::ids::{EdgeId, FaceId, VertexId};
-use crate::navmesh::mesh::{MOST, NONE, place_of};
+use crate::navmesh::marks::{MOST, NONE};
+use crate::navmesh::mesh::place_of;
 use crate::navmesh::{NavMesh, NavMeshError};
 use crate::plane::Subdivision;
 use std::collections::BTreeSet;

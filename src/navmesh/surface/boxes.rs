@@ -6,6 +6,9 @@
 //!      1   2
 //! ```
 
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
 /// Boxes `[x0, y0, x1, y1]`, and the order of the triangles in the leaves.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Boxes {
@@ -82,6 +85,33 @@ impl Boxes {
                 self.order[range].iter().for_each(|&t| visit(t as usize));
             } else {
                 stack.extend([2 * node + 2, 2 * node + 1]);
+            }
+        }
+    }
+
+    /// Calls `visit` with the triangles of one leaf after the other, the one whose box is the nearest to a point first, as
+    /// long as boxes are no further away than what it has returned: how far the best is that was found.
+    pub(super) fn visit_near(&self, p: [f64; 2], mut visit: impl FnMut(usize) -> f64) {
+        // Distances to boxes and to what they hold are rounded one by one.
+        const SLACK: f64 = 1.0 - 1e-12;
+        let distance = |node: usize| {
+            let [x0, y0, x1, y1] = self.nodes[node];
+            let out = |low: f64, high: f64, at: f64| (low - at).max(at - high).max(0.0);
+            out(x0, x1, p[0]).hypot(out(y0, y1, p[1])) * SLACK
+        };
+        // Keys are the bits of distances: they are in the order of the distances.
+        let mut queue = BinaryHeap::from([Reverse((0, 0))]);
+        let mut best = f64::INFINITY;
+        while let Some(Reverse((key, node))) = queue.pop() {
+            if f64::from_bits(key) > best {
+                return;
+            }
+            if node >= self.leaves {
+                let i = node - self.leaves;
+                let range = self.ranges[i] as usize..self.ranges[i + 1] as usize;
+                self.order[range].iter().for_each(|&t| best = best.min(visit(t as usize)));
+            } else {
+                queue.extend([2 * node + 1, 2 * node + 2].map(|node| Reverse((distance(node).to_bits(), node))));
             }
         }
     }

@@ -26,7 +26,8 @@
 //! | `boxes.rs`, `layers.rs` | a tree of boxes; what lies over each other |
 //! | `place.rs` | from x and y to places on the surface |
 //! | `window.rs`, `search.rs` | windows, and the exact search over them |
-//! | `corridor.rs` | the quicker rungs of the ladder; costs |
+//! | `corridor.rs`, `weighted_field.rs` | the quicker rungs of the ladder; costs |
+//! | `raycast.rs`, `random.rs` | the first border on a line that is straight in the plan; random places |
 //! | `linked.rs` | teleports and lifts from place to place |
 //! | `unfold.rs` | the shortest path through a row of triangles, back in space |
 //!
@@ -43,18 +44,23 @@ mod corridor;
 mod layers;
 mod linked;
 mod place;
+mod random;
+mod raycast;
 mod route;
 mod search;
 mod unfold;
+mod weighted_field;
 mod window;
 
 pub use build::SurfaceError;
 pub use linked::{LinkedSurfaceRoute, SurfaceLink};
 pub use place::{Floor, SurfacePlace, SurfacePlaceError};
+pub use random::RandomSurfacePlaces;
+pub use raycast::{SurfaceRayHit, SurfaceRaycast};
 pub use route::{SurfaceField, SurfaceRoute, SurfaceRouteError};
 pub use search::SurfacePlanner;
 
-use super::mesh::NONE;
+use super::marks::NONE;
 use crate::ids::{FaceId, VertexId};
 use boxes::Boxes;
 

@@ -6,6 +6,7 @@
 //!   ─────●─────  0,   layer 0
 //! ```
 
+use super::super::nearest::closest_on;
 use super::layers::plan;
 use super::{NONE, NavSurface, Space, between, lerp, next};
 use crate::ids::FaceId;
@@ -181,7 +182,7 @@ impl NavSurface {
     /// given, or of the layer that is asked for. With it the distance in the plan. `None` if a coordinate is not finite
     /// or there is no such layer.
     ///
-    /// Cost: O(n).
+    /// Cost: O(log n), and the triangles that are about as near; with a layer, those of other layers that are nearer, too.
     #[must_use]
     pub fn nearest(&self, at: [f64; 2], floor: Floor) -> Option<(SurfacePlace, f64)> {
         let p = Point::from(at);
@@ -189,39 +190,42 @@ impl NavSurface {
             return Some((places[0], 0.0));
         }
         let mut best: Option<([f64; 2], usize, Point)> = None;
-        for t in 0..self.triangle_count() {
+        self.boxes.visit_near(at, |t| {
             let corners = self.corners(t);
-            if matches!(floor, Floor::Layer(layer) if self.layer(self.face_of(t)) != Some(layer))
-                || twice_area(plan(corners[0]), plan(corners[1]), plan(corners[2])) <= 0.0
-            {
-                continue;
-            }
-            let inside = self.place_in(t, p).map(|_| p);
-            let sides =
-                (0..3).map(|k| super::super::nearest::closest_on([k, (k + 1) % 3].map(|k| plan(corners[k])), p));
-            for q in inside.into_iter().chain(sides) {
-                let off = match floor {
-                    Floor::Height(height) => (height_at(corners, q) - height).abs(),
-                    _ => 0.0,
-                };
-                let far = [(q.x - p.x).hypot(q.y - p.y), off];
-                if far[0].is_finite() && best.is_none_or(|(least, ..)| far < least) {
-                    best = Some((far, t, q));
+            let is_asked_for = !matches!(floor, Floor::Layer(layer) if self.layer(self.face_of(t)) != Some(layer));
+            if is_asked_for && orientation(plan(corners[0]), plan(corners[1]), plan(corners[2])).is_gt() {
+                let inside = self.place_in(t, p).map(|_| p);
+                let sides = (0..3).map(|k| closest_on([k, (k + 1) % 3].map(|k| plan(corners[k])), p));
+                for q in inside.into_iter().chain(sides) {
+                    let off = match floor {
+                        Floor::Height(height) => (height_at(corners, q) - height).abs(),
+                        _ => 0.0,
+                    };
+                    let far = [(q.x - p.x).hypot(q.y - p.y), off];
+                    if far[0].is_finite() && best.is_none_or(|(least, other, _)| (far, t) < (least, other)) {
+                        best = Some((far, t, q));
+                    }
                 }
             }
-        }
+            best.map_or(f64::INFINITY, |([least, _], ..)| least)
+        });
         let (_, t, q) = best?;
-        let middle = self.corners(t).map(plan).iter().fold([0.0; 2], |sum, p| [sum[0] + p.x / 3.0, sum[1] + p.y / 3.0]);
-        // Rounding may have moved it out of the triangle by a hair.
-        let steps = std::iter::once(0.0).chain((0..=60).rev().map(|i| 2f64.powi(-i)));
-        let place = steps
-            .map(|part| Point::new(q.x + (middle[0] - q.x) * part, q.y + (middle[1] - q.y) * part))
-            .find_map(|q| self.place_in(t, q))?;
+        let place = self.place_near(t, q)?;
         Some((place, (place.point[0] - p.x).hypot(place.point[1] - p.y)))
     }
 
+    /// The place at a point in a triangle from which rounding may have moved the point by a hair; `None` if the triangle
+    /// stands upright.
+    pub(super) fn place_near(&self, t: usize, q: Point) -> Option<SurfacePlace> {
+        let middle = self.corners(t).map(plan).iter().fold([0.0; 2], |sum, p| [sum[0] + p.x / 3.0, sum[1] + p.y / 3.0]);
+        let steps = std::iter::once(0.0).chain((0..=60).rev().map(|i| 2f64.powi(-i)));
+        steps
+            .map(|part| Point::new(q.x + (middle[0] - q.x) * part, q.y + (middle[1] - q.y) * part))
+            .find_map(|q| self.place_in(t, q))
+    }
+
     /// The place at a point in a closed triangle, if it has the point. Exact.
-    fn place_in(&self, t: usize, p: Point) -> Option<SurfacePlace> {
+    pub(super) fn place_in(&self, t: usize, p: Point) -> Option<SurfacePlace> {
         let corners = self.corners(t);
         let flat = corners.map(plan);
         if orientation(flat[0], flat[1], flat[2]).is_le() {
@@ -261,7 +265,7 @@ impl NavSurface {
         }
     }
 
-    fn spot(&self, place: &SurfacePlace) -> Spot {
+    pub(super) fn spot(&self, place: &SurfacePlace) -> Spot {
         let first = 3 * place.triangle as usize;
         match place.on {
             0 => Spot::Inside,
@@ -310,7 +314,7 @@ impl NavSurface {
 }
 
 /// Where in a triangle a place lies: on a side, or in the corner that a side starts from.
-enum Spot {
+pub(super) enum Spot {
     Inside,
     Side(usize),
     Corner(usize),

@@ -6,7 +6,7 @@ use super::super::super::picture::Target;
 use super::super::super::{Answer, Output};
 use super::super::drawing::{Drawing, save};
 use super::super::ends::Snap;
-use super::super::extras::LinkArgs;
+use super::super::extras::{CostArgs, LinkArgs};
 use super::{Ground, Wish};
 use dcel_kit::VertexId;
 use dcel_kit::figure::navmesh::Storeys;
@@ -37,6 +37,7 @@ struct Row {
 pub(in super::super) struct Question<'a> {
     pub(in super::super) wish: Wish<'a>,
     pub(in super::super) limit: Option<f64>,
+    pub(in super::super) costs: &'a CostArgs,
     pub(in super::super) links: &'a LinkArgs,
     pub(in super::super) json: bool,
     pub(in super::super) drawing: &'a Drawing,
@@ -49,7 +50,10 @@ pub(in super::super) fn run(ground: &Ground, question: &Question<'_>, out: &mut 
     let start = ground.end(&question.wish, &Snap::none())?.places[0];
     let links = question.links.on(ground, &Snap::none())?;
     let limit = question.limit.unwrap_or(f64::INFINITY);
-    let field = SurfacePlanner::new().linked_distance_field(surface, &links, &start, limit);
+    let field = match ground.costs(question.costs.areas())? {
+        Some(costs) => SurfacePlanner::new().weighted_distance_field(surface, &costs, &links, &start, limit),
+        None => SurfacePlanner::new().linked_distance_field(surface, &links, &start, limit),
+    };
     let field = field.map_err(|error| Failure::input(format!("{}: {error}", ground.source), ""))?;
     if let Some(target) = question.target {
         let options = ground.options(question.drawing, &format!("Distances on {}", question.title));

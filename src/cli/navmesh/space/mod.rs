@@ -2,6 +2,7 @@
 //!
 //! ```text
 //!   path ── distances ── locate ── info      the commands that know them; lengths are along the surface
+//!   raycast ── random
 //! ```
 //!
 //! Points are given by the two axes that lie flat, or by all three, as the file has them; they are told by all three.
@@ -10,12 +11,15 @@ pub(super) mod distances;
 pub(super) mod info;
 pub(super) mod locate;
 pub(super) mod path;
+pub(super) mod random;
+pub(super) mod raycast;
 
 use super::super::failure::{Failure, say};
 use super::super::output::point as told;
 use super::areas::{Area, Faces, Names, middle};
 use super::drawing::Drawing;
-use super::ends::{Snap, above};
+use super::ends::Snap;
+use super::numbers::above;
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::io::{Axis, Format, Number, PolygonSoup};
 use dcel_kit::navmesh::{Floor, NavSurface, SurfaceError, SurfacePlace, SurfacePlaceError};

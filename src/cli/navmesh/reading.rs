@@ -1,0 +1,437 @@
+//! From a file to a map with its navmesh.
+
+use super::super::failure::{Failure, say};
+use super::areas::{Area, Names, cut_along};
+use super::map::{Frame, Map};
+use super::numbers::above;
+use super::obstacles::ObstacleArgs;
+use super::space::{Ground, surface_failure};
+use clap::ValueEnum;
+use dcel_kit::FaceId;
+use dcel_kit::io::{
+    Axis, Document, Format, Grid, LoadOptions, Number, PolygonSoup, Read, ReadOptions, Structure, assemble, counted,
+    read_path, read_whole, source_name,
+};
+use dcel_kit::navmesh::{MeshFault, NavMesh, NavMeshError, NavSurface, Planner, Welded, mesh_faults, weld};
+use dcel_kit::plane::predicates::orientation;
+use dcel_kit::plane::{Point, Subdivision, TriangulateError, TriangulationMethod};
+use dcel_kit::topology::Mode;
+use std::path::{Path, PathBuf};
+
+/// The map, and how to read it.
+#[derive(clap::Args, Debug)]
+pub(super) struct MapArgs {
+    /// The map, or - for standard input
+    #[arg(value_name = "MAP")]
+    file: PathBuf,
+    /// The format, if the name does not tell
+    #[arg(long, value_name = "FORMAT", help_heading = "Reading")]
+    format: Option<Format>,
+    /// y points down in the file, as on screens; of a .map that is known
+    #[arg(long, help_heading = "Reading")]
+    y_down: bool,
+    /// The axis that points up, of a floor in space. Where heights differ, `path`, `distances`, `locate`,
+    /// `raycast`, `random` and `info` measure along the surface and know storeys over each other; `neighbours`
+    /// and `scenario` look at the plan, and so does whatever gets a --radius, --wall or --obstacle
+    #[arg(long, value_name = "AXIS", conflicts_with = "y_down", help_heading = "Reading")]
+    up: Option<Up>,
+    /// Leave out faces that are steeper than this, and those that face down: of a whole house that leaves
+    /// its floors
+    #[arg(long, value_name = "DEGREES", value_parser = super::numbers::number, requires = "up", help_heading = "Reading")]
+    max_slope: Option<f64>,
+    /// Turn round faces that run clockwise
+    #[arg(long, help_heading = "Reading")]
+    orient: bool,
+    /// Split polygons and segments where they cross, touch or overlap; tells what was done
+    #[arg(long, help_heading = "Reading")]
+    mend: bool,
+    /// Join vertices that are no further apart than this, and put vertices into sides that they are on or
+    /// no further beside; faces that are not convex then are cut into triangles. Tells what was done. 0
+    /// joins what lies at the same place, and mends T-junctions
+    #[arg(long, value_name = "D", value_parser = super::numbers::number, allow_negative_numbers = true, help_heading = "Reading")]
+    weld: Option<f64>,
+    /// Cut all faces into triangles without needless slivers (constrained Delaunay); a .map is cut along the
+    /// borders of its regions
+    #[arg(long, help_heading = "Reading")]
+    triangles: bool,
+    #[command(flatten)]
+    obstacles: ObstacleArgs,
+}
+
+/// What a search runs over.
+#[derive(clap::Args, Debug)]
+pub(super) struct Preparation {
+    /// Search the faces of the map one by one, and not larger faces that are merged from them and whole
+    /// passages: as good an answer, with more work; to compare
+    #[arg(long)]
+    face_by_face: bool,
+    /// Once asked for what is done by itself now
+    #[arg(long, hide = true, conflicts_with = "face_by_face")]
+    merged: bool,
+}
+
+impl Preparation {
+    /// A planner that searches so.
+    pub(super) fn planner(&self) -> Planner {
+        if self.merged {
+            say("note", "--merged is not needed any more: faces are merged, and crossings found, by themselves");
+        }
+        if self.face_by_face { Planner::face_by_face() } else { Planner::new() }
+    }
+}
+
+/// Which axis points up.
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+enum Up {
+    X,
+    Y,
+    Z,
+}
+
+/// What a file is: a map of the plane, or a surface in space.
+pub(super) enum Input {
+    Plane(Box<Draft>),
+    Space(Box<Ground>),
+}
+
+/// What was read, before it is a map.
+pub(super) enum Draft {
+    /// Polygons that are not joined yet, and what is wrong with them as a navmesh.
+    Polygons { read: Read, faults: Vec<MeshFault> },
+    /// The regions of a grid map.
+    Regions(Subdivision),
+    /// Anything else.
+    Other(Read),
+}
+
+impl MapArgs {
+    /// How the file has its coordinates.
+    pub(super) fn frame(&self, format: Format) -> Frame {
+        Frame { down: format == Format::Map || self.y_down || self.up == Some(Up::Y) }
+    }
+
+    /// What figures and messages call the map.
+    pub(super) fn title(&self) -> String {
+        self.file.file_stem().map_or_else(|| "Map".to_owned(), |stem| stem.to_string_lossy().into_owned())
+    }
+
+    pub(super) fn source(&self) -> String {
+        source_name(&self.file)
+    }
+
+    /// The file itself.
+    pub(super) fn file(&self) -> &Path {
+        &self.file
+    }
+
+    /// Whether faces are cut into triangles, all or those that are not convex, so that they need not be.
+    pub(super) fn cuts_up(&self) -> bool {
+        self.triangles || self.weld.is_some()
+    }
+
+    fn is_grid(&self) -> bool {
+        self.format.or_else(|| Format::from_path(&self.file)) == Some(Format::Map)
+    }
+
+    /// Reads the file as a map of the plane. Tells the notes.
+    pub(super) fn read(&self) -> Result<Draft, Failure> {
+        match self.read_as(false)? {
+            Input::Plane(draft) => Ok(*draft),
+            Input::Space(ground) => Err(Failure::kit(format!("{} was asked for as a map of the plane", ground.source))),
+        }
+    }
+
+    /// Reads the file. With `space`, a floor whose heights differ is read as a surface. Tells the notes.
+    pub(super) fn read_as(&self, space: bool) -> Result<Input, Failure> {
+        let plane = |draft| Ok(Input::Plane(Box::new(draft)));
+        if self.is_grid() && self.mend {
+            let what = format!("{}: --mend cannot be used on a grid map: cells always fit together", self.source());
+            return Err(Failure::input(what, "leave --mend out"));
+        }
+        if self.is_grid() && self.weld.is_some() {
+            let what = format!("{}: --weld cannot be used on a grid map: cells always fit together", self.source());
+            return Err(Failure::input(what, "leave --weld out"));
+        }
+        if self.is_grid() && self.triangles {
+            let grid = Grid::parse(&read_whole(&self.file)?, &self.source())?;
+            let regions = grid.regions().map_err(|error| Failure::input(format!("{}: {error}", self.source()), ""))?;
+            return plane(Draft::Regions(regions));
+        }
+        let options = ReadOptions {
+            y_down: self.y_down,
+            format: self.format,
+            drop_degenerate_rings: self.mend,
+            close_rings: self.mend,
+            ..ReadOptions::default()
+        };
+        let mut read = read_path(&self.file, &options)?;
+        if self.mend && matches!(read.document, Document::Table(_)) {
+            let what =
+                format!("{}: --mend cannot be used on {}: it is for polygons and segments", self.source(), read.format);
+            return Err(Failure::input(what, "leave --mend out; dcel validate names what is broken"));
+        }
+        let Document::Polygons(soup) = &mut read.document else {
+            if self.weld.is_some() {
+                let what = format!("{}: --weld cannot be used on {}: it is for polygons", self.source(), read.format);
+                return Err(Failure::input(what, "leave --weld out"));
+            }
+            return plane(Draft::Other(read));
+        };
+        match self.up() {
+            Some(up) => {
+                soup.stand_up(up);
+                if soup.has_z && space {
+                    return self.ground(read, up).map(|ground| Input::Space(Box::new(ground)));
+                }
+                if soup.has_z {
+                    self.look_at_plan(soup)?;
+                }
+                soup.lay_flat(Axis::Z);
+                soup.places.set_y_down(up == Axis::Y);
+            }
+            None if soup.has_z => {
+                let what = format!("{}: this is a surface in space", self.source());
+                return Err(Failure::input(
+                    what,
+                    "say which axis points up: --up y in many drawing programs, else --up z",
+                ));
+            }
+            None => {}
+        }
+        if let Some(distance) = self.weld {
+            self.join(soup, distance)?;
+        }
+        // What is mended is judged afterwards.
+        let faults = if self.mend { Vec::new() } else { faults_of(soup, self.orient) };
+        plane(Draft::Polygons { read, faults })
+    }
+
+    /// Welds polygons. Tells what was done.
+    fn join(&self, soup: &mut PolygonSoup, distance: f64) -> Result<(), Failure> {
+        if distance < 0.0 {
+            return Err(Failure::input(format!("a distance of {distance}"), "give a number such as --weld 0.001"));
+        }
+        let points: Vec<Point> = soup.points.iter().map(|&[x, y, _]| Point::new(x, y)).collect();
+        let welded = weld(&points, &soup.faces, distance);
+        let Welded { joined, inserted, collapsed, farthest, .. } = welded;
+        if joined + inserted == 0 {
+            say("note", format_args!("nothing to weld: nothing is closer than {} without being one", Number(distance)));
+            return Ok(());
+        }
+        let joined = counted(joined, "vertex was joined with another", "vertices were joined with others");
+        let inserted = counted(inserted, "corner was put into a side", "corners were put into sides");
+        say("note", format_args!("welded: {joined}, {inserted}, {farthest:.2e} apart at most"));
+        if collapsed > 0 {
+            let gone = counted(collapsed, "face is gone: it was", "faces are gone: they were");
+            say("note", format_args!("{gone} no wider than that"));
+        }
+        *soup = soup.with_faces(welded.faces, &welded.origins);
+        Ok(())
+    }
+
+    /// The axis that points up.
+    fn up(&self) -> Option<Axis> {
+        self.up.map(|up| match up {
+            Up::X => Axis::X,
+            Up::Y => Axis::Y,
+            Up::Z => Axis::Z,
+        })
+    }
+
+    /// Whether something is put into the map.
+    pub(super) fn has_obstacles(&self) -> bool {
+        self.obstacles.are_given()
+    }
+
+    /// A floor whose heights differ, as a surface.
+    fn ground(&self, mut read: Read, up: Axis) -> Result<Ground, Failure> {
+        let source = self.source();
+        if let Some((flag, why)) = [
+            (self.mend, "--mend", "it is for polygons and segments of the plane"),
+            (self.weld.is_some(), "--weld", "it joins what lies at the same place of the plan, storeys among it"),
+        ]
+        .into_iter()
+        .find_map(|(given, flag, why)| given.then_some((flag, why)))
+        {
+            let what = format!("{source}: {flag} cannot be used on a floor whose heights differ: {why}");
+            return Err(Failure::input(what, format!("leave {flag} out, and join vertices in the file")));
+        }
+        read.notes.iter().for_each(|note| say("note", note));
+        let Document::Polygons(soup) = &mut read.document else {
+            return Err(Failure::kit(format!("{source}: a surface is made of polygons")));
+        };
+        if self.orient {
+            turn_over(soup);
+        }
+        let surface = NavSurface::new(&soup.points, &soup.faces, self.max_slope)
+            .map_err(|error| surface_failure(&source, soup, &error))?;
+        Ok(Ground { source, format: read.format, up, surface, names: Names::of(soup) })
+    }
+
+    /// Makes the plan of a floor whose heights differ: what is too steep is blocked.
+    fn look_at_plan(&self, soup: &mut PolygonSoup) -> Result<(), Failure> {
+        let source = self.source();
+        let surface = match NavSurface::new(&soup.points, &soup.faces, self.max_slope) {
+            Ok(surface) => surface,
+            // What the plan says of it is as good.
+            Err(_) if self.max_slope.is_none() => return Ok(()),
+            Err(error) => return Err(surface_failure(&source, soup, &error)),
+        };
+        if surface.layer_count() > 1 {
+            let what =
+                format!("{source}: {} storeys lie over each other: this looks at the plan", surface.layer_count());
+            let help = "a radius, walls and obstacles have no storey of their own: cut the storey out of the file, or \
+                        leave them out; dcel navmesh path, distances, locate, raycast, random and info measure along \
+                        the surface";
+            return Err(Failure::input(what, help));
+        }
+        say("note", "heights differ: what is told here is measured in the plan, and not along the surface");
+        let bound = soup.faces.face_count() as u32;
+        let left_out = (0..bound).filter(|&f| surface.layer(FaceId::new(f + 1)).is_none());
+        soup.blocked.extend(left_out);
+        soup.blocked.sort_unstable();
+        soup.blocked.dedup();
+        Ok(())
+    }
+
+    /// Reads the file and makes a map of it. Tells what nearly meets.
+    pub(super) fn open(&self) -> Result<Map, Failure> {
+        self.open_draft(self.read()?, &[])
+    }
+
+    /// Makes a map of what was read, cut along the sides of areas. Tells what nearly meets.
+    pub(super) fn open_draft(&self, draft: Draft, areas: &[Area]) -> Result<Map, Failure> {
+        const SHOWN: usize = 3;
+        if let Draft::Polygons { read, faults } = &draft
+            && let Document::Polygons(soup) = &read.document
+        {
+            let near: Vec<&MeshFault> = faults.iter().filter(|fault| fault.kind() == "nearly-welded").collect();
+            for fault in near.iter().take(SHOWN) {
+                let place = fault.vertices().last().map(|&v| soup.places.vertex(v as usize)).unwrap_or_default();
+                say("warning", format_args!("{place}: {fault}"));
+            }
+            if near.len() > SHOWN {
+                say(
+                    "warning",
+                    format_args!("{} more are nearly welded; dcel navmesh info names them", near.len() - SHOWN),
+                );
+            }
+            let gap = |fault: &&MeshFault| match fault {
+                MeshFault::NearVertices { distance, .. } | MeshFault::NearSide { distance, .. } => *distance,
+                _ => 0.0,
+            };
+            if let Some(widest) = near.iter().map(gap).reduce(f64::max) {
+                say("help", format_args!("--weld {} joins them", Number(above(widest))));
+            }
+        }
+        self.finish(draft, areas)
+    }
+
+    /// Makes a map of what was read, cut along the sides of areas.
+    pub(super) fn finish(&self, draft: Draft, areas: &[Area]) -> Result<Map, Failure> {
+        let source = self.source();
+        // Polygons that are mended are no faces of the file any more.
+        let mut names = match &draft {
+            Draft::Polygons { read: Read { document: Document::Polygons(soup), .. }, .. } if !self.mend => {
+                Names::of(soup)
+            }
+            _ => Names::default(),
+        };
+        let (mut subdivision, format) = match draft {
+            Draft::Regions(regions) => (regions, Format::Map),
+            Draft::Polygons { read, .. } | Draft::Other(read) => {
+                let format = read.format;
+                let mode = Some(Mode::Plane);
+                let options = LoadOptions { mode, orient: self.orient, mend: self.mend, ..LoadOptions::default() };
+                let loaded = assemble(read, &source, &options)?;
+                loaded.notes.iter().for_each(|note| say("note", note));
+                match loaded.structure {
+                    Structure::Plane(subdivision) => (subdivision, format),
+                    other => return Err(Failure::kit(format!("{source}: {other:?} is no plane"))),
+                }
+            }
+        };
+        if !names.is_empty() && !areas.is_empty() {
+            names.remember(&subdivision);
+        }
+        if self.weld.is_some() && !self.triangles {
+            cut_bent_faces(&mut subdivision).map_err(|error| Failure::input(format!("{source}: {error}"), ""))?;
+        }
+        if self.triangles {
+            // Slivers lead astray whoever goes from portal to portal.
+            let cut = subdivision.triangulate(TriangulationMethod::Delaunay);
+            cut.map_err(|error| Failure::input(format!("{source}: {error}"), ""))?;
+        }
+        let frame = self.frame(format);
+        cut_along(areas, &source, &mut subdivision, |p| frame.point(p))?;
+        let mesh = NavMesh::new(&subdivision).map_err(|error| {
+            let what = error.to_string();
+            let (what, own_help) = what.split_once(": ").unwrap_or((&what, ""));
+            let help = match error {
+                NavMeshError::Concave { .. } | NavMeshError::Rings { .. } => "cut the faces up with --triangles",
+                _ => own_help,
+            };
+            Failure::input(format!("{source}: {what}"), help)
+        })?;
+        let map = Map { source, format, subdivision, mesh, names, known_costs: None, frame };
+        if !self.has_obstacles() {
+            return Ok(map);
+        }
+        let costs = map.costs(areas)?;
+        let Map { source, subdivision, names, .. } = map;
+        let put = self.obstacles.put_in(&source, subdivision, costs.as_ref(), |p| frame.point(p));
+        let (subdivision, mesh, known_costs) = put?;
+        Ok(Map { source, format, subdivision, mesh, names, known_costs, frame })
+    }
+}
+
+/// Cuts faces into triangles that are not convex any more, since a corner was put into a side.
+fn cut_bent_faces(map: &mut Subdivision) -> Result<(), TriangulateError> {
+    let is_bent = |f: &FaceId| {
+        let corners: Vec<Point> = map.incident_vertices(*f).map(|v| map.point(v)).collect();
+        let n = corners.len();
+        (0..n).any(|k| orientation(corners[k], corners[(k + 1) % n], corners[(k + 2) % n]).is_lt())
+    };
+    let domain = map.faces().filter(|&f| f != map.outer_face() && !map.is_hole(f) && map.rings(f).is_empty());
+    let bent: Vec<FaceId> = domain.filter(is_bent).collect();
+    for &f in &bent {
+        map.triangulate_face(f, TriangulationMethod::default())?;
+    }
+    if !bent.is_empty() {
+        let faces = counted(bent.len(), "face is not convex and was", "faces are not convex and were");
+        say("note", format_args!("{faces} cut into triangles"));
+    }
+    Ok(())
+}
+
+/// Turns over the faces of a floor in space that face down.
+fn turn_over(soup: &mut PolygonSoup) {
+    for face in 0..soup.faces.face_count() {
+        let outline = soup.faces.cycle_range(face).start;
+        let ring = soup.faces.cycle_mut(outline);
+        let at = |v: u32| soup.points.get(v as usize).copied().unwrap_or_default();
+        let sides = ring.iter().zip(ring.iter().cycle().skip(1));
+        let twice_area: f64 = sides.map(|(&a, &b)| at(a)[0] * at(b)[1] - at(a)[1] * at(b)[0]).sum();
+        if twice_area < 0.0 {
+            ring.reverse();
+        }
+    }
+}
+
+/// What is wrong with polygons as a navmesh; clockwise ones are no fault if they are to be turned.
+fn faults_of(soup: &PolygonSoup, orient: bool) -> Vec<MeshFault> {
+    let points: Vec<Point> = soup.points.iter().map(|&[x, y, _]| Point::new(x, y)).collect();
+    let may_turn = orient || soup.any_direction;
+    let faults = mesh_faults(&points, &soup.faces, &soup.blocked);
+    if !may_turn || !faults.iter().any(|fault| matches!(fault, MeshFault::Clockwise { .. })) {
+        return faults;
+    }
+    let mut turned = soup.faces.clone();
+    for fault in &faults {
+        if let MeshFault::Clockwise { face } = fault {
+            let outline = turned.cycle_range(*face as usize).start;
+            turned.cycle_mut(outline).reverse();
+        }
+    }
+    mesh_faults(&points, &turned, &soup.blocked)
+}

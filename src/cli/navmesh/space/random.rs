@@ -1,0 +1,24 @@
+//! `dcel navmesh random` on a floor whose heights differ.
+
+use super::super::super::failure::Failure;
+use super::super::super::{Answer, Output};
+use super::{Ground, Spot};
+use std::io::Write;
+
+pub(in super::super) fn run(
+    ground: &Ground,
+    (seed, count): (u64, usize),
+    json: bool,
+    out: &mut Output,
+) -> Result<Answer, Failure> {
+    let places = ground.surface.random_places(seed).take(count);
+    if json {
+        out.json(&places.map(|place| ground.spot(&place)).collect::<Vec<Spot>>())?;
+        return Ok(Answer::Yes);
+    }
+    for place in places {
+        let [x, y, z] = ground.in_file(place.point);
+        writeln!(out, "{x} {y} {z}")?;
+    }
+    Ok(Answer::Yes)
+}

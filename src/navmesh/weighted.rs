@@ -1,0 +1,134 @@
+//! How far everything is where a unit of length costs more in some faces than in others.
+//!
+//! ```text
+//!   ●──·──·──●        Nodes are the corners of faces and some points on every side, evenly spaced. Within a face one goes
+//!   │ ╲   1  ·        straight from node to node, for the length times the cost of the face. So each answer is what some
+//!   ·   ╲    ·        path costs, and never less than the least; where all faces cost the same, searches without costs
+//!   ●──·──·──●        give the exact answer.
+//! ```
+//!
+//! Source: Lanthier, Maheshwari and Sack, *Approximating shortest paths on weighted polyhedral surfaces*, 2001.
+
+use super::Work;
+use crate::ids::{FaceId, FaceMap};
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BinaryHeap};
+
+/// How many points there are on each side, its ends left out.
+pub(super) const POINTS: usize = 6;
+
+/// A point in space; on a map of the plane its height is 0.
+type Space = [f64; 3];
+
+/// Convex faces with nodes on their sides.
+#[derive(Default)]
+pub(super) struct Cells {
+    at: Vec<Space>,
+    /// Which cell has which node.
+    has: Vec<[u32; 2]>,
+    costs: Vec<f64>,
+    /// From node to node, for a price.
+    jumps: BTreeMap<u32, Vec<(u32, f64)>>,
+}
+
+impl Cells {
+    /// Another node.
+    pub(super) fn node(&mut self, at: Space) -> u32 {
+        self.at.push(at);
+        self.at.len() as u32 - 1
+    }
+
+    /// The points on a side, as nodes of the cells beside it.
+    pub(super) fn side(&mut self, [a, b]: [Space; 2], cells: impl Iterator<Item = u32> + Clone) {
+        for i in 1..=POINTS {
+            let share = i as f64 / (POINTS + 1) as f64;
+            let node = self.node([0, 1, 2].map(|k| a[k] + (b[k] - a[k]) * share));
+            cells.clone().for_each(|cell| self.put(cell, node));
+        }
+    }
+
+    /// A cell has a node.
+    pub(super) fn put(&mut self, cell: u32, node: u32) {
+        self.has.push([cell, node]);
+    }
+
+    /// Another cell.
+    pub(super) fn cell(&mut self, cost: f64) -> u32 {
+        self.costs.push(cost.max(0.0));
+        self.costs.len() as u32 - 1
+    }
+
+    /// A way from one node to another.
+    pub(super) fn jump(&mut self, [from, to]: [u32; 2], cost: f64) {
+        self.jumps.entry(from).or_default().push((to, cost));
+    }
+
+    /// What it costs to get from a node to each node, as far as it is no more than `limit`; infinite beyond.
+    ///
+    /// Cost: O(k² log n) for each cell with k nodes.
+    pub(super) fn spread(&self, start: u32, limit: f64) -> (Vec<f64>, Work) {
+        let of_cell = Groups::new(self.costs.len(), self.has.iter().copied());
+        let of_node = Groups::new(self.at.len(), self.has.iter().map(|&[cell, node]| [node, cell]));
+        let mut least = vec![f64::INFINITY; self.at.len()];
+        let mut work = Work::default();
+        // Keys are the bits of costs: they are in the order of the costs.
+        let mut queue = BinaryHeap::from([Reverse((0u64, start))]);
+        least[start as usize] = 0.0;
+        while let Some(Reverse((key, node))) = queue.pop() {
+            work.pops += 1;
+            let here = f64::from_bits(key);
+            if here > least[node as usize] {
+                continue;
+            }
+            let mut reach = |other: u32, cost: f64| {
+                if cost < least[other as usize] && cost <= limit {
+                    least[other as usize] = cost;
+                    work.pushes += 1;
+                    queue.push(Reverse((cost.to_bits(), other)));
+                }
+            };
+            for &cell in of_node.of(node) {
+                work.expansions += 1;
+                for &other in of_cell.of(cell) {
+                    let [a, b] = [node, other].map(|node| self.at[node as usize]);
+                    let length = (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2]);
+                    reach(other, here + self.costs[cell as usize] * length);
+                }
+            }
+            for &(other, cost) in self.jumps.get(&node).into_iter().flatten() {
+                reach(other, here + cost);
+            }
+        }
+        (least, work)
+    }
+}
+
+/// Numbers in groups, one group after the other.
+struct Groups {
+    starts: Vec<u32>,
+    all: Vec<u32>,
+}
+
+impl Groups {
+    fn new(count: usize, pairs: impl Iterator<Item = [u32; 2]> + Clone) -> Self {
+        let mut starts = vec![0u32; count + 1];
+        pairs.clone().for_each(|[group, _]| starts[group as usize + 1] += 1);
+        (0..count).for_each(|i| starts[i + 1] += starts[i]);
+        let (mut at, mut all) = (starts.clone(), vec![0; starts[count] as usize]);
+        for [group, value] in pairs {
+            all[at[group as usize] as usize] = value;
+            at[group as usize] += 1;
+        }
+        Self { starts, all }
+    }
+
+    fn of(&self, group: u32) -> &[u32] {
+        &self.all[self.starts[group as usize] as usize..self.starts[group as usize + 1] as usize]
+    }
+}
+
+/// The cost that all of these faces have, if there is one.
+pub(super) fn common(costs: &FaceMap<f64>, mut faces: impl Iterator<Item = FaceId>) -> Option<f64> {
+    let first = costs[faces.next()?].max(0.0);
+    faces.all(|f| costs[f].max(0.0) == first).then_some(first)
+}
