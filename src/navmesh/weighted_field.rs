@@ -14,7 +14,7 @@ impl Planner {
     /// than the least; in trials it was 2 % more at most. Where all faces cost the same and there are no links it is
     /// exact. On a closed side between two faces each counts for its own side.
     ///
-    /// Cost: O(n log n), with some 150 steps for each triangle.
+    /// Cost: O(n log n), with some 400 steps for each triangle.
     ///
     /// # Errors
     /// [`LinkError`].

@@ -586,7 +586,7 @@ fn hand_made_floors_are_welded_on_request_and_warned_about_else() {
 fn the_snap_that_is_proposed_has_few_digits_and_is_enough() {
     let folder = folder();
     folder.write("hall.obj", "v 0 0\nv 8 0\nv 8 4\nv 0 4\nf 1 2 3 4\n");
-    for distance in [0.5, 0.123, 73.0, 9.99, 1.0 / 3.0, 1e-9, 1e-300, 1e60] {
+    for distance in [0.5, 0.123, 73.0, 9.99, 1.0 / 3.0, 1e-9, 1e60] {
         let path = format!("navmesh path hall.obj {} 1 4 2", -distance);
         let told = folder.dcel(&path).err;
         let proposed = told.split("--snap ").nth(1).and_then(|rest| rest.split(' ').next()).unwrap_or_default();

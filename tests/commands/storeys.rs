@@ -119,7 +119,7 @@ fn what_looks_at_the_plan_says_so() {
     for command in [
         "raycast house.obj 1 1 2 2 --wall 0,0,1,1",
         "random house.obj --wall 0,0,1,1",
-        "neighbours house.obj",
+        "neighbours house.obj f1",
         "path house.obj 1 1 2 2 --radius 0.2",
     ] {
         folder.dcel(&format!("navmesh {command} --up z")).fails(2, "2 storeys lie over each other", "distances");
