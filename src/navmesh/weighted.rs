@@ -39,11 +39,11 @@ impl Cells {
     }
 
     /// The points on a side, as nodes of the cells beside it.
-    pub(super) fn side(&mut self, [a, b]: [Space; 2], cells: impl Iterator<Item = u32> + Clone) {
+    pub(super) fn side(&mut self, [a, b]: [Space; 2], cells: &[u32]) {
         for i in 1..=POINTS {
             let share = i as f64 / (POINTS + 1) as f64;
             let node = self.node([0, 1, 2].map(|k| a[k] + (b[k] - a[k]) * share));
-            cells.clone().for_each(|cell| self.put(cell, node));
+            cells.iter().for_each(|&cell| self.put(cell, node));
         }
     }
 
@@ -130,5 +130,5 @@ impl Groups {
 /// The cost that all of these faces have, if there is one.
 pub(super) fn common(costs: &FaceMap<f64>, mut faces: impl Iterator<Item = FaceId>) -> Option<f64> {
     let first = costs[faces.next()?].max(0.0);
-    faces.all(|f| costs[f].max(0.0) == first).then_some(first)
+    faces.all(|f| costs[f].max(0.0).total_cmp(&first).is_eq()).then_some(first)
 }

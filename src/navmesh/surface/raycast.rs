@@ -245,8 +245,9 @@ impl SurfaceRaycast {
 
     fn go_to(&mut self, p: Space, layer: usize) {
         let last = self.points[self.points.len() - 1];
-        if last != p {
-            self.length += between(last, p);
+        let length = between(last, p);
+        if length > 0.0 {
+            self.length += length;
             self.points.push(p);
             self.layers.push(layer);
         }

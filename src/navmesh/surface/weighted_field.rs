@@ -41,8 +41,8 @@ impl SurfacePlanner {
         for s in 0..surface.sides.len() {
             let twin = surface.sides[s].twin;
             if twin == NONE || (s as u32) < twin {
-                let beside = [Some(s as u32 / 3), (twin != NONE).then_some(twin / 3)];
-                cells.side(surface.ends(s), beside.into_iter().flatten());
+                let beside = [s as u32 / 3, twin / 3];
+                cells.side(surface.ends(s), &beside[..1 + usize::from(twin != NONE)]);
             }
         }
         let mut stand = |place: &SurfacePlace| {
