@@ -10,6 +10,7 @@
 //! Source: Lanthier, Maheshwari and Sack, *Approximating shortest paths on weighted polyhedral surfaces*, 2001.
 
 use super::Work;
+use crate::geometry::grouping::Groups;
 use crate::ids::{FaceId, FaceMap};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
@@ -67,8 +68,8 @@ impl Cells {
     ///
     /// Cost: O(k² log n) for each cell with k nodes.
     pub(super) fn spread(&self, start: u32, limit: f64) -> (Vec<f64>, Work) {
-        let of_cell = Groups::new(self.costs.len(), self.has.iter().copied());
-        let of_node = Groups::new(self.at.len(), self.has.iter().map(|&[cell, node]| [node, cell]));
+        let of_cell = Groups::new(self.costs.len(), self.has.iter().map(|&[cell, node]| (cell as usize, node)));
+        let of_node = Groups::new(self.at.len(), self.has.iter().map(|&[cell, node]| (node as usize, cell)));
         let mut least = vec![f64::INFINITY; self.at.len()];
         let mut work = Work::default();
         // Keys are the bits of costs: they are in the order of the costs.
@@ -87,9 +88,9 @@ impl Cells {
                     queue.push(Reverse((cost.to_bits(), other)));
                 }
             };
-            for &cell in of_node.of(node) {
+            for &cell in of_node.of(node as usize) {
                 work.expansions += 1;
-                for &other in of_cell.of(cell) {
+                for &other in of_cell.of(cell as usize) {
                     let [a, b] = [node, other].map(|node| self.at[node as usize]);
                     let length = (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2]);
                     reach(other, here + self.costs[cell as usize] * length);
@@ -100,30 +101,6 @@ impl Cells {
             }
         }
         (least, work)
-    }
-}
-
-/// Numbers in groups, one group after the other.
-struct Groups {
-    starts: Vec<u32>,
-    all: Vec<u32>,
-}
-
-impl Groups {
-    fn new(count: usize, pairs: impl Iterator<Item = [u32; 2]> + Clone) -> Self {
-        let mut starts = vec![0u32; count + 1];
-        pairs.clone().for_each(|[group, _]| starts[group as usize + 1] += 1);
-        (0..count).for_each(|i| starts[i + 1] += starts[i]);
-        let (mut at, mut all) = (starts.clone(), vec![0; starts[count] as usize]);
-        for [group, value] in pairs {
-            all[at[group as usize] as usize] = value;
-            at[group as usize] += 1;
-        }
-        Self { starts, all }
-    }
-
-    fn of(&self, group: u32) -> &[u32] {
-        &self.all[self.starts[group as usize] as usize..self.starts[group as usize + 1] as usize]
     }
 }
 
