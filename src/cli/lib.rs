@@ -15,7 +15,6 @@
 
 mod answer;
 mod build;
-mod camera;
 mod choice;
 mod compare;
 mod completions;

@@ -6,12 +6,11 @@
 //!      returned h12, f2                  what it gave back
 //! ```
 
-use super::camera::Camera;
 use super::picture::{Pixels, Target, is_page};
 use super::save::{Files, put};
 use super::{Answer, Failure, Output, failure};
 use dcel_kit::edits::{self, Call, Editable};
-use dcel_kit::figure::{FigureOptions, Film};
+use dcel_kit::figure::{FigureOptions, Film, Filmed, ScriptFilm};
 use dcel_kit::io::{Format, Model, read_whole, source_name, write};
 use dcel_kit::plane::Subdivision;
 use dcel_kit::script::{Ground, Outcome, Script, ScriptError, Step};
@@ -88,26 +87,21 @@ Examples:
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     Files::reading([&args.file]).writes("--film", args.film.as_deref()).check()?;
     let (text, source) = read(&args.file)?;
-    let ground = Ground::of(&text);
-    if ground != Ground::Plane {
-        if let Some(path) = &args.film {
-            let why = if ground == Ground::Space { "is one of solids" } else { "has no coordinates to draw" };
-            let what = format!("--film {}: this script {why}, and films show the plane", path.display());
-            return Err(Failure::input(what, "start with rectangle, polygon or triangles, or leave out --film"));
-        }
-        return match ground {
-            Ground::Space => play(args, &Script::parse_solid(&text, &source)?, &source, |_, _| (), out)?.put(out),
-            _ => play(args, &Script::parse_kernel(&text, &source)?, &source, |_, _| (), out)?.put(out),
-        };
+    match Ground::of(&text) {
+        Ground::Space => shoot(args, &Script::parse_solid(&text, &source)?, &source, out),
+        Ground::Kernel => shoot(args, &Script::parse_kernel(&text, &source)?, &source, out),
+        _ => shoot(args, &Script::parse(&text, &source)?, &source, out),
     }
-    let script = Script::parse(&text, &source)?;
-    let mut camera = Camera::new(&script);
-    let played = play(args, &script, &source, |step, structure| camera.watch(step, structure), out)?;
-    if let Some(path) = &args.film {
-        let stem = args.file.file_stem().filter(|stem| *stem != "-");
-        let title = stem.map_or_else(|| "script".to_owned(), |stem| stem.to_string_lossy().into_owned());
-        write_film(path, &camera.finish(), &title, args, out)?;
-    }
+}
+
+/// Plays a script, and films it if that is asked for.
+fn shoot<G: Dump + Filmed>(args: &Args, script: &Script<G>, source: &str, out: &mut Output) -> Result<Answer, Failure> {
+    let Some(path) = &args.film else { return play(args, script, source, |_, _| (), out)?.put(out) };
+    let mut film = ScriptFilm::new(script);
+    let played = play(args, script, source, |step, structure| film.watch(step, structure), out)?;
+    let stem = args.file.file_stem().filter(|stem| *stem != "-");
+    let title = stem.map_or_else(|| "script".to_owned(), |stem| stem.to_string_lossy().into_owned());
+    write_film(path, &film.finish(), &title, args, out)?;
     played.put(out)
 }
 

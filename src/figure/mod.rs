@@ -8,6 +8,7 @@
 //!   structure/  the structure figure, element by element                        knows both
 //!   sketch/     paths, cones, circles, badges …: drawings made of named parts, alone or over a structure
 //!   kinds/      one subject each: duals, Voronoi diagrams, paths, solids, records, tables …
+//!   flatten/    structures without coordinates, laid out
 //!   film/       edits, frame by frame                      page/   a page of HTML with a picture to walk in
 //! ```
 //!
@@ -33,6 +34,7 @@
 
 pub(crate) mod canvas;
 mod film;
+mod flatten;
 mod kinds;
 pub(crate) mod layout;
 mod page;
@@ -45,6 +47,8 @@ pub use canvas::style::file::{ParseColourError, StyleError};
 pub use canvas::style::{Colour, Palette, Style, Theme};
 pub use canvas::unit::{ParseLengthError, Unit};
 pub use film::{Fate, Film, Frame, Written};
+#[cfg(feature = "script")]
+pub use film::{Filmed, ScriptFilm};
 pub use kinds::dual::{DualFigureError, dual};
 pub use kinds::focus::focus;
 #[cfg(feature = "navmesh")]

@@ -18,7 +18,6 @@ use super::Point;
 use crate::ids::{FaceId, HalfEdgeId, VertexId, VertexMap};
 use crate::topology::{Dcel, Ring, View};
 use std::collections::{BTreeMap, BTreeSet};
-use std::ops::Deref;
 
 /// A view whose vertices have positions.
 pub trait PlanarView: View {
@@ -26,8 +25,16 @@ pub trait PlanarView: View {
     fn position(&self, v: VertexId) -> Option<Point>;
 }
 
-/// A planar subdivision: faces that cover the whole plane. It dereferences to its [`Dcel`] for all walks and
-/// counts.
+/// A planar subdivision: faces that cover the whole plane.
+///
+/// It has the walks and counts of a [`Dcel`], and edits of its own, which keep edges straight and disjoint. Edits that
+/// only the kernel has are no methods of it; [`topology`](Self::topology) gives the structure to all that reads one.
+///
+/// ```compile_fail,E0599
+/// use dcel_kit::{HalfEdgeId, plane::Subdivision};
+/// let mut lab = Subdivision::lab_rectangle();
+/// let _ = lab.split_vertex(HalfEdgeId::new(0), HalfEdgeId::new(0)); // where would the new vertex be?
+/// ```
 ///
 #[doc = include_str!("../../figures/rings.svg")]
 ///
@@ -42,15 +49,9 @@ pub struct Subdivision {
     pub(super) holes: BTreeSet<FaceId>,
 }
 
-impl Deref for Subdivision {
-    type Target = Dcel;
-
-    fn deref(&self) -> &Dcel {
-        &self.dcel
-    }
-}
-
 impl Subdivision {
+    crate::topology::reads_of_dcel!(dcel);
+
     /// The unbounded face: always `f0`.
     #[must_use]
     pub const fn outer_face(&self) -> FaceId {
@@ -72,14 +73,23 @@ impl Subdivision {
     #[track_caller]
     pub fn point(&self, v: VertexId) -> Point {
         match self.points.get(v) {
-            Some(&point) => point,
+            Some(&point) => {
+                self.dcel.debug_assert_not_removed(v);
+                point
+            }
             None => self.dcel.no_such(v),
         }
     }
 
     /// The cycles of `f` beside its boundary, and the isolated vertices in it.
     #[must_use]
+    #[track_caller]
     pub fn rings(&self, f: FaceId) -> &[Ring] {
+        self.dcel.debug_assert_not_removed(f);
+        self.known_rings(f)
+    }
+
+    fn known_rings(&self, f: FaceId) -> &[Ring] {
         self.rings.get(&f).map_or(&[], Vec::as_slice)
     }
 
@@ -94,7 +104,9 @@ impl Subdivision {
 
     /// Whether `f` is a bounded face outside the domain: a hole face.
     #[must_use]
+    #[track_caller]
     pub fn is_hole(&self, f: FaceId) -> bool {
+        self.dcel.debug_assert_not_removed(f);
         self.holes.contains(&f)
     }
 
@@ -108,13 +120,13 @@ impl View for Subdivision {
     crate::topology::pointers_of_dcel!(dcel);
 
     fn rings(&self, f: FaceId) -> &[Ring] {
-        self.rings(f)
+        self.known_rings(f)
     }
     fn outer_face(&self) -> Option<FaceId> {
         Some(self.outer_face())
     }
     fn is_hole(&self, f: FaceId) -> bool {
-        self.is_hole(f)
+        self.holes.contains(&f)
     }
 }
 

@@ -57,7 +57,6 @@ use crate::ids::{FaceId, VertexId, VertexMap};
 use crate::plane::{CoordinateError, check_coordinate};
 use crate::topology::{BuildError, Dcel, NoRecorder, OneSided, PolygonList, View, faces_to_turn};
 use std::collections::BTreeSet;
-use std::ops::Deref;
 
 pub use angles::Measures;
 pub use archimedean::Archimedean;
@@ -159,7 +158,16 @@ impl SolidError {
     }
 }
 
-/// A surface in space, closed or with borders. It dereferences to its [`Dcel`] for all walks and counts.
+/// A surface in space, closed or with borders.
+///
+/// It has the walks and counts of a [`Dcel`], and edits of its own. Edits that only the kernel has are no methods of it;
+/// [`topology`](Self::topology) gives the structure to all that reads one.
+///
+/// ```compile_fail,E0599
+/// use dcel_kit::{HalfEdgeId, solid::{Platonic, Polyhedron}};
+/// let mut cube = Polyhedron::platonic(Platonic::Cube);
+/// let _ = cube.split_vertex(HalfEdgeId::new(0), HalfEdgeId::new(0)); // where would the new vertex be?
+/// ```
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Polyhedron {
     dcel: Dcel,
@@ -167,15 +175,9 @@ pub struct Polyhedron {
     boundary_faces: BTreeSet<FaceId>,
 }
 
-impl Deref for Polyhedron {
-    type Target = Dcel;
-
-    fn deref(&self) -> &Dcel {
-        &self.dcel
-    }
-}
-
 impl Polyhedron {
+    crate::topology::reads_of_dcel!(dcel);
+
     /// A surface without any element, to be grown with [`add_vertex`](Self::add_vertex) and
     /// [`add_face`](Self::add_face).
     #[must_use]
@@ -260,14 +262,19 @@ impl Polyhedron {
     #[track_caller]
     pub fn point(&self, v: VertexId) -> [f64; 3] {
         match self.points.get(v) {
-            Some(&point) => point,
+            Some(&point) => {
+                self.dcel.debug_assert_not_removed(v);
+                point
+            }
             None => self.dcel.no_such(v),
         }
     }
 
     /// Whether `f` stands for a border of the surface and is no polygon of it.
     #[must_use]
+    #[track_caller]
     pub fn is_boundary_face(&self, f: FaceId) -> bool {
+        self.dcel.debug_assert_not_removed(f);
         self.boundary_faces.contains(&f)
     }
 

@@ -110,6 +110,18 @@ fn is_live(word: u32) -> bool {
     word.wrapping_add(1) <= TAG
 }
 
+/// Getters that accept every id: `None` if the element does not exist, or the pointer is not set.
+macro_rules! optional_pointers {
+    ($($column:ident($from:ty) -> $to:ident as $name:ident;)*) => {
+        $(
+            #[inline]
+            pub(crate) fn $name(&self, from: $from) -> Option<$to> {
+                self.$column.get(from.index()).copied().and_then(target).map($to)
+            }
+        )*
+    };
+}
+
 impl Dcel {
     /// A structure without any element.
     #[must_use]
@@ -161,12 +173,14 @@ impl Dcel {
     /// The vertex a half-edge starts at. O(1).
     ///
     /// # Panics
-    /// If `h` was never allocated, as every getter does: `there is no h99: there are 10 half-edges`.
+    /// If `h` was never allocated, as every getter does: `there is no h99: there are 10 half-edges`. In debug builds also
+    /// if `h` was removed and its slot has not been used again: `h12 was removed earlier`. In release builds that is not
+    /// looked at, and the answer then means nothing; [`check`](Self::check) tells.
     #[must_use]
     #[inline]
     #[track_caller]
     pub fn origin(&self, h: HalfEdgeId) -> VertexId {
-        VertexId(self.read(&self.origin, h.index(), h))
+        VertexId(self.read_link(&self.origin, h.index(), h, "origin"))
     }
 
     /// The vertex a half-edge ends at: the origin of its twin. O(1).
@@ -174,7 +188,7 @@ impl Dcel {
     #[inline]
     #[track_caller]
     pub fn destination(&self, h: HalfEdgeId) -> VertexId {
-        VertexId(self.read(&self.origin, h.twin().index(), h))
+        VertexId(self.read_link(&self.origin, h.twin().index(), h, "destination"))
     }
 
     /// The other half of the same edge. O(1), no memory access.
@@ -196,7 +210,7 @@ impl Dcel {
     #[inline]
     #[track_caller]
     pub fn next(&self, h: HalfEdgeId) -> HalfEdgeId {
-        HalfEdgeId(self.read(&self.next, h.index(), h))
+        HalfEdgeId(self.read_link(&self.next, h.index(), h, "next"))
     }
 
     /// The half-edge before `h` along the boundary of its face. O(1).
@@ -204,7 +218,7 @@ impl Dcel {
     #[inline]
     #[track_caller]
     pub fn prev(&self, h: HalfEdgeId) -> HalfEdgeId {
-        HalfEdgeId(self.read(&self.prev, h.index(), h))
+        HalfEdgeId(self.read_link(&self.prev, h.index(), h, "prev"))
     }
 
     /// The face on the left of `h`. O(1).
@@ -212,24 +226,34 @@ impl Dcel {
     #[inline]
     #[track_caller]
     pub fn face(&self, h: HalfEdgeId) -> FaceId {
-        FaceId(self.read(&self.face, h.index(), h))
+        FaceId(self.read_link(&self.face, h.index(), h, "face"))
     }
 
-    /// One half-edge that starts at `v`; none if `v` is isolated (or removed). O(1).
+    /// One half-edge that starts at `v`; none if `v` is isolated. O(1).
     #[must_use]
     #[inline]
     #[track_caller]
     pub fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
+        self.debug_assert_not_removed(v);
         target(self.read(&self.outgoing, v.index(), v)).map(HalfEdgeId)
     }
 
-    /// One half-edge whose face is `f` (the lab's `incidentHalfEdge`); none if `f` has no boundary (or was
-    /// removed). O(1).
+    /// One half-edge whose face is `f` (the lab's `incidentHalfEdge`); none if `f` has no boundary. O(1).
     #[must_use]
     #[inline]
     #[track_caller]
     pub fn boundary(&self, f: FaceId) -> Option<HalfEdgeId> {
+        self.debug_assert_not_removed(f);
         target(self.read(&self.boundary, f.index(), f)).map(HalfEdgeId)
+    }
+
+    /// A pointer of a half-edge that must be set. Only debug builds look whether it is.
+    #[inline(always)]
+    #[track_caller]
+    fn read_link(&self, column: &[u32], index: usize, h: HalfEdgeId, pointer: &str) -> u32 {
+        let word = self.read(column, index, h);
+        debug_assert!(word & TAG == 0, "{}", self.not_linked(h, pointer));
+        word
     }
 
     /// A word of a column, for an element that has one there.
@@ -311,6 +335,17 @@ impl Dcel {
         }
         self.outgoing.reserve(vertices);
         self.boundary.reserve(faces);
+    }
+
+    // ---- pointers that may not be set, for views --------------------------------------------------------
+
+    optional_pointers! {
+        origin(HalfEdgeId) -> VertexId as linked_origin;
+        next(HalfEdgeId) -> HalfEdgeId as linked_next;
+        prev(HalfEdgeId) -> HalfEdgeId as linked_prev;
+        face(HalfEdgeId) -> FaceId as linked_face;
+        outgoing(VertexId) -> HalfEdgeId as linked_outgoing;
+        boundary(FaceId) -> HalfEdgeId as linked_boundary;
     }
 
     // ---- raw words, for pool.rs -----------------------------------------------------------------------

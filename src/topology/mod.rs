@@ -8,6 +8,7 @@
 //!   seed.rs      polygons to start from        build.rs     from lists of polygons
 //!   orient.rs    which faces to turn round
 //!   record.rs    watching an edit              view.rs, table.rs   reading any structure   replay.rs  an edit on a table
+//!   reads.rs     the reading methods, for structures that hold one
 //!   log.rs       a journal of more than pointers           follow.rs   data that follow edits
 //!   own.rs       edits that are not in the kit
 //!   validate.rs  the laws                      same.rs      equality up to names      measure.rs  counts
@@ -26,6 +27,7 @@ mod orient;
 mod own;
 mod polygons;
 mod pool;
+mod reads;
 mod record;
 mod replay;
 mod same;
@@ -52,6 +54,7 @@ pub use orient::{OneSided, faces_to_turn};
 pub use own::{Editing, OwnEditError};
 pub use polygons::PolygonList;
 pub use pool::{IdError, Renumbering, TooMany};
+pub(crate) use reads::reads_of_dcel;
 pub use record::{Change, Journal, NoRecorder, Recorder, Slot, Step};
 pub use same::{Difference, Matching, SameOptions, VertexKey, Which, position_key, same, same_with};
 pub use seed::PolygonError;

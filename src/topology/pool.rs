@@ -104,6 +104,31 @@ impl Dcel {
         }
     }
 
+    /// What is wrong with a half-edge whose pointer leads nowhere.
+    #[cold]
+    pub(super) fn not_linked(&self, h: HalfEdgeId, pointer: &str) -> String {
+        match Self::has_record(self, h.into()) {
+            true => format!("{h}.{pointer} is not set yet"),
+            false => format!("{}", IdError::Removed(h.into())),
+        }
+    }
+
+    /// In debug builds, ends with a message that names the element if it was removed and its slot is free.
+    #[inline]
+    #[track_caller]
+    pub(crate) fn debug_assert_not_removed(&self, element: impl Into<Element>) {
+        if cfg!(debug_assertions) {
+            let element = element.into();
+            let is_known = match element {
+                Element::Vertex(v) => v.index() < self.vertex_bound(),
+                Element::HalfEdge(h) => h.index() < self.half_edge_bound(),
+                Element::Edge(e) => e.index() < self.edge_bound(),
+                Element::Face(f) => f.index() < self.face_bound(),
+            };
+            assert!(!is_known || self.has_record(element), "{}", IdError::Removed(element));
+        }
+    }
+
     /// Whether so many more elements fit. Edits ask before they write.
     #[inline]
     pub(crate) fn room_for(&self, vertices: usize, edges: usize, faces: usize) -> Result<(), TooMany> {

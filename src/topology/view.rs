@@ -88,31 +88,25 @@ macro_rules! pointers_of_dcel {
             self$(.$dcel)?.has_face(f)
         }
         fn origin(&self, h: $crate::HalfEdgeId) -> Option<$crate::VertexId> {
-            let dcel: &$crate::topology::Dcel = &self$(.$dcel)?;
-            dcel.has_half_edge(h).then(|| dcel.origin(h))
+            self$(.$dcel)?.linked_origin(h)
         }
         fn twin(&self, h: $crate::HalfEdgeId) -> Option<$crate::HalfEdgeId> {
             self$(.$dcel)?.has_half_edge(h).then(|| h.twin())
         }
         fn next(&self, h: $crate::HalfEdgeId) -> Option<$crate::HalfEdgeId> {
-            let dcel: &$crate::topology::Dcel = &self$(.$dcel)?;
-            dcel.has_half_edge(h).then(|| dcel.next(h))
+            self$(.$dcel)?.linked_next(h)
         }
         fn prev(&self, h: $crate::HalfEdgeId) -> Option<$crate::HalfEdgeId> {
-            let dcel: &$crate::topology::Dcel = &self$(.$dcel)?;
-            dcel.has_half_edge(h).then(|| dcel.prev(h))
+            self$(.$dcel)?.linked_prev(h)
         }
         fn face(&self, h: $crate::HalfEdgeId) -> Option<$crate::FaceId> {
-            let dcel: &$crate::topology::Dcel = &self$(.$dcel)?;
-            dcel.has_half_edge(h).then(|| dcel.face(h))
+            self$(.$dcel)?.linked_face(h)
         }
         fn outgoing(&self, v: $crate::VertexId) -> Option<$crate::HalfEdgeId> {
-            let dcel: &$crate::topology::Dcel = &self$(.$dcel)?;
-            dcel.has_vertex(v).then(|| dcel.outgoing(v)).flatten()
+            self$(.$dcel)?.linked_outgoing(v)
         }
         fn boundary(&self, f: $crate::FaceId) -> Option<$crate::HalfEdgeId> {
-            let dcel: &$crate::topology::Dcel = &self$(.$dcel)?;
-            dcel.has_face(f).then(|| dcel.boundary(f)).flatten()
+            self$(.$dcel)?.linked_boundary(f)
         }
     };
 }

@@ -108,9 +108,6 @@ fn scripts_without_coordinates_are_played_on_the_kernel() {
     assert_eq!(code, Some(1), "{err}");
     assert!(err.starts_with("refused: <stdin>:4: f0 lies on both sides of h0"), "{err}");
     assert!(out.contains("dcel 1\nv0 out h"), "{out}");
-    let (code, _, err) = told(&script("ring 4\n", &["--film", "x.svg"]));
-    assert_eq!(code, Some(2));
-    assert!(err.contains("--film x.svg: this script has no coordinates to draw"), "{err}");
     let (code, out, _) = told(&script("surface 2\nlet a = split_isolated_vertex v1\nsplit_edge a\n", &["--json"]));
     let json: serde_json::Value = serde_json::from_str(&out).unwrap();
     assert_eq!((code, &json["steps"][0]["returned"]), (Some(0), &serde_json::json!(["h0", "f0"])));
@@ -135,9 +132,25 @@ fn scripts_in_space_dump_what_solids_are_read_from() {
         // A corner became three, and a triangle.
         assert_eq!((count(&out, "v "), count(&out, "f ")), (10, 7), "{out}");
     }
-    let (code, _, err) = told(&script("solid cube\n", &["--film", "x.svg"]));
-    assert_eq!(code, Some(2));
-    assert!(err.contains("--film x.svg: this script is one of solids, and films show the plane"), "{err}");
+}
+
+#[test]
+fn scripts_of_all_grounds_have_films() {
+    let folder = tempfile::tempdir().unwrap();
+    for (text, id) in [
+        ("rectangle\nsplit_face h2 h8\n", "id=\"script-0-h0\""),
+        ("torus\nlet a = split_vertex h0 h1\n", "id=\"script-0-v0-4\""),
+        ("surface 2\nlet a = split_isolated_vertex v1\n", "id=\"script-0-v1\""),
+        ("surface 0\n", "id=\"script-step-0\""),
+        ("solid cube\nbevel_vertex v0 0.25\n", "id=\"script-1-v8\""),
+    ] {
+        for ending in ["svg", "html"] {
+            let file = folder.path().join(format!("film.{ending}"));
+            let (code, _, err) = told(&script(text, &["--film", file.to_str().unwrap()]));
+            assert_eq!((code, err.as_str()), (Some(0), ""), "{text}");
+            assert!(std::fs::read_to_string(&file).unwrap().contains(id), "{text}: {ending}");
+        }
+    }
 }
 
 /// Marks and a caption after the last edit belong to the frame after it.

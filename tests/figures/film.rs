@@ -256,3 +256,103 @@ fn tables_follow_changes_of_rows_that_do_not_exist() {
     table.apply(&Change::Removed { element: VertexId::new(1).into() });
     assert_eq!((table.half_edge_bound(), table.vertex_bound(), table.face_bound()), (0, 2, 0));
 }
+
+/// Scripts without coordinates: splits and joins on a torus; loops, edges side by side and a dangling edge on a sphere;
+/// two handles; two components.
+const LAID_OUT: [&str; 4] = [
+    "torus\nlet a = split_vertex h0 h1\nlet b = split_face h0 h1\nlet c = split_edge b\njoin_edges b\njoin_faces b\n\
+     join_vertices a",
+    "ring 1\nlet a = split_vertex h0 h0\nlet b = split_edge h0\nsplit_face a.twin h1\njoin_faces b",
+    "surface 4 / 0 1 2 / 0 2 3 / 0 3 1 / 1 3 2\nlet a = split_edge h0\nlet b = split_face a h0.prev\nflip_edge b\njoin_vertices a",
+    "surface 6 / 0 1 2 / 2 1 0 / 3 4 5 / 5 4 3\nsplit_edge h0",
+];
+
+fn film_of_kernel(text: &str) -> (Film, Script<dcel_kit::topology::Dcel>) {
+    let script = Script::parse_kernel(text, "test").unwrap_or_else(|error| panic!("{error}"));
+    (Film::of_script(&script), script)
+}
+
+#[test]
+fn films_without_coordinates_are_the_journal_and_lead_to_the_structure() {
+    for text in LAID_OUT {
+        let (film, script) = film_of_kernel(text);
+        let run = script.run();
+        let made = run.edits().len();
+        assert!(film.edit_count() == made && made > 0, "{text}");
+        let last = film.frames().pop().unwrap().table;
+        let end = Table::from_view(&run.end);
+        assert_eq!(last.half_edges, end.half_edges, "{text}");
+        let svg = film.strip(&FigureOptions::new("F")).unwrap_or_else(|error| panic!("{text}: {error}")).to_svg();
+        let document = document(&svg);
+        let ids: Vec<&str> = document.descendants().filter_map(|node| node.attribute("id")).collect();
+        assert_eq!(ids.len(), ids.iter().collect::<BTreeSet<_>>().len(), "{text}: ids are unique");
+        let count = film.frames().len() - 1;
+        for h in run.end.half_edges() {
+            assert!(ids.contains(&&*format!("f-{count}-{h}")), "{text}: {h} is drawn in the last frame");
+        }
+    }
+}
+
+#[test]
+fn every_frame_of_a_film_without_coordinates_differs_from_the_last_one() {
+    let (film, _) = film_of_kernel(LAID_OUT[0]);
+    let svg = film.strip(&FigureOptions::new("F")).unwrap().to_svg();
+    let frames: Vec<String> = (0..film.frames().len())
+        .map(|i| {
+            let from = svg.find(&format!("id=\"f-step-{i}\"")).unwrap();
+            let to = svg.find(&format!("id=\"f-step-{}\"", i + 1)).unwrap_or(svg.len());
+            svg[from..to].replace(&format!("f-{i}-"), "")
+        })
+        .collect();
+    let body = |frame: &str| frame[frame.find("<title>").unwrap_or(0)..].to_owned();
+    assert!(frames.windows(2).all(|pair| body(&pair[0]) != body(&pair[1])));
+}
+
+#[test]
+fn the_sides_of_a_torus_are_lettered_in_pairs_of_one_colour() {
+    let (film, _) = film_of_kernel("torus\nlet a = split_vertex h0 h1");
+    let svg = film.strip(&FigureOptions::new("F")).unwrap().to_svg();
+    let document = document(&svg);
+    let frame = |i: usize| document.descendants().find(|n| n.attribute("id") == Some(&format!("f-step-{i}"))).unwrap();
+    let last = film.frames().len() - 1;
+    for (i, pairs) in [(0, 2), (last, 3)] {
+        let glued = frame(i).descendants().filter(|n| n.attribute("class").is_some_and(|c| c.starts_with("glued")));
+        let mut sides: Vec<(String, String)> = glued
+            .map(|n| {
+                let letter = n.descendants().find(|n| n.has_tag_name("text")).and_then(|n| n.text()).unwrap();
+                (letter.to_owned(), n.attribute("class").unwrap().to_owned())
+            })
+            .collect();
+        sides.sort();
+        let distinct: BTreeSet<_> = sides.iter().cloned().collect();
+        assert_eq!((sides.len(), distinct.len()), (2 * pairs, pairs), "{sides:?}");
+        assert!(sides.chunks(2).all(|pair| pair[0] == pair[1]), "{sides:?}");
+        let colours: BTreeSet<_> = distinct.iter().map(|side| &side.1).collect();
+        assert_eq!(colours.len(), pairs, "each pair has a colour of its own");
+    }
+    let corners = frame(0).descendants().filter(|n| n.attribute("class") == Some("v"));
+    let names: Vec<_> = corners.filter_map(|n| n.descendants().find(|n| n.has_tag_name("text"))?.text()).collect();
+    assert_eq!(names, ["v0"; 4]);
+}
+
+#[test]
+fn films_in_space_are_seen_from_one_place() {
+    let script = Script::parse_solid("solid cube\nextrude_face f2 1\nremove_face f0", "test").unwrap();
+    let film = Film::of_script(&script);
+    let svg = film.strip(&FigureOptions::new("F")).unwrap().to_svg();
+    let document = document(&svg);
+    let frames = film.frames();
+    let headings: Vec<&str> = frames.iter().map(|frame| frame.heading.as_str()).collect();
+    assert_eq!(headings, ["start", "extrude_face f2 1", "remove_face f0"]);
+    let disc = |i: usize, v: &str| {
+        let group = document.descendants().find(|n| n.attribute("id") == Some(&format!("f-{i}-{v}")))?;
+        let disc = group.descendants().find(|n| n.has_tag_name("circle"))?;
+        Some(["cx", "cy"].map(|name| disc.attribute(name).unwrap().to_owned()))
+    };
+    let cube = script.start();
+    let moved: Vec<String> = cube.vertices().map(|v| v.to_string()).collect();
+    let both: Vec<_> = moved.iter().filter_map(|v| Some((disc(0, v)?, disc(1, v)?))).collect();
+    assert!(both.len() >= 3, "some corners are seen in both");
+    assert!(both.iter().all(|(before, after)| before == after), "{both:?}");
+    assert!(svg.contains("id=\"f-1-v8\"") && !svg.contains("id=\"f-0-v8\""), "new corners come with their edit");
+}

@@ -68,7 +68,8 @@ impl Textbook {
             let (u, v) = (solid.origin(a).index(), solid.destination(a).index());
             (u.min(v), u.max(v))
         };
-        let points = (0..solid.vertex_bound() as u32).map(|v| solid.point(VertexId::new(v))).collect();
+        let points = (0..solid.vertex_bound() as u32).map(VertexId::new);
+        let points = points.map(|v| if solid.has_vertex(v) { solid.point(v) } else { [0.0; 3] }).collect();
         Self { points, faces: faces_of(solid), creases: creases.ids(255).map(ends).collect() }
     }
 

@@ -56,7 +56,7 @@ fn duals_of_polygons_trees_and_plane_graphs() {
             let edges: Vec<_> = s.edges().collect();
             let edge = edges[random.below(edges.len())];
             let mut other = s.clone();
-            if other.remove_edge(edge).is_ok() && other.dual().is_ok() {
+            if other.remove_edge(edge).is_ok() && other.topology().dual().is_ok() {
                 s = other;
             }
         }
@@ -84,7 +84,7 @@ fn the_dual_of_the_cube_is_the_octahedron() {
 fn what_has_no_dual_is_named() {
     let ring = rings(&[&[(0, 0), (9, 0), (9, 9), (0, 9)], &[(3, 3), (6, 3), (6, 6)]]);
     let half_edge = ring.cycles(FaceId::new(1)).nth(1).unwrap();
-    let refused = ring.dual().unwrap_err();
+    let refused = ring.topology().dual().unwrap_err();
     assert!(
         matches!(refused, DualError::SecondCycle { half_edge: h, .. } if ring.cycle(half_edge).any(|g| g == h)
         || ring.cycle(half_edge.twin()).any(|g| g == h)),
@@ -94,7 +94,7 @@ fn what_has_no_dual_is_named() {
     assert_eq!(ring.face(half_edge), face);
     let points = [(0., 0.), (9., 0.), (0., 9.), (1., 1.)].map(Point::from);
     let lonely = Subdivision::from_graph(&points, &[[0, 1], [1, 2], [2, 0]]).unwrap();
-    assert_eq!(lonely.dual(), Err(DualError::IsolatedVertex { vertex: VertexId::new(3) }));
-    assert_eq!(Subdivision::new().dual(), Err(DualError::NoBoundary { face: FaceId::new(0) }));
+    assert_eq!(lonely.topology().dual(), Err(DualError::IsolatedVertex { vertex: VertexId::new(3) }));
+    assert_eq!(Subdivision::new().topology().dual(), Err(DualError::NoBoundary { face: FaceId::new(0) }));
     assert!(Dcel::new().dual().unwrap().vertices().next().is_none());
 }

@@ -14,9 +14,8 @@ mod plane;
 mod primitives;
 mod specimen;
 
-use crate::camera::film;
 use crate::{Failure, save};
-use dcel_kit::figure::{self, Camera, FigureOptions, HiddenLines, NearlyCollinear, Pointers};
+use dcel_kit::figure::{self, Camera, FigureOptions, Film, HiddenLines, NearlyCollinear, Pointers};
 use dcel_kit::ids::{FaceId, HalfEdgeId};
 use dcel_kit::plane::Subdivision;
 use dcel_kit::script::Script;
@@ -199,7 +198,9 @@ static REFERENCES: &[Reference] = &[
         about: "the film of split_face one frame at a time, by links, without a script",
         draw: || {
             let script = Script::parse(sources::SPLIT_FACE, "split-face.dcels")?;
-            Ok(film(&script).stepper(&FigureOptions::new("Steps of split_face").id_prefix("steps"))?.to_svg())
+            Ok(Film::of_script(&script)
+                .stepper(&FigureOptions::new("Steps of split_face").id_prefix("steps"))?
+                .to_svg())
         },
     },
     Reference {
@@ -239,7 +240,7 @@ static REFERENCES: &[Reference] = &[
 
 fn strip(script: &str, title: &str, prefix: &str) -> Made<String> {
     let script = Script::parse(script, title)?;
-    Ok(film(&script).strip(&FigureOptions::new(title).id_prefix(prefix))?.to_svg())
+    Ok(Film::of_script(&script).strip(&FigureOptions::new(title).id_prefix(prefix))?.to_svg())
 }
 
 fn structure(subdivision: &Subdivision, title: &str) -> Made<String> {

@@ -10,31 +10,41 @@
 //! a half-edge of the frame runs elsewhere there (the one that is being split, before it is): then on the other. As
 //! long as all of the fuller state is there, it stays: an edge that is led past a vertex grows when the vertex goes.
 
-use super::frames::{Fate, Film, Frame, Written};
-use crate::figure::canvas::scene::Node;
+use super::frames::{Fate, Frame, Written};
+use super::sides;
+use crate::figure::canvas::scene::{Group, Node};
+use crate::figure::flatten::Placed;
 use crate::figure::layout::crowd::Shape;
+use crate::figure::structure::arrows::Arrow;
 use crate::figure::structure::look::{Look, Mark};
 use crate::figure::structure::notes::Notes;
 use crate::figure::structure::picture::Picture;
 use crate::figure::structure::plate::Plate;
 use crate::figure::structure::pointer::Pointer;
-use crate::figure::structure::skeleton::{destination, half_edges, vertices};
+use crate::figure::structure::skeleton::{destination, faces, half_edges, vertices};
 use crate::figure::{Detail, FigureError, FigureOptions};
-use crate::ids::{Element, HalfEdgeId, VertexId};
+use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::PlanarView;
 use crate::topology::{Slot, Table, View};
+
+/// How far inside of a corner a next pointer passes that follows the bends of its edge.
+const CORNER: f64 = 13.0;
+/// So many half-edges may lie between two that are to follow each other.
+const MOST: usize = 12;
 
 /// All states of a film, placed on one canvas.
 pub(super) struct Stage<'a> {
     pub(super) plates: Vec<Plate<'a, Table>>,
     states: &'a [Table],
+    /// The states as they are drawn.
+    placed: &'a [Placed],
 }
 
 /// The fullest state, and all vertices that are nowhere in it: what the canvas must hold.
-pub(super) fn union(film: &Film) -> Table {
-    let fullest = film.states.iter().max_by_key(|state| half_edges(*state).count());
-    let mut union = fullest.cloned().unwrap_or_default();
-    for state in &film.states {
+pub(super) fn union(states: &[Placed]) -> Table {
+    let fullest = states.iter().max_by_key(|state| half_edges(&state.table).count());
+    let mut union = fullest.map(|state| state.table.clone()).unwrap_or_default();
+    for state in states.iter().map(|state| &state.table) {
         for v in vertices(state) {
             let known = |row: &Option<crate::topology::VertexRow>| {
                 row.as_ref()
@@ -50,13 +60,18 @@ pub(super) fn union(film: &Film) -> Table {
 
 impl<'a> Stage<'a> {
     /// Places all states. `union` sets the scale.
-    pub(super) fn new(film: &'a Film, union: &'a Table, options: &'a FigureOptions) -> Result<Self, FigureError> {
+    pub(super) fn new(
+        states: &'a [Table],
+        placed: &'a [Placed],
+        union: &'a Table,
+        options: &'a FigureOptions,
+    ) -> Result<Self, FigureError> {
         let (whole, _) = Picture::new(union, options)?;
         if whole.detail < Detail::Arrows {
             return Err(FigureError::NoRoom { detail: whole.detail });
         }
-        let mut plates = Vec::with_capacity(film.states.len());
-        for state in &film.states {
+        let mut plates = Vec::with_capacity(placed.len());
+        for Placed { table: state, .. } in placed {
             let (mut picture, _) = Picture::new(state, options)?;
             (picture.fit, picture.detail) = (whole.fit, whole.detail);
             for v in vertices(state) {
@@ -65,10 +80,10 @@ impl<'a> Stage<'a> {
             }
             let first = Plate::place(picture, Notes::default(), &[]);
             let mut ink = first.local_ink();
-            ink.extend(film.states.iter().flat_map(|other| foreign_discs(other, state, &whole)));
+            ink.extend(placed.iter().flat_map(|other| foreign_discs(&other.table, state, &whole)));
             plates.push(Plate::place(first.picture, Notes::default(), &ink));
         }
-        let mut stage = Self { plates, states: &film.states };
+        let mut stage = Self { plates, states, placed };
         stage.share_vertices();
         Ok(stage)
     }
@@ -77,8 +92,8 @@ impl<'a> Stage<'a> {
     fn share_vertices(&mut self) {
         for i in 1..self.plates.len() {
             for (from, to) in [(i - 1, i), (i, i - 1)] {
-                for v in vertices(&self.states[from]) {
-                    if self.states[to].has_vertex(v) {
+                for v in vertices(&self.placed[from].table) {
+                    if self.placed[to].table.has_vertex(v) {
                         continue;
                     }
                     let place = self.plates[from].skeleton().place(v);
@@ -102,7 +117,14 @@ impl<'a> Stage<'a> {
 
     /// How many half-edges of the table run elsewhere on the plate, or have no place there.
     fn misplaced(&self, plate: usize, table: &Table) -> Vec<HalfEdgeId> {
-        let place = |h: HalfEdgeId| self.plates[plate].skeleton().ends(h);
+        let is_laid_out = self.placed[plate].is_laid_out;
+        let place = |h: HalfEdgeId| match self.plates[plate].skeleton().ends(h) {
+            // On a copy or a bend it stands for the vertices that it runs between.
+            Some(_) if is_laid_out => {
+                self.states[plate].origin(h).zip(destination(&self.states[plate], h)).map(<[_; 2]>::from)
+            }
+            ends => ends,
+        };
         let moved = |h: &HalfEdgeId| {
             let ends = table.origin(*h).zip(destination(table, *h));
             ends.is_none_or(|(a, b)| place(*h) != Some([a, b]))
@@ -112,7 +134,7 @@ impl<'a> Stage<'a> {
 
     /// The drawing of a frame. Ids begin with `name`.
     pub(super) fn draw(&self, frame: &Frame, name: &str) -> Vec<Node> {
-        let shown = with_removed(frame);
+        let mut shown = with_removed(frame);
         let [rich, other] = self.order(frame);
         let known = |h: &HalfEdgeId| shown.origin(*h).is_some() && destination(&shown, *h).is_some();
         let wrong = |plate: usize| self.misplaced(plate, &shown).into_iter().filter(known).count();
@@ -127,22 +149,106 @@ impl<'a> Stage<'a> {
         }
         let halves = half_edges(plate.picture.view).filter(|&h| !shown.has_half_edge(h));
         halves.for_each(|h| look.mark_half_edge(h, Mark::Hidden));
+        let copies = &self.placed[chosen].copies;
         for (elements, mark) in [(&frame.marked, Mark::Hot), (&frame.made, Mark::New), (&frame.removed, Mark::Gone)] {
             elements.iter().for_each(|&element| set(&mut look, element, mark));
         }
         let hidden = if is_whole { Vec::new() } else { self.misplaced(chosen, &shown) };
         hidden.iter().for_each(|&h| look.mark_half_edge(h, Mark::Hidden));
+        for &(piece, h) in &self.placed[chosen].pieces {
+            if shown.has_half_edge(h) && look.half_edge(h) != Mark::Hidden {
+                look.mark_half_edge(piece, Mark::Plain);
+            }
+        }
+        for &(copy, _, v) in copies {
+            if !shown.has_vertex(v) {
+                continue;
+            }
+            look.mark_vertex(copy, look.vertex(v));
+            shown.vertices.resize(shown.vertices.len().max(copy.index() + 1), None);
+            shown.vertices[copy.index()] = self.placed[chosen].table.vertices[copy.index()];
+        }
 
-        let mut nodes = self.plates[rich].areas(&self.states[frame.areas], &look);
-        let arrows = arrows(plate, frame, &look);
-        nodes.extend(plate.lines(&shown, &look, arrows));
+        let mut nodes = self.areas(frame, [chosen, rich], &look);
+        // Below the discs of the vertices.
+        let mut between = sides::nodes(plate, &self.placed[chosen], &look);
+        between.extend(arrows(plate, frame, &look, &self.placed[chosen]));
+        nodes.extend(plate.lines(&shown, &look, between));
         // The frame has a title of its own; one for each line of each frame would be half of the file.
         for node in &mut nodes {
             if let Node::Group(group) = node {
                 group.title = None;
+                let copy = copies.iter().find(|(copy, ..)| group.id.as_deref() == Some(&look.id(*copy)));
+                if let Some((_, number, v)) = copy {
+                    group.id = Some(look.name(&format!("{v}-{number}")));
+                }
             }
         }
         nodes
+    }
+
+    /// The faces. On a layout they are those of the plate that is drawn: where a face is not there yet, or no more, its
+    /// place belongs to the face that it comes from, or went into.
+    fn areas(&self, frame: &Frame, [chosen, rich]: [usize; 2], look: &Look) -> Vec<Node> {
+        if !self.placed[chosen].is_laid_out {
+            return self.plates[rich].areas(&self.states[frame.areas], look);
+        }
+        let table = &self.placed[chosen].table;
+        if chosen == frame.areas {
+            return self.plates[chosen].areas(table, look);
+        }
+        let mut merged = table.clone();
+        let state = &self.states[frame.areas];
+        for face in faces(table).filter(|&f| !state.has_face(f)) {
+            let sides = half_edges(table).filter(|&h| merged.face(h) == Some(face));
+            let beside = |h: HalfEdgeId| Some((h, table.twin(h)?, merged.face(table.twin(h)?)?));
+            let across = sides.filter_map(beside).filter(|&(_, _, f)| state.has_face(f));
+            if let Some((h, twin, other)) = across.min_by_key(|&(h, ..)| (state.has_half_edge(h), h)) {
+                merge(&mut merged, [h, twin], [face, other]);
+            }
+        }
+        let mut nodes = self.plates[chosen].areas(&merged, look);
+        if let Some(outer) = merged.outer_face.filter(|_| merged.outer_face != table.outer_face) {
+            rename_outer(&mut nodes, &outer.to_string());
+        }
+        nodes
+    }
+}
+
+/// Another face is the outer one than in the plate that is drawn.
+fn rename_outer(nodes: &mut [Node], name: &str) {
+    for node in nodes {
+        let Node::Group(group) = node else { continue };
+        for node in group.nodes.iter_mut().filter(|_| group.class == "f outer") {
+            if let Node::Text { text, .. } = node {
+                name.clone_into(text);
+            }
+        }
+    }
+}
+
+/// Takes an edge out of a table, so that the face on its first side becomes part of the one on its second side.
+fn merge(table: &mut Table, [h, twin]: [HalfEdgeId; 2], [gone, kept]: [FaceId; 2]) {
+    let [links, others] = [h, twin].map(|h| table.prev(h).zip(table.next(h)));
+    let (Some((before, after)), Some((twin_before, twin_after))) = (links, others) else { return };
+    for (from, to) in [(before, twin_after), (twin_before, after)] {
+        if let Some(Some(first)) = table.half_edges.get_mut(from.index()) {
+            first.next = Some(to);
+        }
+        if let Some(Some(second)) = table.half_edges.get_mut(to.index()) {
+            second.prev = Some(from);
+        }
+    }
+    (table.half_edges[h.index()], table.half_edges[twin.index()]) = (None, None);
+    for row in table.half_edges.iter_mut().flatten().filter(|row| row.face == Some(gone)) {
+        row.face = Some(kept);
+    }
+    if let Some(Some(row)) = table.faces.get_mut(kept.index()) {
+        row.boundary = Some([before, twin_before, after].into_iter().find(|&g| g != h && g != twin).unwrap_or(after));
+    }
+    table.faces[gone.index()] = None;
+    if table.outer_face == Some(gone) {
+        table.outer_face = Some(kept);
     }
 }
 
@@ -180,7 +286,7 @@ fn with_removed(frame: &Frame) -> Table {
 }
 
 /// The next pointers that stay, then those that have gone, then the new ones.
-fn arrows(plate: &Plate<'_, Table>, frame: &Frame, look: &Look) -> Vec<Node> {
+fn arrows(plate: &Plate<'_, Table>, frame: &Frame, look: &Look, placed: &Placed) -> Vec<Node> {
     let is_new = |slot: Slot| frame.written.iter().any(|w| w.fate == Fate::New && w.slot == slot);
     let visible = |h: HalfEdgeId| look.half_edge(h) != Mark::Hidden;
     let stays = |h: &HalfEdgeId| {
@@ -204,7 +310,10 @@ fn arrows(plate: &Plate<'_, Table>, frame: &Frame, look: &Look) -> Vec<Node> {
         (&frame.before, of(Fate::Gone), "gone", "-gone"),
         (&frame.table, of(Fate::New), "made", ""),
     ] {
-        for mut node in plate.pointers(view, &pointers, look, 0.5, &mut notes) {
+        let bent = |pointer: &Pointer| bent_next(plate, view, *pointer, placed, look);
+        let (straight, round): (Vec<_>, Vec<_>) = pointers.iter().partition(|pointer| bent(pointer).is_none());
+        let drawn = plate.pointers(view, &straight, look, 0.5, &mut notes);
+        for mut node in drawn.into_iter().chain(round.iter().filter_map(bent)) {
             if let Node::Group(group) = &mut node {
                 group.mark = mark;
                 if let Some(id) = &mut group.id {
@@ -215,6 +324,46 @@ fn arrows(plate: &Plate<'_, Table>, frame: &Frame, look: &Look) -> Vec<Node> {
         }
     }
     nodes
+}
+
+/// The next pointer of a bent half-edge, or to one: beside the pieces between the two.
+fn bent_next(plate: &Plate<'_, Table>, view: &Table, pointer: Pointer, placed: &Placed, look: &Look) -> Option<Node> {
+    let Pointer::Next(h) = pointer else { return None };
+    if placed.pieces.is_empty() {
+        return None;
+    }
+    let next = view.next(h)?;
+    let mut chain = vec![h];
+    let mut at = h;
+    for _ in 0..MOST {
+        at = placed.table.next(at)?;
+        // What is not there yet, or no more, is passed by.
+        if at == next || placed.pieces.iter().any(|(piece, _)| *piece == at) {
+            chain.push(at);
+        } else if view.has_half_edge(at) {
+            return None;
+        }
+        if at == next {
+            break;
+        }
+    }
+    let ends = |h: HalfEdgeId| plate.skeleton().ends(h);
+    let joined = chain.windows(2).all(|pair| ends(pair[0]).map(|ends| ends[1]) == ends(pair[1]).map(|ends| ends[0]));
+    let is_there = chain.len() > 2 && chain.last() == Some(&next) && joined;
+    let [from, to] = [h, next].map(|h| plate.shafts.get(h).and_then(Option::as_ref));
+    let (from, to) = from.zip(to).filter(|_| is_there)?;
+    let way = |h: HalfEdgeId| plate.skeleton().segment(h);
+    let mut points = vec![from.tip];
+    for pair in chain.windows(2) {
+        let ((a, b), (_, c)) = (way(pair[0])?, way(pair[1])?);
+        let (inward, outward) = ((b - a).unit()?, (c - b).unit()?);
+        let aside = (inward.left() + outward.left()).unit().unwrap_or(inward);
+        points.push(b + aside * CORNER);
+    }
+    points.push(to.tail);
+    let nodes = Arrow::through(&points)?.nodes("pl", "ph").to_vec();
+    let id = Some(format!("{}-next", look.name(&h.to_string())));
+    Some(Node::Group(Group { class: "ptr next", id, nodes, ..Group::default() }))
 }
 
 /// The arrow of a slot. `prev` is `next` backwards, and `origin` is where the half-edge starts.

@@ -10,12 +10,19 @@
 //! before the edit until the step that gives the last half-edge its face (or, if none does, its next); from
 //! then on those after the edit.
 
+use crate::figure::flatten::{Names, Placed, Spread, set_positions};
 use crate::ids::{Element, FaceId, VertexId};
 use crate::plane::PlanarView;
-use crate::topology::{Change, Journal, Slot, Table, View};
+#[cfg(feature = "solid")]
+use crate::solid::Polyhedron;
+use crate::topology::{Change, Dcel, Journal, Slot, Table, View};
 use std::collections::BTreeMap;
 
 /// Edits to be shown frame by frame.
+///
+/// A structure without coordinates is laid out: what lies on a sphere within a circle, each vertex in the middle of its
+/// neighbours; a closed surface with handles as a polygon whose sides are glued in pairs, both of a pair with one letter.
+/// From state to state as little moves as possible. A surface in space is seen from one place, a frame an edit.
 ///
 /// ```
 /// use dcel_kit::figure::{Film, FigureOptions};
@@ -33,6 +40,11 @@ use std::collections::BTreeMap;
 pub struct Film {
     /// The structure before the first edit, and after each.
     pub(super) states: Vec<Table>,
+    /// How the states lie on paper, if they have no coordinates.
+    spreads: Vec<Spread>,
+    /// The states in space.
+    #[cfg(feature = "solid")]
+    pub(super) solids: Vec<Polyhedron>,
     shots: Vec<Shot>,
     closing: String,
     /// What is marked in the last frame.
@@ -99,7 +111,53 @@ pub struct Frame {
 impl Film {
     /// A film that begins with this structure.
     pub fn new<V: PlanarView + ?Sized>(start: &V) -> Self {
-        Self { states: vec![snapshot(start)], shots: Vec::new(), closing: String::new(), closing_marked: Vec::new() }
+        let mut film = Self::empty();
+        film.states.push(snapshot(start));
+        film
+    }
+
+    /// A film without any state.
+    pub(super) fn empty() -> Self {
+        Self {
+            states: Vec::new(),
+            spreads: Vec::new(),
+            #[cfg(feature = "solid")]
+            solids: Vec::new(),
+            shots: Vec::new(),
+            closing: String::new(),
+            closing_marked: Vec::new(),
+        }
+    }
+
+    /// Appends a state with positions.
+    pub(super) fn add_planar<V: PlanarView + ?Sized>(&mut self, state: &V) {
+        self.states.push(snapshot(state));
+    }
+
+    /// Appends a state without coordinates, laid out like the one before as far as it can be.
+    pub(super) fn add_kernel(&mut self, state: &Dcel) {
+        let spread = Spread::new(state, self.spreads.last());
+        let mut table = Table::from_view(state);
+        set_positions(&mut table, &spread);
+        self.states.push(table);
+        self.spreads.push(spread);
+    }
+
+    /// Appends a state in space.
+    #[cfg(feature = "solid")]
+    pub(super) fn add_solid(&mut self, state: &Polyhedron) {
+        self.states.push(Table::from_view(state));
+        self.solids.push(state.clone());
+    }
+
+    /// The states as they are drawn, and the names of what only the drawing has.
+    pub(super) fn placed(&self) -> (Vec<Placed>, Names) {
+        let mut names = Names::beyond(&self.states);
+        let placed = self.states.iter().enumerate().map(|(i, state)| match self.spreads.get(i) {
+            Some(spread) => Placed::new(state, spread, &mut names),
+            None => Placed::plain(state.clone()),
+        });
+        (placed.collect(), names)
     }
 
     /// Appends an edit: the call, a sentence for the frame before it (may be empty), elements to be marked, what
@@ -112,13 +170,18 @@ impl Film {
         journal: &Journal,
         after: &V,
     ) {
+        self.add_shot(title, caption, marked, journal);
+        self.add_planar(after);
+    }
+
+    /// Appends an edit; its state is to follow.
+    pub(super) fn add_shot(&mut self, title: &str, caption: &str, marked: &[Element], journal: &Journal) {
         self.shots.push(Shot {
             title: title.to_owned(),
             caption: caption.to_owned(),
             marked: marked.to_vec(),
             journal: journal.clone(),
         });
-        self.states.push(snapshot(after));
     }
 
     /// Sets the sentence of the last frame, and what is marked in it.
@@ -138,6 +201,10 @@ impl Film {
     /// Cost: O(frames x size of the structure).
     #[must_use]
     pub fn frames(&self) -> Vec<Frame> {
+        #[cfg(feature = "solid")]
+        if !self.solids.is_empty() {
+            return self.views();
+        }
         let mut out = Vec::new();
         for (i, shot) in self.shots.iter().enumerate() {
             let states = [i, i + 1];
@@ -148,6 +215,29 @@ impl Film {
         let heading = if self.shots.is_empty() { "" } else { "after" };
         let states = [last.saturating_sub(1), last];
         out.push(still(heading, &self.closing, &self.states[last], last, states, self.closing_marked.clone()));
+        out
+    }
+
+    /// A frame for the start and one for what each edit led to; a last one if something is said about it.
+    #[cfg(feature = "solid")]
+    fn views(&self) -> Vec<Frame> {
+        let mut out = vec![still("start", "", &self.states[0], 0, [0, 0], Vec::new())];
+        for (i, shot) in self.shots.iter().enumerate() {
+            let state = i + 1;
+            let mut frame =
+                still(&shot.title, &shot.caption, &self.states[state], state, [i, state], shot.marked.clone());
+            frame.changes = shot.journal.changes().to_vec();
+            frame.added = elements(shot.journal.changes(), true);
+            frame.added.retain(|&element| has(&self.states[state], element));
+            frame.removed = elements(shot.journal.changes(), false);
+            frame.made.clone_from(&frame.added);
+            out.push(frame);
+        }
+        let last = self.states.len() - 1;
+        if !(self.closing.is_empty() && self.closing_marked.is_empty()) {
+            let states = [last, last];
+            out.push(still("after", &self.closing, &self.states[last], last, states, self.closing_marked.clone()));
+        }
         out
     }
 
@@ -186,6 +276,17 @@ impl Film {
                 made: made.clone(),
             });
         }
+    }
+}
+
+/// Whether the element is in the table.
+#[cfg(feature = "solid")]
+fn has(table: &Table, element: Element) -> bool {
+    match element {
+        Element::Vertex(v) => table.has_vertex(v),
+        Element::HalfEdge(h) => table.has_half_edge(h),
+        Element::Edge(e) => table.has_half_edge(e.half_edges()[0]),
+        Element::Face(f) => table.has_face(f),
     }
 }
 

@@ -2,7 +2,8 @@
 //!
 //! ```text
 //!   journal ──> frames.rs ──> sheet.rs    a strip: all frames side by side, in rows
-//!               (tables)   draw.rs     a stepper: the same frames, one at a time, by links (style.rs)
+//!   script.rs   (tables)   draw.rs     a stepper: the same frames, one at a time, by links (style.rs)
+//!                          space.rs    surfaces in space, a frame an edit      sides.rs  what is glued has one letter
 //! ```
 //!
 //! A frame shows the structure as it is at the end of its step, which may be half-linked: the changes of the
@@ -11,7 +12,14 @@
 
 mod draw;
 mod frames;
+#[cfg(feature = "script")]
+mod script;
 mod sheet;
+mod sides;
+#[cfg(feature = "solid")]
+mod space;
 mod style;
 
 pub use frames::{Fate, Film, Frame, Written};
+#[cfg(feature = "script")]
+pub use script::{Filmed, ScriptFilm};

@@ -11,8 +11,8 @@
 
 use super::draw::{Stage, union};
 use super::frames::{Film, Frame};
-use super::style;
-use crate::figure::canvas::scene::{Group, Node};
+use super::{sides, style};
+use crate::figure::canvas::scene::{Group, Node, Scene};
 use crate::figure::canvas::text;
 use crate::figure::canvas::vector::xy;
 use crate::figure::structure::pointer_style;
@@ -60,47 +60,67 @@ impl Film {
         options.crop = None;
         let options = &options;
         let frames = self.frames();
-        let union = union(self);
-        let stage = Stage::new(self, &union, options)?;
+        #[cfg(feature = "solid")]
+        if !self.solids.is_empty() {
+            let (scene, drawings, detail) = super::space::draw(&self.solids, &frames, options)?;
+            return Ok(Figure { scene: arranged(scene, &frames, drawings, options, links), detail, notes: Vec::new() });
+        }
+        let (placed, names) = self.placed();
+        let options = &sides::labelled(options, &names);
+        let union = union(&placed);
+        let stage = Stage::new(&self.states, &placed, &union, options)?;
         let Some(first) = stage.plates.first() else { return crate::figure::structure(&union, options) };
         let mut scene = first.picture.scene(Vec::new());
-        let head = head_height(&frames, scene.size.x) + if links { LINKS } else { 0.0 };
-        let frame_size = xy(scene.size.x, scene.size.y + head);
-        let columns = columns(frames.len(), frame_size.x);
-        for (i, frame) in frames.iter().enumerate() {
-            let (column, row) = ((i % columns) as f64, (i / columns) as f64);
-            let mut nodes = heading(frame, scene.size.x);
-            if links {
-                nodes.extend(nav(i, frames.len(), head - 6.0));
-            }
-            let drawing = stage.draw(frame, &i.to_string());
-            nodes.push(Node::Group(Group { shift: Some(xy(0.0, head)), nodes: drawing, ..Group::default() }));
-            scene.nodes.push(Node::Group(Group {
-                class: "fr",
-                mark: if i == 0 { "first" } else { "" },
-                id: Some(format!("step-{i}")),
-                title: Some(format!("{} of {}: {}", i + 1, frames.len(), frame.heading)),
-                shift: Some(xy(column * (frame_size.x + GAP), row * (frame_size.y + GAP))),
-                nodes,
-                ..Group::default()
-            }));
-        }
-        let size = |count: usize, one: f64| count as f64 * (one + GAP) - GAP;
-        scene.size = xy(size(columns, frame_size.x), size(frames.len().div_ceil(columns), frame_size.y));
-        scene.css.push_str(&pointer_style::css(&options.style, &scene.prefix));
-        scene.css.push_str(&style::marks(&options.style, &scene.prefix));
-        scene.attributes[0].1 = if links { "dcel-stepper" } else { "dcel-strip" }.to_owned();
-        if links {
-            scene.css.push_str(&style::stepper(&scene.prefix, scene.size, frame_size));
-            scene.attributes.push(("preserveAspectRatio", "xMinYMin slice".to_owned()));
-            scene.attributes.push(("role", "group".to_owned()));
-        }
-        if options.description.is_none() {
-            let headings: Vec<&str> = frames.iter().map(|frame| frame.heading.as_str()).collect();
-            scene.description = text::clean(&format!("Frames: {}", headings.join("; ")));
-        }
-        Ok(Figure { scene, detail: first.picture.detail, notes: Vec::new() })
+        scene.css.push_str(&sides::css(&options.style, &scene.prefix, &placed));
+        let drawings = frames.iter().enumerate().map(|(i, frame)| stage.draw(frame, &i.to_string())).collect();
+        let detail = first.picture.detail;
+        Ok(Figure { scene: arranged(scene, &frames, drawings, options, links), detail, notes: Vec::new() })
     }
+}
+
+/// The frames in rows, each below its heading. `scene` has the size of one.
+fn arranged(
+    mut scene: Scene,
+    frames: &[Frame],
+    drawings: Vec<Vec<Node>>,
+    options: &FigureOptions,
+    links: bool,
+) -> Scene {
+    let head = head_height(frames, scene.size.x) + if links { LINKS } else { 0.0 };
+    let frame_size = xy(scene.size.x, scene.size.y + head);
+    let columns = columns(frames.len(), frame_size.x);
+    for (i, (frame, drawing)) in frames.iter().zip(drawings).enumerate() {
+        let (column, row) = ((i % columns) as f64, (i / columns) as f64);
+        let mut nodes = heading(frame, scene.size.x);
+        if links {
+            nodes.extend(nav(i, frames.len(), head - 6.0));
+        }
+        nodes.push(Node::Group(Group { shift: Some(xy(0.0, head)), nodes: drawing, ..Group::default() }));
+        scene.nodes.push(Node::Group(Group {
+            class: "fr",
+            mark: if i == 0 { "first" } else { "" },
+            id: Some(format!("step-{i}")),
+            title: Some(format!("{} of {}: {}", i + 1, frames.len(), frame.heading)),
+            shift: Some(xy(column * (frame_size.x + GAP), row * (frame_size.y + GAP))),
+            nodes,
+            ..Group::default()
+        }));
+    }
+    let size = |count: usize, one: f64| count as f64 * (one + GAP) - GAP;
+    scene.size = xy(size(columns, frame_size.x), size(frames.len().div_ceil(columns), frame_size.y));
+    scene.css.push_str(&pointer_style::css(&options.style, &scene.prefix));
+    scene.css.push_str(&style::marks(&options.style, &scene.prefix));
+    scene.attributes[0].1 = if links { "dcel-stepper" } else { "dcel-strip" }.to_owned();
+    if links {
+        scene.css.push_str(&style::stepper(&scene.prefix, scene.size, frame_size));
+        scene.attributes.push(("preserveAspectRatio", "xMinYMin slice".to_owned()));
+        scene.attributes.push(("role", "group".to_owned()));
+    }
+    if options.description.is_none() {
+        let headings: Vec<&str> = frames.iter().map(|frame| frame.heading.as_str()).collect();
+        scene.description = text::clean(&format!("Frames: {}", headings.join("; ")));
+    }
+    scene
 }
 
 /// As many columns as fit, then as few as the rows need.

@@ -39,7 +39,7 @@ impl Polyhedron {
     ) {
         starts.sort_unstable();
         starts.dedup();
-        let label = |this: &Self, h| Some(this.dcel.face(h)).filter(|f| this.boundary_faces.contains(f));
+        let label = |this: &Self, h| this.dcel.linked_face(h).filter(|f| this.boundary_faces.contains(f));
         let labels: Vec<Option<FaceId>> = starts.iter().map(|&h| label(self, h)).collect();
         touched.extend(labels.iter().flatten());
         touched.sort_unstable();

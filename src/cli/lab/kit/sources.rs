@@ -7,7 +7,6 @@ pub(super) const FURTHER: &[(&str, &str)] = &[
     ("src/cli/LICENSE-MIT", include_str!("../../LICENSE-MIT")),
     ("src/cli/answer.rs", include_str!("../../answer.rs")),
     ("src/cli/build.rs", include_str!("../../build.rs")),
-    ("src/cli/camera.rs", include_str!("../../camera.rs")),
     ("src/cli/choice.rs", include_str!("../../choice.rs")),
     ("src/cli/compare/drawings.rs", include_str!("../../compare/drawings.rs")),
     ("src/cli/compare/mod.rs", include_str!("../../compare/mod.rs")),

@@ -41,17 +41,34 @@ pub(super) struct Picture {
     up: Vector,
 }
 
+/// Where a solid is, and how large.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Whole {
+    middle: Vector,
+    size: f64,
+}
+
+impl Whole {
+    pub(super) fn of(solid: &Polyhedron) -> Self {
+        let middle = solid.mean_point();
+        let size = solid.vertices().map(|v| minus(solid.point(v), middle)).map(|p| dot(p, p)).fold(0.0, f64::max);
+        Self { middle, size: size.sqrt() }
+    }
+}
+
 impl Camera {
     pub(super) fn view(&self, solid: &Polyhedron) -> Picture {
+        self.view_of(solid, Whole::of(solid))
+    }
+
+    /// The solid as the camera sees it that looks at `whole`.
+    pub(super) fn view_of(&self, solid: &Polyhedron, Whole { middle, size }: Whole) -> Picture {
         let good = |v: &Vector| v.iter().all(|x| x.is_finite() && x.abs() < 1e100) && dot(*v, *v) > 0.0;
         let towards = unit(if good(&self.towards) { self.towards } else { Self::default().towards });
         let side = cross([0.0, 0.0, 1.0], towards);
         let side = if dot(side, side) > 1e-12 { side } else { cross([0.0, 1.0, 0.0], towards) };
         let right = unit(side);
         let up = cross(towards, right);
-        let middle = solid.mean_point();
-        let size = solid.vertices().map(|v| minus(solid.point(v), middle)).map(|p| dot(p, p)).fold(0.0, f64::max);
-        let size = size.sqrt();
         let eye = self.distance.filter(|d| d.is_finite()).map(|distance| {
             let far = distance.max(1.1) * size;
             [0, 1, 2].map(|i| middle[i] + towards[i] * far)

@@ -62,26 +62,54 @@ pub fn solid(
     lines: HiddenLines,
     options: &FigureOptions,
 ) -> Result<Figure, SketchError> {
-    let view = camera.view(solid);
-    let seen = Seen::new(solid, &view);
-    let mut sketch = Sketch::new();
-    for Piece { ends, is_hidden } in &seen.pieces {
-        let path = match (*is_hidden, lines) {
-            (true, HiddenLines::LeftOut) => continue,
-            (true, HiddenLines::Dashed) => sketch.path(Role::Dimmed, *ends).dashed(),
-            (false, _) => sketch.path(Role::Plain, *ends),
-        };
-        path.title(if *is_hidden { "hidden edge" } else { "edge" });
-    }
-    let projected = Projected { dcel: solid.topology(), points: view.points };
+    let Shown { sketch, projected, faces } = Shown::new(solid, camera.view(solid), lines);
     let chosen = options.faces.clone();
-    let faces = seen.faces.into_iter().filter(|f| chosen.as_ref().is_none_or(|chosen| chosen.contains(f)));
+    let faces = faces.into_iter().filter(|f| chosen.as_ref().is_none_or(|chosen| chosen.contains(f)));
     let options = options.clone().faces(faces);
     sketch.over(&projected, Backdrop::Plain, &options)
 }
 
+/// What is to be drawn of a solid.
+pub(in crate::figure) struct Shown<'a> {
+    /// The edges, or parts of edges, that are no sides of faces that are drawn.
+    pub(in crate::figure) sketch: Sketch,
+    pub(in crate::figure) projected: Projected<'a>,
+    /// The faces that are seen whole.
+    pub(in crate::figure) faces: Vec<FaceId>,
+}
+
+impl<'a> Shown<'a> {
+    fn new(solid: &'a Polyhedron, view: camera::Picture, lines: HiddenLines) -> Self {
+        let seen = Seen::new(solid, &view);
+        let mut sketch = Sketch::new();
+        for Piece { ends, is_hidden } in &seen.pieces {
+            let path = match (*is_hidden, lines) {
+                (true, HiddenLines::LeftOut) => continue,
+                (true, HiddenLines::Dashed) => sketch.path(Role::Dimmed, *ends).dashed(),
+                (false, _) => sketch.path(Role::Plain, *ends),
+            };
+            path.title(if *is_hidden { "hidden edge" } else { "edge" });
+        }
+        Self { sketch, projected: Projected { dcel: solid.topology(), points: view.points }, faces: seen.faces }
+    }
+
+    /// Where the vertices are on the paper.
+    pub(in crate::figure) fn points(&self) -> impl Iterator<Item = Point> {
+        self.projected.dcel.vertices().map(|v| self.projected.points[v])
+    }
+}
+
+impl Camera {
+    /// Several states of one solid, seen from one place: that from which the first of them is seen.
+    pub(in crate::figure) fn film<'a>(&self, solids: &'a [Polyhedron], lines: HiddenLines) -> Vec<Shown<'a>> {
+        let first = solids.first().map(camera::Whole::of).unwrap_or_default();
+        let show = |solid| Shown::new(solid, self.view_of(solid, first), lines);
+        solids.iter().map(show).collect()
+    }
+}
+
 /// A solid with the positions of its picture.
-struct Projected<'a> {
+pub(in crate::figure) struct Projected<'a> {
     dcel: &'a Dcel,
     points: VertexMap<Point>,
 }

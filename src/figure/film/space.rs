@@ -1,0 +1,69 @@
+//! Frames of surfaces in space: all seen from one place, at one scale.
+//!
+//! ```text
+//!   start          remove_face f0          extrude_face f1 1
+//!   ┌───────┐      ┌───────┐               ┌───────┐        new elements in the colour of what is new; hidden lines
+//!   │ cube  │      │  box  │               │       │        dashed, as in the figure of a solid
+//!   └───────┘      └───────┘               └───────┘
+//! ```
+
+use super::frames::Frame;
+use crate::figure::canvas::scene::{Node, Scene};
+use crate::figure::kinds::solid::{Camera, HiddenLines, Shown};
+use crate::figure::layout::fit::Fit;
+use crate::figure::sketch::{self, Backdrop, Canvas, Drawing};
+use crate::figure::structure::look::{Look, Mark};
+use crate::figure::structure::part::Part;
+use crate::figure::structure::picture::Picture;
+use crate::figure::{Detail, FigureError, FigureOptions};
+use crate::ids::Element;
+use crate::plane::Point;
+use crate::solid::Polyhedron;
+
+/// The scene of one frame, what is drawn in each, and with how much detail.
+pub(super) fn draw(
+    solids: &[Polyhedron],
+    frames: &[Frame],
+    options: &FigureOptions,
+) -> Result<(Scene, Vec<Vec<Node>>, Detail), FigureError> {
+    let shown: Vec<Shown<'_>> = Camera::default().film(solids, HiddenLines::Dashed);
+    let points: Vec<Point> = shown.iter().flat_map(Shown::points).collect();
+    let mut best: Option<(Fit, Detail)> = None;
+    for state in &shown {
+        let part = Part::new(&state.projected, &state.faces)?;
+        let (fit, detail) = Picture::survey(&part, options, points.clone())?.choose(options);
+        let is_better =
+            |(known, least): &(Fit, Detail)| detail < *least || (detail == *least && fit.scale > known.scale);
+        if best.as_ref().is_none_or(is_better) {
+            best = Some((fit, detail));
+        }
+    }
+    let (fit, detail) = best.unwrap_or_else(|| sketch::lone_fit(points.clone(), options));
+    let mut drawings = Vec::with_capacity(frames.len());
+    for (i, frame) in frames.iter().enumerate() {
+        let Shown { sketch, projected, faces } = &shown[frame.areas];
+        let mut look = Backdrop::Plain.look(&i.to_string());
+        for (elements, mark) in [(&frame.marked, Mark::Hot), (&frame.added, Mark::New)] {
+            elements.iter().for_each(|&element| set(&mut look, element, mark));
+        }
+        let canvas = Canvas::new(fit, options);
+        let mut drawing = Drawing::new(sketch, &canvas);
+        let part = Part::new(projected, faces)?;
+        let (picture, notes) = Picture::survey(&part, options, points.clone())?.place(&part, options, fit, detail);
+        let mut below = sketch::Below::new(picture, notes, &look, &drawing.ink());
+        let lines = drawing.nodes(&mut below.crowd, options.style.map_text, 1, &format!("{i}-"));
+        drawings.push(Backdrop::Plain.layers(below.nodes, lines));
+    }
+    let roles = sketch::roles(shown.iter().map(|state| &state.sketch));
+    let scene = sketch::scene(options, "dcel-strip", (fit.size, fit.scale), &roles, Vec::new(), &[]);
+    Ok((scene, drawings, detail))
+}
+
+fn set(look: &mut Look, element: Element, mark: Mark) {
+    match element {
+        Element::Vertex(v) => look.mark_vertex(v, mark),
+        Element::HalfEdge(h) => look.mark_half_edge(h, mark),
+        Element::Edge(e) => e.half_edges().into_iter().for_each(|h| look.mark_half_edge(h, mark)),
+        Element::Face(f) => look.mark_face(f, mark),
+    }
+}
