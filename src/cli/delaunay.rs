@@ -6,8 +6,7 @@ use super::input::InputOptions;
 use super::results::Results;
 use super::subject::Kind;
 use super::{Answer, Output};
-use dcel_kit::figure::sketch::{Backdrop, Role, Sketch};
-use dcel_kit::figure::{Figure, FigureOptions};
+use dcel_kit::figure::{self, Figure, FigureOptions};
 use dcel_kit::io::{Model, counted, read_points, source_name};
 use dcel_kit::plane::Subdivision;
 use dcel_kit::{EdgeId, EdgeMap};
@@ -156,22 +155,12 @@ fn of_graph(args: &Args) -> Result<Made, Failure> {
 
 fn draw(made: &Made, circles: bool, options: &FigureOptions) -> Result<Figure, Failure> {
     let s = &made.subdivision;
-    let mut sketch = Sketch::new();
-    if circles && s.face_count() > MOST_CIRCLES + 1 {
+    let too_many = s.face_count() > MOST_CIRCLES + 1;
+    if circles && too_many {
         say("note", format_args!("{} circles would hide the picture: none is drawn", s.face_count() - 1));
-    } else if circles {
-        for f in s.faces().skip(1) {
-            let corners: Vec<_> = s.incident_vertices(f).map(|v| s.point(v)).collect();
-            if let &[a, b, c] = corners.as_slice() {
-                sketch.circumcircle(Role::Secondary, [a, b, c]).title(format!("circle of {f}")).key("empty circle");
-            }
-        }
     }
-    for e in s.edges().filter(|&e| made.stays(e)) {
-        let ends = e.half_edges().map(|h| s.point(s.origin(h)));
-        sketch.path(Role::Main, ends).title(format!("{e} stays")).key("edge that stays");
-    }
-    sketch.over(s, Backdrop::Plain, options).map_err(|error| Failure::input(error, ""))
+    let drawn = figure::delaunay(s, circles && !too_many, |e| made.stays(e), options);
+    drawn.map_err(|error| Failure::input(error, ""))
 }
 
 impl Report {

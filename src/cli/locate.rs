@@ -8,11 +8,10 @@ use super::picture::{Pixels, Target};
 use super::save::Files;
 use super::subject::Subject;
 use super::{Answer, Output};
-use dcel_kit::figure::sketch::{Backdrop, Role, Sketch};
-use dcel_kit::figure::{Figure, FigureOptions};
+use dcel_kit::figure::{self, Figure, FigureOptions};
 use dcel_kit::io::{ReadOptions, counted, read_points};
 use dcel_kit::plane::{Location, Point, Subdivision, Walk};
-use dcel_kit::{FaceId, FaceMap, VertexId};
+use dcel_kit::{FaceId, VertexId};
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -215,40 +214,17 @@ fn draw(
     (given, asked): (&[Point], &[Point]),
     found: &[Location],
 ) -> Result<Figure, Failure> {
-    let mut sketch = Sketch::new();
-    let mut faces: Vec<FaceId> = Vec::new();
-    let mut seen = FaceMap::filled(s.face_bound(), false);
-    seen[s.outer_face()] = true;
-    for &at in found {
-        match at {
-            Location::Face(f) if !std::mem::replace(&mut seen[f], true) => faces.push(f),
-            Location::Edge(h) => {
-                sketch.path(Role::Main, [h, h.twin()].map(|h| s.point(s.origin(h))));
-            }
-            _ => {}
-        }
-    }
-    for &f in &faces {
-        sketch.region(Role::Main, s.cycles(f).map(|h| s.cycle(h).map(|h| s.point(s.origin(h)))));
-    }
-    if let Some(start) = args.walk {
-        for &p in asked.iter().filter(|&&p| p != s.point(start)) {
-            sketch.path(Role::Secondary, [s.point(start), p]).arrow();
-        }
-        sketch.point(Role::Start, s.point(start)).key("where the walks start");
-    }
     if given.len() > BADGES {
         say("note", format_args!("more than {BADGES} points are drawn without numbers"));
     }
-    for ((&p, &q), &at) in given.iter().zip(asked).zip(found) {
-        sketch.point(Role::Event, q);
-        if given.len() <= BADGES {
-            let words = Found::new(subject, s, p, at, None).words();
-            sketch.badge(Role::Event, q, format!("{}: {words}", point(&[p.x, p.y])));
-        }
-    }
+    let words = |p: Point, at| {
+        let words = Found::new(subject, s, p, at, None).words();
+        (given.len() <= BADGES).then(|| format!("{}: {words}", point(&[p.x, p.y])))
+    };
+    let all = given.iter().zip(asked).zip(found);
+    let found: Vec<_> = all.map(|((&p, &q), &at)| (q, at, words(p, at))).collect();
     let title = args.file.file_stem().map_or_else(|| "Points".into(), |stem| stem.to_string_lossy());
     let names = subject.faces().filter_map(|f| Some((f, subject.name(f)?)));
     let options = FigureOptions::new(format!("Points in {title}")).face_names(names);
-    sketch.over(s, Backdrop::Plain, &options).map_err(|error| Failure::about(&subject.source, error))
+    figure::located(s, &found, args.walk, &options).map_err(|error| Failure::about(&subject.source, error))
 }

@@ -6,8 +6,7 @@ use super::picture::{Pixels, Target};
 use super::save::{Files, InPlace};
 use super::subject::Subject;
 use super::{Answer, Output};
-use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
-use dcel_kit::figure::{Figure, FigureOptions};
+use dcel_kit::figure::{self, FigureOptions};
 use dcel_kit::io::{Format, Model, Number, counted, on_grid, write, write_path};
 use dcel_kit::plane::{Operation, Overlay, Parts, Subdivision};
 use dcel_kit::{FaceId, FaceMap, VertexId};
@@ -144,10 +143,13 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         Goal::Report => {}
         Goal::Picture(target) => {
             let figure = match &region {
-                None => draw_both(args, [source_a, source_b], &both),
-                Some((operation, region)) => draw_region(args, [source_a, source_b], *operation, region),
+                None => figure::overlay(source_a, source_b, &both, &options(args, "Overlay of")),
+                Some((operation, region)) => {
+                    let options = options(args, &format!("{operation} of"));
+                    figure::region([source_a, source_b], *operation, region, &options)
+                }
             };
-            target.write(&figure?, out)?;
+            target.write(&figure.map_err(|error| Failure::input(error, ""))?, out)?;
         }
         Goal::Text => {
             write(out, &model(), Format::Dcel).map_err(|error| Failure::of_writing(Path::new("-"), error))?;
@@ -274,66 +276,7 @@ impl Report {
     }
 }
 
-/// The outlines of the faces for which `chosen` holds.
-fn region(sketch: &mut Sketch, role: Role, s: &Subdivision, chosen: impl Fn(FaceId) -> bool, key: &str) {
-    let faces = s.faces().filter(|&f| f != s.outer_face() && chosen(f));
-    let rings = |f| s.cycles(f).map(|h| s.cycle(h).map(|h| s.point(s.origin(h))).collect::<Vec<_>>());
-    let all: Vec<Vec<_>> = faces.flat_map(rings).collect();
-    if !all.is_empty() {
-        sketch.region(role, all).key(key);
-    }
-}
-
-/// All edges as lines.
-fn outlines(sketch: &mut Sketch, role: Role, s: &Subdivision, key: &str) {
-    for (i, e) in s.edges().enumerate() {
-        let path = sketch.path(role, e.half_edges().map(|h| s.point(s.origin(h))));
-        if i == 0 {
-            path.key(key);
-        }
-    }
-}
-
-fn title(args: &Args, what: &str, drawn: &[&Subdivision]) -> FigureOptions {
+fn options(args: &Args, what: &str) -> FigureOptions {
     let [a, b] = [&args.a, &args.b].map(|path| path.file_stem().unwrap_or_default().to_string_lossy());
-    let edges = drawn.iter().map(|s| s.edge_count()).sum();
-    FigureOptions::new(format!("{what} {a} and {b}")).without_half_edges(edges)
-}
-
-/// a, b, both with their crossings, and what belongs to one of them or to both.
-fn draw_both(args: &Args, [a, b]: [&Subdivision; 2], both: &Overlay) -> Result<Figure, Failure> {
-    let s = &both.subdivision;
-    let mut crossings = Sketch::new();
-    both.crossings.iter().for_each(|&v| {
-        crossings.point(Role::Event, s.point(v));
-    });
-    let mut regions = Sketch::new();
-    region(&mut regions, Role::Main, s, |f| both.is_in(f) == [true, false], "in a alone");
-    region(&mut regions, Role::Secondary, s, |f| both.is_in(f) == [false, true], "in b alone");
-    region(&mut regions, Role::Goal, s, |f| both.is_in(f) == [true; 2], "in both");
-    let mut panels = Multiples::new();
-    panels.structure("a", &counted(a.face_count(), "face", "faces"), a);
-    panels.structure("b", &counted(b.face_count(), "face", "faces"), b);
-    let text = format!(
-        "{}, {}",
-        counted(s.face_count(), "face", "faces"),
-        counted(both.crossings.len(), "crossing", "crossings")
-    );
-    panels.over("overlay", &text, s, Backdrop::Plain, crossings);
-    panels.sketch("regions", "faces of a and of b, without hole faces", regions);
-    panels.figure(&title(args, "Overlay of", &[a, b, s])).map_err(|error| Failure::input(error, ""))
-}
-
-/// The region, and the edges it was made from.
-fn draw_region(
-    args: &Args,
-    [a, b]: [&Subdivision; 2],
-    operation: Operation,
-    made: &Subdivision,
-) -> Result<Figure, Failure> {
-    let mut sketch = Sketch::new();
-    region(&mut sketch, Role::Main, made, |f| !made.is_hole(f), operation.name());
-    outlines(&mut sketch, Role::Secondary, a, "edges of a");
-    outlines(&mut sketch, Role::Goal, b, "edges of b");
-    sketch.figure(&title(args, &format!("{operation} of"), &[a, b, made])).map_err(|error| Failure::input(error, ""))
+    FigureOptions::new(format!("{what} {a} and {b}"))
 }

@@ -7,16 +7,12 @@ use super::input::InputOptions;
 use super::results::Results;
 use super::subject::Kind;
 use super::{Answer, Output};
-use dcel_kit::figure::sketch::{Backdrop, Role, Sketch, SketchError};
-use dcel_kit::figure::{self, Figure, FigureOptions};
+use dcel_kit::FaceId;
+use dcel_kit::figure;
 use dcel_kit::plane::{Subdivision, Triangulated, TriangulationMethod};
-use dcel_kit::{EdgeId, FaceId};
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
-
-/// More diagonals than this are drawn as edges like all others.
-const SKETCHED: usize = 400;
 
 /// Cut the faces of a subdivision into triangles
 ///
@@ -99,7 +95,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         }
     }
     args.results.draw(&args.file, "Triangles", |options| {
-        draw(&before, &after, &added.diagonals, &options).map_err(|error| Failure::about(&source, error))
+        figure::triangulation(&before, &after, &added.diagonals, &options).map_err(|error| Failure::about(&source, error))
     })?;
     let report = Report {
         source,
@@ -139,31 +135,6 @@ fn cut(args: &Args, s: &mut Subdivision) -> Result<(usize, Triangulated), dcel_k
         None => s.triangulate(method)?,
     };
     Ok((faces.len(), added))
-}
-
-/// The structure with its diagonals in another look, if they are few.
-fn draw(
-    before: &Subdivision,
-    after: &Subdivision,
-    diagonals: &[EdgeId],
-    options: &FigureOptions,
-) -> Result<Figure, SketchError> {
-    if diagonals.len() > SKETCHED {
-        return Ok(figure::structure(after, options)?);
-    }
-    // Without half-edges there is room to tell diagonals from edges.
-    let options = options.clone().without_half_edges(before.edge_count());
-    sketch(after, diagonals).over(before, Backdrop::Plain, &options)
-}
-
-/// The diagonals as a sketch.
-pub(super) fn sketch(after: &Subdivision, diagonals: &[EdgeId]) -> Sketch {
-    let mut sketch = Sketch::new();
-    for diagonal in diagonals {
-        let ends = diagonal.half_edges().map(|h| after.point(after.origin(h)));
-        sketch.path(Role::Main, ends).title(format!("diagonal {diagonal}")).key("diagonal");
-    }
-    sketch
 }
 
 impl InWords for Report {

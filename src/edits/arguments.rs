@@ -1,7 +1,7 @@
 //! Arguments of an edit, and how a row reads them.
 
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
-use crate::plane::Point;
+use crate::plane::{Affine, Point};
 use std::slice::Iter;
 
 /// An argument of an edit.
@@ -118,6 +118,14 @@ impl<'a> Arguments<'a> {
         number
     }
 
+    /// The next arguments, an affine map.
+    pub fn map(&mut self) -> Map {
+        let mut numbers = [0.0; 12];
+        let count = self.dimension * (self.dimension + 1);
+        numbers[..count].iter_mut().for_each(|x| *x = self.number());
+        Map(numbers)
+    }
+
     /// The next argument, `yes` or `no`.
     pub fn switch(&mut self) -> bool {
         let Some(&Argument::Switch(yes)) = self.list.next() else { panic!("{CHECKED}") };
@@ -146,5 +154,25 @@ impl From<Place> for Point {
 impl From<Place> for [f64; 3] {
     fn from(place: Place) -> Self {
         place.0
+    }
+}
+
+/// An affine map of the plane or of space, as it was written.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Map([f64; 12]);
+
+impl Map {
+    /// The map of the plane.
+    #[must_use]
+    pub fn in_plane(self) -> Affine<2> {
+        let [a, b, c, d, x, y, ..] = self.0;
+        Affine { matrix: [[a, b], [c, d]], shift: [x, y] }
+    }
+
+    /// The map of space.
+    #[must_use]
+    pub fn in_space(self) -> Affine<3> {
+        let [a, b, c, d, e, f, g, h, i, x, y, z] = self.0;
+        Affine { matrix: [[a, b, c], [d, e, f], [g, h, i]], shift: [x, y, z] }
     }
 }

@@ -72,6 +72,7 @@ impl<S: Editable> Call<S> {
             Takes::Place if S::DIMENSION == 0 => true,
             Takes::Place => rest.next_if(|a| matches!(a, Argument::Place(_))).is_some(),
             Takes::Number => rest.next_if(|a| matches!(a, Argument::Number(_))).is_some(),
+            Takes::Map => (0..map_size::<S>()).all(|_| rest.next_if(|a| matches!(a, Argument::Number(_))).is_some()),
             Takes::Switch => rest.next_if(|a| matches!(a, Argument::Switch(_))).is_some(),
             Takes::Vertices => {
                 let some = rest.next_if(is_vertex).is_some();
@@ -168,6 +169,11 @@ impl<S: Editable> FromStr for Call<S> {
                     arguments.push(Argument::Place(place));
                 }
                 Takes::Number => arguments.push(Argument::Number(number()?)),
+                Takes::Map => {
+                    for _ in 0..map_size::<S>() {
+                        arguments.push(Argument::Number(number()?));
+                    }
+                }
                 Takes::Switch => {
                     arguments.push(Argument::Switch(words.next().and_then(switch).ok_or_else(misfit)?));
                 }
@@ -186,6 +192,11 @@ impl<S: Editable> FromStr for Call<S> {
         }
         Self::new(row, arguments)
     }
+}
+
+/// How many numbers an affine map has.
+pub(crate) const fn map_size<S: Editable>() -> usize {
+    S::DIMENSION * (S::DIMENSION + 1)
 }
 
 /// The words of a switch.

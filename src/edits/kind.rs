@@ -59,6 +59,8 @@ pub enum Takes {
     Switch,
     /// Vertices up to the end of the line, at least one.
     Vertices,
+    /// An affine map: the rows of its matrix, then its shift; six numbers in the plane, twelve in space.
+    Map,
 }
 
 /// An argument of an edit.
@@ -72,6 +74,7 @@ pub struct Parameter {
 
 /// Something that an edit gives back.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[non_exhaustive]
 pub enum Given {
     /// New elements of this kind, or those of a new path: `let` may name the first.
     New(Kind),

@@ -14,8 +14,17 @@
 //! One word may take more in one structure than in another: a *place* is `X Y` in the plane, `X Y Z` in space, and
 //! nothing in the kernel, which knows no coordinates.
 //!
-//! **A new edit** of the kit is a method on its structure, and a row here. One outside the kit is a row, too: see
-//! [`Row::new`].
+//! **A new edit** of the kit is a method on its structure, and a row here: `cap_vertex`, say, for surfaces in space touched
+//!
+//! ```text
+//!   src/solid/local/cap_vertex.rs    the method, its error, its docs with an example        (new)
+//!   src/solid/local/mod.rs           the name of that file, and of its error
+//!   src/solid/mod.rs                 the name of its error for users
+//!   src/edits/rows.rs                the row: word, arguments, results, one sentence of help
+//! ```
+//!
+//! and with that it was a word of scripts with its checks and its line of help, in JSON, printed back, undone, in films,
+//! and tried by the tests that go through the table. One outside the kit is a row, too: see [`Row::new`].
 //!
 //! ```text
 //!   kind.rs       kinds of elements      arguments.rs  what a call is made with    returned.rs  its result or refusal
@@ -43,9 +52,9 @@ mod row;
 pub mod rows;
 mod structure;
 
-pub use arguments::{Argument, Arguments, Place};
-pub(crate) use call::switch;
+pub use arguments::{Argument, Arguments, Map, Place};
 pub use call::{Call, CallError};
+pub(crate) use call::{map_size, switch};
 pub use kind::{Given, Kind, Parameter, Takes};
 pub use returned::{EditError, Returned, Returns};
 pub use row::{Apply, Row};

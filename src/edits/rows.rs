@@ -34,6 +34,9 @@ macro_rules! takes {
     (switch) => {
         Takes::Switch
     };
+    (map) => {
+        Takes::Map
+    };
     (vertices) => {
         Takes::Vertices
     };
@@ -270,6 +273,18 @@ rows! {
         "Move a vertex with its edges"; {
         plane |s, log| s.set_point_with(v, at.into(), log);
         solid |p, log| p.set_point_with(v, at.into(), log);
+    }
+
+    move_vertex(v: vertex, d: place) -> []
+        "Move a vertex by a way, with its edges"; {
+        plane |s, log| s.move_vertex_with(v, d.xy(), log);
+        solid |p, log| p.move_vertex_with(v, d.into(), log);
+    }
+
+    transform_by(m: map) -> []
+        "Transform everything by an affine map: x' = XX x + XY y + DX, y' = YX x + YY y + DY, in space with z"; {
+        plane |s, log| s.transform_with(&m.in_plane(), log);
+        solid |p, log| p.transform_with(&m.in_space(), log);
     }
 
     translate_by(at: place) -> []

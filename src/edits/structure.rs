@@ -14,6 +14,10 @@ use crate::solid::{Polyhedron, SurfaceJournal};
 use crate::topology::{Dcel, Journal};
 use std::fmt;
 
+/// How affine maps are written: `XY` is the share of y in the new x.
+const PLANE_MAP: &str = " XX XY YX YY DX DY";
+const SPACE_MAP: &str = " XX XY XZ YX YY YZ ZX ZY ZZ DX DY DZ";
+
 /// A structure that has edits.
 pub trait Editable: Clone + PartialEq + fmt::Debug + Sized + 'static {
     /// Keeps all changes of its edits.
@@ -52,6 +56,7 @@ impl Row {
                     "AT" => out.push_str(&format!(" {axis}")),
                     _ => out.push_str(&format!(" {name}{axis}")),
                 }),
+                Takes::Map => out.push_str(if S::DIMENSION == 2 { PLANE_MAP } else { SPACE_MAP }),
                 Takes::Switch => out.push_str(" yes|no"),
                 Takes::Vertices => out.push_str(&format!(" {name} {name} ...")),
             }

@@ -51,8 +51,10 @@ pub use film::{Fate, Film, Frame, Written};
 pub use film::{Filmed, ScriptFilm};
 pub use kinds::dual::{DualFigureError, dual};
 pub use kinds::focus::focus;
+pub use kinds::located::located;
 #[cfg(feature = "navmesh")]
 pub use kinds::navmesh;
+pub use kinds::overlay::{overlay, region};
 pub use kinds::panels::pointers;
 pub use kinds::records::records;
 pub use kinds::robustness::{NearlyCollinear, robustness};
@@ -60,6 +62,7 @@ pub use kinds::robustness::{NearlyCollinear, robustness};
 pub use kinds::solid::{Camera, HiddenLines, solid};
 pub use kinds::structure::structure;
 pub use kinds::tables::tables;
+pub use kinds::triangulation::{delaunay, diagonals_of, triangulation};
 pub use kinds::voronoi::{voronoi_cells, voronoi_edges};
 pub use layout::options::{Detail, FaceLabels, FigureOptions};
 pub use page::{Page, escaped, page};

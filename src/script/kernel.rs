@@ -18,6 +18,7 @@ use std::fmt;
 /// assert_eq!(KernelStart::Surface { vertices: 4, faces }.to_string(), "surface 4 / 0 1 2 / 2 1 3");
 /// ```
 #[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
 pub enum KernelStart {
     /// `ring N`: [`Dcel::polygon`], a double-sided disc.
     Ring(usize),

@@ -5,7 +5,7 @@ use super::error::{Problem, ScriptError};
 use super::starts::{OF_THE_KERNEL, OF_THE_PLANE, kernel_start, plane_start, start_word};
 use super::syntax::{Action, Base, Link, Name, Path, Script, Statement, Value};
 use super::words::{Word, lines};
-use crate::edits::{Argument, Editable, Kind, Row, Takes, find, rows_of, switch};
+use crate::edits::{Argument, Editable, Kind, Row, Takes, find, map_size, rows_of, switch};
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use crate::topology::Dcel;
 
@@ -231,6 +231,13 @@ impl<G: Editable> Parser<'_, G> {
                     Value::Plain(Argument::Place(place))
                 }
                 Takes::Number => Value::Plain(Argument::Number(cursor.plain_number("a number", &help)?)),
+                Takes::Map => {
+                    for _ in 0..map_size::<G>() {
+                        let number = cursor.plain_number("the numbers of a map", &help)?;
+                        arguments.push(Value::Plain(Argument::Number(number)));
+                    }
+                    continue;
+                }
                 Takes::Switch => {
                     let word = cursor.need("yes or no", &help)?;
                     let not =

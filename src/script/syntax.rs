@@ -99,6 +99,7 @@ pub(super) enum Base {
 
 /// A step from one element to another.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[non_exhaustive]
 pub enum Link {
     /// The half-edge after a half-edge.
     Next,

@@ -13,6 +13,7 @@ use crate::topology::{Followed, Follows, Journal, Log, NoRecorder, Recorder};
 
 /// What a surface holds besides its structure, changed.
 #[derive(Clone, Copy, PartialEq, Debug)]
+#[non_exhaustive]
 pub enum SurfaceChange {
     /// A face became a boundary face, or is none any more.
     Border {

@@ -44,6 +44,10 @@ fn arguments<S: Editable>(random: &mut Random, row: &Row, s: &S) -> Vec<Argument
                 out.push(Argument::Place([x(), x(), if S::DIMENSION == 3 { x() } else { 0.0 }]));
             }
             Takes::Number => out.push([0.25, 0.5, 0.75, 0.0, 1.0, -0.5, 3.0][random.below(7)].into()),
+            Takes::Map => {
+                let numbers = [1.0, 0.0, -1.0, 2.0, 0.5, 1.5];
+                out.extend((0..S::DIMENSION * (S::DIMENSION + 1)).map(|_| Argument::from(numbers[random.below(6)])));
+            }
             Takes::Switch => out.push((random.below(2) == 0).into()),
             Takes::Vertices => {
                 let corners = 3 + random.below(2);

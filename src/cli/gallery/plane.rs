@@ -2,7 +2,6 @@
 
 use super::Made;
 use super::lesson;
-use crate::triangulate::sketch;
 use dcel_kit::FaceId;
 use dcel_kit::figure::sketch::{Backdrop, Multiples};
 use dcel_kit::figure::{self, Detail, FigureOptions};
@@ -41,14 +40,14 @@ pub(super) fn triangulation() -> Made<String> {
     let mut pieces = island.clone();
     let added = pieces.split_into_monotone(FaceId::new(1))?;
     let text = "every upright line meets a piece in one stretch";
-    sheet.over("Monotone pieces", text, &island, Backdrop::Plain, sketch(&pieces, &added.diagonals));
+    sheet.over("Monotone pieces", text, &island, Backdrop::Plain, figure::diagonals_of(&pieces, &added.diagonals));
     for (method, heading, text) in [
         (TriangulationMethod::Monotone, "Their triangles", "14 half-edges, 2 rings: 14 + 2 · 2 - 2 = 16"),
         (TriangulationMethod::Ears, "Ears", "rings are joined by bridges, then corners are cut off"),
     ] {
         let mut triangles = island.clone();
         let added = triangles.triangulate(method)?;
-        sheet.over(heading, text, &island, Backdrop::Plain, sketch(&triangles, &added.diagonals));
+        sheet.over(heading, text, &island, Backdrop::Plain, figure::diagonals_of(&triangles, &added.diagonals));
     }
     let options = FigureOptions::new("Triangulation").id_prefix("triangulation").width(340.0).detail(Detail::Edges);
     Ok(sheet.columns(3).figure(&options)?.to_svg())

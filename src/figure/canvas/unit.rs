@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 /// The unit of the width and the height that a file states.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+#[non_exhaustive]
 pub enum Unit {
     /// CSS px, 96 of them an inch.
     #[default]

@@ -31,6 +31,7 @@ pub enum Detail {
 
 /// What is written into the faces.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+#[non_exhaustive]
 pub enum FaceLabels {
     /// Nothing.
     Off,

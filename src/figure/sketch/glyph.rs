@@ -9,6 +9,7 @@ use crate::figure::canvas::vector::{Xy, xy};
 
 /// The shape of a mark.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[non_exhaustive]
 pub enum Glyph {
     /// A small disc.
     Dot,

@@ -16,6 +16,7 @@ use std::fmt::Write;
 
 /// What a thing is for.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
+#[non_exhaustive]
 pub enum Role {
     /// Walls, sites, sweep lines: what the picture is made of. Ink.
     #[default]

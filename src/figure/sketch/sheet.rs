@@ -35,6 +35,7 @@ const LAYERS: usize = 4;
 
 /// How the structure under a sketch looks.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+#[non_exhaustive]
 pub enum Backdrop {
     /// As in the structure figure.
     Plain,

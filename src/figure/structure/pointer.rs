@@ -17,6 +17,7 @@ use crate::plane::PlanarView;
 
 /// A kind of pointer. `prev` is none of them: it is `next` read backwards.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[non_exhaustive]
 pub enum Pointers {
     /// From every half-edge to the one after it along its face.
     Next,

@@ -247,6 +247,35 @@ impl Subdivision {
         self.set_point_with(vertex, point, &mut NoRecorder)
     }
 
+    /// Moves a vertex by a way: [`set_point`](Self::set_point) with its place and the way added up, each coordinate rounded
+    /// once.
+    ///
+    /// # Errors
+    /// Those of [`set_point`](Self::set_point).
+    ///
+    /// ```
+    /// use dcel_kit::{VertexId, plane::{Point, Subdivision}};
+    /// let mut lab = Subdivision::lab_rectangle();
+    /// lab.move_vertex(VertexId::new(0), [10.0, -5.0])?;
+    /// assert_eq!(lab.point(VertexId::new(0)), Point::new(-240.0, -155.0));
+    /// # Ok::<(), dcel_kit::plane::SetPointError>(())
+    /// ```
+    pub fn move_vertex(&mut self, vertex: VertexId, by: [f64; 2]) -> Result<(), SetPointError> {
+        self.move_vertex_with(vertex, by, &mut NoRecorder)
+    }
+
+    /// [`move_vertex`](Self::move_vertex), watched by a recorder.
+    pub fn move_vertex_with(
+        &mut self,
+        vertex: VertexId,
+        by: [f64; 2],
+        rec: &mut impl PlaneRecorder,
+    ) -> Result<(), SetPointError> {
+        self.dcel.check(vertex)?;
+        let Point { x, y } = self.points[vertex];
+        self.set_point_with(vertex, Point::new(x + by[0], y + by[1]), rec)
+    }
+
     /// [`set_point`](Self::set_point), watched by a recorder.
     pub fn set_point_with(
         &mut self,

@@ -71,6 +71,7 @@ pub enum HullError {
 
 /// What the faces of a hull are.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+#[non_exhaustive]
 pub enum HullFaces {
     /// Each face is a whole side of the hull: triangles in one plane are one polygon.
     #[default]

@@ -85,6 +85,26 @@ impl Polyhedron {
         Ok(())
     }
 
+    /// Moves a vertex by a way: [`set_point`](Self::set_point) with its place and the way added up. O(1).
+    ///
+    /// # Errors
+    /// [`PlaceError`]; then nothing has changed.
+    pub fn move_vertex(&mut self, vertex: VertexId, by: [f64; 3]) -> Result<(), PlaceError> {
+        self.move_vertex_with(vertex, by, &mut NoRecorder)
+    }
+
+    /// [`move_vertex`](Self::move_vertex), watched by a recorder.
+    pub fn move_vertex_with(
+        &mut self,
+        vertex: VertexId,
+        by: [f64; 3],
+        rec: &mut impl SurfaceRecorder,
+    ) -> Result<(), PlaceError> {
+        self.dcel.check(vertex)?;
+        let old = self.points[vertex];
+        self.set_point_with(vertex, [0, 1, 2].map(|i| old[i] + by[i]), rec)
+    }
+
     /// Transforms everything by an affine map. A reflection turns all half-edges round, so that faces run
     /// counter-clockwise as seen from outside again; all ids stay. Every new coordinate is the exact value, rounded once.
     ///

@@ -173,6 +173,7 @@ impl Default for Style {
 
 /// For which pages a figure is made.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+#[non_exhaustive]
 pub enum Theme {
     /// Light, and dark for readers who prefer that.
     #[default]

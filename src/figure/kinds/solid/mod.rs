@@ -29,6 +29,7 @@ use crate::topology::{Dcel, View};
 
 /// What becomes of hidden lines.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+#[non_exhaustive]
 pub enum HiddenLines {
     /// They are dashed.
     #[default]
