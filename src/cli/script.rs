@@ -34,6 +34,9 @@ pub(crate) struct Args {
     #[arg(long)]
     dump: bool,
     /// Draw the edits frame by frame: a strip (.svg, .png), or a page that shows one frame at a time (.html)
+    ///
+    /// A structure without coordinates is laid out: within a circle, or, if it is a surface with handles, as
+    /// a polygon whose sides are glued in pairs with one letter. A surface in space is seen from one place.
     #[arg(long, value_name = "OUT")]
     film: Option<PathBuf>,
     #[command(flatten)]

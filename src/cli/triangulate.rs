@@ -95,7 +95,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         }
     }
     args.results.draw(&args.file, "Triangles", |options| {
-        figure::triangulation(&before, &after, &added.diagonals, &options).map_err(|error| Failure::about(&source, error))
+        figure::triangulation(&before, &after, &added.diagonals, &options)
+            .map_err(|error| Failure::about(&source, error))
     })?;
     let report = Report {
         source,

@@ -213,6 +213,8 @@ fn plane() -> BTreeSet<&'static str> {
     t.refuses("split_in_half", own.split_in_half(H));
     t.refuses("split_in_half_with", own.split_in_half_with(H, &mut none));
     t.refuses("can_set_point", s.can_set_point(V, at));
+    t.refuses("move_vertex", own.move_vertex(V, [1.0, 0.0]));
+    t.refuses("move_vertex_with", own.move_vertex_with(V, [1.0, 0.0], &mut none));
     t.refuses("set_point", own.set_point(V, at));
     t.refuses("set_point_with", own.set_point_with(V, at, &mut none));
     let overlay = s.overlay(s).expect("the same twice");
@@ -294,6 +296,8 @@ fn solid() -> BTreeSet<&'static str> {
     t.refuses("join_edges_with", own.join_edges_with(H, &mut journal));
     t.refuses("join_faces", own.join_faces(H));
     t.refuses("join_faces_with", own.join_faces_with(H, &mut journal));
+    t.refuses("move_vertex", own.move_vertex(V, [0.0; 3]));
+    t.refuses("move_vertex_with", own.move_vertex_with(V, [0.0; 3], &mut journal));
     t.refuses("set_point", own.set_point(V, [0.0; 3]));
     t.refuses("set_point_with", own.set_point_with(V, [0.0; 3], &mut journal));
     t.refuses("split_edge", own.split_edge(H, [0.0; 3]));
@@ -373,4 +377,51 @@ fn an_id_that_does_not_exist_is_named_by_every_function_that_takes_one() {
         assert!(left.is_empty(), "functions of {folder} that take an id and are not tried here: {left:?}");
     }
     assert!(matches!(Subdivision::lab_rectangle().locate(Point::new(-9.0, 0.0)), Location::Face(_)));
+}
+
+/// The two halves of a removed edge, a removed vertex and a removed face, asked for in each structure.
+#[cfg(debug_assertions)]
+#[test]
+fn a_removed_id_is_named_by_every_getter_in_debug_builds() {
+    let mut lab = Subdivision::lab_rectangle();
+    let (h, f) = lab.split_face(HalfEdgeId::new(2), HalfEdgeId::new(8)).unwrap();
+    let (v, half) = lab.split_in_half(h).unwrap();
+    lab.join_edges(h).unwrap();
+    lab.join_faces(h).unwrap();
+    let mut cube = Polyhedron::platonic(Platonic::Cube);
+    cube.remove_vertex(VertexId::new(0)).unwrap();
+    let (corner, gone) = (VertexId::new(0), cube.topology());
+    let edge = (0..24).map(HalfEdgeId::new).find(|&h| !gone.has_half_edge(h)).unwrap();
+    let face = (0..6).map(FaceId::new).find(|&f| !gone.has_face(f)).unwrap();
+    assert!(!lab.has_half_edge(h) && !lab.has_half_edge(half) && !lab.has_vertex(v) && !lab.has_face(f));
+    let mut t = Table::default();
+    for (h, v, f, s) in [(h, v, f, lab.topology()), (edge, corner, face, cube.topology())] {
+        for h in [h, h.twin()] {
+            t.panics("origin", || s.origin(h));
+            t.panics("destination", || s.destination(h));
+            t.panics("next", || s.next(h));
+            t.panics("prev", || s.prev(h));
+            t.panics("face", || s.face(h));
+            t.panics("cw", || s.cw(h));
+            t.panics("ccw", || s.ccw(h));
+            t.panics("cycle", || s.cycle(h).count());
+            t.panics("star", || s.star(h).count());
+        }
+        t.panics("outgoing", || s.outgoing(v));
+        t.panics("degree", || s.degree(v));
+        t.panics("boundary", || s.boundary(f));
+        t.panics("incident_half_edges", || s.incident_half_edges(f).count());
+    }
+    t.panics("point", || lab.point(v));
+    t.panics("rings", || lab.rings(f).len());
+    t.panics("is_hole", || lab.is_hole(f));
+    t.panics("point", || cube.point(corner));
+    t.panics("is_boundary_face", || cube.is_boundary_face(face));
+    for (name, said) in &t.rows {
+        assert!(said.contains("was removed earlier") && !said.contains("42949"), "{name} said: {said}");
+    }
+    let named = |element: String| t.rows.iter().any(|(_, said)| said.starts_with(&element));
+    assert!(
+        [v.to_string(), f.to_string(), h.to_string(), h.twin().to_string(), corner.to_string()].map(named) == [true; 5]
+    );
 }

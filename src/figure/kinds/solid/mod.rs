@@ -22,7 +22,7 @@ pub use crate::figure::kinds::solid::camera::Camera;
 use crate::figure::kinds::solid::hidden::{Piece, Seen};
 use crate::figure::sketch::{Backdrop, Role, Sketch, SketchError};
 use crate::figure::{Figure, FigureOptions};
-use crate::ids::{VertexId, VertexMap};
+use crate::ids::{FaceId, VertexId, VertexMap};
 use crate::plane::{PlanarView, Point};
 use crate::solid::Polyhedron;
 use crate::topology::{Dcel, View};
