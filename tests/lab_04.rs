@@ -29,6 +29,8 @@ mod lab;
 #[path = "../labs/04-half-edge/src/pen.rs"]
 #[allow(unreachable_pub)]
 mod pen;
+#[path = "../labs/04-half-edge/src/records.rs"]
+mod records;
 #[path = "../labs/04-half-edge/src/start.rs"]
 #[allow(unreachable_pub)]
 mod start;

@@ -19,7 +19,10 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// The labs that are compiled in.
-const BUNDLE: [&str; 1] = [include_str!("bundle/04-half-edge.txt")];
+const BUNDLE: &[&str] = &[
+    #[cfg(feature = "lab-04")]
+    include_str!("bundle/04-half-edge.txt"),
+];
 /// Where the solution is.
 const SOLUTION: &str = "solution/";
 /// Where the known mistakes are, and the line of such a file from which on it says how to make the mistake.
@@ -71,12 +74,18 @@ pub enum LabFilesError {
 }
 
 impl LabFiles {
-    /// The names of the labs that are compiled in, in the order of their numbers; then those that were added to this
-    /// program, see [`add_own`](crate::courses::add_own).
+    /// The names of the labs that are compiled in, in the order of their numbers.
     #[must_use]
     pub fn bundled_names() -> Vec<String> {
-        let names = BUNDLE.iter().filter_map(|archive| archive.lines().next()?.strip_prefix("lab ").map(str::to_owned));
-        names.chain(courses::own().iter().map(courses::OwnLab::name)).collect()
+        BUNDLE.iter().filter_map(|archive| archive.lines().next()?.strip_prefix("lab ").map(str::to_owned)).collect()
+    }
+
+    /// The names of the labs that are compiled in, then of those that were added to this program, see
+    /// [`add_own`](crate::courses::add_own).
+    #[must_use]
+    pub fn known_names() -> Vec<String> {
+        let own = courses::own();
+        Self::bundled_names().into_iter().chain(own.iter().map(courses::OwnLab::name)).collect()
     }
 
     /// The folder of a lab that was added to this program, if it is one: the lab with its solution.
@@ -91,13 +100,16 @@ impl LabFiles {
     /// # Errors
     /// [`LabFilesError::Unknown`] with the names that there are.
     pub fn bundled(name: &str) -> Result<Self, LabFilesError> {
-        let known = Self::bundled_names();
+        let known = Self::known_names();
         let Some(place) = known.iter().position(|lab| is_called(lab, name)) else {
             return Err(LabFilesError::Unknown { name: name.to_owned(), known });
         };
         match BUNDLE.get(place) {
             Some(archive) => Self::from_archive(archive),
-            None => Ok(Self::read(&Self::own_folder(&known[place]).unwrap_or_default())?.handed_out()),
+            None => {
+                let files = Self::read(&Self::own_folder(&known[place]).unwrap_or_default())?.handed_out();
+                Ok(Self { name: known[place].clone(), ..files })
+            }
         }
     }
 
@@ -108,7 +120,9 @@ impl LabFiles {
     /// # Errors
     /// [`LabFilesError::Unreadable`] for what cannot be read or is no text.
     pub fn read(folder: &Path) -> Result<Self, LabFilesError> {
-        let name = folder.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+        // `..` is a folder with a name, too.
+        let there = folder.canonicalize().map_err(|error| LabFilesError::Unreadable { path: folder.into(), error })?;
+        let name = there.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
         let mut files = BTreeMap::new();
         collect(folder, "", &mut files)?;
         let handout = files.get("README.md").map_or("", String::as_str);

@@ -43,6 +43,8 @@ mod learn;
 mod manifest;
 mod marked;
 mod own_folder;
+#[cfg(feature = "grade")]
+mod own_lab;
 pub mod pictures;
 mod plan;
 mod program;
@@ -73,11 +75,15 @@ mod zoo;
 
 #[cfg(feature = "grade")]
 pub use batch::{GradeOptions, Grader, Outcome};
+// What judges of half-edge structures are written with.
+pub use dcel_kit::topology::{Table, View};
+pub use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
+
 pub use bug::{Bug, BugError, Edit};
 #[cfg(feature = "grade")]
 pub use export::{Packed, classroom50_files, gradescope_files, zipped};
 pub use features::FeatureSet;
-pub use feedback::{graded, test_text};
+pub use feedback::{graded, graded_by, test_text};
 pub use files::{LabFiles, LabFilesError};
 pub use grade::{grade_and_sign, grade_program};
 #[cfg(feature = "grade")]
@@ -85,6 +91,8 @@ pub use kit::{COPIES, KitBuild, Package, sources};
 pub use manifest::{Manifest, Task, Test};
 pub use marked::{MarkError, starter};
 pub use own_folder::{FolderCheck, Workbench, check_folder};
+#[cfg(feature = "grade")]
+pub use own_lab::{NewLabError, new_lab};
 pub use plan::{Plan, Secret};
 pub use program::{Driver, End, Limits, Program, Ran, end_of, signal_name};
 pub use report::{Adjustment, Finding, Picture, Report, Similar, TestResult, Visibility, Wall};

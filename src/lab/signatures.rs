@@ -43,7 +43,7 @@ impl Signatures {
     /// The text of `signatures.toml`.
     #[must_use]
     pub fn to_text(&self) -> String {
-        let mut out = "# How each bug of the zoo fails. Generated: `dcel lab verify --write`.\n".to_owned();
+        let mut out = "# How each known mistake fails. Generated: `dcel lab verify --write`.\n".to_owned();
         for (number, signature) in &self.bugs {
             let _ = writeln!(out, "\n[{number}]");
             for (test, hash) in signature {

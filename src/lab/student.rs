@@ -10,6 +10,7 @@
 //!     src/…      tests/                given
 //! ```
 
+use super::courses::FOLDERS;
 use super::files::LabFiles;
 use super::kit::{self, KitBuild};
 use std::collections::BTreeMap;
@@ -17,9 +18,13 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 /// Folders of a lab that no student gets.
-const KEPT: [&str; 2] = ["solution/", "bugs/"];
+const KEPT: [&str; 3] = ["solution/", "bugs/", "program/"];
 /// How a lab in the repository names the kit.
 const IN_THE_REPOSITORY: &str = "path = \"../../src/lab\"";
+/// The judge of a lab that is not one of the kit.
+const JUDGE: &str = "judge/Cargo.toml";
+/// The lab as it was handed out, beside its judge: what a student changes in given files is not what is judged.
+pub(super) const ARCHIVE: &str = "judge/lab.txt";
 /// The folder of the kit's sources.
 const INSIDE: &str = "kit";
 /// The folder of the package that the tests use, in a checkout of the kit.
@@ -40,9 +45,10 @@ pub enum Kit {
 }
 
 impl Kit {
-    fn toml(&self) -> String {
+    /// How a manifest names the engine, `up` from the student's folder.
+    fn toml(&self, up: &str) -> String {
         match self {
-            Self::Inside => format!("path = \"{INSIDE}/{PACKAGE}\""),
+            Self::Inside => format!("path = \"{up}{INSIDE}/{PACKAGE}\""),
             Self::Path(path) => format!("path = {}", quoted(&path.join(PACKAGE).to_string_lossy())),
             Self::Git(url) => format!("git = {}", quoted(url)),
             Self::Version(version) => format!("version = {}", quoted(version)),
@@ -76,17 +82,32 @@ pub fn student_files(lab: &LabFiles, kit: &Kit) -> BTreeMap<String, String> {
     files.insert("README.md".to_owned(), lab.handout());
     files.insert("Cargo.toml".to_owned(), manifest(own, kit));
     files.insert("Cargo.lock".to_owned(), lock(own));
+    if let Some(judge) = lab.get(JUDGE) {
+        files.insert(JUDGE.to_owned(), judge_manifest(judge, kit));
+        files.insert(ARCHIVE.to_owned(), lab.handed_out().to_archive());
+    }
     files.insert(".gitignore".to_owned(), "/target\n".to_owned());
     if *kit == Kit::Inside {
         let sources = kit::sources(KitBuild::Check).chain(kit::MANIFESTS);
+        let sources = sources.filter(|(path, _)| !of_other_lab(path, lab.name()));
         files.extend(sources.map(|(path, text)| (format!("{INSIDE}/{path}"), text.to_owned())));
     }
     files
 }
 
+/// Whether a source of the kit judges another lab than this one.
+fn of_other_lab(path: &str, lab: &str) -> bool {
+    let others = FOLDERS.iter().filter(|(name, _)| *name != lab);
+    let mut theirs =
+        others.flat_map(|(name, folder)| [format!("src/lab/courses/{folder}/"), format!("src/lab/bundle/{name}.txt")]);
+    theirs.any(|begin| path.starts_with(&begin))
+}
+
 /// The lab's manifest as that of a workspace of its own, with the kit from somewhere.
 fn manifest(text: &str, kit: &Kit) -> String {
-    let mut out = text.replace(IN_THE_REPOSITORY, &kit.toml());
+    // A lab of an instructor is a workspace with a program that no student gets.
+    let text = text.split("\n[workspace]").next().unwrap_or_default().trim_end();
+    let mut out = text.replace(IN_THE_REPOSITORY, &kit.toml("")) + "\n";
     out.push_str(
         "\n# Nobody debugs into what the tests use; without the means to do so it is compiled sooner.\n\
          [profile.dev.package.\"*\"]\ndebug = false\n\n\
@@ -95,6 +116,15 @@ fn manifest(text: &str, kit: &Kit) -> String {
          # This folder is a workspace of its own, wherever it stands.\n[workspace]\n",
     );
     out
+}
+
+/// The manifest of an own lab's judge, with the kit from somewhere.
+fn judge_manifest(text: &str, kit: &Kit) -> String {
+    let place = |line: &str| match line.starts_with("dcel-lab = ") {
+        true => format!("dcel-lab = {{ {}, default-features = false }}\n", kit.toml("../")),
+        false => format!("{line}\n"),
+    };
+    text.lines().map(place).collect()
 }
 
 /// The versions of everything that the tests are built with.
@@ -107,7 +137,7 @@ fn lock(manifest: &str) -> String {
 }
 
 /// A TOML string: the escapes of JSON mean the same there.
-fn quoted(text: &str) -> String {
+pub(super) fn quoted(text: &str) -> String {
     serde_json::Value::from(text).to_string()
 }
 
@@ -122,7 +152,7 @@ mod tests {
             ("git=https://x.test/a=b", "git = \"https://x.test/a=b\""),
             ("version=0.1", "version = \"0.1\""),
         ] {
-            assert_eq!(text.parse::<Kit>().unwrap().toml(), toml);
+            assert_eq!(text.parse::<Kit>().unwrap().toml(""), toml);
         }
         for wrong in ["", "path", "path=", "dir=x"] {
             assert!(wrong.parse::<Kit>().is_err(), "{wrong}");

@@ -6,6 +6,7 @@ mod class;
 mod commands;
 mod doors;
 mod examples;
+mod own_lab;
 #[path = "../shell/mod.rs"]
 mod shell;
 mod verified;

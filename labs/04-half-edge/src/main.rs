@@ -14,6 +14,7 @@ mod dcel;
 #[path = "../../harness/mod.rs"]
 mod harness;
 mod pen;
+mod records;
 mod start;
 mod svg;
 

@@ -3,6 +3,9 @@
 //! The k-th edge that a start states becomes the half-edges h(2k), on the side that states it, and h(2k+1), on the
 //! other side. f0 is the outer face, f1 the first face inside.
 
+// A lab uses the starts that it needs.
+#![allow(dead_code)]
+
 use crate::dcel::{Dcel, FaceId, HalfEdgeId, VertexId};
 use crate::harness::{points, whole};
 

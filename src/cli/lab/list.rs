@@ -65,7 +65,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         match &args.lab {
             Some(name) => out.json(&Listed::of(lab(name)?))?,
             None => {
-                let names = LabFiles::bundled_names();
+                let names = LabFiles::known_names();
                 let all = names.iter().map(|name| lab(name).map(Listed::of));
                 out.json(&all.collect::<Result<Vec<_>, _>>()?)?;
             }
@@ -74,7 +74,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     }
     let Some(name) = &args.lab else {
         let mut rows = Vec::new();
-        for name in LabFiles::bundled_names() {
+        for name in LabFiles::known_names() {
             let manifest = lab(&name)?.manifest;
             rows.push([name, format!("{} points", manifest.max_points()), manifest.title]);
         }

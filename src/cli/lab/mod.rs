@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   list ── start ── check ⇄ watch     the student's way; hint and reset on the side
-//!   verify ── export                   the instructor's
+//!   new ── verify ── export            the instructor's
 //! ```
 
 mod bundle;
@@ -12,6 +12,7 @@ mod folder;
 mod hint;
 mod kit;
 mod list;
+mod new;
 mod reset;
 mod start;
 mod verify;
@@ -40,6 +41,7 @@ enum Command {
     Hint(hint::Args),
     Reset(reset::Args),
     Verify(verify::Args),
+    New(new::Args),
     Export(export::Args),
     #[command(hide = true)]
     Bundle(bundle::Args),
@@ -52,6 +54,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         Command::Check(args) => check::run(args, out),
         Command::Watch(args) => watch::run(args, out),
         Command::Verify(args) => verify::run(args, out),
+        Command::New(args) => new::run(args, out),
         Command::Hint(args) => hint::run(args, out),
         Command::Reset(args) => reset::run(args, out),
         Command::Export(args) => export::run(args, out),

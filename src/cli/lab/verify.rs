@@ -42,7 +42,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         None => {
             let names = match &args.lab {
                 Some(name) => vec![super::lab(name)?.name],
-                None => LabFiles::bundled_names(),
+                None => LabFiles::known_names(),
             };
             let (own, names): (Vec<_>, Vec<_>) =
                 names.into_iter().partition(|name| LabFiles::own_folder(name).is_some());

@@ -1,11 +1,14 @@
 //! The judges of the labs that come with the kit. Nothing else here knows a lab by its name.
 //!
-//! A further lab is a folder here, a line in [`judge_of`], and a folder in `labs/`. A lab outside of the kit brings its
+//! A further lab is a folder here, a line in [`judge_of`] and in [`FOLDERS`], a feature of the package, and a folder in
+//! `labs/`. A lab outside of the kit brings its
 //! judge along, see [`Lab::with_judge`](crate::Lab::with_judge).
 
+#[cfg(feature = "lab-04")]
 pub mod half_edge;
 
 use crate::judge::Judge;
+use crate::manifest::Manifest;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
@@ -13,23 +16,28 @@ use std::sync::{Mutex, PoisonError};
 #[must_use]
 pub fn judge_of(lab: &str) -> Option<&'static dyn Judge> {
     match lab {
+        #[cfg(feature = "lab-04")]
         "04-half-edge" => Some(&half_edge::HALF_EDGE),
         _ => own().into_iter().find(|own| own.name() == lab).map(|own| own.judge),
     }
 }
+
+/// The labs of the kit, and the folder here that each of them needs.
+pub const FOLDERS: &[(&str, &str)] = &[("04-half-edge", "half_edge")];
 
 /// A lab outside of the kit.
 #[derive(Clone)]
 pub(crate) struct OwnLab {
     /// Where its `lab.toml` lies.
     pub(crate) folder: PathBuf,
+    name: String,
     judge: &'static dyn Judge,
 }
 
 impl OwnLab {
-    /// As its folder is called.
+    /// As its `lab.toml` says; the name of its folder if that cannot be read.
     pub(crate) fn name(&self) -> String {
-        self.folder.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+        self.name.clone()
     }
 }
 
@@ -41,7 +49,11 @@ static OWN: Mutex<Vec<OwnLab>> = Mutex::new(Vec::new());
 pub fn add_own(folder: &Path, judge: &'static dyn Judge) {
     // `judge/..` is the lab's folder by another name.
     let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
-    OWN.lock().unwrap_or_else(PoisonError::into_inner).push(OwnLab { folder, judge });
+    let manifest = std::fs::read_to_string(folder.join("lab.toml")).ok();
+    let manifest = manifest.and_then(|text| Manifest::parse(&text, "lab.toml").ok());
+    let of_folder = || folder.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let name = manifest.map_or_else(of_folder, |manifest| manifest.name);
+    OWN.lock().unwrap_or_else(PoisonError::into_inner).push(OwnLab { folder, name, judge });
 }
 
 /// The labs that were added.

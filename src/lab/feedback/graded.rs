@@ -2,7 +2,8 @@
 
 use super::page::page;
 use super::test_text;
-use crate::{FolderCheck, Lab, Plan, Report, TestResult, Verdict, check_folder, typed};
+use crate::judge::Judge;
+use crate::{FolderCheck, Lab, LabFiles, Plan, Report, TestResult, Verdict, check_folder, typed};
 use std::io::Write;
 use std::path::Path;
 use std::sync::OnceLock;
@@ -20,9 +21,32 @@ static CHECK: OnceLock<Result<FolderCheck, String>> = OnceLock::new();
 /// If the test is not passed, with all that there is to say about it: this is how a test fails.
 #[track_caller]
 pub fn graded(lab: &str, folder: &Path, work: &Path, test: &str) {
-    let work = work.join(lab);
+    judged(lab, || Lab::bundled(lab).map_err(|error| error.to_string()), folder, work, test);
+}
+
+/// [`graded`] for a lab that brings its judge along, in the folder `judges` beside the lab's files.
+///
+/// # Panics
+/// As [`graded`].
+#[track_caller]
+pub fn graded_by(judge: &'static dyn Judge, judges: &Path, folder: &Path, work: &Path, test: &str) {
+    let lab = || -> Result<Lab, String> {
+        // In a student's folder the lab is what was handed out; in the instructor's it is what stands there.
+        let archive = judges.join("lab.txt");
+        let files = match std::fs::read_to_string(&archive) {
+            Ok(text) => LabFiles::from_archive(&text),
+            Err(_) => LabFiles::read(&judges.join("..")),
+        };
+        Lab::with_judge(files.map_err(|error| error.to_string())?, judge).map_err(|error| error.to_string())
+    };
+    judged("lab", lab, folder, work, test);
+}
+
+#[track_caller]
+fn judged(name: &str, lab: impl FnOnce() -> Result<Lab, String>, folder: &Path, work: &Path, test: &str) {
+    let work = work.join(name);
     let check = CHECK.get_or_init(|| {
-        let lab = Lab::bundled(lab).map_err(|error| error.to_string())?;
+        let lab = lab()?;
         let check = check_folder(&lab, folder, &work, &Plan::from_environment());
         // Past the harness, which shows what tests print only if they fail.
         let mut out = std::io::stderr().lock();
@@ -35,7 +59,7 @@ pub fn graded(lab: &str, folder: &Path, work: &Path, test: &str) {
         Ok(FolderCheck { report, .. }) => match report.tests.iter().find(|result| result.name == test) {
             Some(result) if result.verdict == Verdict::Passed => return,
             Some(result) => text(report, result, &work),
-            None => format!("{test} is no graded test of {lab}"),
+            None => format!("{test} is no graded test of {}", report.lab),
         },
         Err(error) => format!("{}: {error}", Verdict::GraderFault),
     };

@@ -13,7 +13,7 @@ mod picture;
 mod shrink;
 mod text;
 
-pub use graded::graded;
+pub use graded::{graded, graded_by};
 pub use text::test_text;
 
 use super::fault::{Exchange, Fault, FaultKind, exchanges};

@@ -17,7 +17,9 @@ pub(super) fn of_build(build: KitBuild, package: Package, checkout: &str) -> Str
     match package {
         Package::Kit => {}
         Package::Lab => out.push_str("\n[lib]\npath = \"lib.rs\"\n"),
-        Package::Program => out.push_str("\n[[bin]]\nname = \"dcel\"\npath = \"main.rs\"\n"),
+        Package::Program => out.push_str(
+            "\n[lib]\nname = \"dcel_cli\"\npath = \"lib.rs\"\n\n[[bin]]\nname = \"dcel\"\npath = \"main.rs\"\n",
+        ),
     }
     let used = build.features(package);
     match build {

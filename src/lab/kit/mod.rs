@@ -148,6 +148,10 @@ impl Package {
     }
 }
 
+/// The features of `dcel-lab` that stand for labs.
+const LABS: &[&str] = GRADE_AND_LABS.split_at(1).1;
+const GRADE_AND_LABS: &[&str] = &["grade", "lab-04"];
+
 /// A build of the kit whose sources are carried along.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum KitBuild {
@@ -185,8 +189,9 @@ impl KitBuild {
             (Self::Program, Package::Kit) => {
                 &["compare", "figure", "files", "io", "navmesh", "script", "solid", "sources"]
             }
-            (Self::Program, Package::Lab) => &["grade"],
-            (Self::Check, _) | (Self::Program, Package::Program) => &[],
+            (Self::Check, Package::Lab) => LABS,
+            (Self::Program, Package::Lab) => GRADE_AND_LABS,
+            (_, Package::Program) => &[],
         }
     }
 

@@ -46,6 +46,7 @@ pub(super) const FURTHER: &[(&str, &str)] = &[
     ("src/cli/lab/kit/sources.rs", include_str!("../../lab/kit/sources.rs")),
     ("src/cli/lab/list.rs", include_str!("../../lab/list.rs")),
     ("src/cli/lab/mod.rs", include_str!("../../lab/mod.rs")),
+    ("src/cli/lab/new.rs", include_str!("../../lab/new.rs")),
     ("src/cli/lab/reset.rs", include_str!("../../lab/reset.rs")),
     ("src/cli/lab/start.rs", include_str!("../../lab/start.rs")),
     ("src/cli/lab/verify.rs", include_str!("../../lab/verify.rs")),

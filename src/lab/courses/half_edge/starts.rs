@@ -12,12 +12,12 @@
 //! ```
 
 use super::spec;
+use crate::cases::cycles::from_cycles;
 use crate::cases::random::Random;
 use crate::cases::starts::polygon;
 use crate::protocol::Start;
 use dcel_kit::topology::{FaceRow, HalfEdgeRow, Table, VertexRow, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
-use std::collections::BTreeMap;
 
 /// A square with an edge from one corner into it that ends nowhere.
 pub(super) fn antenna() -> Table {
@@ -151,49 +151,6 @@ pub(super) fn window() -> Table {
     }
     let faces: [&[u32]; 5] = [&[0, 3, 6, 7, 8, 5, 2, 1], &[0, 1, 4, 3], &[1, 2, 5, 4], &[4, 5, 8, 7], &[3, 4, 7, 6]];
     from_cycles(&points, &faces)
-}
-
-/// A structure from the corners of its faces, the outer one first and clockwise. No two edges may join the same
-/// vertices.
-fn from_cycles(points: &[[f64; 2]], faces: &[&[u32]]) -> Table {
-    let mut table = Table { outer_face: Some(FaceId::new(0)), ..Table::default() };
-    let vertex = |position: &[f64; 2]| Some(VertexRow { position: Some(*position), outgoing: None });
-    table.vertices = points.iter().map(vertex).collect();
-    let mut by_ends: BTreeMap<[u32; 2], HalfEdgeId> = BTreeMap::new();
-    for (f, cycle) in faces.iter().enumerate() {
-        let first = table.half_edges.len();
-        let half_edge = |i: usize| HalfEdgeId::new((first + i % cycle.len()) as u32);
-        for (i, &from) in cycle.iter().enumerate() {
-            let ends = [from, cycle[(i + 1) % cycle.len()]];
-            let h = half_edge(i);
-            let twin = by_ends.get(&[ends[1], ends[0]]).copied();
-            if let Some(row) = twin.and_then(|twin| table.half_edges[twin.index()].as_mut()) {
-                row.twin = Some(h);
-            }
-            by_ends.insert(ends, h);
-            table.half_edges.push(Some(HalfEdgeRow {
-                origin: Some(VertexId::new(from)),
-                twin,
-                next: Some(half_edge(i + 1)),
-                prev: Some(half_edge(i + cycle.len() - 1)),
-                face: Some(FaceId::new(f as u32)),
-            }));
-            if let Some(vertex) = &mut table.vertices[from as usize] {
-                vertex.outgoing = Some(h);
-            }
-        }
-        table.faces.push(Some(FaceRow { boundary: Some(half_edge(0)), ..FaceRow::default() }));
-    }
-    // An edge with the same face on both sides meets its twin only once both are there.
-    for i in 0..table.half_edges.len() {
-        let h = HalfEdgeId::new(i as u32);
-        let ends = table.origin(h).zip(table.next(h).and_then(|next| table.origin(next)));
-        let twin = ends.and_then(|(from, to)| by_ends.get(&[to.number(), from.number()]).copied());
-        if let Some(row) = &mut table.half_edges[i] {
-            row.twin = twin;
-        }
-    }
-    table
 }
 
 /// The same structure with other numbers for its half-edges, other stored representatives, and another outer face.

@@ -1,0 +1,19 @@
+//! The program of the lab. Nothing here is for you to change: your part is `lab.rs`.
+//!
+//! ```text
+//!   cargo run                    reads cases from standard input, prints what your code made of them
+//!   cargo run -- my-case.txt     the same from a file
+//! ```
+
+mod calls;
+mod dcel;
+mod harness;
+mod records;
+mod start;
+
+// The last one: what it declares for itself, macros say, is not seen by the modules above.
+mod lab;
+
+fn main() -> std::process::ExitCode {
+    harness::main::<calls::Lab>()
+}
