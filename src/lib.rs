@@ -12,11 +12,13 @@
 //! - and `prev` the one before it.
 //!
 //! y points up; bounded faces run counter-clockwise; `f0`, the outer face, is a face like any other. So no walk
-//! needs a special case:
+//! needs a special case. Every decision about positions is exact; every edit that is refused leaves everything as it
+//! was; every error says which element, where, and what to try.
+//!
+//! # A first program
 //!
 //! ```
-//! use dcel_kit::plane::Subdivision;
-//! use dcel_kit::HalfEdgeId;
+//! use dcel_kit::{HalfEdgeId, Subdivision};
 //!
 //! let mut lab = Subdivision::lab_rectangle();
 //! let (h, new_face) = lab.split_face(HalfEdgeId::new(2), HalfEdgeId::new(8))?;
@@ -28,28 +30,53 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! | room | what is in it |
+//! The folder `examples/` of the repository holds ten programs of this kind, each with what it prints.
+//!
+//! # What do you want to do?
+//!
+//! | task | begin with |
 //! |---|---|
-//! | [`ids`] | `v3`, `h7`, `e3`, `f0`, and arrays indexed by them |
-//! | [`topology`] | [`Dcel`](topology::Dcel): the structure without any coordinate; walks, edits, laws, builder |
-//! | [`plane`] | [`Subdivision`](plane::Subdivision): positions, exact decisions, the converter from triangles |
-//! | [`navmesh`] | [`NavMesh`](navmesh::NavMesh): neighbours, location, ways over a map, up to the exact shortest one |
-//! | [`solid`] | [`Polyhedron`](solid::Polyhedron): positions in space |
-//! | [`edits`] | the table of all edits: a word, arguments and results for each |
-//! | [`script`] | edits as text: typed by a student, printed by a failing test |
-//! | [`io`] | formats in and out |
-//! | [`figure`] | drawings as SVG |
-//! | [`compare`] | two drawings compared by what they mean |
-//! | [`files`] | files that are there whole or not at all |
+//! | learn, or teach: the bare structure, its walks, edits and laws | [`Dcel`], [`topology`] |
+//! | draw in the plane: build, edit, locate, triangulate, overlay | [`Subdivision`], [`plane`] |
+//! | find paths on a map | [`NavMesh`], [`navmesh`] |
+//! | model surfaces in space | [`Polyhedron`], [`solid`] |
+//! | read and write files | [`io::load`], [`io::write_path`] |
+//! | make pictures | [`figure::structure()`], [`figure`] |
+//! | type edits, replay them, film them | [`script::Script`], [`figure::Film`] |
+//! | write an edit of your own | [`edits::Row`], [`topology::Editing`] |
+//! | keep data of your own on elements | [`ids::IdMap`], [`topology::Followed`] |
+//! | ask whether two structures or drawings are the same | [`topology::same()`], [`compare::compare()`] |
 //!
-//! The first three are always there; each of the others is a feature of the same name, and on by default.
-//! `default-features = false` leaves the structure and the plane, built with two crates of others (`robust` and
-//! `thiserror`) in a few seconds; add `features = ["figure"]` for drawings or `["io"]` for files. The feature `png` is
-//! off by default. Labs graded from outside are the package `dcel-lab`, the command line is the package `dcel`.
+//! # Which features?
 //!
-//! Words used elsewhere: *dart* is a half-edge, *sym* or *opposite* is `twin`, *tail* is `origin`, *tip* or
-//! *head* is `destination`, *dcel* and *half-edge structure* mean the same.
+//! `solid`, `navmesh`, `script`, `io`, `figure` and `compare` are on by default. [`ids`], [`topology`] and [`plane`] are always there: with `default-features =
+//! false` they are the whole library.
+//!
+//! | feature | what it brings | crates, the library itself among them |
+//! |---|---|---|
+//! | (none) | ids, the structure, the plane: build, edit, locate, triangulate, overlay | 8 |
+//! | `solid` | surfaces and solids in space | 8 |
+//! | `navmesh` | neighbours, location and paths on maps and floors | 8 |
+//! | `script` | the table of edits, edits as text | 8 |
+//! | `files` | files that are there whole or not at all | 8 |
+//! | `io` | formats in and out; `solid` and `files` with it | 15 |
+//! | `figure` | drawings as SVG | 16 |
+//! | `compare` | drawings compared by what they mean; `figure` with it | 17 |
+//! | `serde` | structures, ids and points written and read, checked | 11 |
+//! | `geo-types` | polygons and lines of geographic crates in and out | 11 |
+//! | `glam`, `mint` | points as vectors | 9 each |
+//! | `png` | figures as PNG, with a font of their own; `figure` with it | 61 |
+//!
+//! A page on `serde`, `geo-types`, `glam` and `mint` is the module `interop`, which is there with any of them.
+//!
+//! Labs graded from outside are the package `dcel-lab`, the command line is the package `dcel`.
+//!
+//! # Words used elsewhere
+//!
+//! *dart* is a half-edge, *sym* or *opposite* is `twin`, *tail* is `origin`, *tip* or *head* is `destination`, *dcel* and
+//! *half-edge structure* mean the same.
 
+#![cfg_attr(docsrs, feature(doc_cfg))]
 // Nothing may panic on data: an error, or expect() with the reason why it cannot happen.
 #![warn(clippy::unwrap_used)]
 
@@ -63,6 +90,8 @@ pub mod figure;
 pub mod files;
 mod geometry;
 pub mod ids;
+#[cfg(any(feature = "serde", feature = "geo-types", feature = "mint", feature = "glam"))]
+pub mod interop;
 #[cfg(feature = "io")]
 pub mod io;
 #[cfg(feature = "navmesh")]

@@ -67,5 +67,7 @@ pub use segments::{
 };
 pub use subdivision::{PlanarView, Subdivision};
 pub use table::TableError;
+#[cfg(feature = "serde")]
+pub(crate) use table::dcel_of_table;
 pub use triangulate::{TriangulateError, Triangulated, TriangulationMethod};
 pub use voronoi::{Voronoi, VoronoiCells, VoronoiEdge, VoronoiError, Window};

@@ -112,6 +112,12 @@ impl Subdivision {
     }
 }
 
+/// The structure of a table that obeys the laws and whose twins are h ^ 1. All elements keep their numbers.
+#[cfg(feature = "serde")]
+pub(crate) fn dcel_of_table(table: &Table) -> Dcel {
+    Numbers { old: None, new: Vec::new(), outer: FaceId::new(0) }.structure(table)
+}
+
 /// Numbers without a row get a place that nobody looks at.
 fn positions(table: &Table) -> Result<VertexMap<Point>, TableError> {
     let mut points = VertexMap::filled(table.vertices.len(), Point::default());

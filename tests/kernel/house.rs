@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each room of the library with the rooms that it may use.
-const ROOMS: [(&str, &[&str]); 13] = [
+const ROOMS: [(&str, &[&str]); 14] = [
     ("ids", &[]),
     ("files", &[]),
     ("sources", &[]),
@@ -16,6 +16,7 @@ const ROOMS: [(&str, &[&str]); 13] = [
     ("solid", &["geometry", "ids", "plane", "topology"]),
     ("navmesh", &["geometry", "ids", "plane", "topology"]),
     ("io", &["files", "geometry", "ids", "plane", "solid", "topology"]),
+    ("interop", &["geometry", "ids", "navmesh", "plane", "solid", "topology"]),
     ("edits", &["geometry", "ids", "plane", "solid", "topology"]),
     ("script", &["edits", "geometry", "ids", "plane", "solid", "topology"]),
     ("figure", &["edits", "geometry", "ids", "navmesh", "plane", "script", "solid", "topology"]),
