@@ -31,6 +31,7 @@ mod input;
 mod lab;
 mod locate;
 mod looks;
+mod man;
 mod navmesh;
 mod output;
 mod overlay;
@@ -111,6 +112,7 @@ enum Command {
     Tour(tour::Args),
     Figures(figures::Args),
     Completions(completions::Args),
+    Man(man::Args),
 }
 
 impl Command {
@@ -142,12 +144,14 @@ impl Command {
             Self::Tour(args) => tour::run(&args, out),
             Self::Figures(args) => figures::run(&args, out),
             Self::Completions(args) => completions::run(&args, out),
+            Self::Man(args) => man::run(&args, out),
         }
     }
 }
 
 /// The program `dcel`.
 pub fn main() -> ExitCode {
+    completions::answer_a_shell();
     // Behind walls the command starts itself again to put them up.
     dcel_lab::launched().unwrap_or_else(answered)
 }

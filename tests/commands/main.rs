@@ -17,6 +17,7 @@ mod samples;
 mod script;
 #[path = "../shell/mod.rs"]
 mod shell;
+mod shells;
 mod solid;
 mod storeys;
 mod targets;

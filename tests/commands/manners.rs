@@ -3,7 +3,7 @@
 use crate::shell::{Folder, GARDEN, SQUARE, TRIANGLE, grid};
 use std::process::Stdio;
 
-const COMMANDS: [&str; 14] = [
+const COMMANDS: [&str; 15] = [
     "info",
     "validate",
     "walk",
@@ -18,6 +18,7 @@ const COMMANDS: [&str; 14] = [
     "figure",
     "sample",
     "completions",
+    "man",
 ];
 
 #[test]
@@ -147,17 +148,13 @@ fn standard_input_and_line_ends() {
 #[test]
 fn every_option_is_in_the_help_and_explained() {
     let folder = Folder::new();
-    let script = folder.dcel("completions bash").fine();
     for command in COMMANDS {
-        // The completions know all options, hidden ones too.
-        let start =
-            script.find(&format!("dcel__subcmd__{command})")).or_else(|| script.find(&format!("dcel__{command})")));
-        let part = &script[start.unwrap_or_else(|| panic!("{command} in the completions"))..];
-        let options = part.split("opts=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("opts");
+        let options = folder.completed(command, "--");
+        assert!(options.contains(&"--help".to_owned()), "{command}: {options:?}");
         let help = folder.dcel(&format!("{command} --help")).fine();
         assert_eq!(folder.dcel(&format!("help {command}")).fine(), help);
         let lines: Vec<&str> = help.lines().map(str::trim).collect();
-        for option in options.split_whitespace().filter(|word| word.starts_with("--")) {
+        for option in &options {
             let explained = lines
                 .iter()
                 .position(|line| line.split([' ', ',']).any(|word| word == option) && line.starts_with('-'));

@@ -3,7 +3,7 @@
 //! ```text
 //!   lesson     the structures that figures and tour begin with
 //!   chart      logarithmic axes
-//!   specimen  primitives  plane  delaunay  labs     a function for each figure that takes more than a line
+//!   specimen  primitives  plane  delaunay  labs  rooms     a function for each figure that takes more than a line
 //! ```
 
 mod chart;
@@ -12,6 +12,7 @@ mod labs;
 pub(crate) mod lesson;
 mod plane;
 mod primitives;
+mod rooms;
 mod specimen;
 
 use crate::{Failure, save};
@@ -158,6 +159,11 @@ static REFERENCES: &[Reference] = &[
         },
     },
     Reference {
+        file: "rooms.svg",
+        about: "the rooms of the kit, and which uses which: read from the sources, so never older than they are",
+        draw: rooms::picture,
+    },
+    Reference {
         file: "schlegel.svg",
         about: "the dodecahedron seen through one of its faces, which is f0: a Schlegel diagram",
         draw: || {
@@ -302,7 +308,7 @@ fn command(file: &str) -> &'static str {
         "interactive.svg" => "dcel figure FILE --interactive -o OUT.svg",
         "pointers.svg" => "dcel figure FILE --pointers all -o OUT.svg",
         "records.svg" => "dcel figure --records -o OUT.svg",
-        "figure-sizes.svg" | "primitives.svg" | "robustness.svg" | "vocabulary.svg" | "walk.svg"
+        "figure-sizes.svg" | "primitives.svg" | "robustness.svg" | "rooms.svg" | "vocabulary.svg" | "walk.svg"
         | "wrong-signs.svg" => "dcel figures",
         "navmesh-ladder.svg" => {
             "dcel navmesh path figures/data/rooms.map 21.5 5.5 0.5 4.5 --triangles --rung all -o OUT.svg"

@@ -18,6 +18,8 @@ mod start;
 mod verify;
 mod watch;
 
+pub(crate) use kit::program_sources;
+
 use super::{Answer, Failure, Output};
 
 /// Do a lab, or set one

@@ -14,6 +14,6 @@ const MADE: [(&str, &str); 4] = [
 ];
 
 /// The files of a folder in which `cargo install --locked --path src/cli` makes this program: path and text.
-pub(super) fn program_sources() -> impl Iterator<Item = (&'static str, &'static str)> {
+pub(crate) fn program_sources() -> impl Iterator<Item = (&'static str, &'static str)> {
     dcel_lab::sources(KitBuild::Program).chain(sources::FURTHER.iter().copied()).chain(MADE)
 }
