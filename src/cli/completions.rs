@@ -38,7 +38,8 @@ pub(crate) struct Args {
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let name = args.shell.to_string();
-    let shell = Shells::builtins().completer(&name).ok_or_else(|| {
+    let shells = Shells::builtins();
+    let shell = shells.completer(&name).ok_or_else(|| {
         Failure::input(
             format!("there are no completions for {name}"),
             "bash, elvish, fish, powershell and zsh have some",

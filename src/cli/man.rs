@@ -30,9 +30,9 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
 
 /// The page of a command, and those of the commands below it: `dcel-navmesh-path.1`.
 fn write_page(command: &Command, name: &str, dir: &Path, pages: &mut usize) -> Result<(), Failure> {
-    let shown = command.clone().name(name.to_owned()).display_name(name.to_owned());
     let mut page = Vec::new();
-    clap_mangen::Man::new(shown).render(&mut page)?;
+    let man = clap_mangen::Man::new(command.clone().display_name(name.to_owned()));
+    man.source(concat!("dcel ", env!("CARGO_PKG_VERSION"))).render(&mut page)?;
     save::put(&dir.join(format!("{name}.1")), page)?;
     *pages += 1;
     for below in command.get_subcommands().filter(|below| !below.is_hide_set()) {

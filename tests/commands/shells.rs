@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 impl Folder {
     /// What may follow, asked as fish does: the words before the cursor, then the one at it.
-    fn completed(&self, words: &str, current: &str) -> Vec<String> {
+    pub(crate) fn completed(&self, words: &str, current: &str) -> Vec<String> {
         let mut command = self.command("");
         command.env("DCEL_COMPLETE", "fish").args(["--", "dcel"]).args(words.split_whitespace()).arg(current);
         let output = command.output().expect("the command starts");

@@ -13,6 +13,7 @@ mod kernel_script;
 mod missing_ids;
 mod oracles;
 mod own;
+mod pages;
 mod refusals;
 mod same;
 mod script;

@@ -15,16 +15,16 @@ use std::collections::{BTreeMap, BTreeSet};
 /// What stands in each room, and the column that it has in the picture. A room that is not here gets a column of its own.
 const ROOMS: [(&str, &str, f64); 15] = [
     ("cli", "the command", 1.0),
-    ("lab", "labs, graded from outside", 1.0),
-    ("compare", "drawings by what they mean", 1.0),
-    ("figure", "drawings", 1.0),
+    ("lab", "exercises, graded", 1.0),
+    ("compare", "what drawings mean", 0.0),
+    ("figure", "drawings", 0.0),
     ("script", "texts of edits", 1.0),
     ("edits", "the table of edits", 1.0),
     ("io", "formats", 2.0),
     ("solid", "surfaces in space", 1.0),
     ("navmesh", "paths on a map", 0.0),
     ("plane", "positions, exactly", 1.0),
-    ("topology", "who hangs with whom", 1.0),
+    ("topology", "the bare structure", 1.0),
     ("geometry", "points, exact signs", 0.0),
     ("ids", "v3 h7 e3 f0", 1.0),
     ("files", "whole or not at all", 2.0),
@@ -55,12 +55,30 @@ pub(super) fn picture() -> Made<String> {
         }
     }
     for (room, below) in reduced(&uses) {
-        let ([x, y], [u, v]) = (place(&room), place(&below));
-        let ends = [[x, y - SIZE[1] / 2.0], [u, v + SIZE[1] / 2.0]];
-        sketch.path(Role::Main, ends).solid().arrow().title(format!("{room} uses {below}"));
+        let others = uses.keys().filter(|other| **other != room && **other != below);
+        let boxes: Vec<[f64; 2]> = others.map(|other| place(other)).collect();
+        let path = route(place(&room), place(&below), &boxes);
+        sketch.path(Role::Main, path).solid().arrow().title(format!("{room} uses {below}"));
     }
     let options = FigureOptions::new("The rooms of the kit").id_prefix("rooms").width(560.0);
     Ok(sketch.figure(&options)?.to_svg())
+}
+
+/// A path from a box down to another that crosses no third one: straight, else to the side and down.
+fn route([x, y]: [f64; 2], [u, v]: [f64; 2], boxes: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let [w, h] = SIZE.map(|size| size / 2.0);
+    let (side, top) = ([x + w, y], [u, v + h]);
+    let lane = x + PITCH[0] / 2.0;
+    let paths =
+        [vec![[x, y - h], top], vec![side, [u, y], top], vec![side, [lane, y], [lane, v + PITCH[1] / 2.0], top]];
+    let is_free = |path: &Vec<[f64; 2]>| {
+        let points = path.windows(2).flat_map(|ends| {
+            (0..=100).map(|i| [0, 1].map(|k| ends[0][k] + (ends[1][k] - ends[0][k]) * f64::from(i) / 100.0))
+        });
+        points.into_iter().all(|[a, b]| boxes.iter().all(|[x, y]| (a - x).abs() > w || (b - y).abs() > h))
+    };
+    let [straight, ..] = &paths;
+    paths.iter().find(|path| is_free(path)).unwrap_or(straight).clone()
 }
 
 /// Which room uses which, from paths and texts of source files.
