@@ -43,7 +43,7 @@ fn files_are_completed_by_their_ends() {
     assert_eq!(wanted("compare", "o"), expected(&["old.svg"]));
     assert_eq!(wanted("locate square.obj -o", "o"), expected(&["old.png", "old.svg"]));
     assert_eq!(wanted("figure square.obj --html", "o"), expected(&["old.html"]));
-    assert_eq!(wanted("sample --all", ""), expected(&["maps/"]));
+    assert_eq!(wanted("sample --all", ""), expected(&[".", "maps/"]));
 }
 
 #[test]
@@ -51,7 +51,7 @@ fn commands_options_and_values_are_completed() {
     let folder = folder();
     assert_eq!(folder.completed("", "tri"), ["triangulate"]);
     assert_eq!(folder.completed("navmesh", "sc"), ["scenario"]);
-    assert_eq!(folder.completed("triangulate square.obj", "--me"), ["--mend", "--method"]);
+    assert_eq!(folder.completed("triangulate square.obj", "--me"), ["--method", "--mend"]);
     assert_eq!(folder.completed("triangulate square.obj --method", "m"), ["monotone"]);
 }
 
