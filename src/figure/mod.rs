@@ -1,16 +1,14 @@
 //! Figures: a half-edge structure as SVG.
 //!
-//! ```text
-//!   view ──> layout/  scale, level of detail, free places ──> structure/  elements, names, pointers ──> canvas/  SVG
-//!
-//!   canvas/     ink: shapes with classes, styles, widths of texts, SVG          knows nothing of structures
-//!   layout/     where things go                                                 knows the canvas
-//!   structure/  the structure figure, element by element                        knows both
-//!   sketch/     paths, cones, circles, badges …: drawings made of named parts, alone or over a structure
-//!   kinds/      one subject each: duals, Voronoi diagrams, paths, solids, records, tables …
-//!   flatten/    structures without coordinates, laid out
-//!   film/       edits, frame by frame                      page/   a page of HTML with a picture to walk in
-//! ```
+//! | task | begin with |
+//! |---|---|
+//! | draw a structure | [`structure()`], [`FigureOptions`] |
+//! | show its pointers | [`pointers`], [`focus()`], [`tables()`] |
+//! | edits, step by step | [`Film`] |
+//! | a page to click through | [`page()`], [`Page`] |
+//! | duals, Voronoi diagrams | [`dual()`], [`voronoi_cells`] |
+//! | something of your own, alone or over a structure | [`sketch`] |
+//! | colours, sizes | [`Style`], [`Palette`], [`Unit`], [`Overrides`] |
 //!
 //! Reading rules of every figure: arrows run on the left of their edge and their one-sided barb points to
 //! their face; the outer face is hatched and named like any other; a hole face is hatched the other way.
@@ -31,6 +29,18 @@
 //! assert!(figure.to_svg().contains("id=\"a-triangle-h0\""));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+
+// The files of this folder:
+//
+//   view ──> layout/  scale, level of detail, free places ──> structure/  elements, names, pointers ──> canvas/  SVG
+//
+//   canvas/     ink: shapes with classes, styles, widths of texts, SVG          knows nothing of structures
+//   layout/     where things go                                                 knows the canvas
+//   structure/  the structure figure, element by element                        knows both
+//   sketch/     paths, cones, circles, badges …: drawings made of named parts, alone or over a structure
+//   kinds/      one subject each: duals, Voronoi diagrams, paths, solids, records, tables …
+//   flatten/    structures without coordinates, laid out
+//   film/       edits, frame by frame                      page/   a page of HTML with a picture to walk in
 
 pub(crate) mod canvas;
 mod film;

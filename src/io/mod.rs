@@ -14,19 +14,28 @@
 //!
 //! No reader trusts a count in a file: memory grows with the data that are there. None panics or hangs.
 //!
-//! ```text
-//!   ways in       read.rs load.rs        from bytes or a path to a Document (document.rs), and on to a structure
-//!   ways out      write.rs model.rs      from a structure to a file; names.rs writes ids
-//!   polygons      obj.rs off.rs ply/ stl.rs triangle.rs mesh/ grid.rs     one format each, into soup.rs and labels.rs
-//!   JSON          json.rs -> geojson.rs topojson.rs -> geometries.rs arrays.rs nodes.rs
-//!                 rings.rs               joins equal points of rings
-//!   segments      segments.rs wkt.rs poly.rs -> arrange.rs
-//!   others        dcel.rs tables.rs      whole structures       scen/  queries       points.rs  points alone
-//!   formats       format.rs sniff.rs     by name or by content
-//!   text          text.rs words.rs near.rs    words with places, numbers with their words, words that were meant
-//!   faults        problem.rs load_error.rs misfit.rs write_error.rs       room.rs  asks for memory before it is needed
-//!   repair        mend.rs                polygons that are split so that they fit
-//! ```
+//! | task | types |
+//! |---|---|
+//! | from a file to a structure | [`load()`], [`LoadOptions`], [`Structure`] |
+//! | from a structure to a file | [`write_path`], [`Model`], [`Format`] |
+//! | from bytes, without building anything | [`read_bytes`], [`Document`], [`PolygonSoup`], [`SegmentSoup`] |
+//! | points alone | [`read_points`], [`PointList`] |
+//! | grid maps and their queries | [`Grid`], [`Scenario`] |
+//! | what is wrong, and where | [`ReadError`], [`LoadError`], [`Places`] |
+
+// The files of this folder:
+//
+//   ways in       read.rs load.rs        from bytes or a path to a Document (document.rs), and on to a structure
+//   ways out      write.rs model.rs      from a structure to a file; names.rs writes ids
+//   polygons      obj.rs off.rs ply/ stl.rs triangle.rs mesh/ grid.rs     one format each, into soup.rs and labels.rs
+//   JSON          json.rs -> geojson.rs topojson.rs -> geometries.rs arrays.rs nodes.rs
+//                 rings.rs               joins equal points of rings
+//   segments      segments.rs wkt.rs poly.rs -> arrange.rs
+//   others        dcel.rs tables.rs      whole structures       scen/  queries       points.rs  points alone
+//   formats       format.rs sniff.rs     by name or by content
+//   text          text.rs words.rs near.rs    words with places, numbers with their words, words that were meant
+//   faults        problem.rs load_error.rs misfit.rs write_error.rs       room.rs  asks for memory before it is needed
+//   repair        mend.rs                polygons that are split so that they fit
 
 mod arrange;
 mod arrays;

@@ -1,21 +1,35 @@
 //! Half-edge structures in the plane: positions, exact decisions, faces that cover the whole plane.
 //!
-//! ```text
-//!   subdivision.rs              a Dcel with positions: f0 is the outer face, faces may have rings
-//!   convert/                    polygons and triangles -> subdivision       table.rs   tables -> subdivision
-//!   segments/                   any straight-line graph -> subdivision         meet/      all crossings, exactly
-//!   delaunay/                   of points, by flips, with fixed edges
-//!   voronoi/                    cells of nearest sites: the dual of Delaunay
-//!   overlay/                    two subdivisions on each other, and their regions
-//!   mend/                       polygons that overlap or cross -> subdivision
-//!   affine.rs                   maps that keep straight lines straight
-//!   check.rs                    the laws of the plane                                   measure.rs areas, exactly
-//!   edit/                       split_face, join_faces, split_edge, join_edges; insert and remove vertices, edges, segments
-//!   plane_journal.rs            watching the edits, undo
-//!   locate/                     where a point lies: scan, walk, index
-//!   triangulate/                faces into triangles: ears, monotone pieces              hull.rs    points -> convex hull
-//!   sweep.rs cycle.rs rings.rs  what lies below, which way round, which ring in which face
-//! ```
+//! | task | types |
+//! |---|---|
+//! | a subdivision, to walk and to ask | [`Subdivision`], [`Point`], [`Location`]; any structure with positions is a [`PlanarView`] |
+//! | make one of polygons or triangles | [`Subdivision::from_polygons`], [`Subdivision::from_triangles`], [`ConvertOptions`]; of polygons that overlap [`Mended`] |
+//! | make one of segments | [`Subdivision::from_segments`], [`ArrangeOptions`], [`Arranged`] |
+//! | edit it, watch the edit, take it back | [`Subdivision::split_face`] and its like in [`edit`]; [`PlaneRecorder`], [`PlaneJournal`] |
+//! | move it | [`Subdivision::set_point`], [`Affine`] |
+//! | find where points lie | [`Subdivision::locate`], [`PointIndex`], [`Walk`] |
+//! | triangulate | [`Subdivision::delaunay`], [`ConstrainedDelaunay`], [`TriangulationMethod`] |
+//! | Voronoi diagrams, hulls | [`Voronoi`], [`VoronoiCells`], [`Window`], [`convex_hull`] |
+//! | lay two on each other | [`Subdivision::overlay`], [`Overlay`], [`Operation`] |
+//! | check the laws of the plane | [`GeometryViolation`] |
+//! | decide exactly | [`predicates`] |
+
+// The files of this folder:
+//
+//   subdivision.rs              a Dcel with positions: f0 is the outer face, faces may have rings
+//   convert/                    polygons and triangles -> subdivision       table.rs   tables -> subdivision
+//   segments/                   any straight-line graph -> subdivision         meet/      all crossings, exactly
+//   delaunay/                   of points, by flips, with fixed edges
+//   voronoi/                    cells of nearest sites: the dual of Delaunay
+//   overlay/                    two subdivisions on each other, and their regions
+//   mend/                       polygons that overlap or cross -> subdivision
+//   affine.rs                   maps that keep straight lines straight
+//   check.rs                    the laws of the plane                                   measure.rs areas, exactly
+//   edit/                       split_face, join_faces, split_edge, join_edges; insert and remove vertices, edges, segments
+//   plane_journal.rs            watching the edits, undo
+//   locate/                     where a point lies: scan, walk, index
+//   triangulate/                faces into triangles: ears, monotone pieces              hull.rs    points -> convex hull
+//   sweep.rs cycle.rs rings.rs  what lies below, which way round, which ring in which face
 
 mod affine;
 mod check;

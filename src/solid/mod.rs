@@ -12,20 +12,31 @@
 //! A surface may pass through itself, and its faces need not be flat. Where coordinates decide (is it convex? what is
 //! the hull? which vertex is furthest?), the decision is exact.
 //!
-//! ```text
-//!   dynamic/    add_face, remove_face, add_vertex,            surface_journal.rs  watching them, undo
-//!               remove_vertex, collapse_edge
-//!   parts.rs    what a surface is made of
-//!   local/      split, flip, bevel, inset, extrude; points move
-//!   measure.rs  counts, area, volume                          flat.rs convex.rs wings.rs  exact questions about shape
-//!   angles.rs   angles and curvatures
-//!   hull/       the convex hull of points                     support.rs          the furthest vertex, by climbing
-//!                                                             support_map.rs      the same, prepared
-//!   grow/       shapes out of rings and the torus seed        subdivide/          finer surfaces
-//!   platonic.rs archimedean.rs  solids to start from          dual.rs derived.rs wythoff.rs  solids from solids
-//!   handles.rs  a curve that does not cut the surface         winged.rs           tables of the slides
-//!   schlegel.rs seen through a face, in the plane
-//! ```
+//! | task | types |
+//! |---|---|
+//! | a surface, to walk and to ask | [`Polyhedron`] |
+//! | make one | [`Polyhedron::from_polygons`], [`Platonic`], [`Archimedean`], [`Hull`], [`grow`] |
+//! | edit it, watch the edit, take it back | [`Polyhedron::bevel_vertex`] and its like; [`SurfaceRecorder`], [`SurfaceJournal`] |
+//! | make it finer, or its dual | [`Subdivided`], [`Dual`], [`Selection`] |
+//! | measure | [`Polyhedron::area`], [`Polyhedron::signed_volume`], [`Measures`] |
+//! | ask about its shape | [`Convex`], [`FaceFault`] |
+//! | find the furthest vertex | [`Convex`], [`SupportMap`] |
+//! | lay it flat, write its tables | [`Schlegel`], [`WingedEdges`] |
+
+// The files of this folder:
+//
+//   dynamic/    add_face, remove_face, add_vertex,            surface_journal.rs  watching them, undo
+//               remove_vertex, collapse_edge
+//   parts.rs    what a surface is made of
+//   local/      split, flip, bevel, inset, extrude; points move
+//   measure.rs  counts, area, volume                          flat.rs convex.rs wings.rs  exact questions about shape
+//   angles.rs   angles and curvatures
+//   hull/       the convex hull of points                     support.rs          the furthest vertex, by climbing
+//                                                             support_map.rs      the same, prepared
+//   grow/       shapes out of rings and the torus seed        subdivide/          finer surfaces
+//   platonic.rs archimedean.rs  solids to start from          dual.rs derived.rs wythoff.rs  solids from solids
+//   handles.rs  a curve that does not cut the surface         winged.rs           tables of the slides
+//   schlegel.rs seen through a face, in the plane
 
 mod angles;
 mod archimedean;

@@ -1,19 +1,31 @@
 //! The combinatorial structure: how vertices, half-edges and faces hang together, without any coordinate.
 //!
-//! ```text
-//!   links.rs     the memory layout, and nothing else knows it
-//!   pool.rs      records come and go: counts, free lists, undo, compact
-//!   walk.rs      round a face, round a vertex
-//!   edit/        split_face, join_faces, split_edge, join_edges, split_vertex, join_vertices, collapse_edge, flip_edge
-//!   seed.rs      polygons to start from        build.rs     from lists of polygons
-//!   orient.rs    which faces to turn round
-//!   record.rs    watching an edit              view.rs, table.rs   reading any structure   replay.rs  an edit on a table
-//!   reads.rs     the reading methods, for structures that hold one
-//!   log.rs       a journal of more than pointers           follow.rs   data that follow edits
-//!   own.rs       edits that are not in the kit
-//!   validate.rs  the laws                      same.rs      equality up to names      measure.rs  counts
-//!   dual.rs      faces become vertices
-//! ```
+//! | task | types |
+//! |---|---|
+//! | the structure, to walk and to ask | [`Dcel`]; any structure, also a broken one, is a [`View`] |
+//! | make one | [`Dcel::polygon`], [`Dcel::from_polygons`], [`PolygonList`] |
+//! | edit it, watch the edit, take it back | [`Dcel::split_face`] and its like; [`Recorder`], [`Journal`] |
+//! | write an edit of your own | [`Editing`] |
+//! | keep data on elements while they come and go | [`Followed`], [`Renumbering`] |
+//! | check the laws | [`violations`], [`Violation`], [`Rule`] |
+//! | count | [`measure()`], [`Counts`], [`components`] |
+//! | compare | [`same()`], [`SameOptions`], [`Matching`], [`Difference`] |
+//! | tables, as on slides or from other programs | [`Table`] |
+
+// The files of this folder:
+//
+//   links.rs     the memory layout, and nothing else knows it
+//   pool.rs      records come and go: counts, free lists, undo, compact
+//   walk.rs      round a face, round a vertex
+//   edit/        split_face, join_faces, split_edge, join_edges, split_vertex, join_vertices, collapse_edge, flip_edge
+//   seed.rs      polygons to start from        build.rs     from lists of polygons
+//   orient.rs    which faces to turn round
+//   record.rs    watching an edit              view.rs, table.rs   reading any structure   replay.rs  an edit on a table
+//   reads.rs     the reading methods, for structures that hold one
+//   log.rs       a journal of more than pointers           follow.rs   data that follow edits
+//   own.rs       edits that are not in the kit
+//   validate.rs  the laws                      same.rs      equality up to names      measure.rs  counts
+//   dual.rs      faces become vertices
 
 mod build;
 mod dual;
