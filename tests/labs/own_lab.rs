@@ -3,6 +3,7 @@
 
 use dcel_lab::{Kit, Lab, LabFiles, courses, new_lab, student_files, verify};
 use std::fs;
+use std::process::Command;
 
 // The judge that every new lab begins with, as it stands in the kit.
 #[path = "../../src/lab/template/judge/lib.rs"]
@@ -53,4 +54,39 @@ fn a_new_lab_is_whole_and_grades_rightly() {
     assert_eq!(files["Cargo.toml"].matches("[workspace]").count(), 1, "{}", files["Cargo.toml"]);
     assert!(files.values().all(|text| !text.contains("let on_border")), "the solution was handed out");
     assert!(!files.keys().any(|path| path.contains("courses/half_edge")), "the judges of other labs are not needed");
+}
+
+#[test]
+fn the_command_makes_a_lab_and_its_starter_anew() {
+    let dir = tempfile::tempdir().unwrap();
+    let dcel = |words: &[&str]| {
+        let output = Command::new(env!("CARGO_BIN_EXE_dcel")).args(words).current_dir(dir.path()).output().unwrap();
+        let said = [&output.stdout[..], &output.stderr[..]].concat();
+        (output.status.code(), String::from_utf8(said).unwrap())
+    };
+    let (code, said) = dcel(&["lab", "new", "12-mine"]);
+    assert!(code == Some(0) && said.contains("cd 12-mine/program") && said.contains("lab verify 12"), "{said}");
+    // No checkout is around: the published kit.
+    let version = format!("dcel = {{ version = \"{}\" }}", env!("CARGO_PKG_VERSION"));
+    assert!(fs::read_to_string(dir.path().join("12-mine/program/Cargo.toml")).unwrap().contains(&version));
+    for (words, told) in [
+        (&["lab", "new", "12-mine"][..], "12-mine: is not empty"),
+        (&["lab", "new", "mine"], "`mine` cannot be a lab"),
+        (&["lab", "new", "13-x", "--kit", "path=nowhere"], "nowhere: no checkout of the kit is there"),
+    ] {
+        let (code, said) = dcel(words);
+        assert!(code == Some(2) && said.contains(told), "{said}");
+    }
+    let solution = dir.path().join("12-mine/solution/lab.rs");
+    let text = fs::read_to_string(&solution).unwrap().replace("todo!(\"border_edges\")", "todo!(\"count them\")");
+    fs::write(&solution, text).unwrap();
+    let known = || fs::read_to_string(dir.path().join("12-mine/bugs/signatures.toml")).unwrap();
+    let before = known();
+    let (code, said) = dcel(&["lab", "verify", "--from", "12-mine", "--write"]);
+    assert!(
+        code == Some(1) && said.contains("nothing judges this lab") && said.contains("src/lab.rs: written"),
+        "{said}"
+    );
+    assert!(fs::read_to_string(dir.path().join("12-mine/src/lab.rs")).unwrap().contains("count them"));
+    assert_eq!(known(), before, "nothing is known of how the mistakes fail");
 }

@@ -2,7 +2,7 @@
 
 use super::super::{Answer, Failure, Output, failure, save};
 use dcel_kit::files::ScratchFolder;
-use dcel_lab::{Lab, LabFiles, verify};
+use dcel_lab::{Lab, LabFiles, starter, verify};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -31,12 +31,16 @@ pub(crate) struct Args {
     /// The folder of one lab
     #[arg(long, value_name = "DIR")]
     from: Option<PathBuf>,
-    /// Write how the bugs fail into the folder's bugs/signatures.toml
+    /// Write what is made from the solution: the starter src/lab.rs, and how the known mistakes fail,
+    /// bugs/signatures.toml
     #[arg(long, requires = "from")]
     write: bool,
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    if let (true, Some(folder)) = (args.write, &args.from) {
+        write_starter(folder, &read(folder)?, out)?;
+    }
     let labs = match &args.from {
         Some(folder) => vec![read(folder)?],
         None => {
@@ -66,7 +70,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
             Failure::input(format!("the lab cannot be built: {error}"), "a Rust toolchain is needed: see rustup.rs")
         })?;
         writeln!(out, "{}", found.matrix().trim_end())?;
-        if let (true, Some(folder)) = (args.write, &args.from) {
+        // Where nothing judges, nothing is known of how they fail.
+        if let (true, Some(folder), Some(_)) = (args.write, &args.from, lab.judge()) {
             let path = folder.join("bugs/signatures.toml");
             save::put(&path, found.signatures.to_text())?;
             writeln!(out, "{}: written", path.display())?;
@@ -81,6 +86,16 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         }
     }
     Ok(answer)
+}
+
+/// Writes the starter, if it is not what the solution makes of it. What is wrong with the marks is said by the
+/// verification.
+fn write_starter(folder: &Path, lab: &Lab, out: &mut Output) -> Result<(), Failure> {
+    let made = lab.files.get("solution/lab.rs").and_then(|solution| starter(solution).ok());
+    let Some(made) = made.filter(|made| lab.files.get("src/lab.rs") != Some(made)) else { return Ok(()) };
+    let path = folder.join("src/lab.rs");
+    save::put(&path, made)?;
+    Ok(writeln!(out, "{}: written", path.display())?)
 }
 
 fn read(folder: &Path) -> Result<Lab, Failure> {
