@@ -630,7 +630,7 @@ fn costs_on_a_surface_that_can_be_laid_flat_are_those_of_the_plane() {
             for v in (0..map.points.len() as u32).map(VertexId::new) {
                 match (flat.distance(v), field.distance(v)) {
                     (Some(one), Some(other)) => {
-                        assert!((one - other).abs() < 1e-9 * (1.0 + one), "seed {seed}, {round}: {v}")
+                        assert!((one - other).abs() < 1e-9 * (1.0 + one), "seed {seed}, {round}: {v}");
                     }
                     (one, other) => assert_eq!(one, other, "seed {seed}, {round}: {v}"),
                 }
