@@ -57,12 +57,10 @@ pub fn focus<V: PlanarView + ?Sized>(view: &V, h: HalfEdgeId, options: &FigureOp
         let count = (0..bound as u32).filter(|&h| view.has_half_edge(HalfEdgeId(h))).count();
         return Err(FigureError::NoHalfEdge { half_edge: h, count, bound });
     }
-    let Some(chosen) = &options.faces else { return draw(view, h, options) };
-    let part = Part::new(view, chosen)?;
-    if part.has_half_edge(h) { draw(&part, h, options) } else { Err(FigureError::NotDrawn { element: h.into() }) }
-}
-
-fn draw<V: PlanarView + ?Sized>(view: &V, h: HalfEdgeId, options: &FigureOptions) -> Result<Figure, FigureError> {
+    let view = &Part::of(view, options)?;
+    if !view.has_half_edge(h) {
+        return Err(FigureError::NotDrawn { element: h.into() });
+    }
     let mut options = options.checked().half_edge_labels(false);
     options.usual_width = 620.0;
     let usual = crate::figure::Style::default();

@@ -48,17 +48,7 @@ pub fn pointers<V: PlanarView + ?Sized>(
     families: &[Pointers],
     options: &FigureOptions,
 ) -> Result<Figure, FigureError> {
-    match &options.faces {
-        Some(chosen) => panels(&Part::new(view, chosen)?, families, options),
-        None => panels(view, families, options),
-    }
-}
-
-fn panels<V: PlanarView + ?Sized>(
-    view: &V,
-    families: &[Pointers],
-    options: &FigureOptions,
-) -> Result<Figure, FigureError> {
+    let view = &Part::of(view, options)?;
     let mut options = options.checked();
     options.usual_width = WIDTH;
     // Smaller than in other figures: face arrows need the room.
@@ -77,7 +67,7 @@ fn panels<V: PlanarView + ?Sized>(
     for &family in &families {
         let look = if families.len() == 1 { Look::default() } else { Look::instance(family.class()) };
         let look = look.rest(Mark::Dim);
-        let arrows = plate.pointers(view, &Plate::<V>::family(view, family), &look, 0.5, &mut notes);
+        let arrows = plate.pointers(view, &Plate::<Part<V>>::family(view, family), &look, 0.5, &mut notes);
         panels.push(Panel {
             heading: family.name().to_owned(),
             text: family.sentence().to_owned(),

@@ -29,13 +29,7 @@ use crate::plane::PlanarView;
 /// error: it shows its outer face.
 pub fn structure<V: PlanarView + ?Sized>(view: &V, options: &FigureOptions) -> Result<Figure, FigureError> {
     let options = &options.checked();
-    match &options.faces {
-        Some(chosen) => draw(&Part::new(view, chosen)?, options),
-        None => draw(view, options),
-    }
-}
-
-fn draw<V: PlanarView + ?Sized>(view: &V, options: &FigureOptions) -> Result<Figure, FigureError> {
+    let view = &Part::of(view, options)?;
     let (picture, mut notes) = Picture::new(view, options)?;
     let detail = picture.detail;
     if detail >= Detail::Edges {

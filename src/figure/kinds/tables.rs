@@ -51,15 +51,7 @@ pub fn tables<V: PlanarView + ?Sized>(
     highlight: Option<Element>,
     options: &FigureOptions,
 ) -> Result<Figure, FigureError> {
-    let Some(chosen) = &options.faces else { return draw(view, highlight, options) };
-    draw(&Part::new(view, chosen)?, highlight, options)
-}
-
-fn draw<V: PlanarView + ?Sized>(
-    view: &V,
-    highlight: Option<Element>,
-    options: &FigureOptions,
-) -> Result<Figure, FigureError> {
+    let view = &Part::of(view, options)?;
     let mut options = options.checked();
     options.usual_width = 520.0;
     options.style.face_text = options.style.face_text.min(14.0);

@@ -303,18 +303,7 @@ impl Sketch {
         backdrop: Backdrop,
         options: &FigureOptions,
     ) -> Result<Figure, SketchError> {
-        match &options.faces {
-            Some(chosen) => self.over_all(&Part::new(view, chosen)?, backdrop, options),
-            None => self.over_all(view, backdrop, options),
-        }
-    }
-
-    fn over_all<V: PlanarView + ?Sized>(
-        &self,
-        view: &V,
-        backdrop: Backdrop,
-        options: &FigureOptions,
-    ) -> Result<Figure, SketchError> {
+        let view = &Part::of(view, options)?;
         check(self)?;
         let options = &options.checked();
         let survey = Picture::survey(view, options, extent(self))?;

@@ -6,21 +6,34 @@
 //!   └────┴────┴────┘            └────┘     elements that are not drawn.
 //! ```
 
-use crate::figure::FigureError;
 use crate::figure::structure::skeleton::half_edges;
+use crate::figure::{FigureError, FigureOptions};
 use crate::ids::{FaceId, FaceMap, HalfEdgeId, VertexId, VertexMap};
 use crate::plane::{PlanarView, Point};
 use crate::topology::{Ring, View};
 
-/// The view of some faces of a view.
+/// What is drawn of a view: some faces, or all of it.
 pub(crate) struct Part<'a, V: ?Sized> {
     whole: &'a V,
+    chosen: Option<Chosen>,
+}
+
+/// Some faces, and the vertices of those.
+struct Chosen {
     faces: FaceMap<bool>,
     vertices: VertexMap<bool>,
 }
 
 impl<'a, V: PlanarView + ?Sized> Part<'a, V> {
-    /// O(half-edges).
+    /// What the options choose of the view.
+    ///
+    /// # Errors
+    /// [`FigureError::UnknownFace`].
+    pub(crate) fn of(whole: &'a V, options: &FigureOptions) -> Result<Self, FigureError> {
+        options.faces.as_ref().map_or(Ok(Self { whole, chosen: None }), |chosen| Self::new(whole, chosen))
+    }
+
+    /// These faces. O(half-edges).
     ///
     /// # Errors
     /// [`FigureError::UnknownFace`].
@@ -41,12 +54,12 @@ impl<'a, V: PlanarView + ?Sized> Part<'a, V> {
                 }
             }
         }
-        let out = Self { whole, faces, vertices: VertexMap::default() };
-        for h in half_edges(&out) {
+        let edges = Self { whole, chosen: Some(Chosen { faces: faces.clone(), vertices: VertexMap::default() }) };
+        for h in half_edges(&edges) {
             let ends = [whole.origin(h), crate::figure::structure::skeleton::destination(whole, h)];
             ends.into_iter().flatten().filter(|&v| whole.has_vertex(v)).for_each(|v| kept[v] = true);
         }
-        Ok(Self { vertices: kept, ..out })
+        Ok(Self { whole, chosen: Some(Chosen { faces, vertices: kept }) })
     }
 }
 
@@ -61,13 +74,16 @@ impl<V: PlanarView + ?Sized> View for Part<'_, V> {
         self.whole.face_bound()
     }
     fn has_vertex(&self, v: VertexId) -> bool {
-        self.vertices.get(v).copied().unwrap_or(false) && self.whole.has_vertex(v)
+        let is_kept = |part: &Chosen| part.vertices.get(v).copied().unwrap_or(false);
+        self.whole.has_vertex(v) && self.chosen.as_ref().is_none_or(is_kept)
     }
     fn has_half_edge(&self, h: HalfEdgeId) -> bool {
-        self.whole.has_half_edge(h) && self.whole.face(h).is_some_and(|f| self.has_face(f))
+        let is_round = |_: &Chosen| self.whole.face(h).is_some_and(|f| self.has_face(f));
+        self.whole.has_half_edge(h) && self.chosen.as_ref().is_none_or(is_round)
     }
     fn has_face(&self, f: FaceId) -> bool {
-        self.faces.get(f).copied().unwrap_or(false)
+        let is_kept = |part: &Chosen| part.faces.get(f).copied().unwrap_or(false);
+        self.chosen.as_ref().map_or_else(|| self.whole.has_face(f), is_kept)
     }
     fn origin(&self, h: HalfEdgeId) -> Option<VertexId> {
         self.whole.origin(h)
@@ -103,6 +119,6 @@ impl<V: PlanarView + ?Sized> View for Part<'_, V> {
 
 impl<V: PlanarView + ?Sized> PlanarView for Part<'_, V> {
     fn position(&self, v: VertexId) -> Option<Point> {
-        self.whole.position(v).filter(|_| self.has_vertex(v))
+        self.whole.position(v).filter(|_| self.chosen.is_none() || self.has_vertex(v))
     }
 }
