@@ -79,6 +79,7 @@ impl FreeLists {
 }
 
 /// The whole columns of a structure, as a builder fills them.
+#[derive(Default)]
 pub(crate) struct Columns {
     pub(crate) origin: Vec<u32>,
     pub(crate) next: Vec<u32>,
@@ -126,14 +127,7 @@ impl Dcel {
     /// A structure without any element.
     #[must_use]
     pub fn new() -> Self {
-        Self::from_columns(Columns {
-            origin: Vec::new(),
-            next: Vec::new(),
-            prev: Vec::new(),
-            face: Vec::new(),
-            outgoing: Vec::new(),
-            boundary: Vec::new(),
-        })
+        Self::from_columns(Columns::default())
     }
 
     /// Takes columns that obey the laws and have no dead record.

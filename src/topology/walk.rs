@@ -70,51 +70,36 @@ fn fold_forward<B>(
     }
 }
 
-impl Iterator for Cycle<'_> {
-    type Item = HalfEdgeId;
+/// A walk that goes on by one function and back by another.
+macro_rules! walk {
+    ($walk:ident, $forward:ident, $back:ident) => {
+        impl Iterator for $walk<'_> {
+            type Item = HalfEdgeId;
 
-    #[inline]
-    fn next(&mut self) -> Option<HalfEdgeId> {
-        step_forward(&mut self.rest, |h| self.dcel.next(h))
-    }
+            #[inline]
+            fn next(&mut self) -> Option<HalfEdgeId> {
+                step_forward(&mut self.rest, |h| self.dcel.$forward(h))
+            }
 
-    #[inline]
-    fn fold<B, F: FnMut(B, HalfEdgeId) -> B>(self, init: B, fold: F) -> B {
-        fold_forward(self.rest, init, fold, |h| self.dcel.next(h))
-    }
+            #[inline]
+            fn fold<B, F: FnMut(B, HalfEdgeId) -> B>(self, init: B, fold: F) -> B {
+                fold_forward(self.rest, init, fold, |h| self.dcel.$forward(h))
+            }
+        }
+
+        impl DoubleEndedIterator for $walk<'_> {
+            #[inline]
+            fn next_back(&mut self) -> Option<HalfEdgeId> {
+                step_back(&mut self.rest, |h| self.dcel.$back(h))
+            }
+        }
+
+        impl FusedIterator for $walk<'_> {}
+    };
 }
 
-impl DoubleEndedIterator for Cycle<'_> {
-    #[inline]
-    fn next_back(&mut self) -> Option<HalfEdgeId> {
-        step_back(&mut self.rest, |h| self.dcel.prev(h))
-    }
-}
-
-impl FusedIterator for Cycle<'_> {}
-
-impl Iterator for Star<'_> {
-    type Item = HalfEdgeId;
-
-    #[inline]
-    fn next(&mut self) -> Option<HalfEdgeId> {
-        step_forward(&mut self.rest, |h| self.dcel.ccw(h))
-    }
-
-    #[inline]
-    fn fold<B, F: FnMut(B, HalfEdgeId) -> B>(self, init: B, fold: F) -> B {
-        fold_forward(self.rest, init, fold, |h| self.dcel.ccw(h))
-    }
-}
-
-impl DoubleEndedIterator for Star<'_> {
-    #[inline]
-    fn next_back(&mut self) -> Option<HalfEdgeId> {
-        step_back(&mut self.rest, |h| self.dcel.cw(h))
-    }
-}
-
-impl FusedIterator for Star<'_> {}
+walk!(Cycle, next, prev);
+walk!(Star, ccw, cw);
 
 impl Dcel {
     /// The next half-edge counter-clockwise round the origin of `h`: `twin(prev(h))`. O(1).
