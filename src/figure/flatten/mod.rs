@@ -144,7 +144,7 @@ mod tests {
         let sides: Vec<f64> = (0..6)
             .map(|i| {
                 let [p, q] = [first.at[i], first.at[(i + 1) % 6]];
-                (p[0] - q[0]).hypot(p[1] - q[1])
+                ((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1])).sqrt()
             })
             .collect();
         assert!(sides.iter().all(|side| (side - 100.0).abs() < 1e-9), "{sides:?}");
