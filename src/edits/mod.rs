@@ -14,17 +14,20 @@
 //! One word may take more in one structure than in another: a *place* is `X Y` in the plane, `X Y Z` in space, and
 //! nothing in the kernel, which knows no coordinates.
 //!
-//! **A new edit** of the kit is a method on its structure, and a row here: `cap_vertex`, say, for surfaces in space touched
+//! **A new edit** of the kit is a method on its structure, and a row here. Tried with `halve_face` for surfaces in space
+//! (the middle of an edge joined to a corner), it was
 //!
 //! ```text
-//!   src/solid/local/cap_vertex.rs    the method, its error, its docs with an example        (new)
-//!   src/solid/local/mod.rs           the name of that file, and of its error
-//!   src/solid/mod.rs                 the name of its error for users
+//!   src/solid/local/halve_face.rs    the method, with its docs and, if it has one of its own, its error     (new)
+//!   src/solid/local/mod.rs           the name of that file
 //!   src/edits/rows.rs                the row: word, arguments, results, one sentence of help
+//!   tests/kernel/missing_ids.rs      what it says of an id that does not exist
 //! ```
 //!
-//! and with that it was a word of scripts with its checks and its line of help, in JSON, printed back, undone, in films,
-//! and tried by the tests that go through the table. One outside the kit is a row, too: see [`Row::new`].
+//! and the list of sources that `cargo run -p dcel -- lab bundle` writes; an error of its own is named in
+//! `src/solid/mod.rs`, too. With that it is a word of scripts with its checks and its line of help, in JSON, printed back,
+//! undone, in films, and tried by the tests that go through the table. One outside the kit is a row, too: see
+//! [`Row::new`].
 //!
 //! ```text
 //!   kind.rs       kinds of elements      arguments.rs  what a call is made with    returned.rs  its result or refusal

@@ -138,7 +138,11 @@ impl<'a> Stage<'a> {
         let [rich, other] = self.order(frame);
         let known = |h: &HalfEdgeId| shown.origin(*h).is_some() && destination(&shown, *h).is_some();
         let wrong = |plate: usize| self.misplaced(plate, &shown).into_iter().filter(known).count();
-        let is_whole = half_edges(&self.states[rich]).all(|h| shown.has_half_edge(h) && known(&h));
+        // A layout has room for an edge at both of its places: one that turns is drawn where it is.
+        let turns = self.placed[rich].is_laid_out
+            && half_edges(&self.states[other]).all(|h| self.states[rich].has_half_edge(h))
+            && half_edges(&self.states[rich]).all(|h| self.states[other].has_half_edge(h));
+        let is_whole = !turns && half_edges(&self.states[rich]).all(|h| shown.has_half_edge(h) && known(&h));
         let chosen = if is_whole || wrong(rich) == 0 || wrong(rich) < wrong(other) { rich } else { other };
         let plate = &self.plates[chosen];
 

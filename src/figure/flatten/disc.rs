@@ -117,16 +117,15 @@ impl Disc {
         fixed.resize(self.joined.len(), None);
         let circle = self.on_circle(known);
         let count = self.circle.len();
-        for i in 0..count {
-            let p = self.circle[i];
+        for (i, (&p, &place)) in self.circle.iter().zip(&circle).enumerate() {
             if !self.is_round {
-                fixed[p] = Some(circle[i]);
+                fixed[p] = Some(place);
             } else if known[p].is_none() {
                 let find = |way: &dyn Fn(usize) -> usize| {
                     (1..=count).find_map(|steps| Some((known[self.circle[way(steps) % count]]?, steps as f64)))
                 };
                 let around = find(&|steps| i + count - steps).zip(find(&|steps| i + steps));
-                fixed[p] = Some(around.map_or(circle[i], |((a, before), (b, after))| {
+                fixed[p] = Some(around.map_or(place, |((a, before), (b, after))| {
                     let share = before / (before + after);
                     [0, 1].map(|k| a[k] + share * (b[k] - a[k]))
                 }));
