@@ -1,0 +1,3 @@
+#![no_main]
+
+targets::program!("wkt");
