@@ -54,11 +54,10 @@ fn parse<'a>(text: &'a str, source: &str) -> Result<Node<'a>, ReadError> {
     serde_json::from_str(text).map_err(|error| {
         let message = error.to_string();
         let message = message.rfind(" at line ").map_or(message.as_str(), |end| &message[..end]);
-        let line = error.line().max(1);
-        // The parser counts bytes; people count characters.
-        let before = text.split('\n').nth(line - 1).unwrap_or("").as_bytes();
-        let (_, column) = line_and_column(before, error.column().saturating_sub(1));
+        // The parser ends lines at LF alone and counts bytes.
+        let before: usize = text.split_inclusive('\n').take(error.line().max(1) - 1).map(str::len).sum();
+        let (line, column) = line_and_column(text.as_bytes(), before + error.column().saturating_sub(1));
         let problem = ReadProblem::Json { message: message.to_owned() };
-        ReadError { line: Some(line as u32), column: Some(column), ..ReadError::whole(source, problem, "") }
+        ReadError { line: Some(line), column: Some(column), ..ReadError::whole(source, problem, "") }
     })
 }

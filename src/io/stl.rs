@@ -193,7 +193,8 @@ fn facets<'a>(list: &'a PolygonList, points: &'a [[f64; 3]]) -> impl Iterator<It
         let [a, b, c] = triangle.map(|corner| points[corner as usize]);
         let normal = normal([a, b, c]);
         let size = dot(normal, normal).sqrt();
-        [normal.map(|x| if size > 0.0 { x / size } else { 0.0 }), a, b, c]
+        // + 0.0, so that no normal is written as -0.
+        [normal.map(|x| if size > 0.0 { x / size + 0.0 } else { 0.0 }), a, b, c]
     })
 }
 

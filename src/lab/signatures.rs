@@ -1,6 +1,6 @@
 //! How the known mistakes of a lab fail, in a file.
 
-use super::toml_file::{ManifestError, TomlFile};
+use super::toml_file::{ManifestError, TomlFile, key, quoted};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
@@ -47,7 +47,7 @@ impl Signatures {
         for (number, signature) in &self.bugs {
             let _ = writeln!(out, "\n[{number}]");
             for (test, hash) in signature {
-                let _ = writeln!(out, "{test} = \"{hash}\"");
+                let _ = writeln!(out, "{} = {}", key(test), quoted(hash));
             }
         }
         out
@@ -137,6 +137,8 @@ mod tests {
     fn signatures_are_read_as_they_are_written() {
         let zoo = Signatures::new([(7, signature(&[("a", "11"), ("b", "22")])), (12, signature(&[("a", "33")]))]);
         assert_eq!(Signatures::parse(&zoo.to_text(), "x").unwrap(), zoo);
+        let odd = Signatures::new([(7, signature(&[("a b", "\"\\\n\u{1}"), ("", "é")]))]);
+        assert_eq!(Signatures::parse(&odd.to_text(), "x").unwrap(), odd);
         let error = Signatures::parse("[seven]\na = \"11\"\n", "signatures.toml").unwrap_err();
         assert_eq!(error.to_string(), "signatures.toml:1:1: `seven` is not the number of a bug");
     }

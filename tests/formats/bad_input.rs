@@ -165,6 +165,8 @@ fn cases() -> Vec<(Format, Vec<u8>, &'static str, &'static str)> {
     add(Ply, &format!("{PLY}0 0\n1 0\n0 1\n1 0\n7\n"), "file:13:1: ", "expected the end of the file");
     add(Ply, &PLY.replace("vertex 3", "vertex 4000000000"), "file:9:1: ", "expected vertex 0 of 4000000000");
     add(GeoJson, "{\"type\":\n \"ü\",, }", "file:2:6: ", "not JSON: ");
+    // CR alone ends a line here as in all formats.
+    add(GeoJson, "{\"type\":\r \"ü\",\r\n, }", "file:3:1: ", "not JSON: ");
     add(
         GeoJson,
         "{\"type\":\"Polygon\",\"coordinates\":[[[1e999,0]]]}",

@@ -3,7 +3,7 @@
 use super::shapes::{L, prism};
 use dcel_kit::io::{Document, Format, Model, PolygonSoup, ReadOptions, WriteError, read_bytes, write};
 use dcel_kit::solid::{Archimedean, Hand, Platonic, Polyhedron};
-use dcel_kit::topology::same;
+use dcel_kit::topology::{PolygonList, same};
 
 fn written(solid: &Polyhedron) -> Result<Vec<u8>, WriteError> {
     let model = Model::surface(solid, |v| Some(solid.point(v)), |f| solid.is_boundary_face(f));
@@ -128,4 +128,16 @@ fn what_is_no_stl_is_named_with_its_place() {
     assert!(read(&bytes).unwrap_err().contains("are not what the count says"));
     let refused = written(&prism(&L, 1.0)).unwrap_err().to_string();
     assert!(refused.starts_with("f0 is not convex"), "{refused}");
+}
+
+#[test]
+fn no_normal_is_written_as_minus_zero() {
+    let corners = vec![[0., 0., 0.], [4., -0., 0.], [4., 3., 0.], [0., 3., 0.]];
+    let flat = Polyhedron::from_polygons(corners, &PolygonList::from_triangles(&[[0, 1, 2], [0, 2, 3]])).unwrap();
+    let text = String::from_utf8(written(&flat).unwrap()).unwrap();
+    let normals: Vec<&str> = text.lines().filter(|line| line.starts_with("facet")).collect();
+    assert_eq!(normals, ["facet normal 0 0 1"; 2]);
+    let bytes = written_as_binary(&flat).unwrap();
+    let minus = (-0.0_f32).to_le_bytes();
+    assert!(bytes[84..96].chunks(4).all(|x| x != minus), "{:?}", &bytes[84..96]);
 }

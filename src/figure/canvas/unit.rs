@@ -49,8 +49,8 @@ impl Unit {
         let ends = [("px", Self::Px), ("mm", Self::Mm), ("cm", Self::Cm)];
         let split = ends.into_iter().find_map(|(end, unit)| Some((text.strip_suffix(end)?, unit)));
         let (number, unit) = split.unwrap_or((text, Self::Px));
-        let value = f64::from_str(number.trim_end()).ok().filter(|value| value.is_finite());
-        value.map(|value| (value * unit.px(), unit)).ok_or_else(|| ParseLengthError { text: text.to_owned() })
+        let px = f64::from_str(number.trim_end()).ok().map(|value| value * unit.px());
+        px.filter(|px| px.is_finite()).map(|px| (px, unit)).ok_or_else(|| ParseLengthError { text: text.to_owned() })
     }
 
     /// A length of the canvas as the file states it.
@@ -60,5 +60,17 @@ impl Unit {
             Self::Mm => format!("{}mm", drawn(px / Self::Mm.px())),
             Self::Cm => format!("{}cm", drawn(px / Self::Cm.px())),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_length_that_is_finite_in_its_unit_alone_is_refused() {
+        assert_eq!(Unit::parse_length("1e307cm").unwrap().0, 1e307 * Unit::Cm.px());
+        assert!(Unit::parse_length("1e308px").is_ok());
+        assert!(Unit::parse_length("1e308mm").is_err());
     }
 }
