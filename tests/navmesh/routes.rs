@@ -5,6 +5,7 @@ use crate::oracle::{Node, Oracle, distance};
 use dcel_kit::FaceId;
 use dcel_kit::navmesh::{NavMesh, Place, Planner, Route, RouteError, Rung};
 use dcel_kit::plane::Point;
+use dcel_kit::plane::predicates::orientation;
 
 pub(crate) fn is_close(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-9 * a.abs().max(b.abs())
@@ -39,6 +40,11 @@ pub(crate) fn check_shape(mesh: &NavMesh, route: &Route, start: Point, goal: Poi
     for (portal, pair) in route.portals(mesh).zip(route.faces.windows(2)) {
         let side = mesh.sides(pair[0]).find(|side| side.half_edge == portal.door).expect("a side");
         assert!(side.open && side.across == pair[1] && mesh.is_walkable(pair[1]), "{context}: {portal:?}");
+    }
+    for corner in route.points.windows(3) {
+        let [a, b, c] = [corner[0], corner[1], corner[2]];
+        let on = orientation(a, b, c).is_eq() && (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y) > 0.0;
+        assert!(!on, "{context}: {b} is no corner of {:?}", route.points);
     }
     let length: f64 = route.points.windows(2).map(|pair| distance(pair[0], pair[1])).sum();
     assert!(is_close(length, route.length), "{context}: {length} but {}", route.length);

@@ -457,6 +457,36 @@ fn merging_leaves_out_what_is_there_already_and_says_so() {
 }
 
 #[test]
+fn no_coordinate_is_minus_zero() {
+    let minus = [segment(-0.0, -0.0, 4., -0.0), segment(4., -0.0, 4., 3.), segment(4., 3., 0., 0.)];
+    for options in [ArrangeOptions::default(), ArrangeOptions { merge: true, ..ArrangeOptions::default() }, SPLIT] {
+        let arranged = Subdivision::arrange_segments(&minus, &options).unwrap();
+        let s = arranged.subdivision;
+        assert_eq!(s.vertex_count(), 3, "{options:?}");
+        for v in s.vertices() {
+            let point = s.point(v);
+            assert!([point.x, point.y].iter().all(|x| x.to_bits() != (-0.0_f64).to_bits()), "{v}: {options:?}");
+        }
+    }
+}
+
+/// Cuts come from left to right; a segment that runs the other way meets them in the other order, and in one round.
+#[test]
+fn segments_in_either_direction_are_cut_in_their_order() {
+    let across = [3., 6., 7.].map(|x| segment(x, -1., x, 1.));
+    for (from, to) in [(9., 0.), (0., 9.)] {
+        let list = [&[segment(from, 0., to, 0.)][..], &across].concat();
+        let arranged = Subdivision::arrange_segments(&list, &SPLIT).unwrap();
+        check_split(&arranged, &list, "either way");
+        let s = &arranged.subdivision;
+        let mut xs: Vec<f64> = arranged.chain(0).iter().map(|&h| s.point(s.origin(h)).x).collect();
+        xs.push(to);
+        let wanted = if from < to { [0., 3., 6., 7., 9.] } else { [9., 7., 6., 3., 0.] };
+        assert_eq!((&xs[..], arranged.rounds), (&wanted[..], 1));
+    }
+}
+
+#[test]
 fn overlaps_share_their_edges() {
     let list = [segment(0., 0., 6., 0.), segment(8., 0., 2., 0.), segment(4., 0., 4., 3.), segment(0., 0., 8., 0.)];
     let arranged = Subdivision::arrange_segments(&list, &SPLIT).unwrap();
