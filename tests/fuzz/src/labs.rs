@@ -4,8 +4,9 @@ use crate::{Ends, Outcome, assert_place};
 use dcel_kit::compare::{Options, compare_tables, diff_figure};
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::topology::{Table, violations};
+use dcel_lab::cases::large::grid;
 use dcel_lab::checks::align::differences;
-use dcel_lab::protocol::{Case, CaseAnswer, Reply, Start, Step, read_answers};
+use dcel_lab::protocol::{Case, CaseAnswer, Reply, Schema, Start, Step, Structure, read_answers};
 use dcel_lab::{Bug, LabFiles, Manifest, ManifestError, ScanError, Secret, Signatures, scan, starter};
 use std::sync::OnceLock;
 
@@ -18,7 +19,7 @@ fn cases() -> &'static [Case] {
     CASES.get_or_init(|| {
         let many = || Step::Many { function: "degree".to_owned(), count: 9, budget: 100 };
         vec![
-            Case::new("ears", Start::Rectangle)
+            Case::new("ears", Start::line("rectangle"))
                 .step(Step::Dump)
                 .step(Step::call("split_face", ["h2", "h8"]))
                 .step(Step::Dump)
@@ -28,7 +29,10 @@ fn cases() -> &'static [Case] {
                 .step(Step::Changes)
                 .step(Step::Restore)
                 .step(Step::Svg),
-            Case::new("grid", Start::Grid(2, 2)).step(many()).step(Step::Changes).step(Step::call("walk", ["h0"])),
+            Case::new("grid", Start::known("grid 2 2", Structure::HalfEdges(grid(2, 2))))
+                .step(many())
+                .step(Step::Changes)
+                .step(Step::call("walk", ["h0"])),
         ]
     })
 }
@@ -37,7 +41,7 @@ fn cases() -> &'static [Case] {
 pub(crate) fn protocol(data: &[u8]) -> Outcome {
     let data = &data[..data.len().min(1 << 15)];
     let cases: Vec<&Case> = cases().iter().collect();
-    let answers = read_answers(data, TOKEN, &cases);
+    let answers = read_answers(data, TOKEN, &cases, Schema::HalfEdges);
     assert!(answers.cases.len() <= cases.len());
     // Bytes that are no text take three each.
     assert!(answers.printed.len() <= 3 * 4096, "{} bytes are kept", answers.printed.len());
@@ -61,7 +65,8 @@ fn answered(answer: &CaseAnswer, case: &Case) -> Outcome {
     }
     for reply in &answer.replies {
         match reply {
-            Reply::Dump(table) => outcome = outcome.and(judged(table)),
+            Reply::Dump(Structure::HalfEdges(table)) => outcome = outcome.and(judged(table)),
+            Reply::Dump(other) => panic!("half-edges were asked for: {other:?}"),
             Reply::Called(called) => outcome = outcome.and(Outcome::of(&called.end.words())),
             _ => {}
         }
@@ -72,7 +77,7 @@ fn answered(answer: &CaseAnswer, case: &Case) -> Outcome {
 /// Whatever a program says its structure is, it is judged.
 fn judged(table: &Table) -> Outcome {
     let broken = violations(table);
-    let expected = Start::Grid(2, 2).table().expect("grids are known");
+    let expected = grid(2, 2);
     let answer = compare_tables(&expected, table, &Options::new());
     assert!(!answer.text().is_empty());
     let _ = diff_figure(&expected, table, &FigureOptions::new("Yours"));
@@ -80,17 +85,17 @@ fn judged(table: &Table) -> Outcome {
     let same = *expected == *table;
     assert!(!same || broken.is_empty() && answer.is_equal() && all.is_empty(), "the right answer is found wrong");
     // As lines of a dump it comes back.
-    let script = Case::new("again", Start::Table(table.clone().into())).script();
+    let script = Case::new("again", Start::table(table.clone())).script();
     let lines = script.strip_prefix("table\n").and_then(|rest| rest.strip_suffix("end_table\n")).expect("a table");
     let mut said = format!("@{TOKEN} case again\n@{TOKEN} dump\n");
     lines.lines().for_each(|line| said.push_str(&format!("@{TOKEN} {line}\n")));
     said.push_str(&format!("@{TOKEN} end_dump\n@{TOKEN} end_case again\n@{TOKEN} done\n"));
-    let case = Case::new("again", Start::Rectangle).step(Step::Dump);
-    let again = read_answers(said.as_bytes(), TOKEN, &[&case]);
+    let case = Case::new("again", Start::line("rectangle")).step(Step::Dump);
+    let again = read_answers(said.as_bytes(), TOKEN, &[&case], Schema::HalfEdges);
     let [CaseAnswer { complete: true, replies, .. }] = &again.cases[..] else { panic!("{again:?}\n{said}") };
     let [Reply::Dump(read)] = &replies[..] else { panic!("{replies:?}") };
     // NaN is not equal to itself; its text is.
-    let text = Case::new("again", Start::Table(read.clone())).script();
+    let text = Case::new("again", Start::structure_of(read.clone())).script();
     assert_eq!(text, script, "the dump changed");
     broken.first().map_or(Outcome(1), |violation| Outcome::of(&violation.to_string()))
 }
@@ -117,7 +122,7 @@ pub(crate) fn lab_files(data: &[u8]) -> Outcome {
         }
         Err(error) => at_place(&error),
     };
-    let secret = match Secret::parse(text, "file") {
+    let secret = match Secret::parse(text, "file", &["split_face", "split_in_half"]) {
         Ok(secret) => {
             assert!((1..=200).contains(&secret.sequences) && (1..=200).contains(&secret.calls), "{secret:?}");
             Outcome(2)

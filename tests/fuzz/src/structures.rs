@@ -157,7 +157,8 @@ pub(crate) fn from_segments(data: &[u8]) -> Outcome {
         Err(error) => {
             let message = error.to_string();
             let is_fault = matches!(error, dcel_kit::plane::SegmentsError::Faults { .. });
-            assert!(!message.is_empty() && !(options.split && is_fault), "refused for meeting: {message}");
+            assert!(!message.is_empty());
+            assert!(!options.split || !is_fault, "refused for meeting: {message}");
             return Outcome::of(&message);
         }
     };
