@@ -2,7 +2,6 @@
 //! `cargo test -p dcel-tests --features interop --test interop`.
 #![allow(clippy::unwrap_used, clippy::float_cmp)] // a test may panic, and compares what must be the same number
 
-#[allow(dead_code)] // some helpers are for other tests
 mod common;
 
 use common::Random;

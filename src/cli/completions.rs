@@ -77,7 +77,7 @@ fn files(command: &str, arg: &Arg) -> Option<PathCompleter> {
         return None;
     }
     let name = arg.get_value_names().and_then(|names| names.first()).map_or("", |name| name.as_str());
-    let read = || Format::ALL.into_iter().filter(|format| format.can_read()).flat_map(|format| format.extensions());
+    let read = || Format::ALL.into_iter().filter(|format| format.can_read()).flat_map(Format::extensions);
     let ends: Vec<&'static str> = match name {
         "DIR" => return Some(PathCompleter::dir()),
         "SCEN" => vec!["scen"],

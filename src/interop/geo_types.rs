@@ -178,7 +178,7 @@ impl TryFrom<&MultiLineString<f64>> for Subdivision {
     type Error = GeoError;
 
     fn try_from(lines: &MultiLineString<f64>) -> Result<Self, GeoError> {
-        let parts = lines.0.iter().flat_map(|line| line.lines());
+        let parts = lines.0.iter().flat_map(LineString::lines);
         let segments: Vec<[Point; 2]> = parts.map(|part| [part.start.into(), part.end.into()]).collect();
         Ok(Self::from_segments(&segments)?)
     }

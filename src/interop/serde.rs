@@ -170,7 +170,7 @@ impl Columns {
                 ));
             }
         }
-        if half_edges % 2 != 0 {
+        if !half_edges.is_multiple_of(2) {
             return Err(format!("`origin` has {half_edges} places: half-edges come in pairs"));
         }
         let half_edge = |h: u32| {

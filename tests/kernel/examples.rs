@@ -28,7 +28,7 @@ macro_rules! println {
 macro_rules! examples {
     ($($name:ident: $path:literal),+ $(,)?) => {
         $(#[path = $path]
-        mod $name;)+
+        pub(crate) mod $name;)+
 
         /// The examples by name, each with what it does.
         const EXAMPLES: &[(&str, fn() -> Result<(), Box<dyn std::error::Error>>)] = &[

@@ -1,17 +1,10 @@
 //! Edits from outside the kit, and data that follow edits.
 
 use crate::common::{Random, f, h, v};
+use crate::examples::own_edit as example;
 use dcel_kit::topology::{Change, Dcel, Editing, Followed, Journal, NoRecorder, OwnEditError, Recorder, violations};
 use dcel_kit::{FaceId, HalfEdgeId, HalfEdgeMap};
 use std::convert::Infallible;
-
-#[path = "../../examples/own_edit.rs"]
-mod example;
-
-#[test]
-fn the_example_of_an_own_edit_runs() {
-    example::main().unwrap();
-}
 
 #[test]
 fn an_own_edit_is_refused_where_it_should_be() {
