@@ -152,7 +152,7 @@ impl Command {
 /// The program `dcel`.
 pub fn main() -> ExitCode {
     completions::answer_a_shell();
-    // Behind walls the command starts itself again to put them up.
+    // For the sandbox the command starts itself again, to put it up.
     dcel_lab::launched().unwrap_or_else(answered)
 }
 

@@ -12,13 +12,15 @@
 //! size needs the memory of what was handed in and of a few reports.
 
 use super::cache::{Cache, Key, hash_of, judge_itself};
+use super::sandbox::Resident;
 use super::similar::{Fingerprints, Given, THRESHOLD, alike};
 use super::submission::{
-    Built, Intake, IntakeError, Rooms, Submission, Toolchain, Tree, USUAL_BUILD, build, scan_all, take_in_unscanned,
+    Built, Intake, IntakeError, Submission, Toolchain, Tree, USUAL_BUILD, WorkFolders, build, scan_all,
+    take_in_unscanned,
 };
-use super::walls::Resident;
 use super::{
-    Hidden, Lab, Limits, Plan, Report, Similar, Stop, Verdict, Wall, WallChoice, WalledProgram, Walls, grade_program,
+    Barrier, Hidden, Lab, Limits, Plan, Report, Sandbox, SandboxChoice, SandboxedProgram, Similar, Stop, Verdict,
+    grade_program,
 };
 use std::collections::HashMap;
 use std::hash::{BuildHasher, RandomState};
@@ -36,20 +38,20 @@ const MOST_SIMILAR: usize = 20;
 /// How submissions are graded.
 #[derive(Clone, PartialEq, Debug)]
 pub struct GradeOptions {
-    /// The walls that may be used.
-    pub walls: WallChoice,
-    /// The program that puts the walls up: one whose `main` calls [`launched`](super::launched) first. `None` is the
+    /// The barriers that may be used.
+    pub sandbox: SandboxChoice,
+    /// The program that puts the barriers up: one whose `main` calls [`launched`](super::launched) first. `None` is the
     /// running program.
     pub launcher: Option<PathBuf>,
     /// What no submission may see: the labs with their solutions, the instructor's secret, the other submissions. A
-    /// program behind the walls tries to read it before anything is graded; the reports say what came of it.
+    /// program in the sandbox tries to read it before anything is graded; the reports say what came of it.
     pub hidden: Vec<Hidden>,
     /// What the compiler may use; what the program may use is said by the lab.
     pub build: Limits,
     /// How many submissions are graded at the same time; `None` is one for each core.
     pub workers: Option<NonZeroUsize>,
-    /// Where rooms are made; `None` is where the system keeps temporary files.
-    pub rooms: Option<PathBuf>,
+    /// Where work folders are made; `None` is where the system keeps temporary files.
+    pub work_folders: Option<PathBuf>,
     /// A folder in which reports are kept, so that nothing is graded twice under one plan; `None` keeps none. It
     /// holds what was handed in and what was said of it: it is for the instructor only.
     pub cache: Option<PathBuf>,
@@ -59,7 +61,7 @@ pub struct GradeOptions {
     pub again: bool,
     /// From how many percent on two submissions are told to look alike, names and comments aside.
     pub similar_from: u8,
-    /// Whether the files are scanned before they are built. Only tests of the walls behind the scan switch it off.
+    /// Whether the files are scanned before they are built. Only tests of the barriers behind the scan switch it off.
     pub scan: bool,
     /// Ends a class: what is being graded is ended without a verdict, what is done stays.
     pub stop: Stop,
@@ -82,14 +84,14 @@ pub enum Outcome {
 
 impl Default for GradeOptions {
     fn default() -> Self {
-        let walls = WallChoice::default();
+        let sandbox = SandboxChoice::default();
         Self {
-            walls,
+            sandbox,
             launcher: None,
             hidden: Vec::new(),
             build: USUAL_BUILD,
             workers: None,
-            rooms: None,
+            work_folders: None,
             cache: None,
             keep_deadlines: false,
             again: false,
@@ -100,7 +102,7 @@ impl Default for GradeOptions {
     }
 }
 
-/// A grader of one lab: the walls tried, the toolchain found.
+/// A grader of one lab: the barriers tried, the toolchain found.
 ///
 /// ```no_run
 /// use dcel_lab::{GradeOptions, Grader, Lab, Outcome, Plan, Submission};
@@ -116,9 +118,9 @@ impl Default for GradeOptions {
 #[derive(Debug)]
 pub struct Grader {
     lab: Lab,
-    walls: Walls,
+    sandbox: Sandbox,
     toolchain: Result<Toolchain, String>,
-    rooms: Rooms,
+    work_folders: WorkFolders,
     build: Limits,
     workers: usize,
     cache: Option<Cache>,
@@ -131,27 +133,27 @@ pub struct Grader {
 }
 
 impl Grader {
-    /// Gets ready to grade submissions to a lab. What is missing on the machine (the toolchain, walls) is not an
+    /// Gets ready to grade submissions to a lab. What is missing on the machine (the toolchain, barriers) is not an
     /// error here but is said in the reports, so that there always are reports.
     ///
     /// Cost: some 100 ms; more where the toolchain must be copied to be within reach.
     ///
     /// # Errors
-    /// If no folder can be made for the rooms or for the cache.
+    /// If no folder can be made for the work folders or for the cache.
     pub fn new(lab: Lab, options: &GradeOptions) -> io::Result<Self> {
-        let walls = Walls::probe(options.launcher.as_deref(), options.walls).until(&options.stop);
-        let rooms = Rooms::new(&walls, options.rooms.as_deref())?;
-        let toolchain = Toolchain::find(&walls, rooms.folder());
-        let mut needed = vec![rooms.folder().to_path_buf()];
+        let sandbox = Sandbox::probe(options.launcher.as_deref(), options.sandbox).until(&options.stop);
+        let work_folders = WorkFolders::new(&sandbox, options.work_folders.as_deref())?;
+        let toolchain = Toolchain::find(&sandbox, work_folders.folder());
+        let mut needed = vec![work_folders.folder().to_path_buf()];
         let tools = toolchain.as_ref().map_or(Vec::new(), |toolchain| toolchain.parts().to_vec());
         needed.extend(tools.clone());
-        let walls = walls.hiding(&options.hidden, &tools, &needed);
+        let sandbox = sandbox.hiding(&options.hidden, &tools, &needed);
         let open = |folder| Cache::open(folder, options.keep_deadlines);
         let cache = options.cache.as_deref().map(open).transpose()?;
         // Only a cache asks who judged: reading the whole program is not free.
         let judge = match (&cache, &toolchain) {
             (Some(_), Ok(toolchain)) => {
-                format!("{} {}", judge_itself(walls.launcher())?, toolchain.version().unwrap_or_default())
+                format!("{} {}", judge_itself(sandbox.launcher())?, toolchain.version().unwrap_or_default())
             }
             _ => String::new(),
         };
@@ -159,13 +161,26 @@ impl Grader {
         let workers = options.workers.map_or_else(cores, NonZeroUsize::get);
         let GradeOptions { build, scan, again, similar_from, .. } = *options;
         let stop = options.stop.clone();
-        Ok(Self { lab, walls, toolchain, rooms, build, workers, cache, judge, scan, again, similar_from, stop })
+        Ok(Self {
+            lab,
+            sandbox,
+            toolchain,
+            work_folders,
+            build,
+            workers,
+            cache,
+            judge,
+            scan,
+            again,
+            similar_from,
+            stop,
+        })
     }
 
-    /// The walls that stand, and those that are missing.
+    /// The barriers that stand, and those that are missing.
     #[must_use]
-    pub fn walls(&self) -> &[Wall] {
-        self.walls.said()
+    pub fn sandbox(&self) -> &[Barrier] {
+        self.sandbox.said()
     }
 
     /// What was found in the folder of kept reports that is none; it was graded anew.
@@ -389,7 +404,7 @@ impl Grader {
         // The lab's files too: while it is being written its version stays the same.
         let files: Vec<_> = lab.files.iter().collect();
         let lab = (&lab.name, &lab.manifest.version, hash_of(&files));
-        let grader = format!("{judge} {lab:?} {limits:?} {build:?} {:?} {scan}", self.walls.up());
+        let grader = format!("{judge} {lab:?} {limits:?} {build:?} {:?} {scan}", self.sandbox.up());
         Key { grader, plan: hash_of(&format!("{plan:?}")), files: intake.graded.clone() }
     }
 
@@ -399,11 +414,11 @@ impl Grader {
             Ok(toolchain) => toolchain,
             Err(why) => return fault(why.clone()),
         };
-        let resident = match self.walls.resident() {
+        let resident = match self.sandbox.resident() {
             Ok(resident) => Arc::new(resident),
             Err(error) => return fault(error.to_string()),
         };
-        let tree = match Tree::lay(self.rooms.next(), &self.lab, intake, &*resident) {
+        let tree = match Tree::lay(self.work_folders.next(), &self.lab, intake, &*resident) {
             Ok(tree) => tree,
             Err(error) => return fault(format!("no room for the submission: {error}")),
         };
@@ -415,7 +430,7 @@ impl Grader {
     fn judge_built(&self, built: Built, resident: &Arc<Resident>, plan: &Plan) -> Report {
         match built {
             Built::Program(path) => {
-                let program = WalledProgram::new(Arc::clone(resident), &path, self.lab.manifest.limits);
+                let program = SandboxedProgram::new(Arc::clone(resident), &path, self.lab.manifest.limits);
                 grade_program(&self.lab, &program, plan)
             }
             Built::Not { verdict, message } => self.stopped(plan, verdict, message),
@@ -425,7 +440,7 @@ impl Grader {
     /// The report on a submission of which no test could run.
     fn stopped(&self, plan: &Plan, verdict: Verdict, message: String) -> Report {
         let report = Report::untested(&self.lab.manifest, verdict, message);
-        Report { seed: plan.seed, walls: self.walls.said().to_vec(), ..report }
+        Report { seed: plan.seed, sandbox: self.sandbox.said().to_vec(), ..report }
     }
 }
 

@@ -1,4 +1,4 @@
-//! The bugs of a lab's zoo: wrong solutions with a name, each a small change of the right one.
+//! The known mistakes of a lab: wrong solutions with a name, each a small change of the right one.
 //!
 //! ```toml
 //!   number = 35

@@ -1,7 +1,7 @@
 //! Reports kept from earlier runs, by the content of what was graded.
 //!
 //! ```text
-//!   key = the judge itself, rustc, lab with all of its files, limits, seed and secret, walls, the student's files
+//!   key = the judge itself, rustc, lab with all of its files, limits, seed and secret, barriers, the student's files
 //!   FOLDER/HASH.json = key and report; the hash only finds the file, the whole key must agree
 //!   FOLDER/seed      = the seed of the random cases, for those who do not say one
 //! ```
@@ -35,7 +35,7 @@ pub(crate) struct Cache {
 /// Everything that a report depends on.
 #[derive(Clone, PartialEq, Eq, Hash, Debug, Serialize, Deserialize)]
 pub(crate) struct Key {
-    /// Kit, lab, versions, limits, walls.
+    /// Kit, lab, versions, limits, barriers.
     pub(crate) grader: String,
     /// The seed and the secret, not to be read from the folder.
     pub(crate) plan: u64,
@@ -107,7 +107,7 @@ impl Cache {
     }
 }
 
-/// A number for the running program and the one that puts the walls up: another build, another number.
+/// A number for the running program and the one that puts the barriers up: another build, another number.
 pub(crate) fn judge_itself(launcher: &Path) -> io::Result<String> {
     // What runs, even if its file has been replaced since it was started.
     let running = Path::new("/proc/self/exe");
@@ -148,7 +148,7 @@ mod tests {
             verdict,
             message: None,
             tests: Vec::new(),
-            walls: Vec::new(),
+            sandbox: Vec::new(),
             printed: String::new(),
             attachments: Vec::new(),
             adjustments: Vec::new(),

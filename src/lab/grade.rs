@@ -14,6 +14,7 @@ use super::findings::findings;
 use super::judge::{Judge, Source, Suite};
 use super::judged::{Needs, Ruling, Unit, Units};
 use super::manifest::Test;
+use super::mutants::{self, Evidence};
 use super::plan::Plan;
 use super::program::Program;
 use super::report::{Report, TestResult};
@@ -21,7 +22,6 @@ use super::run::{Graded, PATIENCE, SuiteRun, run_suite};
 use super::signatures::Signature;
 use super::the_lab::Lab;
 use super::verdict::Verdict;
-use super::zoo::{self, Evidence};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -104,8 +104,8 @@ pub(super) fn grade(lab: &Lab, program: &dyn Program, plan: &Plan, all: bool) ->
         let mut result = TestResult::new(state.test, state.verdict);
         run.describe(&mut result, state);
         if state.verdict.is_failure() {
-            let found = zoo::Found { signature: &signature, skipped: &skipped, evidence: &evidence };
-            result.bugs = zoo::names(lab, judge.vocabulary(), state.test.task, &found);
+            let found = mutants::Found { signature: &signature, skipped: &skipped, evidence: &evidence };
+            result.bugs = mutants::names(lab, judge.vocabulary(), state.test.task, &found);
             if let (Some(suite), Some(unit)) = (state.suite, run.first_failing(state)) {
                 context.illustrate(&mut result, &graded[suite], unit.case, unit.step, &state.needs);
             }
@@ -294,7 +294,7 @@ impl<'a> Run<'a> {
                 units.faults_of(unit, &state.test.name).map(|fault| line(&asked[unit.case].case.name, fault))
             })
             .collect();
-        (!lines.is_empty()).then(|| zoo::hash(&lines))
+        (!lines.is_empty()).then(|| mutants::hash(&lines))
     }
 
     /// In which calls each test fails and in which it does not, as far as their features are known: the calls that
@@ -340,7 +340,7 @@ fn empty_report(lab: &Lab, plan: &Plan, program: &dyn Program) -> Report {
         verdict: Verdict::GraderFault,
         message: None,
         tests: Vec::new(),
-        walls: program.walls(),
+        sandbox: program.sandbox(),
         printed: String::new(),
         attachments: Vec::new(),
         adjustments: Vec::new(),

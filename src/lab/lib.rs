@@ -3,8 +3,8 @@
 //! ```text
 //!   labs/NN-name/lab.toml      what there is to do, what it is worth
 //!   case ──text──▶ driver + the student's file ──dump──▶ checks ──▶ findings ──▶ verdict ──▶ report
-//!     ▲            (a process behind walls)                │
-//!     └──────────── shrinking: the shortest failing case ◀─┘──▶ zoo: the bug by its name
+//!     ▲            (a process in the sandbox)                │
+//!     └──────────── shrinking: the shortest failing case ◀─┘──▶ mutants.rs: the mistake by its name
 //! ```
 //!
 //! Nothing that the student wrote is ever linked to the tests, so nothing in it can decide about them: a pass needs
@@ -41,7 +41,8 @@ mod kit;
 #[cfg(feature = "grade")]
 mod learn;
 mod manifest;
-mod marked;
+mod markers;
+mod mutants;
 mod own_folder;
 #[cfg(feature = "grade")]
 mod own_lab;
@@ -53,6 +54,8 @@ mod report;
 #[cfg(feature = "grade")]
 pub mod reports;
 mod run;
+#[cfg(feature = "grade")]
+mod sandbox;
 mod signatures;
 #[cfg(feature = "grade")]
 mod similar;
@@ -69,9 +72,6 @@ mod vendor;
 mod verdict;
 #[cfg(feature = "grade")]
 mod verify;
-#[cfg(feature = "grade")]
-mod walls;
-mod zoo;
 
 #[cfg(feature = "grade")]
 pub use batch::{GradeOptions, Grader, Outcome};
@@ -89,13 +89,15 @@ pub use grade::{grade_and_sign, grade_program};
 #[cfg(feature = "grade")]
 pub use kit::{COPIES, KitBuild, Package, sources};
 pub use manifest::{Manifest, Task, Test};
-pub use marked::{MarkError, starter};
+pub use markers::{MarkError, starter};
 pub use own_folder::{FolderCheck, Workbench, check_folder};
 #[cfg(feature = "grade")]
 pub use own_lab::{NewLabError, new_lab};
 pub use plan::{Plan, Secret};
 pub use program::{Driver, End, Limits, Program, Ran, end_of, signal_name};
-pub use report::{Adjustment, Finding, Picture, Report, Similar, TestResult, Visibility, Wall};
+pub use report::{Adjustment, Barrier, Finding, Picture, Report, Similar, TestResult, Visibility};
+#[cfg(feature = "grade")]
+pub use sandbox::{Hidden, Sandbox, SandboxChoice, SandboxedProgram, launched};
 pub use signatures::{Signature, Signatures};
 pub use stop::Stop;
 #[cfg(feature = "grade")]
@@ -111,5 +113,3 @@ pub use vendor::vendored;
 pub use verdict::Verdict;
 #[cfg(feature = "grade")]
 pub use verify::{BugRow, Verification, verify, verify_some};
-#[cfg(feature = "grade")]
-pub use walls::{Hidden, WallChoice, WalledProgram, Walls, launched};

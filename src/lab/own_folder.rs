@@ -3,7 +3,7 @@
 //! ```text
 //!   cargo test      ┐                                                    ┌ the same report
 //!   dcel lab check  ┼─▶ take in ▸ scan ▸ pristine tree ▸ build ▸ judge ──┤
-//!   dcel grade      ┘   what is handed in, and nothing else              └ behind walls, too
+//!   dcel grade      ┘   what is handed in, and nothing else              └ in the sandbox, too
 //! ```
 //!
 //! What stands in the folder besides is not handed in, so it is not judged: an own module, a change of a given file, a
@@ -40,7 +40,7 @@ impl FolderCheck {
 /// Grades a student's folder as a grader would: only the files that the lab grades are taken, scanned, and built with
 /// the given files that are compiled into the kit. `work` is a folder for the build; it is made if it is not there.
 ///
-/// The program runs with limits but without walls: it is the student's own. Never panics; a fault of the machine (no
+/// The program runs with limits but without a sandbox: it is the student's own. Never panics; a fault of the machine (no
 /// toolchain, no room) is a report with [`Verdict::GraderFault`].
 ///
 /// Cost: one compilation of a small program, then as [`grade_program`].

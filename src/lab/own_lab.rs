@@ -12,7 +12,7 @@
 //! is changed.
 
 use super::files::LabFiles;
-use super::marked::starter;
+use super::markers::starter;
 use super::student::{Kit, quoted};
 use std::collections::BTreeMap;
 

@@ -7,12 +7,12 @@
 //! ```
 //!
 //! [`Driver`] is the plain one for the author's own machine: it keeps a loop or a memory leak from doing harm, and
-//! is no wall against malice. It needs nothing but the standard library, so a lab can be done on every system.
+//! is no barrier against malice. It needs nothing but the standard library, so a lab can be done on every system.
 
 mod pipes;
 mod plain;
 
-use super::Wall;
+use super::Barrier;
 pub use plain::Driver;
 pub(crate) use plain::{limited, run_within};
 
@@ -26,8 +26,8 @@ pub trait Program: Sync {
         1
     }
 
-    /// The walls between it and the machine, for the report.
-    fn walls(&self) -> Vec<Wall> {
+    /// The barriers between it and the machine, for the report.
+    fn sandbox(&self) -> Vec<Barrier> {
         Vec::new()
     }
 }

@@ -24,8 +24,9 @@ pub struct Report {
     pub message: Option<String>,
     /// One for each graded test, in the order of the manifest.
     pub tests: Vec<TestResult>,
-    /// The walls that stood between the submission and the machine, and those that could not be had.
-    pub walls: Vec<Wall>,
+    /// The barriers that stood between the submission and the machine, and those that could not be had.
+    #[serde(alias = "walls")]
+    pub sandbox: Vec<Barrier>,
     /// What the student's program printed besides its answers, cut to a few kilobytes.
     pub printed: String,
     /// The optional files that were handed in, for a person to read: name and text.
@@ -59,7 +60,7 @@ impl Report {
             verdict,
             message: Some(message.into()),
             tests: lab.tests.iter().map(|test| TestResult::new(test, verdict)).collect(),
-            walls: Vec::new(),
+            sandbox: Vec::new(),
             printed: String::new(),
             attachments: Vec::new(),
             adjustments: Vec::new(),
@@ -171,7 +172,7 @@ pub struct TestResult {
     pub pattern: Option<String>,
     /// The broken promises, the most telling first; at most ten, then a count in the message.
     pub findings: Vec<Finding>,
-    /// The bugs of the zoo that fail in exactly this way; several if they cannot be told apart.
+    /// The known mistakes that fail in exactly this way; several if they cannot be told apart.
     pub bugs: Vec<String>,
     /// The shortest failing case that was found, as text for the driver. Never a hidden one.
     pub script: Option<String>,
@@ -244,9 +245,9 @@ pub enum Visibility {
     Hidden,
 }
 
-/// A wall between a submission and the machine.
+/// A barrier between a submission and the machine.
 #[derive(Clone, PartialEq, Eq, Hash, Debug, Serialize, Deserialize)]
-pub struct Wall {
+pub struct Barrier {
     /// What it keeps in: `memory 512 MB`, `no network`, `own user 61234`.
     pub name: String,
     /// Whether it stood; if not, why.
@@ -268,7 +269,7 @@ mod tests {
             verdict: Verdict::Passed,
             message: None,
             tests: Vec::new(),
-            walls: Vec::new(),
+            sandbox: Vec::new(),
             printed: String::new(),
             attachments: Vec::new(),
             adjustments: vec![Adjustment { reason: "answers".to_owned(), points: 5 }],

@@ -13,7 +13,7 @@ pub(super) fn hash_in(entry: &str) -> &str {
     entry.split(' ').next().unwrap_or_default()
 }
 
-/// The signatures of a zoo, by the numbers of the bugs.
+/// The signatures of the known mistakes, by their numbers.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Signatures {
     bugs: BTreeMap<u32, Signature>,
@@ -104,7 +104,7 @@ mod tests {
 
     #[test]
     fn only_equal_failures_have_a_name() {
-        let zoo = Signatures::new([
+        let mutants = Signatures::new([
             (1, signature(&[("a", "11")])),
             (2, signature(&[("a", "22"), ("b", "33")])),
             (3, signature(&[("a", "11")])),
@@ -112,7 +112,8 @@ mod tests {
         ]);
         let task = ["a", "b"].into();
         let none = BTreeSet::new();
-        let named = |found: &[(&str, &str)], skipped: &BTreeSet<&str>| zoo.matching(&signature(found), &task, skipped);
+        let named =
+            |found: &[(&str, &str)], skipped: &BTreeSet<&str>| mutants.matching(&signature(found), &task, skipped);
         assert_eq!(named(&[("a", "11")], &none), [1, 3]);
         assert_eq!(named(&[("a", "22"), ("b", "33")], &none), [2]);
         // One more or less, or another hash: no name.
@@ -135,8 +136,8 @@ mod tests {
 
     #[test]
     fn signatures_are_read_as_they_are_written() {
-        let zoo = Signatures::new([(7, signature(&[("a", "11"), ("b", "22")])), (12, signature(&[("a", "33")]))]);
-        assert_eq!(Signatures::parse(&zoo.to_text(), "x").unwrap(), zoo);
+        let mutants = Signatures::new([(7, signature(&[("a", "11"), ("b", "22")])), (12, signature(&[("a", "33")]))]);
+        assert_eq!(Signatures::parse(&mutants.to_text(), "x").unwrap(), mutants);
         let odd = Signatures::new([(7, signature(&[("a b", "\"\\\n\u{1}"), ("", "é")]))]);
         assert_eq!(Signatures::parse(&odd.to_text(), "x").unwrap(), odd);
         let error = Signatures::parse("[seven]\na = \"11\"\n", "signatures.toml").unwrap_err();

@@ -1,6 +1,6 @@
-//! Something to be run for a submission, and where: behind walls, or on the student's own machine.
+//! Something to be run for a submission, and where: in the sandbox, or on the student's own machine.
 //!
-//! Building and judging ask for a [`Sandbox`] and nothing else, so that the student's own check and the grader run the
+//! Building and judging ask for a [`Runner`] and nothing else, so that the student's own check and the grader run the
 //! same code.
 
 use super::program::limited;
@@ -9,7 +9,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// What a program behind walls may do with the file system.
+/// What a program in the sandbox may do with the file system.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(crate) struct View {
     /// Files and folders that it may read and execute.
@@ -20,7 +20,7 @@ pub(crate) struct View {
     pub(crate) tools: bool,
 }
 
-/// Something to be run behind walls.
+/// Something to be run in the sandbox.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Task {
     /// The program.
@@ -38,7 +38,7 @@ pub(crate) struct Task {
 }
 
 /// Where a submission is built and run.
-pub(crate) trait Sandbox {
+pub(crate) trait Runner {
     /// Runs a task to its end, and to the end of whatever it started.
     fn run(&self, task: &Task, input: &str) -> Ran;
 
@@ -54,13 +54,13 @@ pub(crate) trait Sandbox {
     }
 }
 
-/// The student's own machine: limits and a deadline against endless loops, and no walls.
+/// The student's own machine: limits and a deadline against endless loops, and no barriers.
 ///
 /// The environment stays, for what a linker may need of it, but for what cargo and rustc read.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OwnMachine;
 
-impl Sandbox for OwnMachine {
+impl Runner for OwnMachine {
     fn run(&self, task: &Task, input: &str) -> Ran {
         let mut command: Command = limited(&task.program, &task.limits);
         command.args(&task.args).current_dir(&task.folder);

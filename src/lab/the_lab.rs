@@ -10,7 +10,7 @@ use super::toml_file::ManifestError;
 use std::fmt;
 use std::path::Path;
 
-/// A lab: its manifest and its zoo.
+/// A lab: its manifest and its known mistakes.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Lab {
     /// As its folder is called.
@@ -66,7 +66,7 @@ impl Lab {
     /// The lab in these files, with the judge of the kit's lab of that name, if there is one.
     ///
     /// # Errors
-    /// [`LabError`] if the manifest or a bug cannot be read. A zoo without signatures names nothing, and is no error.
+    /// [`LabError`] if the manifest or a bug cannot be read. Known mistakes without signatures names nothing, and is no error.
     pub fn new(files: LabFiles) -> Result<Self, LabError> {
         let judge = courses::judge_of(files.name());
         Self::judged_by(files, judge)
@@ -122,5 +122,5 @@ impl Lab {
     }
 }
 
-/// Where the signatures of the zoo are.
+/// Where the signatures of the known mistakes are.
 const SIGNATURES: &str = "bugs/signatures.toml";

@@ -10,9 +10,9 @@
 //! bug: a check that no wrong program fails checks nothing.
 
 use super::grade::{grade, random_evidence};
+use super::mutants::with_conditions;
 use super::signatures::{Signature, Signatures};
 use super::student::{Kit, student_files};
-use super::zoo::with_conditions;
 use super::{Driver, Lab, Plan, Report, Verdict, starter};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;

@@ -1,4 +1,4 @@
-//! Attacks in a student's file: the scan refuses each at its line, and with the scan switched off the walls hold.
+//! Attacks in a student's file: the scan refuses each at its line, and with the scan switched off the barriers hold.
 
 use super::class::{Class, USER};
 use crate::trials::trials;
@@ -199,14 +199,14 @@ fn behind_the_scan_the_walls_hold() {
     class.assert_nothing_is_left();
 }
 
-/// A container as it often is: root, no namespaces, no Landlock. The user of its own is the wall.
+/// A container as it often is: root, no namespaces, no Landlock. The user of its own is the barrier.
 fn a_user_of_its_own_is_wall_enough() {
     let class = Class::new();
     let chosen = ["exit", "exec", "fork bomb", "daemon", "solution at run time", "solution at compile time"];
     let attacks: Vec<_> =
         forbidden(&class.secret()).into_iter().filter(|attack| chosen.contains(&attack.name)).collect();
     let files: Vec<_> = attacks.iter().map(|a| class.file(a.name, file_of(&class, a))).collect();
-    let options = dcel_lab::GradeOptions { scan: false, walls: USER, ..class.options() };
+    let options = dcel_lab::GradeOptions { scan: false, sandbox: USER, ..class.options() };
     for (attack, report) in attacks.iter().zip(class.grade(&files, &options)) {
         assert_no_points(&report, attack.name);
         assert_eq!(verdict_of_the_first(&report), attack.behind, "{}: {:?}", attack.name, report.message);

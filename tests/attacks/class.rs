@@ -1,13 +1,15 @@
 //! A class that hands in: a folder of submissions, a grader's secret, and what must be true afterwards.
 
-use dcel_lab::{GradeOptions, Grader, Hidden, Lab, Limits, Outcome, Plan, Report, Submission, Wall, WallChoice, Walls};
+use dcel_lab::{
+    Barrier, GradeOptions, Grader, Hidden, Lab, Limits, Outcome, Plan, Report, Sandbox, SandboxChoice, Submission,
+};
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 
-pub(crate) const NONE: WallChoice = WallChoice { own_user: false, namespaces: false, own_files: false };
-pub(crate) const USER: WallChoice = WallChoice { own_user: true, ..NONE };
+pub(crate) const NONE: SandboxChoice = SandboxChoice { own_user: false, namespaces: false, own_files: false };
+pub(crate) const USER: SandboxChoice = SandboxChoice { own_user: true, ..NONE };
 
 /// The variable that names another place for the checkout and its program: one that an ordinary user can reach.
 pub(crate) const HOME: &str = "ATTACKS_HOME";
@@ -23,12 +25,12 @@ pub(crate) fn launcher() -> &'static Path {
     PLACE.get_or_init(|| other().unwrap_or_else(|| env!("CARGO_BIN_EXE_dcel").into()))
 }
 
-pub(crate) const SPACES: WallChoice = WallChoice { namespaces: true, ..NONE };
-pub(crate) const FILES: WallChoice = WallChoice { own_files: true, ..NONE };
-pub(crate) const ORDINARY: WallChoice = WallChoice { own_user: false, ..ALL };
-pub(crate) const ALL: WallChoice = WallChoice { own_user: true, namespaces: true, own_files: true };
+pub(crate) const SPACES: SandboxChoice = SandboxChoice { namespaces: true, ..NONE };
+pub(crate) const FILES: SandboxChoice = SandboxChoice { own_files: true, ..NONE };
+pub(crate) const ORDINARY: SandboxChoice = SandboxChoice { own_user: false, ..ALL };
+pub(crate) const ALL: SandboxChoice = SandboxChoice { own_user: true, namespaces: true, own_files: true };
 
-/// A test for each choice of walls: ignored, with the reason, where this machine does not have all of them.
+/// A test for each choice of barriers: ignored, with the reason, where this machine does not have all of them.
 macro_rules! behind_each {
     ($($name:ident($attack:path);)*) => {
         $(mod $name {
@@ -78,20 +80,20 @@ macro_rules! behind_each {
 }
 pub(crate) use behind_each;
 
-/// The walls of a choice, tried once. All of them are there: a test that needs one that is not is ignored, and does
+/// The barriers of a choice, tried once. All of them are there: a test that needs one that is not is ignored, and does
 /// not run.
-pub(crate) fn walls(choice: WallChoice) -> Walls {
-    static TRIED: Mutex<Vec<(WallChoice, Walls)>> = Mutex::new(Vec::new());
+pub(crate) fn sandbox(choice: SandboxChoice) -> Sandbox {
+    static TRIED: Mutex<Vec<(SandboxChoice, Sandbox)>> = Mutex::new(Vec::new());
     let mut tried = TRIED.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some((_, walls)) = tried.iter().find(|(known, _)| *known == choice) {
-        return walls.clone();
+    if let Some((_, sandbox)) = tried.iter().find(|(known, _)| *known == choice) {
+        return sandbox.clone();
     }
-    let walls = Walls::probe(Some(launcher()), choice);
-    assert_eq!(walls.up(), choice, "{:?}", walls.said());
-    let fallen = |wall: &&Wall| wall.missing.as_deref().is_some_and(|why| why != "switched off");
-    assert_eq!(walls.said().iter().find(fallen), None);
-    tried.push((choice, walls.clone()));
-    walls
+    let sandbox = Sandbox::probe(Some(launcher()), choice);
+    assert_eq!(sandbox.up(), choice, "{:?}", sandbox.said());
+    let fallen = |barrier: &&Barrier| barrier.missing.as_deref().is_some_and(|why| why != "switched off");
+    assert_eq!(sandbox.said().iter().find(fallen), None);
+    tried.push((choice, sandbox.clone()));
+    sandbox
 }
 
 pub(crate) struct Class {
@@ -148,7 +150,7 @@ impl Class {
     pub(crate) fn options(&self) -> GradeOptions {
         GradeOptions {
             launcher: Some(launcher().to_path_buf()),
-            rooms: Some(self.folder.path().join("rooms")),
+            work_folders: Some(self.folder.path().join("rooms")),
             hidden: vec![Hidden::new("the solution", vec![self.folder.path().join("grader")])],
             ..GradeOptions::default()
         }
@@ -175,8 +177,8 @@ impl Class {
             assert!(begin.elapsed() < Duration::from_secs(2), "{line} is still running");
             std::thread::sleep(Duration::from_millis(5));
         }
-        let rooms: Vec<_> = std::fs::read_dir(self.folder.path().join("rooms")).unwrap().collect();
-        assert!(rooms.is_empty(), "{rooms:?}");
+        let work_folders: Vec<_> = std::fs::read_dir(self.folder.path().join("rooms")).unwrap().collect();
+        assert!(work_folders.is_empty(), "{work_folders:?}");
     }
 }
 

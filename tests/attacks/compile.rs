@@ -1,11 +1,11 @@
 //! Attacks while the compiler runs: reading what is not the student's into the program, or into an error message.
 //!
-//! With the scan switched off. Behind a wall the compiler does not find the file. Where no wall stands before it, it
+//! With the scan switched off. Behind a barrier the compiler does not find the file. Where no barrier stands before it, it
 //! does, and says so in its list of what it read; then the submission is refused.
 
 use super::class::{Class, NONE, USER, behind_each};
 use crate::trials::trials;
-use dcel_lab::{GradeOptions, Hidden, Report, Verdict, WallChoice};
+use dcel_lab::{GradeOptions, Hidden, Report, SandboxChoice, Verdict};
 use std::fs::{self, File};
 use std::os::fd::AsRawFd;
 use std::os::unix::fs::PermissionsExt;
@@ -110,7 +110,7 @@ fn assert_nothing_won(attack: &Attack, report: &Report) {
     assert!(!said.contains(MARK) && !said.contains("root:x:0"), "{}: {said}", attack.name);
 }
 
-fn with_choice(choice: WallChoice, places: &[&str]) {
+fn with_choice(choice: SandboxChoice, places: &[&str]) {
     let class = Class::new();
     for (i, place) in places.iter().enumerate() {
         let place = if place.is_empty() { std::env::temp_dir() } else { PathBuf::from(place) };
@@ -125,23 +125,23 @@ fn with_choice(choice: WallChoice, places: &[&str]) {
             attacks.retain(|attack| !attack.reads.starts_with("/proc"));
         }
         let files: Vec<_> = attacks.iter().map(|attack| class.file(&attack.name, &attack.text)).collect();
-        let options = GradeOptions { scan: false, walls: choice, ..class.options() };
+        let options = GradeOptions { scan: false, sandbox: choice, ..class.options() };
         for (attack, report) in attacks.iter().zip(class.grade(&files, &options)) {
             assert_nothing_won(attack, &report);
             let message = report.message.clone().unwrap_or_default();
-            let walled = choice.namespaces || choice.own_files;
+            let sandboxed = choice.namespaces || choice.own_files;
             let gave_up = attack.name.contains("gives up");
             let own = attack.reads.starts_with("/proc/self") || !attack.reads.starts_with('/');
             // A compiler that sees its own files only does not see what the system says of itself either.
             let own = own && !(choice.own_files && attack.reads.starts_with('/'));
-            if (walled && !own) || gave_up {
+            if (sandboxed && !own) || gave_up {
                 let stopped = matches!(report.verdict, Verdict::DoesNotCompile | Verdict::Refused);
                 assert!(stopped, "{}: {:?} {message}", attack.name, report.verdict);
             } else {
                 assert_eq!(report.verdict, Verdict::Refused, "{}: {message}", attack.name);
                 assert!(message.contains(&format!("`{}`", attack.reads)), "{}: {message}", attack.name);
             }
-            if walled && attack.reads == other.file().display().to_string() {
+            if sandboxed && attack.reads == other.file().display().to_string() {
                 assert_eq!(report.verdict, Verdict::DoesNotCompile, "{}: it was found: {message}", attack.name);
             }
         }
@@ -190,18 +190,18 @@ fn the_scan_refuses_all_of_them_at_their_line() {
     }
 }
 
-/// A wall that is said to stand before a folder stands; one that does not is not said to.
-fn lines_are_true(choice: WallChoice) {
+/// A barrier that is said to stand before a folder stands; one that does not is not said to.
+fn lines_are_true(choice: SandboxChoice) {
     let class = Class::new();
     let right = class.file("right", class.lab.files.get("solution/lab.rs").unwrap());
     let other = Other::under(&std::env::temp_dir(), &class);
     let hidden = vec![Hidden::new("the others", vec![other.folder.path().to_path_buf()])];
-    let options = GradeOptions { walls: choice, hidden, ..class.options() };
+    let options = GradeOptions { sandbox: choice, hidden, ..class.options() };
     let report = class.grade(std::slice::from_ref(&right), &options).remove(0);
     assert_eq!(report.points(), 100, "{report:?}");
-    let wall = report.walls.iter().find(|wall| wall.name == "the others out of reach").unwrap();
-    let walled = choice.namespaces || choice.own_files;
-    assert_eq!(wall.missing.is_none(), walled, "{wall:?}");
+    let barrier = report.sandbox.iter().find(|barrier| barrier.name == "the others out of reach").unwrap();
+    let sandboxed = choice.namespaces || choice.own_files;
+    assert_eq!(barrier.missing.is_none(), sandboxed, "{barrier:?}");
     let said = serde_json::to_string(&report).unwrap();
     assert!(!said.contains(&*other.folder.path().to_string_lossy()), "a path for students: {said}");
 }

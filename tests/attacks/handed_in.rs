@@ -114,7 +114,7 @@ fn files_of_every_kind_get_a_report() {
 fn settings_above_the_rooms_are_a_fault_of_the_grader() {
     let class = Class::new();
     let right = class.file("right", solution(&class));
-    let rooms = class.options().rooms.unwrap();
+    let rooms = class.options().work_folders.unwrap();
     let settings = rooms.parent().unwrap().join(".cargo");
     std::fs::create_dir(&settings).unwrap();
     std::fs::write(settings.join("config.toml"), "").unwrap();

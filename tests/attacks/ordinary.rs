@@ -86,7 +86,7 @@ impl Place {
     }
 }
 
-/// `dcel grade 04 FILE --secret FILE`: full marks, hidden cases behind all walls that can be had, and no word of where
+/// `dcel grade 04 FILE --secret FILE`: full marks, hidden cases in a sandbox as good as can be had, and no word of where
 /// the secret is.
 fn grades_with_a_secret(ordinary: bool, namespaces: bool) {
     let place = place();
@@ -106,13 +106,13 @@ fn grades_with_a_secret(ordinary: bool, namespaces: bool) {
         assert!(!said.contains("seed = 99"), "{format}");
         if format == "text=-" {
             assert!(said.contains("100 of 100 points"), "{said}{complained}");
-            let walls = said.lines().find(|line| line.starts_with("Walls:")).unwrap();
-            let missing = said.lines().find(|line| line.starts_with("No wall:")).unwrap_or_default();
+            let sandbox = said.lines().find(|line| line.starts_with("Sandbox:")).unwrap();
+            let missing = said.lines().find(|line| line.starts_with("No barrier:")).unwrap_or_default();
             for thing in ["the instructor's secret", "what was handed in"] {
-                assert!(walls.contains(&format!("{thing} out of reach")), "{said}");
+                assert!(sandbox.contains(&format!("{thing} out of reach")), "{said}");
             }
-            assert_eq!(walls.contains("own root folder"), namespaces, "{said}");
-            assert_eq!(walls.contains("own user"), !ordinary, "{said}");
+            assert_eq!(sandbox.contains("own root folder"), namespaces, "{said}");
+            assert_eq!(sandbox.contains("own user"), !ordinary, "{said}");
             assert_eq!(missing.contains("own user"), ordinary, "{said}");
         }
     }

@@ -1,6 +1,6 @@
-//! A program that does what the word on its standard input says. Compiled by `walls.rs` and run behind walls.
+//! A program that does what the word on its standard input says. Compiled by `sandbox.rs` and run in the sandbox.
 //!
-//! What it starts ends by itself after a few seconds, so that it does no harm even where a wall is down.
+//! What it starts ends by itself after a few seconds, so that it does no harm even where a barrier is down.
 
 use std::fs;
 use std::hint::black_box;

@@ -1,7 +1,7 @@
 //! Reports hold what each format promises, for good and for hostile submissions.
 
 use dcel_lab::reports::Format;
-use dcel_lab::{Adjustment, Finding, Picture, Report, Similar, TestResult, Verdict, Visibility, Wall};
+use dcel_lab::{Adjustment, Barrier, Finding, Picture, Report, Similar, TestResult, Verdict, Visibility};
 use serde_json::Value;
 
 /// A name that tries to break out of every format.
@@ -62,9 +62,9 @@ fn report() -> Report {
             test("split_face_5_representatives", 5, Verdict::Skipped, 6),
             crashed,
         ],
-        walls: vec![
-            Wall { name: "memory 512 MB".to_owned(), missing: None },
-            Wall { name: "no network".to_owned(), missing: Some("user namespaces are not allowed".to_owned()) },
+        sandbox: vec![
+            Barrier { name: "memory 512 MB".to_owned(), missing: None },
+            Barrier { name: "no network".to_owned(), missing: Some("user namespaces are not allowed".to_owned()) },
         ],
         printed: "debugging\n".to_owned(),
         attachments: vec![("answers.md".to_owned(), "By next.origin.\n".to_owned())],
@@ -297,8 +297,8 @@ fn the_text_for_a_terminal_says_what_to_do() {
 Next: task 5, what split_face_4_faces asks: wrong.
 Lab 04-half-edge version 1, kit 0.1.0.
 Seed 12345: LAB_SEED=12345 gives the same random cases.
-Walls: memory 512 MB.
-No wall: no network: user namespaces are not allowed.
+Sandbox: memory 512 MB.
+Not in the sandbox: no network: user namespaces are not allowed.
 
 task 1
   passed             8/8  face_walk

@@ -266,7 +266,7 @@ fn a_class_is_graded_and_written_in_every_format() {
     assert_eq!(verdicts, [Verdict::Passed, Verdict::Wrong, Verdict::DoesNotCompile, Verdict::Passed]);
     assert_eq!(graded.iter().map(Report::points).collect::<Vec<_>>()[0], 100);
     assert_eq!(graded[2].points(), 0);
-    assert!(graded.iter().all(|report| report.seed == 4 && !report.walls.is_empty()));
+    assert!(graded.iter().all(|report| report.seed == 4 && !report.sandbox.is_empty()));
     assert!(graded[1].tests.iter().any(|test| test.bugs.contains(&with_bug(28).1)));
     for name in ["anna", "ben", "cara", "dora"] {
         let text = fs::read_to_string(shell.path(&format!("gs/{name}.json"))).unwrap();

@@ -1,7 +1,7 @@
 //! `dcel grade`: submissions in, reports out.
 //!
 //! ```text
-//!   folders and files ─▶ Grader (walls, one room each) ─▶ Report ─┐
+//!   folders and files ─▶ Grader (barriers, one room each) ─▶ Report ─┐
 //!   stored reports    ──────────────────────────────────▶ Report ─┼─▶ names, adjustments ─▶ formats
 //!   names without a submission ─▶ "nothing was handed in" ────────┘
 //! ```
@@ -31,7 +31,7 @@ use targets::Target;
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 A submission is a folder that `dcel lab start` made, the student's file alone, or a .zip or .tar.gz of either. It is
-built and run behind walls; the report names those that stood and those that could not be had. A submission that does
+built and run in the sandbox; the report names those that stood and those that could not be had. A submission that does
 its worst gets a report that says so, and the next one is graded. Submissions with equal files are graded once.
 
 A class is a folder, or the .zip that a course system lets you download: names as Canvas and Moodle make them are

@@ -6,7 +6,7 @@ use dcel_lab::{Lab, LabFiles, starter, verify};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// Prove that a lab grades rightly: solution, starter, every bug of its zoo
+/// Prove that a lab grades rightly: solution, starter, every known mistake
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 The solution passes everything; the starter compiles without warnings and is unattempted everywhere; every bug is

@@ -7,7 +7,7 @@
 
 use super::pipes::{Event, Pipe, feed};
 use super::{End, Limits, Program, Ran, end_of};
-use crate::{Stop, Wall};
+use crate::{Barrier, Stop};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, channel};
@@ -48,13 +48,13 @@ impl Program for Driver {
         std::thread::available_parallelism().map_or(1, usize::from).min(MOST_AT_ONCE)
     }
 
-    fn walls(&self) -> Vec<Wall> {
-        let mut walls = vec![
-            Wall { name: format!("deadline {} s", self.limits.seconds), missing: None },
-            Wall { name: format!("output {} kB", self.limits.output_kb), missing: None },
+    fn sandbox(&self) -> Vec<Barrier> {
+        let mut sandbox = vec![
+            Barrier { name: format!("deadline {} s", self.limits.seconds), missing: None },
+            Barrier { name: format!("output {} kB", self.limits.output_kb), missing: None },
         ];
-        walls.extend(system_limits(&self.limits));
-        walls
+        sandbox.extend(system_limits(&self.limits));
+        sandbox
     }
 }
 
@@ -229,7 +229,7 @@ pub(crate) fn limited(path: &Path, _: &Limits) -> Command {
 }
 
 #[cfg(unix)]
-fn system_limits(limits: &Limits) -> Vec<Wall> {
+fn system_limits(limits: &Limits) -> Vec<Barrier> {
     let holds = |words: &str| {
         let shell = Command::new("/bin/sh").arg("-c").arg(format!("ulimit {words}")).output();
         match shell {
@@ -238,13 +238,13 @@ fn system_limits(limits: &Limits) -> Vec<Wall> {
             Err(error) => Some(format!("/bin/sh: {error}")),
         }
     };
-    ulimits(limits).into_iter().map(|(words, name)| Wall { missing: holds(&words), name }).collect()
+    ulimits(limits).into_iter().map(|(words, name)| Barrier { missing: holds(&words), name }).collect()
 }
 
 #[cfg(not(unix))]
-fn system_limits(limits: &Limits) -> Vec<Wall> {
+fn system_limits(limits: &Limits) -> Vec<Barrier> {
     let missing = Some("only unix systems limit a process before it starts".to_owned());
-    vec![Wall { name: format!("memory {} MB", limits.memory_mb), missing }]
+    vec![Barrier { name: format!("memory {} MB", limits.memory_mb), missing }]
 }
 
 #[cfg(test)]
@@ -305,6 +305,6 @@ mod tests {
         let dir = tempfile::tempdir().unwrap();
         let driver = program(&dir, "ulimit -S -v; ulimit -S -t", Limits::default());
         assert_eq!(String::from_utf8(driver.run("").stdout).unwrap(), "1048576\n5\n");
-        assert!(driver.walls().iter().all(|wall| wall.missing.is_none()), "{:?}", driver.walls());
+        assert!(driver.sandbox().iter().all(|barrier| barrier.missing.is_none()), "{:?}", driver.sandbox());
     }
 }

@@ -121,20 +121,20 @@ pub(super) fn points(report: &Report) -> String {
     format!("{} of {}", report.points(), report.max_points())
 }
 
-/// The seed, the versions and the walls, one sentence each.
+/// The seed, the versions and the barriers, one sentence each.
 pub(super) fn circumstances(report: &Report) -> Vec<String> {
     let mut lines = vec![
         format!("Lab {} version {}, kit {}.", report.lab, report.lab_version, report.kit),
         format!("Seed {}: LAB_SEED={} gives the same random cases.", report.seed, report.seed),
     ];
     lines.extend(report.notes.iter().map(|note| format!("Note: {}.", line(note))));
-    let up: Vec<&str> = report.walls.iter().filter(|w| w.missing.is_none()).map(|w| w.name.as_str()).collect();
+    let up: Vec<&str> = report.sandbox.iter().filter(|w| w.missing.is_none()).map(|w| w.name.as_str()).collect();
     if !up.is_empty() {
-        lines.push(format!("Walls: {}.", up.join(", ")));
+        lines.push(format!("Sandbox: {}.", up.join(", ")));
     }
-    for wall in &report.walls {
-        if let Some(why) = &wall.missing {
-            lines.push(format!("No wall: {}: {why}.", wall.name));
+    for barrier in &report.sandbox {
+        if let Some(why) = &barrier.missing {
+            lines.push(format!("Not in the sandbox: {}: {why}.", barrier.name));
         }
     }
     lines

@@ -1,18 +1,18 @@
-//! Building a tree: cargo, offline, in a target directory of its own, behind the walls.
+//! Building a tree: cargo, offline, in a target directory of its own, in the sandbox.
 //!
 //! The compiler reads what the student wrote, so it is a program that the student runs: it has a deadline, a memory
 //! limit, and sees its tools and the tree. Nothing that is compiled is run while compiling: there is no build script
 //! and no procedural macro.
 //!
 //! ```text
-//!   scan ──▶ build behind the walls ──▶ what did the compiler read? ──▶ program, or the compiler's words
+//!   scan ──▶ build in the sandbox ──▶ what did the compiler read? ──▶ program, or the compiler's words
 //!                                       anything outside: refused       only if it came to say what it read
 //! ```
 
 use super::reads::{Reads, is_own};
 use super::toolchain::Toolchain;
 use super::tree::{Tree, own_only};
-use crate::task::{Sandbox, Task, View};
+use crate::task::{Runner, Task, View};
 use crate::{End, Limits, Verdict};
 use serde::Deserialize;
 use std::fs;
@@ -36,13 +36,13 @@ pub(crate) enum Built {
 }
 
 /// Builds a tree in a sandbox.
-pub(crate) fn build(tree: &Tree, toolchain: &Toolchain, limits: Limits, sandbox: &dyn Sandbox) -> Built {
-    if let Some(settings) = settings_above(&tree.folder()).filter(|_| !sandbox.obeys_settings()) {
+pub(crate) fn build(tree: &Tree, toolchain: &Toolchain, limits: Limits, runner: &dyn Runner) -> Built {
+    if let Some(settings) = settings_above(&tree.folder()).filter(|_| !runner.obeys_settings()) {
         return fault(format!("{} would change how submissions are built; move it away", settings.display()));
     }
     // In a room that stays there may be the account of an earlier build.
     Reads::forget(&tree.target());
-    let ran = sandbox.run(&task(tree, toolchain, limits), "");
+    let ran = runner.run(&task(tree, toolchain, limits), "");
     let messages: Vec<Message> =
         String::from_utf8_lossy(&ran.stdout).lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
     let complaints = String::from_utf8_lossy(&ran.stderr).into_owned();

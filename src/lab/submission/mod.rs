@@ -21,11 +21,11 @@ mod intake;
 mod linker;
 mod parts;
 mod reads;
-#[cfg(feature = "grade")]
-mod room;
 mod scan;
 mod toolchain;
 mod tree;
+#[cfg(feature = "grade")]
+mod work_folder;
 
 pub(crate) use build::{Built, build};
 #[cfg(feature = "grade")]
@@ -33,11 +33,11 @@ pub use handed::{ClassError, Submission};
 pub use intake::{Intake, IntakeError, take_in};
 #[cfg(feature = "grade")]
 pub(crate) use intake::{scan_all, take_in_unscanned};
-#[cfg(feature = "grade")]
-pub(crate) use room::Rooms;
 pub use scan::{Forbidden, ScanError, scan};
 pub(crate) use toolchain::Toolchain;
 pub(crate) use tree::Tree;
+#[cfg(feature = "grade")]
+pub(crate) use work_folder::WorkFolders;
 
 use super::Limits;
 

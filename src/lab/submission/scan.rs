@@ -9,7 +9,7 @@
 //!
 //! The scan goes over tokens, not over a syntax tree: so it sees the inside of every macro call and of every macro's
 //! body, and needs to know nothing of the grammar around. Comments and strings are no names. It is the friendly half
-//! of the defence, which says at line and column what to take out; what it overlooks meets the walls, and the list of
+//! of the defence, which says at line and column what to take out; what it overlooks meets the barriers, and the list of
 //! files that the compiler read.
 //!
 //! The macros that read files die by their names, wherever these stand, so that no other name can be given to them.

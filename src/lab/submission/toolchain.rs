@@ -13,7 +13,7 @@ use super::tree::own_only;
 #[cfg(feature = "grade")]
 use crate::End;
 #[cfg(feature = "grade")]
-use crate::walls::{Task, View, Walls, unguessable};
+use crate::sandbox::{Sandbox, Task, View, unguessable};
 use std::fs;
 #[cfg(feature = "grade")]
 use std::io;
@@ -36,18 +36,18 @@ pub(crate) struct Toolchain {
 impl Toolchain {
     /// The toolchain that is in use here. `room` is a folder for links to it, if it has to be opened.
     #[cfg(feature = "grade")]
-    pub(crate) fn find(walls: &Walls, room: &Path) -> Result<Self, String> {
+    pub(crate) fn find(sandbox: &Sandbox, room: &Path) -> Result<Self, String> {
         let root = sysroot()?;
         let linker = linker()?;
         let found = Self::at(&root).with(linker.as_ref());
         if !found.cargo.is_file() {
             return Err(format!("{} is missing: cargo and rustc must come from one toolchain", found.cargo.display()));
         }
-        let Err(first) = found.works(walls, room) else { return Ok(found) };
+        let Err(first) = found.works(sandbox, room) else { return Ok(found) };
         let copy = room.join("toolchain");
         open(&root, &copy).map_err(|error| format!("{first}; and no copy of the toolchain can be made: {error}"))?;
         let copied = Self::at(&copy).with(linker.as_ref());
-        copied.works(walls, room).map(|()| copied)
+        copied.works(sandbox, room).map(|()| copied)
     }
 
     /// What the compiler sees of the machine besides the system's own.
@@ -56,7 +56,7 @@ impl Toolchain {
         &self.parts
     }
 
-    /// The toolchain of this machine, for a build without walls.
+    /// The toolchain of this machine, for a build without a sandbox.
     pub(crate) fn installed() -> Result<Self, String> {
         let found = Self::at(&sysroot()?);
         if found.cargo.is_file() {
@@ -96,12 +96,12 @@ impl Toolchain {
         self
     }
 
-    /// Whether the compiler and its linker work behind the walls: what fails for every submission is no submission's
+    /// Whether the compiler and its linker work in the sandbox: what fails for every submission is no submission's
     /// fault.
     #[cfg(feature = "grade")]
-    fn works(&self, walls: &Walls, room: &Path) -> Result<(), String> {
+    fn works(&self, sandbox: &Sandbox, room: &Path) -> Result<(), String> {
         let why = |error: io::Error| format!("no room to try the compiler: {error}");
-        let resident = walls.resident().map_err(|error| error.to_string())?;
+        let resident = sandbox.resident().map_err(|error| error.to_string())?;
         let folder = room.join(format!("trial-{}", unguessable()));
         let made = folder.join("made");
         fs::create_dir(&folder).map_err(why)?;

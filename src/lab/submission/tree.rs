@@ -11,7 +11,7 @@
 
 use super::intake::Intake;
 use crate::Lab;
-use crate::task::Sandbox;
+use crate::task::Runner;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -30,15 +30,15 @@ pub(crate) struct Tree {
 
 impl Tree {
     /// Lays the tree out in a new folder `room`.
-    pub(crate) fn lay(room: PathBuf, lab: &Lab, intake: &Intake, sandbox: &dyn Sandbox) -> io::Result<Self> {
+    pub(crate) fn lay(room: PathBuf, lab: &Lab, intake: &Intake, runner: &dyn Runner) -> io::Result<Self> {
         let tree = Self::in_room(room, lab, false);
-        tree.furnish(sandbox)?;
+        tree.furnish(runner)?;
         tree.write(lab, intake)?;
         Ok(tree)
     }
 
     /// Lays the tree out in a folder `room` that stays: new, or with the tree of an earlier check in it.
-    pub(crate) fn lay_again(room: PathBuf, lab: &Lab, intake: &Intake, sandbox: &dyn Sandbox) -> io::Result<Self> {
+    pub(crate) fn lay_again(room: PathBuf, lab: &Lab, intake: &Intake, runner: &dyn Runner) -> io::Result<Self> {
         let tree = Self::in_room(room, lab, true);
         if tree.room.exists() {
             match fs::remove_dir_all(tree.folder()) {
@@ -46,7 +46,7 @@ impl Tree {
                 _ => {}
             }
         } else {
-            tree.furnish(sandbox)?;
+            tree.furnish(runner)?;
         }
         tree.write(lab, intake)?;
         Ok(tree)
@@ -57,14 +57,14 @@ impl Tree {
     }
 
     /// Makes the room and the folders in which the compiler may write.
-    fn furnish(&self, sandbox: &dyn Sandbox) -> io::Result<()> {
+    fn furnish(&self, runner: &dyn Runner) -> io::Result<()> {
         fs::create_dir(&self.room)?;
         own_only(&self.room, 0o750)?;
-        sandbox.let_in(&self.room)?;
+        runner.let_in(&self.room)?;
         for folder in [self.target(), self.tmp(), self.home()] {
             fs::create_dir(&folder)?;
             own_only(&folder, 0o700)?;
-            sandbox.give(&folder)?;
+            runner.give(&folder)?;
         }
         Ok(())
     }

@@ -1,31 +1,31 @@
-//! Where rooms are: a folder of the grader's own, through which a user without an account can pass but not look.
+//! Where work folders are: a folder of the grader's own, through which a user without an account can pass but not look.
 
-use crate::walls::{Walls, unguessable};
+use crate::sandbox::{Sandbox, unguessable};
 use std::fs::{self, DirBuilder};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// The folder of the rooms of one grading run; removed with everything in it when this is dropped.
+/// The folder of the work folders of one grading run; removed with everything in it when this is dropped.
 #[derive(Debug)]
-pub(crate) struct Rooms {
+pub(crate) struct WorkFolders {
     folder: PathBuf,
     taken: AtomicU64,
 }
 
-impl Rooms {
+impl WorkFolders {
     /// A new folder in `parent`, or else where the system keeps temporary files.
-    pub(crate) fn new(walls: &Walls, parent: Option<&Path>) -> io::Result<Self> {
+    pub(crate) fn new(sandbox: &Sandbox, parent: Option<&Path>) -> io::Result<Self> {
         let usual = [std::env::temp_dir(), PathBuf::from("/var/tmp"), PathBuf::from("/tmp")];
         let places = parent.map_or_else(|| usual.to_vec(), |parent| vec![parent.to_path_buf()]);
         // Only a folder that everybody may pass through can hold the room of another user.
-        let fits = |place: &&PathBuf| place.is_dir() && (!walls.up().own_user || is_open(place));
+        let fits = |place: &&PathBuf| place.is_dir() && (!sandbox.up().own_user || is_open(place));
         let place = places.iter().find(fits).ok_or_else(|| {
             io::Error::other(format!("{} is closed to other users: name another folder", places[0].display()))
         })?;
         let folder = place.canonicalize()?.join(format!("dcel-{}", unguessable()));
         let mut builder = DirBuilder::new();
-        let_in(&mut builder, if walls.up().own_user { 0o711 } else { 0o700 });
+        let_in(&mut builder, if sandbox.up().own_user { 0o711 } else { 0o700 });
         builder.create(&folder)?;
         Ok(Self { folder, taken: AtomicU64::new(0) })
     }
@@ -40,7 +40,7 @@ impl Rooms {
     }
 }
 
-impl Drop for Rooms {
+impl Drop for WorkFolders {
     fn drop(&mut self) {
         let _ = fs::remove_dir_all(&self.folder);
     }

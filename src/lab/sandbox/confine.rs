@@ -1,4 +1,4 @@
-//! The walls themselves: what a step of the launcher does to itself. All of it lasts, and is handed down.
+//! The barriers themselves: what a step of the launcher does to itself. All of it lasts, and is handed down.
 
 use super::spec::{Files, Spec};
 use landlock::{

@@ -1,7 +1,7 @@
-//! What a program can do from inside the walls: a small one that tries, in the place of the student's.
+//! What a program can do from inside the sandbox: a small one that tries, in the place of the student's.
 //!
 //! ```text
-//!   grader ──questions──▶ launcher ▸ walls ▸ this ──answers──▶ grader: a wall that was passed is not reported as one
+//!   grader ──questions──▶ launcher ▸ barriers ▸ this ──answers──▶ grader: a barrier that was passed is not reported as one
 //! ```
 
 use super::processes::start_of;

@@ -1,11 +1,11 @@
-//! Trying the walls from inside, and what is said of them then: a wall is reported only after a program behind it has
+//! Trying the barriers from inside, and what is said of them then: a barrier is reported only after a program behind it has
 //! failed to pass it.
 
 use super::inside::{Answers, Questions, spaces};
 use super::linux::Resident;
 use super::processes::{runs, start_of};
 use super::spec::{INSIDE, WORD};
-use super::{Hidden, Limits, Task, View, Wall, WallChoice, Walls, unguessable};
+use super::{Barrier, Hidden, Limits, Sandbox, SandboxChoice, Task, View, unguessable};
 use crate::End;
 use std::fs;
 use std::net::{Ipv4Addr, TcpListener, UdpSocket};
@@ -31,10 +31,10 @@ struct Trial {
     stayed: bool,
 }
 
-/// Runs the program that tries everything, behind the walls of a resident, with a view of the file system.
+/// Runs the program that tries everything, in the sandbox of a resident, with a view of the file system.
 fn trial(resident: &Resident, mut view: View, files: &[PathBuf]) -> Result<Trial, String> {
     let others: Vec<&str> = OTHERS.into_iter().filter(|path| fs::File::open(path).is_ok()).collect();
-    let door = |error: std::io::Error| format!("the walls cannot be tried: {error}");
+    let door = |error: std::io::Error| format!("the sandbox cannot be tried: {error}");
     let tcp = TcpListener::bind((Ipv4Addr::LOCALHOST, 0)).map_err(door)?;
     let udp = UdpSocket::bind((Ipv4Addr::LOCALHOST, 0)).map_err(door)?;
     udp.set_read_timeout(Some(UNDER_WAY)).map_err(door)?;
@@ -72,7 +72,7 @@ fn trial(resident: &Resident, mut view: View, files: &[PathBuf]) -> Result<Trial
 }
 
 impl Trial {
-    /// What got through the wall of this name, or nothing.
+    /// What got through the barrier of this name, or nothing.
     fn past_own_user(&self, own: u32) -> Option<String> {
         let Answers { user, root, signal, .. } = &self.answers;
         (*root || *user == own || *signal).then(|| format!("a program ran as user {user} and had rights it should not"))
@@ -102,82 +102,82 @@ impl Trial {
     }
 }
 
-/// Tries each wall by itself, and then all together. Those that stand, and what is said of each.
+/// Tries each barrier by itself, and then all together. Those that stand, and what is said of each.
 ///
-/// The trials wait more than they work, so that all of them are made at the same time, as if every wall stood; one that
-/// was made with a wall that does not stand is made again without it.
-pub(super) fn probe(launcher: &Path, choice: WallChoice) -> (WallChoice, Vec<Wall>) {
-    let none = WallChoice { own_user: false, namespaces: false, own_files: false };
-    let attempt_now = |up: WallChoice| {
-        let walls = Walls {
+/// The trials wait more than they work, so that all of them are made at the same time, as if every barrier stood; one that
+/// was made with a barrier that does not stand is made again without it.
+pub(super) fn probe(launcher: &Path, choice: SandboxChoice) -> (SandboxChoice, Vec<Barrier>) {
+    let none = SandboxChoice { own_user: false, namespaces: false, own_files: false };
+    let attempt_now = |up: SandboxChoice| {
+        let sandbox = Sandbox {
             launcher: launcher.to_path_buf(),
             up,
             said: Vec::new(),
             hidden: Vec::new(),
             stop: super::Stop::new(),
         };
-        let resident = Resident::new(&walls).map_err(|error| error.to_string())?;
+        let resident = Resident::new(&sandbox).map_err(|error| error.to_string())?;
         trial(&resident, View::default(), &[])
     };
-    let within = |up: WallChoice| {
+    let within = |up: SandboxChoice| {
         up.own_user <= choice.own_user && up.own_files <= choice.own_files && up.namespaces <= choice.namespaces
     };
     let mut likely = vec![none];
     for up in [
-        WallChoice { own_user: true, ..none },
-        WallChoice { own_files: true, namespaces: false, ..choice },
-        WallChoice { own_files: false, namespaces: true, ..choice },
+        SandboxChoice { own_user: true, ..none },
+        SandboxChoice { own_files: true, namespaces: false, ..choice },
+        SandboxChoice { own_files: false, namespaces: true, ..choice },
         choice,
     ] {
         if within(up) && !likely.contains(&up) {
             likely.push(up);
         }
     }
-    let mut made: Vec<(WallChoice, Result<Trial, String>)> = std::thread::scope(|scope| {
+    let mut made: Vec<(SandboxChoice, Result<Trial, String>)> = std::thread::scope(|scope| {
         let begun: Vec<_> = likely.into_iter().map(|up| (up, scope.spawn(move || attempt_now(up)))).collect();
-        let broke = |_| Err("a trial of the walls broke off".to_owned());
+        let broke = |_| Err("a trial of the sandbox broke off".to_owned());
         begun.into_iter().map(|(up, trial)| (up, trial.join().unwrap_or_else(broke))).collect()
     });
-    let mut attempt = |up: WallChoice| match made.iter().position(|(made, _)| *made == up) {
+    let mut attempt = |up: SandboxChoice| match made.iter().position(|(made, _)| *made == up) {
         Some(at) => made.swap_remove(at).1,
         None => attempt_now(up),
     };
     let base = attempt(none).map(|trial| trial.past_the_end());
     let own = nix::unistd::geteuid().as_raw();
     let (mut up, mut said) = (none, Vec::new());
-    let mut wall = |name: &str, up: bool, tried: Result<Option<String>, String>| {
+    let mut barrier = |name: &str, up: bool, tried: Result<Option<String>, String>| {
         let (stands, missing) = match (&base, up, tried) {
             (Err(why), ..) => (false, Some(why.clone())),
             (Ok(_), true, Err(why)) => (false, Some(why)),
             (Ok(_), false, _) => (false, Some("switched off".to_owned())),
             (Ok(_), true, Ok(passed)) => (true, passed),
         };
-        said.push(Wall { name: name.to_owned(), missing });
+        said.push(Barrier { name: name.to_owned(), missing });
         stands
     };
     let skipped = || Err(String::new());
     let go = base.is_ok();
     let tried = if go && choice.own_user {
-        attempt(WallChoice { own_user: true, ..none }).map(|trial| trial.past_own_user(own))
+        attempt(SandboxChoice { own_user: true, ..none }).map(|trial| trial.past_own_user(own))
     } else {
         skipped()
     };
-    up.own_user = wall("own user", choice.own_user, tried);
+    up.own_user = barrier("own user", choice.own_user, tried);
     let tried = if go && choice.own_files {
-        attempt(WallChoice { own_files: true, ..up }).map(|trial| trial.past_own_files())
+        attempt(SandboxChoice { own_files: true, ..up }).map(|trial| trial.past_own_files())
     } else {
         skipped()
     };
-    up.own_files = wall("own files only", choice.own_files, tried);
+    up.own_files = barrier("own files only", choice.own_files, tried);
     let tried = if go && choice.namespaces {
-        let alone = attempt(WallChoice { namespaces: true, own_files: false, ..up });
-        alone.and_then(|trial| attempt(WallChoice { namespaces: true, ..up }).map(|_| trial.past_namespaces()))
+        let alone = attempt(SandboxChoice { namespaces: true, own_files: false, ..up });
+        alone.and_then(|trial| attempt(SandboxChoice { namespaces: true, ..up }).map(|_| trial.past_namespaces()))
     } else {
         skipped()
     };
-    up.namespaces = wall(NAMESPACES, choice.namespaces, tried);
+    up.namespaces = barrier(NAMESPACES, choice.namespaces, tried);
     let missing = base.unwrap_or_else(Some);
-    said.push(Wall { name: "nothing stays".to_owned(), missing });
+    said.push(Barrier { name: "nothing stays".to_owned(), missing });
     (up, said)
 }
 
@@ -186,7 +186,12 @@ pub(super) const NAMESPACES: &str = "own root folder, processes, network and sha
 
 /// Tries to reach what is hidden, with the view that the compiler has and with that of the student's program.
 /// `needed`: what lies within something hidden and is shown all the same.
-pub(super) fn out_of_reach(walls: &Walls, hidden: &[Hidden], tools: &[PathBuf], needed: &[PathBuf]) -> Vec<Wall> {
+pub(super) fn out_of_reach(
+    sandbox: &Sandbox,
+    hidden: &[Hidden],
+    tools: &[PathBuf],
+    needed: &[PathBuf],
+) -> Vec<Barrier> {
     let apart = |path: &PathBuf| !needed.iter().any(|need| path.starts_with(need));
     let mut files = Vec::new();
     let mut of = Vec::new();
@@ -203,16 +208,16 @@ pub(super) fn out_of_reach(walls: &Walls, hidden: &[Hidden], tools: &[PathBuf], 
     let mut said = Vec::new();
     let build = View { run: tools.to_vec(), write: Vec::new(), tools: true };
     for (when, view) in [("when it is compiled", build), ("when it runs", View::default())] {
-        let resident = walls.resident().map_err(|error| error.to_string());
+        let resident = sandbox.resident().map_err(|error| error.to_string());
         let tried = resident.and_then(|resident| trial(&resident, view, &files));
         match tried {
             Ok(trial) => {
                 for i in trial.read() {
-                    missing[of[i]].get_or_insert_with(|| reach(walls.up, when));
+                    missing[of[i]].get_or_insert_with(|| reach(sandbox.up, when));
                 }
-                let claimed = walls.up.own_files || walls.up.namespaces;
+                let claimed = sandbox.up.own_files || sandbox.up.namespaces;
                 if let Some(why) = trial.past_own_files().filter(|_| claimed) {
-                    said.push(Wall { name: format!("no files of others {when}"), missing: Some(why) });
+                    said.push(Barrier { name: format!("no files of others {when}"), missing: Some(why) });
                 }
             }
             Err(why) => missing.iter_mut().for_each(|line| {
@@ -220,11 +225,11 @@ pub(super) fn out_of_reach(walls: &Walls, hidden: &[Hidden], tools: &[PathBuf], 
             }),
         }
     }
-    said.extend(hidden.iter().zip(missing).map(|(thing, missing)| Wall { name: thing.wall(), missing }));
+    said.extend(hidden.iter().zip(missing).map(|(thing, missing)| Barrier { name: thing.barrier(), missing }));
     said
 }
 
-fn reach(up: WallChoice, when: &str) -> String {
+fn reach(up: SandboxChoice, when: &str) -> String {
     let who = if up.own_user { "every user of this machine" } else { "a program of the user who grades" };
     let help = if up.own_user { ": take the rights of others away (chmod 700)" } else { "" };
     format!("{who} can read it, also {when}{help}")

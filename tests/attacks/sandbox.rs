@@ -1,8 +1,8 @@
-//! Each wall alone, with a program that was never scanned.
+//! Each barrier alone, with a program that was never scanned.
 
-use super::class::{NONE, behind_each, home, launcher, running, walls};
+use super::class::{NONE, behind_each, home, launcher, running, sandbox};
 use crate::trials::trials;
-use dcel_lab::{End, Limits, Program, Ran, WallChoice, Walls};
+use dcel_lab::{End, Limits, Program, Ran, Sandbox, SandboxChoice};
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -47,12 +47,12 @@ struct Attacker {
 const LIMITS: Limits =
     Limits { seconds: 1.0, cpu_seconds: 5, memory_mb: 256, output_kb: 256, file_kb: 4, files: 32, processes: 8 };
 
-fn run(choice: WallChoice, word: &str) -> Ran {
+fn run(choice: SandboxChoice, word: &str) -> Ran {
     run_within(choice, LIMITS, word)
 }
 
-fn run_within(choice: WallChoice, limits: Limits, word: &str) -> Ran {
-    walls(choice).program(&attacker().program, limits).unwrap().run(word)
+fn run_within(choice: SandboxChoice, limits: Limits, word: &str) -> Ran {
+    sandbox(choice).program(&attacker().program, limits).unwrap().run(word)
 }
 
 fn said(ran: &Ran) -> String {
@@ -68,9 +68,9 @@ fn assert_nothing_runs(words: &str) {
     }
 }
 
-fn ends_are_told_apart(choice: WallChoice) {
+fn ends_are_told_apart(choice: SandboxChoice) {
     let attacker = attacker();
-    let program = walls(choice).program(&attacker.program, LIMITS).unwrap();
+    let program = sandbox(choice).program(&attacker.program, LIMITS).unwrap();
     let echo = program.run("echo hello");
     assert_eq!((said(&echo).as_str(), echo.end), ("hello\n", End::Exited(0)));
     for (word, end) in [
@@ -87,7 +87,7 @@ fn ends_are_told_apart(choice: WallChoice) {
     }
 }
 
-fn deadlines_hold(choice: WallChoice) {
+fn deadlines_hold(choice: SandboxChoice) {
     let short = Limits { seconds: 0.3, ..LIMITS };
     for word in ["loop", "sleep"] {
         let ran = run_within(choice, short, word);
@@ -103,7 +103,7 @@ fn processor_time_ends_a_loop_before_the_deadline() {
     assert!(ran.end == End::TimedOut && ran.millis < 25_000, "{:?} after {} ms", ran.end, ran.millis);
 }
 
-fn limits_of_files_hold(choice: WallChoice) {
+fn limits_of_files_hold(choice: SandboxChoice) {
     let open: usize = said(&run(choice, "open")).trim().parse().unwrap();
     assert!((20..32).contains(&open), "{open} files");
     let dir = tempfile::tempdir().unwrap();
@@ -119,21 +119,21 @@ fn limits_of_files_hold(choice: WallChoice) {
 }
 
 /// The number of processes binds everybody but root.
-fn fork_bombs_burn_out(choice: WallChoice) {
+fn fork_bombs_burn_out(choice: SandboxChoice) {
     let born: usize = said(&run(choice, "fork")).trim().parse().unwrap();
     assert!((1..=8).contains(&born), "{born} processes");
     assert_nothing_runs("4.125");
 }
 
 fn fork_bombs_of_a_user_of_its_own_burn_out() {
-    fork_bombs_burn_out(WallChoice { own_user: true, ..NONE });
+    fork_bombs_burn_out(SandboxChoice { own_user: true, ..NONE });
 }
 
 fn fork_bombs_in_namespaces_burn_out() {
-    fork_bombs_burn_out(WallChoice { own_user: true, namespaces: true, ..NONE });
+    fork_bombs_burn_out(SandboxChoice { own_user: true, namespaces: true, ..NONE });
 }
 
-fn daemons_do_not_survive(choice: WallChoice) {
+fn daemons_do_not_survive(choice: SandboxChoice) {
     static COUNT: AtomicUsize = AtomicUsize::new(0);
     let seconds = format!("5.{}{}", std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed));
     let ran = run(choice, &format!("daemon {seconds}"));
@@ -142,7 +142,7 @@ fn daemons_do_not_survive(choice: WallChoice) {
     assert_nothing_runs(&seconds);
 }
 
-fn files_of_the_grader_are_out_of_reach(choice: WallChoice) {
+fn files_of_the_grader_are_out_of_reach(choice: SandboxChoice) {
     let dir = tempfile::tempdir().unwrap();
     let solution = dir.path().join("lab.rs");
     std::fs::write(&solution, "the solution").unwrap();
@@ -151,11 +151,11 @@ fn files_of_the_grader_are_out_of_reach(choice: WallChoice) {
         std::fs::set_permissions(dir.path(), std::fs::Permissions::from_mode(mode)).unwrap();
         said(&run(choice, &read)).contains("the solution")
     };
-    let walled = choice.namespaces || choice.own_files;
-    // Open to everybody: here the attack works wherever no wall is made for it.
-    assert_eq!(read_with(0o755), !walled);
-    assert_eq!(read_with(0o700), !walled && !choice.own_user);
-    if walled {
+    let sandboxed = choice.namespaces || choice.own_files;
+    // Open to everybody: here the attack works wherever no barrier is made for it.
+    assert_eq!(read_with(0o755), !sandboxed);
+    assert_eq!(read_with(0o700), !sandboxed && !choice.own_user);
+    if sandboxed {
         for word in
             ["list /home", "list /opt", "list /root", "read /etc/passwd", "read /etc/hostname", "list /usr/share"]
         {
@@ -174,7 +174,7 @@ fn files_of_the_grader_are_out_of_reach(choice: WallChoice) {
 }
 
 /// A file that was open when the launcher was started is closed before the program runs.
-fn what_is_open_is_closed(choice: WallChoice) {
+fn what_is_open_is_closed(choice: SandboxChoice) {
     let dir = tempfile::tempdir().unwrap();
     std::fs::set_permissions(dir.path(), std::fs::Permissions::from_mode(0o755)).unwrap();
     let (secret, leaky) = (dir.path().join("secret"), dir.path().join("launcher"));
@@ -187,15 +187,18 @@ fn what_is_open_is_closed(choice: WallChoice) {
     // The attack by itself: a program started with the file open can read it.
     let open = format!("exec 7< '{}'; echo inherited | '{}'", secret.display(), attacker.program.display());
     let out = Command::new("/bin/sh").arg("-c").arg(open).output().unwrap();
-    assert!(String::from_utf8_lossy(&out.stdout).contains("seed = 99"), "the attack does not even work without walls");
-    let leaking = Walls::probe(Some(&leaky), choice);
+    assert!(
+        String::from_utf8_lossy(&out.stdout).contains("seed = 99"),
+        "the attack does not even work without a sandbox"
+    );
+    let leaking = Sandbox::probe(Some(&leaky), choice);
     assert_eq!(leaking.up(), choice, "{:?}", leaking.said());
     let ran = leaking.program(&attacker.program, LIMITS).unwrap().run("inherited");
     assert_eq!((said(&ran).as_str(), ran.end), ("0\n", End::Exited(0)));
 }
 
 /// What others run can be seen where nothing but a user of its own stands before it.
-fn other_processes_are_out_of_reach(choice: WallChoice) {
+fn other_processes_are_out_of_reach(choice: SandboxChoice) {
     let own = std::process::id();
     let seen = said(&run(choice, &format!("process {own}"))).contains("attacks");
     assert_eq!(seen, !choice.namespaces && !choice.own_files);
@@ -239,22 +242,22 @@ fn nobody_has_rights_in_namespaces() {
     assert_eq!((field("CapEff:"), field("CapPrm:")), ("0000000000000000", "0000000000000000"));
 }
 
-fn the_network_is_out_of_reach(choice: WallChoice) {
+fn the_network_is_out_of_reach(choice: SandboxChoice) {
     let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
     let ran = run(choice, &format!("connect {}", listener.local_addr().unwrap()));
-    // Without walls the attack works.
+    // Without a sandbox the attack works.
     let open = !choice.namespaces && !choice.own_files;
     assert_eq!(said(&ran).starts_with("ok"), open, "{}", said(&ran));
 }
 
 fn a_missing_wall_is_named() {
-    let walls = Walls::probe(Some(launcher()), NONE);
-    assert_eq!(walls.up(), NONE);
-    let missing = walls.said().iter().filter(|wall| wall.missing.as_deref() == Some("switched off")).count();
-    assert_eq!(missing, 3, "{:?}", walls.said());
-    // A launcher that is none: no wall stands, and no program runs.
-    let broken = Walls::probe(Some(Path::new("/bin/false")), super::class::ALL);
-    assert!(broken.said().iter().all(|wall| wall.missing.is_some()), "{:?}", broken.said());
+    let sandbox = Sandbox::probe(Some(launcher()), NONE);
+    assert_eq!(sandbox.up(), NONE);
+    let missing = sandbox.said().iter().filter(|barrier| barrier.missing.as_deref() == Some("switched off")).count();
+    assert_eq!(missing, 3, "{:?}", sandbox.said());
+    // A launcher that is none: no barrier stands, and no program runs.
+    let broken = Sandbox::probe(Some(Path::new("/bin/false")), super::class::ALL);
+    assert!(broken.said().iter().all(|barrier| barrier.missing.is_some()), "{:?}", broken.said());
 }
 
 fn a_wall_that_falls_later_stops_the_run() {
@@ -262,12 +265,12 @@ fn a_wall_that_falls_later_stops_the_run() {
     let copy = folder.path().join("launcher");
     std::fs::copy(launcher(), &copy).unwrap();
     let attacker = attacker();
-    let walls = Walls::probe(Some(&copy), NONE);
-    let program = walls.program(&attacker.program, LIMITS).unwrap();
+    let sandbox = Sandbox::probe(Some(&copy), NONE);
+    let program = sandbox.program(&attacker.program, LIMITS).unwrap();
     assert_eq!(program.run("exit 0").end, End::Exited(0));
     std::fs::remove_file(&copy).unwrap();
     assert!(matches!(program.run("exit 0").end, End::NotStarted(_)));
-    let nowhere = Walls::probe(Some(launcher()), NONE).program(&folder.path().join("gone"), LIMITS).unwrap();
+    let nowhere = Sandbox::probe(Some(launcher()), NONE).program(&folder.path().join("gone"), LIMITS).unwrap();
     let end = nowhere.run("exit 0").end;
     assert!(matches!(&end, End::NotStarted(why) if why.contains("gone")), "{end:?}");
 }

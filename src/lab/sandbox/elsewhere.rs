@@ -1,23 +1,23 @@
-//! Systems other than Linux: the plain driver's limits, and the rest of the walls named as missing.
+//! Systems other than Linux: the plain driver's limits, and the rest of the barriers named as missing.
 
-use super::{Hidden, Limits, Program, Ran, Task, Wall, WallChoice, Walls};
+use super::{Barrier, Hidden, Limits, Program, Ran, Sandbox, SandboxChoice, Task};
 use crate::Driver;
 use crate::program::run_within;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
-const WHY: &str = "no walls on this system: grade on Linux what you do not trust";
+const WHY: &str = "no sandbox on this system: grade on Linux what you do not trust";
 
-pub(super) fn probe(_: &Path, _: WallChoice) -> (WallChoice, Vec<Wall>) {
+pub(super) fn probe(_: &Path, _: SandboxChoice) -> (SandboxChoice, Vec<Barrier>) {
     let names =
         ["own user", "own files only", "own root folder, processes, network and shared memory", "nothing stays"];
-    let said = names.map(|name| Wall { name: name.to_owned(), missing: Some(WHY.to_owned()) });
-    (WallChoice { own_user: false, namespaces: false, own_files: false }, said.into())
+    let said = names.map(|name| Barrier { name: name.to_owned(), missing: Some(WHY.to_owned()) });
+    (SandboxChoice { own_user: false, namespaces: false, own_files: false }, said.into())
 }
 
-pub(super) fn out_of_reach(_: &Walls, hidden: &[Hidden], _: &[PathBuf], _: &[PathBuf]) -> Vec<Wall> {
-    hidden.iter().map(|thing| Wall { name: thing.wall(), missing: Some(WHY.to_owned()) }).collect()
+pub(super) fn out_of_reach(_: &Sandbox, hidden: &[Hidden], _: &[PathBuf], _: &[PathBuf]) -> Vec<Barrier> {
+    hidden.iter().map(|thing| Barrier { name: thing.barrier(), missing: Some(WHY.to_owned()) }).collect()
 }
 
 pub(super) fn shown_to_compilers() -> Vec<PathBuf> {
@@ -31,15 +31,15 @@ pub(super) fn launched() -> Option<ExitCode> {
 /// As what a submission is built and run: here, the user who grades.
 #[derive(Debug)]
 pub(crate) struct Resident {
-    said: Vec<Wall>,
+    said: Vec<Barrier>,
 }
 
 impl Resident {
-    pub(super) fn new(walls: &Walls) -> io::Result<Self> {
-        Ok(Self { said: walls.said.clone() })
+    pub(super) fn new(sandbox: &Sandbox) -> io::Result<Self> {
+        Ok(Self { said: sandbox.said.clone() })
     }
 
-    pub(crate) fn said(&self) -> &[Wall] {
+    pub(crate) fn said(&self) -> &[Barrier] {
         &self.said
     }
 
@@ -51,8 +51,8 @@ impl Resident {
         Ok(())
     }
 
-    pub(super) fn limits_said(&self, limits: &Limits) -> Vec<Wall> {
-        vec![Wall { name: format!("memory {} MB", limits.memory_mb), missing: Some(WHY.to_owned()) }]
+    pub(super) fn limits_said(&self, limits: &Limits) -> Vec<Barrier> {
+        vec![Barrier { name: format!("memory {} MB", limits.memory_mb), missing: Some(WHY.to_owned()) }]
     }
 
     /// Runs a task until its deadline; a program without arguments within the limits that this system knows.

@@ -1,10 +1,10 @@
-//! The grader's side on Linux: running something behind the walls that stand, and what it sees there.
+//! The grader's side on Linux: running something behind the barriers that stand, and what it sees there.
 
 use super::confine::loaders;
 use super::processes::processes;
 use super::spec::{Files, Outcome, Spec, Step, VARIABLE, WORD};
 use super::user::OwnUser;
-use super::{Limits, Ran, Task, View, Wall, Walls, unguessable};
+use super::{Barrier, Limits, Ran, Sandbox, Task, View, unguessable};
 use crate::program::run_within;
 use crate::{End, end_of};
 use std::fs;
@@ -43,13 +43,13 @@ pub(super) fn shown_to_compilers() -> Vec<PathBuf> {
 /// As what a submission is built and run. When it leaves, everything of it is ended.
 #[derive(Debug)]
 pub(crate) struct Resident {
-    walls: Walls,
+    sandbox: Sandbox,
     user: Option<OwnUser>,
 }
 
 impl Resident {
-    pub(super) fn new(walls: &Walls) -> io::Result<Self> {
-        let user = if walls.up.own_user {
+    pub(super) fn new(sandbox: &Sandbox) -> io::Result<Self> {
+        let user = if sandbox.up.own_user {
             if !nix::unistd::geteuid().is_root() {
                 return Err(io::Error::other("only root can run a program as another user"));
             }
@@ -57,11 +57,11 @@ impl Resident {
         } else {
             None
         };
-        Ok(Self { walls: walls.clone(), user })
+        Ok(Self { sandbox: sandbox.clone(), user })
     }
 
-    pub(crate) fn said(&self) -> &[Wall] {
-        &self.walls.said
+    pub(crate) fn said(&self) -> &[Barrier] {
+        &self.sandbox.said
     }
 
     /// The number of its own user, if it has one.
@@ -79,7 +79,7 @@ impl Resident {
         self.user().map_or(Ok(()), |id| std::os::unix::fs::lchown(path, None, Some(id)))
     }
 
-    pub(super) fn limits_said(&self, limits: &Limits) -> Vec<Wall> {
+    pub(super) fn limits_said(&self, limits: &Limits) -> Vec<Barrier> {
         let Limits { cpu_seconds, memory_mb, file_kb, files, processes, .. } = limits;
         let names = [
             format!("processor {cpu_seconds} s"),
@@ -90,22 +90,22 @@ impl Resident {
         ];
         let root = self.user.is_none() && nix::unistd::geteuid().is_root();
         let missing = root.then(|| "this limit binds everybody but root".to_owned());
-        let mut said: Vec<Wall> = names.map(|name| Wall { name, missing: None }).into();
-        said.push(Wall { name: format!("{processes} processes"), missing });
+        let mut said: Vec<Barrier> = names.map(|name| Barrier { name, missing: None }).into();
+        said.push(Barrier { name: format!("{processes} processes"), missing });
         said
     }
 
-    /// Runs a task behind the walls, to its end and the end of whatever it started.
+    /// Runs a task in the sandbox, to its end and the end of whatever it started.
     pub(crate) fn run(&self, task: &Task, input: &str) -> Ran {
-        let token = format!("wall-{}", unguessable());
+        let token = format!("barrier-{}", unguessable());
         let text = match serde_json::to_string(&self.spec(task, &token)) {
             Ok(text) => text,
             Err(error) => return not_started(format!("{error}")),
         };
-        let mut command = Command::new(self.walls.launcher());
+        let mut command = Command::new(self.sandbox.launcher());
         command.arg(WORD).env_clear().env(VARIABLE, text).process_group(0);
         let patient = Limits { seconds: task.limits.seconds + PATIENCE, ..task.limits };
-        let mut ran = run_within(command, input, &patient, Some(&self.walls.stop));
+        let mut ran = run_within(command, input, &patient, Some(&self.sandbox.stop));
         ran.end = match ran.end {
             End::Exited(code) => match Outcome::of_code(code) {
                 Outcome::Exited(code) => End::Exited(code),
@@ -123,7 +123,7 @@ impl Resident {
 
     fn spec(&self, task: &Task, token: &str) -> Spec {
         let limits = &task.limits;
-        let up = self.walls.up;
+        let up = self.sandbox.up;
         Spec {
             step: Step::Guard,
             token: token.to_owned(),
@@ -137,7 +137,7 @@ impl Resident {
                 0 => NOBODY,
                 user => user,
             },
-            hidden: if up.namespaces { self.walls.hidden.clone() } else { Vec::new() },
+            hidden: if up.namespaces { self.sandbox.hidden.clone() } else { Vec::new() },
             files: if up.namespaces || up.own_files { files(&task.view) } else { Files::default() },
             own_files: up.own_files,
             seconds: limits.seconds,
@@ -176,7 +176,7 @@ impl Resident {
             };
             let spec = Spec { step: Step::Sweep, ..self.spec(&nothing, "sweep") };
             let Ok(text) = serde_json::to_string(&spec) else { return false };
-            let mut command = Command::new(self.walls.launcher());
+            let mut command = Command::new(self.sandbox.launcher());
             command.arg(WORD).env_clear().env(VARIABLE, text).stdin(Stdio::null()).stdout(Stdio::null());
             let _ = command.stderr(Stdio::null()).status();
             std::thread::sleep(Duration::from_millis(1 + round));
@@ -224,7 +224,7 @@ fn own_libraries() -> Vec<PathBuf> {
     files
 }
 
-/// What the launcher said of a wall that could not be put up; taken out of the program's complaints.
+/// What the launcher said of a barrier that could not be put up; taken out of the program's complaints.
 fn refusal(stderr: &mut Vec<u8>, token: &str) -> Option<String> {
     let text = String::from_utf8_lossy(stderr).into_owned();
     let at = text.rfind(token)?;

@@ -1,4 +1,4 @@
-//! Walls between a submission and the machine.
+//! Barriers between a submission and the machine.
 //!
 //! ```text
 //!   grader ──▶ guard ──▶ watcher ──▶ entrant ──exec──▶ the student's program
@@ -16,8 +16,8 @@
 //! The grader, the kit, the lab's own files (driver included), the toolchain, the kernel. Not the student's file, and
 //! not the process that runs it: whatever that process prints is text to be judged, its end is seen by the watcher.
 //!
-//! # What each wall keeps in
-//! | wall | keeps in | needs |
+//! # What each barrier keeps in
+//! | barrier | keeps in | needs |
 //! |---|---|---|
 //! | deadline, output cap | endless loops, sleeps, floods | nothing |
 //! | limits of the system | processor, memory, files written, open files, cores; processes of everybody but root | Linux here, a shell elsewhere |
@@ -29,18 +29,18 @@
 //! A compiler sees more than a student's program does, read-only: the toolchain and its linker, wherever they are
 //! installed, `/bin`, `/usr/bin`, `/usr/libexec` and the libraries of the system, of `/etc` only `alternatives` and
 //! `ld.so.*`, and the submission's own work folder. Not `/home`, `/opt`, `/tmp`, `/usr/share`, other submissions or the
-//! labs; what is hidden within something shown is covered. Where no wall stands before a file, the compiler's own list
+//! labs; what is hidden within something shown is covered. Where no barrier stands before a file, the compiler's own list
 //! of what it read does (the module `submission` reads it): such a submission is refused.
 //!
 //! They overlap on purpose: a container without user namespaces still has a user of its own and Landlock, an ordinary
 //! user has Landlock and namespaces.
 //!
-//! # A wall is reported only after it was tried from inside
-//! [`Walls::probe`] runs the launcher in the place of the student's program, behind each wall by itself, and lets it
-//! try what the wall is for: reading files that everybody may read, seeing and signalling the grader, reaching it over
+//! # A barrier is reported only after it was tried from inside
+//! [`Sandbox::probe`] runs the launcher in the place of the student's program, behind each barrier by itself, and lets it
+//! try what the barrier is for: reading files that everybody may read, seeing and signalling the grader, reaching it over
 //! the network, becoming root, leaving something behind. Then, for the hidden things of a grading run, it tries
 //! to read these in the place of the compiler and in that of the program. What it could do is named in every
-//! report as a missing wall. One that stood then and fails later stops the run
+//! report as a missing barrier. One that stood then and fails later stops the run
 //! ([`NotStarted`](super::End::NotStarted), never a pass).
 //!
 //! # What remains possible
@@ -87,18 +87,18 @@ use linux as system;
 #[cfg(target_os = "linux")]
 use probe as trials;
 
-pub(crate) use super::task::{Sandbox, Task, View};
-use super::{Limits, Program, Ran, Stop, Wall};
+pub(crate) use super::task::{Runner, Task, View};
+use super::{Barrier, Limits, Program, Ran, Stop};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 pub(crate) use system::Resident;
 
-/// Which of the optional walls may be used. All of them, unless one is in the way on some machine or is to be tested
+/// Which of the optional barriers may be used. All of them, unless one is in the way on some machine or is to be tested
 /// without the others.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct WallChoice {
+pub struct SandboxChoice {
     /// A user of its own for every submission.
     pub own_user: bool,
     /// Namespaces of its own.
@@ -107,7 +107,7 @@ pub struct WallChoice {
     pub own_files: bool,
 }
 
-impl Default for WallChoice {
+impl Default for SandboxChoice {
     fn default() -> Self {
         Self { own_user: true, namespaces: true, own_files: true }
     }
@@ -130,41 +130,41 @@ impl Hidden {
         Self { name: name.into(), paths }
     }
 
-    /// What the wall before it is called.
-    fn wall(&self) -> String {
+    /// What the barrier before it is called.
+    fn barrier(&self) -> String {
         format!("{} out of reach", self.name)
     }
 }
 
-/// The walls of this machine.
+/// The barriers of this machine.
 #[derive(Clone, Debug)]
-pub struct Walls {
+pub struct Sandbox {
     /// The program that serves as launcher: one whose `main` calls [`launched`] first.
     launcher: PathBuf,
     /// Those that stood at the probe.
-    up: WallChoice,
+    up: SandboxChoice,
     /// What the report says of them.
-    said: Vec<Wall>,
+    said: Vec<Barrier>,
     /// What must not be seen even though it lies within what a compiler sees.
     hidden: Vec<PathBuf>,
     /// Ends what runs behind them.
     stop: Stop,
 }
 
-impl Walls {
-    /// Tries every wall on this machine, with `launcher` as the program that puts them up; `None` is the running
+impl Sandbox {
+    /// Tries every barrier on this machine, with `launcher` as the program that puts them up; `None` is the running
     /// program itself.
     ///
     /// Cost: a few starts of the launcher, some 50 ms.
     #[must_use]
-    pub fn probe(launcher: Option<&Path>, choice: WallChoice) -> Self {
+    pub fn probe(launcher: Option<&Path>, choice: SandboxChoice) -> Self {
         let itself = || std::env::current_exe().unwrap_or_default();
         let launcher = launcher.map_or_else(itself, Path::to_path_buf);
         let (up, said) = trials::probe(&launcher, choice);
         Self { launcher, up, said, hidden: Vec::new(), stop: Stop::new() }
     }
 
-    /// The same walls, and these things are to be out of reach. What came of trying to reach them from inside, in the
+    /// The same barriers, and these things are to be out of reach. What came of trying to reach them from inside, in the
     /// place of the compiler and in that of the student's program, is said in the report. `tools` is what the
     /// compiler sees besides the system's own; `needed` is what stays in sight even if it lies in something hidden.
     pub(crate) fn hiding(mut self, hidden: &[Hidden], tools: &[PathBuf], needed: &[PathBuf]) -> Self {
@@ -184,37 +184,37 @@ impl Walls {
         self
     }
 
-    /// The same walls; when an end is wished, what runs behind them is ended.
+    /// The same barriers; when an end is wished, what runs behind them is ended.
     pub(crate) fn until(mut self, stop: &Stop) -> Self {
         self.stop = stop.clone();
         self
     }
 
-    /// The program that puts the walls up.
+    /// The program that puts the barriers up.
     #[must_use]
     pub fn launcher(&self) -> &Path {
         &self.launcher
     }
 
-    /// Which optional walls stand.
+    /// Which optional barriers stand.
     #[must_use]
-    pub fn up(&self) -> WallChoice {
+    pub fn up(&self) -> SandboxChoice {
         self.up
     }
 
-    /// What a report says of the walls: those that stand, and those that are missing with the reason.
+    /// What a report says of the barriers: those that stand, and those that are missing with the reason.
     #[must_use]
-    pub fn said(&self) -> &[Wall] {
+    pub fn said(&self) -> &[Barrier] {
         &self.said
     }
 
-    /// The executable at `path` behind these walls, as a user of its own where there is one. The user who runs it
+    /// The executable at `path` in the sandbox, as a user of its own where there is one. The user who runs it
     /// must be able to reach the file.
     ///
     /// # Errors
     /// If no user can be had for it.
-    pub fn program(&self, path: &Path, limits: Limits) -> std::io::Result<WalledProgram> {
-        Ok(WalledProgram::new(Arc::new(self.resident()?), path, limits))
+    pub fn program(&self, path: &Path, limits: Limits) -> std::io::Result<SandboxedProgram> {
+        Ok(SandboxedProgram::new(Arc::new(self.resident()?), path, limits))
     }
 
     /// Takes a resident in: what one submission is built and run as.
@@ -223,14 +223,14 @@ impl Walls {
     }
 }
 
-/// A student's program behind walls.
+/// A student's program in the sandbox.
 #[derive(Debug)]
-pub struct WalledProgram {
+pub struct SandboxedProgram {
     resident: Arc<Resident>,
     task: Task,
 }
 
-impl WalledProgram {
+impl SandboxedProgram {
     /// The executable at `path`, run as this resident within these limits.
     pub(crate) fn new(resident: Arc<Resident>, path: &Path, limits: Limits) -> Self {
         let folder = path.parent().unwrap_or(Path::new("/")).to_path_buf();
@@ -241,23 +241,23 @@ impl WalledProgram {
     }
 }
 
-impl Program for WalledProgram {
+impl Program for SandboxedProgram {
     fn run(&self, input: &str) -> Ran {
         self.resident.run(&self.task, input)
     }
 
-    fn walls(&self) -> Vec<Wall> {
+    fn sandbox(&self) -> Vec<Barrier> {
         let limits = &self.task.limits;
-        let stands = |name: String| Wall { name, missing: None };
-        let mut walls =
+        let stands = |name: String| Barrier { name, missing: None };
+        let mut sandbox =
             vec![stands(format!("deadline {} s", limits.seconds)), stands(format!("output {} kB", limits.output_kb))];
-        walls.extend(self.resident.limits_said(limits));
-        walls.extend(self.resident.said().iter().cloned());
-        walls
+        sandbox.extend(self.resident.limits_said(limits));
+        sandbox.extend(self.resident.said().iter().cloned());
+        sandbox
     }
 }
 
-impl Sandbox for Resident {
+impl Runner for Resident {
     fn run(&self, task: &Task, input: &str) -> Ran {
         Self::run(self, task, input)
     }

@@ -3,7 +3,7 @@
 //! ```text
 //!   0 ..= 180   the program ended by itself with this code; greater ones are cut to 180
 //!   190         it was ended at the deadline
-//!   191         a wall could not be put up; the last line of stderr is the token and the reason
+//!   191         a barrier could not be put up; the last line of stderr is the token and the reason
 //!   192 + s     it was ended by signal s
 //! ```
 //!
@@ -15,7 +15,7 @@ use std::path::PathBuf;
 
 /// The word that makes the launcher of a binary.
 pub(super) const WORD: &str = "__walled";
-/// The word after it that makes the program which tries the walls from inside.
+/// The word after it that makes the program which tries the barriers from inside.
 pub(super) const INSIDE: &str = "inside";
 /// The variable that holds the [`Spec`].
 pub(super) const VARIABLE: &str = "DCEL_WALLED";
@@ -87,7 +87,7 @@ impl Outcome {
     pub(super) fn of_status(status: std::process::ExitStatus) -> Self {
         use std::os::unix::process::ExitStatusExt;
         match (status.code(), status.signal()) {
-            // The next step could not put up a wall; or the program says so, and then there is no token.
+            // The next step could not put up a barrier; or the program says so, and then there is no token.
             (Some(NO_WALL), _) => Self::NoWall,
             (Some(code), _) => Self::Exited(code),
             (None, signal) => Self::Signalled(signal.unwrap_or(0)),
