@@ -107,7 +107,7 @@ fn grades_with_a_secret(ordinary: bool, namespaces: bool) {
         if format == "text=-" {
             assert!(said.contains("100 of 100 points"), "{said}{complained}");
             let sandbox = said.lines().find(|line| line.starts_with("Sandbox:")).unwrap();
-            let missing = said.lines().find(|line| line.starts_with("No barrier:")).unwrap_or_default();
+            let missing = said.lines().find(|line| line.starts_with("Not in the sandbox:")).unwrap_or_default();
             for thing in ["the instructor's secret", "what was handed in"] {
                 assert!(sandbox.contains(&format!("{thing} out of reach")), "{said}");
             }

@@ -145,7 +145,8 @@ impl Disc {
         let far = |shift: usize| -> f64 {
             let ways = self.border.iter().enumerate().filter_map(|(i, &p)| {
                 let (place, new) = (known[p]?, round[(i + shift) % count]);
-                Some((place[0] - new[0]).powi(2) + (place[1] - new[1]).powi(2))
+                let [dx, dy] = [place[0] - new[0], place[1] - new[1]];
+                Some(dx * dx + dy * dy)
             });
             ways.sum()
         };
