@@ -77,13 +77,15 @@ impl Dcel {
         };
         let number = |h: Option<HalfEdgeId>| h.map_or(Columns::NONE, HalfEdgeId::number);
         let (vertices, faces) = (self.vertex_bound() as u32, self.face_bound() as u32);
+        let boundary = |f| if self.has_face(f) { self.boundary(f) } else { None };
+        let outgoing = |v| if self.has_vertex(v) { self.outgoing(v) } else { None };
         let mut dual = Self::from_columns(Columns {
             origin: column(&|h| self.face(h).number()),
             next: column(&|h| self.prev(h.twin()).number()),
             prev: column(&|h| self.next(h).twin().number()),
             face: column(&|h| self.destination(h).number()),
-            outgoing: (0..faces).map(|f| number(self.boundary(FaceId::new(f)))).collect(),
-            boundary: (0..vertices).map(|v| number(self.outgoing(VertexId::new(v)).map(HalfEdgeId::twin))).collect(),
+            outgoing: (0..faces).map(FaceId::new).map(|f| number(boundary(f))).collect(),
+            boundary: (0..vertices).map(VertexId::new).map(|v| number(outgoing(v).map(HalfEdgeId::twin))).collect(),
         });
         // What is free here is free there; from the last one on, so that the lowest is given out first.
         let rec = &mut NoRecorder;

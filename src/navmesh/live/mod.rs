@@ -355,11 +355,12 @@ impl LiveMesh {
     /// Reads anew what an edit has touched: these faces, those beside the edges, and all that the journal speaks of.
     fn refresh(&mut self, faces: BTreeSet<FaceId>, edges: &[EdgeId], journal: &Journal) -> Result<(), ObstacleError> {
         let (map, book) = (&self.map, &self.book);
+        let is_hole = |f| map.has_face(f) && map.is_hole(f);
         let (mut faces, mut edges): (Vec<FaceId>, Vec<EdgeId>) = (faces.into_iter().collect(), edges.to_vec());
         for change in journal.changes() {
             if let Change::Write { slot: Slot::Face(_), old: Some(Element::Face(old)), new: Some(Element::Face(new)) } =
                 *change
-                && map.is_hole(new)
+                && is_hole(new)
                 && !book.is_first(new)
             {
                 self.mesh.put_gap(new, old);
@@ -380,7 +381,7 @@ impl LiveMesh {
         faces.sort_unstable();
         faces.dedup();
         // The number of a face that went may be that of a hole now.
-        faces.retain(|&f| f != map.outer_face() && (!map.is_hole(f) || self.mesh.has_face(f)));
+        faces.retain(|&f| f != map.outer_face() && (!is_hole(f) || self.mesh.has_face(f)));
         let here = faces.iter().filter(|&&f| map.has_face(f));
         edges.extend(here.flat_map(|&f| map.incident_edges(f)));
         edges.sort_unstable();
