@@ -6,7 +6,7 @@
 //!
 //! The engine runs suites and counts faults; only the judge knows what the functions of its lab should do. A new lab is
 //! a new implementation of [`Judge`]: in [`courses`](crate::courses), or in a crate of its own (see `dcel lab new`).
-//! Where functions give values back and change nothing, [`Answers`](crate::answers::Answers) is most of the work.
+//! Where functions give values back and change nothing, [`answers`](crate::answers) is most of the work.
 
 use super::fault::{Exchange, Fault};
 use super::plan::Plan;
