@@ -125,6 +125,12 @@ pub(super) fn named(path: &str, name: Option<&str>) -> String {
     name.map_or_else(|| path.to_owned(), |name| format!("{path} {name:?}"))
 }
 
+/// A name as it stands in a message, which is one line.
+pub(super) fn one_line(name: &str) -> String {
+    let shown = |c: char| if c.is_control() { c.escape_debug().to_string() } else { c.to_string() };
+    name.chars().map(shown).collect()
+}
+
 /// The place of a ring in a geometry.
 #[derive(Clone, Copy)]
 pub(super) struct Place<'a> {
@@ -137,5 +143,16 @@ impl fmt::Display for Place<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { path, polygon, ring } = self;
         write!(f, "{path} polygon {polygon} ring {ring}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_with_line_ends_is_one_line_of_a_message() {
+        assert_eq!(one_line("a\nb\u{7}"), "a\\nb\\u{7}");
+        assert_eq!(one_line("Ålesund \"x\"'s"), "Ålesund \"x\"'s");
     }
 }

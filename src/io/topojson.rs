@@ -23,7 +23,7 @@ use super::arrays::Arrays;
 use super::document::ReadOptions;
 use super::geojson::Shapes;
 use super::geometries::{Skipped, polygons};
-use super::nodes::{Fault, Node, Place, lacks, named, shape};
+use super::nodes::{Fault, Node, Place, lacks, named, one_line, shape};
 use super::problem::ReadProblem;
 use super::rings::{Rings, same};
 use super::soup::SegmentSoup;
@@ -85,10 +85,10 @@ pub(super) fn read(
     match &object.geometries {
         Some(geometries) => {
             for (i, geometry) in geometries.iter().enumerate() {
-                reader.geometry(geometry, &format!("{name}[{i}]"), None)?;
+                reader.geometry(geometry, &format!("{}[{i}]", one_line(name)), None)?;
             }
         }
-        None => reader.geometry(object, name, None)?,
+        None => reader.geometry(object, &one_line(name), None)?,
     }
     reader.skipped.note(notes);
     let Some(chains) = reader.chains else { return Ok(Shapes::Rings(reader.rings)) };

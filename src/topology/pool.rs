@@ -11,7 +11,9 @@
 //! until the owner offers that very id to the next edit.
 
 use super::Dcel;
-use super::links::{Columns, FREE_END, FreeLists, NONE, TAG};
+#[cfg(any(feature = "navmesh", test))]
+use super::links::FreeLists;
+use super::links::{Columns, FREE_END, NONE, TAG};
 use super::record::{Change, Journal, Recorder};
 use crate::ids::{EdgeId, EdgeMap, Element, FaceId, FaceMap, HalfEdgeId, MAX_IDS, VertexId, VertexMap, must_be_below};
 
@@ -209,6 +211,7 @@ impl Dcel {
 
     /// From now on no edit uses the number of an element that is removed, if it is below the present bounds, unless it
     /// is offered by [`offer_edge`](Self::offer_edge) or [`offer_face`](Self::offer_face). O(1).
+    #[cfg(any(feature = "navmesh", test))]
     pub(crate) fn keep_ids(&mut self) {
         let [vertices, edges, faces] = [self.vertex_bound(), self.edge_bound(), self.face_bound()];
         self.free.kept = [vertices, edges, faces].map(|bound| bound as u32);
@@ -216,6 +219,7 @@ impl Dcel {
     }
 
     /// Takes back [`keep_ids`](Self::keep_ids): every number that is free can be used by any edit. O(n).
+    #[cfg(any(feature = "navmesh", test))]
     pub(crate) fn release_ids(&mut self) {
         self.free = FreeLists::EMPTY;
         for v in (0..self.vertex_bound() as u32).rev().map(VertexId) {
@@ -236,6 +240,7 @@ impl Dcel {
     }
 
     /// The next edge that is made gets this number, which is kept and of no edge now.
+    #[cfg(any(feature = "navmesh", test))]
     pub(crate) fn offer_edge(&mut self, e: EdgeId) {
         debug_assert!(e.0 < self.free.kept[1] && !self.has_edge(e), "{e} is no kept number, or in use");
         let link = TAG | self.free.edge;
@@ -244,6 +249,7 @@ impl Dcel {
     }
 
     /// The next face that is made gets this number, which is kept and of no face now.
+    #[cfg(any(feature = "navmesh", test))]
     pub(crate) fn offer_face(&mut self, f: FaceId) {
         debug_assert!(f.0 < self.free.kept[2] && !self.has_face(f), "{f} is no kept number, or in use");
         *self.face_word(f) = TAG | self.free.face;

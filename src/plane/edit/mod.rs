@@ -20,6 +20,7 @@ mod insert_segment;
 mod insert_vertex;
 mod join_edges;
 mod join_faces;
+#[cfg(any(feature = "navmesh", test))]
 mod kept_ids;
 mod remove_edge;
 mod set_point;
