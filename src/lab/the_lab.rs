@@ -68,8 +68,10 @@ impl Lab {
     /// # Errors
     /// [`LabError`] if the manifest or a bug cannot be read. Known mistakes without signatures names nothing, and is no error.
     pub fn new(files: LabFiles) -> Result<Self, LabError> {
-        let judge = courses::judge_of(files.name());
-        Self::judged_by(files, judge)
+        let lab = Self::judged_by(files, None)?;
+        // The folder of an own lab may be called anything.
+        let judge = courses::judge_of(&lab.manifest.name).or_else(|| courses::judge_of(&lab.name));
+        Ok(Self { judge: Bound(judge), ..lab })
     }
 
     /// The lab in these files, with a judge of its own.
