@@ -116,6 +116,36 @@ impl Film {
         film
     }
 
+    /// A film that begins with this structure without coordinates. Its edits go to [`kernel_edit`](Self::kernel_edit).
+    ///
+    /// ```
+    /// use dcel_kit::figure::{Film, FigureOptions};
+    /// use dcel_kit::topology::{Dcel, Journal};
+    /// let mut triangle = Dcel::from_triangles(3, &[[0, 1, 2]])?.dcel;
+    /// let mut film = Film::of_kernel(&triangle);
+    /// let mut journal = Journal::new();
+    /// let h = triangle.half_edges().next().expect("a triangle has half-edges");
+    /// triangle.split_edge_with(h, &mut journal)?;
+    /// film.kernel_edit("split_edge h0", "", &[], &journal, &triangle);
+    /// assert!(film.strip(&FigureOptions::new("Split"))?.to_svg().contains("id=\"split-0-v0\""));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn of_kernel(start: &Dcel) -> Self {
+        let mut film = Self::empty();
+        film.add_kernel(start);
+        film
+    }
+
+    /// A film that begins with this surface in space. Its edits go to [`solid_edit`](Self::solid_edit).
+    #[cfg(feature = "solid")]
+    #[must_use]
+    pub fn of_solid(start: &Polyhedron) -> Self {
+        let mut film = Self::empty();
+        film.add_solid(start);
+        film
+    }
+
     /// A film without any state.
     pub(super) fn empty() -> Self {
         Self {
@@ -172,6 +202,26 @@ impl Film {
     ) {
         self.add_shot(title, caption, marked, journal);
         self.add_planar(after);
+    }
+
+    /// Appends an edit of a structure without coordinates, as [`edit`](Self::edit) does.
+    pub fn kernel_edit(&mut self, title: &str, caption: &str, marked: &[Element], journal: &Journal, after: &Dcel) {
+        self.add_shot(title, caption, marked, journal);
+        self.add_kernel(after);
+    }
+
+    /// Appends an edit of a surface in space, as [`edit`](Self::edit) does.
+    #[cfg(feature = "solid")]
+    pub fn solid_edit(
+        &mut self,
+        title: &str,
+        caption: &str,
+        marked: &[Element],
+        journal: &Journal,
+        after: &Polyhedron,
+    ) {
+        self.add_shot(title, caption, marked, journal);
+        self.add_solid(after);
     }
 
     /// Appends an edit; its state is to follow.
