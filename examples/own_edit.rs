@@ -80,7 +80,7 @@ pub(crate) fn poke_face(dcel: &mut Dcel, f: FaceId, rec: &mut impl Recorder) -> 
             e.set_next(from, to);
             let face = if i == 0 { f } else { e.add_face()? };
             [to, side, from].into_iter().for_each(|h| e.set_face(h, face));
-            e.set_boundary(face, Some(side));
+            e.set_half_edge(face, Some(side));
         }
         e.set_outgoing(centre, Some(spokes[0]));
         Ok::<_, PokeError>(centre)

@@ -41,6 +41,7 @@
 //! | [`figure`] | drawings as SVG |
 //! | [`compare`] | two drawings compared by what they mean |
 //! | [`files`] | files that are there whole or not at all |
+//! | [`old_words`] | words that have been replaced, and are still read |
 //!
 //! The first three are always there; each of the others is a feature of the same name, and on by default.
 //! `default-features = false` leaves the structure and the plane, built with two crates of others (`robust` and
@@ -67,6 +68,7 @@ pub mod ids;
 pub mod io;
 #[cfg(feature = "navmesh")]
 pub mod navmesh;
+pub mod old_words;
 pub mod plane;
 #[cfg(feature = "script")]
 pub mod script;

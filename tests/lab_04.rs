@@ -267,7 +267,7 @@ fn table_of(dcel: &dcel::Dcel) -> Table {
     table.faces = dcel
         .faces
         .iter()
-        .map(|f| Some(FaceRow { boundary: f.incident_half_edge.map(half_edge), ..FaceRow::default() }))
+        .map(|f| Some(FaceRow { half_edge: f.incident_half_edge.map(half_edge), ..FaceRow::default() }))
         .collect();
     table
 }

@@ -106,7 +106,7 @@ fn keep_polygons(subject: &mut Subject) -> Result<(), Failure> {
         let lost = counted(lost, "point is not written: no polygon", "points are not written: no polygon");
         say("note", format!("{lost} to walk on has a corner there"));
     }
-    for f in domain().filter(|&f| map.rings(f).is_empty()) {
+    for f in domain().filter(|&f| map.inner_components(f).is_empty()) {
         corners.clear();
         corners.extend(map.incident_vertices(f).map(|v| numbers[v.index()]));
         if down {

@@ -139,6 +139,7 @@ fn play<G: Dump>(
     mut watch: impl FnMut(&Step<Call<G>>, &G),
     out: &mut Output,
 ) -> Result<Played, Failure> {
+    script.old_words().iter().for_each(|word| failure::say("note", word));
     let mut teller = Teller { args, script, source, answer: Answer::Yes, told: Vec::new() };
     let mut result = Ok(());
     let end = script.play(|step, structure| {

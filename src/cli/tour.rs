@@ -46,7 +46,7 @@ fn lab(out: &mut Output) -> Result<bool, Failure> {
     writeln!(out, "   The result: {}.", counts(&lab))?;
     let laws_hold = euler(out, &lab)?;
 
-    writeln!(out, "\n   Walks round the faces, along next from boundary(f):")?;
+    writeln!(out, "\n   Walks round the faces, along next from half_edge(f):")?;
     for f in lab.faces() {
         let half_edges = list(lab.incident_half_edges(f));
         let vertices = list(lab.incident_vertices(f));

@@ -8,7 +8,7 @@ use super::sweep::{Meeting, NOTHING, sweep};
 use super::{Point, Subdivision};
 use crate::geometry::predicates::left_to_right;
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
-use crate::topology::{Ring, Rule};
+use crate::topology::{InnerComponent, Rule};
 
 /// The laws of the plane as data, in the order in which they are checked.
 pub const GEOMETRY_RULES: &[Rule] = &[
@@ -39,12 +39,12 @@ pub const GEOMETRY_RULES: &[Rule] = &[
     },
     Rule {
         id: "G6",
-        law: "a ring, and every cycle of the outer face, runs clockwise",
-        explanation: "A ring goes round something that is cut out of the face.",
+        law: "an inner component, and every cycle of the outer face, runs clockwise",
+        explanation: "An inner component goes round something that is cut out of the face.",
     },
     Rule {
         id: "G7",
-        law: "every ring lies in its face",
+        law: "every inner component lies in its face",
         explanation: "An island or an isolated vertex is listed by the face that surrounds it.",
     },
 ];
@@ -96,18 +96,18 @@ pub enum GeometryViolation {
         /// Its boundary half-edge.
         start: HalfEdgeId,
     },
-    /// A ring, or a cycle of the outer face, runs counter-clockwise.
-    #[error("G6: the cycle of {start} surrounds a bounded region, so it cannot be a ring of {face}")]
+    /// An inner component, or a cycle of the outer face, runs counter-clockwise.
+    #[error("G6: the cycle of {start} surrounds a bounded region, so it cannot be an inner component of {face}")]
     RingCounterClockwise {
         /// The face.
         face: FaceId,
         /// A half-edge of the cycle.
         start: HalfEdgeId,
     },
-    /// A ring lies in another face than the one that lists it.
-    #[error("G7: the ring at {vertex} is listed by {listed} but lies in {face}")]
+    /// An inner component lies in another face than the one that lists it.
+    #[error("G7: the inner component at {vertex} is listed by {listed} but lies in {face}")]
     RingElsewhere {
-        /// The leftmost vertex of the ring.
+        /// The leftmost vertex of the inner component.
         vertex: VertexId,
         /// The face that lists it.
         listed: FaceId,
@@ -169,7 +169,7 @@ impl Subdivision {
     /// | G4 | round each vertex the half-edges follow each other counter-clockwise, once round |
     /// | G5 | the boundary of a bounded face runs counter-clockwise round it |
     /// | G6 | every other cycle of a face, and every cycle of `f0`, runs clockwise round what it cuts out |
-    /// | G7 | every ring lies in its face |
+    /// | G7 | every inner component lies in its face |
     ///
     /// The first meeting of elements (G1 to G3) is reported alone; otherwise all other faults.
     ///
@@ -233,19 +233,19 @@ impl Subdivision {
 
     fn check_cycles(&self, face: FaceId, edges: &[EdgeId], below: &[u32], found: &mut Vec<GeometryViolation>) {
         let outer = face == self.outer_face();
-        let boundary = self.dcel.boundary(face);
+        let boundary = self.dcel.half_edge(face);
         if let Some(start) = boundary.filter(|&start| !outer && !encloses(self.corner_points(start))) {
             found.push(GeometryViolation::BoundaryClockwise { face, start });
         }
-        let first = boundary.filter(|_| outer).map(Ring::Cycle);
-        for ring in first.into_iter().chain(self.rings(face).iter().copied()) {
+        let first = boundary.filter(|_| outer).map(InnerComponent::Cycle);
+        for ring in first.into_iter().chain(self.inner_components(face).iter().copied()) {
             let vertex = match ring {
-                Ring::Isolated(v) => v,
-                Ring::Cycle(start) if encloses(self.corner_points(start)) => {
+                InnerComponent::Isolated(v) => v,
+                InnerComponent::Cycle(start) if encloses(self.corner_points(start)) => {
                     found.push(GeometryViolation::RingCounterClockwise { face, start });
                     continue;
                 }
-                Ring::Cycle(start) => self.leftmost(start),
+                InnerComponent::Cycle(start) => self.leftmost(start),
             };
             let lies_in = match below[vertex.index()] {
                 NOTHING => self.outer_face(),

@@ -1,7 +1,7 @@
 //! Half-edge structures in the plane: positions, exact decisions, faces that cover the whole plane.
 //!
 //! ```text
-//!   subdivision.rs              a Dcel with positions: f0 is the outer face, faces may have rings
+//!   subdivision.rs              a Dcel with positions: f0 is the outer face, faces may have inner components
 //!   convert/                    polygons and triangles -> subdivision       table.rs   tables -> subdivision
 //!   segments/                   any straight-line graph -> subdivision         meet/      all crossings, exactly
 //!   delaunay/                   of points, by flips, with fixed edges
@@ -14,7 +14,7 @@
 //!   plane_journal.rs            watching the edits, undo
 //!   locate/                     where a point lies: scan, walk, index
 //!   triangulate/                faces into triangles: ears, monotone pieces              hull.rs    points -> convex hull
-//!   sweep.rs cycle.rs rings.rs  what lies below, which way round, which ring in which face
+//!   sweep.rs cycle.rs rings.rs  what lies below, which way round, which inner component in which face
 //! ```
 
 mod affine;
@@ -47,7 +47,7 @@ pub use check::{GEOMETRY_RULES, GeometryViolation};
 pub use convert::{ConvertError, ConvertOptions, Converted};
 pub use delaunay::{ConstrainedDelaunay, DelaunayBuilt, DelaunayError};
 pub use edit::{
-    FlipEdgeError, InsertAntennaError, InsertEdgeError, InsertSegmentError, InsertVertexError, InsertedEdge,
+    FlipEdgeError, InsertDanglingEdgeError, InsertEdgeError, InsertSegmentError, InsertVertexError, InsertedEdge,
     InsertedSegment, JoinEdgesError, JoinFacesError, RemoveEdgeError, RemoveVertexError, SetPointError, SplitEdgeError,
     SplitFaceError, TransformError,
 };

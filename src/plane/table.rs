@@ -12,7 +12,7 @@
 
 use super::{CoordinateError, GeometryViolation, Point, Subdivision};
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, MAX_IDS, VertexId, VertexMap};
-use crate::topology::{Columns, Dcel, HalfEdgeRow, NoRecorder, Ring, Table, TooMany, Violation, violations};
+use crate::topology::{Columns, Dcel, HalfEdgeRow, InnerComponent, NoRecorder, Table, TooMany, Violation, violations};
 
 /// Why a table is no subdivision of the plane. All ids are those of the table.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -62,7 +62,7 @@ impl Subdivision {
     /// Vertices keep their numbers. Half-edges keep theirs if twins are h ^ 1 throughout; otherwise edges are
     /// numbered without gaps in the order of their smaller half, which becomes the even one. Faces keep theirs,
     /// except that the outer face becomes `f0` and changes numbers with the face of that name. Numbers without
-    /// a row stay free, to be given out from the lowest on. Boundaries, rings and hole faces are taken as they
+    /// a row stay free, to be given out from the lowest on. Boundaries, inner components and hole faces are taken as they
     /// are; names are left in the table.
     ///
     /// Cost: O(n log n) for the check that nothing crosses.
@@ -100,8 +100,10 @@ impl Subdivision {
             if row.hole {
                 subdivision.holes.insert(f);
             }
-            if !row.rings.is_empty() {
-                subdivision.rings.insert(f, row.rings.iter().map(|&ring| numbers.ring(ring)).collect());
+            if !row.inner_components.is_empty() {
+                subdivision
+                    .inner_components
+                    .insert(f, row.inner_components.iter().map(|&ring| numbers.ring(ring)).collect());
             }
         }
         let violations = subdivision.geometry_violations();
@@ -175,10 +177,10 @@ impl Numbers {
         }
     }
 
-    fn ring(&self, ring: Ring) -> Ring {
+    fn ring(&self, ring: InnerComponent) -> InnerComponent {
         match ring {
-            Ring::Cycle(h) => Ring::Cycle(self.half_edge(h)),
-            Ring::Isolated(v) => Ring::Isolated(v),
+            InnerComponent::Cycle(h) => InnerComponent::Cycle(self.half_edge(h)),
+            InnerComponent::Isolated(v) => InnerComponent::Isolated(v),
         }
     }
 
@@ -201,7 +203,7 @@ impl Numbers {
             prev: column(&|row| half_edge(row.prev)),
             face: column(&|row| row.face.map_or(Columns::NONE, |f| self.face(f).number())),
             outgoing: vertex_rows.map(|row| half_edge(row.and_then(|row| row.outgoing))).collect(),
-            boundary: (0..faces).map(|f| half_edge(face_row(f).and_then(|row| row.boundary))).collect(),
+            boundary: (0..faces).map(|f| half_edge(face_row(f).and_then(|row| row.half_edge))).collect(),
         });
         // From the last one on, so that the lowest free number is given out first.
         for (v, _) in table.vertices.iter().enumerate().rev().filter(|(_, row)| row.is_none()) {

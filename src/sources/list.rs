@@ -145,6 +145,7 @@ pub const CHECK: &[(&str, &str)] = &[
     ("src/geometry/predicates.rs", include_str!("../../src/geometry/predicates.rs")),
     ("src/ids.rs", include_str!("../../src/ids.rs")),
     ("src/lib.rs", include_str!("../../src/lib.rs")),
+    ("src/old_words.rs", include_str!("../../src/old_words.rs")),
     ("src/plane/affine.rs", include_str!("../../src/plane/affine.rs")),
     ("src/plane/check.rs", include_str!("../../src/plane/check.rs")),
     ("src/plane/convert/error.rs", include_str!("../../src/plane/convert/error.rs")),

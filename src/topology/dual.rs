@@ -52,7 +52,7 @@ impl Dcel {
     ///
     #[doc = include_str!("../../figures/dual.svg")]
     ///
-    /// Loops and parallel edges are usual: the dual of an antenna is a loop. The dual of the dual is the same
+    /// Loops and parallel edges are usual: the dual of a dangling edge is a loop. The dual of the dual is the same
     /// structure with every half-edge turned round, so that `h` is what `twin(h)` was.
     ///
     /// Cost: O(V + E + F).
@@ -82,7 +82,7 @@ impl Dcel {
             next: column(&|h| self.prev(h.twin()).number()),
             prev: column(&|h| self.next(h).twin().number()),
             face: column(&|h| self.destination(h).number()),
-            outgoing: (0..faces).map(|f| number(self.boundary(FaceId::new(f)))).collect(),
+            outgoing: (0..faces).map(|f| number(self.half_edge(FaceId::new(f)))).collect(),
             boundary: (0..vertices).map(|v| number(self.outgoing(VertexId::new(v)).map(HalfEdgeId::twin))).collect(),
         });
         // What is free here is free there; from the last one on, so that the lowest is given out first.
@@ -105,7 +105,7 @@ impl Dcel {
         }
         let mut seen = vec![false; self.half_edge_bound()];
         for face in self.faces() {
-            let start = self.boundary(face).ok_or(DualError::NoBoundary { face })?;
+            let start = self.half_edge(face).ok_or(DualError::NoBoundary { face })?;
             self.cycle(start).for_each(|h| seen[h.index()] = true);
         }
         match self.half_edges().find(|h| !seen[h.index()]) {

@@ -253,7 +253,7 @@ mod tests {
             row.prev = Some(HalfEdgeId(cycle[(i + 3) % 4] as u32));
         }
         table.faces.truncate(1);
-        table.faces[0].as_mut().unwrap().boundary = Some(HalfEdgeId(0));
+        table.faces[0].as_mut().unwrap().half_edge = Some(HalfEdgeId(0));
         table
     }
 

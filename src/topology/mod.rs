@@ -61,5 +61,5 @@ pub use seed::PolygonError;
 pub use table::{FaceRow, HalfEdgeRow, Table, VertexRow};
 pub use validate::{Rule, Violation, first_violation, violations, visit_violations};
 pub(crate) use view::pointers_of_dcel;
-pub use view::{Ring, View, bounded_cycle};
+pub use view::{InnerComponent, View, bounded_cycle};
 pub use walk::{Cycle, Star};

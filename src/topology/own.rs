@@ -97,7 +97,7 @@ impl Editing<'_> {
         Ok(self.dcel.add_edge_record(&mut self.journal).half_edges())
     }
 
-    /// A new face. Its `boundary` is not set.
+    /// A new face. Its `half_edge` is not set.
     ///
     /// # Errors
     /// [`TooMany`] if the structure is full.
@@ -176,9 +176,9 @@ impl Editing<'_> {
     }
 
     /// Sets the stored half-edge of a face, or none.
-    pub fn set_boundary(&mut self, f: FaceId, h: Option<HalfEdgeId>) {
+    pub fn set_half_edge(&mut self, f: FaceId, h: Option<HalfEdgeId>) {
         if self.may_write(f) {
-            self.dcel.set_boundary(f, h, &mut self.journal);
+            self.dcel.set_half_edge(f, h, &mut self.journal);
         }
     }
 
@@ -254,7 +254,7 @@ impl Dcel {
                     touched.insert(match slot {
                         Slot::Origin(h) | Slot::Next(h) | Slot::Prev(h) | Slot::Face(h) => h.into(),
                         Slot::Outgoing(v) => v.into(),
-                        Slot::Boundary(f) => f.into(),
+                        Slot::HalfEdge(f) => f.into(),
                     });
                 }
                 Change::Added { element: Element::Edge(e), .. } => {
@@ -332,7 +332,7 @@ impl Dcel {
     fn cycles_are_sound(&self, touched: BTreeSet<HalfEdgeId>, mut faces: BTreeSet<FaceId>) -> bool {
         let mut met: BTreeSet<HalfEdgeId> = BTreeSet::new();
         let mut seen: BTreeSet<FaceId> = BTreeSet::new();
-        let stored: Option<Vec<HalfEdgeId>> = faces.iter().map(|&f| self.boundary(f)).collect();
+        let stored: Option<Vec<HalfEdgeId>> = faces.iter().map(|&f| self.half_edge(f)).collect();
         let Some(stored) = stored else { return false };
         for first in touched.into_iter().chain(stored) {
             if met.contains(&first) {
@@ -347,7 +347,7 @@ impl Dcel {
                 if !self.has_half_edge(h) || !self.has_sound_links(h) || self.face(h) != face || !met.insert(h) {
                     return false;
                 }
-                has_stored |= self.boundary(face) == Some(h);
+                has_stored |= self.half_edge(face) == Some(h);
                 h = self.next(h);
                 if h == first {
                     break;

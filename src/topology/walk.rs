@@ -150,11 +150,11 @@ impl Dcel {
         Star { dcel: self, rest: Some((h, h)) }
     }
 
-    /// The lab's `incidentHalfEdges`: the boundary of `f` in order, from `boundary(f)` on. A bounded face is
+    /// The lab's `incidentHalfEdges`: the boundary of `f` in order, from `half_edge(f)` on. A bounded face is
     /// walked counter-clockwise, the outer face clockwise; empty if `f` has no boundary.
     #[inline]
     pub fn incident_half_edges(&self, f: FaceId) -> Cycle<'_> {
-        Cycle { dcel: self, rest: self.boundary(f).map(|h| (h, h)) }
+        Cycle { dcel: self, rest: self.half_edge(f).map(|h| (h, h)) }
     }
 
     /// The lab's `incidentVertices`: the origins along the boundary of `f`. A vertex that the boundary

@@ -6,18 +6,19 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each room of the library with the rooms that it may use.
-const ROOMS: [(&str, &[&str]); 13] = [
+const ROOMS: [(&str, &[&str]); 14] = [
     ("ids", &[]),
     ("files", &[]),
     ("sources", &[]),
     ("geometry", &[]),
+    ("old_words", &[]),
     ("topology", &["geometry", "ids"]),
     ("plane", &["geometry", "ids", "topology"]),
     ("solid", &["geometry", "ids", "plane", "topology"]),
     ("navmesh", &["geometry", "ids", "plane", "topology"]),
-    ("io", &["files", "geometry", "ids", "plane", "solid", "topology"]),
-    ("edits", &["geometry", "ids", "plane", "solid", "topology"]),
-    ("script", &["edits", "geometry", "ids", "plane", "solid", "topology"]),
+    ("io", &["files", "geometry", "ids", "old_words", "plane", "solid", "topology"]),
+    ("edits", &["geometry", "ids", "old_words", "plane", "solid", "topology"]),
+    ("script", &["edits", "geometry", "ids", "old_words", "plane", "solid", "topology"]),
     ("figure", &["edits", "geometry", "ids", "navmesh", "plane", "script", "solid", "topology"]),
     ("compare", &["figure", "geometry", "ids", "plane", "topology"]),
 ];

@@ -154,7 +154,7 @@ proptest! {
             prop_assert_eq!(before.outgoing(x).map(to), dcel.outgoing(map.vertices[x].unwrap()), "{}", context);
         }
         for x in before.faces() {
-            prop_assert_eq!(before.boundary(x).map(to), dcel.boundary(map.faces[x].unwrap()), "{}", context);
+            prop_assert_eq!(before.half_edge(x).map(to), dcel.half_edge(map.faces[x].unwrap()), "{}", context);
         }
         let dead_edges = (0..before.edge_bound() as u32).map(dcel_kit::EdgeId::new).filter(|&e| !before.has_edge(e));
         prop_assert!(dead_edges.clone().all(|e| map.edges[e].is_none()), "{}", context);

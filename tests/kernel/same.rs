@@ -4,8 +4,8 @@ use crate::common::script::{Call, Log, all_calls, config, scripts};
 use crate::common::{Random, brute, f, garbage, h, planar, renumbered, row, triangle_grid, v, zoo};
 use cpu_time::ThreadTime;
 use dcel_kit::topology::{
-    Dcel, Difference, FaceRow, HalfEdgeRow, Matching, NoRecorder, Ring, SameOptions, Table, VertexRow, View, Which,
-    position_key, same, same_with,
+    Dcel, Difference, FaceRow, HalfEdgeRow, InnerComponent, Matching, NoRecorder, SameOptions, Table, VertexRow, View,
+    Which, position_key, same, same_with,
 };
 use dcel_kit::{Element, VertexId};
 use proptest::prelude::*;
@@ -41,8 +41,8 @@ fn assert_matching(a: &Table, b: &Table, to: &Matching, context: &str) {
         assert_eq!(a.is_hole(f(i)), b.is_hole(there), "{context}: f{i} hole");
         assert_eq!(a.outer_face == Some(f(i)), b.outer_face == Some(there), "{context}: f{i} outer");
         let isolated = |table: &Table, x| -> BTreeSet<VertexId> {
-            let rings = table.rings(x).iter();
-            rings.filter_map(|ring| if let Ring::Isolated(y) = ring { Some(*y) } else { None }).collect()
+            let rings = table.inner_components(x).iter();
+            rings.filter_map(|ring| if let InnerComponent::Isolated(y) = ring { Some(*y) } else { None }).collect()
         };
         let mapped: BTreeSet<VertexId> = isolated(a, f(i)).into_iter().map(|x| to.vertices[x].unwrap()).collect();
         assert_eq!(mapped, isolated(b, there), "{context}: isolated vertices of f{i}");
@@ -103,7 +103,7 @@ fn random_islands(random: &mut Random, most: usize) -> Table {
         if random.below(4) == 0 {
             table.vertices.push(Some(VertexRow::default()));
             let x = v(table.vertices.len() as u32 - 1);
-            table.faces[into].as_mut().unwrap().rings.push(Ring::Isolated(x));
+            table.faces[into].as_mut().unwrap().inner_components.push(InnerComponent::Isolated(x));
         } else {
             put_polygon(&mut table, 1 + random.below(3), into);
             table.faces.last_mut().unwrap().as_mut().unwrap().hole = random.below(4) == 0;
@@ -130,12 +130,12 @@ fn put_polygon(table: &mut Table, corners: usize, into: usize) {
             face: row.face.map(|x| if x == f(1) { inside } else { f(into as u32) }),
         })
     }));
-    table.faces.push(Some(FaceRow { boundary: Some(h(hs)), ..FaceRow::default() }));
+    table.faces.push(Some(FaceRow { half_edge: Some(h(hs)), ..FaceRow::default() }));
     let face = table.faces[into].as_mut().unwrap();
-    if table.outer_face == Some(f(into as u32)) && face.boundary.is_none() {
-        face.boundary = Some(h(hs + 1));
+    if table.outer_face == Some(f(into as u32)) && face.half_edge.is_none() {
+        face.half_edge = Some(h(hs + 1));
     } else {
-        face.rings.push(Ring::Cycle(h(hs + 1)));
+        face.inner_components.push(InnerComponent::Cycle(h(hs + 1)));
     }
 }
 
@@ -143,13 +143,13 @@ fn put_polygon(table: &mut Table, corners: usize, into: usize) {
 fn tree_code(table: &Table) -> String {
     fn face(table: &Table, x: dcel_kit::FaceId) -> String {
         let outer = table.outer_face == Some(x);
-        let first = table.boundary(x).filter(|_| outer).map(Ring::Cycle);
+        let first = table.half_edge(x).filter(|_| outer).map(InnerComponent::Cycle);
         let mut parts: Vec<String> = first
             .iter()
-            .chain(table.rings(x))
+            .chain(table.inner_components(x))
             .map(|ring| match *ring {
-                Ring::Isolated(_) => "point".to_owned(),
-                Ring::Cycle(a) => {
+                InnerComponent::Isolated(_) => "point".to_owned(),
+                InnerComponent::Cycle(a) => {
                     let corners = dcel_kit::topology::bounded_cycle(table, a).count();
                     let inside = table.face(table.twin(a).unwrap()).unwrap();
                     format!("{corners}{}", face(table, inside))
@@ -265,12 +265,12 @@ fn fixed_elements_are_their_own_partners_and_new_ones_may_have_any_number() {
 fn representatives_are_compared_on_request_only() {
     let square = Table::from_view(&Dcel::polygon(4).unwrap());
     let mut other = square.clone();
-    other.faces[1].as_mut().unwrap().boundary = Some(h(4));
+    other.faces[1].as_mut().unwrap().half_edge = Some(h(4));
     assert_eq!(same(&square, &other).map(drop), Ok(()));
     let options = SameOptions::new().representatives();
-    // outgoing(v) = h0 h2 h4 h6: all turns keep it. boundary(f1) moved by two, boundary(f0) did not.
+    // outgoing(v) = h0 h2 h4 h6: all turns keep it. half_edge(f1) moved by two, half_edge(f0) did not.
     assert!(same_with(&square, &other, &options).is_err());
-    other.faces[0].as_mut().unwrap().boundary = Some(h(5));
+    other.faces[0].as_mut().unwrap().half_edge = Some(h(5));
     let to = same_with(&square, &other, &options).unwrap();
     assert_eq!(to.half_edges[h(0)], Some(h(4)));
     other.vertices[3].as_mut().unwrap().outgoing = Some(h(5));
@@ -281,7 +281,7 @@ fn representatives_are_compared_on_request_only() {
 fn isolated_vertices_are_matched_by_their_keys_in_any_order() {
     let one = planar(6, &[vec![0, 1, 2]]);
     let mut other = one.clone();
-    other.faces[0].as_mut().unwrap().rings.reverse();
+    other.faces[0].as_mut().unwrap().inner_components.reverse();
     let key = |x: VertexId| [u64::from(x.number().max(2)), 0];
     let turned = |x: VertexId| [u64::from(if x.number() > 2 { 8 - x.number() } else { 2 }), 0];
     for (table, there) in [(&one, &key as &dyn Fn(VertexId) -> [u64; 2]), (&other, &key), (&one, &turned)] {
@@ -419,8 +419,8 @@ fn every_difference_says_what_differs_first() {
     let difference = same(&planar(7, &faces), &planar(7, &mirrored));
     says(difference, "the component of h0 (18 half-edges) and what lies in its faces has no counterpart");
     let mut points = [planar(5, &[vec![0, 1, 2]]), planar(5, &[vec![0, 1, 2]])];
-    let ring = points[0].faces[0].as_mut().unwrap().rings.pop().unwrap();
-    points[0].faces[1].as_mut().unwrap().rings.push(ring);
+    let ring = points[0].faces[0].as_mut().unwrap().inner_components.pop().unwrap();
+    points[0].faces[1].as_mut().unwrap().inner_components.push(ring);
     says(
         same(&points[0], &points[1]),
         "the component of h0 (6 half-edges) and what lies in its faces has no counterpart",
@@ -434,7 +434,11 @@ fn every_difference_says_what_differs_first() {
         }
         table.vertices.push(Some(VertexRow::default()));
         let into = if odd == 2 { 3 } else { 1 };
-        table.faces[into].as_mut().unwrap().rings.push(Ring::Isolated(v(table.vertices.len() as u32 - 1)));
+        table.faces[into]
+            .as_mut()
+            .unwrap()
+            .inner_components
+            .push(InnerComponent::Isolated(v(table.vertices.len() as u32 - 1)));
         table
     };
     says(
@@ -474,9 +478,9 @@ fn two_pairs() -> Table {
     for (face, point) in [(0, 6), (3, 7)] {
         table.vertices.push(Some(VertexRow::default()));
         let face = table.faces[face].as_mut().unwrap();
-        let Ring::Cycle(first) = face.rings.remove(0) else { panic!("no cycle") };
-        face.boundary = Some(first);
-        face.rings.push(Ring::Isolated(v(point)));
+        let InnerComponent::Cycle(first) = face.inner_components.remove(0) else { panic!("no cycle") };
+        face.half_edge = Some(first);
+        face.inner_components.push(InnerComponent::Isolated(v(point)));
     }
     table
 }
@@ -487,7 +491,7 @@ fn two_loops_in_a_circle() -> Table {
     put_polygon(&mut table, 1, 0);
     table.faces.pop();
     row(&mut table, h(2)).face = Some(f(1));
-    table.faces[1].as_mut().unwrap().rings.push(Ring::Cycle(h(2)));
+    table.faces[1].as_mut().unwrap().inner_components.push(InnerComponent::Cycle(h(2)));
     table
 }
 

@@ -203,7 +203,7 @@ fn the_table_is_complete() {
     }
     // The edits that the plane had when the table was made.
     for word in "split_face split_in_half split_edge join_faces join_edges flip_edge insert_vertex insert_vertex_in \
-                 insert_edge insert_antenna insert_segment remove_edge remove_vertex"
+                 insert_edge insert_dangling_edge insert_segment remove_edge remove_vertex"
         .split_whitespace()
     {
         assert!(find::<Subdivision>(word).is_some(), "{word}");
@@ -230,13 +230,13 @@ fn wrong_calls_say_how_they_are_written() {
 #[test]
 fn new_words_take_and_give_all_kinds_of_elements() {
     let text = "rectangle\nlet p = insert_vertex -100 0\nlet q = insert_vertex_in f1 100 0\nlet a = insert_edge p q\n\
-                let t = insert_antenna q 100 50\nhighlight p q t.origin a.edge\nremove_edge a.edge\nremove_vertex q\n\
+                let t = insert_dangling_edge q 100 50\nhighlight p q t.origin a.edge\nremove_edge a.edge\nremove_vertex q\n\
                 let s = insert_segment 0 -200 0 200\nwalk_face s";
     let told: Vec<String> =
         Script::parse(text, "t").unwrap().run().steps.iter().map(|s| s.outcome.to_string()).collect();
     assert_eq!(told[0], "insert_vertex -100 0 returned v6");
     assert_eq!(told[2], "insert_edge v6 v7 returned h12");
-    assert_eq!(told[3], "insert_antenna v7 100 50 returned v8, h14");
+    assert_eq!(told[3], "insert_dangling_edge v7 100 50 returned v8, h14");
     assert_eq!(told[5], "remove_edge e6 returned nothing");
     assert!(told[7].starts_with("insert_segment 0 -200 0 200 returned "), "{told:#?}");
     assert!(told.iter().all(|line| !line.contains("refused")), "{told:#?}");

@@ -79,7 +79,7 @@ fn new_elements_may_have_any_number() {
         }
     }
     for row in swapped.faces.iter_mut().flatten() {
-        row.boundary = row.boundary.map(other);
+        row.half_edge = row.half_edge.map(other);
     }
     let aligned = align(&expected, &new, &swapped);
     assert_eq!((aligned.differences, aligned.new.half_edges), (Vec::new(), vec![b, a]));

@@ -14,7 +14,7 @@ fn split(segments: &[[Point; 2]]) -> Subdivision {
 
 /// A point inside a bounded face, very near to the middle of an edge of it.
 fn point_inside(s: &Subdivision, f: FaceId) -> Point {
-    let h = s.boundary(f).unwrap();
+    let h = s.half_edge(f).unwrap();
     let (a, b) = (s.point(s.origin(h)), s.point(s.destination(h)));
     let (dx, dy) = ((b.x - a.x) * 1e-7, (b.y - a.y) * 1e-7);
     Point::new((a.x + b.x) / 2.0 - dy, (a.y + b.y) / 2.0 + dx)
@@ -108,7 +108,7 @@ fn labels_are_where_points_are_located() {
         assert_eq!(both.moved, [], "seed {seed}");
         assert_carried(&a, &b, &both, &format!("seed {seed}"));
         crossings += both.crossings.len();
-        in_rings += bounded(&both.subdivision).filter(|&f| !both.subdivision.rings(f).is_empty()).count();
+        in_rings += bounded(&both.subdivision).filter(|&f| !both.subdivision.inner_components(f).is_empty()).count();
     }
     assert!(crossings > 300 && in_rings > 20, "{crossings} crossings, {in_rings} faces with rings");
 }

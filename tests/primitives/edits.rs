@@ -247,7 +247,7 @@ fn a_point_gets_a_spur_and_is_a_point_again() {
     let before = Dcel::from_triangles(2, &[]).unwrap().dcel;
     let mut after = before.clone();
     let (a, face) = after.split_isolated_vertex(v(1)).unwrap();
-    assert_eq!((after.origin(a), after.destination(a), after.boundary(face)), (v(1), v(2), Some(a)));
+    assert_eq!((after.origin(a), after.destination(a), after.half_edge(face)), (v(1), v(2), Some(a)));
     assert_eq!(violations(&after), []);
     assert_eq!(measure(&after).closed_euler(), 4);
     assert_eq!(after.join_vertices(a), Ok(v(2)));

@@ -50,9 +50,9 @@ fn sound(p: &Polyhedron, words: &str) {
 fn contracted(p: &Polyhedron, face: FaceId) -> Dcel {
     let mut d = p.topology().clone();
     while d.incident_half_edges(face).count() > 1 {
-        d.join_vertices(d.boundary(face).unwrap()).unwrap();
+        d.join_vertices(d.half_edge(face).unwrap()).unwrap();
     }
-    d.join_faces(d.boundary(face).unwrap()).unwrap();
+    d.join_faces(d.half_edge(face).unwrap()).unwrap();
     d
 }
 
@@ -259,7 +259,7 @@ fn refusals_say_why_and_what_to_try() {
     assert_eq!(tetrahedron, before);
     let mut sheet = sheet(2);
     let border = sheet.boundary_faces().next().unwrap();
-    let outside = sheet.boundary(border).unwrap();
+    let outside = sheet.half_edge(border).unwrap();
     let third = sheet.next(sheet.next(outside));
     assert_eq!(sheet.split_face(outside, third), Err(SurfaceEditError::OnBorder { h: outside, face: border }));
     assert!(matches!(sheet.flip_edge(outside), Err(SurfaceEditError::OnBorder { .. })));

@@ -38,7 +38,7 @@ fn check(dcel: &Dcel) {
 fn duals_of_polygons_trees_and_plane_graphs() {
     (1..7).for_each(|n| check(&Dcel::polygon(n).unwrap()));
     check(Subdivision::lab_rectangle().topology());
-    // Antennas become loops; a tree has one face.
+    // Dangling edges become loops; a tree has one face.
     let points = [(0., 0.), (4., 0.), (4., 4.), (0., 4.), (1., 1.), (2., 1.), (6., 6.)].map(Point::from);
     check(
         Subdivision::from_graph(&points, &[[0, 1], [1, 2], [2, 3], [3, 0], [0, 4], [4, 5], [2, 6]]).unwrap().topology(),

@@ -243,7 +243,7 @@ fn told(difference: &Difference, mine: &Subject, expected: &Subject) -> Found {
             Element::Vertex(v) => Some(v),
             Element::HalfEdge(h) => view.origin(h),
             Element::Edge(e) => view.origin(e.half_edges()[0]),
-            Element::Face(f) => view.boundary(f).and_then(|h| view.origin(h)),
+            Element::Face(f) => view.half_edge(f).and_then(|h| view.origin(h)),
         };
         match element {
             Element::Vertex(_) => at(subject, v),

@@ -54,7 +54,7 @@ const RECORDS: [Record; 4] = [
             ("face", "Face"),
         ],
     },
-    Record { name: "Face", at: xy(620.0, 155.0), width: 210.0, fields: &[("boundary", "HalfEdge")] },
+    Record { name: "Face", at: xy(620.0, 155.0), width: 210.0, fields: &[("half_edge", "HalfEdge")] },
 ];
 
 /// A reference: the classes of its arrow, the way, how many of the target there are.
@@ -78,7 +78,7 @@ const REFERENCES: [Reference; 10] = [
 const LAWS: [[&str; 2]; 3] = [
     ["twin(twin(h)) = h", "origin(next(h)) = origin(twin(h))"],
     ["next(prev(h)) = prev(next(h)) = h", "origin(outgoing(v)) = v"],
-    ["face(next(h)) = face(h)", "face(boundary(f)) = f"],
+    ["face(next(h)) = face(h)", "face(half_edge(f)) = f"],
 ];
 
 /// Draws the type diagram of the records: `Dcel`, `Vertex`, `HalfEdge` with an explicit twin, `Face`.

@@ -106,7 +106,7 @@ impl Subdivision {
     /// The triangulation-to-DCEL converter: counter-clockwise triangles over the given points.
     ///
     /// Vertex i is v(i), triangle i is f(i + 1), `f0` is the outer face. Gaps inside become faces flagged as
-    /// holes; islands in them, and several components, are rings; a border that touches itself at a vertex is
+    /// holes; islands in them, and several components, are inner components; a border that touches itself at a vertex is
     /// sorted out by angles. Points that no triangle uses get no vertex.
     ///
     /// Cost: O(n), and O(b log b) for b border edges if there is more than one border cycle. Overlaps are found

@@ -15,7 +15,7 @@ use crate::plane::cycle::{encloses, in_corner, on_segment, surrounds};
 use crate::plane::predicates::orientation;
 use crate::plane::sweep::cross;
 use crate::plane::{CoordinateError, PlaneRecorder, Point, Subdivision};
-use crate::topology::{IdError, NoRecorder, Ring};
+use crate::topology::{IdError, InnerComponent, NoRecorder};
 
 /// Why a vertex cannot be moved to a place.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -204,17 +204,17 @@ impl Subdivision {
         if encloses(cycle.clone()) != outer {
             return Err(SetPointError::TurnsOver { vertex, point, face });
         }
-        if self.rings(face).is_empty() {
+        if self.inner_components(face).is_empty() {
             return Ok(());
         }
         let mut own: Vec<HalfEdgeId> = self.dcel.cycle(start).collect();
         own.sort_unstable();
-        let first = self.dcel.boundary(face).filter(|_| face == self.outer_face()).map(Ring::Cycle);
-        for ring in first.into_iter().chain(self.rings(face).iter().copied()) {
+        let first = self.dcel.half_edge(face).filter(|_| face == self.outer_face()).map(InnerComponent::Cycle);
+        for ring in first.into_iter().chain(self.inner_components(face).iter().copied()) {
             let inner = match ring {
-                Ring::Cycle(h) if own.binary_search(&h).is_ok() => continue,
-                Ring::Cycle(h) => self.dcel.origin(h),
-                Ring::Isolated(v) => v,
+                InnerComponent::Cycle(h) if own.binary_search(&h).is_ok() => continue,
+                InnerComponent::Cycle(h) => self.dcel.origin(h),
+                InnerComponent::Isolated(v) => v,
             };
             if surrounds(cycle.clone(), self.points[inner]) != outer {
                 return Err(SetPointError::LeavesFace { vertex, point, inner, face });
@@ -226,7 +226,7 @@ impl Subdivision {
     /// Moves a vertex to a place, with its edges. Everything hangs together as before: every edge, face and inner
     /// component is the one that it was, and no id changes. Only the two places matter, not the way between them.
     ///
-    /// Cost: O(size of the faces at the vertex x its degree), and O(rings of all faces) for a vertex without edges.
+    /// Cost: O(size of the faces at the vertex x its degree), and O(inner components of all faces) for a vertex without edges.
     /// All decisions are exact.
     ///
     /// # Errors

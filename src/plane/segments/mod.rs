@@ -1,7 +1,7 @@
 //! From segments to a subdivision: any straight-line graph.
 //!
 //! ```text
-//!   segments ──> equal ends become one vertex ──> one sweep: does anything meet? ──┬─ no ──> stars, cycles, rings
+//!   segments ──> equal ends become one vertex ──> one sweep: does anything meet? ──┬─ no ──> stars, cycles, inner components
 //!                (graph.rs)                       what lies below each vertex?      │         (trace.rs)
 //!                                                                                   └─ yes ─> name it (faults.rs)
 //!                                                                                             or split (split.rs)
@@ -9,7 +9,7 @@
 //!
 //! Before it is split, what overlaps is cut (`collinear.rs`); what does not settle in doubles goes to a grid (`snap.rs`).
 //!
-//! Antennas, single edges, isolated points, nested rings and several components are all legal.
+//! Dangling edges, single edges, isolated points, nested inner components and several components are all legal.
 
 mod arrange;
 mod chains;
@@ -158,15 +158,15 @@ impl Subdivision {
     ///
     /// ```text
     ///      ●─────────────●         Ends with equal coordinates are one vertex. The segments may form anything that
-    ///      │  ●          │         meets at common ends only: faces, trees, antennas, several components, rings in
-    ///      ●──┴──●  ●──● │ ●       rings.
+    ///      │  ●          │         meets at common ends only: faces, trees, dangling edges, several components, inner components in
+    ///      ●──┴──●  ●──● │ ●       inner components.
     ///      └─────────────●
     /// ```
     ///
     /// Vertices are numbered in the order in which they first come in the segments. Segment i is e(i), and h(2i)
     /// runs as the segment does. `outgoing(v)` is the first half-edge counter-clockwise from straight down. `f0` is
     /// the outer face; bounded faces are numbered from 1 in the order of their smallest half-edge, which is their
-    /// `boundary`. The rings of a face come in the order of their smallest half-edges.
+    /// `half_edge`. The inner components of a face come in the order of their smallest half-edges.
     ///
     /// Cost: O(n log n). All decisions are exact.
     ///
@@ -202,7 +202,7 @@ impl Subdivision {
     /// use dcel_kit::plane::{Point, Subdivision};
     /// let points = [(0., 0.), (4., 0.), (0., 3.), (1., 1.)].map(Point::from);
     /// let s = Subdivision::from_graph(&points, &[[0, 1], [1, 2], [2, 0]])?;
-    /// assert_eq!((s.face_count(), s.rings(dcel_kit::FaceId::new(1)).len()), (2, 1));
+    /// assert_eq!((s.face_count(), s.inner components(dcel_kit::FaceId::new(1)).len()), (2, 1));
     /// # Ok::<(), dcel_kit::plane::SegmentsError>(())
     /// ```
     pub fn from_graph(points: &[Point], segments: &[[u32; 2]]) -> Result<Self, SegmentsError> {

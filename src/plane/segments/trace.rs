@@ -1,11 +1,11 @@
-//! From a plane graph to a subdivision: stars, links, cycles, rings.
+//! From a plane graph to a subdivision: stars, links, cycles, inner components.
 //!
 //! ```text
 //!        h4 ╲   ╱ h2        1. the sweep gives the half-edges round each vertex in their order, h0 h2 h4
 //!            ╲ ╱            2. each corner is a link: next(twin(h2)) = h0, next(twin(h4)) = h2, ...
 //!             ●── h0        3. the links close to cycles; a cycle whose corner at its leftmost vertex looks
-//!                              to the left runs round something: a ring. All others bound a face.
-//!   ──●    ● ring           4. a ring or an isolated vertex lies in the face above the next edge below its
+//!                              to the left runs round something: an inner component. All others bound a face.
+//!   ──●    ● inner component           4. an inner component or an isolated vertex lies in the face above the next edge below its
 //!  ───────────── below         leftmost vertex.
 //! ```
 //!
@@ -16,7 +16,7 @@ use crate::ids::{EdgeId, HalfEdgeId, MAX_IDS, VertexId};
 use crate::plane::Subdivision;
 use crate::plane::rings::Loose;
 use crate::plane::sweep::{NOTHING, Star};
-use crate::topology::{Columns, Dcel, Ring, TooMany};
+use crate::topology::{Columns, Dcel, InnerComponent, TooMany};
 
 const NONE: u32 = Columns::NONE;
 
@@ -76,7 +76,7 @@ impl Stars {
 ///
 /// Vertex i of the graph is v(i), edge i is e(i), its even half runs as given. `outgoing(v)` is the first half-edge
 /// counter-clockwise from straight down. Bounded faces are numbered from 1 in the order of their smallest
-/// half-edge, which is their `boundary`.
+/// half-edge, which is their `half_edge`.
 ///
 /// Cost: O(n log n).
 pub(super) fn trace(graph: Graph, stars: Stars, below: &[u32]) -> Result<Subdivision, TooMany> {
@@ -89,11 +89,11 @@ pub(super) fn trace(graph: Graph, stars: Stars, below: &[u32]) -> Result<Subdivi
         edge => Some(EdgeId::new(edge)),
     };
     let fits = |_: &Subdivision, _, _, _| Ok::<(), std::convert::Infallible>(());
-    let Ok(()) = subdivision.hang_rings(loose, edge_below, fits);
+    let Ok(()) = subdivision.place_inner_components(loose, edge_below, fits);
     Ok(subdivision)
 }
 
-/// Gives every half-edge its face, rings for the time being `f0`. Returns the rings and the isolated vertices.
+/// Gives every half-edge its face, inner components for the time being `f0`. Returns the inner components and the isolated vertices.
 fn cycles(columns: &mut Columns, by_place: &[u32]) -> Result<Vec<Loose>, TooMany> {
     let mut rank = vec![0_u32; by_place.len()];
     by_place.iter().enumerate().for_each(|(i, &v)| rank[v as usize] = i as u32);
@@ -128,7 +128,7 @@ fn cycles(columns: &mut Columns, by_place: &[u32]) -> Result<Vec<Loose>, TooMany
             continue;
         }
         let leftmost = VertexId::new(by_place[leftmost as usize]);
-        loose.push(Loose { ring: Ring::Cycle(HalfEdgeId::new(start)), leftmost, owner: None });
+        loose.push(Loose { ring: InnerComponent::Cycle(HalfEdgeId::new(start)), leftmost, owner: None });
         loop {
             columns.face[h as usize] = 0;
             h = columns.next[h as usize];
@@ -140,7 +140,7 @@ fn cycles(columns: &mut Columns, by_place: &[u32]) -> Result<Vec<Loose>, TooMany
     let isolated = columns.outgoing.iter().enumerate().filter(|&(_, &h)| h == NONE);
     loose.extend(isolated.map(|(v, _)| {
         let v = VertexId::new(v as u32);
-        Loose { ring: Ring::Isolated(v), leftmost: v, owner: None }
+        Loose { ring: InnerComponent::Isolated(v), leftmost: v, owner: None }
     }));
     Ok(loose)
 }

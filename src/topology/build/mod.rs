@@ -46,7 +46,7 @@ impl Dcel {
     /// The structure of a list of triangles over the vertices `0 .. vertices`.
     ///
     /// Vertices and faces keep their numbers. Edges are numbered as the triangles in order first meet them
-    /// (`0 -> 1`, `1 -> 2`, `2 -> 0` of each), and the even half of an edge is the one met first. `boundary(f)`
+    /// (`0 -> 1`, `1 -> 2`, `2 -> 0` of each), and the even half of an edge is the one met first. `half_edge(f)`
     /// is the half-edge from the first to the second corner. Where the surface ends, each border cycle gets
     /// a face of its own, and `outgoing(v)` of a vertex there is its half-edge on that border; elsewhere it is the
     /// one in the first face that uses `v`. A vertex that no face uses stays, isolated.

@@ -91,7 +91,7 @@ mod tests {
             for (one, other) in start.half_edges().flat_map(|a| start.half_edges().map(move |b| (a, b))) {
                 let mut chosen = start.clone();
                 chosen.set_outgoing(start.origin(one), Some(one), rec);
-                chosen.set_boundary(start.face(other), Some(other), rec);
+                chosen.set_half_edge(start.face(other), Some(other), rec);
                 for a in start.half_edges() {
                     let edits: [fn(&mut Dcel, HalfEdgeId) -> bool; 6] = [
                         |d, a| d.flip_edge(a).is_ok(),

@@ -76,7 +76,7 @@ impl<'a> SameOptions<'a> {
         Self { fixed: Some(is_fixed), ..self }
     }
 
-    /// The stored representatives `f.boundary` and `v.outgoing` must be partners, too.
+    /// The stored representatives `f.half_edge` and `v.outgoing` must be partners, too.
     #[must_use]
     pub fn representatives(self) -> Self {
         Self { representatives: true, ..self }
@@ -93,8 +93,8 @@ pub fn position_key([x, y]: [f64; 2]) -> VertexKey {
 /// Whether two structures are equal up to the numbers of their elements, and which element is which; if not, what
 /// differs first, with `a` as what was found and `b` as what was expected.
 ///
-/// The arbitrary representatives `boundary` and `outgoing` are not compared, nor which cycle of a face is its
-/// boundary and which are its rings; [`same_with`] can do the first.
+/// The arbitrary representatives `half_edge` and `outgoing` are not compared, nor which cycle of a face is its
+/// boundary and which are its inner components; [`same_with`] can do the first.
 ///
 /// Cost: O(n log n) where few half-edges look alike, as in most drawings, and where all do, as in polygons and
 /// grids on equal sides. In the worst case, k times as long for k half-edges of the rarest kind of a component:

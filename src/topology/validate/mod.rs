@@ -18,27 +18,27 @@
 //! | N2 | h.next.prev = h |
 //! | D1 | h.next.origin = h.twin.origin |
 //! | F1 | h.next.face = h.face |
-//! | B1 | f.boundary.face = f |
-//! | B2 | f.boundary exists |
+//! | B1 | f.half_edge.face = f |
+//! | B2 | f.half_edge exists |
 //! | O1 | v.outgoing.origin = v |
 //! | O2 | v.outgoing exists if any half-edge starts at v |
 //! | S1 | the half-edges that start at v form one round |
 //! | C1 | every boundary cycle is listed by its face |
 //! | C2 | no boundary cycle is listed twice |
-//! | C3 | a ring of f has face f |
+//! | C3 | an inner component of f has face f |
 //! | I1 | a vertex listed as isolated has no outgoing |
 //! | I2 | an isolated vertex is listed once |
 //! | I3 | an isolated vertex is listed if there is an outer face |
 //! | H1 | the outer face is not a hole face |
 //! | E1 | in the plane, V - E + cycles = 2 for every component |
-//! | E2 | in the plane, every component is a ring of exactly one face that encloses it |
+//! | E2 | in the plane, every component is an inner component of exactly one face that encloses it |
 //!
 //! A law whose path runs over a pointer that was reported already is not judged there, so one mistake gives few
 //! lines: a missing `next` is one R1, not also an incomplete cycle. Nothing is lost by that: a law is passed over
 //! only where another violation stands in the report. The laws of geometry (bounded faces counter-clockwise, no
 //! crossings) need coordinates and are the plane's.
 //!
-//! Cost: O(V + E + F + rings) time and memory on every view. Each getter is asked once for each element; walks
+//! Cost: O(V + E + F + inner components) time and memory on every view. Each getter is asked once for each element; walks
 //! mark what they have seen, so that many chains into one long tail are not walked many times.
 
 mod laws;

@@ -50,7 +50,7 @@ fn plain_picture(table: &Table) -> String {
     let at = |h: HalfEdgeId| table.origin(h).map(|v| place(table, v)).unwrap_or_default();
     for (f, row) in table.faces.iter().enumerate() {
         let boundary =
-            row.as_ref().and_then(|row| row.boundary).filter(|_| table.outer_face != Some(FaceId::new(f as u32)));
+            row.as_ref().and_then(|row| row.half_edge).filter(|_| table.outer_face != Some(FaceId::new(f as u32)));
         let corners = boundary.map_or_else(Vec::new, |h| cycle(table, h)).into_iter().map(at);
         let corners: Vec<String> = corners.map(|[x, y]| format!("{x},{}", 0.0 - y)).collect();
         if !corners.is_empty() {

@@ -175,7 +175,7 @@ pub(super) fn relabelled(table: &Table, random: &mut Random) -> Table {
     for f in 0..out.faces.len() {
         let face = FaceId::new(f as u32);
         let sides: Vec<HalfEdgeId> = half_edges().filter(|&h| out.face(h) == Some(face)).collect();
-        out.faces[f] = Some(FaceRow { boundary: random.pick(&sides).copied(), ..FaceRow::default() });
+        out.faces[f] = Some(FaceRow { half_edge: random.pick(&sides).copied(), ..FaceRow::default() });
     }
     out.outer_face = Some(FaceId::new(random.below(out.faces.len()) as u32));
     out
