@@ -5,7 +5,7 @@
 //!   │           │        │ ╲       ╱ │     V + 1, E + k, F + k - 1 for a face with k sides
 //!   │     f     │  ==>   │    ╲ ╱    │
 //!   │           │        │    ╱ ╲    │     It is written by recorded setters, so it can be undone, filmed, and
-//!   │           │        │ ╱       ╲ │     said in a script; the kit checks the laws before it is final.
+//!   │           │        │ ╱       ╲ │     said in a script; the kit checks the invariants before it is final.
 //!   ●───────────●        ●───────────●
 //! ```
 //!

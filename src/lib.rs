@@ -31,7 +31,7 @@
 //! | room | what is in it |
 //! |---|---|
 //! | [`ids`] | `v3`, `h7`, `e3`, `f0`, and arrays indexed by them |
-//! | [`topology`] | [`Dcel`](topology::Dcel): the structure without any coordinate; walks, edits, laws, builder |
+//! | [`topology`] | [`Dcel`](topology::Dcel): the structure without any coordinate; walks, edits, invariants, builder |
 //! | [`plane`] | [`Subdivision`](plane::Subdivision): positions, exact decisions, the converter from triangles |
 //! | [`navmesh`] | [`NavMesh`](navmesh::NavMesh): neighbours, location, ways over a map, up to the exact shortest one |
 //! | [`solid`] | [`Polyhedron`](solid::Polyhedron): positions in space |

@@ -182,7 +182,7 @@ fn refused(soup: &SegmentSoup, error: LoadError) -> Failure {
 impl Report {
     fn of(source: String, format: Format, soup: &SegmentSoup, arranged: &Arranged) -> Self {
         let s = &arranged.subdivision;
-        let residues = s.residues();
+        let lone = s.dangles_and_cut_edges();
         let moved =
             |list: &[(VertexId, f64)]| list.iter().map(|&(v, by)| Moved { vertex: v.to_string(), by }).collect();
         let repeated = arranged.repeated.iter().map(|&(segment, repeats)| Repeated { segment, repeats });
@@ -206,8 +206,8 @@ impl Report {
             collapsed: arranged.collapsed.clone(),
             farthest: arranged.farthest,
             rounds: arranged.rounds,
-            dangles: names(residues.dangles.iter()),
-            cut_edges: names(residues.cut_edges.iter()),
+            dangles: names(lone.dangles.iter()),
+            cut_edges: names(lone.cut_edges.iter()),
             notes: describe(arranged),
         }
     }

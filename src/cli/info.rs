@@ -18,7 +18,7 @@ use std::path::PathBuf;
 /// In the plane `faces` counts the outer face and hole faces; on a surface it does not count the
 /// faces that stand for borders. The Euler number is V - E + F.
 ///
-/// `valid` says that all laws hold, also those of the plane: nothing crosses, nothing overlaps. A file
+/// `valid` says that all invariants hold, also those of the plane: nothing crosses, nothing overlaps. A file
 /// of polygons that are not is refused, or cut up with --mend; with --trust it is `not checked`
 /// whether polygons overlap that share no edge and no corner. A broken .dcel file is `NOT valid`.
 #[derive(clap::Args, Debug)]
@@ -125,7 +125,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let subject = args.input.open(&args.file)?;
     let info = Info::of(&subject);
     if info.valid == Some(false) {
-        super::failure::say("note", format!("{}: laws are broken; `dcel validate` names them", subject.source));
+        super::failure::say("note", format!("{}: invariants are broken; `dcel validate` names them", subject.source));
     }
     tell(&info, args.json, out)
 }
@@ -267,14 +267,14 @@ impl std::fmt::Display for Spread {
     }
 }
 
-/// Whether all laws hold that are checked, and the bytes of the structure without positions.
+/// Whether all invariants hold that are checked, and the bytes of the structure without positions.
 fn validity(subject: &Subject) -> (bool, Option<usize>) {
     match &subject.kind {
         Kind::Plane(subdivision) => (first_violation(subdivision).is_none(), Some(subdivision.memory_bytes())),
         Kind::Surface(polyhedron) => (first_violation(polyhedron).is_none(), Some(polyhedron.memory_bytes())),
         Kind::Table(table) => match Subdivision::from_table(table) {
             Ok(subdivision) => (true, Some(subdivision.memory_bytes())),
-            // The laws of the structure hold; there is no plane, or nothing is known of its geometry.
+            // The invariants of the structure hold; there is no plane, or nothing is known of its geometry.
             Err(TableError::NoOuterFace | TableError::NoPosition { .. }) => (true, None),
             Err(_) => (false, None),
         },

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! Any element can carry them. The name of an element is what stands behind the last hyphen of its id. Nothing is
-//! judged here: a missing attribute is a missing pointer, which the laws then tell.
+//! judged here: a missing attribute is a missing pointer, which the invariants then tell.
 
 use super::error::{Fault, Problem, place, quoted};
 use super::numbers;

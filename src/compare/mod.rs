@@ -12,7 +12,7 @@
 //!
 //! **0** Both files are XML within limits (8 MiB, 200,000 elements), without declarations and scripts, all numbers
 //! finite; errors name line and column. **1** Equal bytes are equal. **2** If both files declare their structure in
-//! `data-*` attributes, all laws are checked, vertices are matched by place, half-edges by their ends, and every
+//! `data-*` attributes, all invariants are checked, vertices are matched by place, half-edges by their ends, and every
 //! pointer is compared through that map: numbers may differ. **3** What is drawn is always compared, and must be what
 //! is declared, and can be seen: colours are worked out at points along every edge, in every circle and face. **4** If hardly a point lies where it should, connections are compared without places. Pixels are
 //! never compared: a test of the pixels passes drawings that are wrong and fails drawings that are right.

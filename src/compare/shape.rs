@@ -10,7 +10,7 @@ use super::graph::Graph;
 use super::report::{Difference, Kind, Layer, Spot};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::{Point, predicates::orientation};
-use crate::topology::{FaceRow, HalfEdgeRow, InnerComponent, Table, VertexRow, View, bounded_cycle, same};
+use crate::topology::{FaceRow, HalfEdgeRow, InnerComponent, Table, VertexRow, View, bounded_cycle, isomorphic};
 use std::cmp::Ordering;
 
 /// Drawings with more edges are not compared in this way.
@@ -66,12 +66,12 @@ pub(super) fn compare(expected: &Graph, found: &Graph) -> Difference {
             let points = found.points.iter().map(|p| Point::new(-p.x, p.y)).collect();
             surface(&Graph { points, ..found.clone() })
         };
-        match same(&theirs, &mine) {
+        match isomorphic(&theirs, &mine) {
             Ok(_) => {
                 "right shape, wrong place: the lines are connected as they should be, but the vertices lie elsewhere"
                     .to_owned()
             }
-            Err(_) if same(&mirrored(), &mine).is_ok() => {
+            Err(_) if isomorphic(&mirrored(), &mine).is_ok() => {
                 "mirrored, and in the wrong place: the lines are connected as in a mirror image".to_owned()
             }
             Err(difference) => format!("wrong connections, and hardly any vertex lies where it should: {difference}"),

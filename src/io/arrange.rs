@@ -12,7 +12,7 @@ use crate::plane::{ArrangeOptions, Arranged, MarkHolesError, SegmentFault, Segme
 /// already or have no length left out. With `split`, segments are split where they meet; see
 /// [`ArrangeOptions`]. Hole points mark their faces.
 ///
-/// Cost: O(n log n), and O((n + k) log n) a round to split at k meetings.
+/// Cost: O(n log n), and O((n + k) log n) a round to split at k intersections.
 ///
 /// # Errors
 /// [`LoadError`] with the lines of the segments that do not fit.

@@ -9,7 +9,7 @@
 //!   overlay/                    two subdivisions on each other, and their regions
 //!   mend/                       polygons that overlap or cross -> subdivision
 //!   affine.rs                   maps that keep straight lines straight
-//!   check.rs                    the laws of the plane                                   measure.rs areas, exactly
+//!   check.rs                    the invariants of the plane                                   measure.rs areas, exactly
 //!   edit/                       split_face, join_faces, split_edge, join_edges; insert and remove vertices, edges, segments
 //!   plane_journal.rs            watching the edits, undo
 //!   locate/                     where a point lies: scan, walk, index
@@ -63,7 +63,8 @@ pub use overlay::{Operation, Overlay, ParseOperationError, Parts};
 pub use plane_journal::{PlaneChange, PlaneJournal, PlaneRecorder};
 pub use seed::LAB_RECTANGLE;
 pub use segments::{
-    ArrangeOptions, Arranged, InsertedCorner, MarkHolesError, Residues, SegmentFault, SegmentsAlong, SegmentsError,
+    ArrangeOptions, Arranged, DanglesAndCutEdges, InsertedCorner, MarkHolesError, SegmentFault, SegmentsAlong,
+    SegmentsError,
 };
 pub use subdivision::{PlanarView, Subdivision};
 pub use table::TableError;

@@ -18,9 +18,9 @@ use crate::topology::{Columns, Dcel, HalfEdgeRow, InnerComponent, NoRecorder, Ta
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TableError {
-    /// Laws of the structure are broken.
+    /// Invariants of the structure are broken.
     #[error("{}{}", violations.first().map_or_else(String::new, ToString::to_string), more(violations.len()))]
-    Laws {
+    Invariants {
         /// All of them; at least one.
         violations: Vec<Violation>,
     },
@@ -41,7 +41,7 @@ pub enum TableError {
         /// What is wrong with it.
         error: CoordinateError,
     },
-    /// Laws of the plane are broken.
+    /// Invariants of the plane are broken.
     #[error("{}{}", violations.first().map_or_else(String::new, ToString::to_string), more(violations.len()))]
     Geometry {
         /// What the full check found; at least one.
@@ -68,8 +68,8 @@ impl Subdivision {
     /// Cost: O(n log n) for the check that nothing crosses.
     ///
     /// # Errors
-    /// [`TableError`], with all violations of the first kind that has any: the laws of the structure, missing or
-    /// bad positions, then the laws of the plane.
+    /// [`TableError`], with all violations of the first kind that has any: the invariants of the structure, missing or
+    /// bad positions, then the invariants of the plane.
     ///
     /// ```
     /// use dcel_kit::{plane::{PlanarView, Subdivision}, topology::Table};
@@ -84,7 +84,7 @@ impl Subdivision {
     pub fn from_table(table: &Table) -> Result<Self, TableError> {
         let broken = violations(table);
         if !broken.is_empty() {
-            return Err(TableError::Laws { violations: broken });
+            return Err(TableError::Invariants { violations: broken });
         }
         let bounds = [table.vertices.len(), table.half_edges.len() + 1, table.faces.len()];
         if bounds.iter().any(|&bound| bound > MAX_IDS) {
@@ -127,7 +127,7 @@ fn positions(table: &Table) -> Result<VertexMap<Point>, TableError> {
     Ok(points)
 }
 
-/// From the numbers of a table that obeys the laws to those of the subdivision.
+/// From the numbers of a table that obeys the invariants to those of the subdivision.
 struct Numbers {
     /// For each new half-edge the old one, or `None` for free slots. Without: all stay.
     old: Option<Vec<HalfEdgeId>>,

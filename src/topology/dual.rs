@@ -61,11 +61,11 @@ impl Dcel {
     /// [`DualError`]: every face must have exactly one boundary cycle, every vertex an edge.
     ///
     /// ```
-    /// use dcel_kit::topology::{Dcel, same};
+    /// use dcel_kit::topology::{Dcel, isomorphic};
     /// let triangle = Dcel::polygon(3)?;
     /// let dual = triangle.dual()?; // two vertices joined by three edges
     /// assert_eq!((dual.vertex_count(), dual.edge_count(), dual.face_count()), (2, 3, 3));
-    /// assert!(same(&dual.dual()?, &triangle).is_ok());
+    /// assert!(isomorphic(&dual.dual()?, &triangle).is_ok());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn dual(&self) -> Result<Self, DualError> {

@@ -1,4 +1,4 @@
-//! A view read once into flat arrays, so that the laws, the comparison and the counts walk plain numbers.
+//! A view read once into flat arrays, so that the invariants, the comparison and the counts walk plain numbers.
 //!
 //! ```text
 //!   view.next(h14) = h3       next[14] = 3

@@ -33,13 +33,13 @@ pub(super) const FREE_END: u32 = 0x7fff_fffe;
 ///    prev(h)  \    on the left       v
 /// ```
 ///
-/// Laws: `twin(twin(h)) == h`, `next(prev(h)) == h == prev(next(h))`,
+/// Properties: `twin(twin(h)) == h`, `next(prev(h)) == h == prev(next(h))`,
 /// `origin(next(h)) == destination(h)`, `face(next(h)) == face(h)`, `face(half_edge(f)) == f`,
 /// `origin(outgoing(v)) == v`. Every public edit keeps them; [`violations`](super::violations) checks them.
 ///
 /// The structure accepts whatever is combinatorially legal: loops, parallel edges, dangling edges, a torus.
 /// Two structures are `==` when they agree bit for bit, free slots included; for equality up to the names of
-/// the elements use [`same`](super::same).
+/// the elements use [`isomorphic`](super::isomorphic).
 ///
 /// Source: de Berg et al., *Computational Geometry*, 3rd ed., section 2.2 (the doubly-connected edge list).
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -136,7 +136,7 @@ impl Dcel {
         })
     }
 
-    /// Takes columns that obey the laws and have no dead record.
+    /// Takes columns that obey the invariants and have no dead record.
     pub(crate) fn from_columns(columns: Columns) -> Self {
         let Columns { origin, next, prev, face, outgoing, boundary } = columns;
         Self { origin, next, prev, face, outgoing, boundary, free: FreeLists::EMPTY }

@@ -11,7 +11,7 @@
 //!   reads.rs     the reading methods, for structures that hold one
 //!   log.rs       a journal of more than pointers           follow.rs   data that follow edits
 //!   own.rs       edits that are not in the kit
-//!   validate.rs  the laws                      same.rs      equality up to names      measure.rs  counts
+//!   validate.rs  the invariants                      isomorphism/     equality up to names      measure.rs  counts
 //!   dual.rs      faces become vertices
 //! ```
 
@@ -20,6 +20,7 @@ mod dual;
 mod edit;
 mod flat;
 mod follow;
+mod isomorphism;
 mod links;
 mod log;
 mod measure;
@@ -30,7 +31,6 @@ mod pool;
 mod reads;
 mod record;
 mod replay;
-mod same;
 mod seed;
 mod table;
 mod validate;
@@ -45,6 +45,9 @@ pub use edit::{
     SplitFaceError, SplitVertexError,
 };
 pub use follow::{Followed, Follows};
+pub use isomorphism::{
+    Difference, IsomorphismOptions, Matching, VertexKey, Which, isomorphic, isomorphic_with, position_key,
+};
 pub(crate) use links::Columns;
 pub use links::Dcel;
 pub use log::Log;
@@ -56,10 +59,9 @@ pub use polygons::PolygonList;
 pub use pool::{IdError, Renumbering, TooMany};
 pub(crate) use reads::reads_of_dcel;
 pub use record::{Change, Journal, NoRecorder, Recorder, Slot, Step};
-pub use same::{Difference, Matching, SameOptions, VertexKey, Which, position_key, same, same_with};
 pub use seed::PolygonError;
 pub use table::{FaceRow, HalfEdgeRow, Table, VertexRow};
 pub use validate::{Rule, Violation, first_violation, violations, visit_violations};
 pub(crate) use view::pointers_of_dcel;
 pub use view::{InnerComponent, View, bounded_cycle};
-pub use walk::{Cycle, Star};
+pub use walk::{Cycle, OutgoingHalfEdges};

@@ -1,7 +1,7 @@
 //! Edits that are not in the kit: the recorded setters, and a look at all that was touched before it is final.
 //!
 //! ```text
-//!   edit_with ──> your function, with an Editing ──> are the laws kept at all that was touched?
+//!   edit_with ──> your function, with an Editing ──> are the invariants kept at all that was touched?
 //!                   add_…  remove_…  set_…                yes: the recorder gets every change
 //!                                                         no, or your function refused: everything is taken back
 //! ```
@@ -28,9 +28,9 @@ pub enum OwnEditError<E> {
     /// The edit has written to an element that does not exist. Everything has been taken back.
     #[error("the edit writes to an element that does not exist: {0}")]
     Id(IdError),
-    /// The edit left a law broken. Everything has been taken back.
+    /// The edit left an invariant broken. Everything has been taken back.
     #[error(
-        "the edit would break a law: {}; see the laws at dcel_kit::topology::violations",
+        "the edit would break an invariant: {}; see the invariants at dcel_kit::topology::violations",
         violations.first().map_or_else(String::new, ToString::to_string)
     )]
     Broken {
@@ -197,7 +197,7 @@ impl Editing<'_> {
 
 impl Dcel {
     /// Makes an edit that is not in the kit, whole or not at all. `edit` writes by the setters of [`Editing`]; when it
-    /// is done, the laws are checked at all it has touched, and `rec` gets every change.
+    /// is done, the invariants are checked at all it has touched, and `rec` gets every change.
     ///
     /// Cost: that of the edit, and O(sizes of the cycles and rounds that it has touched) for the check.
     ///
@@ -244,7 +244,7 @@ impl Dcel {
         Err(refusal)
     }
 
-    /// Whether all laws hold at the elements that the changes speak of, if they held everywhere before.
+    /// Whether all invariants hold at the elements that the changes speak of, if they held everywhere before.
     fn is_sound_at(&self, changes: &[Change]) -> bool {
         let mut touched: BTreeSet<Element> = BTreeSet::new();
         for change in changes {

@@ -15,7 +15,7 @@ pub enum InnerComponent {
     Isolated(VertexId),
 }
 
-/// Read access to a half-edge structure that need not obey any law.
+/// Read access to a half-edge structure that need not obey any invariant.
 ///
 /// Ids run from 0 to the bounds; `has_*` says which of them exist. A pointer that is missing reads as `None`.
 /// Getters must accept every id, existing or not, and return `None` for those that do not exist.

@@ -26,7 +26,7 @@ pub struct Cycle<'a> {
 
 /// The half-edges that start at one vertex, counter-clockwise (from the back: clockwise).
 #[derive(Clone, Debug)]
-pub struct Star<'a> {
+pub struct OutgoingHalfEdges<'a> {
     dcel: &'a Dcel,
     rest: Rest,
 }
@@ -93,7 +93,7 @@ impl DoubleEndedIterator for Cycle<'_> {
 
 impl FusedIterator for Cycle<'_> {}
 
-impl Iterator for Star<'_> {
+impl Iterator for OutgoingHalfEdges<'_> {
     type Item = HalfEdgeId;
 
     #[inline]
@@ -107,14 +107,14 @@ impl Iterator for Star<'_> {
     }
 }
 
-impl DoubleEndedIterator for Star<'_> {
+impl DoubleEndedIterator for OutgoingHalfEdges<'_> {
     #[inline]
     fn next_back(&mut self) -> Option<HalfEdgeId> {
         step_back(&mut self.rest, |h| self.dcel.cw(h))
     }
 }
 
-impl FusedIterator for Star<'_> {}
+impl FusedIterator for OutgoingHalfEdges<'_> {}
 
 impl Dcel {
     /// The next half-edge counter-clockwise round the origin of `h`: `twin(prev(h))`. O(1).
@@ -146,8 +146,8 @@ impl Dcel {
     /// The half-edges that start where `h` starts, counter-clockwise from `h`.
     #[must_use]
     #[inline]
-    pub fn star(&self, h: HalfEdgeId) -> Star<'_> {
-        Star { dcel: self, rest: Some((h, h)) }
+    pub fn star(&self, h: HalfEdgeId) -> OutgoingHalfEdges<'_> {
+        OutgoingHalfEdges { dcel: self, rest: Some((h, h)) }
     }
 
     /// The lab's `incidentHalfEdges`: the boundary of `f` in order, from `half_edge(f)` on. A bounded face is
@@ -175,8 +175,8 @@ impl Dcel {
 
     /// The half-edges that start at `v`, counter-clockwise from `outgoing(v)`; empty if `v` is isolated.
     #[inline]
-    pub fn outgoing_half_edges(&self, v: VertexId) -> Star<'_> {
-        Star { dcel: self, rest: self.outgoing(v).map(|h| (h, h)) }
+    pub fn outgoing_half_edges(&self, v: VertexId) -> OutgoingHalfEdges<'_> {
+        OutgoingHalfEdges { dcel: self, rest: self.outgoing(v).map(|h| (h, h)) }
     }
 
     /// The half-edges that end at `v`, counter-clockwise.

@@ -80,7 +80,7 @@ fn info_on_a_broken_table_says_so() {
     // The structure is right and the geometry is wrong: v3 lies outside.
     folder.write("outside.dcel", &TRIANGLE.replace("v3 2 1", "v3 9 9"));
     assert_eq!(folder.dcel("info outside.dcel --json").json()["valid"], json!(false));
-    // No positions: the laws of the structure are all there is.
+    // No positions: the invariants of the structure are all there is.
     folder.write("bare.dcel", &TRIANGLE.replace("v3 2 1", "v3"));
     assert_eq!(folder.dcel("info bare.dcel --json").json()["valid"], json!(true));
     assert_eq!(folder.dcel("info triangle.dcel --json").json()["valid"], json!(true));
@@ -161,21 +161,21 @@ fn validate_tells_misfits_from_unreadable_files() {
     folder.write("bare.dcel", &TRIANGLE.replace("v3 2 1", "v3"));
     let told = folder.dcel("validate bare.dcel");
     assert_eq!((told.code, told.out.as_str()), (Some(0), "bare.dcel: valid\n"));
-    assert!(told.err.contains("not checked: the laws of the plane: v3 has no position"), "{}", told.err);
+    assert!(told.err.contains("not checked: the invariants of the plane: v3 has no position"), "{}", told.err);
 }
 
 #[test]
 fn the_table_of_laws_is_complete() {
     let folder = Folder::new();
     let text = folder.dcel("validate --rules").fine();
-    let laws = dcel_kit::topology::Rule::all().iter().chain(dcel_kit::plane::GEOMETRY_RULES);
-    let ids: Vec<&str> = laws.map(|rule| rule.id).collect();
+    let invariants = dcel_kit::topology::Rule::all().iter().chain(dcel_kit::plane::GEOMETRY_RULES);
+    let ids: Vec<&str> = invariants.map(|rule| rule.id).collect();
     let printed: Vec<&str> =
         text.lines().filter(|l| !l.starts_with(' ')).filter_map(|l| l.split_whitespace().next()).collect();
     assert_eq!(printed, ids);
     assert_eq!(ids.len(), 29);
     let table = folder.dcel("validate --rules --json").json();
-    assert_eq!((&table[5]["rule"], &table[5]["law"]), (&json!("N2"), &json!("h.next.prev = h")));
+    assert_eq!((&table[5]["rule"], &table[5]["invariant"]), (&json!("N2"), &json!("h.next.prev = h")));
 }
 
 #[test]

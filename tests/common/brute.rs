@@ -1,4 +1,4 @@
-//! A second opinion on the laws and on equality, slow and written differently from the kit: by sets of half-edges
+//! A second opinion on the invariants and on equality, slow and written differently from the kit: by sets of half-edges
 //! instead of walks with marks, and by trying every root.
 
 use dcel_kit::topology::{InnerComponent, Table, View};
@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 type Half = HalfEdgeId;
 
-/// Whether a table obeys every law.
+/// Whether a table obeys every invariant.
 pub fn legal(table: &Table) -> bool {
     check(table).is_some()
 }
@@ -21,9 +21,9 @@ fn orbit(start: Half, step: impl Fn(Half) -> Half) -> BTreeSet<Half> {
     all
 }
 
-/// `None` at the first broken law.
+/// `None` at the first broken invariant.
 fn check(table: &Table) -> Option<()> {
-    let holds = |law: bool| law.then_some(());
+    let holds = |invariant: bool| invariant.then_some(());
     let halves: BTreeSet<Half> = ids(&table.half_edges).map(HalfEdgeId::new).collect();
     let vertices: BTreeSet<VertexId> = ids(&table.vertices).map(VertexId::new).collect();
     let faces: BTreeSet<FaceId> = ids(&table.faces).map(FaceId::new).collect();

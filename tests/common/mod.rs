@@ -1,4 +1,4 @@
-//! What the tests of the kernel share: tables to start from, a second opinion on the laws, a naive model of the
+//! What the tests of the kernel share: tables to start from, a second opinion on the invariants, a naive model of the
 //! edits, random numbers, and scripts that can be printed and replayed.
 
 #![allow(dead_code, unreachable_pub)] // every test file is a crate of its own and uses its own part of this

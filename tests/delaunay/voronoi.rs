@@ -22,7 +22,7 @@ fn holds(s: &Subdivision, face: FaceId, p: Point) -> bool {
     ends.filter(crosses).count() % 2 == 1
 }
 
-/// The laws of the structure, and one cell for each site, which holds it and no other.
+/// The invariants of the structure, and one cell for each site, which holds it and no other.
 #[track_caller]
 fn check_cells(sites: &Subdivision, cells: &VoronoiCells, context: &str) {
     let s = &cells.subdivision;

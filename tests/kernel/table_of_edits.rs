@@ -1,5 +1,5 @@
 //! The table of edits: every row on every structure that has it, with random arguments. Refused edits change nothing,
-//! made ones keep the laws, are taken back bit for bit, and print a script that replays.
+//! made ones keep the invariants, are taken back bit for bit, and print a script that replays.
 
 use crate::common::Random;
 use dcel_kit::edits::{Argument, Call, Editable, Kind, Row, TABLE, Takes, find, help, rows_of};
@@ -64,7 +64,7 @@ fn wander<S: Editable + View>(
     (seed, prelude): (u64, Option<&str>),
     start: &S,
     len: impl Fn(&S::Log) -> usize,
-    laws: impl Fn(&S) -> Vec<String>,
+    invariants: impl Fn(&S) -> Vec<String>,
     made: &mut BTreeMap<&'static str, usize>,
 ) -> (Vec<Call<S>>, S) {
     let mut random = Random(seed);
@@ -91,7 +91,7 @@ fn wander<S: Editable + View>(
                 assert_eq!(len(&log), 0, "{error}: a refusal was recorded: {script}");
             }
             Ok(returned) => {
-                assert_eq!(laws(&s), [""; 0], "{script}");
+                assert_eq!(invariants(&s), [""; 0], "{script}");
                 assert_eq!(
                     returned.named().map(Kind::of),
                     row.names().filter(|_| returned.named().is_some()),
@@ -144,7 +144,7 @@ fn every_row_of_the_kernel_is_undone_and_replayed() {
 
 #[test]
 fn every_row_of_the_plane_is_undone_and_replayed() {
-    let laws = |s: &Subdivision| {
+    let invariants = |s: &Subdivision| {
         let geometry = s.geometry_violations();
         texts(s).into_iter().chain(geometry.iter().map(ToString::to_string)).collect()
     };
@@ -155,7 +155,7 @@ fn every_row_of_the_plane_is_undone_and_replayed() {
         let corners = if seed % 2 == 0 { &LAB_RECTANGLE[..] } else { &square[..] };
         let prelude = (seed % 2 == 1).then_some("split_face h0 h4");
         let start = Subdivision::polygon(corners).unwrap();
-        let (calls, end) = wander((seed, prelude), &start, PlaneJournal::len, laws, &mut made);
+        let (calls, end) = wander((seed, prelude), &start, PlaneJournal::len, invariants, &mut made);
         let text = of_edits(corners, &calls);
         let run = Script::parse(&text, "printed").unwrap_or_else(|e| panic!("{e}\n{text}")).run();
         if !text.contains("no such") {

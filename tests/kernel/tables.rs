@@ -2,7 +2,7 @@
 
 use dcel_kit::io::{Document, Format, ReadOptions, read_bytes};
 use dcel_kit::plane::{ConvertOptions, PlanarView, Point, Subdivision, TableError};
-use dcel_kit::topology::{PolygonList, SameOptions, Table, View, position_key, same_with};
+use dcel_kit::topology::{IsomorphismOptions, PolygonList, Table, View, isomorphic_with, position_key};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 
 /// A table with the positions of the view.
@@ -101,7 +101,7 @@ fn other_twins_and_another_outer_face_are_renumbered() {
     assert!(!subdivision.has_vertex(VertexId::new(1)) && !subdivision.has_face(f(1)));
     let place = |view: &dyn PlanarView, v| view.position(v).map(|p| position_key([p.x, p.y])).unwrap();
     let (a, b) = (|v| place(&table, v), |v| place(&subdivision, v));
-    assert!(same_with(&table, &subdivision, &SameOptions::new().keys(&a, &b).representatives()).is_ok());
+    assert!(isomorphic_with(&table, &subdivision, &IsomorphismOptions::new().keys(&a, &b).representatives()).is_ok());
 }
 
 #[test]
@@ -116,7 +116,7 @@ fn errors_speak_of_the_ids_of_the_table() {
     assert_eq!(violations[1].to_string(), "G5: the boundary of f0, from h0 on, does not run counter-clockwise");
 
     let broken = SCRAMBLED.replace("next h5 prev h9", "next h9 prev h9");
-    let Err(TableError::Laws { violations }) = Subdivision::from_table(&read(&broken)) else { panic!() };
+    let Err(TableError::Invariants { violations }) = Subdivision::from_table(&read(&broken)) else { panic!() };
     assert!(violations.iter().any(|v| v.rule.id == "N2"), "{violations:?}");
     assert_eq!(told(&SCRAMBLED.replace("f7 outer", "f7")), "no face is the outer one; mark the unbounded face");
     let no_place = SCRAMBLED.replace("v2 4 0", "v2");

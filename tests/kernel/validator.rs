@@ -1,4 +1,4 @@
-//! The validator finds every broken law, calls nothing broken that is not, and never panics, hangs or walks far.
+//! The validator finds every broken invariant, calls nothing broken that is not, and never panics, hangs or walks far.
 
 use crate::common::{Random, brute, f, garbage, h, planar, row, triangle_grid, v};
 use cpu_time::ThreadTime;
@@ -281,7 +281,7 @@ fn a_violation_carries_its_elements_its_chain_and_the_two_values() {
     row(&mut table, h(2)).prev = Some(h(4));
     let all = violations(&table);
     let n2 = &all[0];
-    assert_eq!((n2.rule.id, n2.rule.law), ("N2", "h.next.prev = h"));
+    assert_eq!((n2.rule.id, n2.rule.invariant), ("N2", "h.next.prev = h"));
     assert_eq!(n2.elements, [h(0), h(2), h(4)].map(Element::HalfEdge));
     assert_eq!(n2.chain, [h(0), h(2)]);
     assert_eq!((n2.found, n2.expected), (Some(h(4).into()), Some(h(0).into())));
@@ -308,7 +308,7 @@ fn a_round_over_links_that_are_reported_already_is_not_judged() {
 fn the_table_of_rules_in_the_docs_is_the_table_of_rules() {
     let docs = include_str!("../../src/topology/validate/mod.rs");
     let rows: Vec<&str> = docs.lines().filter_map(|line| line.strip_prefix("//! | ")).skip(1).collect();
-    let rules: Vec<String> = Rule::all().iter().map(|rule| format!("{} | {} |", rule.id, rule.law)).collect();
+    let rules: Vec<String> = Rule::all().iter().map(|rule| format!("{} | {} |", rule.id, rule.invariant)).collect();
     assert_eq!(rows, rules);
     for rule in Rule::all() {
         assert_eq!(Rule::by_id(rule.id), Some(rule));

@@ -220,7 +220,7 @@ fn a_segment_walks_through_everything() {
     let inside = s.insert_segment(point(1, 5), point(2, 5)).unwrap();
     assert_eq!((inside.half_edges.len(), s.edge_count()), (1, before.edge_count() + 2));
     assert_right(&s, "inside an edge");
-    // Rounded crossings: random segments over each other, all laws after each.
+    // Rounded crossings: random segments over each other, all invariants after each.
     for seed in 1..40 {
         let mut numbers = Numbers::new(seed);
         let mut s = Subdivision::new();

@@ -42,7 +42,7 @@ fn euler_holds(s: &Subdivision, context: &str) {
     assert_eq!(violations(s), [], "{context}");
 }
 
-/// All laws, the faces of the independent tracer, and Euler.
+/// All invariants, the faces of the independent tracer, and Euler.
 fn assert_right(s: &Subdivision, context: &str) {
     euler_holds(s, context);
     assert_traced(s, context);
@@ -198,7 +198,7 @@ fn numbers_are_as_documented() {
     // v0 = (-8, -8): to the right, along the dangling edge, upwards.
     let star: Vec<_> = s.outgoing_half_edges(VertexId::new(0)).collect();
     assert_eq!(star, [h(0), h(8), h(7)]);
-    let residues = s.residues();
+    let residues = s.dangles_and_cut_edges();
     assert_eq!((residues.dangles, residues.cut_edges), (vec![EdgeId::new(4), EdgeId::new(8)], vec![]));
     let empty = Subdivision::from_segments(&[]).unwrap();
     assert_eq!(empty, Subdivision::new());
@@ -481,7 +481,7 @@ fn residues_are_dangles_and_cut_edges() {
     list.push(segment(5., 3., 4., 4.)); // 11
     list.push(segment(5., 3., 6., 4.)); // 12
     list.push(segment(20., 0., 21., 0.)); // 13
-    let residues = Subdivision::from_segments(&list).unwrap().residues();
+    let residues = Subdivision::from_segments(&list).unwrap().dangles_and_cut_edges();
     let e = |list: &[u32]| list.iter().map(|&i| EdgeId::new(i)).collect::<Vec<_>>();
     assert_eq!((residues.dangles, residues.cut_edges), (e(&[10, 11, 12, 13]), e(&[8, 9])));
 }
@@ -550,7 +550,7 @@ fn a_star_of_a_hundred_thousand_and_a_spiral() {
     let s = Subdivision::from_segments(&star).unwrap();
     assert_eq!((s.vertex_count(), s.face_count(), s.degree(VertexId::new(0))), (n as usize + 1, 1, n as usize));
     assert_eq!(s.cycle(HalfEdgeId::new(0)).count(), 2 * n as usize);
-    assert_eq!(s.residues().dangles.len(), n as usize);
+    assert_eq!(s.dangles_and_cut_edges().dangles.len(), n as usize);
     // Ten thousand squares in each other.
     let nested: Vec<Segment> = (1..=10_000).flat_map(|i| square(0., 0., f64::from(i))).collect();
     let s = Subdivision::from_segments(&nested).unwrap();

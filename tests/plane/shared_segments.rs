@@ -64,11 +64,11 @@ fn polygon(mut rings: Vec<Vec<Corner>>) -> Polygon {
 
 /// The bounded faces of the segments without dangles and cut edges.
 fn polygons_of(s: &Subdivision) -> BTreeSet<Polygon> {
-    let residues = s.residues();
+    let residues = s.dangles_and_cut_edges();
     let gone: BTreeSet<_> = residues.dangles.iter().chain(&residues.cut_edges).copied().collect();
     let kept = s.edges().filter(|e| !gone.contains(e)).map(|e| e.half_edges().map(|h| s.point(s.origin(h))));
     let s = Subdivision::from_segments(&kept.collect::<Vec<_>>()).unwrap();
-    assert_eq!(s.residues(), Default::default(), "what is left bounds faces");
+    assert_eq!(s.dangles_and_cut_edges(), Default::default(), "what is left bounds faces");
     let faces = s.faces().filter(|&f| f != s.outer_face());
     let ring = |h| s.cycle(h).map(|h| corner(s.point(s.origin(h)))).collect();
     faces.map(|f| polygon(s.cycles(f).map(ring).collect())).collect()

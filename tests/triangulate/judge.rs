@@ -38,7 +38,7 @@ pub(crate) fn triangles_due(s: &Subdivision, f: FaceId) -> usize {
     half_edges + 2 * (cycles.len() - 1 + isolated) - 2
 }
 
-/// The laws that hold for any coordinates, for the faces `cut` of `before`.
+/// The invariants that hold for any coordinates, for the faces `cut` of `before`.
 pub(crate) fn judge(before: &Subdivision, cut: &[FaceId], after: &Subdivision, added: &Triangulated) {
     assert_eq!((violations(after), after.geometry_violations()), (vec![], vec![]));
     let (v, e, f) = (before.vertex_count(), before.edge_count(), before.face_count());

@@ -144,7 +144,7 @@ impl<V: PlanarView + ?Sized> Tables<'_, V> {
             button("next", "next", "n"),
             button("twin", "twin", "t"),
             button("face", "walk the face", "f"),
-            button("star", "walk the star", "s"),
+            button("star", "walk round the vertex", "s"),
             button("stop", "stop", "Esc"),
         ]
         .concat();

@@ -251,8 +251,8 @@ fn finish<F: Turn + ?Sized>(
     let nested = linked.and_then(|()| subdivision.nest(&matched.border, faces.with_holes()));
     if let Err(error) = nested {
         // What lies in what, and what overlaps at a corner, is only known if nothing crosses.
-        let meeting = if options.full_check { subdivision.meeting() } else { None };
-        return Err(meeting.map_or(error, ConvertError::Geometry));
+        let intersection = if options.full_check { subdivision.intersection() } else { None };
+        return Err(intersection.map_or(error, ConvertError::Geometry));
     }
     let mut unused_vertices = Vec::new();
     if matched.isolated > 0 {

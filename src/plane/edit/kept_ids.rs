@@ -67,7 +67,8 @@ impl Subdivision {
             match self.dcel.half_edge(face).filter(|h| h.edge() == e) {
                 Some(h) => self.dcel.set_half_edge(face, Some(h.twin()), rec),
                 None => {
-                    let listed = halves.into_iter().find(|&h| self.inner_components(face).contains(&InnerComponent::Cycle(h)));
+                    let listed =
+                        halves.into_iter().find(|&h| self.inner_components(face).contains(&InnerComponent::Cycle(h)));
                     listed.into_iter().for_each(|h| self.rename_inner_component(face, [h, h.twin()], rec));
                 }
             }

@@ -6,7 +6,7 @@
 //!         ╲      └────┘    ╱         boundary does, so that the walk gets out of inner components and round them.
 //! ```
 //!
-//! Laws:
+//! Properties:
 //! - no face is looked at twice, for behind the last edge of a face the way does not come back to it; so the walk
 //!   ends, whatever the shape of the faces, and looks at each half-edge once at most;
 //! - it is decided by orientation alone: the way runs to the right of vertices that lie on it, and of two edges

@@ -2,7 +2,7 @@
 
 use crate::geometry::predicates::left_to_right;
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
-use crate::plane::sweep::{Meeting, NOTHING, sweep};
+use crate::plane::sweep::{Intersection, NOTHING, sweep};
 use crate::plane::{CoordinateError, Point, Subdivision};
 use crate::topology::{InnerComponent, components};
 
@@ -69,9 +69,9 @@ impl Subdivision {
             let index = stands_for.iter().position(|&q| q == p).unwrap_or_default() as u32;
             MarkHolesError::NotInside { index, point: all[p as usize], element }
         };
-        match swept.meeting {
-            Some(Meeting::SamePlace(v, p)) => return Err(on(p.max(v), VertexId::new(v.min(p)).into())),
-            Some(Meeting::PointOnEdge { point, edge }) => return Err(on(point, edges[edge as usize].into())),
+        match swept.intersection {
+            Some(Intersection::SamePlace(v, p)) => return Err(on(p.max(v), VertexId::new(v.min(p)).into())),
+            Some(Intersection::PointOnEdge { point, edge }) => return Err(on(point, edges[edge as usize].into())),
             _ => {}
         }
         let mut faces = Vec::with_capacity(points.len());

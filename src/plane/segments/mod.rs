@@ -1,7 +1,7 @@
 //! From segments to a subdivision: any straight-line graph.
 //!
 //! ```text
-//!   segments ──> equal ends become one vertex ──> one sweep: does anything meet? ──┬─ no ──> stars, cycles, inner components
+//!   segments ──> equal ends become one vertex ──> one sweep: does anything meet? ──┬─ no ──> one-rings, cycles, inner components
 //!                (graph.rs)                       what lies below each vertex?      │         (trace.rs)
 //!                                                                                   └─ yes ─> name it (faults.rs)
 //!                                                                                             or split (split.rs)
@@ -14,21 +14,21 @@
 mod arrange;
 mod chains;
 mod collinear;
+mod dangles;
 mod error;
 mod faults;
 mod graph;
 mod holes;
 mod pixels;
 mod places;
-mod residues;
 mod snap;
 mod split;
 mod touching;
 mod trace;
 
+pub use dangles::DanglesAndCutEdges;
 pub use error::{SegmentFault, SegmentsError};
 pub use holes::MarkHolesError;
-pub use residues::Residues;
 pub use touching::InsertedCorner;
 pub(super) use touching::{insert_touching, sides_of};
 
@@ -215,7 +215,7 @@ impl Subdivision {
     /// segment 0 come first, then those of segment 1 that are new, and so on; vertices made for crossings follow
     /// those of the input, from left to right.
     ///
-    /// Cost: O((n + k) log n) time for n segments with k meetings, a few times over if they are split; memory O(n + k).
+    /// Cost: O((n + k) log n) time for n segments with k intersections, a few times over if they are split; memory O(n + k).
     /// Where m segments overlap on one line, k counts their ends, not their pairs. A grid takes O(√n) for each long
     /// segment beside.
     ///

@@ -54,8 +54,8 @@ pub enum TriangulationMethod {
     ///
     /// Source: Meisters, *Polygons have ears*, American Mathematical Monthly 82, 1975.
     Ears,
-    /// Monotone pieces: a sweep from left to right cuts the faces into pieces that every upright line meets in one
-    /// stretch, and each of these is triangulated in one pass.
+    /// Monotone pieces: a sweep from left to right cuts the faces into pieces whose intersection with every vertical line is
+    /// connected, and each of these is triangulated in one pass.
     ///
     /// Cost: O(n log n), whatever the shape.
     ///

@@ -172,7 +172,7 @@ impl Polyhedron {
         Ok(Plan { sides, corners })
     }
 
-    /// The border half-edge from `u` to `v`; none if there is no edge. Both stars are walked in step, so that the
+    /// The border half-edge from `u` to `v`; none if there is no edge. The half-edges that leave both are walked in step, so that the
     /// smaller one decides what it costs.
     fn free_side(&self, u: VertexId, v: VertexId) -> Result<Option<HalfEdgeId>, AddFaceError> {
         let mut taken = None;

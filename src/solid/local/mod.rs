@@ -7,7 +7,7 @@
 //!   inset_face extrude_face bevel_face       rim.rs   a smaller face stands inside, or above, a face
 //! ```
 //!
-//! One promise for all: **a refused edit leaves everything bit for bit as it was**; a made one keeps all laws and the
+//! One promise for all: **a refused edit leaves everything bit for bit as it was**; a made one keeps all invariants and the
 //! Euler characteristic. Borders stay borders: no edit here gives a boundary face a positive side, or takes it away.
 //!
 //! Source: the local operations of Scotty3D (Carnegie Mellon, 15-462/662); Mäntylä, *An Introduction to Solid

@@ -13,11 +13,11 @@
 //! ```
 //!
 //! Each corner of a face becomes a half-edge. Whether its twin has been there before is found without hashing,
-//! in one go if the numbers are local (`streamed.rs`), else after bringing twins together (`dealt.rs`); both give
+//! in one go if the numbers are local (`streamed.rs`), else after bringing twins together (`bucketed.rs`); both give
 //! the same structure. That the faces round each vertex form one fan is checked by walking round the vertices
 //! (`fans.rs`). If anything is wrong, a second, slower look finds out what (`diagnose.rs`).
 
-mod dealt;
+mod bucketed;
 mod diagnose;
 mod error;
 mod faces;
@@ -27,7 +27,7 @@ mod streamed;
 use super::links::Columns;
 use super::{Dcel, PolygonList, TooMany};
 use crate::ids::{FaceId, MAX_IDS, VertexId};
-use dealt::dealt;
+use bucketed::bucketed;
 pub use error::BuildError;
 pub(crate) use faces::Faces;
 use streamed::streamed;
@@ -132,7 +132,7 @@ pub(crate) fn match_faces<F: Faces + ?Sized>(
     }
     faces.check_each(vertices)?;
     let columns = match is_local(faces.corners()).then(|| streamed(faces, vertices, first_face)) {
-        None | Some(Err(Stop::LongList)) => dealt(faces, vertices, first_face),
+        None | Some(Err(Stop::LongList)) => bucketed(faces, vertices, first_face),
         Some(done) => done,
     };
     match columns {

@@ -1,4 +1,4 @@
-//! The laws of the plane that need no coordinates: every component can be drawn without crossings, and the
+//! The invariants of the plane that need no coordinates: every component can be drawn without crossings, and the
 //! components nest.
 //!
 //! ```text
@@ -19,7 +19,7 @@ use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::topology::InnerComponent;
 use std::ops::ControlFlow;
 
-/// E1 and E2. The view must have an outer face and break no other law.
+/// E1 and E2. The view must have an outer face and break no other invariant.
 pub(super) fn check(flat: &Flat, visit: &mut impl FnMut(&Violation) -> ControlFlow<()>) -> ControlFlow<()> {
     let components = count(flat, |_| false).components;
     for c in components.iter().filter(|c| c.euler() != 2) {

@@ -1,19 +1,19 @@
-//! The laws as data: handouts, reports and the command line print them from here.
+//! The invariants as data: handouts, reports and the command line print them from here.
 
-/// One law of the structure.
+/// One invariant of the structure.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Rule {
     /// A letter for the family and a number: `N2`. Stable.
     pub id: &'static str,
-    /// The law as a path: `h.next.prev = h`.
-    pub law: &'static str,
+    /// The invariant as a path: `h.next.prev = h`.
+    pub invariant: &'static str,
     /// One or two sentences for people.
     pub explanation: &'static str,
 }
 
 macro_rules! rules {
-    ($($name:ident: $law:literal, $explanation:literal;)*) => {
-        $(pub(super) const $name: Rule = Rule { id: stringify!($name), law: $law, explanation: $explanation };)*
+    ($($name:ident: $invariant:literal, $explanation:literal;)*) => {
+        $(pub(super) const $name: Rule = Rule { id: stringify!($name), invariant: $invariant, explanation: $explanation };)*
         const ALL: &[Rule] = &[$($name),*];
     };
 }
@@ -60,9 +60,9 @@ rules! {
     H1: "the outer face is not a hole face",
         "A hole face is a bounded face outside the domain; the outer face is not bounded.";
     E1: "in the plane, V - E + cycles = 2 for every component",
-        "Each component can be drawn without crossings (genus 0). Checked only when all other laws hold. E1 and E2 together give Euler's relation V - E + F = 1 + C.";
+        "Each component can be drawn without crossings (genus 0). Checked only when all other invariants hold. E1 and E2 together give Euler's relation V - E + F = 1 + C.";
     E2: "in the plane, every component is an inner component of exactly one face that encloses it",
-        "Going inwards from the outer face, through inner components to components and through boundaries to faces, meets every component once. Checked only when all other laws hold.";
+        "Going inwards from the outer face, through inner components to components and through boundaries to faces, meets every component once. Checked only when all other invariants hold.";
 }
 
 impl Rule {

@@ -7,7 +7,7 @@ use crate::pictures;
 use crate::protocol::{Case, CaseAnswer, Reply, Step};
 use dcel_kit::plane::PlanarView;
 use dcel_kit::script::Script;
-use dcel_kit::topology::{SameOptions, Table, View, position_key, same_with, violations};
+use dcel_kit::topology::{IsomorphismOptions, Table, View, isomorphic_with, position_key, violations};
 use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -97,8 +97,8 @@ fn faults(exchange: &Exchange) -> Vec<Fault> {
         return vec![wrong(first.rule.id, first.text().to_owned(), first.elements.clone())];
     }
     let keys = [after.as_ref(), reference].map(|table| move |v: VertexId| position_key(place(table, v)));
-    let options = SameOptions::new().keys(&keys[0], &keys[1]);
-    let Err(difference) = same_with(after.as_ref(), reference, &options) else { return Vec::new() };
+    let options = IsomorphismOptions::new().keys(&keys[0], &keys[1]);
+    let Err(difference) = isomorphic_with(after.as_ref(), reference, &options) else { return Vec::new() };
     let mut out = Vec::new();
     let [yours, theirs] = [after.as_ref(), reference].map(vertices);
     out.extend(missing(&theirs, &yours).map(|(n, list, _)| {

@@ -1,4 +1,4 @@
-//! The laws that hold on every surface, family by family.
+//! The invariants that hold on every surface, family by family.
 
 use super::super::flat::{Fault, Flat, NONE, closed_orbits};
 use super::Violation;
@@ -24,8 +24,8 @@ fn h(number: u32) -> HalfEdgeId {
     HalfEdgeId(number)
 }
 
-/// What has been found sound so far; the walks of later laws run over sound links only.
-pub(super) struct Laws<'a, R> {
+/// What has been found sound so far; the walks of later invariants run over sound links only.
+pub(super) struct Invariants<'a, R> {
     flat: &'a Flat,
     report: R,
     /// T1 and T2 hold at the half-edge.
@@ -42,7 +42,7 @@ pub(super) struct Laws<'a, R> {
     start: Vec<u32>,
 }
 
-impl<'a, R: FnMut(Violation) -> Flow> Laws<'a, R> {
+impl<'a, R: FnMut(Violation) -> Flow> Invariants<'a, R> {
     pub(super) fn new(flat: &'a Flat, bad_list: Vec<bool>, report: R) -> Self {
         let half_edges = || vec![false; flat.next.len()];
         Self {
