@@ -21,7 +21,7 @@ use std::path::PathBuf;
 ///
 /// Reads wkt, poly, segments, geojson and topojson; polygons count by their outlines. Ends with equal
 /// coordinates become one vertex. Segments that meet elsewhere are refused, each by name, or split
-/// with --mend. Told are edges that bound no face: dangles hang free, cut edges hold parts together.
+/// with --mend. Edges that bound no face are listed: dangles hang free, cut edges hold parts together.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -34,10 +34,10 @@ pub(crate) struct Args {
     /// The file to read, or - for standard input
     #[arg(value_name = "IN")]
     file: PathBuf,
-    /// The format, if the name does not tell: wkt, poly, segments, geojson or topojson
+    /// The format, if the file name does not say: wkt, poly, segments, geojson or topojson
     #[arg(long, value_name = "FORMAT")]
     from: Option<Format>,
-    /// Split segments where they cross, touch or overlap, and tell what was done
+    /// Split segments where they cross, touch or overlap, and report what was done
     #[arg(long)]
     mend: bool,
     /// The same as --mend

@@ -88,10 +88,10 @@ pub fn describe(arranged: &Arranged) -> Vec<String> {
     }
     match arranged.collapsed[..] {
         [] => {}
-        [one] => notes.push(format!("segment {one} is shorter than the grid tells and became a point")),
+        [one] => notes.push(format!("segment {one} is shorter than a step of the grid and became a point")),
         [first, ..] => {
             let count = arranged.collapsed.len();
-            notes.push(format!("{count} segments are shorter than the grid tells and became points: {first}, ..."));
+            notes.push(format!("{count} segments are shorter than a step of the grid and became points: {first}, ..."));
         }
     }
     notes

@@ -1,4 +1,4 @@
-//! Polygons that do not fit together, told by what stands in the file: names, rings, coordinates.
+//! Polygons that do not fit together, described by what stands in the file: names, rings, coordinates.
 //!
 //! ```text
 //!   map.json:2:93: G3: features[0] "A" polygon 0 ring 0 and features[1] "B" polygon 0 ring 0 cross at (2, 2): ...

@@ -25,7 +25,7 @@ impl<G: Editable> Script<G> {
         &self.start
     }
 
-    /// Old words in it, each once: to be told to the user.
+    /// Old words in it, each once: for the user.
     #[must_use]
     pub fn old_words(&self) -> &[&'static OldWord] {
         &self.old_words

@@ -74,7 +74,7 @@ fn what_cannot_be_done_is_named() {
     folder.write("close.xy", "# close\n1 0\n1.0000000000000002 0\n");
     folder.dcel("delaunay bad.xy").fails(2, "bad.xy:2:3: `two` is not a number", "");
     folder.dcel("delaunay sites.xy -o sites.xy").fails(2, "this is the input itself", "another name");
-    folder.dcel("delaunay sites.xy -o out").fails(2, "the name does not tell the format", ".dcel");
+    folder.dcel("delaunay sites.xy -o out").fails(2, "the file name does not say which format", ".dcel");
     folder.dcel("delaunay sites.xy --circles").fails(2, "", "--figure");
     folder.dcel("delaunay cube.off --flips").fails(2, "cube.off: a surface in space", "--plane");
     folder.dcel("delaunay sites.xy --constrained --flips").fails(2, "", "");

@@ -311,7 +311,7 @@ fn convert_tells_losses_and_refuses_what_cannot_be_held() {
     assert!(folder.dcel("convert garden.json g.geojson").err.contains("1 hole face is not written"));
     assert_eq!(folder.dcel("convert garden.json g.dcel").err, "");
     folder.dcel("convert cube.off cube.geojson").fails(2, "a surface in space", "try obj, off or ply");
-    folder.dcel("convert square.obj x.svg").fails(2, "x.svg: the name does not tell", "--to: obj, off");
+    folder.dcel("convert square.obj x.svg").fails(2, "x.svg: the file name does not say", "--to: obj, off");
     folder.dcel("convert square.obj x.topojson").fails(2, "topojson is read, not written", "geojson");
     folder.dcel("convert square.obj -").fails(2, "<stdout>: the format to write is not known", "--to");
     folder.dcel("convert square.obj - --to triangle").fails(2, "two files", "path");

@@ -67,7 +67,9 @@ pub enum VoronoiError {
         point: Point,
     },
     /// Rounded corners put a site out of its cell, or two into one.
-    #[error("{site} and {other} cannot be told apart by an edge of doubles: move the sites near 0 and scale them up")]
+    #[error(
+        "{site} and {other} are so close that doubles cannot hold an edge between them: move the sites near 0 and scale them up"
+    )]
     TooClose {
         /// A site.
         site: VertexId,
