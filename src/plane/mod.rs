@@ -16,6 +16,11 @@
 //!   triangulate/                faces into triangles: ears, monotone pieces              hull.rs    points -> convex hull
 //!   sweep.rs cycle.rs rings.rs  what lies below, which way round, which inner component in which face
 //! ```
+//!
+//! ```text
+//!   seed.rs    Subdivisions to start from
+//!   status.rs  The edges under the sweep line, in order
+//! ```
 
 mod affine;
 mod check;

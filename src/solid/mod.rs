@@ -26,6 +26,12 @@
 //!   handles.rs  a curve that does not cut the surface         winged.rs           tables of the slides
 //!   schlegel.rs seen through a face, in the plane
 //! ```
+//!
+//! ```text
+//!   predicates.rs  Exact signs in space
+//!   selection.rs   Marks on elements
+//!   vector.rs      Vectors in space
+//! ```
 
 mod angles;
 mod archimedean;

@@ -5,14 +5,19 @@
 //!   pool.rs      records come and go: counts, free lists, undo, compact
 //!   walk.rs      round a face, round a vertex
 //!   edit/        split_face, join_faces, split_edge, join_edges, split_vertex, join_vertices, collapse_edge, flip_edge
-//!   seed.rs      polygons to start from        build.rs     from lists of polygons
+//!   seed.rs      polygons to start from        build/      from lists of polygons
 //!   orient.rs    which faces to turn round
 //!   record.rs    watching an edit              view.rs, table.rs   reading any structure   replay.rs  an edit on a table
 //!   reads.rs     the reading methods, for structures that hold one
 //!   log.rs       a journal of more than pointers           follow.rs   data that follow edits
 //!   own.rs       edits that are not in the kit
-//!   validate.rs  the invariants                      isomorphism/     equality up to names      measure.rs  counts
+//!   validate/    the invariants              isomorphism/  equality up to names       measure.rs  counts
 //!   dual.rs      faces become vertices
+//! ```
+//!
+//! ```text
+//!   flat.rs  A view read once into flat arrays, so that the invariants, the comparison and the counts walk plain
+//!            numbers
 //! ```
 
 mod build;

@@ -175,6 +175,7 @@ fn every_reference_of_the_records_leaves_its_field_and_reaches_its_record() {
         let class = match field.split('.').nth(1).unwrap() {
             "vertices" | "half_edges" | "faces" => "owns",
             "prev" => "next",
+            "half_edge" => "boundary",
             "face" => "face-of",
             name => name,
         };

@@ -1,4 +1,9 @@
 //! `dcel compare`: is a drawing, or a structure, what it should be?
+//!
+//! ```text
+//!   drawings.rs    Two drawings
+//!   structures.rs  Two structures
+//! ```
 
 mod drawings;
 mod structures;

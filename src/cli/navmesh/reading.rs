@@ -392,7 +392,8 @@ fn cut_bent_faces(map: &mut Subdivision) -> Result<(), TriangulateError> {
         let n = corners.len();
         (0..n).any(|k| orientation(corners[k], corners[(k + 1) % n], corners[(k + 2) % n]).is_lt())
     };
-    let domain = map.faces().filter(|&f| f != map.outer_face() && !map.is_hole(f) && map.inner_components(f).is_empty());
+    let domain =
+        map.faces().filter(|&f| f != map.outer_face() && !map.is_hole(f) && map.inner_components(f).is_empty());
     let bent: Vec<FaceId> = domain.filter(is_bent).collect();
     for &f in &bent {
         map.triangulate_face(f, TriangulationMethod::default())?;

@@ -9,6 +9,11 @@
 //!
 //! The outside of the faces given becomes faces, too: what is unbounded is `f0`, every bounded gap is a *hole
 //! face*. Together they cover the plane, so that no walk meets a border without a face.
+//!
+//! ```text
+//!   error.rs   Why a list of faces is no subdivision of the plane
+//!   simple.rs  Whether a closed polygon is simple, and which way it runs
+//! ```
 
 mod error;
 mod fans;

@@ -13,6 +13,10 @@
 //!
 //! Source: Bentley and Ottmann, *Algorithms for reporting and counting geometric intersections*, 1979; the handling
 //! of many edges through one point as in de Berg et al., *Computational Geometry*, 3rd ed., section 2.1.
+//!
+//! ```text
+//!   grid.rs  A square grid whose points, and whose lines between pixels, are doubles
+//! ```
 
 mod crossing;
 mod grid;

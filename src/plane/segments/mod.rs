@@ -10,6 +10,17 @@
 //! Before it is split, what overlaps is cut (`collinear.rs`); what does not settle in doubles goes to a grid (`snap.rs`).
 //!
 //! Dangling edges, single edges, isolated points, nested inner components and several components are all legal.
+//!
+//! ```text
+//!   arrange.rs   The way from given segments to a subdivision, step by step
+//!   chains.rs    What became of the edges of a graph that was split
+//!   dangles.rs   Edges that bound nothing
+//!   error.rs     Why segments are no plane graph
+//!   holes.rs     Marking hole faces
+//!   pixels.rs    The hot pixels that a segment passes
+//!   places.rs    Equal points, and all places from left to right, with the help of a grid
+//!   touching.rs  Points that lie inside the sides of polygons
+//! ```
 
 mod arrange;
 mod chains;

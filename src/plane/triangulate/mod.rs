@@ -19,6 +19,13 @@
 //! none is left, no bounded face has a corner that is not convex, nor one that is straight.
 //!
 //! Source: de Berg et al., *Computational Geometry*, 3rd ed., chapter 3.
+//!
+//! ```text
+//!   candidates.rs  A set of numbers below n that tells the next one after a given one, round and round
+//!   error.rs       Why faces cannot be triangulated
+//!   reflex.rs      The corners of a face that are not convex, so that "does one of them lie in this triangle?" is
+//!                  asked of few
+//! ```
 
 mod bridges;
 mod candidates;

@@ -27,6 +27,11 @@
 //!
 //! **Boundary faces keep their numbers** as long as their cycle stays one cycle. When an edit cuts or joins border
 //! cycles, the longest stretch keeps its face; so an edit costs no more than the second longest stretch.
+//!
+//! ```text
+//!   collapse_edge.rs  Collapsing an edge of a surface, so that its holes stay open and apart
+//!   remove_face.rs    Taking a face away
+//! ```
 
 mod add_face;
 mod border;

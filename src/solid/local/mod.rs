@@ -12,6 +12,10 @@
 //!
 //! Source: the local operations of Scotty3D (Carnegie Mellon, 15-462/662); Mäntylä, *An Introduction to Solid
 //! Modeling*, 1988, chapter 9 (Euler operators).
+//!
+//! ```text
+//!   one_edge.rs  Edits of one edge on a surface
+//! ```
 
 mod bevel_edge;
 mod bevel_vertex;

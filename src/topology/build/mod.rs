@@ -16,6 +16,10 @@
 //! in one go if the numbers are local (`streamed.rs`), else after bringing twins together (`bucketed.rs`); both give
 //! the same structure. That the faces round each vertex form one fan is checked by walking round the vertices
 //! (`fans.rs`). If anything is wrong, a second, slower look finds out what (`diagnose.rs`).
+//!
+//! ```text
+//!   error.rs  Why a list of faces is not a surface
+//! ```
 
 mod bucketed;
 mod diagnose;

@@ -19,6 +19,15 @@
 //! Source: one root at a time, followed on both sides: Weinberg, *A simple and efficient algorithm for determining
 //! isomorphism of planar triply connected graphs*, 1966; trees from the leaves inwards: Aho, Hopcroft and Ullman,
 //! *The Design and Analysis of Computer Algorithms*, 1974, section 3.2.
+//!
+//! ```text
+//!   difference.rs  What differs, in one sentence
+//!   explain.rs     Why two views that are not equal differ
+//!   forest.rs      Components and the faces that join them, compared from the leaves to the centre, then matched
+//!                  from the centre to the leaves
+//!   matcher.rs     The map from one side to the other while it grows
+//!   world.rs       Both views side by side in one set of numbers
+//! ```
 
 mod colour;
 mod difference;

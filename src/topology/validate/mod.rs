@@ -40,6 +40,11 @@
 //!
 //! Cost: O(V + E + F + inner components) time and memory on every view. Each getter is asked once for each element; walks
 //! mark what they have seen, so that many chains into one long tail are not walked many times.
+//!
+//! ```text
+//!   planar.rs  The invariants of the plane that need no coordinates
+//!   rules.rs   The invariants as data
+//! ```
 
 mod invariants;
 mod planar;
