@@ -80,7 +80,7 @@ fn what_cannot_be_done_is_named() {
     folder.dcel("delaunay sites.xy --constrained --flips").fails(2, "", "");
     folder.dcel("voronoi sites.xy --box 0 0 4 3").fails(2, "sites.xy:2: v0 at (0, 0) does not lie inside", "");
     folder.dcel("voronoi sites.xy --box 9 9 1 1").fails(2, "has no inside", "");
-    folder.dcel("voronoi close.xy --box 0 -1 3 1").fails(2, "close.xy:2: v0 and v1 cannot be told apart", "");
+    folder.dcel("voronoi close.xy --box 0 -1 3 1").fails(2, "close.xy:2: v0 and v1 are so close that doubles", "");
     folder.write("empty.xy", "# nothing\n");
     folder.dcel("voronoi empty.xy").fails(2, "there is no site", "");
 }
