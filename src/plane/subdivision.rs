@@ -8,9 +8,9 @@
 //!   └─────────────────────┘           f1 has its boundary and two inner components: the cycle round f2, and v8.
 //! ```
 //!
-//! *Ring* = a further cycle of a face, or an isolated vertex in it. All cycles of `f0` are inner components of the plane;
-//! `half_edge(f0)` is the first of them and the others are listed as its inner components. *Hole face* = a bounded face
-//! that is not part of the domain.
+//! *Inner component* = a further cycle of a face, or an isolated vertex in it. All cycles of `f0` are inner components
+//! of the plane; `half_edge(f0)` is the first of them and the others are listed as its inner components. *Hole face* =
+//! a bounded face that is not part of the domain.
 //!
 //! Source: de Berg et al., *Computational Geometry*, 3rd ed., section 2.2 (OuterComponent, InnerComponents).
 

@@ -202,7 +202,9 @@ fn walks_round_faces() {
     assert!(hole.starts_with("f3, a hole: 4 half-edges, 1 cycle\nadjacent faces (1): f1 \"Garden\"\n"), "{hole}");
     let outer = folder.dcel("walk garden.json --face f0").fine();
     assert!(outer.starts_with("f0, the outer face: 7 half-edges, 2 cycles\n"), "{outer}");
-    assert!(outer.contains("adjacent names (2): Garden, Shed\n") && outer.matches("\ninner component of f0\n").count() == 2);
+    assert!(
+        outer.contains("adjacent names (2): Garden, Shed\n") && outer.matches("\ninner component of f0\n").count() == 2
+    );
     assert!(folder.dcel("walk triangle.dcel --face f1").fine().ends_with("\nisolated in f1\n  v3 (2, 1)\n"));
 }
 

@@ -409,11 +409,11 @@ fn a_removed_id_is_named_by_every_getter_in_debug_builds() {
         }
         t.panics("outgoing", || s.outgoing(v));
         t.panics("degree", || s.degree(v));
-        t.panics("boundary", || s.boundary(f));
+        t.panics("half_edge", || s.half_edge(f));
         t.panics("incident_half_edges", || s.incident_half_edges(f).count());
     }
     t.panics("point", || lab.point(v));
-    t.panics("rings", || lab.rings(f).len());
+    t.panics("inner_components", || lab.inner_components(f).len());
     t.panics("is_hole", || lab.is_hole(f));
     t.panics("point", || cube.point(corner));
     t.panics("is_boundary_face", || cube.is_boundary_face(face));

@@ -244,7 +244,7 @@ fn merge(table: &mut Table, [h, twin]: [HalfEdgeId; 2], [gone, kept]: [FaceId; 2
         row.face = Some(kept);
     }
     if let Some(Some(row)) = table.faces.get_mut(kept.index()) {
-        row.boundary = Some([before, twin_before, after].into_iter().find(|&g| g != h && g != twin).unwrap_or(after));
+        row.half_edge = Some([before, twin_before, after].into_iter().find(|&g| g != h && g != twin).unwrap_or(after));
     }
     table.faces[gone.index()] = None;
     if table.outer_face == Some(gone) {
