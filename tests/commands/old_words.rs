@@ -34,7 +34,7 @@ fn old_words_of_dcel_files_give_the_same_structure() {
 #[test]
 fn old_words_of_scripts_do_the_same() {
     let folder = Folder::new();
-    let new = "rectangle\nsplit_face f1.half_edge.next f1.half_edge.prev.prev\ninsert_dangling_edge v0 10 10\n";
+    let new = "rectangle\nsplit_face f1.half_edge.next f1.half_edge.prev.prev\ninsert_dangling_edge v0 -100 -100\n";
     let mut old = new.to_owned();
     rows(Language::Script).for_each(|row| old = old.replace(row.new, row.old));
     let [new, old] = [new, &old].map(|script| folder.dcel_with(script, "script - --dump"));
