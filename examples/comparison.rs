@@ -16,7 +16,7 @@
 use dcel_kit::compare::{Options, compare};
 use dcel_kit::figure::{self, FigureOptions};
 use dcel_kit::plane::{Point, SegmentsError, Subdivision};
-use dcel_kit::topology::{SameOptions, position_key, same, same_with};
+use dcel_kit::topology::{IsomorphismOptions, isomorphic, isomorphic_with, position_key};
 
 /// Four walls with one diagonal or the other.
 fn room(diagonal: [u32; 2]) -> Result<Subdivision, SegmentsError> {
@@ -40,13 +40,13 @@ pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
 
     // Without positions the two are the same structure: one is the other, turned by a quarter.
-    let matching = same(&rising, &falling)?;
+    let matching = isomorphic(&rising, &falling)?;
     let turned: Vec<String> = matching.vertices.iter().filter_map(|(v, w)| Some(format!("{v} is {}", (*w)?))).collect();
     println!("without places: {}", turned.join(", "));
 
     // With positions they are not.
     let [first, second] = [&rising, &falling].map(|s| move |v| position_key([s.point(v).x, s.point(v).y]));
-    if let Err(difference) = same_with(&rising, &falling, &SameOptions::new().keys(&first, &second)) {
+    if let Err(difference) = isomorphic_with(&rising, &falling, &IsomorphismOptions::new().keys(&first, &second)) {
         println!("with places: {difference}");
     }
     Ok(())

@@ -5,7 +5,7 @@
 //!   │           │        │ ╲       ╱ │     V + 1, E + k, F + k - 1 for a face with k sides
 //!   │     f     │  ==>   │    ╲ ╱    │
 //!   │           │        │    ╱ ╲    │     It is written by recorded setters, so it can be undone, filmed, and
-//!   │           │        │ ╱       ╲ │     said in a script; the kit checks the laws before it is final.
+//!   │           │        │ ╱       ╲ │     said in a script; the kit checks the invariants before it is final.
 //!   ●───────────●        ●───────────●
 //! ```
 //!
@@ -80,7 +80,7 @@ pub(crate) fn poke_face(dcel: &mut Dcel, f: FaceId, rec: &mut impl Recorder) -> 
             e.set_next(from, to);
             let face = if i == 0 { f } else { e.add_face()? };
             [to, side, from].into_iter().for_each(|h| e.set_face(h, face));
-            e.set_boundary(face, Some(side));
+            e.set_half_edge(face, Some(side));
         }
         e.set_outgoing(centre, Some(spokes[0]));
         Ok::<_, PokeError>(centre)

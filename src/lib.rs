@@ -96,6 +96,7 @@ pub mod interop;
 pub mod io;
 #[cfg(feature = "navmesh")]
 pub mod navmesh;
+pub mod old_words;
 pub mod plane;
 #[cfg(feature = "script")]
 pub mod script;

@@ -7,7 +7,7 @@ mod common;
 use common::Random;
 use dcel_kit::plane::{CoordinateError, PlanarView};
 use dcel_kit::solid::{Platonic, Polyhedron, grow::Shape};
-use dcel_kit::topology::{Dcel, SameOptions, Table, position_key, same_with, violations};
+use dcel_kit::topology::{Dcel, IsomorphismOptions, Table, isomorphic_with, position_key, violations};
 use dcel_kit::{EdgeId, FaceId, FaceMap, HalfEdgeId, Point, Subdivision, VertexId, VertexMap};
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
@@ -38,7 +38,7 @@ fn random_subdivision(seed: u64) -> Subdivision {
 
 fn is_same_place(a: &Subdivision, b: &Subdivision) -> bool {
     let key = |s: &Subdivision, v| position_key(s.position(v).map(|p| [p.x, p.y]).unwrap());
-    same_with(a, b, &SameOptions::new().keys(&|v| key(a, v), &|v| key(b, v))).is_ok()
+    isomorphic_with(a, b, &IsomorphismOptions::new().keys(&|v| key(a, v), &|v| key(b, v))).is_ok()
 }
 
 mod through_serde {

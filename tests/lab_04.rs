@@ -5,7 +5,7 @@
 
 use dcel_kit::compare::{Options, compare};
 use dcel_kit::script::{Outcome, Script};
-use dcel_kit::topology::{FaceRow, HalfEdgeRow, SameOptions, Table, VertexRow, position_key, same_with};
+use dcel_kit::topology::{FaceRow, HalfEdgeRow, IsomorphismOptions, Table, VertexRow, isomorphic_with, position_key};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use dcel_lab::cases::starts::{convex, grid, wheel};
 use dcel_lab::protocol::{CallEnd, Case, Reply, Schema, Start, Step, Value, read_answers};
@@ -267,7 +267,7 @@ fn table_of(dcel: &dcel::Dcel) -> Table {
     table.faces = dcel
         .faces
         .iter()
-        .map(|f| Some(FaceRow { boundary: f.incident_half_edge.map(half_edge), ..FaceRow::default() }))
+        .map(|f| Some(FaceRow { half_edge: f.incident_half_edge.map(half_edge), ..FaceRow::default() }))
         .collect();
     table
 }
@@ -291,7 +291,8 @@ fn the_starts_of_the_program_have_the_numbers_of_the_kit() {
         for (h, (mine, kit)) in mine.half_edges.iter().zip(&kit.half_edges).enumerate() {
             assert_eq!(mine, kit, "h{h} of {text}");
         }
-        same_with(&mine, &kit, &SameOptions::new()).unwrap_or_else(|difference| panic!("{text}: {difference}"));
+        isomorphic_with(&mine, &kit, &IsomorphismOptions::new())
+            .unwrap_or_else(|difference| panic!("{text}: {difference}"));
         assert_eq!(dcel_kit::topology::violations(&mine), []);
     }
     for text in ["0 0 1 0 1 1 / 0 2 1", "0 0 1 0 1 1 / 0 1 3", "0 0 1 0 1 1 / 0 1 2 0 1 2", "0 0 1 0 1 1 / 0 1"] {
@@ -320,8 +321,8 @@ fn the_plane_accepts_the_drawing_and_the_solution_draws_the_same() {
     assert_eq!(dcel_kit::topology::violations(mine.as_ref()), []);
     let of_mine = |v: VertexId| position_key(mine.vertices[v.index()].unwrap().position.unwrap());
     let of_reference = |v: VertexId| position_key([reference.point(v).x, reference.point(v).y]);
-    let options = SameOptions::new().keys(&of_mine, &of_reference);
-    same_with(mine.as_ref(), &reference, &options).unwrap_or_else(|difference| panic!("{difference}"));
+    let options = IsomorphismOptions::new().keys(&of_mine, &of_reference);
+    isomorphic_with(mine.as_ref(), &reference, &options).unwrap_or_else(|difference| panic!("{difference}"));
 
     let returned = |reply: &Reply| match reply {
         Reply::Called(called) => called.end.clone(),

@@ -33,7 +33,7 @@ fn the_states_have_the_counts_of_the_map() {
         assert_eq!(info[key], value, "{key}");
     }
     assert_eq!((&info["mode"], &info["valid"], &info["format"]), (&"plane".into(), &true.into(), &"topojson".into()));
-    assert_eq!((&info["names"], &info["rings"]), (&51.into(), &143.into()));
+    assert_eq!((&info["names"], &info["inner_components"]), (&51.into(), &143.into()));
     folder.dcel_on(&states(), "info").fails(2, "\"Delaware\"", "--drop-degenerate-rings");
     assert_eq!(folder.dcel_on(&states(), &format!("validate {STATES}")).code, Some(0));
 }

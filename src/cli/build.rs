@@ -21,7 +21,7 @@ use std::path::PathBuf;
 ///
 /// Reads wkt, poly, segments, geojson and topojson; polygons count by their outlines. Ends with equal
 /// coordinates become one vertex. Segments that meet elsewhere are refused, each by name, or split
-/// with --mend. Told are edges that bound no face: dangles hang free, cut edges hold parts together.
+/// with --mend. Edges that bound no face are listed: dangles hang free, cut edges hold parts together.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -34,10 +34,10 @@ pub(crate) struct Args {
     /// The file to read, or - for standard input
     #[arg(value_name = "IN")]
     file: PathBuf,
-    /// The format, if the name does not tell: wkt, poly, segments, geojson or topojson
+    /// The format, if the file name does not say: wkt, poly, segments, geojson or topojson
     #[arg(long, value_name = "FORMAT")]
     from: Option<Format>,
-    /// Split segments where they cross, touch or overlap, and tell what was done
+    /// Split segments where they cross, touch or overlap, and report what was done
     #[arg(long)]
     mend: bool,
     /// The same as --mend
@@ -182,7 +182,7 @@ fn refused(soup: &SegmentSoup, error: LoadError) -> Failure {
 impl Report {
     fn of(source: String, format: Format, soup: &SegmentSoup, arranged: &Arranged) -> Self {
         let s = &arranged.subdivision;
-        let residues = s.residues();
+        let lone = s.dangles_and_cut_edges();
         let moved =
             |list: &[(VertexId, f64)]| list.iter().map(|&(v, by)| Moved { vertex: v.to_string(), by }).collect();
         let repeated = arranged.repeated.iter().map(|&(segment, repeats)| Repeated { segment, repeats });
@@ -206,8 +206,8 @@ impl Report {
             collapsed: arranged.collapsed.clone(),
             farthest: arranged.farthest,
             rounds: arranged.rounds,
-            dangles: names(residues.dangles.iter()),
-            cut_edges: names(residues.cut_edges.iter()),
+            dangles: names(lone.dangles.iter()),
+            cut_edges: names(lone.cut_edges.iter()),
             notes: describe(arranged),
         }
     }

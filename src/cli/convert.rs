@@ -15,7 +15,7 @@ use std::path::PathBuf;
 ///
 /// Formats: obj, off, ply, ply-binary, stl, stl-binary, triangle, geojson, mesh, dcel, tables. Polygon
 /// formats hold no structure: ids are numbered anew when such a file is read, and what they cannot hold is refused
-/// by name. What is lost without harm is told. A grid map (.map) has y pointing down: a .mesh made of
+/// by name. What is lost without harm is noted. A grid map (.map) has y pointing down: a .mesh made of
 /// it, too, so that the queries of the map fit both; in all other formats y is negated.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
@@ -30,7 +30,7 @@ pub(crate) struct Args {
     /// The file to write, or - for standard output
     #[arg(value_name = "OUT")]
     to_file: PathBuf,
-    /// The format to write, if the name does not tell
+    /// The format to write, if the file name does not say
     #[arg(long, value_name = "FORMAT")]
     to: Option<Format>,
     /// Number all elements anew, without gaps, along a walk
@@ -80,7 +80,7 @@ fn target_format(args: &Args) -> Result<Format, Failure> {
         let writable: Vec<_> = Format::ALL.into_iter().filter(|f| f.can_write()).map(Format::name).collect();
         let what = match stdout {
             true => "<stdout>: the format to write is not known".to_owned(),
-            false => format!("{}: the name does not tell the format to write", args.to_file.display()),
+            false => format!("{}: the file name does not say which format to write", args.to_file.display()),
         };
         Failure::input(what, format!("say it with --to: {}", writable.join(", ")))
     })
@@ -106,7 +106,7 @@ fn keep_polygons(subject: &mut Subject) -> Result<(), Failure> {
         let lost = counted(lost, "point is not written: no polygon", "points are not written: no polygon");
         say("note", format!("{lost} to walk on has a corner there"));
     }
-    for f in domain().filter(|&f| map.rings(f).is_empty()) {
+    for f in domain().filter(|&f| map.inner_components(f).is_empty()) {
         corners.clear();
         corners.extend(map.incident_vertices(f).map(|v| numbers[v.index()]));
         if down {

@@ -73,7 +73,7 @@ impl<'a> Place<'a> {
     }
 }
 
-/// Whether the call asks for JSON, so that errors are told so, too: also where it is wrong.
+/// Whether the call asks for JSON, so that errors are JSON, too, even where the call is wrong.
 pub(crate) fn is_json_wanted() -> bool {
     std::env::args_os().skip(1).take_while(|word| word != "--").any(|word| word == "--json")
 }

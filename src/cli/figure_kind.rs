@@ -31,7 +31,7 @@ static FAMILIES: &[Choice<&[Pointers]>] = &[
     ("next", "The half-edge after each", &[Pointers::Next]),
     ("twin", "The other half of each", &[Pointers::Twin]),
     ("outgoing", "The half-edge that each vertex knows", &[Pointers::Outgoing]),
-    ("boundary", "The half-edge that each face knows", &[Pointers::Boundary]),
+    ("half-edge", "The half-edge that each face knows", &[Pointers::Boundary]),
     ("face", "The face of each half-edge", &[Pointers::Face]),
     ("all", "All five", &Pointers::ALL),
 ];

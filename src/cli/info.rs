@@ -6,19 +6,19 @@ use super::subject::{Kind, Subject};
 use super::{Answer, Failure, Output};
 use dcel_kit::io::{Covering, Number, counted};
 use dcel_kit::plane::{Subdivision, TableError};
-use dcel_kit::topology::{Counts, Ring, first_violation, measure_with};
+use dcel_kit::topology::{Counts, InnerComponent, first_violation, measure_with};
 use dcel_kit::{FaceId, FaceMap, HalfEdgeId, VertexMap};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-/// Count vertices, edges, faces, components, rings and holes
+/// Count vertices, edges, faces, components, inner components and holes
 ///
 /// In the plane `faces` counts the outer face and hole faces; on a surface it does not count the
 /// faces that stand for borders. The Euler number is V - E + F.
 ///
-/// `valid` says that all laws hold, also those of the plane: nothing crosses, nothing overlaps. A file
+/// `valid` says that all invariants hold, also those of the plane: nothing crosses, nothing overlaps. A file
 /// of polygons that are not is refused, or cut up with --mend; with --trust it is `not checked`
 /// whether polygons overlap that share no edge and no corner. A broken .dcel file is `NOT valid`.
 #[derive(clap::Args, Debug)]
@@ -59,8 +59,8 @@ struct Info {
     cycles: usize,
     hole_faces: usize,
     /// Cycles of the outer face, further cycles of others, isolated vertices.
-    rings: usize,
-    rings_of_outer_face: usize,
+    inner_components: usize,
+    inner_components_of_outer_face: usize,
     isolated_vertices: usize,
     /// Over the faces of the domain.
     sides: Spread,
@@ -125,7 +125,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let subject = args.input.open(&args.file)?;
     let info = Info::of(&subject);
     if info.valid == Some(false) {
-        super::failure::say("note", format!("{}: laws are broken; `dcel validate` names them", subject.source));
+        super::failure::say("note", format!("{}: invariants are broken; `dcel validate` names them", subject.source));
     }
     tell(&info, args.json, out)
 }
@@ -151,8 +151,8 @@ impl Info {
             *faces_by_sides.entry(sides[f]).or_insert(0) += 1;
         }
         let outer = view.outer_face();
-        let first_of_outer = outer.and_then(|f| view.boundary(f)).is_some() as usize;
-        let outer_cycles = |ring: &&Ring| matches!(ring, Ring::Cycle(_));
+        let first_of_outer = outer.and_then(|f| view.half_edge(f)).is_some() as usize;
+        let outer_cycles = |ring: &&InnerComponent| matches!(ring, InnerComponent::Cycle(_));
         let mut names: Vec<&str> = subject.faces().filter_map(|f| subject.name(f)).collect();
         let named_faces = names.len();
         names.sort_unstable();
@@ -174,9 +174,9 @@ impl Info {
             genus: counts.genus(),
             cycles: counts.cycles,
             hole_faces: subject.faces().filter(|&f| view.is_hole(f)).count(),
-            rings: first_of_outer + subject.faces().map(|f| view.rings(f).len()).sum::<usize>(),
-            rings_of_outer_face: first_of_outer
-                + outer.map_or(0, |f| view.rings(f).iter().filter(outer_cycles).count()),
+            inner_components: first_of_outer + subject.faces().map(|f| view.inner_components(f).len()).sum::<usize>(),
+            inner_components_of_outer_face: first_of_outer
+                + outer.map_or(0, |f| view.inner_components(f).iter().filter(outer_cycles).count()),
             isolated_vertices: counts.isolated_vertices,
             sides: Spread::of(domain.iter().map(|&f| sides[f])),
             degrees: Spread::of(subject.vertices().map(|v| degrees[v])),
@@ -211,7 +211,7 @@ impl InWords for Info {
             None => "not checked",
         };
         writeln!(out, "{}: {}, {format}, {valid}", self.source, self.mode)?;
-        let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
+        let mut line = |what: &str, value: String| writeln!(out, "  {what:<18}{value}");
         line("vertices", self.vertices.to_string())?;
         line("edges", format!("{} ({})", self.edges, counted(self.half_edges, "half-edge", "half-edges")))?;
         let holes = match self.hole_faces {
@@ -228,10 +228,14 @@ impl InWords for Info {
         if self.mode == "surface" {
             line("genus", self.genus.to_string())?;
         } else {
-            let inner = self.rings - self.rings_of_outer_face;
+            let inner = self.inner_components - self.inner_components_of_outer_face;
             line(
-                "rings",
-                format!("{} of the outer face, {}", self.rings_of_outer_face, counted(inner, "other", "others")),
+                "inner components",
+                format!(
+                    "{} of the outer face, {}",
+                    self.inner_components_of_outer_face,
+                    counted(inner, "other", "others")
+                ),
             )?;
             line("isolated", counted(self.isolated_vertices, "vertex", "vertices"))?;
         }
@@ -263,14 +267,14 @@ impl std::fmt::Display for Spread {
     }
 }
 
-/// Whether all laws hold that are checked, and the bytes of the structure without positions.
+/// Whether all invariants hold that are checked, and the bytes of the structure without positions.
 fn validity(subject: &Subject) -> (bool, Option<usize>) {
     match &subject.kind {
         Kind::Plane(subdivision) => (first_violation(subdivision).is_none(), Some(subdivision.memory_bytes())),
         Kind::Surface(polyhedron) => (first_violation(polyhedron).is_none(), Some(polyhedron.memory_bytes())),
         Kind::Table(table) => match Subdivision::from_table(table) {
             Ok(subdivision) => (true, Some(subdivision.memory_bytes())),
-            // The laws of the structure hold; there is no plane, or nothing is known of its geometry.
+            // The invariants of the structure hold; there is no plane, or nothing is known of its geometry.
             Err(TableError::NoOuterFace | TableError::NoPosition { .. }) => (true, None),
             Err(_) => (false, None),
         },

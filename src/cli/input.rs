@@ -12,7 +12,7 @@ use std::path::Path;
 #[derive(clap::Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Reading")]
 pub(crate) struct InputOptions {
-    /// The format, if the name does not tell
+    /// The format, if the file name does not say
     #[arg(long, value_name = "FORMAT")]
     format: Option<Format>,
     /// y points down in the file, as on screens
@@ -33,7 +33,7 @@ pub(crate) struct InputOptions {
     /// Read as a subdivision of the plane: drop z
     #[arg(long)]
     plane: bool,
-    /// Split polygons and segments where they cross, touch or overlap; tells what was done. Each face is named after
+    /// Split polygons and segments where they cross, touch or overlap; reports what was done. Each face is named after
     /// all polygons that cover it
     #[arg(long)]
     mend: bool,
@@ -78,7 +78,7 @@ impl InputOptions {
         Self { surface: true, plane: false, only_surfaces, plane_in_vain, ..self.clone() }
     }
 
-    /// Reads a file. Tables stay tables, with the ids of the file, right or wrong. Tells the notes on stderr.
+    /// Reads a file. Tables stay tables, with the ids of the file, right or wrong. Prints the notes on stderr.
     pub(crate) fn open(&self, file: &Path) -> Result<Subject, Failure> {
         self.open_as(file, true)
     }

@@ -33,6 +33,7 @@ mod locate;
 mod looks;
 mod man;
 mod navmesh;
+mod old_words;
 mod output;
 mod overlay;
 mod picture;
@@ -175,7 +176,8 @@ pub fn with_own_lab(folder: impl AsRef<Path>, judge: &'static dyn Judge) -> Exit
 fn answered() -> ExitCode {
     let mut out = Output::new();
     let json = failure::is_json_wanted();
-    let command = match Cli::try_parse() {
+    let (arguments, old) = old_words::current(std::env::args_os());
+    let command = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli.command,
         Err(error) => {
             if json && error.use_stderr() {
@@ -184,6 +186,7 @@ fn answered() -> ExitCode {
             error.exit()
         }
     };
+    old.iter().for_each(|word| failure::say("note", word));
     let ready = if command.ends_in_order() { Ok(()) } else { signals::clean_up() };
     let ready = ready.map_err(|error| Failure::machine(format!("signals: {error}"), ""));
     let answer = ready.and_then(|()| command.run(&mut out)).and_then(|answer| {

@@ -16,10 +16,10 @@ use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-/// Tell where points lie: on a vertex, on an edge, in a face
+/// Find where points lie: on a vertex, on an edge, in a face
 ///
 /// Decided exactly, for any subdivision of the plane. Points are given as X Y X Y ..., or one on
-/// each line of a file, in the coordinates of the structure's file. An edge is told by its half from
+/// each line of a file, in the coordinates of the structure's file. An edge is named by its half from
 /// left to right, so that the first face is the one above it.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
@@ -37,7 +37,7 @@ pub(crate) struct Args {
     /// A file of points, one on each line
     #[arg(long, value_name = "FILE", conflicts_with = "coordinates")]
     points: Option<PathBuf>,
-    /// Walk there from a vertex, and tell the way
+    /// Walk there from a vertex, and print the walk
     #[arg(long, value_name = "v0")]
     walk: Option<VertexId>,
     /// Draw the points and what they lie on

@@ -20,9 +20,9 @@ use std::path::{Path, PathBuf};
 /// With --operation the bounded faces of A and of B, hole faces excepted, are taken as two regions,
 /// and the answer is a region.
 ///
-/// What crosses is decided exactly; crossings become vertices at the nearest doubles, and it is told
-/// which of them moved. Lines too close to settle so are rounded to a grid, and what that moved is
-/// told, too: no input is refused for being close. Areas are exact, rounded once.
+/// What crosses is decided exactly; crossings become vertices at the nearest doubles, and a note says
+/// which of them moved. Lines too close to settle so are rounded to a grid, and a note says what
+/// moved: no input is refused for being close. Areas are exact, rounded once.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -180,7 +180,7 @@ impl Args {
         match Format::from_path(path) {
             Some(format) => Ok(Goal::File(path.clone(), format)),
             None if path.extension().is_none() => {
-                let what = format!("{}: the name does not tell what to write", path.display());
+                let what = format!("{}: the file name does not say what to write", path.display());
                 Err(Failure::input(what, "end it in .svg for a picture, in .dcel for the structure"))
             }
             None => Ok(Goal::Picture(Target::new(Some(path), self.pixels)?)),

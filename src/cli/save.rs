@@ -110,7 +110,7 @@ pub(crate) fn put(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), Failure> {
     write_whole(path, bytes).map_err(|error| Failure::writing(path.display(), &error))
 }
 
-/// Writes a structure; the end of the name tells the format. `-` is dcel text on standard output.
+/// Writes a structure; the end of the name decides the format. `-` is dcel text on standard output.
 pub(crate) fn save(path: &Path, model: &Model<'_>, out: &mut Output) -> Result<(), Failure> {
     save_as(path, None, Format::Dcel, "end it in .dcel", model, out)
 }
@@ -129,7 +129,7 @@ pub(crate) fn save_as(
         format if path.as_os_str() == "-" => write(out, model, format.unwrap_or(usual)),
         Some(format) => write_path(path, model, format),
         None => {
-            let what = format!("{}: the name does not tell the format to write", path.display());
+            let what = format!("{}: the file name does not say which format to write", path.display());
             return Err(Failure::input(what, help));
         }
     };

@@ -24,7 +24,7 @@ use std::path::{Path, PathBuf};
 /// Carry out a script of edits, step by step
 ///
 /// Every call is printed with what it returned, every walk with what it met. A refused edit changes
-/// nothing, is told with its reason, and ends the script.
+/// nothing, is printed with its reason, and ends the script.
 #[derive(clap::Args, Debug)]
 #[command(after_help = help())]
 pub(crate) struct Args {
@@ -139,6 +139,7 @@ fn play<G: Dump>(
     mut watch: impl FnMut(&Step<Call<G>>, &G),
     out: &mut Output,
 ) -> Result<Played, Failure> {
+    script.old_words().iter().for_each(|word| failure::say("note", word));
     let mut teller = Teller { args, script, source, answer: Answer::Yes, told: Vec::new() };
     let mut result = Ok(());
     let end = script.play(|step, structure| {

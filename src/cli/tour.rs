@@ -46,7 +46,7 @@ fn lab(out: &mut Output) -> Result<bool, Failure> {
     writeln!(out, "   The result: {}.", counts(&lab))?;
     let laws_hold = euler(out, &lab)?;
 
-    writeln!(out, "\n   Walks round the faces, along next from boundary(f):")?;
+    writeln!(out, "\n   Walks round the faces, along next from half_edge(f):")?;
     for f in lab.faces() {
         let half_edges = list(lab.incident_half_edges(f));
         let vertices = list(lab.incident_vertices(f));
@@ -88,7 +88,7 @@ fn counts(s: &Subdivision) -> String {
     format!("{} vertices, {} edges, {} faces", s.vertex_count(), s.edge_count(), s.face_count())
 }
 
-/// Says what Euler's relation gives and how many laws are broken. Whether all is well.
+/// Says what Euler's relation gives and how many invariants are broken. Whether all is well.
 fn euler(out: &mut Output, s: &Subdivision) -> Result<bool, Failure> {
     let counts = measure(s);
     let expected = 1 + counts.components.len() as i64;
@@ -96,7 +96,7 @@ fn euler(out: &mut Output, s: &Subdivision) -> Result<bool, Failure> {
     let sign = if counts.euler() == expected { "=" } else { "is not" };
     writeln!(
         out,
-        "   V - E + F = {} - {} + {} = {} {sign} 1 + {} components; laws broken: {faults}.",
+        "   V - E + F = {} - {} + {} = {} {sign} 1 + {} components; invariants broken: {faults}.",
         counts.vertices,
         counts.edges,
         counts.faces,

@@ -16,9 +16,9 @@ use std::path::PathBuf;
 
 /// Cut the faces of a subdivision into triangles
 ///
-/// Diagonals join vertices that are there; none is added. Every bounded face is cut, with its rings
+/// Diagonals join vertices that are there; none is added. Every bounded face is cut, with its inner components
 /// and isolated vertices, into triangles of positive area; hole faces stay whole. A face with n
-/// half-edges and r rings gives n + 2r - 2 triangles.
+/// half-edges and r inner components gives n + 2r - 2 triangles.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:

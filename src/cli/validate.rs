@@ -1,4 +1,4 @@
-//! `dcel validate`: which laws does a structure break?
+//! `dcel validate`: which invariants does a structure break?
 
 use super::answer::{InWords, tell};
 use super::failure::say;
@@ -13,11 +13,11 @@ use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-/// List the laws that a structure breaks
+/// List the invariants that a structure breaks
 ///
-/// One violation a line, the id of the law first. In the plane all edges are checked against each
+/// One violation a line, the id of the invariant first. In the plane all edges are checked against each
 /// other. Polygons that do not fit together are one violation, G1 to G3 or INPUT, and no structure;
-/// corners that lie inside sides of GeoJSON and TopoJSON are inserted there, and told.
+/// corners that lie inside sides of GeoJSON and TopoJSON are inserted there, with a note.
 ///
 /// Exit code 0: valid; 1: not valid; 2: the file cannot be read.
 #[derive(clap::Args, Debug)]
@@ -30,7 +30,7 @@ pub(crate) struct Args {
     /// The file, or - for standard input
     #[arg(required_unless_present = "rules")]
     file: Option<PathBuf>,
-    /// Print the laws and what they mean
+    /// Print the invariants and what they mean
     #[arg(long, conflicts_with = "file")]
     rules: bool,
     /// Answer in JSON
@@ -47,7 +47,7 @@ struct Report {
     mode: Option<&'static str>,
     valid: bool,
     violations: Vec<Fault>,
-    /// Why laws were not checked.
+    /// Why invariants were not checked.
     unchecked: Vec<String>,
 }
 
@@ -62,9 +62,9 @@ struct Fault {
 }
 
 #[derive(Serialize)]
-struct Law {
+struct Invariant {
     rule: &'static str,
-    law: &'static str,
+    invariant: &'static str,
     explanation: &'static str,
 }
 
@@ -93,7 +93,7 @@ impl Report {
             let geometry = geometry(subject, &mut unchecked);
             faults = geometry.iter().map(|violation| Fault::of_geometry(violation, subject)).collect();
         } else if subject.mode() == Mode::Plane {
-            unchecked.push("the laws of the plane: first those of the structure must hold".to_owned());
+            unchecked.push("the invariants of the plane: first those of the structure must hold".to_owned());
         }
         let (source, mode) = (subject.source.clone(), Some(subject.mode_name()));
         Self { source, mode, valid: faults.is_empty(), violations: faults, unchecked }
@@ -129,7 +129,7 @@ impl InWords for Report {
     }
 }
 
-/// Violations of the laws of the plane, where there is one.
+/// Violations of the invariants of the plane, where there is one.
 fn geometry(subject: &Subject, unchecked: &mut Vec<String>) -> Vec<GeometryViolation> {
     match &subject.kind {
         Kind::Plane(subdivision) => subdivision.geometry_violations(),
@@ -138,11 +138,11 @@ fn geometry(subject: &Subject, unchecked: &mut Vec<String>) -> Vec<GeometryViola
             Ok(_) => Vec::new(),
             Err(TableError::Geometry { violations }) => violations,
             Err(TableError::NoOuterFace) => {
-                unchecked.push("the laws of the plane: no face is marked `outer`".to_owned());
+                unchecked.push("the invariants of the plane: no face is marked `outer`".to_owned());
                 Vec::new()
             }
             Err(error) => {
-                unchecked.push(format!("the laws of the plane: {error}"));
+                unchecked.push(format!("the invariants of the plane: {error}"));
                 Vec::new()
             }
         },
@@ -191,14 +191,14 @@ fn lines(vertices: &[VertexId], subject: &Subject) -> String {
 }
 
 fn print_rules(json: bool, out: &mut Output) -> Result<(), Failure> {
-    let laws = Rule::all().iter().chain(GEOMETRY_RULES);
+    let invariants = Rule::all().iter().chain(GEOMETRY_RULES);
     if json {
-        let law = |&Rule { id, law, explanation }: &Rule| Law { rule: id, law, explanation };
-        out.json(&laws.map(law).collect::<Vec<_>>())?;
+        let invariant = |&Rule { id, invariant, explanation }: &Rule| Invariant { rule: id, invariant, explanation };
+        out.json(&invariants.map(invariant).collect::<Vec<_>>())?;
         return Ok(());
     }
-    for Rule { id, law, explanation } in laws {
-        writeln!(out, "{id}  {law}")?;
+    for Rule { id, invariant, explanation } in invariants {
+        writeln!(out, "{id}  {invariant}")?;
         for line in super::output::wrapped(explanation, 72) {
             writeln!(out, "      {line}")?;
         }

@@ -7,13 +7,13 @@
 //! ```
 //!
 //! Any element can carry them. The name of an element is what stands behind the last hyphen of its id. Nothing is
-//! judged here: a missing attribute is a missing pointer, which the laws then tell.
+//! judged here: a missing attribute is a missing pointer, which the invariants then tell.
 
 use super::error::{Fault, Problem, place, quoted};
 use super::numbers;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::Point;
-use crate::topology::{FaceRow, HalfEdgeRow, Ring, Table, VertexRow};
+use crate::topology::{FaceRow, HalfEdgeRow, InnerComponent, Table, VertexRow};
 use roxmltree::{Document, Node};
 use std::str::FromStr;
 
@@ -100,17 +100,17 @@ impl Reader<'_> {
     fn face(&mut self, node: Node<'_, '_>, name: &str) -> Result<(), Fault> {
         let f: FaceId = id(node, name)?;
         self.claim(node, 2, f.index(), name)?;
-        let ring = |word: &str| -> Option<Ring> {
+        let ring = |word: &str| -> Option<InnerComponent> {
             let word = last(word);
-            word.parse().map(Ring::Cycle).or_else(|_| word.parse().map(Ring::Isolated)).ok()
+            word.parse().map(InnerComponent::Cycle).or_else(|_| word.parse().map(InnerComponent::Isolated)).ok()
         };
         let mut rings = Vec::new();
         for text in node.attribute("data-rings").unwrap_or("").split_whitespace() {
             rings.push(ring(text).ok_or_else(|| word(node, "data-rings", text, "half-edge or vertex"))?);
         }
         let row = FaceRow {
-            boundary: pointer(node, "data-he")?,
-            rings,
+            half_edge: pointer(node, "data-he")?,
+            inner_components: rings,
             hole: node.attribute("data-hole") == Some("true"),
             name: node.attribute("data-name").map(str::to_owned),
         };

@@ -131,7 +131,7 @@ pub enum Problem {
         /// The element.
         element: String,
     },
-    /// The reference itself breaks a law or draws something else than it declares.
+    /// The reference itself breaks an invariant or draws something else than it declares.
     #[error("the reference cannot be used: {reason}")]
     Reference {
         /// Why.

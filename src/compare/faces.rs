@@ -10,7 +10,7 @@ use super::placed::Placed;
 use super::report::{Difference, Kind, Layer, Slot, Spot};
 use crate::figure::structure::skeleton::{faces, half_edges, mutual_twin};
 use crate::ids::{Element, FaceId, HalfEdgeId};
-use crate::topology::{Ring, Table, View, bounded_cycle};
+use crate::topology::{InnerComponent, Table, View, bounded_cycle};
 use std::collections::BTreeMap;
 
 /// So many half-edges are named in one sentence.
@@ -189,11 +189,11 @@ fn isolated(
 ) {
     let lies_in = |placed: &Placed<'_>| -> BTreeMap<u32, FaceId> {
         let table = placed.table;
-        let alone = |ring: &Ring| match ring {
-            Ring::Isolated(v) => placed.numbers.get(v.index()).copied().flatten(),
-            Ring::Cycle(_) => None,
+        let alone = |ring: &InnerComponent| match ring {
+            InnerComponent::Isolated(v) => placed.numbers.get(v.index()).copied().flatten(),
+            InnerComponent::Cycle(_) => None,
         };
-        faces(table).flat_map(|f| table.rings(f).iter().filter_map(alone).map(move |v| (v, f))).collect()
+        faces(table).flat_map(|f| table.inner_components(f).iter().filter_map(alone).map(move |v| (v, f))).collect()
     };
     let theirs = lies_in(found);
     for (v, f) in lies_in(expected) {
@@ -233,6 +233,6 @@ pub(super) fn names(expected: &Placed<'_>, found: &Placed<'_>, links: &Links, ou
 /// The boundary of a face, to be drawn.
 fn outline(expected: &Placed<'_>, f: FaceId) -> Spot {
     let corner = |h: HalfEdgeId| Some(expected.graph.point(expected.ends(h)?[0]));
-    let start = expected.table.boundary(f);
+    let start = expected.table.half_edge(f);
     Spot::Face(start.into_iter().flat_map(|h| bounded_cycle(expected.table, h)).filter_map(corner).collect())
 }

@@ -12,7 +12,7 @@ use super::graph::Matched;
 use super::placed::Placed;
 use crate::figure::structure::skeleton::{half_edges, mutual_twin};
 use crate::ids::HalfEdgeId;
-use crate::topology::{SameOptions, Table, View, same_with};
+use crate::topology::{IsomorphismOptions, Table, View, isomorphic_with};
 
 /// Structures with at most so many half-edges are compared as a whole where half-edges are parallel.
 const SMALL: usize = 10_000;
@@ -122,9 +122,11 @@ impl Links {
         let first = |v| [number(expected, v).map_or(u64::MAX, u64::from), 0];
         let partner = |v| number(found, v).and_then(|m| matched.to_expected[m as usize]);
         let second = |v| [partner(v).map_or(u64::MAX - 1, u64::from), 0];
-        let options = SameOptions::new().keys(&first, &second);
+        let options = IsomorphismOptions::new().keys(&first, &second);
         let small = expected.table.half_edge_bound().max(found.table.half_edge_bound()) <= SMALL;
-        if let Some(matching) = small.then(|| same_with(expected.table, found.table, &options)).and_then(Result::ok) {
+        if let Some(matching) =
+            small.then(|| isomorphic_with(expected.table, found.table, &options)).and_then(Result::ok)
+        {
             for (h, g) in matching.half_edges.iter() {
                 if let Some(g) = *g {
                     self.pair(h, g);

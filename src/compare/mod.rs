@@ -8,11 +8,32 @@
 //!                     answer: answer.rs (report.rs), and a picture of the differences: diff.rs
 //! ```
 //!
+//!
+//! ```text
+//!   areas.rs       Layer 3, faces
+//!   beside.rs      What is drawn beside a structure and is no part of it
+//!   colour.rs      Colours as CSS writes them
+//!   diff_style.rs  The style of the picture of differences
+//!   error.rs       Why a file cannot be compared, and where
+//!   frame.rs       From the student's canvas to the coordinates of the reference
+//!   graph.rs       Vertices and edges of two drawings
+//!   ink.rs         What can be seen
+//!   numbers.rs     Lists of numbers in attributes
+//!   pairing.rs     Which point is which
+//!   path.rs        Path data as polylines
+//!   placed.rs      A declared structure with its vertices and edges by place
+//!   rings.rs       Closed outlines as cyclic sequences of points, in a form in which equal ones are equal
+//!   segments.rs    Lines cut at the points they pass, by a grid over the points
+//!   snap.rs        Points by place, each with a number
+//!   transform.rs   Transforms
+//!   viewport.rs    Viewports
+//!   yours.rs       What was handed in, drawn small beside the differences
+//! ```
 #![doc = include_str!("../../figures/difference.svg")]
 //!
 //! **0** Both files are XML within limits (8 MiB, 200,000 elements), without declarations and scripts, all numbers
 //! finite; errors name line and column. **1** Equal bytes are equal. **2** If both files declare their structure in
-//! `data-*` attributes, all laws are checked, vertices are matched by place, half-edges by their ends, and every
+//! `data-*` attributes, all invariants are checked, vertices are matched by place, half-edges by their ends, and every
 //! pointer is compared through that map: numbers may differ. **3** What is drawn is always compared, and must be what
 //! is declared, and can be seen: colours are worked out at points along every edge, in every circle and face. **4** If hardly a point lies where it should, connections are compared without places. Pixels are
 //! never compared: a test of the pixels passes drawings that are wrong and fails drawings that are right.

@@ -10,7 +10,7 @@ use super::graph::Graph;
 use super::report::{Difference, Kind, Layer, Spot};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::{Point, predicates::orientation};
-use crate::topology::{FaceRow, HalfEdgeRow, Ring, Table, VertexRow, View, bounded_cycle, same};
+use crate::topology::{FaceRow, HalfEdgeRow, InnerComponent, Table, VertexRow, View, bounded_cycle, isomorphic};
 use std::cmp::Ordering;
 
 /// Drawings with more edges are not compared in this way.
@@ -24,25 +24,25 @@ pub(super) fn rebuild(graph: &Graph) -> Table {
     for (start, area) in cycles {
         if area > 0.0 {
             let face = FaceId::new(table.faces.len() as u32);
-            table.faces.push(Some(FaceRow { boundary: Some(start), ..FaceRow::default() }));
+            table.faces.push(Some(FaceRow { half_edge: Some(start), ..FaceRow::default() }));
             give(&mut table, start, face);
         } else {
-            rings.push(Ring::Cycle(start));
+            rings.push(InnerComponent::Cycle(start));
             give(&mut table, start, FaceId::new(0));
         }
     }
     let alone = |(v, row): (usize, &Option<VertexRow>)| {
-        row.as_ref().filter(|row| row.outgoing.is_none()).map(|_| Ring::Isolated(VertexId::new(v as u32)))
+        row.as_ref().filter(|row| row.outgoing.is_none()).map(|_| InnerComponent::Isolated(VertexId::new(v as u32)))
     };
     rings.extend(table.vertices.iter().enumerate().filter_map(alone));
     let boundary = match rings.first() {
-        Some(&Ring::Cycle(h)) => {
+        Some(&InnerComponent::Cycle(h)) => {
             rings.remove(0);
             Some(h)
         }
         _ => None,
     };
-    table.faces[0] = Some(FaceRow { boundary, rings, ..FaceRow::default() });
+    table.faces[0] = Some(FaceRow { half_edge: boundary, inner_components: rings, ..FaceRow::default() });
     table.outer_face = Some(FaceId::new(0));
     table
 }
@@ -66,12 +66,12 @@ pub(super) fn compare(expected: &Graph, found: &Graph) -> Difference {
             let points = found.points.iter().map(|p| Point::new(-p.x, p.y)).collect();
             surface(&Graph { points, ..found.clone() })
         };
-        match same(&theirs, &mine) {
+        match isomorphic(&theirs, &mine) {
             Ok(_) => {
                 "right shape, wrong place: the lines are connected as they should be, but the vertices lie elsewhere"
                     .to_owned()
             }
-            Err(_) if same(&mirrored(), &mine).is_ok() => {
+            Err(_) if isomorphic(&mirrored(), &mine).is_ok() => {
                 "mirrored, and in the wrong place: the lines are connected as in a mirror image".to_owned()
             }
             Err(difference) => format!("wrong connections, and hardly any vertex lies where it should: {difference}"),
@@ -85,7 +85,7 @@ fn surface(graph: &Graph) -> Table {
     let (mut table, cycles) = linked(graph);
     for (start, area) in cycles {
         let face = FaceId::new(table.faces.len() as u32);
-        table.faces.push(Some(FaceRow { boundary: Some(start), hole: area <= 0.0, ..FaceRow::default() }));
+        table.faces.push(Some(FaceRow { half_edge: Some(start), hole: area <= 0.0, ..FaceRow::default() }));
         give(&mut table, start, face);
     }
     table

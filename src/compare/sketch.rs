@@ -22,7 +22,7 @@ use super::snap::Snap;
 use super::{rings, shape};
 use crate::figure::structure::skeleton::faces;
 use crate::plane::Point;
-use crate::topology::{Ring, View, bounded_cycle};
+use crate::topology::{InnerComponent, View, bounded_cycle};
 use std::collections::BTreeMap;
 
 /// A face's outline.
@@ -83,12 +83,12 @@ impl Sketch {
             rings::tidy(&bounded_cycle(table, h).filter_map(|h| Some(placed.ends(h)?[0])).collect::<Vec<_>>())
         };
         for f in faces(table) {
-            let further = table.rings(f).iter().filter_map(|ring| match ring {
-                Ring::Cycle(h) => Some(*h),
-                Ring::Isolated(_) => None,
+            let further = table.inner_components(f).iter().filter_map(|ring| match ring {
+                InnerComponent::Cycle(h) => Some(*h),
+                InnerComponent::Isolated(_) => None,
             });
             let is_outer = table.outer_face == Some(f);
-            for (i, ring) in table.boundary(f).into_iter().chain(further).map(corners).enumerate() {
+            for (i, ring) in table.half_edge(f).into_iter().chain(further).map(corners).enumerate() {
                 if i == 0 && !is_outer && ring.len() > 2 {
                     out.outlines.push(Outline { ring, name: f.to_string(), coat: u32::MAX });
                 } else {

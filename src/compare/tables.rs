@@ -22,8 +22,8 @@ use crate::topology::{Table, View, violations};
 
 /// Coordinates agree up to this part of the whole.
 const CLOSE: f64 = 1e-9;
-/// So many broken laws are told beside differences.
-const LAWS: usize = 3;
+/// So many broken invariants are told beside differences.
+const INVARIANTS: usize = 3;
 
 /// What came of it.
 pub(super) struct Found {
@@ -67,13 +67,15 @@ pub(super) fn compare(expected: &Placed<'_>, found: &Placed<'_>, options: &Optio
     if differences.is_empty() {
         differences.extend(broken.iter().map(|violation| {
             let kind = violation.elements.first().map_or(Kind::Drawing, |&element| kind(element));
-            let text = format!("your structure breaks a law: {violation}");
+            let text = format!("your structure breaks an invariant: {violation}");
             Difference::new(kind, Layer::Declared, text, Spot::Nowhere)
         }));
     } else {
-        notes.extend(broken.iter().take(LAWS).map(|violation| format!("your structure breaks a law: {violation}")));
-        if broken.len() > LAWS {
-            notes.push(format!("{} more broken laws: dcel validate lists them", broken.len() - LAWS));
+        notes.extend(
+            broken.iter().take(INVARIANTS).map(|violation| format!("your structure breaks an invariant: {violation}")),
+        );
+        if broken.len() > INVARIANTS {
+            notes.push(format!("{} more broken invariants: dcel validate lists them", broken.len() - INVARIANTS));
         }
     }
     differences.sort_by_key(|difference| difference.kind);

@@ -64,6 +64,8 @@ pub use row::{Apply, Row};
 pub use rows::TABLE;
 pub use structure::Editable;
 
+use crate::old_words::{Language, OldWord};
+
 /// The rows of the edits that this structure has, in the order of the table.
 pub fn rows_of<S: Editable>() -> impl Iterator<Item = &'static Row> {
     TABLE.iter().copied().filter(|row| S::column(row).is_some())
@@ -72,6 +74,7 @@ pub fn rows_of<S: Editable>() -> impl Iterator<Item = &'static Row> {
 /// The row with this word, if the structure has such an edit.
 #[must_use]
 pub fn find<S: Editable>(word: &str) -> Option<&'static Row> {
+    let word = OldWord::current(Language::Script, word);
     rows_of::<S>().find(|row| row.word == word)
 }
 

@@ -82,7 +82,7 @@ impl Row {
 }
 
 impl PartialEq for Row {
-    /// Rows are told apart by what they say.
+    /// Rows differ if they say something else.
     fn eq(&self, other: &Self) -> bool {
         (self.word, self.takes, self.gives) == (other.word, other.takes, other.gives)
     }

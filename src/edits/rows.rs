@@ -198,9 +198,9 @@ rows! {
         plane |s, log| s.insert_edge_with(u, v, log);
     }
 
-    insert_antenna(v: vertex, at: place) -> [vertex, half_edge]
+    insert_dangling_edge(v: vertex, at: place) -> [vertex, half_edge]
         "Insert a dangling edge from a vertex to a new one"; {
-        plane |s, log| s.insert_antenna_with(v, at.into(), log);
+        plane |s, log| s.insert_dangling_edge_with(v, at.into(), log);
     }
 
     insert_segment(p: place, q: place) -> [half_edge, vertex]

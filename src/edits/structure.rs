@@ -51,7 +51,7 @@ impl Row {
             let name = name.to_uppercase();
             match takes {
                 Takes::Element(_) | Takes::Number => out.push_str(&format!(" {name}")),
-                // A place beside others is told apart by its name.
+                // One place of several is known by its name.
                 Takes::Place => ["X", "Y", "Z"][..S::DIMENSION].iter().for_each(|axis| match name.as_str() {
                     "AT" => out.push_str(&format!(" {axis}")),
                     _ => out.push_str(&format!(" {name}{axis}")),

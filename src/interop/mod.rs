@@ -4,7 +4,7 @@
 //! | feature | what it brings |
 //! |---|---|
 //! | `serde` | `Serialize` and `Deserialize` for ids, maps by id, points, `Dcel`, `Subdivision`, `Polyhedron`; what is read is checked |
-//! | `geo-types` | polygons and lines into a subdivision, faces and edges out of it |
+//! | `geo-types` (`geo_types.rs`) | polygons and lines into a subdivision, faces and edges out of it |
 //! | `mint` | points to and from `mint::Point2` and `mint::Vector2` of `f64` |
 //! | `glam` | points to and from `glam::DVec2`, and from `glam::Vec2` |
 //!

@@ -9,7 +9,7 @@ use crate::ids::{EdgeId, FaceId, HalfEdgeId, Id, IdMap, MAX_IDS, VertexId};
 use crate::plane::{Point, Subdivision, TableError, dcel_of_table};
 #[cfg(feature = "solid")]
 use crate::solid::Polyhedron;
-use crate::topology::{Dcel, FaceRow, HalfEdgeRow, Ring, Table, VertexRow, violations};
+use crate::topology::{Dcel, FaceRow, HalfEdgeRow, InnerComponent, Table, VertexRow, violations};
 use ::serde::de::{Deserialize, Deserializer, Error as _};
 use ::serde::ser::{Serialize, SerializeStruct, Serializer};
 use std::fmt::Display;
@@ -132,7 +132,7 @@ impl Serialize for Dcel {
         record.serialize_field("face", &pointer(|d, h| d.face(h).number()))?;
         let outgoing = || vertices().map(|v| self.has_vertex(v).then(|| self.outgoing(v)).flatten());
         record.serialize_field("outgoing", &Column(outgoing))?;
-        let half_edge = || faces().map(|f| self.has_face(f).then(|| self.boundary(f)).flatten());
+        let half_edge = || faces().map(|f| self.has_face(f).then(|| self.half_edge(f)).flatten());
         record.serialize_field("half_edge", &Column(half_edge))?;
         record.serialize_field("free_vertices", &Column(|| vertices().filter(|&v| !self.has_vertex(v))))?;
         record.serialize_field("free_faces", &Column(|| faces().filter(|&f| !self.has_face(f))))?;
@@ -199,7 +199,7 @@ impl Columns {
         }
         for f in self.free_faces.into_iter().map(FaceId::new) {
             let row = table.faces.get_mut(f.index()).and_then(Option::take).ok_or_else(|| not_free(f))?;
-            if let Some(h) = row.boundary {
+            if let Some(h) = row.half_edge {
                 return Err(format!("{f} is said to be free, and to have the half-edge {h}"));
             }
         }
@@ -212,7 +212,7 @@ fn vertex_row(outgoing: Pointer) -> VertexRow {
 }
 
 fn face_row(half_edge: Pointer) -> FaceRow {
-    FaceRow { boundary: half_edge.map(HalfEdgeId::new), ..FaceRow::default() }
+    FaceRow { half_edge: half_edge.map(HalfEdgeId::new), ..FaceRow::default() }
 }
 
 fn not_free(element: impl Display) -> String {
@@ -238,16 +238,16 @@ enum Inner {
     Vertex(VertexId),
 }
 
-impl From<Ring> for Inner {
-    fn from(ring: Ring) -> Self {
+impl From<InnerComponent> for Inner {
+    fn from(ring: InnerComponent) -> Self {
         match ring {
-            Ring::Cycle(h) => Self::Cycle(h),
-            Ring::Isolated(v) => Self::Vertex(v),
+            InnerComponent::Cycle(h) => Self::Cycle(h),
+            InnerComponent::Isolated(v) => Self::Vertex(v),
         }
     }
 }
 
-impl From<Inner> for Ring {
+impl From<Inner> for InnerComponent {
     fn from(inner: Inner) -> Self {
         match inner {
             Inner::Cycle(h) => Self::Cycle(h),
@@ -264,7 +264,7 @@ impl Serialize for Subdivision {
             all.map(|v| dcel.has_vertex(v).then(|| self.point(v)))
         };
         let components = || {
-            let listed = dcel.faces().map(|f| (f, self.rings(f))).filter(|(_, rings)| !rings.is_empty());
+            let listed = dcel.faces().map(|f| (f, self.inner_components(f))).filter(|(_, rings)| !rings.is_empty());
             listed.map(|(f, rings)| (f, rings.iter().map(|&ring| Inner::from(ring)).collect::<Vec<_>>()))
         };
         let mut record = serializer.serialize_struct("Subdivision", 5)?;
@@ -297,7 +297,7 @@ impl SubdivisionRecord {
             }
         }
         for (f, inner) in self.inner_components {
-            face_named(&mut table, "inner_components", f)?.rings.extend(inner.into_iter().map(Ring::from));
+            face_named(&mut table, "inner_components", f)?.rings.extend(inner.into_iter().map(InnerComponent::from));
         }
         for f in self.holes {
             face_named(&mut table, "holes", f)?.hole = true;

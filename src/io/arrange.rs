@@ -12,7 +12,7 @@ use crate::plane::{ArrangeOptions, Arranged, MarkHolesError, SegmentFault, Segme
 /// already or have no length left out. With `split`, segments are split where they meet; see
 /// [`ArrangeOptions`]. Hole points mark their faces.
 ///
-/// Cost: O(n log n), and O((n + k) log n) a round to split at k meetings.
+/// Cost: O(n log n), and O((n + k) log n) a round to split at k intersections.
 ///
 /// # Errors
 /// [`LoadError`] with the lines of the segments that do not fit.
@@ -88,10 +88,10 @@ pub fn describe(arranged: &Arranged) -> Vec<String> {
     }
     match arranged.collapsed[..] {
         [] => {}
-        [one] => notes.push(format!("segment {one} is shorter than the grid tells and became a point")),
+        [one] => notes.push(format!("segment {one} is shorter than a step of the grid and became a point")),
         [first, ..] => {
             let count = arranged.collapsed.len();
-            notes.push(format!("{count} segments are shorter than the grid tells and became points: {first}, ..."));
+            notes.push(format!("{count} segments are shorter than a step of the grid and became points: {first}, ..."));
         }
     }
     notes

@@ -4,8 +4,8 @@
 //!              v2 ●                vertex:     v2 2 3 out h4
 //!                ╱ ╲                           its x and y, then `out` and a half-edge that starts here
 //!            h4 ╱f1 ╲ h2           half-edge:  h0 origin v0 twin h1 next h2 prev h4 face f1
-//!              ╱  ·v3╲   f0        face:       f1 boundary h0 rings v3 name "Ohio"
-//!          v0 ●───────● v1                     `boundary` and a half-edge, `rings` and half-edges or
+//!              ╱  ·v3╲   f0        face:       f1 half_edge h0 inner v3 name "Ohio"
+//!          v0 ●───────● v1                     `half_edge` and a half-edge, `inner` and half-edges or
 //!                 h0                           isolated vertices, and the words `outer`, `hole`, `name`
 //! ```
 //!
@@ -24,8 +24,8 @@
 //! h3 origin v2 twin h2 next h1 prev h5 face f0
 //! h4 origin v2 twin h5 next h0 prev h2 face f1
 //! h5 origin v0 twin h4 next h3 prev h1 face f0
-//! f0 outer boundary h1 rings none
-//! f1 boundary h0 rings v3 name "Ohio"
+//! f0 outer half_edge h1 inner none
+//! f1 half_edge h0 inner v3 name "Ohio"
 //! "#;
 //! let read = read_bytes(text.as_bytes(), Format::Dcel, "ohio.dcel", &ReadOptions::default())?;
 //! let Document::Table(table) = read.document else { unreachable!() };
@@ -56,7 +56,8 @@ use super::format::Format;
 use super::problem::{ReadError, ReadProblem};
 use super::text::{Scanner, Syntax, Word};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
-use crate::topology::{FaceRow, HalfEdgeRow, Ring, Table, VertexRow};
+use crate::old_words::{Language, OldWord};
+use crate::topology::{FaceRow, HalfEdgeRow, InnerComponent, Table, VertexRow};
 use std::str::FromStr;
 
 const SYNTAX: Syntax = Syntax { comments: true, continuation: false, quotes: true };
@@ -64,7 +65,7 @@ const SYNTAX: Syntax = Syntax { comments: true, continuation: false, quotes: tru
 const SPARE: usize = 1_000_000;
 
 const HALF_EDGE_WORDS: [&str; 5] = ["origin", "twin", "next", "prev", "face"];
-const FACE_WORDS: [&str; 5] = ["boundary", "rings", "outer", "hole", "name"];
+const FACE_WORDS: [&str; 5] = ["half_edge", "inner", "outer", "hole", "name"];
 
 /// The tables while they are read, with the line of each record.
 struct Reader<'a> {
@@ -73,6 +74,7 @@ struct Reader<'a> {
     lines: [Vec<u32>; 3],
     outer_line: u32,
     limit: usize,
+    old_words: Vec<&'static OldWord>,
 }
 
 /// Reads the kit's text. O(length).
@@ -80,8 +82,14 @@ pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
     let mut scanner = Scanner::new(bytes, source, SYNTAX)?;
     header(&mut scanner)?;
     let lines = bytes.iter().filter(|&&b| b == b'\n' || b == b'\r').count();
-    let mut reader =
-        Reader { scanner, table: Table::default(), lines: Default::default(), outer_line: 0, limit: lines + SPARE };
+    let mut reader = Reader {
+        scanner,
+        table: Table::default(),
+        lines: Default::default(),
+        outer_line: 0,
+        limit: lines + SPARE,
+        old_words: Vec::new(),
+    };
     while let Some(word) = reader.scanner.word_anywhere() {
         match word.text.first() {
             Some(b'v') => reader.vertex(word)?,
@@ -94,7 +102,8 @@ pub(super) fn read(bytes: &[u8], source: &str) -> Result<Read, ReadError> {
         }
         reader.scanner.end_of_line("one record a line")?;
     }
-    Ok(Read { document: Document::Table(reader.table), notes: Vec::new(), format: Format::Dcel })
+    let notes = reader.old_words.iter().map(ToString::to_string).collect();
+    Ok(Read { document: Document::Table(reader.table), notes, format: Format::Dcel })
 }
 
 fn header(scanner: &mut Scanner<'_>) -> Result<(), ReadError> {
@@ -160,10 +169,11 @@ impl<'a> Reader<'a> {
         let mut row = FaceRow::default();
         let mut seen = 0;
         while let Some(word) = self.scanner.word() {
+            let word = self.current(word);
             self.once(word, &FACE_WORDS, &mut seen)?;
             match word.text {
-                b"boundary" => row.boundary = self.pointer()?,
-                b"rings" => row.rings = self.rings()?,
+                b"half_edge" => row.half_edge = self.pointer()?,
+                b"inner" => row.inner_components = self.inner_components()?,
                 b"hole" => row.hole = true,
                 b"name" => row.name = Some(self.name()?),
                 _ => self.outer(id, word)?,
@@ -171,6 +181,16 @@ impl<'a> Reader<'a> {
         }
         put(&mut self.table.faces, id.index(), row);
         Ok(())
+    }
+
+    /// The word as it is written today; an old word is noted, once.
+    fn current(&mut self, word: Word<'a>) -> Word<'a> {
+        let text = std::str::from_utf8(word.text).unwrap_or_default();
+        let Some(old) = OldWord::find(Language::DcelFile, text) else { return word };
+        if !self.old_words.contains(&old) {
+            self.old_words.push(old);
+        }
+        Word { text: old.new.as_bytes(), ..word }
     }
 
     fn outer(&mut self, id: FaceId, word: Word<'_>) -> Result<(), ReadError> {
@@ -184,19 +204,19 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// The half-edges and vertices behind `rings`, or `none`.
-    fn rings(&mut self) -> Result<Vec<Ring>, ReadError> {
-        let mut rings = Vec::new();
-        let first = self.scanner.need(|| "half-edges or vertices after `rings`, or none".to_owned())?;
+    /// The half-edges and vertices behind `inner`, or `none`.
+    fn inner_components(&mut self) -> Result<Vec<InnerComponent>, ReadError> {
+        let mut inner = Vec::new();
+        let first = self.scanner.need(|| "half-edges or vertices after `inner`, or none".to_owned())?;
         if first.text == b"none" {
-            return Ok(rings);
+            return Ok(inner);
         }
         let mut at = Some(first);
         while let Some(word) = at {
             match word.text {
-                [b'h', b'0'..=b'9', ..] => rings.push(Ring::Cycle(self.id(word)?)),
-                [b'v', b'0'..=b'9', ..] => rings.push(Ring::Isolated(self.id(word)?)),
-                _ if rings.is_empty() => return Err(self.scanner.expected(word, "a half-edge or a vertex", "")),
+                [b'h', b'0'..=b'9', ..] => inner.push(InnerComponent::Cycle(self.id(word)?)),
+                [b'v', b'0'..=b'9', ..] => inner.push(InnerComponent::Isolated(self.id(word)?)),
+                _ if inner.is_empty() => return Err(self.scanner.expected(word, "a half-edge or a vertex", "")),
                 _ => {
                     self.scanner.go_back_to(word.at);
                     break;
@@ -204,7 +224,7 @@ impl<'a> Reader<'a> {
             }
             at = self.scanner.word();
         }
-        Ok(rings)
+        Ok(inner)
     }
 
     fn name(&mut self) -> Result<String, ReadError> {

@@ -20,7 +20,7 @@ pub enum Document {
 pub struct Read {
     /// The contents.
     pub document: Document,
-    /// What was dropped, repaired or chosen, one sentence each: to be told to the user.
+    /// What was dropped, repaired or chosen, one sentence each: for the user.
     pub notes: Vec<String>,
     /// The format it was: of a JSON file what it says of itself, whatever its name.
     pub format: Format,

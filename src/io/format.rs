@@ -1,4 +1,4 @@
-//! The formats and how a file name or the first bytes tell them apart.
+//! The formats and how a file name or its first bytes decide between them.
 //!
 //! ```text
 //!   name        extensions        read  write   holds

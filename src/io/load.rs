@@ -38,7 +38,7 @@ pub struct LoadOptions {
     /// GeoJSON and TopoJSON are always treated so: their rings may run either way.
     pub orient: bool,
     /// Split segments where they meet, and polygons of the plane that overlap, touch or cross, instead of refusing
-    /// them; see [`Subdivision::arrange_graph`] and [`Subdivision::mend_polygons`]. What was done is told in the notes,
+    /// them; see [`Subdivision::arrange_graph`] and [`Subdivision::mend_polygons`]. The notes say what was done,
     /// also if there was nothing to do.
     pub mend: bool,
     /// In the plane, believe polygons that share no edge and no vertex that they do not overlap. Without it all edges
@@ -68,7 +68,7 @@ pub struct Loaded {
     pub names: FaceMap<Option<String>>,
     /// Which polygons cover each face, if the polygons had to be mended.
     pub covering: Option<Covering>,
-    /// What was dropped, repaired or chosen, one sentence each: to be told to the user.
+    /// What was dropped, repaired or chosen, one sentence each: for the user.
     pub notes: Vec<String>,
     /// The format it was.
     pub format: Format,

@@ -1,4 +1,4 @@
-//! Polygons of a file that do not fit together, mended and told.
+//! Polygons of a file that do not fit together, mended, with a report.
 
 use super::load_error::{LoadError, Whereabouts};
 use super::misfit::Told;

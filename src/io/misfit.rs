@@ -1,4 +1,4 @@
-//! Polygons that do not fit together, told by what stands in the file: names, rings, coordinates.
+//! Polygons that do not fit together, described by what stands in the file: names, rings, coordinates.
 //!
 //! ```text
 //!   map.json:2:93: G3: features[0] "A" polygon 0 ring 0 and features[1] "B" polygon 0 ring 0 cross at (2, 2): ...
@@ -148,7 +148,7 @@ impl Told<'_> {
     }
 
     fn geometry(&self, violation: &GeometryViolation) -> Misfit {
-        let law = violation.rule().id;
+        let invariant = violation.rule().id;
         match *violation {
             GeometryViolation::EdgesMeet { first, second } => {
                 let (first, second) = (first.map(VertexId::number), second.map(VertexId::number));
@@ -157,10 +157,10 @@ impl Told<'_> {
                 let along = self.overlap(first, second);
                 let sides = along.as_ref().map_or_else(|| self.sides_cross(first, second), String::clone);
                 let what = match (one == other, along.is_some()) {
-                    (true, true) => format!("{law}: {} runs along itself{sides}", self.name(one)),
-                    (true, false) => format!("{law}: {} crosses itself{sides}", self.name(one)),
-                    (false, true) => format!("{law}: {}{sides}", self.two(one, other, "run along each other")),
-                    (false, false) => format!("{law}: {}{sides}", self.two(one, other, "cross")),
+                    (true, true) => format!("{invariant}: {} runs along itself{sides}", self.name(one)),
+                    (true, false) => format!("{invariant}: {} crosses itself{sides}", self.name(one)),
+                    (false, true) => format!("{invariant}: {}{sides}", self.two(one, other, "run along each other")),
+                    (false, false) => format!("{invariant}: {}{sides}", self.two(one, other, "cross")),
                 };
                 Misfit { what, rings: vec![one, other] }
             }
@@ -170,8 +170,8 @@ impl Told<'_> {
                 let other = self.ring_of(side).unwrap_or([0, 0]);
                 let at = self.at(vertex);
                 let what = match one == other {
-                    true => format!("{law}: {} touches itself at {at}", self.name(one)),
-                    false => format!("{law}: {} at {at}", self.two(one, other, "touch")),
+                    true => format!("{invariant}: {} touches itself at {at}", self.name(one)),
+                    false => format!("{invariant}: {} at {at}", self.two(one, other, "touch")),
                 };
                 Misfit { what: format!("{what}, inside {}", self.side(side)), rings: vec![one, other] }
             }
@@ -179,8 +179,10 @@ impl Told<'_> {
                 let vertices = [first.number(), second.number()];
                 let rings = vertices.map(|v| self.rings().find(|&ring| self.cycle(ring).contains(&v)));
                 let [a, b] = vertices;
-                let what =
-                    format!("{law}: vertices {a} and {b} lie at the same place, {}: use one for both", self.at(a));
+                let what = format!(
+                    "{invariant}: vertices {a} and {b} lie at the same place, {}: use one for both",
+                    self.at(a)
+                );
                 Misfit { what, rings: rings.into_iter().flatten().collect() }
             }
             GeometryViolation::Folded { vertex } => self.folded(vertex.number()),

@@ -4,7 +4,7 @@ use super::format::Format;
 use super::write_error::WriteError;
 use crate::ids::{FaceId, HalfEdgeId, VertexId, VertexMap};
 use crate::plane::PlanarView;
-use crate::topology::{PolygonList, Ring, Table, View};
+use crate::topology::{InnerComponent, PolygonList, Table, View};
 
 /// A half-edge structure with what a file needs besides: positions, names, and which faces are no polygons.
 ///
@@ -12,7 +12,7 @@ use crate::topology::{PolygonList, Ring, Table, View};
 /// use dcel_kit::io::{Format, Model, ReadOptions, Document, read_bytes, write};
 /// let text = "dcel 1\nv0 0 0 out h0\nv1 1 0 out h1\n\
 ///             h0 origin v0 twin h1 next h1 prev h1 face f0\nh1 origin v1 twin h0 next h0 prev h0 face f0\n\
-///             f0 outer boundary h0 rings none\n";
+///             f0 outer half_edge h0 inner none\n";
 /// let read = read_bytes(text.as_bytes(), Format::Dcel, "edge.dcel", &ReadOptions::default())?;
 /// let Document::Table(table) = read.document else { unreachable!() };
 /// let mut again = Vec::new();
@@ -123,16 +123,16 @@ impl Polygons {
         let mut polygons = Self { points, faces: Vec::new(), list: PolygonList::new() };
         let mut corners = Vec::new();
         for f in model.faces().filter(|&f| model.is_polygon(f)) {
-            let rings = view.rings(f);
-            let isolated = rings.iter().any(|ring| matches!(ring, Ring::Isolated(_)));
+            let rings = view.inner_components(f);
+            let isolated = rings.iter().any(|ring| matches!(ring, InnerComponent::Isolated(_)));
             if isolated || (!rings.is_empty() && format != Format::GeoJson) {
                 return Err(WriteError::FaceHasRings { face: f, format: format.name() });
             }
-            let start = view.boundary(f).ok_or(WriteError::NoBoundary { face: f })?;
+            let start = view.half_edge(f).ok_or(WriteError::NoBoundary { face: f })?;
             cycle(view, f, start, &numbers, &mut corners)?;
             polygons.list.push_face(&corners);
             for ring in rings {
-                if let Ring::Cycle(h) = *ring {
+                if let InnerComponent::Cycle(h) = *ring {
                     cycle(view, f, h, &numbers, &mut corners)?;
                     polygons.list.push_hole(&corners);
                 }

@@ -1,6 +1,6 @@
 //! Ids as text formats write them.
 
-use crate::topology::Ring;
+use crate::topology::InnerComponent;
 use std::fmt;
 
 /// An id, or `none`.
@@ -15,14 +15,14 @@ impl<T: fmt::Display> fmt::Display for Pointer<T> {
     }
 }
 
-/// A ring by its half-edge or its vertex.
-pub(super) struct RingName(pub(super) Ring);
+/// An inner component by its half-edge or its vertex.
+pub(super) struct RingName(pub(super) InnerComponent);
 
 impl fmt::Display for RingName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.0 {
-            Ring::Cycle(h) => h.fmt(f),
-            Ring::Isolated(v) => v.fmt(f),
+            InnerComponent::Cycle(h) => h.fmt(f),
+            InnerComponent::Isolated(v) => v.fmt(f),
         }
     }
 }

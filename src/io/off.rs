@@ -11,7 +11,7 @@
 //!   3 0 2 3  255 0 0
 //! ```
 //!
-//! A header that counts wrongly is told with a note, if the lines leave no doubt which of them are points.
+//! A header that counts wrongly is noted, if the lines leave no doubt which of them are points.
 //!
 //! Not read, by name: binary files, `4OFF` and `nOFF` (points of other dimensions).
 //!

@@ -29,7 +29,7 @@ pub struct PointList {
     pub lines: Vec<u32>,
     /// The file.
     pub source: String,
-    /// What was left out or looks wrong, one sentence each: to be told to the user.
+    /// What was left out or looks wrong, one sentence each: for the user.
     pub notes: Vec<String>,
 }
 

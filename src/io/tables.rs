@@ -23,7 +23,7 @@
 use super::model::Model;
 use super::names::{Pointer, RingName};
 use crate::geometry::number::Number;
-use crate::topology::Ring;
+use crate::topology::InnerComponent;
 use std::io::{self, Write};
 
 /// Writes the three tables. O(size of the model).
@@ -67,9 +67,9 @@ fn faces(out: &mut impl Write, model: &Model<'_>) -> io::Result<()> {
     let names = model.faces().any(|f| model.name(f).is_some());
     let holes = model.faces().any(|f| view.is_hole(f));
     let rows = model.faces().map(|f| {
-        let (mut outer, mut inner) = (view.boundary(f), view.rings(f).to_vec());
+        let (mut outer, mut inner) = (view.half_edge(f), view.inner_components(f).to_vec());
         if view.outer_face() == Some(f) {
-            inner.splice(0..0, outer.take().map(Ring::Cycle));
+            inner.splice(0..0, outer.take().map(InnerComponent::Cycle));
         }
         let inner = inner.into_iter().map(|ring| RingName(ring).to_string()).collect::<Vec<_>>().join(", ");
         let inner = if inner.is_empty() { "none".to_owned() } else { inner };

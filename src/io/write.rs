@@ -201,8 +201,8 @@ fn dcel(out: &mut impl Write, model: &Model<'_>) -> io::Result<()> {
     }
     for f in model.faces() {
         let outer = if view.outer_face() == Some(f) { " outer" } else { "" };
-        write!(out, "{f}{outer} boundary {} rings", Pointer(view.boundary(f)))?;
-        match view.rings(f) {
+        write!(out, "{f}{outer} half_edge {} inner", Pointer(view.half_edge(f)))?;
+        match view.inner_components(f) {
             [] => write!(out, " none")?,
             rings => rings.iter().try_for_each(|&ring| write!(out, " {}", RingName(ring)))?,
         }

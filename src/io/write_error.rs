@@ -46,8 +46,8 @@ pub enum WriteError {
         /// The half-edge at which the walk ends.
         half_edge: HalfEdgeId,
     },
-    /// A face with rings, and a format without.
-    #[error("{face} has rings, which {format} cannot hold; geojson holds cycles, dcel holds everything")]
+    /// A face with inner components, and a format without.
+    #[error("{face} has inner components, which {format} cannot hold; geojson holds cycles, dcel holds everything")]
     FaceHasRings {
         /// The face.
         face: FaceId,
@@ -84,7 +84,7 @@ pub enum WriteError {
         /// The two corners.
         points: [[f64; 3]; 2],
     },
-    /// An edge with the same face on both sides: an antenna, or a bridge to it.
+    /// An edge with the same face on both sides: a dangling edge, or a bridge.
     #[error("{half_edge} and its twin both bound {face}, which {format} cannot hold; dcel holds everything")]
     SameFaceTwice {
         /// One half of the edge.

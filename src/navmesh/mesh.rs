@@ -150,8 +150,8 @@ impl NavMesh {
 
     /// Appends the sides of a face.
     pub(super) fn read_face(&mut self, map: &Subdivision, f: FaceId) -> Result<(), NavMeshError> {
-        if !map.rings(f).is_empty() {
-            return Err(NavMeshError::Rings { face: f, rings: map.rings(f).len() });
+        if !map.inner_components(f).is_empty() {
+            return Err(NavMeshError::Rings { face: f, rings: map.inner_components(f).len() });
         }
         let start = self.sides.len();
         for h in map.incident_half_edges(f) {

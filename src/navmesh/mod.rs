@@ -46,6 +46,13 @@
 //!
 //! Every decision is a sign of [`orientation`](crate::plane::predicates::orientation) on points that were given, so
 //! it is exact; lengths are plain doubles. Ids are those of the subdivision.
+//!
+//! ```text
+//!   corner.rs   The corner of a convex face
+//!   curve.rs    An order of places in which what is near is mostly near in the row, too
+//!   planner.rs  The planner
+//!   scratch.rs  What all searches share
+//! ```
 
 mod around;
 mod change;

@@ -1,50 +1,50 @@
-//! The laws of the plane: what must hold of the positions, beside the laws of the structure.
+//! The invariants of the plane: what must hold of the positions, beside the invariants of the structure.
 //!
 //! G1 to G3 are found by one sweep, which stops at the first fault; the others are only asked when they hold.
 
 use super::convert::by_direction;
 use super::cycle::encloses;
-use super::sweep::{Meeting, NOTHING, sweep};
+use super::sweep::{Intersection, NOTHING, sweep};
 use super::{Point, Subdivision};
 use crate::geometry::predicates::left_to_right;
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
-use crate::topology::{Ring, Rule};
+use crate::topology::{InnerComponent, Rule};
 
-/// The laws of the plane as data, in the order in which they are checked.
+/// The invariants of the plane as data, in the order in which they are checked.
 pub const GEOMETRY_RULES: &[Rule] = &[
     Rule {
         id: "G1",
-        law: "no two vertices lie at the same place",
+        invariant: "no two vertices lie at the same place",
         explanation: "Two vertices with equal coordinates should be one vertex.",
     },
     Rule {
         id: "G2",
-        law: "no vertex lies in the interior of an edge",
+        invariant: "no vertex lies in the interior of an edge",
         explanation: "An edge that passes through a vertex must be split there.",
     },
     Rule {
         id: "G3",
-        law: "no two edges cross or overlap",
+        invariant: "no two edges cross or overlap",
         explanation: "Edges meet at common ends only. The sweep stops at the first fault, so one of G1 to G3 stands alone.",
     },
     Rule {
         id: "G4",
-        law: "the half-edges at v follow each other counter-clockwise, once round",
+        invariant: "the half-edges at v follow each other counter-clockwise, once round",
         explanation: "Turning by h.prev.twin goes from direction to direction. Otherwise faces fold over each other.",
     },
     Rule {
         id: "G5",
-        law: "the boundary of a bounded face runs counter-clockwise",
+        invariant: "the boundary of a bounded face runs counter-clockwise",
         explanation: "The face lies on the left of its half-edges.",
     },
     Rule {
         id: "G6",
-        law: "a ring, and every cycle of the outer face, runs clockwise",
-        explanation: "A ring goes round something that is cut out of the face.",
+        invariant: "an inner component, and every cycle of the outer face, runs clockwise",
+        explanation: "An inner component goes round something that is cut out of the face.",
     },
     Rule {
         id: "G7",
-        law: "every ring lies in its face",
+        invariant: "every inner component lies in its face",
         explanation: "An island or an isolated vertex is listed by the face that surrounds it.",
     },
 ];
@@ -96,18 +96,18 @@ pub enum GeometryViolation {
         /// Its boundary half-edge.
         start: HalfEdgeId,
     },
-    /// A ring, or a cycle of the outer face, runs counter-clockwise.
-    #[error("G6: the cycle of {start} surrounds a bounded region, so it cannot be a ring of {face}")]
+    /// An inner component, or a cycle of the outer face, runs counter-clockwise.
+    #[error("G6: the cycle of {start} surrounds a bounded region, so it cannot be an inner component of {face}")]
     RingCounterClockwise {
         /// The face.
         face: FaceId,
         /// A half-edge of the cycle.
         start: HalfEdgeId,
     },
-    /// A ring lies in another face than the one that lists it.
-    #[error("G7: the ring at {vertex} is listed by {listed} but lies in {face}")]
+    /// An inner component lies in another face than the one that lists it.
+    #[error("G7: the inner component at {vertex} is listed by {listed} but lies in {face}")]
     RingElsewhere {
-        /// The leftmost vertex of the ring.
+        /// The leftmost vertex of the inner component.
         vertex: VertexId,
         /// The face that lists it.
         listed: FaceId,
@@ -117,7 +117,7 @@ pub enum GeometryViolation {
 }
 
 impl GeometryViolation {
-    /// The law that is broken.
+    /// The invariant that is broken.
     #[must_use]
     pub const fn rule(&self) -> &'static Rule {
         match self {
@@ -159,9 +159,9 @@ impl GeometryViolation {
 }
 
 impl Subdivision {
-    /// Checks the laws of the plane, all positions and edges against each other:
+    /// Checks the invariants of the plane, all positions and edges against each other:
     ///
-    /// | law | says |
+    /// | invariant | says |
     /// |---|---|
     /// | G1 | no two vertices lie at the same place |
     /// | G2 | no vertex lies in the interior of an edge |
@@ -169,9 +169,9 @@ impl Subdivision {
     /// | G4 | round each vertex the half-edges follow each other counter-clockwise, once round |
     /// | G5 | the boundary of a bounded face runs counter-clockwise round it |
     /// | G6 | every other cycle of a face, and every cycle of `f0`, runs clockwise round what it cuts out |
-    /// | G7 | every ring lies in its face |
+    /// | G7 | every inner component lies in its face |
     ///
-    /// The first meeting of elements (G1 to G3) is reported alone; otherwise all other faults.
+    /// The first intersection of elements (G1 to G3) is reported alone; otherwise all other faults.
     ///
     /// Cost: O(n log n) with n edges; all decisions exact.
     #[must_use]
@@ -181,8 +181,8 @@ impl Subdivision {
         let extra: Vec<u32> =
             self.dcel.vertices().filter(|&v| self.dcel.outgoing(v).is_none()).map(VertexId::number).collect();
         let swept = sweep(self.points.as_slice(), &ends, &extra, true);
-        if let Some(meeting) = swept.meeting {
-            return vec![name_meeting(meeting, &ends)];
+        if let Some(intersection) = swept.intersection {
+            return vec![name_intersection(intersection, &ends)];
         }
         let mut found: Vec<_> = self
             .dcel
@@ -196,10 +196,12 @@ impl Subdivision {
         found
     }
 
-    /// The first meeting of the edges with each other and with vertices that have edges (G1 to G3).
-    pub(super) fn meeting(&self) -> Option<GeometryViolation> {
+    /// The first intersection of the edges with each other and with vertices that have edges (G1 to G3).
+    pub(super) fn intersection(&self) -> Option<GeometryViolation> {
         let ends: Vec<[u32; 2]> = self.dcel.edges().map(|e| self.edge_ends(e).map(VertexId::number)).collect();
-        sweep(self.points.as_slice(), &ends, &[], true).meeting.map(|meeting| name_meeting(meeting, &ends))
+        sweep(self.points.as_slice(), &ends, &[], true)
+            .intersection
+            .map(|intersection| name_intersection(intersection, &ends))
     }
 
     pub(super) fn edge_ends(&self, e: EdgeId) -> [VertexId; 2] {
@@ -233,19 +235,19 @@ impl Subdivision {
 
     fn check_cycles(&self, face: FaceId, edges: &[EdgeId], below: &[u32], found: &mut Vec<GeometryViolation>) {
         let outer = face == self.outer_face();
-        let boundary = self.dcel.boundary(face);
+        let boundary = self.dcel.half_edge(face);
         if let Some(start) = boundary.filter(|&start| !outer && !encloses(self.corner_points(start))) {
             found.push(GeometryViolation::BoundaryClockwise { face, start });
         }
-        let first = boundary.filter(|_| outer).map(Ring::Cycle);
-        for ring in first.into_iter().chain(self.rings(face).iter().copied()) {
+        let first = boundary.filter(|_| outer).map(InnerComponent::Cycle);
+        for ring in first.into_iter().chain(self.inner_components(face).iter().copied()) {
             let vertex = match ring {
-                Ring::Isolated(v) => v,
-                Ring::Cycle(start) if encloses(self.corner_points(start)) => {
+                InnerComponent::Isolated(v) => v,
+                InnerComponent::Cycle(start) if encloses(self.corner_points(start)) => {
                     found.push(GeometryViolation::RingCounterClockwise { face, start });
                     continue;
                 }
-                Ring::Cycle(start) => self.leftmost(start),
+                InnerComponent::Cycle(start) => self.leftmost(start),
             };
             let lies_in = match below[vertex.index()] {
                 NOTHING => self.outer_face(),
@@ -258,14 +260,16 @@ impl Subdivision {
     }
 }
 
-fn name_meeting(meeting: Meeting, ends: &[[u32; 2]]) -> GeometryViolation {
+fn name_intersection(intersection: Intersection, ends: &[[u32; 2]]) -> GeometryViolation {
     let edge = |e: u32| ends[e as usize].map(VertexId::new);
-    match meeting {
-        Meeting::SamePlace(a, b) => GeometryViolation::SamePlace { first: VertexId::new(a), second: VertexId::new(b) },
-        Meeting::PointOnEdge { point, edge: e } => {
+    match intersection {
+        Intersection::SamePlace(a, b) => {
+            GeometryViolation::SamePlace { first: VertexId::new(a), second: VertexId::new(b) }
+        }
+        Intersection::PointOnEdge { point, edge: e } => {
             GeometryViolation::VertexOnEdge { vertex: VertexId::new(point), ends: edge(e) }
         }
-        Meeting::Crossing(a, b) | Meeting::Overlap(a, b) => {
+        Intersection::Crossing(a, b) | Intersection::Overlap(a, b) => {
             GeometryViolation::EdgesMeet { first: edge(a), second: edge(b) }
         }
     }

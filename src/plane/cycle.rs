@@ -76,7 +76,7 @@ mod tests {
         let square = walk(&[(0, 0), (4, 0), (4, 4), (0, 4)]);
         assert!(encloses(square.iter().copied()));
         assert!(!encloses(square.iter().rev().copied()));
-        // Antennas inside and outside do not change it, at the leftmost corner either.
+        // Dangling edges inside and outside do not change it, at the leftmost corner either.
         assert!(encloses(walk(&[(0, 0), (1, 1), (0, 0), (4, 0), (4, 4), (0, 4)]).into_iter()));
         assert!(encloses(walk(&[(0, 0), (4, 0), (4, 4), (0, 4), (0, 0), (1, 1)]).into_iter()));
         assert!(!encloses(walk(&[(4, 0), (0, 0), (-1, 0), (0, 0), (0, 4), (4, 4)]).into_iter()));

@@ -10,7 +10,7 @@ use super::{Expansion, Subdivision};
 use crate::ids::FaceId;
 
 impl Subdivision {
-    /// The area of a bounded face without what lies in its rings; infinite for `f0`. The exact one of its corners,
+    /// The area of a bounded face without what lies in its inner components; infinite for `f0`. The exact one of its corners,
     /// rounded to the nearest double or the one beside it. O(corners).
     ///
     /// ```

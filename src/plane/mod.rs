@@ -29,7 +29,8 @@
 //   plane_journal.rs            watching the edits, undo
 //   locate/                     where a point lies: scan, walk, index
 //   triangulate/                faces into triangles: ears, monotone pieces              hull.rs    points -> convex hull
-//   sweep.rs cycle.rs rings.rs  what lies below, which way round, which ring in which face
+//   sweep.rs status.rs          what lies below; the edges under the sweep line, in order
+//   cycle.rs rings.rs           which way round, which inner cycle in which face              seed.rs    to start from
 
 mod affine;
 mod check;
@@ -61,7 +62,7 @@ pub use check::{GEOMETRY_RULES, GeometryViolation};
 pub use convert::{ConvertError, ConvertOptions, Converted};
 pub use delaunay::{ConstrainedDelaunay, DelaunayBuilt, DelaunayError};
 pub use edit::{
-    FlipEdgeError, InsertAntennaError, InsertEdgeError, InsertSegmentError, InsertVertexError, InsertedEdge,
+    FlipEdgeError, InsertDanglingEdgeError, InsertEdgeError, InsertSegmentError, InsertVertexError, InsertedEdge,
     InsertedSegment, JoinEdgesError, JoinFacesError, RemoveEdgeError, RemoveVertexError, SetPointError, SplitEdgeError,
     SplitFaceError, TransformError,
 };
@@ -77,7 +78,8 @@ pub use overlay::{Operation, Overlay, ParseOperationError, Parts};
 pub use plane_journal::{PlaneChange, PlaneJournal, PlaneRecorder};
 pub use seed::LAB_RECTANGLE;
 pub use segments::{
-    ArrangeOptions, Arranged, InsertedCorner, MarkHolesError, Residues, SegmentFault, SegmentsAlong, SegmentsError,
+    ArrangeOptions, Arranged, DanglesAndCutEdges, InsertedCorner, MarkHolesError, SegmentFault, SegmentsAlong,
+    SegmentsError,
 };
 pub use subdivision::{PlanarView, Subdivision};
 pub use table::TableError;

@@ -2,12 +2,12 @@
 //!
 //! ```text
 //!   pointers        new v5 | h8.origin: none -> v5 | ...
-//!   of the plane    v5 stands at (1, 2) | the rings of f3 are taken | f3 is given rings | f4 is a hole
+//!   of the plane    v5 stands at (1, 2) | the inner components of f3 are taken | f3 is given inner components | f4 is a hole
 //! ```
 
 use super::{Point, Subdivision};
 use crate::ids::{FaceId, VertexId};
-use crate::topology::{Followed, Follows, Journal, Log, NoRecorder, Recorder, Ring};
+use crate::topology::{Followed, Follows, InnerComponent, Journal, Log, NoRecorder, Recorder};
 
 /// What a subdivision holds besides its structure, changed.
 #[derive(Clone, PartialEq, Debug)]
@@ -23,11 +23,11 @@ pub enum PlaneChange {
         new: Point,
     },
     /// The list of inner components of a face was replaced by another.
-    Rings {
+    InnerComponents {
         /// The face.
         face: FaceId,
         /// The list before.
-        old: Vec<Ring>,
+        old: Vec<InnerComponent>,
     },
     /// A face became a hole of the domain, or is none any more.
     Hole {
@@ -94,12 +94,12 @@ impl Subdivision {
     ///
     /// Cost: O(changes taken back), and the logarithm of the number of faces with inner components for each such list.
     pub fn undo(&mut self, journal: &mut PlaneJournal, mark: usize) {
-        let Self { dcel, points, rings, holes } = self;
+        let Self { dcel, points, inner_components, holes } = self;
         journal.take_back(dcel, mark, |change| match change {
             PlaneChange::Placed { vertex, old: Some(old), .. } => points[vertex] = old,
             PlaneChange::Placed { vertex, old: None, .. } => points.truncate(vertex.index()),
-            PlaneChange::Rings { face, old } if old.is_empty() => drop(rings.remove(&face)),
-            PlaneChange::Rings { face, old } => drop(rings.insert(face, old)),
+            PlaneChange::InnerComponents { face, old } if old.is_empty() => drop(inner_components.remove(&face)),
+            PlaneChange::InnerComponents { face, old } => drop(inner_components.insert(face, old)),
             PlaneChange::Hole { face, is_hole: true } => drop(holes.remove(&face)),
             PlaneChange::Hole { face, is_hole: false } => drop(holes.insert(face)),
         });

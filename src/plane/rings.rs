@@ -1,15 +1,15 @@
-//! Bookkeeping of rings while faces are split and joined.
+//! Bookkeeping of inner components while faces are split and joined.
 
 use super::cycle::surrounds;
 use super::{PlaneChange, PlaneRecorder, Point, Subdivision};
 use crate::geometry::predicates::left_to_right;
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
-use crate::topology::{NoRecorder, Ring};
+use crate::topology::{InnerComponent, NoRecorder};
 
-/// A ring while its face is being looked for.
+/// An inner component while its face is being looked for.
 pub(super) struct Loose {
-    /// The ring. The half-edges of a cycle point to `f0` for the time being, or to the owner.
-    pub(super) ring: Ring,
+    /// The inner component. The half-edges of a cycle point to `f0` for the time being, or to the owner.
+    pub(super) ring: InnerComponent,
     /// Its leftmost vertex.
     pub(super) leftmost: VertexId,
     /// The face that it is known to belong to.
@@ -29,25 +29,25 @@ impl Subdivision {
 
     /// The isolated vertices in `f`.
     pub(super) fn isolated_vertices(&self, f: FaceId) -> impl Iterator<Item = VertexId> + '_ {
-        self.rings(f).iter().filter_map(|ring| match ring {
-            Ring::Isolated(v) => Some(*v),
-            Ring::Cycle(_) => None,
+        self.inner_components(f).iter().filter_map(|ring| match ring {
+            InnerComponent::Isolated(v) => Some(*v),
+            InnerComponent::Cycle(_) => None,
         })
     }
 
-    /// The cycle of `start` as a ring whose face is being looked for. O(length).
+    /// The cycle of `start` as an inner component whose face is being looked for. O(length).
     pub(super) fn loose_cycle(&self, start: HalfEdgeId, owner: Option<FaceId>) -> Loose {
-        Loose { ring: Ring::Cycle(start), leftmost: self.leftmost(start), owner }
+        Loose { ring: InnerComponent::Cycle(start), leftmost: self.leftmost(start), owner }
     }
 
-    /// Hangs every ring into the face straight below its leftmost vertex, that is, above the edge `edge_below`
-    /// it. Rings are taken from left to right, so that the cycle below has its face already. `check` is asked
+    /// Hangs every inner component into the face straight below its leftmost vertex, that is, above the edge `edge_below`
+    /// it. Inner components are taken from left to right, so that the cycle below has its face already. `check` is asked
     /// with the leftmost vertex, the owner and the face; cycles without owner then point to the face.
     ///
     /// In every face the cycles come in the order of their half-edges, then the isolated vertices.
     ///
-    /// Cost: O(r log r) for r rings, and O(length) for each cycle that is not one of `f0`.
-    pub(super) fn hang_rings<E>(
+    /// Cost: O(r log r) for r inner components, and O(length) for each cycle that is not one of `f0`.
+    pub(super) fn place_inner_components<E>(
         &mut self,
         mut loose: Vec<Loose>,
         edge_below: impl Fn(VertexId) -> Option<EdgeId>,
@@ -64,60 +64,71 @@ impl Subdivision {
                 continue;
             }
             if owner.is_none() {
-                self.relabel_ring(ring, face, &mut NoRecorder);
+                self.relabel_inner_component(ring, face, &mut NoRecorder);
             }
-            self.rings.entry(face).or_default().push(ring);
+            self.inner_components.entry(face).or_default().push(ring);
         }
-        let order = |ring: &Ring| match *ring {
-            Ring::Cycle(h) => (0, h.number()),
-            Ring::Isolated(v) => (1, v.number()),
+        let order = |ring: &InnerComponent| match *ring {
+            InnerComponent::Cycle(h) => (0, h.number()),
+            InnerComponent::Isolated(v) => (1, v.number()),
         };
         outer.sort_unstable_by_key(order);
-        self.rings.values_mut().for_each(|rings| rings.sort_unstable_by_key(order));
-        self.give_rings(self.outer_face(), outer, &mut NoRecorder);
+        self.inner_components.values_mut().for_each(|rings| rings.sort_unstable_by_key(order));
+        self.give_inner_components(self.outer_face(), outer, &mut NoRecorder);
         Ok(())
     }
 
-    /// Takes the rings of `f` out of the map. The boundary of `f0` is one of them.
-    pub(super) fn take_rings(&mut self, f: FaceId, rec: &mut impl PlaneRecorder) -> Vec<Ring> {
-        let rest = self.rings.remove(&f).unwrap_or_default();
+    /// Takes the inner components of `f` out of the map. The boundary of `f0` is one of them.
+    pub(super) fn take_inner_components(&mut self, f: FaceId, rec: &mut impl PlaneRecorder) -> Vec<InnerComponent> {
+        let rest = self.inner_components.remove(&f).unwrap_or_default();
         if !rest.is_empty() {
-            rec.plane(|| PlaneChange::Rings { face: f, old: rest.clone() });
+            rec.plane(|| PlaneChange::InnerComponents { face: f, old: rest.clone() });
         }
-        let first = if f == self.outer_face() { self.dcel.boundary(f) } else { None };
-        first.map(Ring::Cycle).into_iter().chain(rest).collect()
+        let first = if f == self.outer_face() { self.dcel.half_edge(f) } else { None };
+        first.map(InnerComponent::Cycle).into_iter().chain(rest).collect()
     }
 
-    /// Gives `f` the rings; the first cycle among those of `f0` becomes its boundary.
-    pub(super) fn give_rings(&mut self, f: FaceId, mut rings: Vec<Ring>, rec: &mut impl PlaneRecorder) {
+    /// Gives `f` the inner components; the first cycle among those of `f0` becomes its boundary.
+    pub(super) fn give_inner_components(
+        &mut self,
+        f: FaceId,
+        mut rings: Vec<InnerComponent>,
+        rec: &mut impl PlaneRecorder,
+    ) {
         if f == self.outer_face() {
-            let first = rings.iter().position(|ring| matches!(ring, Ring::Cycle(_))).map(|i| rings.remove(i));
+            let first = rings.iter().position(|ring| matches!(ring, InnerComponent::Cycle(_))).map(|i| rings.remove(i));
             let boundary = match first {
-                Some(Ring::Cycle(h)) => Some(h),
+                Some(InnerComponent::Cycle(h)) => Some(h),
                 _ => None,
             };
-            if self.dcel.boundary(f) != boundary {
-                self.dcel.set_boundary(f, boundary, rec);
+            if self.dcel.half_edge(f) != boundary {
+                self.dcel.set_half_edge(f, boundary, rec);
             }
         }
-        let old = if rings.is_empty() { self.rings.remove(&f) } else { self.rings.insert(f, rings) };
-        if old.is_some() || self.rings.contains_key(&f) {
-            rec.plane(|| PlaneChange::Rings { face: f, old: old.unwrap_or_default() });
+        let old =
+            if rings.is_empty() { self.inner_components.remove(&f) } else { self.inner_components.insert(f, rings) };
+        if old.is_some() || self.inner_components.contains_key(&f) {
+            rec.plane(|| PlaneChange::InnerComponents { face: f, old: old.unwrap_or_default() });
         }
     }
 
     /// Replaces a cycle in the list of `f` by another half-edge of the same cycle.
-    pub(super) fn rename_ring(&mut self, f: FaceId, [gone, stays]: [HalfEdgeId; 2], rec: &mut impl PlaneRecorder) {
-        let Some(rings) = self.rings.get_mut(&f) else { return };
-        if let Some(i) = rings.iter().position(|&ring| ring == Ring::Cycle(gone)) {
-            rec.plane(|| PlaneChange::Rings { face: f, old: rings.clone() });
-            rings[i] = Ring::Cycle(stays);
+    pub(super) fn rename_inner_component(
+        &mut self,
+        f: FaceId,
+        [gone, stays]: [HalfEdgeId; 2],
+        rec: &mut impl PlaneRecorder,
+    ) {
+        let Some(rings) = self.inner_components.get_mut(&f) else { return };
+        if let Some(i) = rings.iter().position(|&ring| ring == InnerComponent::Cycle(gone)) {
+            rec.plane(|| PlaneChange::InnerComponents { face: f, old: rings.clone() });
+            rings[i] = InnerComponent::Cycle(stays);
         }
     }
 
-    /// Makes all half-edges of a ring point to `f`.
-    pub(super) fn relabel_ring(&mut self, ring: Ring, f: FaceId, rec: &mut impl PlaneRecorder) {
-        if let Ring::Cycle(start) = ring {
+    /// Makes all half-edges of an inner component point to `f`.
+    pub(super) fn relabel_inner_component(&mut self, ring: InnerComponent, f: FaceId, rec: &mut impl PlaneRecorder) {
+        if let InnerComponent::Cycle(start) = ring {
             self.relabel_cycle(start, f, rec);
         }
     }
@@ -134,14 +145,14 @@ impl Subdivision {
         }
     }
 
-    /// Which of the rings is the cycle through `h`.
-    pub(super) fn ring_index(&self, rings: &[Ring], h: HalfEdgeId) -> Option<usize> {
+    /// Which of the inner components is the cycle through `h`.
+    pub(super) fn inner_component_index(&self, rings: &[InnerComponent], h: HalfEdgeId) -> Option<usize> {
         let mut starts: Vec<(HalfEdgeId, usize)> = rings
             .iter()
             .enumerate()
             .filter_map(|(i, ring)| match ring {
-                Ring::Cycle(start) => Some((*start, i)),
-                Ring::Isolated(_) => None,
+                InnerComponent::Cycle(start) => Some((*start, i)),
+                InnerComponent::Isolated(_) => None,
             })
             .collect();
         starts.sort_unstable();
@@ -153,38 +164,41 @@ impl Subdivision {
     pub(super) fn is_on_outer_boundary(&self, h: HalfEdgeId) -> bool {
         let f = self.dcel.face(h);
         f != self.outer_face()
-            && (self.rings(f).is_empty() || self.dcel.cycle(h).any(|g| Some(g) == self.dcel.boundary(f)))
+            && (self.inner_components(f).is_empty() || self.dcel.cycle(h).any(|g| Some(g) == self.dcel.half_edge(f)))
     }
 
-    /// Shares out `rings`, which lay in `old`, between `old` and the new bounded face `new` cut off from it:
-    /// each goes to the face that it lies in. The ring with index `split` stays; it touches both faces.
+    /// Shares out `inner components`, which lay in `old`, between `old` and the new bounded face `new` cut off from it:
+    /// each goes to the face that it lies in. The inner component with index `split` stays; it touches both faces.
     ///
-    /// Cost: O(rings x length of the new boundary).
-    pub(super) fn share_rings(
+    /// Cost: O(inner components x length of the new boundary).
+    pub(super) fn share_inner_components(
         &mut self,
         [old, new]: [FaceId; 2],
-        rings: Vec<Ring>,
+        rings: Vec<InnerComponent>,
         split: Option<usize>,
         rec: &mut impl PlaneRecorder,
     ) {
         let (mut kept, mut moved) = (Vec::new(), Vec::new());
         for (i, ring) in rings.into_iter().enumerate() {
             let inside = Some(i) != split
-                && self.dcel.boundary(new).is_some_and(|h| surrounds(self.corner_points(h), self.ring_point(ring)));
+                && self
+                    .dcel
+                    .half_edge(new)
+                    .is_some_and(|h| surrounds(self.corner_points(h), self.inner_component_point(ring)));
             if inside { moved.push(ring) } else { kept.push(ring) }
         }
         for &ring in &moved {
-            self.relabel_ring(ring, new, rec);
+            self.relabel_inner_component(ring, new, rec);
         }
-        self.give_rings(old, kept, rec);
-        self.give_rings(new, moved, rec);
+        self.give_inner_components(old, kept, rec);
+        self.give_inner_components(new, moved, rec);
     }
 
-    /// The position of a vertex of the ring.
-    fn ring_point(&self, ring: Ring) -> Point {
+    /// The position of a vertex of the inner component.
+    fn inner_component_point(&self, ring: InnerComponent) -> Point {
         self.points[match ring {
-            Ring::Cycle(h) => self.dcel.origin(h),
-            Ring::Isolated(v) => v,
+            InnerComponent::Cycle(h) => self.dcel.origin(h),
+            InnerComponent::Isolated(v) => v,
         }]
     }
 }

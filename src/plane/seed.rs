@@ -39,14 +39,14 @@ impl Subdivision {
     }
 
     pub(super) fn from_parts(dcel: Dcel, points: VertexMap<Point>) -> Self {
-        Self { dcel, points, rings: Default::default(), holes: Default::default() }
+        Self { dcel, points, inner_components: Default::default(), holes: Default::default() }
     }
 
-    /// Drops the dead records and renumbers the rest along a walk, see [`Dcel::compact`]. Rings and holes
+    /// Drops the dead records and renumbers the rest along a walk, see [`Dcel::compact`]. Inner components and holes
     /// follow; `f0` stays `f0`.
     #[must_use = "every id held outside must be translated by the renumbering"]
     pub fn compact(&mut self) -> crate::topology::Renumbering {
-        use crate::topology::Ring;
+        use crate::topology::InnerComponent;
         let rings_of_f0: Vec<_> = self.cycles(self.outer_face()).skip(1).collect();
         let old_points = std::mem::take(&mut self.points);
         let map = self.dcel.compact_from(&rings_of_f0);
@@ -57,12 +57,12 @@ impl Subdivision {
             }
         }
         self.points = points.into();
-        let ring = |ring: Ring| match ring {
-            Ring::Cycle(h) => map.half_edge(h).map(Ring::Cycle),
-            Ring::Isolated(v) => map.vertices[v].map(Ring::Isolated),
+        let ring = |ring: InnerComponent| match ring {
+            InnerComponent::Cycle(h) => map.half_edge(h).map(InnerComponent::Cycle),
+            InnerComponent::Isolated(v) => map.vertices[v].map(InnerComponent::Isolated),
         };
         let face = |f: FaceId| map.faces[f];
-        self.rings = std::mem::take(&mut self.rings)
+        self.inner_components = std::mem::take(&mut self.inner_components)
             .into_iter()
             .filter_map(|(f, rings)| Some((face(f)?, rings.into_iter().filter_map(ring).collect())))
             .collect();

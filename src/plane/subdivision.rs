@@ -5,18 +5,18 @@
 //!   │ f1    ┌────┐        │           y points up; the face of a half-edge is on its LEFT; bounded faces
 //!   │       │ f2 │    ·v8 │           run counter-clockwise, the cycles of the outer face clockwise.
 //!   │       └────┘        │
-//!   └─────────────────────┘           f1 has its boundary and two rings: the cycle round f2, and v8.
+//!   └─────────────────────┘           f1 has its boundary and two inner components: the cycle round f2, and v8.
 //! ```
 //!
-//! *Ring* = a further cycle of a face, or an isolated vertex in it. All cycles of `f0` are rings of the plane;
-//! `boundary(f0)` is the first of them and the others are listed as its rings. *Hole face* = a bounded face
-//! that is not part of the domain.
+//! *Inner component* = a further cycle of a face, or an isolated vertex in it. All cycles of `f0` are inner components
+//! of the plane; `half_edge(f0)` is the first of them and the others are listed as its inner components. *Hole face* =
+//! a bounded face that is not part of the domain.
 //!
 //! Source: de Berg et al., *Computational Geometry*, 3rd ed., section 2.2 (OuterComponent, InnerComponents).
 
 use super::Point;
 use crate::ids::{FaceId, HalfEdgeId, VertexId, VertexMap};
-use crate::topology::{Dcel, Ring, View};
+use crate::topology::{Dcel, InnerComponent, View};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A view whose vertices have positions.
@@ -38,14 +38,14 @@ pub trait PlanarView: View {
 ///
 #[doc = include_str!("../../figures/rings.svg")]
 ///
-/// `f1` has its boundary, through h0, and two rings, through h8 and h16; `f4` and `f5` are hole faces, and `f4` has
-/// a ring round the island `f2`. `f0` has two cycles.
+/// `f1` has its boundary, through h0, and two inner components, through h8 and h16; `f4` and `f5` are hole faces, and `f4` has
+/// an inner component round the island `f2`. `f0` has two cycles.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Subdivision {
     pub(super) dcel: Dcel,
     pub(super) points: VertexMap<Point>,
-    /// Only faces that have rings are here, so that a simple face pays nothing.
-    pub(super) rings: BTreeMap<FaceId, Vec<Ring>>,
+    /// Only faces that have inner components are here, so that a simple face pays nothing.
+    pub(super) inner_components: BTreeMap<FaceId, Vec<InnerComponent>>,
     pub(super) holes: BTreeSet<FaceId>,
 }
 
@@ -84,22 +84,22 @@ impl Subdivision {
     /// The cycles of `f` beside its boundary, and the isolated vertices in it.
     #[must_use]
     #[track_caller]
-    pub fn rings(&self, f: FaceId) -> &[Ring] {
+    pub fn inner_components(&self, f: FaceId) -> &[InnerComponent] {
         self.dcel.debug_assert_not_removed(f);
-        self.known_rings(f)
+        self.known_inner_components(f)
     }
 
-    fn known_rings(&self, f: FaceId) -> &[Ring] {
-        self.rings.get(&f).map_or(&[], Vec::as_slice)
+    fn known_inner_components(&self, f: FaceId) -> &[InnerComponent] {
+        self.inner_components.get(&f).map_or(&[], Vec::as_slice)
     }
 
-    /// One half-edge of every boundary cycle of `f`: `boundary(f)` first, then the rings.
+    /// One half-edge of every boundary cycle of `f`: `half_edge(f)` first, then the inner components.
     pub fn cycles(&self, f: FaceId) -> impl Iterator<Item = HalfEdgeId> + Clone + '_ {
-        let rings = self.rings(f).iter().filter_map(|ring| match ring {
-            Ring::Cycle(h) => Some(*h),
-            Ring::Isolated(_) => None,
+        let rings = self.inner_components(f).iter().filter_map(|ring| match ring {
+            InnerComponent::Cycle(h) => Some(*h),
+            InnerComponent::Isolated(_) => None,
         });
-        self.dcel.boundary(f).into_iter().chain(rings)
+        self.dcel.half_edge(f).into_iter().chain(rings)
     }
 
     /// Whether `f` is a bounded face outside the domain: a hole face.
@@ -119,8 +119,8 @@ impl Subdivision {
 impl View for Subdivision {
     crate::topology::pointers_of_dcel!(dcel);
 
-    fn rings(&self, f: FaceId) -> &[Ring] {
-        self.known_rings(f)
+    fn inner_components(&self, f: FaceId) -> &[InnerComponent] {
+        self.known_inner_components(f)
     }
     fn outer_face(&self) -> Option<FaceId> {
         Some(self.outer_face())

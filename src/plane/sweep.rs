@@ -22,7 +22,7 @@ use std::ops::Range;
 
 /// Two things that meet where they should not. Numbers are indices into the slices given to the sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Meeting {
+pub(super) enum Intersection {
     /// Two points at the same place.
     SamePlace(u32, u32),
     /// A point in the interior of an edge it does not belong to.
@@ -47,20 +47,20 @@ struct Sweep {
     ending: Vec<u32>,
     /// Those that start there.
     starting: Vec<u32>,
-    look_for_meetings: bool,
+    look_for_intersections: bool,
 }
 
 /// What a sweep found.
 pub(super) struct Swept {
     /// For each point that took part: the edge directly below it, else `NOTHING`.
     pub(super) below: Vec<u32>,
-    /// The first meeting on the way from left to right.
-    pub(super) meeting: Option<Meeting>,
+    /// The first intersection on the way from left to right.
+    pub(super) intersection: Option<Intersection>,
 }
 
 /// The edges round one point as half-edges that leave it, with h0 and h1 of edge 0, h2 and h3 of edge 1, and so on;
 /// the even ones run as the edges are given.
-pub(super) struct Star<'a> {
+pub(super) struct OneRing<'a> {
     /// The number of the point.
     pub(super) point: u32,
     /// To the left, from bottom to top; straight down is left.
@@ -70,24 +70,24 @@ pub(super) struct Star<'a> {
 }
 
 /// Sweeps over `edges` and the further points `extra`, all by their numbers in `points`: finds, for each of these
-/// points, the edge directly below it, and the first meeting, if `look_for_meetings`.
+/// points, the edge directly below it, and the first intersection, if `look_for_intersections`.
 ///
-/// Without `look_for_meetings` the input must have none; then the answer is right, otherwise it is some answer.
-pub(super) fn sweep(points: &[Point], edges: &[[u32; 2]], extra: &[u32], look_for_meetings: bool) -> Swept {
+/// Without `look_for_intersections` the input must have none; then the answer is right, otherwise it is some answer.
+pub(super) fn sweep(points: &[Point], edges: &[[u32; 2]], extra: &[u32], look_for_intersections: bool) -> Swept {
     let mut events: Vec<u32> = edges.iter().flatten().chain(extra).copied().collect();
     events.sort_unstable_by(|&a, &b| left_to_right(points[a as usize], points[b as usize]).then(a.cmp(&b)));
     events.dedup();
-    sweep_in_order(points, edges, &events, look_for_meetings, |_| ())
+    sweep_in_order(points, edges, &events, look_for_intersections, |_| ())
 }
 
 /// The same, for callers who know the order of the points: `events` holds every point that takes part once, from
-/// left to right, points above each other from bottom to top. `see` is shown the star of each point.
+/// left to right, points above each other from bottom to top. `see` is shown the one-ring of each point.
 pub(super) fn sweep_in_order(
     points: &[Point],
     edges: &[[u32; 2]],
     events: &[u32],
-    look_for_meetings: bool,
-    mut see: impl FnMut(Star<'_>),
+    look_for_intersections: bool,
+    mut see: impl FnMut(OneRing<'_>),
 ) -> Swept {
     let mut rank = vec![0_u32; points.len()];
     events.iter().enumerate().for_each(|(i, &p)| rank[p as usize] = i as u32);
@@ -105,32 +105,32 @@ pub(super) fn sweep_in_order(
         status: Status::default(),
         ending: Vec::new(),
         starting: Vec::new(),
-        look_for_meetings,
+        look_for_intersections,
     };
     let name = |edge: u32| by_left_end[edge as usize];
     let mut below = vec![NOTHING; points.len()];
-    let mut meeting = None;
+    let mut intersection = None;
     for (event, &point) in events.iter().enumerate() {
         match sweep.step(event as u32, firsts[event]..firsts[event + 1]) {
             Ok(edge) => below[point as usize] = edge.map_or(NOTHING, name),
             Err(found) => {
                 let point = |p: u32| events[p as usize];
-                meeting = Some(match found {
-                    Meeting::SamePlace(p, q) => Meeting::SamePlace(point(p), point(q)),
-                    Meeting::PointOnEdge { point: p, edge } => {
-                        Meeting::PointOnEdge { point: point(p), edge: name(edge) }
+                intersection = Some(match found {
+                    Intersection::SamePlace(p, q) => Intersection::SamePlace(point(p), point(q)),
+                    Intersection::PointOnEdge { point: p, edge } => {
+                        Intersection::PointOnEdge { point: point(p), edge: name(edge) }
                     }
-                    Meeting::Crossing(e, g) => Meeting::Crossing(name(e).min(name(g)), name(e).max(name(g))),
-                    Meeting::Overlap(e, g) => Meeting::Overlap(name(e), name(g)),
+                    Intersection::Crossing(e, g) => Intersection::Crossing(name(e).min(name(g)), name(e).max(name(g))),
+                    Intersection::Overlap(e, g) => Intersection::Overlap(name(e), name(g)),
                 });
                 break;
             }
         }
         sweep.starting.iter_mut().for_each(|edge| *edge = half_edges[*edge as usize]);
         sweep.ending.iter_mut().for_each(|edge| *edge = half_edges[*edge as usize] ^ 1);
-        see(Star { point, left: &sweep.ending, right: &sweep.starting });
+        see(OneRing { point, left: &sweep.ending, right: &sweep.starting });
     }
-    Swept { below, meeting }
+    Swept { below, intersection }
 }
 
 /// Each edge from its left end to its right end.
@@ -154,10 +154,10 @@ impl Sweep {
     }
 
     /// Takes the sweep line over `event`, where the edges `starting` start; returns the edge directly below.
-    fn step(&mut self, event: u32, starting: Range<u32>) -> Result<Option<u32>, Meeting> {
+    fn step(&mut self, event: u32, starting: Range<u32>) -> Result<Option<u32>, Intersection> {
         let here = self.points[event as usize];
-        if self.look_for_meetings && event > 0 && self.points[event as usize - 1] == here {
-            return Err(Meeting::SamePlace(event - 1, event));
+        if self.look_for_intersections && event > 0 && self.points[event as usize - 1] == here {
+            return Err(Intersection::SamePlace(event - 1, event));
         }
         let mut at = self.status.partition(|edge| self.side(edge, event).is_gt());
         let below = self.status.before(at);
@@ -167,8 +167,8 @@ impl Sweep {
                 self.status.remove(&mut at);
                 self.ending.push(edge);
             } else if self.side(edge, event).is_eq() {
-                if self.look_for_meetings {
-                    return Err(Meeting::PointOnEdge { point: event, edge });
+                if self.look_for_intersections {
+                    return Err(Intersection::PointOnEdge { point: event, edge });
                 }
                 break;
             } else {
@@ -179,10 +179,10 @@ impl Sweep {
         self.starting.extend(starting);
         let far = |edge: u32| self.points[self.edges[edge as usize][1] as usize];
         self.starting.sort_unstable_by(|&e, &g| orientation(here, far(g), far(e)).then(e.cmp(&g)));
-        if self.look_for_meetings {
+        if self.look_for_intersections {
             for pair in self.starting.windows(2) {
                 if orientation(here, far(pair[0]), far(pair[1])).is_eq() {
-                    return Err(Meeting::Overlap(pair[0], pair[1]));
+                    return Err(Intersection::Overlap(pair[0], pair[1]));
                 }
             }
             let above = self.status.get(at);
@@ -202,9 +202,9 @@ impl Sweep {
     }
 
     /// Fails if the two neighbours cross in their interiors. A touching end is found when the sweep gets there.
-    fn meet(&self, e: u32, g: u32) -> Result<(), Meeting> {
+    fn meet(&self, e: u32, g: u32) -> Result<(), Intersection> {
         let ([a, b], [c, d]) = (self.ends(e), self.ends(g));
-        if cross(a, b, c, d) { Err(Meeting::Crossing(e, g)) } else { Ok(()) }
+        if cross(a, b, c, d) { Err(Intersection::Crossing(e, g)) } else { Ok(()) }
     }
 }
 
@@ -247,18 +247,24 @@ mod tests {
     fn the_edge_below_is_found_and_nothing_below_the_lowest() {
         let p = points(&[(0., 0.), (10., 0.), (0., 4.), (10., 5.), (5., 2.), (5., -1.), (5., 9.)]);
         let swept = sweep(&p, &[[0, 1], [3, 2]], &[4, 5, 6], true);
-        assert_eq!(swept.meeting, None);
+        assert_eq!(swept.intersection, None);
         assert_eq!([swept.below[4], swept.below[5], swept.below[6]], [0, NOTHING, 1]);
     }
 
     #[test]
     fn each_kind_of_meeting_is_named() {
         let p = points(&[(0., 0.), (4., 4.), (0., 4.), (4., 0.), (2., 2.), (2., 2.), (8., 8.)]);
-        assert_eq!(sweep(&p, &[[0, 1], [2, 3]], &[], true).meeting, Some(Meeting::Crossing(0, 1)));
-        assert_eq!(sweep(&p, &[[0, 1]], &[4], true).meeting, Some(Meeting::PointOnEdge { point: 4, edge: 0 }));
-        assert_eq!(sweep(&p, &[], &[4, 5], true).meeting, Some(Meeting::SamePlace(4, 5)));
-        assert_eq!(sweep(&p, &[[0, 1], [0, 6]], &[], true).meeting, Some(Meeting::Overlap(0, 1)));
-        assert_eq!(sweep(&p, &[[0, 6], [1, 3]], &[], true).meeting, Some(Meeting::PointOnEdge { point: 1, edge: 0 }));
+        assert_eq!(sweep(&p, &[[0, 1], [2, 3]], &[], true).intersection, Some(Intersection::Crossing(0, 1)));
+        assert_eq!(
+            sweep(&p, &[[0, 1]], &[4], true).intersection,
+            Some(Intersection::PointOnEdge { point: 4, edge: 0 })
+        );
+        assert_eq!(sweep(&p, &[], &[4, 5], true).intersection, Some(Intersection::SamePlace(4, 5)));
+        assert_eq!(sweep(&p, &[[0, 1], [0, 6]], &[], true).intersection, Some(Intersection::Overlap(0, 1)));
+        assert_eq!(
+            sweep(&p, &[[0, 6], [1, 3]], &[], true).intersection,
+            Some(Intersection::PointOnEdge { point: 1, edge: 0 })
+        );
     }
 
     #[test]
@@ -284,7 +290,7 @@ mod tests {
             };
             let expected = (0..edges.len()).any(|i| (0..i).any(|j| meets(i, j)));
             let found = sweep(&p, &edges, &[], true);
-            assert_eq!(found.meeting.is_some(), expected, "seed {seed}");
+            assert_eq!(found.intersection.is_some(), expected, "seed {seed}");
             if expected {
                 continue;
             }
@@ -311,8 +317,8 @@ mod tests {
         let n = 10_000u32;
         let mut p = vec![Point::new(0.0, 0.0)];
         p.extend((0..n).map(|i| Point::new(1000.0, f64::from(i) - 5000.0)));
-        let star: Vec<[u32; 2]> = (1..=n).map(|i| [0, i]).collect();
-        assert_eq!(sweep(&p, &star, &[], true).meeting, None);
+        let one_ring: Vec<[u32; 2]> = (1..=n).map(|i| [0, i]).collect();
+        assert_eq!(sweep(&p, &one_ring, &[], true).intersection, None);
         let mut q: Vec<Point> = Vec::new();
         let mut ladder: Vec<[u32; 2]> = Vec::new();
         for i in 0..n {
@@ -321,7 +327,7 @@ mod tests {
             ladder.push([2 * i, 2 * i + 1]);
         }
         let swept = sweep(&q, &ladder, &[], true);
-        assert_eq!(swept.meeting, None);
+        assert_eq!(swept.intersection, None);
         for i in 1..n {
             assert_eq!(swept.below[2 * i as usize + 1], i - 1);
         }

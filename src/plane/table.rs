@@ -12,15 +12,15 @@
 
 use super::{CoordinateError, GeometryViolation, Point, Subdivision};
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, MAX_IDS, VertexId, VertexMap};
-use crate::topology::{Columns, Dcel, HalfEdgeRow, NoRecorder, Ring, Table, TooMany, Violation, violations};
+use crate::topology::{Columns, Dcel, HalfEdgeRow, InnerComponent, NoRecorder, Table, TooMany, Violation, violations};
 
 /// Why a table is no subdivision of the plane. All ids are those of the table.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TableError {
-    /// Laws of the structure are broken.
+    /// Invariants of the structure are broken.
     #[error("{}{}", violations.first().map_or_else(String::new, ToString::to_string), more(violations.len()))]
-    Laws {
+    Invariants {
         /// All of them; at least one.
         violations: Vec<Violation>,
     },
@@ -41,7 +41,7 @@ pub enum TableError {
         /// What is wrong with it.
         error: CoordinateError,
     },
-    /// Laws of the plane are broken.
+    /// Invariants of the plane are broken.
     #[error("{}{}", violations.first().map_or_else(String::new, ToString::to_string), more(violations.len()))]
     Geometry {
         /// What the full check found; at least one.
@@ -62,14 +62,14 @@ impl Subdivision {
     /// Vertices keep their numbers. Half-edges keep theirs if twins are h ^ 1 throughout; otherwise edges are
     /// numbered without gaps in the order of their smaller half, which becomes the even one. Faces keep theirs,
     /// except that the outer face becomes `f0` and changes numbers with the face of that name. Numbers without
-    /// a row stay free, to be given out from the lowest on. Boundaries, rings and hole faces are taken as they
+    /// a row stay free, to be given out from the lowest on. Boundaries, inner components and hole faces are taken as they
     /// are; names are left in the table.
     ///
     /// Cost: O(n log n) for the check that nothing crosses.
     ///
     /// # Errors
-    /// [`TableError`], with all violations of the first kind that has any: the laws of the structure, missing or
-    /// bad positions, then the laws of the plane.
+    /// [`TableError`], with all violations of the first kind that has any: the invariants of the structure, missing or
+    /// bad positions, then the invariants of the plane.
     ///
     /// ```
     /// use dcel_kit::{plane::{PlanarView, Subdivision}, topology::Table};
@@ -84,7 +84,7 @@ impl Subdivision {
     pub fn from_table(table: &Table) -> Result<Self, TableError> {
         let broken = violations(table);
         if !broken.is_empty() {
-            return Err(TableError::Laws { violations: broken });
+            return Err(TableError::Invariants { violations: broken });
         }
         let bounds = [table.vertices.len(), table.half_edges.len() + 1, table.faces.len()];
         if bounds.iter().any(|&bound| bound > MAX_IDS) {
@@ -100,8 +100,10 @@ impl Subdivision {
             if row.hole {
                 subdivision.holes.insert(f);
             }
-            if !row.rings.is_empty() {
-                subdivision.rings.insert(f, row.rings.iter().map(|&ring| numbers.ring(ring)).collect());
+            if !row.inner_components.is_empty() {
+                subdivision
+                    .inner_components
+                    .insert(f, row.inner_components.iter().map(|&ring| numbers.ring(ring)).collect());
             }
         }
         let violations = subdivision.geometry_violations();
@@ -131,7 +133,7 @@ fn positions(table: &Table) -> Result<VertexMap<Point>, TableError> {
     Ok(points)
 }
 
-/// From the numbers of a table that obeys the laws to those of the subdivision.
+/// From the numbers of a table that obeys the invariants to those of the subdivision.
 struct Numbers {
     /// For each new half-edge the old one, or `None` for free slots. Without: all stay.
     old: Option<Vec<HalfEdgeId>>,
@@ -181,10 +183,10 @@ impl Numbers {
         }
     }
 
-    fn ring(&self, ring: Ring) -> Ring {
+    fn ring(&self, ring: InnerComponent) -> InnerComponent {
         match ring {
-            Ring::Cycle(h) => Ring::Cycle(self.half_edge(h)),
-            Ring::Isolated(v) => Ring::Isolated(v),
+            InnerComponent::Cycle(h) => InnerComponent::Cycle(self.half_edge(h)),
+            InnerComponent::Isolated(v) => InnerComponent::Isolated(v),
         }
     }
 
@@ -207,7 +209,7 @@ impl Numbers {
             prev: column(&|row| half_edge(row.prev)),
             face: column(&|row| row.face.map_or(Columns::NONE, |f| self.face(f).number())),
             outgoing: vertex_rows.map(|row| half_edge(row.and_then(|row| row.outgoing))).collect(),
-            boundary: (0..faces).map(|f| half_edge(face_row(f).and_then(|row| row.boundary))).collect(),
+            boundary: (0..faces).map(|f| half_edge(face_row(f).and_then(|row| row.half_edge))).collect(),
         });
         // From the last one on, so that the lowest free number is given out first.
         for (v, _) in table.vertices.iter().enumerate().rev().filter(|(_, row)| row.is_none()) {

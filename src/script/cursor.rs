@@ -1,4 +1,4 @@
-//! Reading the words of a line one after the other; what does not fit is told with its place.
+//! Reading the words of a line one after the other; what does not fit is reported with its place.
 
 use super::error::Problem;
 use super::words::{Line, Word};

@@ -37,7 +37,7 @@
 //! | `origin destination` | half-edge | vertex |
 //! | `face`, `edge` | half-edge | face, edge |
 //! | `outgoing` | vertex | half-edge |
-//! | `boundary` | face | half-edge |
+//! | `half_edge` | face | half-edge |
 //!
 //! A word stays with its element: if that is removed, the word is refused from then on, even if the number has
 //! been given out again.

@@ -7,6 +7,7 @@ use super::syntax::{Action, Base, Link, Name, Path, Script, Statement, Value};
 use super::words::{Word, lines};
 use crate::edits::{Argument, Editable, Kind, Row, Takes, find, map_size, rows_of, switch};
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
+use crate::old_words::{Language, OldWord};
 use crate::topology::Dcel;
 
 /// The statements that are no edits.
@@ -102,7 +103,8 @@ fn read<G: Editable>(
             return Err(Complaint { line: 1, column: 1, what: Problem::Empty, help: starts.to_owned() });
         };
         let start = start(&mut Cursor::new(&first))?;
-        let mut parser = Parser { script: Script { start, statements: Vec::new(), names: Vec::new() }, own };
+        let mut parser =
+            Parser { script: Script { start, statements: Vec::new(), names: Vec::new(), old_words: Vec::new() }, own };
         for line in lines {
             let action = parser.action(&mut Cursor::new(&line))?;
             parser.script.statements.push(Statement { line: line.number, text: line.text.to_owned(), action });
@@ -129,6 +131,12 @@ impl<G: Editable> Parser<'_, G> {
     fn find(&self, word: &str) -> Option<&'static Row> {
         let own = self.own.iter().copied().find(|row| row.word == word && G::column(row).is_some());
         own.or_else(|| find::<G>(word))
+    }
+
+    /// Notes an old word, once.
+    fn note_old_word(&mut self, word: &str) {
+        let old = OldWord::find(Language::Script, word);
+        self.script.old_words.extend(old.filter(|old| !self.script.old_words.contains(old)));
     }
 
     fn action(&mut self, cursor: &mut Cursor<'_>) -> Result<Action, Complaint> {
@@ -171,6 +179,7 @@ impl<G: Editable> Parser<'_, G> {
             name.map_or(Ok(()), |name| Err(complain(name)))
         };
         if let Some(row) = self.find(word.text) {
+            self.note_old_word(word.text);
             if row.names().is_none() {
                 nothing_to_name(cursor)?;
             }
@@ -258,7 +267,7 @@ impl<G: Editable> Parser<'_, G> {
     }
 
     /// The next word as an element of one of the kinds; any kind if none is said.
-    fn element(&self, cursor: &mut Cursor<'_>, kinds: &[Kind]) -> Result<Path, Complaint> {
+    fn element(&mut self, cursor: &mut Cursor<'_>, kinds: &[Kind]) -> Result<Path, Complaint> {
         let wanted = match kinds {
             [Kind::HalfEdge] => "a half-edge",
             [Kind::Vertex] => "a vertex",
@@ -280,7 +289,8 @@ impl<G: Editable> Parser<'_, G> {
         Err(cursor.at(word, what, help))
     }
 
-    fn path(&self, cursor: &Cursor<'_>, word: Word<'_>) -> Result<(Path, Kind), Complaint> {
+    fn path(&mut self, cursor: &Cursor<'_>, word: Word<'_>) -> Result<(Path, Kind), Complaint> {
+        let text = word.text.to_owned();
         let mut parts = word.text.split('.');
         let base = parts.next().unwrap_or("");
         let Some((base, mut kind)) = self.base(base) else {
@@ -289,7 +299,8 @@ impl<G: Editable> Parser<'_, G> {
         let mut links = Vec::new();
         let mut column = word.column + word.text.split('.').next().map_or(0, |b| b.chars().count() as u32) + 1;
         for part in parts {
-            let Some(link) = Link::ALL.into_iter().find(|link| link.from() == kind && link.word() == part) else {
+            let word = OldWord::current(Language::Script, part);
+            let Some(link) = Link::ALL.into_iter().find(|link| link.from() == kind && link.word() == word) else {
                 let known = Link::ALL.into_iter().filter(|link| link.from() == kind).map(Link::word);
                 let known: Vec<&str> = known.collect();
                 let help = if known.is_empty() {
@@ -300,11 +311,12 @@ impl<G: Editable> Parser<'_, G> {
                 let what = Problem::Link { word: show(part), kind: kind.a() };
                 return Err(cursor.at(Word { text: part, column }, what, help));
             };
+            self.note_old_word(part);
             links.push(link);
             kind = link.to();
             column += part.chars().count() as u32 + 1;
         }
-        Ok((Path { base, links, text: word.text.to_owned() }, kind))
+        Ok((Path { base, links, text }, kind))
     }
 
     /// What the first part of a path names.

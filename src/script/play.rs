@@ -130,7 +130,7 @@ pub enum Refusal {
         /// The line of the refused edit.
         line: u32,
     },
-    /// A pointer that is not set: the `outgoing` of a vertex without edges, the `boundary` of an empty plane.
+    /// A pointer that is not set: the `outgoing` of a vertex without edges, the `half_edge` of an empty plane.
     #[error("{element}.{} is not set, so `{word}` leads nowhere", link.word())]
     NoTarget {
         /// The word.
@@ -287,13 +287,13 @@ impl<G: Editable> Stage<G> {
         }
     }
 
-    /// The half-edge of a path; that of a vertex is its `outgoing`, that of a face its `boundary`.
+    /// The half-edge of a path; that of a vertex is its `outgoing`, that of a face its `half_edge`.
     fn half_edge(&self, path: &Path) -> Result<HalfEdgeId, Refusal> {
         let element = self.resolve(path)?;
         let (target, link) = match element {
             Element::HalfEdge(h) => (Some(h), Link::Next),
             Element::Vertex(v) => (self.ground.topology().outgoing(v), Link::Outgoing),
-            Element::Face(f) => (self.ground.topology().boundary(f), Link::Boundary),
+            Element::Face(f) => (self.ground.topology().half_edge(f), Link::HalfEdge),
             Element::Edge(e) => (Some(e.half_edges()[0]), Link::Edge),
         };
         target.ok_or_else(|| Refusal::NoTarget { word: path.text.clone(), element, link })

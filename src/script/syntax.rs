@@ -2,6 +2,7 @@
 
 use crate::edits::{Argument, Editable, Kind, Row};
 use crate::ids::Element;
+use crate::old_words::OldWord;
 use crate::plane::Subdivision;
 use crate::topology::Dcel;
 
@@ -13,6 +14,8 @@ pub struct Script<G = Subdivision> {
     pub(super) statements: Vec<Statement>,
     /// The names given by `let`, each once.
     pub(super) names: Vec<Name>,
+    /// Old words that were met, each once.
+    pub(super) old_words: Vec<&'static OldWord>,
 }
 
 impl<G: Editable> Script<G> {
@@ -20,6 +23,12 @@ impl<G: Editable> Script<G> {
     #[must_use]
     pub fn start(&self) -> &G {
         &self.start
+    }
+
+    /// Old words in it, each once: for the user.
+    #[must_use]
+    pub fn old_words(&self) -> &[&'static OldWord] {
+        &self.old_words
     }
 
     /// The statements after the start.
@@ -118,7 +127,7 @@ pub enum Link {
     /// The stored half-edge of a vertex.
     Outgoing,
     /// The stored half-edge of a face.
-    Boundary,
+    HalfEdge,
 }
 
 impl Link {
@@ -132,7 +141,7 @@ impl Link {
         Self::Face,
         Self::Edge,
         Self::Outgoing,
-        Self::Boundary,
+        Self::HalfEdge,
     ];
 
     /// The word for it.
@@ -147,14 +156,14 @@ impl Link {
             Self::Face => "face",
             Self::Edge => "edge",
             Self::Outgoing => "outgoing",
-            Self::Boundary => "boundary",
+            Self::HalfEdge => "half_edge",
         }
     }
 
     pub(super) fn from(self) -> Kind {
         match self {
             Self::Outgoing => Kind::Vertex,
-            Self::Boundary => Kind::Face,
+            Self::HalfEdge => Kind::Face,
             _ => Kind::HalfEdge,
         }
     }
@@ -180,7 +189,7 @@ pub(super) fn follow(on: &Dcel, element: Element, link: Link) -> Option<Element>
         (Element::HalfEdge(h), Link::Face) => on.face(h).into(),
         (Element::HalfEdge(h), Link::Edge) => h.edge().into(),
         (Element::Vertex(v), Link::Outgoing) => on.outgoing(v)?.into(),
-        (Element::Face(f), Link::Boundary) => on.boundary(f)?.into(),
+        (Element::Face(f), Link::HalfEdge) => on.half_edge(f)?.into(),
         _ => return None,
     })
 }

@@ -19,7 +19,7 @@
 use super::Polyhedron;
 use super::flat::{FaceFault, Shadow};
 use super::measure::PartCounts;
-use super::predicates::{are_collinear, side_of_plane};
+use super::predicates::{are_collinear, orient3d};
 use super::vector::Vector;
 use super::wings::{Wings, other_corners};
 use crate::ids::{EdgeId, FaceId, FaceMap, HalfEdgeId, VertexId};
@@ -156,7 +156,7 @@ impl Polyhedron {
         let faces = halves.map(|h| dcel.face(h));
         let [Some(left), Some(right)] = faces.map(|f| looks[f]) else { return false };
         let [a, b] = halves.map(|h| self.point(dcel.origin(h)));
-        let fits = |c: Vector, d: Vector| match side_of_plane(a, b, c, d) {
+        let fits = |c: Vector, d: Vector| match orient3d(a, b, c, d) {
             Ordering::Less => true,
             Ordering::Greater => false,
             // In one plane: the faces must lie on both sides of the edge.

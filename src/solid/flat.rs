@@ -10,7 +10,7 @@
 //! ```
 
 use super::Polyhedron;
-use super::predicates::{are_collinear, by_position, side_of_plane};
+use super::predicates::{are_collinear, by_position, orient3d};
 use super::vector::Vector;
 use crate::ids::{FaceId, HalfEdgeId};
 use crate::plane::Point;
@@ -36,7 +36,7 @@ impl Polyhedron {
 
     /// Whether all corners of `f` lie in the plane of three of them.
     pub(super) fn is_in_plane(&self, f: FaceId, [a, b, c]: [Vector; 3]) -> bool {
-        self.corners(f).all(|p| side_of_plane(a, b, c, p) == Ordering::Equal)
+        self.corners(f).all(|p| orient3d(a, b, c, p) == Ordering::Equal)
     }
 
     /// Three corners of `f` that do not lie on a line. O(corners).

@@ -84,7 +84,7 @@ impl Polyhedron {
             }
         }
         for f in self.faces() {
-            let start = self.topology().boundary(f).map(|h| self.topology().origin(h));
+            let start = self.topology().half_edge(f).map(|h| self.topology().origin(h));
             if let Some(i) = start.and_then(index) {
                 if self.is_boundary_face(f) {
                     parts[i].borders += 1;

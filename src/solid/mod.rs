@@ -29,6 +29,8 @@
 //               remove_vertex, collapse_edge
 //   parts.rs    what a surface is made of
 //   local/      split, flip, bevel, inset, extrude; points move
+//   predicates.rs  exact signs in space                   vector.rs           arithmetic of measures
+//   selection.rs  marks on elements
 //   measure.rs  counts, area, volume                          flat.rs convex.rs wings.rs  exact questions about shape
 //   angles.rs   angles and curvatures
 //   hull/       the convex hull of points                     support.rs          the furthest vertex, by climbing

@@ -10,9 +10,9 @@ use std::collections::BTreeSet;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PartsError {
-    /// Laws of the structure are broken.
+    /// Invariants of the structure are broken.
     #[error("{}", violations.first().map_or_else(String::new, ToString::to_string))]
-    Laws {
+    Invariants {
         /// All of them; at least one.
         violations: Vec<Violation>,
     },
@@ -43,7 +43,7 @@ pub enum PartsError {
 impl Polyhedron {
     /// A surface from its parts: a structure, a point for each of its vertices, and the faces that stand for borders.
     ///
-    /// Cost: O(n); all laws are checked.
+    /// Cost: O(n); all invariants are checked.
     ///
     /// # Errors
     /// [`PartsError`] names what does not fit.
@@ -62,7 +62,7 @@ impl Polyhedron {
     ) -> Result<Self, PartsError> {
         let violations = violations(&dcel);
         if !violations.is_empty() {
-            return Err(PartsError::Laws { violations });
+            return Err(PartsError::Invariants { violations });
         }
         for vertex in dcel.vertices() {
             let bound = dcel.vertex_bound();

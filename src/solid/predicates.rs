@@ -26,7 +26,7 @@ fn coord(p: [f64; 3]) -> Coord3D<f64> {
 /// crate `robust`.
 #[must_use]
 #[inline]
-pub fn side_of_plane(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> Ordering {
+pub fn orient3d(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> Ordering {
     // robust counts downwards.
     0.0_f64.partial_cmp(&robust::orient3d(coord(a), coord(b), coord(c), coord(d))).unwrap_or(Ordering::Equal)
 }
@@ -82,9 +82,9 @@ mod tests {
     #[test]
     fn above_is_where_the_three_run_counter_clockwise() {
         let [a, b, c] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-        assert_eq!(side_of_plane(a, b, c, [0.2, 0.2, 1e-300]), Ordering::Greater);
-        assert_eq!(side_of_plane(a, b, c, [0.2, 0.2, -1e-300]), Ordering::Less);
-        assert_eq!(side_of_plane(a, b, c, [7.0, -3.0, 0.0]), Ordering::Equal);
+        assert_eq!(orient3d(a, b, c, [0.2, 0.2, 1e-300]), Ordering::Greater);
+        assert_eq!(orient3d(a, b, c, [0.2, 0.2, -1e-300]), Ordering::Less);
+        assert_eq!(orient3d(a, b, c, [7.0, -3.0, 0.0]), Ordering::Equal);
     }
 
     /// Both distances round to the same double; which one is greater, integers tell.

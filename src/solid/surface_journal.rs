@@ -1,7 +1,7 @@
 //! Watching the edits of a surface: the pointers, as everywhere, and what a surface has besides.
 //!
 //! ```text
-//!   changes of the kernel     new f7 | f7.boundary: none -> h3 | new v5 | ...
+//!   changes of the kernel     new f7 | f7.half_edge: none -> h3 | new v5 | ...
 //!   of the surface                   └ f7 is a boundary face            └ v5 stands at (1, 0, 2), its slot at (0, 0, 0)
 //! ```
 //!

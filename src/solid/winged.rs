@@ -47,7 +47,7 @@ impl Display for WingedEdges<'_> {
         table(f, "Vertex list", ["id", "x", "y", "z", "h"], vertices.collect())?;
         let faces = solid.faces().map(|face| {
             let mark = if solid.is_boundary_face(face) { "border" } else { "" };
-            [face.to_string(), or_none(dcel.boundary(face)), mark.to_owned()]
+            [face.to_string(), or_none(dcel.half_edge(face)), mark.to_owned()]
         });
         table(f, "\nFace list", ["id", "h", ""], faces.collect())?;
         let half_edges = solid.half_edges().map(|h| {

@@ -14,7 +14,7 @@
 use super::Polyhedron;
 use super::flat::Shadow;
 use super::hull::HullFaces;
-use super::predicates::{are_collinear, side_of_plane};
+use super::predicates::{are_collinear, orient3d};
 use super::vector::Vector;
 use crate::ids::{FaceId, FaceMap, HalfEdgeId, HalfEdgeMap, VertexId};
 use crate::plane::predicates::orientation;
@@ -55,7 +55,7 @@ impl Wings {
             if orientation(shadow.of(a), shadow.of(b), shadow.of(p)) != Ordering::Greater {
                 return None;
             }
-            if highest.is_none_or(|c| side_of_plane(a, b, c, p) == Ordering::Greater) {
+            if highest.is_none_or(|c| orient3d(a, b, c, p) == Ordering::Greater) {
                 highest = Some(p);
             }
         }

@@ -52,7 +52,7 @@ impl Dcel {
     ///
     #[doc = include_str!("../../figures/dual.svg")]
     ///
-    /// Loops and parallel edges are usual: the dual of an antenna is a loop. The dual of the dual is the same
+    /// Loops and parallel edges are usual: the dual of a dangling edge is a loop. The dual of the dual is the same
     /// structure with every half-edge turned round, so that `h` is what `twin(h)` was.
     ///
     /// Cost: O(V + E + F).
@@ -61,11 +61,11 @@ impl Dcel {
     /// [`DualError`]: every face must have exactly one boundary cycle, every vertex an edge.
     ///
     /// ```
-    /// use dcel_kit::topology::{Dcel, same};
+    /// use dcel_kit::topology::{Dcel, isomorphic};
     /// let triangle = Dcel::polygon(3)?;
     /// let dual = triangle.dual()?; // two vertices joined by three edges
     /// assert_eq!((dual.vertex_count(), dual.edge_count(), dual.face_count()), (2, 3, 3));
-    /// assert!(same(&dual.dual()?, &triangle).is_ok());
+    /// assert!(isomorphic(&dual.dual()?, &triangle).is_ok());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn dual(&self) -> Result<Self, DualError> {
@@ -77,7 +77,7 @@ impl Dcel {
         };
         let number = |h: Option<HalfEdgeId>| h.map_or(Columns::NONE, HalfEdgeId::number);
         let (vertices, faces) = (self.vertex_bound() as u32, self.face_bound() as u32);
-        let boundary = |f| if self.has_face(f) { self.boundary(f) } else { None };
+        let boundary = |f| if self.has_face(f) { self.half_edge(f) } else { None };
         let outgoing = |v| if self.has_vertex(v) { self.outgoing(v) } else { None };
         let mut dual = Self::from_columns(Columns {
             origin: column(&|h| self.face(h).number()),
@@ -107,7 +107,7 @@ impl Dcel {
         }
         let mut seen = vec![false; self.half_edge_bound()];
         for face in self.faces() {
-            let start = self.boundary(face).ok_or(DualError::NoBoundary { face })?;
+            let start = self.half_edge(face).ok_or(DualError::NoBoundary { face })?;
             self.cycle(start).for_each(|h| seen[h.index()] = true);
         }
         match self.half_edges().find(|h| !seen[h.index()]) {

@@ -1,4 +1,4 @@
-//! A view read once into flat arrays, so that the laws, the comparison and the counts walk plain numbers.
+//! A view read once into flat arrays, so that the invariants, the comparison and the counts walk plain numbers.
 //!
 //! ```text
 //!   view.next(h14) = h3       next[14] = 3
@@ -9,7 +9,7 @@
 //! After reading, every number in the arrays is the number of a live element. Each getter of the view is asked
 //! once for each element, whatever the view holds.
 
-use super::view::{Ring, View};
+use super::view::{InnerComponent, View};
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use std::convert::Infallible;
 use std::ops::ControlFlow;
@@ -37,8 +37,8 @@ pub(super) struct Flat {
     pub(super) face: Vec<u32>,
     pub(super) outgoing: Vec<u32>,
     pub(super) boundary: Vec<u32>,
-    /// Face and ring, in the order of the faces; only rings that name a live element.
-    pub(super) rings: Vec<(u32, Ring)>,
+    /// Face and inner component, in the order of the faces; only inner components that name a live element.
+    pub(super) rings: Vec<(u32, InnerComponent)>,
     pub(super) outer: Option<u32>,
     pub(super) hole: Vec<bool>,
     /// Whether the vertex's `outgoing` leads nowhere, which is not the same as having none.
@@ -58,7 +58,7 @@ impl Flat {
     }
 
     /// Reads a view and reports every pointer that leads nowhere, in the order of the elements. A missing
-    /// `outgoing` or `boundary` is no fault here: it may be right.
+    /// `outgoing` or `half_edge` is no fault here: it may be right.
     pub(super) fn read_with<V: View + ?Sized, B>(
         view: &V,
         mut fault: impl FnMut(Fault) -> ControlFlow<B>,
@@ -107,18 +107,18 @@ impl Flat {
         }
         for f in flat.faces().map(FaceId).collect::<Vec<_>>() {
             flat.hole[f.index()] = view.is_hole(f);
-            let found = view.boundary(f).map(Element::HalfEdge);
+            let found = view.half_edge(f).map(Element::HalfEdge);
             flat.boundary[f.index()] = flat.live_number(found);
             if found.is_some() && flat.boundary[f.index()] == NONE {
-                fault(Fault { owner: Some(f.into()), pointer: "boundary", found })?;
+                fault(Fault { owner: Some(f.into()), pointer: "half_edge", found })?;
             }
-            for &ring in view.rings(f) {
+            for &ring in view.inner_components(f) {
                 let found = match ring {
-                    Ring::Cycle(h) => Some(Element::HalfEdge(h)),
-                    Ring::Isolated(v) => Some(Element::Vertex(v)),
+                    InnerComponent::Cycle(h) => Some(Element::HalfEdge(h)),
+                    InnerComponent::Isolated(v) => Some(Element::Vertex(v)),
                 };
                 if flat.live_number(found) == NONE {
-                    fault(Fault { owner: Some(f.into()), pointer: "ring", found })?;
+                    fault(Fault { owner: Some(f.into()), pointer: "inner_component", found })?;
                 } else {
                     flat.rings.push((f.0, ring));
                 }
@@ -161,20 +161,20 @@ impl Flat {
         live(&self.has_face)
     }
 
-    /// One half-edge for each listed cycle with the face that lists it: boundaries first, then rings.
+    /// One half-edge for each listed cycle with the face that lists it: boundaries first, then inner components.
     pub(super) fn listed_cycles(&self) -> impl Iterator<Item = (u32, u32)> + Clone + '_ {
         let boundaries = self.faces().map(|f| (f, self.boundary[f as usize])).filter(|&(_, h)| h != NONE);
         boundaries.chain(self.rings.iter().filter_map(|&(f, ring)| match ring {
-            Ring::Cycle(h) => Some((f, h.0)),
-            Ring::Isolated(_) => None,
+            InnerComponent::Cycle(h) => Some((f, h.0)),
+            InnerComponent::Isolated(_) => None,
         }))
     }
 
     /// The vertices listed as isolated, with the face that lists each.
     pub(super) fn listed_vertices(&self) -> impl Iterator<Item = (u32, u32)> + Clone + '_ {
         self.rings.iter().filter_map(|&(f, ring)| match ring {
-            Ring::Isolated(v) => Some((f, v.0)),
-            Ring::Cycle(_) => None,
+            InnerComponent::Isolated(v) => Some((f, v.0)),
+            InnerComponent::Cycle(_) => None,
         })
     }
 }

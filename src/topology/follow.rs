@@ -101,7 +101,7 @@ fn moved<I: Follows, T>(values: IdMap<I, T>, map: &Renumbering, filler: impl Fn(
 /// let [h2, h8] = [2, 8].map(HalfEdgeId::new);
 /// let (_, new) = lab.split_face_with(h2, h8, &mut (&mut colours, &mut journal))?; // two recorders at once
 /// colours[new] = "blue";
-/// lab.join_faces_with(lab.boundary(new).unwrap().twin(), &mut colours)?;
+/// lab.join_faces_with(lab.half_edge(new).unwrap().twin(), &mut colours)?;
 /// assert_eq!((colours[FaceId::new(1)], colours[new]), ("white", "blue"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -33,13 +33,13 @@ pub(super) const FREE_END: u32 = 0x7fff_fffe;
 ///    prev(h)  \    on the left       v
 /// ```
 ///
-/// Laws: `twin(twin(h)) == h`, `next(prev(h)) == h == prev(next(h))`,
-/// `origin(next(h)) == destination(h)`, `face(next(h)) == face(h)`, `face(boundary(f)) == f`,
+/// Properties: `twin(twin(h)) == h`, `next(prev(h)) == h == prev(next(h))`,
+/// `origin(next(h)) == destination(h)`, `face(next(h)) == face(h)`, `face(half_edge(f)) == f`,
 /// `origin(outgoing(v)) == v`. Every public edit keeps them; [`violations`](super::violations) checks them.
 ///
-/// The structure accepts whatever is combinatorially legal: loops, parallel edges, antennas, a torus.
+/// The structure accepts whatever is combinatorially legal: loops, parallel edges, dangling edges, a torus.
 /// Two structures are `==` when they agree bit for bit, free slots included; for equality up to the names of
-/// the elements use [`same`](super::same).
+/// the elements use [`isomorphic`](super::isomorphic).
 ///
 /// Source: de Berg et al., *Computational Geometry*, 3rd ed., section 2.2 (the doubly-connected edge list).
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -130,7 +130,7 @@ impl Dcel {
         Self::from_columns(Columns::default())
     }
 
-    /// Takes columns that obey the laws and have no dead record.
+    /// Takes columns that obey the invariants and have no dead record.
     pub(crate) fn from_columns(columns: Columns) -> Self {
         let Columns { origin, next, prev, face, outgoing, boundary } = columns;
         Self { origin, next, prev, face, outgoing, boundary, free: FreeLists::EMPTY }
@@ -236,7 +236,7 @@ impl Dcel {
     #[must_use]
     #[inline]
     #[track_caller]
-    pub fn boundary(&self, f: FaceId) -> Option<HalfEdgeId> {
+    pub fn half_edge(&self, f: FaceId) -> Option<HalfEdgeId> {
         self.debug_assert_not_removed(f);
         target(self.read(&self.boundary, f.index(), f)).map(HalfEdgeId)
     }
@@ -339,7 +339,7 @@ impl Dcel {
         prev(HalfEdgeId) -> HalfEdgeId as linked_prev;
         face(HalfEdgeId) -> FaceId as linked_face;
         outgoing(VertexId) -> HalfEdgeId as linked_outgoing;
-        boundary(FaceId) -> HalfEdgeId as linked_boundary;
+        boundary(FaceId) -> HalfEdgeId as linked_half_edge;
     }
 
     // ---- raw words, for pool.rs -----------------------------------------------------------------------
@@ -400,7 +400,7 @@ impl Dcel {
             Slot::Prev(h) => &mut self.prev[h.index()],
             Slot::Face(h) => &mut self.face[h.index()],
             Slot::Outgoing(v) => &mut self.outgoing[v.index()],
-            Slot::Boundary(f) => &mut self.boundary[f.index()],
+            Slot::HalfEdge(f) => &mut self.boundary[f.index()],
         }
     }
 
@@ -424,7 +424,7 @@ impl Dcel {
             Slot::Prev(h) => word(&self.prev, h.index()).map(|i| HalfEdgeId(i).into()),
             Slot::Face(h) => word(&self.face, h.index()).map(|i| FaceId(i).into()),
             Slot::Outgoing(v) => word(&self.outgoing, v.index()).map(|i| HalfEdgeId(i).into()),
-            Slot::Boundary(f) => word(&self.boundary, f.index()).map(|i| HalfEdgeId(i).into()),
+            Slot::HalfEdge(f) => word(&self.boundary, f.index()).map(|i| HalfEdgeId(i).into()),
         }
     }
 
@@ -476,8 +476,8 @@ impl Dcel {
     }
 
     #[inline]
-    pub(crate) fn set_boundary(&mut self, f: FaceId, h: Option<HalfEdgeId>, rec: &mut impl Recorder) {
-        self.write(Slot::Boundary(f), h.map_or(NONE, |h| h.0), rec);
+    pub(crate) fn set_half_edge(&mut self, f: FaceId, h: Option<HalfEdgeId>, rec: &mut impl Recorder) {
+        self.write(Slot::HalfEdge(f), h.map_or(NONE, |h| h.0), rec);
     }
 
     /// Clears every pointer of both halves of `e`, before it is removed.

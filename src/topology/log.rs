@@ -1,4 +1,4 @@
-//! A journal of a structure that holds more than its pointers: positions, rings, borders.
+//! A journal of a structure that holds more than its pointers: positions, inner components, borders.
 //!
 //! ```text
 //!   pointers   new v5 | v5.outgoing: none -> h8 | ...            own   v5 stands at (1, 2)

@@ -9,7 +9,7 @@
 //!
 //! For each component V - E + cycles = 2 - 2g, where an isolated vertex counts as one cycle and g is the genus:
 //! 0 on the sphere and in the plane, 1 on a torus. This holds for every legal structure; that g is 0 everywhere
-//! is a law of the plane only.
+//! is an invariant of the plane only.
 //!
 //! All of it is linear in the size of the view and bounded on broken views, whose counts mean little.
 
@@ -253,7 +253,7 @@ mod tests {
             row.prev = Some(HalfEdgeId(cycle[(i + 3) % 4] as u32));
         }
         table.faces.truncate(1);
-        table.faces[0].as_mut().unwrap().boundary = Some(HalfEdgeId(0));
+        table.faces[0].as_mut().unwrap().half_edge = Some(HalfEdgeId(0));
         table
     }
 

@@ -7,9 +7,9 @@
 //! | edit it, watch the edit, take it back | [`Dcel::split_face`] and its like; [`Recorder`], [`Journal`] |
 //! | write an edit of your own | [`Editing`] |
 //! | keep data on elements while they come and go | [`Followed`], [`Renumbering`] |
-//! | check the laws | [`violations`], [`Violation`], [`Rule`] |
+//! | check the invariants | [`violations`], [`Violation`], [`Rule`] |
 //! | count | [`measure()`], [`Counts`], [`components`] |
-//! | compare | [`same()`], [`SameOptions`], [`Matching`], [`Difference`] |
+//! | compare | [`isomorphic()`], [`IsomorphismOptions`], [`Matching`], [`Difference`] |
 //! | tables, as on slides or from other programs | [`Table`] |
 
 // The files of this folder:
@@ -24,7 +24,8 @@
 //   reads.rs     the reading methods, for structures that hold one
 //   log.rs       a journal of more than pointers           follow.rs   data that follow edits
 //   own.rs       edits that are not in the kit
-//   validate.rs  the laws                      same.rs      equality up to names      measure.rs  counts
+//   validate/    the invariants                isomorphism/ equality up to names      measure.rs  counts
+//   flat.rs      a view as flat arrays, for these three
 //   dual.rs      faces become vertices
 
 mod build;
@@ -32,6 +33,7 @@ mod dual;
 mod edit;
 mod flat;
 mod follow;
+mod isomorphism;
 mod links;
 mod log;
 mod measure;
@@ -42,7 +44,6 @@ mod pool;
 mod reads;
 mod record;
 mod replay;
-mod same;
 mod seed;
 mod table;
 mod validate;
@@ -57,6 +58,9 @@ pub use edit::{
     SplitFaceError, SplitVertexError,
 };
 pub use follow::{Followed, Follows};
+pub use isomorphism::{
+    Difference, IsomorphismOptions, Matching, VertexKey, Which, isomorphic, isomorphic_with, position_key,
+};
 pub(crate) use links::Columns;
 pub use links::Dcel;
 pub use log::Log;
@@ -68,10 +72,9 @@ pub use polygons::PolygonList;
 pub use pool::{IdError, Renumbering, TooMany};
 pub(crate) use reads::reads_of_dcel;
 pub use record::{Change, Journal, NoRecorder, Recorder, Slot, Step};
-pub use same::{Difference, Matching, SameOptions, VertexKey, Which, position_key, same, same_with};
 pub use seed::PolygonError;
 pub use table::{FaceRow, HalfEdgeRow, Table, VertexRow};
 pub use validate::{Rule, Violation, first_violation, violations, visit_violations};
 pub(crate) use view::pointers_of_dcel;
-pub use view::{Ring, View, bounded_cycle};
-pub use walk::{Cycle, Star};
+pub use view::{InnerComponent, View, bounded_cycle};
+pub use walk::{Cycle, OutgoingHalfEdges};

@@ -1,7 +1,7 @@
 //! Edits that are not in the kit: the recorded setters, and a look at all that was touched before it is final.
 //!
 //! ```text
-//!   edit_with ──> your function, with an Editing ──> are the laws kept at all that was touched?
+//!   edit_with ──> your function, with an Editing ──> are the invariants kept at all that was touched?
 //!                   add_…  remove_…  set_…                yes: the recorder gets every change
 //!                                                         no, or your function refused: everything is taken back
 //! ```
@@ -28,9 +28,9 @@ pub enum OwnEditError<E> {
     /// The edit has written to an element that does not exist. Everything has been taken back.
     #[error("the edit writes to an element that does not exist: {0}")]
     Id(IdError),
-    /// The edit left a law broken. Everything has been taken back.
+    /// The edit left an invariant broken. Everything has been taken back.
     #[error(
-        "the edit would break a law: {}; see the laws at dcel_kit::topology::violations",
+        "the edit would break an invariant: {}; see the invariants at dcel_kit::topology::violations",
         violations.first().map_or_else(String::new, ToString::to_string)
     )]
     Broken {
@@ -97,7 +97,7 @@ impl Editing<'_> {
         Ok(self.dcel.add_edge_record(&mut self.journal).half_edges())
     }
 
-    /// A new face. Its `boundary` is not set.
+    /// A new face. Its `half_edge` is not set.
     ///
     /// # Errors
     /// [`TooMany`] if the structure is full.
@@ -176,9 +176,9 @@ impl Editing<'_> {
     }
 
     /// Sets the stored half-edge of a face, or none.
-    pub fn set_boundary(&mut self, f: FaceId, h: Option<HalfEdgeId>) {
+    pub fn set_half_edge(&mut self, f: FaceId, h: Option<HalfEdgeId>) {
         if self.may_write(f) {
-            self.dcel.set_boundary(f, h, &mut self.journal);
+            self.dcel.set_half_edge(f, h, &mut self.journal);
         }
     }
 
@@ -197,7 +197,7 @@ impl Editing<'_> {
 
 impl Dcel {
     /// Makes an edit that is not in the kit, whole or not at all. `edit` writes by the setters of [`Editing`]; when it
-    /// is done, the laws are checked at all it has touched, and `rec` gets every change.
+    /// is done, the invariants are checked at all it has touched, and `rec` gets every change.
     ///
     /// Cost: that of the edit, and O(sizes of the cycles and rounds that it has touched) for the check.
     ///
@@ -244,7 +244,7 @@ impl Dcel {
         Err(refusal)
     }
 
-    /// Whether all laws hold at the elements that the changes speak of, if they held everywhere before.
+    /// Whether all invariants hold at the elements that the changes speak of, if they held everywhere before.
     fn is_sound_at(&self, changes: &[Change]) -> bool {
         let mut touched: BTreeSet<Element> = BTreeSet::new();
         for change in changes {
@@ -254,7 +254,7 @@ impl Dcel {
                     touched.insert(match slot {
                         Slot::Origin(h) | Slot::Next(h) | Slot::Prev(h) | Slot::Face(h) => h.into(),
                         Slot::Outgoing(v) => v.into(),
-                        Slot::Boundary(f) => f.into(),
+                        Slot::HalfEdge(f) => f.into(),
                     });
                 }
                 Change::Added { element: Element::Edge(e), .. } => {
@@ -332,7 +332,7 @@ impl Dcel {
     fn cycles_are_sound(&self, touched: BTreeSet<HalfEdgeId>, mut faces: BTreeSet<FaceId>) -> bool {
         let mut met: BTreeSet<HalfEdgeId> = BTreeSet::new();
         let mut seen: BTreeSet<FaceId> = BTreeSet::new();
-        let stored: Option<Vec<HalfEdgeId>> = faces.iter().map(|&f| self.boundary(f)).collect();
+        let stored: Option<Vec<HalfEdgeId>> = faces.iter().map(|&f| self.half_edge(f)).collect();
         let Some(stored) = stored else { return false };
         for first in touched.into_iter().chain(stored) {
             if met.contains(&first) {
@@ -347,7 +347,7 @@ impl Dcel {
                 if !self.has_half_edge(h) || !self.has_sound_links(h) || self.face(h) != face || !met.insert(h) {
                     return false;
                 }
-                has_stored |= self.boundary(face) == Some(h);
+                has_stored |= self.half_edge(face) == Some(h);
                 h = self.next(h);
                 if h == first {
                     break;

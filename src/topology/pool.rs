@@ -202,9 +202,9 @@ impl Dcel {
         rec.record(Change::Removed { element: e.into() });
     }
 
-    /// Removes a face; clears its `boundary` first.
+    /// Removes a face; clears its `half_edge` first.
     pub(crate) fn remove_face_record(&mut self, f: FaceId, rec: &mut impl Recorder) {
-        self.set_boundary(f, None, rec);
+        self.set_half_edge(f, None, rec);
         self.free_face(f);
         rec.record(Change::Removed { element: f.into() });
     }
@@ -344,14 +344,14 @@ impl Dcel {
         self.compact_from(&[])
     }
 
-    /// [`compact`](Self::compact), starting from given half-edges (after `f0`): for owners of rings.
+    /// [`compact`](Self::compact), starting from given half-edges (after `f0`): for owners of inner components.
     pub(crate) fn compact_from(&mut self, seeds: &[HalfEdgeId]) -> Renumbering {
         let mut order = Order::new(self);
         for f in 0..self.face_bound() {
             let f = FaceId(f as u32);
             if self.has_face(f) {
                 order.face(f);
-                if let Some(h) = self.boundary(f) {
+                if let Some(h) = self.half_edge(f) {
                     order.walk_from(self, h);
                 }
             }
@@ -377,7 +377,7 @@ impl Dcel {
             prev: Vec::with_capacity(2 * edges.len()),
             face: Vec::with_capacity(2 * edges.len()),
             outgoing: vertices.iter().map(|&v| self.outgoing(v).map_or(NONE, new_half)).collect(),
-            boundary: faces.iter().map(|&f| self.boundary(f).map_or(NONE, new_half)).collect(),
+            boundary: faces.iter().map(|&f| self.half_edge(f).map_or(NONE, new_half)).collect(),
         };
         for h in edges.iter().flat_map(|e| e.half_edges()) {
             columns.origin.push(map.vertices[self.origin(h)].map_or(NONE, |v| v.0));
@@ -465,6 +465,6 @@ mod tests {
         let map = dcel.compact();
         assert_eq!((map.vertices[v], map.faces[f]), (Some(VertexId(3)), Some(FaceId(2))));
         assert_eq!((dcel.vertex_count(), dcel.face_count()), (4, 3));
-        assert_eq!((dcel.outgoing(VertexId(3)), dcel.boundary(FaceId(2))), (None, None));
+        assert_eq!((dcel.outgoing(VertexId(3)), dcel.half_edge(FaceId(2))), (None, None));
     }
 }

@@ -34,17 +34,17 @@ macro_rules! reads_of_dcel {
             fn prev(h: $crate::HalfEdgeId) -> $crate::HalfEdgeId;
             fn face(h: $crate::HalfEdgeId) -> $crate::FaceId;
             fn outgoing(v: $crate::VertexId) -> Option<$crate::HalfEdgeId>;
-            fn boundary(f: $crate::FaceId) -> Option<$crate::HalfEdgeId>;
+            fn half_edge(f: $crate::FaceId) -> Option<$crate::HalfEdgeId>;
             fn ccw(h: $crate::HalfEdgeId) -> $crate::HalfEdgeId;
             fn cw(h: $crate::HalfEdgeId) -> $crate::HalfEdgeId;
             fn cycle(h: $crate::HalfEdgeId) -> $crate::topology::Cycle<'_>;
-            fn star(h: $crate::HalfEdgeId) -> $crate::topology::Star<'_>;
+            fn star(h: $crate::HalfEdgeId) -> $crate::topology::OutgoingHalfEdges<'_>;
             fn incident_half_edges(f: $crate::FaceId) -> $crate::topology::Cycle<'_>;
             fn incident_vertices(f: $crate::FaceId)
                 -> impl DoubleEndedIterator<Item = $crate::VertexId> + Clone + '_;
             fn incident_edges(f: $crate::FaceId) -> impl DoubleEndedIterator<Item = $crate::EdgeId> + Clone + '_;
             fn adjacent_faces(f: $crate::FaceId) -> impl DoubleEndedIterator<Item = $crate::FaceId> + Clone + '_;
-            fn outgoing_half_edges(v: $crate::VertexId) -> $crate::topology::Star<'_>;
+            fn outgoing_half_edges(v: $crate::VertexId) -> $crate::topology::OutgoingHalfEdges<'_>;
             fn incoming_half_edges(v: $crate::VertexId)
                 -> impl DoubleEndedIterator<Item = $crate::HalfEdgeId> + Clone + '_;
             fn adjacent_vertices(v: $crate::VertexId)

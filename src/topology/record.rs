@@ -26,8 +26,8 @@ pub enum Slot {
     Face(HalfEdgeId),
     /// `v.outgoing`
     Outgoing(VertexId),
-    /// `f.boundary`
-    Boundary(FaceId),
+    /// `f.half_edge`
+    HalfEdge(FaceId),
 }
 
 impl fmt::Display for Slot {
@@ -38,7 +38,7 @@ impl fmt::Display for Slot {
             Self::Prev(h) => write!(f, "{h}.prev"),
             Self::Face(h) => write!(f, "{h}.face"),
             Self::Outgoing(v) => write!(f, "{v}.outgoing"),
-            Self::Boundary(x) => write!(f, "{x}.boundary"),
+            Self::HalfEdge(x) => write!(f, "{x}.half_edge"),
         }
     }
 }

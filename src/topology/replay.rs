@@ -46,9 +46,9 @@ impl Table {
                     row.outgoing = half_edge;
                 }
             }
-            Slot::Boundary(f) => {
+            Slot::HalfEdge(f) => {
                 if let Some(Some(row)) = self.faces.get_mut(f.index()) {
-                    row.boundary = half_edge;
+                    row.half_edge = half_edge;
                 }
             }
             Slot::Origin(h) | Slot::Next(h) | Slot::Prev(h) | Slot::Face(h) => {

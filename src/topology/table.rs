@@ -1,6 +1,6 @@
 //! A half-edge table with every pointer written out, as on a lecture slide or dumped from a program.
 
-use super::view::{Ring, View};
+use super::view::{InnerComponent, View};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 
 /// A row of the half-edge table. A missing pointer is `None`.
@@ -31,9 +31,9 @@ pub struct VertexRow {
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct FaceRow {
     /// A half-edge of the first boundary cycle.
-    pub boundary: Option<HalfEdgeId>,
+    pub half_edge: Option<HalfEdgeId>,
     /// The other cycles and the isolated vertices inside.
-    pub rings: Vec<Ring>,
+    pub inner_components: Vec<InnerComponent>,
     /// Whether it is a bounded face outside the domain.
     pub hole: bool,
     /// A name for people.
@@ -69,8 +69,8 @@ impl Table {
         };
         let face = |f| {
             view.has_face(f).then(|| FaceRow {
-                boundary: view.boundary(f),
-                rings: view.rings(f).to_vec(),
+                half_edge: view.half_edge(f),
+                inner_components: view.inner_components(f).to_vec(),
                 hole: view.is_hole(f),
                 name: None,
             })
@@ -129,11 +129,11 @@ impl View for Table {
     fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
         self.vertices.get(v.index())?.as_ref()?.outgoing
     }
-    fn boundary(&self, f: FaceId) -> Option<HalfEdgeId> {
-        self.face_row(f)?.boundary
+    fn half_edge(&self, f: FaceId) -> Option<HalfEdgeId> {
+        self.face_row(f)?.half_edge
     }
-    fn rings(&self, f: FaceId) -> &[Ring] {
-        self.face_row(f).map_or(&[], |row| &row.rings)
+    fn inner_components(&self, f: FaceId) -> &[InnerComponent] {
+        self.face_row(f).map_or(&[], |row| &row.inner_components)
     }
     fn outer_face(&self) -> Option<FaceId> {
         self.outer_face

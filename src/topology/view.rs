@@ -8,14 +8,14 @@ use crate::ids::{FaceId, HalfEdgeId, VertexId};
 
 /// A boundary cycle of a face beside its first one, or a vertex without edges that lies in the face.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Ring {
+pub enum InnerComponent {
     /// A cycle, by one of its half-edges.
     Cycle(HalfEdgeId),
     /// A vertex without edges.
     Isolated(VertexId),
 }
 
-/// Read access to a half-edge structure that need not obey any law.
+/// Read access to a half-edge structure that need not obey any invariant.
 ///
 /// Ids run from 0 to the bounds; `has_*` says which of them exist. A pointer that is missing reads as `None`.
 /// Getters must accept every id, existing or not, and return `None` for those that do not exist.
@@ -45,11 +45,11 @@ pub trait View {
     /// A half-edge that starts at `v`.
     fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId>;
     /// A half-edge of the first boundary cycle of `f`.
-    fn boundary(&self, f: FaceId) -> Option<HalfEdgeId>;
+    fn half_edge(&self, f: FaceId) -> Option<HalfEdgeId>;
 
     /// The other cycles of `f`, and the isolated vertices in it. All cycles of the outer face but the first
     /// are here, too.
-    fn rings(&self, f: FaceId) -> &[Ring] {
+    fn inner_components(&self, f: FaceId) -> &[InnerComponent] {
         let _ = f;
         &[]
     }
@@ -105,8 +105,8 @@ macro_rules! pointers_of_dcel {
         fn outgoing(&self, v: $crate::VertexId) -> Option<$crate::HalfEdgeId> {
             self$(.$dcel)?.linked_outgoing(v)
         }
-        fn boundary(&self, f: $crate::FaceId) -> Option<$crate::HalfEdgeId> {
-            self$(.$dcel)?.linked_boundary(f)
+        fn half_edge(&self, f: $crate::FaceId) -> Option<$crate::HalfEdgeId> {
+            self$(.$dcel)?.linked_half_edge(f)
         }
     };
 }

@@ -26,7 +26,7 @@ pub struct Cycle<'a> {
 
 /// The half-edges that start at one vertex, counter-clockwise (from the back: clockwise).
 #[derive(Clone, Debug)]
-pub struct Star<'a> {
+pub struct OutgoingHalfEdges<'a> {
     dcel: &'a Dcel,
     rest: Rest,
 }
@@ -99,7 +99,7 @@ macro_rules! walk {
 }
 
 walk!(Cycle, next, prev);
-walk!(Star, ccw, cw);
+walk!(OutgoingHalfEdges, ccw, cw);
 
 impl Dcel {
     /// The next half-edge counter-clockwise round the origin of `h`: `twin(prev(h))`. O(1).
@@ -131,15 +131,15 @@ impl Dcel {
     /// The half-edges that start where `h` starts, counter-clockwise from `h`.
     #[must_use]
     #[inline]
-    pub fn star(&self, h: HalfEdgeId) -> Star<'_> {
-        Star { dcel: self, rest: Some((h, h)) }
+    pub fn star(&self, h: HalfEdgeId) -> OutgoingHalfEdges<'_> {
+        OutgoingHalfEdges { dcel: self, rest: Some((h, h)) }
     }
 
-    /// The lab's `incidentHalfEdges`: the boundary of `f` in order, from `boundary(f)` on. A bounded face is
+    /// The lab's `incidentHalfEdges`: the boundary of `f` in order, from `half_edge(f)` on. A bounded face is
     /// walked counter-clockwise, the outer face clockwise; empty if `f` has no boundary.
     #[inline]
     pub fn incident_half_edges(&self, f: FaceId) -> Cycle<'_> {
-        Cycle { dcel: self, rest: self.boundary(f).map(|h| (h, h)) }
+        Cycle { dcel: self, rest: self.half_edge(f).map(|h| (h, h)) }
     }
 
     /// The lab's `incidentVertices`: the origins along the boundary of `f`. A vertex that the boundary
@@ -160,8 +160,8 @@ impl Dcel {
 
     /// The half-edges that start at `v`, counter-clockwise from `outgoing(v)`; empty if `v` is isolated.
     #[inline]
-    pub fn outgoing_half_edges(&self, v: VertexId) -> Star<'_> {
-        Star { dcel: self, rest: self.outgoing(v).map(|h| (h, h)) }
+    pub fn outgoing_half_edges(&self, v: VertexId) -> OutgoingHalfEdges<'_> {
+        OutgoingHalfEdges { dcel: self, rest: self.outgoing(v).map(|h| (h, h)) }
     }
 
     /// The half-edges that end at `v`, counter-clockwise.

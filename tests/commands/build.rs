@@ -53,7 +53,7 @@ fn wrong_inputs_and_targets_are_refused() {
     folder.write("house.segments", HOUSE);
     folder.dcel("build square.obj").fails(2, "square.obj: obj holds no segments", "dcel convert");
     folder.dcel("build house.segments -o house.segments").fails(2, "this is the input itself", "another name");
-    folder.dcel("build house.segments -o house").fails(2, "the name does not tell the format", ".dcel");
+    folder.dcel("build house.segments -o house").fails(2, "the file name does not say which format", ".dcel");
     folder.dcel("build house.segments -o house.wkt").fails(2, "wkt", "");
     folder.dcel("build house.segments --figure no/where.svg").fails(3, "cannot be written", "directory first");
     folder.dcel("build house.segments --from wkt").fails(2, "house.segments:1:", "");

@@ -80,7 +80,7 @@ fn structures_are_compared_up_to_their_ids() {
     // States and names of faces, and what lies in them.
     folder.write(
         "triangle2.dcel",
-        &crate::shell::TRIANGLE.replace("f1 boundary h0 rings v3", "f1 boundary h0 rings v3 hole"),
+        &crate::shell::TRIANGLE.replace("f1 half_edge h0 inner v3", "f1 half_edge h0 inner v3 hole"),
     );
     let told = folder.dcel("compare triangle.dcel triangle2.dcel");
     assert!(

@@ -74,13 +74,13 @@ fn what_cannot_be_done_is_named() {
     folder.write("close.xy", "# close\n1 0\n1.0000000000000002 0\n");
     folder.dcel("delaunay bad.xy").fails(2, "bad.xy:2:3: `two` is not a number", "");
     folder.dcel("delaunay sites.xy -o sites.xy").fails(2, "this is the input itself", "another name");
-    folder.dcel("delaunay sites.xy -o out").fails(2, "the name does not tell the format", ".dcel");
+    folder.dcel("delaunay sites.xy -o out").fails(2, "the file name does not say which format", ".dcel");
     folder.dcel("delaunay sites.xy --circles").fails(2, "", "--figure");
     folder.dcel("delaunay cube.off --flips").fails(2, "cube.off: a surface in space", "--plane");
     folder.dcel("delaunay sites.xy --constrained --flips").fails(2, "", "");
     folder.dcel("voronoi sites.xy --box 0 0 4 3").fails(2, "sites.xy:2: v0 at (0, 0) does not lie inside", "");
     folder.dcel("voronoi sites.xy --box 9 9 1 1").fails(2, "has no inside", "");
-    folder.dcel("voronoi close.xy --box 0 -1 3 1").fails(2, "close.xy:2: v0 and v1 cannot be told apart", "");
+    folder.dcel("voronoi close.xy --box 0 -1 3 1").fails(2, "close.xy:2: v0 and v1 are so close that doubles", "");
     folder.write("empty.xy", "# nothing\n");
     folder.dcel("voronoi empty.xy").fails(2, "there is no site", "");
 }

@@ -100,7 +100,7 @@ fn overlays_are_drawn_and_named() {
     assert!(told.code == Some(2) && told.err.contains("union, intersection, difference or xor"), "{told:?}");
     folder.dcel("overlay garden.json cube.off").fails(2, "cube.off: this is a surface", "--plane");
     folder.dcel("overlay garden.json tiles.obj -o tiles.obj").fails(2, "this is the input itself", "another name");
-    folder.dcel("overlay garden.json tiles.obj -o both").fails(2, "the name does not tell", ".svg");
+    folder.dcel("overlay garden.json tiles.obj -o both").fails(2, "the file name does not say", ".svg");
 }
 
 /// `defects/h1.json`

@@ -12,6 +12,7 @@ mod manners;
 mod memory;
 mod mend;
 mod navmesh;
+mod old_words;
 mod reading;
 mod samples;
 mod script;

@@ -117,7 +117,7 @@ fn plus_is_mended_with_a_report() {
     assert_eq!((&info["valid"], &info["faces"], &info["mended"]), (&json!(true), &json!(6), &mended));
     let text = folder.dcel("info plus.json --split-crossings").fine();
     assert!(
-        text.contains("  mended          2 polygons; 4 faces covered once\n  overlaps        1 face, area 4\n"),
+        text.contains("  mended            2 polygons; 4 faces covered once\n  overlaps          1 face, area 4\n"),
         "{text}"
     );
 

@@ -30,18 +30,24 @@ fn info_counts_in_the_plane() {
     assert_eq!((&info["format"], &info["faces_by_sides"]), (&json!("obj"), &json!({"3": 98})));
     assert_eq!(info["degrees"], json!({"min": 2, "mean": 322.0 / 64.0, "max": 6}));
     assert_eq!(info["bounding_box"], json!({"min": [0.0, 0.0], "max": [7.0, 7.0]}));
-    assert_eq!((&info["rings"], &info["hole_faces"], &info["genus"]), (&json!(1), &json!(0), &json!(0)));
+    assert_eq!((&info["inner_components"], &info["hole_faces"], &info["genus"]), (&json!(1), &json!(0), &json!(0)));
 
     // f0, Garden, Shed, and the hole as a face; cycles: f0 has two, Garden two, the hole and Shed one each.
     let info = folder.dcel("info garden.json --json").json();
     assert_eq!(counts(&info), [4 + 4 + 3, 4 + 4 + 3, 4, 3, 3, 4]);
-    assert_eq!((&info["hole_faces"], &info["rings"], &info["rings_of_outer_face"]), (&json!(1), &json!(3), &json!(2)));
+    assert_eq!(
+        (&info["hole_faces"], &info["inner_components"], &info["inner_components_of_outer_face"]),
+        (&json!(1), &json!(3), &json!(2))
+    );
     assert_eq!((&info["names"], &info["named_faces"], &info["cycles"]), (&json!(2), &json!(2), &json!(6)));
     assert_eq!(info["faces_by_sides"], json!({"3": 1, "8": 1}), "the domain only");
 
     let info = folder.dcel("info triangle.dcel --json").json();
     assert_eq!(counts(&info), [4, 3, 2, 2, 1, 3]);
-    assert_eq!((&info["isolated_vertices"], &info["rings"], &info["valid"]), (&json!(1), &json!(2), &json!(true)));
+    assert_eq!(
+        (&info["isolated_vertices"], &info["inner_components"], &info["valid"]),
+        (&json!(1), &json!(2), &json!(true))
+    );
 }
 
 #[test]
@@ -74,7 +80,7 @@ fn info_on_a_broken_table_says_so() {
     // The structure is right and the geometry is wrong: v3 lies outside.
     folder.write("outside.dcel", &TRIANGLE.replace("v3 2 1", "v3 9 9"));
     assert_eq!(folder.dcel("info outside.dcel --json").json()["valid"], json!(false));
-    // No positions: the laws of the structure are all there is.
+    // No positions: the invariants of the structure are all there is.
     folder.write("bare.dcel", &TRIANGLE.replace("v3 2 1", "v3"));
     assert_eq!(folder.dcel("info bare.dcel --json").json()["valid"], json!(true));
     assert_eq!(folder.dcel("info triangle.dcel --json").json()["valid"], json!(true));
@@ -84,15 +90,15 @@ fn info_on_a_broken_table_says_so() {
 fn info_as_text() {
     let folder = Folder::new();
     let text = folder.dcel("info garden.json").fine();
-    let (counts, memory) = text.rsplit_once("  memory          ").expect("a line about memory");
+    let (counts, memory) = text.rsplit_once("  memory            ").expect("a line about memory");
     assert!(memory.ends_with(" a half-edge\n") && memory.contains(" bytes, "), "{memory}");
     assert_eq!(
         counts,
-        "garden.json: plane, geojson, valid\n  vertices        11\n  edges           11 (22 half-edges)\n  \
-         faces           4 (with the outer face, 1 of them a hole)\n  components      3\n  \
-         euler           V - E + F = 4\n  boundary cycles 3\n  rings           2 of the outer face, 1 other\n  \
-         isolated        0 vertices\n  sides of faces  3 to 8, mean 5.50 (1 x 3, 1 x 8)\n  \
-         degrees         2 to 2, mean 2.00\n  bounding box    (0, 0) to (22, 10)\n  names           2 on 2 faces\n"
+        "garden.json: plane, geojson, valid\n  vertices          11\n  edges             11 (22 half-edges)\n  \
+         faces             4 (with the outer face, 1 of them a hole)\n  components        3\n  \
+         euler             V - E + F = 4\n  boundary cycles   3\n  inner components  2 of the outer face, 1 other\n  \
+         isolated          0 vertices\n  sides of faces    3 to 8, mean 5.50 (1 x 3, 1 x 8)\n  \
+         degrees           2 to 2, mean 2.00\n  bounding box      (0, 0) to (22, 10)\n  names             2 on 2 faces\n"
     );
 }
 
@@ -102,7 +108,7 @@ fn validate_names_every_violation() {
     assert_eq!(folder.dcel("validate triangle.dcel").fine(), "triangle.dcel: valid\n");
     assert_eq!(folder.dcel("validate square.obj").fine(), "square.obj: valid\n");
     assert_eq!(folder.dcel("validate cube.off").fine(), "cube.off: valid\n");
-    folder.write("broken.dcel", &TRIANGLE.replace("h1 origin v1", "h1 origin v0").replace("rings v3 ", ""));
+    folder.write("broken.dcel", &TRIANGLE.replace("h1 origin v1", "h1 origin v0").replace("inner v3 ", ""));
     let told = folder.dcel("validate broken.dcel");
     let rules: Vec<&str> = told.out.lines().map(|line| line.split(':').next().unwrap_or("")).collect();
     assert_eq!((told.code, rules), (Some(1), vec!["D1", "D1", "I3"]), "{}", told.out);
@@ -134,7 +140,9 @@ fn validate_checks_the_whole_plane() {
     let told = folder.dcel("validate turned.dcel");
     assert_eq!(told.code, Some(1), "{told:?}");
     assert!(told.out.contains("G5: the boundary of f1, from h0 on"), "{}", told.out);
-    assert!(told.out.contains("G6: the cycle of h1 surrounds a bounded region, so it cannot be a ring of f7"));
+    assert!(
+        told.out.contains("G6: the cycle of h1 surrounds a bounded region, so it cannot be an inner component of f7")
+    );
 }
 
 #[test]
@@ -153,21 +161,21 @@ fn validate_tells_misfits_from_unreadable_files() {
     folder.write("bare.dcel", &TRIANGLE.replace("v3 2 1", "v3"));
     let told = folder.dcel("validate bare.dcel");
     assert_eq!((told.code, told.out.as_str()), (Some(0), "bare.dcel: valid\n"));
-    assert!(told.err.contains("not checked: the laws of the plane: v3 has no position"), "{}", told.err);
+    assert!(told.err.contains("not checked: the invariants of the plane: v3 has no position"), "{}", told.err);
 }
 
 #[test]
 fn the_table_of_laws_is_complete() {
     let folder = Folder::new();
     let text = folder.dcel("validate --rules").fine();
-    let laws = dcel_kit::topology::Rule::all().iter().chain(dcel_kit::plane::GEOMETRY_RULES);
-    let ids: Vec<&str> = laws.map(|rule| rule.id).collect();
+    let invariants = dcel_kit::topology::Rule::all().iter().chain(dcel_kit::plane::GEOMETRY_RULES);
+    let ids: Vec<&str> = invariants.map(|rule| rule.id).collect();
     let printed: Vec<&str> =
         text.lines().filter(|l| !l.starts_with(' ')).filter_map(|l| l.split_whitespace().next()).collect();
     assert_eq!(printed, ids);
     assert_eq!(ids.len(), 29);
     let table = folder.dcel("validate --rules --json").json();
-    assert_eq!((&table[5]["rule"], &table[5]["law"]), (&json!("N2"), &json!("h.next.prev = h")));
+    assert_eq!((&table[5]["rule"], &table[5]["invariant"]), (&json!("N2"), &json!("h.next.prev = h")));
 }
 
 #[test]
@@ -183,7 +191,7 @@ fn walks_round_faces() {
     let walk = folder.dcel("walk garden.json --face-name garden --json").json();
     assert_eq!((&walk["faces"][0]["face"], &walk["faces"][0]["name"]), (&json!("f1"), &json!("Garden")));
     let cycles = walk["faces"][0]["cycles"].as_array().expect("cycles");
-    let shape: Vec<_> = cycles.iter().map(|c| (&c["ring"], c["half_edges"].as_array().map_or(0, Vec::len))).collect();
+    let shape: Vec<_> = cycles.iter().map(|c| (&c["inner"], c["half_edges"].as_array().map_or(0, Vec::len))).collect();
     assert_eq!(shape, [(&json!(false), 4), (&json!(true), 4)]);
     let corners: Vec<_> = cycles[1]["half_edges"].as_array().unwrap().iter().map(|h| h["position"].clone()).collect();
     let from = corners.iter().position(|p| *p == json!([2.0, 2.0])).expect("a corner of the hole");
@@ -194,7 +202,9 @@ fn walks_round_faces() {
     assert!(hole.starts_with("f3, a hole: 4 half-edges, 1 cycle\nadjacent faces (1): f1 \"Garden\"\n"), "{hole}");
     let outer = folder.dcel("walk garden.json --face f0").fine();
     assert!(outer.starts_with("f0, the outer face: 7 half-edges, 2 cycles\n"), "{outer}");
-    assert!(outer.contains("adjacent names (2): Garden, Shed\n") && outer.matches("\nring of f0\n").count() == 2);
+    assert!(
+        outer.contains("adjacent names (2): Garden, Shed\n") && outer.matches("\ninner component of f0\n").count() == 2
+    );
     assert!(folder.dcel("walk triangle.dcel --face f1").fine().ends_with("\nisolated in f1\n  v3 (2, 1)\n"));
 }
 
@@ -291,7 +301,11 @@ fn convert_goes_there_and_back() {
 #[test]
 fn convert_tells_losses_and_refuses_what_cannot_be_held() {
     let folder = Folder::new();
-    folder.dcel("convert garden.json x.off").fails(2, "x.off: f1 has rings, which off cannot hold", "dcel holds");
+    folder.dcel("convert garden.json x.off").fails(
+        2,
+        "x.off: f1 has inner components, which off cannot hold",
+        "dcel holds",
+    );
     assert!(!folder.path("x.off").exists(), "a refused file was made");
     folder.write("shed.json", &GARDEN.replace(", [[2,2],[4,2],[4,4],[2,4],[2,2]]", ""));
     let told = folder.dcel("convert shed.json shed.off");
@@ -299,7 +313,7 @@ fn convert_tells_losses_and_refuses_what_cannot_be_held() {
     assert!(folder.dcel("convert garden.json g.geojson").err.contains("1 hole face is not written"));
     assert_eq!(folder.dcel("convert garden.json g.dcel").err, "");
     folder.dcel("convert cube.off cube.geojson").fails(2, "a surface in space", "try obj, off or ply");
-    folder.dcel("convert square.obj x.svg").fails(2, "x.svg: the name does not tell", "--to: obj, off");
+    folder.dcel("convert square.obj x.svg").fails(2, "x.svg: the file name does not say", "--to: obj, off");
     folder.dcel("convert square.obj x.topojson").fails(2, "topojson is read, not written", "geojson");
     folder.dcel("convert square.obj -").fails(2, "<stdout>: the format to write is not known", "--to");
     folder.dcel("convert square.obj - --to triangle").fails(2, "two files", "path");
@@ -314,7 +328,7 @@ fn convert_tells_losses_and_refuses_what_cannot_be_held() {
 fn compact_closes_the_gaps() {
     let folder = Folder::new();
     // Faces f0 and f3, half-edges from h4 on, vertices from v2 on.
-    let mut spread = TRIANGLE.replace("f1", "f3").replace("v3 2 1 out none\n", "").replace(" rings v3", " rings none");
+    let mut spread = TRIANGLE.replace("f1", "f3").replace("v3 2 1 out none\n", "").replace(" inner v3", " inner none");
     for i in (0..6).rev() {
         spread = spread.replace(&format!("h{i} "), &format!("h{} ", i + 4));
         spread = spread.replace(&format!("h{i}\n"), &format!("h{}\n", i + 4));
@@ -377,7 +391,7 @@ fn figures_that_cannot_be_drawn() {
     folder.dcel("figure cube.off").fails(2, "a surface in space", "--plane");
     folder.dcel("figure square.obj --width 20").fails(2, "100 to 20000", "");
     folder.dcel("figure square.obj -o nowhere/two.svg").fails(3, "nowhere/two.svg: cannot be written", "directory");
-    folder.write("bare.dcel", "dcel 1\nv0 out none\nf0 outer boundary none rings v0\n");
+    folder.write("bare.dcel", "dcel 1\nv0 out none\nf0 outer half_edge none inner v0\n");
     folder.dcel("figure bare.dcel").fails(2, "the only vertex has no position", "");
 }
 

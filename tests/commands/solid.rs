@@ -184,7 +184,7 @@ fn stl_goes_out_as_text_and_as_binary() {
     assert!(folder.dcel("convert t.stl again.stl --to stl-binary").code == Some(0));
     assert_eq!(std::fs::read(folder.path("again.stl")).unwrap(), std::fs::read(folder.path("b.stl")).unwrap());
     folder.dcel("solid make cube --to stl-binary").fails(2, "", "--output");
-    folder.dcel("solid make cube -o c.solid").fails(2, "c.solid: the name does not tell", "--to");
+    folder.dcel("solid make cube -o c.solid").fails(2, "c.solid: the file name does not say", "--to");
 }
 
 #[test]

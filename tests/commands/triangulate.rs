@@ -66,7 +66,7 @@ fn wrong_faces_inputs_and_targets_are_refused() {
     folder.dcel("triangulate square.obj --face f9").fails(2, "square.obj: there is no f9: there are 3 faces", "f9");
     folder.dcel("triangulate cube.off").fails(2, "a surface in space", "--plane");
     folder.dcel("triangulate square.obj -o square.obj").fails(2, "this is the input itself", "another name");
-    folder.dcel("triangulate square.obj -o out").fails(2, "the name does not tell the format", ".dcel");
+    folder.dcel("triangulate square.obj -o out").fails(2, "the file name does not say which format", ".dcel");
     folder.dcel("triangulate square.obj --figure no/where.svg").fails(3, "cannot be written", "directory first");
     folder.dcel("triangulate square.obj --json -o x.dcel").fails(2, "cannot be used with", "");
     folder.dcel("triangulate missing.obj").fails(2, "missing.obj: cannot be read", "check the name");

@@ -1,13 +1,13 @@
-//! A second opinion on the laws and on equality, slow and written differently from the kit: by sets of half-edges
+//! A second opinion on the invariants and on equality, slow and written differently from the kit: by sets of half-edges
 //! instead of walks with marks, and by trying every root.
 
-use dcel_kit::topology::{Ring, Table, View};
+use dcel_kit::topology::{InnerComponent, Table, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::collections::{BTreeMap, BTreeSet};
 
 type Half = HalfEdgeId;
 
-/// Whether a table obeys every law.
+/// Whether a table obeys every invariant.
 pub fn legal(table: &Table) -> bool {
     check(table).is_some()
 }
@@ -21,9 +21,9 @@ fn orbit(start: Half, step: impl Fn(Half) -> Half) -> BTreeSet<Half> {
     all
 }
 
-/// `None` at the first broken law.
+/// `None` at the first broken invariant.
 fn check(table: &Table) -> Option<()> {
-    let holds = |law: bool| law.then_some(());
+    let holds = |invariant: bool| invariant.then_some(());
     let halves: BTreeSet<Half> = ids(&table.half_edges).map(HalfEdgeId::new).collect();
     let vertices: BTreeSet<VertexId> = ids(&table.vertices).map(VertexId::new).collect();
     let faces: BTreeSet<FaceId> = ids(&table.faces).map(FaceId::new).collect();
@@ -60,14 +60,14 @@ fn check(table: &Table) -> Option<()> {
     let mut placed = BTreeSet::new();
     for &x in &faces {
         let here: BTreeSet<Half> = halves.iter().copied().filter(|a| face[a] == x).collect();
-        let mut listed: Vec<Half> = table.boundary(x).into_iter().collect();
-        for ring in table.rings(x) {
+        let mut listed: Vec<Half> = table.half_edge(x).into_iter().collect();
+        for ring in table.inner_components(x) {
             match *ring {
-                Ring::Cycle(a) => listed.push(a),
-                Ring::Isolated(y) => holds(lonely.contains(&y) && placed.insert(y))?,
+                InnerComponent::Cycle(a) => listed.push(a),
+                InnerComponent::Isolated(y) => holds(lonely.contains(&y) && placed.insert(y))?,
             }
         }
-        holds(table.boundary(x).is_some() || (outer == Some(x) && listed.is_empty()))?;
+        holds(table.half_edge(x).is_some() || (outer == Some(x) && listed.is_empty()))?;
         let mut covered = BTreeSet::new();
         for a in listed {
             holds(here.contains(&a) && !covered.contains(&a))?;
@@ -104,11 +104,11 @@ fn check(table: &Table) -> Option<()> {
     // Where each component lies, and the face seen outside it: follow these outwards to the outer face.
     let mut lies_in: BTreeMap<VertexId, FaceId> = BTreeMap::new();
     for &x in &faces {
-        let first = table.boundary(x).filter(|_| outer == Some(x)).map(Ring::Cycle);
-        for ring in first.iter().chain(table.rings(x)) {
+        let first = table.half_edge(x).filter(|_| outer == Some(x)).map(InnerComponent::Cycle);
+        for ring in first.iter().chain(table.inner_components(x)) {
             let part = match *ring {
-                Ring::Cycle(a) => part_of[&origin[&a]],
-                Ring::Isolated(y) => y,
+                InnerComponent::Cycle(a) => part_of[&origin[&a]],
+                InnerComponent::Isolated(y) => y,
             };
             holds(lies_in.insert(part, x).is_none())?;
         }
@@ -117,7 +117,7 @@ fn check(table: &Table) -> Option<()> {
         let mut at = *lies_in.get(part)?;
         let mut steps = 0;
         while Some(at) != outer {
-            at = *lies_in.get(&part_of[&origin[&table.boundary(at)?]])?;
+            at = *lies_in.get(&part_of[&origin[&table.half_edge(at)?]])?;
             steps += 1;
             holds(steps <= faces.len())?;
         }

@@ -1,4 +1,4 @@
-//! What the tests of the kernel share: tables to start from, a second opinion on the laws, a naive model of the
+//! What the tests of the kernel share: tables to start from, a second opinion on the invariants, a naive model of the
 //! edits, random numbers, and scripts that can be printed and replayed.
 
 #![allow(dead_code, unreachable_pub)] // every test file is a crate of its own and uses its own part of this
@@ -8,7 +8,7 @@ pub mod brute;
 pub mod model;
 pub mod script;
 
-use dcel_kit::topology::{Dcel, FaceRow, HalfEdgeRow, Ring, Table, VertexRow};
+use dcel_kit::topology::{Dcel, FaceRow, HalfEdgeRow, InnerComponent, Table, VertexRow};
 use dcel_kit::{FaceId, HalfEdgeId, Id, VertexId};
 use std::collections::BTreeMap;
 
@@ -69,7 +69,7 @@ pub fn planar(vertices: usize, faces: &[Vec<u32>]) -> Table {
                 face: Some(face),
             }));
         }
-        table.faces.push(Some(FaceRow { boundary: Some(h(start)), ..FaceRow::default() }));
+        table.faces.push(Some(FaceRow { half_edge: Some(h(start)), ..FaceRow::default() }));
     }
     let inner = by_ends.clone();
     for (&(from, to), &half) in &inner {
@@ -98,20 +98,20 @@ pub fn planar(vertices: usize, faces: &[Vec<u32>]) -> Table {
     for &start in outer.values() {
         let mut at = start;
         if !seen[at.index()] {
-            rings.push(Ring::Cycle(start));
+            rings.push(InnerComponent::Cycle(start));
         }
         while !std::mem::replace(&mut seen[at.index()], true) {
             at = table.half_edges[at.index()].unwrap().next.unwrap();
         }
     }
     let isolated = (0..vertices as u32).filter(|&i| table.vertices[i as usize].unwrap().outgoing.is_none());
-    let isolated: Vec<Ring> = isolated.map(|i| Ring::Isolated(v(i))).collect();
+    let isolated: Vec<InnerComponent> = isolated.map(|i| InnerComponent::Isolated(v(i))).collect();
     let face = table.faces[0].as_mut().unwrap();
-    if let Some(Ring::Cycle(first)) = rings.first().copied() {
-        face.boundary = Some(first);
+    if let Some(InnerComponent::Cycle(first)) = rings.first().copied() {
+        face.half_edge = Some(first);
         rings.remove(0);
     }
-    face.rings = rings.into_iter().chain(isolated).collect();
+    face.inner_components = rings.into_iter().chain(isolated).collect();
     table
 }
 
@@ -156,13 +156,13 @@ pub fn renumbered(table: &Table, random: &mut Random) -> Table {
     }
     for (i, row) in table.faces.iter().enumerate() {
         out.faces[fs[i] as usize] = row.as_ref().map(|row| FaceRow {
-            boundary: row.boundary.map(to_h),
-            rings: row
-                .rings
+            half_edge: row.half_edge.map(to_h),
+            inner_components: row
+                .inner_components
                 .iter()
                 .map(|ring| match *ring {
-                    Ring::Cycle(a) => Ring::Cycle(to_h(a)),
-                    Ring::Isolated(a) => Ring::Isolated(to_v(a)),
+                    InnerComponent::Cycle(a) => InnerComponent::Cycle(to_h(a)),
+                    InnerComponent::Isolated(a) => InnerComponent::Isolated(to_v(a)),
                 })
                 .collect(),
             ..row.clone()
@@ -198,10 +198,16 @@ pub fn garbage(random: &mut Random) -> Table {
         table.half_edges.push(present(random).then_some(row));
     }
     for _ in 0..fs {
-        let rings = (0..random.below(4))
-            .filter_map(|i| if i == 0 { id(random, vs).map(Ring::Isolated) } else { id(random, hs).map(Ring::Cycle) });
+        let rings = (0..random.below(4)).filter_map(|i| {
+            if i == 0 {
+                id(random, vs).map(InnerComponent::Isolated)
+            } else {
+                id(random, hs).map(InnerComponent::Cycle)
+            }
+        });
         let rings = rings.collect();
-        let row = FaceRow { boundary: id(random, hs), rings, hole: random.below(4) == 0, name: None };
+        let row =
+            FaceRow { half_edge: id(random, hs), inner_components: rings, hole: random.below(4) == 0, name: None };
         table.faces.push(present(random).then_some(row));
     }
     table.outer_face = if random.below(2) == 0 { id(random, fs) } else { None };
@@ -239,7 +245,7 @@ pub fn zoo() -> Vec<(&'static str, Dcel)> {
             }),
         ),
         (
-            "a triangle with an antenna",
+            "a triangle with a dangling edge",
             edited(polygon(4), |d| {
                 d.split_face(h(0), h(4)).unwrap();
                 d.join_faces(h(4)).unwrap();

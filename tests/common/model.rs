@@ -138,8 +138,8 @@ impl Model {
                 assert_eq!(dcel.next(super::h(a)).number(), b, "h{a}.next, {context}");
                 assert_eq!(dcel.prev(super::h(b)).number(), a, "h{b}.prev, {context}");
             }
-            let boundary = dcel.boundary(super::f(face)).expect("a boundary").number();
-            assert!(list.contains(&boundary), "f{face}.boundary = h{boundary}, {context}");
+            let boundary = dcel.half_edge(super::f(face)).expect("a boundary").number();
+            assert!(list.contains(&boundary), "f{face}.half_edge = h{boundary}, {context}");
         }
         for x in dcel.vertices() {
             let a = dcel.outgoing(x).expect("an outgoing half-edge");

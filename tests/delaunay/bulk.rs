@@ -73,7 +73,7 @@ fn few_points_points_on_a_line_and_points_on_a_circle() {
     assert_eq!((one.subdivision.vertex_count(), one.subdivision.edge_count()), (1, 0));
     assert_eq!(one.repeated, [(1, 0), (2, 0)]);
     assert_eq!(dcel_kit::topology::violations(&one.subdivision), []);
-    assert_eq!(one.subdivision.rings(one.subdivision.outer_face()).len(), 1);
+    assert_eq!(one.subdivision.inner_components(one.subdivision.outer_face()).len(), 1);
 
     // A path in the order of the line, whatever the order of the points.
     let line: Vec<Point> = [3, 0, 2, 4, 1].map(|x| Point::new(f64::from(x), 0.5 * f64::from(x))).to_vec();

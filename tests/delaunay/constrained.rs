@@ -114,7 +114,7 @@ fn area(s: &Subdivision, face: FaceId) -> f64 {
 
 #[test]
 fn triangles_know_the_face_they_lie_in() {
-    // A square with a square hole that has an island, a hole face, a lone point, an antenna, and a second component.
+    // A square with a square hole that has an island, a hole face, a lone point, a dangling edge, and a second component.
     let points = [
         (0., 0.),
         (12., 0.),
@@ -128,7 +128,7 @@ fn triangles_know_the_face_they_lie_in() {
         (6., 4.),
         (5., 7.), // island in it
         (1., 11.),
-        (11., 11.), // antenna from a corner
+        (11., 11.), // dangling edge from a corner
         (20., 1.),
         (25., 3.),
         (20., 7.),

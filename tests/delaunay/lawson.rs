@@ -4,7 +4,7 @@ use crate::common::{Random, f, v};
 use crate::families::{FAMILIES, check, edges, is_general, points};
 use dcel_kit::HalfEdgeId;
 use dcel_kit::plane::{FlipEdgeError, Point, Subdivision};
-use dcel_kit::topology::{self, Journal, PolygonList, Ring};
+use dcel_kit::topology::{self, InnerComponent, Journal, PolygonList};
 
 /// Flips whatever can be flipped, at random.
 fn mix(s: &mut Subdivision, random: &mut Random) -> usize {
@@ -83,7 +83,7 @@ fn every_refusal_of_a_flip_has_its_name() {
     // A vertex alone in one of the triangles.
     let mut ringed = halves.clone();
     let added = ringed.insert_vertex(square[4]).unwrap();
-    assert!(ringed.rings(f(2)).iter().any(|ring| matches!(ring, Ring::Isolated(_))), "{added:?}");
+    assert!(ringed.inner_components(f(2)).iter().any(|ring| matches!(ring, InnerComponent::Isolated(_))), "{added:?}");
     assert_eq!(refused(&ringed, diagonal), FlipEdgeError::NotTriangle { h: diagonal, face: f(2) });
     // Flips leave such triangles alone, even if the edge is not Delaunay without what lies in them.
     let kite = [(0., 0.), (3., -1.), (6., 0.), (3., 1.)].map(Point::from).to_vec();
@@ -108,7 +108,7 @@ fn every_refusal_of_a_flip_has_its_name() {
         assert_eq!(refused(&arrow, h), FlipEdgeError::NotConvex { h, vertex: v(2) });
         assert_eq!(refused(&arrow, h.twin()), FlipEdgeError::NotConvex { h: h.twin(), vertex: v(2) });
     }
-    // An antenna in the outer face has the same face on both sides.
+    // A dangling edge in the outer face has the same face on both sides.
     let lone = Subdivision::from_segments(&[[Point::new(0., 0.), Point::new(1., 0.)]]).unwrap();
     let h = HalfEdgeId::new(0);
     assert_eq!(refused(&lone, h), topology::FlipEdgeError::SameFace { h, face: f(0) }.into());

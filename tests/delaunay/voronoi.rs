@@ -3,7 +3,7 @@
 use crate::common::{Random, f, v};
 use crate::families::{FAMILIES, circle, points, unit};
 use dcel_kit::plane::{CoordinateError, Point, Subdivision, VoronoiCells, VoronoiError, Window};
-use dcel_kit::topology::Ring;
+use dcel_kit::topology::InnerComponent;
 use dcel_kit::{FaceId, VertexId};
 
 fn delaunay(points: &[Point]) -> Subdivision {
@@ -22,7 +22,7 @@ fn holds(s: &Subdivision, face: FaceId, p: Point) -> bool {
     ends.filter(crosses).count() % 2 == 1
 }
 
-/// The laws of the structure, and one cell for each site, which holds it and no other.
+/// The invariants of the structure, and one cell for each site, which holds it and no other.
 #[track_caller]
 fn check_cells(sites: &Subdivision, cells: &VoronoiCells, context: &str) {
     let s = &cells.subdivision;
@@ -212,7 +212,7 @@ fn every_refusal_has_its_name() {
     let mut lonely = good.clone();
     let added = lonely.insert_vertex(Point::new(9.0, 9.0)).unwrap();
     assert_eq!(lonely.voronoi(), Err(VoronoiError::NotConvex { vertex: v(5) }), "{added:?}");
-    assert!(matches!(lonely.rings(f(0))[0], Ring::Isolated(_)));
+    assert!(matches!(lonely.inner_components(f(0))[0], InnerComponent::Isolated(_)));
 
     let outside = Window { low: Point::new(-1.0, -1.0), high: Point::new(4.0, 5.0) };
     assert_eq!(voronoi.cells(outside), Err(VoronoiError::SiteOutside { site: v(1), point: places[1] }));

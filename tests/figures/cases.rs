@@ -4,7 +4,7 @@
 //! before its twin. A cycle with positive area bounds a face; every other one is a ring of the smallest face
 //! round it, or of f0.
 
-use dcel_kit::topology::{FaceRow, HalfEdgeRow, Ring, Table, VertexRow};
+use dcel_kit::topology::{FaceRow, HalfEdgeRow, InnerComponent, Table, VertexRow};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 
 pub(crate) type P = [f64; 2];
@@ -59,7 +59,7 @@ pub(crate) fn plane(points: &[P], segments: &[(usize, usize)]) -> Table {
     let mut face_of_cycle = vec![0; cycles.len()];
     for &c in &bounded {
         face_of_cycle[c] = faces.len();
-        faces.push(FaceRow { boundary: Some(h(cycles[c][0])), ..FaceRow::default() });
+        faces.push(FaceRow { half_edge: Some(h(cycles[c][0])), ..FaceRow::default() });
     }
     let home = |p: P, own: &[usize], face_of_cycle: &[usize]| {
         let candidates = bounded.iter().copied().filter(|&c| {
@@ -79,16 +79,16 @@ pub(crate) fn plane(points: &[P], segments: &[(usize, usize)]) -> Table {
         let face = home(leftmost.unwrap(), &cycles[c], &face_of_cycle);
         face_of_cycle[c] = face;
         let first = h(cycles[c][0]);
-        if face == 0 && faces[0].boundary.is_none() {
-            faces[0].boundary = Some(first);
+        if face == 0 && faces[0].half_edge.is_none() {
+            faces[0].half_edge = Some(first);
         } else {
-            faces[face].rings.push(Ring::Cycle(first));
+            faces[face].inner_components.push(InnerComponent::Cycle(first));
         }
     }
     for (v, round) in star.iter().enumerate() {
         if round.is_empty() {
             let face = home(points[v], &[], &face_of_cycle);
-            faces[face].rings.push(Ring::Isolated(VertexId::new(v as u32)));
+            faces[face].inner_components.push(InnerComponent::Isolated(VertexId::new(v as u32)));
         }
     }
     let row = |i: usize| HalfEdgeRow {
@@ -281,7 +281,7 @@ pub(crate) fn discs(points: &[P], faces: &[Vec<usize>]) -> Table {
             rows[n].prev = Some(h(i));
             rows[i].face = Some(FaceId::new(face_rows.len() as u32));
         }
-        face_rows.push(FaceRow { boundary: Some(h(cycle[0])), ..FaceRow::default() });
+        face_rows.push(FaceRow { half_edge: Some(h(cycle[0])), ..FaceRow::default() });
     }
     let border: Vec<usize> = (0..rows.len()).filter(|&i| rows[i].face.is_none()).collect();
     let mut leaves = vec![None; points.len()];
@@ -294,7 +294,7 @@ pub(crate) fn discs(points: &[P], faces: &[Vec<usize>]) -> Table {
         rows[n].prev = Some(h(i));
         rows[i].face = Some(FaceId::new(0));
     }
-    face_rows[0].boundary = border.first().map(|&i| h(i));
+    face_rows[0].half_edge = border.first().map(|&i| h(i));
     let mut vertices: Vec<Option<VertexRow>> =
         points.iter().map(|&p| Some(VertexRow { position: Some(p), outgoing: None })).collect();
     for (i, row) in rows.iter().enumerate() {
@@ -319,7 +319,7 @@ pub(crate) fn all() -> Vec<(&'static str, Table)> {
         ("slivers", slivers()),
         ("hub-12", hub(12)),
         ("hub-200", hub(200)),
-        ("antenna", antenna()),
+        ("dangling edge", antenna()),
         ("close", close()),
         ("grid-4", grid(4, true)),
         ("grid-10", grid(10, true)),

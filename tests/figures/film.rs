@@ -56,7 +56,7 @@ fn target(table: &Table, slot: Slot) -> Option<Element> {
         Slot::Prev(h) => table.prev(h).map(Element::from),
         Slot::Face(h) => table.face(h).map(Element::from),
         Slot::Outgoing(v) => table.outgoing(v).map(Element::from),
-        Slot::Boundary(f) => table.boundary(f).map(Element::from),
+        Slot::HalfEdge(f) => table.half_edge(f).map(Element::from),
     }
 }
 
@@ -252,7 +252,7 @@ fn tables_follow_changes_of_rows_that_do_not_exist() {
     let write = |slot| Change::Write { slot, old: None, new: Some(HalfEdgeId::new(7).into()) };
     table.apply(&write(Slot::Next(HalfEdgeId::new(3))));
     table.apply(&write(Slot::Outgoing(VertexId::new(3))));
-    table.apply(&write(Slot::Boundary(FaceId::new(3))));
+    table.apply(&write(Slot::HalfEdge(FaceId::new(3))));
     table.apply(&Change::Removed { element: VertexId::new(1).into() });
     assert_eq!((table.half_edge_bound(), table.vertex_bound(), table.face_bound()), (0, 2, 0));
 }

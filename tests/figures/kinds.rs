@@ -4,7 +4,7 @@ use crate::cases;
 use crate::cases::{P, h};
 use crate::drawn;
 use dcel_kit::figure::{FigureError, FigureOptions, Pointers, focus, pointers, records, tables};
-use dcel_kit::topology::{Ring, Table, View};
+use dcel_kit::topology::{InnerComponent, Table, View};
 use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
 use roxmltree::{Document, Node};
 use std::collections::{BTreeMap, BTreeSet};
@@ -48,14 +48,14 @@ fn expected(table: &Table) -> [Vec<Vec<String>>; 3] {
     });
     let faces = (0..table.faces.len()).map(|i| {
         let f = FaceId::new(i as u32);
-        let ring = |ring: &Ring| match ring {
-            Ring::Cycle(h) => h.to_string(),
-            Ring::Isolated(v) => v.to_string(),
+        let ring = |ring: &InnerComponent| match ring {
+            InnerComponent::Cycle(h) => h.to_string(),
+            InnerComponent::Isolated(v) => v.to_string(),
         };
-        let rings: Vec<String> = table.rings(f).iter().map(ring).collect();
+        let rings: Vec<String> = table.inner_components(f).iter().map(ring).collect();
         vec![
             f.to_string(),
-            word(table.boundary(f)),
+            word(table.half_edge(f)),
             if rings.is_empty() { word(None::<FaceId>) } else { rings.join(" ") },
         ]
     });
@@ -65,7 +65,7 @@ fn expected(table: &Table) -> [Vec<Vec<String>>; 3] {
 const TABLES: [(&str, &[&str]); 3] = [
     ("half-edges", &["origin", "twin", "next", "prev", "face"]),
     ("vertices", &["x", "y", "outgoing"]),
-    ("faces", &["boundary", "rings"]),
+    ("faces", &["half-edge", "inner components"]),
 ];
 
 #[test]
@@ -175,6 +175,7 @@ fn every_reference_of_the_records_leaves_its_field_and_reaches_its_record() {
         let class = match field.split('.').nth(1).unwrap() {
             "vertices" | "half_edges" | "faces" => "owns",
             "prev" => "next",
+            "half_edge" => "boundary",
             "face" => "face-of",
             name => name,
         };

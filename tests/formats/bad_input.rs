@@ -254,7 +254,7 @@ fn cases() -> Vec<(Format, Vec<u8>, &'static str, &'static str)> {
     add(Dcel, "dcel 1\nh0\n# c\nh1\nh0 next h1\n", "file:5:1: ", "h0 was given before, in line 2");
     add(Dcel, "dcel 1\nf0 outer\nf1 outer\n", "file:3:4: ", "the outer face (f0) was given before, in line 2");
     add(Dcel, "dcel 1\nf0 rings f1\n", "file:2:10: ", "expected a half-edge or a vertex");
-    add(Dcel, "dcel 1\nf0 rings h1 f1\n", "file:2:13: ", "unknown word `f1`");
+    add(Dcel, "dcel 1\nf0 inner h1 f1\n", "file:2:13: ", "unknown word `f1`");
     add(Dcel, "dcel 1\nf0 name Ohio\n", "file:2:9: ", "expected a text in quotes, found `Ohio`");
     add(Dcel, "dcel 1\nf0 name \"Ohio\n", "file:2:9: ", "close the text with a quote");
     add(Dcel, "dcel 1\nf0 name \"a\\x\"\n", "file:2:9: ", "expected a text in quotes");
@@ -554,7 +554,7 @@ fn a_last_line_without_its_end_is_told() {
         ),
         (Format::Segments, "0 0 4 0\n4 0 4 31\n"),
         (Format::Poly, "2 2 0 0\n1 0 0\n2 4 0\n1 0\n1 1 2\n0\n"),
-        (Format::Dcel, "dcel 1\nv0 0 10 out none\nf0 outer boundary none rings v0\n"),
+        (Format::Dcel, "dcel 1\nv0 0 10 out none\nf0 outer half_edge none inner v0\n"),
     ];
     for (format, text) in whole {
         let notes =

@@ -2,7 +2,7 @@
 
 use crate::support::{Face, grid, island, structure, table};
 use dcel_kit::io::{Format, Model, WriteError, write, write_path, write_triangle};
-use dcel_kit::topology::{Ring, Table};
+use dcel_kit::topology::{InnerComponent, Table};
 use dcel_kit::{FaceId, VertexId};
 
 fn text(model: &Model<'_>, format: Format) -> String {
@@ -24,7 +24,7 @@ fn triangle() -> Table {
         structure(&[[0.0, -0.0], [0.1, 1e-7], [1e21, 123456789.125], [2.5, 1.0]], &[Face::new(&[&[0, 1, 2]])]);
     let face = table.faces[1].as_mut().unwrap();
     face.name = Some("Ohio \"1\"\t".to_owned());
-    face.rings.push(Ring::Isolated(VertexId::new(3)));
+    face.inner_components.push(InnerComponent::Isolated(VertexId::new(3)));
     table
 }
 
@@ -35,7 +35,7 @@ fn the_text_is_as_documented() {
         h0 origin v0 twin h1 next h2 prev h4 face f1\nh1 origin v1 twin h0 next h5 prev h3 face f0\n\
         h2 origin v1 twin h3 next h4 prev h0 face f1\nh3 origin v2 twin h2 next h1 prev h5 face f0\n\
         h4 origin v2 twin h5 next h0 prev h2 face f1\nh5 origin v0 twin h4 next h3 prev h1 face f0\n\
-        f0 outer boundary h1 rings none\nf1 boundary h0 rings v3 name \"Ohio \\\"1\\\"\\t\"\n";
+        f0 outer half_edge h1 inner none\nf1 half_edge h0 inner v3 name \"Ohio \\\"1\\\"\\t\"\n";
     assert_eq!(text(&Model::table(&triangle()), Format::Dcel), expected);
 }
 
@@ -113,7 +113,7 @@ fn broken_structures_are_refused_except_by_the_text() {
             |e| matches!(e, WriteError::BrokenCycle { half_edge, .. } if half_edge.number() == 2),
         ),
         (
-            edit("f1 boundary h0", "f1 boundary none"),
+            edit("f1 half_edge h0", "f1 half_edge none"),
             |e| matches!(e, WriteError::NoBoundary { face } if face.number() == 1),
         ),
         (edit("face f2", "face f1"), |e| matches!(e, WriteError::SameFaceTwice { face, .. } if face.number() == 1)),
@@ -129,7 +129,7 @@ fn broken_structures_are_refused_except_by_the_text() {
 fn edges_that_no_polygon_shows_are_not_lost_in_silence() {
     let antenna = table(
         b"dcel 1\nv0 0 0 out h0\nv1 1 0 out h1\nh0 origin v0 twin h1 next h1 prev h1 face f0\n\
-        h1 origin v1 twin h0 next h0 prev h0 face f0\nf0 outer boundary h0\n",
+        h1 origin v1 twin h0 next h0 prev h0 face f0\nf0 outer half_edge h0\n",
     );
     let error = refused(&antenna, Format::Obj).to_string();
     assert_eq!(error, "h0 belongs to no polygon and would be lost in obj; dcel holds everything");

@@ -4,7 +4,7 @@ use crate::support::{Random, grid, island, soup, table};
 use dcel_kit::io::{
     Document, Format, Model, ReadOptions, read_bytes, read_path, read_triangle, write, write_path, write_triangle,
 };
-use dcel_kit::topology::{FaceRow, HalfEdgeRow, Ring, Table, VertexRow, View, bounded_cycle};
+use dcel_kit::topology::{FaceRow, HalfEdgeRow, InnerComponent, Table, VertexRow, View, bounded_cycle};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 
 fn written(model: &Model<'_>, format: Format) -> Vec<u8> {
@@ -19,11 +19,11 @@ fn polygons(table: &Table) -> Vec<Vec<Vec<u32>>> {
     let faces = (1..table.faces.len() as u32).map(FaceId::new).filter(|&f| !table.is_hole(f));
     faces
         .map(|f| {
-            let rings = table.rings(f).iter().map(|ring| match ring {
-                Ring::Cycle(h) => *h,
-                Ring::Isolated(v) => panic!("{v}"),
+            let rings = table.inner_components(f).iter().map(|ring| match ring {
+                InnerComponent::Cycle(h) => *h,
+                InnerComponent::Isolated(v) => panic!("{v}"),
             });
-            table.boundary(f).into_iter().chain(rings).map(cycle).collect()
+            table.half_edge(f).into_iter().chain(rings).map(cycle).collect()
         })
         .collect()
 }
@@ -163,12 +163,12 @@ fn random_table(random: &mut Random) -> Table {
     }
     for _ in 0..random.below(6) {
         let ring = |random: &mut Random| match random.below(2) {
-            0 => Ring::Cycle(HalfEdgeId::new(random.below(40) as u32)),
-            _ => Ring::Isolated(VertexId::new(random.below(40) as u32)),
+            0 => InnerComponent::Cycle(HalfEdgeId::new(random.below(40) as u32)),
+            _ => InnerComponent::Isolated(VertexId::new(random.below(40) as u32)),
         };
         let row = FaceRow {
-            boundary: id(random, HalfEdgeId::new),
-            rings: (0..random.below(4)).map(|_| ring(random)).collect(),
+            half_edge: id(random, HalfEdgeId::new),
+            inner_components: (0..random.below(4)).map(|_| ring(random)).collect(),
             hole: random.below(3) == 0,
             name: (random.below(2) == 0).then(|| name(random)),
         };
@@ -243,8 +243,8 @@ fn same_table(a: &Table, b: &Table) -> bool {
 
 #[test]
 fn the_text_can_be_typed_in_any_order() {
-    let typed = b"\xef\xbb\xbf# by hand\r\ndcel 1\r\n\r\nf0 outer rings h1\r\nh0 next h1\tface f1 origin v0 # half\r\nv7 out h4\r\nv2\r\n\
-        f1 name \"a # b\" boundary h0 hole rings h9 v12\r\nv3 1e-3 -150\r\nh1 twin none prev h0";
+    let typed = b"\xef\xbb\xbf# by hand\r\ndcel 1\r\n\r\nf0 outer inner h1\r\nh0 next h1\tface f1 origin v0 # half\r\nv7 out h4\r\nv2\r\n\
+        f1 name \"a # b\" half_edge h0 hole inner h9 v12\r\nv3 1e-3 -150\r\nh1 twin none prev h0";
     let table = table(typed);
     let mut expected = Table {
         vertices: vec![None; 8],
@@ -263,10 +263,10 @@ fn the_text_can_be_typed_in_any_order() {
         ..HalfEdgeRow::default()
     });
     expected.half_edges[1] = Some(HalfEdgeRow { prev: h(0), ..HalfEdgeRow::default() });
-    expected.faces[0].as_mut().unwrap().rings = vec![Ring::Cycle(HalfEdgeId::new(1))];
+    expected.faces[0].as_mut().unwrap().inner_components = vec![InnerComponent::Cycle(HalfEdgeId::new(1))];
     expected.faces[1] = Some(FaceRow {
-        boundary: h(0),
-        rings: vec![Ring::Cycle(HalfEdgeId::new(9)), Ring::Isolated(VertexId::new(12))],
+        half_edge: h(0),
+        inner_components: vec![InnerComponent::Cycle(HalfEdgeId::new(9)), InnerComponent::Isolated(VertexId::new(12))],
         hole: true,
         name: Some("a # b".to_owned()),
     });

@@ -1,7 +1,7 @@
 //! Structures to write, random numbers, and short ways to read.
 
 use dcel_kit::io::{Document, Format, PolygonSoup, Read, ReadError, ReadOptions, read_bytes};
-use dcel_kit::topology::{FaceRow, HalfEdgeRow, Ring, Table, VertexRow};
+use dcel_kit::topology::{FaceRow, HalfEdgeRow, InnerComponent, Table, VertexRow};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeMap;
 
@@ -97,8 +97,13 @@ pub(crate) fn structure(points: &[[f64; 2]], faces: &[Face]) -> Table {
             link(&mut table, &ring, FaceId::new(i as u32 + 1));
             starts.push(ring[0]);
         }
-        let rings = starts[1..].iter().map(|&h| Ring::Cycle(h)).collect();
-        table.faces.push(Some(FaceRow { boundary: Some(starts[0]), rings, hole: face.hole, name: None }));
+        let rings = starts[1..].iter().map(|&h| InnerComponent::Cycle(h)).collect();
+        table.faces.push(Some(FaceRow {
+            half_edge: Some(starts[0]),
+            inner_components: rings,
+            hole: face.hole,
+            name: None,
+        }));
     }
     outer_cycles(&mut table);
     table
@@ -124,8 +129,8 @@ fn outer_cycles(table: &mut Table) {
         starts.push(ring[0]);
     }
     let outer = table.faces[0].as_mut().unwrap();
-    outer.boundary = starts.first().copied();
-    outer.rings = starts.iter().skip(1).map(|&h| Ring::Cycle(h)).collect();
+    outer.half_edge = starts.first().copied();
+    outer.inner_components = starts.iter().skip(1).map(|&h| InnerComponent::Cycle(h)).collect();
 }
 
 fn link(table: &mut Table, ring: &[HalfEdgeId], face: FaceId) {

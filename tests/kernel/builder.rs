@@ -26,7 +26,7 @@ impl From<Built> for Pointers {
         Self {
             half_edges: d.half_edges().map(half_edge).collect(),
             outgoing: d.vertices().map(|v| d.outgoing(v).map(HalfEdgeId::number)).collect(),
-            boundary: d.faces().map(|f| d.boundary(f).map(HalfEdgeId::number)).collect(),
+            boundary: d.faces().map(|f| d.half_edge(f).map(HalfEdgeId::number)).collect(),
             boundary_faces: built.boundary_faces.into_iter().map(FaceId::number).collect(),
         }
     }
@@ -273,7 +273,7 @@ fn numbers_are_as_documented() {
     assert_eq!(even, [(0, 1), (1, 2), (2, 0), (1, 3), (3, 2)]);
     let faces: Vec<_> = d.half_edges().map(|h| d.face(h).number()).collect();
     assert_eq!(faces, [0, 2, 0, 1, 0, 2, 1, 2, 1, 2]);
-    assert_eq!(d.boundary(FaceId::new(1)), Some(HalfEdgeId::new(3)), "from the first to the second corner");
+    assert_eq!(d.half_edge(FaceId::new(1)), Some(HalfEdgeId::new(3)), "from the first to the second corner");
     assert_eq!(built.boundary_faces, [FaceId::new(2)]);
     assert_eq!(d.outgoing(VertexId::new(4)), None, "isolated");
     assert!(d.vertices().take(4).all(|v| d.face(d.outgoing(v).unwrap()) == FaceId::new(2)), "on the border");

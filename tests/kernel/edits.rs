@@ -31,7 +31,7 @@ fn split_face_puts_the_new_face_on_the_left_of_the_new_half_edge() {
             assert!(!before.has_half_edge(a) && !before.has_face(new), "{context}: not new");
             assert_eq!((after.origin(a), after.origin(b)), (before.origin(h1), before.origin(h2)), "{context}");
             assert_eq!((after.face(a), after.face(b)), (new, old), "{context}");
-            assert_eq!((after.boundary(new), after.boundary(old)), (Some(a), Some(b)), "{context}");
+            assert_eq!((after.half_edge(new), after.half_edge(old)), (Some(a), Some(b)), "{context}");
             // The cycle through h2 up to h1 is the new face's, the rest stays.
             let around = halves(before.cycle(h1));
             let (kept, moved) = around.split_at(around.iter().position(|&x| x == h2).unwrap());
@@ -41,7 +41,7 @@ fn split_face_puts_the_new_face_on_the_left_of_the_new_half_edge() {
                 assert_eq!(after.outgoing(v), before.outgoing(v), "{context}: {v}.outgoing");
             }
             for face in before.faces().filter(|&x| x != old) {
-                assert_eq!(after.boundary(face), before.boundary(face), "{context}: {face}.boundary");
+                assert_eq!(after.half_edge(face), before.half_edge(face), "{context}: {face}.half_edge");
             }
         }
     }
@@ -60,7 +60,7 @@ fn split_edge_keeps_the_origin_of_its_argument_and_gives_the_twin_the_new_vertex
         assert_eq!((after.face(c), after.face(c.twin())), (before.face(a), before.face(a.twin())), "{context}");
         assert_eq!(after.degree(m), 2, "{context}");
         for face in before.faces() {
-            assert_eq!(after.boundary(face), before.boundary(face), "{context}: {face}.boundary");
+            assert_eq!(after.half_edge(face), before.half_edge(face), "{context}: {face}.half_edge");
         }
     });
 }
@@ -78,8 +78,8 @@ fn join_faces_keeps_the_face_of_the_twin_and_its_half_edges_in_order() {
         let expected = [&halves(before.cycle(a))[1..], &halves(before.cycle(b))[1..]].concat();
         assert_eq!(halves(after.cycle(expected[0])), expected, "{context}");
         assert!(expected.iter().all(|&x| after.face(x) == kept), "{context}");
-        let stays = before.boundary(kept).filter(|&x| x != b);
-        assert!(stays.is_none() || after.boundary(kept) == stays, "{context}: boundary moved without need");
+        let stays = before.half_edge(kept).filter(|&x| x != b);
+        assert!(stays.is_none() || after.half_edge(kept) == stays, "{context}: boundary moved without need");
     });
     assert!(accepted > 40, "{accepted}");
 }
@@ -182,9 +182,9 @@ fn replay(table: &mut Table, change: &Change, context: &str) {
                     let row = table.vertices[x.index()].as_mut().unwrap();
                     std::mem::replace(&mut row.outgoing, half(new)).map(Into::into)
                 }
-                Slot::Boundary(x) => {
+                Slot::HalfEdge(x) => {
                     let row = table.faces[x.index()].as_mut().unwrap();
-                    std::mem::replace(&mut row.boundary, half(new)).map(Into::into)
+                    std::mem::replace(&mut row.half_edge, half(new)).map(Into::into)
                 }
             };
             assert_eq!(found, old, "{change}, {context}");

@@ -2,7 +2,7 @@
 //! nothing; enough flips come back to the start.
 
 use crate::common::{Random, f, h, triangle_grid, zoo};
-use dcel_kit::topology::{Dcel, FlipEdgeError, IdError, Journal, Table, same, violations};
+use dcel_kit::topology::{Dcel, FlipEdgeError, IdError, Journal, Table, isomorphic, violations};
 use dcel_kit::{Element, HalfEdgeId};
 
 /// The cycle of `a` as a list.
@@ -79,13 +79,13 @@ fn two_flips_between_triangles_exchange_the_halves() {
     square.flip_edge(a).unwrap();
     assert_eq!((square.origin(a), square.destination(a)), (start.destination(a), start.origin(a)));
     assert_eq!((square.next(a), square.face(a)), (start.next(a.twin()), start.face(a)));
-    assert!(same(&square, &start).is_ok());
+    assert!(isomorphic(&square, &start).is_ok());
     // The stored half-edges: none of a vertex or face may be one that left it.
     square.flip_edge(a.twin()).unwrap();
     assert_eq!(violations(&square), []);
 }
 
-/// Random flips in a grid of triangles: a structure of the same size, all laws kept, all taken back by undo.
+/// Random flips in a grid of triangles: a structure of the same size, all invariants kept, all taken back by undo.
 #[test]
 fn long_random_sequences_keep_the_laws_and_can_be_undone() {
     let grid = dcel_kit::plane::Subdivision::from_table(&placed(triangle_grid(5, 4))).unwrap();

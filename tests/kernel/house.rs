@@ -6,19 +6,20 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each room of the library with the rooms that it may use.
-const ROOMS: [(&str, &[&str]); 14] = [
+const ROOMS: [(&str, &[&str]); 15] = [
     ("ids", &[]),
     ("files", &[]),
     ("sources", &[]),
     ("geometry", &[]),
+    ("old_words", &[]),
     ("topology", &["geometry", "ids"]),
     ("plane", &["geometry", "ids", "topology"]),
     ("solid", &["geometry", "ids", "plane", "topology"]),
     ("navmesh", &["geometry", "ids", "plane", "topology"]),
-    ("io", &["files", "geometry", "ids", "plane", "solid", "topology"]),
+    ("io", &["files", "geometry", "ids", "old_words", "plane", "solid", "topology"]),
     ("interop", &["geometry", "ids", "navmesh", "plane", "solid", "topology"]),
-    ("edits", &["geometry", "ids", "plane", "solid", "topology"]),
-    ("script", &["edits", "geometry", "ids", "plane", "solid", "topology"]),
+    ("edits", &["geometry", "ids", "old_words", "plane", "solid", "topology"]),
+    ("script", &["edits", "geometry", "ids", "old_words", "plane", "solid", "topology"]),
     ("figure", &["edits", "geometry", "ids", "navmesh", "plane", "script", "solid", "topology"]),
     ("compare", &["figure", "geometry", "ids", "plane", "topology"]),
 ];
@@ -230,4 +231,33 @@ fn a_circle_and_an_arrow_are_seen() {
     let mut uses: Uses = [a, b, read("c", "")].into();
     uses.insert(vec!["room".to_owned()], BTreeSet::new());
     assert_eq!(circles(&uses), ["room/a room/b"]);
+}
+
+/// The map of a folder is the first comment of its `mod.rs`.
+#[test]
+fn every_file_is_named_in_the_map_of_its_folder() {
+    fn missing(folder: &Path, out: &mut Vec<String>) {
+        let mut names = Vec::new();
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() && !path.join("Cargo.toml").is_file() {
+                names.extend(path.join("mod.rs").is_file().then(|| path.clone()));
+                missing(&path, out);
+            } else if path.extension().is_some_and(|extension| extension == "rs") {
+                names.push(path);
+            }
+        }
+        let Ok(text) = fs::read_to_string(folder.join("mod.rs")) else { return };
+        let map: String = text.lines().take_while(|line| line.starts_with("//") || line.is_empty()).collect();
+        let words: BTreeSet<&str> = map.split(|c: char| !(c.is_alphanumeric() || c == '_')).collect();
+        let stem = |path: &PathBuf| path.file_stem().unwrap().to_str().unwrap().to_owned();
+        let lacks = |name: &String| name != "mod" && !words.contains(name.as_str());
+        out.extend(names.iter().map(stem).filter(lacks).map(|name| format!("{}: {name}", folder.display())));
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut out = Vec::new();
+    ["src", "src/cli"].into_iter().for_each(|folder| missing(&root.join(folder), &mut out));
+    // Written by a command.
+    out.retain(|line| !line.contains("kit: ") && !line.contains("sources: "));
+    assert!(out.is_empty(), "not named in the first comment of mod.rs: {out:#?}");
 }

@@ -4,7 +4,7 @@ use crate::common::{Random, h, v};
 use dcel_kit::edits::{Argument, Row, rows};
 use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::script::{Edit, KernelEdit, KernelStart, Outcome, Script, is_kernel_script, of_edits, of_kernel_edits};
-use dcel_kit::topology::{Dcel, Journal, PolygonList, same};
+use dcel_kit::topology::{Dcel, Journal, PolygonList, isomorphic};
 
 fn call<const N: usize>(row: &'static Row, arguments: [Argument; N]) -> KernelEdit {
     KernelEdit::new(row, arguments).unwrap()
@@ -89,7 +89,7 @@ fn edits_of_the_kernel_print_a_script_that_replays() {
         assert!(is_kernel_script(&text), "{text}");
         let run = Script::parse_kernel(&text, "printed").unwrap_or_else(|e| panic!("{e}\n{text}")).run();
         assert_eq!(run.end, d, "seed {seed}:\n{text}");
-        assert!(same(&run.end, &d).is_ok(), "seed {seed}:\n{text}");
+        assert!(isomorphic(&run.end, &d).is_ok(), "seed {seed}:\n{text}");
         let mut replayed = Vec::new();
         for step in &run.steps {
             if let Outcome::Edited { journal, .. } = &step.outcome {

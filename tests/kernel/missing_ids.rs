@@ -66,6 +66,7 @@ const ORDINARY: [&str; 36] = [
     "has_face",
     "has_half_edge",
     "has_vertex",
+    "inner_components",
     "is_blocked",
     "is_boundary_face",
     "is_dead_end",
@@ -75,7 +76,6 @@ const ORDINARY: [&str; 36] = [
     "layer",
     "neighbours",
     "outline",
-    "rings",
     "set_hole",
     "set_hole_with",
     "set_wall",
@@ -98,7 +98,7 @@ fn topology() -> BTreeSet<&'static str> {
     t.panics("prev", || d.prev(H));
     t.panics("face", || d.face(H));
     t.panics("outgoing", || d.outgoing(V));
-    t.panics("boundary", || d.boundary(F));
+    t.panics("half_edge", || d.half_edge(F));
     t.panics("ccw", || d.ccw(H));
     t.panics("cw", || d.cw(H));
     t.panics("cycle", || d.cycle(H).count());
@@ -156,7 +156,7 @@ fn topology() -> BTreeSet<&'static str> {
     write("set_next", &|e| e.set_next(h0, H));
     write("set_face", &|e| e.set_face(H, f0));
     write("set_outgoing", &|e| e.set_outgoing(V, Some(h0)));
-    write("set_boundary", &|e| e.set_boundary(F, Some(h0)));
+    write("set_half_edge", &|e| e.set_half_edge(F, Some(h0)));
     let renumbering = own.compact();
     t.panics("half_edge", || renumbering.half_edge(H));
     assert_eq!(components(d).of(V), None);
@@ -194,8 +194,8 @@ fn plane() -> BTreeSet<&'static str> {
     t.refuses("can_insert_edge", s.can_insert_edge(v0, V));
     t.refuses("insert_edge", own.insert_edge(V, v0));
     t.refuses("insert_edge_with", own.insert_edge_with(V, v0, &mut none));
-    t.refuses("insert_antenna", own.insert_antenna(V, at));
-    t.refuses("insert_antenna_with", own.insert_antenna_with(V, at, &mut none));
+    t.refuses("insert_dangling_edge", own.insert_dangling_edge(V, at));
+    t.refuses("insert_dangling_edge_with", own.insert_dangling_edge_with(V, at, &mut none));
     t.refuses("insert_vertex_in", own.insert_vertex_in(F, at));
     t.refuses("insert_vertex_in_with", own.insert_vertex_in_with(F, at, &mut none));
     t.refuses("can_join_faces", s.can_join_faces(H));
@@ -409,11 +409,11 @@ fn a_removed_id_is_named_by_every_getter_in_debug_builds() {
         }
         t.panics("outgoing", || s.outgoing(v));
         t.panics("degree", || s.degree(v));
-        t.panics("boundary", || s.boundary(f));
+        t.panics("half_edge", || s.half_edge(f));
         t.panics("incident_half_edges", || s.incident_half_edges(f).count());
     }
     t.panics("point", || lab.point(v));
-    t.panics("rings", || lab.rings(f).len());
+    t.panics("inner_components", || lab.inner_components(f).len());
     t.panics("is_hole", || lab.is_hole(f));
     t.panics("point", || cube.point(corner));
     t.panics("is_boundary_face", || cube.is_boundary_face(face));

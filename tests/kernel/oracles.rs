@@ -1,4 +1,4 @@
-//! Every edit does what a naive model of face lists does, call by call, and the laws hold after each.
+//! Every edit does what a naive model of face lists does, call by call, and the invariants hold after each.
 
 use crate::common::model::{Model, No};
 use crate::common::script::{Call, Log, Op, all_calls, config, scripts};

@@ -26,7 +26,7 @@ fn scribble(random: &mut Random, e: &mut Editing<'_>, is_whole: bool) {
         1 => e.set_origin(a, x),
         2 => e.set_face(a, y),
         3 => e.set_outgoing(x, Some(a)),
-        4 => e.set_boundary(y, Some(a)),
+        4 => e.set_half_edge(y, Some(a)),
         5 => e.set_outgoing(x, None),
         6 => drop(e.remove_vertex(x)),
         7 => drop(e.remove_edge(a.edge())),

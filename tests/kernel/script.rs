@@ -50,7 +50,7 @@ fn every_wrong_word_is_named_with_its_place() {
         ("rectangle\njoin_faces h0.nxt", "2:15: `nxt` is not a link of a half-edge; known: next prev twin origin"),
         ("rectangle\njoin_faces h0.twin.origin.next", "2:27: `next` is not a link of a vertex; known: outgoing"),
         ("rectangle\nhighlight h0.edge.next", "2:19: `next` is not a link of an edge; an edge has no links"),
-        ("rectangle\nsplit_in_half f1", "2:15: `f1` is a face, but split_in_half needs a half-edge; try f1.boundary"),
+        ("rectangle\nsplit_in_half f1", "2:15: `f1` is a face, but split_in_half needs a half-edge; try f1.half_edge"),
         ("rectangle\nwalk_face v1", "2:11: `v1` is a vertex, but walk_face needs a half-edge or a face"),
         ("rectangle\nwalk_vertex f1", "2:13: `f1` is a face, but walk_vertex needs a half-edge or a vertex"),
         ("rectangle\nsplit_edge h0 1", "2:16: split_edge needs y"),
@@ -92,7 +92,7 @@ fn starts_give_their_half_edges_in_stated_order_inside_then_outside() {
 #[test]
 fn names_and_links_lead_to_the_elements_they_say() {
     let text = "\u{feff}rectangle\r\nlet a = split_face h2 h0.prev.prev # v1 to v4\r\nlet c = split_in_half a.twin\r\n\
-                let f = a.face\r\nlet other = c.twin.next\r\nhighlight f other c.origin a.destination h0.edge f.boundary v0 f0.boundary v1.outgoing\r\n";
+                let f = a.face\r\nlet other = c.twin.next\r\nhighlight f other c.origin a.destination h0.edge f.half_edge v0 f0.half_edge v1.outgoing\r\n";
     let outcomes = play(text);
     assert_eq!(outcomes[0].to_string(), "split_face h2 h8 returned h12, f2");
     assert_eq!(outcomes[1].to_string(), "split_in_half h13 returned v6, h14");
@@ -215,9 +215,9 @@ fn soup() -> impl Strategy<Value = String> {
         "e0",
         "h0.next",
         "a.twin",
-        "a.face.boundary",
+        "a.face.half_edge",
         "h2.twin.next.origin",
-        "f0.boundary",
+        "f0.half_edge",
         "..",
         "a.",
         ".next",

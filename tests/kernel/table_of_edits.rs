@@ -1,5 +1,5 @@
 //! The table of edits: every row on every structure that has it, with random arguments. Refused edits change nothing,
-//! made ones keep the laws, are taken back bit for bit, and print a script that replays.
+//! made ones keep the invariants, are taken back bit for bit, and print a script that replays.
 
 use crate::common::Random;
 use dcel_kit::edits::{Argument, Call, Editable, Kind, Row, TABLE, Takes, find, help, rows_of};
@@ -64,7 +64,7 @@ fn wander<S: Editable + View>(
     (seed, prelude): (u64, Option<&str>),
     start: &S,
     len: impl Fn(&S::Log) -> usize,
-    laws: impl Fn(&S) -> Vec<String>,
+    invariants: impl Fn(&S) -> Vec<String>,
     made: &mut BTreeMap<&'static str, usize>,
 ) -> (Vec<Call<S>>, S) {
     let mut random = Random(seed);
@@ -91,7 +91,7 @@ fn wander<S: Editable + View>(
                 assert_eq!(len(&log), 0, "{error}: a refusal was recorded: {script}");
             }
             Ok(returned) => {
-                assert_eq!(laws(&s), [""; 0], "{script}");
+                assert_eq!(invariants(&s), [""; 0], "{script}");
                 assert_eq!(
                     returned.named().map(Kind::of),
                     row.names().filter(|_| returned.named().is_some()),
@@ -144,7 +144,7 @@ fn every_row_of_the_kernel_is_undone_and_replayed() {
 
 #[test]
 fn every_row_of_the_plane_is_undone_and_replayed() {
-    let laws = |s: &Subdivision| {
+    let invariants = |s: &Subdivision| {
         let geometry = s.geometry_violations();
         texts(s).into_iter().chain(geometry.iter().map(ToString::to_string)).collect()
     };
@@ -155,7 +155,7 @@ fn every_row_of_the_plane_is_undone_and_replayed() {
         let corners = if seed % 2 == 0 { &LAB_RECTANGLE[..] } else { &square[..] };
         let prelude = (seed % 2 == 1).then_some("split_face h0 h4");
         let start = Subdivision::polygon(corners).unwrap();
-        let (calls, end) = wander((seed, prelude), &start, PlaneJournal::len, laws, &mut made);
+        let (calls, end) = wander((seed, prelude), &start, PlaneJournal::len, invariants, &mut made);
         let text = of_edits(corners, &calls);
         let run = Script::parse(&text, "printed").unwrap_or_else(|e| panic!("{e}\n{text}")).run();
         if !text.contains("no such") {
@@ -203,7 +203,7 @@ fn the_table_is_complete() {
     }
     // The edits that the plane had when the table was made.
     for word in "split_face split_in_half split_edge join_faces join_edges flip_edge insert_vertex insert_vertex_in \
-                 insert_edge insert_antenna insert_segment remove_edge remove_vertex"
+                 insert_edge insert_dangling_edge insert_segment remove_edge remove_vertex"
         .split_whitespace()
     {
         assert!(find::<Subdivision>(word).is_some(), "{word}");
@@ -230,13 +230,13 @@ fn wrong_calls_say_how_they_are_written() {
 #[test]
 fn new_words_take_and_give_all_kinds_of_elements() {
     let text = "rectangle\nlet p = insert_vertex -100 0\nlet q = insert_vertex_in f1 100 0\nlet a = insert_edge p q\n\
-                let t = insert_antenna q 100 50\nhighlight p q t.origin a.edge\nremove_edge a.edge\nremove_vertex q\n\
+                let t = insert_dangling_edge q 100 50\nhighlight p q t.origin a.edge\nremove_edge a.edge\nremove_vertex q\n\
                 let s = insert_segment 0 -200 0 200\nwalk_face s";
     let told: Vec<String> =
         Script::parse(text, "t").unwrap().run().steps.iter().map(|s| s.outcome.to_string()).collect();
     assert_eq!(told[0], "insert_vertex -100 0 returned v6");
     assert_eq!(told[2], "insert_edge v6 v7 returned h12");
-    assert_eq!(told[3], "insert_antenna v7 100 50 returned v8, h14");
+    assert_eq!(told[3], "insert_dangling_edge v7 100 50 returned v8, h14");
     assert_eq!(told[5], "remove_edge e6 returned nothing");
     assert!(told[7].starts_with("insert_segment 0 -200 0 200 returned "), "{told:#?}");
     assert!(told.iter().all(|line| !line.contains("refused")), "{told:#?}");

@@ -2,7 +2,7 @@
 
 use dcel_kit::io::{Document, Format, ReadOptions, read_bytes};
 use dcel_kit::plane::{ConvertOptions, PlanarView, Point, Subdivision, TableError};
-use dcel_kit::topology::{PolygonList, SameOptions, Table, View, position_key, same_with};
+use dcel_kit::topology::{IsomorphismOptions, PolygonList, Table, View, isomorphic_with, position_key};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 
 /// A table with the positions of the view.
@@ -58,7 +58,7 @@ fn removed_elements_stay_free_and_the_lowest_is_given_out_first() {
         (row.twin, row.next, row.prev) = (row.twin.map(shift), row.next.map(shift), row.prev.map(shift));
     }
     table.vertices.iter_mut().flatten().for_each(|row| row.outgoing = row.outgoing.map(shift));
-    table.faces.iter_mut().flatten().for_each(|row| row.boundary = row.boundary.map(shift));
+    table.faces.iter_mut().flatten().for_each(|row| row.half_edge = row.half_edge.map(shift));
     let bare = |table: &Table| {
         let mut table = table.clone();
         table.vertices.iter_mut().flatten().for_each(|row| row.position = None);
@@ -68,7 +68,7 @@ fn removed_elements_stay_free_and_the_lowest_is_given_out_first() {
     assert_eq!(Table::from_view(&subdivision), bare(&table));
     assert_eq!(subdivision.half_edge_count(), table.half_edges.iter().flatten().count());
     assert_eq!(table_of(&subdivision), table);
-    let start = subdivision.boundary(FaceId::new(1)).unwrap();
+    let start = subdivision.half_edge(FaceId::new(1)).unwrap();
     let long = subdivision.incident_half_edges(FaceId::new(1)).nth(2).unwrap();
     let (first, _) = subdivision.split_face(start, long).unwrap();
     assert_eq!(first.edge().number(), 2, "the lowest free pair is h4, h5");
@@ -84,8 +84,8 @@ h2 origin v3 twin h5 next h0 prev h1 face f0
 h3 origin v2 twin h0 next h5 prev h9 face f7
 h5 origin v0 twin h2 next h9 prev h3 face f7
 h9 origin v3 twin h1 next h3 prev h5 face f7
-f0 boundary h0 rings none name \"Ohio\"
-f7 outer boundary h9 rings none
+f0 half_edge h0 inner none name \"Ohio\"
+f7 outer half_edge h9 inner none
 ";
 
 #[test]
@@ -101,7 +101,7 @@ fn other_twins_and_another_outer_face_are_renumbered() {
     assert!(!subdivision.has_vertex(VertexId::new(1)) && !subdivision.has_face(f(1)));
     let place = |view: &dyn PlanarView, v| view.position(v).map(|p| position_key([p.x, p.y])).unwrap();
     let (a, b) = (|v| place(&table, v), |v| place(&subdivision, v));
-    assert!(same_with(&table, &subdivision, &SameOptions::new().keys(&a, &b).representatives()).is_ok());
+    assert!(isomorphic_with(&table, &subdivision, &IsomorphismOptions::new().keys(&a, &b).representatives()).is_ok());
 }
 
 #[test]
@@ -110,13 +110,13 @@ fn errors_speak_of_the_ids_of_the_table() {
     let upside_down = SCRAMBLED.replace("v3 2 3", "v3 2 -3");
     assert_eq!(
         told(&upside_down),
-        "G6: the cycle of h9 surrounds a bounded region, so it cannot be a ring of f7 (the first of 2 violations)"
+        "G6: the cycle of h9 surrounds a bounded region, so it cannot be an inner component of f7 (the first of 2 violations)"
     );
     let Err(TableError::Geometry { violations }) = Subdivision::from_table(&read(&upside_down)) else { panic!() };
     assert_eq!(violations[1].to_string(), "G5: the boundary of f0, from h0 on, does not run counter-clockwise");
 
     let broken = SCRAMBLED.replace("next h5 prev h9", "next h9 prev h9");
-    let Err(TableError::Laws { violations }) = Subdivision::from_table(&read(&broken)) else { panic!() };
+    let Err(TableError::Invariants { violations }) = Subdivision::from_table(&read(&broken)) else { panic!() };
     assert!(violations.iter().any(|v| v.rule.id == "N2"), "{violations:?}");
     assert_eq!(told(&SCRAMBLED.replace("f7 outer", "f7")), "no face is the outer one; mark the unbounded face");
     let no_place = SCRAMBLED.replace("v2 4 0", "v2");
@@ -148,8 +148,8 @@ fn rings_and_holes_are_kept() {
     assert_eq!(Subdivision::from_table(&table).unwrap(), nested);
     // A ring in a face that does not surround it is G7.
     let mut elsewhere = table_of(&nested);
-    let ring = elsewhere.faces[1].as_mut().unwrap().rings.pop().unwrap();
-    elsewhere.faces[3].as_mut().unwrap().rings.push(ring);
+    let ring = elsewhere.faces[1].as_mut().unwrap().inner_components.pop().unwrap();
+    elsewhere.faces[3].as_mut().unwrap().inner_components.push(ring);
     assert!(Subdivision::from_table(&elsewhere).is_err());
-    assert!(nested.rings(FaceId::new(1)).len() == 1 && View::is_hole(&nested, hole));
+    assert!(nested.inner_components(FaceId::new(1)).len() == 1 && View::is_hole(&nested, hole));
 }

@@ -1,9 +1,9 @@
-//! The validator finds every broken law, calls nothing broken that is not, and never panics, hangs or walks far.
+//! The validator finds every broken invariant, calls nothing broken that is not, and never panics, hangs or walks far.
 
 use crate::common::{Random, brute, f, garbage, h, planar, row, triangle_grid, v};
 use cpu_time::ThreadTime;
 use dcel_kit::topology::{
-    Dcel, HalfEdgeRow, Ring, Rule, Table, VertexRow, View, first_violation, violations, visit_violations,
+    Dcel, HalfEdgeRow, InnerComponent, Rule, Table, VertexRow, View, first_violation, violations, visit_violations,
 };
 use dcel_kit::{Element, FaceId, HalfEdgeId, Id, VertexId};
 use std::cell::Cell;
@@ -36,13 +36,15 @@ fn islands() -> Table {
 /// A triangle with a triangle inside; f1 is between them and has one ring, f2 is inside.
 fn nested() -> Table {
     let mut table = planar(6, &[vec![0, 1, 2], vec![3, 4, 5]]);
-    let Some(Ring::Cycle(inner)) = table.faces[0].as_mut().unwrap().rings.pop() else { panic!("no island") };
+    let Some(InnerComponent::Cycle(inner)) = table.faces[0].as_mut().unwrap().inner_components.pop() else {
+        panic!("no island")
+    };
     let mut at = inner;
     for _ in 0..3 {
         row(&mut table, at).face = Some(f(1));
         at = row(&mut table, at).next.unwrap();
     }
-    table.faces[1].as_mut().unwrap().rings.push(Ring::Cycle(inner));
+    table.faces[1].as_mut().unwrap().inner_components.push(InnerComponent::Cycle(inner));
     table
 }
 
@@ -89,12 +91,15 @@ fn every_rule_is_reached_and_says_what_it_found() {
         &["R2: v1.outgoing = h6, but h6 does not exist"],
     );
     says(
-        &broken(|t| t.faces[0].as_mut().unwrap().boundary = Some(h(6))),
-        &["R2: f0.boundary = h6, but h6 does not exist"],
+        &broken(|t| t.faces[0].as_mut().unwrap().half_edge = Some(h(6))),
+        &["R2: f0.half_edge = h6, but h6 does not exist"],
     );
     says(
-        &broken(|t| t.faces[0].as_mut().unwrap().rings = vec![Ring::Cycle(h(6)), Ring::Isolated(v(3))]),
-        &["R2: f0.ring = h6, but h6 does not exist", "R2: f0.ring = v3, but v3 does not exist"],
+        &broken(|t| {
+            t.faces[0].as_mut().unwrap().inner_components =
+                vec![InnerComponent::Cycle(h(6)), InnerComponent::Isolated(v(3))]
+        }),
+        &["R2: f0.inner_component = h6, but h6 does not exist", "R2: f0.inner_component = v3, but v3 does not exist"],
     );
     says(&broken(|t| t.outer_face = Some(f(2))), &["R2: outer_face = f2, but f2 does not exist"]);
     says(
@@ -133,19 +138,21 @@ fn every_rule_is_reached_and_says_what_it_found() {
         ],
     );
     says(
-        &broken(|t| t.faces[1].as_mut().unwrap().boundary = Some(h(5))),
-        &["B1: f1.boundary = h5, but h5.face = f0 (expected f1)"],
+        &broken(|t| t.faces[1].as_mut().unwrap().half_edge = Some(h(5))),
+        &["B1: f1.half_edge = h5, but h5.face = f0 (expected f1)"],
     );
     says(
-        &broken(|t| t.faces[1].as_mut().unwrap().boundary = None),
-        &["B2: f1.boundary = none (expected a half-edge of f1; only an outer face may have none)"],
+        &broken(|t| t.faces[1].as_mut().unwrap().half_edge = None),
+        &["B2: f1.half_edge = none (expected a half-edge of f1; only an outer face may have none)"],
     );
     says(
         &in_plane(plane_triangle(), |t| {
             let face = t.faces[0].as_mut().unwrap();
-            face.rings.extend(face.boundary.take().map(Ring::Cycle));
+            face.inner_components.extend(face.half_edge.take().map(InnerComponent::Cycle));
         }),
-        &["B2: f0.boundary = none, although f0 has a cycle among its rings (expected the first of its cycles)"],
+        &[
+            "B2: f0.half_edge = none, although f0 has a cycle among its inner components (expected the first of its cycles)",
+        ],
     );
     says(
         &broken(|t| t.vertices[1].as_mut().unwrap().outgoing = Some(h(4))),
@@ -169,41 +176,50 @@ fn every_rule_is_reached_and_says_what_it_found() {
     );
     let mut unlisted = triangle();
     unlisted.faces.push(unlisted.faces[1].clone());
-    unlisted.faces[2].as_mut().unwrap().boundary = Some(h(1));
-    unlisted.faces[0].as_mut().unwrap().rings.clear();
+    unlisted.faces[2].as_mut().unwrap().half_edge = Some(h(1));
+    unlisted.faces[0].as_mut().unwrap().inner_components.clear();
     for a in [1, 3, 5] {
         row(&mut unlisted, h(a)).face = Some(f(1));
     }
     says(
         &unlisted,
         &[
-            "B1: f0.boundary = h1, but h1.face = f1 (expected f0)",
-            "B1: f2.boundary = h1, but h1.face = f1 (expected f2)",
-            "C1: the cycle h1, h5, h3 has face f1, but neither f1.boundary nor a ring of f1 lies on it",
+            "B1: f0.half_edge = h1, but h1.face = f1 (expected f0)",
+            "B1: f2.half_edge = h1, but h1.face = f1 (expected f2)",
+            "C1: the cycle h1, h5, h3 has face f1, but neither f1.half_edge nor an inner component of f1 lies on it",
         ],
     );
     says(
-        &in_plane(plane_triangle(), |t| t.faces[1].as_mut().unwrap().rings.push(Ring::Cycle(h(4)))),
+        &in_plane(plane_triangle(), |t| {
+            t.faces[1].as_mut().unwrap().inner_components.push(InnerComponent::Cycle(h(4)))
+        }),
         &["C2: f1 lists the cycle of h4 twice: as h0 and as h4 (expected once)"],
     );
     says(
-        &in_plane(plane_triangle(), |t| t.faces[1].as_mut().unwrap().rings.push(Ring::Cycle(h(5)))),
-        &["C3: f1.ring = h5, but h5.face = f0 (expected f1)"],
+        &in_plane(plane_triangle(), |t| {
+            t.faces[1].as_mut().unwrap().inner_components.push(InnerComponent::Cycle(h(5)))
+        }),
+        &["C3: f1.inner_component = h5, but h5.face = f0 (expected f1)"],
     );
     says(
-        &in_plane(plane_triangle(), |t| t.faces[1].as_mut().unwrap().rings.push(Ring::Isolated(v(2)))),
+        &in_plane(plane_triangle(), |t| {
+            t.faces[1].as_mut().unwrap().inner_components.push(InnerComponent::Isolated(v(2)))
+        }),
         &["I1: f1 lists v2 as isolated, but v2.outgoing = h4 (expected none)"],
     );
     let lonely = |t: &mut Table| t.vertices.push(Some(VertexRow::default()));
     says(
         &in_plane(plane_triangle(), |t| {
             t.vertices.push(Some(VertexRow::default()));
-            t.faces[0].as_mut().unwrap().rings.push(Ring::Isolated(v(3)));
-            t.faces[1].as_mut().unwrap().rings.push(Ring::Isolated(v(3)));
+            t.faces[0].as_mut().unwrap().inner_components.push(InnerComponent::Isolated(v(3)));
+            t.faces[1].as_mut().unwrap().inner_components.push(InnerComponent::Isolated(v(3)));
         }),
         &["I2: v3 lies isolated in f0 and again in f1 (expected one of them)"],
     );
-    says(&in_plane(plane_triangle(), lonely), &["I3: v3 has no edge, and no face lists it (expected one ring)"]);
+    says(
+        &in_plane(plane_triangle(), lonely),
+        &["I3: v3 has no edge, and no face lists it (expected one inner component)"],
+    );
     says(
         &in_plane(plane_triangle(), |t| t.faces[0].as_mut().unwrap().hole = true),
         &["H1: f0 is the outer face and flagged as a hole face"],
@@ -215,23 +231,23 @@ fn every_rule_is_reached_and_says_what_it_found() {
     // The island is a ring of the outer face and of the face inside it.
     let mut swapped = nested();
     let face = swapped.faces[1].as_mut().unwrap();
-    let Ring::Cycle(ring) = face.rings[0] else { panic!("no ring") };
-    face.rings[0] = Ring::Cycle(face.boundary.replace(ring).unwrap());
+    let InnerComponent::Cycle(ring) = face.inner_components[0] else { panic!("no ring") };
+    face.inner_components[0] = InnerComponent::Cycle(face.half_edge.replace(ring).unwrap());
     says(
         &swapped,
         &[
-            "E2: the component of v3 is not reached from the outer face inwards (expected to be a ring of the face around it)",
+            "E2: the component of v3 is not reached from the outer face inwards (expected to be an inner component of the face around it)",
         ],
     );
     // Two faces on both sides of a diagonal, made one face with a ring.
     let mut merged = planar(4, &[vec![0, 1, 2], vec![0, 2, 3]]);
-    let ring = merged.faces[2].take().unwrap().boundary.unwrap();
+    let ring = merged.faces[2].take().unwrap().half_edge.unwrap();
     merged.half_edges.iter_mut().flatten().filter(|row| row.face == Some(f(2))).for_each(|row| row.face = Some(f(1)));
-    merged.faces[1].as_mut().unwrap().rings.push(Ring::Cycle(ring));
+    merged.faces[1].as_mut().unwrap().inner_components.push(InnerComponent::Cycle(ring));
     says(
         &merged,
         &[
-            "E2: the ring h3 of f1 belongs to the component of v0, which is a ring already (expected one ring for each component)",
+            "E2: the inner component h3 of f1 belongs to the component of v0, which is listed already (expected one inner component for each component)",
         ],
     );
 
@@ -255,7 +271,7 @@ fn torus() -> Table {
         });
     }
     table.faces.truncate(1);
-    table.faces[0].as_mut().unwrap().boundary = Some(h(0));
+    table.faces[0].as_mut().unwrap().half_edge = Some(h(0));
     table
 }
 
@@ -265,7 +281,7 @@ fn a_violation_carries_its_elements_its_chain_and_the_two_values() {
     row(&mut table, h(2)).prev = Some(h(4));
     let all = violations(&table);
     let n2 = &all[0];
-    assert_eq!((n2.rule.id, n2.rule.law), ("N2", "h.next.prev = h"));
+    assert_eq!((n2.rule.id, n2.rule.invariant), ("N2", "h.next.prev = h"));
     assert_eq!(n2.elements, [h(0), h(2), h(4)].map(Element::HalfEdge));
     assert_eq!(n2.chain, [h(0), h(2)]);
     assert_eq!((n2.found, n2.expected), (Some(h(4).into()), Some(h(0).into())));
@@ -292,7 +308,7 @@ fn a_round_over_links_that_are_reported_already_is_not_judged() {
 fn the_table_of_rules_in_the_docs_is_the_table_of_rules() {
     let docs = include_str!("../../src/topology/validate/mod.rs");
     let rows: Vec<&str> = docs.lines().filter_map(|line| line.strip_prefix("//! | ")).skip(1).collect();
-    let rules: Vec<String> = Rule::all().iter().map(|rule| format!("{} | {} |", rule.id, rule.law)).collect();
+    let rules: Vec<String> = Rule::all().iter().map(|rule| format!("{} | {} |", rule.id, rule.invariant)).collect();
     assert_eq!(rows, rules);
     for rule in Rule::all() {
         assert_eq!(Rule::by_id(rule.id), Some(rule));
@@ -338,21 +354,27 @@ fn each_corruption(table: &Table, mut check: impl FnMut(&str, &Table)) {
     }
     for x in 0..table.faces.len() {
         for &to in &hs {
-            with(format!("f{x}.boundary = {to:?}"), &|t| t.faces[x].as_mut().unwrap().boundary = to);
+            with(format!("f{x}.half_edge = {to:?}"), &|t| t.faces[x].as_mut().unwrap().half_edge = to);
             if let Some(a) = to {
-                with(format!("f{x}.ring {a}"), &|t| t.faces[x].as_mut().unwrap().rings.push(Ring::Cycle(a)));
-                for i in 0..table.faces[x].as_ref().unwrap().rings.len() {
-                    with(format!("f{x}.rings[{i}] = {a}"), &|t| t.faces[x].as_mut().unwrap().rings[i] = Ring::Cycle(a));
+                with(format!("f{x}.inner_component {a}"), &|t| {
+                    t.faces[x].as_mut().unwrap().inner_components.push(InnerComponent::Cycle(a))
+                });
+                for i in 0..table.faces[x].as_ref().unwrap().inner_components.len() {
+                    with(format!("f{x}.inner_components[{i}] = {a}"), &|t| {
+                        t.faces[x].as_mut().unwrap().inner_components[i] = InnerComponent::Cycle(a)
+                    });
                 }
             }
         }
-        for i in 0..table.faces[x].as_ref().unwrap().rings.len() {
-            with(format!("f{x}.rings without {i}"), &|t| {
-                t.faces[x].as_mut().unwrap().rings.remove(i);
+        for i in 0..table.faces[x].as_ref().unwrap().inner_components.len() {
+            with(format!("f{x}.inner_components without {i}"), &|t| {
+                t.faces[x].as_mut().unwrap().inner_components.remove(i);
             });
         }
         for a in vs.iter().copied().flatten() {
-            with(format!("f{x}.ring {a}"), &|t| t.faces[x].as_mut().unwrap().rings.push(Ring::Isolated(a)));
+            with(format!("f{x}.inner_component {a}"), &|t| {
+                t.faces[x].as_mut().unwrap().inner_components.push(InnerComponent::Isolated(a))
+            });
         }
         with(format!("f{x}.hole"), &|t| t.faces[x].as_mut().unwrap().hole ^= true);
         with(format!("no f{x}"), &|t| t.faces[x] = None);
@@ -469,11 +491,11 @@ impl View for Counting<'_> {
     fn outgoing(&self, x: VertexId) -> Option<HalfEdgeId> {
         self.table().outgoing(x)
     }
-    fn boundary(&self, x: FaceId) -> Option<HalfEdgeId> {
-        self.table().boundary(x)
+    fn half_edge(&self, x: FaceId) -> Option<HalfEdgeId> {
+        self.table().half_edge(x)
     }
-    fn rings(&self, x: FaceId) -> &[Ring] {
-        self.table().rings(x)
+    fn inner_components(&self, x: FaceId) -> &[InnerComponent] {
+        self.table().inner_components(x)
     }
     fn outer_face(&self) -> Option<FaceId> {
         self.table().outer_face
@@ -486,7 +508,7 @@ impl View for Counting<'_> {
 /// Structures that make careless walks long: many starts into one tail, many listings of one cycle, many loops.
 fn hostile(n: u32) -> Vec<(&'static str, Table)> {
     let vertices = vec![Some(VertexRow { position: None, outgoing: Some(h(0)) }); n as usize];
-    let face = |boundary| Some(dcel_kit::topology::FaceRow { boundary: Some(boundary), ..Default::default() });
+    let face = |boundary| Some(dcel_kit::topology::FaceRow { half_edge: Some(boundary), ..Default::default() });
     let chain = |next: &dyn Fn(u32) -> u32, prev: &dyn Fn(u32) -> u32, origin: &dyn Fn(u32) -> u32| Table {
         vertices: vertices.clone(),
         half_edges: (0..n)
@@ -506,7 +528,7 @@ fn hostile(n: u32) -> Vec<(&'static str, Table)> {
     let last = n - 1;
     let mut cycle = chain(&|i| (i + 1) % n, &|i| (i + last) % n, &|_| 0);
     cycle.half_edges.iter_mut().flatten().for_each(|row| row.face = Some(f(0)));
-    cycle.faces[0].as_mut().unwrap().rings = (0..n).map(|i| Ring::Cycle(h(i))).collect();
+    cycle.faces[0].as_mut().unwrap().inner_components = (0..n).map(|i| InnerComponent::Cycle(h(i))).collect();
     // Sound all round but for one place, so that the walks do run, and end nowhere.
     let mut cut_open = Table::from_view(&Dcel::polygon(n as usize).unwrap());
     row(&mut cut_open, h(2 * last)).next = None;
@@ -541,7 +563,7 @@ fn dual_of_polygon(n: u32) -> Table {
             face: Some(f(if back == 0 { edge } else { (edge + n - 1) % n })),
         }
     };
-    let face = |i: u32| dcel_kit::topology::FaceRow { boundary: Some(h(2 * i)), ..Default::default() };
+    let face = |i: u32| dcel_kit::topology::FaceRow { half_edge: Some(h(2 * i)), ..Default::default() };
     Table {
         vertices: [0, 1].map(|a| Some(VertexRow { position: None, outgoing: Some(h(a)) })).to_vec(),
         half_edges: (0..2 * n).map(|i| Some(half(i))).collect(),

@@ -163,7 +163,7 @@ fn what_a_wrong_value_is_in_every_failing_call_is_said() {
     assert!(end.contains("failing calls, the answer is where the next half-edge ends."), "{end}");
     let back = answered("walk_face", |done, f| {
         let table = &done.before;
-        let stored = table.boundary(dcel_kit::FaceId::new(f[0])).unwrap();
+        let stored = table.half_edge(dcel_kit::FaceId::new(f[0])).unwrap();
         let mut walk = vec![stored.number()];
         let mut at = table.prev(stored);
         while let Some(h) = at.filter(|h| *h != stored && walk.len() < 100_000) {

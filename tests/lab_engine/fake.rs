@@ -203,7 +203,7 @@ impl Talk<'_> {
             .map(|i| i * length / count)
             .map(|n| match function {
                 "walk_vertex" => star(&table, table.outgoing(VertexId::new(n as u32)).unwrap()).len(),
-                "walk_face" | "walk_vertices" => cycle(&table, table.boundary(FaceId::new(n as u32)).unwrap()).len(),
+                "walk_face" | "walk_vertices" => cycle(&table, table.half_edge(FaceId::new(n as u32)).unwrap()).len(),
                 _ => 1,
             })
             .sum();
@@ -227,11 +227,11 @@ impl Talk<'_> {
                 (split.map_or(table, |(after, _)| after), String::new())
             }
             "walk_face" => {
-                let walk = cycle(&table, table.boundary(FaceId::new(arguments[0])).unwrap());
+                let walk = cycle(&table, table.half_edge(FaceId::new(arguments[0])).unwrap());
                 (table, list(walk))
             }
             "walk_vertices" => {
-                let walk = cycle(&table, table.boundary(FaceId::new(arguments[0])).unwrap());
+                let walk = cycle(&table, table.half_edge(FaceId::new(arguments[0])).unwrap());
                 let origins: Vec<String> =
                     walk.iter().map(|&h| table.origin(h).unwrap().number().to_string()).collect();
                 (table, origins.join(" "))
@@ -282,7 +282,7 @@ fn resolve(table: &Table, word: &str) -> Option<u32> {
             (Element::HalfEdge(h), "origin") => table.origin(h)?.into(),
             (Element::HalfEdge(h), "face") => table.face(h)?.into(),
             (Element::Vertex(v), "outgoing") => table.outgoing(v)?.into(),
-            (Element::Face(f), "boundary") => table.boundary(f)?.into(),
+            (Element::Face(f), "boundary") => table.half_edge(f)?.into(),
             _ => panic!("{word}"),
         };
     }
@@ -334,7 +334,7 @@ fn changes(table: &Table, before: &Table) -> String {
     for (i, row) in table.faces.iter().enumerate().filter(|(i, row)| before.faces.get(*i) != Some(row)) {
         out.push_str("face");
         reference(&mut out, Some(FaceId::new(i as u32)));
-        reference(&mut out, row.as_ref().unwrap().boundary);
+        reference(&mut out, row.as_ref().unwrap().half_edge);
         out.push('\n');
     }
     out
@@ -359,7 +359,7 @@ fn table(records: &[&str]) -> Table {
                 prev: half_edge(5),
                 face: number(6).map(FaceId::new),
             })),
-            _ => table.faces.push(Some(FaceRow { boundary: half_edge(2), ..FaceRow::default() })),
+            _ => table.faces.push(Some(FaceRow { half_edge: half_edge(2), ..FaceRow::default() })),
         }
     }
     table

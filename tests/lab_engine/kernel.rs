@@ -1,6 +1,6 @@
 //! The specification of the two splits, written for tables, against the kit's own kernel.
 
-use dcel_kit::topology::{Dcel, SameOptions, Table, same, same_with, violations};
+use dcel_kit::topology::{Dcel, IsomorphismOptions, Table, isomorphic, isomorphic_with, violations};
 use dcel_kit::{Element, FaceId, HalfEdgeId};
 use dcel_lab::cases::random::Random;
 use dcel_lab::checks::align::align;
@@ -28,17 +28,17 @@ fn specification_and_kernel_agree_on_random_scripts() {
                 Element::Face(f) => f.index() < before.faces.len(),
                 Element::Edge(_) => true,
             };
-            let options = SameOptions::new().fixed(&is_old);
+            let options = IsomorphismOptions::new().fixed(&is_old);
             if random.below(3) == 0 {
                 let (expected, new) = spec::split_in_half(&before, h1, TwinSide::Moved).unwrap();
                 dcel.split_edge(h1).unwrap();
                 let after = table(&dcel);
                 // The kernel's twin is h ^ 1, so the old twin stays with h1 and moves.
-                assert!(same_with(&after, &expected, &options).is_ok(), "seed {seed}: split_in_half {h1}");
+                assert!(isomorphic_with(&after, &expected, &options).is_ok(), "seed {seed}: split_in_half {h1}");
                 let aligned = align(&expected, &new, &after);
                 assert_eq!(aligned.differences, [], "seed {seed}: split_in_half {h1}");
                 let (kept, _) = spec::split_in_half(&before, h1, TwinSide::Kept).unwrap();
-                assert!(violations(&kept).is_empty() && same(&kept, &expected).is_ok(), "seed {seed}: {h1}");
+                assert!(violations(&kept).is_empty() && isomorphic(&kept, &expected).is_ok(), "seed {seed}: {h1}");
             } else {
                 let legal = may_split_face(&before, h1, h2);
                 assert_eq!(
@@ -49,7 +49,7 @@ fn specification_and_kernel_agree_on_random_scripts() {
                 let Some((expected, new)) = spec::split_face(&before, h1, h2) else { continue };
                 dcel.split_face(h1, h2).unwrap();
                 let after = table(&dcel);
-                assert!(same_with(&after, &expected, &options).is_ok(), "seed {seed}: split_face {h1} {h2}");
+                assert!(isomorphic_with(&after, &expected, &options).is_ok(), "seed {seed}: split_face {h1} {h2}");
                 assert_eq!(align(&expected, &new, &after).differences, [], "seed {seed}: split_face {h1} {h2}");
             }
         }
@@ -79,7 +79,7 @@ fn new_elements_may_have_any_number() {
         }
     }
     for row in swapped.faces.iter_mut().flatten() {
-        row.boundary = row.boundary.map(other);
+        row.half_edge = row.half_edge.map(other);
     }
     let aligned = align(&expected, &new, &swapped);
     assert_eq!((aligned.differences, aligned.new.half_edges), (Vec::new(), vec![b, a]));
@@ -125,6 +125,6 @@ fn there_is_one_structure_of_each_kind() {
     for (i, a) in all.iter().enumerate() {
         assert!(violations(a).is_empty());
         let anywhere = |table: &Table| Table { outer_face: None, ..table.clone() };
-        assert!(all[..i].iter().all(|b| same(&anywhere(a), &anywhere(b)).is_err()), "{i}");
+        assert!(all[..i].iter().all(|b| isomorphic(&anywhere(a), &anywhere(b)).is_err()), "{i}");
     }
 }

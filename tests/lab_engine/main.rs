@@ -68,7 +68,7 @@ fn two_runs_say_the_same_and_another_seed_asks_other_cases() {
     let broken = || {
         wrong_in("split_face", |_, done| {
             if done.before.faces.len() > 4 {
-                done.after.faces.last_mut().unwrap().as_mut().unwrap().boundary = None;
+                done.after.faces.last_mut().unwrap().as_mut().unwrap().half_edge = None;
             }
         })
     };
@@ -154,7 +154,7 @@ fn each_bug_is_found_by_the_step_that_it_breaks() {
             "split_face_5_representatives",
             "split_face.5",
             Box::new(|_, done| {
-                done.after.faces.last_mut().unwrap().as_mut().unwrap().boundary = None;
+                done.after.faces.last_mut().unwrap().as_mut().unwrap().half_edge = None;
             }),
         ),
         (
@@ -539,7 +539,7 @@ fn an_answer_without_its_end_is_no_pass() {
 fn wrong_with_faces(count: usize) -> Fake {
     wrong_in("split_face", move |_, done| {
         if (count..30).contains(&done.before.faces.len()) {
-            done.after.faces.last_mut().unwrap().as_mut().unwrap().boundary = None;
+            done.after.faces.last_mut().unwrap().as_mut().unwrap().half_edge = None;
         }
     })
 }

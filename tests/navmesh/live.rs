@@ -4,7 +4,7 @@ use crate::maps::{Map, Random};
 use crate::routes::is_close;
 use dcel_kit::navmesh::{LiveMesh, Location, NavMesh, ObstacleError, ObstacleId, Planner, RouteError, Rung};
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
-use dcel_kit::topology::{SameOptions, position_key, same_with};
+use dcel_kit::topology::{IsomorphismOptions, isomorphic_with, position_key};
 use dcel_kit::{EdgeId, FaceId, HalfEdgeId, VertexId};
 
 fn at(x: f64, y: f64) -> Point {
@@ -115,8 +115,8 @@ fn check_restored(live: &LiveMesh, first: &Subdivision, context: &str) {
     };
     let (now, before) = (|v| key(map, v), |v| key(first, v));
     // Every vertex, half-edge and face is its own partner, every point the same to the last place.
-    let options = SameOptions::new().keys(&now, &before).fixed(&|_| true);
-    same_with(map, first, &options).unwrap_or_else(|difference| panic!("{context}: {difference}"));
+    let options = IsomorphismOptions::new().keys(&now, &before).fixed(&|_| true);
+    isomorphic_with(map, first, &options).unwrap_or_else(|difference| panic!("{context}: {difference}"));
     let mesh = NavMesh::new(first).expect("it was one");
     assert_eq!((live.mesh().face_count(), live.mesh().component_count()), (mesh.face_count(), mesh.component_count()));
     let (mut planner, mut random) = (Planner::new(), Random::new(first.edge_count() as u64));

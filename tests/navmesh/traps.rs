@@ -344,7 +344,7 @@ fn concave_faces_rings_and_empty_maps_are_refused() {
     ring.insert_vertex(at(10., 20.)).expect("inside");
     assert_eq!(NavMesh::new(&ring).expect_err("a ring"), NavMeshError::Rings { face: FaceId::new(1), rings: 1 });
     let mut spur = Subdivision::lab_rectangle();
-    spur.insert_antenna(VertexId::new(0), at(0., 0.)).expect("inside");
+    spur.insert_dangling_edge(VertexId::new(0), at(0., 0.)).expect("inside");
     assert!(matches!(NavMesh::new(&spur), Err(NavMeshError::Concave { .. })));
     let mut hole = Subdivision::lab_rectangle();
     hole.set_hole(FaceId::new(1), true);

@@ -161,7 +161,7 @@ fn a_list_without_faces_is_the_empty_plane() {
     assert_eq!(converted.unused_vertices, [VertexId::new(0), VertexId::new(1)]);
     let s = converted.subdivision;
     assert_eq!((s.vertex_count(), s.edge_count(), s.face_count()), (0, 0, 1));
-    assert_eq!(s.boundary(s.outer_face()), None);
+    assert_eq!(s.half_edge(s.outer_face()), None);
     assert_eq!(s.geometry_violations(), []);
 }
 
@@ -326,6 +326,6 @@ fn a_thousand_islands_in_a_thousand_holes() {
     let s = Subdivision::from_polygons(p, &list).unwrap();
     assert_eq!((s.face_count(), s.hole_faces().count()), (1 + 3 * n as usize, n as usize));
     assert_eq!(s.cycles(s.outer_face()).count(), n as usize);
-    assert!(s.hole_faces().all(|f| s.rings(f).len() == 1));
+    assert!(s.hole_faces().all(|f| s.inner_components(f).len() == 1));
     assert_eq!(s.geometry_violations(), []);
 }

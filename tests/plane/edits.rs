@@ -197,7 +197,7 @@ fn every_refusal_of_split_face() {
     // Different cycles, an existing edge and one vertex at two corners: in the face round a chain of triangles.
     let mut n = nested();
     let before = n.clone();
-    let (outer, ring) = (n.boundary(FaceId::new(1)).unwrap(), n.cycles(FaceId::new(1)).nth(1).unwrap());
+    let (outer, ring) = (n.half_edge(FaceId::new(1)).unwrap(), n.cycles(FaceId::new(1)).nth(1).unwrap());
     assert_eq!(
         n.split_face(outer, ring),
         Err(topology::SplitFaceError::DifferentCycles { h1: outer, h2: ring, face: FaceId::new(1) }.into())
@@ -242,7 +242,7 @@ fn every_refusal_of_split_edge_and_the_midpoint() {
 
     let mut s = nested();
     let before = s.clone();
-    let bottom = s.boundary(FaceId::new(1)).unwrap();
+    let bottom = s.half_edge(FaceId::new(1)).unwrap();
     let deep = Point::new(0.0, 0.0);
     assert!(matches!(s.split_edge(bottom, deep), Err(SplitEdgeError::WouldCross { .. })));
     assert!(s == before);
@@ -275,7 +275,7 @@ fn every_refusal_of_joining() {
     let mut s = nested();
     let before = s.clone();
     let hole = s.hole_faces().next().unwrap();
-    let side = s.boundary(hole).unwrap();
+    let side = s.half_edge(hole).unwrap();
     let face = s.face(side.twin());
     assert_eq!(s.join_faces(side), Err(JoinFacesError::HoleAndDomain { hole, face }));
     assert_eq!(s.join_faces(side.twin()), Err(JoinFacesError::HoleAndDomain { hole, face }));
@@ -295,7 +295,7 @@ fn every_refusal_of_joining() {
     assert!(t == before);
     let mut s = nested();
     let before = s.clone();
-    let bottom = s.boundary(FaceId::new(1)).unwrap();
+    let bottom = s.half_edge(FaceId::new(1)).unwrap();
     assert!(matches!(s.join_edges(bottom), Err(JoinEdgesError::WouldCross { .. })));
     assert!(matches!(s.join_edges(h(1000)), Err(JoinEdgesError::Topology(_))));
     assert!(s == before);
@@ -386,5 +386,5 @@ fn the_lab_rectangle_is_the_one_of_the_lab() {
     let inside: Vec<_> = s.incident_vertices(FaceId::new(1)).collect();
     assert_eq!(inside, (0..6).map(VertexId::new).collect::<Vec<_>>());
     assert_eq!(s.incident_half_edges(s.outer_face()).count(), 6);
-    assert_eq!(s.boundary(s.outer_face()), Some(h(1)));
+    assert_eq!(s.half_edge(s.outer_face()), Some(h(1)));
 }

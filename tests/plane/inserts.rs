@@ -4,10 +4,10 @@
 use crate::tracer::{Numbers, assert_traced};
 use dcel_kit::plane::predicates::orientation;
 use dcel_kit::plane::{
-    InsertAntennaError, InsertEdgeError, InsertSegmentError, InsertVertexError, JoinFacesError, Point, RemoveEdgeError,
-    RemoveVertexError, SplitEdgeError, Subdivision,
+    InsertDanglingEdgeError, InsertEdgeError, InsertSegmentError, InsertVertexError, JoinFacesError, Point,
+    RemoveEdgeError, RemoveVertexError, SplitEdgeError, Subdivision,
 };
-use dcel_kit::topology::{IdError, Journal, Ring, Table, components, violations};
+use dcel_kit::topology::{IdError, InnerComponent, Journal, Table, components, violations};
 use dcel_kit::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use std::cmp::Ordering;
 
@@ -71,7 +71,7 @@ fn one_random_edit(s: &mut Subdivision, numbers: &mut Numbers, journal: &mut Jou
         }
         7 => {
             let (a, p) = (vertex(numbers), place(numbers));
-            (format!("insert_antenna {a} {p}"), s.insert_antenna_with(a, p, journal).is_ok())
+            (format!("insert_dangling_edge {a} {p}"), s.insert_dangling_edge_with(a, p, journal).is_ok())
         }
         8 | 9 => {
             let e = edge(numbers);
@@ -95,7 +95,7 @@ fn random_scripts_keep_to_what_the_edges_cut_out() {
         "insert_vertex ",
         "insert_vertex_in",
         "insert_edge",
-        "insert_antenna",
+        "insert_dangling_edge",
         "remove_edge",
         "remove_vertex",
         "insert_segment",
@@ -173,25 +173,25 @@ fn each_kind_of_insertion_does_what_it_says() {
     let mut s = start();
     // Ring and ring.
     let join = s.insert_edge(v(4), v(8)).unwrap();
-    assert_eq!((join.new_face, s.rings(f(1)).len()), (None, 1));
+    assert_eq!((join.new_face, s.inner_components(f(1)).len()), (None, 1));
     assert_right(&s, "ring to ring");
     // Ring and boundary.
     assert_eq!(s.insert_edge(v(0), v(3)).unwrap().new_face, None);
-    assert!(s.rings(f(1)).is_empty());
+    assert!(s.inner_components(f(1)).is_empty());
     assert_right(&s, "ring to boundary");
     // A second join cuts a face off; the vertex in the square stays where it is.
     let cut = s.insert_edge(v(9), v(1)).unwrap();
     assert!(cut.new_face.is_some());
     assert_right(&s, "split");
     let square = s.face(s.find_half_edge(v(3), v(4)).unwrap());
-    assert_eq!(s.rings(square), [Ring::Isolated(v(7))]);
+    assert_eq!(s.inner_components(square), [InnerComponent::Isolated(v(7))]);
     // Isolated vertices: to a corner, and each other.
     s.insert_edge(v(7), v(5)).unwrap();
-    assert!(s.rings(square).is_empty() && s.degree(v(7)) == 1);
+    assert!(s.inner_components(square).is_empty() && s.degree(v(7)) == 1);
     let lone = s.insert_vertex(point(40, 40)).unwrap();
-    let outer = s.rings(f(0)).len();
+    let outer = s.inner_components(f(0)).len();
     s.insert_edge(lone, v(10)).unwrap();
-    assert_eq!(s.rings(f(0)).len(), outer - 1);
+    assert_eq!(s.inner_components(f(0)).len(), outer - 1);
     assert_right(&s, "isolated");
     // A face cut off takes the rings that lie in it, and the hole flag.
     let mut s = start();
@@ -200,7 +200,7 @@ fn each_kind_of_insertion_does_what_it_says() {
     assert_eq!((new.half_edges.len(), new.crossings.len()), (1, 0));
     assert_right(&s, "cut");
     let [above, below] = [new.half_edges[0], new.half_edges[0].twin()].map(|h| s.face(h));
-    assert_eq!((s.rings(above).len(), s.rings(below).len()), (0, 2));
+    assert_eq!((s.inner_components(above).len(), s.inner_components(below).len()), (0, 2));
     assert!(s.is_hole(above) && s.is_hole(below));
 }
 
@@ -222,7 +222,7 @@ fn a_segment_walks_through_everything() {
     let inside = s.insert_segment(point(1, 5), point(2, 5)).unwrap();
     assert_eq!((inside.half_edges.len(), s.edge_count()), (1, before.edge_count() + 2));
     assert_right(&s, "inside an edge");
-    // Rounded crossings: random segments over each other, all laws after each.
+    // Rounded crossings: random segments over each other, all invariants after each.
     for seed in 1..40 {
         let mut numbers = Numbers::new(seed);
         let mut s = Subdivision::new();
@@ -294,16 +294,19 @@ fn every_refusal_has_its_name_and_changes_nothing() {
     assert!(matches!(edge(7, 8), InsertEdgeError::Crosses { .. }));
     assert!(matches!(edge(0, 99), InsertEdgeError::Id(IdError::OutOfRange { .. })));
 
-    let antenna = |a: u32, p: Point| s.clone().insert_antenna(v(a), p).unwrap_err();
+    let antenna = |a: u32, p: Point| s.clone().insert_dangling_edge(v(a), p).unwrap_err();
     let in_the_way =
-        |a: u32, p: Point, o: Element| InsertAntennaError::InTheWay { vertex: v(a), point: p, obstacle: o };
+        |a: u32, p: Point, o: Element| InsertDanglingEdgeError::InTheWay { vertex: v(a), point: p, obstacle: o };
     assert_eq!(antenna(0, point(0, 0)), in_the_way(0, point(0, 0), v(0).into()));
     assert_eq!(antenna(0, point(4, 4)), in_the_way(0, point(4, 4), v(3).into()));
     assert_eq!(antenna(0, point(5, 0)), in_the_way(0, point(5, 0), HalfEdgeId::new(0).into()));
-    assert!(matches!(antenna(0, point(5, 3)), InsertAntennaError::InTheWay { obstacle: Element::HalfEdge(_), .. }));
+    assert!(matches!(
+        antenna(0, point(5, 3)),
+        InsertDanglingEdgeError::InTheWay { obstacle: Element::HalfEdge(_), .. }
+    ));
     assert_eq!(antenna(7, point(7, 7)), in_the_way(7, point(7, 7), v(5).into()));
-    assert!(matches!(antenna(0, Point::new(0.0, 1e300)), InsertAntennaError::Coordinate(_)));
-    assert!(matches!(antenna(99, point(0, 1)), InsertAntennaError::Id(_)));
+    assert!(matches!(antenna(0, Point::new(0.0, 1e300)), InsertDanglingEdgeError::Coordinate(_)));
+    assert!(matches!(antenna(99, point(0, 1)), InsertDanglingEdgeError::Id(_)));
 
     let segment = |p: Point, q: Point| s.clone().insert_segment(p, q).unwrap_err();
     assert_eq!(segment(point(1, 1), point(1, 1)), InsertSegmentError::ZeroLength { at: point(1, 1) });

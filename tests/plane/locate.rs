@@ -3,7 +3,7 @@
 
 use crate::numbers::Numbers;
 use dcel_kit::plane::{Location, Point, PointIndex, Subdivision};
-use dcel_kit::topology::Ring;
+use dcel_kit::topology::InnerComponent;
 use dcel_kit::{HalfEdgeId, VertexId};
 use std::collections::BTreeSet;
 
@@ -98,7 +98,7 @@ fn by_crossings(s: &Subdivision, q: Whole) -> Location {
     let inside = |f| s.cycles(f).flat_map(|h| s.cycle(h)).filter(|&h| crossed(h)).count() % 2 == 1;
     let surrounded = |h| s.cycle(h).filter(|&h| crossed(h)).count() % 2 == 1;
     let faces: Vec<_> =
-        s.faces().filter(|&f| f != s.outer_face() && inside(f) && surrounded(s.boundary(f).unwrap())).collect();
+        s.faces().filter(|&f| f != s.outer_face() && inside(f) && surrounded(s.half_edge(f).unwrap())).collect();
     assert!(faces.len() <= 1, "{q:?} lies in {faces:?}");
     Location::Face(faces.first().copied().unwrap_or(s.outer_face()))
 }
@@ -152,8 +152,9 @@ fn all_ways_agree_with_crossing_numbers_on_random_graphs() {
                 let found = agreed(&s, &indices, point((x, y)), &context);
                 assert_eq!(found, by_crossings(&s, (x, y)), "{context}: ({x}, {y})");
                 on_edges += usize::from(matches!(found, Location::Edge(_)));
-                in_rings +=
-                    usize::from(matches!(found, Location::Face(f) if f != s.outer_face() && !s.rings(f).is_empty()));
+                in_rings += usize::from(
+                    matches!(found, Location::Face(f) if f != s.outer_face() && !s.inner_components(f).is_empty()),
+                );
             }
         }
     }
@@ -413,7 +414,11 @@ fn faces_with_a_thousand_rings() {
         let (dx, dy) = ((p.x - p.x.round()).abs(), (p.y - p.y.round()).abs());
         let in_square = dx < 0.25 && dy < 0.25 && p.x < 31.5 && p.y < 31.5;
         let Location::Face(f) = found else { panic!("{p} lies on {found}") };
-        assert_eq!(s.rings(f).iter().filter(|ring| matches!(ring, Ring::Cycle(_))).count() > 0, !in_square, "{p}");
+        assert_eq!(
+            s.inner_components(f).iter().filter(|ring| matches!(ring, InnerComponent::Cycle(_))).count() > 0,
+            !in_square,
+            "{p}"
+        );
         *(if in_square { &mut inside } else { &mut between }) += 1;
     }
     assert!(inside > 30 && between > 30, "{inside} inside, {between} between");

@@ -5,7 +5,7 @@ use dcel_kit::topology::{Table, violations};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeMap;
 
-/// The subdivision with one vertex elsewhere, and nothing else changed, if it obeys all laws.
+/// The subdivision with one vertex elsewhere, and nothing else changed, if it obeys all invariants.
 fn moved(s: &Subdivision, v: VertexId, to: Point) -> Result<Subdivision, String> {
     let mut table = Table::from_view(s);
     for u in s.vertices() {

@@ -3,7 +3,7 @@
 
 use crate::numbers::Numbers;
 use dcel_kit::plane::{ArrangeOptions, Location, Operation, Overlay, Parts, Point, Subdivision};
-use dcel_kit::topology::{components, same, violations};
+use dcel_kit::topology::{components, isomorphic, violations};
 use dcel_kit::{EdgeId, FaceId};
 use std::collections::BTreeSet;
 
@@ -14,7 +14,7 @@ fn split(segments: &[[Point; 2]]) -> Subdivision {
 
 /// A point inside a bounded face, very near to the middle of an edge of it.
 fn point_inside(s: &Subdivision, f: FaceId) -> Point {
-    let h = s.boundary(f).unwrap();
+    let h = s.half_edge(f).unwrap();
     let (a, b) = (s.point(s.origin(h)), s.point(s.destination(h)));
     let (dx, dy) = ((b.x - a.x) * 1e-7, (b.y - a.y) * 1e-7);
     Point::new((a.x + b.x) / 2.0 - dy, (a.y + b.y) / 2.0 + dx)
@@ -108,7 +108,7 @@ fn labels_are_where_points_are_located() {
         assert_eq!(both.moved, [], "seed {seed}");
         assert_carried(&a, &b, &both, &format!("seed {seed}"));
         crossings += both.crossings.len();
-        in_rings += bounded(&both.subdivision).filter(|&f| !both.subdivision.rings(f).is_empty()).count();
+        in_rings += bounded(&both.subdivision).filter(|&f| !both.subdivision.inner_components(f).is_empty()).count();
     }
     assert!(crossings > 300 && in_rings > 20, "{crossings} crossings, {in_rings} faces with rings");
 }
@@ -172,13 +172,13 @@ fn a_subdivision_on_itself_on_nothing_and_in_the_other_order() {
         let mut plain = itself.subdivision.clone();
         let holes: Vec<Point> = a.hole_faces().map(|f| point_inside(&a, f)).collect();
         plain.mark_holes(&holes).unwrap();
-        assert!(same(&a, &plain).is_ok(), "{context}: the overlay with itself differs");
+        assert!(isomorphic(&a, &plain).is_ok(), "{context}: the overlay with itself differs");
 
         let alone = a.overlay(&Subdivision::new()).unwrap();
         assert_carried(&a, &Subdivision::new(), &alone, &context);
 
         let (there, back) = (a.overlay(&b).unwrap(), b.overlay(&a).unwrap());
-        assert!(same(&there.subdivision, &back.subdivision).is_ok(), "{context}: the order counts");
+        assert!(isomorphic(&there.subdivision, &back.subdivision).is_ok(), "{context}: the order counts");
         for f in bounded(&there.subdivision) {
             let Location::Face(g) = back.subdivision.locate(point_inside(&there.subdivision, f)) else { panic!("{f}") };
             assert_eq!([there.face_of_a[f], there.face_of_b[f]], [back.face_of_b[g], back.face_of_a[g]], "{context}");

@@ -3,7 +3,7 @@
 
 use crate::tracer::{Numbers, assert_traced};
 use dcel_kit::plane::{ArrangeOptions, Arranged, CoordinateError, Point, SegmentFault, SegmentsError, Subdivision};
-use dcel_kit::topology::{Ring, violations};
+use dcel_kit::topology::{InnerComponent, violations};
 use dcel_kit::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeSet;
 
@@ -42,7 +42,7 @@ fn euler_holds(s: &Subdivision, context: &str) {
     assert_eq!(violations(s), [], "{context}");
 }
 
-/// All laws, the faces of the independent tracer, and Euler.
+/// All invariants, the faces of the independent tracer, and Euler.
 fn assert_right(s: &Subdivision, context: &str) {
     euler_holds(s, context);
     assert_traced(s, context);
@@ -137,7 +137,7 @@ fn random_plane_graphs_are_what_the_tracer_finds() {
             let h = HalfEdgeId::new(2 * i as u32);
             assert_eq!([s.point(s.origin(h)), s.point(s.destination(h))], [a, b], "seed {seed}: segment {i}");
         }
-        with_rings += usize::from(s.faces().any(|f| f != s.outer_face() && !s.rings(f).is_empty()));
+        with_rings += usize::from(s.faces().any(|f| f != s.outer_face() && !s.inner_components(f).is_empty()));
     }
     assert!(with_rings > 40, "only {with_rings} with rings in bounded faces");
 }
@@ -180,7 +180,7 @@ fn order_direction_and_rotation_of_the_list_change_names_only() {
 
 #[test]
 fn numbers_are_as_documented() {
-    // A square with an antenna inside and a triangle in it, a lone edge outside.
+    // A square with a dangling edge inside and a triangle in it, a lone edge outside.
     let mut segments = square(0., 0., 8.);
     segments.push(segment(-8., -8., -6., -6.));
     segments.extend(polygon(&[(0., 0.), (2., 0.), (0., 2.)]));
@@ -189,13 +189,16 @@ fn numbers_are_as_documented() {
     assert_right(&s, "numbers");
     let h = HalfEdgeId::new;
     assert_eq!((s.vertex_count(), s.edge_count(), s.face_count()), (10, 9, 3));
-    assert_eq!((s.boundary(FaceId::new(1)), s.boundary(FaceId::new(2))), (Some(h(0)), Some(h(10))));
-    assert_eq!(s.rings(FaceId::new(1)), [Ring::Cycle(h(11))]);
-    assert_eq!((s.boundary(FaceId::new(0)), s.rings(FaceId::new(0))), (Some(h(1)), &[Ring::Cycle(h(16))][..]));
-    // v0 = (-8, -8): to the right, along the antenna, upwards.
+    assert_eq!((s.half_edge(FaceId::new(1)), s.half_edge(FaceId::new(2))), (Some(h(0)), Some(h(10))));
+    assert_eq!(s.inner_components(FaceId::new(1)), [InnerComponent::Cycle(h(11))]);
+    assert_eq!(
+        (s.half_edge(FaceId::new(0)), s.inner_components(FaceId::new(0))),
+        (Some(h(1)), &[InnerComponent::Cycle(h(16))][..])
+    );
+    // v0 = (-8, -8): to the right, along the dangling edge, upwards.
     let star: Vec<_> = s.outgoing_half_edges(VertexId::new(0)).collect();
     assert_eq!(star, [h(0), h(8), h(7)]);
-    let residues = s.residues();
+    let residues = s.dangles_and_cut_edges();
     assert_eq!((residues.dangles, residues.cut_edges), (vec![EdgeId::new(4), EdgeId::new(8)], vec![]));
     let empty = Subdivision::from_segments(&[]).unwrap();
     assert_eq!(empty, Subdivision::new());
@@ -207,12 +210,12 @@ fn a_graph_keeps_its_numbers_and_its_isolated_points() {
     let s = Subdivision::from_graph(&points, &[[0, 2], [2, 4], [4, 0]]).unwrap();
     assert_right(&s, "graph");
     assert_eq!(s.vertices().map(|v| s.point(v)).collect::<Vec<_>>(), points);
-    assert_eq!(s.rings(FaceId::new(1)), [Ring::Isolated(VertexId::new(3))]);
-    let outer = [1, 5].map(|v| Ring::Isolated(VertexId::new(v)));
-    assert_eq!(s.rings(FaceId::new(0)), outer);
+    assert_eq!(s.inner_components(FaceId::new(1)), [InnerComponent::Isolated(VertexId::new(3))]);
+    let outer = [1, 5].map(|v| InnerComponent::Isolated(VertexId::new(v)));
+    assert_eq!(s.inner_components(FaceId::new(0)), outer);
     let only_points = Subdivision::from_graph(&points, &[]).unwrap();
     assert_right(&only_points, "points");
-    assert_eq!((only_points.face_count(), only_points.rings(FaceId::new(0)).len()), (1, 6));
+    assert_eq!((only_points.face_count(), only_points.inner_components(FaceId::new(0)).len()), (1, 6));
 }
 
 #[test]
@@ -508,7 +511,7 @@ fn residues_are_dangles_and_cut_edges() {
     list.push(segment(5., 3., 4., 4.)); // 11
     list.push(segment(5., 3., 6., 4.)); // 12
     list.push(segment(20., 0., 21., 0.)); // 13
-    let residues = Subdivision::from_segments(&list).unwrap().residues();
+    let residues = Subdivision::from_segments(&list).unwrap().dangles_and_cut_edges();
     let e = |list: &[u32]| list.iter().map(|&i| EdgeId::new(i)).collect::<Vec<_>>();
     assert_eq!((residues.dangles, residues.cut_edges), (e(&[10, 11, 12, 13]), e(&[8, 9])));
 }
@@ -577,13 +580,13 @@ fn a_star_of_a_hundred_thousand_and_a_spiral() {
     let s = Subdivision::from_segments(&star).unwrap();
     assert_eq!((s.vertex_count(), s.face_count(), s.degree(VertexId::new(0))), (n as usize + 1, 1, n as usize));
     assert_eq!(s.cycle(HalfEdgeId::new(0)).count(), 2 * n as usize);
-    assert_eq!(s.residues().dangles.len(), n as usize);
+    assert_eq!(s.dangles_and_cut_edges().dangles.len(), n as usize);
     // Ten thousand squares in each other.
     let nested: Vec<Segment> = (1..=10_000).flat_map(|i| square(0., 0., f64::from(i))).collect();
     let s = Subdivision::from_segments(&nested).unwrap();
     euler_holds(&s, "nested");
     assert_eq!(s.face_count(), 10_001);
-    let with_ring = s.faces().filter(|&f| f != s.outer_face() && s.rings(f).len() == 1).count();
+    let with_ring = s.faces().filter(|&f| f != s.outer_face() && s.inner_components(f).len() == 1).count();
     assert_eq!(with_ring, 9_999);
 }
 

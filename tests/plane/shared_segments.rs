@@ -4,7 +4,7 @@
 use dcel_kit::io::{Document, Format, ReadOptions, SegmentSoup, read_bytes, read_path};
 use dcel_kit::plane::predicates::orientation;
 use dcel_kit::plane::{ArrangeOptions, Arranged, Point, SegmentFault, SegmentsError, Subdivision};
-use dcel_kit::topology::{Ring, components, violations};
+use dcel_kit::topology::{InnerComponent, components, violations};
 use dcel_kit::{FaceId, VertexId};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
@@ -64,11 +64,11 @@ fn polygon(mut rings: Vec<Vec<Corner>>) -> Polygon {
 
 /// The bounded faces of the segments without dangles and cut edges.
 fn polygons_of(s: &Subdivision) -> BTreeSet<Polygon> {
-    let residues = s.residues();
+    let residues = s.dangles_and_cut_edges();
     let gone: BTreeSet<_> = residues.dangles.iter().chain(&residues.cut_edges).copied().collect();
     let kept = s.edges().filter(|e| !gone.contains(e)).map(|e| e.half_edges().map(|h| s.point(s.origin(h))));
     let s = Subdivision::from_segments(&kept.collect::<Vec<_>>()).unwrap();
-    assert_eq!(s.residues(), Default::default(), "what is left bounds faces");
+    assert_eq!(s.dangles_and_cut_edges(), Default::default(), "what is left bounds faces");
     let faces = s.faces().filter(|&f| f != s.outer_face());
     let ring = |h| s.cycle(h).map(|h| corner(s.point(s.origin(h)))).collect();
     faces.map(|f| polygon(s.cycles(f).map(ring).collect())).collect()
@@ -325,7 +325,7 @@ fn drawn_tilings_have_the_stated_counts_and_their_labels_in_their_faces() {
         let convex = |f| {
             let turn =
                 |h| orientation(s.point(s.origin(h)), s.point(s.destination(h)), s.point(s.destination(s.next(h))));
-            s.incident_half_edges(f).all(|h| turn(h).is_ge()) && s.rings(f).is_empty()
+            s.incident_half_edges(f).all(|h| turn(h).is_ge()) && s.inner_components(f).is_empty()
         };
         if labels.len() == s.face_count() - 1 && s.faces().skip(1).all(convex) {
             let faces = s.mark_holes(&labels).unwrap_or_else(|e| panic!("{name}: {e}"));
@@ -362,7 +362,7 @@ fn simple_polygons_are_one_face_and_the_others_are_refused_by_name() {
                 let area = doubled_area(&s, FaceId::new(1)) / 2.0;
                 let stated_area = stated["area"].as_f64().unwrap().abs();
                 assert!((area - stated_area).abs() <= 1e-9 * stated_area, "{name}: {area} for {stated_area}");
-                assert_eq!(s.rings(FaceId::new(0)), [] as [Ring; 0], "{name}");
+                assert_eq!(s.inner_components(FaceId::new(0)), [] as [InnerComponent; 0], "{name}");
                 simple += 1;
             }
             Err(SegmentsError::Faults { faults, .. }) => {

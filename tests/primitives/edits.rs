@@ -1,7 +1,9 @@
 //! Vertex splits and joins against cyclic lists that are cut and glued, and against each other.
 
 use crate::common::{Random, h, v, zoo};
-use dcel_kit::topology::{Dcel, Journal, NoRecorder, SameOptions, Table, measure, same, same_with, violations};
+use dcel_kit::topology::{
+    Dcel, IsomorphismOptions, Journal, NoRecorder, Table, isomorphic, isomorphic_with, measure, violations,
+};
 use dcel_kit::{Element, HalfEdgeId};
 use std::collections::BTreeMap;
 
@@ -178,7 +180,7 @@ fn a_vertex_join_is_the_cutting_and_gluing_of_lists() {
 fn assert_restored(after: &Dcel, before: &Dcel, context: &str) {
     assert_eq!(Lists::of(after), Lists::of(before), "{context}");
     let everything = |_: Element| true;
-    let same = same_with(after, before, &SameOptions::new().fixed(&everything));
+    let same = isomorphic_with(after, before, &IsomorphismOptions::new().fixed(&everything));
     assert!(same.is_ok(), "{context}: {}", same.unwrap_err());
     assert_eq!(violations(after), [], "{context}");
 }
@@ -190,7 +192,7 @@ fn join_vertices_undoes_split_vertex() {
             let mut after = before.clone();
             let Ok((a, m)) = after.split_vertex(first, last) else { continue };
             let context = format!("{name}, split_vertex {first} {last}, join_vertices {a}");
-            assert!(same(&after, &before).is_err(), "{context}: a split must show");
+            assert!(isomorphic(&after, &before).is_err(), "{context}: a split must show");
             assert_eq!(after.join_vertices(a), Ok(m), "{context}");
             assert_restored(&after, &before, &context);
         }
@@ -215,7 +217,7 @@ fn split_vertex_undoes_join_vertices() {
                 _ => after.split_vertex(corner, corner).map(|(b, _)| b),
             };
             assert_eq!(undone.expect(&context).edge(), a.edge(), "the freed slot comes back first, {context}");
-            assert_eq!(same(&after, &before).map(drop), Ok(()), "{context}");
+            assert_eq!(isomorphic(&after, &before).map(drop), Ok(()), "{context}");
         }
     }
 }
@@ -227,7 +229,7 @@ fn one_half_edge_moved_is_a_split_edge() {
             let (mut by_vertex, mut by_edge) = (before.clone(), before.clone());
             let (new, m) = by_vertex.split_vertex(a, before.ccw(a)).unwrap();
             by_edge.split_edge(a).unwrap();
-            assert_eq!(same(&by_vertex, &by_edge).map(drop), Ok(()), "{name}, {a}");
+            assert_eq!(isomorphic(&by_vertex, &by_edge).map(drop), Ok(()), "{name}, {a}");
             assert_eq!((by_vertex.next(new), by_vertex.origin(a)), (a, m), "{name}, {a}: the new half comes first");
         }
     }
@@ -247,7 +249,7 @@ fn a_point_gets_a_spur_and_is_a_point_again() {
     let before = Dcel::from_triangles(2, &[]).unwrap().dcel;
     let mut after = before.clone();
     let (a, face) = after.split_isolated_vertex(v(1)).unwrap();
-    assert_eq!((after.origin(a), after.destination(a), after.boundary(face)), (v(1), v(2), Some(a)));
+    assert_eq!((after.origin(a), after.destination(a), after.half_edge(face)), (v(1), v(2), Some(a)));
     assert_eq!(violations(&after), []);
     assert_eq!(measure(&after).closed_euler(), 4);
     assert_eq!(after.join_vertices(a), Ok(v(2)));

@@ -1,9 +1,9 @@
-//! Shapes grow by the two primitives only; every single step keeps the laws and the genus.
+//! Shapes grow by the two primitives only; every single step keeps the invariants and the genus.
 
 use crate::common::h;
 use crate::refusals::covers;
 use dcel_kit::solid::grow::{GrowError, Grown, Primitives, Shape, part, pole, quads};
-use dcel_kit::topology::{Dcel, PolygonList, SplitFaceError, SplitVertexError, measure, same, violations};
+use dcel_kit::topology::{Dcel, PolygonList, SplitFaceError, SplitVertexError, isomorphic, measure, violations};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeSet;
 
@@ -148,7 +148,7 @@ fn the_shapes_are_those_that_lists_of_corners_give() {
         let check = |shape: Shape, vertices: u32, faces: &[Vec<u32>]| {
             let grown = shape.build().unwrap().polyhedron;
             let listed = from_lists(vertices as usize, faces);
-            assert_eq!(same(grown.topology(), &listed).map(drop), Ok(()), "{shape:?}");
+            assert_eq!(isomorphic(grown.topology(), &listed).map(drop), Ok(()), "{shape:?}");
         };
         let (sides, layers) = size(n, m);
         let torus = (0..m).flat_map(|j| {

@@ -25,7 +25,7 @@ pub const TRIANGLE: &str = "dcel 1\nv0 0 0 out h0\nv1 4 0 out h2\nv2 2 3 out h4\
     h0 origin v0 twin h1 next h2 prev h4 face f1\nh1 origin v1 twin h0 next h5 prev h3 face f0\n\
     h2 origin v1 twin h3 next h4 prev h0 face f1\nh3 origin v2 twin h2 next h1 prev h5 face f0\n\
     h4 origin v2 twin h5 next h0 prev h2 face f1\nh5 origin v0 twin h4 next h3 prev h1 face f0\n\
-    f0 outer boundary h1 rings none\nf1 boundary h0 rings v3 name \"Ohio\"\n";
+    f0 outer half_edge h1 inner none\nf1 half_edge h0 inner v3 name \"Ohio\"\n";
 
 /// What a call gave.
 #[derive(Debug)]

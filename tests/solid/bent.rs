@@ -4,7 +4,7 @@
 use super::common::Random;
 use super::shapes::{prism, torus};
 use dcel_kit::HalfEdgeId;
-use dcel_kit::solid::predicates::{are_collinear, side_of_plane};
+use dcel_kit::solid::predicates::{are_collinear, orient3d};
 use dcel_kit::solid::{NotConvex, Polyhedron};
 use dcel_kit::topology::PolygonList;
 use std::cmp::Ordering;
@@ -51,7 +51,7 @@ fn fits_everywhere(solid: &Polyhedron) -> bool {
             all.into_iter().filter(|&p| !are_collinear(a, b, p)).collect::<Vec<_>>()
         };
         let of_right = corners(twin);
-        corners(h).into_iter().all(|c| of_right.iter().all(|&d| side_of_plane(a, b, c, d) == Ordering::Less))
+        corners(h).into_iter().all(|c| of_right.iter().all(|&d| orient3d(a, b, c, d) == Ordering::Less))
     })
 }
 

@@ -2,7 +2,7 @@
 
 use super::common::{Random, f, v};
 use dcel_kit::solid::{AddFaceError, AddVertexError, Polyhedron, RemoveFaceError, RemoveVertexError, SurfaceJournal};
-use dcel_kit::topology::{IdError, PolygonList, Table, measure_with, same, violations};
+use dcel_kit::topology::{IdError, PolygonList, Table, isomorphic, measure_with, violations};
 use dcel_kit::{FaceId, VertexId};
 use std::collections::BTreeMap;
 
@@ -51,7 +51,7 @@ fn is_surface(faces: &Model) -> bool {
     })
 }
 
-/// The surface obeys all laws and holds the faces of the model and no others.
+/// The surface obeys all invariants and holds the faces of the model and no others.
 fn check(surface: &Polyhedron, model: &Model, script: &str) {
     assert_eq!(violations(surface), [], "{script}");
     let mut edges: Vec<_> = Vec::new();
@@ -173,7 +173,7 @@ fn compare_with_the_builder(surface: &Polyhedron, model: &Model, script: &str) {
         for v in surface.vertices().filter(|&v| surface.outgoing(v).is_none()) {
             bare.remove_vertex(v).unwrap();
         }
-        assert!(same(&bare, &built).is_ok(), "{script}");
+        assert!(isomorphic(&bare, &built).is_ok(), "{script}");
         assert_eq!(surface.boundary_faces().len(), built.boundary_faces().len(), "{script}");
     }
 }
@@ -230,7 +230,7 @@ fn removing_a_vertex_does_not_read_links_it_has_cleared() {
     for [a, b] in [[1, 3], [0, 2], [3, 0], [2, 1]] {
         surface.add_face(&[v(a), v(b), top]).unwrap();
     }
-    assert!(same(&surface, &Polyhedron::from_polygons(vec![[0.0; 3]; 6], &octahedron).unwrap()).is_ok());
+    assert!(isomorphic(&surface, &Polyhedron::from_polygons(vec![[0.0; 3]; 6], &octahedron).unwrap()).is_ok());
 }
 
 /// On the page the border half of an edge has no `next`, so that a walk round a border vertex falls off.

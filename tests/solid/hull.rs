@@ -135,7 +135,7 @@ fn an_apex_over_a_wide_base_joins_all_its_corners() {
             let above = hull.solid.faces().any(|f| {
                 let mut corners = hull.solid.incident_vertices(f).map(|v| hull.solid.point(v));
                 let [a, b, c] = std::array::from_fn(|_| corners.next().unwrap());
-                dcel_kit::solid::predicates::side_of_plane(a, b, c, *p).is_gt()
+                dcel_kit::solid::predicates::orient3d(a, b, c, *p).is_gt()
             });
             assert!(!above, "{p:?} lies outside, n = {n}");
         }

@@ -5,7 +5,7 @@ use super::shapes::{L, cut_cube, polygons, prism, torus};
 use dcel_kit::solid::{
     Archimedean, DualError, DualPositions, FaceFault, Hand, HullFaces, Platonic, Polyhedron, TruncateError,
 };
-use dcel_kit::topology::{same, violations};
+use dcel_kit::topology::{isomorphic, violations};
 use dcel_kit::{FaceId, VertexId};
 use std::f64::consts::{PI, TAU};
 
@@ -57,7 +57,7 @@ fn the_dual_of_a_regular_solid_is_the_other_one_and_back() {
         let solid = Polyhedron::platonic(kind);
         let dual = solid.dual().unwrap();
         assert_eq!(dual.positions, DualPositions::Polar, "{kind}");
-        assert!(same(&dual.solid, &Polyhedron::platonic(kind.dual())).is_ok(), "{kind}");
+        assert!(isomorphic(&dual.solid, &Polyhedron::platonic(kind.dual())).is_ok(), "{kind}");
         let (dihedral, ..) = book(kind.dual());
         assert!(dual.solid.edges().all(|e| near(dual.solid.dihedral_angle(e).unwrap(), dihedral)), "{kind}");
         let back = dual.solid.dual().unwrap().solid;

@@ -5,7 +5,7 @@ use super::shapes::{prism, round_solid};
 use dcel_kit::FaceId;
 use dcel_kit::figure::{self, Camera, FigureOptions, HiddenLines};
 use dcel_kit::solid::{Archimedean, NotConvex, Platonic, Polyhedron, SchlegelError};
-use dcel_kit::topology::{PolygonList, same, violations};
+use dcel_kit::topology::{PolygonList, isomorphic, violations};
 
 #[test]
 fn seen_through_any_face_a_solid_is_the_same_structure() {
@@ -19,7 +19,7 @@ fn seen_through_any_face_a_solid_is_the_same_structure() {
             let seen = solid.schlegel(face).unwrap();
             assert_eq!(violations(&seen.diagram), []);
             assert_eq!(seen.diagram.geometry_violations(), [], "{face}");
-            assert!(same(solid.topology(), seen.diagram.topology()).is_ok(), "{face}");
+            assert!(isomorphic(solid.topology(), seen.diagram.topology()).is_ok(), "{face}");
             for f in seen.diagram.faces() {
                 let mut there: Vec<_> = seen.diagram.incident_vertices(f).map(|v| seen.vertices[v]).collect();
                 let mut here: Vec<_> = solid.incident_vertices(seen.faces[f]).collect();

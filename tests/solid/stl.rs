@@ -3,7 +3,7 @@
 use super::shapes::{L, prism};
 use dcel_kit::io::{Document, Format, Model, PolygonSoup, ReadOptions, WriteError, read_bytes, write};
 use dcel_kit::solid::{Archimedean, Hand, Platonic, Polyhedron};
-use dcel_kit::topology::{PolygonList, same};
+use dcel_kit::topology::{PolygonList, isomorphic};
 
 fn written(solid: &Polyhedron) -> Result<Vec<u8>, WriteError> {
     let model = Model::surface(solid, |v| Some(solid.point(v)), |f| solid.is_boundary_face(f));
@@ -57,7 +57,7 @@ fn a_cube_goes_out_in_triangles_and_comes_back_joined_from_text_and_from_bytes()
     let (from_bytes, _) = read(&bytes).unwrap();
     assert_eq!((from_bytes.points.clone(), from_bytes.faces.clone()), (soup.points, soup.faces));
     let from_bytes = Polyhedron::from_polygons(from_bytes.points, &from_bytes.faces).unwrap();
-    assert!(same(&from_bytes, &again).is_ok());
+    assert!(isomorphic(&from_bytes, &again).is_ok());
 }
 
 #[test]

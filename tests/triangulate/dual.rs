@@ -1,9 +1,9 @@
-//! Duals: the laws by which they are made, and that the dual of the dual is the structure again.
+//! Duals: the invariants by which they are made, and that the dual of the dual is the structure again.
 
 use crate::common::Random;
 use crate::judge::{polygon, rings};
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
-use dcel_kit::topology::{Dcel, DualError, PolygonList, components, measure, same, violations};
+use dcel_kit::topology::{Dcel, DualError, PolygonList, components, isomorphic, measure, violations};
 use dcel_kit::{FaceId, VertexId};
 
 fn check(dcel: &Dcel) {
@@ -19,7 +19,7 @@ fn check(dcel: &Dcel) {
         assert_eq!(dual.next(h), dcel.prev(h.twin()));
     }
     let again = dual.dual().unwrap();
-    assert!(same(&again, dcel).is_ok());
+    assert!(isomorphic(&again, dcel).is_ok());
     for h in dcel.half_edges() {
         assert_eq!((again.origin(h), again.face(h)), (dcel.origin(h.twin()), dcel.face(h.twin())));
         assert_eq!(again.next(h), dcel.next(h.twin()).twin());
@@ -38,7 +38,7 @@ fn check(dcel: &Dcel) {
 fn duals_of_polygons_trees_and_plane_graphs() {
     (1..7).for_each(|n| check(&Dcel::polygon(n).unwrap()));
     check(Subdivision::lab_rectangle().topology());
-    // Antennas become loops; a tree has one face.
+    // Dangling edges become loops; a tree has one face.
     let points = [(0., 0.), (4., 0.), (4., 4.), (0., 4.), (1., 1.), (2., 1.), (6., 6.)].map(Point::from);
     check(
         Subdivision::from_graph(&points, &[[0, 1], [1, 2], [2, 3], [3, 0], [0, 4], [4, 5], [2, 6]]).unwrap().topology(),

@@ -2,7 +2,7 @@
 
 use dcel_kit::plane::predicates::orientation;
 use dcel_kit::plane::{Point, Subdivision, Triangulated, TriangulationMethod};
-use dcel_kit::topology::{Ring, violations};
+use dcel_kit::topology::{InnerComponent, violations};
 use dcel_kit::{FaceId, FaceMap, HalfEdgeId};
 
 pub(crate) const METHODS: [TriangulationMethod; 3] =
@@ -33,12 +33,12 @@ fn doubled_area_of_face(s: &Subdivision, f: FaceId) -> i128 {
 /// The triangles that a face must fall into.
 pub(crate) fn triangles_due(s: &Subdivision, f: FaceId) -> usize {
     let cycles: Vec<_> = s.cycles(f).collect();
-    let isolated = s.rings(f).iter().filter(|ring| matches!(ring, Ring::Isolated(_))).count();
+    let isolated = s.inner_components(f).iter().filter(|ring| matches!(ring, InnerComponent::Isolated(_))).count();
     let half_edges: usize = cycles.iter().map(|&h| s.cycle(h).count()).sum();
     half_edges + 2 * (cycles.len() - 1 + isolated) - 2
 }
 
-/// The laws that hold for any coordinates, for the faces `cut` of `before`.
+/// The invariants that hold for any coordinates, for the faces `cut` of `before`.
 pub(crate) fn judge(before: &Subdivision, cut: &[FaceId], after: &Subdivision, added: &Triangulated) {
     assert_eq!((violations(after), after.geometry_violations()), (vec![], vec![]));
     let (v, e, f) = (before.vertex_count(), before.edge_count(), before.face_count());
@@ -58,18 +58,18 @@ pub(crate) fn judge(before: &Subdivision, cut: &[FaceId], after: &Subdivision, a
         let old = came_from[f];
         assert_eq!(after.is_hole(f), before.is_hole(old), "{f}, a part of {old}");
         if !cut.contains(&old) {
-            assert!(f == old && before.rings(f) == after.rings(f));
+            assert!(f == old && before.inner_components(f) == after.inner_components(f));
             continue;
         }
         triangles[old] += 1;
-        assert!(after.rings(f).is_empty(), "{f} has rings");
-        let triangle = corners(after, after.boundary(f).unwrap());
+        assert!(after.inner_components(f).is_empty(), "{f} has rings");
+        let triangle = corners(after, after.half_edge(f).unwrap());
         let [a, b, c] = triangle[..] else { panic!("{f} has {} corners", triangle.len()) };
         assert!(orientation(a, b, c).is_gt(), "{f} has no positive area");
     }
     for &f in cut {
         assert_eq!(triangles[f], triangles_due(before, f), "number of triangles of {f}");
-        assert_eq!(before.boundary(f), after.boundary(f));
+        assert_eq!(before.half_edge(f), after.half_edge(f));
     }
     for &diagonal in &added.diagonals {
         let [left, right] = diagonal.half_edges().map(|h| came_from[after.face(h)]);

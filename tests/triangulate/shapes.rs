@@ -1,4 +1,4 @@
-//! Shapes with names: combs, spirals, stars, straight runs, rings in rings, islands, antennas.
+//! Shapes with names: combs, spirals, stars, straight runs, rings in rings, islands, dangling edges.
 
 use crate::judge::{METHODS, judge, judge_whole, polygon, rings, triangles_due};
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
@@ -92,7 +92,7 @@ fn rings_in_rings_and_islands_and_points() {
     let points = points.map(|(x, y)| Point::new(f64::from(x), f64::from(y)));
     let outline = [[0, 1], [1, 2], [2, 3], [3, 11], [11, 0]];
     judge_whole(&Subdivision::from_graph(&points, &outline).unwrap());
-    // Antennas from the boundary, a tree and a single edge inside, isolated points.
+    // Dangling edges from the boundary, a tree and a single edge inside, isolated points.
     let mut edges = outline.to_vec();
     edges.extend([[0, 4], [4, 8], [6, 7], [5, 9]]);
     judge_whole(&Subdivision::from_graph(&points, &edges).unwrap());

@@ -1,4 +1,9 @@
 //! `dcel compare`: is a drawing, or a structure, what it should be?
+//!
+//! ```text
+//!   drawings.rs    Two drawings
+//!   structures.rs  Two structures
+//! ```
 
 mod drawings;
 mod structures;
@@ -35,7 +40,7 @@ What is read of drawings:
             bounded face, counter-clockwise
   around    <g>, <use>, <symbol>, transform, clip-path, units,
             style attributes, simple style sheets
-What hides an edge, a circle or a face is told: draw faces first,
+What hides an edge, a circle or a face is reported: draw faces first,
 then lines, then circles. Texts, curves, backgrounds and frames,
 and what is called legend or axis are passed over. y points down
 in SVG: draw y as height - y, with two decimals or more. An edge

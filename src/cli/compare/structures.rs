@@ -11,7 +11,7 @@ use crate::subject::Subject;
 use crate::{Answer, Failure, Output};
 use dcel_kit::ids::{Element, HalfEdgeId, VertexId};
 use dcel_kit::io::counted;
-use dcel_kit::topology::{Difference, Matching, SameOptions, View, Which, first_violation, same_with};
+use dcel_kit::topology::{Difference, IsomorphismOptions, Matching, View, Which, first_violation, isomorphic_with};
 use std::io::Write;
 
 /// So many differences are told.
@@ -96,7 +96,7 @@ fn differences(args: &Args, mine: &Subject, expected: &Subject) -> Vec<Found> {
         }
     }
     let keys = [&places.mine, &places.expected].map(|ranks| move |v: VertexId| [u64::from(ranks[v.index()]), 0]);
-    let mut options = SameOptions::new();
+    let mut options = IsomorphismOptions::new();
     if !args.built.no_positions {
         options = options.keys(&keys[0], &keys[1]);
     }
@@ -104,7 +104,7 @@ fn differences(args: &Args, mine: &Subject, expected: &Subject) -> Vec<Found> {
     if args.built.ids {
         options = options.fixed(&stays);
     }
-    match same_with(mine.view(), expected.view(), &options) {
+    match isomorphic_with(mine.view(), expected.view(), &options) {
         Ok(matching) if args.names => names_apart(mine, expected, &matching),
         Ok(_) => Vec::new(),
         Err(difference) => vec![told(&difference, mine, expected)],
@@ -243,7 +243,7 @@ fn told(difference: &Difference, mine: &Subject, expected: &Subject) -> Found {
             Element::Vertex(v) => Some(v),
             Element::HalfEdge(h) => view.origin(h),
             Element::Edge(e) => view.origin(e.half_edges()[0]),
-            Element::Face(f) => view.boundary(f).and_then(|h| view.origin(h)),
+            Element::Face(f) => view.half_edge(f).and_then(|h| view.origin(h)),
         };
         match element {
             Element::Vertex(_) => at(subject, v),

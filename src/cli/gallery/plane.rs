@@ -39,7 +39,7 @@ pub(super) fn triangulation() -> Made<String> {
     let mut sheet = Multiples::new();
     let mut pieces = island.clone();
     let added = pieces.split_into_monotone(FaceId::new(1))?;
-    let text = "every upright line meets a piece in one stretch";
+    let text = "every vertical line meets a monotone piece in one segment";
     sheet.over("Monotone pieces", text, &island, Backdrop::Plain, figure::diagonals_of(&pieces, &added.diagonals));
     for (method, heading, text) in [
         (TriangulationMethod::Monotone, "Their triangles", "14 half-edges, 2 rings: 14 + 2 · 2 - 2 = 16"),

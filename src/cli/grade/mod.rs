@@ -7,6 +7,12 @@
 //! ```
 //!
 //! Lists, targets and folders are checked before the first submission is graded, reports are written as they come.
+//!
+//! ```text
+//!   class.rs    The reports of a class on their way into files
+//!   lists.rs    Lists of the class
+//!   signals.rs  Ctrl-C and the like, as a wish to stop
+//! ```
 
 mod class;
 mod lists;

@@ -4,6 +4,12 @@
 //!   list ── start ── check ⇄ watch     the student's way; hint and reset on the side
 //!   new ── verify ── export            the instructor's
 //! ```
+//!
+//! ```text
+//!   bundle.rs  `dcel lab bundle`
+//!   folder.rs  The student's folder on disk
+//!   kit/       The sources of the whole program, for a grader that is built elsewhere
+//! ```
 
 mod bundle;
 mod check;

@@ -13,7 +13,7 @@ use dcel_kit::navmesh::Location;
 use serde::Serialize;
 use std::io::Write;
 
-/// Tell where points lie: on a vertex, on an edge, in a face, in a hole, outside
+/// Find where points lie: on a vertex, on an edge, in a face, in a hole, outside
 ///
 /// The answer is exact: nothing is moved to what is near. For points off the mesh the nearest place
 /// on it is told, too.

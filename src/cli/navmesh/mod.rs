@@ -8,6 +8,18 @@
 //!
 //! Points are given and told as the file has them: of a grid map with y pointing down, of a flat floor in space by the
 //! two axes that lie flat. Floors whose heights differ are surfaces (`space/`): their points are told by all three.
+//!
+//! ```text
+//!   areas.rs      Areas of a map and what a unit of length costs in them
+//!   drawing.rs    The figure of a command
+//!   ends.rs       The start and the goal of a path
+//!   extras.rs     Costs of faces and links between places, as the command line gives them
+//!   linked.rs     `dcel navmesh path --link`
+//!   numbers.rs    Numbers of the command line, and numbers that messages propose
+//!   obstacles.rs  Walls and obstacles of the command line, put into a map before anything is asked of it
+//!   reading.rs    From a file to a map with its navmesh
+//!   tell.rs       Words and JSON forms that several commands have in common
+//! ```
 
 mod areas;
 mod distances;

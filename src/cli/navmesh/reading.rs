@@ -24,7 +24,7 @@ pub(super) struct MapArgs {
     /// The map, or - for standard input
     #[arg(value_name = "MAP")]
     file: PathBuf,
-    /// The format, if the name does not tell
+    /// The format, if the file name does not say
     #[arg(long, value_name = "FORMAT", help_heading = "Reading")]
     format: Option<Format>,
     /// y points down in the file, as on screens; of a .map that is known
@@ -42,7 +42,7 @@ pub(super) struct MapArgs {
     /// Turn round faces that run clockwise
     #[arg(long, help_heading = "Reading")]
     orient: bool,
-    /// Split polygons and segments where they cross, touch or overlap; tells what was done
+    /// Split polygons and segments where they cross, touch or overlap; reports what was done
     #[arg(long, help_heading = "Reading")]
     mend: bool,
     /// Join vertices that are no further apart than this, and put vertices into sides that they are on or
@@ -392,7 +392,8 @@ fn cut_bent_faces(map: &mut Subdivision) -> Result<(), TriangulateError> {
         let n = corners.len();
         (0..n).any(|k| orientation(corners[k], corners[(k + 1) % n], corners[(k + 2) % n]).is_lt())
     };
-    let domain = map.faces().filter(|&f| f != map.outer_face() && !map.is_hole(f) && map.rings(f).is_empty());
+    let domain =
+        map.faces().filter(|&f| f != map.outer_face() && !map.is_hole(f) && map.inner_components(f).is_empty());
     let bent: Vec<FaceId> = domain.filter(is_bent).collect();
     for &f in &bent {
         map.triangulate_face(f, TriangulationMethod::default())?;

@@ -29,7 +29,7 @@ pub(super) struct Target {
     /// The file to write, for example .off; - for OFF on standard output instead of the report
     #[arg(short, long, value_name = "OUT")]
     pub(super) output: Option<PathBuf>,
-    /// The format to write, if the name does not tell, for example stl-binary
+    /// The format to write, if the file name does not say, for example stl-binary
     #[arg(long, value_name = "FORMAT", requires = "output")]
     to: Option<Format>,
     #[command(flatten)]

@@ -1,4 +1,15 @@
 //! `dcel solid`: solids made, measured, turned into their duals, and drawn.
+//!
+//! ```text
+//!   common.rs     What the commands on solids share
+//!   dual.rs       `dcel solid dual`
+//!   figure.rs     `dcel solid figure`
+//!   info.rs       `dcel solid info`
+//!   make.rs       `dcel solid make`
+//!   schlegel.rs   `dcel solid schlegel`
+//!   subdivide.rs  `dcel solid subdivide`
+//!   support.rs    `dcel solid support`
+//! ```
 
 mod common;
 mod dual;

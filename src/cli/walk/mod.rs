@@ -6,6 +6,12 @@
 //! ```
 //!
 //! Broken tables are walked as far as the pointers lead; a walk that does not come back says so.
+//!
+//! ```text
+//!   rounds.rs  The walks, as the JSON form of the answer has them
+//!   show.rs    The walks as text
+//!   which.rs   The element that is meant, or a helpful refusal
+//! ```
 
 mod rounds;
 mod show;

@@ -1,7 +1,7 @@
 //! The walks, as the JSON form of the answer has them.
 
 use super::Subject;
-use dcel_kit::topology::{Ring, bounded_cycle};
+use dcel_kit::topology::{InnerComponent, bounded_cycle};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -54,8 +54,8 @@ pub(super) struct Corner {
 
 #[derive(Serialize)]
 pub(super) struct Cycle {
-    /// Whether it is a ring: a further cycle of its face, or any cycle of the outer face.
-    pub(super) ring: bool,
+    /// Whether it is an inner component: a further cycle of its face, or any cycle of the outer face.
+    pub(super) inner: bool,
     /// Whether the walk comes back to its start.
     pub(super) closed: bool,
     pub(super) half_edges: Vec<Step>,
@@ -95,21 +95,21 @@ impl Face {
     fn of(subject: &Subject, f: FaceId, adjacent: &mut BTreeSet<FaceId>) -> Self {
         let view = subject.view();
         let outer = view.outer_face() == Some(f);
-        let first = view.boundary(f).map(|h| (h, outer));
-        let others = view.rings(f).iter().filter_map(|ring| match ring {
-            Ring::Cycle(h) => Some((*h, true)),
-            Ring::Isolated(_) => None,
+        let first = view.half_edge(f).map(|h| (h, outer));
+        let others = view.inner_components(f).iter().filter_map(|ring| match ring {
+            InnerComponent::Cycle(h) => Some((*h, true)),
+            InnerComponent::Isolated(_) => None,
         });
-        let isolated = view.rings(f).iter().filter_map(|ring| match ring {
-            Ring::Isolated(v) => Some(*v),
-            Ring::Cycle(_) => None,
+        let isolated = view.inner_components(f).iter().filter_map(|ring| match ring {
+            InnerComponent::Isolated(v) => Some(*v),
+            InnerComponent::Cycle(_) => None,
         });
         Self {
             face: f.to_string(),
             name: subject.name(f).map(str::to_owned),
             outer,
             hole: view.is_hole(f),
-            cycles: first.into_iter().chain(others).map(|(h, ring)| Cycle::of(subject, h, ring, adjacent)).collect(),
+            cycles: first.into_iter().chain(others).map(|(h, inner)| Cycle::of(subject, h, inner, adjacent)).collect(),
             isolated_vertices: isolated
                 .map(|v| Corner { vertex: v.to_string(), position: subject.position(v) })
                 .collect(),
@@ -118,7 +118,7 @@ impl Face {
 }
 
 impl Cycle {
-    fn of(subject: &Subject, start: HalfEdgeId, ring: bool, adjacent: &mut BTreeSet<FaceId>) -> Self {
+    fn of(subject: &Subject, start: HalfEdgeId, inner: bool, adjacent: &mut BTreeSet<FaceId>) -> Self {
         let view = subject.view();
         let mut last = None;
         let half_edges = bounded_cycle(view, start)
@@ -130,7 +130,7 @@ impl Cycle {
                 Step::of(subject, h, across)
             })
             .collect();
-        Self { ring, closed: last.and_then(|h| view.next(h)) == Some(start), half_edges }
+        Self { inner, closed: last.and_then(|h| view.next(h)) == Some(start), half_edges }
     }
 }
 
@@ -176,7 +176,7 @@ pub(super) struct Spoke {
 }
 
 impl Star {
-    /// O(degree), for isolated vertices O(rings).
+    /// O(degree), for isolated vertices O(inner components).
     pub(super) fn of(subject: &Subject, v: VertexId) -> Self {
         let view = subject.view();
         let start = view.outgoing(v).filter(|&h| view.has_half_edge(h));
@@ -192,8 +192,8 @@ impl Star {
                 break;
             }
         }
-        let isolated = Ring::Isolated(v);
-        let lies_in = subject.faces().find(|&f| start.is_none() && view.rings(f).contains(&isolated));
+        let isolated = InnerComponent::Isolated(v);
+        let lies_in = subject.faces().find(|&f| start.is_none() && view.inner_components(f).contains(&isolated));
         Self {
             vertex: v.to_string(),
             position: subject.position(v),

@@ -45,7 +45,7 @@ pub(super) fn faces(out: &mut Output, walk: &FaceWalk) -> io::Result<()> {
     }
     for face in &walk.faces {
         for cycle in &face.cycles {
-            writeln!(out, "\n{} {}", if cycle.ring { "ring of" } else { "boundary of" }, face.face)?;
+            writeln!(out, "\n{} {}", if cycle.inner { "inner component of" } else { "boundary of" }, face.face)?;
             steps(out, cycle)?;
         }
         if !face.isolated_vertices.is_empty() {

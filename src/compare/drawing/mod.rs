@@ -9,6 +9,10 @@
 //!
 //! y is turned round at once: all points here have y up. In the kit's own figures (`data-figure` on the root) the
 //! half-edges, pointers and hatches beside the edges are decoration: they can hide, and nothing else.
+//!
+//! ```text
+//!   shapes.rs  Elements with a shape, as lines, dots, outlines and coats
+//! ```
 
 mod shapes;
 

@@ -248,7 +248,7 @@ fn merge(table: &mut Table, [h, twin]: [HalfEdgeId; 2], [gone, kept]: [FaceId; 2
         row.face = Some(kept);
     }
     if let Some(Some(row)) = table.faces.get_mut(kept.index()) {
-        row.boundary = Some([before, twin_before, after].into_iter().find(|&g| g != h && g != twin).unwrap_or(after));
+        row.half_edge = Some([before, twin_before, after].into_iter().find(|&g| g != h && g != twin).unwrap_or(after));
     }
     table.faces[gone.index()] = None;
     if table.outer_face == Some(gone) {
@@ -302,7 +302,7 @@ fn arrows(plate: &Plate<'_, Table>, frame: &Frame, look: &Look, placed: &Placed)
         let shown = |w: &&Written| match (fate, w.slot) {
             (Fate::Gone, Slot::Face(_)) => false,
             // Of a face that goes there is no name from which its arrow could begin.
-            (Fate::Gone, Slot::Boundary(f)) => !frame.removed.contains(&Element::Face(f)),
+            (Fate::Gone, Slot::HalfEdge(f)) => !frame.removed.contains(&Element::Face(f)),
             _ => true,
         } && w.fate == fate;
         frame.written.iter().filter(shown).filter_map(|w| pointer(w.slot)).collect()
@@ -376,7 +376,7 @@ fn pointer(slot: Slot) -> Option<Pointer> {
         Slot::Next(h) => Some(Pointer::Next(h)),
         Slot::Face(h) => Some(Pointer::Face(h)),
         Slot::Outgoing(v) => Some(Pointer::Outgoing(v)),
-        Slot::Boundary(f) => Some(Pointer::Boundary(f)),
+        Slot::HalfEdge(f) => Some(Pointer::Boundary(f)),
         Slot::Prev(_) | Slot::Origin(_) => None,
     }
 }

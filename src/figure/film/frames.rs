@@ -380,7 +380,7 @@ fn copy_regions(table: &mut Table, after: &Table) {
     for (i, row) in table.faces.iter_mut().enumerate() {
         let face = FaceId::new(i as u32);
         if let Some(row) = row {
-            row.rings = after.rings(face).to_vec();
+            row.inner_components = after.inner_components(face).to_vec();
             row.hole = after.is_hole(face);
         }
     }
@@ -421,7 +421,7 @@ fn written(changes: &[Change], before: &Table) -> Vec<Written> {
 fn exists(slot: Slot, table: &Table) -> bool {
     match slot {
         Slot::Outgoing(v) => table.has_vertex(v),
-        Slot::Boundary(f) => table.has_face(f),
+        Slot::HalfEdge(f) => table.has_face(f),
         Slot::Origin(h) | Slot::Next(h) | Slot::Prev(h) | Slot::Face(h) => table.has_half_edge(h),
     }
 }

@@ -293,7 +293,7 @@ fn outside(dcel: &Dcel, before: Option<&Spread>) -> FaceMap<Option<HalfEdgeId>> 
     let mut out = FaceMap::filled(dcel.face_bound(), None);
     let mut seen = FaceMap::filled(dcel.face_bound(), false);
     for f in dcel.faces() {
-        if seen[f] || dcel.boundary(f).is_none() {
+        if seen[f] || dcel.half_edge(f).is_none() {
             continue;
         }
         let faces = component(dcel, f, &mut seen);
@@ -301,7 +301,7 @@ fn outside(dcel: &Dcel, before: Option<&Spread>) -> FaceMap<Option<HalfEdgeId>> 
         let former = former.filter(|&h| dcel.has_half_edge(h)).map(|h| dcel.face(h)).find(|f| faces.contains(f));
         let size = |f: &FaceId| dcel.incident_half_edges(*f).count();
         let largest = faces.iter().copied().rev().max_by_key(size);
-        let chosen = former.or(largest).and_then(|f| dcel.boundary(f));
+        let chosen = former.or(largest).and_then(|f| dcel.half_edge(f));
         faces.iter().for_each(|&f| out[f] = chosen);
     }
     out

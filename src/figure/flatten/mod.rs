@@ -92,7 +92,7 @@ mod tests {
             }
         }
         for f in dcel.faces().filter(|&f| table.has_face(f) && table.outer_face != Some(f)) {
-            let Some(first) = dcel.boundary(f) else { continue };
+            let Some(first) = dcel.half_edge(f) else { continue };
             let mut area = 0.0;
             let mut h = first;
             loop {

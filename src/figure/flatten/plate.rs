@@ -8,7 +8,7 @@
 
 use super::cut::Spread;
 use crate::ids::{EdgeId, HalfEdgeId, VertexId};
-use crate::topology::{HalfEdgeRow, Ring, Table, VertexRow};
+use crate::topology::{HalfEdgeRow, InnerComponent, Table, VertexRow};
 use std::collections::BTreeMap;
 
 /// The ids of copies, bends and pieces: those of all states of a film, beyond all ids of the structure.
@@ -186,9 +186,9 @@ impl Placed {
             }
         }
         let lone = spread.vertex.iter().filter(|v| table.vertices[v.index()].is_some_and(|row| row.outgoing.is_none()));
-        let rings = others.iter().map(|&h| Ring::Cycle(h)).chain(lone.map(|&v| Ring::Isolated(v)));
+        let rings = others.iter().map(|&h| InnerComponent::Cycle(h)).chain(lone.map(|&v| InnerComponent::Isolated(v)));
         if let Some(row) = &mut self.table.faces[outer.index()] {
-            row.rings = rings.collect();
+            row.inner_components = rings.collect();
         }
     }
 }

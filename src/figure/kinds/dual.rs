@@ -233,7 +233,7 @@ impl<'a> Rooms<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::topology::Ring;
+    use crate::topology::InnerComponent;
 
     fn closed(rings: &[&[(i32, i32)]], antennas: &[[(i32, i32); 2]]) -> Subdivision {
         let at = |&(x, y): &(i32, i32)| Point::new(f64::from(x), f64::from(y));
@@ -273,7 +273,10 @@ mod tests {
                 let mut with = s.clone();
                 let v = with.insert_vertex(room.at).unwrap_or_else(|error| panic!("example {i}: {error}"));
                 assert_eq!(with.outgoing(v), None, "example {i}: {f} has its place on an edge");
-                assert!(with.rings(f).contains(&Ring::Isolated(v)), "example {i}: {f} has its place elsewhere");
+                assert!(
+                    with.inner_components(f).contains(&InnerComponent::Isolated(v)),
+                    "example {i}: {f} has its place elsewhere"
+                );
             }
         }
     }

@@ -95,7 +95,7 @@ impl Pointers {
             Self::Next => "half-edge.next",
             Self::Twin => "half-edge.twin",
             Self::Outgoing => "vertex.outgoing",
-            Self::Boundary => "face.boundary",
+            Self::Boundary => "face.half_edge",
             Self::Face => "half-edge.face",
         }
     }

@@ -54,7 +54,7 @@ const RECORDS: [Record; 4] = [
             ("face", "Face"),
         ],
     },
-    Record { name: "Face", at: xy(620.0, 155.0), width: 210.0, fields: &[("boundary", "HalfEdge")] },
+    Record { name: "Face", at: xy(620.0, 155.0), width: 210.0, fields: &[("half_edge", "HalfEdge")] },
 ];
 
 /// A reference: the classes of its arrow, the way, how many of the target there are.
@@ -75,10 +75,10 @@ const REFERENCES: [Reference; 10] = [
 ];
 
 /// What holds in a sound structure, in columns.
-const LAWS: [[&str; 2]; 3] = [
+const INVARIANTS: [[&str; 2]; 3] = [
     ["twin(twin(h)) = h", "origin(next(h)) = origin(twin(h))"],
     ["next(prev(h)) = prev(next(h)) = h", "origin(outgoing(v)) = v"],
-    ["face(next(h)) = face(h)", "face(boundary(f)) = f"],
+    ["face(next(h)) = face(h)", "face(half_edge(f)) = f"],
 ];
 
 /// Draws the type diagram of the records: `Dcel`, `Vertex`, `HalfEdge` with an explicit twin, `Face`.
@@ -95,12 +95,12 @@ pub fn records(options: &FigureOptions) -> Figure {
     let prefix = options.prefix();
     let mut nodes: Vec<Node> = RECORDS.iter().map(record).collect();
     nodes.extend(REFERENCES.iter().flat_map(reference));
-    for (column, laws) in LAWS.iter().enumerate() {
-        let law = |(i, law): (usize, &&str)| {
+    for (column, invariants) in INVARIANTS.iter().enumerate() {
+        let invariant = |(i, invariant): (usize, &&str)| {
             let at = xy(40.0 + 285.0 * column as f64, 422.0 + 22.0 * i as f64);
-            text("cs", at, 12.0, law)
+            text("cs", at, 12.0, invariant)
         };
-        nodes.extend(laws.iter().enumerate().map(law));
+        nodes.extend(invariants.iter().enumerate().map(invariant));
     }
     let reading = "A half-edge refers to its origin, its twin, the next and the previous half-edge and its face; a \
                    vertex to one half-edge that leaves it; a face to one half-edge of its boundary; the structure \

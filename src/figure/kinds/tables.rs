@@ -19,7 +19,7 @@ use crate::figure::structure::skeleton::{faces, half_edges, vertices};
 use crate::figure::{Figure, FigureError, FigureOptions};
 use crate::ids::Element;
 use crate::plane::PlanarView;
-use crate::topology::Ring;
+use crate::topology::InnerComponent;
 
 /// Height of a row, and the size of its text.
 const ROW: f64 = 17.0;
@@ -130,15 +130,15 @@ fn vertex_table<V: PlanarView + ?Sized>(view: &V) -> Words {
 }
 
 fn face_table<V: PlanarView + ?Sized>(view: &V) -> Words {
-    let ring = |ring: &Ring| match ring {
-        Ring::Cycle(h) => h.to_string(),
-        Ring::Isolated(v) => v.to_string(),
+    let ring = |ring: &InnerComponent| match ring {
+        InnerComponent::Cycle(h) => h.to_string(),
+        InnerComponent::Isolated(v) => v.to_string(),
     };
     let row = |f| {
-        let rings: Vec<String> = view.rings(f).iter().map(ring).collect();
-        vec![f.to_string(), word(view.boundary(f)), if rings.is_empty() { "–".to_owned() } else { rings.join(" ") }]
+        let rings: Vec<String> = view.inner_components(f).iter().map(ring).collect();
+        vec![f.to_string(), word(view.half_edge(f)), if rings.is_empty() { "–".to_owned() } else { rings.join(" ") }]
     };
-    Words { name: "faces", head: &["", "boundary", "rings"], rows: faces(view).map(row).collect() }
+    Words { name: "faces", head: &["", "half-edge", "inner components"], rows: faces(view).map(row).collect() }
 }
 
 impl Words {

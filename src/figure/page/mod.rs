@@ -21,7 +21,7 @@ use crate::figure::structure::skeleton::{destination, faces, half_edges, vertice
 use crate::figure::{Detail, Figure, FigureError, FigureOptions};
 use crate::ids::{FaceId, HalfEdgeId, Id, VertexId};
 use crate::plane::PlanarView;
-use crate::topology::Ring;
+use crate::topology::InnerComponent;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
@@ -144,7 +144,7 @@ impl<V: PlanarView + ?Sized> Tables<'_, V> {
             button("next", "next", "n"),
             button("twin", "twin", "t"),
             button("face", "walk the face", "f"),
-            button("star", "walk the star", "s"),
+            button("star", "walk round the vertex", "s"),
             button("stop", "stop", "Esc"),
         ]
         .concat();
@@ -189,18 +189,18 @@ impl<V: PlanarView + ?Sized> Tables<'_, V> {
 
     fn face_table(&self) -> String {
         let row = |f: FaceId| {
-            let rings = self.view.rings(f).iter().map(|ring| match ring {
-                Ring::Cycle(h) => self.target(*h),
-                Ring::Isolated(v) => self.target(*v),
+            let rings = self.view.inner_components(f).iter().map(|ring| match ring {
+                InnerComponent::Cycle(h) => self.target(*h),
+                InnerComponent::Isolated(v) => self.target(*v),
             });
-            let cells = [("boundary", self.pointer(self.view.boundary(f))), ("rings", rings.collect())];
+            let cells = [("boundary", self.pointer(self.view.half_edge(f))), ("rings", rings.collect())];
             let name = self.options.name(f);
             let outer = self.view.outer_face() == Some(f);
             let kind = if outer { "outer face" } else { ["face", "hole"][usize::from(self.view.is_hole(f))] };
             let rest = format!("<td>{kind}</td><td>{}</td>", escaped(name.unwrap_or("")));
             self.row(&self.target(f), name, &cells, &rest)
         };
-        self.table("Faces", "face", &["boundary", "rings", "kind", "name"], faces(self.view), row)
+        self.table("Faces", "face", &["half-edge", "inner components", "kind", "name"], faces(self.view), row)
     }
 
     fn table<I: Id>(

@@ -30,6 +30,17 @@
 //!
 //! Of more than 2000 things those without a label are drawn in bulk: lines as a few thin paths, points as small dots,
 //! one group for each role and kind in place of an id and a title for each. So 10^5 points take 1 MB.
+//!
+//! ```text
+//!   clip.rs       Lines that end at the frame, and wedges cut by it
+//!   glyph.rs      Marks of points, told apart by their shape
+//!   item.rs       One thing of a sketch, and what can be said about it
+//!   legend.rs     The legend
+//!   many.rs       Very many things
+//!   multiples.rs  Small multiples
+//!   round.rs      Circles and arcs, cut by the frame
+//!   sheet.rs      A sketch on its canvas
+//! ```
 
 mod clip;
 mod draw;

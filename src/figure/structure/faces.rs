@@ -1,7 +1,7 @@
 //! Faces as regions of the canvas: outlines with their rings, what the groups say.
 //!
 //! ```text
-//!   ┌───────────────┐     A face is the inside of all its cycles together by the even-odd rule. An antenna is
+//!   ┌───────────────┐     A face is the inside of all its cycles together by the even-odd rule. A dangling edge is
 //!   │ f1   ┌────┐   │     walked there and back and so encloses nothing; an island's cycle takes the island
 //!   │      │ f2 │   │     out of f1, and f2 fills it.
 //!   │      └────┘   │
@@ -15,7 +15,7 @@ use crate::figure::canvas::vector::{Bounds, Xy};
 use crate::figure::structure::skeleton::{Cycles, Skeleton};
 use crate::ids::{FaceId, HalfEdgeId};
 use crate::plane::PlanarView;
-use crate::topology::{Ring, bounded_cycle};
+use crate::topology::{InnerComponent, bounded_cycle};
 
 /// A face that can be filled.
 pub(crate) struct Region {
@@ -92,12 +92,12 @@ pub(crate) fn regions<V: PlanarView + ?Sized>(view: &V, skeleton: &Skeleton, cyc
 /// The attributes of a face: its pointers as the view has them.
 pub(crate) fn attributes<V: PlanarView + ?Sized>(view: &V, face: FaceId, options: &FigureOptions) -> Attributes {
     let mut out = Vec::new();
-    if let Some(h) = view.boundary(face) {
+    if let Some(h) = view.half_edge(face) {
         out.push(("data-he", h.to_string()));
     }
-    let rings = view.rings(face).iter().map(|ring| match ring {
-        Ring::Cycle(h) => h.to_string(),
-        Ring::Isolated(v) => v.to_string(),
+    let rings = view.inner_components(face).iter().map(|ring| match ring {
+        InnerComponent::Cycle(h) => h.to_string(),
+        InnerComponent::Isolated(v) => v.to_string(),
     });
     let rings: Vec<String> = rings.collect();
     if !rings.is_empty() {

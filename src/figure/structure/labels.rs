@@ -21,7 +21,7 @@ use crate::figure::structure::vertices::{Spokes, name_size};
 use crate::figure::{Detail, FigureOptions};
 use crate::ids::{FaceId, HalfEdgeId, HalfEdgeMap, VertexId, VertexMap};
 use crate::plane::PlanarView;
-use crate::topology::Ring;
+use crate::topology::InnerComponent;
 
 /// A shaft shorter than this has no label.
 const SHORTEST: f64 = 24.0;
@@ -224,9 +224,9 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
         let shafts = region.walk(self.view).filter_map(|h| self.shafts.get(h)?.as_ref());
         out.extend(shafts.flat_map(|shaft| shaft.shapes(style)));
         let corners = region.walk(self.view).filter_map(|h| self.view.origin(h));
-        let isolated = self.view.rings(region.face).iter().filter_map(|ring| match ring {
-            Ring::Isolated(v) => Some(*v),
-            Ring::Cycle(_) => None,
+        let isolated = self.view.inner_components(region.face).iter().filter_map(|ring| match ring {
+            InnerComponent::Isolated(v) => Some(*v),
+            InnerComponent::Cycle(_) => None,
         });
         out.extend(corners.chain(isolated).filter_map(|v| self.disc(v)));
         let bounds = Bounds::of(region.rings.iter().flatten().copied());

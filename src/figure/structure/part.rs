@@ -10,7 +10,7 @@ use crate::figure::structure::skeleton::half_edges;
 use crate::figure::{FigureError, FigureOptions};
 use crate::ids::{FaceId, FaceMap, HalfEdgeId, VertexId, VertexMap};
 use crate::plane::{PlanarView, Point};
-use crate::topology::{Ring, View};
+use crate::topology::{InnerComponent, View};
 
 /// What is drawn of a view: some faces, or all of it.
 pub(crate) struct Part<'a, V: ?Sized> {
@@ -46,8 +46,8 @@ impl<'a, V: PlanarView + ?Sized> Part<'a, V> {
                 return Err(FigureError::UnknownFace { face, faces });
             }
             faces[face] = true;
-            for ring in whole.rings(face) {
-                if let Ring::Isolated(v) = ring
+            for ring in whole.inner_components(face) {
+                if let InnerComponent::Isolated(v) = ring
                     && whole.has_vertex(*v)
                 {
                     kept[*v] = true;
@@ -103,11 +103,11 @@ impl<V: PlanarView + ?Sized> View for Part<'_, V> {
     fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
         self.whole.outgoing(v)
     }
-    fn boundary(&self, f: FaceId) -> Option<HalfEdgeId> {
-        self.whole.boundary(f)
+    fn half_edge(&self, f: FaceId) -> Option<HalfEdgeId> {
+        self.whole.half_edge(f)
     }
-    fn rings(&self, f: FaceId) -> &[Ring] {
-        self.whole.rings(f)
+    fn inner_components(&self, f: FaceId) -> &[InnerComponent] {
+        self.whole.inner_components(f)
     }
     fn outer_face(&self) -> Option<FaceId> {
         self.whole.outer_face()

@@ -90,7 +90,7 @@ impl Pointer {
             Self::Next(h) => (h.to_string(), "next", view.next(h).map(|n| n.to_string())),
             Self::Twin(h) => (h.to_string(), "twin", view.twin(h).map(|t| t.to_string())),
             Self::Outgoing(v) => (v.to_string(), "outgoing", view.outgoing(v).map(|h| h.to_string())),
-            Self::Boundary(f) => (f.to_string(), "boundary", view.boundary(f).map(|h| h.to_string())),
+            Self::Boundary(f) => (f.to_string(), "boundary", view.half_edge(f).map(|h| h.to_string())),
             Self::Face(h) => (h.to_string(), "face", view.face(h).map(|f| f.to_string())),
             Self::Origin(h) => (h.to_string(), "origin", view.origin(h).map(|v| v.to_string())),
         }
@@ -105,7 +105,7 @@ impl Pointer {
             Self::Next(h) => half_edge(view.next(h)),
             Self::Twin(h) => half_edge(view.twin(h)),
             Self::Outgoing(v) => half_edge(view.outgoing(v)),
-            Self::Boundary(f) => half_edge(view.boundary(f)),
+            Self::Boundary(f) => half_edge(view.half_edge(f)),
             Self::Face(h) => view.face(h).is_some_and(|f| !view.has_face(f)),
             Self::Origin(h) => view.origin(h).is_some_and(|v| !view.has_vertex(v)),
         }
@@ -185,7 +185,7 @@ impl<V: PlanarView + ?Sized> Plate<'_, V> {
                 arrows::origin(self.shaft(h)?, self.skeleton().place(v)?, *self.radii.get(v)?).map(Tagged::plain)
             }
             Pointer::Boundary(f) => {
-                let shaft = self.shaft(view.boundary(f)?)?;
+                let shaft = self.shaft(view.half_edge(f)?)?;
                 let outer = (view.outer_face() == Some(f)).then_some(self.picture.fit.size);
                 face_arrows::boundary(f, self.label_of_face(f), shaft, outer, crowd)
             }

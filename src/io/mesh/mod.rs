@@ -26,6 +26,10 @@
 //!
 //! Source: the two descriptions of the format beside polyanya (M. Cui, D. Harabor, A. Grastien, 2017; version 3: R.
 //! Hechenberger and others for the Iron Harvest benchmarks, 2022).
+//!
+//! ```text
+//!   write.rs  The writer of navigation meshes, version 2
+//! ```
 
 mod write;
 

@@ -37,7 +37,7 @@ pub(in crate::io) fn write(out: &mut impl Write, model: &Model<'_>, polygons: &P
     }
     for (&f, corners) in polygons.faces.iter().zip(polygons.list.outer_cycles()) {
         let broken = |half_edge| WriteError::BrokenCycle { face: f, half_edge };
-        let mut h = model.view.boundary(f).ok_or(WriteError::NoBoundary { face: f })?;
+        let mut h = model.view.half_edge(f).ok_or(WriteError::NoBoundary { face: f })?;
         // The first neighbour is behind the edge that ends at the first corner.
         h = model.view.prev(h).ok_or(broken(h))?;
         around.clear();

@@ -24,6 +24,10 @@
 //! Own reader: crate ply-rs-bw names no place in an error and makes a map for each element.
 //!
 //! Source: G. Turk, *The PLY polygon file format* (1994).
+//!
+//! ```text
+//!   body.rs  The records of a PLY file, from text or from binary data
+//! ```
 
 mod body;
 mod header;

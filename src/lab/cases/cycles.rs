@@ -34,7 +34,7 @@ pub fn from_cycles(points: &[[f64; 2]], faces: &[&[u32]]) -> Table {
                 vertex.outgoing = Some(h);
             }
         }
-        table.faces.push(Some(FaceRow { boundary: Some(half_edge(0)), ..FaceRow::default() }));
+        table.faces.push(Some(FaceRow { half_edge: Some(half_edge(0)), ..FaceRow::default() }));
     }
     // An edge with the same face on both sides meets its twin only once both are there.
     for i in 0..table.half_edges.len() {

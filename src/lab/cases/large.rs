@@ -102,7 +102,7 @@ fn structure(
         }
     }
     let vertex = |(v, place)| Some(VertexRow { position: Some(place), outgoing: Some(half_edge(outgoing(v))) });
-    let face = |f| Some(FaceRow { boundary: Some(half_edge(boundary(f))), ..FaceRow::default() });
+    let face = |f| Some(FaceRow { half_edge: Some(half_edge(boundary(f))), ..FaceRow::default() });
     Table {
         outer_face: Some(FaceId::new(0)),
         vertices: places.into_iter().enumerate().map(vertex).collect(),

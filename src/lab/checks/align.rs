@@ -113,7 +113,7 @@ impl Content {
             }
             (Some(Element::Vertex(v)), Field::Outgoing) => Self::to(vertex_row(table, v).outgoing),
             (Some(Element::Vertex(v)), Field::Position) => Self::at(vertex_row(table, v).position),
-            (Some(Element::Face(f)), Field::Boundary) => Self::to(table.boundary(f)),
+            (Some(Element::Face(f)), Field::Boundary) => Self::to(table.half_edge(f)),
             (None, Field::OuterFace) => Self::to(table.outer_face),
             _ => Self::Unset,
         }
@@ -192,7 +192,7 @@ fn rename(table: &Table, from: &[HalfEdgeId], to: &[HalfEdgeId]) -> Table {
         row.outgoing = pointer(row.outgoing);
     }
     for row in out.faces.iter_mut().flatten() {
-        row.boundary = pointer(row.boundary);
+        row.half_edge = pointer(row.half_edge);
     }
     out
 }
@@ -227,7 +227,7 @@ pub fn differences(expected: &Table, yours: &Table) -> Vec<Difference> {
     }
     for i in 0..expected.faces.len().max(yours.faces.len()) {
         let f = FaceId::new(i as u32);
-        let [e, y] = [expected, yours].map(|table| table.boundary(f));
+        let [e, y] = [expected, yours].map(|table| table.half_edge(f));
         let stands_for = |h: HalfEdgeId| expected.face(h) == Some(f);
         if !y.map_or(e.is_none(), stands_for) {
             add(Some(f.into()), Field::Boundary, Content::to(y), Content::to(e));

@@ -77,7 +77,7 @@ fn walk(table: &Table, f: FaceId) -> String {
     if !table.has_face(f) {
         return "-".to_owned();
     }
-    let Some(first) = table.boundary(f) else { return "no half-edge is stored".to_owned() };
+    let Some(first) = table.half_edge(f) else { return "no half-edge is stored".to_owned() };
     let all = cycle(table, first);
     let names: Vec<String> = all.iter().take(CYCLE).map(ToString::to_string).collect();
     let closed = all.last().and_then(|&last| table.next(last)) == Some(first);

@@ -124,7 +124,7 @@ fn half_edge_record(table: &mut Table, over: bool, kind: &str, words: &mut Words
         "face" => {
             let place = words.place("face", table.faces.len(), over)?;
             let boundary = words.pointer()?.map(HalfEdgeId::new);
-            put(&mut table.faces, place, Some(FaceRow { boundary, ..FaceRow::default() }));
+            put(&mut table.faces, place, Some(FaceRow { half_edge: boundary, ..FaceRow::default() }));
         }
         _ => return Err(words.expected(A_RECORD)),
     }

@@ -246,7 +246,7 @@ fn write_half_edges(table: &Table, out: &mut String) {
         row(format!("half_edge {i}"), &[origin, twin, next, prev, face]);
     }
     for (i, face) in table.faces.iter().flatten().enumerate() {
-        row(format!("face {i}"), &[face.boundary.map(HalfEdgeId::number)]);
+        row(format!("face {i}"), &[face.half_edge.map(HalfEdgeId::number)]);
     }
 }
 

@@ -18,6 +18,12 @@
 //! tolerance is used.
 //!
 //! Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (Polyanya).
+//!
+//! ```text
+//!   estimate.rs  The shortest length that a way through a cone may have
+//!   expand.rs    From a cone to the cones behind it
+//!   ray.rs       On which side of a ray a point is
+//! ```
 
 mod cone;
 mod estimate;

@@ -60,7 +60,7 @@ pub(super) fn name_faces(
     faces: &BTreeSet<FaceId>,
     rec: &mut PlaneJournal,
 ) -> Result<(), ObstacleError> {
-    let named = faces.iter().filter_map(|&f| Some((map.boundary(f)?, first_face(map, book, f)?)));
+    let named = faces.iter().filter_map(|&f| Some((map.half_edge(f)?, first_face(map, book, f)?)));
     let named: Vec<(HalfEdgeId, FaceId)> = named.filter(|&(h, first)| map.face(h) != first).collect();
     for (h, first) in named {
         let full = |_| ObstacleError::Mesh(NavMeshError::TooMany);
@@ -76,5 +76,5 @@ pub(super) fn name_faces(
 fn first_face(map: &Subdivision, book: &Book, f: FaceId) -> Option<FaceId> {
     let mut firsts = map.incident_half_edges(f).map(|h| book.first_face(h));
     let first = firsts.next()??;
-    (map.rings(f).is_empty() && firsts.all(|other| other == Some(first))).then_some(first)
+    (map.inner_components(f).is_empty() && firsts.all(|other| other == Some(first))).then_some(first)
 }

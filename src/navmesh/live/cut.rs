@@ -12,7 +12,7 @@ use super::book::Book;
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId};
 use crate::navmesh::corner::turns_left_or_runs_straight;
 use crate::plane::{PlaneJournal, Subdivision};
-use crate::topology::{Change, Ring, Slot};
+use crate::topology::{Change, InnerComponent, Slot};
 use std::collections::BTreeSet;
 
 /// The faces whose shape the changes from `from` on have changed. Bounded pieces of the outer face become hole faces, and pieces of these.
@@ -44,7 +44,7 @@ pub(super) fn make_convex(
     let mut done: BTreeSet<FaceId> = faces.into_iter().filter(|&f| !is_gap(f)).collect();
     let mut faces: Vec<FaceId> = done.iter().copied().collect();
     while let Some(face) = faces.pop() {
-        if let Some(&ring) = map.rings(face).first() {
+        if let Some(&ring) = map.inner_components(face).first() {
             tie(map, face, ring, rec)?;
             faces.push(face);
         } else if let Some(corner) = wrong_corner(map, face) {
@@ -68,10 +68,10 @@ fn wrong_corner(map: &Subdivision, face: FaceId) -> Option<HalfEdgeId> {
 }
 
 /// Joins something inside a face to its boundary by an edge.
-fn tie(map: &mut Subdivision, face: FaceId, ring: Ring, rec: &mut PlaneJournal) -> Result<(), ObstacleError> {
+fn tie(map: &mut Subdivision, face: FaceId, ring: InnerComponent, rec: &mut PlaneJournal) -> Result<(), ObstacleError> {
     let inner: Vec<_> = match ring {
-        Ring::Cycle(h) => map.cycle(h).map(|h| map.origin(h)).collect(),
-        Ring::Isolated(v) => vec![v],
+        InnerComponent::Cycle(h) => map.cycle(h).map(|h| map.origin(h)).collect(),
+        InnerComponent::Isolated(v) => vec![v],
     };
     let outer: Vec<_> = map.incident_vertices(face).collect();
     let pairs = inner.iter().flat_map(|&v| outer.iter().map(move |&w| [v, w]));

@@ -37,6 +37,10 @@
 //! Sources: Mitchell, Mount and Papadimitriou, *The discrete geodesic problem*, 1987; Chen and Han, *Shortest paths on a
 //! polyhedron*, 1990, for "one angle, one split"; Xin and Wang, *Improving Chen and Han's algorithm on the discrete
 //! geodesic problem*, 2009, for what is filtered out.
+//!
+//! ```text
+//!   route.rs  What is found
+//! ```
 
 mod boxes;
 mod build;

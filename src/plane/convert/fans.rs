@@ -39,17 +39,17 @@ pub(super) fn link_by_angle(
     }
     let mut wanted = vec![false; dcel.vertex_bound()];
     vertices.iter().for_each(|v| wanted[v.index()] = true);
-    let mut stars: Vec<(VertexId, HalfEdgeId)> =
+    let mut one_rings: Vec<(VertexId, HalfEdgeId)> =
         dcel.half_edges().map(|h| (dcel.origin(h), h)).filter(|(v, _)| wanted[v.index()]).collect();
     let to = |h: HalfEdgeId| points[dcel.destination(h).index()];
-    stars.sort_unstable_by(|&(u, g), &(v, h)| {
+    one_rings.sort_unstable_by(|&(u, g), &(v, h)| {
         u.cmp(&v).then_with(|| by_direction(points[u.index()], to(g), to(h))).then(g.cmp(&h))
     });
-    for star in stars.chunk_by(|a, b| a.0 == b.0) {
-        let v = star[0].0;
-        for (i, &(_, h)) in star.iter().enumerate() {
-            let after = star[(i + 1) % star.len()].1;
-            let same_direction = star.len() > 1
+    for one_ring in one_rings.chunk_by(|a, b| a.0 == b.0) {
+        let v = one_ring[0].0;
+        for (i, &(_, h)) in one_ring.iter().enumerate() {
+            let after = one_ring[(i + 1) % one_ring.len()].1;
+            let same_direction = one_ring.len() > 1
                 && by_direction(
                     points[v.index()],
                     points[dcel.destination(h).index()],

@@ -9,6 +9,11 @@
 //!
 //! The outside of the faces given becomes faces, too: what is unbounded is `f0`, every bounded gap is a *hole
 //! face*. Together they cover the plane, so that no walk meets a border without a face.
+//!
+//! ```text
+//!   error.rs   Why a list of faces is no subdivision of the plane
+//!   simple.rs  Whether a closed polygon is simple, and which way it runs
+//! ```
 
 mod error;
 mod fans;
@@ -106,7 +111,7 @@ impl Subdivision {
     /// The triangulation-to-DCEL converter: counter-clockwise triangles over the given points.
     ///
     /// Vertex i is v(i), triangle i is f(i + 1), `f0` is the outer face. Gaps inside become faces flagged as
-    /// holes; islands in them, and several components, are rings; a border that touches itself at a vertex is
+    /// holes; islands in them, and several components, are inner components; a border that touches itself at a vertex is
     /// sorted out by angles. Points that no triangle uses get no vertex.
     ///
     /// Cost: O(n), and O(b log b) for b border edges if there is more than one border cycle. Overlaps are found
@@ -251,8 +256,8 @@ fn finish<F: Turn + ?Sized>(
     let nested = linked.and_then(|()| subdivision.nest(&matched.border, faces.with_holes()));
     if let Err(error) = nested {
         // What lies in what, and what overlaps at a corner, is only known if nothing crosses.
-        let meeting = if options.full_check { subdivision.meeting() } else { None };
-        return Err(meeting.map_or(error, ConvertError::Geometry));
+        let intersection = if options.full_check { subdivision.intersection() } else { None };
+        return Err(intersection.map_or(error, ConvertError::Geometry));
     }
     let mut unused_vertices = Vec::new();
     if matched.isolated > 0 {

@@ -1,10 +1,10 @@
-//! Which face every border cycle and every ring belongs to.
+//! Which face every border cycle and every inner component belongs to.
 //!
 //! ```text
 //!   ┌───────────────┐   f0        Border cycles that surround a bounded region: that region is a hole face.
-//!   │ domain        │             All others are rings: of f0, or of the hole face they lie in (islands).
-//!   │  ┌─────────┐  │             A ring's face is found straight below its leftmost vertex: it is the face
-//!   │  │ hole ┌─┐│  │             above the next edge down. Rings are asked from left to right, so that the
+//!   │ domain        │             All others are inner components: of f0, or of the hole face they lie in (islands).
+//!   │  ┌─────────┐  │             An inner component's face is found straight below its leftmost vertex: it is the face
+//!   │  │ hole ┌─┐│  │             above the next edge down. Inner components are asked from left to right, so that the
 //!   │  │      └─┘│  │             cycle below has its face already.
 //!   │  └─────────┘  │
 //!   └───────────────┘
@@ -16,7 +16,7 @@ use crate::plane::Subdivision;
 use crate::plane::cycle::encloses;
 use crate::plane::rings::Loose;
 use crate::plane::sweep::{NOTHING, sweep};
-use crate::topology::{NoRecorder, PolygonList, Ring, TooMany};
+use crate::topology::{InnerComponent, NoRecorder, PolygonList, TooMany};
 
 impl Subdivision {
     /// Gives every border half-edge its face and every face its cycles. `border` are the half-edges without a
@@ -27,8 +27,8 @@ impl Subdivision {
         if let Some(polygons) = polygons {
             self.cycles_of_polygons(polygons, &mut loose, &mut edges)?;
         }
-        if let [Loose { ring: Ring::Cycle(start), owner: None, .. }] = *loose {
-            self.dcel.set_boundary(self.outer_face(), Some(start), &mut NoRecorder);
+        if let [Loose { ring: InnerComponent::Cycle(start), owner: None, .. }] = *loose {
+            self.dcel.set_half_edge(self.outer_face(), Some(start), &mut NoRecorder);
             return Ok(());
         }
         edges.sort_unstable();
@@ -40,7 +40,7 @@ impl Subdivision {
             NOTHING => None,
             edge => Some(edges[edge as usize]),
         };
-        self.hang_rings(loose, edge_below, |s, leftmost, owner, face| {
+        self.place_inner_components(loose, edge_below, |s, leftmost, owner, face| {
             let vertex = leftmost.number();
             match owner {
                 Some(owner) if owner != face => Err(ConvertError::HoleOutside { face: owner.number() - 1, vertex }),
@@ -64,7 +64,7 @@ impl Subdivision {
             if encloses(self.corner_points(start)) {
                 self.dcel.room_for(0, 0, 1).map_err(|TooMany| crate::topology::BuildError::from(TooMany))?;
                 let hole = self.dcel.add_face_record(&mut NoRecorder);
-                self.dcel.set_boundary(hole, Some(start), &mut NoRecorder);
+                self.dcel.set_half_edge(hole, Some(start), &mut NoRecorder);
                 self.relabel_cycle(start, hole, &mut NoRecorder);
                 self.holes.insert(hole);
             } else {
@@ -109,11 +109,11 @@ impl Subdivision {
                     return Err(in_pieces);
                 }
             }
-            // Holes that touch may also have made more cycles than there are rings.
+            // Holes that touch may also have made more cycles than there are inner components.
             if boundary.is_none() || walked != corner_count {
                 return Err(in_pieces);
             }
-            self.dcel.set_boundary(face, boundary, &mut NoRecorder);
+            self.dcel.set_half_edge(face, boundary, &mut NoRecorder);
         }
         Ok(())
     }

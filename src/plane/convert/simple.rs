@@ -11,7 +11,7 @@ use super::ConvertError;
 use crate::geometry::predicates::{left_to_right, orientation};
 use crate::plane::Point;
 use crate::plane::cycle::encloses;
-use crate::plane::sweep::{Meeting, sweep};
+use crate::plane::sweep::{Intersection, sweep};
 use std::cmp::Ordering;
 
 /// Which way the polygon with these corners runs: `Greater` = counter-clockwise. Exact.
@@ -50,17 +50,17 @@ fn check_simple(points: &[Point], corners: &[u32], face: u32) -> Result<(), Conv
     let local: Vec<Point> = corners.iter().map(|&v| points[v as usize]).collect();
     let sides: Vec<[u32; 2]> = (0..n).map(|i| [i, (i + 1) % n]).collect();
     let side = |i: u32| (corners[i as usize], corners[((i + 1) % n) as usize]);
-    Err(match sweep(&local, &sides, &[], true).meeting {
+    Err(match sweep(&local, &sides, &[], true).intersection {
         None => return Ok(()),
-        Some(Meeting::Crossing(a, b)) => ConvertError::SelfCrossing { face, first: side(a), second: side(b) },
-        Some(Meeting::PointOnEdge { point, edge }) => {
+        Some(Intersection::Crossing(a, b)) => ConvertError::SelfCrossing { face, first: side(a), second: side(b) },
+        Some(Intersection::PointOnEdge { point, edge }) => {
             ConvertError::SelfTouching { face, vertex: corners[point as usize], side: side(edge) }
         }
-        Some(Meeting::SamePlace(a, b)) => {
+        Some(Intersection::SamePlace(a, b)) => {
             ConvertError::SelfTouching { face, vertex: corners[a as usize], side: side(b) }
         }
         // Two sides leave a corner in the same direction: the nearer far end lies on the longer side.
-        Some(Meeting::Overlap(a, b)) => {
+        Some(Intersection::Overlap(a, b)) => {
             let far = |i: u32, j: u32| sides[i as usize].into_iter().find(|p| !sides[j as usize].contains(p));
             let (p, q) = (far(a, b).unwrap_or(a), far(b, a).unwrap_or(b));
             let nearer_is_p = left_to_right(local[p as usize], local[q as usize]).is_lt();

@@ -40,7 +40,7 @@ enum Found {
 impl Subdivision {
     /// The constrained Delaunay triangulation of all vertices of a subdivision, in which all its edges stay.
     ///
-    /// Every other edge is locally Delaunay. Antennas, rings and isolated vertices are all taken in. If all vertices
+    /// Every other edge is locally Delaunay. Dangling edges, inner components and isolated vertices are all taken in. If all vertices
     /// lie on one line the result is a path.
     ///
     /// Cost: O(n log n); for each edge that is not Delaunay itself, besides, O(k²) for the k edges across it, mostly

@@ -17,12 +17,12 @@ use crate::topology::{NoRecorder, Recorder};
 
 impl Subdivision {
     /// The corners a, b, c, d of the two triangles at `h`, which runs from a to b, with c on its left and d on its
-    /// right; none unless a triangle of the domain without rings lies on both sides, or a hole face on both.
+    /// right; none unless a triangle of the domain without inner components lies on both sides, or a hole face on both.
     fn two_triangles(&self, h: HalfEdgeId) -> Option<[Point; 4]> {
         let t = h.twin();
         let [f, g] = [h, t].map(|h| self.dcel.face(h));
         let bounded = f != g && f != self.outer_face() && g != self.outer_face();
-        let alone = |f| self.rings.is_empty() || self.rings(f).is_empty();
+        let alone = |f| self.inner_components.is_empty() || self.inner_components(f).is_empty();
         let alike = self.holes.is_empty() || self.is_hole(f) == self.is_hole(g);
         let [c, d] = [h, t].map(|h| self.dcel.prev(h));
         let three = |h, last| self.dcel.next(self.dcel.next(h)) == last;
@@ -34,7 +34,7 @@ impl Subdivision {
 
     /// Whether the edge of `h` is locally Delaunay: no corner of the triangle on one side lies inside the circle
     /// round the triangle on the other. So are all edges that do not lie between two triangles of the domain, or of
-    /// a hole. Exact, O(1) beside rings and holes.
+    /// a hole. Exact, O(1) beside inner components and holes.
     #[must_use]
     pub fn is_locally_delaunay(&self, h: HalfEdgeId) -> bool {
         self.two_triangles(h).is_none_or(|[a, b, c, d]| in_circle(a, b, c, d).is_le())

@@ -25,7 +25,7 @@ pub use constrained::ConstrainedDelaunay;
 
 use super::{CoordinateError, Point, Subdivision};
 use crate::ids::{MAX_IDS, VertexId, VertexMap};
-use crate::topology::{Columns, Dcel, Ring, TooMany};
+use crate::topology::{Columns, Dcel, InnerComponent, TooMany};
 use divide::{Divided, divide_and_conquer};
 use order::{Ordered, ordered};
 
@@ -63,7 +63,7 @@ impl Subdivision {
     ///
     /// Point i is v(i) if no point repeats an earlier one; else vertices are numbered in the order in which their
     /// places first come. Near edges and triangles get near numbers. The smallest half-edge at a vertex is its
-    /// `outgoing`, the smallest one of a triangle its `boundary`; triangles are numbered from 1 in their order.
+    /// `outgoing`, the smallest one of a triangle its `half_edge`; triangles are numbered from 1 in their order.
     ///
     /// ```text
     ///   T = 2n - 2 - k triangles and 3n - 3 - k edges for n vertices, k of them on the hull
@@ -138,7 +138,9 @@ fn assembled(ordered: &Ordered, names: &[u32], points: VertexMap<Point>) -> Subd
         };
         let mut subdivision = Subdivision::from_parts(Dcel::from_columns(columns), points);
         if let &[v] = names {
-            subdivision.rings.insert(subdivision.outer_face(), vec![Ring::Isolated(VertexId::new(v))]);
+            subdivision
+                .inner_components
+                .insert(subdivision.outer_face(), vec![InnerComponent::Isolated(VertexId::new(v))]);
         }
         return subdivision;
     }

@@ -48,7 +48,7 @@ pub enum FlipEdgeError {
 
 impl Subdivision {
     /// Whether [`flip_edge`](Self::flip_edge) would succeed, and if not, why. Changes nothing. O(log of the number of
-    /// faces with rings and of holes).
+    /// faces with inner components and of holes).
     pub fn can_flip_edge(&self, h: HalfEdgeId) -> Result<(), FlipEdgeError> {
         self.dcel.can_flip_edge(h)?;
         let t = h.twin();
@@ -56,7 +56,7 @@ impl Subdivision {
             let face = self.dcel.face(g);
             let sides_fit =
                 self.dcel.next(self.dcel.next(g)) == self.dcel.prev(g) && self.dcel.next(g) != self.dcel.prev(g);
-            if face == self.outer_face() || !sides_fit || !self.rings(face).is_empty() {
+            if face == self.outer_face() || !sides_fit || !self.inner_components(face).is_empty() {
                 return Err(FlipEdgeError::NotTriangle { h, face });
             }
         }
@@ -80,7 +80,7 @@ impl Subdivision {
     /// on, counter-clockwise. All ids stay; see [`Dcel::flip_edge`](topology::Dcel::flip_edge). Two flips turn the
     /// edge round, four change nothing.
     ///
-    /// Cost: O(log of the number of faces with rings and of holes).
+    /// Cost: O(log of the number of faces with inner components and of holes).
     ///
     /// # Errors
     /// See [`FlipEdgeError`]; a refused call leaves everything bit for bit as it was.

@@ -6,8 +6,8 @@
 //!   │          │      │       │         ┌─v─┐   │       │   u ───── v     │
 //!   │          │      │       │         └───┘   │       │                 │
 //!   └───────── v ─────┘       └─────────────────┘       └─────────────────┘
-//!   two corners of a cycle:   corners of two cycles:    isolated vertices: an antenna,
-//!   the face is split         a ring joins another      or a component of its own
+//!   two corners of a cycle:   corners of two cycles:    isolated vertices: a dangling edge,
+//!   the face is split         an inner component joins another      or a component of its own
 //! ```
 
 use super::Obstacle;
@@ -15,7 +15,7 @@ use super::spot::Towards;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::cycle::on_segment;
 use crate::plane::{PlaneRecorder, Point, Subdivision};
-use crate::topology::{IdError, NoRecorder, Ring, TooMany};
+use crate::topology::{IdError, InnerComponent, NoRecorder, TooMany};
 
 /// Why two vertices cannot be joined by a straight edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -87,7 +87,7 @@ impl Subdivision {
     /// Whether [`insert_edge`](Self::insert_edge) would succeed, and if not, why. Changes nothing.
     ///
     /// Cost: O(size of the face between the two vertices, and degree of both); for an isolated vertex also
-    /// O(number of rings) to find its face.
+    /// O(number of inner components) to find its face.
     pub fn can_insert_edge(&self, from: VertexId, to: VertexId) -> Result<(), InsertEdgeError> {
         self.plan_edge(from, to).map(drop)
     }
@@ -126,9 +126,9 @@ impl Subdivision {
 
     /// Joins two vertices by a straight edge, wherever they lie in the same face.
     ///
-    /// Two corners of one cycle: the face is split, as by [`split_face`](Self::split_face); rings go to the side they
+    /// Two corners of one cycle: the face is split, as by [`split_face`](Self::split_face); inner components go to the side they
     /// lie on. Corners of two cycles: the cycles become one, and no face is new. A vertex without edges becomes the
-    /// free end of an antenna, two of them a component of its own. The kind of the face (hole or not) is kept.
+    /// free end of a dangling edge, two of them a component of its own. The kind of the face (hole or not) is kept.
     ///
     /// Cost: that of [`can_insert_edge`](Self::can_insert_edge) and, if the face is split, of `split_face`.
     ///
@@ -187,10 +187,10 @@ impl Subdivision {
         rec: &mut impl PlaneRecorder,
     ) -> HalfEdgeId {
         let on_boundary = ends.map(|end| matches!(end, End::Corner(h) if self.is_on_outer_boundary(h)));
-        let mut rings = self.take_rings(f, rec);
+        let mut rings = self.take_inner_components(f, rec);
         let indices = ends.map(|end| match end {
-            End::Corner(h) => self.ring_index(&rings, h),
-            End::Isolated(v) => rings.iter().position(|&ring| ring == Ring::Isolated(v)),
+            End::Corner(h) => self.inner_component_index(&rings, h),
+            End::Isolated(v) => rings.iter().position(|&ring| ring == InnerComponent::Isolated(v)),
         });
 
         rec.step(1, "Create two new half-edges.");
@@ -215,21 +215,21 @@ impl Subdivision {
             }
         }
 
-        // Of the two rings one is left, or none if the boundary takes them in.
+        // Of the two inner components one is left, or none if the boundary takes them in.
         let mut found: Vec<usize> = indices.into_iter().flatten().collect();
         found.sort_unstable();
         if let (Some(&kept), [false, false]) = (found.first(), on_boundary) {
             let cycle = found.iter().find_map(|&i| match rings[i] {
-                Ring::Cycle(h) => Some(h),
-                Ring::Isolated(_) => None,
+                InnerComponent::Cycle(h) => Some(h),
+                InnerComponent::Isolated(_) => None,
             });
-            rings[kept] = Ring::Cycle(cycle.unwrap_or(a));
+            rings[kept] = InnerComponent::Cycle(cycle.unwrap_or(a));
             found.remove(0);
         }
         for &i in found.iter().rev() {
             rings.remove(i);
         }
-        self.give_rings(f, rings, rec);
+        self.give_inner_components(f, rings, rec);
         a
     }
 

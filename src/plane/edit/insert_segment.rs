@@ -50,7 +50,7 @@ pub enum InsertSegmentError {
     Piece(#[from] InsertEdgeError),
     /// Rounded crossings led to more and more pieces.
     #[error(
-        "the segment falls into more than {pieces} pieces by rounding: what it crosses is finer than doubles can tell"
+        "the segment falls into more than {pieces} pieces by rounding: what it crosses is finer than doubles can represent"
     )]
     Unsettled {
         /// How many pieces were tried.

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   ●───── p ─────●  ==>  ●──────●──────●         ┌─────────┐       ┌─────────┐
-//!                                                 │    p    │  ==>  │    ●    │   a ring of the face
+//!                                                 │    p    │  ==>  │    ●    │   an inner component of the face
 //!                                                 └─────────┘       └─────────┘
 //! ```
 
@@ -10,7 +10,7 @@ use super::Obstacle;
 use super::insert_edge::End;
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::{CoordinateError, Location, PlaneRecorder, Point, Subdivision};
-use crate::topology::{IdError, NoRecorder, Ring, TooMany};
+use crate::topology::{IdError, InnerComponent, NoRecorder, TooMany};
 
 /// Why a point cannot become a vertex.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -48,7 +48,7 @@ pub enum InsertVertexError {
 /// Why an edge with a free end cannot be inserted.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum InsertAntennaError {
+pub enum InsertDanglingEdgeError {
     /// The vertex does not exist.
     #[error(transparent)]
     Id(#[from] IdError),
@@ -56,10 +56,10 @@ pub enum InsertAntennaError {
     #[error(transparent)]
     TooMany(#[from] TooMany),
     /// The point is no place for a vertex.
-    #[error("the free end of the antenna: {0}")]
+    #[error("the free end of the dangling edge: {0}")]
     Coordinate(#[from] CoordinateError),
-    /// The antenna would run into something, or end on it.
-    #[error("an antenna from {vertex} to {point} would run into {obstacle}: insert it as a segment to split that")]
+    /// The dangling edge would run into something, or end on it.
+    #[error("a dangling edge from {vertex} to {point} would run into {obstacle}: insert it as a segment to split that")]
     InTheWay {
         /// The vertex it starts from.
         vertex: VertexId,
@@ -72,7 +72,7 @@ pub enum InsertAntennaError {
 
 impl Subdivision {
     /// Puts a vertex at `point`: on an edge it splits the edge, which keeps its id up to there; in a face it stands
-    /// alone, as the last ring of the face. Returns the vertex.
+    /// alone, as the last inner component of the face. Returns the vertex.
     ///
     /// Cost: that of [`locate`](Self::locate), to find the place. [`insert_vertex_in`](Self::insert_vertex_in) is quicker where the face is
     /// known.
@@ -84,7 +84,7 @@ impl Subdivision {
     /// use dcel_kit::{FaceId, plane::{Point, Subdivision}};
     /// let mut s = Subdivision::lab_rectangle();
     /// let alone = s.insert_vertex(Point::new(10.0, 20.0))?;
-    /// assert_eq!((s.outgoing(alone), s.rings(FaceId::new(1)).len()), (None, 1));
+    /// assert_eq!((s.outgoing(alone), s.inner_components(FaceId::new(1)).len()), (None, 1));
     /// let on_edge = s.insert_vertex(Point::new(100.0, 150.0))?;
     /// assert_eq!(s.degree(on_edge), 2);
     /// # Ok::<(), dcel_kit::plane::InsertVertexError>(())
@@ -112,7 +112,7 @@ impl Subdivision {
         }
     }
 
-    /// Puts a vertex at `point`, which must lie inside the face `f`. It stands alone, as the last ring of the face.
+    /// Puts a vertex at `point`, which must lie inside the face `f`. It stands alone, as the last inner component of the face.
     ///
     /// Cost: O(size of the face).
     ///
@@ -139,46 +139,46 @@ impl Subdivision {
     fn add_isolated(&mut self, f: FaceId, point: Point, rec: &mut impl PlaneRecorder) -> VertexId {
         let v = self.dcel.add_vertex_record(rec);
         self.place(v, point, rec);
-        let mut rings = self.take_rings(f, rec);
-        rings.push(Ring::Isolated(v));
-        self.give_rings(f, rings, rec);
+        let mut rings = self.take_inner_components(f, rec);
+        rings.push(InnerComponent::Isolated(v));
+        self.give_inner_components(f, rings, rec);
         v
     }
 
-    /// Puts an antenna into a face: a new vertex at `point`, joined to `vertex` by a straight edge that meets nothing.
+    /// Puts a dangling edge into a face: a new vertex at `point`, joined to `vertex` by a straight edge that meets nothing.
     /// Returns the new vertex and the half-edge that leads to it.
     ///
-    /// Cost: O(size of the face, degree of the vertex); for an isolated vertex also O(number of rings).
+    /// Cost: O(size of the face, degree of the vertex); for an isolated vertex also O(number of inner components).
     ///
     /// # Errors
-    /// See [`InsertAntennaError`]; a refused call leaves everything bit for bit as it was.
+    /// See [`InsertDanglingEdgeError`]; a refused call leaves everything bit for bit as it was.
     ///
     /// ```
     /// use dcel_kit::{VertexId, plane::{Point, Subdivision}};
     /// let mut s = Subdivision::lab_rectangle();
-    /// let (tip, h) = s.insert_antenna(VertexId::new(0), Point::new(0.0, 0.0))?;
+    /// let (tip, h) = s.insert_dangling_edge(VertexId::new(0), Point::new(0.0, 0.0))?;
     /// assert_eq!((s.destination(h), s.degree(tip), s.face_count()), (tip, 1, 2));
-    /// # Ok::<(), dcel_kit::plane::InsertAntennaError>(())
+    /// # Ok::<(), dcel_kit::plane::InsertDanglingEdgeError>(())
     /// ```
-    pub fn insert_antenna(
+    pub fn insert_dangling_edge(
         &mut self,
         vertex: VertexId,
         point: Point,
-    ) -> Result<(VertexId, HalfEdgeId), InsertAntennaError> {
-        self.insert_antenna_with(vertex, point, &mut NoRecorder)
+    ) -> Result<(VertexId, HalfEdgeId), InsertDanglingEdgeError> {
+        self.insert_dangling_edge_with(vertex, point, &mut NoRecorder)
     }
 
-    /// [`insert_antenna`](Self::insert_antenna), watched by a recorder.
-    pub fn insert_antenna_with(
+    /// [`insert_dangling_edge`](Self::insert_dangling_edge), watched by a recorder.
+    pub fn insert_dangling_edge_with(
         &mut self,
         vertex: VertexId,
         point: Point,
         rec: &mut impl PlaneRecorder,
-    ) -> Result<(VertexId, HalfEdgeId), InsertAntennaError> {
+    ) -> Result<(VertexId, HalfEdgeId), InsertDanglingEdgeError> {
         self.dcel.check(vertex)?;
         point.check()?;
         self.dcel.room_for(1, 1, 0)?;
-        let in_the_way = |obstacle: Element| InsertAntennaError::InTheWay { vertex, point, obstacle };
+        let in_the_way = |obstacle: Element| InsertDanglingEdgeError::InTheWay { vertex, point, obstacle };
         if self.points[vertex] == point {
             return Err(in_the_way(vertex.into()));
         }

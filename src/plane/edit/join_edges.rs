@@ -67,7 +67,7 @@ impl Subdivision {
     /// Takes away the destination of `h`, which must have degree 2: `h` then runs straight on to where
     /// `next(h)` led. Returns the removed vertex.
     ///
-    /// Cost: as [`can_join_edges`](Self::can_join_edges), and O(number of rings) of the two faces.
+    /// Cost: as [`can_join_edges`](Self::can_join_edges), and O(number of inner components) of the two faces.
     ///
     /// # Errors
     /// See [`JoinEdgesError`]; a refused call leaves everything bit for bit as it was.
@@ -80,7 +80,7 @@ impl Subdivision {
         self.can_join_edges(h)?;
         let goes = self.dcel.next(h);
         for (gone, stays) in [(goes, h), (goes.twin(), h.twin())] {
-            self.rename_ring(self.dcel.face(gone), [gone, stays], rec);
+            self.rename_inner_component(self.dcel.face(gone), [gone, stays], rec);
         }
         Ok(self.dcel.join_edges_unchecked(h, rec))
     }

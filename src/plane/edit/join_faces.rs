@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   ┌───────────┬───────┐          ┌───────────────────┐
-//!   │  kept    h│ gone  │          │  kept             │      The rings of both faces end up in the one that
+//!   │  kept    h│ gone  │          │  kept             │      The inner components of both faces end up in the one that
 //!   │   ┌─┐     │  ┌─┐  │    ==>   │   ┌─┐        ┌─┐  │      stays. f0 always stays.
 //!   │   └─┘     │  └─┘  │          │   └─┘        └─┘  │
 //!   └───────────┴───────┘          └───────────────────┘
@@ -10,7 +10,7 @@
 
 use crate::ids::{FaceId, HalfEdgeId};
 use crate::plane::{PlaneRecorder, Subdivision};
-use crate::topology::{self, NoRecorder, Ring};
+use crate::topology::{self, InnerComponent, NoRecorder};
 
 /// Why the faces on both sides of a half-edge cannot be joined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -59,33 +59,33 @@ impl Subdivision {
         let (gone, kept) = (self.dcel.face(h), self.dcel.face(h.twin()));
         let gone_around = !self.is_on_outer_boundary(h);
         let kept_around = !self.is_on_outer_boundary(h.twin());
-        let gone_boundary = self.dcel.boundary(gone);
+        let gone_boundary = self.dcel.half_edge(gone);
 
-        let mut gone_rings = self.take_rings(gone, rec);
-        let mut kept_rings = self.take_rings(kept, rec);
-        let in_gone = if gone_around { self.ring_index(&gone_rings, h) } else { None };
-        let in_kept = if kept_around { self.ring_index(&kept_rings, h.twin()) } else { None };
+        let mut gone_rings = self.take_inner_components(gone, rec);
+        let mut kept_rings = self.take_inner_components(kept, rec);
+        let in_gone = if gone_around { self.inner_component_index(&gone_rings, h) } else { None };
+        let in_kept = if kept_around { self.inner_component_index(&kept_rings, h.twin()) } else { None };
         let rest = self.dcel.next(h.twin());
 
         self.dcel.join_faces_unchecked(h, rec);
         if let Some(i) = in_kept {
-            kept_rings[i] = Ring::Cycle(rest);
+            kept_rings[i] = InnerComponent::Cycle(rest);
         }
         if let Some(i) = in_gone {
             // The face that goes surrounds the one that stays: its outer boundary becomes the common one.
-            gone_rings[i] = Ring::Cycle(rest);
-            self.dcel.set_boundary(kept, gone_boundary, rec);
+            gone_rings[i] = InnerComponent::Cycle(rest);
+            self.dcel.set_half_edge(kept, gone_boundary, rec);
             if let Some(start) = gone_boundary {
                 self.relabel_cycle(start, kept, rec);
             }
         }
         for (i, &ring) in gone_rings.iter().enumerate() {
             if Some(i) != in_gone {
-                self.relabel_ring(ring, kept, rec);
+                self.relabel_inner_component(ring, kept, rec);
             }
         }
         kept_rings.append(&mut gone_rings);
-        self.give_rings(kept, kept_rings, rec);
+        self.give_inner_components(kept, kept_rings, rec);
         self.mark_hole(gone, false, rec);
         Ok(gone)
     }

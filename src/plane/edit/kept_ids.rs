@@ -10,7 +10,7 @@
 use super::InsertEdgeError;
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::plane::{PlaneRecorder, Subdivision};
-use crate::topology::{Ring, TooMany};
+use crate::topology::{InnerComponent, TooMany};
 
 impl Subdivision {
     /// From now on no other element gets the id of one that is there now, not even after that is removed. O(1).
@@ -64,11 +64,12 @@ impl Subdivision {
         }
         let [one, another] = places.map(|(_, face, ..)| face);
         for face in [Some(one), (one != another).then_some(another)].into_iter().flatten() {
-            match self.dcel.boundary(face).filter(|h| h.edge() == e) {
-                Some(h) => self.dcel.set_boundary(face, Some(h.twin()), rec),
+            match self.dcel.half_edge(face).filter(|h| h.edge() == e) {
+                Some(h) => self.dcel.set_half_edge(face, Some(h.twin()), rec),
                 None => {
-                    let listed = halves.into_iter().find(|&h| self.rings(face).contains(&Ring::Cycle(h)));
-                    listed.into_iter().for_each(|h| self.rename_ring(face, [h, h.twin()], rec));
+                    let listed =
+                        halves.into_iter().find(|&h| self.inner_components(face).contains(&InnerComponent::Cycle(h)));
+                    listed.into_iter().for_each(|h| self.rename_inner_component(face, [h, h.twin()], rec));
                 }
             }
         }
@@ -86,14 +87,14 @@ impl Subdivision {
             self.dcel.offer_face(to);
         }
         let new = self.dcel.add_face_record(rec);
-        let boundary = self.dcel.boundary(f);
+        let boundary = self.dcel.half_edge(f);
         if let Some(start) = boundary {
             self.relabel_cycle(start, new, rec);
         }
-        self.dcel.set_boundary(new, boundary, rec);
-        let rings = self.take_rings(f, rec);
-        rings.iter().for_each(|&ring| self.relabel_ring(ring, new, rec));
-        self.give_rings(new, rings, rec);
+        self.dcel.set_half_edge(new, boundary, rec);
+        let rings = self.take_inner_components(f, rec);
+        rings.iter().for_each(|&ring| self.relabel_inner_component(ring, new, rec));
+        self.give_inner_components(new, rings, rec);
         if self.is_hole(f) {
             self.mark_hole(new, true, rec);
             self.mark_hole(f, false, rec);

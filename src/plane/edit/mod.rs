@@ -3,7 +3,7 @@
 //!
 //! ```text
 //!   split_face join_faces split_edge join_edges flip_edge     by half-edges, as the lab does
-//!   insert_vertex insert_edge insert_antenna        by points and vertices, wherever the faces and rings are
+//!   insert_vertex insert_edge insert_dangling_edge        by points and vertices, wherever the faces and inner components are
 //!   insert_segment                                  through everything
 //!   set_point transform                             a vertex, or everything, moves
 //!   remove_edge remove_vertex                       spot.rs  where is it     whole.rs  all steps or none
@@ -11,7 +11,7 @@
 //! ```
 //!
 //! The kernel takes whatever is combinatorially legal; here an edit must also keep edges straight, disjoint and
-//! in their faces. `f0` is always the unbounded face, and rings go where they lie. A refused edit changes
+//! in their faces. `f0` is always the unbounded face, and inner components go where they lie. A refused edit changes
 //! nothing.
 
 mod flip_edge;
@@ -33,7 +33,7 @@ mod whole;
 pub use flip_edge::FlipEdgeError;
 pub use insert_edge::{InsertEdgeError, InsertedEdge};
 pub use insert_segment::{InsertSegmentError, InsertedSegment};
-pub use insert_vertex::{InsertAntennaError, InsertVertexError};
+pub use insert_vertex::{InsertDanglingEdgeError, InsertVertexError};
 pub use join_edges::JoinEdgesError;
 pub use join_faces::JoinFacesError;
 pub use remove_edge::{RemoveEdgeError, RemoveVertexError};

@@ -6,7 +6,7 @@
 //!   └─────┴─────┘       └───────────┘
 //!   ┌───────────┐       ┌───────────┐            the same face on both sides: its cycle falls into two, of which
 //!   │   ┌─┐     │       │   ┌─┐     │            one may be a single vertex. If it was the outer boundary, the part
-//!   ├─h─┤ │     │  ==>  │   │ │     │            that surrounds the other stays the boundary; the other is a ring.
+//!   ├─h─┤ │     │  ==>  │   │ │     │            that surrounds the other stays the boundary; the other is an inner component.
 //!   │   └─┘     │       │   └─┘     │
 //!   └───────────┘       └───────────┘
 //! ```
@@ -15,7 +15,7 @@ use super::JoinFacesError;
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::plane::cycle::encloses;
 use crate::plane::{PlaneRecorder, Subdivision};
-use crate::topology::{IdError, NoRecorder, Ring};
+use crate::topology::{IdError, InnerComponent, NoRecorder};
 
 /// Why an edge cannot be removed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -66,9 +66,9 @@ impl Subdivision {
     ///
     /// Between two faces, the face of its odd half takes the place of both, or `f0` if that is one of them; returns
     /// the face that is gone. With the same face on both sides no face goes: what hung together by the edge falls
-    /// apart into two rings of the face, or into its boundary and a ring.
+    /// apart into two inner components of the face, or into its boundary and an inner component.
     ///
-    /// Cost: O(length of the cycles on both sides, and number of rings of both faces).
+    /// Cost: O(length of the cycles on both sides, and number of inner components of both faces).
     ///
     /// # Errors
     /// See [`RemoveEdgeError`]; a refused call leaves everything bit for bit as it was.
@@ -76,7 +76,7 @@ impl Subdivision {
     /// ```
     /// use dcel_kit::{EdgeId, FaceId, VertexId, plane::{Point, Subdivision}};
     /// let mut s = Subdivision::lab_rectangle();
-    /// let (tip, h) = s.insert_antenna(VertexId::new(0), Point::new(0.0, 0.0))?;
+    /// let (tip, h) = s.insert_dangling_edge(VertexId::new(0), Point::new(0.0, 0.0))?;
     /// assert_eq!(s.remove_edge(h.edge())?, None);
     /// assert_eq!(s.outgoing(tip), None);
     /// assert_eq!(s.remove_edge(EdgeId::new(0))?, Some(FaceId::new(1)));
@@ -107,19 +107,20 @@ impl Subdivision {
         let [a, b] = edge.half_edges();
         let f = self.dcel.face(a);
         let was_boundary = self.is_on_outer_boundary(a);
-        let mut rings = self.take_rings(f, rec);
-        let index = if was_boundary { None } else { self.ring_index(&rings, a) };
+        let mut rings = self.take_inner_components(f, rec);
+        let index = if was_boundary { None } else { self.inner_component_index(&rings, a) };
 
         rec.step(1, "Take the two half-edges out of the cyclic lists.");
         let parts = [a, b].map(|out| self.take_out(out, rec));
         rec.step(2, "Remove the edge.");
         let ends = [a, b].map(|h| self.dcel.origin(h));
-        if was_boundary && self.dcel.boundary(f).is_some_and(|h| h.edge() == edge) {
-            self.dcel.set_boundary(f, parts[0].or(parts[1]), rec);
+        if was_boundary && self.dcel.half_edge(f).is_some_and(|h| h.edge() == edge) {
+            self.dcel.set_half_edge(f, parts[0].or(parts[1]), rec);
         }
         self.dcel.remove_edge_record(edge, rec);
 
-        let ring = |part: Option<HalfEdgeId>, v: VertexId| part.map_or(Ring::Isolated(v), Ring::Cycle);
+        let ring =
+            |part: Option<HalfEdgeId>, v: VertexId| part.map_or(InnerComponent::Isolated(v), InnerComponent::Cycle);
         let [one, other] = [ring(parts[0], ends[0]), ring(parts[1], ends[1])];
         match index {
             Some(i) => {
@@ -129,13 +130,13 @@ impl Subdivision {
             None => {
                 let outer = parts.map(|part| part.is_some_and(|h| encloses(self.corner_points(h))));
                 let (boundary, inner) = if outer[0] { (parts[0], other) } else { (parts[1], one) };
-                if self.dcel.boundary(f).is_none_or(|h| boundary.is_none_or(|g| !self.dcel.cycle(g).any(|k| k == h))) {
-                    self.dcel.set_boundary(f, boundary, rec);
+                if self.dcel.half_edge(f).is_none_or(|h| boundary.is_none_or(|g| !self.dcel.cycle(g).any(|k| k == h))) {
+                    self.dcel.set_half_edge(f, boundary, rec);
                 }
                 rings.push(inner);
             }
         }
-        self.give_rings(f, rings, rec);
+        self.give_inner_components(f, rings, rec);
     }
 
     /// Leads the links at the origin of `out` past it. Returns a half-edge that starts there now, if any does.
@@ -156,7 +157,7 @@ impl Subdivision {
     /// Takes away a vertex, first all its edges, in the order round it from `outgoing(v)` on. Returns the faces that
     /// are gone.
     ///
-    /// Cost: that of removing the edges one by one; O(number of all rings) for the vertex.
+    /// Cost: that of removing the edges one by one; O(number of all inner components) for the vertex.
     ///
     /// # Errors
     /// See [`RemoveVertexError`]; a refused call leaves everything bit for bit as it was.
@@ -199,9 +200,9 @@ impl Subdivision {
 
     fn remove_isolated(&mut self, v: VertexId, rec: &mut impl PlaneRecorder) {
         let f = self.face_around(v);
-        let mut rings = self.take_rings(f, rec);
-        rings.retain(|&ring| ring != Ring::Isolated(v));
-        self.give_rings(f, rings, rec);
+        let mut rings = self.take_inner_components(f, rec);
+        rings.retain(|&ring| ring != InnerComponent::Isolated(v));
+        self.give_inner_components(f, rings, rec);
         self.dcel.remove_vertex_record(v, rec);
     }
 }

@@ -15,7 +15,7 @@ use crate::plane::cycle::{encloses, in_corner, on_segment, surrounds};
 use crate::plane::predicates::orientation;
 use crate::plane::sweep::cross;
 use crate::plane::{CoordinateError, PlaneRecorder, Point, Subdivision};
-use crate::topology::{IdError, NoRecorder, Ring};
+use crate::topology::{IdError, InnerComponent, NoRecorder};
 
 /// Why a vertex cannot be moved to a place.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -103,21 +103,21 @@ impl Subdivision {
         if self.points[vertex] == point {
             return Ok(());
         }
-        let star: Vec<HalfEdgeId> = self.dcel.outgoing_half_edges(vertex).collect();
-        if star.is_empty() {
+        let one_ring: Vec<HalfEdgeId> = self.dcel.outgoing_half_edges(vertex).collect();
+        if one_ring.is_empty() {
             return self.can_move_alone(vertex, point);
         }
-        let mut faces: Vec<(FaceId, HalfEdgeId)> = star.iter().map(|&h| (self.dcel.face(h), h)).collect();
+        let mut faces: Vec<(FaceId, HalfEdgeId)> = one_ring.iter().map(|&h| (self.dcel.face(h), h)).collect();
         faces.sort_unstable();
         faces.dedup_by_key(|(f, _)| *f);
         for &(f, _) in &faces {
-            self.nothing_in_the_way(vertex, point, f, &star)?;
+            self.nothing_in_the_way(vertex, point, f, &one_ring)?;
         }
-        star.iter().try_for_each(|&moved| self.same_corner(vertex, point, moved))?;
+        one_ring.iter().try_for_each(|&moved| self.same_corner(vertex, point, moved))?;
         let end = |h: HalfEdgeId| self.points[self.dcel.destination(h)];
         let back = |&h: &HalfEdgeId| by_direction(point, end(h), end(self.dcel.ccw(h))).is_ge();
-        if star.len() > 2 && star.iter().filter(|&h| back(h)).count() > 1 {
-            return Err(SetPointError::TurnsOver { vertex, point, face: self.dcel.face(star[0]) });
+        if one_ring.len() > 2 && one_ring.iter().filter(|&h| back(h)).count() > 1 {
+            return Err(SetPointError::TurnsOver { vertex, point, face: self.dcel.face(one_ring[0]) });
         }
         faces.iter().try_for_each(|&(face, start)| self.same_face(vertex, point, face, start))
     }
@@ -132,13 +132,13 @@ impl Subdivision {
         })
     }
 
-    /// No vertex or edge of `f` meets the place or an edge of the `star` there. O(size of the face x degree).
+    /// No vertex or edge of `f` meets the place or an edge of the `one_ring` there. O(size of the face x degree).
     fn nothing_in_the_way(
         &self,
         vertex: VertexId,
         point: Point,
         f: FaceId,
-        star: &[HalfEdgeId],
+        one_ring: &[HalfEdgeId],
     ) -> Result<(), SetPointError> {
         let passed = |other: VertexId| {
             let at = self.points[other];
@@ -152,7 +152,7 @@ impl Subdivision {
                 let end = self.dcel.destination(h);
                 end != other && on_segment(point, self.points[end], at)
             };
-            match star.iter().find(along) {
+            match one_ring.iter().find(along) {
                 Some(&moved) => Err(SetPointError::ThroughVertex { vertex, point, moved, through: other }),
                 None => Ok(()),
             }
@@ -169,7 +169,7 @@ impl Subdivision {
                 return Err(SetPointError::OnEdge { vertex, point, edge: g });
             }
             let crosses = |&&h: &&HalfEdgeId| cross(point, self.points[self.dcel.destination(h)], a, b);
-            if let Some(&moved) = star.iter().find(crosses) {
+            if let Some(&moved) = one_ring.iter().find(crosses) {
                 return Err(SetPointError::Crosses { vertex, point, moved, crossed: g });
             }
         }
@@ -204,17 +204,17 @@ impl Subdivision {
         if encloses(cycle.clone()) != outer {
             return Err(SetPointError::TurnsOver { vertex, point, face });
         }
-        if self.rings(face).is_empty() {
+        if self.inner_components(face).is_empty() {
             return Ok(());
         }
         let mut own: Vec<HalfEdgeId> = self.dcel.cycle(start).collect();
         own.sort_unstable();
-        let first = self.dcel.boundary(face).filter(|_| face == self.outer_face()).map(Ring::Cycle);
-        for ring in first.into_iter().chain(self.rings(face).iter().copied()) {
+        let first = self.dcel.half_edge(face).filter(|_| face == self.outer_face()).map(InnerComponent::Cycle);
+        for ring in first.into_iter().chain(self.inner_components(face).iter().copied()) {
             let inner = match ring {
-                Ring::Cycle(h) if own.binary_search(&h).is_ok() => continue,
-                Ring::Cycle(h) => self.dcel.origin(h),
-                Ring::Isolated(v) => v,
+                InnerComponent::Cycle(h) if own.binary_search(&h).is_ok() => continue,
+                InnerComponent::Cycle(h) => self.dcel.origin(h),
+                InnerComponent::Isolated(v) => v,
             };
             if surrounds(cycle.clone(), self.points[inner]) != outer {
                 return Err(SetPointError::LeavesFace { vertex, point, inner, face });
@@ -226,7 +226,7 @@ impl Subdivision {
     /// Moves a vertex to a place, with its edges. Everything hangs together as before: every edge, face and inner
     /// component is the one that it was, and no id changes. Only the two places matter, not the way between them.
     ///
-    /// Cost: O(size of the faces at the vertex x its degree), and O(rings of all faces) for a vertex without edges.
+    /// Cost: O(size of the faces at the vertex x its degree), and O(inner components of all faces) for a vertex without edges.
     /// All decisions are exact.
     ///
     /// # Errors

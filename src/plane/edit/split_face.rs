@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   ┌────── h1 ─┬───────┐        The segment between the two corners must leave both of them into the face,
-//!   │   f       │ new   │        cross no edge and pass no vertex. Rings go to the side they lie on.
+//!   │   f       │ new   │        cross no edge and pass no vertex. Inner components go to the side they lie on.
 //!   │   ┌─┐    a│  ┌─┐  │
 //!   │   └─┘     v  └─┘  │
 //!   └───────────┴─ h2 ──┘
@@ -12,7 +12,7 @@ use super::Obstacle;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::cycle::{encloses, in_corner, same_direction};
 use crate::plane::{PlaneRecorder, Subdivision};
-use crate::topology::{self, NoRecorder, Ring};
+use crate::topology::{self, InnerComponent, NoRecorder};
 
 /// Why a face of a subdivision cannot be split between the origins of two half-edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -114,11 +114,11 @@ impl Subdivision {
     ///
     /// Returns the new half-edge from `origin(h1)` to `origin(h2)`, and the new face. Along the outer boundary
     /// of a bounded face the new face lies on the LEFT of that half-edge and the cycle through `h1` keeps the
-    /// old face, as in the kernel. Along a ring (so always for `f0`) the new face is the bounded piece that is
-    /// cut off, on whichever side it lies: `f0` stays unbounded. Rings of the old face that lie in the new one
+    /// old face, as in the kernel. Along an inner component (so always for `f0`) the new face is the bounded piece that is
+    /// cut off, on whichever side it lies: `f0` stays unbounded. Inner components of the old face that lie in the new one
     /// move over. If the old face is a hole, so is the new one.
     ///
-    /// Cost: O(number of half-edges of the face), and O(length of the new boundary) for each ring.
+    /// Cost: O(number of half-edges of the face), and O(length of the new boundary) for each inner component.
     ///
     /// # Errors
     /// See [`SplitFaceError`]; a refused call leaves everything bit for bit as it was.
@@ -157,11 +157,11 @@ impl Subdivision {
         let old = self.dcel.face(h1);
         let (a, new) = if self.is_on_outer_boundary(h1) {
             let (a, new) = self.dcel.split_face_unchecked(h1, h2, rec);
-            let rings = self.take_rings(old, rec);
-            self.share_rings([old, new], rings, None, rec);
+            let rings = self.take_inner_components(old, rec);
+            self.share_inner_components([old, new], rings, None, rec);
             (a, new)
         } else {
-            self.split_ring(h1, h2, rec)
+            self.split_inner_component(h1, h2, rec)
         };
         if self.holes.contains(&old) {
             self.mark_hole(new, true, rec);
@@ -169,12 +169,17 @@ impl Subdivision {
         (a, new)
     }
 
-    /// Splits a face along one of its rings: a bounded piece is cut off.
-    fn split_ring(&mut self, h1: HalfEdgeId, h2: HalfEdgeId, rec: &mut impl PlaneRecorder) -> (HalfEdgeId, FaceId) {
+    /// Splits a face along one of its inner components: a bounded piece is cut off.
+    fn split_inner_component(
+        &mut self,
+        h1: HalfEdgeId,
+        h2: HalfEdgeId,
+        rec: &mut impl PlaneRecorder,
+    ) -> (HalfEdgeId, FaceId) {
         let old = self.dcel.face(h1);
-        let boundary = self.dcel.boundary(old);
-        let mut rings = self.take_rings(old, rec);
-        let split = self.ring_index(&rings, h1);
+        let boundary = self.dcel.half_edge(old);
+        let mut rings = self.take_inner_components(old, rec);
+        let split = self.inner_component_index(&rings, h1);
         let left_part = self.dcel.cycle(h2).take_while(|&h| h != h1).chain([h1]);
         let left_is_bounded = encloses(left_part.map(|h| self.points[self.dcel.origin(h)]));
         let (a, new) = if left_is_bounded {
@@ -183,15 +188,15 @@ impl Subdivision {
             let (twin, new) = self.dcel.split_face_unchecked(h2, h1, rec);
             (twin.twin(), new)
         };
-        // The kernel took the half-edge outside the new face for the old face's boundary; it is a ring's.
+        // The kernel took the half-edge outside the new face for the old face's boundary; it is an inner component's.
         let rest = if left_is_bounded { a.twin() } else { a };
         if let Some(i) = split {
-            rings[i] = Ring::Cycle(rest);
+            rings[i] = InnerComponent::Cycle(rest);
         }
         if old != self.outer_face() {
-            self.dcel.set_boundary(old, boundary, rec);
+            self.dcel.set_half_edge(old, boundary, rec);
         }
-        self.share_rings([old, new], rings, split, rec);
+        self.share_inner_components([old, new], rings, split, rec);
         (a, new)
     }
 }

@@ -11,7 +11,7 @@ use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::cycle::{in_corner, on_segment, same_direction, surrounds};
 use crate::plane::sweep::cross;
 use crate::plane::{Point, Subdivision};
-use crate::topology::Ring;
+use crate::topology::InnerComponent;
 
 /// Where a direction leads from a vertex.
 pub(in crate::plane) enum Towards {
@@ -45,7 +45,7 @@ impl Subdivision {
         if odd == (f != self.outer_face()) { Ok(()) } else { Err(None) }
     }
 
-    /// Where the direction from `v` to `to` leads. O(degree), or O(rings of all faces) for an isolated vertex.
+    /// Where the direction from `v` to `to` leads. O(degree), or O(inner components of all faces) for an isolated vertex.
     pub(in crate::plane) fn towards(&self, v: VertexId, to: Point) -> Towards {
         let at = self.points[v];
         for h in self.dcel.outgoing_half_edges(v) {
@@ -64,10 +64,10 @@ impl Subdivision {
         Towards::Open(self.face_around(v))
     }
 
-    /// The face in which a vertex without edges lies. O(rings of all faces).
+    /// The face in which a vertex without edges lies. O(inner components of all faces).
     pub(super) fn face_around(&self, v: VertexId) -> FaceId {
-        let lists = |(_, rings): &(&FaceId, &Vec<Ring>)| rings.contains(&Ring::Isolated(v));
-        self.rings.iter().find(lists).map_or(self.outer_face(), |(&f, _)| f)
+        let lists = |(_, rings): &(&FaceId, &Vec<InnerComponent>)| rings.contains(&InnerComponent::Isolated(v));
+        self.inner_components.iter().find(lists).map_or(self.outer_face(), |(&f, _)| f)
     }
 
     /// Calls `meet` for everything of the face `f` on the way from `a` to `b`, ends excluded: vertices on it, edges

@@ -38,7 +38,7 @@ impl Subdivision {
     /// that every face stays on the left of its half-edges; all ids stay.
     ///
     /// Every new coordinate is the exact value, rounded once. If none had to be rounded, the drawing is sound because
-    /// affine maps keep straight lines and their meetings; otherwise all laws of the plane are checked.
+    /// affine maps keep straight lines and their intersections; otherwise all invariants of the plane are checked.
     ///
     /// Cost: O(n), and O(n log n) if a coordinate was rounded.
     ///

@@ -1,7 +1,7 @@
 //! The grid: every cell knows the edges through it and the face at its corner.
 //!
 //! ```text
-//!     ┌──────────╲─────┐      From p straight down: the first edge met inside the cell tells the face, it lies above
+//!     ┌──────────╲─────┐      From p straight down: the first edge met inside the cell gives the face: it lies above
 //!     │   p       ╲    │      that edge. If none is met: left along the bottom of the cell; the first edge met
 //!     │   │    ────╲───┼      there tells the face, it lies right of that edge. If none is met, p lies in the face
 //!     │   │         ╲  │      at the corner c.

@@ -2,11 +2,11 @@
 //!
 //! ```text
 //!     s ●· · · · ┐ f  ┌ ─ ─┐         In each face the LAST of its edges across the way counts, whatever lies
-//!        ╲   ·   │  · │    │ f  · p   between: over it the way leaves the face for good. Rings count as the
-//!         ╲      └────┘    ╱         boundary does, so that the walk gets out of rings and round them.
+//!        ╲   ·   │  · │    │ f  · p   between: over it the way leaves the face for good. Inner components count as the
+//!         ╲      └────┘    ╱         boundary does, so that the walk gets out of inner components and round them.
 //! ```
 //!
-//! Laws:
+//! Properties:
 //! - no face is looked at twice, for behind the last edge of a face the way does not come back to it; so the walk
 //!   ends, whatever the shape of the faces, and looks at each half-edge once at most;
 //! - it is decided by orientation alone: the way runs to the right of vertices that lie on it, and of two edges
@@ -14,7 +14,7 @@
 //! - in a triangulation it is the straight walk from triangle to triangle.
 //!
 //! Source: the straight walk is that of Devillers, Pion, Teillaud, *Walking in a triangulation*, 2002; here for faces
-//! of any shape, with rings.
+//! of any shape, with inner components.
 
 use super::order::Ends;
 use super::{Location, is_beyond};
@@ -50,7 +50,7 @@ impl Subdivision {
     /// Where the point lies, by a walk from the vertex `start`: quick if that is near.
     ///
     /// Cost: exact; O(size of the faces on the way), never more than O(n); from an isolated vertex also O(number of
-    /// rings).
+    /// inner components).
     ///
     /// # Errors
     /// If `start` does not exist.

@@ -1,18 +1,22 @@
-//! All meetings of straight edges, found by one sweep with exact decisions.
+//! All intersections of straight edges, found by one sweep with exact decisions.
 //!
 //! ```text
-//!          ╲   ╱            The sweep line stops at the vertices and at every crossing. Below it the edges are kept
-//!     ──────╲─╱──── e3      from bottom to top; at a stop those through the point turn round. Only neighbours can
+//!          ╲   ╱            Event points are the vertices and all crossings.       Below it the edges are kept
+//!     ──────╲─╱──── e3      from bottom to top; at an event point those through it turn round. Only neighbours can
 //!            ●              cross next, and a crossing that is known waits in a heap, in its exact place: it is
 //!           ╱ ╲             never rounded on the way.
 //!        e1╱   ╲e2
 //! ```
 //!
-//! Cost: O((n + k) log n) for n edges and k stops, plus what the edges through each stop need to be told. Exact
+//! Cost: O((n + k) log n) for n edges and k event points, plus telling what the edges through each of them are. Exact
 //! arithmetic is used only where intervals cannot tell.
 //!
 //! Source: Bentley and Ottmann, *Algorithms for reporting and counting geometric intersections*, 1979; the handling
 //! of many edges through one point as in de Berg et al., *Computational Geometry*, 3rd ed., section 2.1.
+//!
+//! ```text
+//!   grid.rs  A square grid whose points, and whose lines between pixels, are doubles
+//! ```
 
 mod crossing;
 mod grid;
@@ -29,12 +33,12 @@ use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 use std::ops::ControlFlow;
 
-/// Crossed the sweep line stops.
+/// Where an event point lies.
 #[derive(Clone, Copy)]
-pub(super) enum Spot<'a> {
+pub(super) enum EventPlace<'a> {
     /// At a point of the input.
     Vertex(u32),
-    /// Crossed edges cross and no point is.
+    /// Where edges cross and no point is.
     Crossing(&'a Crossed),
 }
 
@@ -68,9 +72,9 @@ impl Crossed {
     }
 }
 
-/// A stop at which edges meet that should not: edges pass through, or start in the same direction.
-pub(super) struct Stop<'a> {
-    pub(super) spot: Spot<'a>,
+/// An event point at which edges meet that should not: edges pass through, or start in the same direction.
+pub(super) struct EventPoint<'a> {
+    pub(super) place: EventPlace<'a>,
     /// The edges with this point in their interior.
     pub(super) through: &'a [u32],
     /// The edges that end here, as the sweep goes.
@@ -102,15 +106,15 @@ impl PartialEq for Waiting {
 
 impl Eq for Waiting {}
 
-/// Calls `visit` for every stop at which edges meet that should not, from left to right, until it breaks off.
+/// Calls `visit` for every event point at which edges meet that should not, from left to right, until it breaks off.
 ///
 /// `by_place` holds all points from left to right; they are distinct. Edges have two different ends, no two the same
 /// ones.
-pub(super) fn all_meetings(
+pub(super) fn visit_intersections(
     points: &[Point],
     edges: &[[u32; 2]],
     by_place: &[u32],
-    mut visit: impl FnMut(&Stop<'_>) -> ControlFlow<()>,
+    mut visit: impl FnMut(&EventPoint<'_>) -> ControlFlow<()>,
 ) -> ControlFlow<()> {
     let edges = rightwards(points, edges);
     let (firsts, starts) = grouped(points.len(), edges.len(), |e| edges[e][0] as usize);
@@ -118,7 +122,7 @@ pub(super) fn all_meetings(
     let mut vertices = by_place.iter().copied().peekable();
     loop {
         let vertex = vertices.peek().copied();
-        // A crossing at a vertex is part of the stop at the vertex.
+        // A crossing at a vertex is part of the event point at the vertex.
         let first = match (vertex, sweep.heap.peek()) {
             (None, None) => return ControlFlow::Continue(()),
             (None, Some(_)) => Ordering::Less,
@@ -127,11 +131,11 @@ pub(super) fn all_meetings(
         };
         let crossing = if first.is_gt() { None } else { sweep.pop_crossing() };
         match (crossing, vertex) {
-            (Some(crossing), _) if first.is_lt() => sweep.stop(&Spot::Crossing(&crossing), &[], &mut visit)?,
+            (Some(crossing), _) if first.is_lt() => sweep.event(&EventPlace::Crossing(&crossing), &[], &mut visit)?,
             (_, Some(v)) => {
                 vertices.next();
                 let starting = firsts[v as usize] as usize..firsts[v as usize + 1] as usize;
-                sweep.stop(&Spot::Vertex(v), &starts[starting], &mut visit)?;
+                sweep.event(&EventPlace::Vertex(v), &starts[starting], &mut visit)?;
             }
             (_, None) => {}
         }
@@ -162,27 +166,27 @@ impl Sweep<'_> {
         self.edges[edge as usize].map(|p| self.points[p as usize])
     }
 
-    /// Crossed the stop lies from the edge: `Greater` = above.
-    fn side(&self, edge: u32, spot: &Spot<'_>) -> Ordering {
+    /// Where the event point lies from the edge: `Greater` = above.
+    fn side(&self, edge: u32, place: &EventPlace<'_>) -> Ordering {
         let [a, b] = self.ends(edge);
-        match *spot {
-            Spot::Vertex(v) => orientation(a, b, self.points[v as usize]),
-            Spot::Crossing(Crossed(crossing)) if crossing.edges.contains(&edge) => Ordering::Equal,
-            Spot::Crossing(Crossed(crossing)) => crossing.side(a, b),
+        match *place {
+            EventPlace::Vertex(v) => orientation(a, b, self.points[v as usize]),
+            EventPlace::Crossing(Crossed(crossing)) if crossing.edges.contains(&edge) => Ordering::Equal,
+            EventPlace::Crossing(Crossed(crossing)) => crossing.side(a, b),
         }
     }
 
-    fn stop(
+    fn event(
         &mut self,
-        spot: &Spot<'_>,
+        place: &EventPlace<'_>,
         starting: &[u32],
-        visit: &mut impl FnMut(&Stop<'_>) -> ControlFlow<()>,
+        visit: &mut impl FnMut(&EventPoint<'_>) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
-        let mut at = self.status.partition(|edge| self.side(edge, spot).is_gt());
+        let mut at = self.status.partition(|edge| self.side(edge, place).is_gt());
         let below = self.status.before(at);
         let (mut through, mut ending) = (Vec::new(), Vec::new());
-        while let Some(edge) = self.status.get(at).filter(|&edge| self.side(edge, spot).is_eq()) {
-            let ends_here = matches!(spot, Spot::Vertex(v) if self.edges[edge as usize][1] == *v);
+        while let Some(edge) = self.status.get(at).filter(|&edge| self.side(edge, place).is_eq()) {
+            let ends_here = matches!(place, EventPlace::Vertex(v) if self.edges[edge as usize][1] == *v);
             if ends_here {
                 ending.push(edge);
             } else {
@@ -190,9 +194,9 @@ impl Sweep<'_> {
             }
             self.status.remove(&mut at);
         }
-        let leaving = match *spot {
-            Spot::Crossing(_) => through.iter().rev().copied().collect(),
-            Spot::Vertex(v) => self.by_direction(v, starting.iter().chain(&through).copied().collect()),
+        let leaving = match *place {
+            EventPlace::Crossing(_) => through.iter().rev().copied().collect(),
+            EventPlace::Vertex(v) => self.by_direction(v, starting.iter().chain(&through).copied().collect()),
         };
         let above = self.status.get(at);
         self.status.insert(at, &leaving);
@@ -203,14 +207,14 @@ impl Sweep<'_> {
             }
             _ => self.expect(below, above),
         }
-        let starting: Vec<u32> = match *spot {
-            Spot::Vertex(v) => leaving.into_iter().filter(|&edge| self.edges[edge as usize][0] == v).collect(),
-            Spot::Crossing(_) => Vec::new(),
+        let starting: Vec<u32> = match *place {
+            EventPlace::Vertex(v) => leaving.into_iter().filter(|&edge| self.edges[edge as usize][0] == v).collect(),
+            EventPlace::Crossing(_) => Vec::new(),
         };
-        if through.is_empty() && !self.overlap(spot, &starting) {
+        if through.is_empty() && !self.overlap(place, &starting) {
             return ControlFlow::Continue(());
         }
-        visit(&Stop { spot: *spot, through: &through, ending: &ending, starting: &starting })
+        visit(&EventPoint { place: *place, through: &through, ending: &ending, starting: &starting })
     }
 
     /// Edges through or from a vertex, from bottom to top just after it.
@@ -221,9 +225,9 @@ impl Sweep<'_> {
         edges
     }
 
-    /// Whether two of the edges that start at the stop run in the same direction.
-    fn overlap(&self, spot: &Spot<'_>, starting: &[u32]) -> bool {
-        let Spot::Vertex(v) = *spot else { return false };
+    /// Whether two of the edges that start at the event point run in the same direction.
+    fn overlap(&self, place: &EventPlace<'_>, starting: &[u32]) -> bool {
+        let EventPlace::Vertex(v) = *place else { return false };
         starting.windows(2).any(|pair| same_direction(self.points, self.edges, v, pair[0], pair[1]))
     }
 

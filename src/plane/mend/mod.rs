@@ -69,7 +69,7 @@ impl Subdivision {
     /// All sides are split where they meet, as by [`arrange_graph`](Self::arrange_graph), and numbered as there; sides
     /// that bound nothing are left out. Rings may run either way; corners that repeat the one before are ignored.
     ///
-    /// Cost: O((n + k) log n) for n sides with k meetings. Where many sides run along each other, k counts each of them
+    /// Cost: O((n + k) log n) for n sides with k intersections. Where many sides run along each other, k counts each of them
     /// on each edge.
     ///
     /// # Errors

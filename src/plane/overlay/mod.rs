@@ -16,6 +16,10 @@
 //! turned a part over so that labels contradict each other, points are rounded to a grid, which turns nothing over.
 //!
 //! Source: de Berg et al., *Computational Geometry*, 3rd ed., section 2.3.
+//!
+//! ```text
+//!   region.rs  Regions of an overlay
+//! ```
 
 mod labels;
 mod region;

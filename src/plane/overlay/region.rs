@@ -156,7 +156,7 @@ impl Overlay {
         // Half-edges of edge i run as those of edges[i]; faces at dropped edges are all inside, or all outside.
         let is_hole = |&f: &FaceId| {
             let old = |h: crate::HalfEdgeId| edges[h.edge().index()].half_edges()[h.index() & 1];
-            region.dcel.boundary(f).is_some_and(|h| !chosen[s.dcel.face(old(h))])
+            region.dcel.half_edge(f).is_some_and(|h| !chosen[s.dcel.face(old(h))])
         };
         region.holes = region.dcel.faces().filter(|&f| f != region.outer_face()).filter(is_hole).collect();
         Ok(region)

@@ -6,7 +6,7 @@ use super::error::{SegmentFault, SegmentsError};
 use super::faults::all_faults;
 use super::graph::{Distinct, Graph, Single};
 use super::split::split as split_all;
-use super::trace::{Stars, trace};
+use super::trace::{OneRings, trace};
 use super::{ArrangeOptions, Arranged};
 use crate::ids::{HalfEdgeId, VertexId};
 use crate::plane::Point;
@@ -91,15 +91,15 @@ pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arra
     let points = std::mem::take(&mut input.distinct.points);
     let mut graph = Graph { points, edges, by_place: std::mem::take(&mut input.distinct.by_place) };
     let mut given = graph.points.len();
-    let (mut stars, mut swept) = look(&graph)?;
+    let (mut one_rings, mut swept) = look(&graph)?;
     let mut pieces = Pieces::whole(&graph.edges);
     let mut split = Split::none(graph.edges.len());
     let grid = if options.split { options.grid.map(|size| checked(size, &graph.points)).transpose()? } else { None };
-    if options.split && (swept.meeting.is_some() || grid.is_some()) {
+    if options.split && (swept.intersection.is_some() || grid.is_some()) {
         pieces = Pieces::new(&graph);
         graph.edges.clone_from(&pieces.edges);
         split = split_all(&mut graph, grid);
-        (stars, swept) = look(&graph)?;
+        (one_rings, swept) = look(&graph)?;
     }
     refuse(&input, &half, &graph, &swept, options.most_faults.max(1))?;
 
@@ -113,7 +113,7 @@ pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arra
         displaced = worst(snapped.displaced);
         grid = Some(snapped.grid.size());
     }
-    let subdivision = trace(graph, stars, &swept.below)?;
+    let subdivision = trace(graph, one_rings, &swept.below)?;
     let collapsed = (0..chains.spans.len()).filter(|&i| chains.spans[i].is_empty()).map(|i| i as u32);
     let zero_length: Vec<u32> = input.zero.into_iter().map(|(segment, _)| segment).collect();
     Ok(Arranged {
@@ -142,11 +142,12 @@ fn checked(size: f64, points: &[Point]) -> Result<Grid, SegmentsError> {
     }
 }
 
-/// Sweeps over the graph: the first meeting, what lies below each vertex, and, if nothing meets, all stars.
-fn look(graph: &Graph) -> Result<(Stars, Swept), TooMany> {
-    let mut stars = Stars::new(graph)?;
-    let swept = sweep_in_order(&graph.points, &graph.edges, &graph.by_place, true, |star| stars.link(&star));
-    Ok((stars, swept))
+/// Sweeps over the graph: the first intersection, what lies below each vertex, and, if nothing meets, all one-rings.
+fn look(graph: &Graph) -> Result<(OneRings, Swept), TooMany> {
+    let mut one_rings = OneRings::new(graph)?;
+    let swept =
+        sweep_in_order(&graph.points, &graph.edges, &graph.by_place, true, |one_ring| one_rings.link(&one_ring));
+    Ok((one_rings, swept))
 }
 
 /// Fails if anything was found that the options do not allow, with not more than `limit` faults.
@@ -154,7 +155,7 @@ fn refuse(input: &Input, half: &[u32], graph: &Graph, swept: &Swept, limit: usiz
     let mut faults = input.faults.clone();
     let mut more = faults.len() > limit;
     faults.truncate(limit);
-    if swept.meeting.is_some() && !more {
+    if swept.intersection.is_some() && !more {
         // The first segment with the ends of an edge gives it its name.
         let mut names = vec![0; graph.edges.len()];
         for (i, &h) in half.iter().enumerate().rev() {

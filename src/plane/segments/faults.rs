@@ -4,7 +4,7 @@ use super::error::SegmentFault;
 use super::graph::Graph;
 use crate::geometry::predicates::{left_to_right, orientation};
 use crate::plane::Point;
-use crate::plane::meet::{Spot, Stop, all_meetings, same_direction};
+use crate::plane::meet::{EventPlace, EventPoint, same_direction, visit_intersections};
 use crate::plane::sweep::rightwards;
 use std::ops::ControlFlow;
 
@@ -17,7 +17,8 @@ pub(super) fn all_faults(
 ) -> (Vec<SegmentFault>, bool) {
     let edges = rightwards(&graph.points, &graph.edges);
     let mut faults = Faults { graph, edges: &edges, found: Vec::new(), limit, names };
-    let stopped = all_meetings(&graph.points, &graph.edges, &graph.by_place, |stop| faults.at(stop)).is_break();
+    let stopped =
+        visit_intersections(&graph.points, &graph.edges, &graph.by_place, |event| faults.at(event)).is_break();
     (faults.found, stopped)
 }
 
@@ -43,27 +44,27 @@ impl Faults<'_> {
         self.graph.points[self.edges[e as usize][which] as usize]
     }
 
-    fn at(&mut self, stop: &Stop<'_>) -> ControlFlow<()> {
+    fn at(&mut self, event: &EventPoint<'_>) -> ControlFlow<()> {
         let number = |e: u32| (self.names.0)(e);
-        match stop.spot {
-            Spot::Crossing(crossing) => {
+        match event.place {
+            EventPlace::Crossing(crossing) => {
                 let at = crossing.rounded().0;
                 // Edges on one line overlap, which was told where that began.
                 let parallel = |e: u32, g: u32| {
                     orientation(self.end(e, 0), self.end(e, 1), self.end(g, 0)).is_eq()
                         && orientation(self.end(e, 0), self.end(e, 1), self.end(g, 1)).is_eq()
                 };
-                let found: Vec<[u32; 2]> = pairs(stop.through, self.limit + 1)
+                let found: Vec<[u32; 2]> = pairs(event.through, self.limit + 1)
                     .filter(|&[e, g]| !parallel(e, g))
                     .map(|p| p.map(number))
                     .collect();
                 found.into_iter().try_for_each(|[first, second]| self.add(SegmentFault::Crossing { first, second, at }))
             }
-            Spot::Vertex(v) => self.at_vertex(v, stop),
+            EventPlace::Vertex(v) => self.at_vertex(v, event),
         }
     }
 
-    fn at_vertex(&mut self, v: u32, stop: &Stop<'_>) -> ControlFlow<()> {
+    fn at_vertex(&mut self, v: u32, event: &EventPoint<'_>) -> ControlFlow<()> {
         let at = self.graph.points[v as usize];
         let points = &self.graph.points;
         let number = |e: u32| (self.names.0)(e);
@@ -75,24 +76,24 @@ impl Faults<'_> {
             let [first, second] = [number(e.min(g)), number(e.max(g))];
             SegmentFault::Overlapping { first, second, from: at, to }
         };
-        for group in stop.starting.chunk_by(|&e, &g| same(e, g)) {
+        for group in event.starting.chunk_by(|&e, &g| same(e, g)) {
             new.extend(pairs(group, self.limit + 1).map(|[e, g]| overlap(e, g)));
         }
         // The edges that end here, and where they come from.
         let on_line = |c: u32, e: u32| orientation(at, self.end(c, 0), self.end(e, 0)).is_eq();
-        for &c in stop.through.iter().take(self.limit + 1) {
-            let along = stop.starting.iter().filter(|&&s| same(c, s));
+        for &c in event.through.iter().take(self.limit + 1) {
+            let along = event.starting.iter().filter(|&&s| same(c, s));
             new.extend(along.clone().take(self.limit + 1).map(|&s| overlap(c, s)));
-            let ends = stop.starting.iter().filter(|&&s| !same(c, s));
-            let ends = ends.chain(stop.ending.iter().filter(|&&e| !on_line(c, e)));
+            let ends = event.starting.iter().filter(|&&s| !same(c, s));
+            let ends = ends.chain(event.ending.iter().filter(|&&e| !on_line(c, e)));
             let mut touching: Vec<u32> = ends.take(self.limit + 1).map(|&e| number(e)).collect();
             touching.sort_unstable();
             new.extend(touching.iter().map(|&segment| SegmentFault::Touching { segment, at, on: number(c) }));
-            if stop.starting.is_empty() && stop.ending.is_empty() {
+            if event.starting.is_empty() && event.ending.is_empty() {
                 new.push(SegmentFault::PointOnSegment { point: (self.names.1)(v), at, on: number(c) });
             }
         }
-        for [e, g] in pairs(stop.through, self.limit + 1).filter(|&[e, g]| !same(e, g)) {
+        for [e, g] in pairs(event.through, self.limit + 1).filter(|&[e, g]| !same(e, g)) {
             new.push(SegmentFault::Crossing { first: number(e), second: number(g), at });
         }
         new.into_iter().try_for_each(|fault| self.add(fault))

@@ -2,9 +2,9 @@
 
 use crate::geometry::predicates::left_to_right;
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
-use crate::plane::sweep::{Meeting, NOTHING, sweep};
+use crate::plane::sweep::{Intersection, NOTHING, sweep};
 use crate::plane::{CoordinateError, Point, Subdivision};
-use crate::topology::{Ring, components};
+use crate::topology::{InnerComponent, components};
 
 /// Why points cannot mark hole faces.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -69,9 +69,9 @@ impl Subdivision {
             let index = stands_for.iter().position(|&q| q == p).unwrap_or_default() as u32;
             MarkHolesError::NotInside { index, point: all[p as usize], element }
         };
-        match swept.meeting {
-            Some(Meeting::SamePlace(v, p)) => return Err(on(p.max(v), VertexId::new(v.min(p)).into())),
-            Some(Meeting::PointOnEdge { point, edge }) => return Err(on(point, edges[edge as usize].into())),
+        match swept.intersection {
+            Some(Intersection::SamePlace(v, p)) => return Err(on(p.max(v), VertexId::new(v.min(p)).into())),
+            Some(Intersection::PointOnEdge { point, edge }) => return Err(on(point, edges[edge as usize].into())),
             _ => {}
         }
         let mut faces = Vec::with_capacity(points.len());
@@ -108,9 +108,9 @@ impl Subdivision {
         let mut inside: Vec<Vec<usize>> = vec![Vec::new(); components.count()];
         let mut is_inside = vec![false; components.count()];
         for f in bounded() {
-            let Some(around) = self.dcel.boundary(f) else { continue };
-            for ring in self.rings(f) {
-                if let &Ring::Cycle(h) = ring {
+            let Some(around) = self.dcel.half_edge(f) else { continue };
+            for ring in self.inner_components(f) {
+                if let &InnerComponent::Cycle(h) = ring {
                     inside[of(around)].push(of(h));
                     is_inside[of(h)] = true;
                 }
@@ -124,7 +124,7 @@ impl Subdivision {
                 open.push(c);
             }
         }
-        let faces: Vec<FaceId> = bounded().filter(|&f| self.dcel.boundary(f).is_some_and(|h| is_odd[of(h)])).collect();
+        let faces: Vec<FaceId> = bounded().filter(|&f| self.dcel.half_edge(f).is_some_and(|h| is_odd[of(h)])).collect();
         self.holes.extend(&faces);
         faces
     }

@@ -1,7 +1,7 @@
 //! From segments to a subdivision: any straight-line graph.
 //!
 //! ```text
-//!   segments ──> equal ends become one vertex ──> one sweep: does anything meet? ──┬─ no ──> stars, cycles, rings
+//!   segments ──> equal ends become one vertex ──> one sweep: does anything meet? ──┬─ no ──> one-rings, cycles, inner components
 //!                (graph.rs)                       what lies below each vertex?      │         (trace.rs)
 //!                                                                                   └─ yes ─> name it (faults.rs)
 //!                                                                                             or split (split.rs)
@@ -9,26 +9,37 @@
 //!
 //! Before it is split, what overlaps is cut (`collinear.rs`); what does not settle in doubles goes to a grid (`snap.rs`).
 //!
-//! Antennas, single edges, isolated points, nested rings and several components are all legal.
+//! Dangling edges, single edges, isolated points, nested inner components and several components are all legal.
+//!
+//! ```text
+//!   arrange.rs   The way from given segments to a subdivision, step by step
+//!   chains.rs    What became of the edges of a graph that was split
+//!   dangles.rs   Edges that bound nothing
+//!   error.rs     Why segments are no plane graph
+//!   holes.rs     Marking hole faces
+//!   pixels.rs    The hot pixels that a segment passes
+//!   places.rs    Equal points, and all places from left to right, with the help of a grid
+//!   touching.rs  Points that lie inside the sides of polygons
+//! ```
 
 mod arrange;
 mod chains;
 mod collinear;
+mod dangles;
 mod error;
 mod faults;
 mod graph;
 mod holes;
 mod pixels;
 mod places;
-mod residues;
 mod snap;
 mod split;
 mod touching;
 mod trace;
 
+pub use dangles::DanglesAndCutEdges;
 pub use error::{SegmentFault, SegmentsError};
 pub use holes::MarkHolesError;
-pub use residues::Residues;
 pub use touching::InsertedCorner;
 pub(super) use touching::{insert_touching, sides_of};
 
@@ -158,15 +169,15 @@ impl Subdivision {
     ///
     /// ```text
     ///      ●─────────────●         Ends with equal coordinates are one vertex. The segments may form anything that
-    ///      │  ●          │         meets at common ends only: faces, trees, antennas, several components, rings in
-    ///      ●──┴──●  ●──● │ ●       rings.
+    ///      │  ●          │         meets at common ends only: faces, trees, dangling edges, several components, inner components in
+    ///      ●──┴──●  ●──● │ ●       inner components.
     ///      └─────────────●
     /// ```
     ///
     /// Vertices are numbered in the order in which they first come in the segments. Segment i is e(i), and h(2i)
     /// runs as the segment does. `outgoing(v)` is the first half-edge counter-clockwise from straight down. `f0` is
     /// the outer face; bounded faces are numbered from 1 in the order of their smallest half-edge, which is their
-    /// `boundary`. The rings of a face come in the order of their smallest half-edges.
+    /// `half_edge`. The inner components of a face come in the order of their smallest half-edges.
     ///
     /// Cost: O(n log n). All decisions are exact.
     ///
@@ -202,7 +213,7 @@ impl Subdivision {
     /// use dcel_kit::plane::{Point, Subdivision};
     /// let points = [(0., 0.), (4., 0.), (0., 3.), (1., 1.)].map(Point::from);
     /// let s = Subdivision::from_graph(&points, &[[0, 1], [1, 2], [2, 0]])?;
-    /// assert_eq!((s.face_count(), s.rings(dcel_kit::FaceId::new(1)).len()), (2, 1));
+    /// assert_eq!((s.face_count(), s.inner_components(dcel_kit::FaceId::new(1)).len()), (2, 1));
     /// # Ok::<(), dcel_kit::plane::SegmentsError>(())
     /// ```
     pub fn from_graph(points: &[Point], segments: &[[u32; 2]]) -> Result<Self, SegmentsError> {
@@ -215,7 +226,7 @@ impl Subdivision {
     /// segment 0 come first, then those of segment 1 that are new, and so on; vertices made for crossings follow
     /// those of the input, from left to right.
     ///
-    /// Cost: O((n + k) log n) time for n segments with k meetings, a few times over if they are split; memory O(n + k).
+    /// Cost: O((n + k) log n) time for n segments with k intersections, a few times over if they are split; memory O(n + k).
     /// Where m segments overlap on one line, k counts their ends, not their pairs. A grid takes O(√n) for each long
     /// segment beside.
     ///

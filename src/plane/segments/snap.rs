@@ -33,7 +33,7 @@ use super::graph::{Distinct, Graph, Single};
 use super::pixels::Pixels;
 use crate::geometry::predicates::left_to_right;
 use crate::plane::Point;
-use crate::plane::meet::{Grid, Spot, all_meetings};
+use crate::plane::meet::{EventPlace, Grid, visit_intersections};
 use crate::topology::find;
 use std::ops::ControlFlow;
 
@@ -113,9 +113,9 @@ impl Parts {
 /// Points of all edges that meet others where they should not, and of the points on them.
 fn meeting_points(graph: &Graph) -> Vec<u32> {
     let mut points = Vec::new();
-    let _ = all_meetings(&graph.points, &graph.edges, &graph.by_place, |stop| {
-        points.extend(stop.through.iter().map(|&e| graph.edges[e as usize][0]));
-        if let Spot::Vertex(v) = stop.spot {
+    let _ = visit_intersections(&graph.points, &graph.edges, &graph.by_place, |event| {
+        points.extend(event.through.iter().map(|&e| graph.edges[e as usize][0]));
+        if let EventPlace::Vertex(v) = event.place {
             points.push(v);
         }
         ControlFlow::Continue(())
@@ -208,8 +208,8 @@ fn hot_pixels(graph: &Graph, plain: &Plain<'_>, chosen: &[bool], grid: Grid) -> 
     let by_place: Vec<u32> = graph.by_place.iter().copied().filter(|&p| is_given(p)).collect();
     let edges: Vec<[u32; 2]> = plain.edges.iter().copied().filter(|&[a, _]| chosen[a as usize]).collect();
     let mut crossings: Vec<(Point, f64)> = Vec::new();
-    let _ = all_meetings(&graph.points, &edges, &by_place, |stop| {
-        if let Spot::Crossing(crossing) = stop.spot {
+    let _ = visit_intersections(&graph.points, &edges, &by_place, |event| {
+        if let EventPlace::Crossing(crossing) = event.place {
             let (middle, off) = crossing.on_grid(grid);
             // Crossings come from left to right: in a bundle many follow each other in one pixel.
             match crossings.last_mut() {

@@ -1,15 +1,15 @@
 //! Splitting segments where they meet, until nothing meets but at common ends.
 //!
 //! ```text
-//!     round 1: all meetings of the       the crossings are rounded     round 2: the new edges are looked at as
+//!     round 1: all intersections of the       the crossings are rounded     round 2: the new edges are looked at as
 //!     given segments, exactly            to doubles: edges bend        exactly; if a bend runs over something,
-//!          ╲   ╱                              ╲   ╱                     that is a meeting, too, and is split
+//!          ╲   ╱                              ╲   ╱                     that is an intersection, too, and is split
 //!           ╲ ╱                                ╲_╱
 //!           ╱ ╲                                ╱ ╲                      ... until a round finds nothing
 //! ```
 //!
 //! In these rounds points of the input do not move; a crossing moves to the nearest doubles. So the last round is the
-//! proof that the result has no meetings, whatever was rounded before.
+//! proof that the result has no intersections, whatever was rounded before.
 //!
 //! In bundles of lines a few last bits apart, every round may make new crossings between the doubles. What has not
 //! settled after four rounds is therefore rounded to a grid, which always settles: see `snap.rs`.
@@ -20,7 +20,7 @@ use super::snap::{Plain, snap};
 use crate::geometry::grouping::Groups;
 use crate::geometry::predicates::left_to_right;
 use crate::plane::Point;
-use crate::plane::meet::{Grid, Spot, all_meetings};
+use crate::plane::meet::{EventPlace, Grid, visit_intersections};
 use std::ops::ControlFlow;
 
 /// Rounds after which a grid is used. One or two are usual.
@@ -28,7 +28,7 @@ const PLAIN_ROUNDS: u32 = 4;
 
 /// Splits the edges of `graph` until nothing meets; on the grid, if there is one, else in place where that settles.
 ///
-/// Cost: O((n + k) log n) a round, with k meetings; see [`snap`] for the grid.
+/// Cost: O((n + k) log n) a round, with k intersections; see [`snap`] for the grid.
 pub(super) fn split(graph: &mut Graph, grid: Option<Grid>) -> Split {
     let given = graph.points.len();
     let edges = graph.edges.clone();
@@ -70,15 +70,15 @@ struct Cuts {
 fn find_cuts(graph: &Graph) -> Cuts {
     let mut found = Cuts { cuts: Vec::new(), new: Vec::new() };
     let old = graph.points.len() as u32;
-    let _ = all_meetings(&graph.points, &graph.edges, &graph.by_place, |stop| {
-        let point = match stop.spot {
-            Spot::Vertex(v) => v,
-            Spot::Crossing(crossing) => {
+    let _ = visit_intersections(&graph.points, &graph.edges, &graph.by_place, |event| {
+        let point = match event.place {
+            EventPlace::Vertex(v) => v,
+            EventPlace::Crossing(crossing) => {
                 found.new.push(crossing.rounded());
                 old + found.new.len() as u32 - 1
             }
         };
-        found.cuts.extend(stop.through.iter().map(|&edge| (edge, point)));
+        found.cuts.extend(event.through.iter().map(|&edge| (edge, point)));
         ControlFlow::Continue(())
     });
     found

@@ -10,7 +10,7 @@ use super::places::first_at_each_place;
 use crate::geometry::grouping::grouped;
 use crate::geometry::predicates::left_to_right;
 use crate::plane::Point;
-use crate::plane::meet::{Spot, all_meetings};
+use crate::plane::meet::{EventPlace, visit_intersections};
 use crate::topology::PolygonList;
 use std::ops::ControlFlow;
 
@@ -47,9 +47,9 @@ pub(in crate::plane) fn insert_touching(
     }
     let Single { edges, half } = Single::new(points.len(), &sides, |_, _| {});
     let mut found: Vec<(u32, u32)> = Vec::new();
-    let crossed = all_meetings(points, &edges, &by_place, |stop| {
-        let Spot::Vertex(vertex) = stop.spot else { return ControlFlow::Break(()) };
-        found.extend(stop.through.iter().map(|&edge| (edge, vertex)));
+    let crossed = visit_intersections(points, &edges, &by_place, |event| {
+        let EventPlace::Vertex(vertex) = event.place else { return ControlFlow::Break(()) };
+        found.extend(event.through.iter().map(|&edge| (edge, vertex)));
         ControlFlow::Continue(())
     });
     if crossed.is_break() || found.is_empty() {

@@ -1,11 +1,11 @@
-//! From a plane graph to a subdivision: stars, links, cycles, rings.
+//! From a plane graph to a subdivision: one-rings, links, cycles, inner components.
 //!
 //! ```text
 //!        h4 ╲   ╱ h2        1. the sweep gives the half-edges round each vertex in their order, h0 h2 h4
 //!            ╲ ╱            2. each corner is a link: next(twin(h2)) = h0, next(twin(h4)) = h2, ...
 //!             ●── h0        3. the links close to cycles; a cycle whose corner at its leftmost vertex looks
-//!                              to the left runs round something: a ring. All others bound a face.
-//!   ──●    ● ring           4. a ring or an isolated vertex lies in the face above the next edge below its
+//!                              to the left runs round something: an inner component. All others bound a face.
+//!   ──●    ● inner component           4. an inner component or an isolated vertex lies in the face above the next edge below its
 //!  ───────────── below         leftmost vertex.
 //! ```
 //!
@@ -15,17 +15,17 @@ use super::graph::Graph;
 use crate::ids::{EdgeId, HalfEdgeId, MAX_IDS, VertexId};
 use crate::plane::Subdivision;
 use crate::plane::rings::Loose;
-use crate::plane::sweep::{NOTHING, Star};
-use crate::topology::{Columns, Dcel, Ring, TooMany};
+use crate::plane::sweep::{NOTHING, OneRing};
+use crate::topology::{Columns, Dcel, InnerComponent, TooMany};
 
 const NONE: u32 = Columns::NONE;
 
-/// The half-edges of a graph with their origins; the links come star by star.
-pub(super) struct Stars {
+/// The half-edges of a graph with their origins; the links come one-ring by one-ring.
+pub(super) struct OneRings {
     columns: Columns,
 }
 
-impl Stars {
+impl OneRings {
     /// No link yet.
     ///
     /// # Errors
@@ -47,23 +47,23 @@ impl Stars {
         Ok(Self { columns })
     }
 
-    /// Links a star. Counter-clockwise from straight down it begins with the half-edges to the right, upwards; then
+    /// Links a one-ring. Counter-clockwise from straight down it begins with the half-edges to the right, upwards; then
     /// come those to the left, downwards.
     #[inline]
-    pub(super) fn link(&mut self, star: &Star<'_>) {
+    pub(super) fn link(&mut self, one_ring: &OneRing<'_>) {
         let mut last = None;
-        for &h in star.right.iter().chain(star.left.iter().rev()) {
+        for &h in one_ring.right.iter().chain(one_ring.left.iter().rev()) {
             match last.replace(h) {
-                None => self.columns.outgoing[star.point as usize] = h,
+                None => self.columns.outgoing[one_ring.point as usize] = h,
                 Some(before) => self.meet(before, h),
             }
         }
         if let Some(last) = last {
-            self.meet(last, self.columns.outgoing[star.point as usize]);
+            self.meet(last, self.columns.outgoing[one_ring.point as usize]);
         }
     }
 
-    /// Of two half-edges of a star the second follows the first, counter-clockwise.
+    /// Of two half-edges of a one-ring the second follows the first, counter-clockwise.
     #[inline]
     fn meet(&mut self, g: u32, h: u32) {
         self.columns.next[(h ^ 1) as usize] = g;
@@ -71,17 +71,17 @@ impl Stars {
     }
 }
 
-/// The subdivision that the edges of a graph cut the plane into. The graph must have no meetings; `stars` has the
-/// stars of all its vertices; `below` is what the sweep found below each vertex.
+/// The subdivision that the edges of a graph cut the plane into. The graph must have no intersections; `one_rings` has the
+/// one-rings of all its vertices; `below` is what the sweep found below each vertex.
 ///
 /// Vertex i of the graph is v(i), edge i is e(i), its even half runs as given. `outgoing(v)` is the first half-edge
 /// counter-clockwise from straight down. Bounded faces are numbered from 1 in the order of their smallest
-/// half-edge, which is their `boundary`.
+/// half-edge, which is their `half_edge`.
 ///
 /// Cost: O(n log n).
-pub(super) fn trace(graph: Graph, stars: Stars, below: &[u32]) -> Result<Subdivision, TooMany> {
+pub(super) fn trace(graph: Graph, one_rings: OneRings, below: &[u32]) -> Result<Subdivision, TooMany> {
     let Graph { points, by_place, .. } = graph;
-    let mut columns = stars.columns;
+    let mut columns = one_rings.columns;
     let loose = cycles(&mut columns, &by_place)?;
     let mut subdivision = Subdivision::from_parts(Dcel::from_columns(columns), points.into());
     let edge_below = |v: VertexId| match below[v.index()] {
@@ -89,11 +89,11 @@ pub(super) fn trace(graph: Graph, stars: Stars, below: &[u32]) -> Result<Subdivi
         edge => Some(EdgeId::new(edge)),
     };
     let fits = |_: &Subdivision, _, _, _| Ok::<(), std::convert::Infallible>(());
-    let Ok(()) = subdivision.hang_rings(loose, edge_below, fits);
+    let Ok(()) = subdivision.place_inner_components(loose, edge_below, fits);
     Ok(subdivision)
 }
 
-/// Gives every half-edge its face, rings for the time being `f0`. Returns the rings and the isolated vertices.
+/// Gives every half-edge its face, inner components for the time being `f0`. Returns the inner components and the isolated vertices.
 fn cycles(columns: &mut Columns, by_place: &[u32]) -> Result<Vec<Loose>, TooMany> {
     let mut rank = vec![0_u32; by_place.len()];
     by_place.iter().enumerate().for_each(|(i, &v)| rank[v as usize] = i as u32);
@@ -103,7 +103,7 @@ fn cycles(columns: &mut Columns, by_place: &[u32]) -> Result<Vec<Loose>, TooMany
             continue;
         }
         let face = columns.boundary.len() as u32;
-        // A corner behind the last half-edge of a star looks down, and at a leftmost vertex therefore to the left.
+        // A corner behind the last half-edge of a one-ring looks down, and at a leftmost vertex therefore to the left.
         let (mut leftmost, mut looks_left) = (u32::MAX, false);
         let mut h = start;
         loop {
@@ -128,7 +128,7 @@ fn cycles(columns: &mut Columns, by_place: &[u32]) -> Result<Vec<Loose>, TooMany
             continue;
         }
         let leftmost = VertexId::new(by_place[leftmost as usize]);
-        loose.push(Loose { ring: Ring::Cycle(HalfEdgeId::new(start)), leftmost, owner: None });
+        loose.push(Loose { ring: InnerComponent::Cycle(HalfEdgeId::new(start)), leftmost, owner: None });
         loop {
             columns.face[h as usize] = 0;
             h = columns.next[h as usize];
@@ -140,7 +140,7 @@ fn cycles(columns: &mut Columns, by_place: &[u32]) -> Result<Vec<Loose>, TooMany
     let isolated = columns.outgoing.iter().enumerate().filter(|&(_, &h)| h == NONE);
     loose.extend(isolated.map(|(v, _)| {
         let v = VertexId::new(v as u32);
-        Loose { ring: Ring::Isolated(v), leftmost: v, owner: None }
+        Loose { ring: InnerComponent::Isolated(v), leftmost: v, owner: None }
     }));
     Ok(loose)
 }

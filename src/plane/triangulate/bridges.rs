@@ -1,30 +1,30 @@
-//! Rings are joined to the rest of their face by bridges, exactly.
+//! Inner components are joined to the rest of their face by bridges, exactly.
 //!
 //! ```text
-//!    ●───────── ceiling ────────●      From m, the leftmost vertex of a ring, look up and down to the edges of the
+//!    ●───────── ceiling ────────●      From m, the leftmost vertex of an inner component, look up and down to the edges of the
 //!        q                             face straight above and below. Of the corners before m between these two,
 //!       ● · · · · · · ● m              the last one, q, sees m: nothing of the face comes after it.
-//!      ╱               ╲  ring
-//!    ●───────── floor ──────────●      Rings are taken from left to right, so that q belongs to what is joined.
+//!      ╱               ╲  inner component
+//!    ●───────── floor ──────────●      Inner components are taken from left to right, so that q belongs to what is joined.
 //! ```
 //!
 //! It is the helper of `monotone.rs`, found by a plain look at the whole face.
 
 use super::TriangulateError;
-use super::patch::{Part, Patch, PatchRing};
+use super::patch::{Part, Patch, PatchComponent};
 use crate::geometry::predicates::orientation;
 use crate::plane::Point;
 use crate::plane::cycle::in_corner;
 use crate::plane::sweep::is_above;
 
-/// Joins all rings of the patch to the boundaries of their faces. O(n) for each ring of a face of n corners.
+/// Joins all inner components of the patch to the boundaries of their faces. O(n) for each inner component of a face of n corners.
 ///
 /// # Errors
-/// [`TriangulateError::NotPlanar`] if a ring lies outside its face.
-pub(super) fn join_rings(patch: &mut Patch) -> Result<(), TriangulateError> {
+/// [`TriangulateError::NotPlanar`] if an inner component lies outside its face.
+pub(super) fn join_inner_components(patch: &mut Patch) -> Result<(), TriangulateError> {
     for i in 0..patch.parts.len() {
         let Part { first, end, rings: [from, to] } = patch.parts[i];
-        let mut rings: Vec<(u32, PatchRing)> =
+        let mut rings: Vec<(u32, PatchComponent)> =
             (from..to).map(|ring| (patch.place_of(ring), patch.rings[ring as usize])).collect();
         rings.sort_unstable_by_key(|&(place, _)| place);
         let bridges = patch.len();
@@ -34,8 +34,8 @@ pub(super) fn join_rings(patch: &mut Patch) -> Result<(), TriangulateError> {
             let helper = helper(patch, first..end, corners(), m);
             let helper = helper.ok_or_else(|| patch.fault_at(m, patch.face(first)))?;
             match ring {
-                PatchRing::Isolated(..) => patch.join_isolated(m, helper),
-                PatchRing::Cycle(start, last) => {
+                PatchComponent::Isolated(..) => patch.join_isolated(m, helper),
+                PatchComponent::Cycle(start, last) => {
                     let corner = corner_towards(patch, start..last + 1, m, patch.point(helper));
                     patch.join(corner.ok_or_else(|| patch.fault(start))?, helper)
                 }

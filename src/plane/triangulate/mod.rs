@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   faces ──> patch.rs ──> ears.rs                       ──> write.rs ──> subdivision
-//!             a copy of    bridges.rs  rings are joined      all diagonals
+//!             a copy of    bridges.rs  inner components are joined      all diagonals
 //!             their links                                    at once, or
 //!                     ──> monotone.rs  pieces from left  ──>  none
 //!                                      to right
@@ -10,8 +10,8 @@
 //!                     ──> delaunay.rs  the constrained Delaunay triangulation
 //! ```
 //!
-//! Every bounded face can be triangulated: with antennas, with vertices that it passes more than once, with rings
-//! and isolated vertices. With n half-edges and r rings (isolated vertices are rings, too) it falls into
+//! Every bounded face can be triangulated: with dangling edges, with vertices that it passes more than once, with inner components
+//! and isolated vertices. With n half-edges and r inner components (isolated vertices are inner components, too) it falls into
 //! n + 2r - 2 triangles, **each of positive area**: a vertex in the middle of a straight side is a corner of some
 //! triangle, never a point on a side of one.
 //!
@@ -19,6 +19,13 @@
 //! none is left, no bounded face has a corner that is not convex, nor one that is straight.
 //!
 //! Source: de Berg et al., *Computational Geometry*, 3rd ed., chapter 3.
+//!
+//! ```text
+//!   candidates.rs  A set of numbers below n that tells the next one after a given one, round and round
+//!   error.rs       Why faces cannot be triangulated
+//!   reflex.rs      The corners of a face that are not convex, so that "does one of them lie in this triangle?" is
+//!                  asked of few
+//! ```
 
 mod bridges;
 mod candidates;
@@ -44,18 +51,18 @@ pub enum TriangulationMethod {
     /// Ear clipping. A corner is an *ear* if it turns left and no vertex lies in its triangle: cut it off, go on.
     ///
     /// ```text
-    ///        b              Rings are joined to the rest first, each by a bridge from its leftmost vertex to the last
+    ///        b              Inner components are joined to the rest first, each by a bridge from its leftmost vertex to the last
     ///       ╱ ╲  ear        vertex before it that it sees.
     ///      a - c
     /// ```
     ///
     /// Cost: O(n (√k + log n)) for a face of n corners, k of them not convex, if few of them share a vertex; its r
-    /// rings cost O(n r) besides. So O(n²) at worst.
+    /// inner components cost O(n r) besides. So O(n²) at worst.
     ///
     /// Source: Meisters, *Polygons have ears*, American Mathematical Monthly 82, 1975.
     Ears,
-    /// Monotone pieces: a sweep from left to right cuts the faces into pieces that every upright line meets in one
-    /// stretch, and each of these is triangulated in one pass.
+    /// Monotone pieces: a sweep from left to right cuts the faces into pieces whose intersection with every vertical line is
+    /// connected, and each of these is triangulated in one pass.
     ///
     /// Cost: O(n log n), whatever the shape.
     ///
@@ -90,9 +97,9 @@ impl Subdivision {
     ///
     #[doc = include_str!("../../../figures/triangulation.svg")]
     ///
-    /// Each of the triangles has positive area. The triangle at `boundary(f)` keeps the number of the face `f`, and
-    /// `boundary(f)` stays. A face with n half-edges and r rings falls into n + 2r - 2 triangles; what was a
-    /// ring is part of the boundary of triangles afterwards. Hole faces stay whole.
+    /// Each of the triangles has positive area. The triangle at `half_edge(f)` keeps the number of the face `f`, and
+    /// `half_edge(f)` stays. A face with n half-edges and r inner components falls into n + 2r - 2 triangles; what was a
+    /// inner component is part of the boundary of triangles afterwards. Hole faces stay whole.
     ///
     /// Cost: that of the [method](TriangulationMethod); all decisions are exact.
     ///
@@ -159,7 +166,7 @@ impl Subdivision {
         self.cut(&[f], Goal::Triangles(method), rec)
     }
 
-    /// Cuts one bounded face into monotone pieces: faces without rings whose boundary runs from its leftmost vertex
+    /// Cuts one bounded face into monotone pieces: faces without inner components whose boundary runs from its leftmost vertex
     /// to the right and back just once. Points above each other count from bottom to top.
     ///
     /// ```text
@@ -201,7 +208,7 @@ impl Subdivision {
         let mut patch = Patch::new(self, faces)?;
         match goal {
             Goal::Triangles(TriangulationMethod::Ears) => {
-                bridges::join_rings(&mut patch)?;
+                bridges::join_inner_components(&mut patch)?;
                 ears::clip(&mut patch)?;
             }
             Goal::Triangles(TriangulationMethod::Monotone) => {

@@ -13,7 +13,7 @@
 //! to whatever touches the gap next. Then no corner opens to one side only, and the pieces are monotone.
 //!
 //! A corner is what is looked at, not a vertex: a vertex that a face passes several times has several corners, each of
-//! a kind of its own, in gaps of their own. Likewise the free end of an antenna is a split or a merge corner, and an
+//! a kind of its own, in gaps of their own. Likewise the free end of a dangling edge is a split or a merge corner, and an
 //! isolated vertex is both at once.
 //!
 //! Each gap is found by its edges (`gap_of`), the sweep line is searched only where gaps open and close.
@@ -21,7 +21,7 @@
 //! Source: de Berg et al., *Computational Geometry*, 3rd ed., section 3.2; there for simple polygons.
 
 use super::TriangulateError;
-use super::patch::{Patch, PatchRing};
+use super::patch::{Patch, PatchComponent};
 use crate::geometry::predicates::orientation;
 use crate::plane::Point;
 use crate::plane::status::{Place, Status};
@@ -53,7 +53,7 @@ struct Sweep<'a> {
     closed: usize,
 }
 
-/// Cuts all faces of the patch into monotone pieces. Rings are joined on the way. O(n log n).
+/// Cuts all faces of the patch into monotone pieces. Inner components are joined on the way. O(n log n).
 ///
 /// # Errors
 /// [`TriangulateError::NotPlanar`] where edges do not come in the order they should.
@@ -172,7 +172,7 @@ impl Sweep<'_> {
 
     /// An isolated vertex: joined to the left now, and to the right as if it were a merge corner.
     fn isolated(&mut self, ring: u32) -> Result<(), TriangulateError> {
-        let PatchRing::Isolated(place, face) = self.patch.rings[ring as usize] else { return Ok(()) };
+        let PatchComponent::Isolated(place, face) = self.patch.rings[ring as usize] else { return Ok(()) };
         let gap = self.gap_around(self.patch.points[place as usize]);
         let gap = gap.filter(|&gap| self.patch.face(self.gaps[gap].helper) == face);
         let gap = gap.ok_or_else(|| self.patch.fault_at(place, face))?;

@@ -15,7 +15,7 @@ use super::TriangulateError;
 use crate::geometry::predicates::{orientation, sort_key};
 use crate::ids::{FaceId, HalfEdgeId, MAX_IDS, VertexId};
 use crate::plane::{Point, Subdivision};
-use crate::topology::{Ring, TooMany};
+use crate::topology::{InnerComponent, TooMany};
 use std::cmp::Ordering;
 
 /// The links of the faces being cut. They hold no borrow, so that the subdivision can be written from them.
@@ -38,13 +38,13 @@ pub(super) struct Part {
     pub(super) first: u32,
     /// ... to before this one.
     pub(super) end: u32,
-    /// The rings of the patch before its own, and after them.
+    /// The inner components of the patch before its own, and after them.
     pub(super) rings: [u32; 2],
 }
 
-/// A ring of a face of the patch.
+/// An inner component of a face of the patch.
 #[derive(Clone, Copy)]
-pub(super) enum PatchRing {
+pub(super) enum PatchComponent {
     /// A cycle, by the first and the last of its half-edges given.
     Cycle(u32, u32),
     /// An isolated vertex, by its place, in a face.
@@ -55,19 +55,19 @@ pub(super) enum PatchRing {
 pub(super) struct Patch {
     links: Links,
     pub(super) parts: Vec<Part>,
-    pub(super) rings: Vec<PatchRing>,
+    pub(super) rings: Vec<PatchComponent>,
     /// Where each place is.
     pub(super) points: Vec<Point>,
     /// The corners given from left to right, those of one vertex together; an isolated vertex is the number of
-    /// corners given plus the number of its ring.
+    /// corners given plus the number of its inner component.
     pub(super) events: Vec<u32>,
 }
 
 impl Patch {
-    /// Copies the links of different bounded faces. Triangles without rings are left out. O(n log n).
+    /// Copies the links of different bounded faces. Triangles without inner components are left out. O(n log n).
     pub(super) fn new(s: &Subdivision, faces: &[FaceId]) -> Result<Self, TooMany> {
         let mut patch = Self::collect(s, faces);
-        // A diagonal for each corner and two for each ring are enough.
+        // A diagonal for each corner and two for each inner component are enough.
         if 6 * (patch.links.given.len() + patch.rings.len()) > MAX_IDS {
             return Err(TooMany);
         }
@@ -80,17 +80,17 @@ impl Patch {
         let (mut given, mut next, mut prev, mut face, mut origin) = (vec![], vec![], vec![], vec![], vec![]);
         let (mut parts, mut rings) = (Vec::with_capacity(faces.len()), Vec::new());
         for &f in faces {
-            let Some(boundary) = s.dcel.boundary(f) else { continue };
-            let own_rings = s.rings(f);
+            let Some(boundary) = s.dcel.half_edge(f) else { continue };
+            let own_rings = s.inner_components(f);
             if own_rings.is_empty() && s.dcel.next(s.dcel.next(s.dcel.next(boundary))) == boundary {
                 continue;
             }
             let mut part = Part { first: given.len() as u32, end: 0, rings: [rings.len() as u32; 2] };
-            for ring in std::iter::once(Ring::Cycle(boundary)).chain(own_rings.iter().copied()) {
+            for ring in std::iter::once(InnerComponent::Cycle(boundary)).chain(own_rings.iter().copied()) {
                 let first = given.len() as u32;
                 match ring {
-                    Ring::Isolated(v) => rings.push(PatchRing::Isolated(v.number(), f)),
-                    Ring::Cycle(start) => {
+                    InnerComponent::Isolated(v) => rings.push(PatchComponent::Isolated(v.number(), f)),
+                    InnerComponent::Cycle(start) => {
                         for h in s.dcel.cycle(start) {
                             let i = given.len() as u32;
                             given.push(h);
@@ -103,7 +103,7 @@ impl Patch {
                         next[last as usize] = first;
                         prev[first as usize] = last;
                         if first != part.first {
-                            rings.push(PatchRing::Cycle(first, last));
+                            rings.push(PatchComponent::Cycle(first, last));
                         }
                     }
                 }
@@ -120,8 +120,8 @@ impl Patch {
     fn put_in_order(&mut self, s: &Subdivision) {
         let corners = self.links.given.len();
         let isolated = self.rings.iter().enumerate().filter_map(|(i, ring)| match *ring {
-            PatchRing::Isolated(v, _) => Some((v, (corners + i) as u32)),
-            PatchRing::Cycle(..) => None,
+            PatchComponent::Isolated(v, _) => Some((v, (corners + i) as u32)),
+            PatchComponent::Cycle(..) => None,
         });
         let all = self.links.origin.iter().zip(0..).map(|(&v, i)| (v, i)).chain(isolated);
         let at = |v: u32| s.points[VertexId::new(v)];
@@ -142,7 +142,7 @@ impl Patch {
             match event as usize {
                 corner if corner < corners => self.links.origin[corner] = place,
                 ring => {
-                    if let PatchRing::Isolated(v, _) = &mut self.rings[ring - corners] {
+                    if let PatchComponent::Isolated(v, _) = &mut self.rings[ring - corners] {
                         *v = place;
                     }
                 }
@@ -277,11 +277,11 @@ impl Patch {
         self.links.prev[h as usize] = g;
     }
 
-    /// The place of the leftmost vertex of a ring. O(length).
+    /// The place of the leftmost vertex of an inner component. O(length).
     pub(super) fn place_of(&self, ring: u32) -> u32 {
         match self.rings[ring as usize] {
-            PatchRing::Isolated(place, _) => place,
-            PatchRing::Cycle(first, last) => (first..=last).map(|h| self.origin(h)).min().unwrap_or_default(),
+            PatchComponent::Isolated(place, _) => place,
+            PatchComponent::Cycle(first, last) => (first..=last).map(|h| self.origin(h)).min().unwrap_or_default(),
         }
     }
 
@@ -333,7 +333,7 @@ impl Patch {
         self.counted(pieces)
     }
 
-    /// A diagonal that joins no ring adds one piece.
+    /// A diagonal that joins no inner component adds one piece.
     fn counted(&self, pieces: Vec<u32>) -> Result<Vec<u32>, TriangulateError> {
         let expected = self.parts.len() + self.links.diagonals();
         match self.parts.first() {

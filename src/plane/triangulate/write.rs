@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   1. an edge for each diagonal   2. the links that changed   3. a face for each piece, but the one at
-//!                                                                 boundary(f) keeps f
+//!                                                                 half_edge(f) keeps f
 //! ```
 
 use super::Triangulated;
@@ -50,18 +50,18 @@ impl Subdivision {
         for &start in pieces {
             let old = links.face[start as usize];
             let first = ids[start as usize];
-            let keeps = self.dcel.boundary(old) == Some(first);
+            let keeps = self.dcel.half_edge(old) == Some(first);
             let face = if keeps { old } else { self.dcel.add_face_record(rec) };
             if !keeps {
-                self.dcel.set_boundary(face, Some(first), rec);
+                self.dcel.set_half_edge(face, Some(first), rec);
                 added.new_faces.push((face, old));
             }
             self.set_faces(start, face, links, &ids, rec);
         }
         for &f in faces {
-            let given = self.rings.remove(&f);
+            let given = self.inner_components.remove(&f);
             if let Some(old) = given {
-                rec.plane(|| PlaneChange::Rings { face: f, old });
+                rec.plane(|| PlaneChange::InnerComponents { face: f, old });
             }
         }
         if !self.holes.is_empty() {

@@ -67,7 +67,9 @@ pub enum VoronoiError {
         point: Point,
     },
     /// Rounded corners put a site out of its cell, or two into one.
-    #[error("{site} and {other} cannot be told apart by an edge of doubles: move the sites near 0 and scale them up")]
+    #[error(
+        "{site} and {other} are so close that doubles cannot hold an edge between them: move the sites near 0 and scale them up"
+    )]
     TooClose {
         /// A site.
         site: VertexId,
@@ -141,14 +143,14 @@ impl Subdivision {
         let single = self.dcel.vertex_count() == 1;
         if let Some(face) = self.dcel.faces().skip(1).find(|&f| {
             let sides = self.dcel.incident_half_edges(f).take(4).count();
-            sides != 3 || !self.rings(f).is_empty()
+            sides != 3 || !self.inner_components(f).is_empty()
         }) {
             return Err(VoronoiError::NotTriangle { face });
         }
-        if !single && !self.rings(self.outer_face()).is_empty() {
-            let vertex = match self.rings(self.outer_face())[0] {
-                crate::topology::Ring::Cycle(h) => self.dcel.origin(h),
-                crate::topology::Ring::Isolated(v) => v,
+        if !single && !self.inner_components(self.outer_face()).is_empty() {
+            let vertex = match self.inner_components(self.outer_face())[0] {
+                crate::topology::InnerComponent::Cycle(h) => self.dcel.origin(h),
+                crate::topology::InnerComponent::Isolated(v) => v,
             };
             return Err(VoronoiError::NotConvex { vertex });
         }
@@ -159,7 +161,7 @@ impl Subdivision {
         if let Some(h) = self.dcel.incident_half_edges(self.outer_face()).find(inwards) {
             return Err(VoronoiError::NotConvex { vertex: self.dcel.origin(h) });
         }
-        if !single && self.dcel.boundary(self.outer_face()).is_none() {
+        if !single && self.dcel.half_edge(self.outer_face()).is_none() {
             return Err(VoronoiError::NotConvex { vertex: first });
         }
         // A hole beside the domain hides nothing here.

@@ -110,7 +110,7 @@ struct Plan {
 
 impl Polyhedron {
     /// Adds the face with these corners, counter-clockwise as seen from outside, and the edges that are not there
-    /// yet. Returns the face; its `boundary` runs from the first corner to the second.
+    /// yet. Returns the face; its `half_edge` runs from the first corner to the second.
     ///
     /// Cost: for each corner O(the smaller degree at its edge), and O(degree) where a gap closes; if border cycles
     /// are cut or joined, the length of the second longest stretch.
@@ -172,7 +172,7 @@ impl Polyhedron {
         Ok(Plan { sides, corners })
     }
 
-    /// The border half-edge from `u` to `v`; none if there is no edge. Both stars are walked in step, so that the
+    /// The border half-edge from `u` to `v`; none if there is no edge. The half-edges that leave both are walked in step, so that the
     /// smaller one decides what it costs.
     fn free_side(&self, u: VertexId, v: VertexId) -> Result<Option<HalfEdgeId>, AddFaceError> {
         let mut taken = None;
@@ -238,7 +238,7 @@ impl Polyhedron {
         for &h in &sides {
             self.dcel.set_face(h, face, rec);
         }
-        self.dcel.set_boundary(face, Some(sides[0]), rec);
+        self.dcel.set_half_edge(face, Some(sides[0]), rec);
         self.renew_borders(starts, touched, rec);
         for (i, &v) in vertices.iter().enumerate() {
             self.point_to_gap(v, sides[(i + n - 1) % n], sides[i], plan.corners[i], rec);

@@ -66,7 +66,7 @@ impl Polyhedron {
                 new
             });
             taken.insert(face);
-            self.dcel.set_boundary(face, Some(starts[first]), rec);
+            self.dcel.set_half_edge(face, Some(starts[first]), rec);
             for &arc in cycle.iter().filter(|&&arc| labels[arc] != Some(face)) {
                 let (mut h, end) = (starts[arc], starts[follow[arc]]);
                 loop {

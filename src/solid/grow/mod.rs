@@ -16,6 +16,15 @@
 //!
 //! Source: the GenMesh article (*Half-edge based mesh representations: practice*), whose recipes these are; how
 //! faces are extruded it leaves open.
+//!
+//! ```text
+//!   cuboid.rs  The tessellated cube
+//!   error.rs   Why a surface cannot be grown
+//!   fan.rs     A vertex in the middle of a face, and spokes to its corners
+//!   placed.rs  Positions and masks that a shape gets while it grows
+//!   shape.rs   The shapes that grow from a ring or from the torus seed, with their counts and positions
+//!   spun.rs    Surfaces of revolution
+//! ```
 
 mod cuboid;
 mod error;

@@ -46,7 +46,7 @@ pub(super) fn spin(on: &mut impl Primitives, sides: usize, profile: &Profile) ->
         made.walls.iter().for_each(|wall| placed.parts.add(wall.face, part::SIDE));
     }
     for (cap, bits, height) in [(bottom, part::BOTTOM, profile.bottom_pole), (top, part::TOP, profile.top_pole)] {
-        if let (Some(z), Some(h)) = (height, on.dcel().boundary(cap)) {
+        if let (Some(z), Some(h)) = (height, on.dcel().half_edge(cap)) {
             add_pole(on, h, z, bits, &mut placed)?;
         }
     }

@@ -9,7 +9,7 @@
 //! ```
 
 use super::HullFaces;
-use crate::solid::predicates::side_of_plane;
+use crate::solid::predicates::orient3d;
 use crate::topology::PolygonList;
 use std::cmp::Ordering;
 use std::ops::Range;
@@ -40,7 +40,7 @@ impl Facets {
                 for &other in &triangles[t as usize].1 {
                     let mut corners = triangles[other as usize].0.iter().map(|&i| points[i as usize]);
                     let [a, b, c] = plane;
-                    if side[other as usize] == NONE && corners.all(|p| side_of_plane(a, b, c, p) == Ordering::Equal) {
+                    if side[other as usize] == NONE && corners.all(|p| orient3d(a, b, c, p) == Ordering::Equal) {
                         side[other as usize] = first;
                         queue.push(other);
                     }

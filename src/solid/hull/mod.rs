@@ -17,6 +17,11 @@
 //! Source: Clarkson and Shor, *Applications of random sampling in computational geometry II*, 1989; one face for
 //! each point as in Barber, Dobkin and Huhdanpaa, *The Quickhull algorithm*, 1996; the order from Amenta, Choi and
 //! Rote, *Incremental constructions con BRIO*, 2003.
+//!
+//! ```text
+//!   facets.rs   The sides of a hull
+//!   simplex.rs  Four points to start from that do not lie in one plane
+//! ```
 
 mod facets;
 mod order;

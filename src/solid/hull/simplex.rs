@@ -5,7 +5,7 @@
 //! ```
 
 use super::HullError;
-use crate::solid::predicates::{are_collinear, by_position, side_of_plane};
+use crate::solid::predicates::{are_collinear, by_position, orient3d};
 use crate::solid::vector::{cross, dot, minus};
 use std::cmp::Ordering;
 
@@ -33,7 +33,7 @@ pub(super) fn spanning_points(points: &[[f64; 3]]) -> Result<[u32; 4], HullError
     let Some(third) = third else { return Err(HullError::Collinear { through: [first, last] }) };
     let c = at(third);
     let normal = cross(minus(b, a), minus(c, a));
-    let side = |i: u32| side_of_plane(a, b, c, at(i));
+    let side = |i: u32| orient3d(a, b, c, at(i));
     let fourth = furthest(all.clone(), |i| dot(normal, minus(at(i), a)).abs())
         .filter(|&i| side(i) != Ordering::Equal)
         .or_else(|| all.clone().find(|&i| side(i) != Ordering::Equal));

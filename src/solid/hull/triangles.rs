@@ -8,7 +8,7 @@
 //!          beside 0
 //! ```
 
-use crate::solid::predicates::side_of_plane;
+use crate::solid::predicates::orient3d;
 use std::cmp::Ordering;
 
 const NONE: u32 = u32::MAX;
@@ -80,7 +80,7 @@ impl<'a> Triangles<'a> {
     #[inline]
     fn sees(&self, p: u32, t: u32) -> bool {
         let [a, b, c] = self.triangles[t as usize].corners.map(|i| self.points[i as usize]);
-        side_of_plane(a, b, c, self.points[p as usize]) == Ordering::Greater
+        orient3d(a, b, c, self.points[p as usize]) == Ordering::Greater
     }
 
     /// Asks whether `p` sees `t`, once in each step.

@@ -105,7 +105,7 @@ impl Polyhedron {
     /// Cuts off the edge of `h`: a new face takes its place, with a corner on every other edge of both ends, after a
     /// `share` of its length. `h` becomes a side of it, the new face on its left. Returns `h` and the new face.
     ///
-    /// Law: the new face has as many sides as both ends had other edges; on a closed surface whose vertices have three
+    /// Property: the new face has as many sides as both ends had other edges; on a closed surface whose vertices have three
     /// edges each it has four.
     ///
     /// Cost: O(degrees, and the sizes of the faces round both ends).

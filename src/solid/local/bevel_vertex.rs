@@ -85,7 +85,7 @@ impl Polyhedron {
     /// length, and `v` becomes the corner on `outgoing(v)`. The faces round `v` get one side more, and keep their
     /// numbers. Returns the side of the new face that starts at `v`, and the new face.
     ///
-    /// Law: the new face has as many sides as `v` had edges. Inverse: joining the corners of the new face, one side
+    /// Property: the new face has as many sides as `v` had edges. Inverse: joining the corners of the new face, one side
     /// after the other, and then the two faces at the loop that is left.
     ///
     /// Cost: O(degree, and the sizes of the faces round `v`).

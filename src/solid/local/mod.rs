@@ -7,11 +7,15 @@
 //!   inset_face extrude_face bevel_face       rim.rs   a smaller face stands inside, or above, a face
 //! ```
 //!
-//! One promise for all: **a refused edit leaves everything bit for bit as it was**; a made one keeps all laws and the
+//! One promise for all: **a refused edit leaves everything bit for bit as it was**; a made one keeps all invariants and the
 //! Euler characteristic. Borders stay borders: no edit here gives a boundary face a positive side, or takes it away.
 //!
 //! Source: the local operations of Scotty3D (Carnegie Mellon, 15-462/662); Mäntylä, *An Introduction to Solid
 //! Modeling*, 1988, chapter 9 (Euler operators).
+//!
+//! ```text
+//!   one_edge.rs  Edits of one edge on a surface
+//! ```
 
 mod bevel_edge;
 mod bevel_vertex;

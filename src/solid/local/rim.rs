@@ -135,7 +135,7 @@ impl Polyhedron {
     /// Puts a smaller face into `f`, its corners moved by a `share` of the way to the mean of the corners. `f` keeps its
     /// number and is the smaller face; a quadrilateral is new at each old side. Returns a side of the smaller face.
     ///
-    /// Law: V + k, E + 2k, F + k for k sides. Inverse: joining all new faces into one, and removing what dangles.
+    /// Property: V + k, E + 2k, F + k for k sides. Inverse: joining all new faces into one, and removing what dangles.
     ///
     /// Cost: O(sides).
     ///

@@ -35,7 +35,7 @@ pub(super) fn step(solid: &Polyhedron, creases: &Selection<EdgeId>) -> Result<Su
         let on = |x: crate::ids::HalfEdgeId| old as u32 + x.edge().number();
         fine.inner_edge(inner(k), on(h), on(p));
         fine.face(k, &[2 * h.number(), inner(k), 2 * p.twin().number() + 1]);
-        if d.boundary(d.face(h)) == Some(h) {
+        if d.half_edge(d.face(h)) == Some(h) {
             let round = [h, n, p].map(|x| inner(coarse.corner[x.index()]) + 1);
             fine.face(middle, &round);
             middle += 1;

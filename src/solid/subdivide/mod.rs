@@ -20,6 +20,11 @@
 //! Sources: Catmull and Clark, *Recursively generated B-spline surfaces on arbitrary topological meshes*, 1978; Loop,
 //! *Smooth subdivision surfaces based on triangles*, 1987; creases after Hoppe et al., *Piecewise smooth surface
 //! reconstruction*, 1994, and DeRose, Kass and Truong, *Subdivision surfaces in character animation*, 1998.
+//!
+//! ```text
+//!   catmull_clark.rs  Catmull–Clark
+//!   loops.rs          Loop
+//! ```
 
 mod catmull_clark;
 mod loops;

@@ -145,7 +145,7 @@ impl Fine {
         }
         for f in d.faces().filter(|f| coarse.is_boundary[f.index()]) {
             let face = FaceId::new(fine.columns.boundary.len() as u32);
-            fine.columns.boundary.push(d.boundary(f).map_or(Columns::NONE, |h| 2 * h.number()));
+            fine.columns.boundary.push(d.half_edge(f).map_or(Columns::NONE, |h| 2 * h.number()));
             for h in d.incident_half_edges(f) {
                 let (first, second) = (2 * h.number(), 2 * h.twin().number() + 1);
                 fine.link(first, second, face);

@@ -57,7 +57,7 @@ impl Matched {
         one_gap_each
     }
 
-    /// Compares each star with the degree of its vertex, lists the vertices where they differ or where there
+    /// Compares each one-ring with the degree of its vertex, lists the vertices where they differ or where there
     /// are several gaps, and takes back the border links there. O(vertices + half-edges).
     fn find_pinched(&mut self) {
         let Columns { origin, next, prev, outgoing, .. } = &mut self.columns;

@@ -13,11 +13,15 @@
 //! ```
 //!
 //! Each corner of a face becomes a half-edge. Whether its twin has been there before is found without hashing,
-//! in one go if the numbers are local (`streamed.rs`), else after bringing twins together (`dealt.rs`); both give
+//! in one go if the numbers are local (`streamed.rs`), else after bringing twins together (`bucketed.rs`); both give
 //! the same structure. That the faces round each vertex form one fan is checked by walking round the vertices
 //! (`fans.rs`). If anything is wrong, a second, slower look finds out what (`diagnose.rs`).
+//!
+//! ```text
+//!   error.rs  Why a list of faces is not a surface
+//! ```
 
-mod dealt;
+mod bucketed;
 mod diagnose;
 mod error;
 mod faces;
@@ -27,7 +31,7 @@ mod streamed;
 use super::links::Columns;
 use super::{Dcel, PolygonList, TooMany};
 use crate::ids::{FaceId, MAX_IDS, VertexId};
-use dealt::dealt;
+use bucketed::bucketed;
 pub use error::BuildError;
 pub(crate) use faces::Faces;
 use streamed::streamed;
@@ -46,7 +50,7 @@ impl Dcel {
     /// The structure of a list of triangles over the vertices `0 .. vertices`.
     ///
     /// Vertices and faces keep their numbers. Edges are numbered as the triangles in order first meet them
-    /// (`0 -> 1`, `1 -> 2`, `2 -> 0` of each), and the even half of an edge is the one met first. `boundary(f)`
+    /// (`0 -> 1`, `1 -> 2`, `2 -> 0` of each), and the even half of an edge is the one met first. `half_edge(f)`
     /// is the half-edge from the first to the second corner. Where the surface ends, each border cycle gets
     /// a face of its own, and `outgoing(v)` of a vertex there is its half-edge on that border; elsewhere it is the
     /// one in the first face that uses `v`. A vertex that no face uses stays, isolated.
@@ -132,7 +136,7 @@ pub(crate) fn match_faces<F: Faces + ?Sized>(
     }
     faces.check_each(vertices)?;
     let columns = match is_local(faces.corners()).then(|| streamed(faces, vertices, first_face)) {
-        None | Some(Err(Stop::LongList)) => dealt(faces, vertices, first_face),
+        None | Some(Err(Stop::LongList)) => bucketed(faces, vertices, first_face),
         Some(done) => done,
     };
     match columns {

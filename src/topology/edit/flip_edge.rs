@@ -113,11 +113,11 @@ impl Dcel {
         if self.outgoing(b) == Some(t) {
             self.set_outgoing(b, Some(n1), rec);
         }
-        if self.boundary(f) == Some(n1) {
-            self.set_boundary(f, Some(h), rec);
+        if self.half_edge(f) == Some(n1) {
+            self.set_half_edge(f, Some(h), rec);
         }
-        if self.boundary(g) == Some(n2) {
-            self.set_boundary(g, Some(t), rec);
+        if self.half_edge(g) == Some(n2) {
+            self.set_half_edge(g, Some(t), rec);
         }
 
         rec.step(2, "Move both ends of the edge to the next corner.");

@@ -99,11 +99,11 @@ impl Dcel {
         if self.outgoing(w) == Some(d) {
             self.set_outgoing(w, Some(b), rec);
         }
-        if self.boundary(self.face(a)) == Some(c) {
-            self.set_boundary(self.face(a), Some(a), rec);
+        if self.half_edge(self.face(a)) == Some(c) {
+            self.set_half_edge(self.face(a), Some(a), rec);
         }
-        if self.boundary(self.face(b)) == Some(d) {
-            self.set_boundary(self.face(b), Some(b), rec);
+        if self.half_edge(self.face(b)) == Some(d) {
+            self.set_half_edge(self.face(b), Some(b), rec);
         }
 
         rec.step(2, "Lead the remaining half-edges past the vertex.");

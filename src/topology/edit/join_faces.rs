@@ -103,8 +103,8 @@ impl Dcel {
         if self.outgoing(self.origin(b)) == Some(b) {
             self.set_outgoing(self.origin(b), Some(after_a), rec);
         }
-        if self.boundary(kept) == Some(b) {
-            self.set_boundary(kept, Some(after_b), rec);
+        if self.half_edge(kept) == Some(b) {
+            self.set_half_edge(kept, Some(after_b), rec);
         }
 
         rec.step(3, "Take the two half-edges out of the cyclic lists.");

@@ -104,8 +104,8 @@ impl Dcel {
         }
         if !only_edge {
             for (gone, after) in [(a, after_a), (b, after_b)] {
-                if self.boundary(self.face(gone)) == Some(gone) {
-                    self.set_boundary(self.face(gone), Some(after), rec);
+                if self.half_edge(self.face(gone)) == Some(gone) {
+                    self.set_half_edge(self.face(gone), Some(after), rec);
                 }
             }
         }

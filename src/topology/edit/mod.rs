@@ -3,6 +3,18 @@
 //! One promise for all: **a refused edit leaves everything bit for bit as it was**, the free lists and the next
 //! ids included. Each edit gathers what it needs, checks (`can_…` is exactly that phase), makes room, and then
 //! writes; the write phase cannot fail.
+//!
+//! ```text
+//!   collapse_edge.rs  Collapsing an edge of a simplicial surface, so that it stays one
+//!   flip_edge.rs      Turning an edge inside the two faces beside it
+//!   join_edges.rs     Joining two edges by taking away the vertex between them
+//!   join_faces.rs     Joining two faces by taking away an edge between them
+//!   join_vertices.rs  Joining two vertices by taking away the edge between them
+//!   split_edge.rs     Splitting an edge by a new vertex
+//!   split_face.rs     Splitting a face along a new edge
+//!   split_vertex.rs   Splitting a vertex in two, with a new edge between the halves
+//!   turn_over.rs      Turning everything over, as in a mirror
+//! ```
 
 mod collapse_edge;
 mod flip_edge;
@@ -91,7 +103,7 @@ mod tests {
             for (one, other) in start.half_edges().flat_map(|a| start.half_edges().map(move |b| (a, b))) {
                 let mut chosen = start.clone();
                 chosen.set_outgoing(start.origin(one), Some(one), rec);
-                chosen.set_boundary(start.face(other), Some(other), rec);
+                chosen.set_half_edge(start.face(other), Some(other), rec);
                 for a in start.half_edges() {
                     let edits: [fn(&mut Dcel, HalfEdgeId) -> bool; 6] = [
                         |d, a| d.flip_edge(a).is_ok(),

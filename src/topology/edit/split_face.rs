@@ -108,7 +108,7 @@ impl Dcel {
     ///
     /// Returns the new half-edge from `origin(h1)` to `origin(h2)` and the new face, which lies on its left.
     /// The cycle through `h1` keeps the old face. Each of the two faces gets one of the two new half-edges as
-    /// its `boundary`. A half-edge, not a vertex, names each corner, because a face may pass a vertex twice.
+    /// its `half_edge`. A half-edge, not a vertex, names each corner, because a face may pass a vertex twice.
     ///
     /// Cost: O(length of the new face's cycle): choose the order of the arguments so that it is the short one.
     ///
@@ -176,8 +176,8 @@ impl Dcel {
         }
 
         rec.step(5, "Make both faces point to one of their half-edges.");
-        self.set_boundary(new, Some(a), rec);
-        self.set_boundary(old, Some(b), rec);
+        self.set_half_edge(new, Some(a), rec);
+        self.set_half_edge(old, Some(b), rec);
         (a, new)
     }
 }

@@ -91,7 +91,7 @@ impl Dcel {
     /// ```
     /// # use dcel_kit::{FaceId, topology::Dcel};
     /// let mut square = Dcel::polygon(4)?;
-    /// let h = square.boundary(FaceId::new(1)).unwrap();
+    /// let h = square.half_edge(FaceId::new(1)).unwrap();
     /// let v = square.origin(h);
     /// // One half-edge moves: a new vertex stands on its edge.
     /// let (a, m) = square.split_vertex(h, square.ccw(h))?;
@@ -233,7 +233,7 @@ impl Dcel {
         rec.step(4, "Make the vertices and the face point to one of their half-edges.");
         self.set_outgoing(v, Some(a), rec);
         self.set_outgoing(m, Some(b), rec);
-        self.set_boundary(face, Some(a), rec);
+        self.set_half_edge(face, Some(a), rec);
         Ok((a, face))
     }
 }

@@ -1,14 +1,14 @@
-//! The laws of a half-edge structure, checked on any view, right or wrong.
+//! The invariants of a half-edge structure, checked on any view, right or wrong.
 //!
 //! ```text
-//!         h ────> ●  D1: h.next starts where        every law is a path; a violation names the elements
+//!         h ────> ●  D1: h.next starts where      every invariant is a path; a violation names the elements
 //!   T2: h.twin    │      h.twin starts              on the path and what was found instead:
 //!         <────── │  N2: h.next.prev = h
 //!                 v  F1: h.next.face = h.face         N2: h14.next = h3, but h3.prev = h9 (expected h14)
 //!              h.next
 //! ```
 //!
-//! | id | law |
+//! | id | invariant |
 //! |----|-----|
 //! | R1 | no pointer of a half-edge is missing |
 //! | R2 | every pointer leads to an element that exists |
@@ -18,53 +18,58 @@
 //! | N2 | h.next.prev = h |
 //! | D1 | h.next.origin = h.twin.origin |
 //! | F1 | h.next.face = h.face |
-//! | B1 | f.boundary.face = f |
-//! | B2 | f.boundary exists |
+//! | B1 | f.half_edge.face = f |
+//! | B2 | f.half_edge exists |
 //! | O1 | v.outgoing.origin = v |
 //! | O2 | v.outgoing exists if any half-edge starts at v |
 //! | S1 | the half-edges that start at v form one round |
 //! | C1 | every boundary cycle is listed by its face |
 //! | C2 | no boundary cycle is listed twice |
-//! | C3 | a ring of f has face f |
+//! | C3 | an inner component of f has face f |
 //! | I1 | a vertex listed as isolated has no outgoing |
 //! | I2 | an isolated vertex is listed once |
 //! | I3 | an isolated vertex is listed if there is an outer face |
 //! | H1 | the outer face is not a hole face |
 //! | E1 | in the plane, V - E + cycles = 2 for every component |
-//! | E2 | in the plane, every component is a ring of exactly one face that encloses it |
+//! | E2 | in the plane, every component is an inner component of exactly one face that encloses it |
 //!
-//! A law whose path runs over a pointer that was reported already is not judged there, so one mistake gives few
-//! lines: a missing `next` is one R1, not also an incomplete cycle. Nothing is lost by that: a law is passed over
-//! only where another violation stands in the report. The laws of geometry (bounded faces counter-clockwise, no
+//! An invariant whose path runs over a pointer that was reported already is not judged there, so one mistake gives few
+//! lines: a missing `next` is one R1, not also an incomplete cycle. Nothing is lost by that: an invariant is passed over
+//! only where another violation stands in the report. The invariants of geometry (bounded faces counter-clockwise, no
 //! crossings) need coordinates and are the plane's.
 //!
-//! Cost: O(V + E + F + rings) time and memory on every view. Each getter is asked once for each element; walks
+//! Cost: O(V + E + F + inner components) time and memory on every view. Each getter is asked once for each element; walks
 //! mark what they have seen, so that many chains into one long tail are not walked many times.
+//!
+//! ```text
+//!   planar.rs  The invariants of the plane that need no coordinates
+//!   rules.rs   The invariants as data
+//! ```
 
-mod laws;
+mod invariants;
 mod planar;
 mod rules;
 
 use super::flat::Flat;
 use super::view::View;
 use crate::ids::{Element, HalfEdgeId};
-use laws::Laws;
+use invariants::Invariants;
 pub use rules::Rule;
 use std::fmt;
 use std::ops::ControlFlow;
 
-/// One broken law at one place. `Display` gives the sentence: `N2: h14.next = h3, but h3.prev = h9 (expected h14)`.
+/// One broken invariant at one place. `Display` gives the sentence: `N2: h14.next = h3, but h3.prev = h9 (expected h14)`.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Violation {
-    /// The law.
+    /// The invariant.
     pub rule: &'static Rule,
     /// The elements concerned, the one whose pointer or state is at fault first.
     pub elements: Vec<Element>,
     /// The half-edges that were walked to see it, in order.
     pub chain: Vec<HalfEdgeId>,
-    /// The element that was found; `None` if nothing was, or if the law is about numbers.
+    /// The element that was found; `None` if nothing was, or if the invariant is about numbers.
     pub found: Option<Element>,
-    /// The element that should have been found, if the law names one.
+    /// The element that should have been found, if the invariant names one.
     pub expected: Option<Element>,
     text: String,
 }
@@ -92,7 +97,7 @@ impl fmt::Display for Violation {
     }
 }
 
-/// All violations, in the order of the rules' families and of the elements. Empty if every law holds.
+/// All violations, in the order of the rules' families and of the elements. Empty if every invariant holds.
 ///
 /// ```
 /// use dcel_kit::{HalfEdgeId, topology::{Dcel, Table, violations}};
@@ -146,17 +151,17 @@ pub fn visit_violations<V: View + ?Sized>(
             None => outer_lost = true,
             _ => {}
         }
-        report(laws::lost_pointer(&fault))
+        report(invariants::lost_pointer(&fault))
     })?;
-    let mut laws = Laws::new(&flat, bad_lists, report);
-    laws.twins()?;
-    laws.links()?;
-    laws.boundaries(outer_lost)?;
-    laws.origins()?;
-    laws.stars()?;
-    laws.cycles()?;
-    laws.isolated_vertices()?;
-    laws.outer_face()?;
+    let mut invariants = Invariants::new(&flat, bad_lists, report);
+    invariants.twins()?;
+    invariants.links()?;
+    invariants.boundaries(outer_lost)?;
+    invariants.origins()?;
+    invariants.stars()?;
+    invariants.cycles()?;
+    invariants.isolated_vertices()?;
+    invariants.outer_face()?;
     if !any && flat.outer.is_some() {
         planar::check(&flat, visit)?;
     }

@@ -1,12 +1,12 @@
-//! The laws of the plane that need no coordinates: every component can be drawn without crossings, and the
+//! The invariants of the plane that need no coordinates: every component can be drawn without crossings, and the
 //! components nest.
 //!
 //! ```text
-//!   f0 ── ring ──> component ── boundary ──> f1 ── ring ──> component ── boundary ──> f2
-//!     └── ring ──> component     └── boundary ──> f3
+//!   f0 ── inner component ──> component ── boundary ──> f1 ── inner component ──> component ── boundary ──> f2
+//!     └── inner component ──> component     └── boundary ──> f3
 //! ```
 //!
-//! Counting the arrows gives Euler's relation: with K cycles and isolated vertices, C of them rings of the face
+//! Counting the arrows gives Euler's relation: with K cycles and isolated vertices, C of them inner components of the face
 //! around their component and one for each bounded face, K = C + (F - 1); and V - E + K = 2C, if no component
 //! has a handle; together V - E + F = 1 + C.
 
@@ -16,10 +16,10 @@ use super::Violation;
 use super::rules::{E1, E2};
 use crate::geometry::grouping::Groups;
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
-use crate::topology::Ring;
+use crate::topology::InnerComponent;
 use std::ops::ControlFlow;
 
-/// E1 and E2. The view must have an outer face and break no other law.
+/// E1 and E2. The view must have an outer face and break no other invariant.
 pub(super) fn check(flat: &Flat, visit: &mut impl FnMut(&Violation) -> ControlFlow<()>) -> ControlFlow<()> {
     let components = count(flat, |_| false).components;
     for c in components.iter().filter(|c| c.euler() != 2) {
@@ -38,18 +38,18 @@ pub(super) fn check(flat: &Flat, visit: &mut impl FnMut(&Violation) -> ControlFl
     nesting(flat, &firsts, visit)
 }
 
-/// E2: walks inwards from the outer face. A component is entered through rings, a bounded face through its
+/// E2: walks inwards from the outer face. A component is entered through inner components, a bounded face through its
 /// boundary; each component must be entered once.
 fn nesting(flat: &Flat, firsts: &[VertexId], visit: &mut impl FnMut(&Violation) -> ControlFlow<()>) -> ControlFlow<()> {
     let parts = parts(flat);
     let part = |v: u32| parts.of(VertexId(v)).unwrap_or(NONE) as usize;
     let part_of_cycle = |h: u32| part(flat.origin[h as usize]);
     let outer = flat.outer.unwrap_or(NONE);
-    let rings_by_face = Groups::new(
+    let inner_by_face = Groups::new(
         flat.boundary.len(),
-        flat.rings.iter().map(|&(f, ring)| match ring {
-            Ring::Cycle(h) => (f as usize, (Element::HalfEdge(h), part_of_cycle(h.0))),
-            Ring::Isolated(v) => (f as usize, (Element::Vertex(v), part(v.0))),
+        flat.rings.iter().map(|&(f, inner)| match inner {
+            InnerComponent::Cycle(h) => (f as usize, (Element::HalfEdge(h), part_of_cycle(h.0))),
+            InnerComponent::Isolated(v) => (f as usize, (Element::Vertex(v), part(v.0))),
         }),
     );
     let bounded = flat.faces().filter(|&f| f != outer);
@@ -58,17 +58,17 @@ fn nesting(flat: &Flat, firsts: &[VertexId], visit: &mut impl FnMut(&Violation) 
     let mut entered = vec![false; firsts.len()];
     let mut faces = vec![outer];
     while let Some(f) = faces.pop() {
-        // All cycles of the outer face are rings of the plane; its `boundary` is merely the first of them.
+        // All cycles of the outer face are inner components of the plane; its `half_edge` is merely the first of them.
         let first = flat.boundary[f as usize];
         let first = (f == outer && first != NONE).then(|| (HalfEdgeId(first).into(), part_of_cycle(first)));
-        for &(ring, c) in first.iter().chain(rings_by_face.of(f as usize)) {
+        for &(inner, c) in first.iter().chain(inner_by_face.of(f as usize)) {
             if std::mem::replace(&mut entered[c], true) {
                 let f = FaceId(f);
                 let text = format!(
-                    "the ring {ring} of {f} belongs to the component of {}, which is a ring already (expected one ring for each component)",
+                    "the inner component {inner} of {f} belongs to the component of {}, which is listed already (expected one inner component for each component)",
                     firsts[c]
                 );
-                visit(&Violation::new(&E2, &[ring, f.into(), firsts[c].into()], &[], text).with(Some(ring), None))?;
+                visit(&Violation::new(&E2, &[inner, f.into(), firsts[c].into()], &[], text).with(Some(inner), None))?;
                 continue;
             }
             faces.extend(faces_by_part.of(c));
@@ -77,7 +77,7 @@ fn nesting(flat: &Flat, firsts: &[VertexId], visit: &mut impl FnMut(&Violation) 
     for (c, _) in entered.iter().enumerate().filter(|&(_, &entered)| !entered) {
         let v = firsts[c];
         let text = format!(
-            "the component of {v} is not reached from the outer face inwards (expected to be a ring of the face around it)"
+            "the component of {v} is not reached from the outer face inwards (expected to be an inner component of the face around it)"
         );
         visit(&Violation::new(&E2, &[v.into()], &[], text))?;
     }

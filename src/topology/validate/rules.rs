@@ -1,19 +1,19 @@
-//! The laws as data: handouts, reports and the command line print them from here.
+//! The invariants as data: handouts, reports and the command line print them from here.
 
-/// One law of the structure.
+/// One invariant of the structure.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Rule {
     /// A letter for the family and a number: `N2`. Stable.
     pub id: &'static str,
-    /// The law as a path: `h.next.prev = h`.
-    pub law: &'static str,
+    /// The invariant as a path: `h.next.prev = h`.
+    pub invariant: &'static str,
     /// One or two sentences for people.
     pub explanation: &'static str,
 }
 
 macro_rules! rules {
-    ($($name:ident: $law:literal, $explanation:literal;)*) => {
-        $(pub(super) const $name: Rule = Rule { id: stringify!($name), law: $law, explanation: $explanation };)*
+    ($($name:ident: $invariant:literal, $explanation:literal;)*) => {
+        $(pub(super) const $name: Rule = Rule { id: stringify!($name), invariant: $invariant, explanation: $explanation };)*
         const ALL: &[Rule] = &[$($name),*];
     };
 }
@@ -35,9 +35,9 @@ rules! {
         "The next half-edge starts where h ends, and h ends where its twin starts.";
     F1: "h.next.face = h.face",
         "All half-edges along a boundary have the same face on their left.";
-    B1: "f.boundary.face = f",
+    B1: "f.half_edge.face = f",
         "A face points to a half-edge that has this face on its left.";
-    B2: "f.boundary exists",
+    B2: "f.half_edge exists",
         "Every face points to one of its half-edges. Only an outer face without any cycle has none.";
     O1: "v.outgoing.origin = v",
         "A vertex points to a half-edge that starts there.";
@@ -46,11 +46,11 @@ rules! {
     S1: "the half-edges that start at v form one round",
         "Turning round a vertex by h.twin.next meets every half-edge that starts there. A second round means that two vertices were made one.";
     C1: "every boundary cycle is listed by its face",
-        "Each cycle holds the face's boundary or one of its rings. A cycle that the face does not know is never walked.";
+        "Each cycle holds the face's boundary or one of its inner components. A cycle that the face does not know is never walked.";
     C2: "no boundary cycle is listed twice",
-        "Each cycle is listed once by its face, as the boundary or as one ring.";
-    C3: "a ring of f has face f",
-        "A face lists as rings only cycles that have this face on their left.";
+        "Each cycle is listed once by its face, as the boundary or as one inner component.";
+    C3: "an inner component of f has face f",
+        "A face lists as inner components only cycles that have this face on their left.";
     I1: "a vertex listed as isolated has no outgoing",
         "Only a vertex without edges is listed by the face it lies in.";
     I2: "an isolated vertex is listed once",
@@ -60,9 +60,9 @@ rules! {
     H1: "the outer face is not a hole face",
         "A hole face is a bounded face outside the domain; the outer face is not bounded.";
     E1: "in the plane, V - E + cycles = 2 for every component",
-        "Each component can be drawn without crossings (genus 0). Checked only when all other laws hold. E1 and E2 together give Euler's relation V - E + F = 1 + C.";
-    E2: "in the plane, every component is a ring of exactly one face that encloses it",
-        "Going inwards from the outer face, through rings to components and through boundaries to faces, meets every component once. Checked only when all other laws hold.";
+        "Each component can be drawn without crossings (genus 0). Checked only when all other invariants hold. E1 and E2 together give Euler's relation V - E + F = 1 + C.";
+    E2: "in the plane, every component is an inner component of exactly one face that encloses it",
+        "Going inwards from the outer face, through inner components to components and through boundaries to faces, meets every component once. Checked only when all other invariants hold.";
 }
 
 impl Rule {

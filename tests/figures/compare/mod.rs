@@ -380,8 +380,8 @@ fn wrong_pointers_are_named_one_by_one() {
     assert!(texts(&answer)[0].contains("have face f0; expected a face of their own"), "{}", answer.text());
     let answer = changed(|t| t.outer_face = Some(common::f(3)));
     assert_eq!(texts(&answer), ["outer face (data-outer): yours is f3; it should be your f0"]);
-    let answer = changed(|t| t.faces[2].as_mut().unwrap().boundary = Some(h(1)));
-    assert!(texts(&answer)[0].starts_with("your structure breaks a law: B1"), "{}", answer.text());
+    let answer = changed(|t| t.faces[2].as_mut().unwrap().half_edge = Some(h(1)));
+    assert!(texts(&answer)[0].starts_with("your structure breaks an invariant: B1"), "{}", answer.text());
 }
 
 #[test]

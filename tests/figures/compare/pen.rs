@@ -102,8 +102,8 @@ pub(crate) fn renumbered(table: &Table, mut order: impl FnMut(usize) -> Vec<usiz
         (row.twin, row.next, row.prev) = (half_edge(row.twin), half_edge(row.next), half_edge(row.prev));
     }
     for row in out.faces.iter_mut().flatten() {
-        row.boundary = half_edge(row.boundary);
-        assert!(row.rings.is_empty(), "not needed here");
+        row.half_edge = half_edge(row.half_edge);
+        assert!(row.inner_components.is_empty(), "not needed here");
     }
     assert_eq!(out.vertex_bound(), table.vertex_bound());
     out

@@ -55,7 +55,7 @@ fn what_cannot_be_drawn_is_noted() {
 #[test]
 fn a_cycle_is_drawn_for_one_face_only() {
     let mut table = cases::cube();
-    table.faces[2].as_mut().unwrap().boundary = table.faces[1].as_ref().unwrap().boundary;
+    table.faces[2].as_mut().unwrap().half_edge = table.faces[1].as_ref().unwrap().half_edge;
     let figure = structure(&table, &FigureOptions::new("claimed")).unwrap();
     assert_eq!(figure.notes(), ["with a boundary that does not close or is taken already: f2"]);
     let drawn = read(&figure.to_svg());
@@ -94,8 +94,8 @@ fn broken_tables_are_drawn_without_panic() {
                     table.half_edges[random(n)].iter_mut().for_each(|row| row.origin = Some(origin));
                 }
                 _ => table.faces[random(f)].iter_mut().for_each(|row| {
-                    row.boundary = target;
-                    row.rings.extend(target.map(dcel_kit::topology::Ring::Cycle));
+                    row.half_edge = target;
+                    row.inner_components.extend(target.map(dcel_kit::topology::InnerComponent::Cycle));
                 }),
             }
         }

@@ -63,7 +63,7 @@ pub(crate) fn from_polygons(data: &[u8]) -> Outcome {
     }
     for face in 0..list.face_count() {
         let f = FaceId::new(face as u32 + 1);
-        let cycles = s.cycles(f).count() + usize::from(s.boundary(f).is_some() && s.cycles(f).count() == 0);
+        let cycles = s.cycles(f).count() + usize::from(s.half_edge(f).is_some() && s.cycles(f).count() == 0);
         assert!(s.has_face(f) && cycles > 0, "{f}");
         assert!(!s.is_hole(f), "{f} was given, and is a hole");
         let corners: Vec<u32> = s.incident_vertices(f).map(VertexId::number).collect();

@@ -2,7 +2,7 @@
 //! edges alone, in whole numbers, in quadratic time. It shares no code with the library.
 
 use dcel_kit::plane::Subdivision;
-use dcel_kit::topology::Ring;
+use dcel_kit::topology::InnerComponent;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -19,9 +19,9 @@ pub(crate) fn canonical(cycle: &[u32]) -> Vec<u32> {
 pub(crate) fn faces_of(s: &Subdivision) -> (Face, BTreeMap<Face, u32>) {
     let face = |f| -> Face {
         let cycles = s.cycles(f).map(|h| s.cycle(h).map(|h| s.origin(h).number()).collect::<Vec<_>>());
-        let isolated = s.rings(f).iter().filter_map(|ring| match ring {
-            Ring::Isolated(v) => Some(vec![v.number()]),
-            Ring::Cycle(_) => None,
+        let isolated = s.inner_components(f).iter().filter_map(|ring| match ring {
+            InnerComponent::Isolated(v) => Some(vec![v.number()]),
+            InnerComponent::Cycle(_) => None,
         });
         let all: Vec<Vec<u32>> = cycles.chain(isolated).map(|c| canonical(&c)).collect();
         let set: Face = all.iter().cloned().collect();

@@ -83,6 +83,7 @@ pub(super) const FURTHER: &[(&str, &str)] = &[
     ("src/cli/navmesh/space/random.rs", include_str!("../../navmesh/space/random.rs")),
     ("src/cli/navmesh/space/raycast.rs", include_str!("../../navmesh/space/raycast.rs")),
     ("src/cli/navmesh/tell.rs", include_str!("../../navmesh/tell.rs")),
+    ("src/cli/old_words.rs", include_str!("../../old_words.rs")),
     ("src/cli/output.rs", include_str!("../../output.rs")),
     ("src/cli/overlay.rs", include_str!("../../overlay.rs")),
     ("src/cli/picture.rs", include_str!("../../picture.rs")),

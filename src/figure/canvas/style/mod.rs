@@ -12,6 +12,10 @@
 //! colour vision can tell apart; they are far too pale for lines and never used for those.
 //!
 //! Source: Okabe and Ito, *Color Universal Design*, 2008; WCAG 2.1, 1.4.3 and 1.4.11.
+//!
+//! ```text
+//!   file.rs  A style as a JSON file
+//! ```
 
 pub(crate) mod file;
 

@@ -13,6 +13,12 @@
 //!
 //! Under each figure lies the map in grey, with its gaps hatched. Roles are the same everywhere: blue is the way,
 //! orange a door, green the start, purple the goal.
+//!
+//! ```text
+//!   links.rs    A path over links
+//!   mesh.rs     What a navmesh knows before anybody asks for a way
+//!   storeys.rs  Surfaces in space, drawn from above
+//! ```
 
 mod apart;
 mod clearance;

@@ -11,6 +11,12 @@
 //!
 //! Which part of an edge is hidden is found by cutting it where it passes behind an outline, and asking for each part
 //! whether a face is in front of it. This is right for every surface that does not pass through itself.
+//!
+//! ```text
+//!   camera.rs  Where a solid is looked at from, and how it falls on the paper
+//!   inside.rs  Whether a place of the paper lies in a face, by the number of its sides to the right
+//!   tree.rs    Boxes in a balanced tree, to find the few that matter at a place of the paper
+//! ```
 
 mod camera;
 mod hidden;

@@ -9,7 +9,7 @@
 //! `twin` reach in the order in which they reach it, and take the numbering that reads smallest. Which face is the
 //! outer one does not count: a face like any other.
 //!
-//! Source: one root at a time, as in `topology::same`.
+//! Source: one root at a time, as in `topology::isomorphic`.
 
 use super::spec::{self, TwinSide};
 use dcel_kit::topology::{Dcel, Table, View};
@@ -110,7 +110,7 @@ fn text_from(table: &Table, root: HalfEdgeId) -> Vec<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dcel_kit::topology::{same, violations};
+    use dcel_kit::topology::{isomorphic, violations};
 
     #[test]
     fn no_two_classes_are_the_same() {
@@ -118,7 +118,7 @@ mod tests {
         for (i, a) in all.iter().enumerate() {
             assert!(violations(a).is_empty(), "{:?}", violations(a));
             for b in &all[..i] {
-                assert!(same(a, b).is_err());
+                assert!(isomorphic(a, b).is_err());
             }
         }
     }

@@ -7,7 +7,7 @@ use crate::pictures;
 use crate::protocol::{Case, CaseAnswer, Reply, Step};
 use dcel_kit::plane::PlanarView;
 use dcel_kit::script::Script;
-use dcel_kit::topology::{SameOptions, Table, View, position_key, same_with, violations};
+use dcel_kit::topology::{IsomorphismOptions, Table, View, isomorphic_with, position_key, violations};
 use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -50,7 +50,7 @@ fn plain_picture(table: &Table) -> String {
     let at = |h: HalfEdgeId| table.origin(h).map(|v| place(table, v)).unwrap_or_default();
     for (f, row) in table.faces.iter().enumerate() {
         let boundary =
-            row.as_ref().and_then(|row| row.boundary).filter(|_| table.outer_face != Some(FaceId::new(f as u32)));
+            row.as_ref().and_then(|row| row.half_edge).filter(|_| table.outer_face != Some(FaceId::new(f as u32)));
         let corners = boundary.map_or_else(Vec::new, |h| cycle(table, h)).into_iter().map(at);
         let corners: Vec<String> = corners.map(|[x, y]| format!("{x},{}", 0.0 - y)).collect();
         if !corners.is_empty() {
@@ -97,8 +97,8 @@ fn faults(exchange: &Exchange) -> Vec<Fault> {
         return vec![wrong(first.rule.id, first.text().to_owned(), first.elements.clone())];
     }
     let keys = [after.as_ref(), reference].map(|table| move |v: VertexId| position_key(place(table, v)));
-    let options = SameOptions::new().keys(&keys[0], &keys[1]);
-    let Err(difference) = same_with(after.as_ref(), reference, &options) else { return Vec::new() };
+    let options = IsomorphismOptions::new().keys(&keys[0], &keys[1]);
+    let Err(difference) = isomorphic_with(after.as_ref(), reference, &options) else { return Vec::new() };
     let mut out = Vec::new();
     let [yours, theirs] = [after.as_ref(), reference].map(vertices);
     out.extend(missing(&theirs, &yours).map(|(n, list, _)| {

@@ -230,7 +230,7 @@ fn loop_of(set: &mut Set, table: &Table, f: FaceId, walk: &[HalfEdgeId]) {
 }
 
 fn face(set: &mut Set, table: &Table, f: FaceId) {
-    let Some(stored) = table.boundary(f) else { return };
+    let Some(stored) = table.half_edge(f) else { return };
     let walk = cycle(table, stored);
     loop_of(set, table, f, &walk);
     set.add(Word::StoredNotLeast, walk.iter().min() != Some(&stored));
@@ -274,7 +274,7 @@ fn half_edge(set: &mut Set, table: &Table, h: HalfEdgeId) {
     set.add(Word::NoLinks, rows().all(|row| row.next.is_none() && row.prev.is_none()));
     let f = table.face(h);
     set.either(Word::Outer, Word::Bounded, f.is_some() && f == table.outer_face);
-    set.add(Word::HeStored, f.and_then(|f| table.boundary(f)) == Some(h));
+    set.add(Word::HeStored, f.and_then(|f| table.half_edge(f)) == Some(h));
     set.add(Word::OriginStores, table.origin(h).and_then(|v| table.outgoing(v)) == Some(h));
     if f.is_some() && table.next(h).is_some() {
         set.add(Word::Triangle, cycle(table, h).len() == 3);
@@ -285,7 +285,7 @@ fn half_edge(set: &mut Set, table: &Table, h: HalfEdgeId) {
     set.either(Word::TwinOuter, Word::TwinBounded, g.is_some() && g == table.outer_face);
     set.either(Word::Border, Word::Inside, [f, g].contains(&table.outer_face));
     set.either(Word::Bridge, Word::TwoFaces, f == g);
-    set.add(Word::TwinStored, g.and_then(|g| table.boundary(g)) == Some(twin));
+    set.add(Word::TwinStored, g.and_then(|g| table.half_edge(g)) == Some(twin));
     let (starts, ends) = (table.prev(h) == Some(twin), table.next(h) == Some(twin));
     set.add(Word::StartsAlone, starts);
     set.add(Word::EndsAlone, ends);
@@ -341,13 +341,13 @@ fn split_face(set: &mut Set, table: &Table, [h1, h2]: [HalfEdgeId; 2]) -> Option
         set.add(bridge, table.twin(h).and_then(|twin| table.face(twin)) == table.face(h));
         set.add(twin, table.prev(h) == table.twin(h));
     }
-    let stored = table.boundary(f)?;
+    let stored = table.half_edge(f)?;
     let walk = cycle(table, stored);
     loop_of(set, table, f, &walk);
     let at_corner = |v| walk.iter().filter(|&&h| table.origin(h) == Some(v)).count();
     set.add(Word::CornerTwice, at_corner(o1) > 1 || at_corner(o2) > 1);
     set.add(Word::He1Stored, stored == h1);
-    set.add(Word::He2Stored, table.face(h2).and_then(|f| table.boundary(f)) == Some(h2));
+    set.add(Word::He2Stored, table.face(h2).and_then(|f| table.half_edge(f)) == Some(h2));
     if legal != Legal::Yes {
         return Some(());
     }

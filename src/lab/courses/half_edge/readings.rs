@@ -18,7 +18,7 @@ use std::collections::BTreeSet;
 pub(super) fn of(table: &Table, function: &str, argument: u32, found: &[u32]) -> Vec<&'static str> {
     match function {
         "destination" | "destination_by_next" => of_end(table, HalfEdgeId::new(argument), found),
-        "walk_face" | "walk_vertices" => match table.boundary(FaceId::new(argument)) {
+        "walk_face" | "walk_vertices" => match table.half_edge(FaceId::new(argument)) {
             Some(stored) if function == "walk_face" => of_face(table, &cycle(table, stored), found),
             Some(stored) => of_corners(table, &cycle(table, stored), found),
             None => Vec::new(),
@@ -167,7 +167,7 @@ mod tests {
                 row(0, 4, 3, 1, 0),
             ],
             vertices: [0, 2, 4].map(|n| Some(VertexRow { outgoing: stored(n), position: None })).into(),
-            faces: [1, 0].map(|n| Some(FaceRow { boundary: stored(n), ..FaceRow::default() })).into(),
+            faces: [1, 0].map(|n| Some(FaceRow { half_edge: stored(n), ..FaceRow::default() })).into(),
             outer_face: Some(FaceId::new(0)),
         }
     }
@@ -209,7 +209,7 @@ mod tests {
                 face: Some(FaceId::new(0)),
             });
         }
-        table.faces[0] = Some(FaceRow { boundary: Some(walk[1]), ..FaceRow::default() });
+        table.faces[0] = Some(FaceRow { half_edge: Some(walk[1]), ..FaceRow::default() });
         let said = |function: &str, found: &[u32]| of(&table, function, 0, found);
         assert_eq!(said("walk_face", &[2, 3])[0], "cut off where the walk comes to its first vertex again");
         assert!(

@@ -87,7 +87,7 @@ pub fn split_face(before: &Table, h1: HalfEdgeId, h2: HalfEdgeId) -> Option<(Tab
         ..HalfEdgeRow::default()
     };
     after.half_edges.extend([Some(row(o1, b)), Some(row(o2, a))]);
-    after.faces.push(Some(FaceRow { boundary: Some(a), ..FaceRow::default() }));
+    after.faces.push(Some(FaceRow { half_edge: Some(a), ..FaceRow::default() }));
     link(&mut after, p1, a)?;
     link(&mut after, a, h2)?;
     link(&mut after, p2, b)?;
@@ -98,7 +98,7 @@ pub fn split_face(before: &Table, h1: HalfEdgeId, h2: HalfEdgeId) -> Option<(Tab
         row.face = Some(new);
         at = row.next?;
         if at == a {
-            after.faces.get_mut(old.index())?.as_mut()?.boundary = Some(b);
+            after.faces.get_mut(old.index())?.as_mut()?.half_edge = Some(b);
             return Some((after, New { half_edges: vec![a, b], faces: vec![new], ..New::default() }));
         }
     }

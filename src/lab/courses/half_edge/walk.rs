@@ -29,11 +29,11 @@ pub(super) fn expected(table: &Table, function: &str, argument: u32) -> Option<W
     let numbers = |walk: Vec<HalfEdgeId>| walk.into_iter().map(HalfEdgeId::number).collect::<Vec<_>>();
     Some(match function {
         "walk_face" => {
-            let elements = numbers(cycle(table, table.boundary(FaceId::new(argument))?));
+            let elements = numbers(cycle(table, table.half_edge(FaceId::new(argument))?));
             Walk { elements, element: half_edge, kind: Kind::Face }
         }
         "walk_vertices" => {
-            let walk = cycle(table, table.boundary(FaceId::new(argument))?);
+            let walk = cycle(table, table.half_edge(FaceId::new(argument))?);
             let elements = walk.into_iter().filter_map(|h| table.origin(h)).map(VertexId::number).collect();
             Walk { elements, element: vertex, kind: Kind::Corners }
         }

@@ -154,14 +154,14 @@ impl<'a> Matcher<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::topology::{Dcel, SameOptions};
+    use crate::topology::{Dcel, IsomorphismOptions};
 
     /// Colours rule most wrong starts out before any walk; the walk must not rely on that.
     #[test]
     fn a_walk_stops_at_labels_faces_and_earlier_pairs_that_disagree() {
         let square = Dcel::polygon(4).unwrap();
         let key = |v: VertexId| [u64::from(v.number() == 0), 0];
-        let world = World::new(&square, &square, &SameOptions::new().keys(&key, &key)).unwrap();
+        let world = World::new(&square, &square, &IsomorphismOptions::new().keys(&key, &key)).unwrap();
         let mut matcher = Matcher::new(&world);
         let mut walk = |classes: &[u32], a, b| {
             let fits = matcher.walk(classes, a, b);

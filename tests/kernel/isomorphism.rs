@@ -4,8 +4,8 @@ use crate::common::script::{Call, Log, all_calls, config, scripts};
 use crate::common::{Random, brute, f, garbage, h, planar, renumbered, row, triangle_grid, v, zoo};
 use cpu_time::ThreadTime;
 use dcel_kit::topology::{
-    Dcel, Difference, FaceRow, HalfEdgeRow, Matching, NoRecorder, Ring, SameOptions, Table, VertexRow, View, Which,
-    position_key, same, same_with,
+    Dcel, Difference, FaceRow, HalfEdgeRow, InnerComponent, IsomorphismOptions, Matching, NoRecorder, Table, VertexRow,
+    View, Which, isomorphic, isomorphic_with, position_key,
 };
 use dcel_kit::{Element, VertexId};
 use proptest::prelude::*;
@@ -41,8 +41,8 @@ fn assert_matching(a: &Table, b: &Table, to: &Matching, context: &str) {
         assert_eq!(a.is_hole(f(i)), b.is_hole(there), "{context}: f{i} hole");
         assert_eq!(a.outer_face == Some(f(i)), b.outer_face == Some(there), "{context}: f{i} outer");
         let isolated = |table: &Table, x| -> BTreeSet<VertexId> {
-            let rings = table.rings(x).iter();
-            rings.filter_map(|ring| if let Ring::Isolated(y) = ring { Some(*y) } else { None }).collect()
+            let rings = table.inner_components(x).iter();
+            rings.filter_map(|ring| if let InnerComponent::Isolated(y) = ring { Some(*y) } else { None }).collect()
         };
         let mapped: BTreeSet<VertexId> = isolated(a, f(i)).into_iter().map(|x| to.vertices[x].unwrap()).collect();
         assert_eq!(mapped, isolated(b, there), "{context}: isolated vertices of f{i}");
@@ -55,7 +55,7 @@ fn assert_matching(a: &Table, b: &Table, to: &Matching, context: &str) {
 
 fn assert_same_after_renumbering(table: &Table, seed: u64, context: &str) {
     let other = renumbered(table, &mut Random(seed));
-    match same(table, &other) {
+    match isomorphic(table, &other) {
         Ok(to) => assert_matching(table, &other, &to, context),
         Err(difference) => panic!("{context}, seed {seed}: {difference}"),
     }
@@ -91,7 +91,7 @@ proptest! {
         let mut random = Random(seed);
         let one = random_islands(&mut random, 5);
         let other = renumbered(&random_islands(&mut random, 5), &mut random);
-        prop_assert_eq!(same(&one, &other).is_ok(), tree_code(&one) == tree_code(&other), "seed {}", seed);
+        prop_assert_eq!(isomorphic(&one, &other).is_ok(), tree_code(&one) == tree_code(&other), "seed {}", seed);
     }
 }
 
@@ -103,7 +103,7 @@ fn random_islands(random: &mut Random, most: usize) -> Table {
         if random.below(4) == 0 {
             table.vertices.push(Some(VertexRow::default()));
             let x = v(table.vertices.len() as u32 - 1);
-            table.faces[into].as_mut().unwrap().rings.push(Ring::Isolated(x));
+            table.faces[into].as_mut().unwrap().inner_components.push(InnerComponent::Isolated(x));
         } else {
             put_polygon(&mut table, 1 + random.below(3), into);
             table.faces.last_mut().unwrap().as_mut().unwrap().hole = random.below(4) == 0;
@@ -130,12 +130,12 @@ fn put_polygon(table: &mut Table, corners: usize, into: usize) {
             face: row.face.map(|x| if x == f(1) { inside } else { f(into as u32) }),
         })
     }));
-    table.faces.push(Some(FaceRow { boundary: Some(h(hs)), ..FaceRow::default() }));
+    table.faces.push(Some(FaceRow { half_edge: Some(h(hs)), ..FaceRow::default() }));
     let face = table.faces[into].as_mut().unwrap();
-    if table.outer_face == Some(f(into as u32)) && face.boundary.is_none() {
-        face.boundary = Some(h(hs + 1));
+    if table.outer_face == Some(f(into as u32)) && face.half_edge.is_none() {
+        face.half_edge = Some(h(hs + 1));
     } else {
-        face.rings.push(Ring::Cycle(h(hs + 1)));
+        face.inner_components.push(InnerComponent::Cycle(h(hs + 1)));
     }
 }
 
@@ -143,13 +143,13 @@ fn put_polygon(table: &mut Table, corners: usize, into: usize) {
 fn tree_code(table: &Table) -> String {
     fn face(table: &Table, x: dcel_kit::FaceId) -> String {
         let outer = table.outer_face == Some(x);
-        let first = table.boundary(x).filter(|_| outer).map(Ring::Cycle);
+        let first = table.half_edge(x).filter(|_| outer).map(InnerComponent::Cycle);
         let mut parts: Vec<String> = first
             .iter()
-            .chain(table.rings(x))
+            .chain(table.inner_components(x))
             .map(|ring| match *ring {
-                Ring::Isolated(_) => "point".to_owned(),
-                Ring::Cycle(a) => {
+                InnerComponent::Isolated(_) => "point".to_owned(),
+                InnerComponent::Cycle(a) => {
                     let corners = dcel_kit::topology::bounded_cycle(table, a).count();
                     let inside = table.face(table.twin(a).unwrap()).unwrap();
                     format!("{corners}{}", face(table, inside))
@@ -191,7 +191,7 @@ fn small_structures_are_the_same_exactly_when_all_roots_tried_say_so() {
     for (i, one) in kinds.iter().enumerate() {
         for (j, other) in kinds.iter().enumerate() {
             for (a, b) in one.iter().flat_map(|a| other.iter().map(move |b| (a, b))) {
-                let answer = same(a, b);
+                let answer = isomorphic(a, b);
                 assert_eq!(answer.is_ok(), i == j, "{a:?}\n{b:?}\n{answer:?}");
                 if let Ok(to) = answer {
                     assert_matching(&Table::from_view(a), &Table::from_view(b), &to, "small structures");
@@ -208,7 +208,7 @@ fn mirror_images_are_not_the_same() {
     let mirrored: Vec<Vec<u32>> = faces.iter().map(|corners| corners.iter().rev().copied().collect()).collect();
     let (one, other) = (planar(7, &faces), planar(7, &mirrored));
     assert!(brute::legal(&one) && brute::legal(&other));
-    assert!(matches!(same(&one, &other), Err(Difference::Component { half_edges: 18, .. })));
+    assert!(matches!(isomorphic(&one, &other), Err(Difference::Component { half_edges: 18, .. })));
 }
 
 #[test]
@@ -217,18 +217,18 @@ fn keys_fix_the_turn_that_symmetry_leaves_open() {
     let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
     let key = |x: VertexId| position_key(corners[x.index()]);
     let turned = |x: VertexId| position_key(corners[(x.index() + 1) % 4]);
-    let to = same_with(&square, &square, &SameOptions::new().keys(&key, &turned)).unwrap();
+    let to = isomorphic_with(&square, &square, &IsomorphismOptions::new().keys(&key, &turned)).unwrap();
     for i in 0..4 {
         assert_eq!(to.vertices[v(i)], Some(v((i + 3) % 4)));
     }
     let moved = |x: VertexId| if x == v(2) { position_key([1.0, 1.5]) } else { key(x) };
     assert_eq!(
-        same_with(&square, &square, &SameOptions::new().keys(&moved, &key)),
+        isomorphic_with(&square, &square, &IsomorphismOptions::new().keys(&moved, &key)),
         Err(Difference::Unpaired { element: v(2).into(), which: Which::First, fixed: false })
     );
     // The same positions in another order round the square.
     let crossed = |x: VertexId| position_key(corners[[0, 2, 1, 3][x.index()]]);
-    let error = same_with(&square, &square, &SameOptions::new().keys(&crossed, &key)).unwrap_err();
+    let error = isomorphic_with(&square, &square, &IsomorphismOptions::new().keys(&crossed, &key)).unwrap_err();
     assert!(matches!(error, Difference::Unpaired { .. } | Difference::Component { .. } | Difference::Pointer { .. }));
     assert_eq!(position_key([0.0, -0.0]), position_key([-0.0, 0.0]));
 }
@@ -241,23 +241,23 @@ fn fixed_elements_are_their_own_partners_and_new_ones_may_have_any_number() {
     oracle.split_face(h(0), h(6)).unwrap();
     student.split_face(h(6), h(0)).unwrap();
     let old = |element: Element| start.check(element).is_ok();
-    let options = SameOptions::new().fixed(&old);
+    let options = IsomorphismOptions::new().fixed(&old);
     // Which side keeps the old face differs, and f1 is fixed.
-    let error = same_with(&student, &oracle, &options).unwrap_err();
+    let error = isomorphic_with(&student, &oracle, &options).unwrap_err();
     assert_eq!(error.to_string(), "h0.face = f2, which corresponds to nothing there (expected f1)");
     let mut swapped = Table::from_view(&student);
     for row in swapped.half_edges.iter_mut().flatten() {
         row.face = row.face.map(|x| if x == f(0) { x } else { f(3 - x.number()) });
     }
     swapped.faces.swap(1, 2);
-    let to = same_with(&swapped, &oracle, &options).unwrap();
+    let to = isomorphic_with(&swapped, &oracle, &options).unwrap();
     assert!((0..12).all(|i| to.half_edges[h(i)] == Some(h(i))));
     assert_eq!((to.half_edges[h(12)], to.half_edges[h(13)]), (Some(h(13)), Some(h(12))));
     // A split at other corners looks alike, but not with the old elements fixed.
     let mut elsewhere = start.clone();
     elsewhere.split_face(h(2), h(8)).unwrap();
-    assert_eq!(same(&elsewhere, &oracle).map(drop), Ok(()));
-    let error = same_with(&elsewhere, &oracle, &options).unwrap_err();
+    assert_eq!(isomorphic(&elsewhere, &oracle).map(drop), Ok(()));
+    let error = isomorphic_with(&elsewhere, &oracle, &options).unwrap_err();
     assert_eq!(error.to_string(), "h0.next = h12, which corresponds to nothing there (expected h2)");
 }
 
@@ -265,27 +265,27 @@ fn fixed_elements_are_their_own_partners_and_new_ones_may_have_any_number() {
 fn representatives_are_compared_on_request_only() {
     let square = Table::from_view(&Dcel::polygon(4).unwrap());
     let mut other = square.clone();
-    other.faces[1].as_mut().unwrap().boundary = Some(h(4));
-    assert_eq!(same(&square, &other).map(drop), Ok(()));
-    let options = SameOptions::new().representatives();
-    // outgoing(v) = h0 h2 h4 h6: all turns keep it. boundary(f1) moved by two, boundary(f0) did not.
-    assert!(same_with(&square, &other, &options).is_err());
-    other.faces[0].as_mut().unwrap().boundary = Some(h(5));
-    let to = same_with(&square, &other, &options).unwrap();
+    other.faces[1].as_mut().unwrap().half_edge = Some(h(4));
+    assert_eq!(isomorphic(&square, &other).map(drop), Ok(()));
+    let options = IsomorphismOptions::new().representatives();
+    // outgoing(v) = h0 h2 h4 h6: all turns keep it. half_edge(f1) moved by two, half_edge(f0) did not.
+    assert!(isomorphic_with(&square, &other, &options).is_err());
+    other.faces[0].as_mut().unwrap().half_edge = Some(h(5));
+    let to = isomorphic_with(&square, &other, &options).unwrap();
     assert_eq!(to.half_edges[h(0)], Some(h(4)));
     other.vertices[3].as_mut().unwrap().outgoing = Some(h(5));
-    assert!(same_with(&square, &other, &options).is_err());
+    assert!(isomorphic_with(&square, &other, &options).is_err());
 }
 
 #[test]
 fn isolated_vertices_are_matched_by_their_keys_in_any_order() {
     let one = planar(6, &[vec![0, 1, 2]]);
     let mut other = one.clone();
-    other.faces[0].as_mut().unwrap().rings.reverse();
+    other.faces[0].as_mut().unwrap().inner_components.reverse();
     let key = |x: VertexId| [u64::from(x.number().max(2)), 0];
     let turned = |x: VertexId| [u64::from(if x.number() > 2 { 8 - x.number() } else { 2 }), 0];
     for (table, there) in [(&one, &key as &dyn Fn(VertexId) -> [u64; 2]), (&other, &key), (&one, &turned)] {
-        let to = same_with(&one, table, &SameOptions::new().keys(&key, there)).unwrap();
+        let to = isomorphic_with(&one, table, &IsomorphismOptions::new().keys(&key, there)).unwrap();
         assert!((3..6).all(|i| there(to.vertices[v(i)].unwrap()) == key(v(i))));
     }
 }
@@ -327,9 +327,9 @@ fn many_alike_islands_are_interchangeable() {
     let one = many_islands(143, 30, |i| if i == 77 { vec![5, 16] } else { vec![5, 11] });
     let other = many_islands(143, 30, |i| if i == 12 { vec![5, 16] } else { vec![5, 11] });
     let difference = many_islands(143, 30, |i| if i == 12 { vec![16, 22] } else { vec![5, 11] });
-    let to = within(limit, "one odd island", || same(&one, &other)).unwrap();
+    let to = within(limit, "one odd island", || isomorphic(&one, &other)).unwrap();
     assert_matching(&one, &other, &to, "one odd island");
-    assert!(within(limit, "one island differs", || same(&one, &difference)).is_err());
+    assert!(within(limit, "one island differs", || isomorphic(&one, &difference)).is_err());
     let many = many_islands(20_000, 3, |_| vec![]);
     within(limit, "20,000 triangles", || assert_same_after_renumbering(&many, 5, "triangles"));
 }
@@ -354,9 +354,9 @@ fn deep_nesting_costs_no_more_than_its_size() {
         }
         table
     };
-    let error = within(limit, "2,000 nested in two orders", || same(&order(1_000), &order(1_001))).unwrap_err();
+    let error = within(limit, "2,000 nested in two orders", || isomorphic(&order(1_000), &order(1_001))).unwrap_err();
     assert!(matches!(error, Difference::Component { .. } | Difference::Content { .. }), "{error}");
-    assert_eq!(same(&order(999), &renumbered(&order(999), &mut Random(8))).map(drop), Ok(()));
+    assert_eq!(isomorphic(&order(999), &renumbered(&order(999), &mut Random(8))).map(drop), Ok(()));
 }
 
 #[test]
@@ -364,11 +364,11 @@ fn large_grids_are_matched_without_positions() {
     let grid = triangle_grid(182, 182);
     assert!(grid.half_edges.len() / 2 > 99_000);
     let other = renumbered(&grid, &mut Random(9));
-    let to = within(Duration::from_secs(10), "grid of 10^5 edges", || same(&grid, &other)).unwrap();
+    let to = within(Duration::from_secs(10), "grid of 10^5 edges", || isomorphic(&grid, &other)).unwrap();
     assert_matching(&grid, &other, &to, "grid");
     let polygon = Dcel::polygon(100_000).unwrap();
     let turned = renumbered(&Table::from_view(&polygon), &mut Random(10));
-    within(Duration::from_secs(10), "polygon of 10^5 edges", || same(&polygon, &turned)).unwrap();
+    within(Duration::from_secs(10), "polygon of 10^5 edges", || isomorphic(&polygon, &turned)).unwrap();
 }
 
 #[test]
@@ -380,30 +380,30 @@ fn every_difference_says_what_differs_first() {
         assert_eq!(difference.to_string(), text);
         reached.insert(format!("{difference:?}").split(|c: char| !c.is_alphanumeric()).next().unwrap().to_owned());
     };
-    says(same(&polygon(3), &polygon(4)), "3 vertices, expected 4");
+    says(isomorphic(&polygon(3), &polygon(4)), "3 vertices, expected 4");
     let mut split = polygon(4);
     split.split_face(h(0), h(4)).unwrap();
-    says(same(&split, &polygon(4)), "5 edges, expected 4");
+    says(isomorphic(&split, &polygon(4)), "5 edges, expected 4");
     let plane = Table { outer_face: Some(f(0)), ..Table::from_view(&polygon(3)) };
-    says(same(&plane, &polygon(3)), "1 outer face, expected 0");
+    says(isomorphic(&plane, &polygon(3)), "1 outer face, expected 0");
     let mut broken = plane.clone();
     row(&mut broken, h(2)).prev = None;
-    says(same(&broken, &plane), "the first structure is broken: R1: h2.prev = none");
-    says(same(&plane, &broken), "the second structure is broken: R1: h2.prev = none");
+    says(isomorphic(&broken, &plane), "the first structure is broken: R1: h2.prev = none");
+    says(isomorphic(&plane, &broken), "the second structure is broken: R1: h2.prev = none");
 
     let (mut one, mut other) = (polygon(6), polygon(6));
     one.split_face(h(0), h(4)).unwrap();
     other.split_face(h(0), h(6)).unwrap();
-    says(same(&one, &other), "1 face with 3 half-edges, expected 0");
+    says(isomorphic(&one, &other), "1 face with 3 half-edges, expected 0");
     let fan = planar(6, &[vec![0, 1, 2], vec![0, 2, 3], vec![0, 3, 4, 5]]);
     let parallel = planar(6, &[vec![0, 1, 2], vec![3, 4, 5], vec![0, 2, 3, 5]]);
-    says(same(&fan, &parallel), "3 vertices of degree 2, expected 2");
+    says(isomorphic(&fan, &parallel), "3 vertices of degree 2, expected 2");
 
     let keyed = |x: VertexId| [u64::from(x.number()), 0];
     let others = |x: VertexId| [u64::from(x.number()) + 1, 0];
-    let options = SameOptions::new().keys(&keyed, &others);
+    let options = IsomorphismOptions::new().keys(&keyed, &others);
     says(
-        same_with(&polygon(3), &polygon(3), &options),
+        isomorphic_with(&polygon(3), &polygon(3), &options),
         "v0 of the first structure has no vertex like it in the second: key, position or state differ",
     );
     let removed = |_: Element| true;
@@ -411,18 +411,18 @@ fn every_difference_says_what_differs_first() {
     gone.split_edge(h(0)).unwrap();
     gone.join_edges(h(2)).unwrap();
     says(
-        same_with(&gone, &polygon(4), &SameOptions::new().fixed(&removed)),
+        isomorphic_with(&gone, &polygon(4), &IsomorphismOptions::new().fixed(&removed)),
         "v4 is to stay what it is, but is not the same vertex in both structures",
     );
     let faces = [vec![0, 1, 2, 3], vec![0, 3, 4], vec![3, 2, 5, 6]];
     let mirrored: Vec<Vec<u32>> = faces.iter().map(|corners| corners.iter().rev().copied().collect()).collect();
-    let difference = same(&planar(7, &faces), &planar(7, &mirrored));
+    let difference = isomorphic(&planar(7, &faces), &planar(7, &mirrored));
     says(difference, "the component of h0 (18 half-edges) and what lies in its faces has no counterpart");
     let mut points = [planar(5, &[vec![0, 1, 2]]), planar(5, &[vec![0, 1, 2]])];
-    let ring = points[0].faces[0].as_mut().unwrap().rings.pop().unwrap();
-    points[0].faces[1].as_mut().unwrap().rings.push(ring);
+    let ring = points[0].faces[0].as_mut().unwrap().inner_components.pop().unwrap();
+    points[0].faces[1].as_mut().unwrap().inner_components.push(ring);
     says(
-        same(&points[0], &points[1]),
+        isomorphic(&points[0], &points[1]),
         "the component of h0 (6 half-edges) and what lies in its faces has no counterpart",
     );
     // Of three islands in f0 the first is there too, so the second one, which begins with h10, is named.
@@ -434,25 +434,29 @@ fn every_difference_says_what_differs_first() {
         }
         table.vertices.push(Some(VertexRow::default()));
         let into = if odd == 2 { 3 } else { 1 };
-        table.faces[into].as_mut().unwrap().rings.push(Ring::Isolated(v(table.vertices.len() as u32 - 1)));
+        table.faces[into]
+            .as_mut()
+            .unwrap()
+            .inner_components
+            .push(InnerComponent::Isolated(v(table.vertices.len() as u32 - 1)));
         table
     };
     says(
-        same(&islands(2), &islands(0)),
+        isomorphic(&islands(2), &islands(0)),
         "the component of h10 (6 half-edges) and what lies in its faces has no counterpart",
     );
     let keyed = [two_pairs(), two_pairs()];
     let keys = [0, 1].map(|i| move |x: VertexId| [u64::from(x.number() >= 6) * (i + u64::from(x.number())) % 2, 0]);
-    let options = SameOptions::new().keys(&keys[0], &keys[1]);
-    assert_eq!(same(&keyed[0], &keyed[1]).map(drop), Ok(()));
-    says(same_with(&keyed[0], &keyed[1], &options), "what lies in f0 has no counterpart");
+    let options = IsomorphismOptions::new().keys(&keys[0], &keys[1]);
+    assert_eq!(isomorphic(&keyed[0], &keyed[1]).map(drop), Ok(()));
+    says(isomorphic_with(&keyed[0], &keyed[1], &options), "what lies in f0 has no counterpart");
     let circle = two_loops_in_a_circle();
     assert!(brute::legal(&circle));
     says(
-        same(&circle, &circle),
+        isomorphic(&circle, &circle),
         "f0 joins components in a circle, which cannot be so in the plane: such structures are not compared",
     );
-    let source = include_str!("../../src/topology/same/difference.rs");
+    let source = include_str!("../../src/topology/isomorphism/difference.rs");
     let body = source.split("pub enum Difference {").nth(1).unwrap().split("\n}").next().unwrap();
     let names = body.lines().filter_map(|line| line.strip_prefix("    "));
     let names = names.filter(|line| line.starts_with(|c: char| c.is_ascii_uppercase()));
@@ -474,9 +478,9 @@ fn two_pairs() -> Table {
     for (face, point) in [(0, 6), (3, 7)] {
         table.vertices.push(Some(VertexRow::default()));
         let face = table.faces[face].as_mut().unwrap();
-        let Ring::Cycle(first) = face.rings.remove(0) else { panic!("no cycle") };
-        face.boundary = Some(first);
-        face.rings.push(Ring::Isolated(v(point)));
+        let InnerComponent::Cycle(first) = face.inner_components.remove(0) else { panic!("no cycle") };
+        face.half_edge = Some(first);
+        face.inner_components.push(InnerComponent::Isolated(v(point)));
     }
     table
 }
@@ -487,7 +491,7 @@ fn two_loops_in_a_circle() -> Table {
     put_polygon(&mut table, 1, 0);
     table.faces.pop();
     row(&mut table, h(2)).face = Some(f(1));
-    table.faces[1].as_mut().unwrap().rings.push(Ring::Cycle(h(2)));
+    table.faces[1].as_mut().unwrap().inner_components.push(InnerComponent::Cycle(h(2)));
     table
 }
 
@@ -496,7 +500,7 @@ fn broken_views_are_refused_and_never_hang() {
     for seed in 0..3_000 {
         let (one, other) = (garbage(&mut Random(seed)), garbage(&mut Random(seed + 1)));
         let legal = [&one, &other].map(brute::legal);
-        match same(&one, &other) {
+        match isomorphic(&one, &other) {
             Err(Difference::Broken { which, .. }) => {
                 assert!(!legal[usize::from(which == Which::Second)], "seed {seed}");
             }
@@ -511,11 +515,11 @@ fn a_matching_of_zoo_animals_with_themselves_exists_and_with_others_does_not() {
     for (i, (name, one)) in zoo.iter().enumerate() {
         for (j, (other_name, other)) in zoo.iter().enumerate() {
             let expected = brute::code(one) == brute::code(other);
-            assert_eq!(same(one, other).is_ok(), expected, "{name} and {other_name}");
+            assert_eq!(isomorphic(one, other).is_ok(), expected, "{name} and {other_name}");
             assert!(expected || i != j);
         }
     }
     let mut dcel = Dcel::polygon(4).unwrap();
     Call::SplitEdge(h(0)).apply(&mut dcel, &mut NoRecorder).unwrap();
-    assert_eq!(same(&dcel, &Dcel::polygon(5).unwrap()).map(drop), Ok(()));
+    assert_eq!(isomorphic(&dcel, &Dcel::polygon(5).unwrap()).map(drop), Ok(()));
 }

@@ -14,7 +14,7 @@ use crate::plane::Subdivision;
 
 /// The edges of a subdivision with the same face on both sides, in increasing order. They are legal.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub struct Residues {
+pub struct DanglesAndCutEdges {
     /// Edges of trees that hang on something, or on nothing.
     pub dangles: Vec<EdgeId>,
     /// Edges that are no dangles and without which a component would fall apart.
@@ -29,11 +29,11 @@ impl Subdivision {
     /// let side = |a: (f64, f64), b: (f64, f64)| [Point::from(a), Point::from(b)];
     /// let flag = [side((0., 0.), (0., 3.)), side((0., 3.), (2., 2.)), side((2., 2.), (0., 2.)), side((0., 2.), (0., 3.))];
     /// let pole = Subdivision::from_segments(&[side((0., 0.), (0., 2.)), flag[1], flag[2], flag[3]])?;
-    /// assert_eq!(pole.residues().dangles, [EdgeId::new(0)]);
+    /// assert_eq!(pole.dangles_and_cut_edges().dangles, [EdgeId::new(0)]);
     /// # Ok::<(), dcel_kit::plane::SegmentsError>(())
     /// ```
     #[must_use]
-    pub fn residues(&self) -> Residues {
+    pub fn dangles_and_cut_edges(&self) -> DanglesAndCutEdges {
         let mut degree: VertexMap<u32> = VertexMap::filled(self.dcel.vertex_bound(), 0);
         self.dcel.half_edges().for_each(|h| degree[self.dcel.origin(h)] += 1);
         let mut gone = vec![false; self.dcel.edge_bound()];
@@ -53,6 +53,6 @@ impl Subdivision {
             self.dcel.face(h) == self.dcel.face(t)
         };
         let (dangles, rest): (Vec<EdgeId>, Vec<EdgeId>) = self.dcel.edges().partition(|e| gone[e.index()]);
-        Residues { dangles, cut_edges: rest.into_iter().filter(|&e| same_face(e)).collect() }
+        DanglesAndCutEdges { dangles, cut_edges: rest.into_iter().filter(|&e| same_face(e)).collect() }
     }
 }

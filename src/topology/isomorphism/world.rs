@@ -2,7 +2,7 @@
 
 use super::super::flat::{Flat, NONE};
 use super::difference::which;
-use super::{Difference, SameOptions, VertexKey, View};
+use super::{Difference, IsomorphismOptions, VertexKey, View};
 use crate::geometry::grouping::Groups;
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 
@@ -42,7 +42,7 @@ impl World {
     pub(super) fn new<A: View + ?Sized, B: View + ?Sized>(
         a: &A,
         b: &B,
-        options: &SameOptions,
+        options: &IsomorphismOptions,
     ) -> Result<Self, Difference> {
         let sides = [Flat::read(a), Flat::read(b)];
         let [first, second] = &sides;
@@ -100,7 +100,7 @@ impl World {
         self.vertices.iter().copied().filter(|&v| !has_place[v as usize]).collect()
     }
 
-    fn set_labels(&mut self, sides: &[Flat; 2], options: &SameOptions) -> Result<(), Difference> {
+    fn set_labels(&mut self, sides: &[Flat; 2], options: &IsomorphismOptions) -> Result<(), Difference> {
         let pinned = |element: Element| options.fixed.is_some_and(|is_fixed| is_fixed(element));
         let split = self.split;
         let fixed_vertex = |v: u32| {

@@ -1,10 +1,10 @@
-//! The laws that hold on every surface, family by family.
+//! The invariants that hold on every surface, family by family.
 
 use super::super::flat::{Fault, Flat, NONE, closed_orbits};
 use super::Violation;
 use super::rules::{B1, B2, C1, C2, C3, D1, F1, H1, I1, I2, I3, N1, N2, O1, O2, R1, R2, S1, T1, T2};
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
-use crate::topology::Ring;
+use crate::topology::InnerComponent;
 use std::ops::ControlFlow;
 
 type Flow = ControlFlow<()>;
@@ -24,8 +24,8 @@ fn h(number: u32) -> HalfEdgeId {
     HalfEdgeId(number)
 }
 
-/// What has been found sound so far; the walks of later laws run over sound links only.
-pub(super) struct Laws<'a, R> {
+/// What has been found sound so far; the walks of later invariants run over sound links only.
+pub(super) struct Invariants<'a, R> {
     flat: &'a Flat,
     report: R,
     /// T1 and T2 hold at the half-edge.
@@ -36,13 +36,13 @@ pub(super) struct Laws<'a, R> {
     end_sound: Vec<bool>,
     /// F1 holds at the half-edge.
     face_sound: Vec<bool>,
-    /// The face's boundary or one of its rings is at fault already.
+    /// The face's boundary or one of its inner components is at fault already.
     bad_list: Vec<bool>,
     /// Some half-edge that starts at the vertex.
     start: Vec<u32>,
 }
 
-impl<'a, R: FnMut(Violation) -> Flow> Laws<'a, R> {
+impl<'a, R: FnMut(Violation) -> Flow> Invariants<'a, R> {
     pub(super) fn new(flat: &'a Flat, bad_list: Vec<bool>, report: R) -> Self {
         let half_edges = || vec![false; flat.next.len()];
         Self {
@@ -139,7 +139,10 @@ impl<'a, R: FnMut(Violation) -> Flow> Laws<'a, R> {
             }
         }
         let mut has_cycle_ring = vec![false; boundary.len()];
-        self.flat.rings.iter().for_each(|&(f, ring)| has_cycle_ring[f as usize] |= matches!(ring, Ring::Cycle(_)));
+        self.flat
+            .rings
+            .iter()
+            .for_each(|&(f, ring)| has_cycle_ring[f as usize] |= matches!(ring, InnerComponent::Cycle(_)));
         for f in self.flat.faces() {
             let (a, id) = (boundary[f as usize], FaceId(f));
             if a != NONE {
@@ -150,17 +153,19 @@ impl<'a, R: FnMut(Violation) -> Flow> Laws<'a, R> {
                     self.bad_list[f as usize] = true;
                     let text = if is_outer {
                         format!(
-                            "{id}.boundary = none, although {id} has a cycle among its rings (expected the first of its cycles)"
+                            "{id}.half_edge = none, although {id} has a cycle among its inner components (expected the first of its cycles)"
                         )
                     } else {
-                        format!("{id}.boundary = none (expected a half-edge of {id}; only an outer face may have none)")
+                        format!(
+                            "{id}.half_edge = none (expected a half-edge of {id}; only an outer face may have none)"
+                        )
                     };
                     self.report(Violation::new(&B2, &[id.into()], &[], text))?;
                 }
             }
         }
         for &(f, ring) in &self.flat.rings {
-            if let Ring::Cycle(a) = ring {
+            if let InnerComponent::Cycle(a) = ring {
                 self.check_listed(&C3, f, a.0)?;
             }
         }
@@ -178,7 +183,7 @@ impl<'a, R: FnMut(Violation) -> Flow> Laws<'a, R> {
             return Flow::Continue(());
         }
         let (f, a, found) = (FaceId(f), h(a), FaceId(found));
-        let pointer = if rule.id == B1.id { "boundary" } else { "ring" };
+        let pointer = if rule.id == B1.id { "half_edge" } else { "inner_component" };
         let text = format!("{f}.{pointer} = {a}, but {a}.face = {found} (expected {f})");
         let elements = [f.into(), a.into(), found.into()];
         self.report(Violation::new(rule, &elements, &[a.0], text).with(Some(found.into()), Some(f.into())))
@@ -279,7 +284,7 @@ impl<'a, R: FnMut(Violation) -> Flow> Laws<'a, R> {
             }
             let f = FaceId(f);
             let text = format!(
-                "the cycle {} has face {f}, but neither {f}.boundary nor a ring of {f} lies on it",
+                "the cycle {} has face {f}, but neither {f}.half_edge nor an inner component of {f} lies on it",
                 list(cycle)
             );
             (self.report)(Violation::new(&C1, &[h(a).into(), f.into()], cycle, text).with(None, Some(h(a).into())))
@@ -310,7 +315,7 @@ impl<'a, R: FnMut(Violation) -> Flow> Laws<'a, R> {
             let isolated = self.flat.outgoing[i] == NONE && self.start[i] == NONE;
             if isolated && listed_by[i] == NONE && !self.outgoing_lost(v) {
                 let v = VertexId(v);
-                let text = format!("{v} has no edge, and no face lists it (expected one ring)");
+                let text = format!("{v} has no edge, and no face lists it (expected one inner component)");
                 self.report(Violation::new(&I3, &[v.into()], &[], text))?;
             }
         }

@@ -19,6 +19,15 @@
 //! Source: one root at a time, followed on both sides: Weinberg, *A simple and efficient algorithm for determining
 //! isomorphism of planar triply connected graphs*, 1966; trees from the leaves inwards: Aho, Hopcroft and Ullman,
 //! *The Design and Analysis of Computer Algorithms*, 1974, section 3.2.
+//!
+//! ```text
+//!   difference.rs  What differs, in one sentence
+//!   explain.rs     Why two views that are not equal differ
+//!   forest.rs      Components and the faces that join them, compared from the leaves to the centre, then matched
+//!                  from the centre to the leaves
+//!   matcher.rs     The map from one side to the other while it grows
+//!   world.rs       Both views side by side in one set of numbers
+//! ```
 
 mod colour;
 mod difference;
@@ -47,15 +56,15 @@ pub struct Matching {
 /// A value that a vertex and its partner must share, for example the bits of a position: see [`position_key`].
 pub type VertexKey = [u64; 2];
 
-/// What [`same_with`] compares beside the structure itself.
+/// What [`isomorphic_with`] compares beside the structure itself.
 #[derive(Clone, Copy, Default)]
-pub struct SameOptions<'a> {
+pub struct IsomorphismOptions<'a> {
     keys: Option<[&'a dyn Fn(VertexId) -> VertexKey; 2]>,
     fixed: Option<&'a dyn Fn(Element) -> bool>,
     representatives: bool,
 }
 
-impl<'a> SameOptions<'a> {
+impl<'a> IsomorphismOptions<'a> {
     /// Compares the structure only.
     #[must_use]
     pub fn new() -> Self {
@@ -76,7 +85,7 @@ impl<'a> SameOptions<'a> {
         Self { fixed: Some(is_fixed), ..self }
     }
 
-    /// The stored representatives `f.boundary` and `v.outgoing` must be partners, too.
+    /// The stored representatives `f.half_edge` and `v.outgoing` must be partners, too.
     #[must_use]
     pub fn representatives(self) -> Self {
         Self { representatives: true, ..self }
@@ -93,40 +102,40 @@ pub fn position_key([x, y]: [f64; 2]) -> VertexKey {
 /// Whether two structures are equal up to the numbers of their elements, and which element is which; if not, what
 /// differs first, with `a` as what was found and `b` as what was expected.
 ///
-/// The arbitrary representatives `boundary` and `outgoing` are not compared, nor which cycle of a face is its
-/// boundary and which are its rings; [`same_with`] can do the first.
+/// The arbitrary representatives `half_edge` and `outgoing` are not compared, nor which cycle of a face is its
+/// boundary and which are its inner components; [`isomorphic_with`] can do the first.
 ///
 /// Cost: O(n log n) where few half-edges look alike, as in most drawings, and where all do, as in polygons and
 /// grids on equal sides. In the worst case, k times as long for k half-edges of the rarest kind of a component:
 /// O(n²) for structures that are made to look alike everywhere and still differ.
 ///
 /// # Errors
-/// The first [`Difference`]. A view that breaks a law is [`Difference::Broken`]: validate first.
+/// The first [`Difference`]. A view that breaks an invariant is [`Difference::Broken`]: validate first.
 ///
 /// ```
-/// use dcel_kit::{HalfEdgeId, topology::{Dcel, same}};
+/// use dcel_kit::{HalfEdgeId, topology::{Dcel, isomorphic}};
 /// let h = HalfEdgeId::new;
 /// let (mut a, mut b) = (Dcel::polygon(6)?, Dcel::polygon(6)?);
 /// a.split_face(h(0), h(4))?;
 /// b.split_face(h(0), h(6))?;
-/// assert_eq!(same(&a, &b).unwrap_err().to_string(), "1 face with 3 half-edges, expected 0");
+/// assert_eq!(isomorphic(&a, &b).unwrap_err().to_string(), "1 face with 3 half-edges, expected 0");
 /// b.join_faces(h(12))?;
 /// b.split_face(h(10), h(2))?;
-/// assert!(same(&a, &b)?.half_edges[h(0)].is_some());
+/// assert!(isomorphic(&a, &b)?.half_edges[h(0)].is_some());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn same<A: View + ?Sized, B: View + ?Sized>(a: &A, b: &B) -> Result<Matching, Difference> {
-    same_with(a, b, &SameOptions::new())
+pub fn isomorphic<A: View + ?Sized, B: View + ?Sized>(a: &A, b: &B) -> Result<Matching, Difference> {
+    isomorphic_with(a, b, &IsomorphismOptions::new())
 }
 
-/// [`same`], with more to compare.
+/// [`isomorphic`], with more to compare.
 ///
 /// # Errors
 /// The first [`Difference`].
-pub fn same_with<A: View + ?Sized, B: View + ?Sized>(
+pub fn isomorphic_with<A: View + ?Sized, B: View + ?Sized>(
     a: &A,
     b: &B,
-    options: &SameOptions,
+    options: &IsomorphismOptions,
 ) -> Result<Matching, Difference> {
     if let Some(violation) = first_violation(a) {
         return Err(Difference::Broken { which: Which::First, violation: Box::new(violation) });

@@ -24,7 +24,7 @@ impl fmt::Display for Which {
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Difference {
-    /// One of the views breaks a law, so there is nothing to compare.
+    /// One of the views breaks an invariant, so there is nothing to compare.
     #[error("the {which} structure is broken: {violation}")]
     Broken {
         /// Which view.

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   u + w:        0 .. 2047          2048 .. 4095        ...      Both halves of an edge have the same sum of
-//!   cards:    [(3, 4) (9, 2) ...]  [(7, 2050) ...]                ends, so they are dealt into the same block.
+//!   cards:    [(3, 4) (9, 2) ...]  [(7, 2050) ...]                ends, so they come into the same bucket.
 //!
 //!   cells of a block, four for each sum: every card writes its name into its cell, then looks who stands there.
 //!     itself        it came last, and nobody but its twin may have been before it
@@ -31,7 +31,7 @@ type Pieces = [Vec<Card>; 3];
 
 /// Deals the half-edges into blocks, matches each block, gives out the numbers, and writes the half-edges. The
 /// column of vertices stays empty.
-pub(super) fn dealt<F: Faces + ?Sized>(faces: &F, vertices: usize, first_face: u32) -> Result<Columns, Stop> {
+pub(super) fn bucketed<F: Faces + ?Sized>(faces: &F, vertices: usize, first_face: u32) -> Result<Columns, Stop> {
     /// At most so many blocks: the deal writes to all of them in turn, a cache line each.
     const BLOCKS: usize = 512;
     /// Blocks do not get smaller than so many sums.
@@ -64,14 +64,14 @@ fn deal<F: Faces + ?Sized>(faces: &F, blocks: usize, shift: u32) -> (Pieces, Vec
     faces.for_each_half_edge(|_, from, to| sizes[block_of(from, to)] += 1);
 
     let mut lengths = [0; 3];
-    let mut dealt = 0;
+    let mut placed = 0;
     let mut blocks: Vec<Block> = Vec::with_capacity(sizes.len());
     for size in sizes {
-        let piece = (3 * dealt / count.max(1)).min(2);
+        let piece = (3 * placed / count.max(1)).min(2);
         let start = lengths[piece];
         blocks.push(Block { piece: piece as u32, start, end: start });
         lengths[piece] += size;
-        dealt += size as usize;
+        placed += size as usize;
     }
     // Room for the border, too, when a piece has become a column.
     let column = (count + count / 8) / 3;
@@ -300,7 +300,7 @@ fn read_ahead(words: &[u32], range: Range<usize>) {
 #[cfg(test)]
 mod tests {
     use super::super::{Stop, streamed};
-    use super::{Columns, dealt};
+    use super::{Columns, bucketed};
 
     /// The grid of the seed: some faces missing, names and order mixed up, sometimes a face reversed or one too many.
     fn grid(mut seed: u64) -> Vec<[u32; 3]> {
@@ -333,14 +333,14 @@ mod tests {
         let (mut good, mut bad) = (0, 0);
         for seed in 1..200 {
             let faces = grid(seed);
-            match (streamed(&faces[..], 41 * 41, 1), dealt(&faces[..], 41 * 41, 1)) {
+            match (streamed(&faces[..], 41 * 41, 1), bucketed(&faces[..], 41 * 41, 1)) {
                 (Ok(a), Ok(b)) => {
                     let parts = |c: Columns| (c.origin, c.next, c.prev, c.face, c.boundary);
                     assert!(parts(a) == parts(b), "seed {seed}");
                     good += 1;
                 }
                 (Err(Stop::Clash), Err(Stop::Clash)) => bad += 1,
-                (a, b) => panic!("seed {seed}: streamed {}, dealt {}", a.is_ok(), b.is_ok()),
+                (a, b) => panic!("seed {seed}: streamed {}, bucketed {}", a.is_ok(), b.is_ok()),
             }
         }
         assert!(good > 50 && bad > 20, "{good} good, {bad} bad");
