@@ -97,7 +97,7 @@ fn every_rule_is_reached_and_says_what_it_found() {
     says(
         &broken(|t| {
             t.faces[0].as_mut().unwrap().inner_components =
-                vec![InnerComponent::Cycle(h(6)), InnerComponent::Isolated(v(3))]
+                vec![InnerComponent::Cycle(h(6)), InnerComponent::Isolated(v(3))];
         }),
         &["R2: f0.inner_component = h6, but h6 does not exist", "R2: f0.inner_component = v3, but v3 does not exist"],
     );
@@ -191,19 +191,19 @@ fn every_rule_is_reached_and_says_what_it_found() {
     );
     says(
         &in_plane(plane_triangle(), |t| {
-            t.faces[1].as_mut().unwrap().inner_components.push(InnerComponent::Cycle(h(4)))
+            t.faces[1].as_mut().unwrap().inner_components.push(InnerComponent::Cycle(h(4)));
         }),
         &["C2: f1 lists the cycle of h4 twice: as h0 and as h4 (expected once)"],
     );
     says(
         &in_plane(plane_triangle(), |t| {
-            t.faces[1].as_mut().unwrap().inner_components.push(InnerComponent::Cycle(h(5)))
+            t.faces[1].as_mut().unwrap().inner_components.push(InnerComponent::Cycle(h(5)));
         }),
         &["C3: f1.inner_component = h5, but h5.face = f0 (expected f1)"],
     );
     says(
         &in_plane(plane_triangle(), |t| {
-            t.faces[1].as_mut().unwrap().inner_components.push(InnerComponent::Isolated(v(2)))
+            t.faces[1].as_mut().unwrap().inner_components.push(InnerComponent::Isolated(v(2)));
         }),
         &["I1: f1 lists v2 as isolated, but v2.outgoing = h4 (expected none)"],
     );
@@ -357,11 +357,11 @@ fn each_corruption(table: &Table, mut check: impl FnMut(&str, &Table)) {
             with(format!("f{x}.half_edge = {to:?}"), &|t| t.faces[x].as_mut().unwrap().half_edge = to);
             if let Some(a) = to {
                 with(format!("f{x}.inner_component {a}"), &|t| {
-                    t.faces[x].as_mut().unwrap().inner_components.push(InnerComponent::Cycle(a))
+                    t.faces[x].as_mut().unwrap().inner_components.push(InnerComponent::Cycle(a));
                 });
                 for i in 0..table.faces[x].as_ref().unwrap().inner_components.len() {
                     with(format!("f{x}.inner_components[{i}] = {a}"), &|t| {
-                        t.faces[x].as_mut().unwrap().inner_components[i] = InnerComponent::Cycle(a)
+                        t.faces[x].as_mut().unwrap().inner_components[i] = InnerComponent::Cycle(a);
                     });
                 }
             }
@@ -373,7 +373,7 @@ fn each_corruption(table: &Table, mut check: impl FnMut(&str, &Table)) {
         }
         for a in vs.iter().copied().flatten() {
             with(format!("f{x}.inner_component {a}"), &|t| {
-                t.faces[x].as_mut().unwrap().inner_components.push(InnerComponent::Isolated(a))
+                t.faces[x].as_mut().unwrap().inner_components.push(InnerComponent::Isolated(a));
             });
         }
         with(format!("f{x}.hole"), &|t| t.faces[x].as_mut().unwrap().hole ^= true);
