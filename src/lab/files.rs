@@ -14,7 +14,7 @@
 //! wherever it runs. Every file is UTF-8 text and ends with a line break; lines end as they do on unix.
 
 use super::courses;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -32,11 +32,8 @@ const EDIT: &str = "[[edit]]";
 const FIGURES: &str = "../../figures/";
 /// Where a lab in the repository finds the program that all labs share.
 const HARNESS: &str = "../harness";
-/// How its files name that program, and how a lab by itself does.
-const HARNESS_PATHS: [(&str, &str, &str); 2] = [
-    ("src/", "#[path = \"../../harness/mod.rs\"]\n", ""),
-    ("tests/", "#[path = \"../../harness/mod.rs\"]\n", "#[path = \"../src/harness/mod.rs\"]\n"),
-];
+/// How the sources of a lab name a module that stands in another folder of the labs, up to that folder's name.
+const SHARED: &str = "#[path = \"../../";
 
 /// The files of a lab by their paths, which have `/` between their parts.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -114,8 +111,9 @@ impl LabFiles {
     }
 
     /// Reads a lab's folder in the repository, with the figures that its handout shows; these become
-    /// `figures/NAME` of the lab, and with the program that all labs share, if it uses that; its files become
-    /// `src/harness/NAME`. Hidden files and `target` are left out.
+    /// `figures/NAME` of the lab, and with the modules that it shares with others: `../../harness/mod.rs` and all that
+    /// is in its folder become `src/harness/…`, a single file `../../04-half-edge/src/dcel.rs` becomes `src/dcel.rs`.
+    /// Hidden files and `target` are left out.
     ///
     /// # Errors
     /// [`LabFilesError::Unreadable`] for what cannot be read or is no text.
@@ -131,8 +129,12 @@ impl LabFiles {
             let text = text_of(&folder.join(FIGURES).join(&figure))?;
             files.insert(format!("figures/{figure}"), text);
         }
-        if take_in_harness(&mut files) {
-            collect(&folder.join(HARNESS), "src/harness/", &mut files)?;
+        for shared in take_in_shared(&mut files) {
+            let there = folder.join("..").join(&shared);
+            match shared.strip_suffix("/mod.rs") {
+                Some(name) => collect(&folder.join("..").join(name), &format!("src/{name}/"), &mut files)?,
+                None => drop(files.insert(format!("src/{}", file_of(&shared)), text_of(&there)?)),
+            }
         }
         Ok(Self { name, files })
     }
@@ -241,7 +243,7 @@ fn is_called(lab: &str, name: &str) -> bool {
 
 /// The names of the figures that a handout links to, each once.
 fn linked_figures(handout: &str) -> impl Iterator<Item = &str> {
-    let mut seen = std::collections::BTreeSet::new();
+    let mut seen = BTreeSet::new();
     handout
         .split(FIGURES)
         .skip(1)
@@ -249,18 +251,37 @@ fn linked_figures(handout: &str) -> impl Iterator<Item = &str> {
         .filter(move |figure| !figure.is_empty() && seen.insert(*figure))
 }
 
-/// Lets the files of a lab find the shared program inside the lab. Returns whether they use it.
-fn take_in_harness(files: &mut BTreeMap<String, String>) -> bool {
-    let mut used = false;
+/// Lets the sources of a lab find the modules that it shares inside the lab. Returns these, by their paths in the folder
+/// of the labs: `harness/mod.rs`, `04-half-edge/src/dcel.rs`.
+fn take_in_shared(files: &mut BTreeMap<String, String>) -> BTreeSet<String> {
+    let mut shared = BTreeSet::new();
     for (path, text) in files {
-        for (folder, there, here) in HARNESS_PATHS {
-            if path.starts_with(folder) && text.contains(there) {
-                *text = text.replace(there, here);
-                used = true;
+        // A module is looked for where its parent's file is.
+        let Some(here) = [("src/", None), ("tests/", Some("../src/"))].into_iter().find(|(of, _)| path.starts_with(of))
+        else {
+            continue;
+        };
+        let mut out = String::with_capacity(text.len());
+        for line in text.split_inclusive('\n') {
+            let there = line.trim().strip_prefix(SHARED).and_then(|rest| rest.strip_suffix("\"]"));
+            let Some(there) = there else {
+                out.push_str(line);
+                continue;
+            };
+            shared.insert(there.to_owned());
+            if let (_, Some(up)) = here {
+                let inside = if there.ends_with("/mod.rs") { there } else { file_of(there) };
+                let _ = writeln!(out, "#[path = \"{up}{inside}\"]");
             }
         }
+        *text = out;
     }
-    used
+    shared
+}
+
+/// The last part of a path.
+fn file_of(path: &str) -> &str {
+    path.rsplit('/').next().unwrap_or(path)
 }
 
 fn collect(folder: &Path, prefix: &str, files: &mut BTreeMap<String, String>) -> Result<(), LabFilesError> {
@@ -340,16 +361,19 @@ mod tests {
     }
 
     #[test]
-    fn the_shared_program_is_taken_into_the_lab() {
-        let text = "mod a;\n#[path = \"../../harness/mod.rs\"]\nmod harness;\n";
+    fn shared_modules_are_taken_into_the_lab() {
+        let text = "mod a;\n#[path = \"../../harness/mod.rs\"]\nmod harness;\n#[path = \"../../04-x/src/dcel.rs\"]\n\
+                    mod dcel;\n#[path = \"../src/own.rs\"]\nmod own;\n";
         let mut files: BTreeMap<String, String> =
             ["src/main.rs", "tests/own.rs", "README.md"].map(|path| (path.to_owned(), text.to_owned())).into();
-        assert!(take_in_harness(&mut files));
-        assert_eq!(files["src/main.rs"], "mod a;\nmod harness;\n");
-        assert_eq!(files["tests/own.rs"], "mod a;\n#[path = \"../src/harness/mod.rs\"]\nmod harness;\n");
+        let shared = ["04-x/src/dcel.rs", "harness/mod.rs"].map(str::to_owned);
+        assert_eq!(take_in_shared(&mut files), shared.into());
+        assert_eq!(files["src/main.rs"], "mod a;\nmod harness;\nmod dcel;\n#[path = \"../src/own.rs\"]\nmod own;\n");
+        let [own, dcel] = ["harness/mod.rs", "dcel.rs"].map(|file| format!("#[path = \"../src/{file}\"]\n"));
+        let expected = format!("mod a;\n{own}mod harness;\n{dcel}mod dcel;\n#[path = \"../src/own.rs\"]\nmod own;\n");
+        assert_eq!(files["tests/own.rs"], expected);
         assert_eq!(files["README.md"], text);
-        files.retain(|path, _| path == "README.md");
-        assert!(!take_in_harness(&mut files));
+        assert!(take_in_shared(&mut files).is_empty());
     }
 
     #[test]

@@ -3,6 +3,7 @@
 
 mod answers;
 mod counted;
+mod every_lab;
 mod explained;
 mod fake;
 mod kernel;

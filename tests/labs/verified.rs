@@ -15,8 +15,8 @@ fn the_labs_of_the_program_are_those_of_the_repository() {
         .map(Result::unwrap)
         .filter(|entry| entry.file_type().unwrap().is_dir())
         .map(|entry| entry.file_name().into_string().unwrap())
-        // The program that all labs share is part of each of them.
-        .filter(|name| name != "harness")
+        // What labs share is part of each of them.
+        .filter(|name| folder(name).join("lab.toml").is_file())
         .collect();
     folders.sort();
     assert_eq!(folders, LabFiles::bundled_names());
@@ -112,7 +112,7 @@ fn the_program_holds_no_solution_and_no_text_of_a_known_mistake() {
                 line.len() >= SHORTEST && line.is_ascii() && !line.starts_with("//") && !given.contains(*line)
             })
             .collect();
-        assert!(distinctive.len() > 60, "{name}: {} lines", distinctive.len());
+        assert!(distinctive.len() > 20, "{name}: {} lines", distinctive.len());
         let kept: Vec<&str> = distinctive.into_iter().filter(|line| program.contains(line)).collect();
         assert_eq!(kept, [""; 0], "{name}: in the program");
         // The search finds what is there.
@@ -129,16 +129,23 @@ fn strings(program: &[u8], shortest: usize) -> String {
 
 #[test]
 fn every_lab_catches_and_names_some_known_mistakes_and_no_right_program() {
-    // A wrong answer, a walk that does not come back, one that looks at everything. All of them: `dcel lab verify`.
+    // Of lab 04: a wrong answer, a walk that does not come back, one that looks at everything. Of each other lab the
+    // first, one from the middle and the last. All of them: `dcel lab verify`.
     let chosen = [(30, Verdict::Wrong), (64, Verdict::DoesNotComeBack), (66, Verdict::TooSlow)];
     for name in LabFiles::bundled_names() {
         let room = tempfile::tempdir().unwrap();
         let lab = Lab::read(&folder(&name)).unwrap();
-        let found = verify_some(&lab, room.path(), &chosen.map(|(number, _)| number)).unwrap();
+        let all: Vec<u32> = lab.bugs.iter().map(|bug| bug.number).collect();
+        let spread = [all[0], all[all.len() / 2], all[all.len() - 1]];
+        let numbers = if name == "04-half-edge" { chosen.map(|(number, _)| number) } else { spread };
+        let found = verify_some(&lab, room.path(), &numbers).unwrap();
         assert!(found.holds(), "{name}:\n{}\n{}", found.problems.join("\n"), found.matrix());
-        for (row, (number, verdict)) in found.rows.iter().zip(chosen) {
-            assert_eq!((row.number, row.named.len()), (number, 1), "{}", found.matrix());
-            assert!(row.verdicts.contains(&verdict), "{number}: {:?}", row.verdicts);
+        assert_eq!(found.rows.iter().map(|row| row.number).collect::<Vec<_>>(), numbers, "{name}");
+        assert!(found.rows.iter().all(|row| !row.named.is_empty()), "{name}:\n{}", found.matrix());
+        if name == "04-half-edge" {
+            for (row, (number, verdict)) in found.rows.iter().zip(chosen) {
+                assert!(row.verdicts.contains(&verdict), "{number}: {:?}", row.verdicts);
+            }
         }
     }
 }

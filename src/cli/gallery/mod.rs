@@ -3,7 +3,7 @@
 //! ```text
 //!   lesson     the structures that figures and tour begin with
 //!   chart      logarithmic axes
-//!   specimen  primitives  plane  delaunay  labs  rooms     a function for each figure that takes more than a line
+//!   specimen  primitives  plane  delaunay  labs/  rooms    a function for each figure that takes more than a line
 //! ```
 
 mod chart;
@@ -98,12 +98,12 @@ static REFERENCES: &[Reference] = &[
     Reference {
         file: "lab-04-drawing.svg",
         about: "the drawing of lab 04, made of the rectangle with split_face and split_in_half alone",
-        draw: labs::drawing,
+        draw: labs::lab_04::drawing,
     },
     Reference {
         file: "lab-04-two-nexts.svg",
         about: "an edge of two faces has two next edges; two half-edges have one each",
-        draw: labs::two_nexts,
+        draw: labs::lab_04::two_nexts,
     },
     Reference { file: "lawson.svg", about: "a triangulation becomes Delaunay by flips", draw: delaunay::lawson },
     Reference {

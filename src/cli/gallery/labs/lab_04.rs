@@ -1,13 +1,13 @@
-//! The reference figures of the labs' handouts.
+//! The reference figures of lab 04.
 
-use super::Made;
+use crate::gallery::Made;
 use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
 use dcel_kit::figure::{self, Detail, FigureOptions, Overrides};
 use dcel_kit::script::Script;
 use dcel_kit::sources;
 
 /// The drawing that lab 04 asks for.
-pub(super) fn drawing() -> Made<String> {
+pub(in crate::gallery) fn drawing() -> Made<String> {
     let script = sources::LAB_04_DRAWING;
     let drawing = Script::parse(script, "lab-04-drawing.dcels")?.run().end;
     let colours = Overrides::parse(sources::LAB_04_COLOURS)?;
@@ -19,7 +19,7 @@ pub(super) fn drawing() -> Made<String> {
 const TWO_FACES: [[f64; 2]; 6] = [[0.0, 0.5], [4.0, 0.0], [8.0, 0.7], [7.4, 4.2], [4.3, 4.6], [0.4, 4.0]];
 
 /// Why an edge is cut along its length: as a link of a list it would need two nexts.
-pub(super) fn two_nexts() -> Made<String> {
+pub(in crate::gallery) fn two_nexts() -> Made<String> {
     let [a, b, c, d, e, f] = TWO_FACES;
     let mut list = Sketch::new();
     list.region(Role::Main, [[a, b, e, f]]).plain();

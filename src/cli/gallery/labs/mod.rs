@@ -1,0 +1,7 @@
+//! The reference figures of the labs: their handouts show them, and pictures of students are compared with them.
+//!
+//! ```text
+//!   lab_04     a file a lab
+//! ```
+
+pub(super) mod lab_04;
