@@ -71,9 +71,9 @@ fn main() -> ExitCode {
     std::fs::create_dir_all(&compiled_here).expect("a folder for the compiler can be made");
     let files = class(&lab, &folder, size);
     let submissions = Submission::class(&files, None).expect("the files can be read");
-    let grader = Grader::new(lab.clone(), &GradeOptions::default()).expect("rooms can be made");
-    let (stand, missing): (Vec<_>, Vec<_>) = grader.walls().iter().partition(|wall| wall.missing.is_none());
-    println!("{} walls stand, {} are missing", stand.len(), missing.len());
+    let grader = Grader::new(lab.clone(), &GradeOptions::default()).expect("work folders can be made");
+    let (stand, missing): (Vec<_>, Vec<_>) = grader.sandbox().iter().partition(|barrier| barrier.missing.is_none());
+    println!("{} barriers stand, {} are missing", stand.len(), missing.len());
     let plan = Plan::with_seed(4);
 
     let (mut ours, mut alone) = (Vec::new(), Vec::new());

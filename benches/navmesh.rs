@@ -3,7 +3,7 @@
 //! `cargo bench --bench navmesh` makes three maps of more than 30,000 triangles: caves on a grid, the same kind of
 //! caves with rough walls, whose notches are dead ends, and a plain with convex blocks, which has none. If the folder
 //! `../shared/data` is there, it reads the map O15, too. All are cut into constrained Delaunay triangles, as navmeshes
-//! are. On each it locates random points and answers queries by every rung. Of each query the
+//! are. On each it locates random points and answers queries by every algorithm. Of each query the
 //! programs take turns, four times, and the least time of each counts. The peer searches the same triangles, and its own merged polygons; so does the kit, which also
 //! goes from crossing to crossing.
 //!
@@ -18,7 +18,7 @@
 use cpu_time::ProcessTime;
 use dcel_kit::io::{Grid, Scenario};
 use dcel_kit::navmesh::{
-    Floor, LiveMesh, Location, NavMesh, NavSurface, ObstacleId, Planner, Rung, SurfacePlace, SurfacePlanner,
+    Floor, LiveMesh, Location, NavMesh, NavSurface, ObstacleId, Planner, PathAlgorithm, SurfacePoint, SurfacePlanner,
 };
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
 use dcel_kit::topology::PolygonList;
@@ -132,11 +132,11 @@ fn surfaces() {
         let surface = hills(count);
         let starts: Vec<_> = surface.random_places(4).take(1000).collect();
         move || {
-            let cast = |place: &SurfacePlace| surface.raycast(place, [place.point[0] + 8.0, place.point[1] + 6.0]);
+            let cast = |place: &SurfacePoint| surface.raycast(place, [place.point[0] + 8.0, place.point[1] + 6.0]);
             starts.iter().filter_map(|place| cast(place).ok()).map(|cast| cast.faces.len()).sum::<usize>()
         }
     });
-    for (name, rung) in [("closest", Rung::Closest), ("exact", Rung::Exact)] {
+    for (name, algorithm) in [("closest", PathAlgorithm::Closest), ("exact", PathAlgorithm::Exact)] {
         growth(&format!("10 paths of 10 units, {name}"), &DOUBLED, |count| {
             let surface = hills(count);
             let ends: Vec<_> = surface
@@ -150,7 +150,7 @@ fn surfaces() {
             let planner = std::cell::RefCell::new(SurfacePlanner::new());
             move || {
                 let mut planner = planner.borrow_mut();
-                let routes = ends.iter().filter_map(|(from, to)| planner.route(&surface, rung, from, to).ok());
+                let routes = ends.iter().filter_map(|(from, to)| planner.route(&surface, algorithm, from, to).ok());
                 routes.map(|route| route.points.len()).sum::<usize>()
             }
         });
@@ -222,7 +222,7 @@ fn obstacles(map: &Subdivision, width: f64, prepared: bool) {
     let triangles = live.mesh().face_count();
     if prepared {
         live.merge_faces();
-        live.link_crossings();
+        live.link_junctions();
     }
     let (mut random, mut planner) = (Random::new(9), Planner::new());
     let mut inside: Vec<ObstacleId> = Vec::new();
@@ -258,8 +258,8 @@ fn obstacles(map: &Subdivision, width: f64, prepared: bool) {
         let goal = Point::new(near.x + 0.5, near.y + 0.5);
         if prepared {
             measure(3, &mut || {
-                for rung in [Rung::Exact, Rung::Breadth] {
-                    let _ = black_box(planner.route_between(live.mesh(), rung, near, goal));
+                for algorithm in [PathAlgorithm::Exact, PathAlgorithm::Breadth] {
+                    let _ = black_box(planner.route_between(live.mesh(), algorithm, near, goal));
                 }
             });
         }
@@ -449,11 +449,11 @@ fn locate(mesh: &NavMesh, peer: &polyanya::Mesh, random: &mut Random) -> Vec<Poi
     inside
 }
 
-/// What is measured: a rung on the mesh as it is, or on the one that was prepared, or a peer.
+/// What is measured: an algorithm on the mesh as it is, or on the one that was prepared, or a peer.
 #[derive(Clone, Copy)]
 enum Program {
-    Plain(Rung),
-    Prepared(Rung),
+    Plain(PathAlgorithm),
+    Prepared(PathAlgorithm),
     Peer(usize),
 }
 
@@ -463,13 +463,13 @@ fn routes(mesh: &NavMesh, peers: &[polyanya::Mesh; 2], queries: &[Ends]) {
     let count = prepared.merge_faces();
     let bytes = prepared.memory();
     println!("  merged by the kit: {count} faces, {:.1} bytes a triangle more", per_triangle(bytes - mesh.memory()));
-    let count = prepared.link_crossings();
+    let count = prepared.link_junctions();
     println!("  crossings: {count}, {:.1} bytes a triangle more", per_triangle(prepared.memory() - bytes));
 
     let prepared_rungs =
-        [Rung::Breadth, Rung::Midpoint, Rung::Closest, Rung::Aimed, Rung::Exact].map(Program::Prepared);
+        [PathAlgorithm::Breadth, PathAlgorithm::Midpoint, PathAlgorithm::Closest, PathAlgorithm::Aimed, PathAlgorithm::Exact].map(Program::Prepared);
     let programs: Vec<Program> =
-        Rung::ALL.map(Program::Plain).into_iter().chain(prepared_rungs).chain([0, 1].map(Program::Peer)).collect();
+        PathAlgorithm::ALL.map(Program::Plain).into_iter().chain(prepared_rungs).chain([0, 1].map(Program::Peer)).collect();
     let (mut planner, mut plain) = (Planner::new(), Planner::face_by_face());
     let mut least = vec![vec![f64::INFINITY; queries.len()]; programs.len()];
     let mut lengths = vec![vec![0.0; queries.len()]; programs.len()];
@@ -477,10 +477,10 @@ fn routes(mesh: &NavMesh, peers: &[polyanya::Mesh; 2], queries: &[Ends]) {
         for (k, &program) in (0..ROUNDS).flat_map(|_| programs.iter().enumerate()) {
             let least = &mut least[k][i];
             let mut find =
-                |planner: &mut Planner, rung| timed(least, || planner.route_between(&prepared, rung, start, goal));
+                |planner: &mut Planner, algorithm| timed(least, || planner.route_between(&prepared, algorithm, start, goal));
             lengths[k][i] = match program {
-                Program::Plain(rung) => find(&mut plain, rung).expect("one component").length,
-                Program::Prepared(rung) => find(&mut planner, rung).expect("one component").length,
+                Program::Plain(algorithm) => find(&mut plain, algorithm).expect("one component").length,
+                Program::Prepared(algorithm) => find(&mut planner, algorithm).expect("one component").length,
                 Program::Peer(p) => {
                     timed(least, || peers[p].path(vec(start), vec(goal))).map_or(0.0, |path| path.length.into())
                 }
@@ -490,19 +490,19 @@ fn routes(mesh: &NavMesh, peers: &[polyanya::Mesh; 2], queries: &[Ends]) {
     let mean = |k: usize| least[k].iter().sum::<f64>() * 1e6 / queries.len() as f64;
     let [peer, merged] = [2, 1].map(|back| mean(programs.len() - back));
     println!("  {} routes; peer {peer:.0} us, merged {merged:.0} us", queries.len());
-    let exact = &lengths[Rung::ALL.len() - 1];
+    let exact = &lengths[PathAlgorithm::ALL.len() - 1];
     for (k, program) in programs.iter().enumerate() {
-        let (rung, how) = match program {
-            Program::Plain(rung) => (rung, ""),
-            Program::Prepared(Rung::Exact) => (&Rung::Exact, ", merged"),
-            Program::Prepared(rung) => (rung, ", crossings"),
+        let (algorithm, how) = match program {
+            Program::Plain(algorithm) => (algorithm, ""),
+            Program::Prepared(PathAlgorithm::Exact) => (&PathAlgorithm::Exact, ", merged"),
+            Program::Prepared(algorithm) => (algorithm, ", crossings"),
             Program::Peer(_) => continue,
         };
         let ratio = lengths[k].iter().zip(exact).map(|(a, b)| a / b).sum::<f64>() / queries.len() as f64;
-        assert!(*rung != Rung::Exact || (ratio - 1.0).abs() < 1e-9, "two exact lengths");
+        assert!(*algorithm != PathAlgorithm::Exact || (ratio - 1.0).abs() < 1e-9, "two exact lengths");
         println!(
             "  {:20} {:8.1} us, share {:.3}, of merged {:.3}, mean length ratio {ratio:.4}",
-            format!("{rung}{how}"),
+            format!("{algorithm}{how}"),
             mean(k),
             mean(k) / peer,
             mean(k) / merged

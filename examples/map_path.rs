@@ -13,7 +13,7 @@
 
 use dcel_kit::figure::{FigureOptions, navmesh::Floor};
 use dcel_kit::io::{LoadOptions, Structure, load};
-use dcel_kit::navmesh::{NavMesh, Planner, Rung};
+use dcel_kit::navmesh::{NavMesh, PathAlgorithm, Planner};
 use dcel_kit::plane::Point;
 use std::path::Path;
 
@@ -28,12 +28,17 @@ pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let [start, goal] = [Point::new(21.5, -5.5), Point::new(0.5, -4.5)];
     let mut planner = Planner::new();
     // From the fewest faces to the shortest path of all.
-    for rung in [Rung::Breadth, Rung::Midpoint, Rung::Exact] {
-        let path = planner.route_between(&mesh, rung, start, goal)?;
-        println!("{rung}: {:.3} long, {} turns, through {} faces", path.length, path.corners.len(), path.faces.len());
+    for algorithm in [PathAlgorithm::Breadth, PathAlgorithm::Midpoint, PathAlgorithm::Exact] {
+        let path = planner.route_between(&mesh, algorithm, start, goal)?;
+        println!(
+            "{algorithm}: {:.3} long, {} turns, through {} faces",
+            path.length,
+            path.corners.len(),
+            path.faces.len()
+        );
     }
 
-    let path = planner.route_between(&mesh, Rung::Exact, start, goal)?;
+    let path = planner.route_between(&mesh, PathAlgorithm::Exact, start, goal)?;
     let picture = Floor::new(&map, &mesh).route(&path, &FigureOptions::new("The shortest path"))?;
     let file = std::env::temp_dir().join("dcel-path.svg");
     std::fs::write(&file, picture.to_svg())?;

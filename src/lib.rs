@@ -45,7 +45,7 @@
 //! | type edits, replay them, film them | [`script::Script`], [`figure::Film`] |
 //! | write an edit of your own | [`edits::Row`], [`topology::Editing`] |
 //! | keep data of your own on elements | [`ids::IdMap`], [`topology::Followed`] |
-//! | ask whether two structures or drawings are the same | [`topology::same()`], [`compare::compare()`] |
+//! | ask whether two structures or drawings are the same | [`topology::isomorphic()`], [`compare::compare()`] |
 //!
 //! # Which features?
 //!

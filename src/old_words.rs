@@ -36,6 +36,7 @@ pub const OLD_WORDS: &[OldWord] = &[
     row(Language::DcelFile, "boundary", "half_edge"),
     row(Language::DcelFile, "rings", "inner"),
     row(Language::CommandLine, "--pointers boundary", "--pointers half-edge"),
+    row(Language::CommandLine, "--rung", "--algorithm"),
 ];
 
 impl OldWord {

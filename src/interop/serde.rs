@@ -226,7 +226,7 @@ impl<'de> Deserialize<'de> for Dcel {
         if violations.is_empty() {
             return Ok(dcel_of_table(&table));
         }
-        Err(D::Error::custom(TableError::Laws { violations }))
+        Err(D::Error::custom(TableError::Invariants { violations }))
     }
 }
 
@@ -297,7 +297,9 @@ impl SubdivisionRecord {
             }
         }
         for (f, inner) in self.inner_components {
-            face_named(&mut table, "inner_components", f)?.rings.extend(inner.into_iter().map(InnerComponent::from));
+            face_named(&mut table, "inner_components", f)?
+                .inner_components
+                .extend(inner.into_iter().map(InnerComponent::from));
         }
         for f in self.holes {
             face_named(&mut table, "holes", f)?.hole = true;

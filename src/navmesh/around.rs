@@ -1,11 +1,11 @@
-//! Round a vertex: fans, wedges, and where a way may bend.
+//! Round a vertex: fans, wedges, and where a path may bend.
 //!
 //! ```text
-//!    gap ╲ f2 ╱ gap         A fan: the faces round a vertex between two gaps, whether or not one may pass from one
+//!    hole ╲ f2 ╱ hole         A fan: the faces round a vertex between two holes, whether or not one may pass from one
 //!      f3 ╲  ╱ f1           to the next. A wedge: those of a fan between two closed sides, blocked faces left out.
 //!    ───── ● ─────          With two wedges (a double corner) nobody may squeeze through the vertex.
 //!      f4    f5
-//!                           If a wedge is more than half a turn, a shortest way may bend round the vertex in it.
+//!                           If a wedge is more than half a turn, a shortest path may bend round the vertex in it.
 //! ```
 
 use super::marks::{CLOSED, ID, NONE, TURN};
@@ -16,8 +16,8 @@ use crate::plane::predicates::{left_to_right, orientation};
 use std::cmp::Ordering;
 
 impl NavMesh {
-    /// Finds for each vertex the faces its fans start from: the last one before a gap in clockwise order, or any
-    /// face if there is no gap. O(n).
+    /// Finds for each vertex the faces its fans start from: the last one before a hole in clockwise order, or any
+    /// face if there is no hole. O(n).
     pub(super) fn find_fans(&mut self) {
         for f in 0..self.faces.len() as u32 {
             for s in self.range(FaceId::new(f)) {
@@ -45,8 +45,8 @@ impl NavMesh {
 
     /// Finds the fans of one vertex anew, from the map. O(degree of v).
     pub(super) fn find_fans_of(&mut self, map: &Subdivision, v: VertexId) {
-        let behind_gap = |&h: &HalfEdgeId| self.has_face(map.face(h)) && !self.has_face(map.face(h.twin()));
-        let starts: Vec<u32> = map.outgoing_half_edges(v).filter(behind_gap).map(|h| map.face(h).number()).collect();
+        let behind_hole = |&h: &HalfEdgeId| self.has_face(map.face(h)) && !self.has_face(map.face(h.twin()));
+        let starts: Vec<u32> = map.outgoing_half_edges(v).filter(behind_hole).map(|h| map.face(h).number()).collect();
         let any = map.incident_faces(v).find(|&f| self.has_face(f)).map_or(NONE, FaceId::number);
         self.fans[v.index()] = starts.first().copied().unwrap_or(any);
         if starts.len() > 1 {
@@ -103,7 +103,7 @@ impl NavMesh {
         })
     }
 
-    /// Marks at which corners round `v` a way may bend: those of one wedge at most.
+    /// Marks at which corners round `v` a path may bend: those of one wedge at most.
     pub(super) fn mark_turns(&mut self, v: VertexId) {
         for f in self.faces_around(v) {
             if let Some(s) = self.side_from(f, v.number()) {
@@ -140,7 +140,7 @@ impl NavMesh {
         first.into_iter().chain(more.iter().copied()).map(FaceId::new)
     }
 
-    /// The faces round `v` counter-clockwise from `start` to the next gap.
+    /// The faces round `v` counter-clockwise from `start` to the next hole.
     fn fan(&self, v: VertexId, start: FaceId) -> Vec<FaceId> {
         let mut fan = vec![start];
         let mut at = start;

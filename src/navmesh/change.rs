@@ -1,7 +1,7 @@
-//! Doors that close and faces that are blocked: everything that is derived is brought up to date near the change.
+//! Portals that close and faces that are blocked: everything that is derived is brought up to date near the change.
 //!
 //! ```text
-//!   ┌───┬───┬───┐   block f    The near faces are f and its neighbours. Their door paths are no dead ends for the time
+//!   ┌───┬───┬───┐   block f    The near faces are f and its neighbours. Their portal paths are no dead ends for the time
 //!   │   │ f │ ✕ │   ───────>   being: every new round trip runs along them. Then what can be peeled is peeled again,
 //!   └───┴───┴───┘              as far as it goes. Components grow side by side from the near faces until all have
 //!                              met, or all but one have come to an end.
@@ -19,7 +19,7 @@ impl NavMesh {
     /// Blocks the face `f`: nobody may enter it, but it stays a face of the mesh and points are still found in it.
     /// Returns whether it was blocked before; `None` if it is no face of the mesh, and nothing happens.
     ///
-    /// Cost: O(length of the door paths nearby, number of faces that become or cease to be dead ends, and twice the
+    /// Cost: O(length of the portal paths nearby, number of faces that become or cease to be dead ends, and twice the
     /// size of what is cut off or joined); if merged faces and junctions have been made, O(k log k) more for k sides of
     /// the merged faces and faces of the corridors that reach there.
     ///
@@ -56,8 +56,8 @@ impl NavMesh {
         Some(before)
     }
 
-    /// Makes the edge between two faces a wall, or a door again. Returns whether it was a wall before; `None` if
-    /// `face` has no such edge, or a gap lies behind it, and nothing happens. Cost as for [`block`](Self::block).
+    /// Makes the edge between two faces a wall, or a portal again. Returns whether it was a wall before; `None` if
+    /// `face` has no such edge, or a hole lies behind it, and nothing happens. Cost as for [`block`](Self::block).
     pub fn set_wall(&mut self, face: FaceId, edge: EdgeId, wall: bool) -> Option<bool> {
         let side = self.sides(face).find(|side| side.half_edge.edge() == edge)?;
         if !self.has_face(side.across) {
@@ -119,10 +119,10 @@ impl NavMesh {
         }
     }
 
-    /// Makes all faces on the door path of `f` ordinary ones.
+    /// Makes all faces on the portal path of `f` ordinary ones.
     fn unpeel(&mut self, f: u32, open_again: &mut Vec<u32>) {
-        // The doors are found by their marks, so the whole path comes first.
-        let path: Vec<FaceId> = self.door_path(FaceId::new(f)).collect();
+        // The portals are found by their marks, so the whole path comes first.
+        let path: Vec<FaceId> = self.portal_path(FaceId::new(f)).collect();
         self.visited += path.len();
         for pair in path.windows(2) {
             self.set_peeled(pair[0].number(), false);

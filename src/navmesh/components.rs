@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   ┌───┬───┐  ┌───┐
-//!   │ 0 │ 0 │  │ 1 │      "There is no way" is proved by two numbers that differ.
+//!   │ 0 │ 0 │  │ 1 │      "There is no path" is proved by two numbers that differ.
 //!   └───┴───┘  └───┘
 //! ```
 

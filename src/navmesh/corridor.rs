@@ -1,18 +1,18 @@
 //! Corridors: rows of faces from start to goal, found by simple rules.
 //!
 //! ```text
-//!   breadth       the fewest faces (`waves.rs`)
+//!   breadth       the fewest faces (`bidirectional_bfs.rs`)
 //!   centroid      ·───·───·      A*: the length of the line through the centroids (the means of the corners)
-//!   midpoint      ·─|─·─|─·      ... through the midpoints of the doors
-//!   closest       ·|·|·          ... from where one is to the closest point on the next door
-//!   aimed         ·─|──|──·      ... to where the straight line to the goal meets the next door, or its nearer end
+//!   midpoint      ·─|─·─|─·      ... through the midpoints of the portals
+//!   closest       ·|·|·          ... from where one is to the closest point on the next portal
+//!   aimed         ·─|──|──·      ... to where the straight line to the goal meets the next portal, or its nearer end
 //! ```
 //!
-//! None of them is the shortest way: how good a corridor is shows only when it is pulled straight. That is why
+//! None of them is the shortest path: how good a corridor is shows only when it is pulled straight. That is why
 //! people complain of detours, and what the exact search is for.
 //!
 //! A* looks at a face again if it is reached with a better guess: the length of the line, and from its end to the goal
-//! as the crow flies. (The length alone would not do: lines through different doors end at different points.) The
+//! as the crow flies. (The length alone would not do: lines through different portals end at different points.) The
 //! guess never falls from face to face, nor does the length, so that a face is never reached again from itself: there
 //! is an end. In the open the aimed line is the straight one, and the guess is right: little else is looked at. Where
 //! only one way leads on it is taken at once, up to the next face with a choice, whatever else waits in the queue.
@@ -20,7 +20,7 @@
 use super::marks::{ID, NONE, SideRecord};
 use super::nearest::{closest_on, distance};
 use super::scratch::{Reached, Scratch};
-use super::{NavMesh, Rung};
+use super::{NavMesh, PathAlgorithm};
 use crate::ids::{FaceId, FaceMap};
 use crate::plane::Point;
 use std::cmp::Reverse;
@@ -30,7 +30,7 @@ use std::collections::binary_heap::PeekMut;
 pub(super) fn a_star(
     mesh: &NavMesh,
     scratch: &mut Scratch,
-    metric: Rung,
+    metric: PathAlgorithm,
     costs: Option<&FaceMap<f64>>,
     fits: impl Fn(FaceId, usize) -> bool,
     [start, goal]: [Point; 2],
@@ -79,9 +79,9 @@ pub(super) fn a_star(
                     continue;
                 }
                 let next = side.across & ID;
-                let post = |side: &SideRecord| mesh.points[(side.origin & ID) as usize];
-                let posts = [post(side), post(sides.get(k + 1).unwrap_or(&sides[0]))];
-                let at = point_of_line(mesh, metric, goal, posts, here.at, || FaceId::new(next));
+                let endpoint = |side: &SideRecord| mesh.points[(side.origin & ID) as usize];
+                let endpoints = [endpoint(side), endpoint(sides.get(k + 1).unwrap_or(&sides[0]))];
+                let at = point_of_line(mesh, metric, goal, endpoints, here.at, || FaceId::new(next));
                 let length = here.length + cost * distance(here.at, at);
                 let key = (length + distance(at, goal)).to_bits().max(least);
                 let reached = &mut scratch.reached[next as usize];
@@ -132,36 +132,38 @@ impl Scratch {
         self.queue.push(Reverse((key.to_bits(), item)));
     }
 
-    /// Writes down the doors that led to `f`, from the last to the first.
+    /// Writes down the portals that led to `f`, from the last to the first.
     fn trace(&mut self, f: u32) {
         let mut at = self.reached[f as usize];
         while at.from != NONE {
-            self.doors.push((at.from, at.side));
+            self.portals.push((at.from, at.side));
             at = self.reached[at.from as usize];
         }
     }
 }
 
-/// To which point the line of a metric goes from `from` through a door into the next face.
+/// To which point the line of a metric goes from `from` through a portal into the next face.
 #[inline]
 pub(super) fn point_of_line(
     mesh: &NavMesh,
-    metric: Rung,
+    metric: PathAlgorithm,
     goal: Point,
-    posts: [Point; 2],
+    endpoints: [Point; 2],
     from: Point,
     next: impl FnOnce() -> FaceId,
 ) -> Point {
     match metric {
-        Rung::Centroid => mesh.centroid(next()),
-        Rung::Midpoint => Point::new((posts[0].x + posts[1].x) / 2.0, (posts[0].y + posts[1].y) / 2.0),
-        Rung::Closest => closest_on(posts, from),
-        _ => aimed_at(goal, posts, from),
+        PathAlgorithm::Centroid => mesh.centroid(next()),
+        PathAlgorithm::Midpoint => {
+            Point::new((endpoints[0].x + endpoints[1].x) / 2.0, (endpoints[0].y + endpoints[1].y) / 2.0)
+        }
+        PathAlgorithm::Closest => closest_on(endpoints, from),
+        _ => aimed_at(goal, endpoints, from),
     }
 }
 
-/// Where the straight line from `from` to the goal goes through a door, rounded: if it passes beside the door, the end
-/// that is nearer to it; if it leads away from the door, the closest point.
+/// Where the straight line from `from` to the goal goes through a portal, rounded: if it passes beside the portal, the end
+/// that is nearer to it; if it leads away from the portal, the closest point.
 #[inline]
 fn aimed_at(goal: Point, [right, left]: [Point; 2], from: Point) -> Point {
     let line = [goal.x - from.x, goal.y - from.y];

@@ -3,11 +3,11 @@
 //! ```text
 //!   ┌───┬───┬───┐        A face with one open side is entered only by who starts or ends in it. Take such faces
 //!   │ ✕ │ ✕ │ · │        away, and again those that have one open side left, until there is none: what stays lies on
-//!   └───┴───┼───┤        a round trip, or between two. From a dead end, door after door leads there.
+//!   └───┴───┼───┤        a round trip, or between two. From a dead end, portal after portal leads there.
 //!           │ · │ ..
 //! ```
 //!
-//! A search enters dead ends on the doors of its start and its goal only, and loses nothing. A component without any
+//! A search enters dead ends on the portals of its start and its goal only, and loses nothing. A component without any
 //! round trip is peeled down to one face.
 //!
 //! Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (the tree parts of TRA*).
@@ -25,7 +25,7 @@ impl NavMesh {
 
     /// The neighbour through which a dead end is left; `None` if `f` is none. O(sides of f).
     #[must_use]
-    pub fn door(&self, f: FaceId) -> Option<FaceId> {
+    pub fn portal(&self, f: FaceId) -> Option<FaceId> {
         if !self.is_peeled(f.number()) {
             return None;
         }
@@ -33,9 +33,9 @@ impl NavMesh {
         open.next().map(|side| FaceId::new(side.across & ID))
     }
 
-    /// The faces from `f` on, through door after door, to the first one that is no dead end; `f` is among them.
-    pub fn door_path(&self, f: FaceId) -> impl Iterator<Item = FaceId> + Clone + '_ {
-        std::iter::successors(Some(f), |&f| self.door(f))
+    /// The faces from `f` on, through portal after portal, to the first one that is no dead end; `f` is among them.
+    pub fn portal_path(&self, f: FaceId) -> impl Iterator<Item = FaceId> + Clone + '_ {
+        std::iter::successors(Some(f), |&f| self.portal(f))
     }
 
     /// Finds all dead ends anew. O(n).

@@ -122,13 +122,13 @@ pub enum MeshFault {
         /// Where.
         at: Point,
     },
-    /// Gaps touch at a vertex: it can be walked past on each side, and not through.
-    #[error("double corner: at vertex {vertex} {gaps} gaps touch; nobody squeezes through between them")]
+    /// Holes touch at a vertex: it can be walked past on each side, and not through.
+    #[error("double corner: at vertex {vertex} {holes} holes touch; nobody squeezes through between them")]
     DoubleCorner {
         /// The vertex.
         vertex: u32,
-        /// How many gaps.
-        gaps: usize,
+        /// How many holes.
+        holes: usize,
     },
     /// Two vertices that nearly meet: the faces beside them are no neighbours.
     #[error("vertices {first} and {second} are {distance:.2e} apart: if they are meant to be one, weld them")]

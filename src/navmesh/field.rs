@@ -1,27 +1,27 @@
 //! How far everything is from one place.
 //!
 //! ```text
-//!        3.6 ●──────● 5.1       The shortest ways to all vertices, and so what can be reached within a length.
+//!        3.6 ●──────● 5.1       The shortest paths to all vertices, and so what can be reached within a length.
 //!           ╱ ╲   ╱
 //!      s · ●───● 2.2            At a double corner the nearer of its wedges counts.
 //! ```
 
-use super::{NavMesh, Place, Work};
+use super::{NavMesh, QueryPoint, Work};
 use crate::ids::{FaceId, VertexId, VertexMap};
 
-/// The lengths of the shortest ways from a place to the vertices of the mesh.
+/// The lengths of the shortest paths from a place to the vertices of the mesh.
 #[derive(Clone, PartialEq, Debug)]
 pub struct DistanceField {
     /// The length to each vertex; infinite if it is further than the limit.
     lengths: VertexMap<f64>,
     limit: f64,
-    start: Place,
+    start: QueryPoint,
     /// What it took.
     pub work: Work,
 }
 
 impl DistanceField {
-    pub(super) fn new(mesh: &NavMesh, start: &Place, limit: f64) -> Self {
+    pub(super) fn new(mesh: &NavMesh, start: &QueryPoint, limit: f64) -> Self {
         let lengths = VertexMap::filled(mesh.vertex_bound(), f64::INFINITY);
         Self { lengths, limit, start: *start, work: Work::default() }
     }
@@ -35,11 +35,11 @@ impl DistanceField {
 
     /// Where the ways start.
     #[must_use]
-    pub fn start(&self) -> &Place {
+    pub fn start(&self) -> &QueryPoint {
         &self.start
     }
 
-    /// The length of the shortest way to `v`; `None` if there is no vertex, no way, or none within the limit.
+    /// The length of the shortest path to `v`; `None` if there is no vertex, no way, or none within the limit.
     #[must_use]
     pub fn distance(&self, v: VertexId) -> Option<f64> {
         self.lengths.get(v).copied().filter(|length| length.is_finite())

@@ -1,11 +1,11 @@
 //! An index over the faces: the plane in equal cells, each with the faces that may reach into it.
 //!
 //! ```text
-//!   ┌────┬────┬────┐    A point's cell is found by two products. A cell with one face, or with one gap and no face,
+//!   ┌────┬────┬────┐    A point's cell is found by two products. A cell with one face, or with one hole and no face,
 //!   │  ╲ │  . │    │    is the answer. Else its faces are looked at, most of them on a lattice only (`coarse.rs`).
-//!   ├───╲┼────┼────┤    If none has the point it lies in a gap: most cells see one gap only, and know it. In a cell
+//!   ├───╲┼────┼────┤    If none has the point it lies in a hole: most cells see one hole only, and know it. In a cell
 //!   │    ╲    │    │    that sees several, a ray to the left tells which: the first border it meets is the border of
-//!   └────┴╲───┴────┘    that gap.
+//!   └────┴╲───┴────┘    that hole.
 //! ```
 //!
 //! Point to cell is a monotone function of each coordinate, and cells take in too many faces rather than too few, so
@@ -18,18 +18,18 @@
 //! when there are twice as many entries as in the beginning the whole is made anew, with smaller cells.
 
 use super::coarse::Coarse;
-use super::gap_edges::GapEdge;
+use super::hole_edges::HoleEdge;
 use super::marks::ID;
 use super::records::FaceTable;
 use super::slivers::Slivers;
 use crate::plane::Point;
 use std::collections::BTreeMap;
 
-/// In an item: no face, but the gap that the cell sees. It is the last item of its cell.
+/// In an item: no face, but the hole that the cell sees. It is the last item of its cell.
 pub(super) const GAP: u32 = 1 << 31;
 /// In an item: a face, and the last item of its cell.
 pub(super) const LAST: u32 = 1 << 30;
-/// The cell sees several gaps.
+/// The cell sees several holes.
 pub(super) const SEVERAL: u32 = GAP | ID;
 /// The cell sees no border at all.
 pub(super) const NOTHING: u32 = SEVERAL - 1;
@@ -39,16 +39,16 @@ pub(super) const NOTHING: u32 = SEVERAL - 1;
 pub(super) enum Look {
     /// Strictly inside this face.
     Face(u32),
-    /// In no face, but in this gap.
-    Gap(u32),
+    /// In no face, but in this hole.
+    Hole(u32),
     /// In no face.
-    SomeGap,
+    SomeHole,
     /// The signs have to be asked.
     Unclear,
 }
 
-fn look_at_gap(item: u32) -> Look {
-    if item == SEVERAL || item == NOTHING { Look::SomeGap } else { Look::Gap(item & ID) }
+fn look_at_hole(item: u32) -> Look {
+    if item == SEVERAL || item == NOTHING { Look::SomeHole } else { Look::Hole(item & ID) }
 }
 
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -61,7 +61,7 @@ pub(super) struct Grid {
     pub(super) rows: usize,
     /// Per cell its only item, which is marked as the last one, or where its items start.
     pub(super) cells: Vec<u32>,
-    /// Per cell with several items its faces, then at most one gap.
+    /// Per cell with several items its faces, then at most one hole.
     pub(super) items: Vec<u32>,
     /// How many places of `items` are of no use any more.
     pub(super) spent: usize,
@@ -70,9 +70,9 @@ pub(super) struct Grid {
     /// How many cells were written since they were made.
     pub(super) written: usize,
     pub(super) coarse: Coarse,
-    pub(super) gap_edges: Vec<GapEdge>,
-    /// The edges between gaps that reach into each cell: the cell, and which edge.
-    pub(super) gap_cells: Vec<(u32, u32)>,
+    pub(super) hole_edges: Vec<HoleEdge>,
+    /// The edges between holes that reach into each cell: the cell, and which edge.
+    pub(super) hole_cells: Vec<(u32, u32)>,
     /// The index that is asked if cells of one size would see too many faces each.
     pub(super) slivers: Option<Box<Slivers>>,
     /// On a map of slivers the faces that came later, per cell.
@@ -84,8 +84,8 @@ impl Grid {
     /// Bytes of the arrays.
     pub(super) fn memory(&self) -> usize {
         4 * (self.cells.len() + self.items.len() + self.late_count)
-            + size_of_val(&*self.gap_edges)
-            + size_of_val(&*self.gap_cells)
+            + size_of_val(&*self.hole_edges)
+            + size_of_val(&*self.hole_cells)
             + self.coarse.memory()
             + self.slivers.as_ref().map_or(0, |slivers| slivers.memory())
     }
@@ -180,12 +180,12 @@ impl Grid {
         let cell = row * self.columns + column;
         let word = self.cells[cell];
         if word & (GAP | LAST) != 0 {
-            return if word & GAP == 0 { Look::Face(word & ID) } else { look_at_gap(word) };
+            return if word & GAP == 0 { Look::Face(word & ID) } else { look_at_hole(word) };
         }
         let place = self.coarse.place(p);
         for &item in &self.items[word as usize..] {
             if item & GAP != 0 {
-                return look_at_gap(item);
+                return look_at_hole(item);
             }
             match self.coarse.is_inside(slot_of(faces, item & ID), place) {
                 Some(true) => return Look::Face(item & ID),

@@ -1,13 +1,13 @@
 //! Faces into the cells of the index, and out of them again.
 //!
 //! ```text
-//!   face ── cells it may reach into ── items of each cell: its faces, the one in the middle first, then a gap
+//!   face ── cells it may reach into ── items of each cell: its faces, the one in the middle first, then a hole
 //! ```
 
 use super::NavMesh;
 use super::coarse::Coarse;
-use super::gap_edges::GapEdge;
 use super::grid::{GAP, Grid, LAST, NOTHING, SEVERAL, slot_of};
+use super::hole_edges::HoleEdge;
 use super::marks::{CLOSED, ID};
 use super::slivers::Slivers;
 use crate::ids::FaceId;
@@ -17,15 +17,15 @@ use std::collections::BTreeMap;
 
 /// The most cells there are, so that items can be numbered without the marks.
 const MOST_CELLS: f64 = 134_217_728.0;
-/// How often faces and edges between gaps may be listed, on average, before the cells are made larger.
+/// How often faces and edges between holes may be listed, on average, before the cells are made larger.
 const MOST_LISTED: f64 = 16.0;
 
 impl Grid {
     /// An index over all faces of the mesh. O(n) for faces of about one size; where faces are long and thin, that of
     /// `slivers`.
-    pub(super) fn new(mesh: &NavMesh, gap_edges: Vec<GapEdge>, slivers: impl FnOnce() -> Slivers) -> Self {
+    pub(super) fn new(mesh: &NavMesh, hole_edges: Vec<HoleEdge>, slivers: impl FnOnce() -> Slivers) -> Self {
         let corners = mesh.faces().flat_map(|f| mesh.corners(f));
-        let corners = corners.chain(gap_edges.iter().flat_map(|edge| edge.ends)).map(|v| mesh.point(v));
+        let corners = corners.chain(hole_edges.iter().flat_map(|edge| edge.ends)).map(|v| mesh.point(v));
         let first = corners.clone().next().unwrap_or_default();
         let (min, max) = corners.fold((first, first), |(min, max), p| {
             (Point::new(min.x.min(p.x), min.y.min(p.y)), Point::new(max.x.max(p.x), max.y.max(p.y)))
@@ -35,9 +35,9 @@ impl Grid {
         let mut columns = (count * (width / height)).sqrt().clamp(1.0, count).ceil();
         let mut rows = (count / columns).ceil().max(1.0);
         // A convex face is listed once for each column and each row it runs through, about, and inside.
-        let [across, up] = extents(mesh, &gap_edges);
+        let [across, up] = extents(mesh, &hole_edges);
         let places = across / width * columns + up / height * rows;
-        let most = MOST_LISTED * (mesh.face_count() + gap_edges.len()) as f64;
+        let most = MOST_LISTED * (mesh.face_count() + hole_edges.len()) as f64;
         let is_crowded = places > most;
         if is_crowded {
             // Once each, about: whoever looks for faces near a point still finds them by the cells.
@@ -56,27 +56,27 @@ impl Grid {
             entries: [0; 2],
             written: 0,
             coarse: Coarse::new(min, max),
-            gap_edges: Vec::new(),
-            gap_cells: Vec::new(),
+            hole_edges: Vec::new(),
+            hole_cells: Vec::new(),
             slivers: is_crowded.then(|| Box::new(slivers())),
             late: BTreeMap::new(),
             late_count: 0,
         };
-        let mut gap_cells = Vec::new();
-        for (i, edge) in (0..).zip(&gap_edges) {
-            grid.visit_cells(&edge.points(mesh), |cell| gap_cells.push((cell, i)));
+        let mut hole_cells = Vec::new();
+        for (i, edge) in (0..).zip(&hole_edges) {
+            grid.visit_cells(&edge.points(mesh), |cell| hole_cells.push((cell, i)));
         }
-        gap_cells.sort_unstable();
-        (grid.gap_edges, grid.gap_cells) = (gap_edges, gap_cells);
+        hole_cells.sort_unstable();
+        (grid.hole_edges, grid.hole_cells) = (hole_edges, hole_cells);
         grid.fill(mesh);
         grid.name_empty_cells(mesh);
         grid.order_items(mesh);
         grid
     }
 
-    /// Another index over the mesh as it is now: the gaps are what they were. O(n), as [`new`](Self::new).
+    /// Another index over the mesh as it is now: the holes are what they were. O(n), as [`new`](Self::new).
     pub(super) fn anew(&mut self, mesh: &NavMesh, slivers: impl FnOnce() -> Slivers) -> Self {
-        let mut other = Self::new(mesh, std::mem::take(&mut self.gap_edges), slivers);
+        let mut other = Self::new(mesh, std::mem::take(&mut self.hole_edges), slivers);
         other.written = self.written + other.cells.len();
         other
     }
@@ -106,29 +106,29 @@ impl Grid {
         entries.sort_unstable();
         entries.dedup();
         let (mut gone, mut come) = (gone.as_slice(), entries.as_slice());
-        let (mut faces, mut gaps): (Vec<u32>, Vec<u32>) = (Vec::new(), Vec::new());
+        let (mut faces, mut holes): (Vec<u32>, Vec<u32>) = (Vec::new(), Vec::new());
         while let Some(cell) = gone.first().into_iter().chain(come.first()).map(|&(cell, _)| cell).min() {
             let of_cell = |list: &[(u32, u32)]| list.iter().take_while(|&&(other, _)| other == cell).count();
             let (lost, got);
             (lost, gone) = gone.split_at(of_cell(gone));
             (got, come) = come.split_at(of_cell(come));
             faces.clear();
-            gaps.clear();
+            holes.clear();
             let is_lost = |f: u32| lost.iter().any(|&(_, other)| other == f);
             for &item in self.own_items(cell as usize) {
                 if item & GAP != 0 {
-                    gaps.push(item);
+                    holes.push(item);
                 } else if !is_lost(item & ID) {
                     faces.push(item & ID);
                 }
             }
             for &(_, item) in got {
-                let list = if item & GAP != 0 { &mut gaps } else { &mut faces };
+                let list = if item & GAP != 0 { &mut holes } else { &mut faces };
                 if !list.contains(&item) {
                     list.push(item);
                 }
             }
-            self.write_cell(mesh, cell as usize, &mut faces, &gaps);
+            self.write_cell(mesh, cell as usize, &mut faces, &holes);
         }
         if 2 * self.spent > self.items.len() + 64 {
             self.close_ranks();
@@ -150,7 +150,7 @@ impl Grid {
     }
 
     /// Writes the items of a cell anew.
-    fn write_cell(&mut self, mesh: &NavMesh, cell: usize, faces: &mut [u32], gaps: &[u32]) {
+    fn write_cell(&mut self, mesh: &NavMesh, cell: usize, faces: &mut [u32], holes: &[u32]) {
         self.written += 1;
         let before = self.own_items(cell).len();
         let old_place = (self.cells[cell] & (GAP | LAST) == 0).then_some(self.cells[cell] as usize);
@@ -160,16 +160,16 @@ impl Grid {
         if let Some(first) = faces.iter().position(has_it) {
             faces.swap(0, first);
         }
-        let gap = gaps.first().map(|&first| if gaps.iter().all(|&gap| gap == first) { first } else { SEVERAL });
-        if let (Some(last), None) = (faces.last_mut(), gap) {
+        let hole = holes.first().map(|&first| if holes.iter().all(|&hole| hole == first) { first } else { SEVERAL });
+        if let (Some(last), None) = (faces.last_mut(), hole) {
             *last |= LAST;
         }
-        let count = faces.len() + usize::from(gap.is_some());
+        let count = faces.len() + usize::from(hole.is_some());
         self.entries[0] = (self.entries[0] + count).saturating_sub(before);
         let spent = old_place.map_or(0, |_| before);
         if count <= 1 {
             self.spent += spent;
-            self.cells[cell] = faces.first().copied().or(gap).unwrap_or(NOTHING);
+            self.cells[cell] = faces.first().copied().or(hole).unwrap_or(NOTHING);
             return;
         }
         let place = old_place.filter(|_| count <= before).unwrap_or(self.items.len());
@@ -180,19 +180,19 @@ impl Grid {
             self.spent += before - count;
         }
         self.items[place..place + faces.len()].copy_from_slice(faces);
-        if let Some(gap) = gap {
-            self.items[place + count - 1] = gap;
+        if let Some(hole) = hole {
+            self.items[place + count - 1] = hole;
         }
         self.cells[cell] = place as u32;
     }
 
-    /// Appends for each cell into which a face reaches that face, and the gaps behind its sides that reach there.
+    /// Appends for each cell into which a face reaches that face, and the holes behind its sides that reach there.
     fn list(&self, mesh: &NavMesh, f: FaceId, corners: &[Point], entries: &mut Vec<(u32, u32)>) {
         self.visit_cells(corners, |cell| entries.push((cell, f.number())));
         for (side, s) in mesh.sides_of(f).iter().zip(mesh.range(f)) {
-            let gap = side.across & ID;
-            if side.across & CLOSED != 0 && !mesh.has_face(FaceId::new(gap)) {
-                let (ends, name) = (mesh.ends(f, s).map(|v| mesh.point(v)), mesh.gap_name(gap));
+            let hole = side.across & ID;
+            if side.across & CLOSED != 0 && !mesh.has_face(FaceId::new(hole)) {
+                let (ends, name) = (mesh.ends(f, s).map(|v| mesh.point(v)), mesh.hole_name(hole));
                 self.visit_cells(&ends, |cell| entries.push((cell, GAP | name)));
             }
         }
@@ -207,8 +207,8 @@ impl Grid {
             self.coarse.put(slot_of(&mesh.faces, f.number()), &corners);
             self.list(mesh, f, &corners, &mut pairs);
         }
-        let by_edge = self.gap_cells.iter();
-        pairs.extend(by_edge.flat_map(|&(cell, i)| self.gap_edges[i as usize].gaps.map(|gap| (cell, GAP | gap))));
+        let by_edge = self.hole_cells.iter();
+        pairs.extend(by_edge.flat_map(|&(cell, i)| self.hole_edges[i as usize].holes.map(|hole| (cell, GAP | hole))));
         let cells = self.columns * self.rows;
         let mut ends = vec![0u32; cells + 1];
         pairs.iter().for_each(|&(cell, _)| ends[cell as usize + 1] += 1);
@@ -225,9 +225,9 @@ impl Grid {
             let start = self.items.len();
             let here = &sorted[ends[cell] as usize..ends[cell + 1] as usize];
             self.items.extend(here.iter().filter(|&&item| item & GAP == 0));
-            let mut gaps = here.iter().copied().filter(|&item| item & GAP != 0);
-            if let Some(first) = gaps.next() {
-                self.items.push(if gaps.all(|gap| gap == first) { first } else { SEVERAL });
+            let mut holes = here.iter().copied().filter(|&item| item & GAP != 0);
+            if let Some(first) = holes.next() {
+                self.items.push(if holes.all(|hole| hole == first) { first } else { SEVERAL });
             }
             self.cells.push(match self.items[start..] {
                 [] => NOTHING,
@@ -261,7 +261,7 @@ impl Grid {
         }
     }
 
-    /// Cells without any face lie in one gap each: that of the cell on their left, or the first on a ray.
+    /// Cells without any face lie in one hole each: that of the cell on their left, or the first on a ray.
     fn name_empty_cells(&mut self, mesh: &NavMesh) {
         for row in 0..self.rows {
             let mut left = Some(GAP);
@@ -272,15 +272,15 @@ impl Grid {
                     continue;
                 }
                 let middle = self.middle([column, row]);
-                let gap = left.unwrap_or_else(|| GAP | self.gap_by_ray(mesh, middle, [column, row]));
-                self.cells[cell] = gap;
-                left = Some(gap);
+                let hole = left.unwrap_or_else(|| GAP | self.hole_by_ray(mesh, middle, [column, row]));
+                self.cells[cell] = hole;
+                left = Some(hole);
             }
         }
     }
 
-    /// The gap in which a point lies that is in no face. O(1) in most cells, else O(faces along the row).
-    pub(super) fn gap(&self, mesh: &NavMesh, p: Point) -> FaceId {
+    /// The hole in which a point lies that is in no face. O(1) in most cells, else O(faces along the row).
+    pub(super) fn hole(&self, mesh: &NavMesh, p: Point) -> FaceId {
         if !self.contains(p) {
             return FaceId::new(0);
         }
@@ -288,62 +288,62 @@ impl Grid {
         let mut items = self.items(cell[1] * self.columns + cell[0]).iter().copied();
         let known = items.find(|item| item & (GAP | LAST) != 0);
         match known {
-            Some(gap) if gap & GAP != 0 && gap != SEVERAL => FaceId::new(gap & ID),
-            _ => FaceId::new(self.gap_by_ray(mesh, p, cell)),
+            Some(hole) if hole & GAP != 0 && hole != SEVERAL => FaceId::new(hole & ID),
+            _ => FaceId::new(self.hole_by_ray(mesh, p, cell)),
         }
     }
 
-    /// The gap behind the first border that a ray from `p` to the left meets; an end of a border that lies at the
+    /// The hole behind the first border that a ray from `p` to the left meets; an end of a border that lies at the
     /// height of `p` counts as below. `p` is in no face, and in the cell or near it.
-    fn gap_by_ray(&self, mesh: &NavMesh, p: Point, [column, row]: [usize; 2]) -> u32 {
+    fn hole_by_ray(&self, mesh: &NavMesh, p: Point, [column, row]: [usize; 2]) -> u32 {
         let mut nearest: Option<([Point; 2], u32)> = None;
         for column in (0..=column).rev() {
             for f in self.faces([column, row]) {
                 let f = FaceId::new(f);
                 for (side, s) in mesh.sides_of(f).iter().zip(mesh.range(f)) {
-                    let gap = side.across & ID;
-                    if side.across & CLOSED == 0 || mesh.has_face(FaceId::new(gap)) {
+                    let hole = side.across & ID;
+                    if side.across & CLOSED == 0 || mesh.has_face(FaceId::new(hole)) {
                         continue;
                     }
                     let [a, b] = mesh.ends(f, s).map(|v| mesh.point(v));
-                    // With the gap on its right, towards p, the border runs up.
+                    // With the hole on its right, towards p, the border runs up.
                     let met = a.y <= p.y && b.y > p.y && orientation(a, b, p).is_lt();
                     if met && nearest.is_none_or(|(other, _)| is_right_of([a, b], other)) {
-                        nearest = Some(([a, b], mesh.gap_name(gap)));
+                        nearest = Some(([a, b], mesh.hole_name(hole)));
                     }
                 }
             }
             let cell = (row * self.columns + column) as u32;
-            let first = self.gap_cells.partition_point(|&(other, _)| other < cell);
-            for &(_, i) in self.gap_cells[first..].iter().take_while(|&&(other, _)| other == cell) {
-                let edge = &self.gap_edges[i as usize];
+            let first = self.hole_cells.partition_point(|&(other, _)| other < cell);
+            for &(_, i) in self.hole_cells[first..].iter().take_while(|&&(other, _)| other == cell) {
+                let edge = &self.hole_edges[i as usize];
                 let [a, b] = edge.points(mesh);
                 let met = a.y <= p.y && b.y > p.y && orientation(a, b, p).is_lt();
                 if met && nearest.is_none_or(|(other, _)| is_right_of([a, b], other)) {
-                    nearest = Some(([a, b], edge.gaps[1]));
+                    nearest = Some(([a, b], edge.holes[1]));
                 }
             }
             // Whatever is met right of the left side of this cell has been seen by now.
-            if let Some(([a, b], gap)) = nearest {
+            if let Some(([a, b], hole)) = nearest {
                 let met = a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y)).clamp(0.0, 1.0);
                 if met >= self.min.x + (column as f64 + 0.001) / self.scale[0] {
-                    return gap;
+                    return hole;
                 }
             }
         }
-        nearest.map_or(0, |(_, gap)| gap)
+        nearest.map_or(0, |(_, hole)| hole)
     }
 }
 
-/// The widths and the heights of all faces and edges between gaps, added. O(n).
-fn extents(mesh: &NavMesh, gap_edges: &[GapEdge]) -> [f64; 2] {
+/// The widths and the heights of all faces and edges between holes, added. O(n).
+fn extents(mesh: &NavMesh, hole_edges: &[HoleEdge]) -> [f64; 2] {
     let of = |corners: &mut dyn Iterator<Item = Point>| {
         let none = [f64::INFINITY, f64::NEG_INFINITY];
         let wide = |[low, high]: [f64; 2], x: f64| [low.min(x), high.max(x)];
         corners.fold([none; 2], |[x, y], p| [wide(x, p.x), wide(y, p.y)]).map(|[low, high]| high - low)
     };
     let faces = mesh.faces().map(|f| of(&mut mesh.corners(f).map(|v| mesh.point(v))));
-    let edges = gap_edges.iter().map(|edge| of(&mut edge.points(mesh).into_iter()));
+    let edges = hole_edges.iter().map(|edge| of(&mut edge.points(mesh).into_iter()));
     faces.chain(edges).fold([0.0; 2], |[x, y], [width, height]| [x + width, y + height])
 }
 

@@ -4,7 +4,7 @@
 //!   ┌──────────────────┐      Along every closed side the strip of the radius goes, and round every corner that
 //!   │▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒│      stands out a piece of a disc. What is left is a map like any other: a point finds its
 //!   │▒              ╱▒▒│      way through it just where the agent finds its way through the first one, by whatever
-//!   │▒    ┌────────●   │      rung of the ladder.
+//!   │▒    ┌────────●   │      path algorithm.
 //!   └─────┘ ▒▒▒▒▒▒▒▒▒▒▒
 //! ```
 //!
@@ -13,7 +13,7 @@
 //!          ╱      strip          last of them are the lines of the two strips themselves, so a corner that stands out is
 //!      f1 ●  ·  r ┌────────      one vertex for each tangent between them, and one more.
 //!         │     · │
-//!         │ strip │  gap
+//!         │ strip │  hole
 //! ```
 //!
 //! So no way comes nearer than the radius, and nothing is lost that an agent of (1 + tolerance) times the radius could do.
@@ -81,7 +81,7 @@ pub struct Inset {
 }
 
 impl Inset {
-    /// By which part of the radius a way may be kept further off than the radius, if nothing else is said: the finest
+    /// By which part of the radius a path may be kept further off than the radius, if nothing else is said: the finest
     /// with which large maps grow to no more than three times their triangles.
     pub const TOLERANCE: f64 = 0.02;
 
@@ -91,7 +91,7 @@ impl Inset {
         &self.map
     }
 
-    /// Its navmesh: for location, reach, and routes by any rung.
+    /// Its navmesh: for location, reach, and routes by any algorithm.
     #[must_use]
     pub fn mesh(&self) -> &NavMesh {
         &self.mesh
@@ -103,7 +103,7 @@ impl Inset {
         self.radius
     }
 
-    /// By which part of the radius a way may be kept further off than that, round corners.
+    /// By which part of the radius a path may be kept further off than that, round corners.
     #[must_use]
     pub fn tolerance(&self) -> f64 {
         self.tolerance
@@ -117,11 +117,11 @@ impl Inset {
 }
 
 impl NavMesh {
-    /// The map without its margin: all points that are at least `radius` away from every closed side, be it a gap, a
+    /// The map without its margin: all points that are at least `radius` away from every closed side, be it a hole, a
     /// wall or a blocked face that lies behind.
     ///
-    /// Every route through the inset keeps that distance (but for rounding), whatever the rung; the exact one is the
-    /// shortest of those that keep off the tangents. It is no shorter than the shortest way at distance `radius`, and no
+    /// Every route through the inset keeps that distance (but for rounding), whatever the algorithm; the exact one is the
+    /// shortest of those that keep off the tangents. It is no shorter than the shortest path at distance `radius`, and no
     /// longer than the shortest at distance 1 + [`TOLERANCE`](Inset::TOLERANCE) times that; if the latter exists, so
     /// does a route. For closer arcs see [`inset_within`](Self::inset_within).
     ///
@@ -133,13 +133,13 @@ impl NavMesh {
     /// [`InsetError`].
     ///
     /// ```
-    /// use dcel_kit::navmesh::{NavMesh, Planner, Rung};
+    /// use dcel_kit::navmesh::{NavMesh, Planner, PathAlgorithm};
     /// use dcel_kit::plane::{Point, Subdivision};
     /// let hall = [(0., 0.), (8., 0.), (8., 4.), (0., 4.)].map(Point::from);
     /// let inset = NavMesh::new(&Subdivision::polygon(&hall)?)?.inset(1.0)?;
     /// assert!(inset.mesh().place(Point::new(0.5, 2.0)).is_err());
     /// let [a, b] = [Point::new(1.0, 1.0), Point::new(7.0, 3.0)];
-    /// let route = Planner::new().route_between(inset.mesh(), Rung::Exact, a, b)?;
+    /// let route = Planner::new().route_between(inset.mesh(), PathAlgorithm::Exact, a, b)?;
     /// assert_eq!(route.length, 40f64.sqrt());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -257,7 +257,7 @@ impl Outlines {
         arc
     }
 
-    /// The part of the plane inside the border and in no strip, with everything else as gaps; `None` if there is none.
+    /// The part of the plane inside the border and in no strip, with everything else as holes; `None` if there is none.
     fn free_part(&self) -> Result<Option<Subdivision>, SegmentsError> {
         let options = ArrangeOptions { split: true, merge: true, ..ArrangeOptions::default() };
         let arranged = Subdivision::arrange_segments(&self.segments, &options)?;

@@ -1,4 +1,4 @@
-//! Links: teleports, ladders, jumps, stairs to another storey.
+//! Links: teleports, ladders, leaps, stairs to another storey.
 //!
 //! ```text
 //!   storey 1   ┌───────────────────┐      A link leads from one place to another, one way, at a cost; it need not be on
@@ -11,14 +11,14 @@
 //!
 //! The search is Dijkstra's over the ends of the links. What lies between two of them is first guessed as the crow
 //! flies, and found out when that guess comes to the front: so few legs are ever searched for. With
-//! [`Rung::Exact`] for the legs the whole is the shortest of all.
+//! [`PathAlgorithm::Exact`] for the legs the whole is the shortest of all.
 //!
 //! Source: Dellin and Srinivasa, *A unifying formalism for shortest path problems with expensive edge evaluations*, 2016.
 
-use super::funnel::Post;
+use super::funnel::Endpoint;
 use super::nearest::distance;
 use super::steps::{End, steps};
-use super::{DistanceField, NavMesh, Place, Planner, Route, Rung, Work};
+use super::{DistanceField, NavMesh, PathAlgorithm, Planner, QueryPoint, Route, Work};
 use crate::ids::{FaceMap, VertexId};
 use crate::plane::Point;
 use std::cmp::Reverse;
@@ -30,7 +30,7 @@ pub struct Stop {
     /// Which mesh, by its index.
     pub layer: usize,
     /// Where on it.
-    pub place: Place,
+    pub place: QueryPoint,
 }
 
 /// A way from one place to another that is not on the mesh, in this direction only.
@@ -206,8 +206,8 @@ impl Planner {
     /// A path between two places over several meshes and the links between and on them. For one mesh, give
     /// `std::slice::from_ref(&mesh)`.
     ///
-    /// Each leg is found by `rung`; which links are used is decided by the lengths of the legs and the costs of the
-    /// links. With [`Rung::Exact`] the answer is the path of the least cost.
+    /// Each leg is found by `algorithm`; which links are used is decided by the lengths of the legs and the costs of the
+    /// links. With [`PathAlgorithm::Exact`] the answer is the path of the least cost.
     ///
     /// Cost: at most (k + 1)² searches for k links, and far fewer where links are far from each other: only legs that
     /// may be part of the best path by the distance as the crow flies are searched for.
@@ -216,13 +216,13 @@ impl Planner {
     /// [`LinkError`].
     ///
     /// ```
-    /// use dcel_kit::navmesh::{Link, NavMesh, Planner, Rung, Stop};
+    /// use dcel_kit::navmesh::{Link, NavMesh, Planner, PathAlgorithm, Stop};
     /// use dcel_kit::plane::{Point, Subdivision};
     /// let hall = [(0., 0.), (8., 0.), (8., 4.), (0., 4.)].map(Point::from);
     /// let floors = [NavMesh::new(&Subdivision::polygon(&hall)?)?, NavMesh::new(&Subdivision::polygon(&hall)?)?];
     /// let stop = |layer: usize, x, y| floors[layer].place(Point::new(x, y)).map(|place| Stop { layer, place });
     /// let stairs = Link { from: stop(0, 7.0, 2.0)?, to: stop(1, 5.0, 2.0)?, cost: 3.0 };
-    /// let path = Planner::new().linked_route(&floors, &[stairs], Rung::Exact, &stop(0, 1.0, 2.0)?, &stop(1, 1.0, 2.0)?)?;
+    /// let path = Planner::new().linked_route(&floors, &[stairs], PathAlgorithm::Exact, &stop(0, 1.0, 2.0)?, &stop(1, 1.0, 2.0)?)?;
     /// assert_eq!((path.legs.len(), path.links.as_slice(), path.cost), (2, [0].as_slice(), 6.0 + 3.0 + 4.0));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -230,7 +230,7 @@ impl Planner {
         &mut self,
         layers: &[NavMesh],
         links: &[Link],
-        rung: Rung,
+        algorithm: PathAlgorithm,
         start: &Stop,
         goal: &Stop,
     ) -> Result<LinkedRoute, LinkError> {
@@ -241,7 +241,7 @@ impl Planner {
             [start, goal],
             |_| 1.0,
             |planner, layer, [from, to]| {
-                let route = planner.route(&layers[layer], rung, from, to).ok()?;
+                let route = planner.route(&layers[layer], algorithm, from, to).ok()?;
                 work += route.work;
                 Some((route.length, route))
             },
@@ -260,7 +260,7 @@ impl Planner {
     /// If there are not as many costs as layers, or some are shorter than [`face_bound`](NavMesh::face_bound).
     ///
     /// ```
-    /// use dcel_kit::navmesh::{Link, NavMesh, Planner, Rung, Stop};
+    /// use dcel_kit::navmesh::{Link, NavMesh, Planner, PathAlgorithm, Stop};
     /// use dcel_kit::{FaceMap, plane::{Point, Subdivision}};
     /// let hall = [(0., 0.), (8., 0.), (8., 4.), (0., 4.)].map(Point::from);
     /// let hall = NavMesh::new(&Subdivision::polygon(&hall)?)?;
@@ -270,7 +270,7 @@ impl Planner {
     /// let mut planner = Planner::new();
     /// let mut path = |costs: &FaceMap<f64>| {
     ///     let (layers, costs) = (std::slice::from_ref(&hall), std::slice::from_ref(costs));
-    ///     planner.weighted_linked_route(layers, &[ferry], Rung::Closest, costs, &stop(1., 2.)?, &stop(7., 2.)?)
+    ///     planner.weighted_linked_route(layers, &[ferry], PathAlgorithm::Closest, costs, &stop(1., 2.)?, &stop(7., 2.)?)
     ///         .map_err(Box::<dyn std::error::Error>::from)
     /// };
     /// assert_eq!(path(&costs)?.links.len(), 0, "6 on foot, 1 + 8 + 1 by the ferry");
@@ -282,7 +282,7 @@ impl Planner {
         &mut self,
         layers: &[NavMesh],
         links: &[Link],
-        rung: Rung,
+        algorithm: PathAlgorithm,
         costs: &[FaceMap<f64>],
         start: &Stop,
         goal: &Stop,
@@ -299,7 +299,7 @@ impl Planner {
             [start, goal],
             |layer| least[layer],
             |planner, layer, [from, to]| {
-                let route = planner.weighted_route(&layers[layer], rung, &costs[layer], from, to).ok()?;
+                let route = planner.weighted_route(&layers[layer], algorithm, &costs[layer], from, to).ok()?;
                 work += route.work;
                 Some((layers[layer].cost_along(&route, &costs[layer]), route))
             },
@@ -314,7 +314,7 @@ impl Planner {
         links: &[Link],
         [start, goal]: [&Stop; 2],
         least: impl Fn(usize) -> f64,
-        mut leg: impl FnMut(&mut Self, usize, [&Place; 2]) -> Option<(f64, Route)>,
+        mut leg: impl FnMut(&mut Self, usize, [&QueryPoint; 2]) -> Option<(f64, Route)>,
     ) -> Result<LinkedRoute, LinkError> {
         check(layers.len(), links, &[start, goal])?;
         let node = |i: usize| if i == 0 { start } else { &links[i - 1].to };
@@ -370,7 +370,7 @@ impl Planner {
             |from, to| as_crow_flies(layers, node(from), &links[to].from),
             |from, to| {
                 let [from, to] = [node(from), &links[to].from];
-                let route = self.route(&layers[from.layer], Rung::Exact, &from.place, &to.place).ok()?;
+                let route = self.route(&layers[from.layer], PathAlgorithm::Exact, &from.place, &to.place).ok()?;
                 Some((route.length, ()))
             },
         );
@@ -402,19 +402,20 @@ impl NavMesh {
     #[must_use]
     pub fn cost_along(&self, route: &Route, costs: &FaceMap<f64>) -> f64 {
         let [Some(&start), Some(&goal)] = [route.points.first(), route.points.last()] else { return 0.0 };
-        let post = |&v: &VertexId| Post::at(self, v);
-        let portals: Vec<[Post; 2]> =
-            route.portals(self).map(|portal| [portal.left, portal.right].map(|v| post(&v))).collect();
-        let ends = [start, goal].map(Post::free);
-        let path: Vec<Post> = std::iter::once(ends[0]).chain(route.corners.iter().map(post)).chain([ends[1]]).collect();
+        let endpoint = |&v: &VertexId| Endpoint::at(self, v);
+        let portals: Vec<[Endpoint; 2]> =
+            route.portal_ends(self).map(|portal| [portal.left, portal.right].map(|v| endpoint(&v))).collect();
+        let ends = [start, goal].map(Endpoint::free);
+        let path: Vec<Endpoint> =
+            std::iter::once(ends[0]).chain(route.corners.iter().map(endpoint)).chain([ends[1]]).collect();
         let (mut cost, mut last) = (0.0, start);
         for step in steps(&portals, &path) {
             let at = match step.end {
                 End::Portal(d, share) => {
-                    let [left, right] = portals[d].map(|post| post.point);
+                    let [left, right] = portals[d].map(|endpoint| endpoint.point);
                     Point::new(right.x + (left.x - right.x) * share, right.y + (left.y - right.y) * share)
                 }
-                End::Post(k) => path[k].point,
+                End::Endpoint(k) => path[k].point,
             };
             cost += distance(last, at) * costs[route.faces[step.face]].max(0.0);
             last = at;
@@ -430,7 +431,7 @@ fn as_crow_flies(layers: &[NavMesh], a: &Stop, b: &Stop) -> Option<f64> {
 }
 
 /// Whether two places are in one component, as far as their faces tell.
-fn is_joined(mesh: &NavMesh, a: &Place, b: &Place) -> bool {
+fn is_joined(mesh: &NavMesh, a: &QueryPoint, b: &QueryPoint) -> bool {
     let [a, b] = [a, b].map(|place| mesh.component(place.face));
     a.is_some() && a == b
 }

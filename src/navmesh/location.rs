@@ -1,4 +1,4 @@
-//! Where a point lies, by name; and from where a way may start.
+//! Where a point lies, by name; and from where a path may start.
 //!
 //! ```text
 //!   ┌───────●────┐     ●  Vertex(v)           Nothing is snapped: a point a hair beside the map is outside, and
@@ -22,7 +22,7 @@ use std::fmt;
 pub enum Location {
     /// On a vertex of the mesh.
     Vertex(VertexId),
-    /// Inside an edge of the mesh: by its even half, or by the odd one if the face of the even one is a gap.
+    /// Inside an edge of the mesh: by its even half, or by the odd one if the face of the even one is a hole.
     Edge(HalfEdgeId),
     /// Inside a face of the mesh, blocked or not.
     Face(FaceId),
@@ -46,10 +46,10 @@ impl fmt::Display for Location {
     }
 }
 
-/// A point from or to which a way may lead, and the face in which one stands there. On an edge or vertex the face
+/// A point from or to which a path may lead, and the face in which one stands there. On an edge or vertex the face
 /// says on which side of a wall, or in which wedge of a double corner.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Place {
+pub struct QueryPoint {
     /// The point.
     pub point: Point,
     /// Where it lies.
@@ -61,7 +61,7 @@ pub struct Place {
 /// Why one cannot stand at a point.
 #[derive(Clone, PartialEq, Debug, thiserror::Error)]
 #[non_exhaustive]
-pub enum PlaceError {
+pub enum QueryPointError {
     /// The point is in no face of the mesh.
     #[error("{point} is {location}, not on the mesh; nearest_point gives the nearest place that is")]
     OffMesh {
@@ -135,12 +135,12 @@ impl NavMesh {
         }
         match self.grid.look(&self.faces, p) {
             Look::Face(f) => (Location::Face(FaceId::new(f)), Some(FaceId::new(f))),
-            Look::Gap(gap) => (gap_location(FaceId::new(gap)), None),
-            Look::SomeGap => (self.gap_at(p), None),
+            Look::Hole(hole) => (hole_location(FaceId::new(hole)), None),
+            Look::SomeHole => (self.hole_at(p), None),
             Look::Unclear => {
                 let faces = self.grid.faces(self.grid.cell(p)).map(FaceId::new);
                 let mut spots = faces.filter_map(|f| Some((self.spot_of_near(f, p)?, Some(f))));
-                spots.next().unwrap_or_else(|| (self.gap_at(p), None))
+                spots.next().unwrap_or_else(|| (self.hole_at(p), None))
             }
         }
     }
@@ -158,21 +158,21 @@ impl NavMesh {
         let mut faces = near.into_iter().flatten().chain(late).filter(|&f| self.has_face(f));
         let found = faces.find_map(|f| Some((self.spot_of_near(f, p)?, Some(f))));
         found.unwrap_or_else(|| match seen {
-            Seen::Face(gap) if self.grid.is_fresh() => (gap_location(gap), None),
-            _ => (self.gap_at(p), None),
+            Seen::Face(hole) if self.grid.is_fresh() => (hole_location(hole), None),
+            _ => (self.hole_at(p), None),
         })
     }
 
-    /// The gap that has `p`, which is in no face.
-    fn gap_at(&self, p: Point) -> Location {
-        gap_location(self.grid.gap(self, p))
+    /// The hole that has `p`, which is in no face.
+    fn hole_at(&self, p: Point) -> Location {
+        hole_location(self.grid.hole(self, p))
     }
 
     /// [`locate`](Self::locate) without the index: every face is tested. For tests and for lessons. O(n).
     #[must_use]
     pub fn locate_by_scan(&self, p: Point) -> Location {
         let found = self.faces().find_map(|f| self.spot_in(f, p));
-        found.unwrap_or_else(|| self.gap_at(p))
+        found.unwrap_or_else(|| self.hole_at(p))
     }
 
     /// Where in the closed face `f` the point lies, if it does. O(sides of f); exact.
@@ -217,40 +217,40 @@ impl NavMesh {
     /// Cost: that of [`locate`](Self::locate), and O(faces there).
     ///
     /// # Errors
-    /// [`PlaceError`]: `p` is off the mesh or blocked, or there are several sides of a double corner or a wall to
+    /// [`QueryPointError`]: `p` is off the mesh or blocked, or there are several sides of a double corner or a wall to
     /// choose from with [`place_in`](Self::place_in).
-    pub fn place(&self, point: Point) -> Result<Place, PlaceError> {
+    pub fn place(&self, point: Point) -> Result<QueryPoint, QueryPointError> {
         let (location, face) = self.locate_with_face(point);
         if let Location::Face(face) = location {
-            let place = Place { point, location, face };
-            return if self.is_walkable(face) { Ok(place) } else { Err(PlaceError::Blocked { point, location }) };
+            let place = QueryPoint { point, location, face };
+            return if self.is_walkable(face) { Ok(place) } else { Err(QueryPointError::Blocked { point, location }) };
         }
         let mut faces = face.map_or_else(Vec::new, |face| self.parts_of(location, face)).into_iter();
         match (faces.next(), faces.len()) {
-            (Some(part), 0) => Ok(Place { point, location, face: part[0] }),
+            (Some(part), 0) => Ok(QueryPoint { point, location, face: part[0] }),
             (Some(part), _) => {
                 let faces = std::iter::once(part).chain(faces).map(|part| part[0]).collect();
-                Err(PlaceError::Ambiguous { point, location, faces })
+                Err(QueryPointError::Ambiguous { point, location, faces })
             }
             (None, _) if matches!(location, Location::Hole(_) | Location::Outer) => {
-                Err(PlaceError::OffMesh { point, location })
+                Err(QueryPointError::OffMesh { point, location })
             }
-            (None, _) => Err(PlaceError::Blocked { point, location }),
+            (None, _) => Err(QueryPointError::Blocked { point, location }),
         }
     }
 
     /// All places at `point`: one, or at a double corner and on a wall one on each side, in the order of
-    /// [`PlaceError::Ambiguous`].
+    /// [`QueryPointError::Ambiguous`].
     ///
     /// Cost: that of [`place`](Self::place).
     ///
     /// # Errors
-    /// [`PlaceError`]: `point` is off the mesh or blocked.
-    pub fn places(&self, point: Point) -> Result<Vec<Place>, PlaceError> {
+    /// [`QueryPointError`]: `point` is off the mesh or blocked.
+    pub fn places(&self, point: Point) -> Result<Vec<QueryPoint>, QueryPointError> {
         match self.place(point) {
             Ok(place) => Ok(vec![place]),
-            Err(PlaceError::Ambiguous { point, location, faces }) => {
-                Ok(faces.into_iter().map(|face| Place { point, location, face }).collect())
+            Err(QueryPointError::Ambiguous { point, location, faces }) => {
+                Ok(faces.into_iter().map(|face| QueryPoint { point, location, face }).collect())
             }
             Err(error) => Err(error),
         }
@@ -260,23 +260,23 @@ impl NavMesh {
     /// that face belongs.
     ///
     /// # Errors
-    /// [`PlaceError::NotInFace`] if the closed face does not have the point, or nobody may enter it.
-    pub fn place_in(&self, face: FaceId, point: Point) -> Result<Place, PlaceError> {
+    /// [`QueryPointError::NotInFace`] if the closed face does not have the point, or nobody may enter it.
+    pub fn place_in(&self, face: FaceId, point: Point) -> Result<QueryPoint, QueryPointError> {
         let spot = if self.is_walkable(face) { self.spot_in(face, point) } else { None };
-        let location = spot.ok_or_else(|| PlaceError::NotInFace { point, location: self.locate(point), face })?;
-        Ok(Place { point, location, face })
+        let location = spot.ok_or_else(|| QueryPointError::NotInFace { point, location: self.locate(point), face })?;
+        Ok(QueryPoint { point, location, face })
     }
 
     /// The faces one stands in at the place, all of them: those round an edge or vertex between which one may pass.
     #[must_use]
-    pub fn faces_at(&self, place: &Place) -> Vec<FaceId> {
+    pub fn faces_at(&self, place: &QueryPoint) -> Vec<FaceId> {
         let mut faces = Vec::new();
         self.add_faces_at(place, &mut faces);
         faces
     }
 
     /// Appends the [`faces_at`](Self::faces_at) the place.
-    pub(super) fn add_faces_at(&self, place: &Place, faces: &mut Vec<FaceId>) {
+    pub(super) fn add_faces_at(&self, place: &QueryPoint, faces: &mut Vec<FaceId>) {
         let parts = match place.location {
             Location::Face(_) => Vec::new(),
             location => self.parts_of(location, place.face),
@@ -303,8 +303,8 @@ impl NavMesh {
     }
 }
 
-fn gap_location(gap: FaceId) -> Location {
-    if gap.number() == 0 { Location::Outer } else { Location::Hole(gap) }
+fn hole_location(hole: FaceId) -> Location {
+    if hole.number() == 0 { Location::Outer } else { Location::Hole(hole) }
 }
 
 /// Whether `p`, which is on the line of a and b, lies strictly between them.

@@ -14,13 +14,13 @@ pub(super) const NONE: u32 = u32::MAX;
 pub(super) const CLOSED: u32 = 1 << 31;
 /// In `across`, on open sides: what lies behind leads nowhere else.
 pub(super) const DEAD_END: u32 = 1 << 30;
-/// In `origin`: a shortest way may bend here.
+/// In `origin`: a shortest path may bend here.
 pub(super) const TURN: u32 = 1 << 31;
 /// The id without its marks.
 pub(super) const ID: u32 = DEAD_END - 1;
 /// In `len`: the face is blocked.
 pub(super) const BLOCKED: u32 = 1 << 31;
-/// In `len`: the face is a dead end. Its door is its only open side that does not lead into another one.
+/// In `len`: the face is a dead end. Its portal is its only open side that does not lead into another one.
 pub(super) const PEELED: u32 = 1 << 30;
 
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -1,30 +1,30 @@
 //! Larger faces for the exact search.
 //!
 //! ```text
-//!   ●───────●───────●          ●───────●───────●       A door is taken away if both its ends stay corners of at most
+//!   ●───────●───────●          ●───────●───────●       A portal is taken away if both its ends stay corners of at most
 //!   │ ╲     │     ╱ │          │               │       half a turn: then the two faces are a convex one. The longest
-//!   │   ╲   │   ╱   │   ──>    │               │       doors go first. A cone crosses fewer faces, and sees the same.
+//!   │   ╲   │   ╱   │   ──>    │               │       portals go first. A cone crosses fewer faces, and sees the same.
 //!   ●─────●─┴─●─────●          ●─────●   ●─────●
 //!         │   │                      │   │
 //! ```
 //!
-//! Every door that goes joins two different faces, and no vertex disappears. So the faces within a merged one hang
-//! together like a tree, and its doors that went are chords: whoever goes straight from one of its sides to another
-//! crosses those on the one path between them in the tree, and no others. That is how a way through merged faces
-//! becomes one through the faces of the mesh: by looking at doors, without any computing.
+//! Every portal that goes joins two different faces, and no vertex disappears. So the faces within a merged one hang
+//! together like a tree, and its portals that went are chords: whoever goes straight from one of its sides to another
+//! crosses those on the one path between them in the tree, and no others. That is how a path through merged faces
+//! becomes one through the faces of the mesh: by looking at portals, without any computing.
 //!
 //! A dead end is merged with dead ends only, so that what need not be entered stays apart.
 //!
 //! When the mesh changes, the merged faces at the change are taken apart, and their faces put together again; the new
 //! ones stand behind the last. Once half of all sides are spent the whole is made anew, when it is needed next.
 //!
-//! Source: Hertel and Mehlhorn, *Fast triangulation of simple polygons*, 1983, for taking doors away.
+//! Source: Hertel and Mehlhorn, *Fast triangulation of simple polygons*, 1983, for taking portals away.
 
 use super::corner::turns_left_or_runs_straight;
 use super::curve::Curve;
 use super::marks::{CLOSED, DEAD_END, ID, NONE, SideRecord};
 use super::rooms::{Corner, Rooms};
-use super::{NavMesh, Place};
+use super::{NavMesh, QueryPoint};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::Point;
 use std::ops::Range;
@@ -67,7 +67,7 @@ impl WideSide {
     }
 }
 
-/// The merged faces and the points of the mesh, to search through. A door is the side of the face behind it.
+/// The merged faces and the points of the mesh, to search through. A portal is the side of the face behind it.
 pub(super) struct MergedRooms<'a> {
     sides: &'a [WideSide],
     points: &'a [Point],
@@ -91,24 +91,24 @@ impl Rooms for MergedRooms<'_> {
     }
 
     #[inline]
-    fn door(&self, s: usize) -> u32 {
+    fn portal(&self, s: usize) -> u32 {
         self.sides[s].twin & ID
     }
 
     #[inline]
-    fn side(&self, door: u32) -> usize {
-        (self.sides[door as usize].twin & ID) as usize
+    fn side(&self, portal: u32) -> usize {
+        (self.sides[portal as usize].twin & ID) as usize
     }
 
     #[inline]
-    fn behind(&self, door: u32) -> u32 {
-        self.sides[door as usize].start
+    fn behind(&self, portal: u32) -> u32 {
+        self.sides[portal as usize].start
     }
 
     #[inline]
-    fn enter(&self, door: u32) -> (Range<usize>, usize) {
-        let range = self.sides[door as usize].range();
-        let first = self.next(&range, door as usize);
+    fn enter(&self, portal: u32) -> (Range<usize>, usize) {
+        let range = self.sides[portal as usize].range();
+        let first = self.next(&range, portal as usize);
         (range, first)
     }
 
@@ -129,7 +129,7 @@ pub struct MergedFace {
 
 impl NavMesh {
     /// Puts faces together to larger convex ones now, if that has not been done. Over them
-    /// [`Rung::Exact`](super::Rung::Exact) and [`distance_field`](super::Planner::distance_field) find the same as
+    /// [`PathAlgorithm::Exact`](super::PathAlgorithm::Exact) and [`distance_field`](super::Planner::distance_field) find the same as
     /// [face by face](super::Planner::face_by_face), with less than half of the work. Nobody has to call this: the first
     /// query that needs them does it. Returns how many merged faces there are. Routes speak of the faces of the mesh as
     /// before, and all else is as it was.
@@ -139,15 +139,15 @@ impl NavMesh {
     /// Cost: O(n log n) the first time, then O(number of merged faces); about 75 bytes a triangle.
     ///
     /// ```
-    /// use dcel_kit::navmesh::{NavMesh, Planner, Rung};
+    /// use dcel_kit::navmesh::{NavMesh, Planner, PathAlgorithm};
     /// use dcel_kit::plane::{Point, Subdivision};
-    /// // Eight triangles round a square gap: four trapezoids.
+    /// // Eight triangles round a square hole: four trapezoids.
     /// let points = [(0., 0.), (3., 0.), (3., 3.), (0., 3.), (1., 1.), (2., 1.), (2., 2.), (1., 2.)].map(Point::from);
     /// let sides = [0, 1, 2, 3].map(|i| [i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4]);
     /// let triangles = sides.map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).concat();
     /// let mesh = NavMesh::new(&Subdivision::from_triangles(points.to_vec(), &triangles)?)?;
     /// assert_eq!((mesh.face_count(), mesh.merge_faces()), (8, 4));
-    /// let route = Planner::new().route_between(&mesh, Rung::Exact, (1.2, 0.5).into(), (2.5, 1.8).into())?;
+    /// let route = Planner::new().route_between(&mesh, PathAlgorithm::Exact, (1.2, 0.5).into(), (2.5, 1.8).into())?;
     /// assert_eq!(route.points[1], Point::new(2.0, 1.0));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -200,7 +200,7 @@ impl Merged {
         self.ups.resize(mesh.faces.len().max(self.ups.len()), NONE);
         faces.retain(|&f| mesh.is_walkable(FaceId::new(f)));
         let mut rings = Rings::new(mesh, faces);
-        for [s, t] in rings.doors() {
+        for [s, t] in rings.portals() {
             rings.open(s as usize, t as usize);
         }
         rings.add_to(self);
@@ -282,7 +282,7 @@ impl Merged {
         self.originals[side as usize]
     }
 
-    /// The posts of a side of a merged face, the right one first.
+    /// The endpoints of a side of a merged face, the right one first.
     pub(super) fn ends(&self, side: u32) -> [VertexId; 2] {
         let WideSide { start, end, .. } = self.sides[side as usize];
         let next = if side + 1 == end { start } else { side + 1 };
@@ -295,7 +295,7 @@ impl Merged {
     }
 
     /// The face of the merged one `whole` in which one stands at the place.
-    pub(super) fn face_at(&self, mesh: &NavMesh, place: &Place, whole: FaceId) -> FaceId {
+    pub(super) fn face_at(&self, mesh: &NavMesh, place: &QueryPoint, whole: FaceId) -> FaceId {
         if self.whole(place.face) == whole {
             return place.face;
         }
@@ -306,12 +306,12 @@ impl Merged {
         size_of_val(&*self.sides) + size_of_val(&*self.originals) + size_of_val(&*self.wholes) + size_of_val(&*self.ups)
     }
 
-    /// Makes of a row of doors of merged faces one of doors of the mesh, from a face in the first to a face in the
+    /// Makes of a row of portals of merged faces one of portals of the mesh, from a face in the first to a face in the
     /// last of them. Both rows run from the goal to the start. O(k) for each merged face of k faces on the way.
-    pub(super) fn refine(&self, mesh: &NavMesh, [start, goal]: [FaceId; 2], doors: &mut Vec<(u32, u32)>) {
-        let mut row = Vec::with_capacity(3 * doors.len());
+    pub(super) fn refine(&self, mesh: &NavMesh, [start, goal]: [FaceId; 2], portals: &mut Vec<(u32, u32)>) {
+        let mut row = Vec::with_capacity(3 * portals.len());
         let (mut at, mut paths) = (start.number(), [Vec::new(), Vec::new()]);
-        for &(_, side) in doors.iter().rev() {
+        for &(_, side) in portals.iter().rev() {
             // Behind a side lies the face that its twin belongs to, and the other way round.
             let [out, back] = [side, self.sides[side as usize].twin & ID].map(|side| self.original(side));
             self.walk(mesh, at, mesh.sides[back as usize].across & ID, &mut row, &mut paths);
@@ -320,10 +320,10 @@ impl Merged {
         }
         self.walk(mesh, at, goal.number(), &mut row, &mut paths);
         row.reverse();
-        *doors = row;
+        *portals = row;
     }
 
-    /// The doors from one face to another of the same merged face: up its tree to where the paths of both to the root
+    /// The portals from one face to another of the same merged face: up its tree to where the paths of both to the root
     /// meet, and down again.
     fn walk(&self, mesh: &NavMesh, from: u32, to: u32, row: &mut Vec<(u32, u32)>, paths: &mut [Vec<u32>; 2]) {
         if from == to {
@@ -338,8 +338,8 @@ impl Merged {
         let common = up.iter().rev().zip(down.iter().rev()).take_while(|(f, g)| f == g).count();
         debug_assert_ne!(common, 0, "{from} and {to} are in different merged faces");
         let [up, down] = [up, down].map(|path| &path[..=path.len() - common]);
-        row.extend(up.windows(2).map(|pair| mesh.door_to(pair[0], pair[1])));
-        row.extend(down.windows(2).rev().map(|pair| mesh.door_to(pair[1], pair[0])));
+        row.extend(up.windows(2).map(|pair| mesh.portal_to(pair[0], pair[1])));
+        row.extend(down.windows(2).rev().map(|pair| mesh.portal_to(pair[1], pair[0])));
     }
 }
 
@@ -414,19 +414,19 @@ impl<'a> Rings<'a> {
         self.mesh.sides[self.sides[s] as usize]
     }
 
-    /// The doors that may be taken away, each with its two sides, the longest first.
-    fn doors(&self) -> Vec<[u32; 2]> {
-        let mut doors: Vec<(f64, [u32; 2])> = Vec::new();
+    /// The portals that may be taken away, each with its two sides, the longest first.
+    fn portals(&self) -> Vec<[u32; 2]> {
+        let mut portals: Vec<(f64, [u32; 2])> = Vec::new();
         for (s, &t) in (0..).zip(&self.twin) {
             let is_dead_end = |s: u32| self.mesh.is_peeled(self.faces[self.owner[s as usize] as usize]);
             if t != NONE && s < t && is_dead_end(s) == is_dead_end(t) {
                 let [a, b] = [s, t].map(|s| self.origin(s as usize));
                 let [x, y] = [b.x - a.x, b.y - a.y];
-                doors.push((x * x + y * y, [s, t]));
+                portals.push((x * x + y * y, [s, t]));
             }
         }
-        doors.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-        doors.into_iter().map(|(_, door)| door).collect()
+        portals.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        portals.into_iter().map(|(_, portal)| portal).collect()
     }
 
     /// The point at which a side starts.
@@ -434,7 +434,7 @@ impl<'a> Rings<'a> {
         self.mesh.points[(self.record(s).origin & ID) as usize]
     }
 
-    /// Takes away the door with these two sides, if the faces beside it are different ones and make a convex one.
+    /// Takes away the portal with these two sides, if the faces beside it are different ones and make a convex one.
     fn open(&mut self, s: usize, t: usize) {
         let [one, other] = [s, t].map(|s| self.root(self.owner[s]));
         if one == other {

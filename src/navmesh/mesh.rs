@@ -9,18 +9,18 @@
 //!        f0                   side k runs from corner k to corner k + 1, counter-clockwise, f3 on its left
 //! ```
 //!
-//! A side is *open* if one may cross it, else *closed*: a gap, a wall or a blocked face lies behind it. An open side
+//! A side is *open* if one may cross it, else *closed*: a hole, a wall or a blocked face lies behind it. An open side
 //! into a face that leads nowhere else is marked as a *dead end* (see `dead_ends.rs`). A corner is marked as a
-//! *turn* if a shortest way may bend there: what is free round the vertex, in one piece, is more than half a turn.
+//! *turn* if a shortest path may bend there: what is free round the vertex, in one piece, is more than half a turn.
 //!
-//! Memory: 48 bytes a triangle and 20 a vertex (`marks.rs`); gaps take a few bits each (`records.rs`, `gaps.rs`).
+//! Memory: 48 bytes a triangle and 20 a vertex (`marks.rs`); holes take a few bits each (`records.rs`, `holes.rs`).
 
 use super::corner::turns_left_or_runs_straight;
-use super::crossings::Crossings;
 use super::error::NavMeshError;
-use super::gap_edges::GapEdge;
-use super::gaps::Gaps;
 use super::grid::Grid;
+use super::hole_edges::HoleEdge;
+use super::holes::Holes;
+use super::junctions::Junctions;
 use super::marks::{BLOCKED, CLOSED, FaceRecord, ID, MOST, NONE, PEELED, SideRecord};
 use super::merged::Merged;
 use super::records::FaceTable;
@@ -49,13 +49,13 @@ pub struct Side {
     pub from: VertexId,
     /// Where it ends.
     pub to: VertexId,
-    /// The face behind it: of the mesh, or a gap.
+    /// The face behind it: of the mesh, or a hole.
     pub across: FaceId,
     /// Whether one may cross it.
     pub open: bool,
 }
 
-/// A flat view of a subdivision for finding ways. It does not hold the subdivision; its ids are the same.
+/// A flat view of a subdivision for finding paths. It does not hold the subdivision; its ids are the same.
 #[derive(Clone, Debug)]
 pub struct NavMesh {
     pub(super) points: Vec<Point>,
@@ -68,7 +68,7 @@ pub struct NavMesh {
     pub(super) free_sides: BTreeMap<usize, Vec<u32>>,
     /// For each vertex a face from which its first fan can be walked counter-clockwise to the end.
     pub(super) fans: Vec<u32>,
-    /// Further fans of vertices where gaps touch.
+    /// Further fans of vertices where holes touch.
     pub(super) more_fans: BTreeMap<u32, Vec<u32>>,
     /// Edges between two faces that must not be crossed.
     pub(super) walls: BTreeSet<EdgeId>,
@@ -76,12 +76,12 @@ pub struct NavMesh {
     pub(super) component_sizes: Vec<u32>,
     /// The numbers that are free.
     pub(super) free_components: BTreeSet<u32>,
-    pub(super) gaps: Gaps,
+    pub(super) holes: Holes,
     pub(super) grid: Grid,
     /// Larger faces for the exact search, made when they are first needed.
     pub(super) merged: OnceLock<Merged>,
     /// Junctions and corridors between them, made when they are first needed.
-    pub(super) crossings: OnceLock<Crossings>,
+    pub(super) junctions: OnceLock<Junctions>,
     /// While a change runs: faces whose marks about dead ends were written, and whether each was one before.
     pub(super) written: Option<Vec<(u32, bool)>>,
     /// Whether sides have got new numbers since the last change.
@@ -123,15 +123,15 @@ impl NavMesh {
             walls: BTreeSet::new(),
             component_sizes: Vec::new(),
             free_components: BTreeSet::new(),
-            gaps: Gaps::default(),
+            holes: Holes::default(),
             grid: Grid::default(),
             merged: OnceLock::new(),
-            crossings: OnceLock::new(),
+            junctions: OnceLock::new(),
             written: None,
             renumbered: false,
             visited: 0,
         };
-        mesh.gaps = Gaps::new(map, &mesh.faces);
+        mesh.holes = Holes::new(map, &mesh.faces);
         for f in map.faces().filter(|&f| is_floor(map, f)) {
             mesh.read_face(map, f)?;
         }
@@ -205,18 +205,18 @@ impl NavMesh {
     pub fn memory(&self) -> usize {
         size_of_val(&*self.points)
             + self.faces.memory()
-            + self.gaps.memory()
+            + self.holes.memory()
             + size_of_val(&*self.sides)
             + size_of_val(&*self.half_edges)
             + size_of_val(&*self.fans)
             + self.grid.memory()
             + self.merged.get().map_or(0, Merged::memory)
-            + self.crossings.get().map_or(0, Crossings::memory)
+            + self.junctions.get().map_or(0, Junctions::memory)
     }
 
     /// Makes the index anew. O(n); O(n log² n) where faces are long and thin.
     pub(super) fn index_all(&mut self, map: &Subdivision) {
-        self.grid = Grid::new(self, GapEdge::all(map, self), || self.slivers(map));
+        self.grid = Grid::new(self, HoleEdge::all(map, self), || self.slivers(map));
     }
 
     /// Makes the index anew after edits. O(n), as [`index_all`](Self::index_all).
@@ -226,12 +226,12 @@ impl NavMesh {
     }
 
     fn slivers(&self, map: &Subdivision) -> Slivers {
-        Slivers::new(map, |f| if self.has_face(f) { f } else { FaceId::new(self.gap_name(f.number())) })
+        Slivers::new(map, |f| if self.has_face(f) { f } else { FaceId::new(self.hole_name(f.number())) })
     }
 
-    /// The name of the gap that has `gap`, which is no face of the mesh.
-    pub(super) fn gap_name(&self, gap: u32) -> u32 {
-        self.gaps.name(&self.faces, gap)
+    /// The name of the hole that has `hole`, which is no face of the mesh.
+    pub(super) fn hole_name(&self, hole: u32) -> u32 {
+        self.holes.name(&self.faces, hole)
     }
 
     /// Where `v` is. O(1).
@@ -258,7 +258,7 @@ impl NavMesh {
         self.points.len()
     }
 
-    /// Whether `f` is a face of the mesh, blocked or not; gaps are not.
+    /// Whether `f` is a face of the mesh, blocked or not; holes are not.
     #[must_use]
     #[inline]
     pub fn has_face(&self, f: FaceId) -> bool {
@@ -332,13 +332,13 @@ impl NavMesh {
         [s, next].map(|s| VertexId::new(self.sides[s].origin & ID))
     }
 
-    /// A door from a face to one beside it: the face, and its side. O(sides of the face).
+    /// A portal from a face to one beside it: the face, and its side. O(sides of the face).
     ///
     /// # Panics
     /// If there is none.
-    pub(super) fn door_to(&self, from: u32, to: u32) -> (u32, u32) {
-        let is_door = |&s: &usize| self.sides[s].across & (CLOSED | ID) == to;
-        let side = self.range(FaceId::new(from)).find(is_door);
+    pub(super) fn portal_to(&self, from: u32, to: u32) -> (u32, u32) {
+        let is_portal = |&s: &usize| self.sides[s].across & (CLOSED | ID) == to;
+        let side = self.range(FaceId::new(from)).find(is_portal);
         (from, side.expect("one may pass from the one to the other") as u32)
     }
 

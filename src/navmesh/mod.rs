@@ -1,11 +1,11 @@
-//! Ways over a map: from the neighbours of a face in O(1) to the exact shortest path round all corners.
+//! Paths over a map: from the neighbours of a face in O(1) to the exact shortest path round all corners.
 //!
 //! ```text
 //!   ┌───────┬───────────┐      A navmesh is a subdivision whose bounded faces are convex: whoever stands in one can go
-//!   │ s ╲   │     ╱     │      straight to any other point of it. An edge between two faces is a door; what is no
-//!   │    ╲  │   ╱   ┌───┤      face of the domain (f0, hole faces) is a gap.
-//!   │      ╲│ ╱     │gap│
-//!   └───────●───────┴───┘      Every rung of the ladder gives a Route: faces, the doors between them, points, length.
+//!   │ s ╲   │     ╱     │      straight to any other point of it. An edge between two faces is a portal; what is no
+//!   │    ╲  │   ╱   ┌───┤      face of the domain (f0, hole faces) is a hole.
+//!   │      ╲│ ╱     │ ▒ │
+//!   └───────●───────┴───┘      Every path algorithm gives a Route: faces, the portals between them, points, length.
 //! ```
 //!
 //! From a file to a picture of the shortest path:
@@ -14,7 +14,7 @@
 //! # #[cfg(feature = "io")] {
 //! use dcel_kit::figure::{FigureOptions, navmesh::Floor};
 //! use dcel_kit::io::{LoadOptions, Structure, load};
-//! use dcel_kit::navmesh::{NavMesh, Planner, Rung};
+//! use dcel_kit::navmesh::{NavMesh, Planner, PathAlgorithm};
 //! use dcel_kit::plane::Point;
 //!
 //! let file = std::path::Path::new("figures/data/rooms.map");
@@ -22,7 +22,7 @@
 //! let mesh = NavMesh::new(&map)?;
 //! // Here y points up; in the file it points down.
 //! let [start, goal] = [Point::new(1.0, -1.0), Point::new(22.0, -12.0)];
-//! let route = Planner::new().route_between(&mesh, Rung::Exact, start, goal)?;
+//! let route = Planner::new().route_between(&mesh, PathAlgorithm::Exact, start, goal)?;
 //! println!("{} long, round {:?}", route.length, route.corners);
 //! let figure = Floor::new(&map, &mesh).route(&route, &FigureOptions::new("A path"))?;
 //! std::fs::write(std::env::temp_dir().join("path.svg"), figure.to_svg())?;
@@ -31,15 +31,15 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! | rung | question | file |
+//! | algorithm | question | file |
 //! |---|---|---|
 //! | 0 | is it a navmesh at all, and what is wrong? | `validate.rs`, `fault.rs`, `weld.rs` |
 //! | 1 | which faces lie across the sides, round a vertex, in one piece? | `mesh.rs`, `marks.rs`, `records.rs`, `around.rs`, `components.rs`, `dead_ends.rs` |
-//! | 2 | in which face is a point? | `grid.rs`, `grid_cells.rs`, `gap_edges.rs`, `coarse.rs`, `slivers.rs`, `gaps.rs`, `location.rs`, `nearest.rs` |
-//! | 3 | which faces lead from here to there? | `waves.rs`, `corridor.rs`, by whole passages `crossings.rs`, `jumps.rs`, `strides.rs` |
-//! | 4 | what is the shortest way through these faces? | `funnel.rs` |
-//! | 5 | what is the shortest way of all? | `exact/`, over larger faces `merged.rs` |
-//! | 6 | which of them are wide enough? how far is everything? | `inset.rs`, `doors.rs`, `field.rs`, where faces cost more `weighted.rs`, `weighted_field.rs` |
+//! | 2 | in which face is a point? | `grid.rs`, `grid_cells.rs`, `hole_edges.rs`, `coarse.rs`, `slivers.rs`, `holes.rs`, `location.rs`, `nearest.rs` |
+//! | 3 | which faces lead from here to there? | `bidirectional_bfs.rs`, `corridor.rs`, by whole reduced corridors `junctions.rs`, `reduced_bfs.rs`, `reduced_astar.rs` |
+//! | 4 | what is the shortest path through these faces? | `funnel.rs` |
+//! | 5 | what is the shortest path of all? | `exact/`, over larger faces `merged.rs` |
+//! | 6 | which of them are wide enough? how far is everything? | `inset.rs`, `portals.rs`, `field.rs`, where faces cost more `weighted.rs`, `weighted_field.rs` |
 //! | | what does a straight line meet? where is somebody at random? how do teleports and storeys help? | `raycast.rs`, `random.rs`, `links.rs`, `steps.rs` |
 //! | 7 | and when walls come and go? | `change.rs`, `upkeep.rs`, `live/` |
 //! | 8 | and in space, up and down, over and under each other? | `surface/` |
@@ -55,26 +55,25 @@
 //! ```
 
 mod around;
+mod bidirectional_bfs;
 mod change;
 mod coarse;
 mod components;
 mod corner;
 mod corridor;
-mod crossings;
 mod curve;
 mod dead_ends;
-mod doors;
 mod error;
 mod exact;
 mod fault;
 mod field;
 mod funnel;
-mod gap_edges;
-mod gaps;
 mod grid;
 mod grid_cells;
+mod hole_edges;
+mod holes;
 mod inset;
-mod jumps;
+mod junctions;
 mod links;
 mod live;
 mod location;
@@ -83,43 +82,44 @@ mod merged;
 mod mesh;
 mod nearest;
 mod planner;
+mod portals;
 mod random;
 mod raycast;
 mod records;
+mod reduced_astar;
+mod reduced_bfs;
 mod rooms;
 mod route;
 mod scratch;
 mod slivers;
 mod steps;
-mod strides;
 mod surface;
 mod upkeep;
 mod validate;
-mod waves;
 mod weighted;
 mod weighted_field;
 mod weld;
 
-pub use crossings::Passage;
 pub use error::NavMeshError;
 pub use exact::Cone;
 pub use fault::MeshFault;
 pub use field::DistanceField;
 pub use funnel::FunnelStep;
 pub use inset::{Inset, InsetError};
+pub use junctions::ReducedCorridor;
 pub use links::{Leg, Link, LinkError, LinkedRoute, Stop};
 pub use live::{EditWork, LiveMesh, ObstacleError, ObstacleId};
-pub use location::{Location, Place, PlaceError};
+pub use location::{Location, QueryPoint, QueryPointError};
 pub use merged::MergedFace;
 pub use mesh::{ComponentId, NavMesh, Side};
 pub use nearest::Nearest;
 pub use planner::Planner;
-pub use random::RandomPlaces;
+pub use random::RandomPoints;
 pub use raycast::{RayHit, Raycast, RaycastError};
-pub use route::{Portal, Route, RouteError, Rung, Work};
+pub use route::{PathAlgorithm, Portal, Route, RouteError, Work};
 pub use surface::{
-    Floor, LinkedSurfaceRoute, NavSurface, RandomSurfacePlaces, SurfaceError, SurfaceField, SurfaceLink, SurfacePlace,
-    SurfacePlaceError, SurfacePlanner, SurfaceRayHit, SurfaceRaycast, SurfaceRoute, SurfaceRouteError,
+    Floor, LinkedSurfaceRoute, NavSurface, RandomSurfacePlaces, SurfaceError, SurfaceField, SurfaceLink,
+    SurfacePlanner, SurfacePoint, SurfacePointError, SurfaceRayHit, SurfaceRaycast, SurfaceRoute, SurfaceRouteError,
 };
 pub use validate::{double_corners_of, mesh_faults};
 pub use weld::{Welded, weld};

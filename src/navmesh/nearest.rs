@@ -13,7 +13,7 @@
 //!     |p - q|² - |p - c|² = (c - q) · ((p - q) + (p - c))        no term of this sum is negative
 //! ```
 
-use super::location::{Location, Place};
+use super::location::{Location, QueryPoint};
 use super::{ComponentId, NavMesh};
 use crate::ids::FaceId;
 use crate::plane::Point;
@@ -22,7 +22,7 @@ use crate::plane::Point;
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Nearest {
     /// The place; if it is at a double corner, its face is on one of the nearest sides.
-    pub place: Place,
+    pub place: QueryPoint,
     /// How far away it is, in units of the map.
     pub distance: f64,
 }
@@ -113,7 +113,7 @@ impl NavMesh {
         let unit = unit_for(p);
         let scaled = |p: Point| Point::new(p.x * unit, p.y * unit);
         let distance = if unit < 1.0 { distance(scaled(p), scaled(point)) / unit } else { distance(p, point) };
-        Nearest { place: Place { point, location, face: f }, distance }
+        Nearest { place: QueryPoint { point, location, face: f }, distance }
     }
 
     /// The mean of the corners of `f`, rounded.

@@ -1,34 +1,34 @@
 //! The planner: one place for all searches, which keeps its memory from query to query.
 //!
 //! ```text
-//!   start, goal ──> the same component? ──> door paths of dead ends ──> search ──> faces ──> funnel ──> route
+//!   start, goal ──> the same component? ──> portal paths of dead ends ──> search ──> faces ──> funnel ──> route
 //! ```
 //!
 //! A query writes a number of its own into whatever record it uses, so that nothing has to be cleared. The mesh makes its
 //! merged faces and junctions when the first query needs them.
 
+use super::bidirectional_bfs::{self, BidirectionalBfs};
 use super::corridor;
 use super::exact::Exact;
-use super::jumps::{self, Jumps};
 use super::marks::NONE;
 use super::merged::Merged;
+use super::reduced_astar::{self, ReducedAStar};
+use super::reduced_bfs::{self, ReducedBfs};
 use super::scratch::Scratch;
-use super::strides::{self, Strides};
-use super::waves::{self, Waves};
-use super::{DistanceField, NavMesh, Place, Route, RouteError, Rung, doors};
+use super::{DistanceField, NavMesh, PathAlgorithm, QueryPoint, Route, RouteError, portals};
 use crate::ids::{FaceId, FaceMap};
 use crate::plane::Point;
 
 /// Finds routes. One planner serves any number of queries, on any mesh, and allocates next to nothing after the first.
 ///
 /// ```
-/// use dcel_kit::navmesh::{NavMesh, Planner, Rung};
+/// use dcel_kit::navmesh::{NavMesh, Planner, PathAlgorithm};
 /// use dcel_kit::plane::{Point, Subdivision};
 /// let at = |x, y| Point::new(x, y);
 /// let points = vec![at(0., 0.), at(4., 0.), at(4., 4.), at(3., 1.), at(0., 1.), at(3., 4.)];
 /// let mesh = NavMesh::new(&Subdivision::from_triangles(points, &[[0, 1, 3], [0, 3, 4], [1, 2, 3], [2, 5, 3]])?)?;
 /// let mut planner = Planner::new();
-/// let route = planner.route_between(&mesh, Rung::Exact, at(0., 1.), at(3., 4.))?;
+/// let route = planner.route_between(&mesh, PathAlgorithm::Exact, at(0., 1.), at(3., 4.))?;
 /// assert_eq!(route.points, [at(0., 1.), at(3., 1.), at(3., 4.)]);
 /// assert_eq!(route.length, 6.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -39,11 +39,11 @@ pub struct Planner {
     plain: bool,
     pub(super) scratch: Scratch,
     /// Breadth first: what was reached.
-    waves: Waves,
-    /// The same from crossing to crossing.
-    jumps: Jumps,
-    /// A* from crossing to crossing.
-    strides: Strides,
+    bidirectional_bfs: BidirectionalBfs,
+    /// The same from junction to junction.
+    reduced_bfs: ReducedBfs,
+    /// A* from junction to junction.
+    reduced_astar: ReducedAStar,
     pub(super) exact: Exact,
 }
 
@@ -58,7 +58,7 @@ impl Planner {
     /// work, and for figures of a search. The lengths are the same.
     ///
     /// ```
-    /// use dcel_kit::navmesh::{NavMesh, Planner, Rung};
+    /// use dcel_kit::navmesh::{NavMesh, Planner, PathAlgorithm};
     /// use dcel_kit::plane::{Point, Subdivision};
     /// // Eight triangles round a square hole of the domain: four merged faces.
     /// let points = [(0., 0.), (3., 0.), (3., 3.), (0., 3.), (1., 1.), (2., 1.), (2., 2.), (1., 2.)].map(Point::from);
@@ -66,8 +66,8 @@ impl Planner {
     /// let triangles = sides.map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).concat();
     /// let mesh = NavMesh::new(&Subdivision::from_triangles(points.to_vec(), &triangles)?)?;
     /// let [a, b] = [(1.2, 0.5), (2.5, 1.8)].map(Point::from);
-    /// let plain = Planner::face_by_face().route_between(&mesh, Rung::Exact, a, b)?;
-    /// let route = Planner::new().route_between(&mesh, Rung::Exact, a, b)?;
+    /// let plain = Planner::face_by_face().route_between(&mesh, PathAlgorithm::Exact, a, b)?;
+    /// let route = Planner::new().route_between(&mesh, PathAlgorithm::Exact, a, b)?;
     /// assert_eq!(plain.length, route.length);
     /// assert!(route.work.expansions < plain.work.expansions);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -84,31 +84,31 @@ impl Planner {
     /// Cost: that of [`NavMesh::place`] twice and of [`route`](Self::route), for each pair of sides.
     ///
     /// ```
-    /// use dcel_kit::navmesh::{NavMesh, Planner, Rung};
+    /// use dcel_kit::navmesh::{NavMesh, Planner, PathAlgorithm};
     /// use dcel_kit::plane::{Point, Subdivision};
-    /// // Two squares that touch in (1, 1): the goal is there, and the way ends in the square that has the start.
+    /// // Two squares that touch in (1, 1): the goal is there, and the path ends in the square that has the start.
     /// let points = [(0., 0.), (1., 0.), (1., 1.), (0., 1.), (2., 1.), (2., 2.), (1., 2.)].map(Point::from);
     /// let mut squares = dcel_kit::topology::PolygonList::new();
     /// [[0, 1, 2, 3], [2, 4, 5, 6]].iter().for_each(|square| squares.push_face(square));
     /// let mesh = NavMesh::new(&Subdivision::from_polygons(points.to_vec(), &squares)?)?;
     /// assert!(mesh.place(points[2]).is_err());
-    /// let route = Planner::new().route_between(&mesh, Rung::Exact, points[5], points[2])?;
+    /// let route = Planner::new().route_between(&mesh, PathAlgorithm::Exact, points[5], points[2])?;
     /// assert_eq!((route.length, route.faces), (2f64.sqrt(), vec![dcel_kit::FaceId::new(2)]));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
-    /// [`RouteError`]: one cannot stand at an end, or there is no way.
+    /// [`RouteError`]: one cannot stand at an end, or there is no path.
     pub fn route_between(
         &mut self,
         mesh: &NavMesh,
-        rung: Rung,
+        algorithm: PathAlgorithm,
         start: Point,
         goal: Point,
     ) -> Result<Route, RouteError> {
         let starts = mesh.places(start).map_err(RouteError::Start)?;
         let goals = mesh.places(goal).map_err(RouteError::Goal)?;
-        self.route_among(mesh, rung, &starts, &goals).map(|(route, _)| route)
+        self.route_among(mesh, algorithm, &starts, &goals).map(|(route, _)| route)
     }
 
     /// The shortest of the routes from one of the starts to one of the goals; of equals the first. With it the numbers
@@ -117,22 +117,22 @@ impl Planner {
     /// Cost: that of [`route`](Self::route) for each pair.
     ///
     /// # Errors
-    /// [`RouteError::Apart`], of the first pair, if there is no way from any of them to any.
+    /// [`RouteError::Unreachable`], of the first pair, if there is no path from any of them to any.
     ///
     /// # Panics
     /// If there are no starts or no goals.
     pub fn route_among(
         &mut self,
         mesh: &NavMesh,
-        rung: Rung,
-        starts: &[Place],
-        goals: &[Place],
+        algorithm: PathAlgorithm,
+        starts: &[QueryPoint],
+        goals: &[QueryPoint],
     ) -> Result<(Route, [usize; 2]), RouteError> {
         assert!(!starts.is_empty() && !goals.is_empty(), "a route has two ends");
         let mut best: Option<Result<(Route, [usize; 2]), RouteError>> = None;
         for (i, start) in starts.iter().enumerate() {
             for (k, goal) in goals.iter().enumerate() {
-                let found = self.route(mesh, rung, start, goal).map(|route| (route, [i, k]));
+                let found = self.route(mesh, algorithm, start, goal).map(|route| (route, [i, k]));
                 let is_better = match (&found, &best) {
                     (_, None) | (Ok(_), Some(Err(_))) => true,
                     (Ok((route, _)), Some(Ok((least, _)))) => route.length < least.length,
@@ -148,63 +148,75 @@ impl Planner {
 
     /// A route between two places of the mesh.
     ///
-    /// [`Rung::Exact`] gives the shortest way of all; the others find a corridor of faces by a quicker rule and the
-    /// shortest way through that.
+    /// [`PathAlgorithm::Exact`] gives the shortest path of all; the others find a corridor of faces by a quicker rule and the
+    /// shortest path through that.
     ///
     /// The first query makes what the search runs over, if the mesh does not have it yet: merged faces for
-    /// [`Rung::Exact`], junctions for the others. It is kept through all changes of the mesh.
+    /// [`PathAlgorithm::Exact`], junctions for the others. It is kept through all changes of the mesh.
     ///
-    /// Cost: O(n) breadth first, O(n log n) for A*; for the exact one see [`exact`](Rung::Exact). n is the number of
+    /// Cost: O(n) breadth first, O(n log n) for A*; for the exact one see [`exact`](PathAlgorithm::Exact). n is the number of
     /// faces that are no dead ends. Of the first query: O(n log n) more.
     ///
     /// # Errors
-    /// [`RouteError::Apart`] if there is no way.
-    pub fn route(&mut self, mesh: &NavMesh, rung: Rung, start: &Place, goal: &Place) -> Result<Route, RouteError> {
+    /// [`RouteError::Unreachable`] if there is no path.
+    pub fn route(
+        &mut self,
+        mesh: &NavMesh,
+        algorithm: PathAlgorithm,
+        start: &QueryPoint,
+        goal: &QueryPoint,
+    ) -> Result<Route, RouteError> {
         let prepared = !self.plain && is_worth_it(mesh, start, goal);
-        let merged = (prepared && rung == Rung::Exact).then(|| mesh.merged());
-        let crossings = (prepared && rung != Rung::Exact).then(|| mesh.network());
-        self.search(mesh, start, goal, merged, |planner| match rung {
-            Rung::Breadth => match crossings {
-                Some(crossings) => jumps::fewest_faces(mesh, crossings, &mut planner.jumps, &mut planner.scratch),
-                None => waves::breadth_first(mesh, &mut planner.waves, &mut planner.scratch),
+        let merged = (prepared && algorithm == PathAlgorithm::Exact).then(|| mesh.merged());
+        let junctions = (prepared && algorithm != PathAlgorithm::Exact).then(|| mesh.network());
+        self.search(mesh, start, goal, merged, |planner| match algorithm {
+            PathAlgorithm::Breadth => match junctions {
+                Some(junctions) => {
+                    reduced_bfs::fewest_faces(mesh, junctions, &mut planner.reduced_bfs, &mut planner.scratch)
+                }
+                None => bidirectional_bfs::breadth_first(mesh, &mut planner.bidirectional_bfs, &mut planner.scratch),
             },
-            Rung::Exact => planner.exact.search(mesh, merged, &mut planner.scratch, start, goal.point),
+            PathAlgorithm::Exact => planner.exact.search(mesh, merged, &mut planner.scratch, start, goal.point),
             metric => {
                 let (ends, scratch) = ([start.point, goal.point], &mut planner.scratch);
-                let memory = (&mut planner.strides, &mut planner.jumps);
-                crossings
-                    .and_then(|crossings| strides::a_star(mesh, crossings, memory, scratch, metric, ends))
+                let memory = (&mut planner.reduced_astar, &mut planner.reduced_bfs);
+                junctions
+                    .and_then(|junctions| reduced_astar::a_star(mesh, junctions, memory, scratch, metric, ends))
                     .unwrap_or_else(|| corridor::a_star(mesh, scratch, metric, None, |_, _| true, ends))
             }
         })
     }
 
-    /// A route for which a unit of length in a face costs as much as `costs` says, by A* with the metric of `rung`.
+    /// A route for which a unit of length in a face costs as much as `costs` says, by A* with the metric of `algorithm`.
     ///
     /// Not exact: the corridor is a good one for these costs, and within it the way is the shortest, not the
     /// cheapest. With costs below 1 the corridor, too, may be far from the best.
     ///
     /// # Errors
-    /// [`RouteError::Apart`] if there is no way.
+    /// [`RouteError::Unreachable`] if there is no path.
     ///
     /// # Panics
     /// If `costs` is shorter than [`face_bound`](NavMesh::face_bound).
     pub fn weighted_route(
         &mut self,
         mesh: &NavMesh,
-        rung: Rung,
+        algorithm: PathAlgorithm,
         costs: &FaceMap<f64>,
-        start: &Place,
-        goal: &Place,
+        start: &QueryPoint,
+        goal: &QueryPoint,
     ) -> Result<Route, RouteError> {
         assert!(costs.len() >= mesh.face_bound(), "{} costs for {} faces", costs.len(), mesh.face_bound());
-        let metric = if matches!(rung, Rung::Breadth | Rung::Exact) { Rung::Closest } else { rung };
+        let metric = if matches!(algorithm, PathAlgorithm::Breadth | PathAlgorithm::Exact) {
+            PathAlgorithm::Closest
+        } else {
+            algorithm
+        };
         self.search(mesh, start, goal, None, |planner| {
             corridor::a_star(mesh, &mut planner.scratch, metric, Some(costs), |_, _| true, [start.point, goal.point])
         })
     }
 
-    /// How far it is from a place to all vertices that are no further than `limit`, by the shortest ways.
+    /// How far it is from a place to all vertices that are no further than `limit`, by the shortest paths.
     ///
     /// Cost: as an exact search that visits everything within the limit; O(n) more to begin.
     ///
@@ -217,7 +229,7 @@ impl Planner {
     /// assert_eq!(field.distance(VertexId::new(2)), Some(5.0));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn distance_field(&mut self, mesh: &NavMesh, start: &Place, limit: f64) -> DistanceField {
+    pub fn distance_field(&mut self, mesh: &NavMesh, start: &QueryPoint, limit: f64) -> DistanceField {
         let merged = (!self.plain).then(|| mesh.merged());
         self.scratch.begin(mesh, start, start, merged);
         self.scratch.allow_all();
@@ -227,36 +239,36 @@ impl Planner {
         field
     }
 
-    /// A route for an agent of a radius, by the doors it fits through.
+    /// A route for an agent of a radius, by the portals it fits through.
     ///
-    /// What it is: A* with the metric *closest* through doors at least twice the radius wide (once, if one post only
-    /// is on a border, and any if none is), pulled straight between posts that are moved inwards by the radius. So
-    /// the middle of the agent passes every post of a door at that distance, measured along the door. What it is not:
-    /// beside a door that runs aslant, and along walls between two doors, the way may be nearer to the border; and a
-    /// door that is narrow although there is room beside it (a mesh with slivers) is not passed. A start or goal
+    /// What it is: A* with the metric *closest* through portals at least twice the radius wide (once, if one endpoint only
+    /// is on a border, and any if none is), pulled straight between endpoints that are moved inwards by the radius. So
+    /// the middle of the agent passes every endpoint of a portal at that distance, measured along the portal. What it is not:
+    /// beside a portal that runs aslant, and along walls between two portals, the path may be nearer to the border; and a
+    /// portal that is narrow although there is room beside it (a mesh with slivers) is not passed. A start or goal
     /// nearer to the border than the radius is accepted.
     ///
     /// # Errors
-    /// [`RouteError::Apart`], or [`RouteError::TooNarrow`] if no row of such doors leads to the goal.
+    /// [`RouteError::Unreachable`], or [`RouteError::TooNarrow`] if no row of such portals leads to the goal.
     pub fn wide_route(
         &mut self,
         mesh: &NavMesh,
         radius: f64,
-        start: &Place,
-        goal: &Place,
+        start: &QueryPoint,
+        goal: &QueryPoint,
     ) -> Result<Route, RouteError> {
-        let fits = |face: FaceId, s: usize| doors::fits(mesh, face, s, radius);
+        let fits = |face: FaceId, s: usize| portals::fits(mesh, face, s, radius);
         let (from, to) = (start.face, goal.face);
         let route = self.search(mesh, start, goal, None, |planner| {
             let ends = [start.point, goal.point];
-            corridor::a_star(mesh, &mut planner.scratch, Rung::Closest, None, fits, ends)
+            corridor::a_star(mesh, &mut planner.scratch, PathAlgorithm::Closest, None, fits, ends)
         });
         match route {
             Ok(mut route) => {
-                doors::keep_off(mesh, radius, &mut route, &mut self.scratch.funnel);
+                portals::keep_off(mesh, radius, &mut route, &mut self.scratch.funnel);
                 Ok(route)
             }
-            Err(RouteError::Apart { start, goal, .. }) if start == goal => {
+            Err(RouteError::Unreachable { start, goal, .. }) if start == goal => {
                 Err(RouteError::TooNarrow { from, to, radius })
             }
             Err(other) => Err(other),
@@ -267,14 +279,14 @@ impl Planner {
     fn search(
         &mut self,
         mesh: &NavMesh,
-        start: &Place,
-        goal: &Place,
+        start: &QueryPoint,
+        goal: &QueryPoint,
         merged: Option<&Merged>,
         find: impl FnOnce(&mut Self) -> bool,
     ) -> Result<Route, RouteError> {
         self.scratch.begin(mesh, start, goal, merged);
         let [from, to] = [start.face, goal.face];
-        let apart = |start, goal| RouteError::Apart { from, to, start, goal };
+        let apart = |start, goal| RouteError::Unreachable { from, to, start, goal };
         if let [Some(a), Some(b)] = [from, to].map(|f| mesh.component(f))
             && a != b
         {
@@ -285,19 +297,19 @@ impl Planner {
             let [a, b] = [from, to].map(|f| mesh.component(f).unwrap_or(super::ComponentId(NONE)));
             return Err(apart(a, b));
         }
-        let doors = &self.scratch.doors;
-        let first = doors.last().map_or(common.unwrap_or(from), |&(face, _)| FaceId::new(face));
+        let portals = &self.scratch.portals;
+        let first = portals.last().map_or(common.unwrap_or(from), |&(face, _)| FaceId::new(face));
         let way = self.scratch.pull(mesh, merged, [start.point, goal.point]);
         let Some(merged) = merged else { return Ok(self.scratch.finish(mesh, first, way)) };
-        let doors = &mut self.scratch.doors;
-        let last = doors.first().map_or(first, |&(_, side)| merged.beyond(side));
+        let portals = &mut self.scratch.portals;
+        let last = portals.first().map_or(first, |&(_, side)| merged.beyond(side));
         let ends = [(start, first), (goal, last)].map(|(place, whole)| merged.face_at(mesh, place, whole));
-        merged.refine(mesh, ends, doors);
+        merged.refine(mesh, ends, portals);
         Ok(self.scratch.finish(mesh, ends[0], way))
     }
 }
 
 /// Whether there is anything to search: not within a face, and not from one component to another.
-fn is_worth_it(mesh: &NavMesh, start: &Place, goal: &Place) -> bool {
+fn is_worth_it(mesh: &NavMesh, start: &QueryPoint, goal: &QueryPoint) -> bool {
     start.face != goal.face && mesh.component(start.face) == mesh.component(goal.face)
 }

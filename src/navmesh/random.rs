@@ -8,14 +8,14 @@
 //! Source: Osada, Funkhouser, Chazelle and Dobkin, *Shape distributions*, 2002, section 3.1, for the point in a triangle;
 //! Steele, Lea and Flood, *Fast splittable pseudorandom number generators*, 2014, for the numbers.
 
-use super::{NavMesh, Place};
+use super::{NavMesh, QueryPoint};
 use crate::ids::{FaceId, VertexId};
 use crate::plane::Point;
 use crate::plane::predicates::twice_area;
 
 /// Random places of a mesh: an iterator without an end. The same seed gives the same places.
 #[derive(Clone, Debug)]
-pub struct RandomPlaces<'a> {
+pub struct RandomPoints<'a> {
     mesh: &'a NavMesh,
     /// For each triangle its face, its corners, and the area up to and with it.
     triangles: Vec<(FaceId, [VertexId; 3], f64)>,
@@ -37,14 +37,14 @@ impl NavMesh {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn random_places(&self, seed: u64) -> RandomPlaces<'_> {
+    pub fn random_places(&self, seed: u64) -> RandomPoints<'_> {
         self.random_places_in(self.faces(), seed)
     }
 
     /// [`random_places`](Self::random_places) in some faces only, for example in those of
     /// [`component_faces`](Self::component_faces). Faces where nobody may stand are left out.
     #[must_use]
-    pub fn random_places_in(&self, faces: impl IntoIterator<Item = FaceId>, seed: u64) -> RandomPlaces<'_> {
+    pub fn random_places_in(&self, faces: impl IntoIterator<Item = FaceId>, seed: u64) -> RandomPoints<'_> {
         let (mut triangles, mut area) = (Vec::new(), 0.0);
         for f in faces.into_iter().filter(|&f| self.is_walkable(f)) {
             let mut corners = self.corners(f);
@@ -56,7 +56,7 @@ impl NavMesh {
                 last = corner;
             }
         }
-        RandomPlaces { mesh: self, triangles, numbers: Numbers::new(seed) }
+        RandomPoints { mesh: self, triangles, numbers: Numbers::new(seed) }
     }
 }
 
@@ -86,11 +86,11 @@ impl Numbers {
     }
 }
 
-impl Iterator for RandomPlaces<'_> {
-    type Item = Place;
+impl Iterator for RandomPoints<'_> {
+    type Item = QueryPoint;
 
     /// `None` only if there is no face to stand in.
-    fn next(&mut self) -> Option<Place> {
+    fn next(&mut self) -> Option<QueryPoint> {
         let &(.., whole) = self.triangles.last()?;
         let chosen = self.numbers.unit() * whole;
         let i = self.triangles.partition_point(|&(.., area)| area <= chosen).min(self.triangles.len() - 1);

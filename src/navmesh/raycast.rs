@@ -10,7 +10,7 @@
 
 use super::marks::{CLOSED, ID};
 use super::nearest::distance;
-use super::{Location, NavMesh, Place, PlaceError};
+use super::{Location, NavMesh, QueryPoint, QueryPointError};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::predicates::{left_to_right, orientation};
 use crate::plane::{CoordinateError, Crossed, Point};
@@ -22,7 +22,7 @@ use std::cmp::Ordering;
 pub enum RaycastError {
     /// The start is no place to stand.
     #[error("the start of the ray: {0}")]
-    Start(PlaceError),
+    Start(QueryPointError),
     /// The point it is aimed at has no coordinates that signs are exact for.
     #[error("the end of the ray: {0}")]
     End(CoordinateError),
@@ -127,7 +127,7 @@ impl NavMesh {
     ///
     /// # Errors
     /// [`RaycastError::End`].
-    pub fn raycast_from(&self, place: &Place, q: Point) -> Result<Raycast, RaycastError> {
+    pub fn raycast_from(&self, place: &QueryPoint, q: Point) -> Result<Raycast, RaycastError> {
         q.check().map_err(RaycastError::End)?;
         let mut cast = Raycast { faces: Vec::new(), hit: None };
         if place.point == q {
@@ -178,7 +178,7 @@ impl NavMesh {
     }
 
     /// The face into which the line starts, or what it runs against at once.
-    fn first_face(&self, place: &Place, line: &Line) -> Onwards {
+    fn first_face(&self, place: &QueryPoint, line: &Line) -> Onwards {
         let h = match place.location {
             Location::Vertex(v) => return self.onwards(v, &self.faces_at(place), line),
             Location::Edge(h) => h,

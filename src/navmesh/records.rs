@@ -1,12 +1,12 @@
 //! The records of the faces, with next to no room for what is no face of the mesh.
 //!
 //! ```text
-//!   number     f0  f1  f2  f3  f4  f5  f6  f7      Maps that list blocked polygons, too, have as many numbers of gaps
+//!   number     f0  f1  f2  f3  f4  f5  f6  f7      Maps that list blocked polygons, too, have as many numbers of holes
 //!   of mesh     0   1   1   0   0   1   0   1      as of faces. A bit says which is which; how many bits are set before
-//!   slot            0   1           2       3      a face is its slot. The gaps are counted in the same way.
+//!   slot            0   1           2       3      a face is its slot. The holes are counted in the same way.
 //! ```
 //!
-//! A map with few gaps has a record for each number, and its slot is its number.
+//! A map with few holes has a record for each number, and its slot is its number.
 //!
 //! Memory: 12 bytes a face, and a bit and a half a number; or 12 bytes a number.
 
@@ -80,7 +80,7 @@ impl FaceTable {
     }
 
     /// Which of the numbers without a record this is, from 0; `None` if all have one.
-    pub(super) fn gap_slot(&self, f: usize) -> Option<usize> {
+    pub(super) fn hole_slot(&self, f: usize) -> Option<usize> {
         self.ranks.as_ref().map(|ranks| f - ranks.rank(f).0)
     }
 
@@ -132,20 +132,20 @@ mod tests {
     use super::{FaceRecord, FaceTable};
 
     #[test]
-    fn slots_are_counted_among_faces_and_among_gaps() {
+    fn slots_are_counted_among_faces_and_among_holes() {
         for (bound, every) in [(1, 2), (64, 2), (65, 2), (1000, 3), (1000, 64), (5000, 7)] {
             let has = |f: usize| f % every == 1;
             let mut table = FaceTable::new(bound, has);
-            let (mut slots, mut gaps) = (0, 0);
+            let (mut slots, mut holes) = (0, 0);
             for f in 0..bound {
                 if has(f) {
                     table[f] = FaceRecord::new(f, f + 3);
                 }
                 if table.ranks.is_some() {
                     assert_eq!(table.slot(f), has(f).then_some(slots), "{f} of {bound}, every {every}");
-                    assert!(has(f) || table.gap_slot(f) == Some(gaps), "{f} of {bound}, every {every}");
+                    assert!(has(f) || table.hole_slot(f) == Some(holes), "{f} of {bound}, every {every}");
                 }
-                *if has(f) { &mut slots } else { &mut gaps } += 1;
+                *if has(f) { &mut slots } else { &mut holes } += 1;
             }
             let check = |table: &FaceTable| {
                 for f in 0..bound {

@@ -31,16 +31,16 @@ pub(super) trait Rooms {
     fn point(&self, v: u32) -> Point;
 
     /// What a cone keeps of the side `s` that it crosses.
-    fn door(&self, s: usize) -> u32;
+    fn portal(&self, s: usize) -> u32;
 
-    /// The side that a door is, as seen from the room before.
-    fn side(&self, door: u32) -> usize;
+    /// The side that a portal is, as seen from the room before.
+    fn side(&self, portal: u32) -> usize;
 
-    /// The room behind a door.
-    fn behind(&self, door: u32) -> u32;
+    /// The room behind a portal.
+    fn behind(&self, portal: u32) -> u32;
 
-    /// The indices of the sides of the room behind a door, and among them the one that starts at its right post.
-    fn enter(&self, door: u32) -> (Range<usize>, usize);
+    /// The indices of the sides of the room behind a portal, and among them the one that starts at its right endpoint.
+    fn enter(&self, portal: u32) -> (Range<usize>, usize);
 
     /// The indices of the sides of a room.
     fn range(&self, room: u32) -> Range<usize>;
@@ -76,23 +76,23 @@ impl Rooms for NavMesh {
     }
 
     #[inline]
-    fn door(&self, s: usize) -> u32 {
+    fn portal(&self, s: usize) -> u32 {
         s as u32
     }
 
     #[inline]
-    fn side(&self, door: u32) -> usize {
-        door as usize
+    fn side(&self, portal: u32) -> usize {
+        portal as usize
     }
 
     #[inline]
-    fn behind(&self, door: u32) -> u32 {
-        self.sides[door as usize].across & ID
+    fn behind(&self, portal: u32) -> u32 {
+        self.sides[portal as usize].across & ID
     }
 
     #[inline]
-    fn enter(&self, door: u32) -> (Range<usize>, usize) {
-        let SideRecord { origin, across } = self.sides[door as usize];
+    fn enter(&self, portal: u32) -> (Range<usize>, usize) {
+        let SideRecord { origin, across } = self.sides[portal as usize];
         let range = self.faces[(across & ID) as usize].range();
         let first = self.sides[range.clone()].iter().position(|side| (side.origin ^ origin) & ID == 0);
         let first = range.start + first.unwrap_or(0);

@@ -1,36 +1,36 @@
-//! What every rung of the ladder gives: a route.
+//! What every path algorithm gives: a route.
 //!
 //! ```text
-//!   faces      f3    f7    f8    f2          doors[i] leads from faces[i] to faces[i + 1]:
-//!   doors         h9    h15   h4             a half-edge whose face is faces[i]
+//!   faces      f3    f7    f8    f2          portals[i] leads from faces[i] to faces[i + 1]:
+//!   portals         h9    h15   h4             a half-edge whose face is faces[i]
 //!   points     s ─────●──────────── t        the start, the corners, the goal
 //! ```
 
-use super::{ComponentId, NavMesh, PlaceError};
+use super::{ComponentId, NavMesh, QueryPointError};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::Point;
 use std::fmt;
 
-/// The rungs of the ladder: how a route is found.
+/// The path algorithms: how a route is found.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 #[non_exhaustive]
-pub enum Rung {
-    /// Breadth first: the fewest faces; it runs from crossing to crossing, see
-    /// [`link_crossings`](NavMesh::link_crossings).
+pub enum PathAlgorithm {
+    /// Breadth first: the fewest faces; it runs from junction to junction, see
+    /// [`link_junctions`](NavMesh::link_junctions).
     Breadth,
     /// A* from centroid to centroid of the faces.
     Centroid,
-    /// A* from midpoint to midpoint of the doors.
+    /// A* from midpoint to midpoint of the portals.
     Midpoint,
-    /// A* from each door to the closest point on the next.
+    /// A* from each portal to the closest point on the next.
     Closest,
-    /// A* from each door to where the straight line to the goal meets the next.
+    /// A* from each portal to where the straight line to the goal meets the next.
     Aimed,
-    /// The shortest way of all; it runs over merged faces, see [`merge_faces`](NavMesh::merge_faces).
+    /// The shortest path of all; it runs over merged faces, see [`merge_faces`](NavMesh::merge_faces).
     Exact,
 }
 
-impl Rung {
+impl PathAlgorithm {
     /// All of them, from the lowest to the highest.
     pub const ALL: [Self; 6] = [Self::Breadth, Self::Centroid, Self::Midpoint, Self::Closest, Self::Aimed, Self::Exact];
 
@@ -48,7 +48,7 @@ impl Rung {
     }
 }
 
-impl fmt::Display for Rung {
+impl fmt::Display for PathAlgorithm {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
     }
@@ -73,29 +73,29 @@ impl std::ops::AddAssign for Work {
     }
 }
 
-/// A way from one point to another: through which faces, by which doors, along which points.
+/// A path from one point to another: through which faces, by which portals, along which points.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Route {
     /// The faces in order. At a point on an edge or vertex the first or last may be any face there.
     pub faces: Vec<FaceId>,
-    /// One fewer: `doors[i]` is the half-edge of `faces[i]` by which `faces[i + 1]` is entered.
-    pub doors: Vec<HalfEdgeId>,
-    /// The start, where the way bends, the goal.
+    /// One fewer: `portals[i]` is the half-edge of `faces[i]` by which `faces[i + 1]` is entered.
+    pub portals: Vec<HalfEdgeId>,
+    /// The start, where the path bends, the goal.
     pub points: Vec<Point>,
     /// The vertices it bends at: those of `points` without the first and the last. Empty for an agent with a
     /// radius, whose way bends beside the vertices.
     pub corners: Vec<VertexId>,
-    /// The length of the way, in units of the map.
+    /// The length of the path, in units of the map.
     pub length: f64,
     /// What it took to find.
     pub work: Work,
 }
 
-/// A door with its two posts, seen by who goes through.
+/// A portal with its two endpoints, seen by who goes through.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Portal {
     /// The half-edge of `from`.
-    pub door: HalfEdgeId,
+    pub half_edge: HalfEdgeId,
     /// The vertex on the left.
     pub left: VertexId,
     /// The vertex on the right.
@@ -107,30 +107,30 @@ pub struct Portal {
 }
 
 impl Route {
-    /// The doors of the route with their posts. O(sides of its faces).
-    pub fn portals<'a>(&'a self, mesh: &'a NavMesh) -> impl Iterator<Item = Portal> + Clone + 'a {
-        self.doors.iter().zip(self.faces.windows(2)).filter_map(move |(&door, pair)| {
-            let side = mesh.sides(pair[0]).find(|side| side.half_edge == door)?;
-            Some(Portal { door, left: side.to, right: side.from, from: pair[0], to: pair[1] })
+    /// The portals of the route with their endpoints. O(sides of its faces).
+    pub fn portal_ends<'a>(&'a self, mesh: &'a NavMesh) -> impl Iterator<Item = Portal> + Clone + 'a {
+        self.portals.iter().zip(self.faces.windows(2)).filter_map(move |(&half_edge, pair)| {
+            let side = mesh.sides(pair[0]).find(|side| side.half_edge == half_edge)?;
+            Some(Portal { half_edge, left: side.to, right: side.from, from: pair[0], to: pair[1] })
         })
     }
 }
 
-/// Why there is no way between two places.
+/// Why there is no path between two places.
 #[derive(Clone, PartialEq, Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum RouteError {
     /// The start is no place to stand.
     #[error("the start: {0}")]
-    Start(PlaceError),
+    Start(QueryPointError),
     /// The goal is no place to stand.
     #[error("the goal: {0}")]
-    Goal(PlaceError),
-    /// The two places are in different components: that is the proof that there is no way.
+    Goal(QueryPointError),
+    /// The two places are in different components: that is the proof that there is no path.
     #[error(
-        "there is no way: {from} is in {start}, {to} is in {goal}; nearest_reachable gives the nearest place that can be reached"
+        "there is no path: {from} is in {start}, {to} is in {goal}; nearest_reachable gives the nearest place that can be reached"
     )]
-    Apart {
+    Unreachable {
         /// A face at the start.
         from: FaceId,
         /// A face at the goal.
@@ -141,7 +141,7 @@ pub enum RouteError {
         goal: ComponentId,
     },
     /// There is a way, but none is wide enough.
-    #[error("no way from {from} to {to} is wide enough for an agent of radius {radius}; try a smaller one")]
+    #[error("no path from {from} to {to} is wide enough for an agent of radius {radius}; try a smaller one")]
     TooNarrow {
         /// A face at the start.
         from: FaceId,

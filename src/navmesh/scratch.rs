@@ -1,9 +1,9 @@
 //! What all searches share: the query, what may be entered, what was reached, the corridor that was found.
 
-use super::funnel::{self, Funnel, Post};
+use super::funnel::{self, Endpoint, Funnel};
 use super::marks::{CLOSED, DEAD_END, ID};
 use super::merged::Merged;
-use super::{NavMesh, Place, Route, Work};
+use super::{NavMesh, QueryPoint, Route, Work};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::Point;
 use std::cmp::Reverse;
@@ -44,14 +44,14 @@ pub(super) struct Scratch {
     pub(super) starts: Vec<FaceId>,
     pub(super) goals: Vec<FaceId>,
     pub(super) work: Work,
-    /// The doors of the corridor that was found, by side, from the goal to the start.
-    pub(super) doors: Vec<(u32, u32)>,
+    /// The portals of the corridor that was found, by side, from the goal to the start.
+    pub(super) portals: Vec<(u32, u32)>,
 }
 
 impl Scratch {
     /// Takes a new number for the query, and lets it into the dead ends of its start and goal. Starts, goals and dead
     /// ends are merged faces, if there are any.
-    pub(super) fn begin(&mut self, mesh: &NavMesh, start: &Place, goal: &Place, merged: Option<&Merged>) {
+    pub(super) fn begin(&mut self, mesh: &NavMesh, start: &QueryPoint, goal: &QueryPoint, merged: Option<&Merged>) {
         self.query = self.query.wrapping_add(1);
         if self.query == 0 {
             self.reached.clear();
@@ -61,7 +61,7 @@ impl Scratch {
         let bound = merged.map_or(mesh.face_bound(), Merged::bound);
         self.allowed.resize((bound / 64 + 1).max(self.allowed.len()), 0);
         self.queue.clear();
-        self.doors.clear();
+        self.portals.clear();
         self.work = Work::default();
         self.starts.clear();
         mesh.add_faces_at(start, &mut self.starts);
@@ -69,7 +69,7 @@ impl Scratch {
         mesh.add_faces_at(goal, &mut self.goals);
         let room = |f: FaceId| merged.map_or(f, |merged| merged.whole(f));
         for &f in self.starts.iter().chain(&self.goals) {
-            for f in mesh.door_path(f) {
+            for f in mesh.portal_path(f) {
                 let bits = merged.map_or(f.index()..f.index() + 1, |merged| merged.range(room(f)));
                 // A merged face is let in once, however many of its faces the path has.
                 if self.is_allowed(bits.start as u32) {
@@ -112,42 +112,42 @@ impl Scratch {
         self.allowed[dead_end as usize / 64] >> (dead_end % 64) & 1 != 0
     }
 
-    /// Pulls the way straight through the doors that were found: its points, and the vertices it bends at.
+    /// Pulls the path straight through the portals that were found: its points, and the vertices it bends at.
     pub(super) fn pull(
         &mut self,
         mesh: &NavMesh,
         merged: Option<&Merged>,
         [start, goal]: [Point; 2],
     ) -> (Vec<Point>, Vec<VertexId>) {
-        self.funnel.start(Post::free(start));
-        for &(face, side) in self.doors.iter().rev() {
+        self.funnel.start(Endpoint::free(start));
+        for &(face, side) in self.portals.iter().rev() {
             let face = FaceId::new(face);
             let [right, left] = merged.map_or_else(|| mesh.ends(face, side as usize), |merged| merged.ends(side));
             self.funnel.pass_between(mesh, left, right);
         }
-        let way = self.funnel.finish(Post::free(goal));
-        // A bend at the start or the goal itself is none; but a way may come back to that corner in another wedge.
-        let begin = way.iter().position(|post| post.point != start).unwrap_or(way.len());
-        let end = way.iter().rposition(|post| post.point != goal).map_or(begin, |last| begin.max(last + 1));
-        let corners: Vec<VertexId> = way[begin..end].iter().map(|post| VertexId::new(post.vertex)).collect();
+        let way = self.funnel.finish(Endpoint::free(goal));
+        // A bend at the start or the goal itself is none; but a path may come back to that corner in another wedge.
+        let begin = way.iter().position(|endpoint| endpoint.point != start).unwrap_or(way.len());
+        let end = way.iter().rposition(|endpoint| endpoint.point != goal).map_or(begin, |last| begin.max(last + 1));
+        let corners: Vec<VertexId> = way[begin..end].iter().map(|endpoint| VertexId::new(endpoint.vertex)).collect();
         let bends = corners.iter().map(|&v| mesh.point(v));
         (std::iter::once(start).chain(bends).chain([goal]).collect(), corners)
     }
 
-    /// The route along the way, through the doors of the mesh.
+    /// The route along the way, through the portals of the mesh.
     pub(super) fn finish(
         &self,
         mesh: &NavMesh,
         first: FaceId,
         (points, corners): (Vec<Point>, Vec<VertexId>),
     ) -> Route {
-        let mut faces = Vec::with_capacity(self.doors.len() + 1);
-        let mut doors: Vec<HalfEdgeId> = Vec::with_capacity(self.doors.len());
+        let mut faces = Vec::with_capacity(self.portals.len() + 1);
+        let mut portals: Vec<HalfEdgeId> = Vec::with_capacity(self.portals.len());
         faces.push(first);
-        for &(_, side) in self.doors.iter().rev() {
-            doors.push(mesh.half_edges[side as usize]);
+        for &(_, side) in self.portals.iter().rev() {
+            portals.push(mesh.half_edges[side as usize]);
             faces.push(FaceId::new(mesh.sides[side as usize].across & ID));
         }
-        Route { faces, doors, length: funnel::length(&points), points, corners, work: self.work }
+        Route { faces, portals, length: funnel::length(&points), points, corners, work: self.work }
     }
 }

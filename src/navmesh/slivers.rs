@@ -27,7 +27,7 @@ pub(super) enum Seen {
     Vertex(VertexId),
     /// An edge, with the faces on both sides.
     Edge([FaceId; 2]),
-    /// A face, or a gap.
+    /// A face, or a hole.
     Face(FaceId),
 }
 

@@ -6,16 +6,16 @@
 //!          │     ╱ ╲──────
 //! ```
 
-use super::funnel::Post;
+use super::funnel::Endpoint;
 use crate::plane::Point;
 
 /// Where a step ends.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum End {
-    /// On a portal, at this part of the way from its right post to its left one.
+    /// On a portal, at this part of the path from its right endpoint to its left one.
     Portal(usize, f64),
     /// At a point of the path, by its number.
-    Post(usize),
+    Endpoint(usize),
 }
 
 /// A straight piece of a path within one face.
@@ -26,9 +26,9 @@ pub(super) struct Step {
     pub(super) face: usize,
 }
 
-/// The steps of a path that was pulled straight through portals, left post and right post each. Portals that belong to a
+/// The steps of a path that was pulled straight through portals, left endpoint and right endpoint each. Portals that belong to a
 /// corner of the path are passed there. O(number of portals and points).
-pub(super) fn steps(portals: &[[Post; 2]], path: &[Post]) -> Vec<Step> {
+pub(super) fn steps(portals: &[[Endpoint; 2]], path: &[Endpoint]) -> Vec<Step> {
     let mut steps = Vec::with_capacity(portals.len() + path.len());
     // How many portals have been passed: the number of the face, too.
     let mut passed = 0;
@@ -37,7 +37,7 @@ pub(super) fn steps(portals: &[[Post; 2]], path: &[Post]) -> Vec<Step> {
         while let Some(portal) = portals.get(passed)
             && (is_last || !portal.contains(b))
         {
-            let [left, right] = portal.map(|post| post.point);
+            let [left, right] = portal.map(|endpoint| endpoint.point);
             let along = [b.point.x - a.point.x, b.point.y - a.point.y];
             let height = |p: Point| along[0] * (p.y - a.point.y) - along[1] * (p.x - a.point.x);
             let whole = height(left) - height(right);
@@ -46,7 +46,7 @@ pub(super) fn steps(portals: &[[Post; 2]], path: &[Post]) -> Vec<Step> {
             steps.push(Step { end: End::Portal(passed, share.clamp(0.0, 1.0)), face: passed });
             passed += 1;
         }
-        steps.push(Step { end: End::Post(k + 1), face: passed });
+        steps.push(Step { end: End::Endpoint(k + 1), face: passed });
         while !is_last && portals.get(passed).is_some_and(|portal| portal.contains(b)) {
             passed += 1;
         }

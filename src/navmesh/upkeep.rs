@@ -11,7 +11,7 @@
 //! corridors, that are taken out or lie beside them.
 
 use super::NavMesh;
-use super::crossings::Crossings;
+use super::junctions::Junctions;
 use super::marks::ID;
 use super::merged::Merged;
 use crate::ids::{FaceId, VertexId};
@@ -20,7 +20,7 @@ use std::collections::BTreeSet;
 /// What is carried through a change.
 pub(super) struct Upkeep {
     merged: Option<Merged>,
-    crossings: Option<Crossings>,
+    junctions: Option<Junctions>,
     /// The faces of merged faces that were taken apart.
     loose: Vec<u32>,
 }
@@ -28,9 +28,9 @@ pub(super) struct Upkeep {
 impl Upkeep {
     /// Begins a change of faces among the near ones.
     pub(super) fn begin(mesh: &mut NavMesh, near: &BTreeSet<u32>) -> Self {
-        let mut upkeep = Self { merged: mesh.merged.take(), crossings: mesh.crossings.take(), loose: Vec::new() };
+        let mut upkeep = Self { merged: mesh.merged.take(), junctions: mesh.junctions.take(), loose: Vec::new() };
         mesh.renumbered = false;
-        if upkeep.merged.is_some() || upkeep.crossings.is_some() {
+        if upkeep.merged.is_some() || upkeep.junctions.is_some() {
             mesh.written = Some(Vec::new());
         }
         if let Some(merged) = &mut upkeep.merged {
@@ -72,10 +72,10 @@ impl Upkeep {
                 mesh.merged = merged.into();
             }
         }
-        if let Some(mut crossings) = self.crossings
-            && crossings.mend(mesh, &changed)
+        if let Some(mut junctions) = self.junctions
+            && junctions.mend(mesh, &changed)
         {
-            mesh.crossings = crossings.into();
+            mesh.junctions = junctions.into();
         }
     }
 }

@@ -4,7 +4,7 @@
 //!     winding            overlap          T-junction        not convex         double corner (a warning)
 //!   ●──<──●           ●─────●           ●─────●─────●      ●───────●           ┌───●▨▨▨┐
 //!   │  ▲  │           │   ●─┼───●       │     │     │      │   ●   │           │   │▨▨▨│
-//!   ●──>──●           ●───┼─●   │       ●─────┴──●──●      │  ╱ ╲  │           ├───●───┤  two gaps touch in ●:
+//!   ●──>──●           ●───┼─●   │       ●─────┴──●──●      │  ╱ ╲  │           ├───●───┤  two holes touch in ●:
 //!   all faces must        ●─────●         ● lies on a      ●─●   ●─●           │▨▨▨│   │  nobody squeezes
 //!   run the same way                      side, no end                         └▨▨▨┴───┘  through
 //! ```
@@ -22,7 +22,7 @@ use crate::topology::PolygonList;
 use std::cmp::Ordering;
 
 /// Every fault of faces that should be a navmesh, warnings last. `blocked` are the faces that are no part of the
-/// domain, in increasing order: they need not be convex, and count as gaps. Nothing in the list but warnings means
+/// domain, in increasing order: they need not be convex, and count as holes. Nothing in the list but warnings means
 /// that the faces are a navmesh.
 ///
 /// Faults of a face by itself come first, in the order of the faces; such a face is left out of what follows. Then
@@ -228,21 +228,21 @@ fn leftover(points: &[Point], faces: &PolygonList) -> Option<MeshFault> {
 fn double_corners(sides: &[Side], is_open: impl Fn(u32) -> bool, faults: &mut Vec<MeshFault>) {
     let has_open = |from, to| sides_between(sides, from, to).any(|side| is_open(side.face));
     for same in sides.chunk_by(|a, b| a.from == b.from) {
-        let gaps = same.iter().filter(|side| is_open(side.face) && !has_open(side.to, side.from)).count();
-        if gaps > 1 {
-            faults.push(MeshFault::DoubleCorner { vertex: same[0].from, gaps });
+        let holes = same.iter().filter(|side| is_open(side.face) && !has_open(side.to, side.from)).count();
+        if holes > 1 {
+            faults.push(MeshFault::DoubleCorner { vertex: same[0].from, holes });
         }
     }
 }
 
-/// The double corners of a subdivision: vertices round which several gaps lie, each between faces of the domain.
+/// The double corners of a subdivision: vertices round which several holes lie, each between faces of the domain.
 ///
 /// Cost: O(half-edges).
 #[must_use]
 pub fn double_corners_of(map: &Subdivision) -> Vec<VertexId> {
     let is_open = |f| f != map.outer_face() && !map.is_hole(f);
-    let gaps = |v: &VertexId| {
+    let holes = |v: &VertexId| {
         map.outgoing_half_edges(*v).filter(|&h| is_open(map.face(h)) && !is_open(map.face(h.twin()))).count()
     };
-    map.vertices().filter(|v| gaps(v) > 1).collect()
+    map.vertices().filter(|v| holes(v) > 1).collect()
 }

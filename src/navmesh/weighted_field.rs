@@ -3,7 +3,7 @@
 use super::links::check;
 use super::marks::{CLOSED, ID};
 use super::weighted::{Cells, common};
-use super::{DistanceField, Link, LinkError, NavMesh, Place, Planner, Stop};
+use super::{DistanceField, Link, LinkError, NavMesh, Planner, QueryPoint, Stop};
 use crate::ids::{FaceId, FaceMap, VertexId};
 
 impl Planner {
@@ -42,7 +42,7 @@ impl Planner {
         mesh: &NavMesh,
         costs: &FaceMap<f64>,
         links: &[Link],
-        start: &Place,
+        start: &QueryPoint,
         limit: f64,
     ) -> Result<DistanceField, LinkError> {
         assert!(costs.len() >= mesh.face_bound(), "{} costs for {} faces", costs.len(), mesh.face_bound());
@@ -86,7 +86,7 @@ impl Planner {
             }
         }
         let mut at = Vec::new();
-        let mut stand = |place: &Place| {
+        let mut stand = |place: &QueryPoint| {
             let node = cells.node([place.point.x, place.point.y, 0.0]);
             at.clear();
             mesh.add_faces_at(place, &mut at);

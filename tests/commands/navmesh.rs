@@ -29,7 +29,7 @@ fn info_counts_and_warns() {
     assert_eq!(json!(sum(&info)), info["faces"]);
     let text = folder.dcel("navmesh info corner.mesh").fine();
     assert!(text.contains("components      2, of 1, 1 faces"), "{text}");
-    assert!(text.contains("corner.mesh:6: warning: double corner: at vertex 2 2 gaps touch"), "{text}");
+    assert!(text.contains("corner.mesh:6: warning: double corner: at vertex 2 2 holes touch"), "{text}");
 }
 
 #[test]
@@ -117,21 +117,21 @@ fn a_way_is_told_in_the_coordinates_of_the_file() {
     let folder = folder();
     let answer = folder.dcel("navmesh path rooms.map 1 1 22 12 --json").json();
     let route = &answer["routes"][0];
-    assert_eq!((&answer["found"], &route["rung"]), (&json!(true), &json!("exact")));
+    assert_eq!((&answer["found"], &route["algorithm"]), (&json!(true), &json!("exact")));
     let length = route["length"].as_f64().expect("a length");
     assert!((length - 34.257_796_844).abs() < 1e-9, "{length}");
     let points = route["points"].as_array().expect("points");
     assert_eq!((&points[0], &points[points.len() - 1]), (&json!([1.0, 1.0]), &json!([22.0, 12.0])));
     let count = |what: &str| route[what].as_array().map_or(0, Vec::len);
-    assert_eq!((count("faces"), count("corners")), (count("doors") + 1, count("points") - 2));
-    // The ladder: no rung is shorter than the exact one.
-    let all = folder.dcel("navmesh path rooms.map 21.5 5.5 0.5 4.5 --triangles --rung all --json").json();
+    assert_eq!((count("faces"), count("corners")), (count("portals") + 1, count("points") - 2));
+    // The ladder: no algorithm is shorter than the exact one.
+    let all = folder.dcel("navmesh path rooms.map 21.5 5.5 0.5 4.5 --triangles --algorithm all --json").json();
     let ratios: Vec<f64> = all["routes"].as_array().into_iter().flatten().filter_map(|r| r["ratio"].as_f64()).collect();
     assert_eq!(ratios.len(), 6);
     assert!(ratios.iter().all(|&ratio| ratio >= 1.0) && ratios[0] > 1.01, "{ratios:?}");
-    let table = folder.dcel("navmesh path rooms.map 21.5 5.5 0.5 4.5 --triangles --rung all").fine();
-    assert!(table.lines().count() == 7 && table.contains("  exact     23.236853  1.000000"), "{table}");
-    let bfs = folder.dcel("navmesh path rooms.map 21.5 5.5 0.5 4.5 --triangles --rung bfs").fine();
+    let table = folder.dcel("navmesh path rooms.map 21.5 5.5 0.5 4.5 --triangles --algorithm all").fine();
+    assert!(table.lines().count() == 7 && table.contains("  exact      23.236853  1.000000"), "{table}");
+    let bfs = folder.dcel("navmesh path rooms.map 21.5 5.5 0.5 4.5 --triangles --algorithm bfs").fine();
     assert!(bfs.starts_with("breadth: 25."), "{bfs}");
 }
 
@@ -144,8 +144,8 @@ fn wide_agents_keep_off_the_border_or_find_no_way() {
     };
     let (point, thin, wide) = (length(""), length("--radius 0"), length("--radius 0.25"));
     assert!(point.to_bits() == thin.to_bits() && wide > thin, "{point} {thin} {wide}");
-    // Every rung keeps the radius, and none is shorter than the exact one.
-    let told = folder.dcel("navmesh path rooms.map 1 1 22 12 --radius 0.4 --rung all --json").json();
+    // Every algorithm keeps the radius, and none is shorter than the exact one.
+    let told = folder.dcel("navmesh path rooms.map 1 1 22 12 --radius 0.4 --algorithm all --json").json();
     let routes = told["routes"].as_array().expect("five ways");
     let lengths: Vec<f64> = routes.iter().map(|route| route["length"].as_f64().expect("a length")).collect();
     let exact = lengths[lengths.len() - 1];
@@ -191,7 +191,7 @@ fn no_way_is_proven_and_bad_ends_are_refused() {
     assert!(lengths[0] < lengths[1], "{lengths:?}");
     folder.dcel("navmesh path rooms.map 18 14 1 1 --start-face f1").fails(2, "f1 is no free face", "--start-face out");
     folder.dcel("navmesh path rooms.map 18 14 1 1 --radius 0.2").fails(2, "nearer to a border", "the nearest place is");
-    let here = folder.dcel("navmesh path rooms.map 1 1 1 1 --rung all --json").json();
+    let here = folder.dcel("navmesh path rooms.map 1 1 1 1 --algorithm all --json").json();
     assert!(here["routes"].as_array().is_some_and(|ways| ways.iter().all(|way| way["length"] == 0.0)), "{here}");
     folder.dcel("navmesh scenario rooms.map .").fails(2, "it is a directory", "give a file in it");
     folder.dcel("navmesh path rooms.map 2.5 2.5 1 1").fails(
@@ -203,7 +203,8 @@ fn no_way_is_proven_and_bad_ends_are_refused() {
     let told = folder.dcel("navmesh path corner.mesh 2 2 1 1");
     assert!(told.code == Some(0) && told.out.contains("faces   f2\n"), "{told:?}");
     assert!(
-        told.err.contains("the goal (1, 1) is on several sides of a border, in f1, f2: the shortest way is that of f2")
+        told.err
+            .contains("the goal (1, 1) is on several sides of a border, in f1, f2: the shortest path is that of f2")
     );
     let way = folder.dcel("navmesh path corner.mesh 0 0 1 1 --goal-face f1 --json").json();
     assert_eq!(way["routes"][0]["length"], json!(2f64.sqrt()));
@@ -258,7 +259,10 @@ fn scenarios_are_counted_and_failures_named() {
     });
     assert!(entered[1] * 2 < entered[0], "merged faces save less than half: {entered:?}");
     let [plain, prepared] = [" --face-by-face", ""].map(|more| {
-        folder.dcel(&format!("navmesh path rooms.map 1 1 22 12 --triangles --rung breadth --json{more}")).json()["routes"][0].clone()
+        folder
+                .dcel(&format!("navmesh path rooms.map 1 1 22 12 --triangles --algorithm breadth --json{more}"))
+                .json()["routes"][0]
+                .clone()
     });
     let count = |route: &serde_json::Value| route["faces"].as_array().map(Vec::len);
     assert!(count(&plain).is_some() && count(&plain) == count(&prepared), "{plain} {prepared}");
@@ -273,7 +277,7 @@ fn scenarios_are_counted_and_failures_named() {
     assert!(lines.next().is_some_and(|line| line.starts_with("wrong.scen:2: 34.2577968")), "{told:?}");
     assert!(told.out.ends_with("\n23 of 24 optimal\n"), "{told:?}");
     assert_eq!(folder.dcel("navmesh scenario rooms.map wrong.scen --tolerance 1e-8").code, Some(0));
-    let told = folder.dcel("navmesh scenario rooms.map rooms.scen --triangles --rung bfs --json");
+    let told = folder.dcel("navmesh scenario rooms.map rooms.scen --triangles --algorithm bfs --json");
     let report: serde_json::Value = serde_json::from_str(&told.out).expect("JSON");
     assert!(told.code == Some(1) && report["mean_ratio"].as_f64() > Some(1.01), "{report}");
     assert_eq!((&report["optimum"], &report["queries"]), (&json!("euclidean"), &json!(24)));
@@ -288,7 +292,11 @@ fn scenarios_are_counted_and_failures_named() {
     assert!(told.fine().ends_with("3 of 3 optimal\n"));
     folder.dcel("navmesh scenario rooms.map rooms.map").fails(2, "rooms.map:1:1: expected bucket, map", "nine words");
     folder.dcel("navmesh scenario rooms.map none.scen").fails(2, "none.scen: cannot be read", "check the name");
-    folder.dcel("navmesh scenario rooms.map rooms.scen --rung all").fails(2, "checked with one rung", "--rung closest");
+    folder.dcel("navmesh scenario rooms.map rooms.scen --algorithm all").fails(
+        2,
+        "checked with one algorithm",
+        "--algorithm closest",
+    );
 }
 
 #[test]
@@ -307,18 +315,18 @@ fn figures_show_what_they_are_about() {
     draw("info rooms.map --draw dual", &["neighbours", "to a dead end"]);
     draw("info rooms.map --draw dead-ends", &["the core: searches look here", "the way out of a dead end"]);
     let ends = "rooms.map 21.5 5.5 0.5 4.5 --triangles";
-    draw(&format!("path {ends}"), &["portal: its left post a square", "a corner of the way", "the corridor"]);
+    draw(&format!("path {ends}"), &["portal: its left endpoint a square", "a corner of the path", "the corridor"]);
     draw(&format!("path {ends} --draw funnel"), &["the apex", "left chain of the funnel", "the goal"]);
     draw(&format!("path {ends} --draw cones"), &["what is seen from the root of a cone"]);
-    draw(&format!("path {ends} --rung all"), &["exact: 23.2369", "x the shortest", "all ways"]);
-    folder.dcel("navmesh path rooms.map 1 1 2 1 --draw cones --rung bfs -o x.svg").fails(
+    draw(&format!("path {ends} --algorithm all"), &["exact: 23.2369", "x the shortest", "all paths"]);
+    folder.dcel("navmesh path rooms.map 1 1 2 1 --draw cones --algorithm bfs -o x.svg").fails(
         2,
         "only the exact search has cones",
         "",
     );
-    folder.dcel("navmesh path rooms.map 1 1 2 1 --draw funnel --rung all -o x.svg").fails(
+    folder.dcel("navmesh path rooms.map 1 1 2 1 --draw funnel --algorithm all -o x.svg").fails(
         2,
-        "a funnel is drawn of one way",
+        "a funnel is drawn of one path",
         "",
     );
     folder.dcel("navmesh path rooms.map 1 1 2 1 -o rooms.map").fails(2, "this is the input itself", "another name");
@@ -349,9 +357,17 @@ fn grid_maps_are_files_like_any_other() {
     folder.dcel("convert rooms.map rooms.mesh").fine();
     let mesh = folder.dcel("navmesh info rooms.mesh --json").json();
     let map = folder.dcel("navmesh info rooms.map --json").json();
-    for what in
-        ["faces", "vertices", "doors", "components", "dead_ends", "crossings", "passages", "area", "double_corners"]
-    {
+    for what in [
+        "faces",
+        "vertices",
+        "portals",
+        "components",
+        "dead_ends",
+        "junctions",
+        "reduced_corridors",
+        "area",
+        "double_corners",
+    ] {
         assert_eq!(mesh[what], map[what], "{what}");
     }
     folder.dcel("navmesh info square.dcel").fails(2, "square.dcel: cannot be read", "");
@@ -405,7 +421,7 @@ fn costs_links_distances_and_random_points_come_from_the_command_line() {
     folder.write("ring.obj", &(corners.collect::<String>() + &squares.concat()));
     let through = |flags: &str| {
         let answer =
-            folder.dcel(&format!("navmesh path ring.obj 0.5 1.4 2.5 1.4 --rung closest --json {flags}")).json();
+            folder.dcel(&format!("navmesh path ring.obj 0.5 1.4 2.5 1.4 --algorithm closest --json {flags}")).json();
         answer["routes"][0]["faces"]
             .as_array()
             .expect("faces")
@@ -417,10 +433,14 @@ fn costs_links_distances_and_random_points_come_from_the_command_line() {
     assert_eq!(through("--cost f1-f3=9"), ["f4", "f6", "f7", "f8", "f5"]);
     assert_eq!(through("--cost f1,f3=9 --cost f6-f8=20"), ["f4", "f1", "f2", "f3", "f5"]);
     let path = "navmesh path rooms.map 1 1 22 12";
-    folder.dcel(&format!("{path} --cost f1=3")).fails(2, "--cost cannot be used with --rung exact", "--rung closest");
-    folder.dcel(&format!("{path} --rung closest --cost f9999=3")).fails(2, "f9999 is no face", "locate");
-    folder.dcel(&format!("{path} --rung closest --cost f1")).fails(2, "write it like f3=2.5", "");
-    folder.dcel(&format!("{path} --rung closest --cost f1=-1")).fails(2, "a cost is 0 or more", "");
+    folder.dcel(&format!("{path} --cost f1=3")).fails(
+        2,
+        "--cost cannot be used with --algorithm exact",
+        "--algorithm closest",
+    );
+    folder.dcel(&format!("{path} --algorithm closest --cost f9999=3")).fails(2, "f9999 is no face", "locate");
+    folder.dcel(&format!("{path} --algorithm closest --cost f1")).fails(2, "write it like f3=2.5", "");
+    folder.dcel(&format!("{path} --algorithm closest --cost f1=-1")).fails(2, "a cost is 0 or more", "");
 
     let linked = folder.dcel(&format!("{path} --link 2,1,22,11,0.5 --json -o link.svg")).json();
     assert_eq!((&linked["cost"], &linked["links"]), (&json!(2.5), &json!([0])));
@@ -431,7 +451,7 @@ fn costs_links_distances_and_random_points_come_from_the_command_line() {
     folder.dcel(&format!("{path} --link 2,1,22,11,99")).fine();
     folder.dcel(&format!("{path} --link 3,2.5,22,11,1")).fails(2, "--link: its start (3, 2.5) is not on the mesh", "");
     folder.dcel(&format!("{path} --link 2,1,22,11")).fails(2, "give five numbers", "");
-    folder.dcel(&format!("{path} --link 2,1,22,11,1 --rung all")).fails(2, "--rung all", "one rung");
+    folder.dcel(&format!("{path} --link 2,1,22,11,1 --algorithm all")).fails(2, "--algorithm all", "one algorithm");
 
     let near = folder.dcel("navmesh distances rooms.map 0 0 --limit 8 --json -o reach.svg").json();
     let far = folder.dcel("navmesh distances rooms.map 0 0 --json").json();
@@ -606,7 +626,7 @@ fn areas_keep_their_costs_where_walls_cut_through_them() {
     folder
         .write("mud.obj", "v 0 0\nv 8 0\nv 8 4\nv 0 4\nv 4 0\nv 4 4\nusemtl grass\nf 1 5 6 4\nusemtl mud\nf 5 2 3 6\n");
     let cost = |more: &str| {
-        let path = format!("navmesh path mud.obj 1 2 7 2 --rung closest --json {more}");
+        let path = format!("navmesh path mud.obj 1 2 7 2 --algorithm closest --json {more}");
         folder.dcel(&path).json()["routes"][0]["cost"].as_f64().expect("a cost")
     };
     let is_close = |cost: f64, expected: f64| (cost - expected).abs() < 1e-9 * expected;

@@ -36,12 +36,12 @@ fn a_path_leads_from_storey_to_storey_along_the_surface() {
     for words in ["layer 0", "layer 1", "heights 0 to 3", "the path, 21.9855 along the surface", "on another layer"] {
         assert!(svg.contains(words), "{words}");
     }
-    // By layers it is the same, and every rung of the ladder leads there.
+    // By layers it is the same, and every algorithm of the ladder leads there.
     let text = folder.dcel("navmesh path house.obj --up z 1 1 1 1 --start-layer 0 --goal-layer 1").fine();
     assert!(text.starts_with("exact: 21.98549") && text.contains("along the surface"), "{text}");
     assert!(text.contains("layers  0 1\n") && text.contains("faces   f1 f2 f3 f4 f5\n"), "{text}");
-    let table = folder.dcel("navmesh path house.obj --up z 1 1 0 1 1 3 --rung all").fine();
-    assert!(table.lines().count() == 7 && table.contains("  exact     21.985490  1.000000"), "{table}");
+    let table = folder.dcel("navmesh path house.obj --up z 1 1 0 1 1 3 --algorithm all").fine();
+    assert!(table.lines().count() == 7 && table.contains("  exact      21.985490  1.000000"), "{table}");
     // Without the ramp there is no path.
     let told = folder.dcel("navmesh path house.obj --up z --max-slope 20 1 1 0 1 1 3");
     assert!(
@@ -175,7 +175,7 @@ fn distances_are_along_the_surface_and_over_links() {
 fn areas_are_faces_names_or_corners() {
     let folder = folder();
     // On a surface by material: only the ramp is of wood.
-    let path = "navmesh path house.obj --up z 1 1 0 1 1 3 --rung closest";
+    let path = "navmesh path house.obj --up z 1 1 0 1 1 3 --algorithm closest";
     let wood = folder.dcel(&format!("{path} --cost wood=5 --json")).json();
     let [hall, yard, ramp, gallery] = up_the_ramp();
     assert!(is_close(&wood["routes"][0]["cost"], hall + yard + 5.0 * ramp + gallery), "{wood}");
@@ -195,7 +195,7 @@ fn areas_are_faces_names_or_corners() {
     );
     folder.write("bare.obj", "v 0 0\nv 10 0\nv 10 4\nv 0 4\nf 1 2 3 4\n");
     let cost = |arguments: &str| {
-        folder.dcel(&format!("navmesh path {arguments} 1 2 9 2 --rung closest --json")).json()["routes"][0]["cost"]
+        folder.dcel(&format!("navmesh path {arguments} 1 2 9 2 --algorithm closest --json")).json()["routes"][0]["cost"]
             .clone()
     };
     for arguments in
@@ -208,9 +208,9 @@ fn areas_are_faces_names_or_corners() {
     // Of areas over each other the last counts.
     let twice = "bare.obj --cost 4,0,6,0,6,4,4,4=9 --cost 4,0,6,0,6,4,4,4=3";
     assert!(is_close(&cost(twice), 6.0 + 3.0 * 2.0), "{}", cost(twice));
-    let outside = folder.dcel("navmesh path bare.obj 1 2 5 -0.5 --rung closest --cost 4,-1,6,-1,6,9,4,9=3");
+    let outside = folder.dcel("navmesh path bare.obj 1 2 5 -0.5 --algorithm closest --cost 4,-1,6,-1,6,9,4,9=3");
     assert!(outside.code == Some(2) && outside.err.contains("is not on the mesh"), "{outside:?}");
-    folder.dcel("navmesh path bare.obj 1 2 9 2 --cost mud=2 --rung closest").fails(
+    folder.dcel("navmesh path bare.obj 1 2 9 2 --cost mud=2 --algorithm closest").fails(
         2,
         "no face has the name `mud`",
         "names no faces",

@@ -58,8 +58,8 @@ const ORDINARY: [&str; 36] = [
     "corner_of",
     "corners",
     "distance",
-    "door",
-    "door_path",
+    "portal",
+    "portal_path",
     "edge",
     "faces_around",
     "has_edge",
@@ -323,7 +323,7 @@ fn navmesh() -> BTreeSet<&'static str> {
     t.panics("point", || mesh.point(V));
     t.refuses("place_in", mesh.place_in(F, Point::new(1.0, 1.0)));
     assert_eq!((mesh.block(F), mesh.unblock(F), mesh.set_wall(F, E, true)), (None, None, None));
-    assert_eq!((mesh.component(F), mesh.door(F), mesh.has_face(F)), (None, None, false));
+    assert_eq!((mesh.component(F), mesh.portal(F), mesh.has_face(F)), (None, None, false));
     let live = LiveMesh::new(map.clone()).expect("convex faces");
     assert_eq!((live.area(F), live.area(FaceId::new(1))), (None, Some(0)));
     assert!(!mesh.is_blocked(F) && !mesh.is_walkable(F) && !mesh.is_dead_end(F) && !mesh.is_wall(E));

@@ -7,7 +7,7 @@ use dcel_kit::FaceId;
 use dcel_kit::navmesh::{NavMesh, Planner};
 use dcel_kit::plane::Point;
 
-/// Components, dead ends and doors of the mesh against plain floods and peeling.
+/// Components, dead ends and portals of the mesh against plain floods and peeling.
 fn check_derived(map: &Map, mesh: &NavMesh, oracle: &Oracle, context: &str) {
     let face = |t: usize| FaceId::new(t as u32 + 1);
     let neighbours: Vec<Vec<usize>> =
@@ -52,8 +52,8 @@ fn check_derived(map: &Map, mesh: &NavMesh, oracle: &Oracle, context: &str) {
             assert_eq!(sorted[0], sorted[1], "{context}: {number}");
         }
         for &u in &part {
-            let path: Vec<FaceId> = mesh.door_path(face(u)).take(map.triangles.len() + 1).collect();
-            assert!(path.len() <= part.len(), "{context}: the doors from {} run in a circle", face(u));
+            let path: Vec<FaceId> = mesh.portal_path(face(u)).take(map.triangles.len() + 1).collect();
+            assert!(path.len() <= part.len(), "{context}: the portals from {} run in a circle", face(u));
             assert!(path.windows(2).all(|pair| mesh.neighbours(pair[0]).any(|f| f == pair[1])), "{context}");
         }
     }

@@ -4,21 +4,21 @@ use crate::maps::{Map, Random};
 use crate::oracle::{Oracle, distance};
 use crate::routes::{ends, is_close, place};
 use dcel_kit::FaceId;
-use dcel_kit::navmesh::{NavMesh, Place, Planner, Rung};
+use dcel_kit::navmesh::{NavMesh, PathAlgorithm, Planner, QueryPoint};
 use dcel_kit::plane::Point;
 
-/// The fewest doors from a face at the start to one at the goal: plainly, and through dead ends, too.
-pub(crate) fn fewest_doors(mesh: &NavMesh, start: &Place, goal: &Place) -> Option<usize> {
+/// The fewest portals from a face at the start to one at the goal: plainly, and through dead ends, too.
+pub(crate) fn fewest_portals(mesh: &NavMesh, start: &QueryPoint, goal: &QueryPoint) -> Option<usize> {
     let goals = mesh.faces_at(goal);
     let mut reached: Vec<(FaceId, usize)> = mesh.faces_at(start).into_iter().map(|f| (f, 0)).collect();
     let mut at = 0;
-    while let Some(&(f, doors)) = reached.get(at) {
+    while let Some(&(f, portals)) = reached.get(at) {
         if goals.contains(&f) {
-            return Some(doors);
+            return Some(portals);
         }
         for next in mesh.neighbours(f) {
             if !reached.iter().any(|&(other, _)| other == next) {
-                reached.push((next, doors + 1));
+                reached.push((next, portals + 1));
             }
         }
         at += 1;
@@ -44,8 +44,8 @@ fn breadth_first_passes_the_fewest_faces() {
         for pair in ends(&map, &oracle, &mut random, 24).chunks_exact(2) {
             let [start, goal] = [&pair[0], &pair[1]].map(|node| place(&mesh, node));
             let context = format!("seed {seed}: {} -> {}", start.point, goal.point);
-            let found = planner.route(&mesh, Rung::Breadth, &start, &goal).ok();
-            assert_eq!(found.map(|route| route.doors.len()), fewest_doors(&mesh, &start, &goal), "{context}");
+            let found = planner.route(&mesh, PathAlgorithm::Breadth, &start, &goal).ok();
+            assert_eq!(found.map(|route| route.portals.len()), fewest_portals(&mesh, &start, &goal), "{context}");
         }
     }
 }
@@ -59,7 +59,7 @@ fn an_aimed_line_is_straight_in_the_open() {
     for _ in 0..50 {
         let mut at = || Point::new(1.0 + 22.0 * random.unit(), 1.0 + 22.0 * random.unit());
         let [start, goal] = [at(), at()];
-        let route = planner.route_between(&mesh, Rung::Aimed, start, goal).expect("all is free");
+        let route = planner.route_between(&mesh, PathAlgorithm::Aimed, start, goal).expect("all is free");
         assert!(is_close(route.length, distance(start, goal)), "{start} -> {goal}: {:?}", route.points);
         // Whatever is looked at is on the line, but for the faces round a vertex that it passes closely.
         let faces = route.faces.len() as u64;

@@ -4,7 +4,7 @@ use crate::maps::{Map, Random};
 use crate::oracle::{Oracle, triangles_with};
 use crate::routes::is_close;
 use dcel_kit::FaceId;
-use dcel_kit::navmesh::{Inset, InsetError, LiveMesh, NavMesh, Planner, RouteError, Rung};
+use dcel_kit::navmesh::{Inset, InsetError, LiveMesh, NavMesh, PathAlgorithm, Planner, RouteError};
 use dcel_kit::plane::{Point, Subdivision};
 use std::f64::consts::PI;
 
@@ -89,9 +89,9 @@ fn every_rung_keeps_the_radius_and_finds_what_is_wide_enough() {
             let [start, goal] = [a, b].map(|p| inset.mesh().place(p));
             assert!(!known || start.is_ok() && goal.is_ok(), "seed {seed}, radius {radius}: {a} or {b} is lost");
             let (Ok(start), Ok(goal)) = (start, goal) else { continue };
-            for rung in Rung::ALL {
-                let context = format!("seed {seed}, radius {radius}, {rung}: {a} -> {b}");
-                let route = planner.route(inset.mesh(), rung, &start, &goal);
+            for algorithm in PathAlgorithm::ALL {
+                let context = format!("seed {seed}, radius {radius}, {algorithm}: {a} -> {b}");
+                let route = planner.route(inset.mesh(), algorithm, &start, &goal);
                 let Ok(route) = route else {
                     assert!(!known, "{context}: a way is wide enough, and none is found");
                     continue;
@@ -151,13 +151,15 @@ fn the_exact_way_is_between_those_of_two_discs() {
     };
     for radius in [0.1, 0.5, 0.9] {
         let inset = mesh.inset(radius).expect("2 wide above and below");
-        let route = Planner::new().route_between(inset.mesh(), Rung::Exact, at(1., 3.), at(11., 3.)).expect("round");
+        let route =
+            Planner::new().route_between(inset.mesh(), PathAlgorithm::Exact, at(1., 3.), at(11., 3.)).expect("round");
         let [low, high] = [radius, radius * (1.0 + Inset::TOLERANCE)].map(around);
         assert!(route.length >= low * (1.0 - 1e-9) && route.length <= high, "{low} <= {} <= {high}", route.length);
     }
     let inset = mesh.inset(1.001).expect("there is room beside the pillar");
-    let error = Planner::new().route_between(inset.mesh(), Rung::Exact, at(2., 3.), at(10., 3.)).expect_err("2 wide");
-    assert!(matches!(error, RouteError::Apart { .. }), "{error}");
+    let error =
+        Planner::new().route_between(inset.mesh(), PathAlgorithm::Exact, at(2., 3.), at(10., 3.)).expect_err("2 wide");
+    assert!(matches!(error, RouteError::Unreachable { .. }), "{error}");
 }
 
 #[test]
@@ -168,10 +170,10 @@ fn the_end_of_a_wall_is_passed_in_a_half_circle() {
     let radius = 0.5;
     let inset = live.mesh().inset(radius).expect("room");
     let [a, b] = [at(3.5, 0.5), at(4.5, 0.5)];
-    for rung in Rung::ALL {
-        let route = Planner::new().route_between(inset.mesh(), rung, a, b).expect("round the end");
+    for algorithm in PathAlgorithm::ALL {
+        let route = Planner::new().route_between(inset.mesh(), algorithm, a, b).expect("round the end");
         let [low, high] = [radius, radius * (1.0 + Inset::TOLERANCE)].map(|r| 3.0 + PI * r);
-        assert!(route.length >= low * (1.0 - 1e-9) && route.length <= high, "{rung}: {}", route.length);
+        assert!(route.length >= low * (1.0 - 1e-9) && route.length <= high, "{algorithm}: {}", route.length);
     }
 }
 

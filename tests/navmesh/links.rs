@@ -3,7 +3,7 @@
 use crate::maps::{Map, Random};
 use crate::oracle::{Node, Oracle};
 use crate::routes::is_close;
-use dcel_kit::navmesh::{Link, LinkError, NavMesh, Planner, Rung, Stop};
+use dcel_kit::navmesh::{Link, LinkError, NavMesh, PathAlgorithm, Planner, Stop};
 use dcel_kit::plane::Point;
 use dcel_kit::{FaceMap, VertexId};
 
@@ -51,7 +51,7 @@ fn the_exact_path_over_links_and_storeys_is_the_cheapest_of_all() {
             }
         }
         let expected = least(stops.len(), &edges)[1];
-        let found = planner.linked_route(&meshes, &links, Rung::Exact, &stops[0].0, &stops[1].0);
+        let found = planner.linked_route(&meshes, &links, PathAlgorithm::Exact, &stops[0].0, &stops[1].0);
         let context = format!("seed {seed}");
         let Ok(path) = found else {
             assert_eq!((found, expected), (Err(LinkError::Unreachable), f64::INFINITY), "{context}");
@@ -72,11 +72,11 @@ fn the_exact_path_over_links_and_storeys_is_the_cheapest_of_all() {
         assert!(is_close(sum, path.cost), "{context}: {sum} and not {}", path.cost);
         linked += usize::from(!path.links.is_empty());
         several += usize::from(path.links.len() > 1);
-        // Every other rung finds a path, too, and none that is shorter.
-        for rung in Rung::ALL {
-            let other = planner.linked_route(&meshes, &links, rung, &stops[0].0, &stops[1].0);
-            let other = other.unwrap_or_else(|error| panic!("{context}, {rung}: {error}"));
-            assert!(other.cost >= path.cost * (1.0 - 1e-9), "{context}, {rung}: {} < {}", other.cost, path.cost);
+        // Every other algorithm finds a path, too, and none that is shorter.
+        for algorithm in PathAlgorithm::ALL {
+            let other = planner.linked_route(&meshes, &links, algorithm, &stops[0].0, &stops[1].0);
+            let other = other.unwrap_or_else(|error| panic!("{context}, {algorithm}: {error}"));
+            assert!(other.cost >= path.cost * (1.0 - 1e-9), "{context}, {algorithm}: {} < {}", other.cost, path.cost);
         }
     }
     assert!(linked > 15 && several > 5 && apart > 2, "{linked} linked, {several} by several, {apart} apart");
@@ -91,7 +91,7 @@ fn links_lead_one_way_and_few_legs_are_searched_for() {
     let teleport = Link { from: a, to: b, cost: 1.0 };
     let mut planner = Planner::new();
     let mut cost = |links: &[Link], from: &Stop, to: &Stop| {
-        planner.linked_route(layers, links, Rung::Exact, from, to).map(|path| path.cost)
+        planner.linked_route(layers, links, PathAlgorithm::Exact, from, to).map(|path| path.cost)
     };
     let straight = cost(&[], &a, &b).expect("no wall");
     assert_eq!(cost(&[teleport], &a, &b), Ok(1.0));
@@ -104,8 +104,9 @@ fn links_lead_one_way_and_few_legs_are_searched_for() {
     // A hundred links that lead nowhere near: the work is that of the path itself.
     let far: Vec<Link> = (0..100).map(|i| Link { from: b, to: stop(7.0, f64::from(i) * 0.07), cost: 5.0 }).collect();
     let near = stop(0.9, 0.2);
-    let work =
-        |links: &[Link]| Planner::new().linked_route(layers, links, Rung::Closest, &a, &near).expect("near").work;
+    let work = |links: &[Link]| {
+        Planner::new().linked_route(layers, links, PathAlgorithm::Closest, &a, &near).expect("near").work
+    };
     assert_eq!(work(&far), work(&[]));
 }
 
@@ -131,9 +132,9 @@ fn a_field_over_links_has_the_lengths_of_the_paths_over_them() {
         for (layer, (mesh, map)) in meshes.iter().zip(&maps).enumerate() {
             for (v, &point) in (0..).map(VertexId::new).zip(&map.points) {
                 let Ok(places) = mesh.places(point) else { continue };
-                let paths = places
-                    .into_iter()
-                    .map(|place| planner.linked_route(&meshes, &links, Rung::Exact, &start, &Stop { layer, place }));
+                let paths = places.into_iter().map(|place| {
+                    planner.linked_route(&meshes, &links, PathAlgorithm::Exact, &start, &Stop { layer, place })
+                });
                 let paths: Vec<_> = paths.filter_map(Result::ok).collect();
                 let least = paths.iter().map(|path| path.cost).fold(f64::INFINITY, f64::min);
                 match fields[layer].distance(v) {
@@ -164,7 +165,7 @@ fn costs_along_a_route_are_what_many_samples_say_and_decide_about_links() {
             Stop { layer: 0, place: mesh.place(point).expect("inside") }
         };
         let (start, goal) = (stop(), stop());
-        let Ok(route) = planner.weighted_route(&mesh, Rung::Closest, &costs, &start.place, &goal.place) else {
+        let Ok(route) = planner.weighted_route(&mesh, PathAlgorithm::Closest, &costs, &start.place, &goal.place) else {
             continue;
         };
         const SAMPLES: usize = 4000;
@@ -193,7 +194,7 @@ fn costs_along_a_route_are_what_many_samples_say_and_decide_about_links() {
         let (layers, costs) = (std::slice::from_ref(&mesh), std::slice::from_ref(&costs));
         for (factor, links) in [(0.9, 1), (1.1, 0)] {
             let link = Link { from: start, to: goal, cost: factor * cost };
-            let path = planner.weighted_linked_route(layers, &[link], Rung::Closest, costs, &start, &goal);
+            let path = planner.weighted_linked_route(layers, &[link], PathAlgorithm::Closest, costs, &start, &goal);
             let path = path.expect("a path");
             if cost > 0.0 {
                 assert_eq!(path.links.len(), links, "seed {seed}: {cost}");

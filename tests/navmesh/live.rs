@@ -2,7 +2,7 @@
 
 use crate::maps::{Map, Random};
 use crate::routes::is_close;
-use dcel_kit::navmesh::{LiveMesh, Location, NavMesh, ObstacleError, ObstacleId, Planner, RouteError, Rung};
+use dcel_kit::navmesh::{LiveMesh, Location, NavMesh, ObstacleError, ObstacleId, PathAlgorithm, Planner, RouteError};
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
 use dcel_kit::topology::{IsomorphismOptions, isomorphic_with, position_key};
 use dcel_kit::{EdgeId, FaceId, HalfEdgeId, VertexId};
@@ -52,15 +52,15 @@ fn check(live: &LiveMesh, first: &NavMesh, planner: &mut Planner, random: &mut R
     }
     for _ in 0..12 {
         let [a, b] = [(); 2].map(|()| at(random.unit() * width, random.unit() * width));
-        // What an obstacle cuts off a gap is that gap still, as it was in the first map.
-        let is_gap = |found: Location| matches!(found, Location::Hole(_) | Location::Outer);
+        // What an obstacle cuts off a hole is that hole still, as it was in the first map.
+        let is_hole = |found: Location| matches!(found, Location::Hole(_) | Location::Outer);
         let anew = fresh.locate(a);
-        let expected = if is_gap(anew) { first.locate(a) } else { anew };
+        let expected = if is_hole(anew) { first.locate(a) } else { anew };
         assert_eq!(mesh.locate(a), expected, "{context}: {a}");
         assert_eq!(mesh.locate_by_scan(a), expected, "{context}: {a}, by a scan");
-        assert_eq!(is_gap(expected), is_gap(anew), "{context}: {a}");
+        assert_eq!(is_hole(expected), is_hole(anew), "{context}: {a}");
         let length = |mesh: &NavMesh, planner: &mut Planner| {
-            planner.route_between(mesh, Rung::Exact, a, b).ok().map(|route| route.length)
+            planner.route_between(mesh, PathAlgorithm::Exact, a, b).ok().map(|route| route.length)
         };
         match (length(mesh, planner), length(&fresh, planner)) {
             (Some(x), Some(y)) => assert!(is_close(x, y), "{context}: {a} -> {b}: {x} but {y}"),
@@ -123,7 +123,8 @@ fn check_restored(live: &LiveMesh, first: &Subdivision, context: &str) {
     for _ in 0..12 {
         let [a, b] = [(); 2].map(|()| at(random.unit() * 4.0, random.unit() * 4.0));
         assert_eq!(live.mesh().locate(a), mesh.locate(a), "{context}: {a}");
-        let mut length = |mesh: &NavMesh| planner.route_between(mesh, Rung::Exact, a, b).ok().map(|r| r.length);
+        let mut length =
+            |mesh: &NavMesh| planner.route_between(mesh, PathAlgorithm::Exact, a, b).ok().map(|r| r.length);
         match (length(&mesh), length(live.mesh())) {
             (Some(x), Some(y)) => assert!(is_close(x, y), "{context}: {a} -> {b}: {x} but {y}"),
             (x, y) => assert_eq!(x, y, "{context}: {a} -> {b}"),
@@ -135,7 +136,7 @@ fn check_restored(live: &LiveMesh, first: &Subdivision, context: &str) {
 fn the_last_obstacle_takes_the_last_cut_with_it() {
     let mut planner = Planner::new();
     for seed in 0..40 {
-        // Merged cells as well as triangles; obstacles reach into gaps and out of the map.
+        // Merged cells as well as triangles; obstacles reach into holes and out of the map.
         let size = 2 + seed as usize % 3;
         let map = Map::random(seed, size, [0.7, 1.0][seed as usize / 2 % 2], [0.0, 0.5][seed as usize % 2]);
         let (first, mesh) = (map.subdivision(), map.mesh());
@@ -199,12 +200,13 @@ fn check_anew(
 ) {
     let mut anew = LiveMesh::new(first.clone()).expect("triangles");
     for (_, corners) in inside {
-        // Put in in another order, a crossing is rounded elsewhere, and may then be refused.
+        // Put in in another order, a junction is rounded elsewhere, and may then be refused.
         let Ok(_) = insert(&mut anew, corners) else { return };
     }
     for _ in 0..4 {
         let [a, b] = [(); 2].map(|()| at(random.unit() * 4.0, random.unit() * 4.0));
-        let mut length = |mesh: &NavMesh| planner.route_between(mesh, Rung::Exact, a, b).ok().map(|r| r.length);
+        let mut length =
+            |mesh: &NavMesh| planner.route_between(mesh, PathAlgorithm::Exact, a, b).ok().map(|r| r.length);
         match (length(anew.mesh()), length(live.mesh())) {
             (Some(x), Some(y)) => assert!(is_close(x, y), "{context}: {a} -> {b}: {x} anew, {y} by and by"),
             (x, y) => assert_eq!(x, y, "{context}: {a} -> {b}"),
@@ -223,15 +225,15 @@ fn an_edge_is_straight_again_when_the_last_thing_in_its_way_goes() {
         insert(live, &corners).expect("it fits")
     };
     // Crosses (1, 0) - (2, 1) at (1.6, 0.6), which is no double.
-    let crossing = put(&[(0., 1.), (2., 0.5)], &mut live);
+    let junction = put(&[(0., 1.), (2., 0.5)], &mut live);
     let ending = put(&[(1.5, 0.5), (0.5, 1.)], &mut live);
-    live.remove(crossing).expect("in the map");
+    live.remove(junction).expect("in the map");
     live.remove(ending).expect("in the map");
-    check_restored(&live, &first, "the crossing wall first");
+    check_restored(&live, &first, "the junction wall first");
     let ending = put(&[(1.5, 0.5), (0.5, 1.)], &mut live);
-    let crossing = put(&[(0., 1.), (2., 0.5)], &mut live);
+    let junction = put(&[(0., 1.), (2., 0.5)], &mut live);
     live.remove(ending).expect("in the map");
-    live.remove(crossing).expect("in the map");
+    live.remove(junction).expect("in the map");
     check_restored(&live, &first, "the ending wall first");
 }
 
@@ -328,7 +330,8 @@ fn a_covered_face_that_is_split_stays_covered_until_its_obstacle_goes() {
     live.remove(block).expect("in the map");
     assert_eq!(free(&live), [true; 4], "only the wall is left");
     let [a, b] = [at(6., 2.), at(7., 2.)];
-    let length = |live: &LiveMesh| Planner::new().route_between(live.mesh(), Rung::Exact, a, b).expect("free").length;
+    let length =
+        |live: &LiveMesh| Planner::new().route_between(live.mesh(), PathAlgorithm::Exact, a, b).expect("free").length;
     let around = length(&live);
     assert!(around > 2.9, "through the wall: {around}");
     // Merged faces keep to the wall as well, and are mended when it goes.
@@ -367,7 +370,8 @@ fn obstacles_are_as_if_they_had_been_holes_from_the_beginning() {
         let mesh = NavMesh::new(&s).expect("triangles");
         for _ in 0..25 {
             let [a, b] = [(); 2].map(|()| at(random.unit() * 9.0, random.unit() * 9.0));
-            let mut length = |mesh: &NavMesh| planner.route_between(mesh, Rung::Exact, a, b).ok().map(|r| r.length);
+            let mut length =
+                |mesh: &NavMesh| planner.route_between(mesh, PathAlgorithm::Exact, a, b).ok().map(|r| r.length);
             match (length(&mesh), length(live.mesh())) {
                 (Some(x), Some(y)) => assert!(is_close(x, y), "seed {seed}: {a} -> {b}: {x} but {y}"),
                 (x, y) => assert_eq!(x, y, "seed {seed}: {a} -> {b}"),
@@ -383,7 +387,7 @@ fn a_wall_has_two_sides_and_ends_that_are_turned_round() {
     let wall = live.insert_wall(at(4., 1.), at(4., 3.)).expect("inside the hall");
     let mut planner = Planner::new();
     let [left, right] = [3.0, 5.0].map(|x| live.mesh().place(at(x, 2.)).expect("free"));
-    let route = planner.route(live.mesh(), Rung::Exact, &left, &right).expect("round an end");
+    let route = planner.route(live.mesh(), PathAlgorithm::Exact, &left, &right).expect("round an end");
     assert!(is_close(route.length, 2.0 * 2f64.sqrt()), "{}", route.length);
     // On the wall one stands on one of its sides; from one to the other is a way.
     let on_wall = at(4., 2.);
@@ -391,18 +395,21 @@ fn a_wall_has_two_sides_and_ends_that_are_turned_round() {
     let sides: Vec<FaceId> = live.mesh().faces().filter(|&f| live.mesh().place_in(f, on_wall).is_ok()).collect();
     assert_eq!(sides.len(), 2);
     let [one, other] = [0, 1].map(|i| live.mesh().place_in(sides[i], on_wall).expect("a side"));
-    assert!(is_close(planner.route(live.mesh(), Rung::Exact, &one, &other).expect("round").length, 2.0));
+    assert!(is_close(planner.route(live.mesh(), PathAlgorithm::Exact, &one, &other).expect("round").length, 2.0));
     // From wall to wall the hall falls apart, and together again.
     let upper = live.insert_wall(at(4., 3.), at(4., 4.)).expect("to the border");
     let lower = live.insert_wall(at(4., 0.), at(4., 1.)).expect("to the border");
     assert_eq!(live.mesh().component_count(), 2);
-    assert!(matches!(planner.route(live.mesh(), Rung::Exact, &left, &right), Err(RouteError::Apart { .. })));
+    assert!(matches!(
+        planner.route(live.mesh(), PathAlgorithm::Exact, &left, &right),
+        Err(RouteError::Unreachable { .. })
+    ));
     for obstacle in [upper, wall, lower] {
         live.remove(obstacle).expect("in the map");
         assert_eq!(live.mesh().component_count(), 1);
     }
     assert!(is_close(
-        planner.route_between(live.mesh(), Rung::Exact, at(3., 2.), at(5., 2.)).expect("free").length,
+        planner.route_between(live.mesh(), PathAlgorithm::Exact, at(3., 2.), at(5., 2.)).expect("free").length,
         2.0
     ));
 }
@@ -426,7 +433,7 @@ fn what_an_obstacle_closes_stays_closed_when_another_cuts_it() {
     let mut live = LiveMesh::new(Subdivision::polygon(&corners).expect("a hall")).expect("convex");
     live.insert_wall(at(4., 0.), at(4., 4.)).expect("from side to side");
     live.insert_wall(at(2., 2.), at(6., 2.)).expect("across the wall");
-    assert_eq!(live.mesh().component_count(), 2, "the wall has a gap where it is crossed");
+    assert_eq!(live.mesh().component_count(), 2, "the wall has a hole where it is crossed");
     live.insert_obstacle(&[at(5., 1.), at(7., 1.), at(7., 3.), at(5., 3.)]).expect("a block");
     live.insert_wall(at(6.5, 0.5), at(6.5, 3.5)).expect("across the block");
     for (x, y) in [(5.5, 1.5), (6.75, 1.5), (6.25, 2.5), (6.75, 2.5)] {
@@ -455,7 +462,7 @@ fn legal_walls_are_not_refused_because_of_cuts() {
 /// Whole coordinates: walls meet in vertices, run along each other, and cross near where others cross.
 #[test]
 fn no_wall_of_a_crowd_is_refused() {
-    let mut crossings = 0;
+    let mut junctions = 0;
     for seed in 0..36 {
         let mut random = Random::new(seed + 16_000);
         let (size, scale) = (10.0, [1.0, 0.1, 1e-3][seed as usize % 3]);
@@ -486,11 +493,11 @@ fn no_wall_of_a_crowd_is_refused() {
             inside.push(live.insert_wall(p, q).unwrap_or_else(|error| panic!("{script}: {error}")));
             assert_eq!(live.map().geometry_violations(), [], "{script}");
         }
-        crossings += live.map().vertex_count() - hall.vertex_count();
+        junctions += live.map().vertex_count() - hall.vertex_count();
         inside.into_iter().for_each(|id| live.remove(id).expect("in the map"));
         check_restored(&live, &hall, &script);
     }
-    assert!(crossings > 1000, "{crossings} crossings: the walls are not put to the test");
+    assert!(junctions > 1000, "{junctions} junctions: the walls are not put to the test");
 }
 
 #[test]
@@ -585,7 +592,7 @@ fn the_work_of_an_edit_does_not_grow_with_the_map() {
         let map = pillars(size);
         let mut live = LiveMesh::new(map.clone()).expect("triangles");
         live.merge_faces();
-        live.link_crossings();
+        live.link_junctions();
         let (mut random, mut inside) = (Random::new(31), Vec::new());
         // Put in, moved, taken out: the sum of links, faces, cells, faces visited.
         let mut sums = [[0usize; 4]; 3];
@@ -623,7 +630,7 @@ fn the_work_of_an_edit_does_not_grow_with_the_map() {
 
 /// Blocked triangles that fill the rest of the map, as in files that list them: obstacles reach into them, too.
 #[test]
-fn obstacles_come_and_go_where_gaps_are_cut_into_many_faces() {
+fn obstacles_come_and_go_where_holes_are_cut_into_many_faces() {
     let mut planner = Planner::new();
     for seed in 0..8 {
         let mut random = Random::new(seed + 18_000);
@@ -685,8 +692,8 @@ fn check_unbent(live: &LiveMesh, first: &Subdivision, inner: &[EdgeId], context:
         let p = map.point(v);
         let is_first = v.index() < first.vertex_bound() && first.point(v) == p;
         let is_corner = || lines().any(|line| line.contains(&p));
-        let is_crossing = || closed.iter().filter(|&&line| near(p, line)).count() > 1;
-        assert!(is_first || is_corner() || is_crossing(), "{context}: {v} at {p} is where nothing crosses");
+        let is_junction = || closed.iter().filter(|&&line| near(p, line)).count() > 1;
+        assert!(is_first || is_corner() || is_junction(), "{context}: {v} at {p} is where nothing crosses");
     }
     let mut out = 0;
     for &e in inner {

@@ -2,7 +2,7 @@
 
 use crate::maps::{Map, Random};
 use crate::oracle::{distance, triangles_with};
-use dcel_kit::navmesh::{LiveMesh, Location, NavMesh, Place, PlaceError, Planner, Rung};
+use dcel_kit::navmesh::{LiveMesh, Location, NavMesh, PathAlgorithm, Planner, QueryPoint, QueryPointError};
 use dcel_kit::plane::predicates::orientation;
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
 use dcel_kit::{FaceId, VertexId};
@@ -17,7 +17,7 @@ fn check(map: &Map, s: &Subdivision, mesh: &NavMesh, p: Point, context: &str) {
         Location::Edge(h) => {
             let [a, b] = [s.origin(h), s.destination(h)].map(|v| s.point(v));
             assert!(orientation(a, b, p).is_eq() && crate::oracle::between(a, p, b), "{context}: {p} on {h}");
-            assert!(mesh.has_face(s.face(h)), "{context}: {h} has a gap on its left");
+            assert!(mesh.has_face(s.face(h)), "{context}: {h} has a hole on its left");
         }
         Location::Face(f) => assert_eq!(triangles, [f.index() - 1], "{context}: {p}"),
         Location::Hole(_) | Location::Outer => {
@@ -115,7 +115,7 @@ fn the_nearest_point_is_on_the_mesh_and_none_is_nearer() {
         for _ in 0..20 {
             let p = Point::new(random.unit() * 12.0 - 2.0, random.unit() * 12.0 - 2.0);
             let near = mesh.nearest_point(p).expect("some face is free");
-            let Place { point, face, .. } = near.place;
+            let QueryPoint { point, face, .. } = near.place;
             assert!(mesh.place_in(face, point).is_ok(), "seed {seed}: {p} -> {point} is not in {face}");
             assert!((near.distance - distance(p, point)).abs() <= 1e-12, "seed {seed}: {p}");
             let least = (0..map.triangles.len()).map(|t| distance_to(map.corners(t), p)).fold(f64::INFINITY, f64::min);
@@ -138,8 +138,8 @@ fn distance_to([a, b, c]: [Point; 3], p: Point) -> f64 {
     [(a, b), (b, c), (c, a)].into_iter().map(to_side).fold(f64::INFINITY, f64::min)
 }
 
-/// Walks from face to face, always across a side that has the point on its right, and gives up at a gap.
-fn walk(s: &Subdivision, is_gap: impl Fn(FaceId) -> bool, start: FaceId, p: Point) -> Option<FaceId> {
+/// Walks from face to face, always across a side that has the point on its right, and gives up at a hole.
+fn walk(s: &Subdivision, is_hole: impl Fn(FaceId) -> bool, start: FaceId, p: Point) -> Option<FaceId> {
     let mut at = start;
     for _ in 0..1000 {
         let beyond = s.incident_half_edges(at).find(|&h| {
@@ -148,7 +148,7 @@ fn walk(s: &Subdivision, is_gap: impl Fn(FaceId) -> bool, start: FaceId, p: Poin
         });
         let Some(h) = beyond else { return Some(at) };
         at = s.face(h.twin());
-        if is_gap(at) {
+        if is_hole(at) {
             return None;
         }
     }
@@ -156,7 +156,7 @@ fn walk(s: &Subdivision, is_gap: impl Fn(FaceId) -> bool, start: FaceId, p: Poin
 }
 
 #[test]
-fn a_walk_fails_where_gaps_are_no_faces_and_not_where_they_are() {
+fn a_walk_fails_where_holes_are_no_faces_and_not_where_they_are() {
     // A square with a wide hole: from the left to the right a walk runs into it.
     let at = |x, y| Point::new(x, y);
     let corners = [at(0., 0.), at(9., 0.), at(9., 9.), at(0., 9.), at(1., 1.), at(8., 1.), at(8., 8.), at(1., 8.)];
@@ -168,16 +168,16 @@ fn a_walk_fails_where_gaps_are_no_faces_and_not_where_they_are() {
     let mesh = NavMesh::new(&s).expect("triangles");
     let goal = at(8.5, 4.5);
     let starts: Vec<FaceId> = mesh.faces().collect();
-    let lost = |s: &Subdivision, gap: &dyn Fn(FaceId) -> bool| {
-        starts.iter().filter(|&&f| walk(s, gap, f, goal).is_none()).count()
+    let lost = |s: &Subdivision, hole: &dyn Fn(FaceId) -> bool| {
+        starts.iter().filter(|&&f| walk(s, hole, f, goal).is_none()).count()
     };
-    let by_gaps = lost(&s, &|f| f == s.outer_face() || s.is_hole(f));
-    assert!(by_gaps > 0, "every walk came through");
+    let by_holes = lost(&s, &|f| f == s.outer_face() || s.is_hole(f));
+    assert!(by_holes > 0, "every walk came through");
     // With the hole cut into faces that are only flagged, every walk arrives.
     let mut whole = s.clone();
     whole.triangulate_all(TriangulationMethod::Ears).expect("a square");
     assert_eq!(lost(&whole, &|f| f == whole.outer_face()), 0);
-    // Gaps side by side are one hole, named by the first of them.
+    // Holes side by side are one hole, named by the first of them.
     let cut = NavMesh::new(&whole).expect("triangles");
     let first = whole.hole_faces().next().expect("the hole");
     assert!(whole.hole_faces().count() > 1);
@@ -193,12 +193,12 @@ fn a_walk_fails_where_gaps_are_no_faces_and_not_where_they_are() {
 fn places_are_refused_by_name() {
     let map = Map::random(3, 4, 1.0, 0.0);
     let mut mesh = map.mesh();
-    assert!(matches!(mesh.place(Point::new(-1., 0.)), Err(PlaceError::OffMesh { .. })));
+    assert!(matches!(mesh.place(Point::new(-1., 0.)), Err(QueryPointError::OffMesh { .. })));
     let p = map.inside(0, &mut Random::new(1));
     let place = mesh.place(p).expect("inside the first triangle");
     mesh.block(place.face);
-    assert!(matches!(mesh.place(p), Err(PlaceError::Blocked { .. })));
-    assert!(matches!(mesh.place_in(place.face, p), Err(PlaceError::NotInFace { .. })));
+    assert!(matches!(mesh.place(p), Err(QueryPointError::Blocked { .. })));
+    assert!(matches!(mesh.place_in(place.face, p), Err(QueryPointError::NotInFace { .. })));
     assert_eq!(mesh.locate(p), Location::Face(place.face), "a blocked face is still a face");
 }
 
@@ -235,9 +235,9 @@ fn the_nearest_point_to_one_far_away_is_the_right_one() {
     }
 }
 
-/// Maps whose files list what is blocked, too: more gaps than faces, side by side.
+/// Maps whose files list what is blocked, too: more holes than faces, side by side.
 #[test]
-fn maps_with_many_gaps_are_what_they_are_with_a_record_for_each_number() {
+fn maps_with_many_holes_are_what_they_are_with_a_record_for_each_number() {
     let mut holes = std::collections::BTreeSet::new();
     for seed in 0..40 {
         let jitter = [0.0, 0.4][seed as usize % 2];
@@ -295,8 +295,8 @@ fn maps_with_many_gaps_are_what_they_are_with_a_record_for_each_number() {
         for _ in 0..20 {
             let mut point = || Point::new(random.unit() * size as f64, random.unit() * size as f64);
             let ends = (point(), point());
-            for rung in Rung::ALL {
-                let mut route = |mesh: &NavMesh| planner.route_between(mesh, rung, ends.0, ends.1);
+            for algorithm in PathAlgorithm::ALL {
+                let mut route = |mesh: &NavMesh| planner.route_between(mesh, algorithm, ends.0, ends.1);
                 assert_eq!(route(&mesh), route(dense), "seed {seed}: {ends:?}");
             }
         }
@@ -306,7 +306,7 @@ fn maps_with_many_gaps_are_what_they_are_with_a_record_for_each_number() {
 
 /// Blocked faces cost some bits, and not the records of a face.
 #[test]
-fn a_map_with_more_gaps_than_faces_is_not_much_larger_than_one_without() {
+fn a_map_with_more_holes_than_faces_is_not_much_larger_than_one_without() {
     let mut map = Map::random(5, 60, 1.0, 0.3).subdivision();
     // Blocks of blocked triangles; none at the border, so that both maps have the same vertices there.
     let blocked: Vec<FaceId> = map
@@ -320,7 +320,7 @@ fn a_map_with_more_gaps_than_faces_is_not_much_larger_than_one_without() {
         .collect();
     blocked.iter().for_each(|&f| assert_eq!(map.set_hole(f, true), Some(false)));
     let mesh = NavMesh::new(&map).expect("triangles");
-    assert!(blocked.len() > mesh.face_count(), "{} gaps, {} faces", blocked.len(), mesh.face_count());
+    assert!(blocked.len() > mesh.face_count(), "{} holes, {} faces", blocked.len(), mesh.face_count());
     let points: Vec<Point> = (0..map.vertex_bound() as u32).map(|v| map.point(VertexId::new(v))).collect();
     let triangles: Vec<[u32; 3]> = mesh
         .faces()
@@ -330,5 +330,5 @@ fn a_map_with_more_gaps_than_faces_is_not_much_larger_than_one_without() {
     assert_eq!(mesh.face_count(), without.face_count());
     let each = |bytes: usize| bytes as f64 / mesh.face_count() as f64;
     let (with, without) = (each(mesh.memory()), each(without.memory()));
-    assert!(with < without + 8.0, "{with:.1} bytes a face, {without:.1} without gaps");
+    assert!(with < without + 8.0, "{with:.1} bytes a face, {without:.1} without holes");
 }

@@ -5,8 +5,8 @@
 
 mod blocking;
 mod corridors;
-mod crossings;
 mod inset;
+mod junctions;
 mod links;
 mod live;
 mod location;

@@ -3,7 +3,7 @@
 use crate::maps::{Map, Random};
 use crate::oracle::{Oracle, sides};
 use crate::routes::{check, ends, is_close, place};
-use dcel_kit::navmesh::{NavMesh, Planner, Rung};
+use dcel_kit::navmesh::{NavMesh, PathAlgorithm, Planner};
 use dcel_kit::plane::Point;
 use dcel_kit::plane::predicates::{left_to_right, orientation};
 use dcel_kit::{FaceId, VertexId};
@@ -44,13 +44,13 @@ fn check_faces(map: &Map, mesh: &NavMesh, context: &str) {
     assert_eq!(free, BTreeSet::new(), "{context}: faces that were left out");
 }
 
-/// The way through the doors of the route, pulled straight, is the route.
-fn check_doors(mesh: &NavMesh, planner: &mut Planner, [start, goal]: [Point; 2], context: &str) {
-    let Ok(route) = planner.route_between(mesh, Rung::Exact, start, goal) else { return };
+/// The way through the portals of the route, pulled straight, is the route.
+fn check_portals(mesh: &NavMesh, planner: &mut Planner, [start, goal]: [Point; 2], context: &str) {
+    let Ok(route) = planner.route_between(mesh, PathAlgorithm::Exact, start, goal) else { return };
     let straight = route.funnel_steps(mesh).pop().expect("a last step");
     let way: Vec<Point> = straight.way.iter().chain(&straight.left[1..]).copied().collect();
     let length: f64 = way.windows(2).map(|pair| crate::oracle::distance(pair[0], pair[1])).sum();
-    assert!(is_close(length, route.length), "{context}: {} but by its doors {length}", route.length);
+    assert!(is_close(length, route.length), "{context}: {} but by its portals {length}", route.length);
     let faces: BTreeSet<FaceId> = route.faces.iter().copied().collect();
     assert_eq!(faces.len(), route.faces.len(), "{context}: a face is entered twice: {:?}", route.faces);
 }
@@ -88,7 +88,7 @@ fn ways_over_merged_faces_are_as_short_as_the_visibility_graph_says() {
         for pair in ends(&map, &oracle, &mut random, 8).chunks_exact(2) {
             let context = format!("seed {seed}");
             check(&mesh, &mut planner, &oracle, [&pair[0], &pair[1]], &context);
-            check_doors(&mesh, &mut planner, [pair[0].point, pair[1].point], &context);
+            check_portals(&mesh, &mut planner, [pair[0].point, pair[1].point], &context);
         }
     }
 }
@@ -103,14 +103,14 @@ fn merged_faces_give_the_same_answers_with_less_work() {
         let mut random = Random::new(seed + 9500);
         for _ in 0..12 {
             let [a, b] = [(); 2].map(|()| map.inside(random.below(map.triangles.len()), &mut random));
-            let [one, other] = planners.each_mut().map(|p| p.route_between(&mesh, Rung::Exact, a, b));
+            let [one, other] = planners.each_mut().map(|p| p.route_between(&mesh, PathAlgorithm::Exact, a, b));
             let [one, other] = [one, other].map(|answer| answer.map_err(|e| e.to_string()));
             match (one, other) {
                 (Ok(one), Ok(other)) => {
                     assert!(is_close(one.length, other.length), "seed {seed}: {a} -> {b}");
                     work[0] += one.work.expansions;
                     work[1] += other.work.expansions;
-                    check_doors(&mesh, &mut planners[1], [a, b], &format!("seed {seed}: {a} -> {b}"));
+                    check_portals(&mesh, &mut planners[1], [a, b], &format!("seed {seed}: {a} -> {b}"));
                 }
                 (one, other) => assert_eq!(one.err(), other.err(), "seed {seed}: {a} -> {b}"),
             }
@@ -162,7 +162,7 @@ fn merged_faces_are_kept_through_changes() {
                 let oracle = Oracle::new(&map, free.clone());
                 for pair in ends(&map, &oracle, &mut random, 6).chunks_exact(2) {
                     check(&mesh, &mut planner, &oracle, [&pair[0], &pair[1]], &context);
-                    check_doors(&mesh, &mut planner, [pair[0].point, pair[1].point], &context);
+                    check_portals(&mesh, &mut planner, [pair[0].point, pair[1].point], &context);
                 }
                 let work = [&mesh, &anew].map(|mesh| {
                     let start = mesh.faces().find(|&f| mesh.is_walkable(f)).expect("some are free");
@@ -185,13 +185,13 @@ fn cones_over_merged_faces_lie_between_faces_of_the_mesh() {
     let mut count = 0;
     for _ in 0..20 {
         let [a, b] = [(); 2].map(|()| map.inside(random.below(map.triangles.len()), &mut random));
-        if planner.route_between(&mesh, Rung::Exact, a, b).is_err() {
+        if planner.route_between(&mesh, PathAlgorithm::Exact, a, b).is_err() {
             continue;
         }
         for cone in planner.cones(&mesh) {
             let side = mesh.sides(cone.from).find(|side| side.across == cone.to).expect("neighbours");
             let [p, q] = [side.from, side.to].map(|v| mesh.point(v));
-            // The part that is seen is on the door, and the root is not behind it.
+            // The part that is seen is on the portal, and the root is not behind it.
             for end in [cone.left, cone.right] {
                 let off = (q.x - p.x) * (end.y - p.y) - (q.y - p.y) * (end.x - p.x);
                 assert!(off.abs() < 1e-12, "{cone:?} is not on {side:?}");
@@ -206,9 +206,9 @@ fn cones_over_merged_faces_lie_between_faces_of_the_mesh() {
     assert!(count > 100, "{count}");
 }
 
-/// Across a few faces of an octagon: straight, and the doors between are told.
+/// Across a few faces of an octagon: straight, and the portals between are told.
 #[test]
-fn within_merged_faces_the_way_is_straight_and_its_doors_are_told() {
+fn within_merged_faces_the_way_is_straight_and_its_portals_are_told() {
     let points: Vec<Point> = (0..8)
         .map(|i| (std::f64::consts::TAU * f64::from(i) / 8.0).sin_cos())
         .map(|(sin, cos)| Point::new(cos, sin))
@@ -220,9 +220,10 @@ fn within_merged_faces_the_way_is_straight_and_its_doors_are_told() {
     let mut random = Random::new(79);
     for [t, u] in [[0, 5], [5, 0], [2, 3], [1, 1], [4, 1]] {
         let nodes = [t, u].map(|t| Oracle::inner_node(map.inside(t, &mut random), t));
-        let route =
-            planner.route(&mesh, Rung::Exact, &place(&mesh, &nodes[0]), &place(&mesh, &nodes[1])).expect("one face");
-        assert_eq!(route.doors.len(), t.abs_diff(u), "{route:?}");
+        let route = planner
+            .route(&mesh, PathAlgorithm::Exact, &place(&mesh, &nodes[0]), &place(&mesh, &nodes[1]))
+            .expect("one face");
+        assert_eq!(route.portals.len(), t.abs_diff(u), "{route:?}");
         check(&mesh, &mut planner, &oracle, [&nodes[0], &nodes[1]], "octagon");
     }
 }

@@ -1,4 +1,4 @@
-//! Slow answers: what is where by looking at everything; shortest ways by a visibility graph and Dijkstra.
+//! Slow answers: what is where by looking at everything; shortest paths by a visibility graph and Dijkstra.
 //!
 //! ```text
 //!   a node: a vertex in one of its wedges, or a point inside a triangle
@@ -129,12 +129,12 @@ impl<'a> Oracle<'a> {
         })
     }
 
-    /// The length of the shortest way; `None` if there is none.
+    /// The length of the shortest path; `None` if there is none.
     pub(crate) fn shortest(&self, start: &Node, goal: &Node) -> Option<f64> {
         self.distances(start, std::slice::from_ref(goal))[0]
     }
 
-    /// The lengths of the shortest ways to the goals.
+    /// The lengths of the shortest paths to the goals.
     pub(crate) fn distances(&self, start: &Node, goals: &[Node]) -> Vec<Option<f64>> {
         let mut nodes = self.vertex_nodes();
         nodes.push(start.clone());

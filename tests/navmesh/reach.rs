@@ -3,7 +3,7 @@
 use crate::maps::{Map, Random};
 use crate::oracle::{Node, Oracle};
 use crate::routes::{is_close, place};
-use dcel_kit::navmesh::{Link, LinkError, NavMesh, Planner, RouteError, Rung, Stop};
+use dcel_kit::navmesh::{Link, LinkError, NavMesh, PathAlgorithm, Planner, RouteError, Stop};
 use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::topology::PolygonList;
 use dcel_kit::{FaceId, FaceMap, VertexId};
@@ -40,8 +40,8 @@ fn the_field_has_the_length_of_the_shortest_way_to_every_vertex() {
     }
 }
 
-/// Two rooms joined by a narrow gap below and a wide one above.
-fn two_gaps() -> NavMesh {
+/// Two rooms joined by a narrow hole below and a wide one above.
+fn two_holes() -> NavMesh {
     let at = |x: f64, y: f64| Point::new(x, y);
     let walls = [[at(5., 0.), at(6., 0.), at(6., 1.), at(5., 1.)], [at(5., 2.), at(6., 2.), at(6., 7.), at(5., 7.)]];
     let mut points = vec![at(0., 0.), at(5., 0.), at(6., 0.), at(11., 0.), at(11., 10.), at(0., 10.)];
@@ -65,26 +65,26 @@ fn two_gaps() -> NavMesh {
 }
 
 #[test]
-fn a_wide_agent_takes_the_wide_gap_and_a_very_wide_one_none() {
-    let mesh = two_gaps();
+fn a_wide_agent_takes_the_wide_hole_and_a_very_wide_one_none() {
+    let mesh = two_holes();
     let mut planner = Planner::new();
     let [start, goal] = [(2.0, 1.5), (9.0, 1.5)].map(|p| mesh.place(p.into()).expect("free"));
-    let thin = planner.route(&mesh, Rung::Exact, &start, &goal).expect("straight");
+    let thin = planner.route(&mesh, PathAlgorithm::Exact, &start, &goal).expect("straight");
     assert!(is_close(thin.length, 7.0));
     let point = planner.wide_route(&mesh, 0.0, &start, &goal).expect("as a point");
     assert!(point.length >= thin.length - 1e-9);
-    // 0.6 does not fit through the gap of 1.
-    let wide = planner.wide_route(&mesh, 0.6, &start, &goal).expect("through the upper gap");
+    // 0.6 does not fit through the hole of 1.
+    let wide = planner.wide_route(&mesh, 0.6, &start, &goal).expect("through the upper hole");
     assert!(wide.points.iter().any(|p| p.y >= 7.0), "{:?}", wide.points);
     assert!(wide.length > 12.0 && wide.corners.is_empty());
-    // Off every post of every door.
-    for portal in wide.portals(&mesh) {
+    // Off every endpoint of every portal.
+    for portal in wide.portal_ends(&mesh) {
         for v in [portal.left, portal.right] {
             let p = mesh.point(v);
             assert!(wide.points[1..wide.points.len() - 1].iter().all(|q| (q.x - p.x).hypot(q.y - p.y) >= 0.6 - 1e-9));
         }
     }
-    let error = planner.wide_route(&mesh, 4.0, &start, &goal).expect_err("no gap is 8 wide");
+    let error = planner.wide_route(&mesh, 4.0, &start, &goal).expect_err("no hole is 8 wide");
     assert!(matches!(error, RouteError::TooNarrow { .. }), "{error}");
 }
 

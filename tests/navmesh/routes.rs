@@ -1,9 +1,9 @@
-//! Routes: the exact one is as short as the visibility graph says, and no rung is shorter; all run where they may.
+//! Routes: the exact one is as short as the visibility graph says, and no algorithm is shorter; all run where they may.
 
 use crate::maps::{Map, Random};
 use crate::oracle::{Node, Oracle, distance};
 use dcel_kit::FaceId;
-use dcel_kit::navmesh::{NavMesh, Place, Planner, Route, RouteError, Rung};
+use dcel_kit::navmesh::{NavMesh, PathAlgorithm, Planner, QueryPoint, Route, RouteError};
 use dcel_kit::plane::Point;
 use dcel_kit::plane::predicates::orientation;
 
@@ -12,7 +12,7 @@ pub(crate) fn is_close(a: f64, b: f64) -> bool {
 }
 
 /// The place of a node: triangle i is f(i + 1).
-pub(crate) fn place(mesh: &NavMesh, node: &Node) -> Place {
+pub(crate) fn place(mesh: &NavMesh, node: &Node) -> QueryPoint {
     mesh.place_in(FaceId::new(node.triangles[0] as u32 + 1), node.point).expect("the triangle has the node")
 }
 
@@ -31,14 +31,14 @@ pub(crate) fn ends(map: &Map, oracle: &Oracle, random: &mut Random, count: usize
     if free.is_empty() { Vec::new() } else { (0..count).map(end).collect() }
 }
 
-/// Faces, doors and points of a route fit each other and the mesh.
+/// Faces, portals and points of a route fit each other and the mesh.
 pub(crate) fn check_shape(mesh: &NavMesh, route: &Route, start: Point, goal: Point, context: &str) {
-    assert_eq!(route.faces.len(), route.doors.len() + 1, "{context}");
-    assert_eq!(route.portals(mesh).count(), route.doors.len(), "{context}: a door is no side of its face");
+    assert_eq!(route.faces.len(), route.portals.len() + 1, "{context}");
+    assert_eq!(route.portal_ends(mesh).count(), route.portals.len(), "{context}: a portal is no side of its face");
     assert_eq!((route.points[0], route.points[route.points.len() - 1]), (start, goal), "{context}");
     assert_eq!(route.corners.len() + 2, route.points.len(), "{context}");
-    for (portal, pair) in route.portals(mesh).zip(route.faces.windows(2)) {
-        let side = mesh.sides(pair[0]).find(|side| side.half_edge == portal.door).expect("a side");
+    for (portal, pair) in route.portal_ends(mesh).zip(route.faces.windows(2)) {
+        let side = mesh.sides(pair[0]).find(|side| side.half_edge == portal.half_edge).expect("a side");
         assert!(side.open && side.across == pair[1] && mesh.is_walkable(pair[1]), "{context}: {portal:?}");
     }
     for corner in route.points.windows(3) {
@@ -50,21 +50,21 @@ pub(crate) fn check_shape(mesh: &NavMesh, route: &Route, start: Point, goal: Poi
     assert!(is_close(length, route.length), "{context}: {length} but {}", route.length);
 }
 
-/// Checks all rungs between two nodes.
+/// Checks all algorithms between two nodes.
 pub(crate) fn check(mesh: &NavMesh, planner: &mut Planner, oracle: &Oracle, [start, goal]: [&Node; 2], context: &str) {
     let [from, to] = [start, goal].map(|node| place(mesh, node));
     let expected = oracle.shortest(start, goal);
-    for rung in Rung::ALL {
-        let context = format!("{context}, {rung}: {} -> {}", start.point, goal.point);
-        match (planner.route(mesh, rung, &from, &to), expected) {
+    for algorithm in PathAlgorithm::ALL {
+        let context = format!("{context}, {algorithm}: {} -> {}", start.point, goal.point);
+        match (planner.route(mesh, algorithm, &from, &to), expected) {
             (Ok(route), Some(expected)) => {
                 check_shape(mesh, &route, start.point, goal.point, &context);
                 let exact = is_close(route.length, expected);
                 let longer = route.length >= expected * (1.0 - 1e-9);
-                let good = if rung == Rung::Exact { exact } else { longer };
+                let good = if algorithm == PathAlgorithm::Exact { exact } else { longer };
                 assert!(good, "{context}: {} but the shortest is {expected}: {:?}", route.length, route.points);
             }
-            (Err(RouteError::Apart { start, goal, .. }), None) => assert_ne!(start, goal, "{context}"),
+            (Err(RouteError::Unreachable { start, goal, .. }), None) => assert_ne!(start, goal, "{context}"),
             (answer, expected) => panic!("{context}: {answer:?} but {expected:?}"),
         }
     }
@@ -84,7 +84,7 @@ fn exact_routes_are_as_short_as_the_visibility_graph_says() {
     }
 }
 
-/// Between points the way may begin and end in any wedge of a double corner: the shortest one counts.
+/// Between points the path may begin and end in any wedge of a double corner: the shortest one counts.
 #[test]
 fn at_double_corners_the_shortest_of_all_ways_is_found() {
     let mut planner = Planner::new();
@@ -103,7 +103,7 @@ fn at_double_corners_the_shortest_of_all_ways_is_found() {
                 let pairs = starts.iter().flat_map(|a| goals.iter().map(|b| oracle.shortest(a, b)));
                 let lengths: Vec<f64> = pairs.flatten().collect();
                 let least = lengths.iter().copied().reduce(f64::min);
-                let found = planner.route_between(&mesh, Rung::Exact, start, goal);
+                let found = planner.route_between(&mesh, PathAlgorithm::Exact, start, goal);
                 let context = format!("seed {seed}: {start} -> {goal}: {found:?}, not {least:?}");
                 assert_eq!(found.is_ok(), least.is_some(), "{context}");
                 if let (Ok(route), Some(least)) = (&found, least) {
@@ -147,7 +147,7 @@ fn lengths_stay_under_rotation_shift_scale_and_reversal() {
                     let k = original.corners(t).iter().position(|&p| p == node.point).expect("a corner");
                     mesh.place_in(FaceId::new(t as u32 + 1), map.corners(t)[k]).expect("a corner")
                 };
-                planner.route(mesh, Rung::Exact, &place(from), &place(to)).ok().map(|route| route.length)
+                planner.route(mesh, PathAlgorithm::Exact, &place(from), &place(to)).ok().map(|route| route.length)
             };
             let expected = length(&mut planner, &mesh, &map, [&a, &b]);
             let back = length(&mut planner, &mesh, &map, [&b, &a]);
@@ -186,18 +186,18 @@ fn the_work_is_bounded_and_dead_ends_are_left_out() {
     let [start, goal] = [Point::new(0.25, 0.5), Point::new(f64::from(2 * teeth) - 0.25, 0.5)];
     // A field goes into all dead ends; no query after it may.
     planner.distance_field(&mesh, &mesh.place(start).expect("a triangle"), f64::INFINITY);
-    for rung in Rung::ALL {
-        let route = planner.route_between(&mesh, rung, start, goal).expect("a corridor");
-        assert!(is_close(route.length, distance(start, goal)), "{rung}");
-        // The corridor has 4 triangles for each tooth; else only the tooth that the doors lead to may be entered.
-        assert!(route.work.expansions <= 4 * u64::from(teeth) + 2, "{rung}: {:?}", route.work);
+    for algorithm in PathAlgorithm::ALL {
+        let route = planner.route_between(&mesh, algorithm, start, goal).expect("a corridor");
+        assert!(is_close(route.length, distance(start, goal)), "{algorithm}");
+        // The corridor has 4 triangles for each tooth; else only the tooth that the portals lead to may be entered.
+        assert!(route.work.expansions <= 4 * u64::from(teeth) + 2, "{algorithm}: {:?}", route.work);
     }
     // A cone with one successor does not go through the queue.
-    let route = planner.route_between(&mesh, Rung::Exact, start, goal).expect("a corridor");
+    let route = planner.route_between(&mesh, PathAlgorithm::Exact, start, goal).expect("a corridor");
     assert!(route.work.pops <= 2, "{:?}", route.work);
-    // Into a tooth and out of one the door paths are open.
+    // Into a tooth and out of one the portal paths are open.
     let [start, goal] = [Point::new(0.5, 8.0), Point::new(f64::from(2 * teeth) - 1.5, 8.0)];
-    let route = planner.route_between(&mesh, Rung::Exact, start, goal).expect("a corridor");
+    let route = planner.route_between(&mesh, PathAlgorithm::Exact, start, goal).expect("a corridor");
     assert_eq!(route.corners.len(), 2);
 }
 
@@ -214,10 +214,10 @@ fn costs_lead_round_what_is_dear() {
         (middle.x - 3.5).abs() < 0.5 && middle.y < 6.0
     };
     mesh.faces().filter(|&f| in_the_way(f)).for_each(|f| costs[f] = 100.0);
-    for rung in [Rung::Centroid, Rung::Midpoint, Rung::Closest] {
-        let cheap = planner.weighted_route(&mesh, rung, &costs, &start, &goal).expect("a way");
-        assert!(!cheap.faces.iter().any(|&f| in_the_way(f)), "{rung} goes through {:?}", cheap.faces);
-        let plain = planner.route(&mesh, rung, &start, &goal).expect("a way");
-        assert!(plain.faces.iter().any(|&f| in_the_way(f)), "{rung}");
+    for algorithm in [PathAlgorithm::Centroid, PathAlgorithm::Midpoint, PathAlgorithm::Closest] {
+        let cheap = planner.weighted_route(&mesh, algorithm, &costs, &start, &goal).expect("a way");
+        assert!(!cheap.faces.iter().any(|&f| in_the_way(f)), "{algorithm} goes through {:?}", cheap.faces);
+        let plain = planner.route(&mesh, algorithm, &start, &goal).expect("a way");
+        assert!(plain.faces.iter().any(|&f| in_the_way(f)), "{algorithm}");
     }
 }

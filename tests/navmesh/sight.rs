@@ -3,7 +3,7 @@
 use crate::maps::{Map, Random};
 use crate::oracle::{Oracle, sides};
 use dcel_kit::FaceId;
-use dcel_kit::navmesh::{LiveMesh, NavMesh, Place, RaycastError};
+use dcel_kit::navmesh::{LiveMesh, NavMesh, QueryPoint, RaycastError};
 use dcel_kit::plane::predicates::orientation;
 use dcel_kit::plane::{Point, Subdivision};
 use std::cmp::Ordering;
@@ -19,7 +19,7 @@ fn turn([a, b]: [Whole; 2], c: Whole) -> i128 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// A fraction of the way from p to q; the denominator is positive.
+/// A fraction of the path from p to q; the denominator is positive.
 type Part = [i128; 2];
 
 fn order(a: &Part, b: &Part) -> Ordering {
@@ -175,7 +175,7 @@ fn from_a_wall_a_ray_goes_to_its_own_side() {
     live.insert_wall(Point::new(4.0, 1.0), Point::new(4.0, 3.0)).expect("it fits");
     let (mesh, on_wall) = (live.mesh(), Point::new(4.0, 2.0));
     assert!(matches!(mesh.raycast(on_wall, hall[0]), Err(RaycastError::Start(_))));
-    let places: Vec<Place> = mesh.faces().filter_map(|f| mesh.place_in(f, on_wall).ok()).collect();
+    let places: Vec<QueryPoint> = mesh.faces().filter_map(|f| mesh.place_in(f, on_wall).ok()).collect();
     assert_eq!(places.len(), 2);
     for place in places {
         let is_left = mesh.corners(place.face).any(|v| mesh.point(v).x < 4.0);
@@ -204,7 +204,7 @@ fn what_a_ray_reaches_is_as_near_as_the_shortest_path() {
                 let [a, b] = [(); 2].map(|()| random.below(map.triangles.len()));
                 let [a, b] = [map.inside(a, &mut random), map.inside(b, &mut random)];
                 let straight = (b.x - a.x).hypot(b.y - a.y);
-                let route = planner.route_between(&mesh, dcel_kit::navmesh::Rung::Exact, a, b);
+                let route = planner.route_between(&mesh, dcel_kit::navmesh::PathAlgorithm::Exact, a, b);
                 let cast = mesh.raycast(a, b).expect("inside");
                 match (cast.hit, route) {
                     (None, route) => {

@@ -42,7 +42,7 @@ fn rays(count: usize) -> Subdivision {
     Subdivision::from_triangles(points, &triangles).expect("the zigzag is seen from the far point")
 }
 
-/// `first` is the map without obstacles: what they cut off a gap is that gap still.
+/// `first` is the map without obstacles: what they cut off a hole is that hole still.
 fn check(map: &Subdivision, first: &Subdivision, mesh: &NavMesh, random: &mut Random, context: &str) {
     let all = |of: fn(Point) -> f64| map.vertices().map(|v| of(map.point(v))).fold(f64::INFINITY, f64::min);
     let [left, right, low, high] = [all(|p| p.x), -all(|p| -p.x), all(|p| p.y), -all(|p| -p.y)];
@@ -57,9 +57,9 @@ fn check(map: &Subdivision, first: &Subdivision, mesh: &NavMesh, random: &mut Ra
     for p in asked {
         let found = mesh.locate(p);
         assert_eq!(found, mesh.locate_by_scan(p), "{context}: {p}");
-        if let Location::Hole(gap) = found {
+        if let Location::Hole(hole) = found {
             let exact = first.locate_by_scan(p);
-            assert!(!matches!(exact, dcel_kit::plane::Location::Face(f) if f != gap), "{context}: {p} is in {exact}");
+            assert!(!matches!(exact, dcel_kit::plane::Location::Face(f) if f != hole), "{context}: {p} is in {exact}");
         }
     }
 }

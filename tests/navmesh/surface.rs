@@ -4,7 +4,7 @@
 use crate::maps::{Map, Random};
 use crate::routes::is_close;
 use dcel_kit::navmesh::{
-    Floor, NavMesh, NavSurface, Planner, Rung, SurfaceError, SurfacePlace, SurfacePlaceError, SurfacePlanner,
+    Floor, NavMesh, NavSurface, PathAlgorithm, Planner, SurfaceError, SurfacePlanner, SurfacePoint, SurfacePointError,
     SurfaceRoute, SurfaceRouteError,
 };
 use dcel_kit::plane::{Point, Subdivision};
@@ -31,7 +31,7 @@ fn far(a: Space, b: Space) -> f64 {
 }
 
 /// The parts of a route fit together.
-fn check(surface: &NavSurface, route: &SurfaceRoute, ends: [&SurfacePlace; 2], context: &str) {
+fn check(surface: &NavSurface, route: &SurfaceRoute, ends: [&SurfacePoint; 2], context: &str) {
     assert_eq!([route.points[0], *route.points.last().expect("two")], ends.map(|end| end.point), "{context}");
     assert_eq!(route.layers.len() + 1, route.points.len(), "{context}");
     let sum: f64 = route.points.windows(2).map(|pair| far(pair[0], pair[1])).sum();
@@ -84,7 +84,7 @@ fn what_can_be_laid_flat_has_the_lengths_of_the_plane() {
                     _ => map.inside(random.below(map.triangles.len()), &mut random),
                 })
                 .collect();
-            let places: Vec<Vec<SurfacePlace>> = ends
+            let places: Vec<Vec<SurfacePoint>> = ends
                 .iter()
                 .map(|&p| {
                     let [x, y, _] = lift(p);
@@ -95,8 +95,8 @@ fn what_can_be_laid_flat_has_the_lengths_of_the_plane() {
                 .collect::<Result<_, _>>()
                 .expect("near the surface");
             let context = format!("seed {seed}, {} to {}", ends[0], ends[1]);
-            let expected = plain.route_between(&mesh, Rung::Exact, ends[0], ends[1]);
-            let found = planner.route_among(&surface, Rung::Exact, &places[0], &places[1]);
+            let expected = plain.route_between(&mesh, PathAlgorithm::Exact, ends[0], ends[1]);
+            let found = planner.route_among(&surface, PathAlgorithm::Exact, &places[0], &places[1]);
             let Ok(expected) = expected else {
                 assert!(matches!(found, Err(SurfaceRouteError::Unreachable { .. })), "{context}");
                 apart += 1;
@@ -112,10 +112,10 @@ fn what_can_be_laid_flat_has_the_lengths_of_the_plane() {
             let ends = [&places[0][i], &places[1][k]];
             check(&surface, &route, ends, &context);
             bent += usize::from(!route.corners.is_empty());
-            for rung in Rung::ALL {
-                let other = planner.route(&surface, rung, ends[0], ends[1]).expect(&context);
-                assert!(other.length >= route.length * (1.0 - 1e-9), "{context}, {rung}: {}", other.length);
-                check(&surface, &other, ends, &format!("{context}, {rung}"));
+            for algorithm in PathAlgorithm::ALL {
+                let other = planner.route(&surface, algorithm, ends[0], ends[1]).expect(&context);
+                assert!(other.length >= route.length * (1.0 - 1e-9), "{context}, {algorithm}: {}", other.length);
+                check(&surface, &other, ends, &format!("{context}, {algorithm}"));
             }
         }
     }
@@ -125,7 +125,7 @@ fn what_can_be_laid_flat_has_the_lengths_of_the_plane() {
 /// The shortest path through a row of triangles: they are laid flat side by side, corner by corner from the lengths of
 /// their sides, and the path goes straight from end to end of the sides it passes, wherever that stays within the row.
 /// Each side runs counter-clockwise round the triangle that is left by it.
-fn through(doors: &[[Space; 2]], start: Space, goal: Space) -> f64 {
+fn through(portals: &[[Space; 2]], start: Space, goal: Space) -> f64 {
     type Flat = [f64; 2];
     let minus = |a: Flat, b: Flat| [a[0] - b[0], a[1] - b[1]];
     let cross = |a: Flat, b: Flat| a[0] * b[1] - a[1] * b[0];
@@ -137,24 +137,24 @@ fn through(doors: &[[Space; 2]], start: Space, goal: Space) -> f64 {
         let [ex, ey] = minus(b, a).map(|e| e / length);
         [a[0] + ex * x - ey * y, a[1] + ey * x + ex * y]
     };
-    let mut flat: Vec<[Flat; 2]> = vec![[[0.0, 0.0], [far(doors[0][0], doors[0][1]), 0.0]]];
-    for (i, door) in doors.iter().enumerate().skip(1) {
-        let (before, laid) = (doors[i - 1], flat[i - 1]);
-        flat.push(door.map(|p| match before.iter().position(|q| [p].contains(q)) {
+    let mut flat: Vec<[Flat; 2]> = vec![[[0.0, 0.0], [far(portals[0][0], portals[0][1]), 0.0]]];
+    for (i, portal) in portals.iter().enumerate().skip(1) {
+        let (before, laid) = (portals[i - 1], flat[i - 1]);
+        flat.push(portal.map(|p| match before.iter().position(|q| [p].contains(q)) {
             Some(k) => laid[k],
             None => beside(laid, before, p, -1.0),
         }));
     }
-    let last = doors.len() - 1;
+    let last = portals.len() - 1;
     // (place, the side it is on, or one before the first and after the last)
-    let mut nodes: Vec<(Flat, isize)> = vec![(beside(flat[0], doors[0], start, 1.0), -1)];
+    let mut nodes: Vec<(Flat, isize)> = vec![(beside(flat[0], portals[0], start, 1.0), -1)];
     for (i, ends) in flat.iter().enumerate() {
         nodes.extend(ends.map(|end| (end, i as isize)));
     }
-    nodes.push((beside(flat[last], doors[last], goal, -1.0), doors.len() as isize));
+    nodes.push((beside(flat[last], portals[last], goal, -1.0), portals.len() as isize));
     let passes = |p: Flat, q: Flat, [a, b]: [Flat; 2]| {
-        let (along, door, off) = (minus(q, p), minus(b, a), minus(a, p));
-        let whole = cross(along, door);
+        let (along, portal, off) = (minus(q, p), minus(b, a), minus(a, p));
+        let whole = cross(along, portal);
         let share = -cross(along, off) / whole;
         let here = |end: Flat| [p, q].contains(&end);
         here(a) || here(b) || (-1e-12..=1.0 + 1e-12).contains(&share)
@@ -175,7 +175,7 @@ fn through(doors: &[[Space; 2]], start: Space, goal: Space) -> f64 {
 
 /// The shortest path of all, by every row of triangles without a triangle twice.
 fn brute(points: &[Space], triangles: &[[u32; 3]], ends: [(usize, Space); 2]) -> Option<f64> {
-    let mut search = Brute { points, triangles, ends, row: vec![ends[0].0], doors: Vec::new(), best: None };
+    let mut search = Brute { points, triangles, ends, row: vec![ends[0].0], portals: Vec::new(), best: None };
     if ends[0].0 == ends[1].0 {
         return Some(far(ends[0].1, ends[1].1));
     }
@@ -188,7 +188,7 @@ struct Brute<'a> {
     triangles: &'a [[u32; 3]],
     ends: [(usize, Space); 2],
     row: Vec<usize>,
-    doors: Vec<[Space; 2]>,
+    portals: Vec<[Space; 2]>,
     best: Option<f64>,
 }
 
@@ -196,7 +196,7 @@ impl Brute<'_> {
     fn walk(&mut self) {
         let here = self.row[self.row.len() - 1];
         if here == self.ends[1].0 {
-            let length = through(&self.doors, self.ends[0].1, self.ends[1].1);
+            let length = through(&self.portals, self.ends[0].1, self.ends[1].1);
             self.best = Some(self.best.map_or(length, |least| least.min(length)));
             return;
         }
@@ -206,10 +206,10 @@ impl Brute<'_> {
             let beyond = self.triangles.iter().position(has_twin).filter(|t| !self.row.contains(t));
             if let Some(beyond) = beyond {
                 self.row.push(beyond);
-                self.doors.push(side.map(|v| self.points[v as usize]));
+                self.portals.push(side.map(|v| self.points[v as usize]));
                 self.walk();
                 self.row.pop();
-                self.doors.pop();
+                self.portals.pop();
             }
         }
     }
@@ -249,7 +249,7 @@ fn the_shortest_path_over_hills_is_that_of_the_best_row_of_all() {
             });
             let context = format!("seed {seed}, {:?} to {:?}", places[0].point, places[1].point);
             let expected = brute(&points, &map.triangles, [0, 1].map(|i| (triangles[i], places[i].point)));
-            let found = planner.route(&surface, Rung::Exact, &places[0], &places[1]);
+            let found = planner.route(&surface, PathAlgorithm::Exact, &places[0], &places[1]);
             let Some(expected) = expected else {
                 assert!(found.is_err(), "{context}");
                 continue;
@@ -267,7 +267,7 @@ fn the_shortest_path_over_hills_is_that_of_the_best_row_of_all() {
             let v = map.triangles[triangles[1]][0];
             let vertex =
                 surface.places_on([points[v as usize][0], points[v as usize][1]], Floor::Any).expect("a vertex");
-            let way = planner.route_among(&surface, Rung::Exact, &vertex, &[places[0]]).expect(&context).0;
+            let way = planner.route_among(&surface, PathAlgorithm::Exact, &vertex, &[places[0]]).expect(&context).0;
             let told = field.distance(VertexId::new(v)).expect(&context);
             assert!(is_close(told, way.length), "{context}: {told} to v{v}, and {} back", way.length);
         }
@@ -296,20 +296,20 @@ fn a_spiral_ramp_is_split_into_its_turns_and_walked_from_the_bottom_to_the_top()
     let storeys = ramp.places(at);
     assert_eq!(storeys.iter().map(|place| place.layer).collect::<Vec<_>>(), [0, 1, 2]);
     assert!(
-        matches!(ramp.place(at, Floor::Any), Err(SurfacePlaceError::Ambiguous { places, .. }) if places.len() == 3)
+        matches!(ramp.place(at, Floor::Any), Err(SurfacePointError::Ambiguous { places, .. }) if places.len() == 3)
     );
     let below = ramp.place(at, Floor::Height(storeys[1].point[2] + 1.0)).expect("the middle one");
     assert_eq!(below, storeys[1]);
     assert_eq!(ramp.place(at, Floor::Layer(2)), Ok(storeys[2]));
-    assert!(matches!(ramp.place(at, Floor::Layer(3)), Err(SurfacePlaceError::NotOnLayer { .. })));
-    assert!(matches!(ramp.place(at, Floor::Height(-1.0)), Err(SurfacePlaceError::NothingBelow { .. })));
-    assert!(matches!(ramp.place([9.0, 9.0], Floor::Any), Err(SurfacePlaceError::Off { .. })));
+    assert!(matches!(ramp.place(at, Floor::Layer(3)), Err(SurfacePointError::NotOnLayer { .. })));
+    assert!(matches!(ramp.place(at, Floor::Height(-1.0)), Err(SurfacePointError::NothingBelow { .. })));
+    assert!(matches!(ramp.place([9.0, 9.0], Floor::Any), Err(SurfacePointError::Off { .. })));
     let mut planner = SurfacePlanner::new();
     // The strip is the only row of triangles there is.
     let (corners, triangles) = triangles_of(&ramp);
     for (from, to) in [(0, 2), (2, 0), (0, 1), (1, 2)] {
         let [start, goal] = [storeys[from], storeys[to]];
-        let route = planner.route(&ramp, Rung::Exact, &start, &goal).expect("the ramp");
+        let route = planner.route(&ramp, PathAlgorithm::Exact, &start, &goal).expect("the ramp");
         check(&ramp, &route, [&start, &goal], &format!("{from} to {to}"));
         let has = |p: Space| {
             let off = |t: &[u32; 3]| off_triangle(p, t.map(|v| corners[v as usize]));
@@ -344,13 +344,16 @@ fn a_bridge_is_crossed_above_and_passed_below() {
     assert_eq!(bridge.faces().map(|f| bridge.layer(f)).collect::<Vec<_>>(), [Some(0), Some(1), Some(1), Some(1)]);
     let mut planner = SurfacePlanner::new();
     let place = |x: f64, y: f64, z: f64| bridge.place([x, y], Floor::Height(z)).expect("there");
-    let above = planner.route(&bridge, Rung::Exact, &place(0.0, -6.0, 0.0), &place(0.0, 6.0, 0.0)).expect("over it");
+    let above =
+        planner.route(&bridge, PathAlgorithm::Exact, &place(0.0, -6.0, 0.0), &place(0.0, 6.0, 0.0)).expect("over it");
     assert!(is_close(above.length, 14.0), "5 up, 4 across, 5 down: {}", above.length);
     assert_eq!(above.points.len(), 4, "it bends in space where the slopes do: {:?}", above.points);
     assert_eq!(above.layers, [1, 1, 1]);
-    let below = planner.route(&bridge, Rung::Exact, &place(-6.0, 0.0, 1.0), &place(6.0, 0.0, 1.0)).expect("under it");
+    let below =
+        planner.route(&bridge, PathAlgorithm::Exact, &place(-6.0, 0.0, 1.0), &place(6.0, 0.0, 1.0)).expect("under it");
     assert_eq!((below.length, below.layers), (12.0, vec![0]));
-    let error = planner.route(&bridge, Rung::Exact, &place(0.0, 0.0, 9.0), &place(0.0, 0.0, 1.0)).expect_err("apart");
+    let error =
+        planner.route(&bridge, PathAlgorithm::Exact, &place(0.0, 0.0, 9.0), &place(0.0, 0.0, 1.0)).expect_err("apart");
     assert!(matches!(error, SurfaceRouteError::Unreachable { start: 1, goal: 0, .. }), "{error}");
 }
 
@@ -361,7 +364,7 @@ fn a_path_over_a_hill_goes_round_it_where_that_is_shorter() {
     let faces: Vec<Vec<u32>> = (0..4).map(|i| vec![i, (i + 1) % 4, 4]).collect();
     let hill = NavSurface::new(&points, &list(&faces), None).expect("a surface");
     let [start, goal] = [[0.0, 0.0], [4.0, 4.0]].map(|at| hill.place(at, Floor::Any).expect("a corner"));
-    let route = SurfacePlanner::new().route(&hill, Rung::Exact, &start, &goal).expect("a path");
+    let route = SurfacePlanner::new().route(&hill, PathAlgorithm::Exact, &start, &goal).expect("a path");
     // Along the foot it is 8. Over two sides, unfolded round the top: both corners are as far from it as each other.
     let slant = (4.0f64 + 4.0 + 36.0).sqrt();
     let angle = 2.0 * (2.0 / slant).asin();
@@ -396,7 +399,7 @@ fn lengths_do_not_depend_on_where_and_how_large_the_surface_is() {
                 let [x, y, _] = place([p.x, p.y, 0.0]);
                 surface.place([x, y], Floor::Any).expect("inside")
             });
-            let found = planner.route(&surface, Rung::Exact, &places[0], &places[1]);
+            let found = planner.route(&surface, PathAlgorithm::Exact, &places[0], &places[1]);
             lengths.push(found.map_or(f64::INFINITY, |route| route.length / scale));
         }
         for length in &lengths[1..] {
@@ -417,7 +420,7 @@ fn a_large_flat_floor_costs_about_its_size_and_a_large_hill_not_its_square() {
             if rough > 0.0 { lifted(&map, |p| [p.x, p.y, rough * random_height(&mut random)]) } else { surface };
         let ends = [[0.7, 0.6], [size as f64 - 0.7, size as f64 - 0.9]];
         let places = ends.map(|at| surface.place(at, Floor::Any).expect("inside"));
-        planner.route(&surface, Rung::Exact, &places[0], &places[1]).expect("a path").work.pops
+        planner.route(&surface, PathAlgorithm::Exact, &places[0], &places[1]).expect("a path").work.pops
     };
     for rough in [0.0, 0.3] {
         let [small, large] = [16, 32].map(|size| work(size, rough));
@@ -447,7 +450,7 @@ fn what_is_no_surface_is_refused_by_name() {
     let tops: [Space; 5] = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0., 1., 2.], [0., 1., 4.]];
     let fans = [vec![0, 1, 2], vec![0, 1, 3], vec![0, 1, 4]];
     assert_eq!(refuse(&tops, &fans), Err(SurfaceError::ThreeAtEdge { faces: [0, 1, 2], edge: [0, 1] }));
-    assert_eq!(refuse(&tops, &fans[..2]), Err(SurfaceError::SameWay { faces: [0, 1], edge: [0, 1] }));
+    assert_eq!(refuse(&tops, &fans[..2]), Err(SurfaceError::SamePath { faces: [0, 1], edge: [0, 1] }));
 }
 
 #[test]
@@ -472,7 +475,7 @@ fn of_a_whole_house_the_floors_are_left_and_stairs_are_climbed_over_their_risers
     let stairs = NavSurface::new(&points, &list(&faces), None).expect("a stair");
     assert_eq!((stairs.layer_count(), stairs.component_count()), (1, 1));
     let [start, goal] = [[0.0, 1.0], [3.0, 1.0]].map(|at| *stairs.places(at).last().expect("there"));
-    let route = SurfacePlanner::new().route(&stairs, Rung::Exact, &start, &goal).expect("up the stair");
+    let route = SurfacePlanner::new().route(&stairs, PathAlgorithm::Exact, &start, &goal).expect("up the stair");
     assert!(is_close(route.length, 3.0 + 1.0), "{}", route.length);
     assert_eq!(stairs.steepest().map(|(slope, _)| slope), Some(90.0));
     // Without the risers there is no stair.
@@ -490,15 +493,15 @@ fn costs_lead_a_path_round_what_is_dear() {
     let surface = NavSurface::new(&points, &list(&faces), None).expect("a surface");
     let [start, goal] = [[1.0, 2.9], [5.0, 2.9]].map(|at| surface.place(at, Floor::Any).expect("there"));
     let mut planner = SurfacePlanner::new();
-    let plain = planner.route(&surface, Rung::Exact, &start, &goal).expect("a path");
+    let plain = planner.route(&surface, PathAlgorithm::Exact, &start, &goal).expect("a path");
     assert!(plain.faces.contains(&FaceId::new(1)) && plain.cost.to_bits() == plain.length.to_bits());
     let mut costs = FaceMap::filled(surface.face_bound(), 1.0);
     costs[FaceId::new(1)] = 4.0;
-    let round = planner.weighted_route(&surface, Rung::Closest, &costs, &start, &goal).expect("a path");
+    let round = planner.weighted_route(&surface, PathAlgorithm::Closest, &costs, &start, &goal).expect("a path");
     assert!(round.faces.contains(&FaceId::new(3)) && !round.faces.contains(&FaceId::new(1)), "{:?}", round.faces);
     assert!(is_close(round.cost, round.length));
     costs = FaceMap::filled(surface.face_bound(), 2.5);
-    let all = planner.weighted_route(&surface, Rung::Closest, &costs, &start, &goal).expect("a path");
+    let all = planner.weighted_route(&surface, PathAlgorithm::Closest, &costs, &start, &goal).expect("a path");
     assert!(is_close(all.cost, 2.5 * all.length));
 }
 
@@ -513,12 +516,12 @@ fn polygons_of_many_corners_are_one_face_and_have_the_lengths_of_the_plane() {
     let outline: Vec<_> = surface.outline(FaceId::new(1)).collect();
     assert!(outline.len() == 6 && outline.iter().all(|(_, beyond)| beyond.is_none()));
     let [start, goal] = [[4.0, 0.3], [0.5, 2.4]].map(|at| surface.place(at, Floor::Any).expect("there"));
-    let route = SurfacePlanner::new().route(&surface, Rung::Exact, &start, &goal).expect("a path");
+    let route = SurfacePlanner::new().route(&surface, PathAlgorithm::Exact, &start, &goal).expect("a path");
     assert_eq!((route.faces.len(), route.corners.as_slice()), (1, [VertexId::new(3)].as_slice()));
     let mut map = Subdivision::polygon(&flat).expect("an L");
     map.triangulate(dcel_kit::plane::TriangulationMethod::default()).expect("triangles");
     let mesh = NavMesh::new(&map).expect("a mesh");
-    let plain = Planner::new().route_between(&mesh, Rung::Exact, Point::new(4.0, 0.5), Point::new(0.5, 4.0));
+    let plain = Planner::new().route_between(&mesh, PathAlgorithm::Exact, Point::new(4.0, 0.5), Point::new(0.5, 4.0));
     assert!(is_close(route.length, plain.expect("a way").length));
 }
 

@@ -2,7 +2,7 @@
 
 use crate::maps::{Map, Random};
 use crate::routes::is_close;
-use dcel_kit::navmesh::{Location, NavMesh, NavMeshError, PlaceError, Planner, RouteError, Rung};
+use dcel_kit::navmesh::{Location, NavMesh, NavMeshError, PathAlgorithm, Planner, QueryPointError, RouteError};
 use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::topology::PolygonList;
 use dcel_kit::{FaceId, VertexId};
@@ -17,9 +17,9 @@ fn polygons(points: &[(f64, f64)], faces: &[&[u32]]) -> Subdivision {
     Subdivision::from_polygons(points.iter().map(|&p| p.into()).collect(), &list).expect("faces that fit")
 }
 
-/// The start lies inside the first door: left and right of it are opposite, which is no crossing.
+/// The start lies inside the first portal: left and right of it are opposite, which is no junction.
 #[test]
-fn the_funnel_starts_inside_the_first_door() {
+fn the_funnel_starts_inside_the_first_portal() {
     // Squares in a row, and a last one above: the way turns left at v6.
     let s = polygons(
         &[(0., 0.), (2., 0.), (4., 0.), (0., 2.), (2., 2.), (4., 2.), (2., 4.), (4., 4.)],
@@ -27,7 +27,7 @@ fn the_funnel_starts_inside_the_first_door() {
     );
     let mesh = NavMesh::new(&s).expect("squares");
     let mut planner = Planner::new();
-    // On the door between the first two squares, in the first one; and on the line of the second door, at its end.
+    // On the portal between the first two squares, in the first one; and on the line of the second portal, at its end.
     for (start, goal, expected) in [
         (at(2., 1.), at(3., 3.), 5f64.sqrt()),
         (at(2., 0.), at(2., 4.), 4.0),
@@ -35,11 +35,11 @@ fn the_funnel_starts_inside_the_first_door() {
         (at(0., 2.), at(4., 2.), 4.0),
         (at(0., 2.), at(2., 4.), 4.0),
     ] {
-        for rung in Rung::ALL {
+        for algorithm in PathAlgorithm::ALL {
             for face in mesh.faces().filter(|&f| mesh.place_in(f, start).is_ok()) {
                 let [from, to] = [mesh.place_in(face, start), mesh.place(goal)].map(|place| place.expect("free"));
-                let route = planner.route(&mesh, rung, &from, &to).expect("one component");
-                assert!(is_close(route.length, expected), "{rung} {start} -> {goal} in {face}: {}", route.length);
+                let route = planner.route(&mesh, algorithm, &from, &to).expect("one component");
+                assert!(is_close(route.length, expected), "{algorithm} {start} -> {goal} in {face}: {}", route.length);
             }
         }
     }
@@ -54,27 +54,30 @@ fn a_corner_of_one_last_place_is_a_turn() {
         let s = polygons(&[(0., low), (2., top), (4., low), (4., 3.), (0., 3.)], &[&[0, 1, 3, 4], &[1, 2, 3]]);
         let mesh = NavMesh::new(&s).expect("convex but for v1");
         let mut planner = Planner::new();
-        let route = planner.route_between(&mesh, Rung::Exact, at(0., low), at(4., low)).expect("one component");
+        let route =
+            planner.route_between(&mesh, PathAlgorithm::Exact, at(0., low), at(4., low)).expect("one component");
         assert_eq!(route.corners.contains(&VertexId::new(1)), is_turn, "{route:?}");
     }
 }
 
-/// Two gaps touch in a vertex: nobody squeezes through, and who stands there says in which wedge.
+/// Two holes touch in a vertex: nobody squeezes through, and who stands there says in which wedge.
 #[test]
 fn a_double_corner_has_two_wedges() {
-    // A ring of faces round two gaps that touch in v4.
+    // A ring of faces round two holes that touch in v4.
     let map = [".....", ".#...", "..#..", "....."];
     let s = cells(&map);
     let mesh = NavMesh::new(&s).expect("squares");
     let corner = at(2., -2.);
     let Location::Vertex(v) = mesh.locate(corner) else { panic!("{corner} is no vertex") };
     assert_eq!(mesh.wedges(v).len(), 2);
-    let PlaceError::Ambiguous { faces, .. } = mesh.place(corner).expect_err("two wedges") else { panic!("ambiguous") };
+    let QueryPointError::Ambiguous { faces, .. } = mesh.place(corner).expect_err("two wedges") else {
+        panic!("ambiguous")
+    };
     assert_eq!(faces.len(), 2);
     let mut planner = Planner::new();
     // Past the corner: (2.5, -1.5) and (1.5, -2.5) see each other but for it.
     let [a, b] = [at(2.5, -1.5), at(1.5, -2.5)];
-    let route = planner.route_between(&mesh, Rung::Exact, a, b).expect("round one of the gaps");
+    let route = planner.route_between(&mesh, PathAlgorithm::Exact, a, b).expect("round one of the holes");
     assert!(route.length > 2.0, "squeezed through: {:?}", route.points);
     assert!(!route.corners.contains(&v), "{:?}", route.points);
     // From the corner itself: in the wedge of each face, and every face of the wedge is a start.
@@ -83,16 +86,19 @@ fn a_double_corner_has_two_wedges() {
         let all = mesh.faces_at(&place);
         assert!(all.contains(&face) && mesh.wedges(v).contains(&all), "{all:?}");
         let [to_a, to_b] = [near, far].map(|p| {
-            planner.route(&mesh, Rung::Exact, &place, &mesh.place(p).expect("free")).expect("one component").length
+            planner
+                .route(&mesh, PathAlgorithm::Exact, &place, &mesh.place(p).expect("free"))
+                .expect("one component")
+                .length
         });
         let step = 0.5f64.hypot(0.5);
         let short = to_a.min(to_b);
         assert!(is_close(short, step), "{face}: {to_a} and {to_b}");
         assert!(to_a.max(to_b) > 2.0, "{face}: squeezed through, {to_a} and {to_b}");
     }
-    // Between points the wedge is that of the shortest way.
+    // Between points the wedge is that of the shortest path.
     for p in [a, b] {
-        let route = planner.route_between(&mesh, Rung::Exact, corner, p).expect("from one of the wedges");
+        let route = planner.route_between(&mesh, PathAlgorithm::Exact, corner, p).expect("from one of the wedges");
         assert!(is_close(route.length, 0.5f64.hypot(0.5)), "{:?}", route.points);
     }
 }
@@ -109,7 +115,7 @@ fn a_double_corner_has_two_wedges() {
 /// ```
 #[test]
 fn a_way_bends_at_its_own_start_in_another_wedge() {
-    // With u straight below v the way goes back on the line on which it came.
+    // With u straight below v the path goes back on the line on which it came.
     for x in [1.0, 1.25, 0.75] {
         let corner = |i: u32| (if i == 7 { x } else { f64::from(i % 3) }, -f64::from(i / 3));
         let squares = [0u32, 1, 3, 4, 6, 7].map(|i| [i + 3, i + 4, i + 1, i]);
@@ -123,19 +129,19 @@ fn a_way_bends_at_its_own_start_in_another_wedge() {
         }
         for (ready, mut planner) in [(false, Planner::face_by_face()), (true, Planner::new())] {
             let [from, to] = [mesh.place_in(below, v), mesh.place(end)].map(|place| place.expect("free"));
-            for rung in Rung::ALL {
-                let context = format!("{rung}, u at {x}, prepared: {ready}");
-                let way = planner.route(&mesh, rung, &from, &to).expect("one component");
+            for algorithm in PathAlgorithm::ALL {
+                let context = format!("{algorithm}, u at {x}, prepared: {ready}");
+                let way = planner.route(&mesh, algorithm, &from, &to).expect("one component");
                 assert_eq!(way.points, [v, u, v, end], "{context}");
                 assert_eq!(way.corners.len(), 2, "{context}");
-                let back = planner.route(&mesh, rung, &to, &from).expect("one component");
+                let back = planner.route(&mesh, algorithm, &to, &from).expect("one component");
                 assert_eq!(back.points, [end, v, u, v], "{context}");
             }
         }
     }
 }
 
-/// From one side of a wall without area to the other, at the same point, the way goes to its end and back.
+/// From one side of a wall without area to the other, at the same point, the path goes to its end and back.
 #[test]
 fn a_way_goes_round_a_wall_without_area_and_back_on_the_same_line() {
     let mut mesh = NavMesh::new(&cells(&["....", "...."])).expect("squares");
@@ -151,9 +157,9 @@ fn a_way_goes_round_a_wall_without_area_and_back_on_the_same_line() {
     for (ready, mut planner) in [(false, Planner::face_by_face()), (true, Planner::new())] {
         for (x, back) in [(0.0, 0.0), (0.25, 0.25), (1.0, 0.5), (0.5, 1.0)] {
             let [from, to] = [(above, x), (below, back)].map(|(f, x)| mesh.place_in(f, at(x, -1.0)).expect("its side"));
-            for rung in Rung::ALL {
-                let context = format!("{rung}, from {x} to {back}, prepared: {ready}");
-                let way = planner.route(&mesh, rung, &from, &to).expect("one component");
+            for algorithm in PathAlgorithm::ALL {
+                let context = format!("{algorithm}, from {x} to {back}, prepared: {ready}");
+                let way = planner.route(&mesh, algorithm, &from, &to).expect("one component");
                 assert_eq!(way.points, [at(x, -1.0), at(3.0, -1.0), at(back, -1.0)], "{context}");
                 assert!(is_close(way.length, 6.0 - x - back), "{context}: {}", way.length);
             }
@@ -161,7 +167,7 @@ fn a_way_goes_round_a_wall_without_area_and_back_on_the_same_line() {
     }
 }
 
-/// Round the end of a wall and back on the same line, through doors that lie on it: the wall is not walked through.
+/// Round the end of a wall and back on the same line, through portals that lie on it: the wall is not walked through.
 #[test]
 fn a_way_turns_back_on_its_own_line() {
     let mut mesh = NavMesh::new(&cells(&["..", "..", ".."])).expect("squares");
@@ -177,11 +183,11 @@ fn a_way_turns_back_on_its_own_line() {
         for (from, start, to, goal, length) in ends {
             let [from, to] =
                 [mesh.place_in(from, start), mesh.place_in(to, goal)].map(|place| place.expect("on the wall"));
-            for rung in Rung::ALL {
+            for algorithm in PathAlgorithm::ALL {
                 for (from, to) in [(&from, &to), (&to, &from)] {
-                    let way = planner.route(&mesh, rung, from, to).expect("one component");
-                    assert_eq!(way.points, [from.point, at(1., -2.), to.point], "{rung}, merged: {merged}");
-                    assert!(is_close(way.length, length), "{rung}: {}", way.length);
+                    let way = planner.route(&mesh, algorithm, from, to).expect("one component");
+                    assert_eq!(way.points, [from.point, at(1., -2.), to.point], "{algorithm}, merged: {merged}");
+                    assert!(is_close(way.length, length), "{algorithm}: {}", way.length);
                 }
             }
         }
@@ -204,7 +210,7 @@ fn cells(rows: &[&str]) -> Subdivision {
     Subdivision::from_polygons(points.collect(), &list).expect("cells")
 }
 
-/// Faces that were merged have corners in the middle of straight sides: they stay convex, and doors on one line too.
+/// Faces that were merged have corners in the middle of straight sides: they stay convex, and portals on one line too.
 #[test]
 fn straight_corners_are_no_concave_ones() {
     let s = polygons(
@@ -222,17 +228,17 @@ fn straight_corners_are_no_concave_ones() {
         (at(2., 3.), at(4., 3.), 4.0),
         (at(3., 2.), at(1., 4.), 1.0 + 5f64.sqrt()),
     ] {
-        let route = planner.route_between(&mesh, Rung::Exact, start, goal).expect("one component");
+        let route = planner.route_between(&mesh, PathAlgorithm::Exact, start, goal).expect("one component");
         assert!(is_close(route.length, expected), "{start} -> {goal}: {}", route.length);
-        let back = planner.route_between(&mesh, Rung::Exact, goal, start).expect("one component");
+        let back = planner.route_between(&mesh, PathAlgorithm::Exact, goal, start).expect("one component");
         assert!(is_close(back.length, expected), "{goal} -> {start}: {}", back.length);
     }
 }
 
-/// A side seen edge-on: the way runs along a wall, in line with a door behind it, and bends where the door begins.
+/// A side seen edge-on: the path runs along a wall, in line with a portal behind it, and bends where the portal begins.
 ///
 /// ```text
-///    8 ───── 3 ───────────── 4           The wall ends in v6; the door v6 - v5 to the lowest face lies on its line.
+///    8 ───── 3 ───────────── 4           The wall ends in v6; the portal v6 - v5 to the lowest face lies on its line.
 ///    │       │               │
 ///    0 ───── 2 ═══════ 6 ┄┄┄ 5           Ways from the left, straight or round v2, and from the wall itself.
 ///    │       ║         │     │
@@ -253,7 +259,7 @@ fn a_side_seen_edge_on_is_passed_at_its_nearer_end() {
         (0., -2.),
         (4., -2.),
     ];
-    // Left of the first door one face, or two: then the first ray runs through the post, not from a corner of its face.
+    // Left of the first portal one face, or two: then the first ray runs through the endpoint, not from a corner of its face.
     let left: [&[&[u32]]; 2] = [&[&[9, 1, 2, 3, 8]], &[&[9, 1, 2, 0], &[0, 2, 3, 8]]];
     let right: [&[u32]; 2] = [&[2, 6, 5, 4, 3], &[10, 7, 5, 6]];
     for (left, symmetry) in left.into_iter().flat_map(|left| (0..8).map(move |symmetry| (left, symmetry))) {
@@ -282,7 +288,7 @@ fn a_side_seen_edge_on_is_passed_at_its_nearer_end() {
         ] {
             let [from, to] = [start, goal].map(|p| Point::from(moved(p)));
             for [a, b] in [[from, to], [to, from]] {
-                let route = planner.route_between(&mesh, Rung::Exact, a, b).expect("one component");
+                let route = planner.route_between(&mesh, PathAlgorithm::Exact, a, b).expect("one component");
                 let way = &route.points;
                 assert!(is_close(route.length, expected), "{symmetry}: {a} -> {b}: {} by {way:?}", route.length);
             }
@@ -291,7 +297,7 @@ fn a_side_seen_edge_on_is_passed_at_its_nearer_end() {
 }
 
 /// Of the wedges at a vertex one at most is more than half a turn: at a double corner ways bend in that one only, and
-/// one length a vertex is enough to know the shortest way there.
+/// one length a vertex is enough to know the shortest path there.
 #[test]
 fn a_way_bends_in_one_wedge_of_a_double_corner() {
     let mut bends = 0;
@@ -326,7 +332,7 @@ fn a_way_bends_in_one_wedge_of_a_double_corner() {
             let Some([first, .., last]) = wide.first().map(|wedge| wedge.as_slice()) else { continue };
             let [a, b] = [first, last].map(|f| map.inside(f.index() - 1, &mut random));
             let [from, to] = [(first, a), (last, b)].map(|(&f, p)| mesh.place_in(f, p).expect("inside"));
-            let route = planner.route(&mesh, Rung::Exact, &from, &to).expect("one wedge");
+            let route = planner.route(&mesh, PathAlgorithm::Exact, &from, &to).expect("one wedge");
             bends += usize::from(route.corners == [v]);
         }
     }
@@ -355,8 +361,9 @@ fn concave_faces_rings_and_empty_maps_are_refused() {
 #[test]
 fn apart_is_proved_by_two_components() {
     let mesh = NavMesh::new(&cells(&["..#..", "..#.."])).expect("squares");
-    let error = Planner::new().route_between(&mesh, Rung::Exact, at(0.5, -0.5), at(4.5, -0.5)).expect_err("apart");
-    let RouteError::Apart { from, to, start, goal } = error else { panic!("{error}") };
+    let error =
+        Planner::new().route_between(&mesh, PathAlgorithm::Exact, at(0.5, -0.5), at(4.5, -0.5)).expect_err("apart");
+    let RouteError::Unreachable { from, to, start, goal } = error else { panic!("{error}") };
     assert_ne!(start, goal);
     assert_eq!((mesh.component(from), mesh.component(to)), (Some(start), Some(goal)));
     let near = mesh.nearest_reachable(start, at(4.5, -0.5)).expect("some face");
@@ -373,15 +380,15 @@ fn ends_on_vertices_and_edges_are_ends_like_others() {
         [((0., 0.), (4., 4.)), ((0., 0.), (0., 0.)), ((1., 1.), (3., 1.)), ((0.5, 0.), (4., 3.5)), ((2., 2.), (2., 4.))]
     {
         let (a, b) = (Point::from(a), Point::from(b));
-        for rung in Rung::ALL {
-            let route = planner.route_between(&mesh, rung, a, b).expect("one component");
+        for algorithm in PathAlgorithm::ALL {
+            let route = planner.route_between(&mesh, algorithm, a, b).expect("one component");
             let straight = (b.x - a.x).hypot(b.y - a.y);
-            let good = if rung == Rung::Exact {
+            let good = if algorithm == PathAlgorithm::Exact {
                 is_close(route.length, straight)
             } else {
                 route.length >= straight * (1. - 1e-9)
             };
-            assert!(good, "{rung}: {a} -> {b}: {}", route.length);
+            assert!(good, "{algorithm}: {a} -> {b}: {}", route.length);
         }
     }
 }

@@ -119,17 +119,17 @@ fn what_nearly_meets_is_a_warning_and_what_is_far_apart_or_joined_is_none() {
         faces.iter().for_each(|face| list.push_face(face));
         mesh_faults(&points, &list, &[])
     };
-    let gap = |gap: f64| {
-        let right = 1.0 + gap;
+    let hole = |hole: f64| {
+        let right = 1.0 + hole;
         let points = [(0., 0.), (1., 0.), (1., 1.), (0., 1.), (right, 0.), (2., 0.), (2., 1.), (right, 1.)];
         of(&points, &[&[0, 1, 2, 3], &[4, 5, 6, 7]])
     };
-    let near = gap(1e-6);
+    let near = hole(1e-6);
     assert!(near.iter().all(MeshFault::is_warning) && near.len() == 2, "{near:?}");
     assert!(
         matches!(near[0], MeshFault::NearVertices { first: 1, second: 4, distance } if (distance - 1e-6).abs() < 1e-15)
     );
-    assert_eq!(gap(1e-3), []);
+    assert_eq!(hole(1e-3), []);
     // A vertex beside a side of another face: joined to its ends by sides of its own.
     let beside = |y: f64| {
         let points = [(0., 0.), (1., 0.), (2., 0.), (2., 1.), (1., y), (0., 1.), (2., 2.), (0., 2.)];

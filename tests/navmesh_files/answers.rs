@@ -2,7 +2,7 @@
 
 use crate::{data, plane};
 use dcel_kit::io::{Format, Grid, Optimum, Scenario};
-use dcel_kit::navmesh::{Inset, NavMesh, Planner, Rung};
+use dcel_kit::navmesh::{Inset, NavMesh, PathAlgorithm, Planner};
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
 
 /// The lengths that the kit finds, none where it finds no way, and how many agree with the file.
@@ -13,7 +13,7 @@ fn lengths(map: &Subdivision, scenario: &Scenario, y_down: bool, tolerance: f64)
     // At a double corner the files say that there is no clear place to start or end.
     let route = |q: &dcel_kit::io::Query| {
         let [start, goal] = [q.start, q.goal].map(|p| mesh.place(place(p)).ok());
-        planner.route(&mesh, Rung::Exact, &start?, &goal?).ok().map(|route| route.length)
+        planner.route(&mesh, PathAlgorithm::Exact, &start?, &goal?).ok().map(|route| route.length)
     };
     let found: Vec<Option<f64>> = scenario.queries.iter().map(route).collect();
     let optimum = scenario.optimum();

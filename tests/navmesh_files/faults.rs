@@ -91,13 +91,13 @@ fn a_corner_on_a_side_and_two_vertices_at_a_place() {
 fn double_corners_are_warnings() {
     let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [2.0, 1.0], [2.0, 2.0], [1.0, 2.0]];
     let found = faults(&points, &[&[0, 1, 2, 3], &[2, 4, 5, 6]], &[]);
-    assert_eq!(found, [MeshFault::DoubleCorner { vertex: 2, gaps: 2 }]);
+    assert_eq!(found, [MeshFault::DoubleCorner { vertex: 2, holes: 2 }]);
     assert!(found[0].is_warning() && found[0].kind() == "double-corner");
     // A blocked face is a gap, too: here it leaves one gap, and there two.
     let more = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [2.0, 1.0], [2.0, 2.0], [1.0, 2.0], [2.0, 0.0]];
     let three: [&[u32]; 3] = [&[0, 1, 2, 3], &[2, 4, 5, 6], &[1, 7, 4, 2]];
     assert_eq!(faults(&more, &three, &[]), []);
-    assert_eq!(faults(&more, &three, &[2]), [MeshFault::DoubleCorner { vertex: 2, gaps: 2 }]);
+    assert_eq!(faults(&more, &three, &[2]), [MeshFault::DoubleCorner { vertex: 2, holes: 2 }]);
 }
 
 #[test]
@@ -116,7 +116,7 @@ fn rectangles_of_random_maps_have_no_faults_and_the_double_corners_of_the_map() 
         let corners: Vec<[f64; 2]> = found
             .iter()
             .map(|fault| match fault {
-                MeshFault::DoubleCorner { vertex, gaps: 2 } => {
+                MeshFault::DoubleCorner { vertex, holes: 2 } => {
                     soup.points[*vertex as usize][..2].try_into().expect("two")
                 }
                 other => panic!("seed {seed}: {other} in\n{text}"),

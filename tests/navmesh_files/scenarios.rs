@@ -2,7 +2,7 @@
 
 use crate::{Random, data, plane};
 use dcel_kit::io::{Format, Grid, Optimum, Scenario};
-use dcel_kit::navmesh::{NavMesh, Planner, Rung};
+use dcel_kit::navmesh::{NavMesh, PathAlgorithm, Planner};
 use dcel_kit::plane::Point;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -119,7 +119,7 @@ fn made_files_of_both_kinds_are_told_apart_at_every_precision() {
         while queries.len() < 40 {
             let goal = open[random.below(open.len() as u64) as usize];
             let octile = costs[(goal[1] * size + goal[0]) as usize];
-            let Ok(way) = planner.route_between(&mesh, Rung::Exact, at(start), at(goal)) else { continue };
+            let Ok(way) = planner.route_between(&mesh, PathAlgorithm::Exact, at(start), at(goal)) else { continue };
             if octile.is_finite() && goal != start {
                 queries.push((goal, [octile, way.length]));
             }

@@ -113,7 +113,7 @@ static REFERENCES: &[Reference] = &[
     },
     Reference {
         file: "navmesh-ladder.svg",
-        about: "six ways through one map: how much longer each is than the shortest",
+        about: "six paths through one map: how much longer each is than the shortest",
         draw: specimen::ladder,
     },
     Reference {
@@ -311,7 +311,7 @@ fn command(file: &str) -> &'static str {
         "figure-sizes.svg" | "primitives.svg" | "robustness.svg" | "rooms.svg" | "vocabulary.svg" | "walk.svg"
         | "wrong-signs.svg" => "dcel figures",
         "navmesh-ladder.svg" => {
-            "dcel navmesh path figures/data/rooms.map 21.5 5.5 0.5 4.5 --triangles --rung all -o OUT.svg"
+            "dcel navmesh path figures/data/rooms.map 21.5 5.5 0.5 4.5 --triangles --algorithm all -o OUT.svg"
         }
         "schlegel.svg" => "dcel solid schlegel FILE --through f0 --figure OUT.svg",
         "solid-torus.svg" => "dcel solid figure FILE --no-hidden -o OUT.svg",

@@ -16,7 +16,7 @@ use std::collections::{BTreeMap, BTreeSet};
 const ROOMS: [(&str, &str, f64); 15] = [
     ("cli", "the command", 1.0),
     ("lab", "exercises, graded", 1.0),
-    ("compare", "what drawings mean", 0.0),
+    ("compare", "are drawings alike?", 0.0),
     ("figure", "drawings", 0.0),
     ("script", "texts of edits", 1.0),
     ("edits", "the table of edits", 1.0),
@@ -85,7 +85,7 @@ fn route([x, y]: [f64; 2], [u, v]: [f64; 2], boxes: &[[f64; 2]]) -> Vec<[f64; 2]
 fn uses<'a>(sources: impl Iterator<Item = (&'a str, &'a str)>) -> Uses {
     let files: Vec<(&str, &str)> = sources
         .filter_map(|(path, text)| Some((room_of(path)?, text)))
-        .filter(|(room, _)| !["sources", "lib", "main"].contains(room))
+        .filter(|(room, _)| !["sources", "old_words", "lib", "main"].contains(room))
         .collect();
     let mut uses: Uses = files.iter().map(|(room, _)| ((*room).to_owned(), BTreeSet::new())).collect();
     let rooms: BTreeSet<String> = uses.keys().cloned().collect();

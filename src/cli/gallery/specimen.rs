@@ -6,7 +6,7 @@ use super::lesson;
 use dcel_kit::figure::navmesh::Floor;
 use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
 use dcel_kit::figure::{self, Detail, FigureOptions, NearlyCollinear};
-use dcel_kit::navmesh::{NavMesh, Planner, Rung};
+use dcel_kit::navmesh::{NavMesh, PathAlgorithm, Planner};
 use dcel_kit::plane::{Point, TriangulationMethod};
 
 /// One room with two pillars and a notch, for all panels: so that one can compare them.
@@ -174,7 +174,7 @@ pub(super) fn walk() -> Made<String> {
     Ok(sketch.over(&cube, Backdrop::Dimmed, &options)?.to_svg())
 }
 
-/// Every rung of the ladder between two rooms of a map, cut into triangles.
+/// Every algorithm of the ladder between two rooms of a map, cut into triangles.
 pub(super) fn ladder() -> Made<String> {
     let mut map = lesson::rooms()?;
     let borders = map.edge_bound();
@@ -184,8 +184,8 @@ pub(super) fn ladder() -> Made<String> {
     let (start, goal) = (Point::new(21.5, -5.5), Point::new(0.5, -4.5));
     let mut planner = Planner::new();
     let mut routes = Vec::new();
-    for rung in Rung::ALL {
-        routes.push((rung, planner.route_between(&mesh, rung, start, goal)?));
+    for algorithm in PathAlgorithm::ALL {
+        routes.push((algorithm, planner.route_between(&mesh, algorithm, start, goal)?));
     }
     let options = FigureOptions::new("Six ways through rooms").id_prefix("ladder");
     Ok(Floor::new(&map, &mesh).ladder(&routes, &options)?.to_svg())

@@ -6,7 +6,7 @@ use super::numbers::{above, number};
 use super::tell::{point, refusal};
 use dcel_kit::FaceId;
 use dcel_kit::io::Number;
-use dcel_kit::navmesh::{Nearest, Place, PlaceError};
+use dcel_kit::navmesh::{Nearest, QueryPoint, QueryPointError};
 use dcel_kit::plane::Point;
 use serde::Serialize;
 
@@ -31,7 +31,7 @@ pub(super) struct End {
     /// Where it was asked for.
     pub(super) asked: Point,
     /// The places there: one on each side of a double corner or a wall.
-    pub(super) places: Vec<Place>,
+    pub(super) places: Vec<QueryPoint>,
     /// How far they are from where it was asked for, if it was moved.
     pub(super) moved: Option<f64>,
 }
@@ -72,7 +72,7 @@ impl Snap {
     }
 
     /// The places at a point, or the nearest one.
-    pub(super) fn place(&self, map: &Map, p: Point, moves: &mut Moves) -> Result<Vec<Place>, PlaceError> {
+    pub(super) fn place(&self, map: &Map, p: Point, moves: &mut Moves) -> Result<Vec<QueryPoint>, QueryPointError> {
         map.mesh.places(p).or_else(|error| {
             let near = self.nearest(map, p).ok_or(error)?;
             moves.count += 1;
@@ -92,7 +92,7 @@ impl Snap {
         &self,
         map: &Map,
         wish: &Wish<'_>,
-        why: impl Fn(&PlaceError) -> Option<String>,
+        why: impl Fn(&QueryPointError) -> Option<String>,
     ) -> Result<End, Box<Lost>> {
         let Wish { what, coordinates, face } = *wish;
         let asked = map.point(coordinates);
@@ -105,7 +105,7 @@ impl Snap {
             Err(error) => error,
         };
         let why = why(&error).unwrap_or_else(|| refusal(map, &error));
-        let is_off = !matches!(error, PlaceError::NotInFace { .. });
+        let is_off = !matches!(error, QueryPointError::NotInFace { .. });
         if let Some(near) = self.nearest(map, asked).filter(|_| is_off) {
             let Nearest { place, distance } = near;
             say(

@@ -7,7 +7,7 @@ use super::map::Map;
 use super::numbers::number;
 use super::space::{Ground, Wish};
 use super::tell::point;
-use dcel_kit::navmesh::{Link, Rung, Stop, SurfaceLink, SurfacePlace};
+use dcel_kit::navmesh::{Link, PathAlgorithm, Stop, SurfaceLink, SurfacePoint};
 
 /// What changes the length of a path beside walls.
 #[derive(clap::Args, Debug)]
@@ -26,7 +26,7 @@ pub(super) struct CostArgs {
     /// A unit of length in an area costs as much; may be given several times. An area is faces (f3,f7-f9=2),
     /// a name of them (a group, object or material of an .obj, a feature of GeoJSON: mud=2), or corners
     /// (x,y,x,y,x,y=2), along which faces are cut. Answers are good ones for these costs, not the best of
-    /// all; a path needs a quicker rule than --rung exact
+    /// all; a path needs a quicker rule than --algorithm exact
     #[arg(long, value_name = "AREA=COST", value_parser = area, allow_hyphen_values = true)]
     cost: Vec<Area>,
 }
@@ -60,12 +60,12 @@ fn link(text: &str) -> Result<LinkWish, String> {
 
 impl Extras {
     /// Refuses costs for searches that know none.
-    pub(super) fn check(&self, rung: Rung, word: &str) -> Result<(), Failure> {
-        if self.areas().is_empty() || !matches!(rung, Rung::Exact | Rung::Breadth) {
+    pub(super) fn check(&self, algorithm: PathAlgorithm, word: &str) -> Result<(), Failure> {
+        if self.areas().is_empty() || !matches!(algorithm, PathAlgorithm::Exact | PathAlgorithm::Breadth) {
             return Ok(());
         }
-        let what = format!("--cost cannot be used with --rung {word}: it counts lengths or faces");
-        Err(Failure::input(what, "choose a quicker rule, for example --rung closest"))
+        let what = format!("--cost cannot be used with --algorithm {word}: it counts lengths or faces");
+        Err(Failure::input(what, "choose a quicker rule, for example --algorithm closest"))
     }
 
     /// The links between places.
@@ -113,7 +113,7 @@ impl LinkArgs {
 
     /// The links of a surface.
     pub(super) fn on(&self, ground: &Ground, snap: &Snap) -> Result<Vec<SurfaceLink>, Failure> {
-        let place = |numbers: &[f64], what: &str| -> Result<SurfacePlace, Failure> {
+        let place = |numbers: &[f64], what: &str| -> Result<SurfacePoint, Failure> {
             let wish = Wish { what, numbers, layer: None, face: None };
             Ok(ground.end(&wish, snap)?.places[0])
         };

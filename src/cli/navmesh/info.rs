@@ -14,13 +14,13 @@ use dcel_kit::navmesh::{MeshFault, double_corners_of};
 use serde::Serialize;
 use std::io::{self, Write};
 
-/// Count faces, components, dead ends and crossings of a map, and name everything that is wrong with it
+/// Count faces, components, dead ends and junctions of a map, and name everything that is wrong with it
 ///
-/// A crossing is a face with three or more ways on that are no dead ends; between crossings lie
-/// passages, rows of faces without a choice.
+/// A junction is a face with three or more exits that are no dead ends; between junctions lie
+/// reduced corridors, rows of faces without a choice.
 ///
 /// Wrong are faces that run clockwise, that are not convex or have no area, that overlap, T-junctions
-/// and vertices at the same place. Double corners, where gaps touch, are told as a warning. Exit code
+/// and vertices at the same place. Double corners, where holes touch, are told as a warning. Exit code
 /// 1 if something is wrong.
 ///
 /// Of a floor in space whose heights differ (--up) it tells the heights, the steepest slope and the layers:
@@ -66,12 +66,12 @@ struct Info {
     faces: usize,
     triangles: usize,
     vertices: usize,
-    doors: usize,
+    portals: usize,
     hole_faces: usize,
     components: Vec<usize>,
     dead_ends: usize,
-    crossings: usize,
-    passages: usize,
+    junctions: usize,
+    reduced_corridors: usize,
     area: f64,
     double_corners: usize,
     faults: Vec<Told>,
@@ -169,12 +169,12 @@ impl Info {
             faces: 0,
             triangles: 0,
             vertices: 0,
-            doors: 0,
+            portals: 0,
             hole_faces: 0,
             components: Vec::new(),
             dead_ends: 0,
-            crossings: 0,
-            passages: 0,
+            junctions: 0,
+            reduced_corridors: 0,
             area: 0.0,
             double_corners: 0,
             faults: Vec::new(),
@@ -197,12 +197,12 @@ impl Info {
             faces: mesh.face_count(),
             triangles: mesh.faces().filter(|&f| mesh.corners(f).len() == 3).count(),
             vertices: map.subdivision.vertex_count(),
-            doors: mesh.faces().map(|f| mesh.neighbours(f).filter(|&g| f < g).count()).sum(),
+            portals: mesh.faces().map(|f| mesh.neighbours(f).filter(|&g| f < g).count()).sum(),
             hole_faces: map.subdivision.hole_faces().count(),
             components,
             dead_ends: mesh.faces().filter(|&f| mesh.is_dead_end(f)).count(),
-            crossings: mesh.crossings().len(),
-            passages: mesh.passages().len(),
+            junctions: mesh.junctions().len(),
+            reduced_corridors: mesh.reduced_corridors().len(),
             area: 0.5 * mesh.faces().map(cross).sum::<f64>(),
             double_corners: double_corners_of(&map.subdivision).len(),
             faults,
@@ -214,7 +214,7 @@ impl Info {
         let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
         line("faces", format!("{} ({})", self.faces, counted(self.triangles, "triangle", "triangles")))?;
         line("vertices", self.vertices.to_string())?;
-        line("doors", self.doors.to_string())?;
+        line("portals", self.portals.to_string())?;
         line("hole faces", self.hole_faces.to_string())?;
         const SHOWN: usize = 10;
         let sizes: Vec<String> = self.components.iter().take(SHOWN).map(ToString::to_string).collect();
@@ -225,8 +225,8 @@ impl Info {
             "dead ends",
             format!("{} peeled, {} left", counted(self.dead_ends, "face", "faces"), self.faces - self.dead_ends),
         )?;
-        let passages = if self.passages == 1 { "passage" } else { "passages" };
-        line("crossings", format!("{}, and {} {passages}", self.crossings, self.passages))?;
+        let reduced_corridors = if self.reduced_corridors == 1 { "reduced corridor" } else { "reduced corridors" };
+        line("junctions", format!("{}, and {} {reduced_corridors}", self.junctions, self.reduced_corridors))?;
         line("area", dcel_kit::io::Number(self.area).to_string())?;
         line("double corners", self.double_corners.to_string())?;
         self.faults.iter().try_for_each(|fault| fault.print(out))

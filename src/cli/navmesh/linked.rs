@@ -6,7 +6,7 @@ use super::super::{Answer, Output};
 use super::map::Map;
 use super::tell::point;
 use dcel_kit::FaceMap;
-use dcel_kit::navmesh::{Link, LinkError, LinkedRoute, Place, Planner, Rung, Stop};
+use dcel_kit::navmesh::{Link, LinkError, LinkedRoute, PathAlgorithm, Planner, QueryPoint, Stop};
 use serde::Serialize;
 use std::io::Write;
 
@@ -14,7 +14,7 @@ use std::io::Write;
 #[derive(Serialize)]
 struct Answered {
     source: String,
-    rung: &'static str,
+    algorithm: &'static str,
     found: bool,
     /// The lengths of the legs and the costs of the links.
     cost: Option<f64>,
@@ -34,17 +34,19 @@ struct LegRow {
 pub(super) fn run(
     map: &Map,
     planner: &mut Planner,
-    rung: Rung,
+    algorithm: PathAlgorithm,
     (links, costs): (&[Link], Option<&FaceMap<f64>>),
-    ends: [Place; 2],
+    ends: [QueryPoint; 2],
     json: bool,
     out: &mut Output,
 ) -> Result<(Answer, Option<LinkedRoute>), Failure> {
     let [start, goal] = ends.map(|place| Stop { layer: 0, place });
     let layers = std::slice::from_ref(&map.mesh);
     let found = match costs {
-        Some(costs) => planner.weighted_linked_route(layers, links, rung, std::slice::from_ref(costs), &start, &goal),
-        None => planner.linked_route(layers, links, rung, &start, &goal),
+        Some(costs) => {
+            planner.weighted_linked_route(layers, links, algorithm, std::slice::from_ref(costs), &start, &goal)
+        }
+        None => planner.linked_route(layers, links, algorithm, &start, &goal),
     };
     let path = match found {
         Ok(path) => Some(path),
@@ -52,14 +54,14 @@ pub(super) fn run(
         Err(error) => return Err(Failure::input(format!("{}: {error}", map.source), "")),
     };
     if json {
-        out.json(&answered(map, rung, path.as_ref()))?;
+        out.json(&answered(map, algorithm, path.as_ref()))?;
     } else {
-        tell(map, rung, links, [start, goal], path.as_ref(), out)?;
+        tell(map, algorithm, links, [start, goal], path.as_ref(), out)?;
     }
     Ok((if path.is_some() { Answer::Yes } else { Answer::No }, path))
 }
 
-fn answered(map: &Map, rung: Rung, path: Option<&LinkedRoute>) -> Answered {
+fn answered(map: &Map, algorithm: PathAlgorithm, path: Option<&LinkedRoute>) -> Answered {
     let legs = path.into_iter().flat_map(|path| &path.legs).map(|leg| LegRow {
         length: leg.route.length,
         points: leg.route.points.iter().map(|&p| map.in_file(p)).collect(),
@@ -67,7 +69,7 @@ fn answered(map: &Map, rung: Rung, path: Option<&LinkedRoute>) -> Answered {
     });
     Answered {
         source: map.source.clone(),
-        rung: rung.name(),
+        algorithm: algorithm.name(),
         found: path.is_some(),
         cost: path.map(|path| path.cost),
         legs: legs.collect(),
@@ -77,7 +79,7 @@ fn answered(map: &Map, rung: Rung, path: Option<&LinkedRoute>) -> Answered {
 
 fn tell(
     map: &Map,
-    rung: Rung,
+    algorithm: PathAlgorithm,
     links: &[Link],
     ends: [Stop; 2],
     path: Option<&LinkedRoute>,
@@ -89,7 +91,7 @@ fn tell(
         return Ok(());
     };
     let count = path.links.len();
-    writeln!(out, "{rung}: {}, over {count} {}", path.cost, if count == 1 { "link" } else { "links" })?;
+    writeln!(out, "{algorithm}: {}, over {count} {}", path.cost, if count == 1 { "link" } else { "links" })?;
     for (i, leg) in path.legs.iter().enumerate() {
         if let Some(&link) = i.checked_sub(1).and_then(|before| path.links.get(before)) {
             let [from, to] = [links[link].from, links[link].to].map(|stop| point(map, stop.place.point));

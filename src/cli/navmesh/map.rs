@@ -7,7 +7,7 @@ use dcel_kit::navmesh::{Inset, NavMesh};
 use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::{FaceId, FaceMap};
 
-/// A map, and a way between its coordinates and those of its file.
+/// A map, and a path between its coordinates and those of its file.
 pub(super) struct Map {
     pub(super) source: String,
     pub(super) format: Format,

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   info ── locate ── neighbours      what the map is, where a point lies, what lies next to a face
-//!   path ── scenario                  a way by any rung of the ladder; a file of questions and answers
+//!   path ── scenario                  a path by any path algorithm; a file of questions and answers
 //!   raycast ── distances ── random    the first wall on a line; how far everything is; points at random
 //! ```
 //!
@@ -43,7 +43,7 @@ mod tell;
 
 use super::{Answer, Failure, Output};
 
-/// Find ways on a map: neighbours, corridors, the exact shortest path
+/// Find paths on a map: neighbours, corridors, the exact shortest path
 ///
 /// MAP is a grid map (.map), a navigation mesh (.mesh), a floor (.obj, .off, .ply) or any other file
 /// of convex faces. Points are given as the file has them; in a .map y points down.
@@ -52,7 +52,7 @@ use super::{Answer, Failure, Output};
 Examples:
   dcel navmesh info rooms.map
   dcel navmesh path rooms.map 1 1 22 12 \\
-    --rung all -o ladder.svg
+    --algorithm all -o ladder.svg
   dcel navmesh scenario rooms.map \\
     rooms.scen")]
 pub(crate) struct Args {

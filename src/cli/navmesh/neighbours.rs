@@ -33,7 +33,7 @@ struct Sides {
     component: Option<u32>,
     dead_end: bool,
     /// The face by which a dead end is left.
-    door: Option<String>,
+    portal: Option<String>,
     sides: Vec<SideRow>,
 }
 
@@ -87,7 +87,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         face: f.to_string(),
         component: mesh.component(f).map(|c| c.0),
         dead_end: mesh.is_dead_end(f),
-        door: mesh.door(f).map(|door| door.to_string()),
+        portal: mesh.portal(f).map(|portal| portal.to_string()),
         sides,
     };
     if args.json {
@@ -95,12 +95,12 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Ok(Answer::Yes);
     }
     let open = answer.sides.iter().filter(|side| side.open).count();
-    write!(out, "{f}: {} sides, {open} of them doors", answer.sides.len())?;
+    write!(out, "{f}: {} sides, {open} of them portals", answer.sides.len())?;
     if let Some(component) = mesh.component(f) {
         write!(out, "; {component}")?;
     }
-    match &answer.door {
-        Some(door) => writeln!(out, "; a dead end, left by {door}")?,
+    match &answer.portal {
+        Some(portal) => writeln!(out, "; a dead end, left by {portal}")?,
         None => writeln!(out)?,
     }
     table(out, &rows)?;

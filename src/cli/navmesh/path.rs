@@ -1,4 +1,4 @@
-//! `dcel navmesh path`: a way by one rung of the ladder, or by all of them.
+//! `dcel navmesh path`: a way by one path algorithm, or by all of them.
 
 use super::super::failure::{Failure, say};
 use super::super::output::table;
@@ -14,16 +14,18 @@ use super::space::{self, Ground, points_of};
 use super::tell::{Spot, faces, point};
 use clap::ValueEnum;
 use dcel_kit::figure::navmesh::Floor;
-use dcel_kit::navmesh::{ComponentId, Inset, Link, Location, Place, PlaceError, Planner, Route, RouteError, Rung};
+use dcel_kit::navmesh::{
+    ComponentId, Inset, Link, Location, PathAlgorithm, Planner, QueryPoint, QueryPointError, Route, RouteError,
+};
 use dcel_kit::plane::Point;
 use dcel_kit::{FaceId, FaceMap};
 use serde::Serialize;
 use std::io::Write;
 
-/// Find a way between two points
+/// Find a path between two points
 ///
-/// Without --rung the way is the shortest of all. The lower rungs of the ladder find a corridor of
-/// faces by a quicker rule and pull the way straight in it; --rung all compares them. If there is no
+/// Without --algorithm the way is the shortest of all. The other algorithms find a corridor of
+/// faces by a quicker rule and pull the path straight in it; --algorithm all compares them. If there is no
 /// way, the answer is the proof: the two components. Exit code 1 then. A start or goal off the mesh is
 /// refused, with the nearest place; --snap moves it there. The figure is drawn all the same.
 ///
@@ -36,19 +38,19 @@ use std::io::Write;
 Examples:
   dcel navmesh path rooms.map 1 1 22 12
   dcel navmesh path rooms.map 1 1 22 12 \\
-    --rung all -o ladder.svg
+    --algorithm all -o ladder.svg
   dcel navmesh path rooms.map 1 1 22 12 \\
-    --triangles --rung bfs --draw funnel -o funnel.svg
+    --triangles --algorithm bfs --draw funnel -o funnel.svg
   dcel navmesh path rooms.map 1 1 22 12 \\
     --draw cones -o cones.svg
   dcel navmesh path rooms.map 2.5 2.5 22 12 \\
     --snap 1
   dcel navmesh path rooms.map 1 1 22 12 \\
-    --radius 0.4 --rung closest -o wide.svg
+    --radius 0.4 --algorithm closest -o wide.svg
   dcel navmesh path rooms.map 1 1 22 12 \\
     --link 2,1,22,11,0.5 -o link.svg
   dcel navmesh path rooms.map 1 1 22 12 \\
-    --rung closest --cost f1=3 --cost 9,0,14,0,14,9=2
+    --algorithm closest --cost f1=3 --cost 9,0,14,0,14,9=2
   dcel navmesh path house.obj --up z \\
     1 1 0 1 1 3 -o storeys.svg")]
 pub(super) struct Args {
@@ -57,14 +59,14 @@ pub(super) struct Args {
     /// The start and the goal: x y x y, as the file has them; on a floor whose heights differ x y z x y z, too
     #[arg(value_names = ["X", "Y", "X", "Y"], num_args = 4..=6, required = true, allow_negative_numbers = true, value_parser = number)]
     ends: Vec<f64>,
-    /// How the way is found
-    #[arg(long, value_name = "RUNG", default_value = "exact")]
-    rung: Which,
+    /// How the path is found
+    #[arg(long, value_name = "ALGORITHM", default_value = "exact")]
+    algorithm: Which,
     #[command(flatten)]
     preparation: Preparation,
     #[command(flatten)]
     snap: Snap,
-    /// The radius of the agent: its way keeps that far from every border. Faces, doors and corners
+    /// The radius of the agent: its path keeps that far from every border. Faces, portals and corners
     /// are then those of the map without its margin
     #[arg(long, value_name = "R", value_parser = number, conflicts_with = "cost")]
     radius: Option<f64>,
@@ -74,10 +76,10 @@ pub(super) struct Args {
     tolerance: f64,
     #[command(flatten)]
     extras: Extras,
-    /// The face to start from, where gaps touch in the start; without it the shortest way decides
+    /// The face to start from, where holes touch in the start; without it the shortest path decides
     #[arg(long, value_name = "f3")]
     start_face: Option<FaceId>,
-    /// The face to end in, where gaps touch in the goal; without it the shortest way decides
+    /// The face to end in, where holes touch in the goal; without it the shortest path decides
     #[arg(long, value_name = "f3")]
     goal_face: Option<FaceId>,
     /// The layer of the start, where storeys lie over each other; dcel navmesh info tells the layers
@@ -89,14 +91,14 @@ pub(super) struct Args {
     /// Answer in JSON
     #[arg(long)]
     json: bool,
-    /// What to draw of a way
+    /// What to draw of a path
     #[arg(long, value_name = "WHAT", default_value = "route", requires = "output", help_heading = "Figure")]
     draw: Draw,
     #[command(flatten)]
     drawing: Drawing,
 }
 
-/// The rungs of the ladder.
+/// The path algorithms.
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Which {
     /// Breadth first: the fewest faces
@@ -104,13 +106,13 @@ pub(super) enum Which {
     Bfs,
     /// A* from centroid to centroid of the faces
     Centroid,
-    /// A* from midpoint to midpoint of the doors
+    /// A* from midpoint to midpoint of the portals
     Midpoint,
-    /// A* to the closest point of each door
+    /// A* to the closest point of each portal
     Closest,
-    /// A* to where the straight line to the goal meets each door
+    /// A* to where the straight line to the goal meets each portal
     Aimed,
-    /// The shortest way of all
+    /// The shortest path of all
     Exact,
     /// All of them, compared
     All,
@@ -122,25 +124,25 @@ impl Which {
         self.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
     }
 
-    pub(super) fn rungs(self) -> &'static [Rung] {
+    pub(super) fn algorithms(self) -> &'static [PathAlgorithm] {
         match self {
-            Self::Bfs => &[Rung::Breadth],
-            Self::Centroid => &[Rung::Centroid],
-            Self::Midpoint => &[Rung::Midpoint],
-            Self::Closest => &[Rung::Closest],
-            Self::Aimed => &[Rung::Aimed],
-            Self::Exact => &[Rung::Exact],
-            Self::All => &Rung::ALL,
+            Self::Bfs => &[PathAlgorithm::Breadth],
+            Self::Centroid => &[PathAlgorithm::Centroid],
+            Self::Midpoint => &[PathAlgorithm::Midpoint],
+            Self::Closest => &[PathAlgorithm::Closest],
+            Self::Aimed => &[PathAlgorithm::Aimed],
+            Self::Exact => &[PathAlgorithm::Exact],
+            Self::All => &PathAlgorithm::ALL,
         }
     }
 }
 
-/// What to draw of a way.
+/// What to draw of a path.
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
 enum Draw {
-    /// The corridor, its portals and the way; the ladder for --rung all
+    /// The corridor, its portals and the path; the ladder for --algorithm all
     Route,
-    /// How the way is pulled straight, door by door
+    /// How the path is pulled straight, portal by portal
     Funnel,
     /// What the exact search looked at
     Cones,
@@ -159,12 +161,12 @@ struct Answered {
     goal_moved: Option<f64>,
     found: bool,
     /// If nothing was found: the components of the start and of the goal, and the nearest point that can be reached.
-    apart: Option<Apart>,
+    apart: Option<Unreachable>,
     routes: Vec<Row>,
 }
 
 #[derive(Serialize)]
-struct Apart {
+struct Unreachable {
     start_component: u32,
     start_faces: usize,
     goal_component: u32,
@@ -174,7 +176,7 @@ struct Apart {
 
 #[derive(Serialize)]
 struct Row {
-    rung: &'static str,
+    algorithm: &'static str,
     length: f64,
     /// With the costs of areas, if there are any.
     cost: Option<f64>,
@@ -183,7 +185,7 @@ struct Row {
     points: Vec<[f64; 2]>,
     corners: Vec<String>,
     faces: Vec<String>,
-    doors: Vec<String>,
+    portals: Vec<String>,
     pops: u64,
     pushes: u64,
     expansions: u64,
@@ -193,11 +195,14 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if let Some(radius) = args.radius.filter(|radius| *radius < 0.0) {
         return Err(Failure::input(format!("an agent of radius {radius}"), "give a number such as 0.5"));
     }
-    if args.draw == Draw::Cones && args.rung != Which::Exact {
-        return Err(Failure::input("only the exact search has cones", "leave --rung out, or draw the route"));
+    if args.draw == Draw::Cones && args.algorithm != Which::Exact {
+        return Err(Failure::input("only the exact search has cones", "leave --algorithm out, or draw the route"));
     }
-    if args.draw == Draw::Funnel && args.rung == Which::All {
-        return Err(Failure::input("a funnel is drawn of one way", "choose one rung, for example --rung bfs"));
+    if args.draw == Draw::Funnel && args.algorithm == Which::All {
+        return Err(Failure::input(
+            "a funnel is drawn of one path",
+            "choose one algorithm, for example --algorithm bfs",
+        ));
     }
     args.snap.check()?;
     let target = args.drawing.target(args.map.file())?;
@@ -235,23 +240,23 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let mut planner = args.preparation.planner();
     let [start, goal] = maps.choose(&mut planner, &wishes, &ends);
     let moved = ends.map(|end| end.moved);
-    for &rung in args.rung.rungs() {
-        args.extras.check(rung, &args.rung.word())?;
+    for &algorithm in args.algorithm.algorithms() {
+        args.extras.check(algorithm, &args.algorithm.word())?;
     }
     let costs = map.costs(args.extras.areas())?;
     let links = args.extras.links().links(map)?;
     if !links.is_empty() {
         return linked(args, map, &mut planner, (&links, costs.as_ref()), [start, goal], target.as_ref(), out);
     }
-    let mut routes: Vec<(Rung, Route)> = Vec::new();
-    for &rung in args.rung.rungs() {
+    let mut routes: Vec<(PathAlgorithm, Route)> = Vec::new();
+    for &algorithm in args.algorithm.algorithms() {
         let found = match &costs {
-            Some(costs) => planner.weighted_route(&map.mesh, rung, costs, &start, &goal),
-            None => planner.route(&map.mesh, rung, &start, &goal),
+            Some(costs) => planner.weighted_route(&map.mesh, algorithm, costs, &start, &goal),
+            None => planner.route(&map.mesh, algorithm, &start, &goal),
         };
         match found {
-            Ok(route) => routes.push((rung, route)),
-            Err(RouteError::Apart { start: from, goal: to, .. }) => {
+            Ok(route) => routes.push((algorithm, route)),
+            Err(RouteError::Unreachable { start: from, goal: to, .. }) => {
                 return apart(args, &maps, ([start, goal], moved), [from, to], target.as_ref(), out);
             }
             Err(error) => return Err(Failure::input(format!("{}: {error}", map.source), "")),
@@ -260,8 +265,9 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if let Some(target) = &target {
         draw(args, &maps, &planner, &routes, target, out)?;
     }
-    let exact = routes.iter().find(|(rung, _)| *rung == Rung::Exact).map(|(_, route)| route.length);
-    let rows: Vec<Row> = routes.iter().map(|(rung, route)| Row::of(map, *rung, route, exact, costs.as_ref())).collect();
+    let exact = routes.iter().find(|(algorithm, _)| *algorithm == PathAlgorithm::Exact).map(|(_, route)| route.length);
+    let rows: Vec<Row> =
+        routes.iter().map(|(algorithm, route)| Row::of(map, *algorithm, route, exact, costs.as_ref())).collect();
     if args.json {
         out.json(&Answered::of(&maps, [start, goal], moved, rows))?;
     } else if let [row] = rows.as_slice() {
@@ -275,15 +281,15 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
 /// The path on a floor whose heights differ.
 fn in_space(args: &Args, ground: &Ground, target: Option<&Target>, out: &mut Output) -> Result<Answer, Failure> {
     let points = points_of(&args.ends, 2, true)?;
-    for &rung in args.rung.rungs() {
-        args.extras.check(rung, &args.rung.word())?;
+    for &algorithm in args.algorithm.algorithms() {
+        args.extras.check(algorithm, &args.algorithm.word())?;
     }
     let question = space::path::Question {
         wishes: [
             space::Wish { what: "start", numbers: points[0], layer: args.start_layer, face: args.start_face },
             space::Wish { what: "goal", numbers: points[1], layer: args.goal_layer, face: args.goal_face },
         ],
-        rungs: args.rung.rungs(),
+        algorithms: args.algorithm.algorithms(),
         snap: &args.snap,
         extras: &args.extras,
         json: args.json,
@@ -300,14 +306,17 @@ fn linked(
     map: &Map,
     planner: &mut Planner,
     (links, costs): (&[Link], Option<&FaceMap<f64>>),
-    ends: [Place; 2],
+    ends: [QueryPoint; 2],
     target: Option<&Target>,
     out: &mut Output,
 ) -> Result<Answer, Failure> {
-    let &[rung] = args.rung.rungs() else {
-        return Err(Failure::input("--link cannot be used with --rung all", "choose one rung, for example exact"));
+    let &[algorithm] = args.algorithm.algorithms() else {
+        return Err(Failure::input(
+            "--link cannot be used with --algorithm all",
+            "choose one algorithm, for example exact",
+        ));
     };
-    let (answer, path) = super::linked::run(map, planner, rung, (links, costs), ends, args.json, out)?;
+    let (answer, path) = super::linked::run(map, planner, algorithm, (links, costs), ends, args.json, out)?;
     if let Some((target, path)) = target.zip(path) {
         let options = args.drawing.options(map, &format!("A path over links through {}", args.map.title()));
         save(target, Floor::new(&map.subdivision, &map.mesh).linked(0, &path, links, &options), out)?;
@@ -335,21 +344,21 @@ impl Maps {
     }
 
     /// Why nobody can stand at an end, if the radius is the reason.
-    fn why(&self, wish: &Wish<'_>, error: &PlaceError) -> Option<String> {
+    fn why(&self, wish: &Wish<'_>, error: &QueryPointError) -> Option<String> {
         let (map, inset) = (self.ways(), self.inset.as_ref()?);
         let p = map.point(wish.coordinates);
-        let by_radius = matches!(error, PlaceError::OffMesh { .. }) && self.is_on_whole(p);
+        let by_radius = matches!(error, QueryPointError::OffMesh { .. }) && self.is_on_whole(p);
         by_radius.then(|| format!("{} is nearer to a border than the radius, {}", point(map, p), inset.radius()))
     }
 
-    /// Of several places at the ends those of the shortest way. Tells which.
-    fn choose(&self, planner: &mut Planner, wishes: &[Wish<'_>; 2], ends: &[End; 2]) -> [Place; 2] {
+    /// Of several places at the ends those of the shortest path. Tells which.
+    fn choose(&self, planner: &mut Planner, wishes: &[Wish<'_>; 2], ends: &[End; 2]) -> [QueryPoint; 2] {
         let map = self.ways();
         let [starts, goals] = ends.each_ref().map(|end| end.places.as_slice());
         if starts.len() == 1 && goals.len() == 1 {
             return [starts[0], goals[0]];
         }
-        let found = planner.route_among(&map.mesh, Rung::Exact, starts, goals);
+        let found = planner.route_among(&map.mesh, PathAlgorithm::Exact, starts, goals);
         let [i, k] = found.map_or([0, 0], |(_, chosen)| chosen);
         for ((wish, end), chosen) in wishes.iter().zip(ends).zip([i, k]).filter(|((_, end), _)| end.places.len() > 1) {
             let what = wish.what;
@@ -358,7 +367,7 @@ impl Maps {
             say(
                 "note",
                 format_args!(
-                    "the {what} {at} is on several sides of a border, in {}: the shortest way is that of {face}; --{what}-face chooses",
+                    "the {what} {at} is on several sides of a border, in {}: the shortest path is that of {face}; --{what}-face chooses",
                     others.join(", ")
                 ),
             );
@@ -393,7 +402,7 @@ fn refuse(
 
 impl Answered {
     /// The answer with these routes; there may be none.
-    fn of(maps: &Maps, ends: [Place; 2], [start_moved, goal_moved]: [Option<f64>; 2], routes: Vec<Row>) -> Self {
+    fn of(maps: &Maps, ends: [QueryPoint; 2], [start_moved, goal_moved]: [Option<f64>; 2], routes: Vec<Row>) -> Self {
         let map = maps.ways();
         let [start, goal] = ends.map(|place| Spot::of(map, place.point, place.location));
         let radius = maps.inset.as_ref().map(Inset::radius);
@@ -406,7 +415,7 @@ fn draw(
     args: &Args,
     maps: &Maps,
     planner: &Planner,
-    routes: &[(Rung, Route)],
+    routes: &[(PathAlgorithm, Route)],
     target: &Target,
     out: &mut Output,
 ) -> Result<(), Failure> {
@@ -430,25 +439,25 @@ fn draw(
     save(target, drawn, out)
 }
 
-/// The answer if there is no way.
+/// The answer if there is no path.
 fn apart(
     args: &Args,
     maps: &Maps,
-    (ends, moved): ([Place; 2], [Option<f64>; 2]),
+    (ends, moved): ([QueryPoint; 2], [Option<f64>; 2]),
     components: [ComponentId; 2],
     target: Option<&Target>,
     out: &mut Output,
 ) -> Result<Answer, Failure> {
     let map = maps.ways();
     if let Some(target) = target {
-        let options = args.drawing.options(map, &format!("No way through {}", args.map.title()));
+        let options = args.drawing.options(map, &format!("No path through {}", args.map.title()));
         let floor = Floor::new(&map.subdivision, &map.mesh);
         save(target, floor.apart(ends.map(|place| place.point), components, &options), out)?;
     }
     let [start_faces, goal_faces] = components.map(|c| map.mesh.component_faces(c).count());
     let nearest = map.mesh.nearest_reachable(components[0], ends[1].point);
     if args.json {
-        let apart = Apart {
+        let apart = Unreachable {
             start_component: components[0].0,
             start_faces,
             goal_component: components[1].0,
@@ -471,16 +480,22 @@ fn apart(
 }
 
 impl Row {
-    fn of(map: &Map, rung: Rung, route: &Route, exact: Option<f64>, costs: Option<&FaceMap<f64>>) -> Self {
+    fn of(
+        map: &Map,
+        algorithm: PathAlgorithm,
+        route: &Route,
+        exact: Option<f64>,
+        costs: Option<&FaceMap<f64>>,
+    ) -> Self {
         Self {
-            rung: rung.name(),
+            algorithm: algorithm.name(),
             length: route.length,
             cost: costs.map(|costs| map.mesh.cost_along(route, costs)),
             ratio: exact.filter(|&exact| exact > 0.0).map(|exact| route.length / exact),
             points: route.points.iter().map(|&p| map.in_file(p)).collect(),
             corners: route.corners.iter().map(ToString::to_string).collect(),
             faces: route.faces.iter().map(ToString::to_string).collect(),
-            doors: route.doors.iter().map(ToString::to_string).collect(),
+            portals: route.portals.iter().map(ToString::to_string).collect(),
             pops: route.work.pops,
             pushes: route.work.pushes,
             expansions: route.work.expansions,
@@ -489,10 +504,10 @@ impl Row {
 
     fn print(&self, out: &mut Output) -> Result<(), Failure> {
         let cost = self.cost.map(|cost| format!(", costs {cost}")).unwrap_or_default();
-        writeln!(out, "{}: {}{cost}, through {}", self.rung, self.length, faces(self.faces.len()))?;
+        writeln!(out, "{}: {}{cost}, through {}", self.algorithm, self.length, faces(self.faces.len()))?;
         let points: Vec<String> = self.points.iter().map(|p| super::super::output::point(p)).collect();
         for (what, words) in
-            [("way", &points), ("corners", &self.corners), ("faces", &self.faces), ("doors", &self.doors)]
+            [("way", &points), ("corners", &self.corners), ("faces", &self.faces), ("portals", &self.portals)]
         {
             if !words.is_empty() {
                 writeln!(out, "  {what:<8}{}", words.join(" "))?;
@@ -506,11 +521,11 @@ impl Row {
 
 /// The ladder as a table.
 fn compare(rows: &[Row], out: &mut Output) -> Result<(), Failure> {
-    let head = ["rung", "length", "of the exact", "faces", "corners", "from queue", "entered"].map(str::to_owned);
+    let head = ["algorithm", "length", "of the exact", "faces", "corners", "from queue", "entered"].map(str::to_owned);
     let mut lines = vec![head];
     for row in rows {
         lines.push([
-            row.rung.to_owned(),
+            row.algorithm.to_owned(),
             format!("{:.6}", row.length),
             row.ratio.map_or_else(|| "-".to_owned(), |ratio| format!("{ratio:.6}")),
             row.faces.len().to_string(),

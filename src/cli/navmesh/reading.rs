@@ -62,7 +62,7 @@ pub(super) struct MapArgs {
 #[derive(clap::Args, Debug)]
 pub(super) struct Preparation {
     /// Search the faces of the map one by one, and not larger faces that are merged from them and whole
-    /// passages: as good an answer, with more work; to compare
+    /// reduced corridors: as good an answer, with more work; to compare
     #[arg(long)]
     face_by_face: bool,
     /// Once asked for what is done by itself now
@@ -74,7 +74,7 @@ impl Preparation {
     /// A planner that searches so.
     pub(super) fn planner(&self) -> Planner {
         if self.merged {
-            say("note", "--merged is not needed any more: faces are merged, and crossings found, by themselves");
+            say("note", "--merged is not needed any more: faces are merged, and junctions found, by themselves");
         }
         if self.face_by_face { Planner::face_by_face() } else { Planner::new() }
     }
@@ -316,11 +316,11 @@ impl MapArgs {
                     format_args!("{} more are nearly welded; dcel navmesh info names them", near.len() - SHOWN),
                 );
             }
-            let gap = |fault: &&MeshFault| match fault {
+            let hole = |fault: &&MeshFault| match fault {
                 MeshFault::NearVertices { distance, .. } | MeshFault::NearSide { distance, .. } => *distance,
                 _ => 0.0,
             };
-            if let Some(widest) = near.iter().map(gap).reduce(f64::max) {
+            if let Some(widest) = near.iter().map(hole).reduce(f64::max) {
                 say("help", format_args!("--weld {} joins them", Number(above(widest))));
             }
         }

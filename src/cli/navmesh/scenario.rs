@@ -8,7 +8,7 @@ use super::path::Which;
 use super::reading::{MapArgs, Preparation};
 use clap::ValueEnum;
 use dcel_kit::io::{Number, Optimum, Query, Scenario, Verdict, counted, read_whole, source_name};
-use dcel_kit::navmesh::{PlaceError, Planner, RouteError, Rung};
+use dcel_kit::navmesh::{PathAlgorithm, Planner, QueryPointError, RouteError};
 use serde::Serialize;
 use std::io::Write;
 use std::path::PathBuf;
@@ -18,7 +18,7 @@ use std::path::PathBuf;
 /// The last column of a .scen file is the length of the shortest path in some files, and the octile
 /// cost from cell to cell in others, which is an upper bound here; the numbers of the whole file tell
 /// which, and the answer says so in its first line. A length is met if it is no further away than
-/// half a unit of its last printed digit. A stated -1 means that there is no way, or no clear place to
+/// half a unit of its last printed digit. A stated -1 means that there is no path, or no clear place to
 /// start or end. Exit code 1 if a query fails.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
@@ -34,8 +34,8 @@ pub(super) struct Args {
     #[arg(value_name = "SCEN")]
     scenario: PathBuf,
     /// How the ways are found
-    #[arg(long, value_name = "RUNG", default_value = "exact")]
-    rung: Which,
+    #[arg(long, value_name = "ALGORITHM", default_value = "exact")]
+    algorithm: Which,
     #[command(flatten)]
     preparation: Preparation,
     #[command(flatten)]
@@ -43,7 +43,7 @@ pub(super) struct Args {
     /// What the stated lengths are
     #[arg(long, value_name = "KIND", default_value = "auto")]
     optimum: Kind,
-    /// How much of its length a way may differ from what is stated, beyond half a unit of the last
+    /// How much of its length a path may differ from what is stated, beyond half a unit of the last
     /// digit that is stated
     #[arg(long, value_name = "PART", default_value_t = 1e-9)]
     tolerance: f64,
@@ -68,7 +68,7 @@ enum Kind {
 struct Report {
     map: String,
     scenario: String,
-    rung: &'static str,
+    algorithm: &'static str,
     optimum: &'static str,
     lengths: Lengths,
     queries: usize,
@@ -115,8 +115,11 @@ struct Wrong {
 }
 
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    let [rung] = *args.rung.rungs() else {
-        return Err(Failure::input("a scenario is checked with one rung", "choose one, for example --rung closest"));
+    let [algorithm] = *args.algorithm.algorithms() else {
+        return Err(Failure::input(
+            "a scenario is checked with one algorithm",
+            "choose one, for example --algorithm closest",
+        ));
     };
     if !args.tolerance.is_finite() || args.tolerance < 0.0 {
         return Err(Failure::input(format!("a tolerance of {}", args.tolerance), "give a number such as 1e-9"));
@@ -132,7 +135,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         Kind::Octile => Optimum::Octile,
     };
     let planner = args.preparation.planner();
-    let report = check(&map, &scenario, (planner, &args.snap), rung, (optimum, &verdict), args.tolerance);
+    let report = check(&map, &scenario, (planner, &args.snap), algorithm, (optimum, &verdict), args.tolerance);
     if args.json {
         out.json(&report)?;
     } else {
@@ -154,14 +157,14 @@ fn check(
     map: &Map,
     scenario: &Scenario,
     (mut planner, snap): (Planner, &Snap),
-    rung: Rung,
+    algorithm: PathAlgorithm,
     (optimum, verdict): (Optimum, &Verdict),
     tolerance: f64,
 ) -> Report {
     let mut report = Report {
         map: map.source.clone(),
         scenario: scenario.source.clone(),
-        rung: rung.name(),
+        algorithm: algorithm.name(),
         optimum: match optimum {
             Optimum::Octile => "octile",
             Optimum::Euclidean => "euclidean",
@@ -179,16 +182,18 @@ fn check(
     let mut ratios: Vec<f64> = Vec::new();
     for query in &scenario.queries {
         let [start, goal] = [query.start, query.goal].map(|p| map.point([p.x, p.y]));
-        // What is stated to have no way may have no clear place to start or end.
+        // What is stated to have no path may have no clear place to start or end.
         let clear =
-            || [start, goal].into_iter().all(|p| !matches!(map.mesh.place(p), Err(PlaceError::Ambiguous { .. })));
+            || [start, goal].into_iter().all(|p| !matches!(map.mesh.place(p), Err(QueryPointError::Ambiguous { .. })));
         if query.length.is_none() && !clear() {
             report.right += 1;
             continue;
         }
         let ends = [start, goal].map(|p| snap.place(map, p, &mut report.moved));
         let route = match ends {
-            [Ok(starts), Ok(goals)] => planner.route_among(&map.mesh, rung, &starts, &goals).map(|(route, _)| route),
+            [Ok(starts), Ok(goals)] => {
+                planner.route_among(&map.mesh, algorithm, &starts, &goals).map(|(route, _)| route)
+            }
             [Err(error), _] => Err(RouteError::Start(error)),
             [_, Err(error)] => Err(RouteError::Goal(error)),
         };
@@ -217,8 +222,8 @@ fn check(
 fn why(stated: Option<f64>, found: Option<f64>, error: Option<&RouteError>) -> String {
     match (stated, found, error) {
         (Some(stated), Some(found), _) => format!("{found} instead of {stated}, {:.9} of it", found / stated),
-        (None, Some(found), _) => format!("a way of length {found}, and none is stated"),
-        (Some(stated), None, Some(error)) => format!("no way, and {stated} is stated: {error}"),
+        (None, Some(found), _) => format!("a path of length {found}, and none is stated"),
+        (Some(stated), None, Some(error)) => format!("no path, and {stated} is stated: {error}"),
         _ => "no way".to_owned(),
     }
 }
@@ -239,7 +244,7 @@ impl Report {
             writeln!(out, "{ends} off the mesh and moved onto it, by {} at most", Number(farthest))?;
         }
         if let (Some(mean), Some(max)) = (self.mean_ratio, self.max_ratio) {
-            writeln!(out, "{}: {mean:.9} of the stated length on average, {max:.9} at most", self.rung)?;
+            writeln!(out, "{}: {mean:.9} of the stated length on average, {max:.9} at most", self.algorithm)?;
         }
         let words = match optimum {
             Optimum::Euclidean => "optimal",

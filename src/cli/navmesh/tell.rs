@@ -2,7 +2,7 @@
 
 use super::super::output;
 use super::map::Map;
-use dcel_kit::navmesh::{Location, PlaceError};
+use dcel_kit::navmesh::{Location, QueryPointError};
 use dcel_kit::plane::{self, Point};
 use serde::Serialize;
 
@@ -52,19 +52,19 @@ pub(super) fn faces(count: usize) -> String {
 }
 
 /// Why one cannot stand at a point of the file, with its numbers.
-pub(super) fn refusal(map: &Map, error: &PlaceError) -> String {
+pub(super) fn refusal(map: &Map, error: &QueryPointError) -> String {
     match error {
-        PlaceError::OffMesh { point: p, location } => {
+        QueryPointError::OffMesh { point: p, location } => {
             format!("{} is not on the mesh: it is {}", point(map, *p), in_map(map, *p, *location))
         }
-        PlaceError::Blocked { point: p, location } => format!("{} is blocked: it is {location}", point(map, *p)),
-        PlaceError::Ambiguous { point: p, location, faces } => {
+        QueryPointError::Blocked { point: p, location } => format!("{} is blocked: it is {location}", point(map, *p)),
+        QueryPointError::Ambiguous { point: p, location, faces } => {
             let faces: Vec<String> = faces.iter().map(ToString::to_string).collect();
             let sides = faces.len();
             let faces = faces.join(", ");
             format!("{} is {location}, where {sides} sides meet that nobody passes between: {faces}", point(map, *p))
         }
-        PlaceError::NotInFace { point: p, location, face } => {
+        QueryPointError::NotInFace { point: p, location, face } => {
             format!("{} is {location}, and {face} is no free face there", point(map, *p))
         }
         other => other.to_string(),

@@ -1,11 +1,11 @@
 //! A cone, as the search keeps it and as a figure wants it.
 //!
 //! ```text
-//!     left post  ●══╲════════●  right post      ENDS: the ray runs through the post itself.
+//!     left endpoint  ●══╲════════●  right endpoint      ENDS: the ray runs through the endpoint itself.
 //!                    ╲      ╱                   BENT: the ray is the continuation of the line from the root before
-//!              left ray    ╱  right ray         to the root; the way may not bend further.
-//!                      ╲  ╱                     At a post: the root is one of the posts, and everything behind the
-//!                      root                     door is in sight.
+//!              left ray    ╱  right ray         to the root; the path may not bend further.
+//!                      ╲  ╱                     At an endpoint: the root is one of the endpoints, and everything behind the
+//!                      root                     portal is in sight.
 //! ```
 
 use super::super::marks::ID;
@@ -16,20 +16,20 @@ use crate::plane::Point;
 use crate::plane::predicates::orientation;
 use std::cmp::Ordering;
 
-/// In `left` and `right`: what is out of sight may be reached by a bend at the post.
+/// In `left` and `right`: what is out of sight may be reached by a bend at the endpoint.
 pub(super) const ENDS: u32 = 1 << 31;
 /// In `left` and `right`: the ray continues the line from `before` to `root`.
 pub(super) const BENT: u32 = 1 << 30;
 
 /// The start as a root: greater than all ids of vertices.
 pub(super) const START: u32 = ID;
-/// As the root before: the root is a post of the door.
+/// As the root before: the root is an endpoint of the portal.
 pub(super) const AT_POST: u32 = u32::MAX;
 
 /// A cone in 32 bytes: what is kept of it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Node {
-    /// The length of the way to the root.
+    /// The length of the path to the root.
     pub(super) length: f64,
     /// A vertex, or [`START`].
     pub(super) root: u32,
@@ -39,15 +39,15 @@ pub(super) struct Node {
     /// ray is bent.
     pub(super) left: u32,
     pub(super) right: u32,
-    /// The door by which the room behind is entered.
-    pub(super) door: u32,
+    /// The portal by which the room behind is entered.
+    pub(super) portal: u32,
     /// The node it came from.
     pub(super) parent: u32,
 }
 
 impl Node {
     #[inline]
-    pub(super) fn is_at_post(&self) -> bool {
+    pub(super) fn is_at_endpoint(&self) -> bool {
         self.before == AT_POST
     }
 }
@@ -58,20 +58,20 @@ pub(super) struct Beam {
     pub(super) node: Node,
     /// The place of the root.
     pub(super) root: Point,
-    /// The directions of the left and of the right ray; meaningless if the root is at a post.
+    /// The directions of the left and of the right ray; meaningless if the root is at an endpoint.
     pub(super) left: [f64; 2],
     pub(super) right: [f64; 2],
-    /// The posts of the door, the right one first.
-    pub(super) posts: [Point; 2],
+    /// The endpoints of the portal, the right one first.
+    pub(super) endpoints: [Point; 2],
 }
 
 impl Beam {
-    /// The cone of a node, whose door has these posts.
+    /// The cone of a node, whose portal has these endpoints.
     #[inline]
-    pub(super) fn new<R: Rooms>(rooms: &R, start: Point, node: Node, posts: [Point; 2]) -> Self {
+    pub(super) fn new<R: Rooms>(rooms: &R, start: Point, node: Node, endpoints: [Point; 2]) -> Self {
         let root = place(rooms, start, node.root);
         let along = |end: u32| {
-            if node.is_at_post() {
+            if node.is_at_endpoint() {
                 [0.0; 2]
             } else if end & BENT == 0 {
                 difference(root, rooms.place((end & ID) as usize))
@@ -79,7 +79,7 @@ impl Beam {
                 difference(place(rooms, start, node.before), root)
             }
         };
-        Self { node, root, left: along(node.left), right: along(node.right), posts }
+        Self { node, root, left: along(node.left), right: along(node.right), endpoints }
     }
 
     pub(super) fn left_ray(&self) -> Ray {
@@ -124,14 +124,14 @@ fn place<R: Rooms>(rooms: &R, start: Point, root: u32) -> Point {
 pub struct Cone {
     /// Where it is seen from.
     pub root: Point,
-    /// The left end of what is seen of the door, rounded.
+    /// The left end of what is seen of the portal, rounded.
     pub left: Point,
     /// The right end.
     pub right: Point,
     /// The face that was left.
     pub from: FaceId,
-    /// The face behind the door.
+    /// The face behind the portal.
     pub to: FaceId,
-    /// The length of the way to the root.
+    /// The length of the path to the root.
     pub length: f64,
 }

@@ -1,14 +1,14 @@
 //! From a cone to the cones behind it.
 //!
 //! ```text
-//!                v2 ●────────● v1           The corners of the room behind the door, from the right post v0 on, are
+//!                v2 ●────────● v1           The corners of the room behind the portal, from the right endpoint v0 on, are
 //!                   │╲      ╱│              on the right of the cone, inside, or on its left, in this order. A side
 //!                   │ ╲    ╱ │              is in sight if its first corner is not left of the cone, nor its second
-//!        left post  ●══╪══╪══● v0           right of it.
+//!        left endpoint  ●══╪══╪══● v0           right of it.
 //!                       ╲╱
 //! ```
 //!
-//! Sides out of sight on the right are reached by a bend at the right post, if the cone ends there and a way may bend
+//! Sides out of sight on the right are reached by a bend at the right endpoint, if the cone ends there and a path may bend
 //! there; so on the left. A side seen edge-on is passed by a bend at its nearer end.
 
 use super::super::marks::{CLOSED, DEAD_END, ID, TURN};
@@ -23,7 +23,7 @@ use crate::plane::predicates::{left_to_right, orientation};
 use std::cmp::Ordering;
 use std::ops::Range;
 
-/// The room behind the door of a cone, and what all cones behind the door have in common.
+/// The room behind the portal of a cone, and what all cones behind the portal have in common.
 struct Behind<'a, R> {
     rooms: &'a R,
     scratch: &'a Scratch,
@@ -49,23 +49,23 @@ struct Root {
     /// A vertex, or [`START`].
     vertex: u32,
     at: Point,
-    /// The length of the way to it.
+    /// The length of the path to it.
     length: f64,
 }
 
 /// A ray that continues the line from a root before: that root, and the direction.
 type Limit = (u32, [f64; 2]);
 
-/// A post of the door, round which the way may bend.
-struct Post {
+/// An endpoint of the portal, round which the path may bend.
+struct Endpoint {
     corner: Corner,
-    /// Whether a way may bend here at all.
+    /// Whether a path may bend here at all.
     may_turn: bool,
-    /// The post as a root, once it was asked for; none if a shorter way to it is known.
+    /// The endpoint as a root, once it was asked for; none if a shorter path to it is known.
     root: Option<Option<Root>>,
 }
 
-impl Post {
+impl Endpoint {
     #[inline]
     fn new(corner: Corner, end: u32) -> Self {
         Self { corner, may_turn: end & ENDS != 0 && corner.vertex & TURN != 0, root: None }
@@ -77,14 +77,14 @@ impl Exact {
     #[inline]
     pub(super) fn expand<R: Rooms>(&mut self, rooms: &R, scratch: &Scratch, parent: u32, beam: &Beam) -> Range<usize> {
         self.found.clear();
-        let (range, first) = rooms.enter(beam.node.door);
+        let (range, first) = rooms.enter(beam.node.portal);
         let behind = Behind { rooms, scratch, start: self.start, parent, range };
-        if beam.node.is_at_post() {
+        if beam.node.is_at_endpoint() {
             let root = Root { vertex: beam.node.root, at: beam.root, length: beam.node.length };
-            let door = rooms.prev(&behind.range, first);
-            self.see_all(&behind, first, door, root);
+            let portal = rooms.prev(&behind.range, first);
+            self.see_all(&behind, first, portal, root);
         } else {
-            self.see_through_door(&behind, first, beam);
+            self.see_through_portal(&behind, first, beam);
         }
         behind.range
     }
@@ -116,22 +116,22 @@ impl Exact {
         }
     }
 
-    fn see_through_door<R: Rooms>(&mut self, behind: &Behind<R>, first: usize, beam: &Beam) {
+    fn see_through_portal<R: Rooms>(&mut self, behind: &Behind<R>, first: usize, beam: &Beam) {
         let (rooms, node, start) = (behind.rooms, &beam.node, behind.start);
-        // The side that is the door: it starts at the left post.
-        let door = rooms.prev(&behind.range, first);
-        let mut right_post = Post::new(rooms.corner(first), node.right);
-        let mut left_post = Post::new(rooms.corner(door), node.left);
+        // The side that is the portal: it starts at the left endpoint.
+        let portal = rooms.prev(&behind.range, first);
+        let mut right_endpoint = Endpoint::new(rooms.corner(first), node.right);
+        let mut left_endpoint = Endpoint::new(rooms.corner(portal), node.left);
 
         // Where the ends of the side are, seen from the right ray and from the left.
         let mut of_right = if node.right & ENDS != 0 { 0 } else { -1 };
         let mut of_left = -1;
-        let (mut number, mut right) = (first, right_post.corner);
+        let (mut number, mut right) = (first, right_endpoint.corner);
         loop {
             let next = rooms.next(&behind.range, number);
             let left = rooms.corner(next);
-            let (at_right_post, at_left_post) = (number == first, next == door);
-            let (next_of_right, next_of_left) = if at_left_post {
+            let (at_right_endpoint, at_left_endpoint) = (number == first, next == portal);
+            let (next_of_right, next_of_left) = if at_left_endpoint {
                 (1, if node.left & ENDS != 0 { 0 } else { 1 })
             } else {
                 let of_right = if of_right > 0 { 1 } else { beam.of_right(rooms, start, left.at) };
@@ -149,21 +149,21 @@ impl Exact {
                 if next_of_right > 0 && of_left < 0 {
                     self.see(behind, &side, beam, [of_right, next_of_left]);
                 }
-                if right_post.may_turn && (if at_right_post { next_of_right <= 0 } else { of_right < 0 }) {
-                    self.bend(behind, &side, beam, &mut right_post, [next_of_right > 0, false]);
+                if right_endpoint.may_turn && (if at_right_endpoint { next_of_right <= 0 } else { of_right < 0 }) {
+                    self.bend(behind, &side, beam, &mut right_endpoint, [next_of_right > 0, false]);
                 }
-                if left_post.may_turn && (if at_left_post { of_left >= 0 } else { next_of_left > 0 }) {
-                    self.bend(behind, &side, beam, &mut left_post, [false, of_left < 0]);
+                if left_endpoint.may_turn && (if at_left_endpoint { of_left >= 0 } else { next_of_left > 0 }) {
+                    self.bend(behind, &side, beam, &mut left_endpoint, [false, of_left < 0]);
                 }
-                // Edge-on along a ray, further on than the post.
-                if !at_right_post && of_right == 0 && next_of_right == 0 {
+                // Edge-on along a ray, further on than the endpoint.
+                if !at_right_endpoint && of_right == 0 && next_of_right == 0 {
                     self.bend_round(behind, &side, right, node.length + distance(beam.root, right.at));
                 }
-                if !at_left_post && of_left == 0 && next_of_left == 0 {
+                if !at_left_endpoint && of_left == 0 && next_of_left == 0 {
                     self.bend_round(behind, &side, left, node.length + distance(beam.root, left.at));
                 }
             }
-            if at_left_post || (next_of_left > 0 && !left_post.may_turn) {
+            if at_left_endpoint || (next_of_left > 0 && !left_endpoint.may_turn) {
                 break;
             }
             (of_right, of_left) = (next_of_right, next_of_left);
@@ -186,22 +186,29 @@ impl Exact {
         } else {
             (beam.left, node.left & !ENDS)
         };
-        let door = behind.rooms.door(side.number);
-        let node = Node { right: right_end, left: left_end, door, parent: behind.parent, ..node };
-        self.found.push(Beam { node, root, left, right, posts: side.posts() });
+        let portal = behind.rooms.portal(side.number);
+        let node = Node { right: right_end, left: left_end, portal, parent: behind.parent, ..node };
+        self.found.push(Beam { node, root, left, right, endpoints: side.endpoints() });
     }
 
-    /// A side, or the part of it out of sight, seen from the post round which the way bends; on the left or on the
+    /// A side, or the part of it out of sight, seen from the endpoint round which the path bends; on the left or on the
     /// right the cone may be limited by the line from the root before.
     #[inline]
-    fn bend<R: Rooms>(&mut self, behind: &Behind<R>, side: &Side, beam: &Beam, post: &mut Post, limited: [bool; 2]) {
-        let Corner { at, vertex, .. } = post.corner;
-        if post.root.is_none() {
+    fn bend<R: Rooms>(
+        &mut self,
+        behind: &Behind<R>,
+        side: &Side,
+        beam: &Beam,
+        endpoint: &mut Endpoint,
+        limited: [bool; 2],
+    ) {
+        let Corner { at, vertex, .. } = endpoint.corner;
+        if endpoint.root.is_none() {
             let length = beam.node.length + distance(beam.root, at);
             let vertex = vertex & ID;
-            post.root = Some(self.may_bend(behind, vertex, length).then_some(Root { vertex, at, length }));
+            endpoint.root = Some(self.may_bend(behind, vertex, length).then_some(Root { vertex, at, length }));
         }
-        if let Some(Some(root)) = post.root {
+        if let Some(Some(root)) = endpoint.root {
             let limit = (beam.node.root, difference(beam.root, at));
             self.see_from(behind, side, root, limited.map(|limited| limited.then_some(limit)));
         }
@@ -210,10 +217,10 @@ impl Exact {
     /// A side seen from a point of the room: a corner, or the start.
     fn see_from<R: Rooms>(&mut self, behind: &Behind<R>, side: &Side, root: Root, limits: [Option<Limit>; 2]) {
         if [side.right, side.left].iter().any(|corner| corner.vertex & ID == root.vertex) {
-            self.found.push(behind.seen_from_post(side, root));
+            self.found.push(behind.seen_from_endpoint(side, root));
             return;
         }
-        let [right, left] = side.posts();
+        let [right, left] = side.endpoints();
         match orientation(root.at, right, left) {
             Ordering::Greater => {
                 let end = |limit: Option<Limit>, number: usize, at: Point| match limit {
@@ -223,7 +230,7 @@ impl Exact {
                 let [left_limit, right_limit] = limits;
                 let ((left, left_end), (right, right_end)) =
                     (end(left_limit, side.next, left), end(right_limit, side.number, right));
-                let beam = behind.seen_from_post(side, root);
+                let beam = behind.seen_from_endpoint(side, root);
                 let before = left_limit.or(right_limit).map_or(START, |(before, _)| before);
                 let node = Node { before, left: left_end, right: right_end, ..beam.node };
                 self.found.push(Beam { node, left, right, ..beam });
@@ -241,15 +248,15 @@ impl Exact {
         }
     }
 
-    /// A side from the corner at its one end, if the way may bend there.
+    /// A side from the corner at its one end, if the path may bend there.
     fn bend_round<R: Rooms>(&mut self, behind: &Behind<R>, side: &Side, corner: Corner, length: f64) {
         let vertex = corner.vertex & ID;
         if corner.vertex & TURN != 0 && self.may_bend(behind, vertex, length) {
-            self.found.push(behind.seen_from_post(side, Root { vertex, at: corner.at, length }));
+            self.found.push(behind.seen_from_endpoint(side, Root { vertex, at: corner.at, length }));
         }
     }
 
-    /// Whether no shorter way to a vertex is known. At a double corner there is no question which wedge: ways bend in
+    /// Whether no shorter path to a vertex is known. At a double corner there is no question which wedge: ways bend in
     /// a wedge of more than half a turn, and no vertex has two of those.
     #[inline]
     fn may_bend<R: Rooms>(&mut self, behind: &Behind<R>, vertex: u32, length: f64) -> bool {
@@ -266,7 +273,7 @@ impl Exact {
 impl Side {
     /// The places of its ends, the right one first.
     #[inline]
-    fn posts(&self) -> [Point; 2] {
+    fn endpoints(&self) -> [Point; 2] {
         [self.right.at, self.left.at]
     }
 }
@@ -284,13 +291,13 @@ impl<R: Rooms> Behind<'_, R> {
         self.scratch.is_allowed(side.right.marks & ID)
     }
 
-    /// A cone behind a side with the root at one of its posts.
+    /// A cone behind a side with the root at one of its endpoints.
     #[inline]
-    fn seen_from_post(&self, side: &Side, root: Root) -> Beam {
+    fn seen_from_endpoint(&self, side: &Side, root: Root) -> Beam {
         let Root { vertex, at, length } = root;
-        let (door, parent) = (self.rooms.door(side.number), self.parent);
-        let node = Node { length, root: vertex, before: AT_POST, left: START, right: START, door, parent };
-        Beam { node, root: at, left: [0.0; 2], right: [0.0; 2], posts: side.posts() }
+        let (portal, parent) = (self.rooms.portal(side.number), self.parent);
+        let node = Node { length, root: vertex, before: AT_POST, left: START, right: START, portal, parent };
+        Beam { node, root: at, left: [0.0; 2], right: [0.0; 2], endpoints: side.endpoints() }
     }
 }
 

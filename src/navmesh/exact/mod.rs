@@ -1,26 +1,26 @@
-//! The shortest way of all: a search over what can be seen through doors.
+//! The shortest path of all: a search over what can be seen through portals.
 //!
 //! ```text
-//!             ╲   door   ╱          A cone: everything straight in sight from its root, through a part of a door.
-//!   ────────●──╲════════╱──●────    Behind the door it falls on the sides of the next face: a cone for each side it
-//!               ╲      ╱            falls on. Where it ends at a post, and not earlier, the way may bend round that
-//!                ╲    ╱             post: then the sides out of sight get cones, too, with the post as their root.
+//!             ╲   portal   ╱          A cone: everything straight in sight from its root, through a part of a portal.
+//!   ────────●──╲════════╱──●────    Behind the portal it falls on the sides of the next face: a cone for each side it
+//!               ╲      ╱            falls on. Where it ends at an endpoint, and not earlier, the path may bend round that
+//!                ╲    ╱             endpoint: then the sides out of sight get cones, too, with the endpoint as their root.
 //!                 root
 //! ```
 //!
-//! The cones are taken in the order of the shortest length that a way through them may have. A cone is stored as two
+//! The cones are taken in the order of the shortest length that a path through them may have. A cone is stored as two
 //! rays, each through two points that were given: what falls on what is decided by exact signs on input points, and
 //! points are constructed for that guess alone. A cone with a single successor passes it on without the queue. The rooms
 //! it runs through are the faces of the mesh, or larger ones that were merged from them.
 //!
 //! It ends: there is a way, for start and goal are in one component, so only cones with shorter guesses are ever
-//! taken, and there are but finitely many taut ways shorter than a given length. No count is limited, and no
+//! taken, and there are but finitely many taut paths shorter than a given length. No count is limited, and no
 //! tolerance is used.
 //!
 //! Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (Polyanya).
 //!
 //! ```text
-//!   estimate.rs  The shortest length that a way through a cone may have
+//!   estimate.rs  The shortest length that a path through a cone may have
 //!   expand.rs    From a cone to the cones behind it
 //!   ray.rs       On which side of a ray a point is
 //! ```

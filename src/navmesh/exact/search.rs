@@ -1,6 +1,6 @@
 //! The search itself: cones in the order of their guesses.
 
-use super::super::Place;
+use super::super::QueryPoint;
 use super::super::marks::{ID, NONE};
 use super::super::merged::Merged;
 use super::super::mesh::NavMesh;
@@ -20,7 +20,7 @@ pub(in super::super) struct Exact {
     pub(super) nodes: Vec<Node>,
     /// The cones behind the one that was looked at last.
     pub(super) found: Vec<Beam>,
-    /// For each vertex in which query it was a root, and the shortest way there.
+    /// For each vertex in which query it was a root, and the shortest path there.
     pub(super) roots: Vec<(u32, f64)>,
     pub(super) start: Point,
     /// What the last search ran through.
@@ -53,13 +53,13 @@ impl Exact {
         self.searched = Searched::of(mesh, merged);
     }
 
-    /// Finds the doors of the shortest way, from room to room. Returns whether there is one.
+    /// Finds the portals of the shortest path, from room to room. Returns whether there is one.
     pub(in super::super) fn search(
         &mut self,
         mesh: &NavMesh,
         merged: Option<&Merged>,
         scratch: &mut Scratch,
-        start: &Place,
+        start: &QueryPoint,
         goal: Point,
     ) -> bool {
         self.begin(mesh, merged, scratch, start.point);
@@ -89,7 +89,7 @@ impl Exact {
             // A single successor is looked at straight away.
             loop {
                 scratch.work.expansions += 1;
-                let room = rooms.behind(beam.node.door);
+                let room = rooms.behind(beam.node.portal);
                 if scratch.goals.contains(&FaceId::new(room))
                     && let Some(length) = self.length_to(rooms, &beam, goal)
                     && length < best.0
@@ -113,12 +113,12 @@ impl Exact {
         while at != NONE {
             let node = self.nodes[at as usize];
             let from = if node.parent == NONE {
-                let is_first = |f: &&FaceId| rooms.range(f.number()).contains(&rooms.side(node.door));
+                let is_first = |f: &&FaceId| rooms.range(f.number()).contains(&rooms.side(node.portal));
                 scratch.starts.iter().find(is_first).map_or(NONE, |f| f.number())
             } else {
-                rooms.behind(self.nodes[node.parent as usize].door)
+                rooms.behind(self.nodes[node.parent as usize].portal)
             };
-            scratch.doors.push((from, rooms.side(node.door) as u32));
+            scratch.portals.push((from, rooms.side(node.portal) as u32));
             at = node.parent;
         }
         best.1 != NONE
@@ -137,10 +137,10 @@ impl Exact {
 
     /// The cone of a node with its points.
     fn beam<R: Rooms>(&self, rooms: &R, node: Node) -> Beam {
-        Beam::new(rooms, self.start, node, posts(rooms, node.door))
+        Beam::new(rooms, self.start, node, endpoints(rooms, node.portal))
     }
 
-    /// Whether a shorter way to the root of the node has been found since.
+    /// Whether a shorter path to the root of the node has been found since.
     #[inline]
     fn is_outdone(&self, scratch: &Scratch, node: &Node) -> bool {
         if node.root == START {
@@ -157,7 +157,7 @@ impl Exact {
         mesh: &NavMesh,
         merged: Option<&Merged>,
         scratch: &mut Scratch,
-        start: &Place,
+        start: &QueryPoint,
         limit: f64,
         see: impl FnMut(u32, f64),
     ) {
@@ -194,10 +194,10 @@ impl Exact {
         }
     }
 
-    /// Puts the cones that were found into the queue by how far their doors are, but for those beyond the limit.
+    /// Puts the cones that were found into the queue by how far their portals are, but for those beyond the limit.
     fn enqueue_near(&mut self, scratch: &mut Scratch, limit: f64) {
         for beam in &self.found {
-            let [right, left] = beam.posts;
+            let [right, left] = beam.endpoints;
             let ends = seen(beam).map(|t| between(right, left, t));
             let nearest = beam.node.length + distance(beam.root, closest_on(ends, beam.root));
             if nearest <= limit {
@@ -207,14 +207,14 @@ impl Exact {
         }
     }
 
-    /// The length of the shortest way to the goal, which lies in the room behind the door, through the cone; `None`
+    /// The length of the shortest path to the goal, which lies in the room behind the portal, through the cone; `None`
     /// if another cone has a shorter one.
     fn length_to<R: Rooms>(&self, rooms: &R, beam: &Beam, goal: Point) -> Option<f64> {
         let Beam { node, root, .. } = beam;
-        if !node.is_at_post() {
+        if !node.is_at_endpoint() {
             let round = |end: u32| {
-                let post = rooms.place((end & ID) as usize);
-                node.length + distance(*root, post) + distance(post, goal)
+                let endpoint = rooms.place((end & ID) as usize);
+                node.length + distance(*root, endpoint) + distance(endpoint, goal)
             };
             for (turn, end, outside) in [
                 (beam.of_left(rooms, self.start, goal), node.left, 1),
@@ -229,16 +229,16 @@ impl Exact {
     }
 }
 
-/// The posts of a door, the right one first.
+/// The endpoints of a portal, the right one first.
 #[inline]
-fn posts<R: Rooms>(rooms: &R, door: u32) -> [Point; 2] {
-    let (range, first) = rooms.enter(door);
+fn endpoints<R: Rooms>(rooms: &R, portal: u32) -> [Point; 2] {
+    let (range, first) = rooms.enter(portal);
     [first, rooms.prev(&range, first)].map(|s| rooms.place(s))
 }
 
 impl Planner {
     /// The cones of the last exact search, in the order in which they came up. Their points are rounded: for figures.
-    /// None if this is plainly another mesh, or it was changed since. On merged faces the doors are theirs, told by the
+    /// None if this is plainly another mesh, or it was changed since. On merged faces the portals are theirs, told by the
     /// faces of the mesh that they lie between.
     pub fn cones(&self, mesh: &NavMesh) -> impl Iterator<Item = Cone> {
         let exact = &self.exact;
@@ -256,14 +256,14 @@ impl Exact {
     /// The cones of all nodes; `original` is the side of the mesh that a side of a room is.
     fn cones_of<R: Rooms>(&self, mesh: &NavMesh, rooms: &R, original: impl Fn(u32) -> u32) -> Vec<Cone> {
         let cone = |node: &Node| {
-            let side = original(rooms.side(node.door) as u32) as usize;
+            let side = original(rooms.side(node.portal) as u32) as usize;
             let to = FaceId::new(mesh.sides[side].across & ID);
             let twin = mesh.half_edges[side].twin();
             let entry = mesh.range(to).find(|&s| mesh.half_edges[s] == twin)?;
             let from = FaceId::new(mesh.sides[entry].across & ID);
-            let posts = mesh.ends(from, side).map(|v| mesh.point(v));
-            let beam = Beam::new(rooms, self.start, *node, posts);
-            let [right, left] = seen(&beam).map(|t| between(posts[0], posts[1], t));
+            let endpoints = mesh.ends(from, side).map(|v| mesh.point(v));
+            let beam = Beam::new(rooms, self.start, *node, endpoints);
+            let [right, left] = seen(&beam).map(|t| between(endpoints[0], endpoints[1], t));
             Some(Cone { root: beam.root, left, right, from, to, length: node.length })
         };
         self.nodes.iter().filter_map(cone).collect()

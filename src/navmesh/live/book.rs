@@ -110,9 +110,9 @@ impl Book {
             false => [map.outer_face(); 2],
         };
         let beside: Vec<[FaceId; 2]> = (0..edges as u32).map(|e| beside(EdgeId::new(e))).collect();
-        let is_gap = |f: FaceId| f == map.outer_face() || map.is_hole(f);
+        let is_hole = |f: FaceId| f == map.outer_face() || map.is_hole(f);
         let area = |f: FaceId| areas.get(f.index());
-        let cuts = beside.iter().map(|&[f, g]| !is_gap(f) && !is_gap(g) && area(f) == area(g)).collect();
+        let cuts = beside.iter().map(|&[f, g]| !is_hole(f) && !is_hole(g) && area(f) == area(g)).collect();
         Self {
             first: First { vertices, edges, faces, beside, cuts, areas },
             pieces: BTreeMap::new(),

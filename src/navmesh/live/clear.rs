@@ -24,7 +24,7 @@ use std::collections::BTreeSet;
 /// Takes out what nobody needs near the edges, which an obstacle has given up, and brings back what can come back.
 /// Returns what has become of the cuts of the first map that were out and waited.
 ///
-/// Cost: O(size of the faces at the ends of the edges, and of the gaps the obstacle reached into).
+/// Cost: O(size of the faces at the ends of the edges, and of the holes the obstacle reached into).
 ///
 /// # Errors
 /// [`ObstacleError::Concave`]: what is left cannot be made convex. The caller goes back.
@@ -75,12 +75,12 @@ pub(super) fn clear(
     Ok(returned)
 }
 
-/// The ends of the edges, and the corners of the faces there; of gaps the ends only.
+/// The ends of the edges, and the corners of the faces there; of holes the ends only.
 fn vertices_near(map: &Subdivision, edges: &[EdgeId]) -> BTreeSet<VertexId> {
     let ends = edges.iter().flat_map(|e| e.half_edges()).map(|h| map.origin(h));
     let mut near: BTreeSet<VertexId> = ends.collect();
-    let is_gap = |f: &FaceId| *f == map.outer_face() || map.is_hole(*f);
-    let faces: BTreeSet<FaceId> = near.iter().flat_map(|&v| map.incident_faces(v)).filter(|f| !is_gap(f)).collect();
+    let is_hole = |f: &FaceId| *f == map.outer_face() || map.is_hole(*f);
+    let faces: BTreeSet<FaceId> = near.iter().flat_map(|&v| map.incident_faces(v)).filter(|f| !is_hole(f)).collect();
     near.extend(faces.into_iter().flat_map(|f| map.incident_vertices(f)));
     near
 }

@@ -34,14 +34,14 @@ pub(super) fn changed_faces(map: &mut Subdivision, from: usize, rec: &mut PlaneJ
     faces
 }
 
-/// Makes the faces convex, gaps left out. Returns those that are no gaps, and the new ones.
+/// Makes the faces convex, holes left out. Returns those that are no holes, and the new ones.
 pub(super) fn make_convex(
     map: &mut Subdivision,
     faces: BTreeSet<FaceId>,
     rec: &mut PlaneJournal,
 ) -> Result<BTreeSet<FaceId>, ObstacleError> {
-    let is_gap = |f: FaceId| f == map.outer_face() || map.is_hole(f);
-    let mut done: BTreeSet<FaceId> = faces.into_iter().filter(|&f| !is_gap(f)).collect();
+    let is_hole = |f: FaceId| f == map.outer_face() || map.is_hole(f);
+    let mut done: BTreeSet<FaceId> = faces.into_iter().filter(|&f| !is_hole(f)).collect();
     let mut faces: Vec<FaceId> = done.iter().copied().collect();
     while let Some(face) = faces.pop() {
         if let Some(&ring) = map.inner_components(face).first() {

@@ -67,13 +67,13 @@ pub enum ObstacleError {
 /// A map, its navmesh, and the obstacles in it.
 ///
 /// ```
-/// use dcel_kit::navmesh::{LiveMesh, Planner, Rung};
+/// use dcel_kit::navmesh::{LiveMesh, Planner, PathAlgorithm};
 /// use dcel_kit::plane::{Point, Subdivision};
 /// let at = |x, y| Point::new(x, y);
 /// let hall = Subdivision::polygon(&[at(0., 0.), at(8., 0.), at(8., 4.), at(0., 4.)])?;
 /// let mut live = LiveMesh::new(hall)?;
 /// let mut length = |live: &LiveMesh| {
-///     Planner::new().route_between(live.mesh(), Rung::Exact, at(1., 2.), at(7., 2.)).map(|route| route.length)
+///     Planner::new().route_between(live.mesh(), PathAlgorithm::Exact, at(1., 2.), at(7., 2.)).map(|route| route.length)
 /// };
 /// assert_eq!(length(&live)?, 6.0);
 /// let wall = live.insert_wall(at(4., 1.), at(4., 4.))?;
@@ -176,9 +176,9 @@ impl LiveMesh {
     }
 
     /// Makes what queries for the fewest faces run over now, not with the first of them; edits mend it: see
-    /// [`link_crossings`](NavMesh::link_crossings).
-    pub fn link_crossings(&mut self) -> usize {
-        self.mesh.link_crossings()
+    /// [`link_junctions`](NavMesh::link_junctions).
+    pub fn link_junctions(&mut self) -> usize {
+        self.mesh.link_junctions()
     }
 
     /// The map as it is now, with the obstacles and the cuts they need.
@@ -211,9 +211,9 @@ impl LiveMesh {
     ///
     /// Cuts that it crosses are taken out first, and others are made when it stands: none is ever bent. Edges of the
     /// given map between two faces are cuts, too, and come back under their ids when nothing crosses them any more.
-    /// Borders of gaps, of areas and of other obstacles are split where it crosses them.
+    /// Borders of holes, of areas and of other obstacles are split where it crosses them.
     ///
-    /// Cost: O(k log k) for k sides of the faces along the wall, and of the gaps it reaches into; that of
+    /// Cost: O(k log k) for k sides of the faces along the wall, and of the holes it reaches into; that of
     /// [`block`](NavMesh::block) for what it cuts off. It does not grow with the map, but for an index and lists that
     /// are made anew once the map has twice as many parts: O(1) for each part, over all edits.
     ///
@@ -244,13 +244,13 @@ impl LiveMesh {
     /// [`ObstacleError`]; then it stands where it stood.
     ///
     /// ```
-    /// use dcel_kit::navmesh::{LiveMesh, Planner, Rung};
+    /// use dcel_kit::navmesh::{LiveMesh, Planner, PathAlgorithm};
     /// use dcel_kit::plane::{Point, Subdivision};
     /// let hall = [(0., 0.), (8., 0.), (8., 4.), (0., 4.)].map(Point::from);
     /// let mut live = LiveMesh::new(Subdivision::polygon(&hall)?)?;
-    /// let door = live.insert_wall(Point::new(4.0, 1.0), Point::new(4.0, 4.0))?;
-    /// live.move_obstacle(door, [0.0, 2.0])?;
-    /// assert_eq!(live.corners(door), Some([Point::new(4.0, 3.0), Point::new(4.0, 6.0)].as_slice()));
+    /// let gate = live.insert_wall(Point::new(4.0, 1.0), Point::new(4.0, 4.0))?;
+    /// live.move_obstacle(gate, [0.0, 2.0])?;
+    /// assert_eq!(live.corners(gate), Some([Point::new(4.0, 3.0), Point::new(4.0, 6.0)].as_slice()));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn move_obstacle(&mut self, obstacle: ObstacleId, [dx, dy]: [f64; 2]) -> Result<(), ObstacleError> {
@@ -287,7 +287,7 @@ impl LiveMesh {
     /// back as soon as nothing crosses them. Should the faces that are left be finer than
     /// doubles can tell, nothing but the borders goes now, and the rest with a later obstacle nearby.
     ///
-    /// Cost: O(k log k) for k sides of the faces the obstacle touches, and of the gaps it reaches into, and that of
+    /// Cost: O(k log k) for k sides of the faces the obstacle touches, and of the holes it reaches into, and that of
     /// [`block`](NavMesh::block) for these faces.
     ///
     /// # Errors
@@ -363,7 +363,7 @@ impl LiveMesh {
                 && is_hole(new)
                 && !book.is_first(new)
             {
-                self.mesh.put_gap(new, old);
+                self.mesh.put_hole(new, old);
             }
             match *change {
                 Change::Write { slot: Slot::Origin(h) | Slot::Next(h) | Slot::Prev(h) | Slot::Face(h), .. } => {
@@ -371,7 +371,7 @@ impl LiveMesh {
                     faces.extend(beside.map(|h| map.face(h)));
                 }
                 Change::Removed { element: Element::Face(f) } => {
-                    self.mesh.forget_gap(f);
+                    self.mesh.forget_hole(f);
                     faces.push(f);
                 }
                 Change::Removed { element: Element::Edge(e) } => edges.push(e),

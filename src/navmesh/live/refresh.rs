@@ -14,23 +14,23 @@ use crate::plane::Subdivision;
 use std::collections::BTreeSet;
 
 impl NavMesh {
-    /// Makes a record for each number, so that any of them can become a face. O(n), if the map has many gaps.
+    /// Makes a record for each number, so that any of them can become a face. O(n), if the map has many holes.
     pub(super) fn make_room_for_edits(&mut self, map: &Subdivision) {
-        if self.faces.gap_slot(0).is_some() {
-            self.gaps.unpack(map, &self.faces);
+        if self.faces.hole_slot(0).is_some() {
+            self.holes.unpack(map, &self.faces);
             self.faces.resize(map.face_bound());
             self.index_all(map);
         }
     }
 
-    /// A piece was cut off the gap `of`.
-    pub(super) fn put_gap(&mut self, piece: FaceId, of: FaceId) {
-        self.gaps.put(&self.faces, piece, of);
+    /// A piece was cut off the hole `of`.
+    pub(super) fn put_hole(&mut self, piece: FaceId, of: FaceId) {
+        self.holes.put(&self.faces, piece, of);
     }
 
     /// A face is gone.
-    pub(super) fn forget_gap(&mut self, face: FaceId) {
-        self.gaps.forget(face);
+    pub(super) fn forget_hole(&mut self, face: FaceId) {
+        self.holes.forget(face);
     }
 
     /// How many cells were written, and faces visited, by all edits so far.

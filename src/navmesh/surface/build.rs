@@ -69,7 +69,7 @@ pub enum SurfaceError {
     },
     /// Two polygons run an edge the same way: they lie on the same side of it.
     #[error("faces {} and {} run the edge {} -> {} the same way: they overlap there, or one of them is turned over", faces[0], faces[1], edge[0], edge[1])]
-    SameWay {
+    SamePath {
         /// The polygons, from 0.
         faces: [u32; 2],
         /// From where to where.
@@ -87,7 +87,7 @@ impl SurfaceError {
         match self {
             Self::NoSuchVertex { face, .. } | Self::Shape { face, .. } | Self::FacesDown { face } => vec![*face],
             Self::ThreeAtEdge { faces, .. } => faces.to_vec(),
-            Self::SameWay { faces, .. } => faces.to_vec(),
+            Self::SamePath { faces, .. } => faces.to_vec(),
             Self::NoFaces | Self::Coordinate { .. } | Self::TooMany => Vec::new(),
         }
     }
@@ -97,7 +97,7 @@ impl SurfaceError {
     pub fn vertices(&self) -> Vec<u32> {
         match self {
             Self::Coordinate { vertex, .. } => vec![*vertex],
-            Self::ThreeAtEdge { edge, .. } | Self::SameWay { edge, .. } => edge.to_vec(),
+            Self::ThreeAtEdge { edge, .. } | Self::SamePath { edge, .. } => edge.to_vec(),
             _ => Vec::new(),
         }
     }
@@ -203,7 +203,7 @@ impl NavSurface {
             match *same {
                 [_] => {}
                 [s, t] if ends(s) == ends(t) => {
-                    return Err(SurfaceError::SameWay { faces: [face(s), face(t)], edge: ends(s) });
+                    return Err(SurfaceError::SamePath { faces: [face(s), face(t)], edge: ends(s) });
                 }
                 [s, t] => {
                     self.sides[s as usize].twin = t;

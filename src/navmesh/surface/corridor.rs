@@ -1,6 +1,6 @@
-//! The quicker rungs of the ladder: rows of triangles by simple rules, as in the plane.
+//! The quicker path algorithm: rows of triangles by simple rules, as in the plane.
 
-use super::super::{Rung, Work};
+use super::super::{PathAlgorithm, Work};
 use super::{NONE, NavSurface, Space, between, dot, lerp, minus};
 use crate::ids::FaceMap;
 use std::cmp::Reverse;
@@ -35,7 +35,7 @@ impl Corridors {
     pub(super) fn find(
         &mut self,
         surface: &NavSurface,
-        metric: Rung,
+        metric: PathAlgorithm,
         costs: Option<&FaceMap<f64>>,
         [start, goal]: [Space; 2],
         [starts, goals]: [&[usize]; 2],
@@ -71,7 +71,7 @@ impl Corridors {
                     continue;
                 }
                 let beyond = twin as usize / 3;
-                let (at, length, key) = if metric == Rung::Breadth {
+                let (at, length, key) = if metric == PathAlgorithm::Breadth {
                     (here.at, here.length + 1.0, here.length + 1.0)
                 } else {
                     let at = surface.point_of_line(metric, s, here.at, goal);
@@ -97,30 +97,30 @@ impl Corridors {
 
     /// The sides that led to a triangle.
     fn row(&self, surface: &NavSurface, goal: usize) -> Vec<usize> {
-        let mut doors = Vec::new();
+        let mut portals = Vec::new();
         let mut by = self.reached[goal].by;
         while by != NONE {
-            let door = surface.sides[by as usize].twin as usize;
-            doors.push(door);
-            by = self.reached[door / 3].by;
+            let portal = surface.sides[by as usize].twin as usize;
+            portals.push(portal);
+            by = self.reached[portal / 3].by;
         }
-        doors.reverse();
-        doors
+        portals.reverse();
+        portals
     }
 }
 
 impl NavSurface {
     /// To which point the line of a metric goes from `from` through a side.
-    fn point_of_line(&self, metric: Rung, s: usize, from: Space, goal: Space) -> Space {
+    fn point_of_line(&self, metric: PathAlgorithm, s: usize, from: Space, goal: Space) -> Space {
         let [a, b] = self.ends(s);
         let along = |x: f64| lerp(a, b, (x / self.sides[s].length).clamp(0.0, 1.0));
         match metric {
-            Rung::Centroid => {
+            PathAlgorithm::Centroid => {
                 let [a, b, c] = self.corners(self.sides[s].twin as usize / 3);
                 [0, 1, 2].map(|i| (a[i] + b[i] + c[i]) / 3.0)
             }
-            Rung::Midpoint => lerp(a, b, 0.5),
-            Rung::Closest => along(dot(minus(b, a), minus(from, a)) / self.sides[s].length),
+            PathAlgorithm::Midpoint => lerp(a, b, 0.5),
+            PathAlgorithm::Closest => along(dot(minus(b, a), minus(from, a)) / self.sides[s].length),
             _ => {
                 // Turned round the side into one plane, the start below it and the goal above.
                 let [[x, depth], [goal_x, height]] = [from, goal].map(|p| self.turned(s, p));

@@ -1,17 +1,17 @@
-//! Links between places of a surface: teleports, lifts, jumps.
+//! Links between places of a surface: teleports, lifts, reduced_bfs.
 
 use super::super::links::{Found, LinkError, check_costs, over_links};
-use super::super::{Rung, Work};
-use super::{NavSurface, SurfaceField, SurfacePlace, SurfacePlanner, SurfaceRoute, between};
+use super::super::{PathAlgorithm, Work};
+use super::{NavSurface, SurfaceField, SurfacePlanner, SurfacePoint, SurfaceRoute, between};
 use crate::ids::FaceMap;
 
 /// A way from one place of a surface to another that is not on it, in this direction only.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SurfaceLink {
     /// Where it begins.
-    pub from: SurfacePlace,
+    pub from: SurfacePoint,
     /// Where it ends.
-    pub to: SurfacePlace,
+    pub to: SurfacePoint,
     /// What it costs to use it, in the unit of lengths; not negative.
     pub cost: f64,
 }
@@ -30,8 +30,8 @@ pub struct LinkedSurfaceRoute {
 }
 
 impl SurfacePlanner {
-    /// A path over a surface and links. Each leg is found by `rung`, or for the costs of faces if there are any; which
-    /// links are used is decided by what legs and links cost. With [`Rung::Exact`] and no costs the answer is the path of
+    /// A path over a surface and links. Each leg is found by `algorithm`, or for the costs of faces if there are any; which
+    /// links are used is decided by what legs and links cost. With [`PathAlgorithm::Exact`] and no costs the answer is the path of
     /// the least cost.
     ///
     /// Cost: as [`Planner::linked_route`](super::super::Planner::linked_route).
@@ -45,9 +45,9 @@ impl SurfacePlanner {
         &mut self,
         surface: &NavSurface,
         links: &[SurfaceLink],
-        rung: Rung,
+        algorithm: PathAlgorithm,
         costs: Option<&FaceMap<f64>>,
-        [start, goal]: [&SurfacePlace; 2],
+        [start, goal]: [&SurfacePoint; 2],
     ) -> Result<LinkedSurfaceRoute, LinkError> {
         check_costs(links.iter().map(|link| link.cost))?;
         let target = |i: usize| links.get(i).map_or(goal, |link| &link.from);
@@ -62,8 +62,8 @@ impl SurfacePlanner {
             |from, to| {
                 let [from, to] = [node(links, start, from), target(to)];
                 let route = match costs {
-                    Some(costs) => self.weighted_route(surface, rung, costs, from, to),
-                    None => self.route(surface, rung, from, to),
+                    Some(costs) => self.weighted_route(surface, algorithm, costs, from, to),
+                    None => self.route(surface, algorithm, from, to),
                 };
                 let route = route.ok()?;
                 work += route.work;
@@ -85,7 +85,7 @@ impl SurfacePlanner {
         &mut self,
         surface: &NavSurface,
         links: &[SurfaceLink],
-        start: &SurfacePlace,
+        start: &SurfacePoint,
         limit: f64,
     ) -> Result<SurfaceField, LinkError> {
         check_costs(links.iter().map(|link| link.cost))?;
@@ -96,7 +96,8 @@ impl SurfacePlanner {
             limit,
             |from, to| as_crow_flies(surface, node(links, start, from), &links[to].from),
             |from, to| {
-                let route = self.route(surface, Rung::Exact, node(links, start, from), &links[to].from).ok()?;
+                let route =
+                    self.route(surface, PathAlgorithm::Exact, node(links, start, from), &links[to].from).ok()?;
                 Some((route.length, ()))
             },
         );
@@ -113,12 +114,12 @@ impl SurfacePlanner {
     }
 }
 
-fn node<'a>(links: &'a [SurfaceLink], start: &'a SurfacePlace, i: usize) -> &'a SurfacePlace {
+fn node<'a>(links: &'a [SurfaceLink], start: &'a SurfacePoint, i: usize) -> &'a SurfacePoint {
     if i == 0 { start } else { &links[i - 1].to }
 }
 
 /// The distance of two places, as the crow flies; none if the surface does not lead from one to the other.
-fn as_crow_flies(surface: &NavSurface, a: &SurfacePlace, b: &SurfacePlace) -> Option<f64> {
+fn as_crow_flies(surface: &NavSurface, a: &SurfacePoint, b: &SurfacePoint) -> Option<f64> {
     let joined = surface.component(a.face) == surface.component(b.face);
     joined.then(|| between(a.point, b.point))
 }

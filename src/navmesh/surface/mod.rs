@@ -26,7 +26,7 @@
 //! | `boxes.rs`, `layers.rs` | a tree of boxes; what lies over each other |
 //! | `place.rs` | from x and y to places on the surface |
 //! | `window.rs`, `search.rs` | windows, and the exact search over them |
-//! | `corridor.rs`, `weighted_field.rs` | the quicker rungs of the ladder; costs |
+//! | `corridor.rs`, `weighted_field.rs` | the quicker path algorithm; costs |
 //! | `raycast.rs`, `random.rs` | the first border on a line that is straight in the plan; random places |
 //! | `linked.rs` | teleports and lifts from place to place |
 //! | `unfold.rs` | the shortest path through a row of triangles, back in space |
@@ -58,7 +58,7 @@ mod window;
 
 pub use build::SurfaceError;
 pub use linked::{LinkedSurfaceRoute, SurfaceLink};
-pub use place::{Floor, SurfacePlace, SurfacePlaceError};
+pub use place::{Floor, SurfacePoint, SurfacePointError};
 pub use random::RandomSurfacePlaces;
 pub use raycast::{SurfaceRayHit, SurfaceRaycast};
 pub use route::{SurfaceField, SurfaceRoute, SurfaceRouteError};
@@ -268,7 +268,7 @@ fn between(a: Space, b: Space) -> f64 {
     norm(minus(a, b))
 }
 
-/// The point at the fraction `t` of the way from `a` to `b`.
+/// The point at the fraction `t` of the path from `a` to `b`.
 fn lerp(a: Space, b: Space, t: f64) -> Space {
     [0, 1, 2].map(|i| a[i] + (b[i] - a[i]) * t)
 }

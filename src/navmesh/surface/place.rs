@@ -27,7 +27,7 @@ pub enum Floor {
 
 /// A place on a surface, from or to which a path may lead.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct SurfacePlace {
+pub struct SurfacePoint {
     /// Where it is: x and y as they were given, and the height.
     pub point: [f64; 3],
     /// A face that has it.
@@ -43,7 +43,7 @@ pub struct SurfacePlace {
 /// Why one cannot stand at a point.
 #[derive(Clone, PartialEq, Debug, thiserror::Error)]
 #[non_exhaustive]
-pub enum SurfacePlaceError {
+pub enum SurfacePointError {
     /// The surface is not there.
     #[error("({}, {}) is not on the surface", at[0], at[1])]
     Off {
@@ -58,7 +58,7 @@ pub enum SurfacePlaceError {
         /// The height.
         height: f64,
         /// What comes first above it.
-        lowest: SurfacePlace,
+        lowest: SurfacePoint,
     },
     /// The surface is there, but not on the layer.
     #[error("({}, {}) is not on layer {layer}", at[0], at[1])]
@@ -68,7 +68,7 @@ pub enum SurfacePlaceError {
         /// The layer.
         layer: usize,
         /// Where the surface is.
-        others: Vec<SurfacePlace>,
+        others: Vec<SurfacePoint>,
     },
     /// Several storeys are there.
     #[error("at ({}, {}) there are {} storeys: {}", at[0], at[1], places.len(), storeys(places))]
@@ -76,12 +76,12 @@ pub enum SurfacePlaceError {
         /// The point of the plan.
         at: [f64; 2],
         /// One place on each, from the lowest on.
-        places: Vec<SurfacePlace>,
+        places: Vec<SurfacePoint>,
     },
 }
 
 /// `layer 0 at height 0, layer 1 at height 4.2`.
-fn storeys(places: &[SurfacePlace]) -> String {
+fn storeys(places: &[SurfacePoint]) -> String {
     let words: Vec<String> =
         places.iter().map(|place| format!("layer {} at height {}", place.layer, place.point[2])).collect();
     words.join(", ")
@@ -96,15 +96,15 @@ impl NavSurface {
     ///
     /// Cost: O(log n), and the triangles near the point.
     #[must_use]
-    pub fn places(&self, at: [f64; 2]) -> Vec<SurfacePlace> {
+    pub fn places(&self, at: [f64; 2]) -> Vec<SurfacePoint> {
         let p = Point::from(at);
-        let mut found: Vec<((u8, u32), SurfacePlace)> = Vec::new();
+        let mut found: Vec<((u8, u32), SurfacePoint)> = Vec::new();
         self.boxes.visit([p.x, p.y, p.x, p.y], |t| {
             found.extend(self.place_in(t, p).map(|place| (self.element(&place), place)));
         });
         found.sort_by(|(a, one), (b, other)| a.cmp(b).then(one.triangle.cmp(&other.triangle)));
         found.dedup_by_key(|(element, _)| *element);
-        let mut places: Vec<SurfacePlace> = found.into_iter().map(|(_, place)| place).collect();
+        let mut places: Vec<SurfacePoint> = found.into_iter().map(|(_, place)| place).collect();
         places.sort_by(|a, b| a.point[2].total_cmp(&b.point[2]).then(a.triangle.cmp(&b.triangle)));
         places
     }
@@ -113,18 +113,18 @@ impl NavSurface {
     /// [`places_on`](Self::places_on) gives all.
     ///
     /// # Errors
-    /// [`SurfacePlaceError`] says what is there instead.
-    pub fn place(&self, at: [f64; 2], floor: Floor) -> Result<SurfacePlace, SurfacePlaceError> {
+    /// [`SurfacePointError`] says what is there instead.
+    pub fn place(&self, at: [f64; 2], floor: Floor) -> Result<SurfacePoint, SurfacePointError> {
         self.places_on(at, floor).map(|places| places[0])
     }
 
     /// The places at a point of one storey: more than one where fans touch in a vertex. At least one.
     ///
     /// # Errors
-    /// [`SurfacePlaceError`] says what is there instead.
+    /// [`SurfacePointError`] says what is there instead.
     ///
     /// ```
-    /// use dcel_kit::navmesh::{Floor, NavSurface, SurfacePlaceError};
+    /// use dcel_kit::navmesh::{Floor, NavSurface, SurfacePointError};
     /// use dcel_kit::topology::PolygonList;
     /// // Two floors over each other.
     /// let [x, y] = [[0., 4., 4., 0.], [0., 0., 4., 4.]];
@@ -136,13 +136,13 @@ impl NavSurface {
     /// assert_eq!(house.layer_count(), 2);
     /// assert_eq!(house.place([1., 1.], Floor::Height(2.5))?.layer, 0);
     /// assert_eq!(house.place([1., 1.], Floor::Height(3.5))?.point, [1., 1., 3.]);
-    /// assert!(matches!(house.place([1., 1.], Floor::Any), Err(SurfacePlaceError::Ambiguous { .. })));
+    /// assert!(matches!(house.place([1., 1.], Floor::Any), Err(SurfacePointError::Ambiguous { .. })));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn places_on(&self, at: [f64; 2], floor: Floor) -> Result<Vec<SurfacePlace>, SurfacePlaceError> {
+    pub fn places_on(&self, at: [f64; 2], floor: Floor) -> Result<Vec<SurfacePoint>, SurfacePointError> {
         let mut places = self.places(at);
         if places.is_empty() {
-            return Err(SurfacePlaceError::Off { at });
+            return Err(SurfacePointError::Off { at });
         }
         let slack = self.slack();
         let chosen = match floor {
@@ -150,21 +150,21 @@ impl NavSurface {
                 let mut storeys = places.clone();
                 storeys.dedup_by(|next, last| next.point[2] - last.point[2] <= slack);
                 if storeys.len() > 1 {
-                    return Err(SurfacePlaceError::Ambiguous { at, places: storeys });
+                    return Err(SurfacePointError::Ambiguous { at, places: storeys });
                 }
                 storeys[0].point[2]
             }
             Floor::Height(height) => {
                 let below = places.iter().rev().find(|place| place.point[2] <= height + slack);
-                below.ok_or(SurfacePlaceError::NothingBelow { at, height, lowest: places[0] })?.point[2]
+                below.ok_or(SurfacePointError::NothingBelow { at, height, lowest: places[0] })?.point[2]
             }
             Floor::Layer(layer) => {
-                let is_on = |place: &SurfacePlace| {
+                let is_on = |place: &SurfacePoint| {
                     self.triangles_at(place).into_iter().any(|t| self.layer(self.face_of(t)) == Some(layer))
                 };
                 match places.iter().find(|place| is_on(place)) {
                     Some(place) => place.point[2],
-                    None => return Err(SurfacePlaceError::NotOnLayer { at, layer, others: places }),
+                    None => return Err(SurfacePointError::NotOnLayer { at, layer, others: places }),
                 }
             }
         };
@@ -184,7 +184,7 @@ impl NavSurface {
     ///
     /// Cost: O(log n), and the triangles that are about as near; with a layer, those of other layers that are nearer, too.
     #[must_use]
-    pub fn nearest(&self, at: [f64; 2], floor: Floor) -> Option<(SurfacePlace, f64)> {
+    pub fn nearest(&self, at: [f64; 2], floor: Floor) -> Option<(SurfacePoint, f64)> {
         let p = Point::from(at);
         if let Ok(places) = self.places_on(at, floor) {
             return Some((places[0], 0.0));
@@ -216,7 +216,7 @@ impl NavSurface {
 
     /// The place at a point in a triangle from which rounding may have moved the point by a hair; `None` if the triangle
     /// stands upright.
-    pub(super) fn place_near(&self, t: usize, q: Point) -> Option<SurfacePlace> {
+    pub(super) fn place_near(&self, t: usize, q: Point) -> Option<SurfacePoint> {
         let middle = self.corners(t).map(plan).iter().fold([0.0; 2], |sum, p| [sum[0] + p.x / 3.0, sum[1] + p.y / 3.0]);
         let steps = std::iter::once(0.0).chain((0..=60).rev().map(|i| 2f64.powi(-i)));
         steps
@@ -225,7 +225,7 @@ impl NavSurface {
     }
 
     /// The place at a point in a closed triangle, if it has the point. Exact.
-    pub(super) fn place_in(&self, t: usize, p: Point) -> Option<SurfacePlace> {
+    pub(super) fn place_in(&self, t: usize, p: Point) -> Option<SurfacePoint> {
         let corners = self.corners(t);
         let flat = corners.map(plan);
         if orientation(flat[0], flat[1], flat[2]).is_le() {
@@ -253,11 +253,11 @@ impl NavSurface {
         };
         let face = self.face_of(t);
         let layer = self.layer(face)?;
-        Some(SurfacePlace { point, face, layer, triangle: t as u32, on })
+        Some(SurfacePoint { point, face, layer, triangle: t as u32, on })
     }
 
     /// What a place lies on: the same for the same point of a node, of an edge, of a triangle.
-    fn element(&self, place: &SurfacePlace) -> (u8, u32) {
+    fn element(&self, place: &SurfacePoint) -> (u8, u32) {
         match self.spot(place) {
             Spot::Inside => (0, place.triangle),
             Spot::Side(s) => (1, (s as u32).min(self.sides[s].twin)),
@@ -265,7 +265,7 @@ impl NavSurface {
         }
     }
 
-    pub(super) fn spot(&self, place: &SurfacePlace) -> Spot {
+    pub(super) fn spot(&self, place: &SurfacePoint) -> Spot {
         let first = 3 * place.triangle as usize;
         match place.on {
             0 => Spot::Inside,
@@ -279,7 +279,7 @@ impl NavSurface {
     }
 
     /// The triangles that have a place, as far as one may pass between them there.
-    pub(super) fn triangles_at(&self, place: &SurfacePlace) -> Vec<usize> {
+    pub(super) fn triangles_at(&self, place: &SurfacePoint) -> Vec<usize> {
         match self.spot(place) {
             Spot::Inside => vec![place.triangle as usize],
             Spot::Side(s) => {
@@ -295,7 +295,7 @@ impl NavSurface {
     }
 
     /// Whether a place lies on a side, of any of the triangles that have it.
-    pub(super) fn is_on_side(&self, place: &SurfacePlace, s: usize) -> bool {
+    pub(super) fn is_on_side(&self, place: &SurfacePoint, s: usize) -> bool {
         match self.spot(place) {
             Spot::Inside => false,
             Spot::Side(on) => on == s || self.sides[on].twin as usize == s,
@@ -308,7 +308,7 @@ impl NavSurface {
 
     /// How far two places are from each other as the crow flies.
     #[must_use]
-    pub fn straight_distance(a: &SurfacePlace, b: &SurfacePlace) -> f64 {
+    pub fn straight_distance(a: &SurfacePoint, b: &SurfacePoint) -> f64 {
         between(a.point, b.point)
     }
 }

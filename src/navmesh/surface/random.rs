@@ -2,7 +2,7 @@
 
 use super::super::random::Numbers;
 use super::layers::plan;
-use super::{NavSurface, SurfacePlace, build, norm};
+use super::{NavSurface, SurfacePoint, build, norm};
 use crate::plane::Point;
 use crate::plane::predicates::orientation;
 
@@ -49,10 +49,10 @@ impl NavSurface {
 }
 
 impl Iterator for RandomSurfacePlaces<'_> {
-    type Item = SurfacePlace;
+    type Item = SurfacePoint;
 
     /// `None` only if all faces stand upright.
-    fn next(&mut self) -> Option<SurfacePlace> {
+    fn next(&mut self) -> Option<SurfacePoint> {
         let &(_, whole) = self.triangles.last()?;
         let chosen = self.numbers.unit() * whole;
         let i = self.triangles.partition_point(|&(_, area)| area <= chosen).min(self.triangles.len() - 1);

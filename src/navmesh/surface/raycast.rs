@@ -10,7 +10,7 @@
 
 use super::layers::plan;
 use super::place::Spot;
-use super::{NONE, NavSurface, Space, SurfacePlace, between, lerp, next, prev};
+use super::{NONE, NavSurface, Space, SurfacePoint, between, lerp, next, prev};
 use crate::ids::{FaceId, VertexId};
 use crate::plane::predicates::{left_to_right, orientation, twice_area};
 use crate::plane::{CoordinateError, Point};
@@ -104,7 +104,7 @@ impl NavSurface {
     /// assert_eq!(hit.point, [8.0, 1.0, 3.0]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn raycast(&self, start: &SurfacePlace, to: [f64; 2]) -> Result<SurfaceRaycast, CoordinateError> {
+    pub fn raycast(&self, start: &SurfacePoint, to: [f64; 2]) -> Result<SurfaceRaycast, CoordinateError> {
         let line = Line { from: plan(start.point), to: Point::from(to) };
         line.to.check()?;
         let mut cast =

@@ -2,16 +2,16 @@
 //!
 //! Every length that it knows of a node is that of a path, so whatever is left out because of one is no loss:
 //!
-//! - a window that a path by a post of its side, or by the third corner of the triangle before it, outdoes everywhere;
+//! - a window that a path by an endpoint of its side, or by the third corner of the triangle before it, outdoes everywhere;
 //! - one of the two windows behind a triangle if its corner can be reached on a shorter path through the same side;
 //! - whatever is longer by its guess than the best path to the goal.
 //!
 //! A path bends round nodes on a border, and round those with more than a full turn. There it may leave where both sides
 //! of it have half a turn or more; a hair less will do, so that what rounding hides behind a corner is still seen.
 
-use super::super::{Rung, Work};
+use super::super::{PathAlgorithm, Work};
 use super::corridor::Corridors;
-use super::place::SurfacePlace;
+use super::place::SurfacePoint;
 use super::unfold::Strip;
 use super::window::Window;
 use super::{
@@ -75,7 +75,7 @@ struct Seen {
 /// Finds paths on surfaces, and keeps its memory from query to query.
 ///
 /// ```
-/// use dcel_kit::navmesh::{Floor, NavSurface, Rung, SurfacePlanner};
+/// use dcel_kit::navmesh::{Floor, NavSurface, PathAlgorithm, SurfacePlanner};
 /// use dcel_kit::topology::PolygonList;
 /// // A ramp that rises by 3 over 4.
 /// let points = [[0., 0., 0.], [4., 0., 3.], [4., 2., 3.], [0., 2., 0.]];
@@ -83,7 +83,7 @@ struct Seen {
 /// faces.push_face(&[0, 1, 2, 3]);
 /// let ramp = NavSurface::new(&points, &faces, None)?;
 /// let [start, goal] = [ramp.place([0., 1.], Floor::Any)?, ramp.place([4., 1.], Floor::Any)?];
-/// let route = SurfacePlanner::new().route(&ramp, Rung::Exact, &start, &goal)?;
+/// let route = SurfacePlanner::new().route(&ramp, PathAlgorithm::Exact, &start, &goal)?;
 /// assert_eq!((route.length, route.points[1]), (5.0, [4.0, 1.0, 3.0]));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -128,7 +128,7 @@ impl SurfacePlanner {
         Self::default()
     }
 
-    /// A path on the surface. [`Rung::Exact`] gives the shortest of all; the others find a row of triangles by a quicker
+    /// A path on the surface. [`PathAlgorithm::Exact`] gives the shortest of all; the others find a row of triangles by a quicker
     /// rule and the shortest path through that.
     ///
     /// Cost: O(n log n) for the quicker ones. The exact search looks at no more than O(n²) windows, and far fewer where
@@ -139,11 +139,11 @@ impl SurfacePlanner {
     pub fn route(
         &mut self,
         surface: &NavSurface,
-        rung: Rung,
-        start: &SurfacePlace,
-        goal: &SurfacePlace,
+        algorithm: PathAlgorithm,
+        start: &SurfacePoint,
+        goal: &SurfacePoint,
     ) -> Result<SurfaceRoute, SurfaceRouteError> {
-        self.find(surface, rung, None, start, goal)
+        self.find(surface, algorithm, None, start, goal)
     }
 
     /// A path for which a unit of length in a face costs as much as `costs` says. As on a map it is not exact: the
@@ -157,13 +157,17 @@ impl SurfacePlanner {
     pub fn weighted_route(
         &mut self,
         surface: &NavSurface,
-        rung: Rung,
+        algorithm: PathAlgorithm,
         costs: &FaceMap<f64>,
-        start: &SurfacePlace,
-        goal: &SurfacePlace,
+        start: &SurfacePoint,
+        goal: &SurfacePoint,
     ) -> Result<SurfaceRoute, SurfaceRouteError> {
         assert!(costs.len() >= surface.face_bound(), "{} costs for {} faces", costs.len(), surface.face_bound());
-        let metric = if matches!(rung, Rung::Breadth | Rung::Exact) { Rung::Closest } else { rung };
+        let metric = if matches!(algorithm, PathAlgorithm::Breadth | PathAlgorithm::Exact) {
+            PathAlgorithm::Closest
+        } else {
+            algorithm
+        };
         self.find(surface, metric, Some(costs), start, goal)
     }
 
@@ -177,16 +181,16 @@ impl SurfacePlanner {
     pub fn route_among(
         &mut self,
         surface: &NavSurface,
-        rung: Rung,
-        starts: &[SurfacePlace],
-        goals: &[SurfacePlace],
+        algorithm: PathAlgorithm,
+        starts: &[SurfacePoint],
+        goals: &[SurfacePoint],
     ) -> Result<(SurfaceRoute, [usize; 2]), SurfaceRouteError> {
         assert!(!starts.is_empty() && !goals.is_empty(), "a route has two ends");
         let mut best: Option<(SurfaceRoute, [usize; 2])> = None;
         let mut first_error = None;
         for (i, start) in starts.iter().enumerate() {
             for (k, goal) in goals.iter().enumerate() {
-                match self.route(surface, rung, start, goal) {
+                match self.route(surface, algorithm, start, goal) {
                     Ok(route) if best.as_ref().is_none_or(|(least, _)| route.length < least.length) => {
                         best = Some((route, [i, k]));
                     }
@@ -203,10 +207,10 @@ impl SurfacePlanner {
     fn find(
         &mut self,
         surface: &NavSurface,
-        rung: Rung,
+        algorithm: PathAlgorithm,
         costs: Option<&FaceMap<f64>>,
-        start: &SurfacePlace,
-        goal: &SurfacePlace,
+        start: &SurfacePoint,
+        goal: &SurfacePoint,
     ) -> Result<SurfaceRoute, SurfaceRouteError> {
         let [from, to] = [start, goal].map(|place| surface.component(place.face).unwrap_or(NONE));
         if from != to {
@@ -215,21 +219,21 @@ impl SurfacePlanner {
         self.begin(surface);
         let [starts, goals] = [start, goal].map(|place| surface.triangles_at(place));
         let common = starts.iter().find(|t| goals.contains(t)).copied();
-        let doors = match common {
+        let portals = match common {
             Some(_) => Some(Vec::new()),
-            None if rung == Rung::Exact => self.search(surface, start, &starts, goal.point, goals),
+            None if algorithm == PathAlgorithm::Exact => self.search(surface, start, &starts, goal.point, goals),
             None => {
                 let ends = [start.point, goal.point];
-                let found = self.corridors.find(surface, rung, costs, ends, [&starts, &goals]);
+                let found = self.corridors.find(surface, algorithm, costs, ends, [&starts, &goals]);
                 self.work = self.corridors.work;
                 found
             }
         };
         // Within a component there is a path.
         let unreachable = SurfaceRouteError::Unreachable { from: start.face, to: goal.face, start: from, goal: to };
-        let doors = doors.ok_or(unreachable)?;
-        let first = doors.first().map_or(common.unwrap_or(start.triangle as usize), |door| door / 3);
-        let mut route = Strip { surface, first, doors: &doors }.pull(start.point, goal.point, costs);
+        let portals = portals.ok_or(unreachable)?;
+        let first = portals.first().map_or(common.unwrap_or(start.triangle as usize), |portal| portal / 3);
+        let mut route = Strip { surface, first, portals: &portals }.pull(start.point, goal.point, costs);
         route.work = self.work;
         Ok(route)
     }
@@ -237,7 +241,7 @@ impl SurfacePlanner {
     /// How far it is to every vertex that is no further away than `limit`, along the surface.
     ///
     /// Cost: as an exact search that looks at everything within the limit.
-    pub fn distance_field(&mut self, surface: &NavSurface, start: &SurfacePlace, limit: f64) -> SurfaceField {
+    pub fn distance_field(&mut self, surface: &NavSurface, start: &SurfacePoint, limit: f64) -> SurfaceField {
         self.begin(surface);
         let mut aim = Aim { goal: None, limit };
         self.leave(surface, start, &surface.triangles_at(start), &mut aim);
@@ -278,7 +282,7 @@ impl SurfacePlanner {
     fn search(
         &mut self,
         surface: &NavSurface,
-        start: &SurfacePlace,
+        start: &SurfacePoint,
         starts: &[usize],
         goal: Space,
         triangles: Vec<usize>,
@@ -291,7 +295,7 @@ impl SurfacePlanner {
     }
 
     /// Looks at what the start sees.
-    fn leave(&mut self, surface: &NavSurface, start: &SurfacePlace, starts: &[usize], aim: &mut Aim) {
+    fn leave(&mut self, surface: &NavSurface, start: &SurfacePoint, starts: &[usize], aim: &mut Aim) {
         for &t in starts {
             for s in 3 * t..3 * t + 3 {
                 let corner = surface.sides[s].origin;
@@ -375,7 +379,7 @@ impl SurfacePlanner {
                 }
             }
         }
-        // The post that the way in and the way out have in common, and the other one.
+        // The endpoint that the way in and the way out have in common, and the other one.
         let [a, b] = [s, next(s)].map(|s| surface.sides[s].origin);
         if let Some(child) = left.filter(|child| !self.is_outdone(surface, child, b, 0)) {
             self.keep(surface, child, aim);
@@ -385,8 +389,8 @@ impl SurfacePlanner {
         }
     }
 
-    /// Whether a path by a post of its side, or by the third corner of the triangle that was left, leads to all of a
-    /// window on a shorter way. `near` is the end of the window that is nearer to where the triangle was entered.
+    /// Whether a path by an endpoint of its side, or by the third corner of the triangle that was left, leads to all of a
+    /// window on a shorter path. `near` is the end of the window that is nearer to where the triangle was entered.
     fn is_outdone(&self, surface: &NavSurface, window: &Window, third: u32, near: usize) -> bool {
         let s = window.side as usize;
         let [a, b] = [s, next(s)].map(|s| surface.sides[s].origin);
@@ -528,12 +532,12 @@ impl SurfacePlanner {
     /// The sides by which triangles are left on the way to the goal, from the start on.
     fn trace(&self, surface: &NavSurface, last: Last) -> Vec<usize> {
         // From the goal backwards; a side and its twin one after the other lead nowhere.
-        let mut doors: Vec<usize> = Vec::new();
-        let mut push = |door: usize| {
-            if doors.last().is_some_and(|&last| surface.sides[last].twin as usize == door) {
-                doors.pop();
+        let mut portals: Vec<usize> = Vec::new();
+        let mut push = |portal: usize| {
+            if portals.last().is_some_and(|&last| surface.sides[last].twin as usize == portal) {
+                portals.pop();
             } else {
-                doors.push(door);
+                portals.push(portal);
             }
         };
         // What was walked last: through a window, or from a corner of a triangle.
@@ -561,8 +565,8 @@ impl SurfacePlanner {
                 By::Start => break,
             };
         }
-        doors.reverse();
-        doors
+        portals.reverse();
+        portals
     }
 }
 
@@ -570,25 +574,25 @@ impl NavSurface {
     /// The sides by which the triangles round a node are left, on the way from the one with side `from`, which leaves the
     /// node, to the one with side `to`.
     fn round(&self, from: usize, to: usize) -> Vec<usize> {
-        let mut doors = Vec::new();
+        let mut portals = Vec::new();
         let mut at = Some(from);
         while let Some(s) = at {
             if s == to {
-                return doors;
+                return portals;
             }
-            doors.push(prev(s));
+            portals.push(prev(s));
             at = self.turn_left(s).filter(|&s| s != from);
         }
-        doors.clear();
+        portals.clear();
         let mut at = from;
         while at != to {
-            doors.push(at);
+            portals.push(at);
             match self.turn_right(at).filter(|&s| s != from) {
                 Some(after) => at = after,
                 None => return Vec::new(),
             }
         }
-        doors
+        portals
     }
 }
 

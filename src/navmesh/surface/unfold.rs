@@ -7,7 +7,7 @@
 //! ```
 
 use super::super::Work;
-use super::super::funnel::{Funnel, Post};
+use super::super::funnel::{Endpoint, Funnel};
 use super::super::steps::{End, Step, steps};
 use super::build::normal;
 use super::{NavSurface, SideRecord, Space, SurfaceRoute, between, cross, dot, lerp, minus, next, norm, prev};
@@ -18,7 +18,7 @@ use crate::plane::Point;
 pub(super) struct Strip<'a> {
     pub(super) surface: &'a NavSurface,
     pub(super) first: usize,
-    pub(super) doors: &'a [usize],
+    pub(super) portals: &'a [usize],
 }
 
 /// Edges whose faces are inclined by less than this are no creases.
@@ -29,16 +29,16 @@ impl Strip<'_> {
     pub(super) fn pull(&self, start: Space, goal: Space, costs: Option<&FaceMap<f64>>) -> SurfaceRoute {
         let (portals, [from, to]) = self.unfold(start, goal);
         let mut funnel = Funnel::default();
-        funnel.start(Post::free(from));
+        funnel.start(Endpoint::free(from));
         portals.iter().for_each(|&[left, right]| funnel.pass(left, right));
-        let path = funnel.finish(Post::free(to)).to_vec();
+        let path = funnel.finish(Endpoint::free(to)).to_vec();
         self.fold([start, goal], &path, &steps(&portals, &path), costs)
     }
 
-    /// The sides as portals, left and right post, and the ends, all in one plane.
-    fn unfold(&self, start: Space, goal: Space) -> (Vec<[Post; 2]>, [Point; 2]) {
+    /// The sides as portals, left and right endpoint, and the ends, all in one plane.
+    fn unfold(&self, start: Space, goal: Space) -> (Vec<[Endpoint; 2]>, [Point; 2]) {
         let surface = self.surface;
-        let mut portals = Vec::with_capacity(self.doors.len());
+        let mut portals = Vec::with_capacity(self.portals.len());
         // A side of the triangle that was entered last, and where its ends are.
         let mut side = 3 * self.first;
         let mut ends = [Point::new(0.0, 0.0), Point::new(surface.sides[side].length, 0.0)];
@@ -57,20 +57,20 @@ impl Strip<'_> {
             place(ends, length, [dot(along, off), dot(up, off)])
         };
         let from = within(side, ends, start);
-        for &door in self.doors {
+        for &portal in self.portals {
             let SideRecord { length, apex, .. } = surface.sides[side];
             let top = place(ends, length, apex);
-            let door_ends = if door == side {
+            let portal_ends = if portal == side {
                 ends
-            } else if door == next(side) {
+            } else if portal == next(side) {
                 [ends[1], top]
             } else {
                 [top, ends[0]]
             };
-            let post = |s: usize, point: Point| Post { point, vertex: surface.sides[s].origin };
-            portals.push([post(next(door), door_ends[1]), post(door, door_ends[0])]);
-            side = surface.sides[door].twin as usize;
-            ends = [door_ends[1], door_ends[0]];
+            let endpoint = |s: usize, point: Point| Endpoint { point, vertex: surface.sides[s].origin };
+            portals.push([endpoint(next(portal), portal_ends[1]), endpoint(portal, portal_ends[0])]);
+            side = surface.sides[portal].twin as usize;
+            ends = [portal_ends[1], portal_ends[0]];
         }
         (portals, [from, within(side, ends, goal)])
     }
@@ -79,14 +79,14 @@ impl Strip<'_> {
     fn fold(
         &self,
         [start, goal]: [Space; 2],
-        path: &[Post],
+        path: &[Endpoint],
         steps: &[Step],
         costs: Option<&FaceMap<f64>>,
     ) -> SurfaceRoute {
         let surface = self.surface;
-        let beyond = |door: usize| surface.sides[door].twin as usize / 3;
+        let beyond = |portal: usize| surface.sides[portal].twin as usize / 3;
         let triangles: Vec<usize> =
-            std::iter::once(self.first).chain(self.doors.iter().map(|&door| beyond(door))).collect();
+            std::iter::once(self.first).chain(self.portals.iter().map(|&portal| beyond(portal))).collect();
         let mut faces: Vec<FaceId> = triangles.iter().map(|&t| surface.face_of(t)).collect();
         let mut route = SurfaceRoute {
             faces: Vec::new(),
@@ -102,11 +102,11 @@ impl Strip<'_> {
             let face = faces[step.face];
             let (at, shows) = match step.end {
                 End::Portal(d, share) => {
-                    let [right, left] = surface.ends(self.doors[d]);
-                    (lerp(right, left, share), surface.shows(self.doors[d]))
+                    let [right, left] = surface.ends(self.portals[d]);
+                    (lerp(right, left, share), surface.shows(self.portals[d]))
                 }
-                End::Post(k) if k + 1 == path.len() => (goal, true),
-                End::Post(k) => {
+                End::Endpoint(k) if k + 1 == path.len() => (goal, true),
+                End::Endpoint(k) => {
                     let node = path[k].vertex as usize;
                     let at = surface.points[node];
                     if ![start, goal].contains(&at) {
@@ -121,7 +121,7 @@ impl Strip<'_> {
             last = at;
             if shows
                 && (route.points.last() != Some(&at)
-                    || route.points.len() == 1 && step.end == End::Post(path.len() - 1))
+                    || route.points.len() == 1 && step.end == End::Endpoint(path.len() - 1))
             {
                 route.points.push(at);
                 route.layers.push(surface.layer(face).unwrap_or(0));

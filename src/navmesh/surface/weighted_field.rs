@@ -2,7 +2,7 @@
 
 use super::super::links::{LinkError, check_costs};
 use super::super::weighted::{Cells, common};
-use super::{NONE, NavSurface, SurfaceField, SurfaceLink, SurfacePlace, SurfacePlanner};
+use super::{NONE, NavSurface, SurfaceField, SurfaceLink, SurfacePlanner, SurfacePoint};
 use crate::ids::{FaceMap, VertexId};
 
 impl SurfacePlanner {
@@ -20,7 +20,7 @@ impl SurfacePlanner {
         surface: &NavSurface,
         costs: &FaceMap<f64>,
         links: &[SurfaceLink],
-        start: &SurfacePlace,
+        start: &SurfacePoint,
         limit: f64,
     ) -> Result<SurfaceField, LinkError> {
         assert!(costs.len() >= surface.face_bound(), "{} costs for {} faces", costs.len(), surface.face_bound());
@@ -45,7 +45,7 @@ impl SurfacePlanner {
                 cells.side(surface.ends(s), &beside[..1 + usize::from(twin != NONE)]);
             }
         }
-        let mut stand = |place: &SurfacePlace| {
+        let mut stand = |place: &SurfacePoint| {
             let node = cells.node(place.point);
             surface.triangles_at(place).into_iter().for_each(|t| cells.put(t as u32, node));
             node

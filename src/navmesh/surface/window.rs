@@ -1,7 +1,7 @@
 //! Windows: which part of a side a root sees, in the plane into which the triangles before it are unfolded.
 //!
 //! ```text
-//!                 c (apex)            The side lies on the x-axis, from its left post a = 0 to its right post b; the
+//!                 c (apex)            The side lies on the x-axis, from its left endpoint a = 0 to its right endpoint b; the
 //!                ╱ ╲                  triangle behind it is above, and the root below. What is seen of it lies between
 //!               ╱   ╲                 the two ends. Behind the triangle it falls on the side a c, on the left of the
 //!          a ──┼─────┼── b            ray through c, and on the side c b, on its right.

@@ -22,12 +22,12 @@ use super::ends::Snap;
 use super::numbers::above;
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::io::{Axis, Format, Number, PolygonSoup};
-use dcel_kit::navmesh::{Floor, NavSurface, SurfaceError, SurfacePlace, SurfacePlaceError};
+use dcel_kit::navmesh::{Floor, NavSurface, SurfaceError, SurfacePoint, SurfacePointError};
 use dcel_kit::plane::Point;
 use dcel_kit::{FaceId, FaceMap};
 use serde::Serialize;
 
-/// A surface, and a way between its coordinates and those of its file.
+/// A surface, and a path between its coordinates and those of its file.
 pub(super) struct Ground {
     pub(super) source: String,
     pub(super) format: Format,
@@ -49,7 +49,7 @@ pub(super) struct Wish<'a> {
 
 /// A start or goal.
 pub(super) struct End {
-    pub(super) places: Vec<SurfacePlace>,
+    pub(super) places: Vec<SurfacePoint>,
     /// How far it was moved, in the plan.
     pub(super) moved: Option<f64>,
 }
@@ -92,7 +92,7 @@ impl Ground {
         told(&self.in_file(p))
     }
 
-    pub(super) fn spot(&self, place: &SurfacePlace) -> Spot {
+    pub(super) fn spot(&self, place: &SurfacePoint) -> Spot {
         Spot {
             point: self.in_file(place.point),
             face: place.face.to_string(),
@@ -102,7 +102,7 @@ impl Ground {
     }
 
     /// `layer 0 at (1, 2, 3), layer 1 at (1, 2, 6)`.
-    fn storeys(&self, places: &[SurfacePlace]) -> String {
+    fn storeys(&self, places: &[SurfacePoint]) -> String {
         let words: Vec<String> =
             places.iter().map(|place| format!("layer {} at {}", place.layer, self.told(place.point))).collect();
         words.join(", ")
@@ -147,20 +147,20 @@ impl Ground {
             _ => String::new(),
         };
         let (why, help) = match &error {
-            SurfacePlaceError::Ambiguous { places, .. } => (
+            SurfacePointError::Ambiguous { places, .. } => (
                 format!("{given} is on {} storeys: {}", places.len(), self.storeys(places)),
                 format!("give all three coordinates of the points{}", by_layer(places[0].layer)),
             ),
-            SurfacePlaceError::NothingBelow { lowest, .. } => (
+            SurfacePointError::NothingBelow { lowest, .. } => (
                 format!("{given} is below the surface, which is at {} there", self.told(lowest.point)),
                 format!("the surface at a point or below it is taken: give a greater height{}", by_layer(lowest.layer)),
             ),
-            SurfacePlaceError::NotOnLayer { layer, others, .. } => {
+            SurfacePointError::NotOnLayer { layer, others, .. } => {
                 (format!("{given} is not on layer {layer}, but on {}", self.storeys(others)), String::new())
             }
             _ => (format!("{given} is not on the surface"), String::new()),
         };
-        let is_off = matches!(error, SurfacePlaceError::Off { .. } | SurfacePlaceError::NotOnLayer { .. });
+        let is_off = matches!(error, SurfacePointError::Off { .. } | SurfacePointError::NotOnLayer { .. });
         let nearest = if is_off { self.surface.nearest(at, floor) } else { None };
         if let Some((place, distance)) = nearest {
             let at = self.told(place.point);
@@ -232,7 +232,7 @@ pub(super) fn surface_failure(source: &str, soup: &PolygonSoup, error: &SurfaceE
             "--orient turns faces over; of the model of a whole house --max-slope 45 leaves the floors"
         }
         SurfaceError::ThreeAtEdge { .. } => "--max-slope 60 leaves out walls; else leave one of the faces out",
-        SurfaceError::SameWay { .. } => "turn one of them round, or leave it out",
+        SurfaceError::SamePath { .. } => "turn one of them round, or leave it out",
         SurfaceError::NoFaces => "a greater --max-slope leaves out less; --orient turns over what faces down",
         _ => "",
     };

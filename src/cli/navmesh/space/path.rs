@@ -11,14 +11,16 @@ use super::super::tell::faces;
 use super::{End, Ground, Spot, Wish};
 use dcel_kit::FaceMap;
 use dcel_kit::figure::navmesh::Storeys;
-use dcel_kit::navmesh::{LinkError, Rung, SurfaceLink, SurfacePlace, SurfacePlanner, SurfaceRoute, SurfaceRouteError};
+use dcel_kit::navmesh::{
+    LinkError, PathAlgorithm, SurfaceLink, SurfacePlanner, SurfacePoint, SurfaceRoute, SurfaceRouteError,
+};
 use serde::Serialize;
 use std::io::Write;
 
 /// What is asked for.
 pub(in super::super) struct Question<'a> {
     pub(in super::super) wishes: [Wish<'a>; 2],
-    pub(in super::super) rungs: &'a [Rung],
+    pub(in super::super) algorithms: &'a [PathAlgorithm],
     pub(in super::super) snap: &'a Snap,
     pub(in super::super) extras: &'a Extras,
     pub(in super::super) json: bool,
@@ -45,7 +47,7 @@ struct Answered {
 /// A path, or a leg of one.
 #[derive(Serialize)]
 struct Row {
-    rung: &'static str,
+    algorithm: &'static str,
     /// Along the surface.
     length: f64,
     /// With the costs of faces, if there are any.
@@ -65,7 +67,7 @@ struct Row {
 #[derive(Serialize)]
 struct Linked {
     source: String,
-    rung: &'static str,
+    algorithm: &'static str,
     found: bool,
     /// What the legs and the links cost.
     cost: Option<f64>,
@@ -85,14 +87,14 @@ pub(in super::super) fn run(ground: &Ground, question: &Question<'_>, out: &mut 
     if !links.is_empty() {
         return linked(ground, &mut planner, question, costs.as_ref(), &links, [start, goal], out);
     }
-    let mut routes: Vec<(Rung, SurfaceRoute)> = Vec::new();
-    for &rung in question.rungs {
+    let mut routes: Vec<(PathAlgorithm, SurfaceRoute)> = Vec::new();
+    for &algorithm in question.algorithms {
         let found = match &costs {
-            Some(costs) => planner.weighted_route(surface, rung, costs, &start, &goal),
-            None => planner.route(surface, rung, &start, &goal),
+            Some(costs) => planner.weighted_route(surface, algorithm, costs, &start, &goal),
+            None => planner.route(surface, algorithm, &start, &goal),
         };
         match found {
-            Ok(route) => routes.push((rung, route)),
+            Ok(route) => routes.push((algorithm, route)),
             Err(SurfaceRouteError::Unreachable { start: from, goal: to, .. }) => {
                 draw(ground, question, &[], &[start, goal], out)?;
                 return apart(ground, question, ([start, goal], moved), [from, to], out);
@@ -102,9 +104,9 @@ pub(in super::super) fn run(ground: &Ground, question: &Question<'_>, out: &mut 
     }
     let paths: Vec<&SurfaceRoute> = routes.last().map(|(_, route)| route).into_iter().collect();
     draw(ground, question, &paths, &[start, goal], out)?;
-    let exact = routes.iter().find(|(rung, _)| *rung == Rung::Exact).map(|(_, route)| route.length);
+    let exact = routes.iter().find(|(algorithm, _)| *algorithm == PathAlgorithm::Exact).map(|(_, route)| route.length);
     let rows: Vec<Row> =
-        routes.iter().map(|(rung, route)| Row::of(ground, *rung, route, exact, costs.as_ref())).collect();
+        routes.iter().map(|(algorithm, route)| Row::of(ground, *algorithm, route, exact, costs.as_ref())).collect();
     if question.json {
         let [from, to] = [start, goal].map(|place| ground.spot(&place));
         out.json(&Answered {
@@ -131,12 +133,12 @@ fn choose(
     planner: &mut SurfacePlanner,
     question: &Question<'_>,
     ends: &[End; 2],
-) -> [SurfacePlace; 2] {
+) -> [SurfacePoint; 2] {
     let [starts, goals] = ends.each_ref().map(|end| end.places.as_slice());
     if starts.len() == 1 && goals.len() == 1 {
         return [starts[0], goals[0]];
     }
-    let found = planner.route_among(&ground.surface, Rung::Exact, starts, goals);
+    let found = planner.route_among(&ground.surface, PathAlgorithm::Exact, starts, goals);
     let [i, k] = found.map_or([0, 0], |(_, chosen)| chosen);
     for ((wish, end), chosen) in
         question.wishes.iter().zip(ends).zip([i, k]).filter(|((_, end), _)| end.places.len() > 1)
@@ -158,7 +160,7 @@ fn draw(
     ground: &Ground,
     question: &Question<'_>,
     paths: &[&SurfaceRoute],
-    ends: &[SurfacePlace; 2],
+    ends: &[SurfacePoint; 2],
     out: &mut Output,
 ) -> Result<(), Failure> {
     let Some(target) = question.target else { return Ok(()) };
@@ -171,7 +173,7 @@ fn draw(
 fn apart(
     ground: &Ground,
     question: &Question<'_>,
-    (ends, moved): ([SurfacePlace; 2], [Option<f64>; 2]),
+    (ends, moved): ([SurfacePoint; 2], [Option<f64>; 2]),
     components: [u32; 2],
     out: &mut Output,
 ) -> Result<Answer, Failure> {
@@ -203,13 +205,16 @@ fn linked(
     question: &Question<'_>,
     costs: Option<&FaceMap<f64>>,
     links: &[SurfaceLink],
-    [start, goal]: [SurfacePlace; 2],
+    [start, goal]: [SurfacePoint; 2],
     out: &mut Output,
 ) -> Result<Answer, Failure> {
-    let &[rung] = question.rungs else {
-        return Err(Failure::input("--link cannot be used with --rung all", "choose one rung, for example exact"));
+    let &[algorithm] = question.algorithms else {
+        return Err(Failure::input(
+            "--link cannot be used with --algorithm all",
+            "choose one algorithm, for example exact",
+        ));
     };
-    let path = match planner.linked_route(&ground.surface, links, rung, costs, [&start, &goal]) {
+    let path = match planner.linked_route(&ground.surface, links, algorithm, costs, [&start, &goal]) {
         Ok(path) => Some(path),
         Err(LinkError::Unreachable) => None,
         Err(error) => return Err(Failure::input(format!("{}: {error}", ground.source), "")),
@@ -225,10 +230,10 @@ fn linked(
         let legs = path.iter().flat_map(|path| &path.legs);
         out.json(&Linked {
             source: ground.source.clone(),
-            rung: rung.name(),
+            algorithm: algorithm.name(),
             found: path.is_some(),
             cost: path.as_ref().map(|path| path.cost),
-            legs: legs.map(|leg| Row::of(ground, rung, leg, None, costs)).collect(),
+            legs: legs.map(|leg| Row::of(ground, algorithm, leg, None, costs)).collect(),
             links: path.as_ref().map_or_else(Vec::new, |path| path.links.clone()),
         })?;
         return Ok(answer);
@@ -239,7 +244,7 @@ fn linked(
         return Ok(answer);
     };
     let count = path.links.len();
-    writeln!(out, "{rung}: {}, over {count} {}", path.cost, if count == 1 { "link" } else { "links" })?;
+    writeln!(out, "{algorithm}: {}, over {count} {}", path.cost, if count == 1 { "link" } else { "links" })?;
     for (i, leg) in path.legs.iter().enumerate() {
         if let Some(&link) = i.checked_sub(1).and_then(|before| path.links.get(before)) {
             let [from, to] = [links[link].from, links[link].to].map(|place| ground.told(place.point));
@@ -253,9 +258,15 @@ fn linked(
 }
 
 impl Row {
-    fn of(ground: &Ground, rung: Rung, route: &SurfaceRoute, exact: Option<f64>, costs: Option<&FaceMap<f64>>) -> Self {
+    fn of(
+        ground: &Ground,
+        algorithm: PathAlgorithm,
+        route: &SurfaceRoute,
+        exact: Option<f64>,
+        costs: Option<&FaceMap<f64>>,
+    ) -> Self {
         Self {
-            rung: rung.name(),
+            algorithm: algorithm.name(),
             length: route.length,
             cost: costs.map(|_| route.cost),
             ratio: exact.filter(|&exact| exact > 0.0).map(|exact| route.length / exact),
@@ -271,7 +282,13 @@ impl Row {
 
     fn print(&self, out: &mut Output) -> Result<(), Failure> {
         let cost = self.cost.map(|cost| format!(", costs {cost}")).unwrap_or_default();
-        writeln!(out, "{}: {} along the surface{cost}, through {}", self.rung, self.length, faces(self.faces.len()))?;
+        writeln!(
+            out,
+            "{}: {} along the surface{cost}, through {}",
+            self.algorithm,
+            self.length,
+            faces(self.faces.len())
+        )?;
         let points: Vec<String> = self.points.iter().map(|p| told(p)).collect();
         let mut layers: Vec<String> = self.layers.iter().map(ToString::to_string).collect();
         layers.dedup();
@@ -289,11 +306,11 @@ impl Row {
 
 /// The ladder as a table.
 fn compare(rows: &[Row], out: &mut Output) -> Result<(), Failure> {
-    let head = ["rung", "length", "of the exact", "faces", "corners", "from queue"].map(str::to_owned);
+    let head = ["algorithm", "length", "of the exact", "faces", "corners", "from queue"].map(str::to_owned);
     let mut lines = vec![head];
     for row in rows {
         lines.push([
-            row.rung.to_owned(),
+            row.algorithm.to_owned(),
             format!("{:.6}", row.length),
             row.ratio.map_or_else(|| "-".to_owned(), |ratio| format!("{ratio:.6}")),
             row.faces.len().to_string(),

@@ -1,4 +1,4 @@
-//! Why there is no way: the two components, and what keeps them apart.
+//! Why there is no path: the two components, and what keeps them apart.
 
 use crate::figure::kinds::navmesh::Floor;
 use crate::figure::sketch::{Role, Sketch, SketchError};
@@ -7,7 +7,7 @@ use crate::navmesh::ComponentId;
 use crate::plane::Point;
 
 impl Floor<'_> {
-    /// The proof that there is no way: all that can be reached from the start, and all from which the goal can be
+    /// The proof that there is no path: all that can be reached from the start, and all from which the goal can be
     /// reached, in two colours. No face has both.
     ///
     /// # Errors

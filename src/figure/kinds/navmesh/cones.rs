@@ -10,7 +10,7 @@ use crate::plane::Point;
 const CONES: usize = 400;
 
 impl Floor<'_> {
-    /// The cones that a search has looked at, each from its root to the door it falls on, and the way that was found.
+    /// The cones that a search has looked at, each from its root to the portal it falls on, and the path that was found.
     /// Of more than 400 cones the first are drawn.
     ///
     /// # Errors
@@ -24,7 +24,7 @@ impl Floor<'_> {
             sketch
                 .region(Role::Event, [ring])
                 .key(&key)
-                .title(format!("through the door of {} to {}", cone.from, cone.to));
+                .title(format!("through the portal of {} to {}", cone.from, cone.to));
         }
         // The start has its own mark; every other root is drawn once.
         let start = route.points.first().copied();
@@ -32,9 +32,9 @@ impl Floor<'_> {
         roots.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
         roots.dedup();
         for root in roots {
-            sketch.point(Role::Event, root).key("a corner round which a way may bend");
+            sketch.point(Role::Event, root).key("a corner round which a path may bend");
         }
-        sketch.path(Role::Main, route.points.iter().copied()).arrow().key("the shortest way");
+        sketch.path(Role::Main, route.points.iter().copied()).arrow().key("the shortest path");
         self.ends(&mut sketch, route);
         self.blocked(&mut sketch);
         self.over(&sketch, &self.nameless(options))

@@ -1,23 +1,23 @@
-//! The funnel, door by door: how the way through a corridor is pulled straight.
+//! The funnel, portal by portal: how the path through a corridor is pulled straight.
 
 use crate::figure::kinds::navmesh::Floor;
 use crate::figure::sketch::{Backdrop, Multiples, Role, Sketch, SketchError};
 use crate::figure::{Figure, FigureOptions};
 use crate::navmesh::{FunnelStep, Route};
 
-/// So many panels at most; of longer routes the steps at which the way bends are shown, each with the one before, and
+/// So many panels at most; of longer routes the steps at which the path bends are shown, each with the one before, and
 /// the last.
 const PANELS: usize = 12;
 
 impl Floor<'_> {
-    /// One panel for each door of a route, and one for the goal: the certain way, the two chains of the funnel, the
-    /// door that was passed last.
+    /// One panel for each portal of a route, and one for the goal: the certain path, the two chains of the funnel, the
+    /// portal that was passed last.
     ///
     /// # Errors
     /// [`SketchError`]: a coordinate that cannot be drawn.
     pub fn funnel(&self, route: &Route, options: &FigureOptions) -> Result<Figure, SketchError> {
         let steps = route.funnel_steps(self.mesh);
-        let doors: Vec<_> = route.portals(self.mesh).collect();
+        let portals: Vec<_> = route.portal_ends(self.mesh).collect();
         let mut sheet = Multiples::new();
         for i in shown(&steps) {
             let step = &steps[i];
@@ -25,9 +25,11 @@ impl Floor<'_> {
             self.corridor(&mut sketch, route);
             if let [.., apex] = step.way.as_slice() {
                 if let ([.., left], [.., right]) = (step.left.as_slice(), step.right.as_slice())
-                    && i < doors.len()
+                    && i < portals.len()
                 {
-                    sketch.portal(Role::Secondary, *left, *right).key("the door: left post a square, right a ring");
+                    sketch
+                        .portal(Role::Secondary, *left, *right)
+                        .key("the portal: left endpoint a square, right a ring");
                 }
                 for (role, points, key) in [
                     (Role::Right, &step.left, "left chain of the funnel"),
@@ -42,8 +44,10 @@ impl Floor<'_> {
                 sketch.point(Role::Event, *apex).key("the apex");
             }
             self.marks(&mut sketch, route);
-            let (heading, about) = match doors.get(i) {
-                Some(door) => (format!("{}. {}", i + 1, door.door), format!("from {} to {}", door.from, door.to)),
+            let (heading, about) = match portals.get(i) {
+                Some(portal) => {
+                    (format!("{}. {}", i + 1, portal.half_edge), format!("from {} to {}", portal.from, portal.to))
+                }
                 None => (format!("{}. the goal", i + 1), "both chains end there: the way is found".to_owned()),
             };
             sheet.over(&heading, &about, self.map, Backdrop::Dimmed, sketch);

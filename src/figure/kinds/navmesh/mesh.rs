@@ -6,8 +6,8 @@ use crate::figure::{Figure, FigureOptions};
 use crate::plane::Point;
 
 impl Floor<'_> {
-    /// The dual graph: a node for each face, a line through the door for each pair of neighbours. Faces that lead
-    /// nowhere else, and the doors to them, are grey.
+    /// The dual graph: a node for each face, a line through the portal for each pair of neighbours. Faces that lead
+    /// nowhere else, and the portals to them, are grey.
     ///
     /// # Errors
     /// [`SketchError`]: a coordinate that cannot be drawn.
@@ -16,10 +16,10 @@ impl Floor<'_> {
         for f in self.mesh.faces() {
             for side in self.mesh.sides(f).filter(|side| side.open && f < side.across) {
                 let [a, b] = [side.from, side.to].map(|v| self.mesh.point(v));
-                let door = Point::new(0.5 * (a.x + b.x), 0.5 * (a.y + b.y));
+                let portal = Point::new(0.5 * (a.x + b.x), 0.5 * (a.y + b.y));
                 let dead = self.mesh.is_dead_end(f) || self.mesh.is_dead_end(side.across);
                 let (role, key) = if dead { (Role::Dimmed, "to a dead end") } else { (Role::Main, "neighbours") };
-                let way = [self.middle(f), door, self.middle(side.across)];
+                let way = [self.middle(f), portal, self.middle(side.across)];
                 sketch.path(role, way).key(key).title(format!("{f} and {} across {}", side.across, side.half_edge));
             }
         }
@@ -44,9 +44,13 @@ impl Floor<'_> {
         let peeled = walkable().filter(|&f| self.mesh.is_dead_end(f));
         self.paint(&mut sketch, Role::Event, peeled, "dead ends: peeled off when the mesh is made");
         for f in walkable() {
-            if let Some(door) = self.mesh.door(f) {
-                let way = [self.middle(f), self.middle(door)];
-                sketch.path(Role::Event, way).arrow().key("the way out of a dead end").title(format!("{f} to {door}"));
+            if let Some(portal) = self.mesh.portal(f) {
+                let way = [self.middle(f), self.middle(portal)];
+                sketch
+                    .path(Role::Event, way)
+                    .arrow()
+                    .key("the way out of a dead end")
+                    .title(format!("{f} to {portal}"));
             }
         }
         self.blocked(&mut sketch);

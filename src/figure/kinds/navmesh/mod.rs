@@ -1,18 +1,18 @@
-//! Ways over a map, drawn: one figure for each idea.
+//! Paths over a map, drawn: one figure for each idea.
 //!
 //! ```text
 //!   dual       which faces hang together          route    the corridor, its portals, the way
-//!   dead_ends  what is peeled, and its way out     funnel   how the string is pulled, door by door
-//!   apart      why there is no way                 cones    what the exact search looked at
+//!   dead_ends  what is peeled, and its way out     funnel   how the string is pulled, portal by portal
+//!   apart      why there is no path                 cones    what the exact search looked at
 //!   off_mesh   a start where nobody can stand
-//!   clearance  the margin a wide agent keeps       ladder   every rung beside the shortest way
+//!   clearance  the margin a wide agent keeps       ladder   every path algorithm beside the shortest path
 //!   ray        what a straight line runs against    reach    how far everything is
 //!   linked     a path over teleports and the like
 //!   Storeys    a surface in space, a panel for each layer
 //! ```
 //!
-//! Under each figure lies the map in grey, with its gaps hatched. Roles are the same everywhere: blue is the way,
-//! orange a door, green the start, purple the goal.
+//! Under each figure lies the map in grey, with its holes hatched. Roles are the same everywhere: blue is the path,
+//! orange a portal, green the start, purple the goal.
 //!
 //! ```text
 //!   links.rs    A path over links
@@ -44,7 +44,7 @@ use crate::plane::{Point, Subdivision};
 /// With more edges than this, the map chooses its own level of detail.
 const EDGES: usize = 2000;
 
-/// With more doors than this, those of a corridor are left out: they would hide the way.
+/// With more portals than this, those of a corridor are left out: they would hide the path.
 const DOORS: usize = 60;
 
 /// A map and its navmesh, ready to be drawn.

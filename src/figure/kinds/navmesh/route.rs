@@ -6,21 +6,24 @@ use crate::figure::{Figure, FigureOptions};
 use crate::navmesh::{Portal, Route};
 
 impl Floor<'_> {
-    /// The corridor, its portals with their left and right posts (up to 60 of them), and the way with its corners.
+    /// The corridor, its portals with their left and right endpoints (up to 60 of them), and the path with its corners.
     ///
     /// # Errors
     /// [`SketchError`]: a coordinate that cannot be drawn.
     pub fn route(&self, route: &Route, options: &FigureOptions) -> Result<Figure, SketchError> {
         let mut sketch = Sketch::new();
         self.corridor(&mut sketch, route);
-        for portal in self.portals(route) {
+        for portal in self.portal_ends(route) {
             let [left, right] = [portal.left, portal.right].map(|v| self.mesh.point(v));
-            let key = "portal: its left post a square, its right post a ring";
+            let key = "portal: its left endpoint a square, its right endpoint a ring";
             sketch.portal(Role::Secondary, left, right).key(key).title(format!("{} to {}", portal.from, portal.to));
         }
-        sketch.path(Role::Main, route.points.iter().copied()).arrow().key(format!("the way, {}", length(route.length)));
+        sketch
+            .path(Role::Main, route.points.iter().copied())
+            .arrow()
+            .key(format!("the path, {}", length(route.length)));
         for &corner in &route.corners {
-            sketch.point(Role::Event, self.mesh.point(corner)).key("a corner of the way").title(corner.to_string());
+            sketch.point(Role::Event, self.mesh.point(corner)).key("a corner of the path").title(corner.to_string());
         }
         self.ends(&mut sketch, route);
         self.blocked(&mut sketch);
@@ -28,8 +31,8 @@ impl Floor<'_> {
     }
 
     /// The portals of a route, if they are few enough to be drawn.
-    pub(super) fn portals(&self, route: &Route) -> Vec<Portal> {
-        if route.doors.len() <= DOORS { route.portals(self.mesh).collect() } else { Vec::new() }
+    pub(super) fn portal_ends(&self, route: &Route) -> Vec<Portal> {
+        if route.portals.len() <= DOORS { route.portal_ends(self.mesh).collect() } else { Vec::new() }
     }
 
     /// Adds the faces of a route.

@@ -5,7 +5,7 @@ use crate::figure::kinds::navmesh::route::length;
 use crate::figure::sketch::{Multiples, Role, Sketch, SketchError};
 use crate::figure::{Figure, FigureOptions};
 use crate::ids::VertexId;
-use crate::navmesh::{NavSurface, SurfaceField, SurfaceLink, SurfacePlace, SurfaceRoute};
+use crate::navmesh::{NavSurface, SurfaceField, SurfaceLink, SurfacePoint, SurfaceRoute};
 use std::collections::BTreeMap;
 
 /// A surface, ready to be drawn.
@@ -53,7 +53,7 @@ impl<'a> Storeys<'a> {
         &self,
         paths: &[&SurfaceRoute],
         links: &[SurfaceLink],
-        ends: &[SurfacePlace; 2],
+        ends: &[SurfacePoint; 2],
         options: &FigureOptions,
     ) -> Result<Figure, SketchError> {
         let whole: f64 = paths.iter().map(|path| path.length).sum();
@@ -94,7 +94,7 @@ impl<'a> Storeys<'a> {
     pub fn reach(
         &self,
         field: &SurfaceField,
-        start: &SurfacePlace,
+        start: &SurfacePoint,
         options: &FigureOptions,
     ) -> Result<Figure, SketchError> {
         self.panels(options, |layer, sketch| {

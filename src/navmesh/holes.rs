@@ -1,10 +1,10 @@
-//! The names of the gaps: of what is no face of the mesh.
+//! The names of the holes: of what is no face of the mesh.
 //!
 //! ```text
 //!   ┌─────┬──────┐  f0      Hole faces side by side are one hole, whatever it is cut into. Its name is the one with the
-//!   │ f4 ╱│      │          lowest number: here f2. The outer face is a gap by itself.
+//!   │ f4 ╱│      │          lowest number: here f2. The outer face is a hole by itself.
 //!   │  ╱f2│ mesh │
-//!   └─────┴──────┘          Obstacles change nothing here: what they cut off a gap keeps the name of that gap.
+//!   └─────┴──────┘          Obstacles change nothing here: what they cut off a hole keeps the name of that hole.
 //! ```
 //!
 //! Memory: nothing for holes of one face each; else a few bits for each number that is no face of the mesh.
@@ -14,9 +14,9 @@ use crate::ids::FaceId;
 use crate::plane::Subdivision;
 use std::collections::BTreeMap;
 
-/// The gap to which each hole face belongs.
+/// The hole to which each hole face belongs.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Gaps {
+pub(super) struct Holes {
     /// The names, and for each number without a record in the table of faces which of them it has: `width` bits, one
     /// after the other. Nothing if all names are as in `own`.
     names: Vec<u32>,
@@ -26,8 +26,8 @@ pub(super) struct Gaps {
     own: BTreeMap<u32, u32>,
 }
 
-impl Gaps {
-    /// The gaps of a map. O(n).
+impl Holes {
+    /// The holes of a map. O(n).
     pub(super) fn new(map: &Subdivision, faces: &FaceTable) -> Self {
         let mut own = BTreeMap::new();
         let mut name_of = vec![0; if map.hole_faces().next().is_some() { map.face_bound() } else { 0 }];
@@ -55,14 +55,14 @@ impl Gaps {
                 }
             }
         }
-        let last = (0..map.face_bound()).rev().find_map(|f| faces.gap_slot(f));
+        let last = (0..map.face_bound()).rev().find_map(|f| faces.hole_slot(f));
         let Some(count) = last.map(|last| last + 1).filter(|_| !own.is_empty()) else {
             return Self { own, ..Self::default() };
         };
         let width = (u32::BITS - (names.len() as u32 - 1).leading_zeros()) as usize;
         let mut words = vec![0u64; (count * width).div_ceil(64) + 1];
         for f in map.hole_faces() {
-            let bit = faces.gap_slot(f.index()).unwrap_or(0) * width;
+            let bit = faces.hole_slot(f.index()).unwrap_or(0) * width;
             let name = u128::from(name_of[f.index()]) << (bit % 64);
             words[bit / 64] |= name as u64;
             words[bit / 64 + 1] |= (name >> 64) as u64;
@@ -70,18 +70,18 @@ impl Gaps {
         Self { names, width, words, own: BTreeMap::new() }
     }
 
-    /// The name of the gap that has a face which is none of the mesh.
-    pub(super) fn name(&self, faces: &FaceTable, gap: u32) -> u32 {
-        if let Some(&name) = self.own.get(&gap) {
+    /// The name of the hole that has a face which is none of the mesh.
+    pub(super) fn name(&self, faces: &FaceTable, hole: u32) -> u32 {
+        if let Some(&name) = self.own.get(&hole) {
             return name;
         }
-        match faces.gap_slot(gap as usize) {
+        match faces.hole_slot(hole as usize) {
             Some(slot) if !self.names.is_empty() => {
                 let bit = slot * self.width;
                 let words = u128::from(self.words[bit / 64]) | u128::from(self.words[bit / 64 + 1]) << 64;
                 self.names[((words >> (bit % 64)) as usize) & ((1 << self.width) - 1)]
             }
-            _ => gap,
+            _ => hole,
         }
     }
 
@@ -92,7 +92,7 @@ impl Gaps {
         *self = Self { own, ..Self::default() };
     }
 
-    /// A piece of a gap has been cut off, or has another name again: it belongs to the gap of `of`.
+    /// A piece of a hole has been cut off, or has another name again: it belongs to the hole of `of`.
     pub(super) fn put(&mut self, faces: &FaceTable, piece: FaceId, of: FaceId) {
         let name = self.name(faces, of.number());
         self.own.insert(piece.number(), name);

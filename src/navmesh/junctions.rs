@@ -1,22 +1,22 @@
-//! Crossings and passages: the few faces at which there is a choice, and what lies between them.
+//! Junctions and reduced corridors: the few faces at which there is a choice, and what lies between them.
 //!
 //! ```text
-//!   ┌───┬───┬───┬───┐      Leave the dead ends away. A face with three or more ways on is a crossing (X). The others
-//!   │ · │ · │ X │ · │ ..   have two, and stand in rows from one crossing to the next: passages. Whoever is in one can
-//!   ├───┼───┼───┼───┘      but go on; so a search for the fewest faces may take a passage in one step.
-//!   │ · │gap│ · │
-//!   ├───┼───┼───┤          A component with one round trip, or none, has no crossing: it is a single passage, whose
+//!   ┌───┬───┬───┬───┐      Leave the dead ends away. A face with three or more exits is a junction (X). The others
+//!   │ · │ · │ X │ · │ ..   have two, and stand in rows from one junction to the next: reduced corridors. Whoever is in one can
+//!   ├───┼───┼───┼───┘      but go on; so a search for the fewest faces may take a reduced corridor in one step.
+//!   │ · │ ▒ │ · │
+//!   ├───┼───┼───┤          A component with one round trip, or none, has no junction: it is a single reduced corridor, whose
 //!   │ · │ · │ · │          last face is beside its first.
 //!   └───┴───┴───┘
 //! ```
 //!
-//! With h gaps in a component of triangles there are at most 2 (h - 1) crossings, however fine the triangles are.
+//! With h holes in a component of triangles there are at most 2 (h - 1) junctions, however fine the triangles are.
 //!
-//! When the mesh changes, the passages and crossings at the change are dropped, and others put behind the last ones. Once
+//! When the mesh changes, the reduced corridors and junctions at the change are dropped, and others put behind the last ones. Once
 //! half of all is dropped the whole is made anew, when it is needed next.
 //!
 //! Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (the reduced graph of TRA*: their
-//! level-3 nodes are the crossings, their corridors the passages).
+//! level-3 nodes are the junctions, their corridors the reduced corridors).
 
 use super::NavMesh;
 use super::curve::Curve;
@@ -24,122 +24,122 @@ use super::marks::{CLOSED, DEAD_END, ID, NONE};
 use crate::ids::{FaceId, VertexId};
 use std::ops::Range;
 
-/// In the spot of a face: it is a crossing, and the rest is its number.
+/// In the spot of a face: it is a junction, and the rest is its number.
 pub(super) const CROSSING: u32 = 1 << 31;
 
-/// Crossings and passages in flat arrays.
+/// Junctions and reduced corridors in flat arrays.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Crossings {
-    /// The face of each crossing.
+pub(super) struct Junctions {
+    /// The face of each junction.
     faces: Vec<u32>,
-    /// Where the links of each crossing begin, and, at last, where they end.
+    /// Where the links of each junction begin, and, at last, where they end.
     starts: Vec<u32>,
     links: Vec<Link>,
-    passages: Vec<PassageRecord>,
-    /// The faces of all passages, one passage after the other.
+    reduced_corridors: Vec<CorridorRecord>,
+    /// The faces of all reduced corridors, one reduced corridor after the other.
     row: Vec<u32>,
-    /// The posts of the doors of each passage, the right one first for who runs from its first end to its second: one
+    /// The endpoints of the portals of each reduced corridor, the right one first for who runs from its first end to its second: one
     /// more than it has faces.
-    doors: Vec<[u32; 2]>,
+    portals: Vec<[u32; 2]>,
     /// Where each face is: [`CROSSING`] and a number, a place in `row`, or [`NONE`].
     spots: Vec<u32>,
     /// How many links and places in `row` are of no use any more.
     spent: usize,
 }
 
-/// In the first end of a passage: it was dropped.
+/// In the first end of a reduced corridor: it was dropped.
 const DROPPED: u32 = NONE - 1;
 
-/// A way on from a crossing.
+/// An exit from a junction.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct Link {
-    /// The crossing it leads to.
+    /// The junction it leads to.
     pub(super) to: u32,
-    /// How many doors there are on the way.
-    pub(super) doors: u32,
-    /// Twice the number of the passage; one more if it is run through from its second end to its first.
+    /// How many portals there are on the way.
+    pub(super) portals: u32,
+    /// Twice the number of the reduced corridor; one more if it is run through from its second end to its first.
     pub(super) by: u32,
 }
 
-/// A passage: `row[first .. end]` between two crossings.
+/// A reduced corridor: `row[first .. end]` between two junctions.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct PassageRecord {
-    /// The crossings before the first face and behind the last one; [`NONE`] if it goes round in a circle.
+pub(super) struct CorridorRecord {
+    /// The junctions before the first face and behind the last one; [`NONE`] if it goes round in a circle.
     pub(super) ends: [u32; 2],
     pub(super) first: u32,
     pub(super) end: u32,
 }
 
-impl PassageRecord {
+impl CorridorRecord {
     #[inline]
     pub(super) fn range(&self) -> Range<usize> {
         self.first as usize..self.end as usize
     }
 }
 
-/// A row of faces without a choice: each has two ways on that are no dead ends.
+/// A row of faces without a choice: each has two exits that are no dead ends.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Passage {
-    /// The crossings beside its first and beside its last face; they may be the same. `None` if the last face is
+pub struct ReducedCorridor {
+    /// The junctions beside its first and beside its last face; they may be the same. `None` if the last face is
     /// beside the first, or there is but one face.
     pub ends: Option<[FaceId; 2]>,
-    /// The faces in order. There are none between crossings that are neighbours.
+    /// The faces in order. There are none between junctions that are neighbours.
     pub faces: Vec<FaceId>,
 }
 
 impl NavMesh {
-    /// Finds the crossings of the map now, if that has not been done: over them [`Rung::Breadth`](super::Rung::Breadth)
-    /// and the rungs of A* go from crossing to crossing instead of from face to face. Nobody has to call this: the
-    /// first query that needs them does it. Returns how many crossings there are.
+    /// Finds the junctions of the map now, if that has not been done: over them [`PathAlgorithm::Breadth`](super::PathAlgorithm::Breadth)
+    /// and the algorithms of A* go from junction to junction instead of from face to face. Nobody has to call this: the
+    /// first query that needs them does it. Returns how many junctions there are.
     ///
     /// The number of faces on routes of the fewest faces is the same as [face by face](super::Planner::face_by_face); of
-    /// several rows with the fewest faces it may be another. When the mesh changes, crossings and passages are
+    /// several rows with the fewest faces it may be another. When the mesh changes, junctions and reduced corridors are
     /// brought up to date near the change.
     ///
-    /// Cost: O(n log n) the first time, then O(number of crossings); 4 bytes a face, 12 more for one that is no dead end,
-    /// and 80 for a crossing.
+    /// Cost: O(n log n) the first time, then O(number of junctions); 4 bytes a face, 12 more for one that is no dead end,
+    /// and 80 for a junction.
     ///
     /// ```
     /// use dcel_kit::navmesh::NavMesh;
     /// use dcel_kit::plane::Subdivision;
-    /// // Eight triangles round a square gap: once round, without a choice.
+    /// // Eight triangles round a square hole: once round, without a choice.
     /// let points = [(0., 0.), (3., 0.), (3., 3.), (0., 3.), (1., 1.), (2., 1.), (2., 2.), (1., 2.)].map(Into::into);
     /// let sides = [0, 1, 2, 3].map(|i| [i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4]);
     /// let triangles = sides.map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).concat();
     /// let mesh = NavMesh::new(&Subdivision::from_triangles(points.to_vec(), &triangles)?)?;
-    /// assert_eq!(mesh.link_crossings(), 0);
-    /// assert_eq!(mesh.passages().len(), 1);
-    /// assert_eq!(mesh.passages()[0].faces.len(), 8);
+    /// assert_eq!(mesh.link_junctions(), 0);
+    /// assert_eq!(mesh.reduced_corridors().len(), 1);
+    /// assert_eq!(mesh.reduced_corridors()[0].faces.len(), 8);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn link_crossings(&self) -> usize {
-        self.crossings().len()
+    pub fn link_junctions(&self) -> usize {
+        self.junctions().len()
     }
 
-    /// The faces with three or more ways on that are no dead ends, mostly along a curve that fills the plane. O(number of
-    /// them), and see [`link_crossings`](Self::link_crossings).
-    pub fn crossings(&self) -> impl ExactSizeIterator<Item = FaceId> + Clone + use<> {
+    /// The faces with three or more exits that are no dead ends, mostly along a curve that fills the plane. O(number of
+    /// them), and see [`link_junctions`](Self::link_junctions).
+    pub fn junctions(&self) -> impl ExactSizeIterator<Item = FaceId> + Clone + use<> {
         let faces = self.network().faces.iter().filter(|&&f| f != NONE);
         faces.map(|&f| FaceId::new(f)).collect::<Vec<_>>().into_iter()
     }
 
-    /// Crossings and passages; made now if they have not been.
-    pub(super) fn network(&self) -> &Crossings {
-        self.crossings.get_or_init(|| Crossings::new(self))
+    /// Junctions and reduced corridors; made now if they have not been.
+    pub(super) fn network(&self) -> &Junctions {
+        self.junctions.get_or_init(|| Junctions::new(self))
     }
 
-    /// The rows of faces between the crossings. O(n), and see [`link_crossings`](Self::link_crossings).
+    /// The rows of faces between the junctions. O(n), and see [`link_junctions`](Self::link_junctions).
     #[must_use]
-    pub fn passages(&self) -> Vec<Passage> {
-        let crossings = self.network();
-        let passage = |record: &PassageRecord| Passage {
-            ends: (record.ends[0] != NONE).then(|| record.ends.map(|c| FaceId::new(crossings.face(c)))),
-            faces: crossings.row[record.range()].iter().map(|&f| FaceId::new(f)).collect(),
+    pub fn reduced_corridors(&self) -> Vec<ReducedCorridor> {
+        let junctions = self.network();
+        let reduced_corridor = |record: &CorridorRecord| ReducedCorridor {
+            ends: (record.ends[0] != NONE).then(|| record.ends.map(|c| FaceId::new(junctions.face(c)))),
+            faces: junctions.row[record.range()].iter().map(|&f| FaceId::new(f)).collect(),
         };
-        crossings.passages.iter().filter(|record| record.ends[0] != DROPPED).map(passage).collect()
+        junctions.reduced_corridors.iter().filter(|record| record.ends[0] != DROPPED).map(reduced_corridor).collect()
     }
 
-    /// The faces that are no dead ends, in the order of a curve that fills the plane: so crossings that are near are
+    /// The faces that are no dead ends, in the order of a curve that fills the plane: so junctions that are near are
     /// near in memory.
     fn core_along_curve(&self) -> Vec<u32> {
         let curve = Curve::over(self);
@@ -166,20 +166,20 @@ impl NavMesh {
     }
 }
 
-impl Crossings {
+impl Junctions {
     fn new(mesh: &NavMesh) -> Self {
         let mut result = Self { spots: vec![NONE; mesh.faces.len()], starts: vec![0], ..Self::default() };
         result.add(mesh, &mesh.core_along_curve(), &[]);
         result.faces.shrink_to_fit();
         result.starts.shrink_to_fit();
-        result.passages.shrink_to_fit();
+        result.reduced_corridors.shrink_to_fit();
         result.row.shrink_to_fit();
-        result.doors.shrink_to_fit();
+        result.portals.shrink_to_fit();
         result.links.shrink_to_fit();
         result
     }
 
-    /// Takes in faces that are no dead ends and have no spot, with all passages to and between them. `cut` are crossings
+    /// Takes in faces that are no dead ends and have no spot, with all reduced corridors to and between them. `cut` are junctions
     /// that have lost links.
     fn add(&mut self, mesh: &NavMesh, core: &[u32], cut: &[u32]) {
         let first = self.faces.len() as u32;
@@ -188,7 +188,7 @@ impl Crossings {
             if ways_on >= 3 {
                 self.spots[f as usize] = CROSSING | self.faces.len() as u32;
                 self.faces.push(f);
-                self.links.extend((0..ways_on).map(|_| Link { to: NONE, doors: 0, by: NONE }));
+                self.links.extend((0..ways_on).map(|_| Link { to: NONE, portals: 0, by: NONE }));
                 self.starts.push(self.links.len() as u32);
             }
         }
@@ -206,16 +206,16 @@ impl Crossings {
         }
     }
 
-    /// Brings crossings and passages up to date after a change: `faces` are all those that have come or gone, or whose
-    /// ways on have changed. Returns whether it is worth to keep the whole.
+    /// Brings junctions and reduced corridors up to date after a change: `faces` are all those that have come or gone, or whose
+    /// exits have changed. Returns whether it is worth to keep the whole.
     pub(super) fn mend(&mut self, mesh: &NavMesh, faces: &[u32]) -> bool {
         self.spots.resize(mesh.faces.len().max(self.spots.len()), NONE);
         let (mut loose, mut cut) = (faces.to_vec(), Vec::new());
         for &f in faces {
             match self.spots[f as usize] {
                 NONE => {}
-                spot if spot & CROSSING != 0 => self.drop_crossing(spot & !CROSSING, &mut loose, &mut cut),
-                spot => self.drop_passage(self.passage_at(spot), &mut loose, &mut cut),
+                spot if spot & CROSSING != 0 => self.drop_junction(spot & !CROSSING, &mut loose, &mut cut),
+                spot => self.drop_reduced_corridor(self.reduced_corridor_at(spot), &mut loose, &mut cut),
             }
         }
         if 2 * self.spent > self.links.len() + self.row.len() + 64 {
@@ -231,7 +231,7 @@ impl Crossings {
         true
     }
 
-    fn drop_crossing(&mut self, c: u32, loose: &mut Vec<u32>, cut: &mut Vec<u32>) {
+    fn drop_junction(&mut self, c: u32, loose: &mut Vec<u32>, cut: &mut Vec<u32>) {
         let f = std::mem::replace(&mut self.faces[c as usize], NONE);
         self.spots[f as usize] = NONE;
         loose.push(f);
@@ -239,14 +239,14 @@ impl Crossings {
         self.spent += links.len();
         for i in links {
             if self.links[i].by != NONE {
-                self.drop_passage(self.links[i].by >> 1, loose, cut);
+                self.drop_reduced_corridor(self.links[i].by >> 1, loose, cut);
             }
         }
     }
 
-    fn drop_passage(&mut self, p: u32, loose: &mut Vec<u32>, cut: &mut Vec<u32>) {
-        let PassageRecord { ends, first, end } = self.passages[p as usize];
-        self.passages[p as usize].ends[0] = DROPPED;
+    fn drop_reduced_corridor(&mut self, p: u32, loose: &mut Vec<u32>, cut: &mut Vec<u32>) {
+        let CorridorRecord { ends, first, end } = self.reduced_corridors[p as usize];
+        self.reduced_corridors[p as usize].ends[0] = DROPPED;
         self.spent += (end - first) as usize;
         for place in first..end {
             let f = self.row[place as usize];
@@ -256,37 +256,37 @@ impl Crossings {
         for c in ends.into_iter().filter(|&c| c != NONE) {
             let links = self.starts[c as usize] as usize..self.starts[c as usize + 1] as usize;
             for link in self.links[links].iter_mut().filter(|link| link.by != NONE && link.by >> 1 == p) {
-                *link = Link { to: NONE, doors: 0, by: NONE };
+                *link = Link { to: NONE, portals: 0, by: NONE };
             }
             cut.push(c);
         }
     }
 
-    /// Follows side `s` of crossing `c` to the next crossing.
+    /// Follows side `s` of junction `c` to the next junction.
     fn follow(&mut self, mesh: &NavMesh, c: u32, s: usize) {
         let first = self.row.len();
-        let posts = |f: u32, s: usize| mesh.ends(FaceId::new(f), s).map(VertexId::number);
-        self.doors.push(posts(self.face(c), s));
+        let endpoints = |f: u32, s: usize| mesh.ends(FaceId::new(f), s).map(VertexId::number);
+        self.portals.push(endpoints(self.face(c), s));
         let (mut f, mut entry) = mesh.beyond(s);
         while self.spots[f as usize] == NONE {
             self.stand(f);
-            let on = mesh.ways_on(f).find(|&on| on != entry).expect("no crossing and no dead end: two ways on");
-            self.doors.push(posts(f, on));
+            let on = mesh.ways_on(f).find(|&on| on != entry).expect("no junction and no dead end: two exits");
+            self.portals.push(endpoints(f, on));
             (f, entry) = mesh.beyond(on);
         }
-        debug_assert_ne!(self.spots[f as usize] & CROSSING, 0, "f{f} is in another passage");
-        let (to, doors) = (self.spots[f as usize] & !CROSSING, (self.row.len() - first + 1) as u32);
-        let by = 2 * self.end_passage([c, to], first);
+        debug_assert_ne!(self.spots[f as usize] & CROSSING, 0, "f{f} is in another reduced corridor");
+        let (to, portals) = (self.spots[f as usize] & !CROSSING, (self.row.len() - first + 1) as u32);
+        let by = 2 * self.end_reduced_corridor([c, to], first);
         let link = |c: u32, s: usize| {
             let place = mesh.ways_on(self.face(c)).position(|on| on == s).expect("it is one of them");
             self.starts[c as usize] as usize + place
         };
         let [there, back] = [link(c, s), link(to, entry)];
-        self.links[there] = Link { to, doors, by };
-        self.links[back] = Link { to: c, doors, by: by + 1 };
+        self.links[there] = Link { to, portals, by };
+        self.links[back] = Link { to: c, portals, by: by + 1 };
     }
 
-    /// Follows a component without a crossing round to where it began.
+    /// Follows a component without a junction round to where it began.
     fn go_round(&mut self, mesh: &NavMesh, start: u32) {
         let first = self.row.len();
         self.stand(start);
@@ -295,7 +295,7 @@ impl Crossings {
             self.stand(f);
             side = mesh.ways_on(f).find(|&on| on != entry);
         }
-        self.end_passage([NONE; 2], first);
+        self.end_reduced_corridor([NONE; 2], first);
     }
 
     /// Puts a face at the end of the row.
@@ -304,47 +304,47 @@ impl Crossings {
         self.row.push(f);
     }
 
-    fn end_passage(&mut self, ends: [u32; 2], first: usize) -> u32 {
-        self.passages.push(PassageRecord { ends, first: first as u32, end: self.row.len() as u32 });
+    fn end_reduced_corridor(&mut self, ends: [u32; 2], first: usize) -> u32 {
+        self.reduced_corridors.push(CorridorRecord { ends, first: first as u32, end: self.row.len() as u32 });
         // Nobody asks for those of a circle.
-        self.doors.resize(self.row.len() + self.passages.len(), [NONE; 2]);
-        self.passages.len() as u32 - 1
+        self.portals.resize(self.row.len() + self.reduced_corridors.len(), [NONE; 2]);
+        self.reduced_corridors.len() as u32 - 1
     }
 
-    /// How many crossings there are, and were.
+    /// How many junctions there are, and were.
     pub(super) fn len(&self) -> usize {
         self.faces.len()
     }
 
-    /// The face of a crossing.
+    /// The face of a junction.
     #[inline]
     pub(super) fn face(&self, c: u32) -> u32 {
         self.faces[c as usize]
     }
 
-    /// The ways on from a crossing.
+    /// The exits from a junction.
     #[inline]
     pub(super) fn links(&self, c: u32) -> &[Link] {
         &self.links[self.starts[c as usize] as usize..self.starts[c as usize + 1] as usize]
     }
 
     #[inline]
-    pub(super) fn passage(&self, p: u32) -> PassageRecord {
-        self.passages[p as usize]
+    pub(super) fn reduced_corridor(&self, p: u32) -> CorridorRecord {
+        self.reduced_corridors[p as usize]
     }
 
-    /// The posts of its doors, the right one first for who runs from its first end to its second: `doors[i]` leads
-    /// from place i to place i + 1, where place 0 is the crossing before the first face.
+    /// The endpoints of its portals, the right one first for who runs from its first end to its second: `portals[i]` leads
+    /// from place i to place i + 1, where place 0 is the junction before the first face.
     #[inline]
-    pub(super) fn doors(&self, p: u32) -> &[[u32; 2]] {
-        let range = self.passage(p).range();
-        &self.doors[range.start + p as usize..=range.end + p as usize]
+    pub(super) fn portals(&self, p: u32) -> &[[u32; 2]] {
+        let range = self.reduced_corridor(p).range();
+        &self.portals[range.start + p as usize..=range.end + p as usize]
     }
 
-    /// The face at a place of a passage that is no circle.
+    /// The face at a place of a reduced corridor that is no circle.
     #[inline]
     pub(super) fn face_at(&self, p: u32, place: u32) -> u32 {
-        let PassageRecord { ends, first, end } = self.passage(p);
+        let CorridorRecord { ends, first, end } = self.reduced_corridor(p);
         if place == 0 {
             self.face(ends[0])
         } else if place <= end - first {
@@ -354,7 +354,7 @@ impl Crossings {
         }
     }
 
-    /// The faces of all passages, one passage after the other.
+    /// The faces of all reduced corridors, one reduced corridor after the other.
     #[inline]
     pub(super) fn row(&self) -> &[u32] {
         &self.row
@@ -366,18 +366,18 @@ impl Crossings {
         self.spots[f as usize]
     }
 
-    /// The passage that has a place in `row`. O(log n).
-    pub(super) fn passage_at(&self, place: u32) -> u32 {
-        self.passages.partition_point(|passage| passage.end <= place) as u32
+    /// The reduced corridor that has a place in `row`. O(log n).
+    pub(super) fn reduced_corridor_at(&self, place: u32) -> u32 {
+        self.reduced_corridors.partition_point(|reduced_corridor| reduced_corridor.end <= place) as u32
     }
 
     pub(super) fn memory(&self) -> usize {
         size_of_val(&*self.faces)
             + size_of_val(&*self.starts)
             + size_of_val(&*self.links)
-            + size_of_val(&*self.passages)
+            + size_of_val(&*self.reduced_corridors)
             + size_of_val(&*self.row)
-            + size_of_val(&*self.doors)
+            + size_of_val(&*self.portals)
             + size_of_val(&*self.spots)
     }
 }
