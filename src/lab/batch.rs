@@ -403,7 +403,9 @@ impl Grader {
         let limits = &lab.manifest.limits;
         // The lab's files too: while it is being written its version stays the same.
         let files: Vec<_> = lab.files.iter().collect();
-        let lab = (&lab.name, &lab.manifest.version, hash_of(&files));
+        // A course can change points, needs and visibility without a change of the files.
+        let tests = format!("{:?}", lab.manifest.tests);
+        let lab = (&lab.name, &lab.manifest.version, hash_of(&files), hash_of(&tests));
         let grader = format!("{judge} {lab:?} {limits:?} {build:?} {:?} {scan}", self.sandbox.up());
         Key { grader, plan: hash_of(&format!("{plan:?}")), files: intake.graded.clone() }
     }

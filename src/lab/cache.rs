@@ -154,6 +154,7 @@ mod tests {
             adjustments: Vec::new(),
             notes: Vec::new(),
             similar: Vec::new(),
+            terms: crate::Terms::default(),
             millis: 1,
         }
     }

@@ -17,7 +17,7 @@ use super::manifest::Test;
 use super::mutants::{self, Evidence};
 use super::plan::Plan;
 use super::program::Program;
-use super::report::{Report, TestResult};
+use super::report::{Report, Terms, TestResult};
 use super::run::{Graded, PATIENCE, SuiteRun, run_suite};
 use super::signatures::Signature;
 use super::the_lab::Lab;
@@ -346,6 +346,7 @@ fn empty_report(lab: &Lab, plan: &Plan, program: &dyn Program) -> Report {
         adjustments: Vec::new(),
         notes: Vec::new(),
         similar: Vec::new(),
+        terms: Terms::default(),
         millis: 0,
     }
 }

@@ -25,6 +25,8 @@ mod cache;
 pub mod cases;
 pub mod checks;
 mod conditions;
+#[cfg(feature = "grade")]
+pub mod course;
 pub mod courses;
 #[cfg(feature = "grade")]
 mod export;
@@ -48,6 +50,7 @@ mod own_folder;
 mod own_lab;
 pub mod pictures;
 mod plan;
+mod points;
 mod program;
 pub mod protocol;
 mod report;
@@ -94,8 +97,11 @@ pub use own_folder::{FolderCheck, Workbench, check_folder};
 #[cfg(feature = "grade")]
 pub use own_lab::{NewLabError, new_lab};
 pub use plan::{Plan, Secret};
+pub use points::Points;
 pub use program::{Driver, End, Limits, Program, Ran, end_of, signal_name};
-pub use report::{Adjustment, Barrier, Finding, Picture, Report, Similar, TestResult, Visibility};
+pub use report::{
+    Adjustment, Barrier, Finding, HandedIn, OwnTests, Picture, Report, Similar, Terms, TestResult, Visibility,
+};
 #[cfg(feature = "grade")]
 pub use sandbox::{Hidden, Sandbox, SandboxChoice, SandboxedProgram, launched};
 pub use signatures::{Signature, Signatures};

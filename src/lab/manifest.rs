@@ -10,7 +10,7 @@
 //! the order of the file is an order in which to work, and there is no circle.
 
 use super::toml_file::{ManifestError, TomlFile};
-use super::{Limits, Visibility};
+use super::{Limits, Points, Visibility};
 use serde::Deserialize;
 use toml::Spanned;
 
@@ -61,7 +61,7 @@ pub struct Test {
     /// The number of its task.
     pub task: u32,
     /// What it is worth.
-    pub points: u32,
+    pub points: Points,
     /// Who may see its result when.
     pub visibility: Visibility,
     /// The tests that it builds on, all of them earlier in the list: unless these pass, it is skipped.
@@ -101,7 +101,7 @@ impl Manifest {
 
     /// The points that can be earned.
     #[must_use]
-    pub fn max_points(&self) -> u32 {
+    pub fn max_points(&self) -> Points {
         self.tests.iter().map(|test| test.points).sum()
     }
 }
@@ -133,7 +133,7 @@ struct Files {
 /// What is not said stays as in [`Limits::default`].
 #[derive(Deserialize, Default)]
 #[serde(deny_unknown_fields)]
-struct LimitsTable {
+pub(super) struct LimitsTable {
     seconds: Option<f64>,
     cpu_seconds: Option<u64>,
     memory_mb: Option<u64>,
@@ -149,7 +149,7 @@ struct TestTable {
     name: String,
     title: String,
     task: Spanned<u32>,
-    points: u32,
+    points: Points,
     #[serde(default)]
     visibility: Visibility,
     #[serde(default)]
@@ -186,7 +186,11 @@ impl File {
 
 impl LimitsTable {
     fn limits(&self) -> Limits {
-        let usual = Limits::default();
+        self.over(Limits::default())
+    }
+
+    /// The limits with those that the table names.
+    pub(super) fn over(&self, usual: Limits) -> Limits {
         Limits {
             seconds: self.seconds.unwrap_or(usual.seconds),
             cpu_seconds: self.cpu_seconds.unwrap_or(usual.cpu_seconds),
@@ -196,6 +200,12 @@ impl LimitsTable {
             files: self.files.unwrap_or(usual.files),
             processes: self.processes.unwrap_or(usual.processes),
         }
+    }
+
+    /// Whether a program can run at all.
+    pub(super) fn can_run(limits: &Limits) -> bool {
+        let counts = [limits.cpu_seconds, limits.memory_mb, limits.output_kb, limits.files, limits.processes];
+        limits.seconds.is_finite() && limits.seconds > 0.0 && counts.iter().all(|&count| count > 0)
     }
 }
 
@@ -224,9 +234,7 @@ impl Reader<'_> {
     }
 
     fn limits(&self, table: &Spanned<LimitsTable>) -> Result<(), ManifestError> {
-        let limits = table.get_ref().limits();
-        let counts = [limits.cpu_seconds, limits.memory_mb, limits.output_kb, limits.files, limits.processes];
-        if limits.seconds.is_finite() && limits.seconds > 0.0 && counts.iter().all(|&count| count > 0) {
+        if LimitsTable::can_run(&table.get_ref().limits()) {
             return Ok(());
         }
         Err(self.0.error(table.span().start, "a limit is not above 0; nothing could run"))
@@ -249,7 +257,7 @@ impl Reader<'_> {
             if name.is_empty() || !name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'_') {
                 return Err(self.0.error(at, format!("{name:?} cannot be a test: its name is that of a function")));
             }
-            if *points == 0 {
+            if *points <= Points::ZERO {
                 return Err(self.0.error(at, format!("the test {name} is worth nothing; give it points")));
             }
             let before = &file.test[..i];

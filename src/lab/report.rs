@@ -1,6 +1,7 @@
 //! What a grading run says of one submission: plain data, from which every report format is written.
 
 use super::manifest::{Manifest, Test};
+use super::points::Points;
 use super::verdict::Verdict;
 use serde::{Deserialize, Serialize};
 
@@ -43,6 +44,9 @@ pub struct Report {
     /// on one submission for its author shows it.
     #[serde(default)]
     pub similar: Vec<Similar>,
+    /// What the course adds to the tests: lateness, own tests, bounds.
+    #[serde(default)]
+    pub terms: Terms,
     /// How long building and running took, in milliseconds; left out of comparisons.
     pub millis: u64,
 }
@@ -66,6 +70,7 @@ impl Report {
             adjustments: Vec::new(),
             notes: Vec::new(),
             similar: Vec::new(),
+            terms: Terms::default(),
             millis: 0,
         }
     }
@@ -111,18 +116,112 @@ impl Report {
             .or_else(|| first(&|verdict| !verdict.is_passed()))
     }
 
-    /// The points that were earned, adjustments included; never below zero.
+    /// The points that were earned: by the tests and by own tests, less what lateness costs, with all adjustments;
+    /// then between the bounds of the course. Never below zero.
     #[must_use]
-    pub fn points(&self) -> u32 {
-        let earned: i64 = self.tests.iter().map(|t| i64::from(t.points)).sum();
-        let adjusted: i64 = self.adjustments.iter().map(|a| i64::from(a.points)).sum();
-        u32::try_from((earned + adjusted).max(0)).unwrap_or(u32::MAX)
+    pub fn points(&self) -> Points {
+        let given = self.terms.late.iter().chain(&self.adjustments).map(|adjustment| adjustment.points);
+        let points = self.earned() + given.sum();
+        let most = self.terms.most.map_or(points, |most| points.min(most));
+        most.max(self.terms.least.unwrap_or_default()).max(Points::ZERO)
     }
 
-    /// The points that the tests can give.
+    /// What the tests and own tests have given.
     #[must_use]
-    pub fn max_points(&self) -> u32 {
-        self.tests.iter().map(|t| t.max_points).sum()
+    pub fn earned(&self) -> Points {
+        let own = self.terms.own_tests.as_ref().map_or(Points::ZERO, |own| own.points);
+        self.tests.iter().map(|test| test.points).sum::<Points>() + own
+    }
+
+    /// Everything that changes the points which the graded tests give: own tests, lateness, what a person gave or took.
+    #[must_use]
+    pub fn all_adjustments(&self) -> Vec<Adjustment> {
+        let own = self.terms.own_tests.as_ref().filter(|own| own.points != Points::ZERO);
+        let own = own.map(|own| Adjustment { reason: own.words(), points: own.points });
+        own.into_iter().chain(self.terms.late.clone()).chain(self.adjustments.iter().cloned()).collect()
+    }
+
+    /// The points that the tests can give, own tests among them.
+    #[must_use]
+    pub fn max_points(&self) -> Points {
+        let own = self.terms.own_tests.as_ref().map_or(Points::ZERO, |own| own.max_points);
+        self.tests.iter().map(|test| test.max_points).sum::<Points>() + own
+    }
+}
+
+/// What a course adds to the verdicts of the tests.
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+pub struct Terms {
+    /// When it was handed in, as far as that is known.
+    pub handed_in: Option<HandedIn>,
+    /// What lateness costs.
+    pub late: Option<Adjustment>,
+    /// What the student's own tests gave.
+    pub own_tests: Option<OwnTests>,
+    /// Nobody who handed something in gets less.
+    pub least: Option<Points>,
+    /// Nobody gets more.
+    pub most: Option<Points>,
+}
+
+/// When something was handed in, and how that is known.
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+pub struct HandedIn {
+    /// When: `2026-10-12 23:59:00+02:00`.
+    pub at: Option<String>,
+    /// Whether the course system marks it as late, without a time.
+    #[serde(default)]
+    pub marked_late: bool,
+    /// The due date of this student, if it is another one than that of the course.
+    #[serde(default)]
+    pub due: Option<String>,
+    /// Where this is known from: `the metadata of Gradescope`, `the time of the file, ...`.
+    pub known_from: String,
+}
+
+impl HandedIn {
+    /// "2026-10-12 23:59:00+02:00, by the metadata of Gradescope".
+    #[must_use]
+    pub fn words(&self) -> String {
+        let when = match (&self.at, self.marked_late) {
+            (Some(at), _) => at.as_str(),
+            (None, true) => "late",
+            (None, false) => "in time",
+        };
+        let due = self.due.iter().map(|due| format!("; an own due date, {due}"));
+        format!("{when}, by {}{}", self.known_from, due.collect::<String>())
+    }
+}
+
+/// What came of a student's own tests.
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+pub struct OwnTests {
+    /// How many cases expect what the solution answers, too.
+    pub cases: usize,
+    /// How many known mistakes these catch; of how many.
+    pub caught: usize,
+    /// How many known mistakes there are.
+    pub known: usize,
+    /// What is wrong with the other cases, a sentence each.
+    pub problems: Vec<String>,
+    /// What they are worth.
+    pub points: Points,
+    /// What they can be worth.
+    pub max_points: Points,
+}
+
+impl OwnTests {
+    /// Says what catching all known mistakes is worth; catching some is worth their share.
+    pub fn be_worth(&mut self, all: Points) {
+        self.max_points = all;
+        self.points = all.part(self.caught, self.known);
+    }
+
+    /// "own tests: 3 cases catch 17 of 69 known mistakes".
+    #[must_use]
+    pub fn words(&self) -> String {
+        let cases = if self.cases == 1 { "case catches" } else { "cases catch" };
+        format!("own tests: {} {cases} {} of {} known mistakes", self.cases, self.caught, self.known)
     }
 }
 
@@ -132,7 +231,7 @@ pub struct Adjustment {
     /// What for: `answers`, `two days late`.
     pub reason: String,
     /// How many; negative to take some.
-    pub points: i32,
+    pub points: Points,
 }
 
 /// Another submission whose graded files look like this one's.
@@ -158,9 +257,9 @@ pub struct TestResult {
     /// What came of it.
     pub verdict: Verdict,
     /// What is earned: all of `max_points`, or nothing.
-    pub points: u32,
+    pub points: Points,
     /// What it is worth.
-    pub max_points: u32,
+    pub max_points: Points,
     /// Who may see it when.
     pub visibility: Visibility,
     /// What happened, in one or two sentences; the panic message of a crash.
@@ -191,7 +290,7 @@ impl TestResult {
             title: test.title.clone(),
             task: test.task,
             verdict,
-            points: if verdict.is_passed() { test.points } else { 0 },
+            points: if verdict.is_passed() { test.points } else { Points::ZERO },
             max_points: test.points,
             visibility: test.visibility,
             message: String::new(),
@@ -256,11 +355,10 @@ pub struct Barrier {
 
 #[cfg(test)]
 mod tests {
-    use super::{Adjustment, Report, Verdict};
+    use super::{Adjustment, OwnTests, Points, Report, Terms, Verdict};
 
-    #[test]
-    fn adjustments_count_and_no_score_is_negative() {
-        let mut report = Report {
+    fn empty() -> Report {
+        Report {
             kit: String::new(),
             lab: String::new(),
             lab_version: String::new(),
@@ -272,13 +370,35 @@ mod tests {
             sandbox: Vec::new(),
             printed: String::new(),
             attachments: Vec::new(),
-            adjustments: vec![Adjustment { reason: "answers".to_owned(), points: 5 }],
+            adjustments: Vec::new(),
             notes: Vec::new(),
             similar: Vec::new(),
+            terms: Terms::default(),
             millis: 0,
-        };
-        assert_eq!(report.points(), 5);
-        report.adjustments.push(Adjustment { reason: "late".to_owned(), points: -9 });
-        assert_eq!(report.points(), 0);
+        }
+    }
+
+    #[test]
+    fn adjustments_count_and_no_score_is_negative() {
+        let mut report = empty();
+        report.adjustments.push(Adjustment { reason: "answers".to_owned(), points: 5.into() });
+        assert_eq!(report.points(), Points::from(5));
+        report.adjustments.push(Adjustment { reason: "late".to_owned(), points: (-9).into() });
+        assert_eq!(report.points(), Points::ZERO);
+        report.terms.least = Some(2.into());
+        assert_eq!(report.points(), Points::from(2));
+    }
+
+    #[test]
+    fn own_tests_and_lateness_count_and_bounds_come_last() {
+        let mut report = empty();
+        let own = OwnTests { points: 4.into(), max_points: 5.into(), ..OwnTests::default() };
+        report.terms.own_tests = Some(own);
+        assert_eq!((report.earned(), report.points(), report.max_points()), (4.into(), 4.into(), 5.into()));
+        report.terms.late = Some(Adjustment { reason: "late".to_owned(), points: (-1).into() });
+        report.adjustments.push(Adjustment { reason: "answers".to_owned(), points: "7.5".parse().unwrap() });
+        assert_eq!((report.points(), report.all_adjustments().len()), ("10.5".parse().unwrap(), 3));
+        report.terms.most = Some(10.into());
+        assert_eq!(report.points(), 10);
     }
 }

@@ -59,7 +59,7 @@ fn only_the_students_file_is_taken() {
             _ => (Verdict::Unattempted, 0),
         };
         let verdicts: Vec<_> = report.tests.iter().map(|test| (&test.name, test.verdict, &test.message)).collect();
-        assert_eq!((report.verdict, report.points()), expected, "{name}: {} {verdicts:?}", message(&report));
+        assert_eq!((report.verdict, report.points().rounded()), expected, "{name}: {} {verdicts:?}", message(&report));
         if *name == "the right one" {
             assert_eq!(report.attachments, [("answers.md".to_owned(), "Because.".to_owned())]);
         }
@@ -134,7 +134,7 @@ fn a_build_has_a_deadline() {
     let options = class.options();
     let options = GradeOptions { build: Limits { seconds: 0.02, ..options.build }, ..options };
     let report = class.grade(&[right], &options).remove(0);
-    assert_eq!((report.verdict, report.points()), (Verdict::TimedOut, 0));
+    assert_eq!((report.verdict, report.points().rounded()), (Verdict::TimedOut, 0));
     assert!(message(&report).contains("did not finish"), "{}", message(&report));
     class.assert_nothing_is_left();
 }

@@ -280,7 +280,7 @@ fn a_class_is_graded_and_written_in_every_format() {
     again("--names names.csv --adjust late.csv --report json=final.json").fine();
     let last = reports(&shell.path("final.json"));
     assert_eq!(last[0].submission.as_deref(), Some("Anna A."));
-    assert_eq!(last[1].points(), graded[1].points() - 10);
+    assert_eq!(last[1].points(), graded[1].points() - 10.into());
     assert_eq!((last[4].submission.as_deref(), last[4].verdict), (Some("Emil E."), Verdict::Unattempted));
 
     assert_eq!(again("--fail-under 50").code, Some(1));

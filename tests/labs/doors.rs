@@ -127,7 +127,7 @@ fn every_door_gives_the_same_verdict() {
         }
         graded.push(by_grade.points());
     }
-    assert_eq!((graded[0], graded[1]), (100, 0));
+    assert_eq!((graded[0], graded[1]), (100.into(), 0.into()));
     assert_eq!(fs::read_dir(shell.path("bench")).unwrap().count(), 1, "one place for all checks");
     drop(bench);
     assert_eq!(fs::read_dir(shell.path("bench")).unwrap().count(), 0, "and none afterwards");

@@ -4,6 +4,7 @@
 mod alike;
 mod class;
 mod commands;
+mod course;
 mod doors;
 mod examples;
 mod own_lab;

@@ -46,7 +46,10 @@ impl<'a> Class<'a> {
     pub(super) fn new(args: &'a Args, lab: &Lab, lists: &Resolved, count: usize) -> Result<Self, Failure> {
         let missing = lists.missing(lab);
         let inputs: Vec<&PathBuf> =
-            [&args.names, &args.adjust, &args.secret, &args.from_report].into_iter().flatten().collect();
+            [&args.names, &args.adjust, &args.secret, &args.from_report, &args.course, &args.metadata, &args.times]
+                .into_iter()
+                .flatten()
+                .collect();
         let class = args.all_in.as_deref();
         Target::check_all(&args.reports, count + missing.len(), &inputs, class)?;
         let mut names = lists.names.clone();

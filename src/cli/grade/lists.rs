@@ -6,10 +6,18 @@
 //!   s1235,Ben Bach             s1235,-10,two days late
 //! ```
 //!
+//! And times, by which a course counts lateness; `due` is for who has a date of their own, and may be left out:
+//!
+//! ```text
+//!   submission,handed_in,due
+//!   s1234,2026-10-13T01:30:00+02:00,2026-10-14T23:59:00+02:00
+//! ```
+//!
 //! Everything in them is checked before the first submission is graded.
 
 use super::super::{Failure, failure};
-use dcel_lab::{Adjustment, Lab, Report, Verdict};
+use dcel_lab::course::CourseLab;
+use dcel_lab::{Adjustment, HandedIn, Lab, Report, Verdict};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
@@ -20,6 +28,7 @@ use std::path::Path;
 pub(super) struct Lists {
     names: Vec<Name>,
     adjustments: Vec<Points>,
+    times: Vec<(String, HandedIn)>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -33,8 +42,17 @@ struct Name {
 #[serde(deny_unknown_fields)]
 struct Points {
     submission: String,
-    points: i32,
+    points: dcel_lab::Points,
     reason: String,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct TimeOf {
+    submission: String,
+    handed_in: String,
+    #[serde(default)]
+    due: Option<String>,
 }
 
 /// What the lists say, submission by submission.
@@ -45,6 +63,7 @@ pub(super) struct Resolved {
     adjustments: Vec<Vec<Adjustment>>,
     /// Those in the list of names who handed in nothing.
     missing: Vec<(String, Vec<Adjustment>)>,
+    times: Vec<Option<HandedIn>>,
 }
 
 impl Lists {
@@ -56,7 +75,24 @@ impl Lists {
                 return Err(Failure::input(what, "keep one of the lines"));
             }
         }
-        Ok(Self { names, adjustments: adjust.map_or(Ok(Vec::new()), |file| rows(file, "submission,points,reason"))? })
+        let adjustments = adjust.map_or(Ok(Vec::new()), |file| rows(file, "submission,points,reason"))?;
+        Ok(Self { names, adjustments, times: Vec::new() })
+    }
+
+    /// With a list of times, for a lab of a course.
+    pub(super) fn with_times(mut self, file: &Path, lab: &CourseLab) -> Result<Self, Failure> {
+        for row in rows::<TimeOf>(file, "submission,handed_in")? {
+            let handed_in = lab.by_list(&row.handed_in, row.due.as_deref()).map_err(|what| {
+                let what = format!("{}: {}: {what}", file.display(), row.submission);
+                Failure::input(what, "write the time with its clock: 2026-10-12T23:59:00+02:00")
+            })?;
+            if self.times.iter().any(|(name, _)| *name == row.submission) {
+                let what = format!("{}: `{}` is there twice", file.display(), row.submission);
+                return Err(Failure::input(what, "keep the line that counts"));
+            }
+            self.times.push((row.submission, handed_in));
+        }
+        Ok(self)
     }
 
     /// Finds for each line the submission it means. `own` are the submissions' own names; `is_called(i, name)` says
@@ -79,6 +115,7 @@ impl Lists {
             names: own.iter().map(|&name| name.to_owned()).collect(),
             adjustments: vec![Vec::new(); own.len()],
             missing: Vec::new(),
+            times: vec![None; own.len()],
         };
         let mut listed = vec![false; own.len()];
         for name in &self.names {
@@ -108,6 +145,11 @@ impl Lists {
                     return Err(Failure::input(what, "write it as the file or folder is called"));
                 }
             }
+        }
+        for (name, handed_in) in &self.times {
+            let what = || format!("there is a time for `{name}`, but no such submission");
+            let i = find(name)?.ok_or_else(|| Failure::input(what(), "write it as the file or folder is called"))?;
+            resolved.times[i] = Some(handed_in.clone());
         }
         resolved.tell_apart(own);
         for (name, _) in own.iter().zip(listed).filter(|(_, listed)| !listed && !self.names.is_empty()) {
@@ -143,6 +185,11 @@ impl Resolved {
                 report.adjustments.push(adjustment.clone());
             }
         }
+    }
+
+    /// The time that a list says for submission `i`.
+    pub(super) fn time(&self, i: usize) -> Option<HandedIn> {
+        self.times[i].clone()
     }
 
     /// The reports of those who handed in nothing.

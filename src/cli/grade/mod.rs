@@ -12,12 +12,15 @@
 //!   class.rs    The reports of a class on their way into files
 //!   lists.rs    Lists of the class
 //!   signals.rs  Ctrl-C and the like, as a wish to stop
+//!   targets.rs  Where reports go
+//!   terms.rs    What a course says of the lab, and when each submission was handed in
 //! ```
 
 mod class;
 mod lists;
 mod signals;
 mod targets;
+mod terms;
 
 use super::{Answer, Failure, Output, failure};
 use class::{Class, KEPT};
@@ -32,6 +35,7 @@ use std::io::{IsTerminal, Write};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use targets::Target;
+use terms::Terms;
 
 /// Grade one submission, or a whole class
 #[derive(clap::Args, Debug)]
@@ -53,6 +57,11 @@ is graded (a submission, the lab, a limit, the seed, this program or rustc).
 Submissions that look alike are named in the reports of a class, names and comments aside, and never in those that
 a student gets. Compare them yourself: honest answers to small tasks are similar.
 
+--course FILE takes points, needs, limits, visibility, bounds, hidden cases, the due date and the late rule from a
+course.toml (labs/README.md has a whole one). When something was handed in is taken from --times, else from --metadata,
+else from the LATE in a name of Canvas, and for want of a better one from the time of the file; the report says which.
+With --from-report a changed course is applied to what was graded before.
+
 Formats: text html markdown json junit csv bugs hold a class; gradescope classroom50 exercism hold one submission:
 with several, write {submission} where its name shall stand in the file's.
 
@@ -64,6 +73,7 @@ Examples:
   dcel grade 04 --all-in submissions --results graded
   dcel grade 04 --all-in submissions.zip --report html=class.html --report csv=class.csv
   dcel grade 04 lab.rs --report gradescope=results.json
+  dcel grade 04 --all-in submissions --course course.toml --results graded
   dcel grade 04 --from-report class.json --adjust late.csv --report csv=final.csv")]
 pub(crate) struct Args {
     /// The lab: its name, or its number
@@ -102,6 +112,15 @@ pub(crate) struct Args {
     /// Points for answers or lateness, CSV with the columns submission,points,reason
     #[arg(long, value_name = "FILE")]
     adjust: Option<PathBuf>,
+    /// A course: points, limits, due date and late rule of this lab
+    #[arg(long, value_name = "FILE")]
+    course: Option<PathBuf>,
+    /// When the one submission was handed in: the submission_metadata.json of Gradescope
+    #[arg(long, value_name = "FILE", requires = "course", conflicts_with = "times")]
+    metadata: Option<PathBuf>,
+    /// When each was handed in, CSV with the columns submission,handed_in and, for who has an own date, due
+    #[arg(long, value_name = "FILE", requires = "course")]
+    times: Option<PathBuf>,
     /// Exit code 1 if a submission has less than this share of the points, in percent
     #[arg(long, value_name = "PERCENT")]
     fail_under: Option<f64>,
@@ -122,16 +141,18 @@ impl Args {
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let lab = super::lab::lab(&args.lab)?;
-    let lists = Lists::read(args.names.as_deref(), args.adjust.as_deref())?;
+    let terms = Terms::read(args, &lab)?;
+    let lab = terms.applied_to(lab);
+    let lists = terms.lists(Lists::read(args.names.as_deref(), args.adjust.as_deref())?, args.times.as_deref())?;
     let (reports, end) = match &args.from_report {
-        Some(place) => (again(args, &lab, &lists, stored(place)?, out)?, None),
-        None => graded(args, &lab, &lists, out)?,
+        Some(place) => (again(args, &lab, &terms, &lists, stored(place)?, out)?, None),
+        None => graded(args, &lab, &terms, &lists, out)?,
     };
     if let Some(failure) = end {
         out.flush()?;
         return Err(failure);
     }
-    let share = |report: &Report| f64::from(report.points()) * 100.0 / f64::from(report.max_points().max(1));
+    let share = |report: &Report| report.points().as_f64() * 100.0 / report.max_points().as_f64().max(1e-9);
     let too_low = args.fail_under.is_some_and(|least| reports.iter().any(|report| share(report) < least));
     Ok(if too_low { Answer::No } else { Answer::Yes })
 }
@@ -140,14 +161,21 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
 fn again(
     args: &Args,
     lab: &Lab,
+    terms: &Terms,
     lists: &Lists,
     mut reports: Vec<Report>,
     out: &mut Output,
 ) -> Result<Vec<Report>, Failure> {
     let own: Vec<&str> = reports.iter().map(|report| report.submission.as_deref().unwrap_or_default()).collect();
+    if let Some(other) = reports.iter().find(|report| report.lab != lab.name) {
+        let what = format!("a stored report is of {}, not of {}", other.lab, lab.name);
+        return Err(Failure::input(what, format!("write `dcel grade {}`", other.lab)));
+    }
+    terms.check_count(reports.len())?;
     let lists = lists.resolve(&own, |_, _| false)?;
     for (i, report) in reports.iter_mut().enumerate() {
         lists.apply(i, report);
+        terms.settle(report, lists.time(i));
     }
     let mut class = Class::new(args, lab, &lists, reports.len())?;
     for (i, report) in reports.into_iter().enumerate() {
@@ -158,19 +186,27 @@ fn again(
 
 /// Grades the submissions, and writes the reports as they come; a bar shows how far it is where somebody watches.
 /// What is there is written, also if it is not all: then with the reason.
-fn graded(args: &Args, lab: &Lab, lists: &Lists, out: &mut Output) -> Result<(Vec<Report>, Option<Failure>), Failure> {
+fn graded(
+    args: &Args,
+    lab: &Lab,
+    terms: &Terms,
+    lists: &Lists,
+    out: &mut Output,
+) -> Result<(Vec<Report>, Option<Failure>), Failure> {
     let submissions = Submission::class(&args.submissions, args.all_in.as_deref()).map_err(|error| no_class(&error))?;
+    terms.check_count(submissions.len())?;
     let own: Vec<&str> = submissions.iter().map(Submission::name).collect();
     let lists = lists.resolve(&own, |i, name| submissions[i].is_called(name))?;
     let mut class = Class::new(args, lab, &lists, submissions.len())?;
     let kept = args.cache.clone().or_else(|| args.results.as_ref().map(|results| results.join(KEPT)));
     let secret = args.secret.as_deref().map(|file| secret(file, lab)).transpose()?;
+    let secret = secret.or_else(|| terms.secret().map(|(_, secret)| secret.clone()));
     let plan = Plan { secret, ..plan(args, kept.as_deref())? };
     let stop = Stop::new();
     let signals = Signals::wish(&stop).map_err(|error| Failure::machine(format!("signals: {error}"), ""))?;
     let options = GradeOptions {
         workers: args.workers,
-        hidden: hidden(args),
+        hidden: hidden(args, terms),
         cache: kept,
         keep_deadlines: args.results.is_some(),
         again: args.again,
@@ -188,6 +224,7 @@ fn graded(args: &Args, lab: &Lab, lists: &Lists, out: &mut Output) -> Result<(Ve
             bar.suspend(|| failure::say("grader fault", format_args!("{}: {message}", submissions[i].name())));
         }
         lists.apply(i, &mut report);
+        terms.settle(&mut report, terms.when(&lists, i, &submissions[i]));
         if let Err(error) = class.take(i, report, out)
             && failed.is_none()
         {
@@ -259,13 +296,15 @@ fn plan(args: &Args, kept: Option<&Path>) -> Result<Plan, Failure> {
 }
 
 /// What no submission may see. The labs are those of the checkout that this program was built from.
-fn hidden(args: &Args) -> Vec<Hidden> {
+fn hidden(args: &Args, terms: &Terms) -> Vec<Hidden> {
     let labs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../labs");
-    let lists = args.names.iter().chain(&args.adjust).chain(&args.cache).chain(&args.results).cloned();
+    let lists =
+        args.names.iter().chain(&args.adjust).chain(&args.times).chain(&args.cache).chain(&args.results).cloned();
     let things = [
         ("the labs with their solutions", vec![labs]),
         ("what was handed in", args.submissions.iter().chain(&args.all_in).cloned().collect()),
-        ("the instructor's secret", args.secret.iter().cloned().collect()),
+        ("the instructor's secret", args.secret.iter().chain(terms.secret().map(|(file, _)| file)).cloned().collect()),
+        ("the course", args.course.iter().chain(&args.metadata).cloned().collect()),
         ("the class lists", lists.collect::<Vec<_>>()),
     ];
     let there = |paths: &[PathBuf]| paths.iter().any(|path| path.exists());

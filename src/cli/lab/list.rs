@@ -2,7 +2,7 @@
 
 use super::super::{Answer, Failure, Output, output};
 use super::lab;
-use dcel_lab::{Lab, LabFiles, Test};
+use dcel_lab::{Lab, LabFiles, Points, Test};
 use serde::Serialize;
 use std::io::Write;
 
@@ -27,7 +27,7 @@ pub(crate) struct Args {
 struct Listed {
     name: String,
     title: String,
-    points: u32,
+    points: Points,
     tasks: Vec<TaskListed>,
 }
 
@@ -42,7 +42,7 @@ struct TaskListed {
 struct TestListed {
     name: String,
     title: String,
-    points: u32,
+    points: Points,
 }
 
 impl Listed {

@@ -1,4 +1,7 @@
 //! `result.json` of Classroom 50, schema `classroom50/result/v1`: whole points, keys with hyphens.
+//!
+//! Fractions of points are rounded to whole ones, a half upwards, each number by itself: the sum of the tests may differ
+//! from the score by as much.
 
 use super::pretty;
 use crate::{Report, TestResult};
@@ -10,14 +13,14 @@ pub(super) fn write(report: &Report) -> String {
         json!({
             "test-name": test.name,
             "passed": test.verdict.is_passed(),
-            "score": test.points,
-            "max-score": test.max_points,
+            "score": test.points.rounded(),
+            "max-score": test.max_points.rounded(),
         })
     };
     pretty(&json!({
         "schema": "classroom50/result/v1",
-        "score": report.points(),
-        "max-score": report.max_points(),
+        "score": report.points().rounded(),
+        "max-score": report.max_points().rounded(),
         "tests": report.tests.iter().map(entry).collect::<Vec<_>>(),
     }))
 }

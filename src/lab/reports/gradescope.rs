@@ -18,18 +18,18 @@ pub(super) fn write(report: &Report) -> String {
         output.push_str(&report.printed);
     }
     let mut tests: Vec<Value> = report.tests.iter().enumerate().map(|(i, test)| entry(i, test)).collect();
-    tests.extend(report.adjustments.iter().enumerate().map(|(i, adjustment)| {
+    tests.extend(report.all_adjustments().iter().enumerate().map(|(i, adjustment)| {
         json!({
             "name": adjustment.reason,
             "number": format!("99.{:02}", i + 1),
-            "score": adjustment.points,
+            "score": adjustment.points.as_f64(),
             "max_score": 0,
             "status": "passed",
             "visibility": "visible",
         })
     }));
     pretty(&json!({
-        "score": report.points(),
+        "score": report.points().as_f64(),
         "execution_time": report.millis as f64 / 1000.0,
         "output": output,
         "output_format": "text",
@@ -58,8 +58,8 @@ fn entry(i: usize, test: &TestResult) -> Value {
     json!({
         "name": format!("{}: {}", test.name, test.title),
         "number": format!("{}.{:02}", test.task, i + 1),
-        "score": test.points,
-        "max_score": test.max_points,
+        "score": test.points.as_f64(),
+        "max_score": test.max_points.as_f64(),
         "status": if test.verdict.is_passed() { "passed" } else { "failed" },
         "output": format!("{}\n{}", test.verdict, words::of_test(test)),
         "output_format": "text",

@@ -17,7 +17,7 @@
 //! not be read: a narrow screen scrolls them. "Enlarge" shows one alone, by its place on the page.
 
 use super::words;
-use crate::{Picture, Report, TestResult, Verdict};
+use crate::{Picture, Points, Report, TestResult, Verdict};
 use std::fmt::Write;
 
 const CSS: &str = include_str!("html.css");
@@ -58,7 +58,7 @@ pub(super) fn submission(out: &mut String, report: &Report, number: usize, alone
         table(out, &format!("<caption>{title}</caption>"), &open);
     }
     if !passed.is_empty() {
-        let points: u32 = passed.iter().map(|test| test.points).sum();
+        let points: Points = passed.iter().map(|test| test.points).sum();
         let tests = if passed.len() == 1 { "test" } else { "tests" };
         let _ = writeln!(
             out,
@@ -68,7 +68,7 @@ pub(super) fn submission(out: &mut String, report: &Report, number: usize, alone
         table(out, "", &passed);
         out.push_str("</details>\n");
     }
-    for adjustment in &report.adjustments {
+    for adjustment in report.all_adjustments() {
         let _ = writeln!(out, "<p>{:+} points: {}</p>", adjustment.points, escaped(&adjustment.reason));
     }
     for (name, text) in &report.attachments {

@@ -52,7 +52,7 @@ fn submission(out: &mut String, report: &Report) {
         let _ =
             writeln!(out, "| `{}` {title} | {} | {} of {} |", test.name, test.verdict, test.points, test.max_points);
     }
-    for adjustment in &report.adjustments {
+    for adjustment in report.all_adjustments() {
         let _ = writeln!(out, "| {} | | {:+} |", cell(&adjustment.reason), adjustment.points);
     }
     if report.message.is_none() {

@@ -32,7 +32,7 @@ pub(super) fn write(reports: &[Report]) -> String {
             report.tests.iter().find(|t| t.name == *name).map_or_else(String::new, |t| t.points.to_string())
         }));
         let adjustments: Vec<String> =
-            report.adjustments.iter().map(|a| format!("{}: {:+}", a.reason, a.points)).collect();
+            report.all_adjustments().iter().map(|a| format!("{}: {:+}", a.reason, a.points)).collect();
         let bugs: Vec<String> =
             super::bugs::count(std::slice::from_ref(report)).into_iter().map(|(bug, _)| bug).collect();
         let message = report.message.as_deref().and_then(|m| m.lines().next()).unwrap_or_default();

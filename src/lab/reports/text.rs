@@ -30,7 +30,7 @@ pub(super) fn one(report: &Report) -> String {
         let points = format!("{}/{}", test.points, test.max_points);
         let _ = writeln!(out, "  {:VERDICT$} {points:>5}  {}", test.verdict.word(), test.name);
     }
-    for adjustment in &report.adjustments {
+    for adjustment in report.all_adjustments() {
         let _ = writeln!(out, "  {:+} points: {}", adjustment.points, adjustment.reason);
     }
     if report.message.is_none() {

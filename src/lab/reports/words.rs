@@ -1,6 +1,6 @@
 //! What a test found, as lines of plain text: the same words in every format.
 
-use crate::{Report, Similar, TestResult, Verdict};
+use crate::{Points, Report, Similar, TestResult, Verdict};
 use std::fmt::Write;
 
 /// What happened in one test, without its name and verdict: message, place, findings, bug, script, replay, what to
@@ -64,7 +64,7 @@ pub(super) fn to_replay(test: &TestResult) -> String {
 /// How a submission stands, in a few words: a verdict, or how far it is.
 pub(super) fn standing(report: &Report) -> &'static str {
     match report.verdict {
-        Verdict::Unattempted | Verdict::Skipped if report.points() > 0 => "not finished",
+        Verdict::Unattempted | Verdict::Skipped if report.points() > Points::ZERO => "not finished",
         Verdict::Unattempted | Verdict::Skipped => "not begun",
         verdict => verdict.word(),
     }
@@ -127,6 +127,12 @@ pub(super) fn circumstances(report: &Report) -> Vec<String> {
         format!("Lab {} version {}, kit {}.", report.lab, report.lab_version, report.kit),
         format!("Seed {}: LAB_SEED={} gives the same random cases.", report.seed, report.seed),
     ];
+    lines.extend(report.terms.handed_in.iter().map(|when| format!("Handed in: {}.", line(&when.words()))));
+    if let Some(own) = &report.terms.own_tests {
+        let words = line(&own.words());
+        lines.push(format!("{}{}.", words[..1].to_uppercase(), &words[1..]));
+        lines.extend(own.problems.iter().map(|problem| format!("Own tests: {}.", line(problem))));
+    }
     lines.extend(report.notes.iter().map(|note| format!("Note: {}.", line(note))));
     let up: Vec<&str> = report.sandbox.iter().filter(|w| w.missing.is_none()).map(|w| w.name.as_str()).collect();
     if !up.is_empty() {

@@ -16,6 +16,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
 /// The longest file and the longest archive that is taken out of the archive of a class, and all of them together.
 const LONGEST: [u64; 2] = [1 << 20, 8 << 20];
@@ -32,6 +33,8 @@ pub struct Submission {
     /// Longer and longer names; the last is as telling as there is.
     names: Vec<String>,
     pub(super) notes: Vec<String>,
+    /// Whether the course system marks it as late; `None` if it marks nothing.
+    marked_late: Option<bool>,
     pub(super) from: Source,
 }
 
@@ -72,8 +75,10 @@ impl Submission {
         let link = fs::read_link(path).ok().map(|to| format!("this is a link to {}", to.display()));
         let mut notes: Vec<String> = link.into_iter().collect();
         let file = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-        notes.extend(Lms::parse(&file).and_then(Lms::note));
-        Self { name: names[0].clone(), names, notes, from: Source::Path(path.to_path_buf()) }
+        let lms = Lms::parse(&file);
+        notes.extend(lms.and_then(Lms::note));
+        let marked_late = lms.and_then(Lms::mark);
+        Self { name: names[0].clone(), names, notes, marked_late, from: Source::Path(path.to_path_buf()) }
     }
 
     /// Every submission of a class: those named one by one, and those in a folder or an archive of them. All have
@@ -104,6 +109,33 @@ impl Submission {
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// Whether the course system marks it as late; `None` if its names tell nothing of that.
+    #[must_use]
+    pub fn marked_late(&self) -> Option<bool> {
+        self.marked_late
+    }
+
+    /// When the youngest of these files was changed last, by the clock of this machine; `None` where that is not known.
+    /// Archives count as one file.
+    #[must_use]
+    pub fn changed(&self, files: &[String]) -> Option<SystemTime> {
+        let time = |path: &Path| fs::symlink_metadata(path).ok()?.modified().ok();
+        let wanted: Vec<&str> = files.iter().map(|file| file.rsplit('/').next().unwrap_or(file)).collect();
+        match &self.from {
+            Source::Path(path) if path.is_dir() => {
+                let parts = parts::of_folder(path, &wanted).unwrap_or_default();
+                let on_disk = |part: Part| match part.content {
+                    Content::OnDisk(path) => time(&path),
+                    _ => None,
+                };
+                parts.into_iter().filter_map(on_disk).max()
+            }
+            Source::Path(path) => time(path),
+            Source::Paths(paths) => paths.iter().filter_map(|(_, path)| time(path)).max(),
+            _ => None,
+        }
     }
 
     /// What is odd about how it was handed in.
@@ -173,6 +205,8 @@ struct Lms<'a> {
     late: bool,
     /// A text typed into a form, not a file.
     typed: bool,
+    /// Moodle, which marks nothing as late.
+    of_moodle: bool,
 }
 
 impl<'a> Lms<'a> {
@@ -185,7 +219,7 @@ impl<'a> Lms<'a> {
         let (who, what) = text.split_once("_assignsubmission_")?;
         let (name, id) = who.rsplit_once('_').filter(|(name, id)| !name.is_empty() && is_number(id))?;
         let (kind, file) = what.split_once('_').unwrap_or((what, ""));
-        Some(Self { name, id, file, late: false, typed: kind != "file" })
+        Some(Self { name, id, file, late: false, typed: kind != "file", of_moodle: true })
     }
 
     /// `arndtanna_LATE_4711_90210_lab.rs`: name, perhaps late, person, upload, file.
@@ -195,7 +229,19 @@ impl<'a> Lms<'a> {
         let (id, rest) = late.unwrap_or(rest).split_once('_')?;
         let (upload, file) = rest.split_once('_')?;
         let numbers = [id, upload].iter().all(|number| number.len() >= 3 && is_number(number));
-        (numbers && !file.is_empty()).then_some(Self { name, id, file, late: late.is_some(), typed: false })
+        (numbers && !file.is_empty()).then_some(Self {
+            name,
+            id,
+            file,
+            late: late.is_some(),
+            typed: false,
+            of_moodle: false,
+        })
+    }
+
+    /// Whether it is marked as late. Only Canvas marks names.
+    fn mark(self) -> Option<bool> {
+        (!self.of_moodle).then_some(self.late)
     }
 
     fn note(self) -> Option<String> {
@@ -240,6 +286,7 @@ fn in_folder(folder: &Path) -> Result<Vec<Submission>, ClassError> {
                 let new: Vec<String> =
                     submission.notes.into_iter().filter(|note| !known.notes.contains(note)).collect();
                 known.notes.extend(new);
+                known.marked_late = known.marked_late.max(submission.marked_late);
                 if let Source::Paths(paths) = &mut known.from {
                     // What was typed into a form beside the files is none of them.
                     if !lms.typed {
@@ -279,8 +326,10 @@ fn in_archive(path: &Path) -> Result<Vec<Submission>, ClassError> {
         };
         let group = groups.entry(key).or_insert_with(|| {
             let names = short_names(top);
-            Submission { name: names[0].clone(), names, notes: Vec::new(), from: Source::Packed(Vec::new()) }
+            let (notes, marked_late) = (Vec::new(), lms.and_then(Lms::mark));
+            Submission { name: names[0].clone(), names, notes, marked_late, from: Source::Packed(Vec::new()) }
         });
+        group.marked_late = group.marked_late.max(lms.and_then(Lms::mark));
         if let Some(note) = lms.and_then(Lms::note).filter(|note| !group.notes.contains(note)) {
             group.notes.push(note);
         }

@@ -1,0 +1,130 @@
+//! What a course.toml does to the grades of a class.
+
+use crate::shell::Folder;
+use dcel_lab::{Lab, Report, Verdict};
+use std::fs;
+
+const COURSE: &str = r#"title = "Geometry"
+utc_offset = "+02:00"
+
+[late]
+every = "day"
+takes = "1/3"
+grace_minutes = 10
+
+[[lab]]
+name = "04-half-edge"
+due = 2026-10-12T23:59:00
+most = 104
+test.face_walk = { points = 7.5 }
+test.face_vertices = { points = 4.5 }
+"#;
+
+/// A stored class of three, each of whom has all points of lab 04 but those of the last test.
+fn stored(shell: &Folder) {
+    let lab = Lab::bundled("04").unwrap();
+    let report = |name: &str| {
+        let mut report = Report::untested(&lab.manifest, Verdict::Wrong, "x");
+        report.message = None;
+        report.submission = Some(name.to_owned());
+        let last = report.tests.len() - 1;
+        for test in &mut report.tests[..last] {
+            (test.verdict, test.points) = (Verdict::Passed, test.max_points);
+        }
+        report
+    };
+    shell.write("class.json", &serde_json::to_string(&["anna", "ben", "cara"].map(report)).unwrap());
+}
+
+fn points(shell: &Folder, file: &str) -> Vec<String> {
+    let reports: Vec<Report> = serde_json::from_str(&shell.read(file)).unwrap();
+    reports.iter().map(|report| report.points().to_string()).collect()
+}
+
+#[test]
+fn a_changed_course_is_applied_to_what_was_graded_before() {
+    let shell = Folder::new();
+    stored(&shell);
+    shell.write("course.toml", COURSE);
+    shell.write(
+        "times.csv",
+        "submission,handed_in,due\nanna,2026-10-12T21:59:00Z,\nben,2026-10-13T00:20:00+02:00,\n\
+         cara,2026-10-14T12:00:00+02:00,2026-10-14T23:59:00+02:00\n",
+    );
+    let again = "grade 04 --from-report class.json --course course.toml --times times.csv";
+    shell.dcel(&format!("{again} --report json=out.json --report csv=out.csv")).fine();
+    assert_eq!(points(&shell, "out.json"), ["98", "65.333", "98"]);
+    let reports: Vec<Report> = serde_json::from_str(&shell.read("out.json")).unwrap();
+    assert_eq!(reports[0].tests[0].points.to_string(), "7.5");
+    assert!(shell.read("out.csv").contains("late: 1 day after 2026-10-12 23:59:00+02:00, 33.333 % each: -32.667"));
+    assert_eq!(reports[2].terms.handed_in.as_ref().unwrap().due.as_deref(), Some("2026-10-14 23:59:00+02:00"));
+
+    // Once more, from what was written, by a milder rule: nothing is taken twice, and the times are still known.
+    shell.write("course.toml", &COURSE.replace("1/3", "1/4"));
+    shell.write("adjust.csv", "submission,points,reason\nanna,7.5,answers\nben,-0.5,\"no name\"\n");
+    let again = "grade 04 --from-report out.json --course course.toml --adjust adjust.csv --report json=again.json";
+    shell.dcel(again).fine();
+    assert_eq!(points(&shell, "again.json"), ["104", "73", "98"]);
+}
+
+#[test]
+fn when_it_was_handed_in_is_said_with_where_that_is_known_from() {
+    let shell = Folder::new();
+    shell.write("course.toml", COURSE);
+    let refused = |number: usize| format!("use std::fs; // {number}\n");
+    fs::create_dir_all(shell.path("class/cara/src")).unwrap();
+    shell.write("class/arndtanna_4711_90210_lab.rs", &refused(1));
+    shell.write("class/bachben_LATE_4712_90212_lab.rs", &refused(2));
+    shell.write("class/cara/src/lab.rs", &refused(3));
+    let file = fs::File::options().write(true).open(shell.path("class/cara/src/lab.rs")).unwrap();
+    let due = std::time::UNIX_EPOCH + std::time::Duration::from_secs(1_791_842_340);
+    file.set_modified(due + std::time::Duration::from_secs(3600)).unwrap();
+    let grade = "grade 04 --all-in class --course course.toml --seed 1 --report json=out.json --report text=out.txt";
+    shell.dcel(grade).fine();
+    let reports: Vec<Report> = serde_json::from_str(&shell.read("out.json")).unwrap();
+    let words: Vec<String> = reports.iter().map(|report| report.terms.handed_in.as_ref().unwrap().words()).collect();
+    assert_eq!(words[..2], ["in time, by the mark of the course system", "late, by the mark of the course system"]);
+    assert!(words[2].starts_with("2026-10-13 00:59:00+02:00, by the time of the file, for want"), "{}", words[2]);
+    let late = |i: usize| reports[i].terms.late.as_ref().map(|late| late.reason.as_str());
+    assert_eq!(late(0), None);
+    assert!(late(1).unwrap().contains("without a time") && late(2).unwrap().contains("late: 1 day"));
+
+    // Gradescope: the date of this student, not that of all.
+    let one = "grade 04 class/cara --course course.toml --seed 1";
+    let metadata = |own: &str| {
+        format!(
+            r#"{{"created_at": "2026-10-13T12:00:00.5+02:00", "assignment": {{"due_date": "2026-10-12T23:59:00+02:00"}},
+                "users": [{{"name": "Cara", "assignment": {{"due_date": "{own}"}}}}]}}"#
+        )
+    };
+    for (own, late) in [("2026-10-12T23:59:00+02:00", true), ("2026-10-13T23:59:00+02:00", false)] {
+        shell.write("m.json", &metadata(own));
+        shell.dcel(&format!("{one} --metadata m.json --report gradescope=results.json --report json=one.json")).fine();
+        let report: Report = serde_json::from_str(&shell.read("one.json")).unwrap();
+        assert_eq!(report.terms.late.is_some(), late, "{own}");
+        assert!(shell.read("results.json").contains("by the metadata of Gradescope"));
+    }
+}
+
+#[test]
+fn what_does_not_fit_the_course_is_named_before_anything_is_graded() {
+    let shell = Folder::new();
+    stored(&shell);
+    shell.write("course.toml", COURSE);
+    shell.write("wrong.toml", &COURSE.replace("7.5", "8.5"));
+    shell.write("undue.toml", &COURSE.replace("due = ", "# "));
+    shell.write("m.json", "{}");
+    shell.write("times.csv", "submission,handed_in\nanna,yesterday\n");
+    shell.write("nobody.csv", "submission,handed_in\nzoe,2026-10-12T21:59:00Z\n");
+    for (more, error) in [
+        ("--course missing.toml", "missing.toml"),
+        ("--course wrong.toml", "wrong.toml:14:6: the points of the tests of 04-half-edge are 101 together, not 100"),
+        ("--course undue.toml --times times.csv", "undue.toml: 04-half-edge has no due date"),
+        ("--course course.toml --times times.csv", "times.csv: anna: \"yesterday\" is no time"),
+        ("--course course.toml --times nobody.csv", "there is a time for `zoe`"),
+        ("--course course.toml --metadata m.json", "m.json: it has no `created_at`"),
+    ] {
+        shell.dcel(&format!("grade 04 --from-report class.json {more}")).fails(2, error, "");
+    }
+    assert!(!shell.dcel("grade 04 --from-report class.json --times times.csv").err.is_empty());
+}
