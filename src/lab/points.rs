@@ -64,6 +64,12 @@ impl Points {
         (2 * self.0 + UNIT).div_euclid(2 * UNIT)
     }
 
+    /// The number of points, if it is a whole one.
+    #[must_use]
+    pub fn whole(self) -> Option<i64> {
+        (self.0 % UNIT == 0).then_some(self.0 / UNIT)
+    }
+
     /// As it is written in a file, exactly.
     pub(crate) fn written(self) -> String {
         serde_json::to_string(&self).unwrap_or_default()

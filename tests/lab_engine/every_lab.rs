@@ -47,7 +47,7 @@ fn the_manifest_is_the_one_that_the_handout_tells_of() {
         let manifest = manifest(&folder);
         assert_eq!((manifest.name.as_str(), manifest.package), (lab.as_str(), format!("lab-{lab}")));
         assert_eq!(manifest.graded, ["src/lab.rs"], "{lab}");
-        assert_eq!(manifest.tests.iter().map(|test| test.points).sum::<u32>(), 100, "{lab}: points");
+        assert_eq!(manifest.tests.iter().map(|test| test.points).sum::<dcel_lab::Points>(), 100, "{lab}: points");
         let handout = read(&folder, "README.md");
         for test in &manifest.tests {
             let row = format!("| `{}` | {} |", test.name, test.points);

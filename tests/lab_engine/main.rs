@@ -60,7 +60,7 @@ fn right_programs_earn_all_points_whichever_twin_is_new() {
         let report = grade(&Fake { side, ..Fake::right() });
         let open: Vec<_> = report.tests.iter().filter(|test| test.verdict != Verdict::Passed).collect();
         assert!(open.is_empty(), "{side:?}: {open:#?}");
-        assert_eq!((report.points(), report.tests.len(), report.verdict), (100, 18, Verdict::Passed));
+        assert_eq!((report.points(), report.tests.len(), report.verdict), (100.into(), 18, Verdict::Passed));
     }
 }
 
@@ -525,7 +525,7 @@ fn an_answer_without_its_end_is_no_pass() {
     );
     let cut = Fake { printed: Box::new(|out| out[..out.len() * 9 / 10].to_owned()), ..Fake::right() };
     let report = grade(&cut);
-    let passed: Vec<_> = report.tests.iter().filter(|test| test.points > 0).collect();
+    let passed: Vec<_> = report.tests.iter().filter(|test| test.points > 0.into()).collect();
     assert!(passed.is_empty(), "{passed:#?}");
     let undone = Fake { printed: Box::new(|out| out.replace("done", "gone")), ..Fake::right() };
     assert_eq!(grade(&undone).points(), 0);

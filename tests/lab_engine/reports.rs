@@ -1,19 +1,22 @@
 //! Reports hold what each format promises, for good and for hostile submissions.
 
 use dcel_lab::reports::Format;
-use dcel_lab::{Adjustment, Barrier, Finding, Picture, Report, Similar, TestResult, Verdict, Visibility};
+use dcel_lab::{
+    Adjustment, Barrier, Finding, Picture, Points, Report, Similar, Terms, TestResult, Verdict, Visibility,
+};
 use serde_json::Value;
 
 /// A name that tries to break out of every format.
 const HOSTILE: &str = "=cmd()</script><b>]]>\"'&|`` \u{1}\u{1b}[31m\u{202e}";
 
-fn test(name: &str, task: u32, verdict: Verdict, points: u32) -> TestResult {
+fn test(name: &str, task: u32, verdict: Verdict, points: impl Into<Points>) -> TestResult {
+    let points = points.into();
     TestResult {
         name: name.to_owned(),
         title: format!("what {name} asks"),
         task,
         verdict,
-        points: if verdict.is_passed() { points } else { 0 },
+        points: if verdict.is_passed() { points } else { Points::ZERO },
         max_points: points,
         visibility: Visibility::Visible,
         message: String::new(),
@@ -68,9 +71,10 @@ fn report() -> Report {
         ],
         printed: "debugging\n".to_owned(),
         attachments: vec![("answers.md".to_owned(), "By next.origin.\n".to_owned())],
-        adjustments: vec![Adjustment { reason: "answers".to_owned(), points: 2 }],
+        adjustments: vec![Adjustment { reason: "answers".to_owned(), points: 2.into() }],
         notes: Vec::new(),
         similar: Vec::new(),
+        terms: Terms::default(),
         millis: 700,
     }
 }
@@ -95,7 +99,7 @@ fn broken() -> Report {
     report.verdict = Verdict::DoesNotCompile;
     report.message = Some("error[E0308]: mismatched types\n --> src/lab.rs:3:5".to_owned());
     for test in &mut report.tests {
-        *test = TestResult { verdict: Verdict::DoesNotCompile, points: 0, ..super_plain(test) };
+        *test = TestResult { verdict: Verdict::DoesNotCompile, points: Points::ZERO, ..super_plain(test) };
     }
     report
 }
@@ -130,7 +134,7 @@ fn every_format_is_written_for_every_kind_of_report_and_always_the_same() {
 fn gradescope_gets_the_types_it_asks_for() {
     for report in [report(), hostile(), broken()] {
         let file = json(Format::Gradescope, &report);
-        assert_eq!(file["score"], report.points());
+        assert_eq!(file["score"], report.points().whole().unwrap());
         assert!(file["execution_time"].is_f64());
         assert!(file["output"].is_string());
         for key in ["output_format", "visibility", "stdout_visibility"] {
@@ -140,8 +144,8 @@ fn gradescope_gets_the_types_it_asks_for() {
         assert_eq!(tests.len(), report.tests.len() + report.adjustments.len());
         let mut numbers = Vec::new();
         for (entry, test) in tests.iter().zip(&report.tests) {
-            assert_eq!(entry["score"], test.points);
-            assert_eq!(entry["max_score"], test.max_points);
+            assert_eq!(entry["score"], test.points.whole().unwrap());
+            assert_eq!(entry["max_score"], test.max_points.whole().unwrap());
             assert_eq!(entry["status"], if test.verdict.is_passed() { "passed" } else { "failed" });
             assert!(entry["tags"].as_array().unwrap().iter().all(Value::is_string));
             numbers.push(entry["number"].as_str().unwrap().to_owned());
@@ -370,7 +374,7 @@ fn blanks_before_a_formula_do_not_bring_it_into_a_spreadsheet() {
         assert!(cell.starts_with('\''), "{name:?} gives {cell:?}");
     }
     let number = Report {
-        adjustments: vec![Adjustment { reason: "late".to_owned(), points: -4 }],
+        adjustments: vec![Adjustment { reason: "late".to_owned(), points: (-4).into() }],
         submission: Some("-4".to_owned()),
         ..report()
     };

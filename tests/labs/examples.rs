@@ -40,6 +40,7 @@ fn the_examples_of_lab_and_grade_run() {
     std::io::Write::write_all(&mut packed, lab.as_bytes()).unwrap();
     packed.finish().unwrap();
     folder.write("late.csv", "submission,points,reason\nada,-1,late\n");
+    folder.write("course.toml", "title = \"Geometry\"\n\n[[lab]]\nname = \"04\"\n");
     folder.dcel("grade 04 submissions/ada.rs --report json=class.json").fine();
     let mut count = 0;
     let commands = ["list", "start", "check", "watch", "hint", "reset", "verify", "export"];

@@ -57,6 +57,7 @@ pub(super) const CHECK: &[(&str, &str)] = &[
     ("src/lab/own_folder.rs", include_str!("../own_folder.rs")),
     ("src/lab/pictures.rs", include_str!("../pictures.rs")),
     ("src/lab/plan.rs", include_str!("../plan.rs")),
+    ("src/lab/points.rs", include_str!("../points.rs")),
     ("src/lab/program.rs", include_str!("../program.rs")),
     ("src/lab/program/pipes.rs", include_str!("../program/pipes.rs")),
     ("src/lab/program/plain.rs", include_str!("../program/plain.rs")),
@@ -92,6 +93,10 @@ pub(super) const CHECK: &[(&str, &str)] = &[
 pub(super) const FURTHER: &[(&str, &str)] = &[
     ("src/lab/batch.rs", include_str!("../batch.rs")),
     ("src/lab/cache.rs", include_str!("../cache.rs")),
+    ("src/lab/course/late.rs", include_str!("../course/late.rs")),
+    ("src/lab/course/mod.rs", include_str!("../course/mod.rs")),
+    ("src/lab/course/read.rs", include_str!("../course/read.rs")),
+    ("src/lab/course/time.rs", include_str!("../course/time.rs")),
     ("src/lab/export.rs", include_str!("../export.rs")),
     ("src/lab/kit/Cargo.lock.txt", include_str!("../kit/Cargo.lock.txt")),
     ("src/lab/kit/dcel-kit.toml.txt", include_str!("../kit/dcel-kit.toml.txt")),

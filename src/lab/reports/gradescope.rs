@@ -4,7 +4,7 @@
 //! found is in the file, because the instructor reads it there and Gradescope keeps it from the student.
 
 use super::{pretty, words};
-use crate::{Report, TestResult, Visibility};
+use crate::{Points, Report, TestResult, Visibility};
 use serde_json::{Value, json};
 
 /// The file.
@@ -22,14 +22,14 @@ pub(super) fn write(report: &Report) -> String {
         json!({
             "name": adjustment.reason,
             "number": format!("99.{:02}", i + 1),
-            "score": adjustment.points.as_f64(),
+            "score": number(adjustment.points),
             "max_score": 0,
             "status": "passed",
             "visibility": "visible",
         })
     }));
     pretty(&json!({
-        "score": report.points().as_f64(),
+        "score": number(report.points()),
         "execution_time": report.millis as f64 / 1000.0,
         "output": output,
         "output_format": "text",
@@ -47,6 +47,11 @@ pub(super) fn write(report: &Report) -> String {
     }))
 }
 
+/// Points as a number: whole ones without a point.
+fn number(points: Points) -> Value {
+    points.whole().map_or_else(|| points.as_f64().into(), Value::from)
+}
+
 fn entry(i: usize, test: &TestResult) -> Value {
     let visibility = match test.visibility {
         Visibility::Visible => "visible",
@@ -58,8 +63,8 @@ fn entry(i: usize, test: &TestResult) -> Value {
     json!({
         "name": format!("{}: {}", test.name, test.title),
         "number": format!("{}.{:02}", test.task, i + 1),
-        "score": test.points.as_f64(),
-        "max_score": test.max_points.as_f64(),
+        "score": number(test.points),
+        "max_score": number(test.max_points),
         "status": if test.verdict.is_passed() { "passed" } else { "failed" },
         "output": format!("{}\n{}", test.verdict, words::of_test(test)),
         "output_format": "text",
