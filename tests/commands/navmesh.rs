@@ -156,7 +156,7 @@ fn wide_agents_keep_off_the_border_or_find_no_way() {
     assert!(folder.read("wide.svg").contains("nearer to a border than the radius, 0.4"));
     // The agent fits at both ends, and not through what lies between.
     let told = folder.dcel("navmesh path rooms.map 13 5 16 13.5 --radius 1");
-    assert!(told.code == Some(1) && told.out.starts_with("no way for a radius of 1: (13, 5) is in"), "{told:?}");
+    assert!(told.code == Some(1) && told.out.starts_with("no path for a radius of 1: (13, 5) is in"), "{told:?}");
     folder.dcel("navmesh path rooms.map 0.2 1 22 12 --radius 0.4").fails(
         2,
         "nearer to a border than the radius",
@@ -171,7 +171,7 @@ fn no_way_is_proven_and_bad_ends_are_refused() {
     let folder = folder();
     let told = folder.dcel("navmesh path rooms.map 10 14 1 1 -o apart.svg");
     assert_eq!(told.code, Some(1), "{told:?}");
-    assert!(told.out.starts_with("no way: (10, 14) is in component"), "{told:?}");
+    assert!(told.out.starts_with("no path: (10, 14) is in component"), "{told:?}");
     assert!(told.out.contains("nearest point that can be reached: (9, 13)"), "{told:?}");
     let svg = folder.read("apart.svg");
     assert!(svg.contains("can be reached from the start") && svg.contains("leads to the goal"));

@@ -24,9 +24,9 @@ use std::io::Write;
 
 /// Find a path between two points
 ///
-/// Without --algorithm the way is the shortest of all. The other algorithms find a corridor of
+/// Without --algorithm the path is the shortest of all. The other algorithms find a corridor of
 /// faces by a quicker rule and pull the path straight in it; --algorithm all compares them. If there is no
-/// way, the answer is the proof: the two components. Exit code 1 then. A start or goal off the mesh is
+/// path, the answer is the proof: the two components. Exit code 1 then. A start or goal off the mesh is
 /// refused, with the nearest place; --snap moves it there. The figure is drawn all the same.
 ///
 /// On a floor in space whose heights differ (--up) the length is measured along the surface, up and down
@@ -471,7 +471,7 @@ fn apart(
     let [a, b] = components;
     let [start_faces, goal_faces] = [start_faces, goal_faces].map(faces);
     let agent = maps.inset.as_ref().map(|inset| format!(" for a radius of {}", inset.radius())).unwrap_or_default();
-    writeln!(out, "no way{agent}: {from} is in {a} of {start_faces}, {to} is in {b} of {goal_faces}")?;
+    writeln!(out, "no path{agent}: {from} is in {a} of {start_faces}, {to} is in {b} of {goal_faces}")?;
     if let Some(nearest) = nearest {
         let (at, face) = (point(map, nearest.place.point), nearest.place.face);
         writeln!(out, "  nearest point that can be reached: {at} in {face}, {} away", nearest.distance)?;

@@ -33,7 +33,7 @@ pub(super) struct Args {
     /// The queries
     #[arg(value_name = "SCEN")]
     scenario: PathBuf,
-    /// How the ways are found
+    /// How the paths are found
     #[arg(long, value_name = "ALGORITHM", default_value = "exact")]
     algorithm: Which,
     #[command(flatten)]
@@ -224,7 +224,7 @@ fn why(stated: Option<f64>, found: Option<f64>, error: Option<&RouteError>) -> S
         (Some(stated), Some(found), _) => format!("{found} instead of {stated}, {:.9} of it", found / stated),
         (None, Some(found), _) => format!("a path of length {found}, and none is stated"),
         (Some(stated), None, Some(error)) => format!("no path, and {stated} is stated: {error}"),
-        _ => "no way".to_owned(),
+        _ => "no path".to_owned(),
     }
 }
 
