@@ -3,7 +3,8 @@
 use super::format::Format;
 use super::write_error::WriteError;
 use crate::ids::{FaceId, HalfEdgeId, VertexId, VertexMap};
-use crate::plane::PlanarView;
+use crate::plane::cycle::encloses;
+use crate::plane::{PlanarView, Point};
 use crate::topology::{InnerComponent, PolygonList, Table, View};
 
 /// A half-edge structure with what a file needs besides: positions, names, and which faces are no polygons.
@@ -122,6 +123,7 @@ impl Polygons {
         }
         let mut polygons = Self { points, faces: Vec::new(), list: PolygonList::new() };
         let mut corners = Vec::new();
+        let mut simple = SimpleCycles::default();
         for f in model.faces().filter(|&f| model.is_polygon(f)) {
             let rings = view.inner_components(f);
             let isolated = rings.iter().any(|ring| matches!(ring, InnerComponent::Isolated(_)));
@@ -129,12 +131,22 @@ impl Polygons {
                 return Err(WriteError::FaceHasRings { face: f, format: format.name() });
             }
             let start = view.half_edge(f).ok_or(WriteError::NoBoundary { face: f })?;
-            cycle(view, f, start, &numbers, &mut corners)?;
-            polygons.list.push_face(&corners);
-            for ring in rings {
-                if let InnerComponent::Cycle(h) = *ring {
-                    cycle(view, f, h, &numbers, &mut corners)?;
-                    polygons.list.push_hole(&corners);
+            let starts =
+                rings.iter().filter_map(|ring| if let InnerComponent::Cycle(h) = *ring { Some(h) } else { None });
+            for (i, start) in [start].into_iter().chain(starts).enumerate() {
+                cycle(view, f, start, &numbers, &mut corners)?;
+                match simple.cut(&corners, polygons.points.len()) {
+                    None if i == 0 => polygons.list.push_face(&corners),
+                    None => polygons.list.push_hole(&corners),
+                    Some(twice) => {
+                        let (around, inside) = simple.parts(&polygons.points);
+                        if format != Format::GeoJson || around.len() != usize::from(i == 0) {
+                            let vertex = model.vertices().nth(twice as usize).unwrap_or(VertexId(twice));
+                            return Err(WriteError::VertexTwice { face: f, vertex, format: format.name() });
+                        }
+                        around.into_iter().for_each(|cycle| polygons.list.push_face(cycle));
+                        inside.into_iter().for_each(|cycle| polygons.list.push_hole(cycle));
+                    }
                 }
             }
             polygons.faces.push(f);
@@ -157,6 +169,60 @@ fn check_edges(model: &Model<'_>, format: Format) -> Result<(), WriteError> {
         }
     }
     Ok(())
+}
+
+/// A cycle cut where it passes a vertex twice, into cycles that pass each of their vertices once.
+///
+/// ```text
+///   3 ●─────────────● 2
+///     │   5 ●       │        0 1 2 3 0 4 5   ──>   0 1 2 3   round the face
+///     │    ╱ ╲      │                              0 4 5     round what it leaves out
+///     │   ╱   ● 4   │
+///     │  ╱ ╱        │
+///   0 ●─────────────● 1
+/// ```
+#[derive(Default)]
+struct SimpleCycles {
+    cycles: Vec<Vec<u32>>,
+    /// Where in the walk so far a vertex stands, or `u32::MAX`.
+    places: Vec<u32>,
+    walk: Vec<u32>,
+}
+
+impl SimpleCycles {
+    /// Cuts a cycle; `bound` is above all vertices. Returns a vertex that it passes twice; if there is none, nothing is
+    /// kept. O(corners).
+    fn cut(&mut self, corners: &[u32], bound: usize) -> Option<u32> {
+        self.cycles.clear();
+        self.places.resize(bound, u32::MAX);
+        let mut twice = None;
+        for &v in corners {
+            let place = self.places[v as usize];
+            if place != u32::MAX {
+                twice.get_or_insert(v);
+                let cycle: Vec<u32> = self.walk.drain(place as usize..).collect();
+                cycle.iter().for_each(|&u| self.places[u as usize] = u32::MAX);
+                self.cycles.push(cycle);
+            }
+            self.places[v as usize] = self.walk.len() as u32;
+            self.walk.push(v);
+        }
+        self.walk.iter().for_each(|&u| self.places[u as usize] = u32::MAX);
+        let last = std::mem::take(&mut self.walk);
+        if twice.is_some() {
+            self.cycles.push(last);
+        } else {
+            self.walk = last;
+            self.walk.clear();
+        }
+        twice
+    }
+
+    /// The cycles that run counter-clockwise, and the others.
+    fn parts(&self, points: &[[f64; 3]]) -> (Vec<&Vec<u32>>, Vec<&Vec<u32>>) {
+        let at = |&v: &u32| points[v as usize];
+        self.cycles.iter().partition(|cycle| encloses(cycle.iter().map(at).map(|[x, y, _]| Point::new(x, y))))
+    }
 }
 
 /// The corners of the cycle through `start`.

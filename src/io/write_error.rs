@@ -94,6 +94,16 @@ pub enum WriteError {
         /// The format.
         format: &'static str,
     },
+    /// A cycle that passes a vertex twice: the face touches itself there, which a list of corners cannot say.
+    #[error("a cycle of {face} passes {vertex} twice, which {format} cannot hold; {}", by_holes(format))]
+    VertexTwice {
+        /// The face.
+        face: FaceId,
+        /// The vertex.
+        vertex: VertexId,
+        /// The format.
+        format: &'static str,
+    },
     /// A face with a corner that points inwards, and a format of convex faces.
     #[error(
         "{face} is not convex at {vertex}, and {format} holds convex faces; cut it up first, for example into triangles"
@@ -114,6 +124,15 @@ pub enum WriteError {
         /// The format.
         format: &'static str,
     },
+}
+
+/// What holds a face that touches itself at a corner.
+fn by_holes(format: &str) -> &'static str {
+    if format == "geojson" {
+        "dcel holds everything"
+    } else {
+        "geojson writes a hole that touches, dcel holds everything"
+    }
 }
 
 /// `(1, 2, 3)`

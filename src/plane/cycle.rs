@@ -16,7 +16,7 @@ use std::cmp::Ordering;
 /// ```
 ///
 /// Cost: O(corners).
-pub(super) fn encloses(corners: impl Iterator<Item = Point> + Clone) -> bool {
+pub(crate) fn encloses(corners: impl Iterator<Item = Point> + Clone) -> bool {
     let Some(leftmost) = corners.clone().min_by(|&a, &b| left_to_right(a, b)) else { return false };
     windows(corners).filter(|[_, v, _]| *v == leftmost).all(|[u, v, w]| orientation(v, w, u).is_gt())
 }

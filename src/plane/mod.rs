@@ -35,7 +35,7 @@
 mod affine;
 mod check;
 mod convert;
-mod cycle;
+pub(crate) mod cycle;
 mod delaunay;
 pub mod edit;
 mod hull;

@@ -1,8 +1,11 @@
 //! What is written exactly, and what is refused.
 
 use crate::support::{Face, grid, island, structure, table};
-use dcel_kit::io::{Format, Model, WriteError, write, write_path, write_triangle};
-use dcel_kit::topology::{InnerComponent, Table};
+use dcel_kit::io::{
+    Format, LoadOptions, Model, ReadOptions, Structure, WriteError, assemble, read_bytes, write, write_path,
+    write_triangle,
+};
+use dcel_kit::topology::{InnerComponent, Table, isomorphic};
 use dcel_kit::{FaceId, VertexId};
 
 fn text(model: &Model<'_>, format: Format) -> String {
@@ -133,6 +136,36 @@ fn edges_that_no_polygon_shows_are_not_lost_in_silence() {
     );
     let error = refused(&antenna, Format::Obj).to_string();
     assert_eq!(error, "h0 belongs to no polygon and would be lost in obj; dcel holds everything");
+}
+
+/// A hole that touches the outer cycle at a corner is one cycle with it: a list of corners would pass that corner twice,
+/// and no reader takes it. GeoJSON says it with a hole, as it was read.
+#[test]
+fn a_face_that_touches_itself_is_written_with_holes_or_refused() {
+    let square = "[[0,0],[4,0],[4,4],[0,4],[0,0]]";
+    let holes = [
+        "[[0,0],[1,2],[2,1],[0,0]]",
+        "[[4,0],[3,1],[3,2],[4,0]]",
+        "[[1,3],[2,3],[2,2],[1,3]],[[2,3],[3,3],[3,2],[2,3]]",
+    ];
+    for count in 1..=holes.len() {
+        let rings = [&[square], &holes[..count]].concat().join(",");
+        let read = |text: &str| {
+            let read = read_bytes(text.as_bytes(), Format::GeoJson, "touch", &ReadOptions::default()).unwrap();
+            match assemble(read, "touch", &LoadOptions::default()).unwrap().structure {
+                Structure::Plane(map) => map,
+                other => panic!("{other:?} is no map"),
+            }
+        };
+        let map = read(&format!("{{\"type\":\"Polygon\",\"coordinates\":[{rings}]}}"));
+        let again = read(&text(&Model::planar(&map), Format::GeoJson));
+        assert!(isomorphic(&map, &again).is_ok(), "{count} holes");
+        for format in [Format::Obj, Format::Off, Format::Ply, Format::Stl] {
+            let error = write(&mut Vec::new(), &Model::planar(&map), format).unwrap_err();
+            assert!(matches!(error, WriteError::VertexTwice { face, .. } if face.number() == 1), "{error}");
+            assert!(error.to_string().contains("twice, which"), "{error}");
+        }
+    }
 }
 
 #[test]

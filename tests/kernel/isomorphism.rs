@@ -290,6 +290,22 @@ fn isolated_vertices_are_matched_by_their_keys_in_any_order() {
     }
 }
 
+/// Vertices that no half-edge starts at and no face lists are matched by their keys alone.
+#[test]
+fn vertices_that_hang_on_nothing_are_told_apart_by_their_keys() {
+    let mut one = planar(6, &[vec![0, 1, 2]]);
+    one.outer_face = None;
+    one.faces[0].as_mut().unwrap().inner_components.clear();
+    let keys = |of: [u64; 3]| move |x: VertexId| [of.get(x.index().wrapping_sub(3)).copied().unwrap_or(9), 0];
+    let here = keys([1, 2, 3]);
+    for (there, alike) in [([3, 1, 2], true), ([1, 2, 4], false), ([1, 1, 2], false), ([1, 2, 3], true)] {
+        let found = isomorphic_with(&one, &one, &IsomorphismOptions::new().keys(&here, &keys(there)));
+        assert_eq!(found.is_ok(), alike, "{there:?}: {found:?}");
+        let Ok(to) = found else { continue };
+        assert!((3..6).all(|i| keys(there)(to.vertices[v(i)].unwrap()) == here(v(i))));
+    }
+}
+
 /// `count` polygons with `corners` corners, each cut by diagonals from its first corner to the corners in `cut`.
 fn many_islands(count: u32, corners: u32, cut: impl Fn(u32) -> Vec<u32>) -> Table {
     let mut faces = Vec::new();

@@ -132,7 +132,8 @@ impl<'a> Matcher<'a> {
         };
         for &v in world.vertices.iter().take_while(|&&v| v < split.vertex) {
             let w = self.vertex_to[v as usize];
-            if w == NONE || world.vertex_label[v as usize] != world.vertex_label[w as usize] {
+            // Its label agrees: that of an origin is part of its half-edge's, and those of all vertices pair up.
+            if w == NONE {
                 return Err(apart());
             }
             matching.vertices[VertexId(v)] = Some(VertexId(w - split.vertex));
