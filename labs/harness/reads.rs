@@ -178,6 +178,15 @@ impl Meter {
         Self { _private: () }
     }
 
+    /// The call may make so many reads: for a function that has to look at its records many times.
+    pub fn allow(self, reads: u64) {
+        COUNT.with(|count| {
+            if count.on.get() && !count.stopped.get() {
+                count.restart(reads);
+            }
+        });
+    }
+
     /// A move begins or ends, in a structure of so many records: the count starts anew. The number of moves is limited.
     #[track_caller]
     pub fn next_move(self, records: usize) {

@@ -275,7 +275,7 @@ impl<'a, L: Lab> Case<'a, L> {
             let count = match take {
                 Take::Point => 2,
                 Take::Place => 3,
-                Take::Points | Take::Places | Take::Wholes => left.len(),
+                Take::Numbers | Take::Points | Take::Places | Take::Wholes => left.len(),
                 _ => 1,
             };
             let Some((taken, rest)) = left.split_at_checked(count) else { return Err(wrong()) };
@@ -284,6 +284,9 @@ impl<'a, L: Lab> Case<'a, L> {
                 Take::Id(letter) => Argument::Id(self.id(taken[0], letter, None, call, output)?),
                 Take::IdOr(letter, link) => Argument::Id(self.id(taken[0], letter, Some(link), call, output)?),
                 Take::Number => Argument::Number(coordinate(taken[0])?),
+                Take::Numbers => {
+                    Argument::Numbers(taken.iter().map(|word| coordinate(word)).collect::<Result<_, _>>()?)
+                }
                 Take::Truth => Argument::Truth(taken[0].parse().map_err(|_| wrong())?),
                 Take::Point => Argument::Point([coordinate(taken[0])?, coordinate(taken[1])?]),
                 Take::Points => Argument::Points(points(taken)?),

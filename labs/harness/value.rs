@@ -97,6 +97,8 @@ pub enum Take {
     IdOr(char, &'static str),
     /// A number.
     Number,
+    /// All numbers that are left.
+    Numbers,
     /// `true` or `false`.
     Truth,
     /// A whole number from 0.
@@ -120,6 +122,8 @@ pub enum Argument {
     Id(usize),
     /// A number.
     Number(f64),
+    /// Numbers.
+    Numbers(Vec<f64>),
     /// Yes or no.
     Truth(bool),
     /// A point.
@@ -149,6 +153,11 @@ impl Argument {
     /// A number.
     pub fn number(&self) -> f64 {
         if let Self::Number(x) = self { *x } else { unreachable!("{CHECKED}") }
+    }
+
+    /// Numbers.
+    pub fn numbers(&self) -> &[f64] {
+        if let Self::Numbers(all) = self { all } else { unreachable!("{CHECKED}") }
     }
 
     /// Yes or no.
@@ -191,6 +200,7 @@ impl Argument {
         match self {
             Self::Id(id) => id.to_string(),
             Self::Number(x) => x.to_string(),
+            Self::Numbers(all) => all.iter().map(f64::to_string).collect::<Vec<_>>().join(" "),
             Self::Truth(truth) => truth.to_string(),
             Self::Point([x, y]) => format!("{x} {y}"),
             Self::Points(points) => points.iter().map(|[x, y]| format!("{x} {y}")).collect::<Vec<_>>().join(" "),

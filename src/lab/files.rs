@@ -20,6 +20,8 @@ use std::path::{Path, PathBuf};
 
 /// The labs that are compiled in.
 const BUNDLE: &[&str] = &[
+    #[cfg(feature = "lab-01")]
+    include_str!("bundle/01-predicates.txt"),
     #[cfg(feature = "lab-04")]
     include_str!("bundle/04-half-edge.txt"),
 ];

@@ -1,7 +1,8 @@
 //! The reference figures of the labs: their handouts show them, and pictures of students are compared with them.
 //!
 //! ```text
-//!   lab_04     a file a lab
+//!   lab_01  lab_04     a file a lab
 //! ```
 
+pub(super) mod lab_01;
 pub(super) mod lab_04;

@@ -1,0 +1,8 @@
+//! The reference figure of lab 01.
+
+use crate::gallery::Made;
+
+/// The map of wrong signs that lab 01 asks for.
+pub(in crate::gallery) fn map() -> Made<String> {
+    Ok(dcel_lab::courses::predicates::map::picture())
+}
