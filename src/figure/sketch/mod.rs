@@ -33,11 +33,14 @@
 //!
 //! ```text
 //!   clip.rs       Lines that end at the frame, and wedges cut by it
+//!   draw.rs       From things to shapes, and where their labels may stand
 //!   glyph.rs      Marks of points, told apart by their shape
 //!   item.rs       One thing of a sketch, and what can be said about it
 //!   legend.rs     The legend
 //!   many.rs       Very many things
 //!   multiples.rs  Small multiples
+//!   places.rs     Where words stand: near what they belong to, on nothing
+//!   role.rs       What things are for: the colour, the dash and the mark of each role
 //!   round.rs      Circles and arcs, cut by the frame
 //!   sheet.rs      A sketch on its canvas
 //! ```
