@@ -393,7 +393,10 @@ fn those_that_look_alike_are_named_to_the_instructor_and_not_to_each_other() {
         |submission: &str, percent, identical| Similar { submission: submission.to_owned(), percent, identical };
     let alike = Report { similar: vec![similar("dora", 100, true), similar("carl", 93, false)], ..report() };
     let class = [alike.clone(), Report { submission: Some("ben".to_owned()), ..report() }];
-    for format in Format::ALL.into_iter().filter(|format| format.holds_a_class() && *format != Format::Bugs) {
+    for format in Format::ALL
+        .into_iter()
+        .filter(|format| format.holds_a_class() && ![Format::Bugs, Format::Statistics].contains(format))
+    {
         let text = format.class(&class).unwrap();
         assert!(text.contains("dora") && text.contains("carl") && text.contains("93"), "{format}: {text}");
         let plain = format.class(&[class[1].clone(), class[1].clone()]).unwrap();
@@ -438,4 +441,31 @@ fn an_index_links_to_the_pages_and_says_when_some_are_missing() {
     // The details are on the other pages.
     let bare: Vec<Report> = class.iter().map(Report::without_details).collect();
     assert_eq!(dcel_lab::reports::index(&bare, &pages, 3), page);
+}
+
+#[test]
+fn statistics_are_of_those_who_were_graded() {
+    let class = |verdicts: &[Verdict]| -> Vec<Report> {
+        let one = |&verdict: &Verdict| {
+            let mut result = test("face_walk", 1, verdict, 8);
+            if verdict == Verdict::Wrong {
+                result.bugs = vec!["it turns <left>".to_owned()];
+            }
+            Report { verdict, message: None, tests: vec![result], ..report() }
+        };
+        verdicts.iter().map(one).collect()
+    };
+    let mut reports = class(&[Verdict::Passed, Verdict::Wrong, Verdict::Wrong, Verdict::Crashed, Verdict::GraderFault]);
+    let mut missing = class(&[Verdict::Unattempted]).remove(0);
+    missing.message = Some("Nothing was handed in.".to_owned());
+    reports.push(missing);
+    let csv = Format::Statistics.class(&reports).unwrap();
+    let row: Vec<&str> = csv.lines().nth(1).unwrap().split(',').collect();
+    assert_eq!(row[2..9], ["1", "4", "1", "0.250", "2.000", "8.000", "0.750"], "{csv}");
+    assert_eq!(row[9..], ["passed 1; wrong 2; crashed 1", "2 x it turns <left>"], "{csv}");
+    let page = Format::Html.class(&reports).unwrap();
+    assert!(
+        page.contains("<td>1 of 4 (25 %)</td><td>2.00 of 8</td><td>0.75</td><td>2 × it turns &lt;left&gt;</td>"),
+        "{page}"
+    );
 }

@@ -128,3 +128,37 @@ fn what_does_not_fit_the_course_is_named_before_anything_is_graded() {
     }
     assert!(!shell.dcel("grade 04 --from-report class.json --times times.csv").err.is_empty());
 }
+
+#[test]
+fn parts_of_a_class_put_together_are_the_class() {
+    let shell = Folder::new();
+    let refused = |number: usize| format!("use std::fs; // {number}\n");
+    fs::create_dir(shell.path("class")).unwrap();
+    for (i, name) in ["anna", "ben", "cara", "dora", "emil"].iter().enumerate() {
+        // Dora has Anna's file: both are in one part, and each report names the other.
+        shell.write(&format!("class/{name}.rs"), &refused(i % 3));
+    }
+    shell.write("names.csv", "submission,name\nanna,Anna\nzoe,Zoe\nben,Ben\ncara,Cara\ndora,Dora\nemil,Emil\n");
+    let grade = "grade 04 --all-in class --names names.csv";
+    shell.dcel(&format!("{grade} --seed 7 --results whole")).fine();
+    shell.dcel(&format!("{grade} --shard 1/2 --results part")).fails(2, "need one seed", "--seed NUMBER");
+    for part in 1..=3 {
+        shell.dcel(&format!("{grade} --seed 7 --shard {part}/3 --results part{part}")).fine();
+    }
+    let graded = |part: &str| fs::read_dir(shell.path(&format!("{part}/reports"))).unwrap().count();
+    assert_eq!([graded("part1"), graded("part2"), graded("part3")], [3, 2, 1], "Zoe, who is missing, is told once");
+    shell.dcel("grade 04 --merge part3 part1 part2 --results together").fine();
+    for file in ["class.html", "class.csv", "statistics.csv", "students/Anna.html", "students/Zoe.html"] {
+        assert_eq!(shell.read(&format!("together/{file}")), shell.read(&format!("whole/{file}")), "{file}");
+    }
+    shell.dcel("grade 04 --merge part1 part3 --results t").fails(2, "part 2/3 is missing", "one for each part");
+    shell.dcel("grade 04 --merge part1 part1 --results t").fails(2, "this is part 1, as part1 is", "");
+    shell.dcel("grade 04 --merge whole --results t").fails(2, "whole/shard.json", "");
+    fs::remove_file(shell.path("part2/reports/Ben.json")).unwrap();
+    shell.dcel("grade 04 --merge part1 part2 part3").fails(2, "Ben: no part has a report", "goes on where it stopped");
+    shell.dcel(&format!("{grade} --seed 8 --shard 2/3 --results part2")).fine();
+    shell.dcel("grade 04 --merge part1 part2 part3").fails(2, "a part of another grading than part1", "");
+    for wrong in ["0/3", "4/3", "x", "1"] {
+        assert!(shell.dcel(&format!("{grade} --seed 7 --shard {wrong} --results p")).err.contains("write PART/PARTS"));
+    }
+}

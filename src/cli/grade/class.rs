@@ -10,6 +10,7 @@
 
 use super::super::{Failure, Output, failure};
 use super::lists::Resolved;
+use super::shards::Shard;
 use super::targets::{Target, file_names, put, try_folder};
 use super::{Args, fs};
 use dcel_lab::reports::{Format, index};
@@ -31,6 +32,7 @@ const RATIO: u32 = 10;
 pub(super) struct Class<'a> {
     targets: &'a [Target],
     results: Option<PathBuf>,
+    shard: Option<Shard>,
     /// The names of files, by submission, then those of who handed in nothing.
     files: Vec<String>,
     reports: Vec<Option<Report>>,
@@ -44,7 +46,7 @@ pub(super) struct Class<'a> {
 impl<'a> Class<'a> {
     /// A class of `count` submissions. All places are tried.
     pub(super) fn new(args: &'a Args, lab: &Lab, lists: &Resolved, count: usize) -> Result<Self, Failure> {
-        let missing = lists.missing(lab);
+        let mut missing = lists.missing(lab);
         let inputs: Vec<&PathBuf> =
             [&args.names, &args.adjust, &args.secret, &args.from_report, &args.course, &args.metadata, &args.times]
                 .into_iter()
@@ -55,6 +57,9 @@ impl<'a> Class<'a> {
         let mut names = lists.names.clone();
         names.extend(missing.iter().filter_map(|report| report.submission.clone()));
         let files = file_names(&names);
+        if args.shard.is_some_and(|shard| !shard.is_first()) {
+            missing.clear();
+        }
         if let Some(results) = &args.results {
             for folder in [results.clone(), results.join(STUDENTS), results.join(REPORTS)] {
                 try_folder(&folder, class)?;
@@ -67,6 +72,7 @@ impl<'a> Class<'a> {
         Ok(Self {
             targets: &args.reports,
             results: args.results.clone(),
+            shard: args.shard,
             files,
             reports: vec![None; count],
             missing,
@@ -74,6 +80,14 @@ impl<'a> Class<'a> {
             written: Instant::now(),
             pause: PAUSE,
         })
+    }
+
+    /// Says in the folder of the results what part of a class it is, if it is one.
+    pub(super) fn note_shard(&self, seed: u64) -> Result<(), Failure> {
+        match (self.shard, &self.results) {
+            (Some(shard), Some(results)) => shard.note(results, seed, &self.files),
+            _ => Ok(()),
+        }
     }
 
     /// Takes the report of submission `i`, and writes what is of this one alone.
@@ -131,6 +145,7 @@ impl<'a> Class<'a> {
             target.write(reports, out)?;
         }
         if let Some(results) = &self.results {
+            put(&results.join("statistics.csv"), &Format::Statistics.class(reports).map_err(Failure::kit)?)?;
             let there = self.reports.iter().map(Option::is_some).chain(self.missing.iter().map(|_| true));
             let names = self.files.iter().zip(there).filter(|(_, there)| *there);
             let pages: Vec<String> = names.map(|(name, _)| format!("{STUDENTS}/{name}.html")).collect();

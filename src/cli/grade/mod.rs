@@ -11,6 +11,7 @@
 //! ```text
 //!   class.rs    The reports of a class on their way into files
 //!   lists.rs    Lists of the class
+//!   shards.rs   A class in parts, on several machines
 //!   signals.rs  Ctrl-C and the like, as a wish to stop
 //!   targets.rs  Where reports go
 //!   terms.rs    What a course says of the lab, and when each submission was handed in
@@ -18,6 +19,7 @@
 
 mod class;
 mod lists;
+mod shards;
 mod signals;
 mod targets;
 mod terms;
@@ -29,6 +31,7 @@ use dcel_lab::{
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use lists::Lists;
+use shards::Shard;
 use signals::Signals;
 use std::fs;
 use std::io::{IsTerminal, Write};
@@ -49,10 +52,14 @@ understood. Rows are called by person, folder or file, with as much of the path 
 
 --results DIR writes, while it goes on:
   DIR/class.html class.csv   the tables
+  DIR/statistics.csv         what the class makes of each test
   DIR/students/NAME.html     a page to hand back, for each
   DIR/reports/NAME.json      all there is to know, for --from-report DIR
 Ctrl-C leaves what is done there, and the same command goes on where it stopped: only what is new or has changed
 is graded (a submission, the lab, a limit, the seed, this program or rustc).
+
+--shard PART/PARTS grades one part of a class, for a matrix of machines: each is given the whole class, the same seed
+and a folder of its own for --results; --merge puts these folders together.
 
 Submissions that look alike are named in the reports of a class, names and comments aside, and never in those that
 a student gets. Compare them yourself: honest answers to small tasks are similar.
@@ -62,7 +69,7 @@ course.toml (labs/README.md has a whole one). When something was handed in is ta
 else from the LATE in a name of Canvas, and for want of a better one from the time of the file; the report says which.
 With --from-report a changed course is applied to what was graded before.
 
-Formats: text html markdown json junit csv bugs hold a class; gradescope classroom50 exercism hold one submission:
+Formats: text html markdown json junit csv bugs statistics hold a class; gradescope classroom50 exercism hold one submission:
 with several, write {submission} where its name shall stand in the file's.
 
 Exit code 0 once all reports are written, whatever the grades; --fail-under changes that. 3 if the grader itself
@@ -73,6 +80,8 @@ Examples:
   dcel grade 04 --all-in submissions --results graded
   dcel grade 04 --all-in submissions.zip --report html=class.html --report csv=class.csv
   dcel grade 04 lab.rs --report gradescope=results.json
+  dcel grade 04 --all-in submissions --seed 7 --shard 1/1 --results part1
+  dcel grade 04 --merge part1 --results together
   dcel grade 04 --all-in submissions --course course.toml --results graded
   dcel grade 04 --from-report class.json --adjust late.csv --report csv=final.csv")]
 pub(crate) struct Args {
@@ -80,7 +89,7 @@ pub(crate) struct Args {
     #[arg(value_name = "LAB")]
     lab: String,
     /// Submissions: folders or files
-    #[arg(value_name = "SUBMISSION", required_unless_present_any = ["all_in", "from_report"])]
+    #[arg(value_name = "SUBMISSION", required_unless_present_any = ["all_in", "from_report", "merge"])]
     submissions: Vec<PathBuf>,
     /// Every file and folder in this folder or .zip is a submission, but for hidden ones
     #[arg(long, value_name = "DIR")]
@@ -88,6 +97,12 @@ pub(crate) struct Args {
     /// Reports stored as json, or a folder of --results, instead of submissions: nothing is run
     #[arg(long, value_name = "FILE", conflicts_with_all = ["submissions", "all_in", "results", "cache", "again"])]
     from_report: Option<PathBuf>,
+    /// Grade one part of the class, for example 2/4: the others are graded elsewhere, with the same seed
+    #[arg(long, value_name = "PART/PARTS", requires = "results", conflicts_with_all = ["from_report", "merge"])]
+    shard: Option<Shard>,
+    /// Put the --results of all parts together: nothing is run
+    #[arg(long, value_name = "DIR", num_args = 1.., conflicts_with_all = ["submissions", "all_in", "from_report", "cache", "again"])]
+    merge: Vec<PathBuf>,
     /// Write a report: a format and a file, `-` for standard output; may be given several times
     #[arg(long = "report", value_name = "FORMAT=FILE")]
     reports: Vec<Target>,
@@ -135,7 +150,7 @@ pub(crate) struct Args {
 impl Args {
     /// Whether submissions are built and run, so that Ctrl-C is a wish to stop.
     pub(crate) fn runs_programs(&self) -> bool {
-        self.from_report.is_none()
+        self.from_report.is_none() && self.merge.is_empty()
     }
 }
 
@@ -145,6 +160,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let lab = terms.applied_to(lab);
     let lists = terms.lists(Lists::read(args.names.as_deref(), args.adjust.as_deref())?, args.times.as_deref())?;
     let (reports, end) = match &args.from_report {
+        None if !args.merge.is_empty() => (again(args, &lab, &terms, &lists, shards::merged(&args.merge)?, out)?, None),
         Some(place) => (again(args, &lab, &terms, &lists, stored(place)?, out)?, None),
         None => graded(args, &lab, &terms, &lists, out)?,
     };
@@ -202,6 +218,7 @@ fn graded(
     let secret = args.secret.as_deref().map(|file| secret(file, lab)).transpose()?;
     let secret = secret.or_else(|| terms.secret().map(|(_, secret)| secret.clone()));
     let plan = Plan { secret, ..plan(args, kept.as_deref())? };
+    class.note_shard(plan.seed)?;
     let stop = Stop::new();
     let signals = Signals::wish(&stop).map_err(|error| Failure::machine(format!("signals: {error}"), ""))?;
     let options = GradeOptions {
@@ -211,6 +228,7 @@ fn graded(
         keep_deadlines: args.results.is_some(),
         again: args.again,
         similar_from: args.similar,
+        shard: args.shard.map(Shard::of),
         stop: stop.clone(),
         ..GradeOptions::default()
     };
@@ -285,6 +303,10 @@ fn no_class(error: &ClassError) -> Failure {
 /// The seed that was asked for, or the one that belongs to the kept reports, or a fresh one.
 fn plan(args: &Args, kept: Option<&Path>) -> Result<Plan, Failure> {
     let drawn = Plan::from_environment();
+    if args.shard.is_some() && args.seed.is_none() && std::env::var_os("LAB_SEED").is_none() {
+        let what = "the parts of one class need one seed, and each would draw its own";
+        return Err(Failure::input(what, "give all of them the same --seed NUMBER"));
+    }
     Ok(match (args.seed, kept) {
         (Some(seed), _) => Plan::with_seed(seed),
         (None, Some(folder)) if std::env::var_os("LAB_SEED").is_none() => {

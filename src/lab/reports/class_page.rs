@@ -1,4 +1,5 @@
-//! The page of a class: a table, what looks alike, the named bugs, then each submission or links to their pages.
+//! The page of a class: a table, what looks alike, the named bugs, what the class
+//! makes of each test, then each submission or links to their pages.
 //!
 //! ```text
 //!   anna   62 of 100   wrong      a row each, linked to a section below or to a page of its own
@@ -6,7 +7,7 @@
 //! ```
 
 use super::html::{document, escaped, one, standing, submission};
-use super::{bugs, words};
+use super::{bugs, statistics, words};
 use crate::Report;
 use std::fmt::Write;
 
@@ -20,6 +21,7 @@ pub(super) fn class(reports: &[Report]) -> String {
     table(&mut body, reports, |i| format!("#s{i}"));
     similar(&mut body, reports, |i| format!("#s{i}"));
     named_bugs(&mut body, reports);
+    statistics::section(&mut body, reports);
     for (i, report) in reports.iter().enumerate() {
         submission(&mut body, report, i, false);
     }
@@ -37,6 +39,7 @@ pub(super) fn index(reports: &[Report], pages: &[String], total: usize) -> Strin
     table(&mut body, reports, |i| pages.get(i).map_or_else(String::new, |page| path_address(page)));
     similar(&mut body, reports, |i| pages.get(i).map_or_else(String::new, |page| path_address(page)));
     named_bugs(&mut body, reports);
+    statistics::section(&mut body, reports);
     document(&title, &body)
 }
 

@@ -3,7 +3,7 @@
 //! ```text
 //!                    ┌─ one submission: text html markdown json   gradescope classroom50 exercism
 //!   Report(s) ───────┤
-//!                    └─ a class:        text html markdown json   junit csv bugs
+//!                    └─ a class:        text html markdown json   junit csv bugs statistics
 //! ```
 //!
 //! Every format is written from the same plain data. A report is written whatever became of the submission: one
@@ -22,6 +22,7 @@ mod junit;
 mod markdown;
 mod rows;
 mod sheet;
+mod statistics;
 mod text;
 mod words;
 
@@ -52,11 +53,13 @@ pub enum Format {
     Csv,
     /// A row for each named bug with how many have it, for a spreadsheet.
     Bugs,
+    /// A row for each test with what the class makes of it, for a spreadsheet.
+    Statistics,
 }
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Text,
         Self::Html,
         Self::Markdown,
@@ -67,6 +70,7 @@ impl Format {
         Self::Junit,
         Self::Csv,
         Self::Bugs,
+        Self::Statistics,
     ];
 
     /// Its name on the command line.
@@ -83,6 +87,7 @@ impl Format {
             Self::Junit => "junit",
             Self::Csv => "csv",
             Self::Bugs => "bugs",
+            Self::Statistics => "statistics",
         }
     }
 
@@ -114,6 +119,7 @@ impl Format {
             Self::Junit => junit::write(std::slice::from_ref(report)),
             Self::Csv => sheet::write(std::slice::from_ref(report)),
             Self::Bugs => bugs::write(std::slice::from_ref(report)),
+            Self::Statistics => statistics::write(std::slice::from_ref(report)),
         }
     }
 
@@ -133,6 +139,7 @@ impl Format {
             Self::Junit => junit::write(reports),
             Self::Csv => sheet::write(reports),
             Self::Bugs => bugs::write(reports),
+            Self::Statistics => statistics::write(reports),
         })
     }
 }
