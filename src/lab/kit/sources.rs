@@ -127,6 +127,7 @@ pub(super) const FURTHER: &[(&str, &str)] = &[
     ("src/lab/reports/mod.rs", include_str!("../reports/mod.rs")),
     ("src/lab/reports/rows.rs", include_str!("../reports/rows.rs")),
     ("src/lab/reports/sheet.rs", include_str!("../reports/sheet.rs")),
+    ("src/lab/reports/statistics.rs", include_str!("../reports/statistics.rs")),
     ("src/lab/reports/text.rs", include_str!("../reports/text.rs")),
     ("src/lab/reports/words.rs", include_str!("../reports/words.rs")),
     ("src/lab/sandbox/confine.rs", include_str!("../sandbox/confine.rs")),

@@ -32,6 +32,7 @@ pub(super) const FURTHER: &[(&str, &str)] = &[
     ("src/cli/grade/class.rs", include_str!("../../grade/class.rs")),
     ("src/cli/grade/lists.rs", include_str!("../../grade/lists.rs")),
     ("src/cli/grade/mod.rs", include_str!("../../grade/mod.rs")),
+    ("src/cli/grade/shards.rs", include_str!("../../grade/shards.rs")),
     ("src/cli/grade/signals.rs", include_str!("../../grade/signals.rs")),
     ("src/cli/grade/targets.rs", include_str!("../../grade/targets.rs")),
     ("src/cli/grade/terms.rs", include_str!("../../grade/terms.rs")),
