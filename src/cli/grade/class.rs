@@ -11,7 +11,7 @@
 use super::super::{Failure, Output, failure};
 use super::lists::Resolved;
 use super::shards::Shard;
-use super::targets::{Target, file_names, put, try_folder};
+use super::targets::{REPORTS, Target, file_names, put, try_folder};
 use super::{Args, fs};
 use dcel_lab::reports::{Format, index};
 use dcel_lab::{Lab, Report};
@@ -19,9 +19,8 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-/// Where in the folder of results the pages of students are, the reports, and what was kept to go on with.
+/// Where in the folder of results the pages of students are, and what was kept to go on with.
 const STUDENTS: &str = "students";
-pub(super) const REPORTS: &str = "reports";
 pub(super) const KEPT: &str = ".kept";
 /// How often tables are written, at most; and how many times longer than a writing the pause to the next one is.
 const PAUSE: Duration = Duration::from_secs(1);

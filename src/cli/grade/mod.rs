@@ -343,7 +343,7 @@ fn secret(file: &Path, lab: &Lab) -> Result<Secret, Failure> {
 
 /// Reports that were written with `--report json=FILE`, one or many, or with `--results DIR`.
 fn stored(place: &Path) -> Result<Vec<Report>, Failure> {
-    let reports = place.join(class::REPORTS);
+    let reports = place.join(targets::REPORTS);
     if !reports.is_dir() {
         return stored_file(place);
     }

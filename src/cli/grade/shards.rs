@@ -10,9 +10,8 @@
 //! put together is what one machine would have written, times aside.
 
 use super::super::Failure;
-use super::class::REPORTS;
 use super::stored_file;
-use super::targets::put;
+use super::targets::{REPORTS, put};
 use dcel_lab::Report;
 use serde::{Deserialize, Serialize};
 use std::fs;

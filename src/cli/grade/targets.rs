@@ -13,6 +13,9 @@ use std::str::FromStr;
 /// What stands for the name of a submission in the name of a file.
 const PLACE: &str = "{submission}";
 
+/// Where in the folder of results the reports are.
+pub(super) const REPORTS: &str = "reports";
+
 /// A format and a file.
 #[derive(Clone, Debug)]
 pub(super) struct Target {
