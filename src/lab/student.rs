@@ -18,7 +18,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 /// Folders of a lab that no student gets.
-const KEPT: [&str; 3] = ["solution/", "bugs/", "program/"];
+const KEPT: [&str; 4] = ["solution/", "bugs/", "program/", "idea.md"];
 /// How a lab in the repository names the kit.
 const IN_THE_REPOSITORY: &str = "path = \"../../src/lab\"";
 /// The judge of a lab that is not one of the kit.

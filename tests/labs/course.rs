@@ -162,3 +162,39 @@ fn parts_of_a_class_put_together_are_the_class() {
         assert!(shell.dcel(&format!("{grade} --seed 7 --shard {wrong} --results p")).err.contains("write PART/PARTS"));
     }
 }
+
+/// The solution of lab 04 in the folder of a student.
+fn solve(shell: &Folder, dir: &str) {
+    let solution = concat!(env!("CARGO_MANIFEST_DIR"), "/../../labs/04-half-edge/solution/lab.rs");
+    fs::copy(solution, shell.path(dir).join("src/lab.rs")).unwrap();
+}
+
+#[test]
+fn progress_is_told_and_the_idea_comes_last() {
+    let shell = Folder::empty();
+    shell.write("course.toml", &COURSE.replace("most = 104", "secret = \"not/yours.toml\""));
+    let told = shell.dcel("lab").fine();
+    assert!(told.contains("Geometry, in ") && told.contains("- of 100  open"), "{told}");
+    assert!(told.contains("due 2026-10-12 23:59:00+02:00"), "{told}");
+    assert!(told.contains("Next: dcel lab start 04-half-edge 04-half-edge"), "{told}");
+    shell.dcel("lab start 04 mine").fine();
+    assert!(shell.dcel("lab").fine().contains("not checked yet"));
+    let idea = shell.dcel("lab idea mine");
+    assert!(idea.code == Some(1) && idea.out.starts_with("Not yet"), "{idea:?}");
+    let told = shell.dcel("lab").fine();
+    assert!(told.contains("0 of 100  begun") && told.contains("Next: 04-half-edge: task 1, "), "{told}");
+    solve(&shell, "mine");
+    let check = shell.dcel("lab check mine").fine();
+    assert!(check.contains("100 of 100 points"), "{check}");
+    let told = shell.dcel("lab").fine();
+    assert!(told.contains("100 of 100  passed") && told.contains("100.0 %"), "{told}");
+    assert!(shell.dcel("lab idea mine").fine().starts_with("# The idea of lab 04"));
+    assert!(!shell.path("mine/idea.md").exists(), "nobody finds it in the folder");
+    shell.write("course.toml", &COURSE.replace("most = 104", "idea = false"));
+    shell.dcel("lab idea mine").fails(2, "course.toml: the course does not tell it", "ask your instructor");
+    // The folder of another version.
+    let toml = fs::read_to_string(shell.path("mine/lab.toml")).unwrap();
+    shell.write("mine/lab.toml", &toml.replace("version = \"", "version = \"0.9-"));
+    let err = shell.dcel("lab check mine --test face_walk").err;
+    assert!(err.contains("lab.toml:4: this folder is of version 0.9-"), "{err}");
+}

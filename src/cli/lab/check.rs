@@ -1,7 +1,7 @@
 //! `dcel lab check`: how far the work is, and what to do next.
 
 use super::super::{Answer, Failure, Output, failure};
-use super::{folder, hint};
+use super::{folder, hint, progress};
 use dcel_kit::files::write_whole;
 use dcel_lab::reports::Format;
 use dcel_lab::{Lab, Manifest, Plan, Report, TestResult, Verdict, Workbench, check_folder, test_text};
@@ -80,7 +80,22 @@ impl Bench {
         let toml = dir.join("lab.toml");
         let manifest = Manifest::parse(&folder::read(&toml)?, &toml.display().to_string())
             .map_err(|error| Failure::input(error, "put back the lab.toml that the lab came with"))?;
-        let lab = super::lab(&manifest.name)?;
+        let mut lab = super::lab(&manifest.name)?;
+        if manifest.version != lab.manifest.version {
+            let text = folder::read(&toml)?;
+            let line = 1 + text.lines().position(|line| line.starts_with("version")).unwrap_or(0);
+            let (there, here) = (&manifest.version, &lab.manifest.version);
+            let what = format!(
+                "{}:{line}: this folder is of version {there} of the lab, the program of {here}",
+                toml.display()
+            );
+            failure::say("note", format_args!("{what}; `dcel lab start {} DIR` makes a new one", lab.name));
+        }
+        if let Some((_, course)) = progress::course_above(&dir)?
+            && let Some(of_course) = course.lab(&lab.name)
+        {
+            lab = of_course.applied_to(lab);
+        }
         if let Some(test) = &args.test
             && lab.manifest.test(test).is_none()
         {
@@ -110,6 +125,16 @@ impl Bench {
         Ok(answer(&report))
     }
 
+    /// The name of the lab.
+    pub(super) fn name(&self) -> &str {
+        &self.lab.name
+    }
+
+    /// Builds and grades; whether everything passes.
+    pub(super) fn passes(&mut self, out: &mut Output) -> Result<bool, Failure> {
+        Ok(self.report(out)?.0.verdict.is_passed())
+    }
+
     /// Builds and grades; gives the report, and where its page is.
     fn report(&mut self, out: &mut Output) -> Result<(Report, Option<PathBuf>), Failure> {
         // What was said before must stand before what the compiler says.
@@ -134,6 +159,7 @@ impl Bench {
         // A check of one test says nothing of the others.
         if self.test.is_none() {
             hint::remember(&self.dir, &report);
+            progress::remember(&self.dir, &report);
         }
         let page = self.target().join("report.html");
         let written = write_whole(&page, Format::Html.one(&report)).is_ok();

@@ -1,7 +1,8 @@
 //! `dcel lab`: the labs, for those who do them and for those who set them.
 //!
 //! ```text
-//!   list ── start ── check ⇄ watch     the student's way; hint and reset on the side
+//!   progress, alone: `dcel lab`
+//!   list ── start ── check ⇄ watch     the student's way; hint and reset on the side, idea at the end
 //!   new ── verify ── export            the instructor's
 //! ```
 //!
@@ -16,9 +17,11 @@ mod check;
 mod export;
 mod folder;
 mod hint;
+mod idea;
 mod kit;
 mod list;
 mod new;
+mod progress;
 mod reset;
 mod start;
 mod verify;
@@ -28,16 +31,20 @@ pub(crate) use kit::program_sources;
 
 use super::{Answer, Failure, Output};
 
-/// Do a lab, or set one
+/// Do a lab, or set one; alone, it says how far you are in the course
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
+Alone it lists the labs of the course.toml in this folder or one above, or else all labs, with what the last
+`dcel lab check` said of those in folders below, and what comes next.
+
 Examples:
+  dcel lab
   dcel lab list
   dcel lab start 04 my-lab
   dcel lab check my-lab")]
 pub(crate) struct Args {
     #[command(subcommand)]
-    command: Command,
+    command: Option<Command>,
 }
 
 #[derive(clap::Subcommand, Debug)]
@@ -47,6 +54,7 @@ enum Command {
     Check(check::Args),
     Watch(watch::Args),
     Hint(hint::Args),
+    Idea(idea::Args),
     Reset(reset::Args),
     Verify(verify::Args),
     New(new::Args),
@@ -56,7 +64,8 @@ enum Command {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    match &args.command {
+    let Some(command) = &args.command else { return progress::run(out) };
+    match command {
         Command::List(args) => list::run(args, out),
         Command::Start(args) => start::run(args, out),
         Command::Check(args) => check::run(args, out),
@@ -64,6 +73,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         Command::Verify(args) => verify::run(args, out),
         Command::New(args) => new::run(args, out),
         Command::Hint(args) => hint::run(args, out),
+        Command::Idea(args) => idea::run(args, out),
         Command::Reset(args) => reset::run(args, out),
         Command::Export(args) => export::run(args, out),
         Command::Bundle(args) => bundle::run(args, out),

@@ -82,7 +82,15 @@ impl Course {
     /// # Errors
     /// [`CourseError`] with file, line, column and what to write instead.
     pub fn read(file: &Path) -> Result<Self, CourseError> {
-        read::course(file)
+        read::course(file, true)
+    }
+
+    /// Reads a course without the secrets that it names, which a student does not have.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn read_for_students(file: &Path) -> Result<Self, CourseError> {
+        read::course(file, false)
     }
 
     /// The lab of a name.
