@@ -22,6 +22,8 @@ use std::path::{Path, PathBuf};
 const BUNDLE: &[&str] = &[
     #[cfg(feature = "lab-01")]
     include_str!("bundle/01-predicates.txt"),
+    #[cfg(feature = "lab-02")]
+    include_str!("bundle/02-triangulation.txt"),
     #[cfg(feature = "lab-04")]
     include_str!("bundle/04-half-edge.txt"),
 ];

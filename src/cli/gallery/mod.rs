@@ -101,6 +101,11 @@ static REFERENCES: &[Reference] = &[
         draw: labs::lab_01::map,
     },
     Reference {
+        file: "lab-02-triangulation.svg",
+        about: "the polygon of lab 02 in its only triangulation",
+        draw: labs::lab_02::triangulation,
+    },
+    Reference {
         file: "lab-04-drawing.svg",
         about: "the drawing of lab 04, made of the rectangle with split_face and split_in_half alone",
         draw: labs::lab_04::drawing,
@@ -313,8 +318,15 @@ fn command(file: &str) -> &'static str {
         "interactive.svg" => "dcel figure FILE --interactive -o OUT.svg",
         "pointers.svg" => "dcel figure FILE --pointers all -o OUT.svg",
         "records.svg" => "dcel figure --records -o OUT.svg",
-        "figure-sizes.svg" | "lab-01-map.svg" | "primitives.svg" | "robustness.svg" | "rooms.svg"
-        | "vocabulary.svg" | "walk.svg" | "wrong-signs.svg" => "dcel figures",
+        "figure-sizes.svg"
+        | "lab-01-map.svg"
+        | "lab-02-triangulation.svg"
+        | "primitives.svg"
+        | "robustness.svg"
+        | "rooms.svg"
+        | "vocabulary.svg"
+        | "walk.svg"
+        | "wrong-signs.svg" => "dcel figures",
         "navmesh-ladder.svg" => {
             "dcel navmesh path figures/data/rooms.map 21.5 5.5 0.5 4.5 --triangles --algorithm all -o OUT.svg"
         }
