@@ -24,6 +24,8 @@ const BUNDLE: &[&str] = &[
     include_str!("bundle/01-predicates.txt"),
     #[cfg(feature = "lab-02")]
     include_str!("bundle/02-triangulation.txt"),
+    #[cfg(feature = "lab-03")]
+    include_str!("bundle/03-convex-hulls.txt"),
     #[cfg(feature = "lab-04")]
     include_str!("bundle/04-half-edge.txt"),
 ];

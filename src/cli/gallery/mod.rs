@@ -106,6 +106,16 @@ static REFERENCES: &[Reference] = &[
         draw: labs::lab_02::triangulation,
     },
     Reference {
+        file: "lab-03-hull.svg",
+        about: "the picture that lab 03 asks for: a convex hull, and two tangents from a point",
+        draw: labs::lab_03::picture,
+    },
+    Reference {
+        file: "lab-03-ways.svg",
+        about: "three ways to a convex hull: gift wrapping, Graham's scan, merging two halves",
+        draw: labs::lab_03::three_ways,
+    },
+    Reference {
         file: "lab-04-drawing.svg",
         about: "the drawing of lab 04, made of the rectangle with split_face and split_in_half alone",
         draw: labs::lab_04::drawing,

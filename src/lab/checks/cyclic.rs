@@ -84,13 +84,13 @@ pub fn compare(found: &[u32], expected: &[u32]) -> Option<WalkFault> {
 
 /// Whether two closed walks are the same up to their start.
 #[must_use]
-pub fn is_rotation(found: &[u32], expected: &[u32]) -> bool {
+pub fn is_rotation<T: PartialEq>(found: &[T], expected: &[T]) -> bool {
     found.len() == expected.len() && is_piece(found, expected)
 }
 
 /// Whether `piece` is a stretch of the closed walk, at most once round. Search by failure links (Knuth, Morris and
 /// Pratt, *Fast pattern matching in strings*, 1977), so that long walks of equal elements cost no more.
-fn is_piece(piece: &[u32], walk: &[u32]) -> bool {
+fn is_piece<T: PartialEq>(piece: &[T], walk: &[T]) -> bool {
     if piece.len() > walk.len() {
         return false;
     }

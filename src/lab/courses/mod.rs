@@ -6,6 +6,8 @@
 
 #[cfg(feature = "lab-04")]
 pub mod half_edge;
+#[cfg(feature = "lab-03")]
+pub mod hulls;
 #[cfg(feature = "lab-01")]
 pub mod predicates;
 #[cfg(feature = "lab-02")]
@@ -24,6 +26,8 @@ pub fn judge_of(lab: &str) -> Option<&'static dyn Judge> {
         "01-predicates" => Some(&predicates::PREDICATES),
         #[cfg(feature = "lab-02")]
         "02-triangulation" => Some(&triangulation::TRIANGULATION),
+        #[cfg(feature = "lab-03")]
+        "03-convex-hulls" => Some(&hulls::HULLS),
         #[cfg(feature = "lab-04")]
         "04-half-edge" => Some(&half_edge::HALF_EDGE),
         _ => own().into_iter().find(|own| own.name() == lab).map(|own| own.judge),
@@ -31,8 +35,7 @@ pub fn judge_of(lab: &str) -> Option<&'static dyn Judge> {
 }
 
 /// The labs of the kit, and the folder here that each of them needs.
-pub const FOLDERS: &[(&str, &str)] =
-    &[("01-predicates", "predicates"), ("02-triangulation", "triangulation"), ("04-half-edge", "half_edge")];
+pub const FOLDERS: &[(&str, &str)] = &[("01-predicates", "predicates"), ("02-triangulation", "triangulation"), ("03-convex-hulls", "hulls"), ("04-half-edge", "half_edge")];
 
 /// A lab outside of the kit.
 #[derive(Clone)]

@@ -1,0 +1,101 @@
+//! The figures of lab 03.
+
+use crate::gallery::Made;
+use dcel_kit::figure::FigureOptions;
+use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
+use dcel_kit::plane::predicates::orientation;
+use dcel_kit::plane::{Point, convex_hull};
+use std::cmp::Ordering;
+
+/// The points of the handout; tangents are drawn from the last one.
+const POINTS: [[f64; 2]; 15] = [
+    [-250.0, -60.0],
+    [-110.0, -150.0],
+    [30.0, -150.0],
+    [110.0, -90.0],
+    [130.0, 40.0],
+    [40.0, 140.0],
+    [-130.0, 150.0],
+    [-220.0, 80.0],
+    [-40.0, -150.0],
+    [-120.0, 20.0],
+    [0.0, 60.0],
+    [20.0, -60.0],
+    [-60.0, 90.0],
+    [-160.0, -60.0],
+    [250.0, -10.0],
+];
+
+fn hull(points: &[[f64; 2]]) -> Made<Vec<[f64; 2]>> {
+    let all: Vec<Point> = points.iter().copied().map(Point::from).collect();
+    Ok(convex_hull(&all)?.into_iter().map(|i| points[i as usize]).collect())
+}
+
+fn outline(sketch: &mut Sketch, role: Role, corners: &[[f64; 2]]) {
+    sketch.region(role, [corners.to_vec()]).plain();
+    for (i, p) in corners.iter().enumerate() {
+        sketch.path(role, [*p, corners[(i + 1) % corners.len()]]).solid();
+    }
+}
+
+/// The picture that lab 03 asks for.
+pub(in crate::gallery) fn picture() -> Made<String> {
+    let mut sketch = Sketch::new();
+    let [points @ .., eye] = POINTS;
+    let corners = hull(&points)?;
+    outline(&mut sketch, Role::Main, &corners);
+    // A tangent has all corners on one side.
+    let touches = |touched: &[f64; 2]| {
+        let sides = || corners.iter().map(|&c| orientation(eye.into(), (*touched).into(), c.into()));
+        sides().all(Ordering::is_ge) || sides().all(Ordering::is_le)
+    };
+    for &touched in corners.iter().filter(|&corner| touches(corner)) {
+        sketch.path(Role::Secondary, [eye, touched]).solid();
+    }
+    for point in POINTS {
+        sketch.point(Role::Plain, point);
+    }
+    let options = FigureOptions::new("A convex hull and two tangents").id_prefix("lab-03-hull");
+    Ok(sketch.figure(&options)?.to_svg())
+}
+
+/// Three ways to a hull, each in the middle of its work.
+pub(in crate::gallery) fn three_ways() -> Made<String> {
+    let [points @ .., _] = POINTS;
+    let corners = hull(&points)?;
+    let dots = |sketch: &mut Sketch| {
+        for point in points {
+            sketch.point(Role::Plain, point);
+        }
+    };
+
+    let mut gift = Sketch::new();
+    gift.path(Role::Main, corners[..3].to_vec()).solid();
+    for other in [[110.0, -90.0], [20.0, -60.0], [130.0, 40.0], [0.0, 60.0]] {
+        gift.path(Role::Dimmed, [corners[2], other]);
+    }
+    gift.path(Role::Main, [corners[2], corners[3]]).arrow().label("next corner");
+    dots(&mut gift);
+
+    let mut scan = Sketch::new();
+    scan.path(Role::Main, [[-250.0, -60.0], [-110.0, -150.0], [30.0, -150.0], [110.0, -90.0]]).solid();
+    scan.path(Role::Secondary, [[110.0, -90.0], [130.0, 40.0]]).arrow().label("left turn: stays");
+    scan.path(Role::Dimmed, [[-40.0, -150.0], [20.0, -60.0], [30.0, -150.0]]).label("taken off again");
+    dots(&mut scan);
+
+    let mut halves = Sketch::new();
+    let (left, right): (Vec<[f64; 2]>, Vec<[f64; 2]>) = points.iter().partition(|p| p[0] < -70.0);
+    let parts = [hull(&left)?, hull(&right)?];
+    outline(&mut halves, Role::Main, &parts[0]);
+    outline(&mut halves, Role::Secondary, &parts[1]);
+    halves.path(Role::Event, [[-110.0, -150.0], [30.0, -150.0]]).solid().label("lower tangent");
+    halves.path(Role::Event, [[-130.0, 150.0], [40.0, 140.0]]).solid().label("upper tangent");
+    dots(&mut halves);
+
+    let mut panels = Multiples::new();
+    panels.sketch("Gift wrapping", "from corner to corner", gift);
+    panels.sketch("Graham's scan", "from left to right", scan);
+    panels.sketch("By halves", "two hulls are merged", halves);
+    let options = FigureOptions::new("Three ways to a convex hull").id_prefix("three-ways").width(420.0);
+    Ok(panels.figure(&options)?.to_svg())
+}
