@@ -32,8 +32,6 @@ impl Polygons {
         todo!("tangents")
     }
 
-
-
     /// Task 4. The two common tangents of two convex polygons. All of the polygon of `a` comes before all of the
     /// polygon of `b`, from left to right. Each tangent is given by the corner of the first polygon and the corner of
     /// the second one in which it touches them; first the lower one, with both polygons on its left, then the upper
@@ -42,8 +40,6 @@ impl Polygons {
         let _ = (a, b);
         todo!("common_tangents")
     }
-
-
 
     /// Task 5. Makes one convex polygon of two, their hull, and returns any one of its corners. The polygons are as in
     /// task 4. What becomes of the corners that are inside now is up to you.
