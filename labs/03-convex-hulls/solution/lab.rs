@@ -112,9 +112,9 @@ impl Polygons {
         Some((right, left))
         // END SOLUTION
     }
-
     // BEGIN SOLUTION
     // STARTER:
+
     /// Whether a point is outside of a convex polygon: on the right of a side, or beyond its end.
     fn is_outside(&self, c: CornerId, p: Point) -> bool {
         let mut d = c;
@@ -131,8 +131,8 @@ impl Polygons {
             }
         }
     }
-    // END SOLUTION
 
+    // END SOLUTION
     /// Task 4. The two common tangents of two convex polygons. All of the polygon of `a` comes before all of the
     /// polygon of `b`, from left to right. Each tangent is given by the corner of the first polygon and the corner of
     /// the second one in which it touches them; first the lower one, with both polygons on its left, then the upper
@@ -162,9 +162,9 @@ impl Polygons {
         (lower, upper)
         // END SOLUTION
     }
-
     // BEGIN SOLUTION
     // STARTER:
+
     /// Moves both ends of a line down, until nothing is below it.
     fn lower_tangent(&self, mut a: CornerId, mut b: CornerId) -> (CornerId, CornerId) {
         loop {
@@ -198,8 +198,8 @@ impl Polygons {
             }
         }
     }
-    // END SOLUTION
 
+    // END SOLUTION
     /// Task 5. Makes one convex polygon of two, their hull, and returns any one of its corners. The polygons are as in
     /// task 4. What becomes of the corners that are inside now is up to you.
     pub fn merge(&mut self, a: CornerId, b: CornerId) -> CornerId {
