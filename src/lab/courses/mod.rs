@@ -35,7 +35,12 @@ pub fn judge_of(lab: &str) -> Option<&'static dyn Judge> {
 }
 
 /// The labs of the kit, and the folder here that each of them needs.
-pub const FOLDERS: &[(&str, &str)] = &[("01-predicates", "predicates"), ("02-triangulation", "triangulation"), ("03-convex-hulls", "hulls"), ("04-half-edge", "half_edge")];
+pub const FOLDERS: &[(&str, &str)] = &[
+    ("01-predicates", "predicates"),
+    ("02-triangulation", "triangulation"),
+    ("03-convex-hulls", "hulls"),
+    ("04-half-edge", "half_edge"),
+];
 
 /// A lab outside of the kit.
 #[derive(Clone)]

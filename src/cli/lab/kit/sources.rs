@@ -22,6 +22,7 @@ pub(super) const FURTHER: &[(&str, &str)] = &[
     ("src/cli/gallery/delaunay.rs", include_str!("../../gallery/delaunay.rs")),
     ("src/cli/gallery/labs/lab_01.rs", include_str!("../../gallery/labs/lab_01.rs")),
     ("src/cli/gallery/labs/lab_02.rs", include_str!("../../gallery/labs/lab_02.rs")),
+    ("src/cli/gallery/labs/lab_03.rs", include_str!("../../gallery/labs/lab_03.rs")),
     ("src/cli/gallery/labs/lab_04.rs", include_str!("../../gallery/labs/lab_04.rs")),
     ("src/cli/gallery/labs/mod.rs", include_str!("../../gallery/labs/mod.rs")),
     ("src/cli/gallery/lesson.rs", include_str!("../../gallery/lesson.rs")),
