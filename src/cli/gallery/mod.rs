@@ -331,6 +331,8 @@ fn command(file: &str) -> &'static str {
         "figure-sizes.svg"
         | "lab-01-map.svg"
         | "lab-02-triangulation.svg"
+        | "lab-03-hull.svg"
+        | "lab-03-ways.svg"
         | "primitives.svg"
         | "robustness.svg"
         | "rooms.svg"
