@@ -45,6 +45,8 @@ mod learn;
 mod manifest;
 mod markers;
 mod mutants;
+#[cfg(feature = "grade")]
+mod own_cases;
 mod own_folder;
 #[cfg(feature = "grade")]
 mod own_lab;
@@ -93,6 +95,8 @@ pub use grade::{grade_and_sign, grade_program};
 pub use kit::{COPIES, KitBuild, Package, sources};
 pub use manifest::{Manifest, Task, Test};
 pub use markers::{MarkError, starter};
+#[cfg(feature = "grade")]
+pub use own_cases::{KnownMistakes, OWN_CASES, OwnCaseError, OwnCases, built};
 pub use own_folder::{FolderCheck, Workbench, check_folder};
 #[cfg(feature = "grade")]
 pub use own_lab::{NewLabError, new_lab};

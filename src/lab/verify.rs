@@ -326,7 +326,13 @@ fn grade_variant(
 
 /// Makes the lab's program with this text as the student's file. What the compiler knows of the other files stays in
 /// the folder, for the next text.
-fn compile(lab: &Lab, folder: &Path, program: &Path, text: &str, strict: bool) -> io::Result<Result<(), String>> {
+pub(crate) fn compile(
+    lab: &Lab,
+    folder: &Path,
+    program: &Path,
+    text: &str,
+    strict: bool,
+) -> io::Result<Result<(), String>> {
     for (path, given) in lab.files.iter().filter(|(path, _)| path.starts_with("src/")) {
         let path_there = folder.join(path);
         std::fs::create_dir_all(path_there.parent().unwrap_or(folder))?;

@@ -198,3 +198,37 @@ fn progress_is_told_and_the_idea_comes_last() {
     let err = shell.dcel("lab check mine --test face_walk").err;
     assert!(err.contains("lab.toml:4: this folder is of version 0.9-"), "{err}");
 }
+
+/// Cases that catch some mistakes, and one whose author is mistaken.
+const OWN: &str = "case the outer face\nrectangle\nwalk_face f0\nexpect cycle h1 h11 h9 h7 h5 h3\n\
+    case the inner face # in any order\nrectangle\nwalk_face f1\nexpect set h0 h2 h4 h6 h8 h10\n\
+    case a split\nrectangle\nsplit_face h2 h8\nexpect true\nsplit_face h0 h0\nexpect false\n\
+    case my mistake\nrectangle\ndestination h0\nexpect v0\n";
+
+#[test]
+fn own_tests_are_judged_by_the_solution_and_the_known_mistakes() {
+    let shell = Folder::empty();
+    let labs = concat!(env!("CARGO_MANIFEST_DIR"), "/../../labs");
+    shell.dcel("lab start 04 mine").fine();
+    shell.dcel("lab check mine --own").fails(2, "tests/own.txt", "expect ANSWER");
+    shell.write("mine/tests/own.txt", OWN);
+    let told = shell.dcel("lab check mine --own");
+    assert!(told.code == Some(1) && told.out.contains("0 of 4 cases are answered as you expect"), "{told:?}");
+    solve(&shell, "mine");
+    let told = shell.dcel("lab check mine --own");
+    assert!(told.out.contains("+ `the outer face`") && told.out.contains("3 of 4 cases"), "{told:?}");
+    assert!(told.out.contains("- `my mistake`: line 18: expected v0, answered \"1\""), "{told:?}");
+
+    // What the known mistakes are is never said; that the fourth case is wrong is.
+    let course = COURSE.replace("most = 104", "own_tests = 6.9");
+    shell.write("course.toml", &course);
+    shell.dcel("grade 04 mine --course course.toml").fails(2, "6.9 points for own tests", "--own DIR");
+    shell.dcel(&format!("grade 04 mine --course course.toml --own {labs} --report json=out.json")).fine();
+    let report: Report = serde_json::from_str(&shell.read("out.json")).unwrap();
+    let own = report.terms.own_tests.as_ref().unwrap();
+    assert_eq!((own.cases, own.known, own.problems.len()), (3, Lab::bundled("04").unwrap().bugs.len(), 1));
+    assert!((5..own.known / 2).contains(&own.caught), "{own:?}");
+    assert!(own.problems[0].contains("`my mistake` does not count"), "{own:?}");
+    assert_eq!(report.max_points().to_string(), "106.9");
+    assert!(report.earned() > 100.into() && report.earned() < report.max_points(), "{:?}", report.earned());
+}

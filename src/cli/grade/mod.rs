@@ -26,8 +26,9 @@ mod terms;
 
 use super::{Answer, Failure, Output, failure};
 use class::{Class, KEPT};
+use dcel_kit::files::ScratchFolder;
 use dcel_lab::{
-    ClassError, GradeOptions, Grader, Hidden, Lab, Outcome, Plan, Report, Secret, Stop, Submission, Verdict,
+    ClassError, GradeOptions, Grader, Hidden, Lab, OWN_CASES, Outcome, Plan, Report, Secret, Stop, Submission, Verdict,
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use lists::Lists;
@@ -57,6 +58,9 @@ understood. Rows are called by person, folder or file, with as much of the path 
   DIR/reports/NAME.json      all there is to know, for --from-report DIR
 Ctrl-C leaves what is done there, and the same command goes on where it stopped: only what is new or has changed
 is graded (a submission, the lab, a limit, the seed, this program or rustc).
+
+--own DIR runs the own tests that were handed in against the solution and the known mistakes of the lab: DIR is the
+folder `labs` of a checkout. The report says how many mistakes they catch, and never which.
 
 --shard PART/PARTS grades one part of a class, for a matrix of machines: each is given the whole class, the same seed
 and a folder of its own for --results; --merge puts these folders together.
@@ -136,6 +140,9 @@ pub(crate) struct Args {
     /// When each was handed in, CSV with the columns submission,handed_in and, for who has an own date, due
     #[arg(long, value_name = "FILE", requires = "course")]
     times: Option<PathBuf>,
+    /// Judge own tests (tests/own.txt): the folder of the labs with their solutions
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["from_report", "merge"])]
+    own: Option<PathBuf>,
     /// Exit code 1 if a submission has less than this share of the points, in percent
     #[arg(long, value_name = "PERCENT")]
     fail_under: Option<f64>,
@@ -211,6 +218,11 @@ fn graded(
 ) -> Result<(Vec<Report>, Option<Failure>), Failure> {
     let submissions = Submission::class(&args.submissions, args.all_in.as_deref()).map_err(|error| no_class(&error))?;
     terms.check_count(submissions.len())?;
+    let room = ScratchFolder::new("dcel-own").map_err(|error| Failure::writing("a temporary folder", &error))?;
+    let known = match &args.own {
+        Some(labs) => Some(super::lab::known_mistakes(lab, labs, room.path())?),
+        None => terms.check_own_tests().map(|()| None)?,
+    };
     let own: Vec<&str> = submissions.iter().map(Submission::name).collect();
     let lists = lists.resolve(&own, |i, name| submissions[i].is_called(name))?;
     let mut class = Class::new(args, lab, &lists, submissions.len())?;
@@ -232,8 +244,8 @@ fn graded(
         stop: stop.clone(),
         ..GradeOptions::default()
     };
-    let grader =
-        Grader::new(lab.clone(), &options).map_err(|error| Failure::writing("a folder for the work", &error))?;
+    let grader = Grader::new(with_own_tests(lab, known.is_some()), &options)
+        .map_err(|error| Failure::writing("a folder for the work", &error))?;
     let bar = bar(submissions.len());
     let mut failed = None;
     let outcome = grader.grade_all(&submissions, &plan, |i, mut report| {
@@ -242,6 +254,10 @@ fn graded(
             bar.suspend(|| failure::say("grader fault", format_args!("{}: {message}", submissions[i].name())));
         }
         lists.apply(i, &mut report);
+        if let Some(known) = known.as_ref().filter(|_| report.verdict != Verdict::GraderFault) {
+            let text = report.attachments.iter().find(|(path, _)| path == OWN_CASES).map(|(_, text)| text.as_str());
+            report.terms.own_tests = Some(known.caught_by_text(text));
+        }
         terms.settle(&mut report, terms.when(&lists, i, &submissions[i]));
         if let Err(error) = class.take(i, report, out)
             && failed.is_none()
@@ -283,6 +299,15 @@ fn graded(
         _ => None,
     };
     Ok((reports, end))
+}
+
+/// The lab, of which own tests are taken in, too.
+fn with_own_tests(lab: &Lab, are_taken: bool) -> Lab {
+    let mut lab = lab.clone();
+    if are_taken && !lab.manifest.optional.iter().any(|path| path == OWN_CASES) {
+        lab.manifest.optional.push(OWN_CASES.to_owned());
+    }
+    lab
 }
 
 fn no_class(error: &ClassError) -> Failure {

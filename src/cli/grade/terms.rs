@@ -8,7 +8,7 @@ use super::super::Failure;
 use super::lists::{Lists, Resolved};
 use super::{Args, fs};
 use dcel_lab::course::{Course, CourseLab};
-use dcel_lab::{HandedIn, Lab, Report, Secret, Submission};
+use dcel_lab::{HandedIn, Lab, Points, Report, Secret, Submission};
 use std::path::{Path, PathBuf};
 
 /// The terms of a course; without one, nothing changes.
@@ -77,6 +77,20 @@ impl Terms {
             report.notes.push(UNKNOWN.to_owned());
         }
         lab.settle(report);
+    }
+
+    /// Points for own tests need the known mistakes.
+    pub(super) fn check_own_tests(&self) -> Result<(), Failure> {
+        match &self.lab {
+            Some(lab) if lab.own_tests > Points::ZERO => {
+                let what = format!("the course gives {} points for own tests of {}", lab.own_tests, lab.name);
+                Err(Failure::input(
+                    what,
+                    "add --own DIR: the folder `labs` of a checkout, which has the known mistakes",
+                ))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// One file of metadata tells of one submission.

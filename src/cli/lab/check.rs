@@ -1,7 +1,7 @@
 //! `dcel lab check`: how far the work is, and what to do next.
 
 use super::super::{Answer, Failure, Output, failure};
-use super::{folder, hint, progress};
+use super::{folder, hint, own, progress};
 use dcel_kit::files::write_whole;
 use dcel_lab::reports::Format;
 use dcel_lab::{Lab, Manifest, Plan, Report, TestResult, Verdict, Workbench, check_folder, test_text};
@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 #[command(after_help = "\
 Shows a line for each test and, in full, the first one that fails: it is the next thing to do. Only the file that you
 hand in is taken, and built with the given ones: so the verdicts are those of `cargo test` and of your instructor's
-grader. A note says what else you have changed. Pictures of what went wrong are in target/check/report.html.
+grader. --own runs cases of your own, with the answers that you expect (tests/own.txt). A note says what else you have changed. Pictures of what went wrong are in target/check/report.html.
 
 Examples:
   dcel lab check
@@ -24,6 +24,12 @@ Examples:
 pub(crate) struct Args {
     #[command(flatten)]
     what: What,
+    /// Run your own cases, tests/own.txt, instead of the graded tests
+    #[arg(long, conflicts_with_all = ["json", "test", "all", "seed"])]
+    own: bool,
+    /// The folder of the labs with their solutions: with --own, how many known mistakes your cases catch
+    #[arg(long, value_name = "DIR", requires = "own")]
+    labs: Option<PathBuf>,
     /// Answer in JSON: the report as `dcel grade --report json=FILE` writes it
     #[arg(long)]
     json: bool,
@@ -49,6 +55,9 @@ pub(super) struct What {
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let mut bench = Bench::new(&args.what)?;
+    if args.own {
+        return own::check(&bench.lab, &bench.dir, args.labs.as_deref(), out);
+    }
     if !args.json {
         return bench.check(out);
     }

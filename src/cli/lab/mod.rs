@@ -9,6 +9,7 @@
 //! ```text
 //!   bundle.rs  `dcel lab bundle`
 //!   folder.rs  The student's folder on disk
+//!   own.rs     `dcel lab check --own`
 //!   kit/       The sources of the whole program, for a grader that is built elsewhere
 //! ```
 
@@ -21,6 +22,7 @@ mod idea;
 mod kit;
 mod list;
 mod new;
+mod own;
 mod progress;
 mod reset;
 mod start;
@@ -28,6 +30,7 @@ mod verify;
 mod watch;
 
 pub(crate) use kit::program_sources;
+pub(crate) use own::known_mistakes;
 
 use super::{Answer, Failure, Output};
 

@@ -98,7 +98,7 @@ fn write_starter(folder: &Path, lab: &Lab, out: &mut Output) -> Result<(), Failu
     Ok(writeln!(out, "{}: written", path.display())?)
 }
 
-fn read(folder: &Path) -> Result<Lab, Failure> {
+pub(super) fn read(folder: &Path) -> Result<Lab, Failure> {
     Lab::read(folder).map_err(|error| Failure::input(error, "name a lab's folder"))
 }
 

@@ -135,6 +135,8 @@ pub(super) const FURTHER: &[(&str, &str)] = &[
     ("src/lab/kit/sources.rs", include_str!("../kit/sources.rs")),
     ("src/lab/kit/walk.rs", include_str!("../kit/walk.rs")),
     ("src/lab/learn.rs", include_str!("../learn.rs")),
+    ("src/lab/own_cases/cases.rs", include_str!("../own_cases/cases.rs")),
+    ("src/lab/own_cases/mod.rs", include_str!("../own_cases/mod.rs")),
     ("src/lab/own_lab.rs", include_str!("../own_lab.rs")),
     ("src/lab/reports/bugs.rs", include_str!("../reports/bugs.rs")),
     ("src/lab/reports/class_page.rs", include_str!("../reports/class_page.rs")),

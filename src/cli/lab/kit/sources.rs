@@ -55,6 +55,7 @@ pub(super) const FURTHER: &[(&str, &str)] = &[
     ("src/cli/lab/list.rs", include_str!("../../lab/list.rs")),
     ("src/cli/lab/mod.rs", include_str!("../../lab/mod.rs")),
     ("src/cli/lab/new.rs", include_str!("../../lab/new.rs")),
+    ("src/cli/lab/own.rs", include_str!("../../lab/own.rs")),
     ("src/cli/lab/progress.rs", include_str!("../../lab/progress.rs")),
     ("src/cli/lab/reset.rs", include_str!("../../lab/reset.rs")),
     ("src/cli/lab/start.rs", include_str!("../../lab/start.rs")),
