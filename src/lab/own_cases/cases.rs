@@ -222,7 +222,7 @@ fn is_same(expected: &str, said: &str) -> bool {
     let id = without_letter.filter(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()));
     let (expected, said) = (id.unwrap_or(expected), said.trim_start_matches('#'));
     let numbers = expected.parse::<f64>().ok().zip(said.parse::<f64>().ok());
-    expected == said || numbers.is_some_and(|(a, b)| a == b)
+    expected == said || numbers.is_some_and(|(a, b)| a.partial_cmp(&b).is_some_and(std::cmp::Ordering::is_eq))
 }
 
 #[cfg(test)]
