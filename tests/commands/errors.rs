@@ -74,7 +74,7 @@ fn errors_are_json_with_their_place() {
     folder.dcel("info none.obj").fails(2, "none.obj: cannot be read", "");
     // An answer is one value as before.
     assert_eq!(folder.dcel("info square.obj --json").json()["edges"], 5);
-    assert_eq!(folder.dcel("lab list --json").json()[0]["name"], "04-half-edge");
+    assert_eq!(folder.dcel("lab list --json").json()[0]["name"], "01-predicates");
     let lab = folder.dcel("lab list 04 --json").json();
     assert_eq!((&lab["points"], lab["tasks"].as_array().map(Vec::len)), (&json!(100), Some(8)));
     assert!(lab["tasks"][0]["tests"][0]["points"].as_u64().is_some_and(|points| points > 0), "{lab}");
