@@ -1,8 +1,30 @@
 //! The reference figure of lab 02.
 
 use crate::gallery::Made;
+use dcel_kit::figure::FigureOptions;
+use dcel_kit::figure::sketch::{Role, Sketch};
+use dcel_lab::courses::triangulation::drawing;
 
-/// The triangulation that lab 02 asks for.
+/// The triangulation that lab 02 asks for: the only one that its polygon has.
 pub(in crate::gallery) fn triangulation() -> Made<String> {
-    Ok(dcel_lab::courses::triangulation::drawing::picture())
+    let mut sketch = Sketch::new();
+    let triangles = drawing::triangles();
+    for &corners in &triangles {
+        sketch.region(Role::Main, [corners]).plain();
+    }
+    let mut drawn: Vec<[[f64; 2]; 2]> = Vec::new();
+    for [a, b, c] in triangles {
+        // A diagonal is a side of two triangles, and runs the other way in the second.
+        for [p, q] in [[a, b], [b, c], [c, a]] {
+            if !drawn.contains(&[q, p]) {
+                sketch.path(Role::Plain, [p, q]);
+                drawn.push([p, q]);
+            }
+        }
+    }
+    for corner in drawing::DRAWING {
+        sketch.point(Role::Plain, corner);
+    }
+    let options = FigureOptions::new("A polygon cut into triangles").id_prefix("lab-02-triangulation").width(620.0);
+    Ok(sketch.figure(&options)?.to_svg())
 }

@@ -33,25 +33,25 @@ pub(super) fn scan(points: &[Point], wrong: Scan) -> Vec<Point> {
     if sorted.len() < 2 {
         return sorted;
     }
-    let mut hull = Vec::new();
+    let mut found = Vec::new();
     for _ in 0..2 {
-        let mut side: Vec<Point> = Vec::new();
+        let mut chain: Vec<Point> = Vec::new();
         for &p in &sorted {
-            while let [.., a, b] = side[..]
+            while let [.., a, b] = chain[..]
                 && !orientation(a, b, p).is_gt()
             {
-                side.pop();
+                chain.pop();
                 if wrong == Scan::AtMostOne {
                     break;
                 }
             }
-            side.push(p);
+            chain.push(p);
         }
-        side.pop();
-        hull.append(&mut side);
+        chain.pop();
+        found.append(&mut chain);
         sorted.reverse();
     }
-    hull
+    found
 }
 
 /// How gift wrapping goes wrong.
@@ -68,21 +68,21 @@ pub(super) fn gift(points: &[Point], wrong: Gift) -> Vec<Point> {
     let before = |p: Point, q: Point| {
         if wrong == Gift::AnyLeftmost { p.x < q.x } else { left_to_right(p, q).is_lt() }
     };
-    let Some(first) = points.iter().copied().reduce(|best, p| if before(p, best) { p } else { best }) else {
+    let Some(first) = points.iter().copied().reduce(|kept, p| if before(p, kept) { p } else { kept }) else {
         return Vec::new();
     };
     let (mut hull, mut here) = (Vec::new(), first);
     while hull.len() <= points.len() {
         hull.push(here);
-        let mut best = here;
+        let mut kept = here;
         for &p in points {
-            let side = orientation(here, best, p);
-            let further = wrong != Gift::AnyInLine && side.is_eq() && is_between(here, best, p);
-            if best == here || side.is_lt() || further {
-                best = p;
+            let side = orientation(here, kept, p);
+            let further = wrong != Gift::AnyInLine && side.is_eq() && is_between(here, kept, p);
+            if kept == here || side.is_lt() || further {
+                kept = p;
             }
         }
-        here = best;
+        here = kept;
         if here == first {
             return hull;
         }

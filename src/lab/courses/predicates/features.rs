@@ -240,9 +240,9 @@ fn add_sum(add: &mut impl FnMut(Word, bool), numbers: &[f64]) {
 /// The sum in parts that do not overlap, the smallest first (Shewchuk's grow-expansion); or, as a compensated sum has it,
 /// all but the largest part as one double.
 fn grown(numbers: &[f64], compensated: bool) -> Vec<f64> {
-    let mut parts: Vec<f64> = Vec::new();
-    for &number in numbers {
-        let (mut carry, mut next) = (number, Vec::new());
+    let mut parts = Vec::<f64>::new();
+    for &added in numbers {
+        let (mut carry, mut next) = (added, Vec::new());
         for part in parts {
             let total = carry + part;
             let of_part = total - carry;

@@ -201,7 +201,7 @@ fn sum_of(exchange: &Exchange, found: &[Value]) -> Option<Wrong> {
         _ => "the sum is zero",
     };
     let sign = |x: f64| x.partial_cmp(&0.0).unwrap_or(Ordering::Equal) as i32;
-    let plain = sign(numbers.iter().sum());
+    let plain = sign(numbers.iter().copied().sum());
     let largest = numbers.iter().copied().fold(0.0, |most: f64, x| if x.abs() > most.abs() { x } else { most });
     let wrong = Wrong::value(&Value::Number(f64::from(expected)), because);
     let others = [

@@ -145,7 +145,7 @@ fn orders(list: &[f64]) -> Vec<Vec<f64>> {
 
 /// Numbers of every size with their opposites in some order, and one small number that decides; sometimes none.
 pub(super) fn random_sum(random: &mut Random, pairs: usize) -> Vec<f64> {
-    let mut numbers = Vec::new();
+    let mut numbers = Vec::<f64>::with_capacity(3 * pairs + 1);
     for _ in 0..pairs {
         let x = (random.bits() >> 11) as f64 * 2f64.powi(random.below(500) as i32 - 250);
         // In two parts, which may not be those of the double.

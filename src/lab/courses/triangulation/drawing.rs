@@ -1,12 +1,18 @@
 //! The picture of the handout's polygon, cut into triangles. It has one triangulation only, so that all right pictures
 //! are alike.
 
-use super::geometry::triangles;
-use super::polygons::DRAWING;
+use super::geometry;
+pub use super::polygons::DRAWING;
 use std::fmt::Write;
 
 /// The colours of the triangles, in turn.
 const FILLS: [&str; 5] = ["#cfe3f5", "#f8dfc2", "#d6ecd2", "#eed6e8", "#f5eeb9"];
+
+/// The triangles, by their corners.
+#[must_use]
+pub fn triangles() -> Vec<[[f64; 2]; 3]> {
+    geometry::triangles(&DRAWING).into_iter().map(|corners| corners.map(|k| DRAWING[k])).collect()
+}
 
 /// The picture, with the coordinates that the program of the lab writes: y points down in a file.
 #[must_use]
@@ -14,9 +20,8 @@ pub fn picture() -> String {
     let mut out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-110 -200 430 430\">\n  \
                    <title>A polygon cut into triangles</title>\n"
         .to_owned();
-    let triangles =
-        triangles(&DRAWING).into_iter().map(|corners| corners.map(|k| [DRAWING[k][0], 0.0 - DRAWING[k][1]]));
-    let triangles: Vec<[[f64; 2]; 3]> = triangles.collect();
+    let triangles: Vec<[[f64; 2]; 3]> =
+        triangles().into_iter().map(|corners| corners.map(|[x, y]| [x, 0.0 - y])).collect();
     for (i, triangle) in triangles.iter().enumerate() {
         let corners: Vec<String> = triangle.iter().map(|[x, y]| format!("{x},{y}")).collect();
         let _ = writeln!(out, "  <polygon points=\"{}\" fill=\"{}\"/>", corners.join(" "), FILLS[i % FILLS.len()]);

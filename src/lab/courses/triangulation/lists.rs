@@ -37,13 +37,13 @@ pub(super) fn prev(records: &Records, corner: u32) -> Option<u32> {
 /// The corners from one along next until it comes again; `None` if it does not, or a link is not set.
 pub(super) fn cycle(records: &Records, first: u32) -> Option<Vec<u32>> {
     let mut corners = vec![first];
-    let mut corner = next(records, first)?;
-    while corner != first {
+    let mut at = next(records, first)?;
+    while at != first {
         if corners.len() > records.len(0) {
             return None;
         }
-        corners.push(corner);
-        corner = next(records, corner)?;
+        corners.push(at);
+        at = next(records, at)?;
     }
     Some(corners)
 }

@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 use std::fmt::Write;
 
 /// The polygon of the handout, which has one triangulation only.
-pub(super) const DRAWING: [[f64; 2]; 17] = [
+pub const DRAWING: [[f64; 2]; 17] = [
     [0.0, 0.0],
     [-40.0, 110.0],
     [-90.0, -80.0],
