@@ -71,6 +71,7 @@ impl Points {
     }
 
     /// As it is written in a file, exactly.
+    #[cfg(feature = "grade")]
     pub(crate) fn written(self) -> String {
         serde_json::to_string(&self).unwrap_or_default()
     }
