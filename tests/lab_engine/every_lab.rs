@@ -77,6 +77,7 @@ fn the_manifest_is_the_one_that_the_handout_tells_of() {
 fn every_graded_test_is_a_test_of_its_name() {
     for (lab, folder) in labs() {
         let source = read(&folder, "tests/graded.rs");
+        assert!(source.contains(&format!("dcel_lab::graded(\"{lab}\", ")), "{lab}: tests/graded.rs names another lab");
         let test = |name: &str| format!("#[test]\nfn {name}() {{\n    graded(\"{name}\");\n}}\n");
         let made: Vec<String> = manifest(&folder).tests.iter().map(|graded| test(&graded.name)).collect();
         let (_, found) = source.split_once("\n}\n\n").unwrap();
