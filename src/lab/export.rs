@@ -5,14 +5,17 @@
 //!     setup.sh         once, with the network: a Rust toolchain, then the kit
 //!     run_autograder   for each submission: dcel grade … --report gradescope=…
 //!     kit/             the sources of the kit, if it comes from a checkout
+//!     course.toml secret.toml labs/    of a course: its terms, the hidden cases, the known mistakes for own tests
 //!
 //!   classroom50.zip    for CLASSROOM/autograders/ASSIGNMENT/ in the course's own repository
 //!     autograder.py    for each submission: builds the kit, dcel grade … --report classroom50=…
 //!     kit/             as above
+//!     course.toml      of a course: what everybody may know of it
 //! ```
 //!
 //! The bytes of an archive depend on its files alone: entries by name, all with one fixed date.
 
+use super::course::SECRET_BESIDE;
 use super::student::Kit;
 use super::typed;
 use std::collections::BTreeMap;
@@ -49,7 +52,7 @@ export RUSTUP_HOME=/opt/rustup CARGO_HOME=/opt/cargo PATH=/opt/dcel/bin:/opt/car
 results=/autograder/results/results.json
 mkdir -p /autograder/results
 rm -f \"$results\"
-dcel grade LAB /autograder/submission --report gradescope=\"$results\" || true
+dcel grade LAB /autograder/submission FLAGS--report gradescope=\"$results\" || true
 if [ ! -s \"$results\" ]; then
     printf '{\"score\": 0, \"output\": \"The grader failed; this is not your fault. Tell your instructor.\"}\\n' > \"$results\"
 fi
@@ -91,6 +94,8 @@ def main():
     graded.unlink(missing_ok=True)
     reports = [f\"classroom50={graded}\", \"markdown=release-body.md\"]
     flags = [word for report in reports for word in (\"--report\", report)]
+    if (HERE / \"course.toml\").is_file():
+        flags += [\"--course\", HERE / \"course.toml\"]
     done = subprocess.run([program(), \"grade\", \"LAB\", \".\", *flags], check=False)
     if done.returncode > 1 or not graded.is_file():
         sys.exit(\"::error::The grader failed; this is not the student's fault.\")
@@ -126,9 +131,39 @@ impl From<String> for Packed {
     }
 }
 
+/// What a course adds to an autograder.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct CourseFiles {
+    /// The course with this lab alone: `course.toml`.
+    pub course: String,
+    /// The hidden cases: `secret.toml`.
+    pub secret: Option<String>,
+    /// The lab's folder with its known mistakes, by path from `labs/` on, if own tests give points.
+    pub lab: BTreeMap<String, String>,
+    /// Whether the time of submission matters.
+    pub is_due: bool,
+}
+
+impl CourseFiles {
+    /// The files beside the programs.
+    fn files(&self) -> BTreeMap<String, Packed> {
+        let mut files: BTreeMap<_, _> = [("course.toml".to_owned(), Packed::from(self.course.clone()))].into();
+        files.extend(self.secret.clone().map(|secret| (SECRET_BESIDE.to_owned(), secret.into())));
+        files.extend(self.lab.iter().map(|(path, text)| (format!("labs/{path}"), Packed::from(text.clone()))));
+        files
+    }
+
+    /// What the grader is called with, each word followed by a space.
+    fn flags(&self) -> String {
+        let metadata = if self.is_due { "--metadata /autograder/submission_metadata.json " } else { "" };
+        let own = if self.lab.is_empty() { "" } else { "--own /autograder/source/labs " };
+        format!("--course /autograder/source/course.toml {metadata}{own}")
+    }
+}
+
 /// The files of an autograder for Gradescope.
 ///
-/// `sources` are the files of the program, for a kit that is inside.
+/// `sources` are the files of the program, for a kit that is inside; `course` is what a course adds.
 ///
 /// # Errors
 /// A checkout of the kit that cannot be read.
@@ -136,15 +171,18 @@ pub fn gradescope_files<'a>(
     lab: &str,
     kit: &Kit,
     sources: impl IntoIterator<Item = (&'a str, &'a str)>,
+    course: Option<&CourseFiles>,
 ) -> io::Result<BTreeMap<String, Packed>> {
     let mut files = kit_files(kit, sources)?;
+    files.extend(course.map(CourseFiles::files).unwrap_or_default());
+    let flags = course.map(CourseFiles::flags).unwrap_or_default();
     let source = match kit {
         Kit::Inside | Kit::Path(_) => "--path /autograder/source/kit/src/cli".to_owned(),
         Kit::Git(url) => format!("--git {} dcel", typed::word(url)),
         Kit::Version(version) => format!("--version {} dcel", typed::word(version)),
     };
     let program = |text: &str| Packed {
-        bytes: text.replace("INSTALL", &source).replace("LAB", lab).into_bytes(),
+        bytes: text.replace("INSTALL", &source).replace("FLAGS", &flags).replace("LAB", lab).into_bytes(),
         executable: true,
     };
     files.insert("setup.sh".to_owned(), program(SETUP));
@@ -154,7 +192,8 @@ pub fn gradescope_files<'a>(
 
 /// The files of an autograder for Classroom 50.
 ///
-/// `sources` are the files of the program, for a kit that is inside.
+/// `sources` are the files of the program, for a kit that is inside; `course` is the file of the course as
+/// everybody may read it.
 ///
 /// # Errors
 /// A checkout of the kit that cannot be read.
@@ -162,8 +201,10 @@ pub fn classroom50_files<'a>(
     lab: &str,
     kit: &Kit,
     sources: impl IntoIterator<Item = (&'a str, &'a str)>,
+    course: Option<String>,
 ) -> io::Result<BTreeMap<String, Packed>> {
     let mut files = kit_files(kit, sources)?;
+    files.extend(course.map(|course| ("course.toml".to_owned(), Packed::from(course))));
     // A string of JSON is one of Python, too.
     let quoted = |text: &str| serde_json::Value::from(text).to_string();
     let source = match kit {
@@ -235,7 +276,7 @@ mod tests {
 
     #[test]
     fn an_archive_holds_its_files_and_always_has_the_same_bytes() {
-        let files = gradescope_files("04-half-edge", &Kit::Version("0'1".to_owned()), []).unwrap();
+        let files = gradescope_files("04-half-edge", &Kit::Version("0'1".to_owned()), [], None).unwrap();
         let bytes = zipped(&files).unwrap();
         assert_eq!(bytes, zipped(&files).unwrap());
         let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).unwrap();
@@ -251,7 +292,7 @@ mod tests {
     #[test]
     fn an_autograder_in_python_quotes_where_the_kit_comes_from() {
         let of = |kit: &Kit| {
-            let files = classroom50_files("04-half-edge", kit, [("Cargo.toml", "[package]")]).unwrap();
+            let files = classroom50_files("04-half-edge", kit, [("Cargo.toml", "[package]")], None).unwrap();
             (
                 files.keys().cloned().collect::<Vec<_>>(),
                 String::from_utf8(files["autograder.py"].bytes.clone()).unwrap(),
@@ -269,7 +310,7 @@ mod tests {
     #[test]
     fn the_sources_of_the_kit_are_those_it_is_built_from() {
         let checkout = env!("CARGO_MANIFEST_DIR").strip_suffix("src/lab").unwrap();
-        let files = gradescope_files("04-half-edge", &Kit::Path(checkout.into()), []).unwrap();
+        let files = gradescope_files("04-half-edge", &Kit::Path(checkout.into()), [], None).unwrap();
         for needed in ["Cargo.toml", "Cargo.lock", "src/lib.rs", "src/cli/Cargo.toml", "figures/data/rooms.map"] {
             assert!(files.contains_key(&format!("kit/{needed}")), "{needed}");
         }

@@ -86,7 +86,7 @@ pub use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
 
 pub use bug::{Bug, BugError, Edit};
 #[cfg(feature = "grade")]
-pub use export::{Packed, classroom50_files, gradescope_files, zipped};
+pub use export::{CourseFiles, Packed, classroom50_files, gradescope_files, zipped};
 pub use features::FeatureSet;
 pub use feedback::{graded, graded_by, test_text};
 pub use files::{LabFiles, LabFilesError};

@@ -5,6 +5,7 @@ mod alike;
 mod class;
 mod commands;
 mod course;
+mod course_export;
 mod doors;
 mod examples;
 mod own_lab;

@@ -8,6 +8,7 @@
 //!
 //! ```text
 //!   bundle.rs  `dcel lab bundle`
+//!   export/    `dcel lab export`: a lab, or all of a course
 //!   folder.rs  The student's folder on disk
 //!   own.rs     `dcel lab check --own`
 //!   kit/       The sources of the whole program, for a grader that is built elsewhere

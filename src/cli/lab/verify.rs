@@ -103,7 +103,7 @@ pub(super) fn read(folder: &Path) -> Result<Lab, Failure> {
 }
 
 /// The folder of the labs: the one named, or that of the checkout around this place.
-fn labs(named: Option<&Path>, names: &[String]) -> Result<PathBuf, Failure> {
+pub(super) fn labs(named: Option<&Path>, names: &[String]) -> Result<PathBuf, Failure> {
     const HELP: &str = "go into a checkout of the kit, or name its folder with --labs DIR";
     let holds = |folder: &Path| names.iter().all(|name| folder.join(name).join("lab.toml").is_file());
     if let Some(folder) = named {

@@ -60,6 +60,30 @@ impl Every {
 }
 
 impl LateRule {
+    /// The rule in a sentence for students.
+    #[must_use]
+    pub fn sentence(&self) -> String {
+        let each = self.every.word(1).split_off(2);
+        let takes = match self.takes {
+            Takes::Share(share) => format!("{} % of what was earned", share.times(100)),
+            Takes::Points(points) => format!("{points} points"),
+        };
+        let mut text = format!("Each {each} that has begun after the due date takes {takes}");
+        if let Some(most) = self.most {
+            text += &format!(", {} % at most", most.times(100));
+        }
+        if let Some(last) = self.closes_after {
+            text += &format!("; after {} nothing counts any more", self.every.word(last.into()));
+        }
+        text.push('.');
+        match self.grace_minutes {
+            0 => {}
+            1 => text += " One minute late is in time.",
+            minutes => text += &format!(" Up to {minutes} minutes late is in time."),
+        }
+        text
+    }
+
     /// What is taken of these points, and why; `None` if it was handed in in time. Not more than was earned.
     pub(super) fn cost(&self, earned: Points, handed_in: &HandedIn, due: Time) -> Option<Adjustment> {
         let at = handed_in.at.as_ref().and_then(|at| at.parse::<Time>().ok());
@@ -126,6 +150,19 @@ mod tests {
         assert_eq!(points("2026-10-13T21:59:01Z").as_deref(), Some("-60"));
         assert_eq!(points("2026-10-20T00:00:00Z").as_deref(), Some("-90"), "never more than was earned");
         assert_eq!(cost(&rule(), "62", "2026-10-13T12:00:00Z").unwrap().0, "-20.667");
+    }
+
+    #[test]
+    fn the_rule_is_said_in_a_sentence() {
+        let third = "Each day that has begun after the due date takes 33.333 % of what was earned";
+        assert_eq!(rule().sentence(), format!("{third}. Up to 15 minutes late is in time."));
+        let most = LateRule { most: Some("1/2".parse().unwrap()), closes_after: Some(1), grace_minutes: 0, ..rule() };
+        assert_eq!(most.sentence(), format!("{third}, 50 % at most; after 1 day nothing counts any more."));
+        let hours = LateRule { every: Every::Hour, takes: Takes::Points("2.5".parse().unwrap()), ..most };
+        let hours = LateRule { most: None, closes_after: Some(30), ..hours };
+        let sentence =
+            "Each hour that has begun after the due date takes 2.5 points; after 30 hours nothing counts any more.";
+        assert_eq!(hours.sentence(), sentence);
     }
 
     #[test]

@@ -125,6 +125,7 @@ pub(super) const FURTHER: &[(&str, &str)] = &[
     ("src/lab/course/late.rs", include_str!("../course/late.rs")),
     ("src/lab/course/mod.rs", include_str!("../course/mod.rs")),
     ("src/lab/course/read.rs", include_str!("../course/read.rs")),
+    ("src/lab/course/share.rs", include_str!("../course/share.rs")),
     ("src/lab/course/time.rs", include_str!("../course/time.rs")),
     ("src/lab/export.rs", include_str!("../export.rs")),
     ("src/lab/kit/Cargo.lock.txt", include_str!("../kit/Cargo.lock.txt")),
