@@ -26,6 +26,7 @@ mod figure_kind;
 mod figures;
 mod gallery;
 mod grade;
+mod gradebook;
 mod info;
 mod input;
 mod lab;
@@ -109,6 +110,7 @@ enum Command {
     Solid(solid::Args),
     Lab(lab::Args),
     Grade(Box<grade::Args>),
+    Gradebook(gradebook::Args),
     Sample(sample::Args),
     Tour(tour::Args),
     Figures(figures::Args),
@@ -141,6 +143,7 @@ impl Command {
             Self::Solid(args) => solid::run(&args, out),
             Self::Lab(args) => lab::run(&args, out),
             Self::Grade(args) => grade::run(&args, out),
+            Self::Gradebook(args) => gradebook::run(&args, out),
             Self::Sample(args) => sample::run(&args, out),
             Self::Tour(args) => tour::run(&args, out),
             Self::Figures(args) => figures::run(&args, out),

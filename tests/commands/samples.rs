@@ -5,7 +5,7 @@ use std::fs;
 use std::process::Command;
 
 /// What is run elsewhere: labs are built by cargo, in `tests/labs`; the figures are drawn by the tests of figures.
-const ELSEWHERE: [&str; 4] = ["lab", "grade", "tour", "figures"];
+const ELSEWHERE: [&str; 5] = ["lab", "grade", "gradebook", "tour", "figures"];
 
 /// All commands, those below others too: `info`, `navmesh path`, ...
 fn commands(folder: &Folder, above: &str) -> Vec<String> {

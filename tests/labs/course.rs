@@ -232,3 +232,39 @@ fn own_tests_are_judged_by_the_solution_and_the_known_mistakes() {
     assert_eq!(report.max_points().to_string(), "106.9");
     assert!(report.earned() > 100.into() && report.earned() < report.max_points(), "{:?}", report.earned());
 }
+
+#[test]
+fn the_grades_of_all_labs_are_put_together() {
+    let shell = Folder::new();
+    stored(&shell);
+    shell.write(
+        "course.toml",
+        &format!("{}\n[[lab]]\nname = \"02\"\n[[lab]]\nname = \"03\"\n", COURSE.replace("most = 104", "weight = 3")),
+    );
+    // A class of lab 02, as --results keeps it; cara handed nothing in.
+    let lab = Lab::bundled("02").unwrap();
+    fs::create_dir_all(shell.path("graded/reports")).unwrap();
+    for (name, passed) in [("anna", lab.manifest.tests.len()), ("ben", 0)] {
+        let mut report = Report::untested(&lab.manifest, Verdict::Wrong, "x");
+        (report.message, report.submission) = (None, Some(name.to_owned()));
+        for test in &mut report.tests[..passed] {
+            (test.verdict, test.points) = (Verdict::Passed, test.max_points);
+        }
+        shell.write(&format!("graded/reports/{name}.json"), &serde_json::to_string(&report).unwrap());
+    }
+    let told = shell.dcel("gradebook --course course.toml class.json graded --csv grades.csv").fine();
+    assert!(told.contains("Not graded yet, so it does not count: 03-convex-hulls"), "{told}");
+    // All have 98 of 100 points in lab 04, which counts three times as much as lab 02.
+    assert_eq!(
+        shell.read("grades.csv"),
+        "student,04-half-edge (of 100),02-triangulation (of 100),course (%)\nanna,98,100,98.50\nben,98,0,73.50\n\
+         cara,98,0,73.50\n"
+    );
+    let help = "each student by one name in each";
+    let twice = shell.dcel("gradebook --course course.toml class.json class.json --csv twice.csv");
+    twice.fails(2, "two reports on anna of 04-half-edge: 98 and 98", help);
+    assert!(!shell.path("twice.csv").exists());
+    shell.write("other.toml", "title = \"x\"\n[[lab]]\nname = \"03\"\n");
+    shell.dcel("gradebook --course other.toml graded").fails(2, "a report of 02-triangulation, which", help);
+    shell.dcel("gradebook --course course.toml none").fails(2, "none: ", "--results DIR");
+}

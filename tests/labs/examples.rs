@@ -45,7 +45,7 @@ fn the_examples_of_lab_and_grade_run() {
     let mut count = 0;
     let commands = ["list", "start", "check", "watch", "hint", "reset", "verify", "export"];
     let commands = commands.map(|name| format!("lab {name}"));
-    for command in commands.iter().map(String::as_str).chain(["lab", "grade"]) {
+    for command in commands.iter().map(String::as_str).chain(["lab", "grade", "gradebook"]) {
         for example in examples(&folder, command) {
             // These take minutes, the network, or never end: that they are understood must do.
             let long = ["lab watch", "lab verify", "--vendor"].iter().any(|part| example.contains(part));

@@ -41,6 +41,8 @@ use std::path::{Path, PathBuf};
 use targets::Target;
 use terms::Terms;
 
+pub(super) use terms::course;
+
 /// Grade one submission, or a whole class
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
@@ -367,7 +369,7 @@ fn secret(file: &Path, lab: &Lab) -> Result<Secret, Failure> {
 }
 
 /// Reports that were written with `--report json=FILE`, one or many, or with `--results DIR`.
-fn stored(place: &Path) -> Result<Vec<Report>, Failure> {
+pub(super) fn stored(place: &Path) -> Result<Vec<Report>, Failure> {
     let reports = place.join(targets::REPORTS);
     if !reports.is_dir() {
         return stored_file(place);

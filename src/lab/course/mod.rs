@@ -26,14 +26,17 @@
 //! ```text
 //!   read.rs   the file, with the place of what is wrong in it      late.rs   what lateness costs
 //!   time.rs   due dates                                             share.rs  the file as others may have it
+//!   gradebook.rs  all labs together
 //! ```
 
+mod gradebook;
 mod late;
 mod read;
 #[cfg(feature = "grade")]
 mod share;
 mod time;
 
+pub use gradebook::{Gradebook, GradebookError, GradedLab, LabGrade, StudentGrades};
 pub use late::{Every, LateRule, Takes};
 pub use read::CourseError;
 #[cfg(feature = "grade")]

@@ -122,6 +122,7 @@ pub(super) const CHECK: &[(&str, &str)] = &[
 pub(super) const FURTHER: &[(&str, &str)] = &[
     ("src/lab/batch.rs", include_str!("../batch.rs")),
     ("src/lab/cache.rs", include_str!("../cache.rs")),
+    ("src/lab/course/gradebook.rs", include_str!("../course/gradebook.rs")),
     ("src/lab/course/late.rs", include_str!("../course/late.rs")),
     ("src/lab/course/mod.rs", include_str!("../course/mod.rs")),
     ("src/lab/course/read.rs", include_str!("../course/read.rs")),

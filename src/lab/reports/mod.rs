@@ -26,6 +26,8 @@ mod statistics;
 mod text;
 mod words;
 
+pub(super) use rows::rows;
+
 use super::{Report, TestResult, Visibility};
 use std::fmt;
 

@@ -1,7 +1,7 @@
 //! Tables with commas, for spreadsheets.
 
 /// A table with a head, as RFC 4180 has it.
-pub(super) fn rows(head: &[&str], rows: Vec<Vec<String>>) -> String {
+pub(crate) fn rows(head: &[&str], rows: Vec<Vec<String>>) -> String {
     let mut writer = csv::Writer::from_writer(Vec::new());
     // Writing into memory cannot fail, and every row is as long as the head.
     let _ = writer.write_record(head);

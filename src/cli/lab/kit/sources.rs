@@ -38,6 +38,7 @@ pub(super) const FURTHER: &[(&str, &str)] = &[
     ("src/cli/grade/signals.rs", include_str!("../../grade/signals.rs")),
     ("src/cli/grade/targets.rs", include_str!("../../grade/targets.rs")),
     ("src/cli/grade/terms.rs", include_str!("../../grade/terms.rs")),
+    ("src/cli/gradebook.rs", include_str!("../../gradebook.rs")),
     ("src/cli/info.rs", include_str!("../../info.rs")),
     ("src/cli/input.rs", include_str!("../../input.rs")),
     ("src/cli/lab/bundle.rs", include_str!("../../lab/bundle.rs")),
