@@ -53,7 +53,7 @@ pub struct LabFiles {
 #[non_exhaustive]
 pub enum LabFilesError {
     /// No lab has that name, or several have names that begin so.
-    #[error("there is no lab `{name}`; there is {}", known.join(", "))]
+    #[error("there is no lab `{name}`; choose one of {}", known.join(", "))]
     Unknown {
         /// What was asked for.
         name: String,

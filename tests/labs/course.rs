@@ -268,3 +268,28 @@ fn the_grades_of_all_labs_are_put_together() {
     shell.dcel("gradebook --course other.toml graded").fails(2, "a report of 02-triangulation, which", help);
     shell.dcel("gradebook --course course.toml none").fails(2, "none: ", "--results DIR");
 }
+
+#[test]
+fn a_lab_that_comes_after_another_says_so_until_that_has_passed() {
+    let shell = Folder::empty();
+    shell.write(
+        "course.toml",
+        "title = \"x\"\n[[lab]]\nname = \"02\"\n[[lab]]\nname = \"04\"\nneeds = [\"02-triangulation\"]\n",
+    );
+    const NOTE: &str = "note: in this course 04-half-edge comes after 02-triangulation, which has not passed here yet";
+    let told = shell.dcel("lab start 04 four");
+    assert!(told.code == Some(0) && told.err.contains(NOTE), "{told:?}");
+    let told = shell.dcel("lab").fine();
+    assert!(
+        told.contains("opens after 02-triangulation") && told.contains("Next: dcel lab start 02-triangulation"),
+        "{told}"
+    );
+    let two = shell.dcel("lab start 02 two");
+    assert!(two.code == Some(0) && two.err.is_empty(), "{two:?}");
+    let passed = r#"{"lab": "02-triangulation", "points": 100, "max_points": 100, "passed": true, "next": null}"#;
+    fs::create_dir_all(shell.path("two/target/check")).unwrap();
+    shell.write("two/target/check/progress.json", passed);
+    let again = shell.dcel("lab start 04 again");
+    assert!(again.code == Some(0) && !again.err.contains(NOTE), "{again:?}");
+    assert!(!shell.dcel("lab").fine().contains("opens after"));
+}

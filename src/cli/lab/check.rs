@@ -104,6 +104,7 @@ impl Bench {
             && let Some(of_course) = course.lab(&lab.name)
         {
             lab = of_course.applied_to(lab);
+            progress::note_needs(&lab.name, &dir);
         }
         if let Some(test) = &args.test
             && lab.manifest.test(test).is_none()

@@ -6,7 +6,7 @@
 //!                             in target/check/progress.json of each
 //! ```
 
-use super::super::{Answer, Failure, Output, output};
+use super::super::{Answer, Failure, Output, failure, output};
 use super::{folder, lab};
 use dcel_kit::files::write_whole;
 use dcel_lab::course::Course;
@@ -81,9 +81,9 @@ impl Row {
         match (&self.last, &self.dir) {
             (Some(last), _) if last.passed => "passed".to_owned(),
             (Some(_), _) => "begun".to_owned(),
+            (None, _) if !waits.is_empty() => format!("opens after {}", waits.join(", ")),
             (None, Some(_)) => "not checked yet".to_owned(),
-            (None, None) if waits.is_empty() => "open".to_owned(),
-            (None, None) => format!("opens after {}", waits.join(", ")),
+            (None, None) => "open".to_owned(),
         }
     }
 
@@ -93,6 +93,21 @@ impl Row {
             None => ["-".to_owned(), self.points.to_string()],
         };
         format!("{earned} of {most}")
+    }
+}
+
+/// Tells who begins a lab, or goes on with it, which labs the course wants to be passed before; nothing is refused,
+/// since they may have been passed on another machine.
+pub(super) fn note_needs(lab: &str, dir: &Path) {
+    let Ok(dir) = std::path::absolute(dir) else { return };
+    let Ok(Some((file, course))) = course_above(&dir) else { return };
+    let mut folders = Vec::new();
+    labs_below(file.parent().unwrap_or(&dir), 2, &mut folders);
+    let Ok(rows) = rows(Some(&course), &folders) else { return };
+    let waits = rows.iter().find(|row| row.name == lab).map(|row| row.waits_for(&rows)).unwrap_or_default();
+    if !waits.is_empty() {
+        let which = waits.join(", ");
+        failure::say("note", format_args!("in this course {lab} comes after {which}, which has not passed here yet"));
     }
 }
 
@@ -139,7 +154,7 @@ fn share(rows: &[Row]) -> f64 {
 
 /// What comes next: the first lab that is begun; else the first one that is open.
 fn next(rows: &[Row]) -> String {
-    let begun = rows.iter().find(|row| row.dir.is_some() && !row.has_passed());
+    let begun = rows.iter().find(|row| row.dir.is_some() && !row.has_passed() && row.waits_for(rows).is_empty());
     if let Some(row) = begun {
         let dir = row.dir.as_deref().map_or_else(String::new, typed);
         return match row.last.as_ref().and_then(|last| last.next.as_ref()) {

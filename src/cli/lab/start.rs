@@ -1,7 +1,7 @@
 //! `dcel lab start`: a folder to do a lab in.
 
 use super::super::{Answer, Failure, Output};
-use super::{folder, lab};
+use super::{folder, lab, progress};
 use dcel_lab::{Kit, typed};
 use std::io::Write;
 use std::path::PathBuf;
@@ -36,6 +36,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let manifest = &lab.manifest;
     let files = folder::files(&lab.files, &args.kit.clone().unwrap_or_default(), args.vendor)?;
     folder::make(&args.dir, &files)?;
+    progress::note_needs(&lab.name, &args.dir);
     let dir = args.dir.display();
     writeln!(out, "{}: {}, in {dir}", lab.name, manifest.title)?;
     writeln!(out, "  {dir}/README.md    what to do")?;

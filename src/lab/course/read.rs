@@ -363,7 +363,7 @@ destination_by_next = { needs = ["destination_by_twin"] }
             read(&GOOD.replace(from, to)).map(|_| ()).unwrap_err()
         };
         for (from, to, place, words) in [
-            ("half-edge", "half-edges", "course.toml:10:8: ", "there is no lab `half-edges`; there is "),
+            ("half-edge", "half-edges", "course.toml:10:8: ", "there is no lab `half-edges`; choose one of "),
             ("face_walk", "face_walks", "course.toml:21:1: ", "has no test `face_walks`; there is face_walk, "),
             ("22/3", "23/3", "course.toml:22:1: ", "04-half-edge are \"301/3\" together, not 100;"),
             ("2026-10-12T23", "2026-13-12T23", "course.toml:12:7: ", "month between 01 and 12"),
