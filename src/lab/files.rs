@@ -28,6 +28,8 @@ const BUNDLE: &[&str] = &[
     include_str!("bundle/03-convex-hulls.txt"),
     #[cfg(feature = "lab-04")]
     include_str!("bundle/04-half-edge.txt"),
+    #[cfg(feature = "lab-05")]
+    include_str!("bundle/05-triangle-list.txt"),
 ];
 /// Where the solution is.
 const SOLUTION: &str = "solution/";

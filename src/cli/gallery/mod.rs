@@ -125,6 +125,16 @@ static REFERENCES: &[Reference] = &[
         about: "an edge of two faces has two next edges; two half-edges have one each",
         draw: labs::lab_04::two_nexts,
     },
+    Reference {
+        file: "lab-05-matching.svg",
+        about: "a list of faces, each alone, and the half-edge structure that it becomes",
+        draw: labs::lab_05::matching,
+    },
+    Reference {
+        file: "lab-05-structure.svg",
+        about: "the list of faces of lab 05 as a half-edge structure",
+        draw: labs::lab_05::structure,
+    },
     Reference { file: "lawson.svg", about: "a triangulation becomes Delaunay by flips", draw: delaunay::lawson },
     Reference {
         file: "lab-subdivision.svg",
@@ -333,6 +343,8 @@ fn command(file: &str) -> &'static str {
         | "lab-02-triangulation.svg"
         | "lab-03-hull.svg"
         | "lab-03-ways.svg"
+        | "lab-05-matching.svg"
+        | "lab-05-structure.svg"
         | "primitives.svg"
         | "robustness.svg"
         | "rooms.svg"

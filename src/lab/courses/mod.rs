@@ -10,6 +10,8 @@ pub mod half_edge;
 pub mod hulls;
 #[cfg(feature = "lab-01")]
 pub mod predicates;
+#[cfg(feature = "lab-05")]
+pub mod triangle_list;
 #[cfg(feature = "lab-02")]
 pub mod triangulation;
 
@@ -30,6 +32,8 @@ pub fn judge_of(lab: &str) -> Option<&'static dyn Judge> {
         "03-convex-hulls" => Some(&hulls::HULLS),
         #[cfg(feature = "lab-04")]
         "04-half-edge" => Some(&half_edge::HALF_EDGE),
+        #[cfg(feature = "lab-05")]
+        "05-triangle-list" => Some(&triangle_list::TRIANGLE_LIST),
         _ => own().into_iter().find(|own| own.name() == lab).map(|own| own.judge),
     }
 }
@@ -40,6 +44,7 @@ pub const FOLDERS: &[(&str, &str)] = &[
     ("02-triangulation", "triangulation"),
     ("03-convex-hulls", "hulls"),
     ("04-half-edge", "half_edge"),
+    ("05-triangle-list", "triangle_list"),
 ];
 
 /// A lab outside of the kit.

@@ -1,0 +1,256 @@
+//! Judging `add_face`, `match_twins` and `close_border`, each on what the steps before it should have made.
+
+use super::faults::Faults;
+use super::refused::{built, ended};
+use super::soup::{Ends, Soup};
+use crate::fault::{Exchange, Fault};
+use crate::protocol::{CallEnd, Value};
+use dcel_kit::topology::{HalfEdgeRow, Table, View};
+use dcel_kit::{FaceId, HalfEdgeId, VertexId};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The tests of `add_face`.
+pub(super) const ADD_FACE: [&str; 2] = ["add_face_records", "add_face_links"];
+/// The tests of `close_border`, where it builds.
+pub(super) const BORDER: [&str; 2] = ["close_border_half_edges", "close_border_links"];
+
+/// All half-edges of a table.
+pub(super) fn all(table: &Table) -> impl Iterator<Item = HalfEdgeId> + use<> {
+    (0..table.half_edges.len() as u32).map(HalfEdgeId::new)
+}
+
+fn row(table: &Table, h: HalfEdgeId) -> HalfEdgeRow {
+    table.half_edges.get(h.index()).copied().flatten().unwrap_or_default()
+}
+
+/// A reference as it stands in a sentence.
+pub(super) fn named<T: std::fmt::Display>(to: Option<T>) -> String {
+    to.map_or_else(|| "not set".to_owned(), |to| to.to_string())
+}
+
+/// What stands in a link of `h` that is wrong, as the end of a rule: it tells mistakes of linking from each other.
+fn instead(found: Option<HalfEdgeId>, h: HalfEdgeId, back: Option<HalfEdgeId>) -> &'static str {
+    match found {
+        None => ".unset",
+        Some(to) if to == h => ".itself",
+        Some(to) if Some(to) == back => ".back",
+        Some(_) => "",
+    }
+}
+
+/// What is wrong with a call of `add_face`.
+pub(super) fn add_face(exchange: &Exchange) -> Vec<Fault> {
+    let mut faults = Faults::of(exchange);
+    let Some((_, end)) = exchange.called else { return faults.all() };
+    let CallEnd::Returned(values) = end else {
+        ended(end, &ADD_FACE, &mut faults);
+        return faults.all();
+    };
+    let (Some(before), Some(after)) = (exchange.before(), exchange.after()) else { return faults.all() };
+    let corners: Vec<u32> = exchange.words.iter().filter_map(|word| word.parse().ok()).collect();
+    let (first, face) = (before.half_edges.len(), FaceId::new(before.faces.len() as u32));
+    let [records, links] = ADD_FACE;
+    let counts =
+        [after.faces.len() - before.faces.len().min(after.faces.len()), after.half_edges.len().saturating_sub(first)];
+    if counts != [1, corners.len()] {
+        let words = format!("made {} faces and {} half-edges, expected 1 and {}", counts[0], counts[1], corners.len());
+        ADD_FACE.iter().for_each(|test| faults.wrong(test, "add_face.count", &words, &[]));
+        return faults.all();
+    }
+    if values.as_slice() != [Value::Id(face.number())] {
+        faults.wrong(records, "add_face.returned", &format!("the number of the new face is {}", face.number()), &[]);
+    }
+    let new: Vec<HalfEdgeId> = all(after).skip(first).collect();
+    let mut at: BTreeMap<u32, HalfEdgeId> = BTreeMap::new();
+    for &h in &new {
+        let origin = after.origin(h).map(VertexId::number);
+        if !origin.is_some_and(|v| corners.contains(&v) && at.insert(v, h).is_none()) {
+            let words =
+                format!("{h}.origin is {}: each corner is the origin of one new half-edge", named(after.origin(h)));
+            ADD_FACE.iter().for_each(|test| faults.wrong(test, "add_face.origin", &words, &[h.into()]));
+        }
+        if after.face(h) != Some(face) {
+            let words = format!("{h}.face is {}, expected {face}", named(after.face(h)));
+            faults.wrong(records, "add_face.face", &words, &[h.into()]);
+        }
+        if let Some(twin) = after.twin(h) {
+            faults.wrong(records, "add_face.twin", &format!("{h}.twin is {twin}, but twins come later"), &[h.into()]);
+        }
+    }
+    if at.len() != corners.len() {
+        return faults.all();
+    }
+    for ends in Soup::sides(&corners) {
+        let [h, next] = ends.map(|v| at[&v]);
+        if after.next(h) != Some(next) {
+            let words = format!("{h}.next is {}, expected {next}", named(after.next(h)));
+            faults.wrong(
+                links,
+                &format!("add_face.next{}", instead(after.next(h), h, after.prev(h))),
+                &words,
+                &[h.into()],
+            );
+        }
+        if after.prev(next) != Some(h) {
+            let words = format!("{next}.prev is {}, expected {h}", named(after.prev(next)));
+            faults.wrong(
+                links,
+                &format!("add_face.prev{}", instead(after.prev(next), next, after.next(next))),
+                &words,
+                &[next.into()],
+            );
+        }
+    }
+    if !after.half_edge(face).is_some_and(|h| new.contains(&h)) {
+        let words = format!("{face} knows no half-edge of its own: it is {}", named(after.half_edge(face)));
+        faults.wrong(records, "add_face.boundary", &words, &[face.into()]);
+    }
+    outgoing(records, after, &corners, &mut faults);
+    if let Some(h) = all(before).find(|&h| row(before, h) != row(after, h)) {
+        faults.wrong(records, "add_face.others", &format!("{h} of another face has changed"), &[h.into()]);
+    }
+    faults.all()
+}
+
+/// Each of these vertices knows a half-edge that starts there.
+fn outgoing(test: &'static str, table: &Table, vertices: &[u32], faults: &mut Faults) {
+    for v in vertices.iter().map(|&v| VertexId::new(v)) {
+        if table.outgoing(v).and_then(|h| table.origin(h)) != Some(v) {
+            let words = format!("the outgoing half-edge of {v} is {}: it starts elsewhere", named(table.outgoing(v)));
+            let unset = format!("{v} knows no outgoing half-edge, but is a corner of a face");
+            let words = if table.outgoing(v).is_none() { unset } else { words };
+            let rule = if table.outgoing(v).is_none() { "outgoing.unset" } else { "outgoing" };
+            faults.wrong(test, rule, &words, &[v.into()]);
+        }
+    }
+}
+
+/// The half-edges of cycles by their ends.
+fn by_ends(table: &Table) -> BTreeMap<Ends, HalfEdgeId> {
+    let ends = |h| Some([table.origin(h)?.number(), table.origin(table.next(h)?)?.number()]);
+    all(table).filter_map(|h| Some((ends(h)?, h))).collect()
+}
+
+/// What is wrong with a call of `match_twins`.
+pub(super) fn match_twins(exchange: &Exchange, test: &'static str) -> Vec<Fault> {
+    let mut faults = Faults::of(exchange);
+    let Some((before, soup)) = exchange.before().and_then(|before| Some((before, Soup::of_table(before)?))) else {
+        return faults.all();
+    };
+    if !built(exchange, &[test], &soup.edges_twice(), &mut faults) {
+        return faults.all();
+    }
+    let Some(after) = exchange.after() else { return faults.all() };
+    let ends = by_ends(before);
+    if after.half_edges.len() != before.half_edges.len() {
+        faults.wrong(test, "match_twins.count", "the number of half-edges has changed", &[]);
+        return faults.all();
+    }
+    for (&[a, b], &h) in &ends {
+        let twin = ends.get(&[b, a]).copied();
+        if after.twin(h) != twin {
+            let words =
+                format!("{h} runs from v{a} to v{b}; its twin is {}, expected {}", named(after.twin(h)), named(twin));
+            faults.wrong(test, "match_twins.twin", &words, &[h.into()]);
+        }
+        if (HalfEdgeRow { twin: None, ..row(after, h) }) != row(before, h) {
+            faults.wrong(test, "match_twins.others", &format!("{h} has changed not only its twin"), &[h.into()]);
+        }
+    }
+    faults.all()
+}
+
+/// What is wrong with a call of `close_border`; `tests` are those that a wrong return is charged to.
+pub(super) fn close_border(exchange: &Exchange, tests: &[&'static str]) -> Vec<Fault> {
+    let mut faults = Faults::of(exchange);
+    let Some((before, soup)) = exchange.before().and_then(|before| Some((before, Soup::of_table(before)?))) else {
+        return faults.all();
+    };
+    if !built(exchange, tests, &soup.pinched(), &mut faults) {
+        return faults.all();
+    }
+    let (Some(after), Some(&test)) = (exchange.after(), tests.first()) else { return faults.all() };
+    let both = |rule: &str, words: &str, faults: &mut Faults| {
+        tests.iter().for_each(|test| faults.wrong(test, rule, words, &[]));
+    };
+    let first = before.half_edges.len();
+    let border = soup.border();
+    let made = after.half_edges.len().saturating_sub(first);
+    if made != border.len() {
+        let words = format!("made {made} half-edges, expected {}: one for each that has no twin", border.len());
+        both("close_border.count", &words, &mut faults);
+        return faults.all();
+    }
+    let outer = after.outer_face;
+    if outer != before.outer_face {
+        both("close_border.outer", "another face has become the outer one", &mut faults);
+    }
+    let ends = by_ends(before);
+    let mut of: BTreeMap<Ends, HalfEdgeId> = BTreeMap::new();
+    for &[a, b] in &border {
+        let inner = ends[&[b, a]];
+        let Some(h) = after.twin(inner).filter(|h| h.index() >= first) else {
+            let words = format!("{inner}.twin is {}, expected a new half-edge", named(after.twin(inner)));
+            both("close_border.twin", &words, &mut faults);
+            continue;
+        };
+        of.insert([a, b], h);
+        if after.twin(h) != Some(inner) {
+            let words = format!("{h}.twin is {}, expected {inner}", named(after.twin(h)));
+            faults.wrong(test, "close_border.back", &words, &[h.into()]);
+        }
+        if after.origin(h).map(VertexId::number) != Some(a) {
+            let words = format!("{h}.origin is {}, expected v{a}, where its twin ends", named(after.origin(h)));
+            faults.wrong(test, "close_border.origin", &words, &[h.into()]);
+        }
+        if after.face(h) != outer || outer.is_none() {
+            let words = format!("{h}.face is {}, expected {}", named(after.face(h)), named(outer));
+            faults.wrong(test, "close_border.face", &words, &[h.into()]);
+        }
+    }
+    let corners: BTreeSet<u32> = soup.faces.iter().flatten().copied().collect();
+    outgoing(test, after, &corners.into_iter().collect::<Vec<_>>(), &mut faults);
+    for h in all(before).filter(|&h| before.twin(h).is_some()) {
+        if row(after, h) != row(before, h) {
+            faults.wrong(test, "close_border.others", &format!("{h} has a twin already, and has changed"), &[h.into()]);
+        }
+    }
+    if let Some(&links) = tests.get(1) {
+        cycles(links, after, &soup, &of, &mut faults);
+    }
+    faults.all()
+}
+
+/// The links along the border, and the half-edge of the outer face.
+fn cycles(test: &'static str, after: &Table, soup: &Soup, of: &BTreeMap<Ends, HalfEdgeId>, faults: &mut Faults) {
+    let right = soup.half_edges();
+    for (ends, &h) in of {
+        let right = right[ends];
+        let (next, prev) = (of.get(&right.next).copied(), of.get(&right.prev).copied());
+        if after.next(h) != next {
+            let words = format!("{h}.next is {}, expected {}", named(after.next(h)), named(next));
+            faults.wrong(test, "close_border.next", &words, &[h.into()]);
+        }
+        if after.prev(h) != prev {
+            let words = format!("{h}.prev is {}, expected {}", named(after.prev(h)), named(prev));
+            faults.wrong(test, "close_border.prev", &words, &[h.into()]);
+        }
+    }
+    let known = after.outer_face.and_then(|f| after.half_edge(f));
+    let right = if of.is_empty() { known.is_none() } else { known.is_some_and(|h| of.values().any(|&b| b == h)) };
+    if !right {
+        let words = format!("the half-edge of the outer face is {}, which is none of the border", named(known));
+        let empty = format!("there is no border, but the outer face knows {}", named(known));
+        faults.wrong(test, "close_border.boundary", if of.is_empty() { &empty } else { &words }, &[]);
+    }
+}
+
+/// What is wrong with a call of `check_faces`.
+pub(super) fn check_faces(exchange: &Exchange, test: &'static str) -> Vec<Fault> {
+    let mut faults = Faults::of(exchange);
+    let soup = exchange.before().and_then(|before| Soup::of_words(before.vertices.len(), exchange.words));
+    if let Some(soup) = soup {
+        built(exchange, &[test], &soup.bad_faces(), &mut faults);
+    }
+    faults.all()
+}
