@@ -135,6 +135,16 @@ static REFERENCES: &[Reference] = &[
         about: "the list of faces of lab 05 as a half-edge structure",
         draw: labs::lab_05::structure,
     },
+    Reference {
+        file: "lab-10-cube.svg",
+        about: "the picture that lab 10 asks for: a cube and its dual, the octahedron",
+        draw: labs::lab_10::cube,
+    },
+    Reference {
+        file: "lab-10-duals.svg",
+        about: "the regular solids and their duals: three pairs",
+        draw: labs::lab_10::duals,
+    },
     Reference { file: "lawson.svg", about: "a triangulation becomes Delaunay by flips", draw: delaunay::lawson },
     Reference {
         file: "lab-subdivision.svg",
@@ -345,6 +355,8 @@ fn command(file: &str) -> &'static str {
         | "lab-03-ways.svg"
         | "lab-05-matching.svg"
         | "lab-05-structure.svg"
+        | "lab-10-cube.svg"
+        | "lab-10-duals.svg"
         | "primitives.svg"
         | "robustness.svg"
         | "rooms.svg"

@@ -8,6 +8,8 @@
 pub mod half_edge;
 #[cfg(feature = "lab-03")]
 pub mod hulls;
+#[cfg(feature = "lab-10")]
+pub mod polyhedra;
 #[cfg(feature = "lab-01")]
 pub mod predicates;
 #[cfg(feature = "lab-05")]
@@ -34,6 +36,8 @@ pub fn judge_of(lab: &str) -> Option<&'static dyn Judge> {
         "04-half-edge" => Some(&half_edge::HALF_EDGE),
         #[cfg(feature = "lab-05")]
         "05-triangle-list" => Some(&triangle_list::TRIANGLE_LIST),
+        #[cfg(feature = "lab-10")]
+        "10-polyhedra" => Some(&polyhedra::POLYHEDRA),
         _ => own().into_iter().find(|own| own.name() == lab).map(|own| own.judge),
     }
 }
@@ -45,6 +49,7 @@ pub const FOLDERS: &[(&str, &str)] = &[
     ("03-convex-hulls", "hulls"),
     ("04-half-edge", "half_edge"),
     ("05-triangle-list", "triangle_list"),
+    ("10-polyhedra", "polyhedra"),
 ];
 
 /// A lab outside of the kit.

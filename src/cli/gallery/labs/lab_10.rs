@@ -1,0 +1,55 @@
+//! The figures of lab 10.
+
+use crate::gallery::Made;
+use dcel_kit::figure::FigureOptions;
+use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
+use dcel_kit::ids::FaceId;
+use dcel_kit::solid::{Platonic, Polyhedron};
+
+/// Where a point of space is drawn: seen from the front, from above and a little from the right. y points up.
+fn seen([x, y, z]: [f64; 3]) -> [f64; 2] {
+    [100.0 * x + 40.0 * y, 100.0 * z + 30.0 * y - 15.0 * x]
+}
+
+/// A regular solid and its dual, whose vertices are in the middles of its faces.
+fn pair(solid: Platonic) -> Sketch {
+    let solid = Polyhedron::platonic(solid);
+    let dcel = solid.topology();
+    let middle = |f: FaceId| seen(solid.face_mean(f));
+    let mut sketch = Sketch::new();
+    let edges = || solid.half_edges().filter(|&h| h < h.twin());
+    for h in edges() {
+        sketch.path(Role::Main, [dcel.origin(h), dcel.destination(h)].map(|v| seen(solid.point(v)))).solid();
+    }
+    for h in edges() {
+        sketch.path(Role::Secondary, [middle(dcel.face(h)), middle(dcel.face(h.twin()))]).solid();
+    }
+    for v in solid.vertices() {
+        sketch.point(Role::Main, seen(solid.point(v)));
+    }
+    for f in solid.faces() {
+        sketch.point(Role::Secondary, middle(f));
+    }
+    sketch
+}
+
+/// The picture that lab 10 asks for.
+pub(in crate::gallery) fn cube() -> Made<String> {
+    let options = FigureOptions::new("A cube and its dual, the octahedron").id_prefix("lab-10-cube").width(480.0);
+    Ok(pair(Platonic::Cube).figure(&options)?.to_svg())
+}
+
+/// Three pairs of duals.
+pub(in crate::gallery) fn duals() -> Made<String> {
+    let mut panels = Multiples::new();
+    panels.columns(3);
+    for (solid, heading, text) in [
+        (Platonic::Tetrahedron, "Tetrahedron", "inside it, its dual: a tetrahedron"),
+        (Platonic::Cube, "Cube", "inside it, its dual: the octahedron"),
+        (Platonic::Dodecahedron, "Dodecahedron", "inside it, its dual: the icosahedron"),
+    ] {
+        panels.sketch(heading, text, pair(solid));
+    }
+    let options = FigureOptions::new("Three pairs of duals").id_prefix("lab-10-duals").width(290.0);
+    Ok(panels.figure(&options)?.to_svg())
+}
