@@ -24,6 +24,7 @@ mod failure;
 mod figure;
 mod figure_kind;
 mod figures;
+mod film;
 mod gallery;
 mod grade;
 mod gradebook;
@@ -106,6 +107,7 @@ enum Command {
     Delaunay(Box<delaunay::Args>),
     Voronoi(Box<voronoi::Args>),
     Figure(Box<figure::Args>),
+    Film(Box<film::Args>),
     Script(script::Args),
     Solid(solid::Args),
     Lab(lab::Args),
@@ -139,6 +141,7 @@ impl Command {
             Self::Delaunay(args) => delaunay::run(&args, out),
             Self::Voronoi(args) => voronoi::run(&args, out),
             Self::Figure(args) => figure::run(&args, out),
+            Self::Film(args) => film::run(&args, out),
             Self::Script(args) => script::run(&args, out),
             Self::Solid(args) => solid::run(&args, out),
             Self::Lab(args) => lab::run(&args, out),

@@ -1,8 +1,9 @@
 //! Files that a command writes: which it may write, and how.
 
 use super::{Failure, Output};
-use dcel_kit::files::{is_same_file, write_whole};
+use dcel_kit::files::{WholeFolder, is_same_file, write_whole};
 use dcel_kit::io::{Format, Model, write, write_path};
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Leave to write the result over the input.
@@ -134,4 +135,17 @@ pub(crate) fn save_as(
         }
     };
     written.map_err(|error| Failure::of_writing(path, error))
+}
+
+/// Makes a folder with these files, by their paths in it. One that exists must be empty: nothing is ever written over. The
+/// folder is there when it is complete, and not before.
+pub(crate) fn put_folder<'a>(dir: &Path, files: impl IntoIterator<Item = (&'a str, &'a [u8])>) -> Result<(), Failure> {
+    const ANOTHER: &str = "name a folder that does not exist yet";
+    let folder = WholeFolder::create(dir).map_err(|error| match error.kind() {
+        io::ErrorKind::DirectoryNotEmpty => Failure::input(format!("{}: is not empty", dir.display()), ANOTHER),
+        io::ErrorKind::NotADirectory => Failure::input(format!("{}: {error}", dir.display()), ANOTHER),
+        _ => Failure::writing(dir.display(), &error),
+    })?;
+    let written = files.into_iter().try_for_each(|(path, bytes)| folder.write(path, bytes));
+    written.and_then(|()| folder.commit()).map_err(|error| Failure::writing(dir.display(), &error))
 }

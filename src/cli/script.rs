@@ -160,8 +160,7 @@ fn write_film(path: &Path, film: &Film, title: &str, args: &Args, out: &mut Outp
     let options = FigureOptions::new(title);
     let refused = |error| Failure::input(error, "leave out --film");
     if is_page(path) {
-        let svg = film.stepper(&options).map_err(refused)?.to_svg();
-        return put(path, page(&svg, title));
+        return put(path, film.page(&options).map_err(refused)?);
     }
     if path.extension().is_none() {
         let what = format!("{}: a film is a drawing or a page", path.display());
@@ -170,17 +169,6 @@ fn write_film(path: &Path, film: &Film, title: &str, args: &Args, out: &mut Outp
     let target = Target::new(Some(path), args.pixels)?;
     let figure = if args.stepper { film.stepper(&options) } else { film.strip(&options) };
     target.write(&figure.map_err(refused)?, out)
-}
-
-/// A page with nothing but the drawing.
-fn page(svg: &str, title: &str) -> String {
-    let title = title.replace('&', "&amp;").replace('<', "&lt;");
-    format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width\">\n<title>{title}</title>\n<style>\n\
-         body{{margin:1rem;background:#ffffff}}\n\
-         @media (prefers-color-scheme:dark){{body{{background:#15181d}}}}\n</style>\n</head>\n<body>\n{svg}</body>\n</html>\n"
-    )
 }
 
 /// The text, and what messages call it.

@@ -5,6 +5,7 @@
 //! | draw a structure | [`structure()`], [`FigureOptions`] |
 //! | show its pointers | [`pointers`], [`focus()`], [`tables()`] |
 //! | edits, step by step | [`Film`] |
+//! | an algorithm, event by event | [`algorithms`], [`SketchFilm`] |
 //! | a page to click through | [`page()`], [`Page`] |
 //! | duals, Voronoi diagrams | [`dual()`], [`voronoi_cells`] |
 //! | something of your own, alone or over a structure | [`sketch`] |
@@ -56,7 +57,7 @@ pub use canvas::png::PngError;
 pub use canvas::style::file::{ParseColourError, StyleError};
 pub use canvas::style::{Colour, Palette, Style, Theme};
 pub use canvas::unit::{ParseLengthError, Unit};
-pub use film::{Fate, Film, Frame, Written};
+pub use film::{Fate, Film, Frame, SketchFilm, Written, algorithms};
 #[cfg(feature = "script")]
 pub use film::{Filmed, ScriptFilm};
 pub use kinds::dual::{DualFigureError, dual};

@@ -15,7 +15,7 @@
 use super::{CoordinateError, Point, Subdivision};
 use crate::geometry::predicates::{orientation, sort_key};
 use crate::ids::MAX_IDS;
-use crate::topology::TooMany;
+use crate::topology::{NoObserver, Observer, TooMany};
 
 /// Why points have no convex hull.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -32,6 +32,27 @@ pub enum HullError {
     /// More points than ids.
     #[error(transparent)]
     TooMany(#[from] TooMany),
+}
+
+/// What Andrew's scan does. Points are named by their numbers.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum HullEvent {
+    /// The points that are left are in order from left to right; so many were put aside before.
+    Sorted {
+        /// How many points are inside for sure, or at the place of an earlier one.
+        aside: u32,
+    },
+    /// The last corner goes again: with the new point it does not turn left.
+    Dropped {
+        /// The corner that goes.
+        corner: u32,
+        /// The new point.
+        point: u32,
+    },
+    /// The point is the last corner for now.
+    Taken(u32),
+    /// The lower side is done; the same from right to left.
+    Turned,
 }
 
 /// The corners of the convex hull, by their numbers among the points: counter-clockwise from the leftmost one on, of
@@ -52,6 +73,14 @@ pub enum HullError {
 /// # Ok::<(), dcel_kit::plane::HullError>(())
 /// ```
 pub fn convex_hull(points: &[Point]) -> Result<Vec<u32>, HullError> {
+    convex_hull_observed(points, &mut NoObserver)
+}
+
+/// [`convex_hull`], watched.
+///
+/// # Errors
+/// As [`convex_hull`].
+pub fn convex_hull_observed(points: &[Point], observer: &mut impl Observer<HullEvent>) -> Result<Vec<u32>, HullError> {
     if points.len() > MAX_IDS {
         return Err(TooMany.into());
     }
@@ -62,11 +91,13 @@ pub fn convex_hull(points: &[Point]) -> Result<Vec<u32>, HullError> {
     order.sort_unstable();
     order.dedup_by_key(|&mut (x, y, _)| (x, y));
     let order: Vec<u32> = order.into_iter().map(|(_, _, i)| i).collect();
+    observer.observe(|| HullEvent::Sorted { aside: (points.len() - order.len()) as u32 });
     let mut corners = Vec::new();
-    take_in(points, order.iter().copied(), &mut corners);
+    take_in(points, order.iter().copied(), &mut corners, observer);
     // The last point is the first of the way back, and the first is its end.
     corners.pop();
-    take_in(points, order.iter().rev().copied(), &mut corners);
+    observer.observe(|| HullEvent::Turned);
+    take_in(points, order.iter().rev().copied(), &mut corners, observer);
     if corners.len() > 1 {
         corners.pop();
     }
@@ -74,14 +105,21 @@ pub fn convex_hull(points: &[Point]) -> Result<Vec<u32>, HullError> {
 }
 
 /// Appends the corners of one side to those of the other.
-fn take_in(points: &[Point], order: impl Iterator<Item = u32>, corners: &mut Vec<u32>) {
+fn take_in(
+    points: &[Point],
+    order: impl Iterator<Item = u32>,
+    corners: &mut Vec<u32>,
+    observer: &mut impl Observer<HullEvent>,
+) {
     let first = corners.len();
     for i in order {
         while let [.., a, b] = corners[first..]
             && !orientation(points[a as usize], points[b as usize], points[i as usize]).is_gt()
         {
+            observer.observe(|| HullEvent::Dropped { corner: b, point: i });
             corners.pop();
         }
+        observer.observe(|| HullEvent::Taken(i));
         corners.push(i);
     }
 }

@@ -60,13 +60,13 @@ pub use crate::geometry::predicates;
 pub use affine::Affine;
 pub use check::{GEOMETRY_RULES, GeometryViolation};
 pub use convert::{ConvertError, ConvertOptions, Converted};
-pub use delaunay::{ConstrainedDelaunay, DelaunayBuilt, DelaunayError};
+pub use delaunay::{ConstrainedDelaunay, DelaunayBuilt, DelaunayError, FlipEvent};
 pub use edit::{
     FlipEdgeError, InsertDanglingEdgeError, InsertEdgeError, InsertSegmentError, InsertVertexError, InsertedEdge,
     InsertedSegment, JoinEdgesError, JoinFacesError, RemoveEdgeError, RemoveVertexError, SetPointError, SplitEdgeError,
     SplitFaceError, TransformError,
 };
-pub use hull::{HullError, convex_hull};
+pub use hull::{HullError, HullEvent, convex_hull, convex_hull_observed};
 #[cfg(feature = "navmesh")]
 pub(crate) use locate::{Cells, Lines};
 pub use locate::{Location, PointIndex, Walk};
@@ -85,5 +85,5 @@ pub use subdivision::{PlanarView, Subdivision};
 pub use table::TableError;
 #[cfg(feature = "serde")]
 pub(crate) use table::dcel_of_table;
-pub use triangulate::{TriangulateError, Triangulated, TriangulationMethod};
+pub use triangulate::{EarEvent, TriangulateError, Triangulated, TriangulationMethod};
 pub use voronoi::{Voronoi, VoronoiCells, VoronoiEdge, VoronoiError, Window};

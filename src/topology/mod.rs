@@ -5,6 +5,7 @@
 //! | the structure, to walk and to ask | [`Dcel`]; any structure, also a broken one, is a [`View`] |
 //! | make one | [`Dcel::polygon`], [`Dcel::from_polygons`], [`PolygonList`] |
 //! | edit it, watch the edit, take it back | [`Dcel::split_face`] and its like; [`Recorder`], [`Journal`] |
+//! | watch an algorithm | [`Observer`] |
 //! | write an edit of your own | [`Editing`] |
 //! | keep data on elements while they come and go | [`Followed`], [`Renumbering`] |
 //! | check the invariants | [`violations`], [`Violation`], [`Rule`] |
@@ -20,6 +21,7 @@
 //   edit/        split_face, join_faces, split_edge, join_edges, split_vertex, join_vertices, collapse_edge, flip_edge
 //   seed.rs      polygons to start from        build.rs     from lists of polygons
 //   orient.rs    which faces to turn round
+//   observe.rs   watching an algorithm
 //   record.rs    watching an edit              view.rs, table.rs   reading any structure   replay.rs  an edit on a table
 //   reads.rs     the reading methods, for structures that hold one
 //   log.rs       a journal of more than pointers           follow.rs   data that follow edits
@@ -37,6 +39,7 @@ mod isomorphism;
 mod links;
 mod log;
 mod measure;
+mod observe;
 mod orient;
 mod own;
 mod polygons;
@@ -66,6 +69,7 @@ pub use links::Dcel;
 pub use log::Log;
 pub(crate) use measure::find;
 pub use measure::{ComponentCounts, Components, Counts, Mode, components, measure, measure_with};
+pub use observe::{NoObserver, Observer};
 pub use orient::{OneSided, faces_to_turn};
 pub use own::{Editing, OwnEditError};
 pub use polygons::PolygonList;

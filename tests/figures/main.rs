@@ -1,6 +1,7 @@
 //! Figures, a file for each promise: read back from the SVG text and from the pages.
 #![allow(clippy::unwrap_used, reason = "a test helper that fails is a failed test")]
 
+mod algorithms;
 mod cases;
 #[path = "../common/mod.rs"]
 mod common;

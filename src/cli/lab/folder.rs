@@ -1,24 +1,16 @@
 //! The student's folder on disk.
 
 use super::super::Failure;
-use dcel_kit::files::WholeFolder;
+use super::super::save::put_folder;
 use dcel_lab::{Kit, LabFiles, Packed, student_files, vendored};
 use std::collections::BTreeMap;
 use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
 
 /// Makes a folder with these files. One that exists must be empty: nothing is ever written over. The folder is there
 /// when it is complete, and not before.
 pub(super) fn make(dir: &Path, files: &BTreeMap<String, Packed>) -> Result<(), Failure> {
-    const ANOTHER: &str = "name a folder that does not exist yet";
-    let folder = WholeFolder::create(dir).map_err(|error| match error.kind() {
-        io::ErrorKind::DirectoryNotEmpty => Failure::input(format!("{}: is not empty", dir.display()), ANOTHER),
-        io::ErrorKind::NotADirectory => Failure::input(format!("{}: {error}", dir.display()), ANOTHER),
-        _ => Failure::writing(dir.display(), &error),
-    })?;
-    let written = files.iter().try_for_each(|(path, file)| folder.write(path, &file.bytes));
-    written.and_then(|()| folder.commit()).map_err(|error| Failure::writing(dir.display(), &error))
+    put_folder(dir, files.iter().map(|(path, file)| (path.as_str(), file.bytes.as_slice())))
 }
 
 /// The files of a student's folder; with `vendor` all crates that it needs, too.

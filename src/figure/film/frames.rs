@@ -358,7 +358,7 @@ fn still(heading: &str, text: &str, table: &Table, areas: usize, states: [usize;
 }
 
 /// A copy of all pointers and positions.
-fn snapshot<V: PlanarView + ?Sized>(view: &V) -> Table {
+pub(super) fn snapshot<V: PlanarView + ?Sized>(view: &V) -> Table {
     let mut table = Table::from_view(view);
     for (i, row) in table.vertices.iter_mut().enumerate() {
         if let Some(row) = row {

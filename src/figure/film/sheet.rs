@@ -11,10 +11,10 @@
 
 use super::draw::{Stage, union};
 use super::frames::{Film, Frame};
-use super::{sides, style};
+use super::{player, sides, style};
 use crate::figure::canvas::scene::{Group, Node, Scene};
-use crate::figure::canvas::text;
-use crate::figure::canvas::vector::xy;
+use crate::figure::canvas::text::{clean, wrap};
+use crate::figure::canvas::vector::{Xy, xy};
 use crate::figure::structure::pointer_style;
 use crate::figure::{Figure, FigureError, FigureOptions};
 
@@ -22,6 +22,9 @@ use crate::figure::{Figure, FigureError, FigureOptions};
 const WIDTH: f64 = 380.0;
 /// No row is wider than this, unless a frame alone is.
 const SHEET: f64 = 1680.0;
+
+/// What stands above a frame: its heading, and the text below it.
+pub(super) type Caption = (String, String);
 /// Space between frames.
 const GAP: f64 = 14.0;
 /// Size of a heading and how far its lines are apart; at most two.
@@ -42,7 +45,7 @@ impl Film {
     /// Those of [`structure`](crate::figure::structure()), and [`FigureError::NoRoom`] if half-edges would be too
     /// short to draw.
     pub fn strip(&self, options: &FigureOptions) -> Result<Figure, FigureError> {
-        self.sheet(options, false)
+        Ok(self.sheet(options, false)?.0)
     }
 
     /// A stepper: one frame at a time, with links to the one before and the one after; no script. The fragment
@@ -51,10 +54,22 @@ impl Film {
     /// # Errors
     /// Those of [`strip`](Self::strip).
     pub fn stepper(&self, options: &FigureOptions) -> Result<Figure, FigureError> {
-        self.sheet(options, true)
+        Ok(self.sheet(options, true)?.0)
     }
 
-    fn sheet(&self, options: &FigureOptions, links: bool) -> Result<Figure, FigureError> {
+    /// A page that plays the film: buttons, keys, a slider, and an address for each frame. Without a script it is the
+    /// [`stepper`](Self::stepper). Nothing comes from outside.
+    ///
+    /// # Errors
+    /// Those of [`strip`](Self::strip).
+    pub fn page(&self, options: &FigureOptions) -> Result<String, FigureError> {
+        let (stepper, frame) = self.sheet(options, true)?;
+        let headings: Vec<String> = self.frames().into_iter().map(|frame| frame.heading).collect();
+        Ok(player::page(&stepper, &headings, frame))
+    }
+
+    /// The sheet, and the size of a frame on it.
+    fn sheet(&self, options: &FigureOptions, links: bool) -> Result<(Figure, Xy), FigureError> {
         let mut options = options.checked();
         options.usual_width = WIDTH;
         options.crop = None;
@@ -63,44 +78,58 @@ impl Film {
         #[cfg(feature = "solid")]
         if !self.solids.is_empty() {
             let (scene, drawings, detail) = super::space::draw(&self.solids, &frames, options)?;
-            return Ok(Figure { scene: arranged(scene, &frames, drawings, options, links), detail, notes: Vec::new() });
+            let captions = captions(&frames);
+            let frame = frame_size(&captions, scene.size, links);
+            let scene = arranged(scene, &captions, drawings, options, (links, SHEET));
+            return Ok((Figure { scene, detail, notes: Vec::new() }, frame));
         }
         let (placed, names) = self.placed();
         let options = &sides::labelled(options, &names);
         let union = union(&placed);
         let stage = Stage::new(&self.states, &placed, &union, options)?;
-        let Some(first) = stage.plates.first() else { return crate::figure::structure(&union, options) };
+        let Some(first) = stage.plates.first() else {
+            let figure = crate::figure::structure(&union, options)?;
+            let size = figure.scene.size;
+            return Ok((figure, size));
+        };
         let mut scene = first.picture.scene(Vec::new());
         scene.css.push_str(&sides::css(&options.style, &scene.prefix, &placed));
         let drawings = frames.iter().enumerate().map(|(i, frame)| stage.draw(frame, &i.to_string())).collect();
         let detail = first.picture.detail;
-        Ok(Figure { scene: arranged(scene, &frames, drawings, options, links), detail, notes: Vec::new() })
+        let captions = captions(&frames);
+        let frame = frame_size(&captions, scene.size, links);
+        let scene = arranged(scene, &captions, drawings, options, (links, SHEET));
+        Ok((Figure { scene, detail, notes: Vec::new() }, frame))
     }
 }
 
-/// The frames in rows, each below its heading. `scene` has the size of one.
-fn arranged(
+fn captions(frames: &[Frame]) -> Vec<Caption> {
+    frames.iter().map(|frame| (frame.heading.clone(), frame.text.clone())).collect()
+}
+
+/// The frames in rows, each below its heading. `scene` has the size of one. They are linked if that is asked for, and
+/// no row is wider than `sheet`.
+pub(super) fn arranged(
     mut scene: Scene,
-    frames: &[Frame],
+    frames: &[Caption],
     drawings: Vec<Vec<Node>>,
     options: &FigureOptions,
-    links: bool,
+    (links, sheet): (bool, f64),
 ) -> Scene {
-    let head = head_height(frames, scene.size.x) + if links { LINKS } else { 0.0 };
-    let frame_size = xy(scene.size.x, scene.size.y + head);
-    let columns = columns(frames.len(), frame_size.x);
+    let frame_size = frame_size(frames, scene.size, links);
+    let head = frame_size.y - scene.size.y;
+    let columns = columns(frames.len(), frame_size.x, sheet);
     for (i, (frame, drawing)) in frames.iter().zip(drawings).enumerate() {
         let (column, row) = ((i % columns) as f64, (i / columns) as f64);
-        let mut nodes = heading(frame, scene.size.x);
+        let mut nodes = below(frame, head, scene.size.x, drawing);
         if links {
-            nodes.extend(nav(i, frames.len(), head - 6.0));
+            nodes.splice(nodes.len() - 1..nodes.len() - 1, nav(i, frames.len(), head - 6.0));
         }
-        nodes.push(Node::Group(Group { shift: Some(xy(0.0, head)), nodes: drawing, ..Group::default() }));
         scene.nodes.push(Node::Group(Group {
             class: "fr",
             mark: if i == 0 { "first" } else { "" },
             id: Some(format!("step-{i}")),
-            title: Some(format!("{} of {}: {}", i + 1, frames.len(), frame.heading)),
+            title: Some(format!("{} of {}: {}", i + 1, frames.len(), frame.0)),
             shift: Some(xy(column * (frame_size.x + GAP), row * (frame_size.y + GAP))),
             nodes,
             ..Group::default()
@@ -117,34 +146,46 @@ fn arranged(
         scene.attributes.push(("role", "group".to_owned()));
     }
     if options.description.is_none() {
-        let headings: Vec<&str> = frames.iter().map(|frame| frame.heading.as_str()).collect();
-        scene.description = text::clean(&format!("Frames: {}", headings.join("; ")));
+        let headings: Vec<&str> = frames.iter().map(|frame| frame.0.as_str()).collect();
+        scene.description = clean(&format!("Frames: {}", headings.join("; ")));
     }
     scene
 }
 
 /// As many columns as fit, then as few as the rows need.
-fn columns(frames: usize, width: f64) -> usize {
-    let fit = (((SHEET + GAP) / (width + GAP)) as usize).clamp(1, frames.max(1));
+fn columns(frames: usize, width: f64, sheet: f64) -> usize {
+    let fit = (((sheet + GAP) / (width + GAP)) as usize).clamp(1, frames.max(1));
     frames.div_ceil(frames.div_ceil(fit).max(1)).max(1)
 }
 
+/// The size of a frame with its caption, and links if there are any; `drawing` is the size of what is drawn.
+pub(super) fn frame_size(frames: &[Caption], drawing: Xy, links: bool) -> Xy {
+    xy(drawing.x, drawing.y + head_height(frames, drawing.x) + if links { LINKS } else { 0.0 })
+}
+
+/// A drawing below its caption, which has the height `head`.
+pub(super) fn below(caption: &Caption, head: f64, width: f64, drawing: Vec<Node>) -> Vec<Node> {
+    let mut nodes = heading(caption, width);
+    nodes.push(Node::Group(Group { shift: Some(xy(0.0, head)), nodes: drawing, ..Group::default() }));
+    nodes
+}
+
 /// Room for the tallest heading.
-fn head_height(frames: &[Frame], width: f64) -> f64 {
-    let height = |frame: &Frame| {
+pub(super) fn head_height(frames: &[Caption], width: f64) -> f64 {
+    let height = |(heading, text): &Caption| {
         let lines = |words: &str, (size, step, most): (f64, f64, usize), bold: bool| {
-            text::wrap(words, size, bold, width - 16.0, most).len() as f64 * step
+            wrap(words, size, bold, width - 16.0, most).len() as f64 * step
         };
-        lines(&frame.heading, HEADING, true) + lines(&frame.text, TEXT, false)
+        lines(heading, HEADING, true) + lines(text, TEXT, false)
     };
     frames.iter().map(height).fold(0.0, f64::max) + 8.0
 }
 
-fn heading(frame: &Frame, width: f64) -> Vec<Node> {
+fn heading((heading, text): &Caption, width: f64) -> Vec<Node> {
     let mut y = 0.0;
     let mut out = Vec::new();
-    for (words, (size, step, most), class) in [(&frame.heading, HEADING, "ct"), (&frame.text, TEXT, "cs")] {
-        for line in text::wrap(&text::clean(words), size, class == "ct", width - 16.0, most) {
+    for (words, (size, step, most), class) in [(heading, HEADING, "ct"), (text, TEXT, "cs")] {
+        for line in wrap(&clean(words), size, class == "ct", width - 16.0, most) {
             y += step;
             out.push(Node::Text { class, at: xy(8.0, y - 0.3 * size), size, text: line });
         }
@@ -172,7 +213,7 @@ mod tests {
 
     #[test]
     fn rows_are_as_equal_as_can_be() {
-        assert_eq!([1, 4, 5, 7, 9].map(|frames| columns(frames, 400.0)), [1, 4, 3, 4, 3]);
-        assert_eq!(columns(3, 5000.0), 1);
+        assert_eq!([1, 4, 5, 7, 9].map(|frames| columns(frames, 400.0, SHEET)), [1, 4, 3, 4, 3]);
+        assert_eq!(columns(3, 5000.0, SHEET), 1);
     }
 }

@@ -64,7 +64,8 @@ pub use role::Role;
 pub use sheet::Backdrop;
 
 pub(in crate::figure) use draw::Canvas;
-pub(in crate::figure) use legend::merged;
+pub(in crate::figure) use legend::{Entry, merged, nodes as legend_nodes};
+pub(in crate::figure) use multiples::Drawn;
 pub(in crate::figure) use sheet::{Below, Drawing, check, extent, lone_fit, roles, scene};
 
 use super::FigureError;

@@ -13,7 +13,7 @@ use crate::figure::canvas::vector::{Xy, xy};
 use crate::figure::layout::crowd::{Crowd, INK};
 use crate::figure::layout::fit::Fit;
 use crate::figure::layout::grid::{self, Panel};
-use crate::figure::sketch::{self, Backdrop, Canvas, Drawing, Sketch, SketchError};
+use crate::figure::sketch::{self, Backdrop, Canvas, Drawing, Entry, Role, Sketch, SketchError};
 use crate::figure::structure::notes::Notes;
 use crate::figure::structure::picture::Picture;
 use crate::figure::structure::skeleton::vertices;
@@ -44,6 +44,16 @@ const WIDTH: f64 = 420.0;
 pub struct Multiples<'a> {
     panels: Vec<Content<'a>>,
     columns: Option<usize>,
+}
+
+/// Panels that are drawn, and not yet arranged.
+pub(in crate::figure) struct Drawn {
+    pub(in crate::figure) panels: Vec<Panel>,
+    pub(in crate::figure) fit: Fit,
+    pub(in crate::figure) detail: Detail,
+    pub(in crate::figure) roles: Vec<Role>,
+    pub(in crate::figure) legend: Vec<Entry>,
+    pub(in crate::figure) notes: Vec<String>,
 }
 
 struct Content<'a> {
@@ -110,6 +120,19 @@ impl<'a> Multiples<'a> {
         let mut options = options.checked();
         options.usual_width = WIDTH;
         let options = &options;
+        let Drawn { panels, fit, detail, roles, legend, notes } = self.drawn(options)?;
+        let columns = self.columns.unwrap_or_else(|| grid::usual_columns(panels.len()));
+        let (nodes, size) = grid::arrange(panels, fit.size, columns);
+        let mut scene = sketch::scene(options, "dcel-multiples", (size, fit.scale), &roles, nodes, &legend);
+        if options.description.is_none() {
+            let headings: Vec<&str> = self.panels.iter().map(|panel| panel.heading.as_str()).collect();
+            scene.description = format!("Panels: {}. {}", headings.join("; "), scene.description);
+        }
+        Ok(Figure { scene, detail, notes })
+    }
+
+    /// The drawings, each on a canvas of the size of the fit.
+    pub(in crate::figure) fn drawn(&self, options: &FigureOptions) -> Result<Drawn, SketchError> {
         let mut points: Vec<Point> = Vec::new();
         for panel in &self.panels {
             sketch::check(&panel.sketch)?;
@@ -145,16 +168,8 @@ impl<'a> Multiples<'a> {
             let (heading, text) = (panel.heading.clone(), panel.text.clone());
             drawn.push(Panel { heading, text, id: Some(name), nodes });
         }
-        let columns = self.columns.unwrap_or_else(|| grid::usual_columns(drawn.len()));
         let roles = sketch::roles(self.panels.iter().map(|panel| &panel.sketch));
-        let (nodes, size) = grid::arrange(drawn, fit.size, columns);
-        let mut scene =
-            sketch::scene(options, "dcel-multiples", (size, fit.scale), &roles, nodes, &sketch::merged(legends));
-        if options.description.is_none() {
-            let headings: Vec<&str> = self.panels.iter().map(|panel| panel.heading.as_str()).collect();
-            scene.description = format!("Panels: {}. {}", headings.join("; "), scene.description);
-        }
-        Ok(Figure { scene, detail, notes: notes.0 })
+        Ok(Drawn { panels: drawn, fit, detail, roles, legend: sketch::merged(legends), notes: notes.0 })
     }
 
     /// One fit for all: that of the structure that needs most, or of the sketches if there is none.

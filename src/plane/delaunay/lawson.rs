@@ -13,7 +13,16 @@
 use crate::geometry::predicates::in_circle;
 use crate::ids::{EdgeId, HalfEdgeId};
 use crate::plane::{Point, Subdivision};
-use crate::topology::{NoRecorder, Recorder};
+use crate::topology::{NoObserver, NoRecorder, Observer, Recorder};
+
+/// What Lawson's algorithm does with an edge that it looks at.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum FlipEvent {
+    /// It is locally Delaunay, or not between two triangles: it stays for now.
+    Kept(EdgeId),
+    /// A corner of one of its triangles lies inside the circle round the other: it is about to be flipped.
+    Flipped(EdgeId),
+}
 
 impl Subdivision {
     /// The corners a, b, c, d of the two triangles at `h`, which runs from a to b, with c on its left and d on its
@@ -64,11 +73,39 @@ impl Subdivision {
     /// # Ok::<(), dcel_kit::plane::ConvertError>(())
     /// ```
     pub fn make_delaunay(&mut self, is_fixed: impl Fn(EdgeId) -> bool) -> usize {
-        self.make_delaunay_with(is_fixed, &mut NoRecorder)
+        self.flip_all(is_fixed, &mut NoRecorder, &mut NoObserver)
+    }
+
+    /// [`make_delaunay`](Self::make_delaunay), watched: each edge that it looks at, and what becomes of it.
+    ///
+    /// ```
+    /// use dcel_kit::plane::{FlipEvent, Point, Subdivision};
+    /// let points = [(0., 0.), (3., -1.), (6., 0.), (3., 1.)].map(Point::from).to_vec();
+    /// let mut kite = Subdivision::from_triangles(points, &[[0, 1, 2], [0, 2, 3]])?;
+    /// let mut events = Vec::new();
+    /// let flips = kite.make_delaunay_observed(|_| false, &mut events);
+    /// assert_eq!(events.iter().filter(|event| matches!(event, FlipEvent::Flipped(_))).count(), flips);
+    /// # Ok::<(), dcel_kit::plane::ConvertError>(())
+    /// ```
+    pub fn make_delaunay_observed(
+        &mut self,
+        is_fixed: impl Fn(EdgeId) -> bool,
+        observer: &mut impl Observer<FlipEvent>,
+    ) -> usize {
+        self.flip_all(is_fixed, &mut NoRecorder, observer)
     }
 
     /// [`make_delaunay`](Self::make_delaunay), watched by a recorder: four steps for each flip.
     pub fn make_delaunay_with(&mut self, is_fixed: impl Fn(EdgeId) -> bool, rec: &mut impl Recorder) -> usize {
+        self.flip_all(is_fixed, rec, &mut NoObserver)
+    }
+
+    fn flip_all(
+        &mut self,
+        is_fixed: impl Fn(EdgeId) -> bool,
+        rec: &mut impl Recorder,
+        observer: &mut impl Observer<FlipEvent>,
+    ) -> usize {
         let mut waiting: Vec<EdgeId> = self.dcel.edges().rev().filter(|&e| !is_fixed(e)).collect();
         let mut waits = vec![false; self.dcel.edge_bound()];
         waiting.iter().for_each(|e| waits[e.index()] = true);
@@ -77,8 +114,10 @@ impl Subdivision {
             waits[e.index()] = false;
             let [h, t] = e.half_edges();
             if self.is_locally_delaunay(h) {
+                observer.observe(|| FlipEvent::Kept(e));
                 continue;
             }
+            observer.observe(|| FlipEvent::Flipped(e));
             self.dcel.flip_edge_unchecked(h, rec);
             flips += 1;
             for h in [h, t].into_iter().flat_map(|h| [self.dcel.next(h), self.dcel.prev(h)]) {

@@ -22,6 +22,7 @@ mod lawson;
 mod order;
 
 pub use constrained::ConstrainedDelaunay;
+pub use lawson::FlipEvent;
 
 use super::{CoordinateError, Point, Subdivision};
 use crate::ids::{MAX_IDS, VertexId, VertexMap};

@@ -17,10 +17,12 @@
 //! the tip of the ear lay in its triangle, so did a vertex nearer to it, whose corner is not convex. So each corner is
 //! asked once, and its neighbours again after each cut.
 
-use super::TriangulateError;
 use super::candidates::Candidates;
 use super::patch::Patch;
 use super::reflex::ReflexCorners;
+use super::{EarEvent, TriangulateError};
+use crate::ids::VertexId;
+use crate::topology::Observer;
 
 /// Cuts all faces of the patch, each of one cycle, into triangles.
 ///
@@ -28,10 +30,10 @@ use super::reflex::ReflexCorners;
 ///
 /// # Errors
 /// [`TriangulateError::NotPlanar`] if no corner is an ear.
-pub(super) fn clip(patch: &mut Patch) -> Result<(), TriangulateError> {
+pub(super) fn clip(patch: &mut Patch, observer: &mut impl Observer<EarEvent>) -> Result<(), TriangulateError> {
     let mut clipper = Clipper::default();
     for i in 0..patch.parts.len() {
-        clipper.clip_face(patch, patch.parts[i].first)?;
+        clipper.clip_face(patch, patch.parts[i].first, observer)?;
     }
     Ok(())
 }
@@ -50,7 +52,12 @@ struct Clipper {
 }
 
 impl Clipper {
-    fn clip_face(&mut self, patch: &mut Patch, start: u32) -> Result<(), TriangulateError> {
+    fn clip_face(
+        &mut self,
+        patch: &mut Patch,
+        start: u32,
+        observer: &mut impl Observer<EarEvent>,
+    ) -> Result<(), TriangulateError> {
         self.begin(patch, start);
         let (mut at, mut left) = (0, self.corners.len());
         while left > 3 {
@@ -58,9 +65,12 @@ impl Clipper {
             self.unasked.remove(number);
             let h = self.corners[number];
             if !self.is_ear(patch, h) {
+                let is_convex = || patch.turn(h).is_gt();
+                observer.observe(|| EarEvent::Refused { corners: corners(patch, h), is_convex: is_convex() });
                 at = number;
                 continue;
             }
+            observer.observe(|| EarEvent::Cut(corners(patch, h)));
             let (before, after) = (patch.prev(h), patch.next(h));
             let [before, after] = [before, after].map(|h| self.numbers[h as usize]);
             let rest = patch.cut(h);
@@ -100,4 +110,9 @@ impl Clipper {
         let places = [patch.prev(b), b, patch.next(b)].map(|h| patch.origin(h));
         patch.turn(b).is_gt() && !self.reflex.any_in(patch, places)
     }
+}
+
+/// The vertices before, at and after the corner that `h` leaves.
+fn corners(patch: &Patch, h: u32) -> [VertexId; 3] {
+    [patch.prev(h), h, patch.next(h)].map(|h| patch.vertex(patch.origin(h)))
 }

@@ -41,8 +41,8 @@ mod write;
 pub use error::TriangulateError;
 
 use super::{PlaneRecorder, Subdivision};
-use crate::ids::{EdgeId, FaceId};
-use crate::topology::NoRecorder;
+use crate::ids::{EdgeId, FaceId, VertexId};
+use crate::topology::{NoObserver, NoRecorder, Observer};
 use patch::Patch;
 
 /// How faces are triangulated. The number of triangles is the same, their shapes are not.
@@ -74,6 +74,21 @@ pub enum TriangulationMethod {
     /// Cost: that of [`Subdivision::constrained_delaunay`] for the whole subdivision, O(n log n) for n vertices besides
     /// edges that are not Delaunay themselves, however few of its faces are cut.
     Delaunay,
+}
+
+/// What ear clipping does with a corner that it asks. Corners are told by their vertices: the one before, the corner, the
+/// one after.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum EarEvent {
+    /// It is no ear: it does not turn left, or a vertex lies in its triangle.
+    Refused {
+        /// The corner.
+        corners: [VertexId; 3],
+        /// Whether it turns left, so that a vertex lies in its triangle.
+        is_convex: bool,
+    },
+    /// It is an ear, and is cut off.
+    Cut([VertexId; 3]),
 }
 
 /// What a triangulation added.
@@ -116,7 +131,28 @@ impl Subdivision {
     /// ```
     pub fn triangulate(&mut self, method: TriangulationMethod) -> Result<Triangulated, TriangulateError> {
         let faces: Vec<FaceId> = self.bounded_faces().filter(|&f| !self.is_hole(f)).collect();
-        self.cut(&faces, Goal::Triangles(method), &mut NoRecorder)
+        self.cut(&faces, Goal::Triangles(method), &mut NoRecorder, &mut NoObserver)
+    }
+
+    /// [`triangulate`](Self::triangulate) by [ear clipping](TriangulationMethod::Ears), watched: each corner that it asks.
+    ///
+    /// # Errors
+    /// As [`triangulate`](Self::triangulate).
+    ///
+    /// ```
+    /// use dcel_kit::plane::{EarEvent, Subdivision};
+    /// let mut events = Vec::new();
+    /// let added = Subdivision::lab_rectangle().triangulate_ears_observed(&mut events)?;
+    /// let cut = events.iter().filter(|event| matches!(event, EarEvent::Cut(_))).count();
+    /// assert_eq!(cut, added.diagonals.len());
+    /// # Ok::<(), dcel_kit::plane::TriangulateError>(())
+    /// ```
+    pub fn triangulate_ears_observed(
+        &mut self,
+        observer: &mut impl Observer<EarEvent>,
+    ) -> Result<Triangulated, TriangulateError> {
+        let faces: Vec<FaceId> = self.bounded_faces().filter(|&f| !self.is_hole(f)).collect();
+        self.cut(&faces, Goal::Triangles(TriangulationMethod::Ears), &mut NoRecorder, observer)
     }
 
     /// [`triangulate`](Self::triangulate) for all bounded faces: hole faces, too, are cut, and all their triangles
@@ -126,7 +162,7 @@ impl Subdivision {
     /// [`TriangulateError`]; then everything is bit for bit as it was.
     pub fn triangulate_all(&mut self, method: TriangulationMethod) -> Result<Triangulated, TriangulateError> {
         let faces: Vec<FaceId> = self.bounded_faces().collect();
-        self.cut(&faces, Goal::Triangles(method), &mut NoRecorder)
+        self.cut(&faces, Goal::Triangles(method), &mut NoRecorder, &mut NoObserver)
     }
 
     /// Cuts one bounded face into triangles, as [`triangulate`](Self::triangulate) does. If it is a hole face, so are
@@ -163,7 +199,7 @@ impl Subdivision {
         rec: &mut impl PlaneRecorder,
     ) -> Result<Triangulated, TriangulateError> {
         self.check_bounded(f)?;
-        self.cut(&[f], Goal::Triangles(method), rec)
+        self.cut(&[f], Goal::Triangles(method), rec, &mut NoObserver)
     }
 
     /// Cuts one bounded face into monotone pieces: faces without inner components whose boundary runs from its leftmost vertex
@@ -186,7 +222,7 @@ impl Subdivision {
     /// [`TriangulateError`]; then everything is bit for bit as it was.
     pub fn split_into_monotone(&mut self, f: FaceId) -> Result<Triangulated, TriangulateError> {
         self.check_bounded(f)?;
-        self.cut(&[f], Goal::MonotonePieces, &mut NoRecorder)
+        self.cut(&[f], Goal::MonotonePieces, &mut NoRecorder, &mut NoObserver)
     }
 
     fn bounded_faces(&self) -> impl Iterator<Item = FaceId> + '_ {
@@ -204,12 +240,13 @@ impl Subdivision {
         faces: &[FaceId],
         goal: Goal,
         rec: &mut impl PlaneRecorder,
+        observer: &mut impl Observer<EarEvent>,
     ) -> Result<Triangulated, TriangulateError> {
         let mut patch = Patch::new(self, faces)?;
         match goal {
             Goal::Triangles(TriangulationMethod::Ears) => {
                 bridges::join_inner_components(&mut patch)?;
-                ears::clip(&mut patch)?;
+                ears::clip(&mut patch, observer)?;
             }
             Goal::Triangles(TriangulationMethod::Monotone) => {
                 monotone::split(&mut patch)?;

@@ -187,6 +187,11 @@ impl Patch {
         self.links.prev[h as usize]
     }
 
+    /// The vertex at a place.
+    pub(super) fn vertex(&self, place: u32) -> VertexId {
+        self.links.vertex[place as usize]
+    }
+
     /// The place that `h` leaves.
     #[inline]
     pub(super) fn origin(&self, h: u32) -> u32 {

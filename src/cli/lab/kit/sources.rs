@@ -18,6 +18,7 @@ pub(super) const FURTHER: &[(&str, &str)] = &[
     ("src/cli/figure.rs", include_str!("../../figure.rs")),
     ("src/cli/figure_kind.rs", include_str!("../../figure_kind.rs")),
     ("src/cli/figures.rs", include_str!("../../figures.rs")),
+    ("src/cli/film.rs", include_str!("../../film.rs")),
     ("src/cli/gallery/chart.rs", include_str!("../../gallery/chart.rs")),
     ("src/cli/gallery/delaunay.rs", include_str!("../../gallery/delaunay.rs")),
     ("src/cli/gallery/labs/lab_01.rs", include_str!("../../gallery/labs/lab_01.rs")),

@@ -1,0 +1,66 @@
+//! Films of algorithms: each is run once, watched, and its events are drawn.
+//!
+//! ```text
+//!   algorithm ──events──▶ which of them are shown ──▶ a sketch for each ──▶ SketchFilm
+//! ```
+//!
+//! Every film takes the greatest number of events that it shows. If there are more, some are left out evenly, never the
+//! last; what is left out is said in the text of the next frame.
+//!
+//! ```text
+//!   ears.rs   ear clipping, corner by corner        hull.rs   a convex hull, point by point
+//!   flips.rs  Lawson's flips
+//! ```
+
+mod ears;
+mod flips;
+mod hull;
+
+pub use ears::ear_clipping;
+pub use flips::lawson_flips;
+pub use hull::convex_hull;
+
+use crate::figure::sketch::{Role, Sketch};
+use crate::ids::VertexId;
+use crate::plane::Subdivision;
+
+/// The names of vertices, of all if there are few, else of those that the frame is about.
+fn named(sketch: &mut Sketch, s: &Subdivision, about: &[VertexId]) {
+    let all = s.vertex_count() <= 40;
+    for v in s.vertices().filter(|v| all || about.contains(v)) {
+        sketch.text(Role::Plain, s.point(v), v.to_string());
+    }
+}
+
+/// Which of `count` events are shown if at most `most` can be: evenly spread, the last one always.
+fn shown(count: usize, most: usize) -> Vec<usize> {
+    let most = most.max(1);
+    if count <= most {
+        return (0..count).collect();
+    }
+    (1..=most).map(|i| i * count / most - 1).collect()
+}
+
+/// "3 of 17" and what was left out before.
+fn number(i: usize, before: Option<usize>, count: usize) -> String {
+    let left_out = i - before.map_or(0, |before| before + 1);
+    match left_out {
+        0 => format!("{} of {count}", i + 1),
+        _ => format!("{} of {count}, {left_out} not shown", i + 1),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{number, shown};
+
+    #[test]
+    fn events_are_left_out_evenly_and_the_last_one_never() {
+        assert_eq!(shown(4, 9), [0, 1, 2, 3]);
+        assert_eq!(shown(10, 5), [1, 3, 5, 7, 9]);
+        assert_eq!(shown(7, 3), [1, 3, 6]);
+        assert_eq!(shown(3, 0), [2]);
+        assert!(shown(0, 5).is_empty());
+        assert_eq!([number(0, None, 7), number(3, Some(1), 7)], ["1 of 7", "4 of 7, 1 not shown"]);
+    }
+}
