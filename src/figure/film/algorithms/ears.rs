@@ -17,7 +17,7 @@ use crate::plane::{EarEvent, Subdivision, TriangulateError};
 /// use dcel_kit::plane::Subdivision;
 /// let dart = [(0., 0.), (4., -3.), (2., 0.), (4., 3.)].map(Into::into);
 /// let film = algorithms::ear_clipping(&Subdivision::polygon(&dart)?, 20)?;
-/// assert!(film.captions().any(|(_, text)| text.contains("turns right")));
+/// assert!(film.captions().any(|(_, text)| text.contains("v2 lies in the triangle")));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn ear_clipping(given: &Subdivision, most: usize) -> Result<SketchFilm, TriangulateError> {
