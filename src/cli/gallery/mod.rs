@@ -136,6 +136,11 @@ static REFERENCES: &[Reference] = &[
         draw: labs::lab_05::structure,
     },
     Reference {
+        file: "lab-08-voronoi.svg",
+        about: "the picture that lab 08 asks for: the Voronoi diagram of twelve sites",
+        draw: labs::lab_08::picture,
+    },
+    Reference {
         file: "lab-10-cube.svg",
         about: "the picture that lab 10 asks for: a cube and its dual, the octahedron",
         draw: labs::lab_10::cube,
@@ -355,6 +360,7 @@ fn command(file: &str) -> &'static str {
         | "lab-03-ways.svg"
         | "lab-05-matching.svg"
         | "lab-05-structure.svg"
+        | "lab-08-voronoi.svg"
         | "lab-10-cube.svg"
         | "lab-10-duals.svg"
         | "primitives.svg"

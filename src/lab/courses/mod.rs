@@ -16,6 +16,8 @@ pub mod predicates;
 pub mod triangle_list;
 #[cfg(feature = "lab-02")]
 pub mod triangulation;
+#[cfg(feature = "lab-08")]
+pub mod voronoi;
 
 use crate::judge::Judge;
 use crate::manifest::Manifest;
@@ -36,6 +38,8 @@ pub fn judge_of(lab: &str) -> Option<&'static dyn Judge> {
         "04-half-edge" => Some(&half_edge::HALF_EDGE),
         #[cfg(feature = "lab-05")]
         "05-triangle-list" => Some(&triangle_list::TRIANGLE_LIST),
+        #[cfg(feature = "lab-08")]
+        "08-voronoi" => Some(&voronoi::VORONOI),
         #[cfg(feature = "lab-10")]
         "10-polyhedra" => Some(&polyhedra::POLYHEDRA),
         _ => own().into_iter().find(|own| own.name() == lab).map(|own| own.judge),
@@ -49,6 +53,7 @@ pub const FOLDERS: &[(&str, &str)] = &[
     ("03-convex-hulls", "hulls"),
     ("04-half-edge", "half_edge"),
     ("05-triangle-list", "triangle_list"),
+    ("08-voronoi", "voronoi"),
     ("10-polyhedra", "polyhedra"),
 ];
 

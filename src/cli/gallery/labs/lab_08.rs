@@ -1,0 +1,40 @@
+//! The figure of lab 08.
+
+use crate::gallery::Made;
+use dcel_kit::figure::FigureOptions;
+use dcel_kit::figure::sketch::{Role, Sketch};
+use dcel_kit::plane::{Point, Subdivision, Window};
+
+/// The sites of the handout.
+const SITES: [[f64; 2]; 12] = [
+    [-180.0, -110.0],
+    [-40.0, -150.0],
+    [120.0, -120.0],
+    [210.0, -20.0],
+    [150.0, 110.0],
+    [10.0, 150.0],
+    [-150.0, 120.0],
+    [-230.0, 10.0],
+    [-60.0, -20.0],
+    [60.0, 40.0],
+    [-50.0, 70.0],
+    [80.0, -60.0],
+];
+
+/// The picture that lab 08 asks for. All centres are inside of the frame, at which the rays end.
+pub(in crate::gallery) fn picture() -> Made<String> {
+    let delaunay = Subdivision::delaunay(&SITES.map(Point::from))?.subdivision;
+    let voronoi = delaunay.voronoi()?;
+    let frame = Window { low: Point::new(-320.0, -220.0), high: Point::new(320.0, 220.0) };
+    let mut sketch = Sketch::new();
+    for edge in voronoi.edges() {
+        if let Some(ends) = voronoi.piece(edge, &frame) {
+            sketch.path(Role::Main, ends).solid();
+        }
+    }
+    for site in SITES {
+        sketch.point(Role::Plain, site);
+    }
+    let options = FigureOptions::new("The Voronoi diagram of twelve sites").id_prefix("lab-08-voronoi");
+    Ok(sketch.figure(&options)?.to_svg())
+}

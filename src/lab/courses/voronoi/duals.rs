@@ -1,0 +1,132 @@
+//! The dual of a structure, and the Voronoi vertices.
+
+use super::centres;
+use crate::answers::Wrong;
+use crate::checks::walks::cycle;
+use crate::fault::Exchange;
+use crate::protocol::Value;
+use dcel_kit::topology::{Table, View};
+use dcel_kit::{FaceId, HalfEdgeId, VertexId};
+
+fn half_edges(table: &Table) -> impl Iterator<Item = HalfEdgeId> {
+    (0..table.half_edges.len() as u32).map(HalfEdgeId::new)
+}
+
+/// The dual that a call gave back.
+fn returned(values: &[Value]) -> Option<&Table> {
+    let [Value::Structure(found)] = values else { return None };
+    found.half_edges().map(AsRef::as_ref)
+}
+
+fn named(letter: char, number: Option<u32>) -> String {
+    number.map_or("not set".to_owned(), |number| format!("{letter}{number}"))
+}
+
+/// What is wrong with a dual, places aside.
+fn links(table: &Table, dual: &Table) -> Option<Wrong> {
+    let counts = [
+        ("vertices", dual.vertices.len(), table.faces.len(), "one for each face"),
+        ("half-edges", dual.half_edges.len(), table.half_edges.len(), "one for each half-edge"),
+        ("faces", dual.faces.len(), table.vertices.len(), "one for each vertex"),
+    ];
+    for (name, own, expected, why) in counts {
+        if own != expected {
+            return Some(Wrong::because(name, format!("it has {own} {name}, expected {expected}: {why}")));
+        }
+    }
+    let number = HalfEdgeId::number;
+    for h in half_edges(table) {
+        let twin = table.twin(h);
+        let vertex = table.origin(h).map(VertexId::number);
+        let checks = [
+            (
+                "origin",
+                'v',
+                dual.origin(h).map(VertexId::number),
+                twin.and_then(|twin| table.face(twin)).map(FaceId::number),
+            ),
+            ("twin", 'h', dual.twin(h).map(number), twin.map(number)),
+            ("face", 'f', dual.face(h).map(FaceId::number), vertex),
+            // Round a vertex, half-edge after half-edge.
+            ("next", 'h', dual.next(h).map(number), table.prev(h).and_then(|prev| table.twin(prev)).map(number)),
+            ("prev", 'h', dual.prev(h).map(number), twin.and_then(|twin| table.next(twin)).map(number)),
+        ];
+        for (field, letter, own, expected) in checks {
+            if own != expected {
+                let (own, expected) = (named(letter, own), named(letter, expected));
+                let because = format!("the {field} of its h{} is {own}, expected {expected}", h.number());
+                return Some(Wrong::because(field, because));
+            }
+        }
+    }
+    for (v, row) in (0..).zip(&dual.vertices) {
+        let own = row.as_ref().and_then(|row| row.outgoing);
+        if own.and_then(|h| dual.origin(h)) != Some(VertexId::new(v)) {
+            let own = named('h', own.map(number));
+            let because = format!("the outgoing half-edge of its v{v} is {own}, which does not start there");
+            return Some(Wrong::because("outgoing", because));
+        }
+    }
+    for (f, row) in (0..).zip(&dual.faces) {
+        let own = row.as_ref().and_then(|row| row.half_edge);
+        if own.and_then(|h| dual.face(h)) != Some(FaceId::new(f)) {
+            let own = named('h', own.map(number));
+            let because = format!("the incident half-edge of its f{f} is {own}, which has another face");
+            return Some(Wrong::because("boundary", because));
+        }
+    }
+    None
+}
+
+pub(super) fn wrong(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
+    let table = exchange.before()?;
+    returned(values).map_or_else(|| Some(Wrong::kind("a structure")), |dual| links(table, dual))
+}
+
+/// The corners of a triangle.
+pub(super) fn corners(table: &Table, f: FaceId) -> Option<[[f64; 2]; 3]> {
+    let round = cycle(table, table.half_edge(f)?);
+    let corners: Vec<[f64; 2]> = round.into_iter().map(|h| place(table, table.origin(h)?)).collect::<Option<_>>()?;
+    corners.try_into().ok()
+}
+
+/// Where a vertex is.
+pub(super) fn place(table: &Table, v: VertexId) -> Option<[f64; 2]> {
+    table.vertices.get(v.index())?.as_ref()?.position
+}
+
+/// The centre of the circle of a triangle, and its radius.
+pub(super) fn centre(table: &Table, f: FaceId) -> Option<([f64; 2], f64)> {
+    let [a, b, c] = corners(table, f)?;
+    centres::centre(a, b, c)
+}
+
+/// The faces but the outer one.
+pub(super) fn triangles(table: &Table) -> impl Iterator<Item = FaceId> {
+    (0..table.faces.len() as u32).map(FaceId::new).filter(|f| Some(*f) != table.outer_face)
+}
+
+pub(super) fn wrong_voronoi(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
+    let table = exchange.before()?;
+    let Some(voronoi) = returned(values) else { return Some(Wrong::kind("a structure")) };
+    if let Some(wrong) = links(table, voronoi) {
+        return Some(wrong);
+    }
+    for f in triangles(table) {
+        let (expected, radius) = centre(table, f)?;
+        let own = place(voronoi, VertexId::new(f.number()))?;
+        if centres::is_off(own, expected, radius) {
+            let ([x, y], [a, b]) = (own, expected);
+            let because = format!("its v{} is at ({x}, {y}), expected ({a}, {b}), the centre of {f}", f.number());
+            let is_centre = |g| centre(table, g).is_some_and(|(place, radius)| !centres::is_off(own, place, radius));
+            let of_other = triangles(table).any(|g| g != f && is_centre(g));
+            let mean =
+                corners(table, f)?.into_iter().fold([0.0; 2], |sum, p| [sum[0] + p[0] / 3.0, sum[1] + p[1] / 3.0]);
+            let is_mean = !centres::is_off(own, mean, radius);
+            let tag = if is_mean { "mean" } else { "place" };
+            let is = [(is_mean, "the mean of the corners"), (of_other, "the centre of another triangle")];
+            return Some(Wrong::because(tag, because).is(is));
+        }
+    }
+    None
+}
