@@ -30,8 +30,6 @@ impl Dcel {
         todo!("dual")
     }
 
-
-
     /// Task 3. The dual of a Delaunay triangulation, with each vertex at the centre of the circle of its triangle. The
     /// vertex of the outer face stays at (0, 0).
     pub fn voronoi(&self) -> Dcel {
