@@ -81,7 +81,7 @@ impl Dcel {
     }
 
     // BEGIN SOLUTION
-    // STARTER:
+    // STARTER: // Functions of your own can stand here.
     /// The centre of the circle of a triangle.
     fn centre(&self, f: FaceId) -> Point {
         let h = self.incident_half_edge(f);
