@@ -139,6 +139,14 @@ static REFERENCES: &[Reference] = &[
         file: "lab-08-voronoi.svg",
         about: "the picture that lab 08 asks for: the Voronoi diagram of twelve sites",
         draw: labs::lab_08::picture,
+        file: "lab-06-corridor.svg",
+        about: "the picture of lab 06: a corridor of triangles from start to goal, and the shortest path in it",
+        draw: labs::lab_06::corridor,
+    },
+    Reference {
+        file: "lab-06-portals.svg",
+        about: "the portals of a corridor, each with its left and its right end",
+        draw: labs::lab_06::portals,
     },
     Reference {
         file: "lab-10-cube.svg",
@@ -361,6 +369,8 @@ fn command(file: &str) -> &'static str {
         | "lab-05-matching.svg"
         | "lab-05-structure.svg"
         | "lab-08-voronoi.svg"
+        | "lab-06-corridor.svg"
+        | "lab-06-portals.svg"
         | "lab-10-cube.svg"
         | "lab-10-duals.svg"
         | "primitives.svg"

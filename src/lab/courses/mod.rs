@@ -8,6 +8,8 @@
 pub mod half_edge;
 #[cfg(feature = "lab-03")]
 pub mod hulls;
+#[cfg(feature = "lab-06")]
+pub mod navmesh;
 #[cfg(feature = "lab-10")]
 pub mod polyhedra;
 #[cfg(feature = "lab-01")]
@@ -40,6 +42,8 @@ pub fn judge_of(lab: &str) -> Option<&'static dyn Judge> {
         "05-triangle-list" => Some(&triangle_list::TRIANGLE_LIST),
         #[cfg(feature = "lab-08")]
         "08-voronoi" => Some(&voronoi::VORONOI),
+        #[cfg(feature = "lab-06")]
+        "06-navmesh" => Some(&navmesh::NAVMESH),
         #[cfg(feature = "lab-10")]
         "10-polyhedra" => Some(&polyhedra::POLYHEDRA),
         _ => own().into_iter().find(|own| own.name() == lab).map(|own| own.judge),
@@ -54,6 +58,7 @@ pub const FOLDERS: &[(&str, &str)] = &[
     ("04-half-edge", "half_edge"),
     ("05-triangle-list", "triangle_list"),
     ("08-voronoi", "voronoi"),
+    ("06-navmesh", "navmesh"),
     ("10-polyhedra", "polyhedra"),
 ];
 

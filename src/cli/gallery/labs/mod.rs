@@ -2,6 +2,7 @@
 //!
 //! ```text
 //!   lab_01  lab_02  lab_03  lab_04  lab_05  lab_08  lab_10     a file a lab
+//!   lab_01  lab_02  lab_03  lab_04  lab_05  lab_06  lab_10     a file a lab
 //! ```
 
 pub(super) mod lab_01;
@@ -10,4 +11,5 @@ pub(super) mod lab_03;
 pub(super) mod lab_04;
 pub(super) mod lab_05;
 pub(super) mod lab_08;
+pub(super) mod lab_06;
 pub(super) mod lab_10;

@@ -1,0 +1,136 @@
+//! The reference figures of lab 06.
+
+use crate::gallery::Made;
+use dcel_kit::figure::FigureOptions;
+use dcel_kit::figure::sketch::{Role, Sketch};
+use dcel_kit::navmesh::{NavMesh, PathAlgorithm, Planner, Route};
+use dcel_kit::plane::{PlanarView, Point, Subdivision};
+use dcel_kit::topology::Table;
+use dcel_kit::{FaceId, HalfEdgeId};
+
+/// The map of the handout: a room with two partitions and a pillar.
+const POINTS: [[f64; 2]; 13] = [
+    [-250.0, -150.0],
+    [-110.0, -150.0],
+    [-80.0, 60.0],
+    [-50.0, -150.0],
+    [250.0, -150.0],
+    [250.0, 150.0],
+    [110.0, 150.0],
+    [80.0, -60.0],
+    [50.0, 150.0],
+    [-250.0, 150.0],
+    [160.0, 0.0],
+    [200.0, 40.0],
+    [200.0, -50.0],
+];
+/// Its edges: the border, the pillar, and those inside.
+const EDGES: [[u32; 2]; 26] = [
+    [0, 1],
+    [1, 2],
+    [2, 3],
+    [3, 4],
+    [4, 5],
+    [5, 6],
+    [6, 7],
+    [7, 8],
+    [8, 9],
+    [9, 0],
+    [10, 11],
+    [11, 12],
+    [12, 10],
+    [0, 2],
+    [2, 9],
+    [2, 8],
+    [2, 7],
+    [3, 7],
+    [4, 7],
+    [4, 12],
+    [4, 11],
+    [5, 11],
+    [6, 11],
+    [6, 10],
+    [7, 10],
+    [7, 12],
+];
+const START: [f64; 2] = [-150.0, -120.0];
+const GOAL: [f64; 2] = [235.0, 60.0];
+
+/// The map, and the path through as few triangles as possible.
+fn path() -> Made<(Subdivision, Route)> {
+    let points: Vec<Point> = POINTS.iter().map(|&p| p.into()).collect();
+    let mut map = Subdivision::from_graph(&points, &EDGES)?;
+    map.mark_holes(&[Point::new(188.0, -2.0)])?;
+    let mesh = NavMesh::new(&map)?;
+    let route = Planner::new().route_between(&mesh, PathAlgorithm::Breadth, START.into(), GOAL.into())?;
+    Ok((map, route))
+}
+
+fn place(map: &Subdivision, h: HalfEdgeId) -> Point {
+    map.position(map.origin(h)).unwrap_or_default()
+}
+
+fn corners(map: &Subdivision, f: FaceId) -> Vec<Point> {
+    let first = map.half_edge(f);
+    let sides = first.map(|h| dcel_kit::topology::bounded_cycle(map, h).map(|h| place(map, h)).collect());
+    sides.unwrap_or_default()
+}
+
+/// The picture that lab 06 asks for: corridor and path.
+pub(in crate::gallery) fn corridor() -> Made<String> {
+    let (map, route) = path()?;
+    let mut sketch = Sketch::new();
+    for &f in &route.faces {
+        sketch.region(Role::Main, [corners(&map, f)]).plain();
+    }
+    let table = Table::from_view(&map);
+    for h in (0..table.half_edges.len() as u32).step_by(2).map(HalfEdgeId::new) {
+        sketch.path(Role::Plain, [place(&map, h), place(&map, h.twin())]);
+    }
+    sketch.path(Role::Goal, route.points.iter().copied()).solid();
+    for &p in &route.points {
+        sketch.point(Role::Plain, p);
+    }
+    let options = FigureOptions::new("A corridor and the path in it").id_prefix("lab-06-corridor").width(620.0);
+    Ok(sketch.figure(&options)?.to_svg())
+}
+
+/// The triangles in the order of the lab, where the triangle t is f(t+1).
+const TRIANGLES: [[usize; 3]; 13] = [
+    [0, 1, 2],
+    [0, 2, 9],
+    [2, 3, 7],
+    [2, 7, 8],
+    [2, 8, 9],
+    [3, 4, 7],
+    [4, 5, 11],
+    [4, 12, 7],
+    [4, 11, 12],
+    [5, 6, 11],
+    [6, 7, 10],
+    [6, 10, 11],
+    [7, 12, 10],
+];
+
+/// The portals of the corridor, with their left and right ends, over the map.
+pub(in crate::gallery) fn portals() -> Made<String> {
+    let (map, route) = path()?;
+    let mut sketch = Sketch::new();
+    for (t, triangle) in TRIANGLES.iter().enumerate() {
+        let corners = triangle.map(|v| POINTS[v]);
+        let centre = [0, 1].map(|axis| corners.iter().map(|p| p[axis]).sum::<f64>() / 3.0);
+        sketch.region(Role::Plain, [corners]).plain();
+        sketch.path(Role::Plain, [corners[0], corners[1], corners[2], corners[0]]);
+        sketch.text(Role::Dimmed, centre, format!("f{}", t + 1));
+    }
+    for &h in &route.portals {
+        // A face is on the left of its half-edges: who leaves it sees the end on the left.
+        let portal = sketch.portal(Role::Secondary, place(&map, h.twin()), place(&map, h));
+        portal.key("portals: seen by one who goes through, the left end is a square, the right one a ring");
+    }
+    sketch.path(Role::Main, route.points.iter().copied()).arrow().key("the shortest path in the corridor");
+    sketch.point(Role::Start, START).label("start");
+    sketch.point(Role::Goal, GOAL).label("goal");
+    let options = FigureOptions::new("Portals of a corridor").id_prefix("lab-06-portals").width(620.0);
+    Ok(sketch.figure(&options)?.to_svg())
+}

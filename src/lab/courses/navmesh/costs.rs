@@ -1,0 +1,54 @@
+//! How many records a call looks at in a large mesh.
+//!
+//! Time plays no part: reads are counted, and are the same on every machine.
+
+use crate::fault::{Fault, FaultKind};
+use crate::protocol::{Case, CaseAnswer, Reply, Start, Step, Structure, grouped};
+
+/// How many reads the neighbours of one triangle may take. The solution needs 10.
+const READS_OF_A_TRIANGLE: u64 = 200;
+/// How many reads a walk through at most 400 of 33,800 triangles may make. The solution needs a third of it.
+const READS_OF_A_WALK: u64 = 24_000;
+/// How many reads each triangle of a corridor may cost. The solution needs 12.
+const READS_OF_A_PORTAL: u64 = 60;
+
+/// Calls, each followed by a count of its reads.
+pub(super) fn with_reads(name: String, start: &Start, lines: impl IntoIterator<Item = String>) -> Case {
+    let mut case = Case::new(name, start.clone()).step(start.dump());
+    case.steps.extend(lines.into_iter().flat_map(|line| [Step::of_line(&line), Step::Reads]));
+    case
+}
+
+/// What is wrong with the numbers of reads in a case.
+pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
+    let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
+    let records = case.start.structure().map_or(0, Structure::len) as u64;
+    let mut called: Option<(&str, &[String])> = None;
+    for ((step, asked), reply) in asked.zip(&answer.replies) {
+        let fault = |kind, tag: &str, words| {
+            let (rule, tag) = ("cost".to_owned(), tag.to_owned());
+            vec![Fault { test, kind, step, rule, tag, words, elements: Vec::new(), instead: None }]
+        };
+        match (asked, reply) {
+            (Step::Call { function, arguments }, _) => called = Some((function, arguments)),
+            (Step::Reads, Reply::Reads(reads)) => {
+                let Some((function, arguments)) = called else { continue };
+                let (limit, example) = match function {
+                    "neighbours" => (READS_OF_A_TRIANGLE, "ten"),
+                    "portals" => (READS_OF_A_PORTAL * arguments.len() as u64, "a dozen for each triangle"),
+                    _ => (READS_OF_A_WALK, "those of the triangles on the way"),
+                };
+                if *reads > limit {
+                    let words = format!(
+                        "{function} looks at everything: {} reads in a structure of {} records, where {example} would do",
+                        grouped(*reads),
+                        grouped(records),
+                    );
+                    return fault(FaultKind::TooSlow { place: None }, "reads", words);
+                }
+            }
+            _ => {}
+        }
+    }
+    Vec::new()
+}
