@@ -36,6 +36,8 @@ const BUNDLE: &[&str] = &[
     include_str!("bundle/06-navmesh.txt"),
     #[cfg(feature = "lab-10")]
     include_str!("bundle/10-polyhedra.txt"),
+    #[cfg(feature = "lab-11")]
+    include_str!("bundle/11-support.txt"),
 ];
 /// Where the solution is.
 const SOLUTION: &str = "solution/";

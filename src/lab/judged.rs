@@ -39,6 +39,8 @@ pub(super) struct Unit<'a> {
     pub(super) step: usize,
     /// The part of the case that it stands in.
     part: usize,
+    /// The unit before it in the same part.
+    before: Option<usize>,
     /// The call; `None` for a picture, and for a step that was not answered.
     pub(super) exchange: Option<Exchange<'a>>,
     /// The tests that it concerns.
@@ -58,6 +60,10 @@ impl<'a> Units<'a> {
         for (number, ((asked, answer), faults)) in suite.asked.iter().zip(&run.answers).zip(&run.faults).enumerate() {
             all.extend(units(judge, suite, number, &asked.case, answer, faults));
         }
+        let mut last: BTreeMap<(usize, usize), usize> = BTreeMap::new();
+        for (i, unit) in all.iter_mut().enumerate() {
+            unit.before = last.insert((unit.case, unit.part), i);
+        }
         Self { all, faults: &run.faults }
     }
 
@@ -68,10 +74,9 @@ impl<'a> Units<'a> {
 
     /// What can be said of a call before it is made; `None` if that is not known.
     pub(super) fn features(&self, judge: &dyn Judge, unit: usize) -> Option<u128> {
-        let Unit { case, part, exchange, .. } = &self.all[unit];
-        let before = self.all[..unit].iter().rev().take_while(|other| other.case == *case);
-        let mut earlier: Vec<&Exchange> =
-            before.filter(|other| other.part == *part).filter_map(|other| other.exchange.as_ref()).collect();
+        let Unit { before, exchange, .. } = &self.all[unit];
+        let before = std::iter::successors(*before, |&before| self.all[before].before);
+        let mut earlier: Vec<&Exchange> = before.filter_map(|before| self.all[before].exchange.as_ref()).collect();
         earlier.reverse();
         judge.features(&earlier, exchange.as_ref()?)
     }
@@ -186,7 +191,7 @@ fn units<'a>(
             _ => at(faults, step).iter().map(|fault| fault.test).collect(),
         };
         if !tests.is_empty() || exchange.is_some() {
-            out.push(Unit { case: number, step, part: parts[step], exchange, tests });
+            out.push(Unit { case: number, step, part: parts[step], before: None, exchange, tests });
         }
     }
     out

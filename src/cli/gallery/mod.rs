@@ -158,6 +158,16 @@ static REFERENCES: &[Reference] = &[
         about: "the regular solids and their duals: three pairs",
         draw: labs::lab_10::duals,
     },
+    Reference {
+        file: "lab-11-climb.svg",
+        about: "the picture of lab 11: a climb over a polyhedron to its highest vertex",
+        draw: labs::lab_11::climb,
+    },
+    Reference {
+        file: "lab-11-stuck.svg",
+        about: "where a climb ends: at the top, at a lower peak, on a plateau",
+        draw: labs::lab_11::stuck,
+    },
     Reference { file: "lawson.svg", about: "a triangulation becomes Delaunay by flips", draw: delaunay::lawson },
     Reference {
         file: "lab-subdivision.svg",
@@ -373,6 +383,8 @@ fn command(file: &str) -> &'static str {
         | "lab-06-portals.svg"
         | "lab-10-cube.svg"
         | "lab-10-duals.svg"
+        | "lab-11-climb.svg"
+        | "lab-11-stuck.svg"
         | "primitives.svg"
         | "robustness.svg"
         | "rooms.svg"

@@ -14,6 +14,8 @@ pub mod navmesh;
 pub mod polyhedra;
 #[cfg(feature = "lab-01")]
 pub mod predicates;
+#[cfg(feature = "lab-11")]
+pub mod support;
 #[cfg(feature = "lab-05")]
 pub mod triangle_list;
 #[cfg(feature = "lab-02")]
@@ -46,6 +48,8 @@ pub fn judge_of(lab: &str) -> Option<&'static dyn Judge> {
         "06-navmesh" => Some(&navmesh::NAVMESH),
         #[cfg(feature = "lab-10")]
         "10-polyhedra" => Some(&polyhedra::POLYHEDRA),
+        #[cfg(feature = "lab-11")]
+        "11-support" => Some(&support::SUPPORT),
         _ => own().into_iter().find(|own| own.name() == lab).map(|own| own.judge),
     }
 }
@@ -60,6 +64,7 @@ pub const FOLDERS: &[(&str, &str)] = &[
     ("08-voronoi", "voronoi"),
     ("06-navmesh", "navmesh"),
     ("10-polyhedra", "polyhedra"),
+    ("11-support", "support"),
 ];
 
 /// A lab outside of the kit.

@@ -3,6 +3,7 @@
 //! ```text
 //!   lab_01  lab_02  lab_03  lab_04  lab_05  lab_08  lab_10     a file a lab
 //!   lab_01  lab_02  lab_03  lab_04  lab_05  lab_06  lab_10     a file a lab
+//!   lab_01  lab_02  lab_03  lab_04  lab_05  lab_10  lab_11     a file a lab
 //! ```
 
 pub(super) mod lab_01;
@@ -13,3 +14,4 @@ pub(super) mod lab_05;
 pub(super) mod lab_08;
 pub(super) mod lab_06;
 pub(super) mod lab_10;
+pub(super) mod lab_11;

@@ -1,0 +1,201 @@
+//! The records of a dump against what the mesh should be.
+//!
+//! ```text
+//!   vertex     live as it should be, where it should be; outgoing: a half-edge with a face that starts there
+//!   half-edge  twin of its twin; in a triangle: next, prev, face agree with the triangle; at a border: none of these
+//!   face       its half-edge has it as its face
+//!   counts     as many live records as there should be, and no more records than were ever needed at a time
+//! ```
+
+use super::model::Model;
+use crate::protocol::{Cell, Records};
+use std::collections::BTreeMap;
+
+/// A law that is broken: a word for it, and a sentence.
+pub(super) type Broken = (&'static str, String);
+
+/// A half-edge of a dump.
+#[derive(Clone, Copy)]
+struct HalfEdge {
+    origin: Option<u32>,
+    twin: Option<u32>,
+    next: Option<u32>,
+    prev: Option<u32>,
+    face: Option<u32>,
+}
+
+fn is_live(row: &[Cell]) -> bool {
+    row.last().and_then(|cell| cell.number()).is_some_and(|live| live != 0.0)
+}
+
+fn half_edge(records: &Records, h: u32) -> Option<HalfEdge> {
+    let row = records.row(1, h as usize).filter(|row| is_live(row))?;
+    let [origin, twin, next, prev, face] = [0, 1, 2, 3, 4].map(|i| row[i].to());
+    Some(HalfEdge { origin, twin, next, prev, face })
+}
+
+/// The first law that is broken.
+pub(super) fn broken(records: &Records, model: &Model) -> Option<Broken> {
+    vertices(records, model).or_else(|| half_edges(records, model)).or_else(|| faces(records, model))
+}
+
+fn vertices(records: &Records, model: &Model) -> Option<Broken> {
+    let (found, expected) = (records.len(0), model.vertices.len());
+    if found != expected {
+        return Some(("vertex.records", format!("there are {found} vertex records, expected {expected}")));
+    }
+    for (v, row) in records.rows(0).enumerate() {
+        let Some(place) = model.place(v) else {
+            if is_live(row) {
+                return Some(("vertex.live", format!("v{v} is live still, although it was removed")));
+            }
+            continue;
+        };
+        if !is_live(row) {
+            return Some(("vertex.dead", format!("v{v} is not live, although it exists")));
+        }
+        if place.iter().zip(row).any(|(x, cell)| cell.number() != Some(*x)) {
+            return Some(("vertex.place", format!("v{v} is not at ({}, {}, {})", place[0], place[1], place[2])));
+        }
+        let outgoing = row[3].to();
+        let has_face = !model.sides_from(v).is_empty();
+        match outgoing {
+            None if has_face => {
+                return Some((
+                    "vertex.none",
+                    format!("v{v} has no outgoing half-edge, although triangles have it as a corner"),
+                ));
+            }
+            Some(h) if !has_face => {
+                return Some((
+                    "vertex.stale",
+                    format!("v{v} has no triangle, but its outgoing half-edge is h{h}; expected none"),
+                ));
+            }
+            Some(h) => {
+                let Some(to) = half_edge(records, h) else {
+                    return Some(("vertex.free", format!("the outgoing half-edge of v{v} is h{h}, which is free")));
+                };
+                if to.origin != Some(v as u32) {
+                    return Some((
+                        "vertex.outgoing",
+                        format!("the outgoing half-edge of v{v} is h{h}, which does not start there"),
+                    ));
+                }
+                if to.face.is_none() {
+                    return Some((
+                        "vertex.border",
+                        format!("the outgoing half-edge of v{v} is h{h}, which has no face; another one has"),
+                    ));
+                }
+            }
+            None => {}
+        }
+    }
+    None
+}
+
+fn half_edges(records: &Records, model: &Model) -> Option<Broken> {
+    let mut met: BTreeMap<(u32, u32), u32> = BTreeMap::new();
+    for (h, _) in records.rows(1).enumerate().filter(|(_, row)| is_live(row)) {
+        let h = h as u32;
+        let of = half_edge(records, h)?;
+        let get = |to: Option<u32>| to.and_then(|to| half_edge(records, to));
+        let Some(twin) = get(of.twin) else {
+            return Some(("twin.none", format!("the twin of h{h} is not set, or free")));
+        };
+        if twin.twin != Some(h) || of.twin == Some(h) {
+            return Some(("twin.twin", format!("the twin of the twin of h{h} is not h{h}")));
+        }
+        let (Some(from), Some(to)) = (of.origin, twin.origin) else {
+            return Some(("origin.none", format!("the origin of h{h} or of its twin is not set")));
+        };
+        if let Some(other) = met.insert((from, to), h) {
+            return Some(("double", format!("h{other} and h{h} both lead from v{from} to v{to}")));
+        }
+        let across = model.across.get(&(from as usize, to as usize));
+        let back = model.across.contains_key(&(to as usize, from as usize));
+        match (across, of.face) {
+            (None, _) if !back => {
+                return Some((
+                    "edge.orphan",
+                    format!("the edge of v{from} and v{to} is still there, although no triangle has it"),
+                ));
+            }
+            (None, Some(f)) => {
+                return Some((
+                    "face.stale",
+                    format!("h{h} from v{from} to v{to} has the face f{f}, although no triangle is there"),
+                ));
+            }
+            (None, None) => {
+                if of.next.or(of.prev).is_some() {
+                    return Some((
+                        "border.links",
+                        format!("h{h} lies at a border, but its next or prev is set; expected neither"),
+                    ));
+                }
+            }
+            (Some(_), None) => {
+                return Some((
+                    "face.none",
+                    format!("h{h} from v{from} to v{to} has no face, although a triangle is there"),
+                ));
+            }
+            (Some(&corner), Some(_)) => {
+                let (Some(next), Some(prev)) = (get(of.next), get(of.prev)) else {
+                    return Some(("next.none", format!("the next or prev of h{h} is not set, or free")));
+                };
+                if next.prev != Some(h) || prev.next != Some(h) {
+                    return Some((
+                        "next.prev",
+                        format!("next and prev of h{h} do not agree with those of its neighbours"),
+                    ));
+                }
+                if next.origin != Some(to) || prev.origin != Some(corner as u32) {
+                    return Some((
+                        "next.origin",
+                        format!("from h{h}, v{from} to v{to}, the triangle should go on to v{corner}"),
+                    ));
+                }
+                if next.face != of.face || prev.face != of.face {
+                    return Some((
+                        "face.cycle",
+                        format!("the half-edges of the triangle of h{h} have different faces"),
+                    ));
+                }
+            }
+        }
+    }
+    if let Some((a, b)) = model.across.keys().find(|&&(a, b)| !met.contains_key(&(a as u32, b as u32))) {
+        return Some(("edge.none", format!("there is no half-edge from v{a} to v{b}, although a triangle is there")));
+    }
+    let (found, most) = (records.len(1), 2 * model.most[0]);
+    (found > most).then(|| {
+        (
+            "half_edge.records",
+            format!("there are {found} half-edge records, where {most} are enough: free ones should be used again"),
+        )
+    })
+}
+
+fn faces(records: &Records, model: &Model) -> Option<Broken> {
+    let live = records.rows(2).filter(|row| is_live(row)).count();
+    let expected = model.across.len() / 3;
+    if live != expected {
+        return Some(("face.live", format!("{live} faces are live, expected {expected}")));
+    }
+    for (f, row) in records.rows(2).enumerate().filter(|(_, row)| is_live(row)) {
+        let side = row[0].to().and_then(|h| half_edge(records, h));
+        if side.and_then(|side| side.face) != Some(f as u32) {
+            return Some(("face.half_edge", format!("the incident half-edge of f{f} does not have f{f} as its face")));
+        }
+    }
+    let (found, most) = (records.len(2), model.most[1]);
+    (found > most).then(|| {
+        (
+            "face.records",
+            format!("there are {found} face records, where {most} are enough: free ones should be used again"),
+        )
+    })
+}
