@@ -28,6 +28,7 @@ pub(super) const FURTHER: &[(&str, &str)] = &[
     ("src/cli/gallery/labs/lab_05.rs", include_str!("../../gallery/labs/lab_05.rs")),
     ("src/cli/gallery/labs/lab_08.rs", include_str!("../../gallery/labs/lab_08.rs")),
     ("src/cli/gallery/labs/lab_10.rs", include_str!("../../gallery/labs/lab_10.rs")),
+    ("src/cli/gallery/labs/lab_11.rs", include_str!("../../gallery/labs/lab_11.rs")),
     ("src/cli/gallery/labs/mod.rs", include_str!("../../gallery/labs/mod.rs")),
     ("src/cli/gallery/lesson.rs", include_str!("../../gallery/lesson.rs")),
     ("src/cli/gallery/mod.rs", include_str!("../../gallery/mod.rs")),
