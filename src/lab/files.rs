@@ -30,10 +30,10 @@ const BUNDLE: &[&str] = &[
     include_str!("bundle/04-half-edge.txt"),
     #[cfg(feature = "lab-05")]
     include_str!("bundle/05-triangle-list.txt"),
-    #[cfg(feature = "lab-08")]
-    include_str!("bundle/08-voronoi.txt"),
     #[cfg(feature = "lab-06")]
     include_str!("bundle/06-navmesh.txt"),
+    #[cfg(feature = "lab-08")]
+    include_str!("bundle/08-voronoi.txt"),
     #[cfg(feature = "lab-10")]
     include_str!("bundle/10-polyhedra.txt"),
     #[cfg(feature = "lab-11")]

@@ -136,9 +136,6 @@ static REFERENCES: &[Reference] = &[
         draw: labs::lab_05::structure,
     },
     Reference {
-        file: "lab-08-voronoi.svg",
-        about: "the picture that lab 08 asks for: the Voronoi diagram of twelve sites",
-        draw: labs::lab_08::picture,
         file: "lab-06-corridor.svg",
         about: "the picture of lab 06: a corridor of triangles from start to goal, and the shortest path in it",
         draw: labs::lab_06::corridor,
@@ -147,6 +144,11 @@ static REFERENCES: &[Reference] = &[
         file: "lab-06-portals.svg",
         about: "the portals of a corridor, each with its left and its right end",
         draw: labs::lab_06::portals,
+    },
+    Reference {
+        file: "lab-08-voronoi.svg",
+        about: "the picture that lab 08 asks for: the Voronoi diagram of twelve sites",
+        draw: labs::lab_08::picture,
     },
     Reference {
         file: "lab-10-cube.svg",
@@ -378,9 +380,9 @@ fn command(file: &str) -> &'static str {
         | "lab-03-ways.svg"
         | "lab-05-matching.svg"
         | "lab-05-structure.svg"
-        | "lab-08-voronoi.svg"
         | "lab-06-corridor.svg"
         | "lab-06-portals.svg"
+        | "lab-08-voronoi.svg"
         | "lab-10-cube.svg"
         | "lab-10-duals.svg"
         | "lab-11-climb.svg"

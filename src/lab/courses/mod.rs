@@ -42,10 +42,10 @@ pub fn judge_of(lab: &str) -> Option<&'static dyn Judge> {
         "04-half-edge" => Some(&half_edge::HALF_EDGE),
         #[cfg(feature = "lab-05")]
         "05-triangle-list" => Some(&triangle_list::TRIANGLE_LIST),
-        #[cfg(feature = "lab-08")]
-        "08-voronoi" => Some(&voronoi::VORONOI),
         #[cfg(feature = "lab-06")]
         "06-navmesh" => Some(&navmesh::NAVMESH),
+        #[cfg(feature = "lab-08")]
+        "08-voronoi" => Some(&voronoi::VORONOI),
         #[cfg(feature = "lab-10")]
         "10-polyhedra" => Some(&polyhedra::POLYHEDRA),
         #[cfg(feature = "lab-11")]
@@ -61,8 +61,8 @@ pub const FOLDERS: &[(&str, &str)] = &[
     ("03-convex-hulls", "hulls"),
     ("04-half-edge", "half_edge"),
     ("05-triangle-list", "triangle_list"),
-    ("08-voronoi", "voronoi"),
     ("06-navmesh", "navmesh"),
+    ("08-voronoi", "voronoi"),
     ("10-polyhedra", "polyhedra"),
     ("11-support", "support"),
 ];
