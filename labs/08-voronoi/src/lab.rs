@@ -30,6 +30,8 @@ impl Dcel {
         todo!("dual")
     }
 
+    // Functions of your own can stand here.
+
     /// Task 3. The dual of a Delaunay triangulation, with each vertex at the centre of the circle of its triangle. The
     /// vertex of the outer face stays at (0, 0).
     pub fn voronoi(&self) -> Dcel {
