@@ -8,6 +8,7 @@ use crate::map::Portal;
 use crate::svg::Svg;
 use crate::turn::{Turn, turn};
 
+
 /// Triangles and where they lead.
 impl Dcel {
     /// Task 1. The triangles on the other side of the sides of the triangle `f`, counter-clockwise round it. It does
@@ -51,6 +52,7 @@ impl Dcel {
         let _ = (start, goal);
         todo!("path")
     }
+
 }
 
 /// Task 6. The shortest path from `start` to `goal` through portals, each given by its left and its right end: `start`,
@@ -59,6 +61,7 @@ pub fn funnel(start: Point, goal: Point, portals: &[(Point, Point)]) -> Vec<Poin
     let _ = (start, goal, portals);
     todo!("funnel")
 }
+
 
 /// Task 8. Draws a mesh with a path: a filled polygon for each triangle of the corridor, a line for each edge of the
 /// mesh, a line for each piece of the path, a dot at each point of the path.
