@@ -8,7 +8,7 @@ use crate::map::Portal;
 use crate::svg::Svg;
 use crate::turn::{Turn, turn};
 // BEGIN SOLUTION
-// STARTER:
+// STARTER: // What else you use can be named here.
 use crate::dcel::HalfEdgeId;
 use std::collections::VecDeque;
 // END SOLUTION
@@ -141,7 +141,7 @@ impl Dcel {
         // END SOLUTION
     }
     // BEGIN SOLUTION
-    // STARTER:
+    // STARTER: // Methods of your own can stand here.
 
     /// A side of the triangle `f` that has `p` strictly on its right; `None` if `p` is in the triangle.
     fn side_before(&self, f: FaceId, p: Point) -> Option<HalfEdgeId> {
@@ -179,7 +179,7 @@ pub fn funnel(start: Point, goal: Point, portals: &[(Point, Point)]) -> Vec<Poin
     // END SOLUTION
 }
 // BEGIN SOLUTION
-// STARTER:
+// STARTER: // Functions of your own can stand here.
 
 /// Leads the chain `mine`, which bends to the side `bend`, to the new end `p` of the portal; `other` bends the other way.
 fn extend(path: &mut Vec<Point>, mine: &mut VecDeque<Point>, other: &mut VecDeque<Point>, p: Point, bend: Turn) {

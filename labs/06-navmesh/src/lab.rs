@@ -7,7 +7,7 @@ use crate::dcel::{Dcel, FaceId, Point};
 use crate::map::Portal;
 use crate::svg::Svg;
 use crate::turn::{Turn, turn};
-
+// What else you use can be named here.
 
 /// Triangles and where they lead.
 impl Dcel {
@@ -52,7 +52,7 @@ impl Dcel {
         let _ = (start, goal);
         todo!("path")
     }
-
+    // Methods of your own can stand here.
 }
 
 /// Task 6. The shortest path from `start` to `goal` through portals, each given by its left and its right end: `start`,
@@ -61,7 +61,7 @@ pub fn funnel(start: Point, goal: Point, portals: &[(Point, Point)]) -> Vec<Poin
     let _ = (start, goal, portals);
     todo!("funnel")
 }
-
+// Functions of your own can stand here.
 
 /// Task 8. Draws a mesh with a path: a filled polygon for each triangle of the corridor, a line for each edge of the
 /// mesh, a line for each piece of the path, a dot at each point of the path.
