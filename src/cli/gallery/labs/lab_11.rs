@@ -48,7 +48,7 @@ fn panel(corners: &[[f64; 2]], climb: &[usize], end: &str) -> Sketch {
         sketch.path(Role::Plain, [*p, corners[(i + 1) % corners.len()]]).solid();
     }
     for step in climb.windows(2) {
-        sketch.path(Role::Event, [corners[step[0]], corners[step[1]]]).arrow();
+        sketch.path(Role::Goal, [corners[step[0]], corners[step[1]]]).solid().arrow();
     }
     for (i, p) in corners.iter().enumerate() {
         let is_end = climb.last() == Some(&i);
