@@ -145,9 +145,14 @@ fn wrong(model: &mut Model, function: &str, words: &[String], values: &[Value]) 
     let refused = matches!(values, [Value::Refusal(_)]);
     match (function, &ids[..]) {
         ("add_vertex", _) => {
+            let before = model.vertices.len();
             let v = model.add_vertex(direction(&numbers));
-            (*values != [Value::Id(v as u32)])
-                .then(|| ("number", format!("expected {v}, the number of the new vertex")))
+            let why = if v < before {
+                format!("v{v} became free last, so it is used again")
+            } else {
+                format!("no vertex is free, so the list grows, and the new one is v{v}")
+            };
+            (*values != [Value::Id(v as u32)]).then(|| ("number", format!("expected {v}: {why}")))
         }
         ("add_face", &[a, b, c]) => {
             let refusal = model.refusal([a, b, c]);

@@ -3,6 +3,7 @@
 //! The k-th edge that the triangles state has the half-edges h(2k), on the side that states it first, and h(2k+1).
 
 use super::model::{Model, Place};
+use crate::cases::random::Random;
 use crate::protocol::{Cell, ColumnSchema, RecordSchema, Records, Start, Structure, TableSchema};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -116,6 +117,35 @@ pub(super) fn cube(name: &'static str, n: usize) -> Solid {
     Solid { name, line: format!("cube {n}"), points, triangles, free: Vec::new() }
 }
 
+/// A pyramid whose base is cut into many triangles, of which most do not touch the border of the base. A path on
+/// the base from neighbour to neighbour, none of them twice, often comes to a vertex from where it cannot go on.
+pub(super) fn nested(name: &'static str, seed: u64) -> Solid {
+    const VERTICES: usize = 30;
+    let mut random = Random::new(seed, "nested");
+    // Three times the mean of three corners is whole; so deep that it stays whole.
+    let side = 3.0_f64.powi(9);
+    let mut points = vec![[0.0, 0.0, 0.0], [side, 0.0, 0.0], [0.0, side, 0.0], [side / 3.0, side / 3.0, side]];
+    let mut base = vec![([0, 2, 1], 0)];
+    while points.len() < VERTICES {
+        let chosen = random.below(base.len());
+        let ([a, b, c], depth) = base[chosen];
+        if depth == 9 {
+            continue;
+        }
+        let v = points.len();
+        points.push([0, 1, 2].map(|i| (points[a][i] + points[b][i] + points[c][i]) / 3.0));
+        base.swap_remove(chosen);
+        base.extend([([a, b, v], depth + 1), ([b, c, v], depth + 1), ([c, a, v], depth + 1)]);
+    }
+    let sides = [[0, 1, 3], [1, 2, 3], [2, 0, 3]];
+    let order = random.order(VERTICES);
+    let mut mixed = points.clone();
+    order.iter().zip(&points).for_each(|(&v, &place)| mixed[v] = place);
+    let triangles: Vec<[usize; 3]> =
+        base.into_iter().map(|(corners, _)| corners).chain(sides).map(|corners| corners.map(|v| order[v])).collect();
+    soup(name, &mixed, &triangles)
+}
+
 /// Triangles as a student would type them.
 pub(super) fn soup(name: &'static str, points: &[Place], triangles: &[[usize; 3]]) -> Solid {
     let mut line = "soup".to_owned();
@@ -187,7 +217,7 @@ mod tests {
 
     #[test]
     fn the_gem_and_the_cubes_are_convex() {
-        for solid in [gem(), cube("cube", 2)] {
+        for solid in [gem(), cube("cube", 2), nested("nested", 1), nested("nested", 2)] {
             for corners in &solid.triangles {
                 let [a, b, c] = corners.map(|v| solid.points[v]);
                 let minus = |p: Place, q: Place| [0, 1, 2].map(|i| p[i] - q[i]);

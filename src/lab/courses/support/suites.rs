@@ -6,7 +6,7 @@
 
 use super::answers::is_edit;
 use super::model::{Model, Place};
-use super::solids::{SCHEMA, Solid, cube, empty, gem, soup};
+use super::solids::{SCHEMA, Solid, cube, empty, gem, nested, soup};
 use super::{answers, features, picture};
 use crate::cases::random::Random;
 use crate::fault::{Exchange, Fault};
@@ -54,6 +54,9 @@ fn starts() -> Vec<Solid> {
         cube("cube_1", 1),
         cube("cube_2", 2),
         cube("cube_4", 4),
+        nested("nested_1", 1),
+        nested("nested_2", 2),
+        nested("nested_3", 3),
         soup("low", &low, &closed),
         soup("near", &near, &[[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]]),
         cube("cube_45", 45),
@@ -338,7 +341,7 @@ fn heights(function: &str, plan: &Plan) -> Vec<Asked> {
         let mut case = Case::new(format!("{}.{function}", start.name), start.start.clone()).step(Step::Dump);
         for (i, d) in axes.iter().chain(&others).enumerate() {
             // From every vertex of the small ones, from some of the others.
-            for from in (0..vertices).filter(|from| vertices < 30 || (from + i) % 7 == 0) {
+            for from in (0..vertices).filter(|from| vertices <= 30 || (from + i) % 7 == 0) {
                 let is_vertex = model.place(from).is_some();
                 let asks = if function == "support_by_scan" { from == 0 } else { is_vertex };
                 if asks {
