@@ -69,21 +69,22 @@ pub use edit::{
 pub use hull::{HullError, HullEvent, convex_hull, convex_hull_observed};
 #[cfg(feature = "navmesh")]
 pub(crate) use locate::{Cells, Lines};
-pub use locate::{Location, PointIndex, Walk};
+pub use locate::{Location, PointIndex, Walk, WalkEvent};
 #[cfg(feature = "navmesh")]
 pub(crate) use meet::Crossed;
 pub(crate) use meet::Expansion;
+pub use meet::SweepEvent;
 pub use mend::{Cover, Mended};
 pub use overlay::{Operation, Overlay, ParseOperationError, Parts};
 pub use plane_journal::{PlaneChange, PlaneJournal, PlaneRecorder};
 pub use seed::LAB_RECTANGLE;
 pub use segments::{
     ArrangeOptions, Arranged, DanglesAndCutEdges, InsertedCorner, MarkHolesError, SegmentFault, SegmentsAlong,
-    SegmentsError,
+    SegmentsError, sweep_segments_observed,
 };
 pub use subdivision::{PlanarView, Subdivision};
 pub use table::TableError;
 #[cfg(feature = "serde")]
 pub(crate) use table::dcel_of_table;
-pub use triangulate::{EarEvent, TriangulateError, Triangulated, TriangulationMethod};
+pub use triangulate::{Corner, EarEvent, MonotoneEvent, TriangulateError, Triangulated, TriangulationMethod};
 pub use voronoi::{Voronoi, VoronoiCells, VoronoiEdge, VoronoiError, Window};

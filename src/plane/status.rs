@@ -24,6 +24,11 @@ impl Status {
         (chunk, offset)
     }
 
+    /// The edges from bottom to top.
+    pub(super) fn all(&self) -> impl Iterator<Item = u32> + '_ {
+        self.chunks.iter().flatten().copied()
+    }
+
     pub(super) fn get(&self, (chunk, offset): Place) -> Option<u32> {
         self.chunks.get(chunk)?.get(offset).copied()
     }

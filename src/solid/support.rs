@@ -15,7 +15,29 @@ use super::convex::Convex;
 use super::predicates::further;
 use crate::ids::VertexId;
 use crate::plane::{CoordinateError, check_coordinate};
+use crate::topology::{NoObserver, Observer};
 use std::cmp::Ordering;
+
+/// What a climb does.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ClimbEvent {
+    /// It has come to a vertex.
+    At(VertexId),
+    /// It looks at a neighbour of that vertex: at the other end of an edge, or at a corner of a face round it that is not
+    /// exactly flat. A corner may be looked at more than once.
+    Looked(VertexId),
+}
+
+/// Keeps the vertices of a climb.
+struct Way<'a>(&'a mut Vec<VertexId>);
+
+impl Observer<ClimbEvent> for Way<'_> {
+    fn observe(&mut self, event: impl FnOnce() -> ClimbEvent) {
+        if let ClimbEvent::At(v) = event() {
+            self.0.push(v);
+        }
+    }
+}
 
 /// A direction in space, of any length. 0 in all three is allowed: then all vertices are equally far, and position
 /// decides.
@@ -30,6 +52,12 @@ impl TryFrom<[f64; 3]> for Direction {
     fn try_from(direction: [f64; 3]) -> Result<Self, CoordinateError> {
         ['x', 'y', 'z'].into_iter().zip(direction).try_for_each(|(axis, value)| check_coordinate(axis, value))?;
         Ok(Self(direction))
+    }
+}
+
+impl From<Direction> for [f64; 3] {
+    fn from(direction: Direction) -> Self {
+        direction.0
     }
 }
 
@@ -60,7 +88,7 @@ impl Convex<'_> {
     #[must_use]
     pub fn support_from(&self, direction: Direction, hint: VertexId) -> VertexId {
         let mut at = if self.solid.has_vertex(hint) { hint } else { self.first };
-        while let Some(better) = self.best_neighbour(direction, at) {
+        while let Some(better) = self.best_neighbour(direction, at, &mut NoObserver) {
             at = better;
         }
         at
@@ -69,8 +97,26 @@ impl Convex<'_> {
     /// The vertices met by [`support_from`](Self::support_from), the first and the last included.
     #[must_use]
     pub fn climb(&self, direction: Direction, start: VertexId) -> Vec<VertexId> {
-        let start = if self.solid.has_vertex(start) { start } else { self.first };
-        std::iter::successors(Some(start), |&at| self.best_neighbour(direction, at)).collect()
+        let mut way = Vec::new();
+        self.climb_observed(direction, start, &mut Way(&mut way));
+        way
+    }
+
+    /// [`support_from`](Self::support_from), watched: the vertices that are looked at, and the steps. Returns the furthest
+    /// vertex.
+    pub fn climb_observed(
+        &self,
+        direction: Direction,
+        start: VertexId,
+        observer: &mut impl Observer<ClimbEvent>,
+    ) -> VertexId {
+        let mut at = if self.solid.has_vertex(start) { start } else { self.first };
+        observer.observe(|| ClimbEvent::At(at));
+        while let Some(better) = self.best_neighbour(direction, at, observer) {
+            at = better;
+            observer.observe(|| ClimbEvent::At(at));
+        }
+        at
     }
 
     /// The same vertex as [`support`](Self::support), by looking at all of them. O(V).
@@ -88,10 +134,16 @@ impl Convex<'_> {
     /// The best of the neighbours of `at` that are better than `at`. In a face that is not exactly flat all
     /// corners are neighbours: the edges of the exact hull are among these.
     #[inline]
-    fn best_neighbour(&self, direction: Direction, at: VertexId) -> Option<VertexId> {
+    fn best_neighbour(
+        &self,
+        direction: Direction,
+        at: VertexId,
+        observer: &mut impl Observer<ClimbEvent>,
+    ) -> Option<VertexId> {
         let dcel = self.solid.topology();
         let mut best = at;
         let mut look = |v: VertexId| {
+            observer.observe(|| ClimbEvent::Looked(v));
             if self.compare(direction, v, best) == Ordering::Greater {
                 best = v;
             }

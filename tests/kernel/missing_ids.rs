@@ -5,7 +5,7 @@ use dcel_kit::navmesh::{LiveMesh, NavMesh};
 use dcel_kit::plane::{ArrangeOptions, Location, Point, Subdivision, TriangulationMethod};
 use dcel_kit::solid::grow::{pole, quads};
 use dcel_kit::solid::{Direction, Platonic, Polyhedron};
-use dcel_kit::topology::{Dcel, Editing, IdError, NoRecorder, OwnEditError, PolygonList, components};
+use dcel_kit::topology::{Dcel, Editing, IdError, NoObserver, NoRecorder, OwnEditError, PolygonList, components};
 use dcel_kit::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeSet;
 use std::fmt::Display;
@@ -49,7 +49,7 @@ impl Table {
 
 /// Functions for which an id that does not exist is an ordinary question: `None`, `false`, nothing, or a number made of
 /// the id alone. Their answers are in their docs.
-const ORDINARY: [&str; 36] = [
+const ORDINARY: [&str; 37] = [
     "area",
     "block",
     "bounded_cycle",
@@ -81,6 +81,7 @@ const ORDINARY: [&str; 36] = [
     "set_wall",
     "sides",
     "support_from",
+    "climb_observed",
     "triangles",
     "twin",
     "unblock",
@@ -180,6 +181,7 @@ fn plane() -> BTreeSet<&'static str> {
     t.panics("is_locally_delaunay", || s.is_locally_delaunay(H));
     t.refuses("locate_from", s.locate_from(V, at));
     t.refuses("walk_from", s.walk_from(V, at));
+    t.refuses("walk_from_observed", s.walk_from_observed(V, at, &mut NoObserver));
     t.refuses("triangulate_face", own.triangulate_face(F, method));
     t.refuses("triangulate_face_with", own.triangulate_face_with(F, method, &mut none));
     t.refuses("split_into_monotone", own.split_into_monotone(F));

@@ -3,11 +3,12 @@
 //! ```text
 //!   lesson     the structures that figures and tour begin with
 //!   chart      logarithmic axes
-//!   specimen  primitives  plane  delaunay  labs/  rooms    a function for each figure that takes more than a line
+//!   specimen  primitives  plane  delaunay  films  labs/  rooms    a function for each figure that takes more than a line
 //! ```
 
 mod chart;
 mod delaunay;
+mod films;
 mod labs;
 pub(crate) mod lesson;
 mod plane;
@@ -65,9 +66,55 @@ static REFERENCES: &[Reference] = &[
         draw: plane::dual,
     },
     Reference {
+        file: "film-catmull-clark.svg",
+        about: "two steps of Catmull–Clark subdivision: vertices in faces, those of edges, those that move",
+        draw: films::catmull_clark,
+    },
+    Reference {
+        file: "film-climb.svg",
+        about: "hill climbing over a convex solid, seen so that the direction points up",
+        draw: films::climb,
+    },
+    Reference {
+        file: "film-ears.svg",
+        about: "ear clipping, corner by corner: why one is an ear, and why another is none",
+        draw: films::ears,
+    },
+    Reference {
+        file: "film-face-walk.svg",
+        about: "a walk round a face, half-edge by half-edge, along next",
+        draw: films::face_walk,
+    },
+    Reference {
+        file: "film-flips.svg",
+        about: "Lawson's flips: the circle that forces each of them, and the edge that takes its place",
+        draw: films::flips,
+    },
+    Reference {
+        file: "film-funnel.svg",
+        about: "the funnel through a corridor, portal by portal",
+        draw: films::funnel,
+    },
+    Reference {
+        file: "film-hull.svg",
+        about: "a convex hull from left to right and back: corners come, and go again",
+        draw: films::hull,
+    },
+    Reference {
         file: "film-join-faces.svg",
         about: "join_faces step by step: the inverse of split_face",
         draw: || strip(sources::JOIN_FACES, "A film of join_faces", "join-faces"),
+    },
+    Reference { file: "film-locate.svg", about: "a walk to a point, face by face", draw: films::locate },
+    Reference {
+        file: "film-monotone.svg",
+        about: "a sweep that cuts a face into monotone pieces, and the triangles of these",
+        draw: films::monotone,
+    },
+    Reference {
+        file: "film-solid-hull.svg",
+        about: "a convex hull in space: what each point sees, the horizon, the new triangles",
+        draw: films::solid_hull,
     },
     Reference {
         file: "film-split-face.svg",
@@ -78,6 +125,16 @@ static REFERENCES: &[Reference] = &[
         file: "film-split-in-half.svg",
         about: "split_in_half step by step",
         draw: || strip(sources::SPLIT_IN_HALF, "A film of split_in_half", "split-in-half"),
+    },
+    Reference {
+        file: "film-sweep.svg",
+        about: "the sweep that finds where segments cross, event by event",
+        draw: films::sweep,
+    },
+    Reference {
+        file: "film-voronoi.svg",
+        about: "a Voronoi diagram as the dual of a Delaunay triangulation, cell by cell",
+        draw: films::voronoi,
     },
     Reference {
         file: "focus.svg",
@@ -407,6 +464,18 @@ fn command(file: &str) -> &'static str {
         "film-join-faces.svg" => "dcel script figures/scripts/join-faces.dcels --film OUT.svg",
         "film-split-face.svg" => "dcel script figures/scripts/split-face.dcels --film OUT.svg",
         "film-split-in-half.svg" => "dcel script figures/scripts/split-in-half.dcels --film OUT.svg",
+        "film-catmull-clark.svg" => "dcel film catmull-clark FILE --steps 2 -o OUT.svg",
+        "film-climb.svg" => "dcel film climb FILE --direction 1,2,5 -o OUT.svg",
+        "film-ears.svg" => "dcel film ears FILE -o OUT.svg",
+        "film-face-walk.svg" => "dcel film walk FILE --face f1 -o OUT.svg",
+        "film-flips.svg" => "dcel film flips FILE -o OUT.svg",
+        "film-funnel.svg" => "dcel film funnel FILE --from 1,1 --to 22,12 -o OUT.svg",
+        "film-hull.svg" => "dcel film hull FILE -o OUT.svg",
+        "film-locate.svg" => "dcel film locate FILE --start v0 --point 1,2 -o OUT.svg",
+        "film-monotone.svg" => "dcel film monotone FILE -o OUT.svg",
+        "film-solid-hull.svg" => "dcel film solid-hull FILE -o OUT.svg",
+        "film-sweep.svg" => "dcel film sweep FILE -o OUT.svg",
+        "film-voronoi.svg" => "dcel film voronoi FILE -o OUT.svg",
         _ => "dcel figure FILE -o OUT.svg",
     }
 }

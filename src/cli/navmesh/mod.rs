@@ -13,6 +13,7 @@
 //!   areas.rs      Areas of a map and what a unit of length costs in them
 //!   drawing.rs    The figure of a command
 //!   ends.rs       The start and the goal of a path
+//!   film.rs       Films of paths, for `dcel film`
 //!   extras.rs     Costs of faces and links between places, as the command line gives them
 //!   linked.rs     `dcel navmesh path --link`
 //!   numbers.rs    Numbers of the command line, and numbers that messages propose
@@ -26,6 +27,7 @@ mod distances;
 mod drawing;
 mod ends;
 mod extras;
+mod film;
 mod info;
 mod linked;
 mod locate;
@@ -40,6 +42,8 @@ mod reading;
 mod scenario;
 mod space;
 mod tell;
+
+pub(crate) use film::{PathFilm, path_film};
 
 use super::{Answer, Failure, Output};
 

@@ -7,7 +7,7 @@ use dcel_kit::navmesh::{LiveMesh, NavMesh, NavMeshError, ObstacleError};
 use dcel_kit::plane::{Point, Subdivision};
 
 /// What is put into the map.
-#[derive(clap::Args, Debug)]
+#[derive(clap::Args, Debug, Default)]
 #[command(next_help_heading = "Obstacles")]
 pub(super) struct ObstacleArgs {
     /// Put up a wall between two points; may be given several times

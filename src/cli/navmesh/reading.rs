@@ -105,6 +105,25 @@ pub(super) enum Draft {
 }
 
 impl MapArgs {
+    /// The map of a file, read without any option.
+    pub(super) fn of(file: &Path) -> Self {
+        let (format, up, max_slope, weld) = (None, None, None, None);
+        let obstacles = ObstacleArgs::default();
+        let file = file.to_owned();
+        Self {
+            file,
+            format,
+            y_down: false,
+            up,
+            max_slope,
+            orient: false,
+            mend: false,
+            weld,
+            triangles: false,
+            obstacles,
+        }
+    }
+
     /// How the file has its coordinates.
     pub(super) fn frame(&self, format: Format) -> Frame {
         Frame { down: format == Format::Map || self.y_down || self.up == Some(Up::Y) }

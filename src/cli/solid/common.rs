@@ -5,14 +5,14 @@ use crate::input::InputOptions;
 use crate::save::{Files, InPlace, save_as};
 use crate::subject::Kind;
 use crate::{Answer, Output};
-use dcel_kit::io::{Format, Model, counted};
+use dcel_kit::io::{Document, Format, Model, ReadOptions, counted, read_path, source_name};
 use dcel_kit::solid::{PartCounts, Polyhedron};
 use serde::Serialize;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// Reads a surface in space.
-pub(super) fn open(file: &Path, input: &InputOptions) -> Result<Polyhedron, Failure> {
+pub(crate) fn open(file: &Path, input: &InputOptions) -> Result<Polyhedron, Failure> {
     let subject = input.as_surface().open_as(file, false)?;
     match subject.kind {
         Kind::Surface(polyhedron) => Ok(polyhedron),
@@ -21,6 +21,22 @@ pub(super) fn open(file: &Path, input: &InputOptions) -> Result<Polyhedron, Fail
             Err(Failure::input(what, "solids are read from obj, off, ply and stl"))
         }
     }
+}
+
+/// Reads the points of a file of a surface in space.
+pub(crate) fn points_in_space(file: &Path) -> Result<Vec<[f64; 3]>, Failure> {
+    match read_path(file, &ReadOptions::default())?.document {
+        Document::Polygons(soup) => Ok(soup.points),
+        Document::Segments(_) | Document::Table(_) => {
+            let what = format!("{}: this holds points of the plane", source_name(file));
+            Err(Failure::input(what, "hulls are made of the points of obj, off, ply and stl"))
+        }
+    }
+}
+
+/// Refuses so many steps of subdivision that the surface would be too large: each makes four edges of one.
+pub(crate) fn check_finer(solid: &Polyhedron, steps: u8) -> Result<(), Failure> {
+    check_size("the finer surface", solid.edge_count().saturating_mul(1 << (2 * steps)), "take fewer steps")
 }
 
 /// Where a solid goes.
@@ -128,7 +144,7 @@ pub(super) fn check_size(name: &str, elements: usize, help: &str) -> Result<(), 
 }
 
 /// A vector from the command line: `1,-2,0.5`.
-pub(super) fn vector(text: &str) -> Result<[f64; 3], String> {
+pub(crate) fn vector(text: &str) -> Result<[f64; 3], String> {
     let numbers: Result<Vec<f64>, _> = text.split(',').map(|word| word.trim().parse::<f64>()).collect();
     match numbers.ok().as_deref() {
         Some(&[x, y, z]) if [x, y, z].iter().all(|x| x.is_finite()) => Ok([x, y, z]),
@@ -137,7 +153,7 @@ pub(super) fn vector(text: &str) -> Result<[f64; 3], String> {
 }
 
 /// Splits `what; help` as errors of the kit write it.
-pub(super) fn refused(place: &Path, error: &impl std::fmt::Display) -> Failure {
+pub(crate) fn refused(place: &Path, error: &impl std::fmt::Display) -> Failure {
     let text = error.to_string();
     let (what, help) = text.split_once(": ").unwrap_or((&text, ""));
     Failure::input(format!("{}: {what}", place.display()), help)

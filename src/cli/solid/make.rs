@@ -1,8 +1,8 @@
 //! `dcel solid make`: regular solids, grown ones, and convex hulls.
 
-use super::common::{Target, check_size};
+use super::common::{Target, check_size, points_in_space};
 use crate::{Answer, Failure, Output};
-use dcel_kit::io::{Document, ReadOptions, closest, read_path, source_name};
+use dcel_kit::io::{closest, source_name};
 use dcel_kit::solid::grow::Shape;
 use dcel_kit::solid::{Archimedean, HullFaces, Platonic, Polyhedron};
 use std::path::PathBuf;
@@ -118,14 +118,8 @@ fn hull(args: &Args, name: &str, out: &mut Output) -> Result<Answer, Failure> {
     };
     let file = PathBuf::from(file);
     args.target.check(Some(&file))?;
+    let points = points_in_space(&file)?;
     let source = source_name(&file);
-    let points = match read_path(&file, &ReadOptions::default())?.document {
-        Document::Polygons(soup) => soup.points,
-        Document::Segments(_) | Document::Table(_) => {
-            let what = format!("{source}: this holds points of the plane");
-            return Err(Failure::input(what, "hulls are made of the points of obj, off, ply and stl"));
-        }
-    };
     let faces = if args.triangles { HullFaces::Triangles } else { HullFaces::Whole };
     let hull = Polyhedron::convex_hull(&points, faces)
         .map_err(|error| Failure::input(format!("{source}: {error}"), "points are counted from 0"))?;

@@ -20,6 +20,8 @@ mod schlegel;
 mod subdivide;
 mod support;
 
+pub(crate) use common::{check_finer, open as open_solid, points_in_space, refused, vector};
+
 use super::{Answer, Failure, Output};
 
 /// Make solids, measure them, draw them

@@ -1,6 +1,6 @@
 //! `dcel solid subdivide`: finer and rounder.
 
-use super::common::{Target, check_size, open};
+use super::common::{Target, check_finer, open};
 use crate::input::InputOptions;
 use crate::{Answer, Failure, Output};
 use dcel_kit::EdgeId;
@@ -38,9 +38,7 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     args.target.check(Some(&args.file))?;
     let mut solid = open(&args.file, &args.input)?;
-    // Each step makes four edges of one.
-    let edges = solid.edge_count().saturating_mul(1 << (2 * args.steps));
-    check_size("the finer surface", edges, "take fewer steps")?;
+    check_finer(&solid, args.steps)?;
     let mut creases = sharp_edges(&solid, args.sharper);
     for _ in 0..args.steps {
         let finer = if args.by_loop { solid.loop_subdivision(&creases) } else { solid.catmull_clark(&creases) };

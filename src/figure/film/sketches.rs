@@ -7,7 +7,7 @@
 //!   │ structure    │        │ structure    │        │ structure    │   one scale, one frame
 //!   │   + sketch   │        │   + sketch   │        │   + sketch   │
 //!   └──────────────┘        └──────────────┘        └──────────────┘
-//!   ━━ legend               ━━ legend               ━━ legend           what the marks of the film mean
+//!   ━━ legend                   what the marks mean: of a strip once, else a legend in each frame
 //! ```
 
 use super::frames::snapshot;
@@ -17,7 +17,7 @@ use crate::figure::canvas::scene::{Group, Node, Scene};
 use crate::figure::canvas::vector::xy;
 use crate::figure::sketch::{self, Backdrop, Drawn, Multiples, Sketch, SketchError};
 use crate::figure::structure::skeleton::half_edges;
-use crate::figure::{Detail, Figure, FigureOptions};
+use crate::figure::{Detail, FaceLabels, Figure, FigureOptions};
 use crate::plane::PlanarView;
 use crate::topology::Table;
 
@@ -47,6 +47,7 @@ const AIR: f64 = 8.0;
 #[derive(Clone, Debug, Default)]
 pub struct SketchFilm {
     frames: Vec<SketchFrame>,
+    is_quiet: bool,
 }
 
 #[derive(Clone, Debug)]
@@ -65,6 +66,8 @@ struct Staged {
     captions: Vec<Caption>,
     detail: Detail,
     notes: Vec<String>,
+    /// The legend of all frames, if they have none of their own.
+    legend: Vec<sketch::Entry>,
 }
 
 impl SketchFilm {
@@ -72,6 +75,13 @@ impl SketchFilm {
     #[must_use]
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Keeps the structures of all frames in the background: their faces in one grey and without names, so that the sketch
+    /// is seen.
+    pub fn quiet(&mut self) -> &mut Self {
+        self.is_quiet = true;
+        self
     }
 
     /// How many frames there are.
@@ -120,7 +130,15 @@ impl SketchFilm {
     /// # Errors
     /// [`SketchError`] of the first frame that cannot be drawn.
     pub fn strip(&self, options: &FigureOptions) -> Result<Figure, SketchError> {
-        self.sheet(options, false)
+        let Staged { scene, drawings, captions, detail, notes, legend } = self.staged(options, false)?;
+        let mut scene = arranged(scene, &captions, drawings, options, (false, SHEET));
+        let corner = xy(AIR, scene.size.y + AIR);
+        let (nodes, height) = sketch::legend_nodes(&legend, corner, scene.size.x - 2.0 * AIR, "");
+        if !nodes.is_empty() {
+            scene.nodes.push(Node::Group(Group { class: "legend", nodes, ..Group::default() }));
+            scene.size.y = corner.y + height + AIR;
+        }
+        Ok(Figure { scene, detail, notes })
     }
 
     /// A stepper: one frame at a time, with links and without a script; where style rules are not known, and in print,
@@ -129,7 +147,8 @@ impl SketchFilm {
     /// # Errors
     /// As [`strip`](Self::strip).
     pub fn stepper(&self, options: &FigureOptions) -> Result<Figure, SketchError> {
-        self.sheet(options, true)
+        let Staged { scene, drawings, captions, detail, notes, .. } = self.staged(options, true)?;
+        Ok(Figure { scene: arranged(scene, &captions, drawings, options, (true, SHEET)), detail, notes })
     }
 
     /// A page that plays the film: buttons, keys, a slider, and an address for each frame. Without a script it is the
@@ -138,7 +157,7 @@ impl SketchFilm {
     /// # Errors
     /// As [`strip`](Self::strip).
     pub fn page(&self, options: &FigureOptions) -> Result<String, SketchError> {
-        let Staged { scene, drawings, captions, detail, notes } = self.staged(options)?;
+        let Staged { scene, drawings, captions, detail, notes, .. } = self.staged(options, true)?;
         let frame = frame_size(&captions, scene.size, true);
         let stepper = Figure { scene: arranged(scene, &captions, drawings, options, (true, SHEET)), detail, notes };
         let headings: Vec<String> = captions.into_iter().map(|(heading, _)| heading).collect();
@@ -150,7 +169,7 @@ impl SketchFilm {
     /// # Errors
     /// As [`strip`](Self::strip).
     pub fn singles(&self, options: &FigureOptions) -> Result<Vec<Figure>, SketchError> {
-        let Staged { scene, drawings, captions, detail, notes } = self.staged(options)?;
+        let Staged { scene, drawings, captions, detail, notes, .. } = self.staged(options, true)?;
         let head = head_height(&captions, scene.size.x);
         let alone = |(caption, drawing): (&Caption, Vec<Node>)| {
             let mut scene = scene.clone();
@@ -162,15 +181,15 @@ impl SketchFilm {
         Ok(captions.iter().zip(drawings).map(alone).collect())
     }
 
-    fn sheet(&self, options: &FigureOptions, links: bool) -> Result<Figure, SketchError> {
-        let Staged { scene, drawings, captions, detail, notes } = self.staged(options)?;
-        Ok(Figure { scene: arranged(scene, &captions, drawings, options, (links, SHEET)), detail, notes })
-    }
-
-    fn staged(&self, options: &FigureOptions) -> Result<Staged, SketchError> {
+    /// The drawings of all frames, with a legend each if that is asked for.
+    fn staged(&self, options: &FigureOptions, legends: bool) -> Result<Staged, SketchError> {
         let mut options = options.checked();
         options.usual_width = WIDTH;
         let edges = |frame: &SketchFrame| frame.under.as_ref().map_or(0, |(table, _)| half_edges(table).count() / 2);
+        if self.is_quiet {
+            options.width.get_or_insert(WIDTH);
+            options = options.quiet().face_labels(FaceLabels::Off);
+        }
         let options = &options.without_half_edges(self.frames.iter().map(edges).max().unwrap_or(0));
         let mut panels = Multiples::new();
         for SketchFrame { under, sketch, .. } in &self.frames {
@@ -182,11 +201,16 @@ impl SketchFilm {
         let Drawn { panels, fit, detail, roles, notes, .. } = panels.drawn(options)?;
         let mut scene = sketch::scene(options, "dcel-film", (fit.size, fit.scale), &roles, Vec::new(), &[]);
         let mut badges = 1;
+        let mut entries = Vec::new();
         let drawings = panels.into_iter().zip(&self.frames).map(|(panel, frame)| {
             let legend = frame.sketch.legend(badges);
             badges += frame.sketch.badges();
             let mut nodes = panel.nodes;
             let corner = xy(AIR, fit.size.y + AIR);
+            if !legends {
+                entries.push(legend);
+                return nodes;
+            }
             let instance = panel.id.map_or_else(String::new, |id| format!("{id}-"));
             let (legend, height) = sketch::legend_nodes(&legend, corner, fit.size.x - 2.0 * AIR, &instance);
             if !legend.is_empty() {
@@ -196,7 +220,8 @@ impl SketchFilm {
             nodes
         });
         let drawings = drawings.collect();
+        let legend = sketch::merged(entries);
         let captions = self.frames.iter().map(|frame| frame.caption.clone()).collect();
-        Ok(Staged { scene, drawings, captions, detail, notes })
+        Ok(Staged { scene, drawings, captions, detail, notes, legend })
     }
 }

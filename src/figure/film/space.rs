@@ -9,7 +9,7 @@
 
 use super::frames::Frame;
 use crate::figure::canvas::scene::{Node, Scene};
-use crate::figure::kinds::solid::{Camera, HiddenLines, Shown};
+use crate::figure::kinds::solid::{Camera, HiddenLines, Shown, UP};
 use crate::figure::layout::fit::Fit;
 use crate::figure::sketch::{self, Backdrop, Canvas, Drawing};
 use crate::figure::structure::look::{Look, Mark};
@@ -26,7 +26,7 @@ pub(super) fn draw(
     frames: &[Frame],
     options: &FigureOptions,
 ) -> Result<(Scene, Vec<Vec<Node>>, Detail), FigureError> {
-    let shown: Vec<Shown<'_>> = Camera::default().film(solids, HiddenLines::Dashed);
+    let shown: Vec<Shown<'_>> = Camera::default().film(solids, HiddenLines::Dashed, UP);
     let points: Vec<Point> = shown.iter().flat_map(Shown::points).collect();
     let mut best: Option<(Fit, Detail)> = None;
     for state in &shown {

@@ -158,6 +158,16 @@ impl FigureOptions {
         if edges <= 5000 { self.detail(Detail::Edges) } else { self }
     }
 
+    /// Keeps the structure in the background: all faces in one grey, names at faces alone.
+    pub(crate) fn quiet(mut self) -> Self {
+        self.style.tints = [crate::figure::Colour(0x00c8_cdd4); 7];
+        self.style.light.tint_opacity = 0.36;
+        if let Some(dark) = &mut self.style.dark {
+            dark.tint_opacity = 0.3;
+        }
+        self.vertex_labels(false).half_edge_labels(false)
+    }
+
     /// Whether vertices show their names. Default: yes.
     pub fn vertex_labels(mut self, on: bool) -> Self {
         self.vertex_labels = on;

@@ -20,7 +20,7 @@ mod walk;
 pub(crate) use cells::Cells;
 pub use index::PointIndex;
 pub(crate) use lines::Lines;
-pub use walk::Walk;
+pub use walk::{Walk, WalkEvent};
 
 use super::{LARGEST, Point, Subdivision};
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};

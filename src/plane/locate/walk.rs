@@ -23,7 +23,7 @@ use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::cycle::on_segment;
 use crate::plane::edit::Towards;
 use crate::plane::{Point, Subdivision};
-use crate::topology::IdError;
+use crate::topology::{IdError, NoObserver, Observer};
 use std::cmp::Ordering;
 
 /// A walk to a point: where the point lies, and what the walk has seen.
@@ -36,6 +36,22 @@ pub struct Walk {
     pub faces: Vec<FaceId>,
     /// How many half-edges were looked at.
     pub half_edges: usize,
+}
+
+/// What a walk to a point does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WalkEvent {
+    /// It goes along a half-edge that lies on the way.
+    Along(HalfEdgeId),
+    /// It looks at a face.
+    Face {
+        /// The face.
+        face: FaceId,
+        /// How many half-edges its boundaries have.
+        half_edges: usize,
+        /// The half-edge over which the way leaves the face; none if the point lies there.
+        over: Option<HalfEdgeId>,
+    },
 }
 
 /// What a look at one face says.
@@ -56,7 +72,7 @@ impl Subdivision {
     /// If `start` does not exist.
     pub fn locate_from(&self, start: VertexId, p: Point) -> Result<Location, IdError> {
         self.dcel.check(start)?;
-        Ok(self.walk(start, p, |_, _| {}))
+        Ok(self.walk(start, p, &mut NoObserver))
     }
 
     /// [`locate_from`](Self::locate_from) with an account of the way.
@@ -72,13 +88,31 @@ impl Subdivision {
     /// # Ok::<(), dcel_kit::topology::IdError>(())
     /// ```
     pub fn walk_from(&self, start: VertexId, p: Point) -> Result<Walk, IdError> {
-        self.dcel.check(start)?;
+        let mut events = Vec::new();
+        let location = self.walk_from_observed(start, p, &mut events)?;
         let (mut faces, mut half_edges) = (Vec::new(), 0);
-        let location = self.walk(start, p, |f, count| {
-            faces.push(f);
-            half_edges += count;
-        });
+        for event in events {
+            if let WalkEvent::Face { face, half_edges: count, .. } = event {
+                faces.push(face);
+                half_edges += count;
+            }
+        }
         Ok(Walk { location, faces, half_edges })
+    }
+
+    /// [`locate_from`](Self::locate_from), watched: the half-edges along which the way leads, and the faces that it
+    /// crosses.
+    ///
+    /// # Errors
+    /// If `start` does not exist.
+    pub fn walk_from_observed(
+        &self,
+        start: VertexId,
+        p: Point,
+        observer: &mut impl Observer<WalkEvent>,
+    ) -> Result<Location, IdError> {
+        self.dcel.check(start)?;
+        Ok(self.walk(start, p, observer))
     }
 
     /// The walk from the nearest of some vertices that have edges.
@@ -91,13 +125,13 @@ impl Subdivision {
         let nearest = sample.filter(with_edges).min_by(|&u, &v| distance(u).total_cmp(&distance(v)));
         // Where the sample has none, any half-edge will do; without edges everything is f0.
         match nearest.or_else(|| self.dcel.half_edges().next().map(|h| self.dcel.origin(h))) {
-            Some(start) => self.walk(start, p, |_, _| {}),
-            None => self.in_face(self.outer_face(), [p; 2], &mut |_, _| {}),
+            Some(start) => self.walk(start, p, &mut NoObserver),
+            None => self.in_face(self.outer_face(), [p; 2], &mut NoObserver),
         }
     }
 
-    /// Walks from a vertex to a point; `visit` hears of the faces on the way and of their sizes.
-    fn walk(&self, start: VertexId, p: Point, mut visit: impl FnMut(FaceId, usize)) -> Location {
+    /// Walks from a vertex to a point.
+    fn walk(&self, start: VertexId, p: Point, observer: &mut impl Observer<WalkEvent>) -> Location {
         if is_beyond(p) {
             return Location::Face(self.outer_face());
         }
@@ -108,6 +142,7 @@ impl Subdivision {
             }
             let face = match self.towards(from, p) {
                 Towards::Along(h) => {
+                    observer.observe(|| WalkEvent::Along(h));
                     from = self.dcel.destination(h);
                     let at = self.points[from];
                     if at != p && on_segment(self.points[self.dcel.origin(h)], at, p) {
@@ -118,15 +153,18 @@ impl Subdivision {
                 Towards::Corner(h) => self.dcel.face(h),
                 Towards::Open(f) => f,
             };
-            return self.in_face(face, [self.points[from], p], &mut visit);
+            return self.in_face(face, [self.points[from], p], observer);
         }
     }
 
     /// Walks on from face to face, on a way that starts in `f`.
-    fn in_face(&self, mut f: FaceId, way: Ends, visit: &mut impl FnMut(FaceId, usize)) -> Location {
+    fn in_face(&self, mut f: FaceId, way: Ends, observer: &mut impl Observer<WalkEvent>) -> Location {
         for _ in 0..self.dcel.face_count() {
-            let (seen, size) = self.look(f, way);
-            visit(f, size);
+            let (seen, half_edges) = self.look(f, way);
+            observer.observe(|| {
+                let over = if let Seen::Over(h) = seen { Some(h) } else { None };
+                WalkEvent::Face { face: f, half_edges, over }
+            });
             match seen {
                 Seen::Here(location) => return location,
                 Seen::Over(h) => f = self.dcel.face(h.twin()),

@@ -27,6 +27,7 @@ use super::sweep::rightwards;
 pub(crate) use crate::geometry::expansion::{Expansion, cross};
 use crate::geometry::grouping::grouped;
 use crate::geometry::predicates::{left_to_right, orientation};
+use crate::topology::{NoObserver, Observer};
 use crossing::Crossing;
 pub(super) use grid::Grid;
 use std::cmp::{Ordering, Reverse};
@@ -83,6 +84,26 @@ pub(super) struct EventPoint<'a> {
     pub(super) starting: &'a [u32],
 }
 
+/// What the sweep over segments does at an event point. Segments are told by their numbers; the lists run from bottom to
+/// top.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SweepEvent {
+    /// The event point, of a crossing the nearest doubles.
+    pub at: Point,
+    /// Whether it is a crossing at which no segment ends.
+    pub is_crossing: bool,
+    /// The segments that end here.
+    pub ending: Vec<u32>,
+    /// Those that pass through and turn round, as they were before.
+    pub through: Vec<u32>,
+    /// Those that start here.
+    pub starting: Vec<u32>,
+    /// The segments that the sweep line cuts just after the event point.
+    pub status: Vec<u32>,
+    /// The crossings that are known and wait, in no order.
+    pub expected: Vec<Point>,
+}
+
 /// An edge in the heap's order: the leftmost crossing first.
 struct Waiting(Crossed);
 
@@ -114,11 +135,22 @@ pub(super) fn visit_intersections(
     points: &[Point],
     edges: &[[u32; 2]],
     by_place: &[u32],
+    visit: impl FnMut(&EventPoint<'_>) -> ControlFlow<()>,
+) -> ControlFlow<()> {
+    sweep_observed(points, edges, by_place, visit, &mut NoObserver)
+}
+
+/// The same, watched.
+pub(super) fn sweep_observed(
+    points: &[Point],
+    edges: &[[u32; 2]],
+    by_place: &[u32],
     mut visit: impl FnMut(&EventPoint<'_>) -> ControlFlow<()>,
+    observer: &mut impl Observer<SweepEvent>,
 ) -> ControlFlow<()> {
     let edges = rightwards(points, edges);
     let (firsts, starts) = grouped(points.len(), edges.len(), |e| edges[e][0] as usize);
-    let mut sweep = Sweep { points, edges: &edges, status: Status::default(), heap: BinaryHeap::new() };
+    let mut sweep = Sweep { points, edges: &edges, status: Status::default(), heap: BinaryHeap::new(), observer };
     let mut vertices = by_place.iter().copied().peekable();
     loop {
         let vertex = vertices.peek().copied();
@@ -142,14 +174,15 @@ pub(super) fn visit_intersections(
     }
 }
 
-struct Sweep<'a> {
+struct Sweep<'a, O> {
     points: &'a [Point],
     edges: &'a [[u32; 2]],
+    observer: &'a mut O,
     status: Status,
     heap: BinaryHeap<Reverse<Waiting>>,
 }
 
-impl Sweep<'_> {
+impl<O: Observer<SweepEvent>> Sweep<'_, O> {
     /// Takes the first crossing out of the heap, with all others at the same place.
     fn pop_crossing(&mut self) -> Option<Crossed> {
         let Reverse(Waiting(first)) = self.heap.pop()?;
@@ -211,6 +244,18 @@ impl Sweep<'_> {
             EventPlace::Vertex(v) => leaving.into_iter().filter(|&edge| self.edges[edge as usize][0] == v).collect(),
             EventPlace::Crossing(_) => Vec::new(),
         };
+        self.observer.observe(|| SweepEvent {
+            at: match *place {
+                EventPlace::Vertex(v) => self.points[v as usize],
+                EventPlace::Crossing(crossing) => crossing.rounded().0,
+            },
+            is_crossing: matches!(place, EventPlace::Crossing(_)),
+            ending: ending.clone(),
+            through: through.clone(),
+            starting: starting.clone(),
+            status: self.status.all().collect(),
+            expected: self.heap.iter().map(|Reverse(Waiting(crossing))| crossing.rounded().0).collect(),
+        });
         if through.is_empty() && !self.overlap(place, &starting) {
             return ControlFlow::Continue(());
         }

@@ -20,6 +20,7 @@
 //!   pixels.rs    The hot pixels that a segment passes
 //!   places.rs    Equal points, and all places from left to right, with the help of a grid
 //!   touching.rs  Points that lie inside the sides of polygons
+//!   watched.rs   The sweep by itself, for who watches it
 //! ```
 
 mod arrange;
@@ -36,12 +37,14 @@ mod snap;
 mod split;
 mod touching;
 mod trace;
+mod watched;
 
 pub use dangles::DanglesAndCutEdges;
 pub use error::{SegmentFault, SegmentsError};
 pub use holes::MarkHolesError;
 pub use touching::InsertedCorner;
 pub(super) use touching::{insert_touching, sides_of};
+pub use watched::sweep_segments_observed;
 
 use super::{Point, Subdivision};
 use crate::geometry::grouping::Groups;

@@ -13,7 +13,9 @@
 //!
 //! Source: de Berg et al., *Computational Geometry*, 3rd ed., section 3.3.
 
+use super::MonotoneEvent;
 use super::patch::Patch;
+use crate::topology::Observer;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Side {
@@ -22,17 +24,17 @@ enum Side {
 }
 
 /// Cuts the monotone pieces of the patch into triangles. O(n).
-pub(super) fn triangulate(patch: &mut Patch) {
+pub(super) fn triangulate(patch: &mut Patch, observer: &mut impl Observer<MonotoneEvent>) {
     let begins = |&h: &u32| {
         let here = patch.origin(h);
         here < patch.origin(patch.next(h)) && here < patch.origin(patch.prev(h))
     };
     let starts: Vec<u32> = (0..patch.len()).filter(begins).collect();
-    starts.into_iter().for_each(|start| piece(patch, start));
+    starts.into_iter().for_each(|start| piece(patch, start, observer));
 }
 
 /// Cuts up the piece whose leftmost corner is that of `start`.
-fn piece(patch: &mut Patch, start: u32) {
+fn piece(patch: &mut Patch, start: u32, observer: &mut impl Observer<MonotoneEvent>) {
     // The next corners to come, along the lower side and along the upper one.
     let (mut lower, mut upper) = (patch.next(start), patch.prev(start));
     let (mut chain, mut side) = (1_u32, Side::Lower);
@@ -44,39 +46,51 @@ fn piece(patch: &mut Patch, start: u32) {
             Side::Upper => upper = patch.prev(h),
         }
         if chain > 1 && from != side {
-            cut_all(patch, h, side, chain - 1);
+            cut_all(patch, h, side, chain - 1, observer);
             chain = 2;
         } else {
-            chain = cut_while_convex(patch, h, side, chain) + 1;
+            chain = cut_while_convex(patch, h, side, chain, observer) + 1;
         }
         side = from;
     }
-    cut_all(patch, lower, side, chain.saturating_sub(2));
+    cut_all(patch, lower, side, chain.saturating_sub(2), observer);
 }
 
 /// Cuts off so many corners of the chain, from its left end on, as seen from the corner of `h`.
-fn cut_all(patch: &mut Patch, mut h: u32, side: Side, corners: u32) {
+fn cut_all(patch: &mut Patch, mut h: u32, side: Side, corners: u32, observer: &mut impl Observer<MonotoneEvent>) {
     for _ in 0..corners {
         match side {
-            Side::Lower => h = patch.cut(patch.next(h)),
-            Side::Upper => drop(patch.cut(patch.prev(h))),
+            Side::Lower => h = cut(patch, patch.next(h), observer),
+            Side::Upper => drop(cut(patch, patch.prev(h), observer)),
         }
     }
 }
 
 /// Cuts off corners from the right end of the chain while they are convex, as seen from the corner of `h`, which is on
 /// the same side. Returns the length of the chain left.
-fn cut_while_convex(patch: &mut Patch, mut h: u32, side: Side, mut chain: u32) -> u32 {
+fn cut_while_convex(
+    patch: &mut Patch,
+    mut h: u32,
+    side: Side,
+    mut chain: u32,
+    observer: &mut impl Observer<MonotoneEvent>,
+) -> u32 {
     while chain > 1 {
         let corner = if side == Side::Lower { patch.prev(h) } else { patch.next(h) };
         if !patch.turn(corner).is_gt() {
             break;
         }
-        let rest = patch.cut(corner);
+        let rest = cut(patch, corner, observer);
         if side == Side::Upper {
             h = rest;
         }
         chain -= 1;
     }
     chain
+}
+
+/// Cuts off the corner of `h`; returns the half-edge of the diagonal in what is left.
+fn cut(patch: &mut Patch, h: u32, observer: &mut impl Observer<MonotoneEvent>) -> u32 {
+    observer.observe(|| MonotoneEvent::Cut([patch.prev(h), h, patch.next(h)].map(|h| patch.vertex(patch.origin(h)))));
+    patch.cut(h)
 }

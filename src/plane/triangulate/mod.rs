@@ -91,6 +91,48 @@ pub enum EarEvent {
     Cut([VertexId; 3]),
 }
 
+/// What a corner is for the sweep that cuts faces into monotone pieces: where its two sides run, and where the face is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Corner {
+    /// Both sides run to the right, with the face between them.
+    Start,
+    /// Both sides run to the left, with the face between them.
+    End,
+    /// Both sides run to the right, with the face on all other sides of them: it has to be joined to the left.
+    Split,
+    /// Both sides run to the left, with the face on all other sides of them: it has to be joined to the right.
+    Merge,
+    /// The face lies above, between a side from the left and a side to the right.
+    Lower,
+    /// The face lies below.
+    Upper,
+    /// No side: a vertex by itself, which is joined to the left and to the right.
+    Isolated,
+}
+
+/// What the triangulation by [monotone pieces](TriangulationMethod::Monotone) does: first the sweep over all faces, then
+/// the pieces one by one.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum MonotoneEvent {
+    /// The sweep line comes to a corner.
+    Corner {
+        /// Its vertex.
+        at: VertexId,
+        /// What it is.
+        corner: Corner,
+    },
+    /// The sweep joins the vertex where it is to the helper of a gap.
+    Diagonal {
+        /// Where the sweep is.
+        from: VertexId,
+        /// The helper, which lies further left.
+        to: VertexId,
+    },
+    /// A corner of a piece is cut off: its vertex stands in the middle. The last triangle of a piece is left over, not
+    /// cut off.
+    Cut([VertexId; 3]),
+}
+
 /// What a triangulation added.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Triangulated {
@@ -131,7 +173,7 @@ impl Subdivision {
     /// ```
     pub fn triangulate(&mut self, method: TriangulationMethod) -> Result<Triangulated, TriangulateError> {
         let faces: Vec<FaceId> = self.bounded_faces().filter(|&f| !self.is_hole(f)).collect();
-        self.cut(&faces, Goal::Triangles(method), &mut NoRecorder, &mut NoObserver)
+        self.cut(&faces, Goal::Triangles(method), &mut NoRecorder, (&mut NoObserver, &mut NoObserver))
     }
 
     /// [`triangulate`](Self::triangulate) by [ear clipping](TriangulationMethod::Ears), watched: each corner that it asks.
@@ -152,7 +194,29 @@ impl Subdivision {
         observer: &mut impl Observer<EarEvent>,
     ) -> Result<Triangulated, TriangulateError> {
         let faces: Vec<FaceId> = self.bounded_faces().filter(|&f| !self.is_hole(f)).collect();
-        self.cut(&faces, Goal::Triangles(TriangulationMethod::Ears), &mut NoRecorder, observer)
+        self.cut(&faces, Goal::Triangles(TriangulationMethod::Ears), &mut NoRecorder, (observer, &mut NoObserver))
+    }
+
+    /// [`triangulate`](Self::triangulate) by [monotone pieces](TriangulationMethod::Monotone), watched: the corners as the
+    /// sweep meets them, the diagonals that make the pieces monotone, and the triangles that are cut off these.
+    ///
+    /// # Errors
+    /// As [`triangulate`](Self::triangulate).
+    ///
+    /// ```
+    /// use dcel_kit::plane::{MonotoneEvent, Subdivision};
+    /// let mut events = Vec::new();
+    /// let added = Subdivision::lab_rectangle().triangulate_monotone_observed(&mut events)?;
+    /// let is_diagonal = |event: &&MonotoneEvent| !matches!(event, MonotoneEvent::Corner { .. });
+    /// assert_eq!(events.iter().filter(is_diagonal).count(), added.diagonals.len());
+    /// # Ok::<(), dcel_kit::plane::TriangulateError>(())
+    /// ```
+    pub fn triangulate_monotone_observed(
+        &mut self,
+        observer: &mut impl Observer<MonotoneEvent>,
+    ) -> Result<Triangulated, TriangulateError> {
+        let faces: Vec<FaceId> = self.bounded_faces().filter(|&f| !self.is_hole(f)).collect();
+        self.cut(&faces, Goal::Triangles(TriangulationMethod::Monotone), &mut NoRecorder, (&mut NoObserver, observer))
     }
 
     /// [`triangulate`](Self::triangulate) for all bounded faces: hole faces, too, are cut, and all their triangles
@@ -162,7 +226,7 @@ impl Subdivision {
     /// [`TriangulateError`]; then everything is bit for bit as it was.
     pub fn triangulate_all(&mut self, method: TriangulationMethod) -> Result<Triangulated, TriangulateError> {
         let faces: Vec<FaceId> = self.bounded_faces().collect();
-        self.cut(&faces, Goal::Triangles(method), &mut NoRecorder, &mut NoObserver)
+        self.cut(&faces, Goal::Triangles(method), &mut NoRecorder, (&mut NoObserver, &mut NoObserver))
     }
 
     /// Cuts one bounded face into triangles, as [`triangulate`](Self::triangulate) does. If it is a hole face, so are
@@ -199,7 +263,7 @@ impl Subdivision {
         rec: &mut impl PlaneRecorder,
     ) -> Result<Triangulated, TriangulateError> {
         self.check_bounded(f)?;
-        self.cut(&[f], Goal::Triangles(method), rec, &mut NoObserver)
+        self.cut(&[f], Goal::Triangles(method), rec, (&mut NoObserver, &mut NoObserver))
     }
 
     /// Cuts one bounded face into monotone pieces: faces without inner components whose boundary runs from its leftmost vertex
@@ -222,7 +286,7 @@ impl Subdivision {
     /// [`TriangulateError`]; then everything is bit for bit as it was.
     pub fn split_into_monotone(&mut self, f: FaceId) -> Result<Triangulated, TriangulateError> {
         self.check_bounded(f)?;
-        self.cut(&[f], Goal::MonotonePieces, &mut NoRecorder, &mut NoObserver)
+        self.cut(&[f], Goal::MonotonePieces, &mut NoRecorder, (&mut NoObserver, &mut NoObserver))
     }
 
     fn bounded_faces(&self) -> impl Iterator<Item = FaceId> + '_ {
@@ -234,26 +298,26 @@ impl Subdivision {
         if f == self.outer_face() { Err(TriangulateError::OuterFace) } else { Ok(()) }
     }
 
-    /// Cuts different bounded faces.
+    /// Cuts different bounded faces; the observer of the method is told.
     fn cut(
         &mut self,
         faces: &[FaceId],
         goal: Goal,
         rec: &mut impl PlaneRecorder,
-        observer: &mut impl Observer<EarEvent>,
+        (ears, monotone): (&mut impl Observer<EarEvent>, &mut impl Observer<MonotoneEvent>),
     ) -> Result<Triangulated, TriangulateError> {
         let mut patch = Patch::new(self, faces)?;
         match goal {
             Goal::Triangles(TriangulationMethod::Ears) => {
                 bridges::join_inner_components(&mut patch)?;
-                ears::clip(&mut patch, observer)?;
+                ears::clip(&mut patch, ears)?;
             }
             Goal::Triangles(TriangulationMethod::Monotone) => {
-                monotone::split(&mut patch)?;
-                chains::triangulate(&mut patch);
+                monotone::split(&mut patch, monotone)?;
+                chains::triangulate(&mut patch, monotone);
             }
             Goal::Triangles(TriangulationMethod::Delaunay) => delaunay::triangulate(&mut patch, self)?,
-            Goal::MonotonePieces => monotone::split(&mut patch)?,
+            Goal::MonotonePieces => monotone::split(&mut patch, monotone)?,
         }
         let pieces = match goal {
             Goal::Triangles(_) => patch.triangles()?,

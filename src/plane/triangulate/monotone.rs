@@ -22,9 +22,11 @@
 
 use super::TriangulateError;
 use super::patch::{Patch, PatchComponent};
+use super::{Corner, MonotoneEvent};
 use crate::geometry::predicates::orientation;
 use crate::plane::Point;
 use crate::plane::status::{Place, Status};
+use crate::topology::Observer;
 
 const NONE: u32 = u32::MAX;
 
@@ -42,8 +44,9 @@ struct Gap {
     merge: bool,
 }
 
-struct Sweep<'a> {
+struct Sweep<'a, O> {
     patch: &'a mut Patch,
+    observer: &'a mut O,
     gaps: Vec<Gap>,
     /// The gap of each half-edge given that the sweep line cuts.
     gap_of: Vec<u32>,
@@ -57,11 +60,12 @@ struct Sweep<'a> {
 ///
 /// # Errors
 /// [`TriangulateError::NotPlanar`] where edges do not come in the order they should.
-pub(super) fn split(patch: &mut Patch) -> Result<(), TriangulateError> {
+pub(super) fn split(patch: &mut Patch, observer: &mut impl Observer<MonotoneEvent>) -> Result<(), TriangulateError> {
     let events = std::mem::take(&mut patch.events);
     let given = patch.given();
     let gap_of = vec![NONE; given as usize];
-    let mut sweep = Sweep { patch, gaps: Vec::new(), gap_of, status: Status::default(), opened: Vec::new(), closed: 0 };
+    let (gaps, opened) = (Vec::new(), Vec::new());
+    let mut sweep = Sweep { patch, observer, gaps, gap_of, status: Status::default(), opened, closed: 0 };
     let (mut here, mut last) = (0, 0);
     for &event in &events {
         let ring = event.checked_sub(given);
@@ -81,21 +85,39 @@ pub(super) fn split(patch: &mut Patch) -> Result<(), TriangulateError> {
     sweep.settle(last)
 }
 
-impl Sweep<'_> {
+impl<O: Observer<MonotoneEvent>> Sweep<'_, O> {
     /// Takes the sweep line over the corner of `h`.
     fn corner(&mut self, h: u32) -> Result<(), TriangulateError> {
         let (before, here, after) = (self.patch.prev(h), self.patch.origin(h), self.patch.next(h));
-        match (self.patch.origin(before) < here, self.patch.origin(after) < here) {
-            (true, false) => self.on_floor(before, h),
-            (false, true) => self.on_ceiling(before, h),
-            (true, true) if self.patch.turn(h).is_gt() => self.end(before, h),
-            (true, true) => self.merge(before, h),
-            (false, false) if self.patch.turn(h).is_gt() => {
+        let corner = match (self.patch.origin(before) < here, self.patch.origin(after) < here) {
+            (true, false) => Corner::Lower,
+            (false, true) => Corner::Upper,
+            (true, true) if self.patch.turn(h).is_gt() => Corner::End,
+            (true, true) => Corner::Merge,
+            (false, false) if self.patch.turn(h).is_gt() => Corner::Start,
+            (false, false) => Corner::Split,
+        };
+        self.observer.observe(|| MonotoneEvent::Corner { at: self.patch.vertex(here), corner });
+        match corner {
+            Corner::Lower => self.on_floor(before, h),
+            Corner::Upper => self.on_ceiling(before, h),
+            Corner::End => self.end(before, h),
+            Corner::Merge => self.merge(before, h),
+            Corner::Split => self.split(before, h),
+            Corner::Start | Corner::Isolated => {
                 self.open(h, before, h);
                 Ok(())
             }
-            (false, false) => self.split(before, h),
         }
+    }
+
+    /// Joins the corner of `h` to the helper, and tells of it; returns the half-edge that leaves the corner of `h`.
+    fn join(&mut self, h: u32, helper: u32) -> u32 {
+        self.observer.observe(|| {
+            let [from, to] = [h, helper].map(|h| self.patch.vertex(self.patch.origin(h)));
+            MonotoneEvent::Diagonal { from, to }
+        });
+        self.patch.join(h, helper)
     }
 
     /// The gap with the half-edge `g` below it.
@@ -163,7 +185,7 @@ impl Sweep<'_> {
         if self.patch.face(helper) != self.patch.face(h) {
             return Err(self.patch.fault(h));
         }
-        let helper = self.patch.join(h, helper);
+        let helper = self.join(h, helper);
         self.gaps[gap] = Gap { above: before, helper, merge: false, ..self.gaps[gap] };
         self.gap_of[before as usize] = gap as u32;
         self.open(h, above, h);
@@ -176,7 +198,12 @@ impl Sweep<'_> {
         let gap = self.gap_around(self.patch.points[place as usize]);
         let gap = gap.filter(|&gap| self.patch.face(self.gaps[gap].helper) == face);
         let gap = gap.ok_or_else(|| self.patch.fault_at(place, face))?;
-        let helper = self.patch.join_isolated(place, self.gaps[gap].helper);
+        let helper = self.gaps[gap].helper;
+        let at = self.patch.vertex(place);
+        self.observer.observe(|| MonotoneEvent::Corner { at, corner: Corner::Isolated });
+        let to = self.patch.vertex(self.patch.origin(helper));
+        self.observer.observe(|| MonotoneEvent::Diagonal { from: at, to });
+        let helper = self.patch.join_isolated(place, helper);
         self.gaps[gap] = Gap { helper, merge: true, ..self.gaps[gap] };
         Ok(())
     }
@@ -185,7 +212,7 @@ impl Sweep<'_> {
     /// the corner of `h`.
     fn join_merge(&mut self, gap: usize, h: u32) -> Option<u32> {
         let Gap { helper, merge, .. } = self.gaps[gap];
-        merge.then(|| self.patch.join(h, helper))
+        merge.then(|| self.join(h, helper))
     }
 
     /// Opens a gap between two edges.

@@ -31,7 +31,7 @@ mod triangles;
 use super::Polyhedron;
 use crate::ids::{MAX_IDS, VertexMap};
 use crate::plane::{CoordinateError, check_coordinate};
-use crate::topology::TooMany;
+use crate::topology::{NoObserver, Observer, TooMany};
 use facets::Facets;
 pub(super) use order::places;
 use triangles::Triangles;
@@ -85,6 +85,25 @@ pub enum HullFaces {
     Triangles,
 }
 
+/// What the construction of a hull in space does. Points are numbered as they are given; triangles run counter-clockwise,
+/// seen from outside.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum HullEvent {
+    /// It begins with the tetrahedron of four points: its triangles.
+    Tetrahedron([[u32; 3]; 4]),
+    /// The next point sees no triangle: it is inside of the hull so far, or on it, or a corner already.
+    Inside(u32),
+    /// The next point sees triangles; they go, and each edge of the horizon makes a triangle with the point.
+    Added {
+        /// The point.
+        point: u32,
+        /// The triangles that it sees.
+        seen: Vec<[u32; 3]>,
+        /// The edges round them, as they run in the triangles that go.
+        horizon: Vec<[u32; 2]>,
+    },
+}
+
 /// The convex hull of points.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Hull {
@@ -117,6 +136,19 @@ impl Polyhedron {
     /// # Ok::<(), HullError>(())
     /// ```
     pub fn convex_hull(points: &[[f64; 3]], faces: HullFaces) -> Result<Hull, HullError> {
+        Self::convex_hull_observed(points, faces, &mut NoObserver)
+    }
+
+    /// [`convex_hull`](Self::convex_hull), watched: the tetrahedron at the beginning, and each further point. The corners of
+    /// the tetrahedron come once more, as points inside.
+    ///
+    /// # Errors
+    /// [`HullError`] if the points do not span a solid.
+    pub fn convex_hull_observed(
+        points: &[[f64; 3]],
+        faces: HullFaces,
+        observer: &mut impl Observer<HullEvent>,
+    ) -> Result<Hull, HullError> {
         if points.len() > MAX_IDS / 6 {
             return Err(TooMany.into());
         }
@@ -127,7 +159,9 @@ impl Polyhedron {
         }
         let corners = simplex::spanning_points(points)?;
         let mut hull = Triangles::simplex(points, corners);
-        order::order(points, |p| hull.add(p));
+        let [a, b, c, d] = corners;
+        observer.observe(|| HullEvent::Tetrahedron([[a, b, c], [b, a, d], [c, b, d], [a, c, d]]));
+        order::order(points, |p| hull.add(p, observer));
         let facets = Facets::new(points, hull.triangles());
         let (sources, polygons) = facets.polygons(faces);
         let positions = sources.iter().map(|&p| points[p as usize]).collect();

@@ -8,7 +8,9 @@
 //!          beside 0
 //! ```
 
+use super::HullEvent;
 use crate::solid::predicates::orient3d;
+use crate::topology::Observer;
 use std::cmp::Ordering;
 
 const NONE: u32 = u32::MAX;
@@ -96,13 +98,19 @@ impl<'a> Triangles<'a> {
     }
 
     /// Makes `p` part of the hull. Nothing happens if it lies inside or on it.
-    pub(super) fn add(&mut self, p: u32) {
+    pub(super) fn add(&mut self, p: u32, observer: &mut impl Observer<HullEvent>) {
         let start = self.seen_by[p as usize];
         if start == NONE {
+            observer.observe(|| HullEvent::Inside(p));
             return;
         }
         self.seen_by[p as usize] = NONE;
         self.find_horizon(p, start);
+        observer.observe(|| HullEvent::Added {
+            point: p,
+            seen: self.gone.iter().map(|&t| self.triangles[t as usize].corners).collect(),
+            horizon: self.horizon.iter().map(|edge| [edge.from, edge.to]).collect(),
+        });
         self.make_triangles(p);
         for i in 0..self.gone.len() {
             let mut q = self.triangles[self.gone[i] as usize].seen;

@@ -9,11 +9,16 @@
 
 use super::refine::{Coarse, Fine};
 use super::sharp::{Point, add, held, weighted};
-use super::{SubdivideError, Subdivided};
-use crate::ids::EdgeId;
+use super::{SubdivideError, SubdivideEvent, Subdivided};
+use crate::ids::{EdgeId, VertexId};
 use crate::solid::{Polyhedron, Selection};
+use crate::topology::Observer;
 
-pub(super) fn step(solid: &Polyhedron, creases: &Selection<EdgeId>) -> Result<Subdivided, SubdivideError> {
+pub(super) fn step(
+    solid: &Polyhedron,
+    creases: &Selection<EdgeId>,
+    observer: &mut impl Observer<SubdivideEvent>,
+) -> Result<Subdivided, SubdivideError> {
     let coarse = Coarse::new(solid, creases);
     let d = coarse.dcel();
     let (old, edges) = (d.vertex_bound(), d.edge_bound());
@@ -37,15 +42,21 @@ pub(super) fn step(solid: &Polyhedron, creases: &Selection<EdgeId>) -> Result<Su
         fine.face(k, &[2 * h.number(), spoke(k), down, 2 * p.twin().number() + 1]);
         fine.set_outgoing(middle, spoke(k) + 1);
     }
-    let points = points(&coarse, &middle_of, vertices);
+    let points = points(&coarse, &middle_of, vertices, observer);
     Ok(Subdivided { polyhedron: fine.finish(points, corners), creases: coarse.finer_creases() })
 }
 
-fn points(coarse: &Coarse<'_>, middle_of: &[u32], vertices: usize) -> Vec<Point> {
+fn points(
+    coarse: &Coarse<'_>,
+    middle_of: &[u32],
+    vertices: usize,
+    observer: &mut impl Observer<SubdivideEvent>,
+) -> Vec<Point> {
     let (d, solid) = (coarse.dcel(), &coarse.solid);
     let old = d.vertex_bound();
     let mut points = vec![[0.0; 3]; vertices];
     for f in d.faces().filter(|f| !coarse.is_boundary[f.index()]) {
+        observer.observe(|| SubdivideEvent::Face { face: f, vertex: VertexId::new(middle_of[f.index()]) });
         let (mut sum, mut sides) = ([0.0; 3], 0.0);
         for v in d.incident_vertices(f) {
             add(&mut sum, solid.point(v));
@@ -54,6 +65,7 @@ fn points(coarse: &Coarse<'_>, middle_of: &[u32], vertices: usize) -> Vec<Point>
         points[middle_of[f.index()] as usize] = sum.map(|x| x / sides);
     }
     for e in d.edges() {
+        observer.observe(|| SubdivideEvent::Edge { edge: e, vertex: VertexId::new((old + e.index()) as u32) });
         let [a, b] = e.half_edges();
         let ends = weighted([(0.5, solid.point(d.origin(a))), (0.5, solid.point(d.origin(b)))]);
         points[old + e.index()] = if coarse.is_sharp(a) {
@@ -64,6 +76,7 @@ fn points(coarse: &Coarse<'_>, middle_of: &[u32], vertices: usize) -> Vec<Point>
         };
     }
     for v in d.vertices() {
+        observer.observe(|| SubdivideEvent::Vertex(v));
         let here = solid.point(v);
         points[v.index()] = match d.outgoing(v) {
             None => here,

@@ -32,8 +32,8 @@ mod refine;
 mod sharp;
 
 use super::{Polyhedron, Selection};
-use crate::ids::{EdgeId, FaceId};
-use crate::topology::TooMany;
+use crate::ids::{EdgeId, FaceId, VertexId};
+use crate::topology::{NoObserver, Observer, TooMany};
 
 /// Why a surface cannot be subdivided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -50,6 +50,28 @@ pub enum SubdivideError {
     /// The finer surface would have more elements than there are ids.
     #[error(transparent)]
     TooMany(#[from] TooMany),
+}
+
+/// What a step of Catmull–Clark does: it finds a place for each vertex of the finer surface. Faces and edges are those of
+/// the coarse one, compacted; vertices keep their numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SubdivideEvent {
+    /// A new vertex in a face.
+    Face {
+        /// The face.
+        face: FaceId,
+        /// The new vertex.
+        vertex: VertexId,
+    },
+    /// A new vertex for an edge.
+    Edge {
+        /// The edge.
+        edge: EdgeId,
+        /// The new vertex.
+        vertex: VertexId,
+    },
+    /// A vertex that was there finds its new place.
+    Vertex(VertexId),
 }
 
 /// A finer surface and the creases on it.
@@ -87,7 +109,19 @@ impl Polyhedron {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn catmull_clark(&self, creases: &Selection<EdgeId>) -> Result<Subdivided, SubdivideError> {
-        catmull_clark::step(self, creases)
+        self.catmull_clark_observed(creases, &mut NoObserver)
+    }
+
+    /// [`catmull_clark`](Self::catmull_clark), watched: vertices in faces, those of edges, those that were there.
+    ///
+    /// # Errors
+    /// [`SubdivideError::TooMany`].
+    pub fn catmull_clark_observed(
+        &self,
+        creases: &Selection<EdgeId>,
+        observer: &mut impl Observer<SubdivideEvent>,
+    ) -> Result<Subdivided, SubdivideError> {
+        catmull_clark::step(self, creases, observer)
     }
 
     /// One step of Loop subdivision: every triangle becomes four.

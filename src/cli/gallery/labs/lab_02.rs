@@ -3,7 +3,13 @@
 use crate::gallery::Made;
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Role, Sketch};
+use dcel_kit::plane::Point;
 use dcel_lab::courses::triangulation::drawing;
+
+/// The corners of the polygon of the handout.
+pub(in crate::gallery) fn corners() -> Vec<Point> {
+    drawing::DRAWING.into_iter().map(Point::from).collect()
+}
 
 /// The triangulation that lab 02 asks for: the only one that its polygon has.
 pub(in crate::gallery) fn triangulation() -> Made<String> {

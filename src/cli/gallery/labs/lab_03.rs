@@ -8,7 +8,7 @@ use dcel_kit::plane::{Point, convex_hull};
 use std::cmp::Ordering;
 
 /// The points of the handout; tangents are drawn from the last one.
-const POINTS: [[f64; 2]; 15] = [
+pub(in crate::gallery) const POINTS: [[f64; 2]; 15] = [
     [-250.0, -60.0],
     [-110.0, -150.0],
     [30.0, -150.0],

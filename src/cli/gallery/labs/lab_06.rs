@@ -53,14 +53,20 @@ const EDGES: [[u32; 2]; 26] = [
     [7, 10],
     [7, 12],
 ];
-const START: [f64; 2] = [-150.0, -120.0];
-const GOAL: [f64; 2] = [235.0, 60.0];
+pub(in crate::gallery) const START: [f64; 2] = [-150.0, -120.0];
+pub(in crate::gallery) const GOAL: [f64; 2] = [235.0, 60.0];
 
-/// The map, and the path through as few triangles as possible.
-fn path() -> Made<(Subdivision, Route)> {
+/// The map.
+pub(in crate::gallery) fn map() -> Made<Subdivision> {
     let points: Vec<Point> = POINTS.iter().map(|&p| p.into()).collect();
     let mut map = Subdivision::from_graph(&points, &EDGES)?;
     map.mark_holes(&[Point::new(188.0, -2.0)])?;
+    Ok(map)
+}
+
+/// The map, and the path through as few triangles as possible.
+fn path() -> Made<(Subdivision, Route)> {
+    let map = map()?;
     let mesh = NavMesh::new(&map)?;
     let route = Planner::new().route_between(&mesh, PathAlgorithm::Breadth, START.into(), GOAL.into())?;
     Ok((map, route))

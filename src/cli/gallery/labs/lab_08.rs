@@ -6,7 +6,7 @@ use dcel_kit::figure::sketch::{Role, Sketch};
 use dcel_kit::plane::{Point, Subdivision, Window};
 
 /// The sites of the handout.
-const SITES: [[f64; 2]; 12] = [
+pub(in crate::gallery) const SITES: [[f64; 2]; 12] = [
     [-180.0, -110.0],
     [-40.0, -150.0],
     [120.0, -120.0],

@@ -5,7 +5,7 @@ use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
 
 /// The gem: a pyramid with six sides above and below.
-const GEM: [[f64; 3]; 8] = [
+pub(in crate::gallery) const GEM: [[f64; 3]; 8] = [
     [0.0, 0.0, -60.0],
     [120.0, -20.0, -10.0],
     [60.0, 100.0, 0.0],
@@ -15,7 +15,9 @@ const GEM: [[f64; 3]; 8] = [
     [70.0, -100.0, -10.0],
     [20.0, 10.0, 150.0],
 ];
-/// The vertices of the climb from the lowest corner in the direction (1, 2, 5).
+/// The direction of the climb.
+pub(in crate::gallery) const DIRECTION: [f64; 3] = [1.0, 2.0, 5.0];
+/// The vertices of the climb from the lowest corner.
 const CLIMB: [usize; 3] = [0, 2, 7];
 
 /// Where a point is in the picture, as the handout's program has it.

@@ -25,6 +25,7 @@ pub fn ear_clipping(given: &Subdivision, most: usize) -> Result<SketchFilm, Tria
     let mut done = given.clone();
     let added = done.triangulate_ears_observed(&mut events)?;
     let mut film = SketchFilm::new();
+    film.quiet();
     let heading = "The faces that are given";
     let mut start = Sketch::new();
     named(&mut start, given, &[]);

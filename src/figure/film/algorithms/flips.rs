@@ -34,6 +34,7 @@ pub fn lawson_flips(given: &Subdivision, is_fixed: impl Fn(EdgeId) -> bool, most
         })
         .collect();
     let mut film = SketchFilm::new();
+    film.quiet();
     let mut now = given.clone();
     let mut start = Sketch::new();
     let wrong: Vec<EdgeId> = now.non_delaunay_edges(&is_fixed).collect();

@@ -8,17 +8,50 @@
 //! last; what is left out is said in the text of the next frame.
 //!
 //! ```text
-//!   ears.rs   ear clipping, corner by corner        hull.rs   a convex hull, point by point
-//!   flips.rs  Lawson's flips
+//!   walks.rs     round a face, round a vertex            hull.rs           a convex hull, point by point
+//!   locate.rs    a walk to a point, face by face         sweep.rs          where segments cross
+//!   ears.rs      ear clipping, corner by corner          monotone.rs       triangulation by monotone pieces
+//!   flips.rs     Lawson's flips                          voronoi.rs        the dual of a triangulation, cell by cell
+//!   funnel.rs    paths: the funnel, the cones            climb.rs          hill climbing over a solid
+//!   space_hull.rs  a convex hull in space                catmull_clark.rs  subdivision
+//!   space.rs     solids on paper, a state a frame
 //! ```
 
+#[cfg(feature = "solid")]
+mod catmull_clark;
+#[cfg(feature = "solid")]
+mod climb;
 mod ears;
 mod flips;
+#[cfg(feature = "navmesh")]
+mod funnel;
 mod hull;
+mod locate;
+mod monotone;
+#[cfg(feature = "solid")]
+mod space;
+#[cfg(feature = "solid")]
+mod space_hull;
+mod sweep;
+mod voronoi;
+mod walks;
 
+#[cfg(feature = "solid")]
+pub use catmull_clark::catmull_clark;
+#[cfg(feature = "solid")]
+pub use climb::hill_climbing;
 pub use ears::ear_clipping;
 pub use flips::lawson_flips;
+#[cfg(feature = "navmesh")]
+pub use funnel::{cones, funnel};
 pub use hull::convex_hull;
+pub use locate::location_walk;
+pub use monotone::monotone;
+#[cfg(feature = "solid")]
+pub use space_hull::convex_hull_in_space;
+pub use sweep::segment_sweep;
+pub use voronoi::voronoi;
+pub use walks::{face_walk, vertex_walk};
 
 use crate::figure::sketch::{Role, Sketch};
 use crate::ids::VertexId;

@@ -1,6 +1,7 @@
 //! What the exact search looked at: its cones.
 
 use crate::figure::kinds::navmesh::Floor;
+use crate::figure::kinds::navmesh::route::length;
 use crate::figure::sketch::{Role, Sketch, SketchError};
 use crate::figure::{Figure, FigureOptions};
 use crate::navmesh::{Cone, Route};
@@ -38,5 +39,39 @@ impl Floor<'_> {
         self.ends(&mut sketch, route);
         self.blocked(&mut sketch);
         self.over(&sketch, &self.nameless(options))
+    }
+
+    /// The panel of the cone with number `i`, after those before it.
+    pub(in crate::figure) fn cone_panel(
+        &self,
+        cones: &[Cone],
+        i: usize,
+        route: &Route,
+        number: &str,
+    ) -> (String, String, Sketch) {
+        let mut sketch = Sketch::new();
+        for cone in &cones[i.saturating_sub(CONES)..i] {
+            sketch.region(Role::Dimmed, [[cone.root, cone.right, cone.left]]).key("cone that was met before");
+        }
+        let cone = &cones[i];
+        sketch.region(Role::Event, [[cone.root, cone.right, cone.left]]).key("what is seen from its root");
+        sketch.portal(Role::Secondary, cone.left, cone.right).key("the part of the portal that is seen");
+        sketch.point(Role::Event, cone.root).key("the root of the cone");
+        self.marks(&mut sketch, route);
+        let text = format!(
+            "from {} through a portal into {}; {} from the start to its root",
+            cone.from,
+            cone.to,
+            length(cone.length)
+        );
+        (format!("Cone {number}"), text, sketch)
+    }
+
+    /// The panel of the path that was found.
+    pub(in crate::figure) fn path_panel(&self, cones: usize, route: &Route) -> (String, String, Sketch) {
+        let mut sketch = Sketch::new();
+        sketch.path(Role::Main, route.points.iter().copied()).arrow().key("the shortest path");
+        self.marks(&mut sketch, route);
+        ("The shortest path".to_owned(), format!("{} long, after {cones} cones", length(route.length)), sketch)
     }
 }

@@ -3,7 +3,7 @@
 use crate::figure::kinds::navmesh::Floor;
 use crate::figure::sketch::{Backdrop, Multiples, Role, Sketch, SketchError};
 use crate::figure::{Figure, FigureOptions};
-use crate::navmesh::{FunnelStep, Route};
+use crate::navmesh::{FunnelStep, Portal, Route};
 
 /// So many panels at most; of longer routes the steps at which the path bends are shown, each with the one before, and
 /// the last.
@@ -20,39 +20,55 @@ impl Floor<'_> {
         let portals: Vec<_> = route.portal_ends(self.mesh).collect();
         let mut sheet = Multiples::new();
         for i in shown(&steps) {
-            let step = &steps[i];
-            let mut sketch = Sketch::new();
-            self.corridor(&mut sketch, route);
-            if let [.., apex] = step.way.as_slice() {
-                if let ([.., left], [.., right]) = (step.left.as_slice(), step.right.as_slice())
-                    && i < portals.len()
-                {
-                    sketch
-                        .portal(Role::Secondary, *left, *right)
-                        .key("the portal: left endpoint a square, right a ring");
-                }
-                for (role, points, key) in [
-                    (Role::Right, &step.left, "left chain of the funnel"),
-                    (Role::Wrong, &step.right, "right chain of the funnel"),
-                    (Role::Main, &step.way, "the way as far as it is certain"),
-                ] {
-                    // A chain may be no longer than its apex.
-                    if points.windows(2).any(|pair| pair[0] != pair[1]) {
-                        sketch.path(role, points.iter().copied()).key(key);
-                    }
-                }
-                sketch.point(Role::Event, *apex).key("the apex");
-            }
-            self.marks(&mut sketch, route);
-            let (heading, about) = match portals.get(i) {
-                Some(portal) => {
-                    (format!("{}. {}", i + 1, portal.half_edge), format!("from {} to {}", portal.from, portal.to))
-                }
-                None => (format!("{}. the goal", i + 1), "both chains end there: the way is found".to_owned()),
-            };
-            sheet.over(&heading, &about, self.map, Backdrop::Dimmed, sketch);
+            let (heading, text, sketch) = self.funnel_panel(route, &steps[i], i, portals.get(i));
+            sheet.over(&heading, &text, self.map, Backdrop::Dimmed, sketch);
         }
         sheet.figure(&self.nameless(options))
+    }
+
+    /// The heading, the text and the sketch of each panel.
+    pub(in crate::figure) fn funnel_panels(&self, route: &Route) -> Vec<(String, String, Sketch)> {
+        let steps = route.funnel_steps(self.mesh);
+        let portals: Vec<_> = route.portal_ends(self.mesh).collect();
+        let panel = |(i, step)| self.funnel_panel(route, step, i, portals.get(i));
+        steps.iter().enumerate().map(panel).collect()
+    }
+
+    fn funnel_panel(
+        &self,
+        route: &Route,
+        step: &FunnelStep,
+        i: usize,
+        portal: Option<&Portal>,
+    ) -> (String, String, Sketch) {
+        let mut sketch = Sketch::new();
+        self.corridor(&mut sketch, route);
+        if let [.., apex] = step.way.as_slice() {
+            if let ([.., left], [.., right]) = (step.left.as_slice(), step.right.as_slice())
+                && portal.is_some()
+            {
+                sketch.portal(Role::Secondary, *left, *right).key("the portal: left endpoint a square, right a ring");
+            }
+            for (role, points, key) in [
+                (Role::Right, &step.left, "left chain of the funnel"),
+                (Role::Wrong, &step.right, "right chain of the funnel"),
+                (Role::Main, &step.way, "the way as far as it is certain"),
+            ] {
+                // A chain may be no longer than its apex.
+                if points.windows(2).any(|pair| pair[0] != pair[1]) {
+                    sketch.path(role, points.iter().copied()).key(key);
+                }
+            }
+            sketch.point(Role::Event, *apex).key("the apex");
+        }
+        self.marks(&mut sketch, route);
+        let (heading, about) = match portal {
+            Some(portal) => {
+                (format!("{}. {}", i + 1, portal.half_edge), format!("from {} to {}", portal.from, portal.to))
+            }
+            None => (format!("{}. the goal", i + 1), "both chains end there: the way is found".to_owned()),
+        };
+        (heading, about, sketch)
     }
 }
 

@@ -36,7 +36,7 @@ mod storeys;
 pub use storeys::Storeys;
 
 use crate::figure::sketch::{Backdrop, Role, Sketch, SketchError};
-use crate::figure::{Colour, Detail, FaceLabels, Figure, FigureOptions};
+use crate::figure::{Detail, FaceLabels, Figure, FigureOptions};
 use crate::ids::FaceId;
 use crate::navmesh::NavMesh;
 use crate::plane::{Point, Subdivision};
@@ -100,13 +100,7 @@ impl<'a> Floor<'a> {
     /// Options with which the map stays in the background: all faces in one grey, so that what is painted over them is
     /// seen.
     fn quiet(&self, options: &FigureOptions) -> FigureOptions {
-        let mut style = options.style.clone();
-        style.tints = [Colour(0x00c8_cdd4); 7];
-        style.light.tint_opacity = 0.36;
-        if let Some(dark) = &mut style.dark {
-            dark.tint_opacity = 0.3;
-        }
-        let quiet = options.clone().style(style).vertex_labels(false).half_edge_labels(false);
+        let quiet = options.clone().quiet();
         if self.map.edge_count() <= EDGES { quiet.detail(Detail::Edges) } else { quiet }
     }
 

@@ -22,6 +22,9 @@ pub struct Camera {
     pub distance: Option<f64>,
 }
 
+/// The direction that points up on the paper, as far as it is seen.
+pub(in crate::figure) const UP: Vector = [0.0, 0.0, 1.0];
+
 impl Default for Camera {
     /// From the front, somewhat from the right and from above, infinitely far.
     fn default() -> Self {
@@ -58,15 +61,17 @@ impl Whole {
 
 impl Camera {
     pub(super) fn view(&self, solid: &Polyhedron) -> Picture {
-        self.view_of(solid, Whole::of(solid))
+        self.view_of(solid, Whole::of(solid), UP)
     }
 
-    /// The solid as the camera sees it that looks at `whole`.
-    pub(super) fn view_of(&self, solid: &Polyhedron, Whole { middle, size }: Whole) -> Picture {
+    /// The solid as the camera sees it that looks at `whole` and holds its head in the direction `up`.
+    pub(super) fn view_of(&self, solid: &Polyhedron, Whole { middle, size }: Whole, up: Vector) -> Picture {
         let good = |v: &Vector| v.iter().all(|x| x.is_finite() && x.abs() < 1e100) && dot(*v, *v) > 0.0;
         let towards = unit(if good(&self.towards) { self.towards } else { Self::default().towards });
-        let side = cross([0.0, 0.0, 1.0], towards);
-        let side = if dot(side, side) > 1e-12 { side } else { cross([0.0, 1.0, 0.0], towards) };
+        let up = if good(&up) { unit(up) } else { UP };
+        // Who looks along the head's direction takes the next axis for it.
+        let side = [up, [up[1], up[2], up[0]], [0.0, 1.0, 0.0]].map(|up| cross(up, towards));
+        let side = side.into_iter().find(|side| dot(*side, *side) > 1e-12).unwrap_or([1.0, 0.0, 0.0]);
         let right = unit(side);
         let up = cross(towards, right);
         let eye = self.distance.filter(|d| d.is_finite()).map(|distance| {

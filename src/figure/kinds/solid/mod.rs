@@ -24,11 +24,12 @@ mod inside;
 mod tree;
 
 pub use crate::figure::kinds::solid::camera::Camera;
+pub(in crate::figure) use crate::figure::kinds::solid::camera::UP;
 
 use crate::figure::kinds::solid::hidden::{Piece, Seen};
 use crate::figure::sketch::{Backdrop, Role, Sketch, SketchError};
 use crate::figure::{Figure, FigureOptions};
-use crate::ids::{FaceId, VertexId, VertexMap};
+use crate::ids::{FaceId, VertexId};
 use crate::plane::{PlanarView, Point};
 use crate::solid::Polyhedron;
 use crate::topology::{Dcel, View};
@@ -97,20 +98,31 @@ impl<'a> Shown<'a> {
             };
             path.title(if *is_hidden { "hidden edge" } else { "edge" });
         }
-        Self { sketch, projected: Projected { dcel: solid.topology(), points: view.points }, faces: seen.faces }
+        Self { sketch, projected: Projected { dcel: solid.topology(), view }, faces: seen.faces }
+    }
+
+    /// Where a point in space falls on the paper.
+    pub(in crate::figure) fn place(&self, p: [f64; 3]) -> Point {
+        self.projected.view.place(p)
     }
 
     /// Where the vertices are on the paper.
     pub(in crate::figure) fn points(&self) -> impl Iterator<Item = Point> {
-        self.projected.dcel.vertices().map(|v| self.projected.points[v])
+        self.projected.dcel.vertices().map(|v| self.projected.view.points[v])
     }
 }
 
 impl Camera {
-    /// Several states of one solid, seen from one place: that from which the first of them is seen.
-    pub(in crate::figure) fn film<'a>(&self, solids: &'a [Polyhedron], lines: HiddenLines) -> Vec<Shown<'a>> {
+    /// Several states of one solid, seen from one place: that from which the first of them is seen. The direction `up`
+    /// points up on the paper.
+    pub(in crate::figure) fn film<'a>(
+        &self,
+        solids: &'a [Polyhedron],
+        lines: HiddenLines,
+        up: [f64; 3],
+    ) -> Vec<Shown<'a>> {
         let first = solids.first().map(camera::Whole::of).unwrap_or_default();
-        let show = |solid| Shown::new(solid, self.view_of(solid, first), lines);
+        let show = |solid| Shown::new(solid, self.view_of(solid, first, up), lines);
         solids.iter().map(show).collect()
     }
 }
@@ -118,7 +130,7 @@ impl Camera {
 /// A solid with the positions of its picture.
 pub(in crate::figure) struct Projected<'a> {
     dcel: &'a Dcel,
-    points: VertexMap<Point>,
+    view: camera::Picture,
 }
 
 impl View for Projected<'_> {
@@ -127,6 +139,6 @@ impl View for Projected<'_> {
 
 impl PlanarView for Projected<'_> {
     fn position(&self, v: VertexId) -> Option<Point> {
-        self.has_vertex(v).then(|| self.points[v])
+        self.has_vertex(v).then(|| self.view.points[v])
     }
 }

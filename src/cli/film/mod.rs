@@ -1,14 +1,22 @@
 //! `dcel film`: an algorithm at work, event by event.
+//!
+//! ```text
+//!   algorithm.rs  The algorithms, and which options each of them takes
+//!   make.rs       Reads what an algorithm works on, and films it
+//! ```
 
-use super::choice::{Choice, one_of};
+mod algorithm;
+mod make;
+
+use super::choice::one_of;
 use super::input::InputOptions;
 use super::picture::{Pixels, Target, is_page};
 use super::save::{Files, put};
-use super::subject::Kind;
 use super::{Answer, Failure, Output};
-use dcel_kit::figure::{FigureOptions, SketchFilm, algorithms};
-use dcel_kit::io::read_points;
-use dcel_kit::plane::Subdivision;
+use crate::solid::vector;
+use algorithm::{ALGORITHMS, Algorithm};
+use dcel_kit::figure::{FigureOptions, SketchFilm};
+use dcel_kit::{FaceId, VertexId};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -22,9 +30,24 @@ Edits have films, too: dcel script FILE --film OUT.
 
 Examples:
   dcel film ears square.dcel -o ears.svg
+  dcel film monotone square.dcel -o monotone.html
   dcel film flips square.obj -o flips.html
   dcel film hull sites.xy -o hull.svg --most 12
-  dcel film hull sites.xy --frames hull")]
+  dcel film hull sites.xy --frames hull
+  dcel film voronoi sites.xy -o voronoi.html
+  dcel film sweep roads.wkt -o sweep.html
+  dcel film walk square.obj --face f1 -o walk.svg
+  dcel film locate square.obj --start v0 --point 1,2 \\
+    -o locate.svg
+  dcel film funnel rooms.map --from 1,1 --to 22,12 \\
+    -o funnel.html
+  dcel film cones rooms.map --from 1,1 --to 22,12 \\
+    -o cones.html
+  dcel film climb cube.off --direction 1,2,3 \\
+    -o climb.svg
+  dcel film solid-hull cloud.obj -o hull.html
+  dcel film catmull-clark cube.off --steps 2 \\
+    -o round.svg")]
 pub(crate) struct Args {
     /// The algorithm
     #[arg(value_name = "WHAT", value_parser = one_of(ALGORITHMS))]
@@ -45,27 +68,55 @@ pub(crate) struct Args {
     #[arg(long, requires = "output")]
     stepper: bool,
     #[command(flatten)]
+    about: About,
+    #[command(flatten)]
     pixels: Pixels,
     #[command(flatten)]
     input: InputOptions,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Algorithm {
-    Ears,
-    Flips,
-    Hull,
+/// What some of the algorithms are asked.
+#[derive(clap::Args, Debug, Default)]
+#[command(next_help_heading = "What the algorithm is asked")]
+struct About {
+    /// walk: the face to walk round
+    #[arg(long, value_name = "f1", conflicts_with = "vertex")]
+    face: Option<FaceId>,
+    /// walk: the vertex to walk round
+    #[arg(long, value_name = "v0")]
+    vertex: Option<VertexId>,
+    /// locate, climb: the vertex to start from
+    #[arg(long, value_name = "v0")]
+    start: Option<VertexId>,
+    /// locate: the point to be found
+    #[arg(long, value_name = "X,Y", value_parser = pair, allow_hyphen_values = true)]
+    point: Option<[f64; 2]>,
+    /// funnel, cones: where the path starts
+    #[arg(long, value_name = "X,Y", value_parser = pair, allow_hyphen_values = true)]
+    from: Option<[f64; 2]>,
+    /// funnel, cones: where it leads
+    #[arg(long, value_name = "X,Y", value_parser = pair, allow_hyphen_values = true)]
+    to: Option<[f64; 2]>,
+    /// climb: the direction; it points up in the film
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
+    direction: Option<[f64; 3]>,
+    /// catmull-clark: how often; 1 unless given
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=5))]
+    steps: Option<u8>,
 }
 
-static ALGORITHMS: &[Choice<Algorithm>] = &[
-    ("ears", "Ear clipping of all faces, corner by corner", Algorithm::Ears),
-    ("flips", "Lawson's flips of a triangulation, until it is Delaunay", Algorithm::Flips),
-    ("hull", "The convex hull of points, from left to right and back", Algorithm::Hull),
-];
+fn pair(text: &str) -> Result<[f64; 2], String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|word| word.trim().parse::<f64>()).collect();
+    match numbers.ok().as_deref() {
+        Some(&[x, y]) if x.is_finite() && y.is_finite() => Ok([x, y]),
+        _ => Err("write two numbers with a comma between, for example 5,3".to_owned()),
+    }
+}
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     Files::reading([&args.file]).writes("-o", args.output.as_deref()).check()?;
-    let film = film(args)?;
+    args.what.check(&args.about)?;
+    let film = make::film(args)?;
     let title = args
         .file
         .file_stem()
@@ -88,27 +139,6 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         }
     }
     Ok(Answer::Yes)
-}
-
-fn film(args: &Args) -> Result<SketchFilm, Failure> {
-    if args.what == Algorithm::Hull {
-        let list = read_points(&args.file, &args.input.for_points()?)?;
-        return algorithms::convex_hull(&list.points, args.most).map_err(|error| Failure::about(&list.source, error));
-    }
-    let subject = args.input.open_as(&args.file, false)?;
-    let source = subject.source;
-    let Kind::Plane(given) = subject.kind else {
-        let what = format!("{source}: this film is of the plane, and the file is a surface in space");
-        return Err(Failure::input(what, "--plane drops z: good for a terrain seen from above"));
-    };
-    match args.what {
-        Algorithm::Flips => Ok(flips(&given, args.most)),
-        _ => algorithms::ear_clipping(&given, args.most).map_err(|error| Failure::about(&source, error)),
-    }
-}
-
-fn flips(given: &Subdivision, most: usize) -> SketchFilm {
-    algorithms::lawson_flips(given, |_| false, most)
 }
 
 /// Each frame as a file of a new folder: `01.svg`, `02.svg` and so on.

@@ -1,5 +1,10 @@
 //! Films of algorithms: the events are what an independent, slow program sees, and no frame repeats the last one.
 
+mod paths;
+mod space;
+mod sweeps;
+mod walks;
+
 use dcel_kit::figure::{FigureOptions, SketchFilm, algorithms};
 use dcel_kit::plane::predicates::{in_circle, orientation};
 use dcel_kit::plane::{EarEvent, FlipEvent, HullEvent, Point, Subdivision, convex_hull_observed};

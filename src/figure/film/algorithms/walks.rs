@@ -1,0 +1,164 @@
+//! Walks along the half-edges: round a face along next, round a vertex along prev and twin.
+
+use super::{named, number, shown};
+use crate::figure::SketchFilm;
+use crate::figure::sketch::{Backdrop, Role, Sketch};
+use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::plane::{Point, Subdivision};
+use crate::topology::{IdError, InnerComponent};
+
+/// The film of a walk round a face: a frame for each of its half-edges, numbered as they come, at most `most` of them. Inner
+/// components come after the outer boundary.
+///
+/// # Errors
+/// If `f` does not exist.
+///
+/// ```
+/// use dcel_kit::figure::algorithms;
+/// use dcel_kit::{FaceId, plane::Subdivision};
+/// let film = algorithms::face_walk(&Subdivision::lab_rectangle(), FaceId::new(1), 40)?;
+/// assert!(film.captions().any(|(_, text)| text.starts_with("h2 = h0.next")));
+/// # Ok::<(), dcel_kit::topology::IdError>(())
+/// ```
+pub fn face_walk(s: &Subdivision, f: FaceId, most: usize) -> Result<SketchFilm, IdError> {
+    s.check(f)?;
+    let mut steps: Vec<(HalfEdgeId, String)> = Vec::new();
+    for start in s.cycles(f) {
+        let about = if steps.is_empty() {
+            format!("{start} is the half-edge of {f}")
+        } else {
+            format!("{start} is the first half-edge of an inner component of {f}")
+        };
+        steps.push((start, about));
+        let round: Vec<HalfEdgeId> = s.cycle(start).collect();
+        steps.extend(round.windows(2).map(|pair| (pair[1], format!("{} = {}.next", pair[1], pair[0]))));
+    }
+    let isolated = s.inner_components(f).iter().filter(|inner| matches!(inner, InnerComponent::Isolated(_))).count();
+    let mut film = SketchFilm::new();
+    film.quiet();
+    let mut start = Sketch::new();
+    paint(&mut start, s, f);
+    named(&mut start, s, &[]);
+    film.over(&format!("The face {f}"), "it lies on the left of each of its half-edges", s, Backdrop::Dimmed, start);
+    walk(&mut film, s, &steps, most, |h| format!("from {} to {}", s.origin(h), s.destination(h)));
+    let mut end = Sketch::new();
+    paint(&mut end, s, f);
+    let all: Vec<HalfEdgeId> = steps.iter().map(|&(h, _)| h).collect();
+    arrows(&mut end, s, &all);
+    named(&mut end, s, &[]);
+    let back = match (all.first(), all.last()) {
+        (Some(first), Some(last)) if s.next(*last) == *first => format!("{last}.next is {first} again: "),
+        _ => String::new(),
+    };
+    let more = match isolated {
+        0 => String::new(),
+        1 => ", and one isolated vertex".to_owned(),
+        count => format!(", and {count} isolated vertices"),
+    };
+    let heading = format!("{f} has {} half-edges", all.len());
+    film.over(&heading, &format!("{back}{} in all{more}", all.len()), s, Backdrop::Dimmed, end);
+    Ok(film)
+}
+
+/// The film of a walk round a vertex: a frame for each half-edge that starts there, counter-clockwise, at most `most` of
+/// them.
+///
+/// # Errors
+/// If `v` does not exist.
+pub fn vertex_walk(s: &Subdivision, v: VertexId, most: usize) -> Result<SketchFilm, IdError> {
+    s.check(v)?;
+    let round: Vec<HalfEdgeId> = s.outgoing_half_edges(v).collect();
+    let mut steps: Vec<(HalfEdgeId, String)> = Vec::new();
+    for (i, &h) in round.iter().enumerate() {
+        let about = match i.checked_sub(1) {
+            None => format!("{h} is the outgoing half-edge of {v}"),
+            Some(before) => format!("{h} = {}.prev.twin", round[before]),
+        };
+        steps.push((h, about));
+    }
+    let mut film = SketchFilm::new();
+    film.quiet();
+    let mut start = Sketch::new();
+    start.point(Role::Main, s.point(v)).key("the vertex");
+    named(&mut start, s, &[v]);
+    let text = "the half-edges that start there, counter-clockwise";
+    film.over(&format!("The vertex {v}"), text, s, Backdrop::Dimmed, start);
+    walk(&mut film, s, &steps, most, |h| format!("to {}, with {} on its left", s.destination(h), s.face(h)));
+    let mut end = Sketch::new();
+    end.point(Role::Main, s.point(v)).key("the vertex");
+    arrows(&mut end, s, &round);
+    named(&mut end, s, &[v]);
+    let text = match (round.first(), round.last()) {
+        (Some(first), Some(last)) => format!("{last}.prev.twin is {first} again"),
+        _ => "it is isolated".to_owned(),
+    };
+    film.over(&format!("{v} has degree {}", round.len()), &text, s, Backdrop::Dimmed, end);
+    Ok(film)
+}
+
+/// A frame for each step: the half-edges so far, the last of them told apart.
+fn walk(
+    film: &mut SketchFilm,
+    s: &Subdivision,
+    steps: &[(HalfEdgeId, String)],
+    most: usize,
+    about: impl Fn(HalfEdgeId) -> String,
+) {
+    let mut before = None;
+    for i in shown(steps.len(), most) {
+        let number = number(i, before, steps.len());
+        before = Some(i);
+        let (h, how) = &steps[i];
+        let so_far: Vec<HalfEdgeId> = steps[..=i].iter().map(|&(h, _)| h).collect();
+        let mut sketch = Sketch::new();
+        arrows(&mut sketch, s, &so_far);
+        named(&mut sketch, s, &[s.origin(*h), s.destination(*h)]);
+        film.over(&format!("Half-edge {number}: {h}"), &format!("{how}, {}", about(*h)), s, Backdrop::Dimmed, sketch);
+    }
+}
+
+/// Half-edges with their numbers, each on the left of its edge; the last one is where the walk is.
+fn arrows(sketch: &mut Sketch, s: &Subdivision, walked: &[HalfEdgeId]) {
+    let far = distance_beside(s);
+    let numbered = walked.len() <= 60;
+    for (i, &h) in walked.iter().enumerate() {
+        let ends = [h, h.twin()].map(|h| s.point(s.origin(h)));
+        let (role, key) = if i + 1 == walked.len() {
+            (Role::Main, "where the walk is")
+        } else {
+            (Role::Secondary, "half-edge that was met before")
+        };
+        let arrow = sketch.path(role, beside(ends, far)).arrow().solid().title(h.to_string()).key(key);
+        if numbered {
+            arrow.label((i + 1).to_string());
+        }
+    }
+}
+
+fn paint(sketch: &mut Sketch, s: &Subdivision, f: FaceId) {
+    if f != s.outer_face() {
+        let rings = s.cycles(f).map(|h| s.cycle(h).map(|h| s.point(s.origin(h))).collect::<Vec<Point>>());
+        sketch.region(Role::Main, rings.collect::<Vec<_>>()).key("the face");
+    }
+}
+
+/// How far beside their edges half-edges are drawn: a small part of the picture.
+fn distance_beside(s: &Subdivision) -> f64 {
+    let range = |x: fn(Point) -> f64| {
+        let xs = || s.vertices().map(|v| x(s.point(v)));
+        xs().fold(f64::NEG_INFINITY, f64::max) - xs().fold(f64::INFINITY, f64::min)
+    };
+    0.018 * range(|p| p.x).max(range(|p| p.y))
+}
+
+/// The half-edge on the left of its edge, a little shorter than that.
+fn beside([a, b]: [Point; 2], far: f64) -> [Point; 2] {
+    let (x, y) = (b.x - a.x, b.y - a.y);
+    let length = (x * x + y * y).sqrt();
+    if length == 0.0 {
+        return [a, b];
+    }
+    let aside = far.min(0.12 * length) / length;
+    let short = (1.6 * far).min(0.2 * length) / length;
+    [(a, short), (b, -short)].map(|(p, along)| Point::new(p.x - aside * y + along * x, p.y + aside * x + along * y))
+}
