@@ -32,6 +32,8 @@ const BUNDLE: &[&str] = &[
     include_str!("bundle/05-triangle-list.txt"),
     #[cfg(feature = "lab-06")]
     include_str!("bundle/06-navmesh.txt"),
+    #[cfg(feature = "lab-07")]
+    include_str!("bundle/07-delaunay.txt"),
     #[cfg(feature = "lab-08")]
     include_str!("bundle/08-voronoi.txt"),
     #[cfg(feature = "lab-10")]

@@ -203,6 +203,16 @@ static REFERENCES: &[Reference] = &[
         draw: labs::lab_06::portals,
     },
     Reference {
+        file: "lab-07-circles.svg",
+        about: "the picture that lab 07 asks for: a Delaunay triangulation and the circles of its triangles",
+        draw: labs::lab_07::circles,
+    },
+    Reference {
+        file: "lab-07-flip.svg",
+        about: "a flip: the same records before and after it",
+        draw: labs::lab_07::flip,
+    },
+    Reference {
         file: "lab-08-voronoi.svg",
         about: "the picture that lab 08 asks for: the Voronoi diagram of twelve sites",
         draw: labs::lab_08::picture,
@@ -439,6 +449,8 @@ fn command(file: &str) -> &'static str {
         | "lab-05-structure.svg"
         | "lab-06-corridor.svg"
         | "lab-06-portals.svg"
+        | "lab-07-circles.svg"
+        | "lab-07-flip.svg"
         | "lab-08-voronoi.svg"
         | "lab-10-cube.svg"
         | "lab-10-duals.svg"

@@ -3,7 +3,7 @@
 //! ```text
 //!   before ──the call as it should be──▶ expected ┐   by the judge of the lab
 //!      │                                          ├─▶ the pointers that differ   align.rs
-//!      └──the student's program──▶ after ─────────┘   each said in words, with the laws it breaks
+//!      └──the student's program──▶ after ─────────┘   each said in words, with the laws it breaks   steps.rs
 //!                         returned 4 2 0 ─▶ compared with the walk, up to where it starts   cyclic.rs
 //! ```
 //!
@@ -12,4 +12,5 @@
 
 pub mod align;
 pub mod cyclic;
+pub mod steps;
 pub mod walks;

@@ -4,6 +4,8 @@
 //! `labs/`. A lab outside of the kit brings its
 //! judge along, see [`Lab::with_judge`](crate::Lab::with_judge).
 
+#[cfg(feature = "lab-07")]
+pub mod delaunay;
 #[cfg(feature = "lab-04")]
 pub mod half_edge;
 #[cfg(feature = "lab-03")]
@@ -44,6 +46,8 @@ pub fn judge_of(lab: &str) -> Option<&'static dyn Judge> {
         "05-triangle-list" => Some(&triangle_list::TRIANGLE_LIST),
         #[cfg(feature = "lab-06")]
         "06-navmesh" => Some(&navmesh::NAVMESH),
+        #[cfg(feature = "lab-07")]
+        "07-delaunay" => Some(&delaunay::DELAUNAY),
         #[cfg(feature = "lab-08")]
         "08-voronoi" => Some(&voronoi::VORONOI),
         #[cfg(feature = "lab-10")]
@@ -62,6 +66,7 @@ pub const FOLDERS: &[(&str, &str)] = &[
     ("04-half-edge", "half_edge"),
     ("05-triangle-list", "triangle_list"),
     ("06-navmesh", "navmesh"),
+    ("07-delaunay", "delaunay"),
     ("08-voronoi", "voronoi"),
     ("10-polyhedra", "polyhedra"),
     ("11-support", "support"),

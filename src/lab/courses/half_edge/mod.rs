@@ -17,7 +17,6 @@ mod readings;
 mod sequences;
 mod shorter;
 pub mod spec;
-mod split;
 mod split_face;
 mod split_in_half;
 mod starts;

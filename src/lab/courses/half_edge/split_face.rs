@@ -8,8 +8,8 @@
 //! The outer face is a face like any other. Two corners of one face at the same vertex are joined by a loop.
 
 use super::spec::{self, Legal};
-use super::split::{ELSEWHERE, Steps};
 use crate::checks::align::{Difference, Field, align};
+use crate::checks::steps::{ELSEWHERE, Steps};
 use crate::fault::{Exchange, Fault, FaultKind};
 use crate::protocol::{CallEnd, Value};
 use dcel_kit::topology::View;

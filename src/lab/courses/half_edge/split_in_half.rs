@@ -7,8 +7,8 @@
 //! ```
 
 use super::spec::{self, TwinSide};
-use super::split::{ELSEWHERE, Steps};
 use crate::checks::align::{Aligned, Difference, Field, align};
+use crate::checks::steps::{ELSEWHERE, Steps};
 use crate::fault::{Exchange, Fault};
 use dcel_kit::topology::{Table, View};
 use dcel_kit::{Element, HalfEdgeId};

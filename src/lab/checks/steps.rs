@@ -1,40 +1,41 @@
-//! What the judges of the two splits share: differences become faults of steps.
+//! An edit in several steps, each graded by its own test: what differs from the right structure becomes faults of steps.
 
-use crate::checks::align::{Aligned, Content, Difference, differences};
+use super::align::{Aligned, Content, Difference, differences};
 use crate::fault::{Fault, FaultKind, Instead};
 use crate::protocol::CallEnd;
 use dcel_kit::Element;
 use dcel_kit::topology::{Table, violations};
 
 /// The part that an element plays which plays none.
-pub(super) const ELSEWHERE: &str = "elsewhere";
+pub const ELSEWHERE: &str = "elsewhere";
 /// How many violations of the laws are added as an explanation.
 const LAWS: usize = 4;
 
-/// A call of a split that is being judged, step by step.
-pub(super) struct Steps<'a> {
+/// A call of an edit that is being judged, step by step.
+pub struct Steps<'a> {
     /// `split_face`, the beginning of every rule.
-    pub(super) function: &'static str,
+    pub function: &'static str,
     /// The call as it was made, in ids.
-    pub(super) call: String,
+    pub call: String,
     /// The step of the case.
-    pub(super) step: usize,
+    pub step: usize,
     /// The step that has a loop, if any.
-    pub(super) loops: Option<usize>,
+    pub loops: Option<usize>,
     /// The graded test of each step of the operation.
-    pub(super) tests: &'a [&'static str],
+    pub tests: &'a [&'static str],
     /// How the call ended.
-    pub(super) end: &'a CallEnd,
+    pub end: &'a CallEnd,
     /// Before the call.
-    pub(super) before: &'a Table,
+    pub before: &'a Table,
     /// After it.
-    pub(super) after: &'a Table,
-    pub(super) faults: Vec<Fault>,
+    pub after: &'a Table,
+    /// What was found wrong so far.
+    pub faults: Vec<Fault>,
 }
 
 impl Steps<'_> {
     /// A fault of a step of the operation.
-    pub(super) fn add(&mut self, step: usize, kind: FaultKind, tag: &str, words: &str, elements: &[Element]) {
+    pub fn add(&mut self, step: usize, kind: FaultKind, tag: &str, words: &str, elements: &[Element]) {
         let Some(&test) = self.tests.get(step) else { return };
         // That it was stopped is said once for each test.
         let says_the_end =
@@ -57,7 +58,7 @@ impl Steps<'_> {
     }
 
     /// The kind of a fault of a step: if the call panicked, whether anything of the step was done decides.
-    pub(super) fn kind(&self, step: usize, touched: bool) -> FaultKind {
+    pub fn kind(&self, step: usize, touched: bool) -> FaultKind {
         match FaultKind::of_end(self.end) {
             None => FaultKind::Wrong,
             Some(FaultKind::Unattempted) if touched => FaultKind::Wrong,
@@ -68,7 +69,7 @@ impl Steps<'_> {
     }
 
     /// The number of elements of a kind, which should have grown by `more`. Returns whether it has.
-    pub(super) fn count(&mut self, step: usize, what: &str, [before, after]: [usize; 2], more: usize) -> bool {
+    pub fn count(&mut self, step: usize, what: &str, [before, after]: [usize; 2], more: usize) -> bool {
         if after == before + more {
             return true;
         }
@@ -88,7 +89,7 @@ impl Steps<'_> {
     }
 
     /// Steps that cannot be judged, because an earlier one is missing.
-    pub(super) fn unjudged(&mut self, steps: std::ops::Range<usize>) {
+    pub fn unjudged(&mut self, steps: std::ops::Range<usize>) {
         for step in steps {
             let kind = self.kind(step, false);
             self.add(step, kind, "unjudged", "cannot be judged before the step before it is right", &[]);
@@ -96,7 +97,7 @@ impl Steps<'_> {
     }
 
     /// One fault for each difference, in the order of the steps, then the laws that are broken.
-    pub(super) fn differences(
+    pub fn differences(
         &mut self,
         aligned: &Aligned,
         step_of: impl Fn(&Difference) -> usize,
@@ -188,7 +189,7 @@ impl Steps<'_> {
     }
 
     /// A call that panicked although all of its steps are done: the last step is not finished.
-    pub(super) fn must_have_returned(&mut self) {
+    pub fn must_have_returned(&mut self) {
         if let (true, Some(kind)) = (self.faults.is_empty(), FaultKind::of_end(self.end)) {
             let last = self.tests.len() - 1;
             self.add(last, kind, "panic", &format!("all is done, but the call {}", self.end.words()), &[]);

@@ -1,0 +1,35 @@
+//! The program of the lab. Nothing here is for you to change: your part is `lab.rs`.
+//!
+//! ```text
+//!   cargo run                                  reads cases from standard input, prints what your code made of them
+//!   cargo run -- my-case.txt                   the same from a file
+//!   cargo run -- svg my-case.txt my-case.svg   draws the triangulation that the case ends with, with its circles
+//!   cargo run -- circles my-circles.svg        draws what your `delaunify` makes of the sites of the handout
+//! ```
+//!
+//! The language of the cases is explained in the handout, README.md.
+
+mod calls;
+mod circle;
+#[path = "../../04-half-edge/src/dcel.rs"]
+mod dcel;
+#[path = "../../harness/mod.rs"]
+mod harness;
+mod mesh;
+#[path = "../../predicates/mod.rs"]
+mod predicates;
+#[path = "../../04-half-edge/src/records.rs"]
+mod records;
+mod refusal;
+#[path = "../../04-half-edge/src/start.rs"]
+mod start;
+mod svg;
+#[path = "../../08-voronoi/src/walks.rs"]
+mod walks;
+
+// The last one: what it declares for itself, macros say, is not seen by the modules above.
+mod lab;
+
+fn main() -> std::process::ExitCode {
+    harness::main::<calls::DelaunayLab>()
+}

@@ -1,0 +1,113 @@
+//! The figures of lab 07: the reference, and what a flip does to the records.
+
+use crate::gallery::Made;
+use dcel_kit::figure::FigureOptions;
+use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
+use dcel_kit::plane::{Point, Subdivision};
+
+/// The sites of the handout.
+const SITES: [[f64; 2]; 12] = [
+    [-180.0, -110.0],
+    [-40.0, -150.0],
+    [120.0, -120.0],
+    [210.0, -20.0],
+    [150.0, 110.0],
+    [10.0, 150.0],
+    [-150.0, 120.0],
+    [-230.0, 10.0],
+    [-60.0, -20.0],
+    [60.0, 40.0],
+    [-50.0, 70.0],
+    [80.0, -60.0],
+];
+
+/// A circle is drawn as a polygon of so many corners, as the students' programs draw it.
+const CORNERS: u32 = 56;
+
+/// The circle through three points, as a closed path.
+fn circle([a, b, c]: [Point; 3]) -> Vec<Point> {
+    let [p, q] = [b, c].map(|to| [to.x - a.x, to.y - a.y]);
+    let [pp, qq] = [p, q].map(|v| (v[0] * v[0] + v[1] * v[1]) / 2.0);
+    let det = p[0] * q[1] - p[1] * q[0];
+    let [x, y] = [(pp * q[1] - qq * p[1]) / det, (p[0] * qq - q[0] * pp) / det];
+    let at = |i: u32| {
+        let (sin, cos) = (std::f64::consts::TAU * f64::from(i % CORNERS) / f64::from(CORNERS)).sin_cos();
+        Point::new(a.x + x + x.hypot(y) * cos, a.y + y + x.hypot(y) * sin)
+    };
+    (0..=CORNERS).map(at).collect()
+}
+
+/// The picture that lab 07 asks for.
+pub(in crate::gallery) fn circles() -> Made<String> {
+    let delaunay = Subdivision::delaunay(&SITES.map(Point::from))?.subdivision;
+    let mut sketch = Sketch::new();
+    for f in delaunay.faces().skip(1) {
+        let corners: Vec<Point> = delaunay.incident_vertices(f).map(|v| delaunay.point(v)).collect();
+        if let &[a, b, c] = corners.as_slice() {
+            sketch.path(Role::Secondary, circle([a, b, c])).solid();
+        }
+    }
+    for edge in delaunay.edges() {
+        let ends = edge.half_edges().map(|h| delaunay.point(delaunay.origin(h)));
+        sketch.path(Role::Main, ends).solid();
+    }
+    for site in SITES {
+        sketch.point(Role::Plain, site);
+    }
+    let options = FigureOptions::new("A Delaunay triangulation and its empty circles").id_prefix("lab-07-circles");
+    Ok(sketch.figure(&options)?.to_svg())
+}
+
+/// The corners a, b, c, d of two triangles, counter-clockwise a, d, b, c.
+const CORNERS_OF_A_FLIP: [(&str, [f64; 2]); 4] =
+    [("a", [-210.0, 10.0]), ("b", [200.0, -10.0]), ("c", [-20.0, 150.0]), ("d", [30.0, -150.0])];
+/// How far the half-edges stand off their edges, and end before their corners.
+const OFF: f64 = 13.0;
+const SHORT: f64 = 34.0;
+
+/// One triangle: its half-edges with their names, and the name of its face.
+fn triangle(sketch: &mut Sketch, corners: [[f64; 2]; 3], names: [&str; 3], moved: [bool; 3], face: &str) {
+    for i in 0..3 {
+        let [p, q] = [corners[i], corners[(i + 1) % 3]];
+        let along = [q[0] - p[0], q[1] - p[1]];
+        let length = along[0].hypot(along[1]);
+        let [x, y] = along.map(|part| part / length);
+        let place = |t: f64, off: f64| [p[0] + t * x - off * y, p[1] + t * y + off * x];
+        let role = if moved[i] { Role::Main } else { Role::Secondary };
+        sketch.path(role, [place(SHORT, OFF), place(length - SHORT, OFF)]).arrow().solid();
+        sketch.text(role, place(length / 2.0, 2.3 * OFF), names[i]);
+    }
+    let middle = [0, 1].map(|axis| corners.iter().map(|p| p[axis]).sum::<f64>() / 3.0);
+    sketch.text(Role::Plain, middle, face);
+}
+
+/// The records of a flip, before and after.
+pub(in crate::gallery) fn flip() -> Made<String> {
+    let [a, b, c, d] = CORNERS_OF_A_FLIP.map(|(_, place)| place);
+    let mut panels = Multiples::new();
+    let all = [
+        ("Before", "h runs from a to b", [a, b], [([a, b, c], ["h", "bc", "ca"]), ([b, a, d], ["twin", "ad", "db"])]),
+        (
+            "After",
+            "h runs from d to c: it has turned counter-clockwise",
+            [d, c],
+            [([d, c, a], ["h", "ca", "ad"]), ([c, d, b], ["twin", "db", "bc"])],
+        ),
+    ];
+    for (heading, words, edge, triangles) in all {
+        let mut sketch = Sketch::new();
+        for side in [[a, d], [d, b], [b, c], [c, a], edge] {
+            sketch.path(Role::Plain, side);
+        }
+        for ((corners, names), face) in triangles.into_iter().zip(["f", "g"]) {
+            let moved = names.map(|name| matches!(name, "h" | "twin" | "bc" | "ad"));
+            triangle(&mut sketch, corners, names, moved, face);
+        }
+        for (name, place) in CORNERS_OF_A_FLIP {
+            sketch.point(Role::Plain, place).label(name);
+        }
+        panels.sketch(heading, words, sketch);
+    }
+    let options = FigureOptions::new("A flip").id_prefix("lab-07-flip").width(405.0);
+    Ok(panels.figure(&options)?.to_svg())
+}

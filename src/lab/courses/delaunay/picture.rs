@@ -1,0 +1,60 @@
+//! The picture of the handout: the Delaunay triangulation of its sites, with the circles.
+
+use super::meshes::SITES;
+use crate::fault::Fault;
+use crate::pictures;
+use crate::protocol::{Case, CaseAnswer, Step};
+use dcel_kit::plane::{Point, Subdivision};
+use std::fmt::Write;
+
+/// A circle is drawn as a polygon of so many corners.
+const CORNERS: u32 = 56;
+
+/// The centre of the circle through three points, by the lines that halve two sides, and its radius.
+fn centre([a, b, c]: [Point; 3]) -> ([f64; 2], f64) {
+    let [p, q] = [b, c].map(|to| [to.x - a.x, to.y - a.y]);
+    let [pp, qq] = [p, q].map(|v| (v[0] * v[0] + v[1] * v[1]) / 2.0);
+    let det = p[0] * q[1] - p[1] * q[0];
+    let from_a = [(pp * q[1] - qq * p[1]) / det, (p[0] * qq - q[0] * pp) / det];
+    ([a.x + from_a[0], a.y + from_a[1]], from_a[0].hypot(from_a[1]))
+}
+
+/// The picture, with the coordinates that the student's program writes: y points down in a file.
+fn plain() -> String {
+    let mut out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-260 -260 520 490\">\n".to_owned();
+    let Ok(built) = Subdivision::delaunay(&SITES.map(Point::from)) else { return out };
+    let built = built.subdivision;
+    for f in built.faces().skip(1) {
+        let corners: Vec<Point> = built.incident_vertices(f).map(|v| built.point(v)).collect();
+        let Ok(corners) = <[Point; 3]>::try_from(corners) else { continue };
+        let ([x, y], radius) = centre(corners);
+        let on_it = (0..CORNERS).map(|i| {
+            let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / f64::from(CORNERS)).sin_cos();
+            format!("{},{}", x + radius * cos, 0.0 - (y + radius * sin))
+        });
+        let list: Vec<String> = on_it.collect();
+        let _ = writeln!(out, "<polygon points=\"{}\" fill=\"none\" stroke=\"#3a86c8\"/>", list.join(" "));
+    }
+    for edge in built.edges() {
+        let [(x1, y1), (x2, y2)] = edge.half_edges().map(|h| {
+            let p = built.point(built.origin(h));
+            (p.x, 0.0 - p.y)
+        });
+        let line =
+            format!("<line x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\" stroke=\"#000000\" stroke-width=\"2\"/>");
+        let _ = writeln!(out, "{line}");
+    }
+    for [x, y] in SITES {
+        let _ = writeln!(out, "<circle cx=\"{x}\" cy=\"{}\" r=\"4\"/>", 0.0 - y);
+    }
+    out + "</svg>\n"
+}
+
+/// Judges the picture.
+pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
+    let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
+    let drawn = asked.zip(&answer.replies).filter(|((_, step), _)| **step == Step::Svg);
+    let faults = drawn.flat_map(|((step, _), reply)| pictures::judge(test, step, reply, &plain()));
+    // What differs tells one mistake from another.
+    faults.map(|fault| Fault { tag: fault.words.clone(), ..fault }).collect()
+}
