@@ -60,25 +60,36 @@ pub(in crate::gallery) fn circles() -> Made<String> {
 
 /// The corners a, b, c, d of two triangles, counter-clockwise a, d, b, c.
 const CORNERS_OF_A_FLIP: [(&str, [f64; 2]); 4] =
-    [("a", [-210.0, 10.0]), ("b", [200.0, -10.0]), ("c", [-20.0, 150.0]), ("d", [30.0, -150.0])];
-/// How far the half-edges stand off their edges, and end before their corners.
-const OFF: f64 = 13.0;
-const SHORT: f64 = 34.0;
+    [("a", [-210.0, 15.0]), ("b", [200.0, -15.0]), ("c", [-20.0, 190.0]), ("d", [30.0, -190.0])];
+/// The half-edges run along a triangle that is smaller by this factor; their names stand along one smaller still.
+const WITHIN: f64 = 0.76;
+const NAMES: f64 = 0.44;
+/// How far the half-edges end before the corners of that triangle.
+const SHORT: f64 = 9.0;
 
 /// One triangle: its half-edges with their names, and the name of its face.
-fn triangle(sketch: &mut Sketch, corners: [[f64; 2]; 3], names: [&str; 3], moved: [bool; 3], face: &str) {
+fn triangle(sketch: &mut Sketch, corners: [[f64; 2]; 3], names: [&str; 3], face: &str) {
+    let length = |p: [f64; 2], q: [f64; 2]| (q[0] - p[0]).hypot(q[1] - p[1]);
+    // The centre of the circle that touches all sides: each corner has the weight of the side across.
+    let weights = [0, 1, 2].map(|i| length(corners[(i + 1) % 3], corners[(i + 2) % 3]));
+    let sum: f64 = weights.iter().sum();
+    let centre = [0, 1].map(|axis| (0..3).map(|i| weights[i] * corners[i][axis]).sum::<f64>() / sum);
+    let towards = |p: [f64; 2], by: f64| [0, 1].map(|axis| centre[axis] + by * (p[axis] - centre[axis]));
     for i in 0..3 {
         let [p, q] = [corners[i], corners[(i + 1) % 3]];
-        let along = [q[0] - p[0], q[1] - p[1]];
-        let length = along[0].hypot(along[1]);
-        let [x, y] = along.map(|part| part / length);
-        let place = |t: f64, off: f64| [p[0] + t * x - off * y, p[1] + t * y + off * x];
-        let role = if moved[i] { Role::Main } else { Role::Secondary };
-        sketch.path(role, [place(SHORT, OFF), place(length - SHORT, OFF)]).arrow().solid();
-        sketch.text(role, place(length / 2.0, 2.3 * OFF), names[i]);
+        let ends = [towards(p, WITHIN), towards(q, WITHIN)];
+        let part = SHORT / length(ends[0], ends[1]);
+        let at = |t: f64| [0, 1].map(|axis| ends[0][axis] + t * (ends[1][axis] - ends[0][axis]));
+        let (role, key) = match names[i] {
+            "h" | "twin" => (Role::Main, "changes its origin"),
+            "bc" | "ad" => (Role::Secondary, "changes its face"),
+            _ => (Role::Plain, "changes next and prev only, as all six do"),
+        };
+        sketch.path(role, [at(part), at(1.0 - part)]).arrow().solid().key(key);
+        let middle = [0, 1].map(|axis| f64::midpoint(p[axis], q[axis]));
+        sketch.text(role, towards(middle, NAMES), names[i]);
     }
-    let middle = [0, 1].map(|axis| corners.iter().map(|p| p[axis]).sum::<f64>() / 3.0);
-    sketch.text(Role::Plain, middle, face);
+    sketch.text(Role::Dimmed, centre, face);
 }
 
 /// The records of a flip, before and after.
@@ -97,11 +108,10 @@ pub(in crate::gallery) fn flip() -> Made<String> {
     for (heading, words, edge, triangles) in all {
         let mut sketch = Sketch::new();
         for side in [[a, d], [d, b], [b, c], [c, a], edge] {
-            sketch.path(Role::Plain, side);
+            sketch.path(Role::Dimmed, side).solid();
         }
         for ((corners, names), face) in triangles.into_iter().zip(["f", "g"]) {
-            let moved = names.map(|name| matches!(name, "h" | "twin" | "bc" | "ad"));
-            triangle(&mut sketch, corners, names, moved, face);
+            triangle(&mut sketch, corners, names, face);
         }
         for (name, place) in CORNERS_OF_A_FLIP {
             sketch.point(Role::Plain, place).label(name);

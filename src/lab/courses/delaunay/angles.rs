@@ -63,7 +63,9 @@ pub(super) fn wrong(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
     let [Value::Number(found)] = values else { return Some(Wrong::kind("a number")) };
     let off = |other: f64| !is_off(*found, other);
     let wrong = Wrong::value(&Value::Number(expected), "the smallest angle of all triangles, in radians");
-    is_off(*found, expected).then(|| wrong.is([(off(expected.to_degrees()), "the angle in degrees")]))
+    let is = [(off(expected.to_degrees()), "the angle in degrees"), (*found <= 0.0, "not above 0")];
+    let tag = is.iter().find(|(holds, _)| *holds).map_or("value", |(_, words)| words).to_owned();
+    is_off(*found, expected).then(|| Wrong { tag, ..wrong.is(is) })
 }
 
 #[cfg(test)]

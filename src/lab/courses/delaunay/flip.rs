@@ -32,6 +32,11 @@ pub(super) fn corners(table: &Table, h: HalfEdgeId) -> Option<[VertexId; 4]> {
     Some([table.origin(h)?, table.origin(twin)?, across(h)?, across(twin)?])
 }
 
+/// Whether an edge between two triangles is no loop, and will be none after a flip.
+pub(super) fn is_plain(table: &Table, h: HalfEdgeId) -> bool {
+    corners(table, h).is_some_and(|[a, b, c, d]| a != b && c != d)
+}
+
 /// Turns an edge between two triangles counter-clockwise, each half on the left of its own face.
 pub(super) fn flip(table: &mut Table, h: HalfEdgeId) -> Option<()> {
     let [a, b, c, d] = corners(table, h)?;

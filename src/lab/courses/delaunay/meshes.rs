@@ -376,8 +376,7 @@ pub(super) fn half_edges(table: &Table) -> impl Iterator<Item = HalfEdgeId> + us
 pub(super) fn odd(mesh: &Mesh, random: &mut Random) -> Table {
     let mut table = blind(&mesh.table());
     for _ in 0..3 * mesh.triangles.len() {
-        let two = |&h: &HalfEdgeId| super::flip::corners(&table, h).is_some_and(|[a, b, c, d]| c != d && a != b);
-        let all: Vec<HalfEdgeId> = half_edges(&table).filter(two).collect();
+        let all: Vec<HalfEdgeId> = half_edges(&table).filter(|&h| super::flip::is_plain(&table, h)).collect();
         if let Some(&h) = random.pick(&all) {
             super::flip::flip(&mut table, h);
         }

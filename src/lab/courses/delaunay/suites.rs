@@ -179,7 +179,7 @@ fn flips(_: &str, mesh: &Mesh, order: &mut Random) -> Case {
 }
 
 fn flips_of(name: String, start: Start, table: &Table) -> Case {
-    let inner: Vec<_> = half_edges(table).filter(|&h| flip::is_between_triangles(table, h)).collect();
+    let inner: Vec<_> = half_edges(table).filter(|&h| flip::is_plain(table, h)).collect();
     let mut case = Case::new(name, start).step(Step::Dump);
     for h in inner.iter().step_by(inner.len().div_ceil(FLIPS).max(1)) {
         case = case.step(Step::Save).step(Step::call("flip", [h])).step(Step::Dump).step(Step::Restore);
