@@ -1,7 +1,7 @@
 //! The smallest angle of a triangulation.
 
 use super::edges::place;
-use super::meshes::half_edges;
+use super::flip::half_edges;
 use crate::answers::Wrong;
 use crate::fault::Exchange;
 use crate::protocol::Value;
@@ -46,16 +46,15 @@ pub(super) fn differs_by_cosine(table: &Table) -> bool {
     let by_cosine = |h: HalfEdgeId| {
         let at = |h| place(table, table.origin(h)?);
         let (p, q, r) = (at(h)?, at(table.next(h)?)?, at(table.prev(h)?)?);
-        let (ux, uy, vx, vy) = (q.x - p.x, q.y - p.y, r.x - p.x, r.y - p.y);
-        Some(((ux * vx + uy * vy) / (ux.hypot(uy) * vx.hypot(vy))).acos())
+        let [(dx, dy), (ex, ey)] = [q, r].map(|to| (to.x - p.x, to.y - p.y));
+        Some(((dx * ex + dy * ey) / (dx.hypot(dy) * ex.hypot(ey))).acos())
     };
     let least = sides(table).filter_map(by_cosine).reduce(f64::min);
     least.zip(smallest(table)).is_some_and(|(found, expected)| is_off(found, expected))
 }
 
 fn is_off(found: f64, expected: f64) -> bool {
-    // A value that is no number is off, too.
-    !((found - expected).abs() <= OFF * expected)
+    found.is_nan() || (found - expected).abs() > OFF * expected
 }
 
 pub(super) fn wrong(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {

@@ -47,7 +47,8 @@ pub(super) fn wrong(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
 #[cfg(test)]
 mod tests {
     use super::super::edges::place;
-    use super::super::meshes::{fixed, half_edges};
+    use super::super::flip::half_edges;
+    use super::super::meshes::fixed;
     use super::*;
     use dcel_kit::plane::predicates::in_circle;
     use dcel_kit::plane::{Point, Subdivision};

@@ -1,7 +1,6 @@
 //! Whether an edge is legal, and whether it can be flipped: by the kit's exact predicates.
 
-use super::flip::corners;
-use super::meshes::half_edges;
+use super::flip::{corners, half_edges};
 use crate::answers::Wrong;
 use crate::fault::Exchange;
 use crate::protocol::Value;

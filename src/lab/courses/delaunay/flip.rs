@@ -17,6 +17,11 @@ use dcel_kit::{Element, HalfEdgeId, VertexId};
 /// The graded test of each step; there is no step 0, because every call is legal.
 pub(super) const TESTS: [&str; 4] = ["flip_1_origins", "flip_1_origins", "flip_2_links", "flip_3_faces"];
 
+/// The half-edges of a table.
+pub(super) fn half_edges(table: &Table) -> impl Iterator<Item = HalfEdgeId> + use<> {
+    (0..table.half_edges.len() as u32).map(HalfEdgeId::new)
+}
+
 /// Whether two different triangles, neither of them the outer face, lie at an edge.
 pub(super) fn is_between_triangles(table: &Table, h: HalfEdgeId) -> bool {
     let Some(twin) = table.twin(h) else { return false };
@@ -100,7 +105,7 @@ pub(super) fn judge(exchange: &Exchange) -> Vec<Fault> {
     let twin = before.twin(h);
     let [next, prev] = [before.next(h), before.prev(h)];
     let of_twin = |step: fn(&Table, HalfEdgeId) -> Option<HalfEdgeId>| twin.and_then(|twin| step(before, twin));
-    let [twin_next, twin_prev] = [of_twin(|table, h| table.next(h)), of_twin(|table, h| table.prev(h))];
+    let [twin_next, twin_prev] = [of_twin(View::next), of_twin(View::prev)];
     let corners = corners(before, h);
     let role = |element| match element {
         Element::HalfEdge(g) if g == h => "h",
@@ -132,7 +137,7 @@ fn step_of(difference: &Difference) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::super::meshes::{fixed, half_edges};
+    use super::super::meshes::fixed;
     use super::*;
     use dcel_kit::plane::{Point, Subdivision};
     use dcel_kit::topology::violations;

@@ -6,6 +6,7 @@
 //!   shaken   the same after flips at random           odd   links only: after flips that no plane allows
 //! ```
 
+use super::{flip, mistakes};
 use crate::cases::random::Random;
 use crate::cases::starts::triangles;
 use crate::protocol::{Start, Structure};
@@ -298,7 +299,7 @@ fn nearly_round() -> Vec<Mesh> {
         });
         let [a, b, c, d] = points.map(Point::from);
         let legal = !in_circle(a, c, d, b).is_gt();
-        let mistaken = super::mistakes::rounded_is_legal([points[0], points[2], points[3], points[1]]) != legal;
+        let mistaken = mistakes::rounded_is_legal([points[0], points[2], points[3], points[1]]) != legal;
         let turns = orientation(a, b, c).is_gt() && orientation(a, c, d).is_gt();
         if turns && mistaken && left[usize::from(legal)] > 0 {
             left[usize::from(legal)] -= 1;
@@ -366,19 +367,14 @@ pub(super) fn blind(table: &Table) -> Table {
     out
 }
 
-/// The half-edges of a table.
-pub(super) fn half_edges(table: &Table) -> impl Iterator<Item = HalfEdgeId> + use<> {
-    (0..table.half_edges.len() as u32).map(HalfEdgeId::new)
-}
-
 /// Links only, after flips that need not be possible in the plane: vertices of three, two and more edges, several edges
 /// between two vertices.
 pub(super) fn odd(mesh: &Mesh, random: &mut Random) -> Table {
     let mut table = blind(&mesh.table());
     for _ in 0..3 * mesh.triangles.len() {
-        let all: Vec<HalfEdgeId> = half_edges(&table).filter(|&h| super::flip::is_plain(&table, h)).collect();
+        let all: Vec<HalfEdgeId> = flip::half_edges(&table).filter(|&h| flip::is_plain(&table, h)).collect();
         if let Some(&h) = random.pick(&all) {
-            super::flip::flip(&mut table, h);
+            flip::flip(&mut table, h);
         }
     }
     renumbered(&table, random)

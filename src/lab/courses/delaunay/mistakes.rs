@@ -4,8 +4,7 @@
 //! shows are those that fail, the report says so.
 
 use super::edges::{due, is_legal, place};
-use super::flip::{corners, flip};
-use super::meshes::half_edges;
+use super::flip::{corners, flip, half_edges};
 use dcel_kit::plane::predicates::in_circle;
 use dcel_kit::topology::{Table, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};

@@ -1,6 +1,7 @@
 //! The cases of lab 07, test by test.
 
-use super::meshes::{self, Mesh, blind, half_edges, odd, renumbered};
+use super::flip::half_edges;
+use super::meshes::{self, Mesh, blind, odd, renumbered};
 use super::{angles, costs, delaunify, edges, features, flip, picture};
 use crate::answers::{self, Function};
 use crate::cases::random::Random;
@@ -220,8 +221,11 @@ fn shorter(case: &Case) -> Vec<Case> {
     all
 }
 
+/// Points, and the corners of triangles.
+type Stated = (Vec<[f64; 2]>, Vec<[u32; 3]>);
+
 /// The points and triangles of a start of that word.
-fn stated(start: &Start) -> Option<(Vec<[f64; 2]>, Vec<[u32; 3]>)> {
+fn stated(start: &Start) -> Option<Stated> {
     let (points, corners) = start.text().strip_prefix("triangles ")?.split_once(" / ")?;
     let numbers: Vec<f64> = points.split(' ').map(|word| word.parse().ok()).collect::<Option<_>>()?;
     let corners: Vec<u32> = corners.split(' ').map(|word| word.parse().ok()).collect::<Option<_>>()?;
