@@ -148,3 +148,28 @@ fn the_command_writes_png_by_the_ending_of_the_name() {
     folder.dcel("figure square.obj -o two.svg --scale 3").fails(2, "--scale is for pixels", ".png");
     folder.dcel("figure square.obj -o two.png --scale 0").fails(2, "two.png: a scale of 0", "");
 }
+
+/// A page of paper of the size of the figure, with letters that can be searched for, and the same bytes each time.
+#[test]
+fn a_page_of_paper_has_the_size_of_the_figure() {
+    let options = FigureOptions::new("Lab").width(480.0);
+    let figure = lab(&options);
+    let pdf = figure.to_pdf().unwrap();
+    assert!(pdf.starts_with(b"%PDF-"));
+    assert_eq!(pdf, lab(&options).to_pdf().unwrap());
+    let text = String::from_utf8_lossy(&pdf);
+    let page = &text[text.find("/MediaBox").unwrap()..];
+    let sides: Vec<f64> = page[page.find('[').unwrap() + 1..page.find(']').unwrap()]
+        .split_whitespace()
+        .map(|x| x.parse().unwrap())
+        .collect();
+    assert!((sides[2] - 360.0).abs() < 0.5, "480 px are 360 points: {sides:?}");
+    assert!(text.contains("/FontFile"), "the letters are embedded");
+    let folder = Folder::new();
+    folder.dcel("figure square.obj -o two.pdf --width 12cm");
+    let bytes = std::fs::read(folder.path("two.pdf")).unwrap();
+    let text = String::from_utf8_lossy(&bytes);
+    let page = &text[text.find("/MediaBox").unwrap()..];
+    let width: f64 = page[page.find('[').unwrap() + 1..].split_whitespace().nth(2).unwrap().parse().unwrap();
+    assert!((width - 12.0 / 2.54 * 72.0).abs() < 0.5, "{width}");
+}

@@ -158,7 +158,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if mend && arranged.rounds == 0 && arranged.grid.is_none() {
         say("note", NOTHING_TO_MEND);
     }
-    args.results.draw(&args.file, "Segments", |options| {
+    args.results.draw(&args.file, "Segments", out, |options| {
         figure::structure(&arranged.subdivision, &options).map_err(|error| Failure::about(&source, error))
     })?;
     let report = Report::of(source, read.format, soup, &arranged);

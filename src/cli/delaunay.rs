@@ -103,7 +103,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     args.results.check(&args.file)?;
     let made = if args.constrained || args.flips { of_graph(args)? } else { of_points(args)? };
     let s = &made.subdivision;
-    args.results.draw(&args.file, "Delaunay", |options| draw(&made, args.circles, &options))?;
+    args.results.draw(&args.file, "Delaunay", out, |options| draw(&made, args.circles, &options))?;
     let report = Report {
         source: source_name(&args.file),
         points: made.points,

@@ -4,8 +4,8 @@ use super::choice::{Choice, one_of};
 use super::failure::say;
 use super::figure_kind::Kind;
 use super::input::InputOptions;
-use super::looks::Looks;
-use super::picture::{Pixels, Target, is_page};
+use super::looks::{Crop, Looks, Page};
+use super::picture::{Target, is_page};
 use super::save::{Files, put};
 use super::subject::{self, Subject};
 use super::{Answer, Failure, Output};
@@ -13,15 +13,14 @@ use dcel_kit::figure::{self, Detail, FaceLabels, Figure, FigureOptions};
 use dcel_kit::plane::Subdivision;
 use std::path::{Path, PathBuf};
 
-/// Draw a structure as SVG or PNG, or as a page to click through
+/// Draw a structure: as SVG, TeX, PNG or PDF, or as a page to click through
 ///
 /// Arrows run on the left of their edge, bounded faces are tinted, the outer face is hatched. A
 /// broken .dcel file is drawn as far as possible.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
-PNG: out of a dcel that was built with --features png.
-PDF: write an .svg; then, with Debian's librsvg2-bin,
-  rsvg-convert -f pdf square.svg -o square.pdf
+.png and .pdf: out of a dcel that was built with --features png.
+.tex: a document for LaTeX; .tikz: the picture alone.
 
 Examples:
   dcel figure square.obj -o square.svg
@@ -46,14 +45,12 @@ pub(crate) struct Args {
     /// The type diagram of the records; needs no file
     #[arg(long, conflicts_with_all = [
         "file", "kind", "html", "max_height", "detail", "no_labels", "no_vertex_labels", "no_half_edge_labels",
-        "face_labels", "width", "colours", "faces", "crop",
+        "face_labels", "width", "columns", "colours", "faces", "crop",
     ])]
     records: bool,
-    /// The SVG or PNG file to write [default: SVG on standard output, nothing with --html]
+    /// The file to write: .svg, .tex, .tikz, .png or .pdf [default: SVG on standard output, nothing with --html]
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
-    #[command(flatten)]
-    pixels: Pixels,
     /// Write a self-contained page: the picture, its tables, buttons to walk
     #[arg(long, value_name = "OUT.html", conflicts_with_all = ["records", "kind"])]
     html: Option<PathBuf>,
@@ -61,6 +58,10 @@ pub(crate) struct Args {
     kind: Kind,
     #[command(flatten)]
     drawing: Drawing,
+    #[command(flatten)]
+    page: Page,
+    #[command(flatten)]
+    crop: Crop,
     #[command(flatten)]
     looks: Looks,
     #[command(flatten)]
@@ -121,11 +122,11 @@ fn px(text: &str) -> Result<f64, String> {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    let target = Target::new(args.output.as_deref(), args.pixels)?;
+    let target = Target::new(args.output.as_deref(), &args.page)?;
     let files = Files::reading(&args.file).writes("-o", target.path()).writes("--html", args.html.as_deref());
-    args.looks.files(files).check()?;
+    args.page.files(args.looks.files(files)).check()?;
     let Some(file) = &args.file else {
-        let options = args.looks.page(args.drawing.options(Path::new("The records of a half-edge structure")))?;
+        let options = target.options(args.drawing.options(Path::new("The records of a half-edge structure")));
         target.write(&figure::records(&options), out)?;
         return Ok(Answer::Yes);
     };
@@ -143,6 +144,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     };
     let names = subject.faces().filter_map(|f| Some((f, subject.name(f)?)));
     let options = args.looks.apply(args.drawing.options(file).face_names(names), &subject)?;
+    let options = args.crop.apply_here(target.options(options));
     let refused = |error| Failure::about(&subject.source, error);
     if let Some(path) = &args.html {
         let page = figure::page(view, &options).map_err(refused)?;

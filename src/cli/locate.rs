@@ -3,8 +3,9 @@
 use super::answer::{InWords, tell};
 use super::failure::{Failure, say};
 use super::input::InputOptions;
+use super::looks::{Crop, Page};
 use super::output::point;
-use super::picture::{Pixels, Target};
+use super::picture::Target;
 use super::save::Files;
 use super::subject::Subject;
 use super::{Answer, Output};
@@ -47,7 +48,9 @@ pub(crate) struct Args {
     #[arg(long)]
     json: bool,
     #[command(flatten)]
-    pixels: Pixels,
+    page: Page,
+    #[command(flatten)]
+    crop: Crop,
     #[command(flatten)]
     input: InputOptions,
 }
@@ -87,18 +90,14 @@ const BADGES: usize = 30;
 const FEW: usize = 16;
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    let target = match &args.output {
-        Some(path) => Some(Target::new(Some(path), args.pixels)?),
-        None => None,
-    };
     if args.file.as_os_str() == "-" && args.points.as_ref().is_some_and(|points| points.as_os_str() == "-") {
         let what = "- --points -: standard input cannot be both the structure and the points";
         return Err(Failure::input(what, "save one of them as a file first"));
     }
-    Files::reading([&args.file])
-        .reads("--points", args.points.as_ref())
-        .writes("-o", target.as_ref().and_then(Target::path))
-        .check()?;
+    let files =
+        Files::reading([&args.file]).reads("--points", args.points.as_ref()).writes("-o", args.output.as_deref());
+    args.page.files(files).check()?;
+    let target = Target::optional(args.output.as_deref(), &args.page, args.crop, "-o")?;
     let given = args.given()?;
     let subject = args.input.open_as(&args.file, false)?;
     let s = subject.plane()?;
@@ -115,8 +114,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         None => s.locate_all(&asked),
     };
     if let Some(target) = &target {
-        target.write(&draw(args, &subject, s, (&given, &asked), &found)?, out)?;
-        if matches!(target, Target::Stdout) {
+        target.write(&draw(args, target, &subject, (&given, &asked), &found)?, out)?;
+        if target.path().is_none() {
             return Ok(Answer::Yes);
         }
     }
@@ -209,11 +208,12 @@ impl InWords for Report {
 /// The points over the structure, what they lie on in blue.
 fn draw(
     args: &Args,
+    target: &Target,
     subject: &Subject,
-    s: &Subdivision,
     (given, asked): (&[Point], &[Point]),
     found: &[Location],
 ) -> Result<Figure, Failure> {
+    let s = subject.plane()?;
     if given.len() > BADGES {
         say("note", format_args!("more than {BADGES} points are drawn without numbers"));
     }
@@ -226,5 +226,6 @@ fn draw(
     let title = args.file.file_stem().map_or_else(|| "Points".into(), |stem| stem.to_string_lossy());
     let names = subject.faces().filter_map(|f| Some((f, subject.name(f)?)));
     let options = FigureOptions::new(format!("Points in {title}")).face_names(names);
+    let options = args.crop.apply_here(target.options(options));
     figure::located(s, &found, args.walk, &options).map_err(|error| Failure::about(&subject.source, error))
 }

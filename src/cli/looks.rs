@@ -1,4 +1,4 @@
-//! The options of figures that are about looks: theme, style file, part, colours.
+//! The options of figures that are about looks: size, theme, style file, part, colours.
 
 use super::Failure;
 use super::choice::{Choice, one_of};
@@ -6,33 +6,63 @@ use super::save::Files;
 use super::subject::Subject;
 use dcel_kit::FaceId;
 use dcel_kit::figure::{FigureOptions, Overrides, Style, Theme, Unit};
+use dcel_kit::plane::Point;
 use std::path::{Path, PathBuf};
 
-/// How it looks.
-#[derive(clap::Args, Debug)]
+/// How a figure looks, whatever it shows. Every command that draws takes these.
+#[derive(clap::Args, Debug, Default)]
 #[command(next_help_heading = "Looks")]
-pub(crate) struct Looks {
-    /// Width, as a number of px or with mm or cm, 100 to 20000 px [default: 640, more for few edges]
+pub(crate) struct Page {
+    /// Width, as a number of px or with mm or cm, 100 to 20000 px; of one panel or frame, if there are several
+    /// [default: 640, more for few edges]
     #[arg(long, value_name = "LENGTH", value_parser = length)]
     width: Option<(f64, Unit)>,
-    /// For which pages
-    #[arg(long, value_name = "THEME", default_value = "auto", value_parser = one_of(THEMES))]
-    theme: Theme,
+    /// For which pages [default: auto]
+    #[arg(long, value_name = "THEME", value_parser = one_of(THEMES))]
+    theme: Option<Theme>,
     /// A JSON file with the fields of the style to change: colours, sizes, font
     #[arg(long, value_name = "FILE")]
     style: Option<PathBuf>,
+    /// No style sheet: for slide and drawing programs that read no CSS
+    #[arg(long)]
+    plain: bool,
+    /// How many panels or frames stand side by side
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=100))]
+    columns: Option<u16>,
+    /// Pixels of a .png for each px, 0.1 to 20 [default: 2]
+    #[arg(long, value_name = "N")]
+    scale: Option<f64>,
+}
+
+/// Which part of the plane is drawn.
+#[derive(clap::Args, Clone, Copy, Debug, Default)]
+#[command(next_help_heading = "Looks")]
+pub(crate) struct Crop {
+    /// Draw the part of the plane between two corners only
+    #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = corners, allow_hyphen_values = true)]
+    crop: Option<[f64; 4]>,
+}
+
+/// What is drawn of a structure, and in which colours.
+#[derive(clap::Args, Debug)]
+#[command(next_help_heading = "Looks")]
+pub(crate) struct Looks {
     /// A file of colours and labels, a line an element: f3 #aabbcc "label"
     #[arg(long, value_name = "FILE")]
     colours: Option<PathBuf>,
     /// Draw these faces only
     #[arg(long, value_name = "f1,f3,...", value_delimiter = ',')]
     faces: Vec<FaceId>,
-    /// Draw the part of the plane between two corners only
-    #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = corners, allow_hyphen_values = true)]
-    crop: Option<[f64; 4]>,
-    /// No style sheet: for slide and drawing programs that read no CSS
-    #[arg(long)]
+}
+
+/// A page whose style file was read.
+#[derive(Clone, Debug)]
+pub(crate) struct Dress {
+    style: Style,
+    width: Option<(f64, Unit)>,
     plain: bool,
+    columns: Option<u16>,
+    pub(super) scale: Option<f64>,
 }
 
 /// For which pages a figure is.
@@ -42,13 +72,13 @@ static THEMES: &[Choice<Theme>] = &[
     ("dark", "Always dark", Theme::Dark),
 ];
 
-pub(super) fn length(text: &str) -> Result<(f64, Unit), String> {
+fn length(text: &str) -> Result<(f64, Unit), String> {
     let (px, unit) = Unit::parse_length(text).map_err(|error| error.to_string())?;
     let in_range = (100.0..=20_000.0).contains(&px);
     if in_range { Ok((px, unit)) } else { Err("choose 100 to 20000 px, that is 26.5 to 5291 mm".to_owned()) }
 }
 
-pub(super) fn corners(text: &str) -> Result<[f64; 4], String> {
+fn corners(text: &str) -> Result<[f64; 4], String> {
     let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse::<f64>()).collect();
     let numbers: Option<[f64; 4]> = numbers.ok().and_then(|numbers| numbers.try_into().ok());
     let is_box = |[x0, y0, x1, y1]: &[f64; 4]| [x1 - x0, y1 - y0].iter().all(|s| s.is_finite() && *s != 0.0);
@@ -56,15 +86,78 @@ pub(super) fn corners(text: &str) -> Result<[f64; 4], String> {
     numbers.filter(is_box).ok_or_else(|| help.to_owned())
 }
 
-impl Looks {
-    /// Adds the files that are read.
+impl Page {
+    /// Adds the file that is read.
     pub(crate) fn files<'a>(&'a self, files: Files<'a>) -> Files<'a> {
-        files.reads("--style", self.style.as_ref()).reads("--colours", self.colours.as_ref())
+        files.reads("--style", self.style.as_ref())
     }
 
-    /// Adds the choices to `options`. Reads the files, which must fit the structure.
-    pub(crate) fn apply(&self, options: FigureOptions, subject: &Subject) -> Result<FigureOptions, Failure> {
-        let mut options = self.page(options)?;
+    /// The first option that was given.
+    pub(super) fn given(&self) -> Option<&'static str> {
+        let all = [
+            ("--width", self.width.is_some()),
+            ("--theme", self.theme.is_some()),
+            ("--style", self.style.is_some()),
+            ("--plain", self.plain),
+            ("--columns", self.columns.is_some()),
+            ("--scale", self.scale.is_some()),
+        ];
+        all.iter().find(|(_, given)| *given).map(|(name, _)| *name)
+    }
+
+    /// Reads the style file.
+    pub(super) fn dress(&self) -> Result<Dress, Failure> {
+        let style = match &self.style {
+            None => Style::default(),
+            Some(path) => Style::from_json(&read(path)?)
+                .map_err(|error| Failure::input(format!("{}:{error}", path.display()), ""))?,
+        };
+        let style = style.theme(self.theme.unwrap_or(Theme::Auto));
+        Ok(Dress { style, width: self.width, plain: self.plain, columns: self.columns, scale: self.scale })
+    }
+}
+
+impl Dress {
+    /// Adds the choices to `options`.
+    pub(crate) fn put_on(&self, options: FigureOptions) -> FigureOptions {
+        let mut options = options.plain(self.plain).style(self.style.clone());
+        if let Some((px, unit)) = self.width {
+            options = options.width(px).unit(unit);
+        }
+        match self.columns {
+            Some(columns) => options.columns(columns.into()),
+            None => options,
+        }
+    }
+}
+
+impl Crop {
+    /// Adds the part to `options`; `place` takes points of the file to those of the picture.
+    pub(crate) fn apply(self, options: FigureOptions, place: impl Fn([f64; 2]) -> Point) -> FigureOptions {
+        let Some([x0, y0, x1, y1]) = self.crop else { return options };
+        let [a, b] = [[x0, y0], [x1, y1]].map(place);
+        options.crop([a.x, a.y], [b.x, b.y])
+    }
+
+    /// The same where points are drawn where the file has them.
+    pub(crate) fn apply_here(self, options: FigureOptions) -> FigureOptions {
+        self.apply(options, Point::from)
+    }
+
+    /// The option, if it was given.
+    pub(super) fn given(self) -> Option<&'static str> {
+        self.crop.map(|_| "--crop")
+    }
+}
+
+impl Looks {
+    /// Adds the file that is read.
+    pub(crate) fn files<'a>(&'a self, files: Files<'a>) -> Files<'a> {
+        files.reads("--colours", self.colours.as_ref())
+    }
+
+    /// Adds the choices to `options`. Reads the file, which must fit the structure.
+    pub(crate) fn apply(&self, mut options: FigureOptions, subject: &Subject) -> Result<FigureOptions, Failure> {
         if let Some(path) = &self.colours {
             let refused = |error| Failure::input(format!("{}:{error}", path.display()), "");
             let overrides = Overrides::parse(&read(path)?).map_err(refused)?;
@@ -74,24 +167,7 @@ impl Looks {
         if !self.faces.is_empty() {
             options = options.faces(self.faces.iter().copied());
         }
-        if let Some([x0, y0, x1, y1]) = self.crop {
-            options = options.crop([x0, y0], [x1, y1]);
-        }
         Ok(options)
-    }
-
-    /// The choices that have nothing to do with a structure.
-    pub(crate) fn page(&self, options: FigureOptions) -> Result<FigureOptions, Failure> {
-        let style = match &self.style {
-            None => Style::default(),
-            Some(path) => Style::from_json(&read(path)?)
-                .map_err(|error| Failure::input(format!("{}:{error}", path.display()), ""))?,
-        };
-        let options = options.plain(self.plain).style(style.theme(self.theme));
-        Ok(match self.width {
-            Some((px, unit)) => options.width(px).unit(unit),
-            None => options,
-        })
     }
 }
 

@@ -2,7 +2,8 @@
 
 use super::failure::{Failure, say};
 use super::input::InputOptions;
-use super::picture::{Pixels, Target};
+use super::looks::{Crop, Page};
+use super::picture::Target;
 use super::save::{Files, InPlace};
 use super::subject::Subject;
 use super::{Answer, Output};
@@ -55,7 +56,9 @@ pub(crate) struct Args {
     #[arg(long)]
     json: bool,
     #[command(flatten)]
-    pixels: Pixels,
+    page: Page,
+    #[command(flatten)]
+    crop: Crop,
     #[command(flatten)]
     input: InputOptions,
 }
@@ -110,7 +113,7 @@ struct Region {
 /// Where the answer goes.
 enum Goal {
     Report,
-    Picture(Target),
+    Picture(Box<Target>),
     Text,
     File(PathBuf, Format),
 }
@@ -120,7 +123,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         let help = "save one of them as a file first";
         return Err(Failure::input("- -: standard input cannot be both A and B", help));
     }
-    Files::reading([&args.a, &args.b]).writes_or_replaces("-o", args.output.as_deref(), args.in_place).check()?;
+    let files = Files::reading([&args.a, &args.b]).writes_or_replaces("-o", args.output.as_deref(), args.in_place);
+    args.page.files(files).check()?;
     let goal = args.goal()?;
     let [a, b] = [&args.a, &args.b].map(|file| args.input.open_as(file, false));
     let (a, b) = (a?, b?);
@@ -143,9 +147,9 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         Goal::Report => {}
         Goal::Picture(target) => {
             let figure = match &region {
-                None => figure::overlay(source_a, source_b, &both, &options(args, "Overlay of")),
+                None => figure::overlay(source_a, source_b, &both, &options(args, target, "Overlay of")),
                 Some((operation, region)) => {
-                    let options = options(args, &format!("{operation} of"));
+                    let options = options(args, target, &format!("{operation} of"));
                     figure::region([source_a, source_b], *operation, region, &options)
                 }
             };
@@ -173,17 +177,21 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
 
 impl Args {
     fn goal(&self) -> Result<Goal, Failure> {
-        let Some(path) = &self.output else { return Ok(Goal::Report) };
+        let path = self.output.as_ref();
+        let is_picture = |path: &&PathBuf| Format::from_path(path).is_none() && path.as_os_str() != "-";
+        // What is said of a figure is refused where there is none.
+        let target = Target::optional(path.filter(is_picture).map(PathBuf::as_path), &self.page, self.crop, "-o");
+        let Some(path) = path else { return target.map(|_| Goal::Report) };
         if path.as_os_str() == "-" {
-            return Ok(Goal::Text);
+            return target.map(|_| Goal::Text);
         }
         match Format::from_path(path) {
-            Some(format) => Ok(Goal::File(path.clone(), format)),
+            Some(format) => target.map(|_| Goal::File(path.clone(), format)),
             None if path.extension().is_none() => {
                 let what = format!("{}: the file name does not say what to write", path.display());
                 Err(Failure::input(what, "end it in .svg for a picture, in .dcel for the structure"))
             }
-            None => Ok(Goal::Picture(Target::new(Some(path), self.pixels)?)),
+            None => Ok(target?.map_or(Goal::Report, |target| Goal::Picture(Box::new(target)))),
         }
     }
 }
@@ -276,7 +284,7 @@ impl Report {
     }
 }
 
-fn options(args: &Args, what: &str) -> FigureOptions {
+fn options(args: &Args, target: &Target, what: &str) -> FigureOptions {
     let [a, b] = [&args.a, &args.b].map(|path| path.file_stem().unwrap_or_default().to_string_lossy());
-    FigureOptions::new(format!("{what} {a} and {b}"))
+    args.crop.apply_here(target.options(FigureOptions::new(format!("{what} {a} and {b}"))))
 }

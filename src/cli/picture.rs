@@ -1,71 +1,122 @@
-//! A figure as a file: SVG, or PNG where the kit was built with it; the ending of the name decides.
+//! A figure as a file: SVG, TeX, or PNG and PDF where the kit was built with them; the ending of the name decides.
 
+use super::looks::{Crop, Dress, Page};
 use super::{Failure, Output};
-use dcel_kit::figure::Figure;
+use dcel_kit::figure::{Figure, FigureOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// What may be said about pixels.
-#[derive(clap::Args, Clone, Copy, Debug)]
-pub(crate) struct Pixels {
-    /// Pixels of a .png for each px, 0.1 to 20 [default: 2]
-    #[arg(long, value_name = "N")]
-    scale: Option<f64>,
+/// Where a figure goes, in which form, and how it looks.
+#[derive(Debug)]
+pub(crate) struct Target {
+    form: Form,
+    dress: Dress,
 }
 
-/// Where a figure goes, and in which form.
 #[derive(Debug)]
-pub(crate) enum Target {
+enum Form {
     /// SVG on standard output.
     Stdout,
     Svg(PathBuf),
+    /// A document of its own.
+    Tex(PathBuf),
+    /// A picture for a document.
+    Tikz(PathBuf),
+    Pdf(PathBuf),
     /// With the pixels for each px.
     Png(PathBuf, f64),
+    /// A film to be played.
+    Page(PathBuf),
 }
 
 impl Target {
-    /// What the name asks for; a name without an ending means SVG, none or `-` standard output.
-    pub(crate) fn new(path: Option<&Path>, pixels: Pixels) -> Result<Self, Failure> {
+    /// What the name asks for; a name without an ending means SVG, none or `-` standard output. Reads the style file.
+    pub(crate) fn new(path: Option<&Path>, page: &Page) -> Result<Self, Failure> {
+        Self::in_one_of(path, page, false)
+    }
+
+    /// The same for a film: it may be a page, too.
+    pub(crate) fn of_film(path: &Path, page: &Page) -> Result<Self, Failure> {
+        Self::in_one_of(Some(path), page, true)
+    }
+
+    /// The same for a command that draws only if it is asked to by the option `flag`.
+    pub(crate) fn optional(path: Option<&Path>, page: &Page, crop: Crop, flag: &str) -> Result<Option<Self>, Failure> {
+        match (path, page.given().or(crop.given())) {
+            (Some(path), _) => Self::new(Some(path), page).map(Some),
+            (None, None) => Ok(None),
+            (None, Some(option)) => {
+                let what = format!("{option} is about a figure, and none is drawn");
+                Err(Failure::input(what, format!("name one: {flag} OUT.svg")))
+            }
+        }
+    }
+
+    fn in_one_of(path: Option<&Path>, page: &Page, film: bool) -> Result<Self, Failure> {
+        let dress = page.dress()?;
         let path = path.filter(|path| path.as_os_str() != "-");
         let ending = path.and_then(Path::extension).map(|ending| ending.to_string_lossy().to_ascii_lowercase());
-        let target = match (path, ending.as_deref()) {
-            (None, _) => Self::Stdout,
+        let form = match (path, ending.as_deref()) {
+            (None, _) => Form::Stdout,
             (Some(path), Some("png")) if cfg!(feature = "png") => {
-                return Ok(Self::Png(path.to_owned(), pixels.scale.unwrap_or(2.0)));
+                Form::Png(path.to_owned(), dress.scale.unwrap_or(2.0))
             }
-            (Some(path), Some("png")) => return Err(without_png(path)),
-            (Some(path), None | Some("svg")) => Self::Svg(path.to_owned()),
+            (Some(path), Some("pdf")) if cfg!(feature = "png") => Form::Pdf(path.to_owned()),
+            (Some(path), Some("png")) => return Err(not_built(path, "PNG", "")),
             (Some(path), Some("pdf")) => {
-                let what = format!("{}: figures are SVG or PNG", path.display());
-                let help = "write an .svg, then: rsvg-convert -f pdf in.svg -o out.pdf (Debian: librsvg2-bin)";
-                return Err(Failure::input(what, help));
+                let help = "; with Debian's librsvg2-bin: rsvg-convert -f pdf in.svg -o out.pdf";
+                return Err(not_built(path, "PDF", help));
             }
+            (Some(path), Some("tex")) => Form::Tex(path.to_owned()),
+            (Some(path), Some("tikz")) => Form::Tikz(path.to_owned()),
+            (Some(path), None | Some("svg")) => Form::Svg(path.to_owned()),
+            (Some(path), Some("html" | "htm")) if film => Form::Page(path.to_owned()),
             (Some(path), Some(_)) => {
-                let what = format!("{}: this would be SVG or PNG", path.display());
-                return Err(Failure::input(what, "give a name that ends in .svg or .png"));
+                let kind = if film { "film" } else { "figure" };
+                let what = format!("{}: a {kind} cannot be written in this format", path.display());
+                let page = if film { ".html, " } else { "" };
+                return Err(Failure::input(what, format!("end the name in {page}.svg, .png, .pdf, .tex or .tikz")));
             }
         };
-        if pixels.scale.is_some() {
-            let what = "--scale is for pixels, and this would be SVG";
-            return Err(Failure::input(what, "give -o a name that ends in .png, or choose the size by --width"));
+        if dress.scale.is_some() && !matches!(form, Form::Png(..)) {
+            let what = "--scale is for pixels, and this would have none";
+            return Err(Failure::input(what, "give a name that ends in .png, or choose the size by --width"));
         }
-        Ok(target)
+        Ok(Self { form, dress })
     }
 
     /// The file, if it is one.
     pub(crate) fn path(&self) -> Option<&Path> {
-        match self {
-            Self::Stdout => None,
-            Self::Svg(path) | Self::Png(path, _) => Some(path),
+        match &self.form {
+            Form::Stdout => None,
+            Form::Svg(path)
+            | Form::Tex(path)
+            | Form::Tikz(path)
+            | Form::Pdf(path)
+            | Form::Png(path, _)
+            | Form::Page(path) => Some(path),
         }
+    }
+
+    /// Whether it is a page that plays a film.
+    pub(crate) fn is_page(&self) -> bool {
+        matches!(self.form, Form::Page(_))
+    }
+
+    /// The options with what was said about looks.
+    pub(crate) fn options(&self, options: FigureOptions) -> FigureOptions {
+        self.dress.put_on(options)
     }
 
     /// Writes the figure there.
     pub(crate) fn write(&self, figure: &Figure, out: &mut Output) -> Result<(), Failure> {
-        let (path, bytes) = match self {
-            Self::Stdout => return Ok(out.write_all(figure.to_svg().as_bytes())?),
-            Self::Svg(path) => (path, figure.to_svg().into_bytes()),
-            Self::Png(path, scale) => (path, pixels(figure, path, *scale)?),
+        let (path, bytes) = match &self.form {
+            Form::Stdout => return Ok(out.write_all(figure.to_svg().as_bytes())?),
+            Form::Svg(path) | Form::Page(path) => (path, figure.to_svg().into_bytes()),
+            Form::Tex(path) => (path, figure.to_tex().into_bytes()),
+            Form::Tikz(path) => (path, figure.to_tikz().into_bytes()),
+            Form::Pdf(path) => (path, pdf(figure, path)?),
+            Form::Png(path, scale) => (path, pixels(figure, path, *scale)?),
         };
         super::save::put(path, bytes)
     }
@@ -78,21 +129,37 @@ pub(crate) fn is_page(path: &Path) -> bool {
 
 #[cfg(feature = "png")]
 fn pixels(figure: &Figure, path: &Path, scale: f64) -> Result<Vec<u8>, Failure> {
+    tell_strange(figure);
+    figure.to_png(scale).map_err(|error| Failure::about(path.display(), error))
+}
+
+#[cfg(feature = "png")]
+fn pdf(figure: &Figure, path: &Path) -> Result<Vec<u8>, Failure> {
+    tell_strange(figure);
+    figure.to_pdf().map_err(|error| Failure::about(path.display(), error))
+}
+
+#[cfg(feature = "png")]
+fn tell_strange(figure: &Figure) {
     let strange = figure.without_glyph();
     if !strange.is_empty() {
         super::failure::say("note", format_args!("boxes stand for what the bundled font does not have: {strange}"));
     }
-    figure.to_png(scale).map_err(|error| Failure::about(path.display(), error))
 }
 
 #[cfg(not(feature = "png"))]
 fn pixels(_: &Figure, path: &Path, _: f64) -> Result<Vec<u8>, Failure> {
-    Err(without_png(path))
+    Err(not_built(path, "PNG", ""))
 }
 
-fn without_png(path: &Path) -> Failure {
-    let what = format!("{}: this dcel was built without PNG", path.display());
+#[cfg(not(feature = "png"))]
+fn pdf(_: &Figure, path: &Path) -> Result<Vec<u8>, Failure> {
+    Err(not_built(path, "PDF", ""))
+}
+
+fn not_built(path: &Path, what: &str, more: &str) -> Failure {
+    let what = format!("{}: this dcel was built without {what}", path.display());
     let help = "install one with it: cargo install --path . --features png; or run one: cargo run --release --features \
                 png -- figure ...; or write an .svg";
-    Failure::input(what, help)
+    Failure::input(what, format!("{help}{more}"))
 }

@@ -2,7 +2,9 @@
 
 use super::answer::{InWords, tell};
 use super::failure::say;
-use super::save::{Files, InPlace, put, save};
+use super::looks::{Crop, Page};
+use super::picture::Target;
+use super::save::{Files, InPlace, save};
 use super::{Answer, Failure, Output};
 use dcel_kit::figure::{Figure, FigureOptions};
 use dcel_kit::io::Model;
@@ -16,9 +18,13 @@ pub(crate) struct Results {
     output: Option<PathBuf>,
     #[command(flatten)]
     in_place: InPlace,
-    /// Draw it
+    /// Draw it: .svg or .tex, .png or .pdf where the kit was built with them
     #[arg(long, value_name = "OUT.svg")]
     figure: Option<PathBuf>,
+    #[command(flatten)]
+    page: Page,
+    #[command(flatten)]
+    crop: Crop,
     /// Answer in JSON
     #[arg(long, conflicts_with = "output")]
     json: bool,
@@ -27,10 +33,11 @@ pub(crate) struct Results {
 impl Results {
     /// Refuses to write over the input, unless that is said, and to write two results into one file.
     pub(crate) fn check(&self, input: &Path) -> Result<(), Failure> {
-        Files::reading([input])
+        let files = Files::reading([input])
             .writes_or_replaces("-o", self.output.as_deref(), self.in_place)
-            .writes("--figure", self.figure.as_deref())
-            .check()
+            .writes("--figure", self.figure.as_deref());
+        self.page.files(files).check()?;
+        Target::optional(self.figure.as_deref(), &self.page, self.crop, "--figure").map(drop)
     }
 
     /// Whether the structure itself is the answer on standard output.
@@ -43,13 +50,16 @@ impl Results {
         &self,
         input: &Path,
         unnamed: &str,
+        out: &mut Output,
         draw: impl FnOnce(FigureOptions) -> Result<Figure, Failure>,
     ) -> Result<(), Failure> {
-        let Some(path) = &self.figure else { return Ok(()) };
+        let Some(target) = Target::optional(self.figure.as_deref(), &self.page, self.crop, "--figure")? else {
+            return Ok(());
+        };
         let title = input.file_stem().map_or_else(|| unnamed.into(), |stem| stem.to_string_lossy());
-        let drawn = draw(FigureOptions::new(title))?;
+        let drawn = draw(self.crop.apply_here(target.options(FigureOptions::new(title))))?;
         drawn.notes().iter().for_each(|note| say("note", note));
-        put(path, drawn.to_svg())
+        target.write(&drawn, out)
     }
 
     /// Writes the structure, if asked to, and answers with the report, unless the structure is the answer.

@@ -6,7 +6,8 @@
 //!      returned h12, f2                  what it gave back
 //! ```
 
-use super::picture::{Pixels, Target, is_page};
+use super::looks::{Crop, Page};
+use super::picture::Target;
 use super::save::{Files, put};
 use super::{Answer, Failure, Output, failure};
 use dcel_kit::edits::{self, Call, Editable};
@@ -40,7 +41,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "OUT")]
     film: Option<PathBuf>,
     #[command(flatten)]
-    pixels: Pixels,
+    page: Page,
     /// One frame at a time in the .svg too, with links and without a script
     #[arg(long, requires = "film")]
     stepper: bool,
@@ -88,23 +89,31 @@ Examples:
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    Files::reading([&args.file]).writes("--film", args.film.as_deref()).check()?;
+    args.page.files(Files::reading([&args.file]).writes("--film", args.film.as_deref())).check()?;
+    let target = film_target(args)?;
+    let target = target.as_ref();
     let (text, source) = read(&args.file)?;
     match Ground::of(&text) {
-        Ground::Space => shoot(args, &Script::parse_solid(&text, &source)?, &source, out),
-        Ground::Kernel => shoot(args, &Script::parse_kernel(&text, &source)?, &source, out),
-        _ => shoot(args, &Script::parse(&text, &source)?, &source, out),
+        Ground::Space => shoot(args, target, &Script::parse_solid(&text, &source)?, &source, out),
+        Ground::Kernel => shoot(args, target, &Script::parse_kernel(&text, &source)?, &source, out),
+        _ => shoot(args, target, &Script::parse(&text, &source)?, &source, out),
     }
 }
 
 /// Plays a script, and films it if that is asked for.
-fn shoot<G: Dump + Filmed>(args: &Args, script: &Script<G>, source: &str, out: &mut Output) -> Result<Answer, Failure> {
-    let Some(path) = &args.film else { return play(args, script, source, |_, _| (), out)?.put(out) };
+fn shoot<G: Dump + Filmed>(
+    args: &Args,
+    target: Option<&Target>,
+    script: &Script<G>,
+    source: &str,
+    out: &mut Output,
+) -> Result<Answer, Failure> {
+    let Some(target) = target else { return play(args, script, source, |_, _| (), out)?.put(out) };
     let mut film = ScriptFilm::new(script);
     let played = play(args, script, source, |step, structure| film.watch(step, structure), out)?;
     let stem = args.file.file_stem().filter(|stem| *stem != "-");
     let title = stem.map_or_else(|| "script".to_owned(), |stem| stem.to_string_lossy().into_owned());
-    write_film(path, &film.finish(), &title, args, out)?;
+    write_film(target, &film.finish(), &title, args, out)?;
     played.put(out)
 }
 
@@ -156,17 +165,24 @@ fn play<G: Dump>(
     Ok(Played { answer: teller.answer, json, dump })
 }
 
-fn write_film(path: &Path, film: &Film, title: &str, args: &Args, out: &mut Output) -> Result<(), Failure> {
-    let options = FigureOptions::new(title);
+/// Where the film goes, if there is one; before the script is played.
+fn film_target(args: &Args) -> Result<Option<Target>, Failure> {
+    match &args.film {
+        Some(path) if path.extension().is_none() => {
+            let what = format!("{}: a film is a drawing or a page", path.display());
+            Err(Failure::input(what, "end the name with .svg, .png or .html"))
+        }
+        Some(path) => Target::of_film(path, &args.page).map(Some),
+        None => Target::optional(None, &args.page, Crop::default(), "--film"),
+    }
+}
+
+fn write_film(target: &Target, film: &Film, title: &str, args: &Args, out: &mut Output) -> Result<(), Failure> {
     let refused = |error| Failure::input(error, "leave out --film");
-    if is_page(path) {
+    let options = target.options(FigureOptions::new(title));
+    if let (true, Some(path)) = (target.is_page(), target.path()) {
         return put(path, film.page(&options).map_err(refused)?);
     }
-    if path.extension().is_none() {
-        let what = format!("{}: a film is a drawing or a page", path.display());
-        return Err(Failure::input(what, "end the name with .svg, .png or .html"));
-    }
-    let target = Target::new(Some(path), args.pixels)?;
     let figure = if args.stepper { film.stepper(&options) } else { film.strip(&options) };
     target.write(&figure.map_err(refused)?, out)
 }

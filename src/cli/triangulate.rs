@@ -94,7 +94,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
             subject.names.set(new, Some(name), None);
         }
     }
-    args.results.draw(&args.file, "Triangles", |options| {
+    args.results.draw(&args.file, "Triangles", out, |options| {
         figure::triangulation(&before, &after, &added.diagonals, &options)
             .map_err(|error| Failure::about(&source, error))
     })?;

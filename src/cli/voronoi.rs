@@ -85,7 +85,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     };
     let voronoi = built.subdivision.voronoi().map_err(|error| refused(&list, &built, &error))?;
     let cells = voronoi.cells(window).map_err(|error| refused(&list, &built, &error))?;
-    args.results.draw(&args.file, "Voronoi", |options| {
+    args.results.draw(&args.file, "Voronoi", out, |options| {
         let drawn = if args.rays {
             figure::voronoi_edges(&voronoi, &window, args.delaunay, &options)
         } else {

@@ -53,6 +53,8 @@ pub mod sketch;
 pub(crate) mod structure;
 
 #[cfg(feature = "png")]
+pub use canvas::pdf::PdfError;
+#[cfg(feature = "png")]
 pub use canvas::png::PngError;
 pub use canvas::style::file::{ParseColourError, StyleError};
 pub use canvas::style::{Colour, Palette, Style, Theme};

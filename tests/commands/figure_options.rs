@@ -124,3 +124,111 @@ fn no_option_is_ignored() {
     folder.dcel("figure square.obj --focus h5 --faces f1").fails(2, "h5 is not in the drawing", "faces");
     folder.dcel("figure square.obj --tables --highlight h77").fails(2, "h77 is not in the drawing", "number");
 }
+
+/// The same words for every command that draws.
+#[test]
+fn every_command_that_draws_takes_a_page() {
+    let folder = Folder::new();
+    for sample in ["square.obj", "square.dcel", "sites.xy", "roads.wkt", "cube.off", "rooms.map", "house.obj"] {
+        assert_eq!(folder.dcel(&format!("sample {sample}")).code, Some(0), "{sample}");
+    }
+    for sample in ["parcels.geojson", "floods.geojson"] {
+        assert_eq!(folder.dcel(&format!("sample {sample}")).code, Some(0), "{sample}");
+    }
+    folder.write("lab.dcels", "rectangle\nsplit_in_half h0\n");
+    folder.write("style.json", r##"{ "dark": { "ink": "#fedcba" } }"##);
+    for command in [
+        "figure square.obj -o",
+        "build roads.wkt --mend --figure",
+        "triangulate square.dcel --figure",
+        "delaunay sites.xy --figure",
+        "voronoi sites.xy --figure",
+        "overlay parcels.geojson floods.geojson -o",
+        "locate square.obj 1 1 -o",
+        "script lab.dcels --film",
+        "film hull sites.xy -o",
+        "solid figure cube.off -o",
+        "solid schlegel cube.off --figure",
+        "navmesh path rooms.map 1 1 22 12 -o",
+        "navmesh path house.obj --up z 1 1 0 1 1 3 -o",
+        "navmesh info rooms.map -o",
+        "navmesh distances rooms.map 1 1 -o",
+    ] {
+        // The page reaches the picture: its width in its unit, its colours, its lack of a style sheet.
+        let looks = "--width 12cm --theme dark --plain --style style.json";
+        let told = folder.dcel(&format!("{command} out.svg {looks}"));
+        assert_eq!(told.code, Some(0), "{command}: {told:?}");
+        let svg = folder.read("out.svg");
+        let head = &svg[..svg.find('>').unwrap()];
+        assert!(head.contains("cm\"") && !svg.contains("<style"), "{command}: {head}");
+        assert!(svg.contains("#fedcba"), "{command}: the ink of the style file");
+        std::fs::remove_file(folder.path("out.svg")).unwrap();
+        // TeX knows the same colours.
+        let told = folder.dcel(&format!("{command} out.tikz --theme dark --style style.json"));
+        assert_eq!(told.code, Some(0), "{command}: {told:?}");
+        let tikz = folder.read("out.tikz");
+        assert!(tikz.contains("\\begin{tikzpicture}") && tikz.contains("{HTML}{FEDCBA}"), "{command}");
+        std::fs::remove_file(folder.path("out.tikz")).unwrap();
+        // The style file is an input: it is never written over.
+        let told = folder.dcel(&format!("{command} style.json --style style.json"));
+        told.fails(2, "style.json", "");
+        assert!(folder.read("style.json").contains("fedcba"), "{command}");
+    }
+    // Without a figure there is nothing to look at.
+    for command in
+        ["delaunay sites.xy", "locate square.obj 1 1", "navmesh info rooms.map", "overlay square.obj square.obj"]
+    {
+        folder.dcel(&format!("{command} --theme dark")).fails(
+            2,
+            "--theme is about a figure, and none is drawn",
+            "OUT.svg",
+        );
+        folder.dcel(&format!("{command} --crop 0,0,1,1")).fails(2, "--crop is about a figure", "OUT.svg");
+    }
+}
+
+#[test]
+fn columns_and_parts_are_chosen() {
+    let folder = Folder::new();
+    folder.dcel("sample sites.xy");
+    let size = |columns: &str| {
+        let told = folder.dcel(&format!("film hull sites.xy -o out.svg {columns}"));
+        assert_eq!(told.code, Some(0), "{told:?}");
+        let svg = folder.read("out.svg");
+        let size = svg[svg.find("viewBox=\"0 0 ").unwrap() + 13..].split('"').next().unwrap().to_owned();
+        let numbers: Vec<f64> = size.split(' ').map(|x| x.parse().unwrap()).collect();
+        (numbers[0], numbers[1])
+    };
+    let [(w1, h1), (w2, h2), (w3, _)] = ["--columns 1", "", "--columns 3"].map(size);
+    assert!(w1 < 420.0 && h1 > 1.8 * h2, "one column is narrow and high: {w1} {h1}, two: {w2} {h2}");
+    assert!((800.0..=830.0).contains(&w2) && w3 > 1.4 * w2, "two fit a page, three are wider: {w2} {w3}");
+    folder.dcel("film hull sites.xy -o out.svg --columns 0").fails(2, "0 is not in 1..=100", "");
+    // A part of the plane: what lies outside is not drawn.
+    folder.dcel("delaunay sites.xy --figure whole.svg");
+    folder.dcel("delaunay sites.xy --figure part.svg --crop 0,0,1,1");
+    assert!(folder.read("part.svg").len() < folder.read("whole.svg").len());
+}
+
+/// What `.tex` holds is a document that LaTeX takes, one page of the size of the figure.
+#[test]
+#[ignore = "needs pdflatex with TikZ"]
+fn latex_takes_the_tex() {
+    let folder = Folder::new();
+    for sample in ["square.obj", "sites.xy", "rooms.map", "cube.off"] {
+        folder.dcel(&format!("sample {sample}"));
+    }
+    let figures = [
+        "figure square.obj -o a.tex",
+        "film voronoi sites.xy -o b.tex",
+        "solid figure cube.off -o c.tex --theme dark",
+        "navmesh path rooms.map 1 1 22 12 -o d.tex",
+    ];
+    for (command, name) in figures.into_iter().zip(["a", "b", "c", "d"]) {
+        assert_eq!(folder.dcel(command).code, Some(0), "{command}");
+        let arguments = ["-interaction=nonstopmode", "-halt-on-error", &format!("{name}.tex")];
+        let made = Command::new("pdflatex").current_dir(folder.path("")).args(arguments).output().unwrap();
+        assert!(made.status.success(), "{command}: {}", String::from_utf8_lossy(&made.stdout));
+        let log = folder.read(&format!("{name}.log"));
+        assert!(log.contains("(1 page") && !log.contains("Overfull"), "{command}");
+    }
+}

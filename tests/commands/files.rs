@@ -165,7 +165,7 @@ fn the_input_is_not_written_over() {
         ("figure square.obj --style style.svg -o style.svg", "style.svg: --style reads this file", "another name"),
         ("locate square.obj --points points.svg -o points.svg", "points.svg: --points reads this file", ""),
         ("script s.dcels --film s.dcels", "s.dcels: this is the input itself", ""),
-        ("solid figure cube.off -o cube.off", "", "give a name that ends in .svg"),
+        ("solid figure cube.off -o cube.off", "", "end the name in .svg"),
         ("solid dual cube.off -o cube.off", "cube.off: this is the input itself", "--in-place"),
         ("overlay square.obj garden.json -o garden.json", "garden.json: this is the input itself", ""),
         (

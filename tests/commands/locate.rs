@@ -56,7 +56,7 @@ fn wrong_points_are_refused() {
     folder.dcel("locate square.obj --points far.txt").fails(2, "far.txt:2:3: y = 1e99 is outside the exact range", "");
     folder.dcel("locate cube.off 1 2").fails(2, "cube.off: this is a surface in space", "--plane");
     folder.dcel("locate square.obj 1 2 --walk v9").fails(2, "--walk: there is no v9: there are 4 vertices", "");
-    folder.dcel("locate square.obj 1 2 -o square.obj").fails(2, "SVG", "");
+    folder.dcel("locate square.obj 1 2 -o square.obj").fails(2, "square.obj: this is the input itself", "");
     folder.dcel("locate nowhere.obj 1 2").fails(2, "nowhere.obj", "");
 }
 

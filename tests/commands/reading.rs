@@ -376,8 +376,7 @@ fn figures_are_drawn() {
 #[test]
 fn figures_that_cannot_be_drawn() {
     let folder = Folder::new();
-    folder.dcel("figure square.obj -o two.gif").fails(2, "two.gif: this would be SVG or PNG", ".svg");
-    folder.dcel("figure square.obj -o two.pdf").fails(2, "two.pdf: figures are SVG or PNG", "rsvg-convert -f pdf");
+    folder.dcel("figure square.obj -o two.gif").fails(2, "two.gif: a figure cannot be written", ".svg");
     folder.dcel("figure square.obj --html two.svg").fails(2, "two.svg: this would be HTML", ".html");
     folder.dcel("figure square.obj --scale 2").fails(2, "--scale is for pixels", ".png");
     if cfg!(not(feature = "png")) {
@@ -386,7 +385,9 @@ fn figures_that_cannot_be_drawn() {
         folder.write("one.dcels", "rectangle\n");
         let film = folder.dcel("script one.dcels --film two.png");
         assert!(film.code == Some(2) && film.err.contains("two.png: this dcel was built without PNG"), "{film:?}");
-        assert!(!folder.path("two.png").exists());
+        let pdf = folder.dcel("figure square.obj -o two.pdf");
+        pdf.fails(2, "two.pdf: this dcel was built without PDF", "rsvg-convert -f pdf");
+        assert!(!folder.path("two.png").exists() && !folder.path("two.pdf").exists());
     }
     folder.dcel("figure cube.off").fails(2, "a surface in space", "--plane");
     folder.dcel("figure square.obj --width 20").fails(2, "100 to 20000", "");

@@ -87,7 +87,7 @@ fn the_three_faces_are_what_their_names_say_and_all_light_enough() {
     let [regular, bold, oblique] = faces();
     let style = |face: &Face<'_>| (face.is_bold(), face.is_oblique() || face.is_italic());
     assert_eq!([style(&regular), style(&bold), style(&oblique)], [(false, false), (true, false), (true, true)]);
-    assert!([REGULAR, BOLD, OBLIQUE].iter().map(|bytes| bytes.len()).sum::<usize>() < 120_000);
+    assert!([REGULAR, BOLD, OBLIQUE].iter().map(|bytes| bytes.len()).sum::<usize>() < 128_000);
     for face in &faces() {
         let names =
             face.names().into_iter().filter(ttf_parser::name::Name::is_unicode).filter_map(|name| name.to_string());

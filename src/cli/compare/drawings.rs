@@ -2,7 +2,7 @@
 
 use super::{Args, Line, Report};
 use crate::failure::say;
-use crate::save::put;
+use crate::picture::Target;
 use crate::{Answer, Failure, Output};
 use dcel_kit::compare::{self, CompareError, Comparison, Options, Side};
 use dcel_kit::figure::FigureOptions;
@@ -15,13 +15,7 @@ const LONGEST: u64 = 64 << 20;
 /// How far a point may be from its place, in px, if nothing is said.
 const TOLERANCE: f64 = 0.05;
 
-pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    if let Some(path) = &args.drawn.diff
-        && path.extension().is_some_and(|extension| !extension.eq_ignore_ascii_case("svg"))
-    {
-        let what = format!("{}: this would be SVG", path.display());
-        return Err(Failure::input(what, "give a name that ends in .svg"));
-    }
+pub(super) fn run(args: &Args, target: Option<&Target>, out: &mut Output) -> Result<Answer, Failure> {
     let files = [(Side::Reference, &args.reference), (Side::Student, &args.student)];
     let refused = |error: &CompareError| {
         let (_, file) = files[usize::from(error.side == Side::Student)];
@@ -36,8 +30,8 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         .tolerance(args.drawn.tolerance.unwrap_or(TOLERANCE));
     let (reference, student) = (text(&reference, Side::Reference)?, text(&student, Side::Student)?);
     let answer = compare::compare(reference, student, &options).map_err(|error| refused(&error))?;
-    if let Some(path) = &args.drawn.diff {
-        draw(path, &answer)?;
+    if let Some(target) = target {
+        draw(target, &answer, out)?;
     }
     if args.json {
         out.json(&report(args, &answer))?;
@@ -76,9 +70,9 @@ fn report<'a>(args: &Args, answer: &'a Comparison) -> Report<'a> {
     }
 }
 
-fn draw(path: &Path, answer: &Comparison) -> Result<(), Failure> {
-    let options = FigureOptions::new("What differs").id_prefix("diff");
+fn draw(target: &Target, answer: &Comparison, out: &mut Output) -> Result<(), Failure> {
+    let options = target.options(FigureOptions::new("What differs").id_prefix("diff"));
     let figure = answer.figure(&options).map_err(|error| Failure::input(error, ""))?;
     figure.notes().iter().for_each(|note| say("note", note));
-    put(path, figure.to_svg())
+    target.write(&figure, out)
 }

@@ -11,6 +11,8 @@ mod structures;
 use super::input::InputOptions;
 use super::save::Files;
 use super::{Answer, Failure, Output};
+use crate::looks::{Crop, Page};
+use crate::picture::Target;
 use dcel_kit::io::Format;
 use std::borrow::Cow;
 use std::fs::File;
@@ -94,6 +96,8 @@ struct Drawn {
     /// Draw the differences beside your drawing: red and dashed what is missing, blue what is too much
     #[arg(long, value_name = "OUT.svg")]
     diff: Option<PathBuf>,
+    #[command(flatten)]
+    page: Page,
 }
 
 /// How to compare structures.
@@ -147,7 +151,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         let what = "- -: standard input cannot be both the reference and what is compared with it";
         return Err(Failure::input(what, "save one of them as a file first"));
     }
-    Files::reading(files).writes("--diff", args.drawn.diff.as_deref()).check()?;
+    args.drawn.page.files(Files::reading(files).writes("--diff", args.drawn.diff.as_deref())).check()?;
+    let target = Target::optional(args.drawn.diff.as_deref(), &args.drawn.page, Crop::default(), "--diff")?;
     let kinds: Vec<Holds> = files.iter().filter_map(|file| Holds::of(file)).collect();
     match kinds[..] {
         [Holds::Drawing, Holds::Structure] | [Holds::Structure, Holds::Drawing] => {
@@ -157,7 +162,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
             Err(Failure::input(what, format!("draw it first: dcel figure {structure} -o drawing.svg")))
         }
         [Holds::Structure, ..] => {
-            let Drawn { no_faces, tolerance, diff } = &args.drawn;
+            let Drawn { no_faces, tolerance, diff, .. } = &args.drawn;
             let flags = [("--no-faces", *no_faces), ("--tolerance", tolerance.is_some()), ("--diff", diff.is_some())];
             refuse(&flags, "these are structures: it is for drawings")?;
             structures::run(args, out)
@@ -168,7 +173,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
             let flags = [Some(("--no-positions", no_positions)), Some(("--ids", ids)), reading];
             let flags: Vec<_> = flags.into_iter().flatten().collect();
             refuse(&flags, "these are drawings: it is for structures")?;
-            drawings::run(args, out)
+            drawings::run(args, target.as_ref(), out)
         }
     }
 }

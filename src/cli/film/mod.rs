@@ -10,7 +10,8 @@ mod make;
 
 use super::choice::one_of;
 use super::input::InputOptions;
-use super::picture::{Pixels, Target, is_page};
+use super::looks::{Crop, Page};
+use super::picture::Target;
 use super::save::{Files, put};
 use super::{Answer, Failure, Output};
 use crate::solid::vector;
@@ -70,7 +71,9 @@ pub(crate) struct Args {
     #[command(flatten)]
     about: About,
     #[command(flatten)]
-    pixels: Pixels,
+    page: Page,
+    #[command(flatten)]
+    crop: Crop,
     #[command(flatten)]
     input: InputOptions,
 }
@@ -114,7 +117,8 @@ fn pair(text: &str) -> Result<[f64; 2], String> {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    Files::reading([&args.file]).writes("-o", args.output.as_deref()).check()?;
+    args.page.files(Files::reading([&args.file]).writes("-o", args.output.as_deref())).check()?;
+    let target = args.output.as_deref().map(|path| Target::of_film(path, &args.page)).transpose()?;
     args.what.check(&args.about)?;
     let film = make::film(args)?;
     let title = args
@@ -122,15 +126,15 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         .file_stem()
         .filter(|stem| *stem != "-")
         .map_or_else(|| "film".to_owned(), |stem| stem.to_string_lossy().into_owned());
-    let options = FigureOptions::new(title);
+    let dressed = |target: &Target| args.crop.apply_here(target.options(FigureOptions::new(&title)));
     if let Some(dir) = &args.frames {
-        frames(&film, dir, &options, out)?;
+        frames(&film, dir, &dressed(&Target::new(None, &args.page)?), out)?;
     }
-    if let Some(path) = &args.output {
-        if is_page(path) {
+    if let (Some(path), Some(target)) = (&args.output, &target) {
+        let options = dressed(target);
+        if target.is_page() {
             put(path, film.page(&options).map_err(cannot)?)?;
         } else {
-            let target = Target::new(Some(path), args.pixels)?;
             let figure = if args.stepper { film.stepper(&options) } else { film.strip(&options) };
             target.write(&figure.map_err(cannot)?, out)?;
         }

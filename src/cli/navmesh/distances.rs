@@ -94,7 +94,6 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
                 costs: &args.costs,
                 links: &args.links,
                 json: args.json,
-                drawing: &args.drawing,
                 target: target.as_ref(),
                 title: args.map.title(),
             };
@@ -124,7 +123,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let fields = fields.map_err(|error| Failure::input(format!("{}: {error}", map.source), ""))?;
     let [field] = &fields[..] else { return Err(Failure::kit("one layer has one field")) };
     if let Some(target) = &target {
-        let options = args.drawing.options(&map, &format!("Distances in {}", args.map.title()));
+        let options = target.options(&map, &format!("Distances in {}", args.map.title()));
         save(target, Floor::new(&map.subdivision, &map.mesh).reach(field, &options), out)?;
     }
     let row = |v: VertexId| {

@@ -90,8 +90,8 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let draft = match args.map.read_as(matches!(args.draw, Draw::Map) && !args.map.has_obstacles())? {
         Input::Plane(draft) => *draft,
         Input::Space(ground) => {
-            let (drawing, title) = (&args.drawing, args.map.title());
-            return space::info::run(&ground, args.json, drawing, target.as_ref(), &title, out);
+            let title = args.map.title();
+            return space::info::run(&ground, args.json, target.as_ref(), &title, out);
         }
     };
     let mut told = Vec::new();
@@ -114,9 +114,9 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         let floor = Floor::new(&map.subdivision, &map.mesh);
         let title = args.map.title();
         let drawn = match args.draw {
-            Draw::Map => figure::structure(&map.subdivision, &args.drawing.options(&map, &title)).map_err(Into::into),
-            Draw::Dual => floor.dual(&args.drawing.options(&map, &format!("Dual graph of {title}"))),
-            Draw::DeadEnds => floor.dead_ends(&args.drawing.options(&map, &format!("Dead ends of {title}"))),
+            Draw::Map => figure::structure(&map.subdivision, &target.options(&map, &title)).map_err(Into::into),
+            Draw::Dual => floor.dual(&target.options(&map, &format!("Dual graph of {title}"))),
+            Draw::DeadEnds => floor.dead_ends(&target.options(&map, &format!("Dead ends of {title}"))),
         };
         save(target, drawn, out)?;
     }

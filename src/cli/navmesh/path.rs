@@ -2,9 +2,8 @@
 
 use super::super::failure::{Failure, say};
 use super::super::output::table;
-use super::super::picture::Target;
 use super::super::{Answer, Output};
-use super::drawing::{Drawing, save};
+use super::drawing::{Canvas, Drawing, save};
 use super::ends::{End, Lost, Snap, Wish};
 use super::extras::Extras;
 use super::map::Map;
@@ -279,7 +278,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
 }
 
 /// The path on a floor whose heights differ.
-fn in_space(args: &Args, ground: &Ground, target: Option<&Target>, out: &mut Output) -> Result<Answer, Failure> {
+fn in_space(args: &Args, ground: &Ground, target: Option<&Canvas>, out: &mut Output) -> Result<Answer, Failure> {
     let points = points_of(&args.ends, 2, true)?;
     for &algorithm in args.algorithm.algorithms() {
         args.extras.check(algorithm, &args.algorithm.word())?;
@@ -293,7 +292,6 @@ fn in_space(args: &Args, ground: &Ground, target: Option<&Target>, out: &mut Out
         snap: &args.snap,
         extras: &args.extras,
         json: args.json,
-        drawing: &args.drawing,
         target,
         title: args.map.title(),
     };
@@ -307,7 +305,7 @@ fn linked(
     planner: &mut Planner,
     (links, costs): (&[Link], Option<&FaceMap<f64>>),
     ends: [QueryPoint; 2],
-    target: Option<&Target>,
+    target: Option<&Canvas>,
     out: &mut Output,
 ) -> Result<Answer, Failure> {
     let &[algorithm] = args.algorithm.algorithms() else {
@@ -318,7 +316,7 @@ fn linked(
     };
     let (answer, path) = super::linked::run(map, planner, algorithm, (links, costs), ends, args.json, out)?;
     if let Some((target, path)) = target.zip(path) {
-        let options = args.drawing.options(map, &format!("A path over links through {}", args.map.title()));
+        let options = target.options(map, &format!("A path over links through {}", args.map.title()));
         save(target, Floor::new(&map.subdivision, &map.mesh).linked(0, &path, links, &options), out)?;
     }
     Ok(answer)
@@ -381,7 +379,7 @@ fn refuse(
     args: &Args,
     maps: &Maps,
     ends: [Result<End, Box<Lost>>; 2],
-    target: Option<&Target>,
+    target: Option<&Canvas>,
     out: &mut Output,
 ) -> Failure {
     if let Some(target) = target {
@@ -390,7 +388,7 @@ fn refuse(
             Ok(end) => (end.asked, None),
             Err(lost) => (lost.asked, lost.nearest.map(|near| near.place.point)),
         });
-        let options = args.drawing.options(map, &format!("No place in {}", args.map.title()));
+        let options = target.options(map, &format!("No place in {}", args.map.title()));
         let drawn = Floor::new(&map.subdivision, &map.mesh).off_mesh(marks, &options);
         if let Err(error) = save(target, drawn, out) {
             return error;
@@ -416,13 +414,13 @@ fn draw(
     maps: &Maps,
     planner: &Planner,
     routes: &[(PathAlgorithm, Route)],
-    target: &Target,
+    target: &Canvas,
     out: &mut Output,
 ) -> Result<(), Failure> {
     let map = maps.ways();
     let floor = Floor::new(&map.subdivision, &map.mesh);
     let title = args.map.title();
-    let options = |what: &str| args.drawing.options(map, &format!("{what} through {title}"));
+    let options = |what: &str| target.options(map, &format!("{what} through {title}"));
     let drawn = match (args.draw, routes, &maps.inset) {
         (Draw::Funnel, [(_, route)], _) => floor.funnel(route, &options("The funnel")),
         (Draw::Cones, [(_, route)], _) => {
@@ -445,12 +443,12 @@ fn apart(
     maps: &Maps,
     (ends, moved): ([QueryPoint; 2], [Option<f64>; 2]),
     components: [ComponentId; 2],
-    target: Option<&Target>,
+    target: Option<&Canvas>,
     out: &mut Output,
 ) -> Result<Answer, Failure> {
     let map = maps.ways();
     if let Some(target) = target {
-        let options = args.drawing.options(map, &format!("No path through {}", args.map.title()));
+        let options = target.options(map, &format!("No path through {}", args.map.title()));
         let floor = Floor::new(&map.subdivision, &map.mesh);
         save(target, floor.apart(ends.map(|place| place.point), components, &options), out)?;
     }

@@ -80,7 +80,6 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
                 wish: space::Wish { what: "start", numbers: points[0], layer, face },
                 to: points[1],
                 json: args.json,
-                drawing: &args.drawing,
                 target: target.as_ref(),
                 title: args.map.title(),
             };
@@ -103,7 +102,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         error => Failure::input(format!("{}: {error}", map.source), ""),
     })?;
     if let Some(target) = &target {
-        let options = args.drawing.options(&map, &format!("A ray through {}", args.map.title()));
+        let options = target.options(&map, &format!("A ray through {}", args.map.title()));
         save(target, Floor::new(&map.subdivision, &map.mesh).ray([start, end], &cast, &options), out)?;
     }
     if args.json {

@@ -2,7 +2,8 @@
 
 use super::common::{open, vector};
 use crate::input::InputOptions;
-use crate::picture::{Pixels, Target};
+use crate::looks::Page;
+use crate::picture::Target;
 use crate::save::Files;
 use crate::{Answer, Failure, Output};
 use dcel_kit::figure::{self, Camera, FigureOptions, HiddenLines};
@@ -35,18 +36,15 @@ pub(crate) struct Args {
     /// The title; the name of the file without it
     #[arg(long)]
     title: Option<String>,
-    /// Width in px
-    #[arg(long, value_name = "PX")]
-    width: Option<f64>,
     #[command(flatten)]
-    pixels: Pixels,
+    page: Page,
     #[command(flatten)]
     input: InputOptions,
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    let target = Target::new(args.output.as_deref(), args.pixels)?;
-    Files::reading([&args.file]).writes("-o", target.path()).check()?;
+    let target = Target::new(args.output.as_deref(), &args.page)?;
+    args.page.files(Files::reading([&args.file]).writes("-o", target.path())).check()?;
     if let Some(distance) = args.distance.filter(|d| !(1.1..=1e6).contains(d)) {
         let what = format!("--distance {distance}: the eye would be in the solid, or out of the world");
         return Err(Failure::input(what, "give a number from 1.1 to 1000000"));
@@ -60,10 +58,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let title = args.title.clone().unwrap_or_else(|| {
         args.file.file_stem().map_or_else(|| "Solid".to_owned(), |stem| stem.to_string_lossy().into_owned())
     });
-    let mut options = FigureOptions::new(title);
-    if let Some(width) = args.width {
-        options = options.width(width);
-    }
+    let options = target.options(FigureOptions::new(title));
     let lines = if args.no_hidden { HiddenLines::LeftOut } else { HiddenLines::Dashed };
     let camera = Camera { towards, distance: args.distance };
     let drawn =

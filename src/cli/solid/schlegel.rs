@@ -2,7 +2,8 @@
 
 use super::common::{open, refused};
 use crate::input::InputOptions;
-use crate::picture::{Pixels, Target};
+use crate::looks::{Crop, Page};
+use crate::picture::Target;
 use crate::save::{Files, InPlace, save};
 use crate::{Answer, Failure, Output};
 use dcel_kit::figure::{self, FigureOptions};
@@ -33,23 +34,26 @@ pub(crate) struct Args {
     #[arg(long, value_name = "OUT.svg")]
     figure: Option<PathBuf>,
     #[command(flatten)]
-    pixels: Pixels,
+    page: Page,
+    #[command(flatten)]
+    crop: Crop,
     #[command(flatten)]
     input: InputOptions,
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    let target = args.figure.as_deref().map(|path| Target::new(Some(path), args.pixels)).transpose()?;
-    Files::reading([&args.file])
+    let target = Target::optional(args.figure.as_deref(), &args.page, args.crop, "--figure")?;
+    let files = Files::reading([&args.file])
         .writes_or_replaces("-o", args.output.as_deref(), args.in_place)
-        .writes("--figure", target.as_ref().and_then(Target::path))
-        .check()?;
+        .writes("--figure", target.as_ref().and_then(Target::path));
+    args.page.files(files).check()?;
     let solid = open(&args.file, &args.input)?;
     let face = args.through.or_else(|| solid.polygon_faces().next()).unwrap_or(FaceId::new(0));
     let seen = solid.schlegel(face).map_err(|error| refused(&args.file, &error))?;
     if let Some(target) = &target {
         let names = seen.faces.iter().map(|(f, of)| (f, format!("{f} = {of}")));
-        let options = FigureOptions::new(format!("Seen through {face}")).face_names(names);
+        let options =
+            args.crop.apply_here(target.options(FigureOptions::new(format!("Seen through {face}")).face_names(names)));
         let drawn =
             figure::structure(&seen.diagram, &options).map_err(|error| Failure::about(args.file.display(), error))?;
         target.write(&drawn, out)?;

@@ -3,23 +3,29 @@
 //! ```text
 //!   vector.rs  number.rs  unit.rs       points of the canvas, numbers as they are written, lengths of paper
 //!   text.rs (advances.rs, fonts/)       how much room a text takes
+//!   scripts.rs                          small letters below and above the line
 //!   scene.rs  crop.rs                   groups, lines, areas, discs, texts; a window on them
 //!   style/                              every colour, size and font, also from a file
 //!   sheet.rs (selectors.rs)  plain.rs   the style sheet of one drawing; or every element with its own colours
-//!   svg_out.rs  png.rs                  the document; pixels
+//!   svg_out.rs  tikz_out.rs             the document; a picture for TeX
+//!   png.rs  pdf.rs                      pixels; a page of paper
 //! ```
 
 mod advances;
 pub(crate) mod crop;
 pub(crate) mod number;
+#[cfg(feature = "png")]
+pub(crate) mod pdf;
 mod plain;
 #[cfg(feature = "png")]
 pub(crate) mod png;
 pub(crate) mod scene;
+pub(crate) mod scripts;
 pub(crate) mod selectors;
 mod sheet;
 pub(crate) mod style;
 pub(crate) mod svg_out;
 pub(crate) mod text;
+mod tikz_out;
 pub(crate) mod unit;
 pub(crate) mod vector;

@@ -78,8 +78,7 @@ impl Figure {
             return Err(PngError::TooLarge { width, height });
         }
         let refused = |message: String| PngError::Renderer { message };
-        let svg = svg_out::document(&self.scene);
-        let tree = Tree::from_str(&svg, &options()).map_err(|error| refused(error.to_string()))?;
+        let tree = tree_of(self, fonts()).map_err(refused)?;
         let mut pixels =
             Pixmap::new(width as u32, height as u32).ok_or_else(|| refused("no room for the pixels".to_owned()))?;
         // From the size that the file states (perhaps in cm) to that of the canvas, then to pixels.
@@ -108,8 +107,14 @@ fn collect(node: &Node, strange: &mut BTreeSet<char>) {
     }
 }
 
+/// The figure as the renderers read it, or what they say against it.
+pub(super) fn tree_of(figure: &Figure, fonts: fontdb::Database) -> Result<Tree, String> {
+    let options = Options { font_family: FAMILY.to_owned(), fontdb: Arc::new(fonts), ..Options::default() };
+    Tree::from_str(&svg_out::document(&figure.scene), &options).map_err(|error| error.to_string())
+}
+
 /// The bundled fonts, and nothing else, for every family that can be asked for.
-fn options() -> Options<'static> {
+pub(super) fn fonts() -> fontdb::Database {
     let mut fonts = fontdb::Database::new();
     FONTS.into_iter().for_each(|font| fonts.load_font_data(font.to_vec()));
     fonts.set_serif_family(FAMILY);
@@ -117,5 +122,5 @@ fn options() -> Options<'static> {
     fonts.set_cursive_family(FAMILY);
     fonts.set_fantasy_family(FAMILY);
     fonts.set_monospace_family(FAMILY);
-    Options { font_family: FAMILY.to_owned(), fontdb: Arc::new(fonts), ..Options::default() }
+    fonts
 }

@@ -118,7 +118,8 @@ pub(super) fn arranged(
 ) -> Scene {
     let frame_size = frame_size(frames, scene.size, links);
     let head = frame_size.y - scene.size.y;
-    let columns = columns(frames.len(), frame_size.x, sheet);
+    let columns =
+        options.columns.unwrap_or_else(|| columns(frames.len(), frame_size.x, sheet)).min(frames.len().max(1));
     for (i, (frame, drawing)) in frames.iter().zip(drawings).enumerate() {
         let (column, row) = ((i % columns) as f64, (i / columns) as f64);
         let mut nodes = below(frame, head, scene.size.x, drawing);

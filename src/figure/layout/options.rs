@@ -62,6 +62,8 @@ pub struct FigureOptions {
     pub(crate) height: Option<f64>,
     /// The width before it grows, if the caller names none.
     pub(crate) usual_width: f64,
+    /// How many panels or frames stand side by side, if that is said.
+    pub(crate) columns: Option<usize>,
     pub(crate) detail: Option<Detail>,
     pub(crate) vertex_labels: bool,
     pub(crate) half_edge_labels: bool,
@@ -93,6 +95,7 @@ impl FigureOptions {
             width: None,
             height: None,
             usual_width: WIDTH,
+            columns: None,
             detail: None,
             vertex_labels: true,
             half_edge_labels: true,
@@ -156,6 +159,13 @@ impl FigureOptions {
     /// level is chosen, see [`Detail`].
     pub fn without_half_edges(self, edges: usize) -> Self {
         if edges <= 5000 { self.detail(Detail::Edges) } else { self }
+    }
+
+    /// How many panels of small multiples, or frames of a strip, stand side by side. Default: as many as a page of 830 px
+    /// holds.
+    pub fn columns(mut self, columns: usize) -> Self {
+        self.columns = Some(columns.max(1));
+        self
     }
 
     /// Keeps the structure in the background: all faces in one grey, names at faces alone.

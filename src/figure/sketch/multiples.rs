@@ -121,7 +121,8 @@ impl<'a> Multiples<'a> {
         options.usual_width = WIDTH;
         let options = &options;
         let Drawn { panels, fit, detail, roles, legend, notes } = self.drawn(options)?;
-        let columns = self.columns.unwrap_or_else(|| grid::usual_columns(panels.len()));
+        let usual = || grid::usual_columns(panels.len());
+        let columns = options.columns.or(self.columns).unwrap_or_else(usual);
         let (nodes, size) = grid::arrange(panels, fit.size, columns);
         let mut scene = sketch::scene(options, "dcel-multiples", (size, fit.scale), &roles, nodes, &legend);
         if options.description.is_none() {

@@ -11,6 +11,7 @@
 //! A face has exactly the colour given, not a tint of it; a half-edge has it on shaft, barb and label, a vertex
 //! on circle and name. The colours are the same on light and on dark pages.
 
+use crate::figure::canvas::scripts::typeset;
 use crate::figure::canvas::style::Colour;
 use crate::figure::canvas::text;
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
@@ -56,7 +57,7 @@ pub struct Overrides {
 
 impl Overrides {
     /// Reads lines: an element (`v3`, `h7` or `f2`), then a colour (`#rrggbb` or `#rgb`), or a label in double
-    /// quotes (`\"` and `\\` stand for `"` and `\`), or both. Empty lines are skipped, and so is a line
+    /// quotes (`\"` and `\\` stand for `"` and `\`; `e_1`, `x_{12}` and `r^2` are set as [`label`](Self::label) says), or both. Empty lines are skipped, and so is a line
     /// that begins with `#`, and the rest of a line from `# ` on. A later line about an element adds to an earlier one.
     ///
     /// # Errors
@@ -111,10 +112,11 @@ impl Overrides {
         self
     }
 
-    /// Gives a vertex, a half-edge or a face a label instead of its id.
+    /// Gives a vertex, a half-edge or a face a label instead of its id. `e_1` is set as e₁, `x_{12}` as x₁₂, `r^2` as r²: one
+    /// letter with numbers or letters below or above it.
     #[must_use]
     pub fn label(mut self, element: impl Into<Element>, label: impl AsRef<str>) -> Self {
-        self.entries.entry(element.into()).or_default().label = Some(text::clean(label.as_ref()));
+        self.entries.entry(element.into()).or_default().label = Some(text::clean(&typeset(label.as_ref())));
         self
     }
 
@@ -213,7 +215,7 @@ fn quoted(text: &str) -> Result<(String, &str), String> {
                 escaped = false;
             }
             '\\' => escaped = true,
-            '"' => return Ok((text::clean(&out), &text[i + 1..])),
+            '"' => return Ok((text::clean(&typeset(&out)), &text[i + 1..])),
             _ => out.push(c),
         }
     }

@@ -2,9 +2,8 @@
 
 use super::super::super::failure::Failure;
 use super::super::super::output::{point as told, table};
-use super::super::super::picture::Target;
 use super::super::super::{Answer, Output};
-use super::super::drawing::{Drawing, save};
+use super::super::drawing::{Canvas, save};
 use super::super::ends::Snap;
 use super::super::extras::{CostArgs, LinkArgs};
 use super::{Ground, Wish};
@@ -40,8 +39,7 @@ pub(in super::super) struct Question<'a> {
     pub(in super::super) costs: &'a CostArgs,
     pub(in super::super) links: &'a LinkArgs,
     pub(in super::super) json: bool,
-    pub(in super::super) drawing: &'a Drawing,
-    pub(in super::super) target: Option<&'a Target>,
+    pub(in super::super) target: Option<&'a Canvas>,
     pub(in super::super) title: String,
 }
 
@@ -56,7 +54,7 @@ pub(in super::super) fn run(ground: &Ground, question: &Question<'_>, out: &mut 
     };
     let field = field.map_err(|error| Failure::input(format!("{}: {error}", ground.source), ""))?;
     if let Some(target) = question.target {
-        let options = ground.options(question.drawing, &format!("Distances on {}", question.title));
+        let options = ground.options(target, &format!("Distances on {}", question.title));
         save(target, Storeys::new(surface).reach(&field, &start, &options), out)?;
     }
     let vertices: BTreeMap<VertexId, [f64; 3]> = surface.faces().flat_map(|f| surface.vertices(f)).collect();

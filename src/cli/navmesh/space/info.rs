@@ -1,9 +1,8 @@
 //! `dcel navmesh info` on a floor whose heights differ.
 
 use super::super::super::failure::Failure;
-use super::super::super::picture::Target;
 use super::super::super::{Answer, Output};
-use super::super::drawing::{Drawing, save};
+use super::super::drawing::{Canvas, save};
 use super::Ground;
 use dcel_kit::figure::navmesh::Storeys;
 use dcel_kit::io::{Number, counted};
@@ -39,14 +38,13 @@ struct Layer {
 pub(in super::super) fn run(
     ground: &Ground,
     json: bool,
-    drawing: &Drawing,
-    target: Option<&Target>,
+    target: Option<&Canvas>,
     title: &str,
     out: &mut Output,
 ) -> Result<Answer, Failure> {
     let surface = &ground.surface;
     if let Some(target) = target {
-        save(target, Storeys::new(surface).map(&ground.options(drawing, title)), out)?;
+        save(target, Storeys::new(surface).map(&ground.options(target, title)), out)?;
     }
     let layer = |layer: usize| {
         let faces: Vec<_> = surface.faces().filter(|&f| surface.layer(f) == Some(layer)).collect();

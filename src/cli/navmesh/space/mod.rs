@@ -17,7 +17,7 @@ pub(super) mod raycast;
 use super::super::failure::{Failure, say};
 use super::super::output::point as told;
 use super::areas::{Area, Faces, Names, middle};
-use super::drawing::Drawing;
+use super::drawing::Canvas;
 use super::ends::Snap;
 use super::numbers::above;
 use dcel_kit::figure::FigureOptions;
@@ -200,8 +200,8 @@ impl Ground {
     }
 
     /// The choices about the size of a figure.
-    pub(super) fn options(&self, drawing: &Drawing, title: &str) -> FigureOptions {
-        drawing.options_with(title, |p| {
+    pub(super) fn options(&self, canvas: &Canvas, title: &str) -> FigureOptions {
+        canvas.options_with(title, |p| {
             let ([x, y], _) = self.point(&p);
             Point::new(x, y)
         })

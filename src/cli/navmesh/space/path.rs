@@ -2,9 +2,8 @@
 
 use super::super::super::failure::{Failure, say};
 use super::super::super::output::{point as told, table};
-use super::super::super::picture::Target;
 use super::super::super::{Answer, Output};
-use super::super::drawing::{Drawing, save};
+use super::super::drawing::{Canvas, save};
 use super::super::ends::Snap;
 use super::super::extras::Extras;
 use super::super::tell::faces;
@@ -24,8 +23,7 @@ pub(in super::super) struct Question<'a> {
     pub(in super::super) snap: &'a Snap,
     pub(in super::super) extras: &'a Extras,
     pub(in super::super) json: bool,
-    pub(in super::super) drawing: &'a Drawing,
-    pub(in super::super) target: Option<&'a Target>,
+    pub(in super::super) target: Option<&'a Canvas>,
     pub(in super::super) title: String,
 }
 
@@ -165,7 +163,7 @@ fn draw(
 ) -> Result<(), Failure> {
     let Some(target) = question.target else { return Ok(()) };
     let what = if paths.is_empty() { "No path through" } else { "A path through" };
-    let options = ground.options(question.drawing, &format!("{what} {}", question.title));
+    let options = ground.options(target, &format!("{what} {}", question.title));
     save(target, Storeys::new(&ground.surface).paths(paths, &[], ends, &options), out)
 }
 
@@ -222,7 +220,7 @@ fn linked(
     if let (Some(target), Some(path)) = (question.target, &path) {
         let legs: Vec<&SurfaceRoute> = path.legs.iter().collect();
         let used: Vec<SurfaceLink> = path.links.iter().map(|&i| links[i]).collect();
-        let options = ground.options(question.drawing, &format!("A path over links through {}", question.title));
+        let options = ground.options(target, &format!("A path over links through {}", question.title));
         save(target, Storeys::new(&ground.surface).paths(&legs, &used, &[start, goal], &options), out)?;
     }
     let answer = if path.is_some() { Answer::Yes } else { Answer::No };

@@ -2,9 +2,8 @@
 
 use super::super::super::failure::Failure;
 use super::super::super::output::point as told;
-use super::super::super::picture::Target;
 use super::super::super::{Answer, Output};
-use super::super::drawing::{Drawing, save};
+use super::super::drawing::{Canvas, save};
 use super::super::ends::Snap;
 use super::super::tell::faces;
 use super::{Ground, Wish};
@@ -40,8 +39,7 @@ pub(in super::super) struct Question<'a> {
     pub(in super::super) wish: Wish<'a>,
     pub(in super::super) to: &'a [f64],
     pub(in super::super) json: bool,
-    pub(in super::super) drawing: &'a Drawing,
-    pub(in super::super) target: Option<&'a Target>,
+    pub(in super::super) target: Option<&'a Canvas>,
     pub(in super::super) title: String,
 }
 
@@ -52,7 +50,7 @@ pub(in super::super) fn run(ground: &Ground, question: &Question<'_>, out: &mut 
     let cast = cast.map_err(|error| Failure::input(format!("{}: the end of the line: {error}", ground.source), ""))?;
     let end = cast.points.last().copied().unwrap_or(start.point);
     if let Some(target) = question.target {
-        let options = ground.options(question.drawing, &format!("A ray over {}", question.title));
+        let options = ground.options(target, &format!("A ray over {}", question.title));
         let line = SurfaceRoute {
             faces: cast.faces.clone(),
             points: cast.points.clone(),
