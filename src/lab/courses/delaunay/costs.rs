@@ -19,7 +19,7 @@ const CELLS: u32 = 128;
 /// How many questions are asked, and how many reads they have together. The solution needs 14 each.
 const QUESTIONS: usize = 10_000;
 const BUDGET: u64 = 1_000_000;
-/// How many reads a flip may make. The solution needs 29.
+/// How many reads a flip may make. The solution needs 31.
 const READS_OF_A_FLIP: u64 = 500;
 /// How many reads `delaunify` may make for each half-edge. The solution needs about 30.
 const READS_OF_A_HALF_EDGE: u64 = 100;
