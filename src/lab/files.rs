@@ -36,6 +36,8 @@ const BUNDLE: &[&str] = &[
     include_str!("bundle/07-delaunay.txt"),
     #[cfg(feature = "lab-08")]
     include_str!("bundle/08-voronoi.txt"),
+    #[cfg(feature = "lab-09")]
+    include_str!("bundle/09-two-primitives.txt"),
     #[cfg(feature = "lab-10")]
     include_str!("bundle/10-polyhedra.txt"),
     #[cfg(feature = "lab-11")]

@@ -218,6 +218,11 @@ static REFERENCES: &[Reference] = &[
         draw: labs::lab_08::picture,
     },
     Reference {
+        file: "lab-09-growth.svg",
+        about: "the picture that lab 09 asks for: a ring grows to cylinders, a cone and a sphere, and a torus beside them",
+        draw: labs::lab_09::growth,
+    },
+    Reference {
         file: "lab-10-cube.svg",
         about: "the picture that lab 10 asks for: a cube and its dual, the octahedron",
         draw: labs::lab_10::cube,
@@ -452,6 +457,7 @@ fn command(file: &str) -> &'static str {
         | "lab-07-circles.svg"
         | "lab-07-flip.svg"
         | "lab-08-voronoi.svg"
+        | "lab-09-growth.svg"
         | "lab-10-cube.svg"
         | "lab-10-duals.svg"
         | "lab-11-climb.svg"

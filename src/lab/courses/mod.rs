@@ -16,6 +16,8 @@ pub mod navmesh;
 pub mod polyhedra;
 #[cfg(feature = "lab-01")]
 pub mod predicates;
+#[cfg(feature = "lab-09")]
+pub mod primitives;
 #[cfg(feature = "lab-11")]
 pub mod support;
 #[cfg(feature = "lab-05")]
@@ -50,6 +52,8 @@ pub fn judge_of(lab: &str) -> Option<&'static dyn Judge> {
         "07-delaunay" => Some(&delaunay::DELAUNAY),
         #[cfg(feature = "lab-08")]
         "08-voronoi" => Some(&voronoi::VORONOI),
+        #[cfg(feature = "lab-09")]
+        "09-two-primitives" => Some(&primitives::PRIMITIVES),
         #[cfg(feature = "lab-10")]
         "10-polyhedra" => Some(&polyhedra::POLYHEDRA),
         #[cfg(feature = "lab-11")]
@@ -68,6 +72,7 @@ pub const FOLDERS: &[(&str, &str)] = &[
     ("06-navmesh", "navmesh"),
     ("07-delaunay", "delaunay"),
     ("08-voronoi", "voronoi"),
+    ("09-two-primitives", "primitives"),
     ("10-polyhedra", "polyhedra"),
     ("11-support", "support"),
 ];

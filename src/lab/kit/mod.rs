@@ -150,8 +150,10 @@ impl Package {
 
 /// The features of `dcel-lab` that stand for labs.
 const LABS: &[&str] = GRADE_AND_LABS.split_at(1).1;
-const GRADE_AND_LABS: &[&str] =
-    &["grade", "lab-01", "lab-02", "lab-03", "lab-04", "lab-05", "lab-06", "lab-07", "lab-08", "lab-10", "lab-11"];
+const GRADE_AND_LABS: &[&str] = &[
+    "grade", "lab-01", "lab-02", "lab-03", "lab-04", "lab-05", "lab-06", "lab-07", "lab-08", "lab-09", "lab-10",
+    "lab-11",
+];
 
 /// A build of the kit whose sources are carried along.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -1,7 +1,7 @@
 //! The reference figures of the labs: their handouts show them, and pictures of students are compared with them.
 //!
 //! ```text
-//!   lab_01  lab_02  lab_03  lab_04  lab_05  lab_06  lab_07  lab_08  lab_10  lab_11     a file a lab
+//!   lab_01  lab_02  lab_03  lab_04  lab_05  lab_06  lab_07  lab_08  lab_09  lab_10  lab_11     a file a lab
 //! ```
 
 pub(super) mod lab_01;
@@ -12,5 +12,6 @@ pub(super) mod lab_05;
 pub(super) mod lab_06;
 pub(super) mod lab_07;
 pub(super) mod lab_08;
+pub(super) mod lab_09;
 pub(super) mod lab_10;
 pub(super) mod lab_11;

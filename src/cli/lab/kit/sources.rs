@@ -32,6 +32,7 @@ pub(super) const FURTHER: &[(&str, &str)] = &[
     ("src/cli/gallery/labs/lab_06.rs", include_str!("../../gallery/labs/lab_06.rs")),
     ("src/cli/gallery/labs/lab_07.rs", include_str!("../../gallery/labs/lab_07.rs")),
     ("src/cli/gallery/labs/lab_08.rs", include_str!("../../gallery/labs/lab_08.rs")),
+    ("src/cli/gallery/labs/lab_09.rs", include_str!("../../gallery/labs/lab_09.rs")),
     ("src/cli/gallery/labs/lab_10.rs", include_str!("../../gallery/labs/lab_10.rs")),
     ("src/cli/gallery/labs/lab_11.rs", include_str!("../../gallery/labs/lab_11.rs")),
     ("src/cli/gallery/labs/mod.rs", include_str!("../../gallery/labs/mod.rs")),

@@ -6,14 +6,13 @@
 //!   steps.rs     add_face, match_twins, close_border           whole.rs     from_faces, of every size
 //!   refused.rs   what a function returned: built, or refused   features.rs  what can be said of a call
 //!   mistakes.rs  usual mistakes of linking, carried out
-//!   drawing.rs   the picture                                   faults.rs    collecting what is wrong with a call
+//!   drawing.rs   the picture
 //! ```
 //!
 //! No two half-edges of a list that is right run between the same vertices in the same direction. So a half-edge is
 //! known by its ends, and structures are compared whatever the numbers of their half-edges are.
 
 mod drawing;
-mod faults;
 mod features;
 mod lists;
 mod mistakes;

@@ -1,6 +1,6 @@
 //! What a function returned that builds or refuses.
 
-use super::faults::Faults;
+use crate::checks::faults::Faults;
 use crate::fault::{Exchange, FaultKind};
 use crate::protocol::{CallEnd, Value};
 use std::collections::BTreeSet;

@@ -1,8 +1,8 @@
 //! Judging `add_face`, `match_twins` and `close_border`, each on what the steps before it should have made.
 
-use super::faults::Faults;
 use super::refused::{built, ended};
 use super::soup::{Ends, Soup};
+use crate::checks::faults::Faults;
 use crate::fault::{Exchange, Fault};
 use crate::protocol::{CallEnd, Value};
 use dcel_kit::topology::{HalfEdgeRow, Table, View};

@@ -1,9 +1,9 @@
 //! Judging `from_faces`: any list, whatever the numbers of the half-edges are, and one of 100,352 triangles.
 
-use super::faults::Faults;
 use super::refused::{built, ended};
 use super::soup::{Ends, Soup};
 use super::steps::{all, named};
+use crate::checks::faults::Faults;
 use crate::fault::{Exchange, Fault, FaultKind, exchanges};
 use crate::protocol::{CallEnd, Case, CaseAnswer, Pattern, Reply, Step, Value, grouped};
 use dcel_kit::topology::{Table, View};

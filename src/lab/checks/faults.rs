@@ -4,19 +4,19 @@ use crate::fault::{Exchange, Fault, FaultKind};
 use dcel_kit::Element;
 
 /// What is wrong with one call. Of each rule of a test only the first fault is kept: the others are like it.
-pub(super) struct Faults<'a> {
+pub struct Faults<'a> {
     exchange: &'a Exchange<'a>,
     out: Vec<Fault>,
 }
 
 impl<'a> Faults<'a> {
     /// Nothing yet.
-    pub(super) fn of(exchange: &'a Exchange<'a>) -> Self {
+    pub fn of(exchange: &'a Exchange<'a>) -> Self {
         Self { exchange, out: Vec::new() }
     }
 
     /// Something is wrong; the words follow the call.
-    pub(super) fn wrong(&mut self, test: &'static str, rule: &str, words: &str, elements: &[Element]) {
+    pub fn wrong(&mut self, test: &'static str, rule: &str, words: &str, elements: &[Element]) {
         if self.out.iter().any(|fault| fault.test == test && fault.rule == rule) {
             return;
         }
@@ -24,7 +24,7 @@ impl<'a> Faults<'a> {
     }
 
     /// As [`wrong`](Self::wrong), of any kind.
-    pub(super) fn add(&mut self, test: &'static str, kind: FaultKind, rule: &str, words: &str, elements: &[Element]) {
+    pub fn add(&mut self, test: &'static str, kind: FaultKind, rule: &str, words: &str, elements: &[Element]) {
         self.out.push(Fault {
             test,
             kind,
@@ -38,7 +38,7 @@ impl<'a> Faults<'a> {
     }
 
     /// All of it.
-    pub(super) fn all(self) -> Vec<Fault> {
+    pub fn all(self) -> Vec<Fault> {
         self.out
     }
 }

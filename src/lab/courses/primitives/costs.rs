@@ -1,0 +1,91 @@
+//! A large surface: are the splits right where numbers are large, and do they cost what they should?
+//!
+//! ```text
+//!   a torus of 130 times 130 quads         101,400 records; numbers of half-edges up to 67,599
+//!   many 10000 spur 1000000                who looks at everything has used the reads up
+//!   many 10000 cut_corner 1000000
+//! ```
+
+use crate::cases::cycles::from_cycles;
+use crate::fault::{Fault, FaultKind};
+use crate::protocol::{Called, Case, CaseAnswer, Reply, Start, Step, grouped};
+use dcel_kit::FaceId;
+use dcel_kit::topology::Table;
+use std::sync::{Arc, OnceLock};
+
+const SIDE: u32 = 130;
+/// How often each split is asked for, and how many reads these have together. The solution needs about 320,000.
+const QUESTIONS: usize = 10_000;
+const BUDGET: u64 = 1_000_000;
+const RECORDS: u64 = 6 * SIDE as u64 * SIDE as u64;
+
+fn large_torus() -> Arc<Table> {
+    static MADE: OnceLock<Arc<Table>> = OnceLock::new();
+    let make = || {
+        let at = |i: u32, j: u32| i % SIDE * SIDE + j % SIDE;
+        let cells = (0..SIDE).flat_map(|i| (0..SIDE).map(move |j| (i, j)));
+        let quads: Vec<[u32; 4]> =
+            cells.map(|(i, j)| [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]).collect();
+        let faces: Vec<&[u32]> = quads.iter().map(<[u32; 4]>::as_slice).collect();
+        let table = from_cycles(&vec![[0.0; 2]; (SIDE * SIDE) as usize], &faces);
+        Arc::new(Table { outer_face: Some(FaceId::new(0)), ..table })
+    };
+    MADE.get_or_init(make).clone()
+}
+
+/// Single splits, then many.
+pub(super) fn questions() -> Case {
+    let mut case = Case::new("large.torus", Start::table(large_torus())).step(Step::Changes);
+    for line in ["split_vertex h67000 h67000.prev.twin", "split_vertex h300 h300", "split_face h67200 h67200.next.next"]
+    {
+        case = case.step(Step::of_line(line)).step(Step::Changes);
+    }
+    for function in ["spur", "cut_corner"] {
+        case = case.step(Step::Many { function: function.to_owned(), count: QUESTIONS, budget: BUDGET });
+    }
+    case
+}
+
+/// What is wrong with many splits.
+pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
+    let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
+    asked.zip(&answer.replies).filter_map(|((step, asked), reply)| fault(test, step, asked, reply)).collect()
+}
+
+fn fault(test: &'static str, step: usize, asked: &Step, reply: &Reply) -> Option<Fault> {
+    let Step::Many { function, .. } = asked else { return None };
+    let split = if function == "spur" { "split_vertex" } else { "split_face" };
+    let (kind, tag, words) = match reply {
+        Reply::Many(many) if many.asked < QUESTIONS || many.reads > BUDGET => {
+            let words = format!(
+                "{split} looks at everything: {} reads for h{} in a structure of {} records",
+                grouped(many.most),
+                many.element,
+                grouped(RECORDS),
+            );
+            (FaultKind::TooSlow { place: many.place.clone() }, "reads", words)
+        }
+        Reply::Called(Called { end, .. }) => {
+            let words = format!("{split}, asked for many splits of a large structure, {}", end.words());
+            (FaultKind::of_end(end)?, "end", words)
+        }
+        _ => return None,
+    };
+    let rule = format!("cost.{split}");
+    Some(Fault { test, kind, step, rule, tag: tag.to_owned(), words, elements: Vec::new(), instead: None })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dcel_kit::topology::{first_violation, measure};
+
+    #[test]
+    fn the_large_surface_is_a_torus_of_as_many_records_as_it_says() {
+        let table = Table { outer_face: None, ..(*large_torus()).clone() };
+        assert!(first_violation(&table).is_none());
+        assert_eq!(measure(&table).genus(), 1);
+        let records = table.vertices.len() + table.half_edges.len() + table.faces.len();
+        assert_eq!(records as u64, RECORDS);
+    }
+}

@@ -1,0 +1,159 @@
+//! What is wrong with a call: the structure after it against the one that the reference makes.
+
+use super::reference::{self, round};
+use crate::checks::faults::Faults;
+use crate::fault::{Exchange, Fault, FaultKind};
+use crate::protocol::{CallEnd, Value};
+use dcel_kit::topology::{Dcel, Difference, IsomorphismOptions, Table, View, isomorphic_with, measure};
+use dcel_kit::{Element, HalfEdgeId, VertexId};
+
+/// A table without an outer face: these surfaces have none.
+pub(super) fn closed(table: &Table) -> Table {
+    Table { outer_face: None, ..table.clone() }
+}
+
+/// The genus of a surface.
+pub(super) fn genus(table: &Table) -> i64 {
+    measure(&closed(table)).genus()
+}
+
+/// The surface that a function should make, and how many numbers it is asked with.
+fn shape(function: &str, numbers: &[usize]) -> Option<Table> {
+    match (function, numbers) {
+        ("torus_seed", []) => Some(Table::from_view(&Dcel::torus())),
+        ("ring", &[sides]) => Dcel::polygon(sides).ok().map(|ring| Table::from_view(&ring)),
+        ("grid", &[n, m]) => reference::grid(n, m),
+        ("torus", &[n, m]) => reference::torus(n, m),
+        ("cylinder", &[sides, layers]) => reference::tube(sides, layers, [false; 2]),
+        ("cone", &[sides, layers]) => reference::tube(sides, layers.checked_sub(1)?, [true, false]),
+        ("sphere", &[sides, bands]) => reference::tube(sides, bands.checked_sub(2)?, [true; 2]),
+        ("cube", &[steps]) => reference::cube(steps),
+        _ => None,
+    }
+}
+
+/// What is wrong with a call.
+pub(super) fn judge(exchange: &Exchange, test: &'static str) -> Vec<Fault> {
+    let mut faults = Faults::of(exchange);
+    let Some((ids, end)) = exchange.called else { return faults.all() };
+    let CallEnd::Returned(values) = end else {
+        if let Some(kind) = FaultKind::of_end(end) {
+            faults.add(test, kind, "end", &end.words(), &[]);
+        }
+        return faults.all();
+    };
+    let numbers: Vec<usize> = exchange.words.iter().filter_map(|word| word.parse().ok()).collect();
+    let Some(after) = exchange.after().map(|after| closed(after)) else {
+        if let Some(before) = exchange.before() {
+            count(exchange.function, test, &closed(before), values, &mut faults);
+        }
+        return faults.all();
+    };
+    if let Some(expected) = shape(exchange.function, &numbers) {
+        compare(test, &after, &expected, None, &mut faults);
+        return faults.all();
+    }
+    let Some(before) = exchange.before().map(|before| closed(before)) else { return faults.all() };
+    let mut expected = before.clone();
+    let h = |i: usize| ids.get(i).map(|&id| HalfEdgeId::new(id));
+    let (Some(first), second) = (h(0), h(1)) else { return faults.all() };
+    let number = |i: usize| numbers.get(i).copied().unwrap_or(1);
+    let belong = match (exchange.function, second) {
+        ("split_vertex", Some(last)) => before.origin(first) == before.origin(last),
+        ("split_face", Some(other)) => before.face(first) == before.face(other),
+        _ => true,
+    };
+    if !belong {
+        if !matches!(values.as_slice(), [Value::Refusal(_)]) {
+            faults.wrong(test, "accepted", "expected None: the two half-edges do not belong together", &[]);
+        } else if after != before {
+            faults.wrong(test, "refused.changed", "returned None, and has changed the structure", &[]);
+        }
+        return faults.all();
+    }
+    if matches!(values.as_slice(), [Value::Refusal(_)]) {
+        faults.wrong(test, "refused", "returned None, but the two half-edges belong together", &[]);
+        return faults.all();
+    }
+    let made = match (exchange.function, second) {
+        ("split_vertex", Some(last)) => reference::split_vertex(&mut expected, first, last).map(|_| ()),
+        ("split_face", Some(other)) => reference::split_face(&mut expected, first, other).map(|_| ()),
+        ("pole", _) => reference::pole(&mut expected, first),
+        ("divide", _) => reference::divide(&mut expected, first, number(0)),
+        ("fill", _) => reference::fill(&mut expected, first, number(0), number(1)),
+        ("extrude", _) => reference::extrude(&mut expected, first).map(|_| ()),
+        _ => None,
+    };
+    if made.is_some() && compare(test, &after, &expected, Some(&before), &mut faults) {
+        returned(exchange.function, test, [&before, &after], first, values, &mut faults);
+    }
+    faults.all()
+}
+
+/// The values of `euler` and `genus`.
+fn count(function: &str, test: &'static str, before: &Table, values: &[Value], faults: &mut Faults) {
+    let counts = measure(before);
+    let expected = if function == "euler" { counts.closed_euler() } else { counts.genus() };
+    if values != [Value::Number(expected as f64)] {
+        faults.wrong(test, function, &format!("expected {expected}"), &[]);
+    }
+}
+
+/// Whether the structure is as expected; old elements keep their numbers.
+fn compare(test: &'static str, after: &Table, expected: &Table, before: Option<&Table>, faults: &mut Faults) -> bool {
+    let old = |element: Element| {
+        before.is_some_and(|before| match element {
+            Element::Vertex(v) => v.index() < before.vertices.len(),
+            Element::HalfEdge(h) => h.index() < before.half_edges.len(),
+            Element::Face(f) => f.index() < before.faces.len(),
+            _ => false,
+        })
+    };
+    match isomorphic_with(after, expected, &IsomorphismOptions::new().fixed(&old)) {
+        Ok(_) => return true,
+        Err(Difference::Broken { violation, .. }) => {
+            faults.wrong(test, &format!("law.{}", violation.rule.id), &violation.to_string(), &[]);
+        }
+        Err(difference) => faults.wrong(test, "shape", &difference.to_string(), &[]),
+    }
+    false
+}
+
+/// What a function returns of the structure that it has made rightly.
+fn returned(
+    function: &str,
+    test: &'static str,
+    [before, after]: [&Table; 2],
+    h: HalfEdgeId,
+    values: &[Value],
+    faults: &mut Faults,
+) {
+    let id = if let [Value::Id(id)] = values { Some(*id) } else { None };
+    let edge = id.map(HalfEdgeId::new);
+    let is_new = id.is_some_and(|id| id as usize >= before.half_edges.len());
+    let right = match function {
+        "split_vertex" => {
+            let end = edge.and_then(|edge| after.twin(edge)).and_then(|twin| after.origin(twin));
+            is_new && end.is_some_and(|v| v.index() >= before.vertices.len())
+        }
+        "split_face" => {
+            let face = edge.and_then(|edge| after.face(edge));
+            is_new && face.is_some_and(|f| f.index() >= before.faces.len())
+        }
+        "pole" => id.is_some_and(|id| VertexId::new(id).index() == before.vertices.len()),
+        "divide" => edge.is_some_and(|edge| {
+            after.origin(edge) == before.origin(h)
+                && after.face(edge) == before.face(h)
+                && round(after, edge).is_some_and(|all| all.contains(&h))
+        }),
+        "extrude" => edge.is_some_and(|edge| {
+            let across = after.twin(edge).and_then(|twin| after.next(twin)).and_then(|up| after.next(up));
+            after.face(edge) == before.face(h) && across == Some(h)
+        }),
+        _ => true,
+    };
+    if !right {
+        let words = "the structure is right, but what is returned is not what the handout says";
+        faults.wrong(test, &format!("{function}.returned"), words, &[]);
+    }
+}
