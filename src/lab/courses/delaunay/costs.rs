@@ -144,7 +144,8 @@ fn large_kind(end: &CallEnd) -> Option<FaultKind> {
 }
 
 /// What is wrong with what came of the large triangulation: faces that are no triangles, half-edges that break a rule,
-/// half-edges of edges that are not legal; or with the number of flips, of which each long diagonal needs one.
+/// half-edges longer than the square root of 2; or with the number of flips, of which each long diagonal needs one. Cells cut
+/// along their short diagonals are halves of unit squares, and no longer edge is legal there.
 fn wrong_summary(function: &str, end: &CallEnd) -> Option<String> {
     let CallEnd::Returned(values) = end else { return None };
     let number = |value: &Value| if let Value::Id(number) = value { Some(*number) } else { None };
@@ -159,7 +160,7 @@ fn wrong_summary(function: &str, end: &CallEnd) -> Option<String> {
             let names = [
                 "half-edges of faces that are no triangles",
                 "half-edges that break a rule",
-                "half-edges of edges that are not legal",
+                "half-edges of long diagonals, which are not legal",
             ];
             let wrong = values.iter().zip(names).find(|(value, _)| number(value) != Some(0))?;
             Some(format!("in the end, there are {} {}", wrong.0.words(), wrong.1))
