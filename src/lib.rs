@@ -61,6 +61,7 @@
 //! | `files` | files that are there whole or not at all | 8 |
 //! | `io` | formats in and out; `solid` and `files` with it | 15 |
 //! | `figure` | drawings as SVG | 16 |
+//! | `play` | a session of the playground, the page that `dcel play` writes | 18 |
 //! | `compare` | drawings compared by what they mean; `figure` with it | 17 |
 //! | `serde` | structures, ids and points written and read, checked | 11 |
 //! | `geo-types` | polygons and lines of geographic crates in and out | 11 |
@@ -98,6 +99,8 @@ pub mod io;
 pub mod navmesh;
 pub mod old_words;
 pub mod plane;
+#[cfg(feature = "play")]
+pub mod play;
 #[cfg(feature = "script")]
 pub mod script;
 #[cfg(feature = "solid")]

@@ -39,6 +39,7 @@ mod old_words;
 mod output;
 mod overlay;
 mod picture;
+mod play;
 mod results;
 mod sample;
 mod save;
@@ -113,6 +114,7 @@ enum Command {
     Lab(lab::Args),
     Grade(Box<grade::Args>),
     Gradebook(gradebook::Args),
+    Play(play::Args),
     Sample(sample::Args),
     Tour(tour::Args),
     Figures(figures::Args),
@@ -147,6 +149,7 @@ impl Command {
             Self::Lab(args) => lab::run(&args, out),
             Self::Grade(args) => grade::run(&args, out),
             Self::Gradebook(args) => gradebook::run(&args, out),
+            Self::Play(args) => play::run(&args, out),
             Self::Sample(args) => sample::run(&args, out),
             Self::Tour(args) => tour::run(&args, out),
             Self::Figures(args) => figures::run(&args, out),

@@ -69,6 +69,11 @@ mod starts;
 mod syntax;
 mod words;
 
+#[cfg(feature = "play")]
+pub(crate) use parse::parse_on;
+#[cfg(feature = "play")]
+pub(crate) use replay::Writer;
+
 pub use error::{Problem, ScriptError};
 pub use kernel::{KernelStart, KernelStartError};
 pub use play::{Outcome, Refusal, Run, Step};

@@ -90,6 +90,25 @@ impl Script<crate::solid::Polyhedron> {
     }
 }
 
+/// Reads statements alone, to be carried out on this structure; see [`Script::parse`].
+#[cfg(feature = "play")]
+pub(crate) fn parse_on<G: Editable>(start: G, text: &str, source: &str) -> Result<Script<G>, ScriptError> {
+    let mut parser =
+        Parser { script: Script { start, statements: Vec::new(), names: Vec::new(), old_words: Vec::new() }, own: &[] };
+    let read = || {
+        for line in lines(text) {
+            let action = parser.action(&mut Cursor::new(&line))?;
+            parser.script.statements.push(Statement { line: line.number, text: line.text.to_owned(), action });
+        }
+        Ok(parser.script)
+    };
+    read().map_err(|complaint| named(complaint, source))
+}
+
+fn named(Complaint { line, column, what, help }: Complaint, source: &str) -> ScriptError {
+    ScriptError { source: source.to_owned(), line, column, what: Box::new(what), help }
+}
+
 fn read<G: Editable>(
     text: &str,
     source: &str,
@@ -111,13 +130,7 @@ fn read<G: Editable>(
         }
         Ok(parser.script)
     };
-    read().map_err(|Complaint { line, column, what, help }| ScriptError {
-        source: source.to_owned(),
-        line,
-        column,
-        what: Box::new(what),
-        help,
-    })
+    read().map_err(|complaint| named(complaint, source))
 }
 
 struct Parser<'a, G> {

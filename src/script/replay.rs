@@ -61,8 +61,10 @@ pub fn of_solid_edits(start: &super::SolidStart, edits: &[super::SolidEdit]) -> 
 const FAR: usize = 10_000;
 
 /// A script while it is being written.
-struct Writer<S> {
+#[derive(Clone, Debug)]
+pub(crate) struct Writer<S> {
     structure: S,
+    /// The start, then one text for each edit: its line, and those that name what it has made beside.
     lines: Vec<String>,
     /// Where each live edge, vertex and face comes from.
     sources: BTreeMap<Element, Source>,
@@ -79,6 +81,7 @@ enum Source {
     /// Links from the name of the edit with this number lead there; its line is `line`.
     Made {
         number: usize,
+        name: String,
         line: usize,
         links: Vec<Link>,
         to: Element,
@@ -87,18 +90,37 @@ enum Source {
 
 impl<S: Editable> Writer<S> {
     fn write(start: String, structure: S, edits: &[Call<S>]) -> String {
-        let on = structure.topology();
-        let edges = on.edges().map(Element::from);
-        let all = edges.chain(on.vertices().map(Element::from)).chain(on.faces().map(Element::from));
-        let sources = all.map(|element| (element, Source::Start)).collect();
-        let mut writer = Self { structure, lines: vec![start], sources, names: BTreeSet::new() };
-        for (number, edit) in (1..).zip(edits) {
-            writer.edit(number, edit);
+        let mut writer = Self::new(start, structure);
+        for edit in edits {
+            writer.edit(edit, None);
         }
         writer.lines.join("\n") + "\n"
     }
 
-    fn edit(&mut self, number: usize, edit: &Call<S>) {
+    /// A script that starts with this line, which makes this structure.
+    pub(crate) fn new(start: String, structure: S) -> Self {
+        let on = structure.topology();
+        let edges = on.edges().map(Element::from);
+        let all = edges.chain(on.vertices().map(Element::from)).chain(on.faces().map(Element::from));
+        let sources = all.map(|element| (element, Source::Start)).collect();
+        Self { structure, lines: vec![start], sources, names: BTreeSet::new() }
+    }
+
+    /// The start, then a text for each edit and each statement.
+    pub(crate) fn lines(&self) -> &[String] {
+        &self.lines
+    }
+
+    /// Appends a statement that is no edit, as it is written, with the name that it gives.
+    #[cfg(feature = "play")]
+    pub(crate) fn say(&mut self, line: &str, name: Option<&str>) {
+        self.lines.push(line.to_owned());
+        self.names.extend(name.map(str::to_owned));
+    }
+
+    /// Appends an edit. What it makes gets the name, or one of its own.
+    pub(crate) fn edit(&mut self, edit: &Call<S>, name: Option<&str>) {
+        let number = self.lines.len();
         let call = match edit.write_with(|element| self.word(element)) {
             Ok(call) => call,
             Err(missing) => {
@@ -127,13 +149,20 @@ impl<S: Editable> Writer<S> {
             self.lines.push(call);
             return;
         };
-        let name = format!("a{number}");
+        let Some(name) = name.map_or_else(|| self.free_name('a', number), |name| Some(name.to_owned())) else { return };
+        self.names.insert(name.clone());
         self.lines.push(format!("let {name} = {call}"));
-        self.sources.insert(whole(named), Source::Named(name, named));
+        self.sources.insert(whole(named), Source::Named(name.clone(), named));
         made.retain(|&element| element != whole(named));
         for (links, to) in self.ways_from(named, made) {
-            self.sources.insert(whole(to), Source::Made { number, line, links, to });
+            self.sources.insert(whole(to), Source::Made { number, name: name.clone(), line, links, to });
         }
+    }
+
+    /// A name that is not taken, which is taken now: `a3`, else `a3_2` and so on.
+    fn free_name(&mut self, letter: char, number: usize) -> Option<String> {
+        let first = std::iter::once(format!("{letter}{number}"));
+        first.chain((2..).map(|i| format!("{letter}{number}_{i}"))).find(|word| self.names.insert(word.clone()))
     }
 
     /// The shortest links from an element to each of the others.
@@ -167,19 +196,16 @@ impl<S: Editable> Writer<S> {
         let (word, names) = match source {
             Source::Start => return Some(element.to_string()),
             Source::Named(word, names) => (word, names),
-            Source::Made { number, line, links, to } => {
+            Source::Made { number, name, line, links, to } => {
                 // By now the links may lead elsewhere: it is named where it was made.
                 let letter = match to {
                     Element::Vertex(_) => 'p',
                     Element::Face(_) => 'q',
                     Element::HalfEdge(_) | Element::Edge(_) => 'b',
                 };
-                let first = std::iter::once(format!("{letter}{number}"));
-                let word = first
-                    .chain((2..).map(|i| format!("{letter}{number}_{i}")))
-                    .find(|word| self.names.insert(word.clone()))?;
+                let word = self.free_name(letter, number)?;
                 let links: Vec<&str> = links.iter().map(|link| link.word()).collect();
-                self.lines[line].push_str(&format!("\nlet {word} = a{number}.{}", links.join(".")));
+                self.lines[line].push_str(&format!("\nlet {word} = {name}.{}", links.join(".")));
                 self.sources.insert(whole(to), Source::Named(word.clone(), to));
                 (word, to)
             }

@@ -160,7 +160,7 @@ impl Link {
         }
     }
 
-    pub(super) fn from(self) -> Kind {
+    pub(crate) fn from(self) -> Kind {
         match self {
             Self::Outgoing => Kind::Vertex,
             Self::HalfEdge => Kind::Face,

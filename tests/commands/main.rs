@@ -13,6 +13,7 @@ mod memory;
 mod mend;
 mod navmesh;
 mod old_words;
+mod play;
 mod reading;
 mod samples;
 mod script;

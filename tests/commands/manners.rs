@@ -3,7 +3,7 @@
 use crate::shell::{Folder, GARDEN, SQUARE, TRIANGLE, grid};
 use std::process::Stdio;
 
-const COMMANDS: [&str; 15] = [
+const COMMANDS: [&str; 16] = [
     "info",
     "validate",
     "walk",
@@ -16,6 +16,7 @@ const COMMANDS: [&str; 15] = [
     "delaunay",
     "voronoi",
     "figure",
+    "play",
     "sample",
     "completions",
     "man",

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each room of the library with the rooms that it may use.
-const ROOMS: [(&str, &[&str]); 15] = [
+const ROOMS: [(&str, &[&str]); 16] = [
     ("ids", &[]),
     ("files", &[]),
     ("sources", &[]),
@@ -21,6 +21,7 @@ const ROOMS: [(&str, &[&str]); 15] = [
     ("edits", &["geometry", "ids", "old_words", "plane", "solid", "topology"]),
     ("script", &["edits", "geometry", "ids", "old_words", "plane", "solid", "topology"]),
     ("figure", &["edits", "geometry", "ids", "navmesh", "plane", "script", "solid", "topology"]),
+    ("play", &["edits", "figure", "geometry", "ids", "io", "plane", "script", "solid", "topology"]),
     ("compare", &["figure", "geometry", "ids", "plane", "topology"]),
 ];
 

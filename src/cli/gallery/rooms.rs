@@ -13,10 +13,11 @@ use dcel_kit::figure::sketch::{Role, Sketch};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What stands in each room, and the column that it has in the picture. A room that is not here gets a column of its own.
-const ROOMS: [(&str, &str, f64); 15] = [
+const ROOMS: [(&str, &str, f64); 16] = [
     ("cli", "the command", 1.0),
     ("lab", "exercises, graded", 1.0),
     ("compare", "are drawings alike?", 0.0),
+    ("play", "the playground", 1.0),
     ("figure", "drawings", 0.0),
     ("script", "texts of edits", 1.0),
     ("edits", "the table of edits", 1.0),

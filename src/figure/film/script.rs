@@ -8,6 +8,8 @@ use crate::script::{Outcome, Script, Step};
 #[cfg(feature = "solid")]
 use crate::solid::Polyhedron;
 use crate::topology::Dcel;
+#[cfg(feature = "play")]
+use crate::topology::Journal;
 use std::ops::ControlFlow;
 
 /// A structure whose edits can be filmed.
@@ -55,6 +57,22 @@ impl Film {
             ControlFlow::Continue(())
         });
         film.finish()
+    }
+}
+
+#[cfg(feature = "play")]
+impl Film {
+    /// A film that begins with this structure, of any kind.
+    pub(crate) fn starting<G: Filmed>(start: &G) -> Self {
+        let mut film = Self::empty();
+        start.add_to(&mut film);
+        film
+    }
+
+    /// Appends an edit to it.
+    pub(crate) fn filmed<G: Filmed>(&mut self, title: &str, marked: &[Element], journal: &Journal, after: &G) {
+        self.add_shot(title, "", marked, journal);
+        after.add_to(self);
     }
 }
 

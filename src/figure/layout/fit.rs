@@ -37,6 +37,13 @@ impl Fit {
     pub(crate) fn place(&self, p: Point) -> Xy {
         self.origin + xy((p.x - self.corner.x) * self.scale, (self.corner.y - p.y) * self.scale)
     }
+
+    /// The point of the plane that is drawn at a place.
+    #[cfg(feature = "play")]
+    pub(crate) fn point(&self, at: Xy) -> Point {
+        let way = at - self.origin;
+        Point::new(self.corner.x + way.x / self.scale, self.corner.y - way.y / self.scale)
+    }
 }
 
 /// The box round all points: its corner (xmin, ymax) and its size.

@@ -190,7 +190,7 @@ impl KitBuild {
         match (self, package) {
             (Self::Check, Package::Kit) => &["compare", "figure", "files", "script"],
             (Self::Program, Package::Kit) => {
-                &["compare", "figure", "files", "io", "navmesh", "script", "solid", "sources"]
+                &["compare", "figure", "files", "io", "navmesh", "play", "script", "solid", "sources"]
             }
             (Self::Check, Package::Lab) => LABS,
             (Self::Program, Package::Lab) => GRADE_AND_LABS,

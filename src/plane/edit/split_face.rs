@@ -109,6 +109,20 @@ impl Subdivision {
         refused.map_or(Ok(()), Err)
     }
 
+    /// The half-edges that start at `v` and in whose corner the way to `q` begins: one, or two if it begins along an edge,
+    /// which lies between their corners. None if `v` has no edge.
+    #[cfg(feature = "play")]
+    pub(crate) fn corners_towards(&self, v: VertexId, q: crate::plane::Point) -> Vec<HalfEdgeId> {
+        let at = self.points[v];
+        let end = |h: HalfEdgeId| self.points[self.dcel.destination(h)];
+        let one_ring = || self.dcel.outgoing_half_edges(v);
+        if let Some(along) = one_ring().find(|&h| same_direction(at, end(h), q)) {
+            return vec![along, self.dcel.next(along.twin())];
+        }
+        let before = |h: HalfEdgeId| self.points[self.dcel.origin(self.dcel.prev(h))];
+        one_ring().filter(|&h| in_corner([before(h), at, end(h)], q)).collect()
+    }
+
     /// The lab's `splitFace`: joins the origins of `h1` and `h2`, which lie on one boundary cycle of the same
     /// face, by a straight edge.
     ///

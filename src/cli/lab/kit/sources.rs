@@ -112,6 +112,8 @@ pub(super) const FURTHER: &[(&str, &str)] = &[
     ("src/cli/output.rs", include_str!("../../output.rs")),
     ("src/cli/overlay.rs", include_str!("../../overlay.rs")),
     ("src/cli/picture.rs", include_str!("../../picture.rs")),
+    ("src/cli/play/mod.rs", include_str!("../../play/mod.rs")),
+    ("src/cli/play/playground.html", include_str!("../../play/playground.html")),
     ("src/cli/results.rs", include_str!("../../results.rs")),
     ("src/cli/sample/broken.dcel", include_str!("../../sample/broken.dcel")),
     ("src/cli/sample/cloud.obj", include_str!("../../sample/cloud.obj")),

@@ -1,0 +1,96 @@
+//! `dcel play`: the playground, a page in the browser, with a file inside.
+//!
+//! `playground.html` is the page as `figures/playground.html` has it: a package reads nothing outside of its own folder. It is
+//! made by `figures/playground/builder`, never by hand.
+
+use super::save::{Files, put};
+use super::{Answer, Failure, Output};
+use dcel_kit::io::{read_whole, source_name};
+use dcel_kit::play::{Session, Tone, page_with};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+const PAGE: &str = include_str!("playground.html");
+
+/// Play with a structure in the browser: draw, break, replay, practise
+///
+/// Writes one page that holds the whole kit: no server, no network.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "\
+The page opens in the browser of this machine, if it has a display. A file of any format becomes the scene that the page
+begins with: a structure, points, or a script.
+
+Examples:
+  dcel play --no-open
+  dcel play square.obj -o square.html --no-open
+  dcel play split-face.dcels -o split.html --no-open")]
+pub(crate) struct Args {
+    /// The file to begin with, or - for standard input; without it the lab's rectangle
+    file: Option<PathBuf>,
+    /// The page to write [default: the name of the file with .html, or playground.html]
+    #[arg(short, long, value_name = "OUT.html")]
+    output: Option<PathBuf>,
+    /// Write the page and open nothing
+    #[arg(long)]
+    no_open: bool,
+}
+
+pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    let usual = || match &args.file {
+        Some(file) if file.as_os_str() != "-" => Path::new(file.file_name().unwrap_or_default()).with_extension("html"),
+        _ => PathBuf::from("playground.html"),
+    };
+    let target = args.output.clone().unwrap_or_else(usual);
+    Files::reading(args.file.iter()).writes("-o", Some(&target)).check()?;
+    let page = match &args.file {
+        None => PAGE.to_owned(),
+        Some(file) => with(file)?,
+    };
+    put(&target, page)?;
+    if target.as_os_str() == "-" {
+        return Ok(Answer::Yes);
+    }
+    let place = std::fs::canonicalize(&target).unwrap_or_else(|_| target.clone());
+    if !args.no_open && has_display() && open(&place) {
+        writeln!(out, "{}: opened in the browser", target.display())?;
+    } else {
+        writeln!(out, "{}: open it in a browser", target.display())?;
+    }
+    Ok(Answer::Yes)
+}
+
+/// The page with a file, which it can open.
+fn with(file: &Path) -> Result<String, Failure> {
+    let source = source_name(file);
+    let bytes = read_whole(file)?;
+    let name = if source == "<stdin>" { "standard input".to_owned() } else { source };
+    let name = Path::new(&name).file_name().map_or_else(|| name.clone(), |name| name.to_string_lossy().into_owned());
+    let reply = Session::new().open(&name, &bytes);
+    if let Some(message) = reply.message.filter(|message| message.tone == Tone::Refused) {
+        return Err(Failure::input(message.text, ""));
+    }
+    page_with(PAGE, &name, &bytes).ok_or_else(|| Failure::kit("the page has no room for a file"))
+}
+
+/// Whether there is a screen for a browser.
+fn has_display() -> bool {
+    cfg!(any(windows, target_os = "macos"))
+        || ["DISPLAY", "WAYLAND_DISPLAY"]
+            .iter()
+            .any(|name| std::env::var_os(name).is_some_and(|value| !value.is_empty()))
+}
+
+/// Asks the machine to open a page; whether it could be asked.
+fn open(page: &Path) -> bool {
+    let program = if cfg!(windows) {
+        "explorer"
+    } else if cfg!(target_os = "macos") {
+        "open"
+    } else {
+        "xdg-open"
+    };
+    let mut command = Command::new(program);
+    command.arg(page).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    command.spawn().is_ok()
+}

@@ -1,0 +1,70 @@
+//! `dcel play` and the page that it writes. What the page does in a browser: `figures/playground/tests/run.mjs`.
+
+use crate::shell::Folder;
+use std::fs;
+use std::path::Path;
+
+#[path = "../../figures/playground/builder/src/stamp.rs"]
+mod stamp;
+
+fn repository() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
+}
+
+/// Between two marks.
+fn between<'a>(text: &'a str, before: &str, after: &str) -> &'a str {
+    let start = text.find(before).unwrap_or_else(|| panic!("no {before}")) + before.len();
+    &text[start..start + text[start..].find(after).unwrap_or_else(|| panic!("no {after}"))]
+}
+
+#[test]
+fn the_page_is_the_same_in_both_places_and_keeps_its_promises() {
+    let page = fs::read_to_string(repository().join("figures/playground.html")).unwrap();
+    assert!(page == include_str!("../../src/cli/play/playground.html"), "run figures/playground/builder");
+    assert!(page.len() <= 1_200_000, "{} bytes", page.len());
+    let policy = between(&page, "http-equiv=\"Content-Security-Policy\" content=\"", "\"");
+    assert!(policy.starts_with("default-src 'none';") && !policy.contains("http"), "{policy}");
+    // Nothing comes from anywhere: no address is loaded, by markup or by style.
+    for loads in ["src=\"", "<link", "@import", "url(", "fetch(\"", "XMLHttpRequest", "WebSocket"] {
+        assert!(!page.contains(loads), "the page holds {loads}");
+    }
+    let script = fs::read_to_string(repository().join("figures/playground/page/playground.js")).unwrap();
+    assert!(script.lines().count() <= 1500 && page.contains(script.trim_end()));
+}
+
+#[test]
+fn the_stamp_of_the_page_is_told() {
+    let page = fs::read_to_string(repository().join("figures/playground.html")).unwrap();
+    let known = between(&page, "name=\"dcel-sources\" content=\"", "\"");
+    let now = stamp::stamp(repository()).unwrap();
+    assert_eq!((known.len(), now.len()), (16, 16), "{known} {now}");
+    assert!([known, now.as_str()].iter().all(|stamp| stamp.chars().all(|c| c.is_ascii_hexdigit())));
+    // An older page works; that it is older is told, and mended by the builder.
+    if known != now {
+        println!("figures/playground.html is of the sources {known}, these are {now}: run figures/playground/builder");
+    }
+}
+
+#[test]
+fn a_file_is_put_into_the_page_and_a_bad_one_is_refused() {
+    let folder = Folder::new();
+    let told = folder.dcel("play --no-open").fine();
+    assert_eq!(told, "playground.html: open it in a browser\n");
+    let plain = folder.read("playground.html");
+    assert!(plain == include_str!("../../src/cli/play/playground.html"));
+
+    folder.write("plan.obj", "v 0 0\nv 4 0\nv 4 4\nf 1 2 3\n");
+    assert_eq!(folder.dcel("play plan.obj --no-open").fine(), "plan.html: open it in a browser\n");
+    let page = folder.read("plan.html");
+    assert_eq!(between(&page, "id=\"scene\" data-name=\"", "\""), "plan.obj");
+    assert_eq!(between(&page, "data-name=\"plan.obj\">", "<"), "diAwIDAKdiA0IDAKdiA0IDQKZiAxIDIgMwo=");
+    assert_eq!(page.len() - plain.len(), "plan.obj".len() + 36);
+
+    folder.write("bad.obj", "v 0 0\nv 1 x\n");
+    folder.dcel("play bad.obj --no-open").fails(2, "bad.obj:2:5: `x` is not a number", "");
+    assert!(!folder.path("bad.html").exists());
+    folder.write("later.dcels", "rectangle\nsplit_fase h2 h8\n");
+    folder.dcel("play later.dcels -o x.html --no-open").fails(2, "later.dcels:2:1", "split_face");
+    folder.dcel("play missing.obj --no-open").fails(2, "missing.obj: cannot be read", "check the name");
+    folder.dcel("play plan.obj -o plan.obj --no-open").fails(2, "the input itself", "");
+}
