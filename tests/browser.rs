@@ -1,8 +1,10 @@
-//! Figures and pages in a real browser: what the console says, what hovering, focus and addresses show, what the
+//! Figures and pages in other programs: in a real browser, and in LaTeX. In the browser: what the console says, what hovering, focus and addresses show, what the
 //! page does on clicks and keys.
 
 #[path = "browser/devtools.rs"]
 mod devtools;
+#[path = "browser/latex.rs"]
+mod latex;
 #[path = "support/trials.rs"]
 mod trials;
 
@@ -390,5 +392,5 @@ trials! {
 }
 
 fn main() {
-    trials::run(trials())
+    trials::run(trials().into_iter().chain(latex::trials()).collect())
 }

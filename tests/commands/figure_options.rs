@@ -208,27 +208,3 @@ fn columns_and_parts_are_chosen() {
     folder.dcel("delaunay sites.xy --figure part.svg --crop 0,0,1,1");
     assert!(folder.read("part.svg").len() < folder.read("whole.svg").len());
 }
-
-/// What `.tex` holds is a document that LaTeX takes, one page of the size of the figure.
-#[test]
-#[ignore = "needs pdflatex with TikZ"]
-fn latex_takes_the_tex() {
-    let folder = Folder::new();
-    for sample in ["square.obj", "sites.xy", "rooms.map", "cube.off"] {
-        folder.dcel(&format!("sample {sample}"));
-    }
-    let figures = [
-        "figure square.obj -o a.tex",
-        "film voronoi sites.xy -o b.tex",
-        "solid figure cube.off -o c.tex --theme dark",
-        "navmesh path rooms.map 1 1 22 12 -o d.tex",
-    ];
-    for (command, name) in figures.into_iter().zip(["a", "b", "c", "d"]) {
-        assert_eq!(folder.dcel(command).code, Some(0), "{command}");
-        let arguments = ["-interaction=nonstopmode", "-halt-on-error", &format!("{name}.tex")];
-        let made = Command::new("pdflatex").current_dir(folder.path("")).args(arguments).output().unwrap();
-        assert!(made.status.success(), "{command}: {}", String::from_utf8_lossy(&made.stdout));
-        let log = folder.read(&format!("{name}.log"));
-        assert!(log.contains("(1 page") && !log.contains("Overfull"), "{command}");
-    }
-}

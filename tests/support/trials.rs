@@ -19,6 +19,8 @@ use std::sync::OnceLock;
 pub(crate) enum Need {
     /// A browser: `$CHROMIUM`, else the first of a few names on the path.
     Chromium,
+    /// `pdflatex` with TikZ.
+    Latex,
     /// `../shared/data` beside the checkout.
     SharedData,
     /// To be the user that may do everything.
@@ -33,6 +35,7 @@ impl Need {
     fn name(self) -> &'static str {
         match self {
             Self::Chromium => "chromium",
+            Self::Latex => "LaTeX with TikZ",
             Self::SharedData => "../shared/data",
             Self::Root => "root",
             Self::Namespaces => "namespaces",
@@ -41,9 +44,10 @@ impl Need {
     }
 
     fn is_met(self) -> bool {
-        static MET: [OnceLock<bool>; 5] = [const { OnceLock::new() }; 5];
+        static MET: [OnceLock<bool>; 6] = [const { OnceLock::new() }; 6];
         *MET[self as usize].get_or_init(|| match self {
             Self::Chromium => chromium().is_some(),
+            Self::Latex => said("pdflatex", &["--version"]).is_some() && said("kpsewhich", &["tikz.sty"]).is_some(),
             Self::SharedData => Path::new(env!("CARGO_MANIFEST_DIR"))
                 .ancestors()
                 .skip(1)
