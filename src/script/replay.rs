@@ -107,6 +107,7 @@ impl<S: Editable> Writer<S> {
     }
 
     /// The start, then a text for each edit and each statement.
+    #[cfg(feature = "play")]
     pub(crate) fn lines(&self) -> &[String] {
         &self.lines
     }
