@@ -51,6 +51,8 @@ impl Temporary {
         if private {
             std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
         }
+        #[cfg(not(unix))]
+        let _ = private;
         let temporary = Self::make(target, Metadata::is_file, |path| options.open(path).map(Some))?;
         let Self { path: _, _lock: Some(lock) } = &temporary else { return Err(io::ErrorKind::NotFound.into()) };
         let file = lock.try_clone()?;

@@ -77,7 +77,7 @@ fn module(repository: &Path) -> Result<(Vec<u8>, String), Box<dyn Error>> {
     let raw = folder.join("target").join(TARGET).join("release/dcel_playground.wasm");
     let mut bindgen = Bindgen::new();
     bindgen.input_path(raw).no_modules(true)?.typescript(false);
-    bindgen.remove_name_section(true).remove_producers_section(true).reference_types(false);
+    bindgen.remove_name_section(true).remove_producers_section(true);
     let mut output = bindgen.generate_output()?;
     let bindings = output.js().to_owned();
     Ok((output.wasm_mut().emit_wasm(), bindings))

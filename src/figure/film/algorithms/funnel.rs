@@ -12,11 +12,13 @@ use crate::plane::Subdivision;
 ///
 /// ```
 /// use dcel_kit::figure::algorithms;
-/// use dcel_kit::{navmesh::NavMesh, plane::{Point, Subdivision}};
+/// use dcel_kit::navmesh::{NavMesh, PathAlgorithm, Planner};
+/// use dcel_kit::plane::{Point, Subdivision};
 /// let points = [(0., 0.), (2., 0.), (2., 2.), (0., 2.)].map(Point::from).to_vec();
 /// let map = Subdivision::from_triangles(points, &[[0, 1, 2], [0, 2, 3]])?;
 /// let mesh = NavMesh::new(&map)?;
-/// let route = mesh.shortest_path(Point::new(1.5, 0.5), Point::new(0.5, 1.5))?.expect("the square is connected");
+/// let [start, goal] = [(1.5, 0.5), (0.5, 1.5)].map(Point::from);
+/// let route = Planner::new().route_between(&mesh, PathAlgorithm::Exact, start, goal)?;
 /// let film = algorithms::funnel(&map, &mesh, &route, 40);
 /// assert_eq!(film.len(), route.portals.len() + 1);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
