@@ -1,5 +1,5 @@
-//! Figures and pages in other programs: in a real browser, and in LaTeX. In the browser: what the console says, what hovering, focus and addresses show, what the
-//! page does on clicks and keys.
+//! Figures and pages in other programs: in a real browser, and in LaTeX. In the browser: what the console says, what
+//! hovering, focus and addresses show, what the page does on clicks and keys.
 
 #[path = "browser/devtools.rs"]
 mod devtools;
@@ -257,6 +257,29 @@ fn dark_mode_changes_paper_ink_and_lines_of_every_reference_figure() {
     assert!(count >= 10, "{count}");
 }
 
+/// A page of 830 px shrinks what is wider: no letter may end up below 9 px there.
+fn every_letter_of_a_reference_figure_can_be_read_on_a_page_of_830_px() {
+    let mut browser = Browser::start(830, 600);
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../figures");
+    let mut letters = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|extension| extension != "svg") {
+            continue;
+        }
+        browser.open(&path, "");
+        let small = "(() => { const shrunk = Math.min(1, 830 / document.documentElement.width.baseVal.value); \
+                     const sizes = [...document.querySelectorAll('text, tspan')].filter(t => [...t.childNodes].some(\
+                     n => n.nodeType === 3 && n.data.trim())).map(t => [t.textContent.trim(), \
+                     shrunk * parseFloat(getComputedStyle(t).fontSize)]); \
+                     return [sizes.length, sizes.filter(s => s[1] < 8.995)]; })()";
+        let found = browser.eval(small);
+        assert_eq!(found[1], json!([]), "{}", path.display());
+        letters += found[0].as_u64().unwrap();
+    }
+    assert!(letters > 1500, "{letters}");
+}
+
 fn the_page_follows_clicks_keys_and_the_search() {
     let (file, lab) = (page(), lab());
     let mut browser = Browser::start(1400, 1200);
@@ -385,6 +408,7 @@ trials! {
     a_stepper_shows_one_frame_follows_its_links_and_prints_all: Chromium;
     a_printed_page_has_no_buttons_and_whole_tables: Chromium;
     dark_mode_changes_paper_ink_and_lines_of_every_reference_figure: Chromium;
+    every_letter_of_a_reference_figure_can_be_read_on_a_page_of_830_px: Chromium;
     the_page_follows_clicks_keys_and_the_search: Chromium;
     the_page_walks_round_a_face_and_round_a_vertex: Chromium;
     without_scripts_the_page_is_picture_and_tables: Chromium;

@@ -13,5 +13,6 @@ mod hard;
 mod kinds;
 mod pages;
 mod pointers;
+mod solids;
 mod structure;
 mod vocabulary;

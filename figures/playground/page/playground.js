@@ -25,6 +25,8 @@
   }
 
   function call(work) {
+    // A page that is turned or clicked before the kit is unpacked: the beginning asks for all there is to show.
+    if (!kit) return { message: { tone: "refused" } };
     let reply;
     try {
       reply = JSON.parse(work());

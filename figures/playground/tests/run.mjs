@@ -434,6 +434,26 @@ const tests = {
     }
   },
 
+  async "what is done before the kit is unpacked is no error"(page) {
+    const { identifier } = await page.send("Page.addScriptToEvaluateOnNewDocument", { source: `
+      const buffer = Response.prototype.arrayBuffer;
+      Response.prototype.arrayBuffer = async function () {
+        window.dispatchEvent(new Event("resize"));
+        document.getElementById("line").value = "split_in_half h0";
+        document.getElementById("script").requestSubmit();
+        document.getElementById("undo").click();
+        document.body.dispatchEvent(new KeyboardEvent("keydown", { key: "n", bubbles: true }));
+        await new Promise((done) => setTimeout(done, 400));
+        window.early = true;
+        return buffer.call(this);
+      };` });
+    await page.open(PAGE);
+    await page.send("Page.removeScriptToEvaluateOnNewDocument", { identifier });
+    assert.equal(await page.evaluate("window.early"), true);
+    assert.equal(await text(page, "counts"), "6 vertices, 6 edges, 2 faces");
+    assert.equal(await page.evaluate(`document.getElementById("line").value`), "split_in_half h0", "what was typed stays");
+  },
+
   async "2,000 edges are dragged at the pace of the screen, 20,000 can be used"(page) {
     const grid = (n) => {
       const corners = [];

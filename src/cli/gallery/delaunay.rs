@@ -73,6 +73,6 @@ pub(super) fn lawson() -> Made<String> {
         }
     }
     sheet.over("Delaunay", "no edge is left to flip: every circle is empty", &done, Backdrop::Dimmed, circles);
-    let options = FigureOptions::new("Delaunay by flips").id_prefix("lawson").width(400.0).detail(Detail::Edges);
+    let options = FigureOptions::new("Delaunay by flips").id_prefix("lawson").width(408.0).detail(Detail::Edges);
     Ok(sheet.figure(&options)?.to_svg())
 }

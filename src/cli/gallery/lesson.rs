@@ -2,7 +2,7 @@
 
 use super::Made;
 use dcel_kit::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
-use dcel_kit::io::{Document, Format, Grid, ReadOptions, read_bytes};
+use dcel_kit::io::{Document, Format, ReadOptions, read_bytes};
 use dcel_kit::plane::{ConvertOptions, Point, Subdivision};
 use dcel_kit::sources;
 use dcel_kit::topology::{PolygonList, Table};
@@ -140,12 +140,6 @@ pub(crate) struct States {
 
 /// The file, as it came: npm package us-atlas 3.0.1, ISC licence, shapes of the US Census Bureau.
 const STATES: &[u8] = sources::STATES;
-/// A small grid map of rooms: the regions of its open cells.
-pub(crate) fn rooms() -> Made<Subdivision> {
-    const FILE: &str = "figures/data/rooms.map";
-    Ok(Grid::parse(sources::ROOMS_MAP, FILE)?.regions()?)
-}
-
 /// What messages call it.
 pub(crate) const STATES_FILE: &str = "figures/data/states-albers-10m.json";
 

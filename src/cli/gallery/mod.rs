@@ -56,7 +56,7 @@ static REFERENCES: &[Reference] = &[
         about: "what a comparison shows: an edge is missing, one is too much, a pointer is wrong, a vertex is elsewhere",
         draw: || {
             let (right, wrong) = (lesson::table(&lesson::cube()?), lesson::wrong_cube()?);
-            let options = FigureOptions::new("What differs").id_prefix("difference");
+            let options = FigureOptions::new("What differs").id_prefix("difference").width(450.0);
             Ok(dcel_kit::compare::diff_figure(&right, &wrong, &options)?.to_svg())
         },
     },
@@ -257,7 +257,7 @@ static REFERENCES: &[Reference] = &[
         file: "pointers.svg",
         about: "the five families of pointers in the lab's subdivision, one panel each",
         draw: || {
-            let options = FigureOptions::new("Pointers of the lab's subdivision").id_prefix("ptr").width(520.0);
+            let options = FigureOptions::new("Pointers of the lab's subdivision").id_prefix("ptr").width(408.0);
             Ok(figure::pointers(&lesson::lab_subdivision()?, &Pointers::ALL, &options)?.to_svg())
         },
     },
@@ -283,7 +283,7 @@ static REFERENCES: &[Reference] = &[
         file: "rings.svg",
         about: "a face with two holes, an island in one of them, a second component",
         draw: || {
-            let options = FigureOptions::new("Rings and holes").width(960.0);
+            let options = FigureOptions::new("Rings and holes").width(830.0);
             Ok(figure::structure(&lesson::rings()?, &options)?.to_svg())
         },
     },
@@ -314,7 +314,7 @@ static REFERENCES: &[Reference] = &[
         about: "a torus of 20 by 10 faces: those that are seen whole have half-edges, hidden lines are left out",
         draw: || {
             let torus = Shape::Torus { n: 20, m: 10 }.build()?.polyhedron;
-            let options = FigureOptions::new("A torus").id_prefix("torus").width(900.0);
+            let options = FigureOptions::new("A torus").id_prefix("torus").width(830.0);
             Ok(figure::solid(&torus, &Camera::default(), HiddenLines::LeftOut, &options)?.to_svg())
         },
     },
@@ -332,7 +332,9 @@ static REFERENCES: &[Reference] = &[
         about: "the states of the USA as one subdivision: 198 faces, 143 components",
         draw: || {
             let states = lesson::states()?;
-            let options = FigureOptions::new("The states of the USA").width(960.0).face_names(states.named_faces());
+            // Room for names beside the small states of the east.
+            let options = FigureOptions::new("The states of the USA").width(830.0).reach([[1030.0, -300.0]]);
+            let options = options.face_names(states.named_faces());
             Ok(figure::structure(&states.subdivision, &options)?.to_svg())
         },
     },

@@ -49,8 +49,8 @@ pub(super) fn triangulation() -> Made<String> {
         let added = triangles.triangulate(method)?;
         sheet.over(heading, text, &island, Backdrop::Plain, figure::diagonals_of(&triangles, &added.diagonals));
     }
-    let options = FigureOptions::new("Triangulation").id_prefix("triangulation").width(340.0).detail(Detail::Edges);
-    Ok(sheet.columns(3).figure(&options)?.to_svg())
+    let options = FigureOptions::new("Triangulation").id_prefix("triangulation").width(408.0).detail(Detail::Edges);
+    Ok(sheet.figure(&options)?.to_svg())
 }
 
 /// The dual graph of the lab's subdivision.

@@ -89,7 +89,6 @@ pub(super) fn figure() -> Made<String> {
     two_faces.split_face(from(4), from(0))?;
 
     let mut sheet = Multiples::new();
-    sheet.columns(3);
     sheet.structure("A vertex", "six edges round it", &wheel);
     let moved = [5, 0, 1].map(|i| [right, rim(i)]);
     sheet.over(
@@ -105,6 +104,6 @@ pub(super) fn figure() -> Made<String> {
     sheet.structure("A face", "six corners", &face);
     let cut = [rim(4), rim(0)];
     sheet.over("Face split", "two corners are joined", &two_faces, Backdrop::Plain, marked(cut, &[]));
-    let options = FigureOptions::new("The two primitives").id_prefix("primitives").width(360.0);
+    let options = FigureOptions::new("The two primitives").id_prefix("primitives").width(408.0);
     Ok(sheet.figure(&options)?.to_svg())
 }

@@ -6,6 +6,7 @@ use super::lesson;
 use dcel_kit::figure::navmesh::Floor;
 use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
 use dcel_kit::figure::{self, Detail, FigureOptions, NearlyCollinear};
+use dcel_kit::io::Grid;
 use dcel_kit::navmesh::{NavMesh, PathAlgorithm, Planner};
 use dcel_kit::plane::{Point, TriangulationMethod};
 
@@ -174,19 +175,43 @@ pub(super) fn walk() -> Made<String> {
     Ok(sketch.over(&cube, Backdrop::Dimmed, &options)?.to_svg())
 }
 
-/// Every algorithm of the ladder between two rooms of a map, cut into triangles.
+/// A map, and two places in it between which no two algorithms take the same path.
+const BLOCKS: &str = "\
+type octile
+height 16
+width 26
+map
+..........................
+...........@@@............
+..@@@@.....@@@............
+...........@@@............
+.............@@@@@@...@@@.
+....@@@......@@@@@@...@@@.
+....@@@......@@@@@@...@@@.
+....@@@......@@@@@@...@@@.
+....@@@......@@@@@@...@@@.
+.......@@@@@@@@@@......@@.
+.......@@@@@@@@@@......@@.
+..........@@@@@@@......@@.
+..@@@@@@..................
+............@@@@@@@.......
+...@@@@@@@..@@@@@@@.......
+..........................
+";
+
+/// Every algorithm of the ladder between two places of a map, cut into triangles.
 pub(super) fn ladder() -> Made<String> {
-    let mut map = lesson::rooms()?;
+    let mut map = Grid::parse(BLOCKS.as_bytes(), "blocks.map")?.regions()?;
     let borders = map.edge_bound();
     map.triangulate(TriangulationMethod::default())?;
     map.make_delaunay(|edge| edge.index() < borders);
     let mesh = NavMesh::new(&map)?;
-    let (start, goal) = (Point::new(21.5, -5.5), Point::new(0.5, -4.5));
+    let (start, goal) = (Point::new(9.5, -0.5), Point::new(12.5, -15.5));
     let mut planner = Planner::new();
     let mut routes = Vec::new();
     for algorithm in PathAlgorithm::ALL {
         routes.push((algorithm, planner.route_between(&mesh, algorithm, start, goal)?));
     }
-    let options = FigureOptions::new("Six ways through rooms").id_prefix("ladder");
+    let options = FigureOptions::new("Six ways round blocks").id_prefix("ladder");
     Ok(Floor::new(&map, &mesh).ladder(&routes, &options)?.to_svg())
 }

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //!   vector.rs  number.rs  unit.rs       points of the canvas, numbers as they are written, lengths of paper
+//!   arc.rs                              arcs of circles as curves
 //!   text.rs (advances.rs, fonts/)       how much room a text takes
 //!   scripts.rs                          small letters below and above the line
 //!   scene.rs  crop.rs                   groups, lines, areas, discs, texts; a window on them
@@ -12,6 +13,7 @@
 //! ```
 
 mod advances;
+pub(crate) mod arc;
 pub(crate) mod crop;
 pub(crate) mod number;
 #[cfg(feature = "png")]

@@ -12,6 +12,8 @@
 
 use crate::figure::canvas::advances::{EM, RUNS};
 
+/// The smallest letters of a label, in px: smaller ones cannot be read on a page. A style with smaller texts keeps these.
+pub(crate) const LEGIBLE: f64 = 9.0;
 /// How far oblique letters lean out of their widths, left and right together, in parts of the size.
 const LEAN: f64 = 0.06;
 /// Half of the height of capitals and digits (0.73 of the size), and a little air.

@@ -15,18 +15,12 @@ use super::{player, sides, style};
 use crate::figure::canvas::scene::{Group, Node, Scene};
 use crate::figure::canvas::text::{clean, wrap};
 use crate::figure::canvas::vector::{Xy, xy};
+use crate::figure::layout::grid::{GAP, PANEL, SHEET, columns};
 use crate::figure::structure::pointer_style;
 use crate::figure::{Figure, FigureError, FigureOptions};
 
-/// Width of a frame unless the caller or the structure asks for more.
-const WIDTH: f64 = 380.0;
-/// No row is wider than this, unless a frame alone is.
-const SHEET: f64 = 1680.0;
-
 /// What stands above a frame: its heading, and the text below it.
 pub(super) type Caption = (String, String);
-/// Space between frames.
-const GAP: f64 = 14.0;
 /// Size of a heading and how far its lines are apart; at most two.
 const HEADING: (f64, f64, usize) = (14.0, 17.0, 2);
 /// The same for the text below it.
@@ -35,8 +29,8 @@ const TEXT: (f64, f64, usize) = (11.0, 14.0, 3);
 const LINKS: f64 = 20.0;
 
 impl Film {
-    /// A strip: all frames side by side, in rows. The width of the options is that of one frame (default 380,
-    /// more until the median edge has 110 px). Ids read `FIG-3-h5` for `h5` in the fourth frame (the first is
+    /// A strip: all frames side by side, in rows. The width of the options is that of one frame (default 408,
+    /// two on a page of 830 px; more until the median edge has 110 px, and no more than the page). Ids read `FIG-3-h5` for `h5` in the fourth frame (the first is
     /// 0), `FIG-3-h5-next` for its pointer, `FIG-3-h5-next-gone` for the one that the step has replaced.
     ///
     /// Cost: O(frames x n log n) for n half-edges.
@@ -71,7 +65,8 @@ impl Film {
     /// The sheet, and the size of a frame on it.
     fn sheet(&self, options: &FigureOptions, links: bool) -> Result<(Figure, Xy), FigureError> {
         let mut options = options.checked();
-        options.usual_width = WIDTH;
+        options.usual_width = PANEL;
+        options.widest = SHEET;
         options.crop = None;
         let options = &options;
         let frames = self.frames();
@@ -80,7 +75,7 @@ impl Film {
             let (scene, drawings, detail) = super::space::draw(&self.solids, &frames, options)?;
             let captions = captions(&frames);
             let frame = frame_size(&captions, scene.size, links);
-            let scene = arranged(scene, &captions, drawings, options, (links, SHEET));
+            let scene = arranged(scene, &captions, drawings, options, links);
             return Ok((Figure { scene, detail, notes: Vec::new() }, frame));
         }
         let (placed, names) = self.placed();
@@ -98,7 +93,7 @@ impl Film {
         let detail = first.picture.detail;
         let captions = captions(&frames);
         let frame = frame_size(&captions, scene.size, links);
-        let scene = arranged(scene, &captions, drawings, options, (links, SHEET));
+        let scene = arranged(scene, &captions, drawings, options, links);
         Ok((Figure { scene, detail, notes: Vec::new() }, frame))
     }
 }
@@ -107,19 +102,17 @@ fn captions(frames: &[Frame]) -> Vec<Caption> {
     frames.iter().map(|frame| (frame.heading.clone(), frame.text.clone())).collect()
 }
 
-/// The frames in rows, each below its heading. `scene` has the size of one. They are linked if that is asked for, and
-/// no row is wider than `sheet`.
+/// The frames in rows, each below its heading. `scene` has the size of one. They are linked if that is asked for.
 pub(super) fn arranged(
     mut scene: Scene,
     frames: &[Caption],
     drawings: Vec<Vec<Node>>,
     options: &FigureOptions,
-    (links, sheet): (bool, f64),
+    links: bool,
 ) -> Scene {
     let frame_size = frame_size(frames, scene.size, links);
     let head = frame_size.y - scene.size.y;
-    let columns =
-        options.columns.unwrap_or_else(|| columns(frames.len(), frame_size.x, sheet)).min(frames.len().max(1));
+    let columns = options.columns.unwrap_or_else(|| columns(frames.len(), frame_size.x)).min(frames.len().max(1));
     for (i, (frame, drawing)) in frames.iter().zip(drawings).enumerate() {
         let (column, row) = ((i % columns) as f64, (i / columns) as f64);
         let mut nodes = below(frame, head, scene.size.x, drawing);
@@ -151,12 +144,6 @@ pub(super) fn arranged(
         scene.description = clean(&format!("Frames: {}", headings.join("; ")));
     }
     scene
-}
-
-/// As many columns as fit, then as few as the rows need.
-fn columns(frames: usize, width: f64, sheet: f64) -> usize {
-    let fit = (((sheet + GAP) / (width + GAP)) as usize).clamp(1, frames.max(1));
-    frames.div_ceil(frames.div_ceil(fit).max(1)).max(1)
 }
 
 /// The size of a frame with its caption, and links if there are any; `drawing` is the size of what is drawn.
@@ -206,15 +193,4 @@ fn nav(i: usize, frames: usize, y: f64) -> Vec<Node> {
     out.push(text(66.0, "cs", format!("{} of {frames}", i + 1)));
     out.extend(link(Some(i + 1), 124.0, "next ›"));
     out
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rows_are_as_equal_as_can_be() {
-        assert_eq!([1, 4, 5, 7, 9].map(|frames| columns(frames, 400.0, SHEET)), [1, 4, 3, 4, 3]);
-        assert_eq!(columns(3, 5000.0, SHEET), 1);
-    }
 }

@@ -15,16 +15,13 @@ use super::player;
 use super::sheet::{Caption, arranged, below, frame_size, head_height};
 use crate::figure::canvas::scene::{Group, Node, Scene};
 use crate::figure::canvas::vector::xy;
+use crate::figure::layout::grid::{PANEL, SHEET};
 use crate::figure::sketch::{self, Backdrop, Drawn, Multiples, Sketch, SketchError};
 use crate::figure::structure::skeleton::half_edges;
 use crate::figure::{Detail, FaceLabels, Figure, FigureOptions};
 use crate::plane::PlanarView;
 use crate::topology::Table;
 
-/// Width of a frame unless the caller asks for more: two stand side by side on a page of 830 px.
-const WIDTH: f64 = 408.0;
-/// Width of a page.
-const SHEET: f64 = 830.0;
 /// Space round the legend of a frame.
 const AIR: f64 = 8.0;
 
@@ -131,7 +128,7 @@ impl SketchFilm {
     /// [`SketchError`] of the first frame that cannot be drawn.
     pub fn strip(&self, options: &FigureOptions) -> Result<Figure, SketchError> {
         let Staged { scene, drawings, captions, detail, notes, legend } = self.staged(options, false)?;
-        let mut scene = arranged(scene, &captions, drawings, options, (false, SHEET));
+        let mut scene = arranged(scene, &captions, drawings, options, false);
         let corner = xy(AIR, scene.size.y + AIR);
         let (nodes, height) = sketch::legend_nodes(&legend, corner, scene.size.x - 2.0 * AIR, "");
         if !nodes.is_empty() {
@@ -148,7 +145,7 @@ impl SketchFilm {
     /// As [`strip`](Self::strip).
     pub fn stepper(&self, options: &FigureOptions) -> Result<Figure, SketchError> {
         let Staged { scene, drawings, captions, detail, notes, .. } = self.staged(options, true)?;
-        Ok(Figure { scene: arranged(scene, &captions, drawings, options, (true, SHEET)), detail, notes })
+        Ok(Figure { scene: arranged(scene, &captions, drawings, options, true), detail, notes })
     }
 
     /// A page that plays the film: buttons, keys, a slider, and an address for each frame. Without a script it is the
@@ -159,7 +156,7 @@ impl SketchFilm {
     pub fn page(&self, options: &FigureOptions) -> Result<String, SketchError> {
         let Staged { scene, drawings, captions, detail, notes, .. } = self.staged(options, true)?;
         let frame = frame_size(&captions, scene.size, true);
-        let stepper = Figure { scene: arranged(scene, &captions, drawings, options, (true, SHEET)), detail, notes };
+        let stepper = Figure { scene: arranged(scene, &captions, drawings, options, true), detail, notes };
         let headings: Vec<String> = captions.into_iter().map(|(heading, _)| heading).collect();
         Ok(player::page(&stepper, &headings, frame))
     }
@@ -184,10 +181,11 @@ impl SketchFilm {
     /// The drawings of all frames, with a legend each if that is asked for.
     fn staged(&self, options: &FigureOptions, legends: bool) -> Result<Staged, SketchError> {
         let mut options = options.checked();
-        options.usual_width = WIDTH;
+        options.usual_width = PANEL;
+        options.widest = SHEET;
         let edges = |frame: &SketchFrame| frame.under.as_ref().map_or(0, |(table, _)| half_edges(table).count() / 2);
         if self.is_quiet {
-            options.width.get_or_insert(WIDTH);
+            options.width.get_or_insert(PANEL);
             options = options.quiet().face_labels(FaceLabels::Off);
         }
         let options = &options.without_half_edges(self.frames.iter().map(edges).max().unwrap_or(0));

@@ -42,7 +42,7 @@ pub(super) fn draw(
     let mut drawings = Vec::with_capacity(frames.len());
     for (i, frame) in frames.iter().enumerate() {
         let Shown { sketch, projected, faces } = &shown[frame.areas];
-        let mut look = Backdrop::Plain.look(&i.to_string());
+        let mut look = Backdrop::InFront.look(&i.to_string());
         for (elements, mark) in [(&frame.marked, Mark::Hot), (&frame.added, Mark::New)] {
             elements.iter().for_each(|&element| set(&mut look, element, mark));
         }
@@ -52,7 +52,7 @@ pub(super) fn draw(
         let (picture, notes) = Picture::survey(&part, options, points.clone())?.place(&part, options, fit, detail);
         let mut below = sketch::Below::new(picture, notes, &look, &drawing.ink());
         let lines = drawing.nodes(&mut below.crowd, options.style.map_text, 1, &format!("{i}-"));
-        drawings.push(Backdrop::Plain.layers(below.nodes, lines));
+        drawings.push(Backdrop::InFront.layers(below.nodes, lines));
     }
     let roles = sketch::roles(shown.iter().map(|state| &state.sketch));
     let scene = sketch::scene(options, "dcel-strip", (fit.size, fit.scale), &roles, Vec::new(), &[]);

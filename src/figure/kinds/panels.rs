@@ -8,7 +8,7 @@
 //! ```
 
 use crate::figure::canvas::crop;
-use crate::figure::layout::grid::{Panel, arrange, usual_columns};
+use crate::figure::layout::grid::{PANEL, Panel, SHEET, arrange, columns};
 use crate::figure::structure::look::{Look, Mark};
 use crate::figure::structure::notes::Notes;
 use crate::figure::structure::part::Part;
@@ -18,15 +18,12 @@ use crate::figure::structure::pointer_style;
 use crate::figure::{Detail, Figure, FigureError, FigureOptions};
 use crate::plane::PlanarView;
 
-/// Width of a panel unless the caller or the structure asks for more.
-const WIDTH: f64 = 420.0;
-
 /// Draws the pointers of some families, each in a panel of its own: at most one family a picture can be read.
 ///
 /// The panels share one layout, in which labels keep clear of the arrows of every family. Everything but the
 /// family is grey. Ids read `FIG-next-h5` in the panel of `next`, and `FIG-next-h5-next` for the arrow; with
 /// one family `FIG-h5` and `FIG-h5-next`. A family named twice is drawn once. `width` is that of one panel
-/// (default 420, more until the median edge has 110 px). Wrong pointers are drawn as they are; those without
+/// (default 408, two on a page of 830 px; more until the median edge has 110 px, and no more than the page). Wrong pointers are drawn as they are; those without
 /// room for an arrow, and those that lead to what is not drawn, are noted.
 ///
 /// Cost: O(n log n) for each family.
@@ -50,7 +47,8 @@ pub fn pointers<V: PlanarView + ?Sized>(
 ) -> Result<Figure, FigureError> {
     let view = &Part::of(view, options)?;
     let mut options = options.checked();
-    options.usual_width = WIDTH;
+    options.usual_width = PANEL;
+    options.widest = SHEET;
     // Smaller than in other figures: face arrows need the room.
     options.style.face_text = options.style.face_text.min(14.0);
     let options = &options;
@@ -75,7 +73,7 @@ pub fn pointers<V: PlanarView + ?Sized>(
             nodes: crop::framed(plate.nodes(view, &look, arrows), plate.picture.fit.size, options),
         });
     }
-    let columns = usual_columns(panels.len());
+    let columns = options.columns.unwrap_or_else(|| columns(panels.len(), scene.size.x));
     (scene.nodes, scene.size) = arrange(panels, scene.size, columns);
     scene.css.push_str(&pointer_style::css(&options.style, &scene.prefix));
     if families.len() > 1 {

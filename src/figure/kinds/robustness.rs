@@ -12,7 +12,7 @@
 
 use crate::figure::canvas::scene::{Node, Polylines, Scene};
 use crate::figure::canvas::vector::xy;
-use crate::figure::canvas::{number, text};
+use crate::figure::canvas::{number, scripts, text};
 use crate::figure::layout::options::FigureOptions;
 use crate::figure::{Detail, Figure};
 use crate::plane::predicates::orientation;
@@ -178,6 +178,13 @@ fn corner(i: usize, j: usize) -> [i32; 2] {
     [margin + CELL * i as i32, margin + CELL * (SIDE as i32 - j as i32)]
 }
 
+/// A power of two as it is written in books, any other number as it is.
+fn power(step: f64) -> String {
+    let exponent = ((step.to_bits() >> 52) & 0x7ff) as i64 - 1023;
+    let is_power = step.is_normal() && step > 0.0 && step.to_bits() << 12 == 0;
+    if is_power { scripts::typeset(&format!("2^{{{exponent}}}")) } else { format!("{step:e}") }
+}
+
 /// Draws where doubles answer wrongly whether a point lies left of a line, on it or right of it. The root carries
 /// the number of cells and of wrong ones as `data-cells` and `data-wrong`. Of the options only the title, the
 /// description, the prefix, the style, the unit and `plain` count. Cost: 65,536 exact tests.
@@ -213,7 +220,7 @@ pub fn robustness(points: &NearlyCollinear, options: &FigureOptions) -> Figure {
     };
     let cells = SIDE * SIDE;
     line(MARGIN, "ct", format!("(q - p) × (r - p) in doubles: {wrong} of {cells} answers are wrong"));
-    line(MARGIN, "cs", format!("p = {} + (i, j) · {step:e}, i to the right, j up, 0 to {}", point(p), SIDE - 1));
+    line(MARGIN, "cs", format!("p = {} + (i, j) · {}, i to the right, j up, 0 to {}", point(p), power(step), SIDE - 1));
     line(MARGIN, "cs", format!("q = {}, r = {}; the line bounds the true answers", point(q), point(r)));
     let mut swatches = Vec::new();
     for (answer, wrong, class, words) in ANSWERS {

@@ -1,15 +1,17 @@
 //! The tables of the slides beside the picture: one element, marked in both.
 //!
 //! ```text
-//!   ┌─────────────────┐    h    origin twin next prev face      v    x  y  outgoing
-//!   │    picture      │    h0   v0     h1   h6   h8   f1        v0   0  0  h0
-//!   │                 │  ▸ h2   v1     h3   h4   h0   f1        f    boundary  rings
-//!   └─────────────────┘    ...                                  f0   h1
+//!   ┌─────────────────┐    h    origin twin next prev face
+//!   │    picture      │    h0   v0     h1   h6   h8   f1
+//!   │                 │  ▸ h2   v1     h3   h4   h0   f1
+//!   └─────────────────┘    ...
+//!    v   x  y  outgoing      f    boundary  rings               beside these of the half-edges, if a page holds that
 //! ```
 
 use crate::figure::canvas::scene::{Group, Node};
 use crate::figure::canvas::vector::{Xy, xy};
 use crate::figure::canvas::{crop, number, text};
+use crate::figure::layout::grid::SHEET;
 use crate::figure::structure::look::{Look, Mark};
 use crate::figure::structure::notes::Notes;
 use crate::figure::structure::part::Part;
@@ -62,26 +64,31 @@ pub fn tables<V: PlanarView + ?Sized>(
     let mut scene = plate.picture.scene(Vec::new());
     scene.nodes = crop::framed(plate.nodes(view, &look, Vec::new()), scene.size, options);
     let marked = highlight.map(|element| element.to_string());
-    let mut height = scene.size.y;
-    let mut left = scene.size.x + GAP;
-    let [half_edges, vertices, faces] = [half_edge_table(view), vertex_table(view), face_table(view)];
-    for column in [vec![half_edges], vec![vertices, faces]] {
-        let (mut top, mut right) = (GAP, left);
-        for table in column {
-            let widths = table.widths();
-            scene.nodes.push(table.group(xy(left, top), &widths, marked.as_deref()));
-            top += ROW * (table.rows.len().min(ROWS) as f64 + 2.2);
-            right = right.max(left + widths.iter().sum::<f64>());
-            if table.rows.len() > ROWS {
-                notes.0.push(format!("{} more rows of {} are not shown", table.rows.len() - ROWS, table.name));
-            }
+    let picture = scene.size;
+    let tables = [half_edge_table(view), vertex_table(view), face_table(view)];
+    let sizes = tables.each_ref().map(Words::size);
+    for (table, corner) in tables.iter().zip(corners(picture, sizes)) {
+        scene.nodes.push(table.group(corner, &table.widths(), marked.as_deref()));
+        let end = corner + table.size() + xy(GAP, 0.0);
+        scene.size = xy(scene.size.x.max(end.x), scene.size.y.max(end.y));
+        if table.rows.len() > ROWS {
+            notes.0.push(format!("{} more rows of {} are not shown", table.rows.len() - ROWS, table.name));
         }
-        height = height.max(top);
-        left = right + GAP;
     }
-    scene.size = xy(left, height);
     scene.css.push_str(&pointer_style::css(&options.style, &scene.prefix));
     Ok(Figure { scene, detail: plate.picture.detail, notes: notes.0 })
+}
+
+/// Where the tables stand. The half-edges are beside the picture; the vertices and the faces, one below the other, beside
+/// these, or side by side below the picture if a page is not wide enough for that.
+fn corners(picture: Xy, [half_edges, vertices, faces]: [Xy; 3]) -> [Xy; 3] {
+    let first = xy(picture.x + GAP, GAP);
+    let second = xy(first.x + half_edges.x + GAP, GAP);
+    if second.x + vertices.x.max(faces.x) + GAP <= SHEET {
+        return [first, second, second + xy(0.0, vertices.y)];
+    }
+    let below = xy(GAP, picture.y + GAP);
+    [first, below, below + xy(vertices.x + 2.0 * GAP, 0.0)]
 }
 
 /// The marked element bold, the half-edges grey beside it.
@@ -149,6 +156,11 @@ impl Words {
             wide.fold(20.0, f64::max) + 14.0
         };
         (0..self.head.len()).map(column).collect()
+    }
+
+    /// With the space below it.
+    fn size(&self) -> Xy {
+        xy(self.widths().iter().sum(), ROW * (self.rows.len().min(ROWS) as f64 + 2.2))
     }
 
     fn group(&self, corner: Xy, widths: &[f64], marked: Option<&str>) -> Node {

@@ -3,14 +3,17 @@
 //! ```text
 //!   cells                        edges
 //!   ┌──────┬────────┐            ╲  ·   ╱
-//!   │  ·   │   ·    │         ·   ●────●   ·     rays end at the frame; over both, if asked for, the Delaunay
-//!   ├────┬─┴──┬─────┤            ╱  ·   ╲        triangulation of the sites
+//!   │  •   │   •    │         •   ○────○   •     • site, ○ Voronoi vertex; rays end at the frame; over
+//!   ├────┬─┴──┬─────┤            ╱  ·   ╲        both, if asked for, the Delaunay edges
 //!   └────┴────┴─────┘
 //! ```
 
-use crate::figure::sketch::{Backdrop, Role, Sketch, SketchError};
+use crate::figure::sketch::{Backdrop, Glyph, Role, Sketch, SketchError};
 use crate::figure::{Figure, FigureOptions};
-use crate::plane::{Subdivision, Voronoi, VoronoiCells, Window};
+use crate::plane::{Point, Voronoi, VoronoiCells, Window};
+
+/// With more corners of cells than this, these have no marks of their own.
+const MARKED: usize = 300;
 
 /// The cells with their sites; with `triangulation`, the Delaunay edges over them.
 ///
@@ -40,7 +43,13 @@ pub fn voronoi_cells(
     options: &FigureOptions,
 ) -> Result<Figure, SketchError> {
     let mut sketch = Sketch::new();
-    add_sites(&mut sketch, voronoi.delaunay(), triangulation);
+    let corners = cells.subdivision.vertices().map(|v| cells.subdivision.point(v));
+    let wide = |(low, high): (Point, Point), p: Point| {
+        (Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y)))
+    };
+    let start = Point::new(f64::INFINITY, f64::INFINITY);
+    let (low, high) = corners.fold((start, Point::new(-start.x, -start.y)), wide);
+    add_sites(&mut sketch, voronoi, &Window { low, high }, triangulation);
     let options = options.clone().without_half_edges(cells.subdivision.edge_count());
     sketch.over(&cells.subdivision, Backdrop::Plain, &options)
 }
@@ -69,13 +78,20 @@ pub fn voronoi_edges(
         let [left, right] = edge.sites;
         item.title(format!("between {left} and {right}")).key("Voronoi edge");
     }
-    add_sites(&mut sketch, voronoi.delaunay(), triangulation);
+    add_sites(&mut sketch, voronoi, window, triangulation);
     let Window { low, high } = window;
     sketch.figure(&options.clone().crop([low.x, low.y], [high.x, high.y]))
 }
 
-/// The triangulation, if asked for, and the sites.
-fn add_sites(sketch: &mut Sketch, delaunay: &Subdivision, triangulation: bool) {
+/// The corners of the cells inside the window, if they are few; the triangulation, if asked for, and the sites, in the colour
+/// of their edges.
+fn add_sites(sketch: &mut Sketch, voronoi: &Voronoi<'_>, window: &Window, triangulation: bool) {
+    let delaunay = voronoi.delaunay();
+    if voronoi.corners().len() <= MARKED {
+        for &corner in voronoi.corners().iter().filter(|&&corner| window.contains(corner)) {
+            sketch.point(Role::Plain, corner).glyph(Glyph::Ring).title("a Voronoi vertex").key("Voronoi vertex");
+        }
+    }
     if triangulation {
         for e in delaunay.edges() {
             let ends = e.half_edges().map(|h| delaunay.point(delaunay.origin(h)));
@@ -83,6 +99,6 @@ fn add_sites(sketch: &mut Sketch, delaunay: &Subdivision, triangulation: bool) {
         }
     }
     for v in delaunay.vertices() {
-        sketch.point(Role::Plain, delaunay.point(v)).title(format!("site {v}")).key("site");
+        sketch.point(Role::Secondary, delaunay.point(v)).title(format!("site {v}")).key("site");
     }
 }

@@ -14,8 +14,6 @@ use crate::figure::canvas::vector::{Xy, xy};
 use crate::figure::layout::options::{Detail, FigureOptions};
 use crate::plane::Point;
 
-/// How far a small structure may grow.
-const GROWN: f64 = 1600.0;
 /// Structures with at most this many edges may grow.
 const SMALL: usize = 60;
 /// The length at which a median edge has room for arrows and labels on both sides.
@@ -109,7 +107,7 @@ pub(crate) fn choose(extent: &Extent, load: &Load, options: &FigureOptions) -> (
         && options.width.is_none()
         && load.edges <= SMALL
     {
-        let wide = extent.scale(xy(GROWN, options.height.unwrap_or(GROWN)), padding);
+        let wide = extent.scale(xy(options.widest, options.height.unwrap_or(options.widest)), padding);
         scale = scale.max((ROOMY / median).min(wide));
     }
     let detail = options.detail.unwrap_or_else(|| detail(load, median.map(|m| m * scale)));

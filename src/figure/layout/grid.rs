@@ -12,8 +12,12 @@ use crate::figure::canvas::scene::{Group, Node};
 use crate::figure::canvas::text;
 use crate::figure::canvas::vector::{Xy, xy};
 
+/// Width of a sheet of panels: that of a page, on which the smallest letters keep their size.
+pub(crate) const SHEET: f64 = 830.0;
 /// Space between panels.
-const GAP: f64 = 14.0;
+pub(crate) const GAP: f64 = 14.0;
+/// Width of a panel unless the caller asks for more: two of them fill a sheet.
+pub(crate) const PANEL: f64 = 0.5 * (SHEET - GAP);
 /// Size of a heading and how far its lines are apart; at most so many.
 const HEADING: (f64, f64, usize) = (14.0, 17.0, 2);
 /// The same for the sentence below it.
@@ -28,13 +32,10 @@ pub(crate) struct Panel {
     pub(crate) nodes: Vec<Node>,
 }
 
-/// Two side by side up to four, three from five on.
-pub(crate) const fn usual_columns(panels: usize) -> usize {
-    match panels {
-        0 | 1 => 1,
-        2..=4 => 2,
-        _ => 3,
-    }
+/// As many columns of this width as a sheet holds, then as few as the rows need.
+pub(crate) fn columns(panels: usize, width: f64) -> usize {
+    let fit = (((SHEET + GAP) / (width + GAP)) as usize).clamp(1, panels.max(1));
+    panels.div_ceil(panels.div_ceil(fit).max(1)).max(1)
 }
 
 /// The panels as groups, and the size of it all. `size` is that of each drawing.
@@ -71,4 +72,16 @@ fn caption(panel: &Panel, width: f64) -> (Vec<Node>, f64) {
         }
     }
     (out, if y > 0.0 { y + 8.0 } else { 0.0 })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sheet_holds_what_a_page_holds() {
+        assert_eq!([0, 1, 2, 3, 4, 5, 9].map(|panels| columns(panels, PANEL)), [1, 1, 2, 2, 2, 2, 2]);
+        assert_eq!([1, 3, 4, 7].map(|panels| columns(panels, 266.0)), [1, 3, 2, 3]);
+        assert_eq!(columns(3, 5000.0), 1);
+    }
 }

@@ -7,6 +7,8 @@ use crate::plane::Point;
 
 /// The usual width of a figure.
 pub(crate) const WIDTH: f64 = 640.0;
+/// How far a small structure may grow, if it stands alone.
+const WIDEST: f64 = 1600.0;
 
 /// How much of the structure is drawn. Chosen by the median length of the edges on the canvas, and by their
 /// number, unless the caller fixes it.
@@ -62,6 +64,8 @@ pub struct FigureOptions {
     pub(crate) height: Option<f64>,
     /// The width before it grows, if the caller names none.
     pub(crate) usual_width: f64,
+    /// How wide it may grow.
+    pub(crate) widest: f64,
     /// How many panels or frames stand side by side, if that is said.
     pub(crate) columns: Option<usize>,
     pub(crate) detail: Option<Detail>,
@@ -95,6 +99,7 @@ impl FigureOptions {
             width: None,
             height: None,
             usual_width: WIDTH,
+            widest: WIDEST,
             columns: None,
             detail: None,
             vertex_labels: true,

@@ -120,6 +120,8 @@ pub(super) enum Dash {
     Role,
     Solid,
     Dashed,
+    /// As the edges of structures are.
+    Edge,
 }
 
 /// Which ends of a path have arrow heads.
@@ -221,6 +223,12 @@ impl Item {
     /// A circle with a tint inside.
     pub fn filled(&mut self) -> &mut Self {
         self.filled = true;
+        self
+    }
+
+    /// A line that looks like an edge of a structure.
+    pub(in crate::figure) fn as_edge(&mut self) -> &mut Self {
+        self.dash = Dash::Edge;
         self
     }
 

@@ -20,9 +20,6 @@ use crate::figure::structure::skeleton::vertices;
 use crate::figure::{Detail, Figure, FigureError, FigureOptions};
 use crate::plane::{PlanarView, Point};
 
-/// Width of a panel unless the caller or a structure asks for more.
-const WIDTH: f64 = 420.0;
-
 /// Panels of one layout: sketches, structures, or both in one.
 ///
 /// ```
@@ -104,7 +101,7 @@ impl<'a> Multiples<'a> {
         self.add(heading, text, Some((view, backdrop)), sketch)
     }
 
-    /// How many panels stand side by side. Default: two up to four panels, then three.
+    /// How many panels stand side by side. Default: as many as a page of 830 px holds, two of the usual width.
     pub fn columns(&mut self, columns: usize) -> &mut Self {
         self.columns = Some(columns.max(1));
         self
@@ -118,10 +115,11 @@ impl<'a> Multiples<'a> {
     /// Those of [`Sketch::over`].
     pub fn figure(&self, options: &FigureOptions) -> Result<Figure, SketchError> {
         let mut options = options.checked();
-        options.usual_width = WIDTH;
+        options.usual_width = grid::PANEL;
+        options.widest = grid::SHEET;
         let options = &options;
         let Drawn { panels, fit, detail, roles, legend, notes } = self.drawn(options)?;
-        let usual = || grid::usual_columns(panels.len());
+        let usual = || grid::columns(panels.len(), fit.size.x);
         let columns = options.columns.or(self.columns).unwrap_or_else(usual);
         let (nodes, size) = grid::arrange(panels, fit.size, columns);
         let mut scene = sketch::scene(options, "dcel-multiples", (size, fit.scale), &roles, nodes, &legend);

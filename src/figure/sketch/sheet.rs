@@ -3,7 +3,7 @@
 //! ```text
 //!   extent of all points ──> one layout ──> structure, if any     its labels keep clear of the sketch
 //!                                      └──> sketch                its labels keep clear of both
-//!                                      └──> legend                beside the picture, or below a wide one
+//!                                      └──> legend                beside the picture, or below one that fills the page
 //! ```
 
 use super::draw::{Canvas, Drawn, layer};
@@ -17,6 +17,7 @@ use crate::figure::canvas::scene::{Group, Hatch, Node, Scene};
 use crate::figure::canvas::vector::{Bounds, Xy, xy};
 use crate::figure::layout::crowd::{Crowd, INK, Shape};
 use crate::figure::layout::fit::{Extent, Fit, Load, choose};
+use crate::figure::layout::grid::SHEET;
 use crate::figure::structure::look::{Look, Mark};
 use crate::figure::structure::notes::Notes;
 use crate::figure::structure::part::Part;
@@ -42,20 +43,20 @@ pub enum Backdrop {
     /// Its lines and words in grey, so that the sketch stands out.
     #[default]
     Dimmed,
+    /// As in the structure figure, and in front of the sketch, which is its ground.
+    InFront,
 }
 
 impl Backdrop {
     /// A structure, in a group that dims it if need be, and the sketch over it.
     pub(in crate::figure) fn layers(self, structure: Vec<Node>, sketch: Vec<Node>) -> Vec<Node> {
         let group = |class: &'static str, nodes: Vec<Node>| Node::Group(Group { class, nodes, ..Group::default() });
-        let mut out = match self {
-            Self::Plain => structure,
-            Self::Dimmed => vec![group("under", structure)],
-        };
-        if !sketch.is_empty() {
-            out.push(group("over", sketch));
+        let sketch = if sketch.is_empty() { Vec::new() } else { vec![group("over", sketch)] };
+        match self {
+            Self::Plain => [structure, sketch].concat(),
+            Self::Dimmed => [vec![group("under", structure)], sketch].concat(),
+            Self::InFront => [sketch, structure].concat(),
         }
-        out
     }
 
     /// The look of a structure, as one drawing of several if it has an instance.
@@ -242,13 +243,14 @@ pub(in crate::figure) fn scene(
     scene
 }
 
-/// Below a wide picture, else beside it.
+/// Below a wide picture, and where a page has no room beside it; else beside it.
 fn add_legend(scene: &mut Scene, legend: &[Entry]) {
     if legend.is_empty() {
         return;
     }
     let size = scene.size;
-    let below = size.x > 1.15 * size.y && size.x >= 2.0 * BESIDE;
+    let is_wide = size.x > 1.15 * size.y && size.x >= 2.0 * BESIDE;
+    let below = is_wide || size.x + AIR + BESIDE > SHEET;
     let (corner, width) =
         if below { (xy(AIR, size.y + AIR), size.x - 2.0 * AIR) } else { (xy(size.x + AIR, 2.0 * AIR), BESIDE - AIR) };
     let (nodes, height) = legend::nodes(legend, corner, width, "");

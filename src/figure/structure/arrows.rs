@@ -16,6 +16,7 @@
 //! So a face reads as one closed loop of shafts and next arrows, and `prev` needs no arrow: it is the same
 //! loop backwards. Angles are compared by sines and cosines of unit vectors; nothing here calls `sin` or `atan`.
 
+use crate::figure::canvas::arc::arc;
 use crate::figure::canvas::scene::{Node, Step};
 use crate::figure::canvas::vector::{Xy, xy};
 use crate::figure::layout::crowd::Shape;
@@ -63,13 +64,21 @@ impl Arrow {
         self.heads.first().map_or(self.start, |head| (self.start + head[0]) * 0.5)
     }
 
-    /// What it covers, arcs as their chords: labels never stand on discs anyway.
+    /// What it covers, curves as a few chords.
     pub(crate) fn shapes(&self) -> Vec<Shape> {
         let mut out = Vec::new();
         let mut at = self.start;
         for step in &self.steps {
             let to = match *step {
-                Step::Line(to) | Step::Round { to, .. } => to,
+                Step::Line(to) => to,
+                Step::Round { radius, large, to } => {
+                    arc(at, to, radius, large, &mut |first, second, to| {
+                        let middle = (at + (first + second) * 3.0 + to) * 0.125;
+                        out.extend([Shape::Segment(at, middle, 1.0), Shape::Segment(middle, to, 1.0)]);
+                        at = to;
+                    });
+                    to
+                }
                 Step::Quad(control, to) => {
                     let middle = quad(at, control, to, 0.5);
                     out.push(Shape::Segment(at, middle, 1.0));

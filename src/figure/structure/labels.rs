@@ -9,7 +9,7 @@
 //! Small faces choose first: a half-edge without a label still has a neighbour's number to count from, a face
 //! without one has nothing. What finds no place is left out; its tooltip remains.
 
-use crate::figure::canvas::text;
+use crate::figure::canvas::text::{self, LEGIBLE};
 use crate::figure::canvas::vector::{Bounds, Xy, xy};
 use crate::figure::layout::crowd::{Crowd, INK, Shape};
 use crate::figure::structure::captions::{Caption, Label, Sizes, captions};
@@ -128,7 +128,7 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
                 out[v] = Some(Label { at, size, lines: vec![text] });
                 continue;
             }
-            let size = 0.85 * style.vertex_text;
+            let size = (0.85 * style.vertex_text).max(style.vertex_text.min(LEGIBLE));
             let half = (0.5 * text::width(&text, size, true), text::half_height(size));
             let corners = spokes.bisectors(v);
             let compass =
@@ -187,7 +187,7 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
     fn face_labels(&self, captions: &[Option<Caption>], out: &mut [Option<Label>], crowd: &mut Crowd, small: bool) {
         let style = &self.options.style;
         let largest = if self.detail < Detail::Arrows { style.map_text } else { style.face_text };
-        let sizes = Sizes { largest, smallest: largest.min(7.5) };
+        let sizes = Sizes { largest, smallest: largest.min(LEGIBLE) };
         let many = self.regions.len() > MANY;
         for ((region, caption), out) in self.regions.iter().zip(captions).zip(out) {
             let Some(caption) = caption.as_ref().filter(|_| out.is_none()) else { continue };
@@ -213,7 +213,7 @@ impl<V: PlanarView + ?Sized> Stage<'_, V> {
         labels: &[Option<Label>],
         crowd: &mut Crowd,
     ) -> Vec<(usize, Leader)> {
-        let size = (0.65 * self.options.style.face_text).max(7.5);
+        let size = (0.65 * self.options.style.face_text).max(LEGIBLE);
         lead_out(self.view, self.regions, captions, labels, size, self.size, crowd)
     }
 
@@ -274,12 +274,13 @@ pub(crate) fn outer_label<V: PlanarView + ?Sized>(
     let padding = if detail < Detail::Arrows { options.style.small_padding } else { options.style.padding };
     let widest = size.x - 28.0;
     let largest = options.style.face_text.min(padding - 12.0);
-    let fits = |text: &String| text::width(text, 7.5, true) <= widest;
+    let least = largest.min(LEGIBLE);
+    let fits = |text: &String| text::width(text, least, true) <= widest;
     let cuts = [usize::MAX, 40, 28, 16].map(|longest| text::shortened(&text, longest));
     let text = cuts.into_iter().find(fits)?;
     let width = text::width(&text, 1.0, true);
     let fitting = largest.min(widest / width);
-    (fitting >= 7.5 && !text.trim().is_empty()).then(|| {
+    (fitting >= least && !text.trim().is_empty()).then(|| {
         let at = xy(size.x - 14.0 - 0.5 * fitting * width, (0.5 * padding + 1.0).min(24.0));
         Label { at, size: fitting, lines: vec![text] }
     })

@@ -8,6 +8,7 @@
 //! ```
 
 use crate::figure::canvas::scene::{Group, Hatch, Node, Polylines, Scene, tenths};
+use crate::figure::canvas::text::LEGIBLE;
 use crate::figure::canvas::vector::{Bounds, Xy, xy};
 use crate::figure::canvas::{crop, number};
 use crate::figure::layout::crowd::{Crowd, Shape};
@@ -168,7 +169,7 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
     /// The labels of the regions, and the leaders of those that have none.
     fn map_labels(&self, regions: &[Region], outer: Option<&Label>, look: &Look) -> (Vec<Option<Label>>, Vec<Node>) {
         let largest = self.options.style.map_text;
-        let sizes = Sizes { largest, smallest: largest.min(7.0) };
+        let sizes = Sizes { largest, smallest: largest.min(LEGIBLE) };
         let bounded = |region: &Region| self.view.outer_face() != Some(region.face);
         let captions = captions(regions, self.options);
         let label = |(region, caption): (&Region, &Option<Caption>)| {
@@ -182,7 +183,15 @@ impl<'a, V: PlanarView + ?Sized> Picture<'a, V> {
         for placed in labels.iter().flatten().chain(outer) {
             crowd.add(Shape::Box(placed.bounds()), 0);
         }
-        let leaders = lead_out(self.view, regions, &captions, &labels, 0.8 * largest, self.fit.size, &mut crowd);
+        let leaders = lead_out(
+            self.view,
+            regions,
+            &captions,
+            &labels,
+            (0.8 * largest).max(sizes.smallest),
+            self.fit.size,
+            &mut crowd,
+        );
         let name = |face: FaceId| look.name(&format!("{face}-label"));
         let groups = leaders.iter().map(|(i, leader)| leader.group(name(regions[*i].face))).collect();
         (labels, groups)

@@ -1,12 +1,12 @@
 //! Vertex discs, and the corners round a vertex.
 //!
 //! ```text
-//!      \   /          r = min(9.5, max(2.2, 0.24 · shortest edge here)), 11 for names from three characters on;
+//!      \   /          r = min(9.5, max(2.2, 0.24 · shortest edge here)), 11.2 for names from three characters on;
 //!       (v7)───       smaller where a stranger is near: no disc hides another vertex or a foreign edge.
 //! ```
 
 use crate::figure::Style;
-use crate::figure::canvas::text;
+use crate::figure::canvas::text::{self, LEGIBLE};
 use crate::figure::canvas::vector::{Xy, xy};
 use crate::figure::layout::crowd::{Crowd, Shape};
 use crate::figure::structure::skeleton::{Skeleton, vertices};
@@ -28,7 +28,7 @@ pub(crate) fn radii<V: PlanarView + ?Sized>(
     style: &Style,
 ) -> VertexMap<f64> {
     let longest = vertices(view).map(|v| v.to_string().len()).max().unwrap_or(0);
-    let largest = style.vertex_radius + if longest > 2 { 1.5 } else { 0.0 };
+    let largest = style.vertex_radius + if longest > 2 { 1.7 } else { 0.0 };
     let mut out = VertexMap::filled(view.vertex_bound(), largest);
     for &h in &skeleton.edges {
         if let (Some([a, b]), Some((p, q))) = (skeleton.ends(h), skeleton.segment(h)) {
@@ -61,7 +61,7 @@ pub(crate) fn name_size(name: &str, radius: f64, style: &Style) -> Option<f64> {
     }
     let room = 2.0 * radius - 3.4;
     let size = style.vertex_text.min(room / text::width(name, 1.0, true));
-    (size >= 6.0).then_some(size)
+    (size >= style.vertex_text.min(LEGIBLE)).then_some(size)
 }
 
 /// The directions of the edges at every vertex, in flat arrays.
@@ -124,7 +124,8 @@ mod tests {
     fn long_names_shrink_or_leave_the_disc() {
         let style = Style::default();
         assert_eq!(name_size("v3", 9.5, &style), Some(9.5));
-        assert!(name_size("v12", 11.0, &style).unwrap() > 8.0);
+        assert!(name_size("v12", 11.2, &style).unwrap() >= LEGIBLE);
+        assert_eq!(name_size("v123", 11.2, &style), None, "smaller than can be read");
         assert_eq!(name_size("v3", 7.9, &style), None);
         assert_eq!(name_size("v123456", 9.5, &style), None);
     }

@@ -85,6 +85,6 @@ fn a_figure_of_voronoi_cells_takes_few_bytes_a_site() {
         is_sound(&svg, what);
         let each = svg.len() as f64 / sites.len() as f64;
         assert!(each < most, "{what}: {each:.0} bytes a site");
-        assert!(bulk(&svg, "cells-s-plain-points").unwrap().0 + 10 >= sites.len(), "{what}: all sites");
+        assert!(bulk(&svg, "cells-s-secondary-points").unwrap().0 + 10 >= sites.len(), "{what}: all sites");
     }
 }

@@ -36,6 +36,6 @@ pub(in crate::gallery) fn two_nexts() -> Made<String> {
     let mut panels = Multiples::new();
     panels.sketch("One record for an edge", "counter-clockwise, it runs up for one face and down for the other", list);
     panels.structure("Two half-edges", "one for each face, each with one next; they are twins", &halves);
-    let options = FigureOptions::new("Why an edge is cut along its length").id_prefix("two-nexts").width(520.0);
+    let options = FigureOptions::new("Why an edge is cut along its length").id_prefix("two-nexts").width(408.0);
     Ok(panels.figure(&options)?.to_svg())
 }

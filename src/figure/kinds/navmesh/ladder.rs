@@ -5,9 +5,9 @@
 //!   ┌────────────┐      ┌────────────┐      ┌────────────┐
 //!   │ corridor   │      │            │      │            │       each with its own corridor and way,
 //!   └────────────┘      └────────────┘      └────────────┘
-//!   closest 1.00 x      exact               all paths
-//!   ┌────────────┐      ┌────────────┐      ┌────────────┐       the last panel has all of them
-//!   └────────────┘      └────────────┘      └────────────┘
+//!   closest 1.00 x      exact               how much longer
+//!   ┌────────────┐      ┌────────────┐      breadth  ▇▇▇▇▇▇▇▇
+//!   └────────────┘      └────────────┘      centroid ▇▇▇           the last panel compares them all
 //! ```
 
 use crate::figure::kinds::navmesh::Floor;
@@ -15,9 +15,13 @@ use crate::figure::kinds::navmesh::route::length;
 use crate::figure::sketch::{Backdrop, Multiples, Role, Sketch, SketchError};
 use crate::figure::{Figure, FigureOptions};
 use crate::navmesh::{PathAlgorithm, Route};
+use crate::plane::Point;
+
+/// The part of a panel's width that the names of the bars have.
+const NAMES: f64 = 0.4;
 
 impl Floor<'_> {
-    /// The routes side by side, and all paths in one panel. Lengths are compared with the exact one, or with the least
+    /// The routes side by side, and a bar for each. Lengths are compared with the exact one, or with the least
     /// if none is exact.
     ///
     /// # Errors
@@ -27,7 +31,6 @@ impl Floor<'_> {
             routes.iter().find(|(algorithm, _)| *algorithm == PathAlgorithm::Exact).map(|(_, route)| route.length);
         let least = exact.unwrap_or_else(|| routes.iter().map(|(_, route)| route.length).fold(f64::INFINITY, f64::min));
         let mut sheet = Multiples::new();
-        let mut together = Sketch::new();
         for (algorithm, route) in routes {
             let heading = match algorithm {
                 PathAlgorithm::Exact => format!("exact: {}", length(route.length)),
@@ -45,19 +48,40 @@ impl Floor<'_> {
             let about =
                 format!("{}; {} faces, {} taken from the queue", how(*algorithm), route.faces.len(), route.work.pops);
             sheet.over(&heading, &about, self.map, Backdrop::Dimmed, sketch);
-            // Under the dashed ones, the exact way shows where they leave it.
-            if *algorithm == PathAlgorithm::Exact {
-                together.path(Role::Main, route.points.iter().copied()).key("exact");
+        }
+        sheet.sketch("how much longer", "than the shortest path", self.bars(routes, least));
+        sheet.figure(&self.nameless(options))
+    }
+
+    /// A bar for each route: by how much it is longer than `least`.
+    fn bars(&self, routes: &[(PathAlgorithm, Route)], least: f64) -> Sketch {
+        let corners = self.map.vertices().map(|v| self.map.point(v));
+        let wide = |(low, high): (Point, Point), p: Point| {
+            (Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y)))
+        };
+        let start = Point::new(f64::INFINITY, f64::INFINITY);
+        let (low, high) = corners.fold((start, Point::new(-start.x, -start.y)), wide);
+        let excess = |route: &Route| if least > 0.0 { route.length / least - 1.0 } else { 0.0 };
+        let most = routes.iter().map(|(_, route)| excess(route)).fold(f64::MIN_POSITIVE, f64::max);
+        let (width, step) = (high.x - low.x, (high.y - low.y) / routes.len().max(1) as f64);
+        let left = low.x + NAMES * width;
+        let mut sketch = Sketch::new();
+        for (i, (algorithm, route)) in routes.iter().enumerate() {
+            let middle = high.y - (i as f64 + 0.5) * step;
+            let right = left + excess(route) / most * (high.x - left);
+            let [top, bottom] = [middle + 0.25 * step, middle - 0.25 * step];
+            let words = match algorithm {
+                PathAlgorithm::Exact => algorithm.to_string(),
+                _ => format!("{algorithm} + {:.1} %", 100.0 * excess(route)),
+            };
+            if right > left {
+                let bar = [[left, bottom], [right, bottom], [right, top], [left, top]];
+                sketch.region(Role::Main, [bar]).title(&words);
             }
+            sketch.text(Role::Plain, [low.x + 0.5 * NAMES * width, middle], &words);
         }
-        for (algorithm, route) in routes.iter().filter(|(algorithm, _)| *algorithm != PathAlgorithm::Exact) {
-            together.path(role(*algorithm), route.points.iter().copied()).key(algorithm.name());
-        }
-        if let Some((_, route)) = routes.first() {
-            self.marks(&mut together, route);
-        }
-        sheet.over("all paths", "where one line is seen, they agree", self.map, Backdrop::Dimmed, together);
-        sheet.columns(3).figure(&self.nameless(options))
+        sketch.path(Role::Plain, [[left, low.y], [left, high.y]]).title("as short as can be");
+        sketch
     }
 }
 
@@ -75,17 +99,5 @@ const fn how(algorithm: PathAlgorithm) -> &'static str {
         PathAlgorithm::Closest => "A* to the closest point of each portal, then the funnel",
         PathAlgorithm::Aimed => "A* along the straight line to the goal, then the funnel",
         PathAlgorithm::Exact => "cones instead of faces: the shortest path of all",
-    }
-}
-
-/// How the path of a path algorithm is drawn beside the others.
-const fn role(algorithm: PathAlgorithm) -> Role {
-    match algorithm {
-        PathAlgorithm::Breadth => Role::Secondary,
-        PathAlgorithm::Centroid => Role::Event,
-        PathAlgorithm::Midpoint => Role::Wrong,
-        PathAlgorithm::Closest => Role::Right,
-        PathAlgorithm::Aimed => Role::Goal,
-        PathAlgorithm::Exact => Role::Main,
     }
 }

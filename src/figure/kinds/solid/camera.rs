@@ -97,6 +97,11 @@ impl Picture {
         Point::new(dot(q, self.right) * scale, dot(q, self.up) * scale)
     }
 
+    /// A point in space that falls on a place of the paper.
+    pub(super) fn lifted(&self, at: Point) -> Vector {
+        [0, 1, 2].map(|i| self.middle[i] + at.x * self.right[i] + at.y * self.up[i])
+    }
+
     /// How far away a point is, along the direction of sight; the same for all if the eye is infinitely far.
     pub(super) fn depth(&self, p: Vector) -> f64 {
         self.eye.map_or(1.0, |eye| dot(minus(eye, p), self.towards))

@@ -9,6 +9,7 @@
 
 use crate::figure::kinds::solid::camera::Picture;
 use crate::figure::kinds::solid::inside::Outline;
+use crate::figure::kinds::solid::parts::parts;
 use crate::figure::kinds::solid::tree::{Bounds, Tree};
 use crate::ids::{EdgeId, FaceId, FaceMap};
 use crate::plane::Point;
@@ -16,7 +17,7 @@ use crate::solid::Polyhedron;
 use crate::solid::vector::{dot, minus};
 
 /// Parts of an edge, from 0 at one end to 1 at the other: from, to, and whether it is hidden.
-type Stretches = Vec<(f64, f64, bool)>;
+pub(super) type Stretches = Vec<(f64, f64, bool)>;
 
 /// A straight part of an edge on the paper.
 pub(super) struct Piece {
@@ -30,25 +31,27 @@ pub(super) struct Seen {
     pub(super) faces: Vec<FaceId>,
     /// The parts of the edges that are no sides of these, from edge to edge, in order.
     pub(super) pieces: Vec<Piece>,
+    /// What is seen of other faces: cells of the paper, each with its holes.
+    pub(super) parts: Vec<Vec<Vec<Point>>>,
 }
 
 /// The solid and its picture, while it is looked at.
-struct Look<'a> {
+pub(super) struct Look<'a> {
     solid: &'a Polyhedron,
-    picture: &'a Picture,
+    pub(super) picture: &'a Picture,
     /// Whether a face looks at the eye.
     front: FaceMap<bool>,
     /// Each face on the paper, and its box.
-    shapes: FaceMap<(Outline, Bounds)>,
+    pub(super) shapes: FaceMap<(Outline, Bounds)>,
     /// The area vector of each face, and the mean of its corners.
-    planes: FaceMap<[[f64; 3]; 2]>,
+    pub(super) planes: FaceMap<[[f64; 3]; 2]>,
     outline: Vec<EdgeId>,
 }
 
 /// What may hide something, by where it is on the paper.
-struct Index {
-    polygons: Vec<FaceId>,
-    faces: Tree,
+pub(super) struct Index {
+    pub(super) polygons: Vec<FaceId>,
+    pub(super) faces: Tree,
     outline: Tree,
 }
 
@@ -80,7 +83,8 @@ impl Seen {
             look.clear_covered(&mut whole);
         }
         let faces: Vec<FaceId> = solid.polygon_faces().filter(|&f| whole[f]).collect();
-        let mut seen = Self { faces, pieces: Vec::new() };
+        let parts = index.map_or_else(Vec::new, |index| parts(&look, &index, &whole, &cut));
+        let mut seen = Self { faces, pieces: Vec::new(), parts };
         // Hidden parts first, so that seen ones lie over them.
         let rest: Vec<_> = cut.into_iter().filter(|&(e, _)| !look.sides(e).iter().any(|&f| whole[f])).collect();
         for hidden in [true, false] {
@@ -121,15 +125,15 @@ impl<'a> Look<'a> {
         look
     }
 
-    fn sides(&self, e: EdgeId) -> [FaceId; 2] {
+    pub(super) fn sides(&self, e: EdgeId) -> [FaceId; 2] {
         e.half_edges().map(|h| self.solid.topology().face(h))
     }
 
-    fn ends(&self, e: EdgeId) -> [[f64; 3]; 2] {
+    pub(super) fn ends(&self, e: EdgeId) -> [[f64; 3]; 2] {
         e.half_edges().map(|h| self.solid.point(self.solid.topology().origin(h)))
     }
 
-    fn along(&self, e: EdgeId, t: f64) -> [f64; 3] {
+    pub(super) fn along(&self, e: EdgeId, t: f64) -> [f64; 3] {
         let [a, b] = self.ends(e);
         [0, 1, 2].map(|i| a[i] + t * (b[i] - a[i]))
     }

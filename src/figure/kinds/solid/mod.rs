@@ -6,7 +6,7 @@
 //!      ●───●─────● │          seen parts of other edges: plain lines
 //!      │ ┊    f0 │f1
 //!      │ ●┄┄┄┄┄┄┄│┄●
-//!      ●─────────●╱
+//!      ●─────────●╱           seen parts of other faces: grey
 //! ```
 //!
 //! Which part of an edge is hidden is found by cutting it where it passes behind an outline, and asking for each part
@@ -14,6 +14,8 @@
 //!
 //! ```text
 //!   camera.rs  Where a solid is looked at from, and how it falls on the paper
+//!   hidden.rs  Which faces and which parts of edges are seen
+//!   parts.rs   The visible parts of faces that are partly hidden
 //!   inside.rs  Whether a place of the paper lies in a face, by the number of its sides to the right
 //!   tree.rs    Boxes in a balanced tree, to find the few that matter at a place of the paper
 //! ```
@@ -21,6 +23,7 @@
 mod camera;
 mod hidden;
 mod inside;
+mod parts;
 mod tree;
 
 pub use crate::figure::kinds::solid::camera::Camera;
@@ -28,11 +31,14 @@ pub(in crate::figure) use crate::figure::kinds::solid::camera::UP;
 
 use crate::figure::kinds::solid::hidden::{Piece, Seen};
 use crate::figure::sketch::{Backdrop, Role, Sketch, SketchError};
-use crate::figure::{Figure, FigureOptions};
+use crate::figure::{FaceLabels, Figure, FigureOptions};
 use crate::ids::{FaceId, VertexId};
 use crate::plane::{PlanarView, Point};
 use crate::solid::Polyhedron;
 use crate::topology::{Dcel, View};
+
+/// Solids with more faces than this show no names: the tooltips have them.
+const NAMED: usize = 60;
 
 /// What becomes of hidden lines.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
@@ -46,7 +52,8 @@ pub enum HiddenLines {
 }
 
 /// Draws a solid as `camera` sees it. The title of the options is that of the figure; if they choose faces, only
-/// those of them are drawn as faces.
+/// those of them are drawn as faces. What is seen of a face that is partly hidden is grey. Solids with more than 60 faces
+/// show no names.
 ///
 /// Cost: O(E) for convex solids. For others about O((E + k) log E), if edges pass in front of or behind outlines at k
 /// places of the paper: faces and outlines are found by trees over their boxes. That is so where faces are about as long
@@ -73,8 +80,11 @@ pub fn solid(
     let Shown { sketch, projected, faces } = Shown::new(solid, camera.view(solid), lines);
     let chosen = options.faces.clone();
     let faces = faces.into_iter().filter(|f| chosen.as_ref().is_none_or(|chosen| chosen.contains(f)));
-    let options = options.clone().faces(faces);
-    sketch.over(&projected, Backdrop::Plain, &options)
+    let mut options = options.clone().faces(faces);
+    if solid.face_count() > NAMED {
+        options = options.vertex_labels(false).half_edge_labels(false).face_labels(FaceLabels::Off);
+    }
+    sketch.over(&projected, Backdrop::InFront, &options)
 }
 
 /// What is to be drawn of a solid.
@@ -90,11 +100,14 @@ impl<'a> Shown<'a> {
     fn new(solid: &'a Polyhedron, view: camera::Picture, lines: HiddenLines) -> Self {
         let seen = Seen::new(solid, &view);
         let mut sketch = Sketch::new();
+        for part in &seen.parts {
+            sketch.region(Role::Plain, part.iter().map(|ring| ring.iter().copied())).plain().title("partly seen face");
+        }
         for Piece { ends, is_hidden } in &seen.pieces {
             let path = match (*is_hidden, lines) {
                 (true, HiddenLines::LeftOut) => continue,
                 (true, HiddenLines::Dashed) => sketch.path(Role::Dimmed, *ends).dashed(),
-                (false, _) => sketch.path(Role::Plain, *ends),
+                (false, _) => sketch.path(Role::Plain, *ends).as_edge(),
             };
             path.title(if *is_hidden { "hidden edge" } else { "edge" });
         }
