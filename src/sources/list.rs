@@ -341,6 +341,7 @@ pub const FURTHER: &[(&str, &str)] = &[
     ("src/figure/kinds/solid/inside.rs", include_str!("../../src/figure/kinds/solid/inside.rs")),
     ("src/figure/kinds/solid/mod.rs", include_str!("../../src/figure/kinds/solid/mod.rs")),
     ("src/figure/kinds/solid/parts.rs", include_str!("../../src/figure/kinds/solid/parts.rs")),
+    ("src/figure/kinds/solid/seen.rs", include_str!("../../src/figure/kinds/solid/seen.rs")),
     ("src/figure/kinds/solid/tree.rs", include_str!("../../src/figure/kinds/solid/tree.rs")),
     ("src/geometry/number.rs", include_str!("../../src/geometry/number.rs")),
     ("src/io/arrange.rs", include_str!("../../src/io/arrange.rs")),

@@ -1,4 +1,4 @@
-//! Which faces and which parts of edges are seen.
+//! Which parts of edges are hidden.
 //!
 //! ```text
 //!     ●━━━━━━━●        outline: edges between a face that looks at the eye and one that looks away, and borders.
@@ -9,7 +9,6 @@
 
 use crate::figure::kinds::solid::camera::Picture;
 use crate::figure::kinds::solid::inside::Outline;
-use crate::figure::kinds::solid::parts::parts;
 use crate::figure::kinds::solid::tree::{Bounds, Tree};
 use crate::ids::{EdgeId, FaceId, FaceMap};
 use crate::plane::Point;
@@ -19,28 +18,12 @@ use crate::solid::vector::{dot, minus};
 /// Parts of an edge, from 0 at one end to 1 at the other: from, to, and whether it is hidden.
 pub(super) type Stretches = Vec<(f64, f64, bool)>;
 
-/// A straight part of an edge on the paper.
-pub(super) struct Piece {
-    pub(super) ends: [Point; 2],
-    pub(super) is_hidden: bool,
-}
-
-/// What is seen of a solid.
-pub(super) struct Seen {
-    /// The faces that are seen whole.
-    pub(super) faces: Vec<FaceId>,
-    /// The parts of the edges that are no sides of these, from edge to edge, in order.
-    pub(super) pieces: Vec<Piece>,
-    /// What is seen of other faces: cells of the paper, each with its holes.
-    pub(super) parts: Vec<Vec<Vec<Point>>>,
-}
-
 /// The solid and its picture, while it is looked at.
 pub(super) struct Look<'a> {
     solid: &'a Polyhedron,
     pub(super) picture: &'a Picture,
     /// Whether a face looks at the eye.
-    front: FaceMap<bool>,
+    pub(super) front: FaceMap<bool>,
     /// Each face on the paper, and its box.
     pub(super) shapes: FaceMap<(Outline, Bounds)>,
     /// The area vector of each face, and the mean of its corners.
@@ -58,49 +41,8 @@ pub(super) struct Index {
 /// Edges are looked for so much further out, in sizes of the solid, than where they are.
 const MARGIN: f64 = 1e-6;
 
-impl Seen {
-    pub(super) fn new(solid: &Polyhedron, picture: &Picture) -> Self {
-        let look = Look::new(solid, picture);
-        let index = solid.check_convex().is_err().then(|| look.index());
-        let mut whole = look.front.clone();
-        let mut cut: Vec<(EdgeId, Stretches)> = Vec::new();
-        let mut cover = None;
-        for e in solid.edges() {
-            let sides = look.sides(e);
-            let away = sides.iter().all(|&f| solid.is_boundary_face(f) || !look.front[f]);
-            let closed = sides.iter().all(|&f| !solid.is_boundary_face(f));
-            let pieces = match (&index, away && closed) {
-                (_, true) => vec![(0.0, 1.0, true)],
-                (None, false) => vec![(0.0, 1.0, false)],
-                (Some(index), false) => look.cut(e, index, &mut cover),
-            };
-            if pieces.iter().any(|&(.., hidden)| hidden) {
-                sides.iter().for_each(|&f| whole[f] = false);
-            }
-            cut.push((e, pieces));
-        }
-        if index.is_some() {
-            look.clear_covered(&mut whole);
-        }
-        let faces: Vec<FaceId> = solid.polygon_faces().filter(|&f| whole[f]).collect();
-        let parts = index.map_or_else(Vec::new, |index| parts(&look, &index, &whole, &cut));
-        let mut seen = Self { faces, pieces: Vec::new(), parts };
-        // Hidden parts first, so that seen ones lie over them.
-        let rest: Vec<_> = cut.into_iter().filter(|&(e, _)| !look.sides(e).iter().any(|&f| whole[f])).collect();
-        for hidden in [true, false] {
-            for (e, pieces) in &rest {
-                for &(from, to, _) in pieces.iter().filter(|&&(.., is_hidden)| is_hidden == hidden) {
-                    let ends = [from, to].map(|t| picture.place(look.along(*e, t)));
-                    seen.pieces.push(Piece { ends, is_hidden: hidden });
-                }
-            }
-        }
-        seen
-    }
-}
-
 impl<'a> Look<'a> {
-    fn new(solid: &'a Polyhedron, picture: &'a Picture) -> Self {
+    pub(super) fn new(solid: &'a Polyhedron, picture: &'a Picture) -> Self {
         let mut front = FaceMap::filled(solid.face_bound(), false);
         let mut shapes = FaceMap::filled(solid.face_bound(), (Outline::default(), Bounds::NONE));
         let mut planes = FaceMap::filled(solid.face_bound(), [[0.0; 3]; 2]);
@@ -139,7 +81,7 @@ impl<'a> Look<'a> {
     }
 
     /// Trees over the polygons and over the outline. O(n log n).
-    fn index(&self) -> Index {
+    pub(super) fn index(&self) -> Index {
         let polygons: Vec<FaceId> = self.solid.polygon_faces().collect();
         let outline: Vec<Bounds> = self.outline.iter().map(|&e| self.bounds(e)).collect();
         let flat = |i: usize| [outline[i].left + outline[i].right, outline[i].low + outline[i].high, 0.0];
@@ -163,7 +105,7 @@ impl<'a> Look<'a> {
 
     /// The parts of an edge. Neighbours that are alike are one part. `cover` is the face that hid something last: what
     /// comes next is likely to lie behind it, too.
-    fn cut(&self, e: EdgeId, index: &Index, cover: &mut Option<FaceId>) -> Stretches {
+    pub(super) fn cut(&self, e: EdgeId, index: &Index, cover: &mut Option<FaceId>) -> Stretches {
         let [a, b] = self.ends(e).map(|p| self.picture.place(p));
         let mut places = vec![0.0, 1.0];
         let own = self.bounds(e);
@@ -234,7 +176,7 @@ impl<'a> Look<'a> {
     }
 
     /// Takes faces out that something stands in front of, although all of their edges are seen.
-    fn clear_covered(&self, whole: &mut FaceMap<bool>) {
+    pub(super) fn clear_covered(&self, whole: &mut FaceMap<bool>) {
         let faces: Vec<FaceId> = self.solid.polygon_faces().filter(|&f| whole[f]).collect();
         let tree = self.tree(&faces);
         for &e in &self.outline {

@@ -14,7 +14,8 @@
 //!
 //! ```text
 //!   camera.rs  Where a solid is looked at from, and how it falls on the paper
-//!   hidden.rs  Which faces and which parts of edges are seen
+//!   seen.rs    What is seen: whole faces, parts of faces, parts of edges
+//!   hidden.rs  Which parts of edges are hidden
 //!   parts.rs   The visible parts of faces that are partly hidden
 //!   inside.rs  Whether a place of the paper lies in a face, by the number of its sides to the right
 //!   tree.rs    Boxes in a balanced tree, to find the few that matter at a place of the paper
@@ -24,12 +25,13 @@ mod camera;
 mod hidden;
 mod inside;
 mod parts;
+mod seen;
 mod tree;
 
 pub use crate::figure::kinds::solid::camera::Camera;
 pub(in crate::figure) use crate::figure::kinds::solid::camera::UP;
 
-use crate::figure::kinds::solid::hidden::{Piece, Seen};
+use crate::figure::kinds::solid::seen::{Piece, Seen};
 use crate::figure::sketch::{Backdrop, Role, Sketch, SketchError};
 use crate::figure::{FaceLabels, Figure, FigureOptions};
 use crate::ids::{FaceId, VertexId};
