@@ -42,12 +42,14 @@
 //   kinds/      one subject each: duals, Voronoi diagrams, paths, solids, records, tables …
 //   flatten/    structures without coordinates, laid out
 //   film/       edits, frame by frame                      page/   a page of HTML with a picture to walk in
+//   notebook.rs  pictures below the cells of a notebook
 
 pub(crate) mod canvas;
 mod film;
 mod flatten;
 mod kinds;
 pub(crate) mod layout;
+mod notebook;
 mod page;
 pub mod sketch;
 pub(crate) mod structure;

@@ -83,6 +83,7 @@ fn prints_what_it_says(name: &str) {
 fn every_example_is_run_short_and_says_how_to_run_it() {
     let entries = fs::read_dir(root().join("examples")).unwrap().map(|entry| entry.unwrap().path());
     let files: BTreeMap<String, String> = entries
+        .filter(|path| path.extension().is_some_and(|extension| extension == "rs"))
         .map(|path| (path.file_stem().unwrap().to_str().unwrap().to_owned(), fs::read_to_string(path).unwrap()))
         .collect();
     let mut run: Vec<&str> = EXAMPLES.iter().map(|(name, _)| *name).collect();

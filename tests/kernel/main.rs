@@ -12,6 +12,7 @@ mod inverses;
 mod isomorphism;
 mod kernel_script;
 mod missing_ids;
+mod notebook;
 mod oracles;
 mod own;
 mod pages;
