@@ -7,6 +7,7 @@ use super::input::InputOptions;
 use super::looks::{Crop, Looks, Page};
 use super::picture::{Target, is_page};
 use super::save::{Files, put};
+use super::saved::Saved;
 use super::subject::{self, Subject};
 use super::{Answer, Failure, Output};
 use dcel_kit::figure::{self, Detail, FaceLabels, Figure, FigureOptions};
@@ -54,6 +55,9 @@ pub(crate) struct Args {
     /// Write a self-contained page: the picture, its tables, buttons to walk
     #[arg(long, value_name = "OUT.html", conflicts_with_all = ["records", "kind"])]
     html: Option<PathBuf>,
+    /// Draw again whenever a file that is read is saved, until Ctrl-C
+    #[arg(long, conflicts_with = "records")]
+    watch: bool,
     #[command(flatten)]
     kind: Kind,
     #[command(flatten)]
@@ -122,6 +126,35 @@ fn px(text: &str) -> Result<f64, String> {
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    if args.watch { keep(args, out) } else { draw(args, out) }
+}
+
+/// Draws now, and whenever a file is saved. What is wrong with a file is told, and the drawing stays as it was.
+fn keep(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    let Some(target) = args.output.as_ref().or(args.html.as_ref()) else {
+        return Err(Failure::input("--watch: there is no file to draw into", "add -o OUT.svg or --html OUT.html"));
+    };
+    if args.file.as_ref().is_some_and(|file| file.as_os_str() == "-") {
+        return Err(Failure::input("--watch: standard input cannot be watched", "give the name of a file"));
+    }
+    let sources = args.page.files(args.looks.files(Files::reading(&args.file))).sources();
+    if !sources.iter().all(|file| file.exists()) {
+        // A name that is mistyped is told at once, and not waited for.
+        return draw(args, out);
+    }
+    let saved = Saved::watch(sources)?;
+    loop {
+        match draw(args, out) {
+            Ok(_) => say("drawn", format_args!("{}; again when a file is saved, Ctrl-C ends it", target.display())),
+            Err(failed) => failed.report(),
+        }
+        if !saved.again() {
+            return Ok(Answer::Yes);
+        }
+    }
+}
+
+fn draw(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let target = Target::new(args.output.as_deref(), &args.page)?;
     let files = Files::reading(&args.file).writes("-o", target.path()).writes("--html", args.html.as_deref());
     args.page.files(args.looks.files(files)).check()?;

@@ -43,6 +43,7 @@ mod play;
 mod results;
 mod sample;
 mod save;
+mod saved;
 mod script;
 mod signals;
 mod solid;

@@ -47,6 +47,11 @@ impl<'a> Files<'a> {
         self.writes(flag, file)
     }
 
+    /// What is read.
+    pub(crate) fn sources(&self) -> Vec<PathBuf> {
+        self.read.iter().map(|(_, file)| file.to_path_buf()).collect()
+    }
+
     /// Refuses to write over what is read, and to write two results into one file. Before any work is done.
     pub(crate) fn check(&self) -> Result<(), Failure> {
         let mut replaced = false;

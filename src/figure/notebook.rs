@@ -44,7 +44,7 @@ fn framed(page: &str) -> String {
 /// The picture, or the reason why there is none.
 fn picture<E: Display>(name: &str, draw: impl FnOnce(&FigureOptions) -> Result<Figure, E>) -> String {
     let number = PICTURES.fetch_add(1, Ordering::Relaxed) + 1;
-    match draw(&FigureOptions::new(&format!("{name} {number}"))) {
+    match draw(&FigureOptions::new(format!("{name} {number}"))) {
         Ok(figure) => svg(&figure),
         Err(error) => content("text/plain", &format!("no picture: {error}")),
     }

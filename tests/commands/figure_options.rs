@@ -1,6 +1,7 @@
 //! The looks of figures by the command line: what is refused, and where the fault lies.
 
 use crate::shell::Folder;
+use crate::shell::watched::Watched;
 use std::path::Path;
 use std::process::Command;
 
@@ -207,4 +208,40 @@ fn columns_and_parts_are_chosen() {
     folder.dcel("delaunay sites.xy --figure whole.svg");
     folder.dcel("delaunay sites.xy --figure part.svg --crop 0,0,1,1");
     assert!(folder.read("part.svg").len() < folder.read("whole.svg").len());
+}
+
+#[test]
+fn a_watched_figure_is_drawn_again_when_a_file_is_saved_and_stays_when_it_is_broken() {
+    let shell = Folder::new();
+    shell.write("two.obj", SQUARES);
+    shell.write("rooms.txt", "f1 \"hall\"\n");
+    std::fs::create_dir(shell.path("out")).unwrap();
+    let picture = || std::fs::read_to_string(shell.path("out/two.svg")).unwrap();
+    let watched = Watched::start(&shell, "figure two.obj --colours rooms.txt --watch -o out/two.svg");
+    assert!(watched.says("drawn: out/two.svg", 60));
+    assert!(picture().contains(">hall<"));
+    assert!(watched.is_silent("drawn", 1), "nothing was saved, yet it was drawn again");
+    // As many editors do it: a new file takes the place of the old one.
+    shell.write("rooms.new", "f1 \"kitchen\"\n");
+    std::fs::rename(shell.path("rooms.new"), shell.path("rooms.txt")).unwrap();
+    assert!(watched.says("drawn: out/two.svg", 60));
+    assert!(picture().contains(">kitchen<"));
+    let last = picture();
+    shell.write("two.obj", "v 0 0 0\nf 1 2 3\n");
+    assert!(watched.says("error: two.obj:2:", 60));
+    assert_eq!(picture(), last);
+    shell.write("two.obj", SQUARES.rsplit_once("f 2").unwrap().0);
+    assert!(watched.says("drawn: out/two.svg", 60));
+    assert!(!picture().contains("f2"), "one square is left");
+}
+
+#[test]
+fn watching_needs_a_file_to_read_and_one_to_write() {
+    let dir = tempfile::tempdir().unwrap();
+    let (code, _, err) = figure(dir.path(), &["--watch"]);
+    assert_eq!(code, 2);
+    assert!(err.contains("no file to draw into") && err.contains("-o OUT.svg"), "{err}");
+    let shell = Folder::new();
+    shell.dcel("figure - --watch -o two.svg").fails(2, "standard input cannot be watched", "name of a file");
+    shell.dcel("figure none.obj --watch -o two.svg").fails(2, "none.obj", "");
 }

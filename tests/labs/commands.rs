@@ -1,12 +1,10 @@
 //! The commands of a lab, typed as a student and an instructor type them.
 
 use crate::shell::Folder;
+use crate::shell::watched::Watched;
 use dcel_lab::{Bug, LabFiles, Report, Verdict};
 use std::fs;
-use std::io::{BufRead, BufReader};
 use std::path::Path;
-use std::process::Stdio;
-use std::time::{Duration, Instant};
 
 /// A shell with the folder of a student of lab 04 in it, `lab`.
 fn student() -> Folder {
@@ -102,72 +100,10 @@ fn a_check_says_the_next_thing_to_do() {
     shell.dcel("lab check lab --test x").fails(2, "has no test `x`", "face_walk");
 }
 
-/// What a watching command says, line by line as it comes.
-struct Watched {
-    child: std::process::Child,
-    lines: std::sync::mpsc::Receiver<String>,
-    /// Lines that came while others were waited for: what is said in two streams comes in any order.
-    early: std::cell::RefCell<Vec<String>>,
-}
-
-impl Watched {
-    fn start(shell: &Folder, folder: &str) -> Self {
-        let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_dcel"))
-            .args(["lab", "watch", folder, "--seed", "4"])
-            .current_dir(shell.path(""))
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
-        let (send, lines) = std::sync::mpsc::channel();
-        let pipes: [Box<dyn std::io::Read + Send>; 2] =
-            [Box::new(child.stdout.take().unwrap()), Box::new(child.stderr.take().unwrap())];
-        for pipe in pipes {
-            let send = send.clone();
-            std::thread::spawn(move || {
-                let mut lines = BufReader::new(pipe).lines().map_while(Result::ok);
-                lines.try_for_each(|line| send.send(line))
-            });
-        }
-        Self { child, lines, early: std::cell::RefCell::default() }
-    }
-
-    /// Waits for a line with these words; whether it came within the seconds. Each line is heard once.
-    fn says(&self, words: &str, seconds: u64) -> bool {
-        let mut early = self.early.borrow_mut();
-        if let Some(i) = early.iter().position(|line| line.contains(words)) {
-            early.remove(i);
-            return true;
-        }
-        let end = Instant::now() + Duration::from_secs(seconds);
-        while let Ok(line) = self.lines.recv_timeout(end.saturating_duration_since(Instant::now())) {
-            if line.contains(words) {
-                return true;
-            }
-            early.push(line);
-        }
-        false
-    }
-
-    /// Whether it says nothing of this kind for so long, from now on.
-    fn is_silent(&self, words: &str, seconds: u64) -> bool {
-        self.early.borrow_mut().clear();
-        !self.says(words, seconds)
-    }
-}
-
-impl Drop for Watched {
-    fn drop(&mut self) {
-        // It watches until it is ended.
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
-}
-
 #[test]
 fn a_watched_lab_is_checked_when_its_file_is_saved_and_only_then() {
     let shell = student();
-    let watched = Watched::start(&shell, "lab");
+    let watched = Watched::start(&shell, "lab watch lab --seed 4");
     assert!(watched.says("0 of 100 points", 120));
     assert!(watched.says("Ctrl-C ends it", 120));
     assert!(watched.is_silent("points", 2), "nothing was saved, yet it was checked again");

@@ -1,6 +1,8 @@
 //! A folder of small files and the command in it.
 #![allow(dead_code, unreachable_pub)] // every test file uses another part
 
+pub(crate) mod watched;
+
 use serde_json::Value;
 use std::io::Write;
 use std::path::{Path, PathBuf};

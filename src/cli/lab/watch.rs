@@ -9,18 +9,16 @@
 //! On a terminal the screen is cleared before each check and verdicts are coloured, unless NO_COLOR is set. Anywhere
 //! else it writes one check below the other and listens to no keys.
 
+use super::super::saved::{QUIET, is_one_of, watcher};
 use super::super::{Answer, Failure, Output, failure};
 use super::check::{self, Bench};
 use super::{hint, reset};
 use console::{Key, Term};
 use notify::{RecursiveMode, Watcher};
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
-use std::time::Duration;
 
-/// Editors write a file in several steps; this long after the last of them it is complete.
-const QUIET: Duration = Duration::from_millis(60);
 /// What stands below a check.
 const KEYS: &str = "h hint   l list of tests   r reset   q quit";
 
@@ -53,14 +51,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     };
     let (send, events) = channel();
     let changes = send.clone();
-    let mut watcher = notify::recommended_watcher(move |event: notify::Result<notify::Event>| {
-        // The compiler opens the file, too: only changes count, or each check would start the next one.
-        if let Some(event) = event.ok().filter(|event| !event.kind.is_access()) {
-            // Nobody listens any more only when the program ends.
-            let _ = event.paths.into_iter().try_for_each(|path| changes.send(Event::Changed(path)));
-        }
-    })
-    .map_err(cannot)?;
+    let mut watcher = watcher(move |path| changes.send(Event::Changed(path)).is_ok()).map_err(cannot)?;
     // The folder and not the file: editors replace files.
     watcher.watch(&bench.dir.join("src"), RecursiveMode::Recursive).map_err(cannot)?;
     let screen = Screen::new(send);
@@ -176,11 +167,9 @@ fn next_key(events: &Receiver<Event>) -> Option<char> {
 
 /// Waits for a key, or until one of the files has been saved; `None` when there is nothing more to wait for.
 fn wait(events: &Receiver<Event>, files: &[PathBuf]) -> Option<Event> {
-    let names: Vec<_> = files.iter().filter_map(|file| file.file_name()).collect();
-    let is_ours = |path: &Path| path.file_name().is_some_and(|name| names.contains(&name));
     let saved = loop {
         match events.recv().ok()? {
-            Event::Changed(path) if is_ours(&path) => break Event::Changed(path),
+            Event::Changed(path) if is_one_of(&path, files) => break Event::Changed(path),
             Event::Changed(_) => {}
             key @ Event::Pressed(_) => return Some(key),
         }

@@ -33,7 +33,7 @@ trait Shown {
 
 fn numbered(name: &str, number: &mut u32) -> FigureOptions {
     *number += 1;
-    FigureOptions::new(&format!("{name} {number}"))
+    FigureOptions::new(format!("{name} {number}"))
 }
 
 impl Shown for Subdivision {
