@@ -356,3 +356,21 @@ fn films_in_space_are_seen_from_one_place() {
     assert!(both.iter().all(|(before, after)| before == after), "{both:?}");
     assert!(svg.contains("id=\"f-1-v8\"") && !svg.contains("id=\"f-0-v8\""), "new corners come with their edit");
 }
+
+/// Inkscape drops a whole style sheet for one rule with @supports: the colours must stand in another one.
+#[test]
+fn rules_that_ask_what_a_program_supports_stand_in_a_sheet_of_their_own() {
+    let (film, _) = shoot(SCRIPTS[0]);
+    let svg = film.stepper(&FigureOptions::new("Steps")).unwrap().to_svg();
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    let sheets: Vec<&str> = document
+        .descendants()
+        .filter(|n| n.tag_name().name() == "style")
+        .filter_map(|n| n.text())
+        .map(str::trim)
+        .collect();
+    assert_eq!(sheets.len(), 2);
+    assert!(!sheets[0].contains("@supports") && sheets[0].contains(".sh{"), "{}", sheets[0]);
+    assert!(sheets[1].starts_with("@supports selector(:has(a))"), "{}", sheets[1]);
+    assert_eq!(film.strip(&FigureOptions::new("Steps")).unwrap().to_svg().matches("<style>").count(), 1);
+}

@@ -45,10 +45,15 @@ pub(crate) fn document(scene: &Scene) -> String {
     if !hatches.is_empty() {
         worn.add(HATCH);
     }
+    // Inkscape knows no @supports, and then none of the rules of that style sheet: those that ask stand in their own.
+    let (common, asking) = scene.css.split_at(scene.css.find("@supports").unwrap_or(scene.css.len()));
     root = root
         .add(Title::new(scene.title.as_str()).set("id", format!("{prefix}-title")))
         .add(Description::new().set("id", format!("{prefix}-desc")).add(Characters::new(scene.description.as_str())))
-        .add(Style::new(worn.sheet(&scene.css) + &sizes));
+        .add(Style::new(worn.sheet(common) + &sizes));
+    if !asking.is_empty() {
+        root = root.add(Style::new(worn.sheet(asking)));
+    }
     if !hatches.is_empty() {
         let patterns = hatches.into_iter().map(|hatch| pattern(hatch, prefix));
         root = root.add(patterns.fold(Definitions::new(), Definitions::add));
