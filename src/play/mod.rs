@@ -8,7 +8,7 @@
 //! A session never panics: what cannot be done is a sentence, and the scene is as it was.
 //!
 //! ```text
-//!   session.rs   the session: what is asked for, what has changed        reply.rs   words between page and session
+//!   session/     the session: what is asked for, what has changed        reply.rs   words between page and session
 //!   scene.rs     what is played with, and where it comes from            points.rs  points and their triangulation
 //!   edits.rs     a structure with its history and its script             film.rs    edits as a page that plays them
 //!   canvas.rs    places of the picture and points of the plane           tables.rs  records as HTML and in words

@@ -139,6 +139,7 @@ pub(super) const FURTHER: &[(&str, &str)] = &[
     ("src/cli/sample/torus.dcels", include_str!("../../sample/torus.dcels")),
     ("src/cli/sample/trees.xy", include_str!("../../sample/trees.xy")),
     ("src/cli/save.rs", include_str!("../../save.rs")),
+    ("src/cli/saved.rs", include_str!("../../saved.rs")),
     ("src/cli/script.rs", include_str!("../../script.rs")),
     ("src/cli/signals.rs", include_str!("../../signals.rs")),
     ("src/cli/solid/common.rs", include_str!("../../solid/common.rs")),
