@@ -138,6 +138,11 @@ impl Failure {
         Self::new(Kind::Signal(signal), what, help)
     }
 
+    /// What is wrong.
+    pub(crate) fn what(&self) -> &str {
+        &self.what
+    }
+
     /// The same with more to tell, before the help.
     pub(crate) fn with_notes(mut self, notes: impl IntoIterator<Item = String>) -> Self {
         self.notes.extend(notes);

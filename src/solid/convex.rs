@@ -22,7 +22,7 @@ use super::measure::PartCounts;
 use super::predicates::{are_collinear, orient3d};
 use super::vector::Vector;
 use super::wings::{Wings, other_corners};
-use crate::ids::{EdgeId, FaceId, FaceMap, HalfEdgeId, VertexId};
+use crate::ids::{EdgeId, Element, FaceId, FaceMap, HalfEdgeId, VertexId};
 use crate::plane::predicates::orientation;
 use std::cmp::Ordering;
 
@@ -81,6 +81,21 @@ pub enum NotConvex {
         /// The faces of its two halves.
         faces: [FaceId; 2],
     },
+}
+
+impl NotConvex {
+    /// The elements that it is about.
+    #[must_use]
+    pub fn elements(&self) -> Vec<Element> {
+        match *self {
+            Self::Empty | Self::Handles { .. } => Vec::new(),
+            Self::Open { boundary_face } => vec![boundary_face.into()],
+            Self::Pieces { vertex, other } => vec![vertex.into(), other.into()],
+            Self::NoArea { face } => vec![face.into()],
+            Self::ReflexCorner { face, vertex, .. } => vec![face.into(), vertex.into()],
+            Self::ReflexEdge { edge, faces: [f, g], .. } => vec![f.into(), g.into(), edge.into()],
+        }
+    }
 }
 
 /// A surface that is known to bound a convex solid; it cannot be edited while this exists.

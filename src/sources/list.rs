@@ -76,6 +76,7 @@ pub const CHECK: &[(&str, &str)] = &[
     ("src/figure/film/algorithms/locate.rs", include_str!("../../src/figure/film/algorithms/locate.rs")),
     ("src/figure/film/algorithms/mod.rs", include_str!("../../src/figure/film/algorithms/mod.rs")),
     ("src/figure/film/algorithms/monotone.rs", include_str!("../../src/figure/film/algorithms/monotone.rs")),
+    ("src/figure/film/algorithms/refusal.rs", include_str!("../../src/figure/film/algorithms/refusal.rs")),
     ("src/figure/film/algorithms/sweep.rs", include_str!("../../src/figure/film/algorithms/sweep.rs")),
     ("src/figure/film/algorithms/voronoi.rs", include_str!("../../src/figure/film/algorithms/voronoi.rs")),
     ("src/figure/film/algorithms/walks.rs", include_str!("../../src/figure/film/algorithms/walks.rs")),

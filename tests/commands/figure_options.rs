@@ -245,3 +245,21 @@ fn watching_needs_a_file_to_read_and_one_to_write() {
     shell.dcel("figure - --watch -o two.svg").fails(2, "standard input cannot be watched", "name of a file");
     shell.dcel("figure none.obj --watch -o two.svg").fails(2, "none.obj", "");
 }
+
+#[test]
+fn a_film_of_what_an_algorithm_refuses_shows_it_and_the_call_fails() {
+    let shell = Folder::new();
+    shell.dcel("sample --all .").fine();
+    for (arguments, error, marked) in [
+        ("climb house.obj --direction 0,0,1", "house.obj: the surface has a border at f5", "border at f5"),
+        ("funnel rooms.map --from 1,1 --to 300,12", "the goal (300, 12) is not on the mesh", "nearest place"),
+    ] {
+        shell.dcel(&format!("film {arguments} -o out.svg")).fails(2, error, "");
+        let svg = shell.read("out.svg");
+        assert!(svg.contains(">Refused<") && svg.contains("r-wrong") && svg.contains(marked), "{arguments}: {svg}");
+        std::fs::remove_file(shell.path("out.svg")).unwrap();
+    }
+    // What is wrong with the call or the file is no refusal of the algorithm.
+    shell.dcel("film walk square.obj --face f99 -o out.svg").fails(2, "there is no f99", "");
+    assert!(!shell.path("out.svg").exists());
+}

@@ -318,7 +318,7 @@ fn figures_show_what_they_are_about() {
     draw(&format!("path {ends}"), &["portal: its left endpoint a square", "a corner of the path", "the corridor"]);
     draw(&format!("path {ends} --draw funnel"), &["the apex", "left chain of the funnel", "the goal"]);
     draw(&format!("path {ends} --draw cones"), &["what is seen from the root of a cone"]);
-    draw(&format!("path {ends} --algorithm all"), &["exact: 23.2369", "x the shortest", "all paths"]);
+    draw(&format!("path {ends} --algorithm all"), &["exact: 23.2369", "x the shortest", "how much longer"]);
     folder.dcel("navmesh path rooms.map 1 1 2 1 --draw cones --algorithm bfs -o x.svg").fails(
         2,
         "only the exact search has cones",

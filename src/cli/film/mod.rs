@@ -27,6 +27,8 @@ use std::path::{Path, PathBuf};
 A film is a strip of frames (.svg, .png), two in a row, or a page that plays them (.html): next and back, the arrow keys,
 Home and End, space to play, and a link to each frame. --frames DIR writes each frame as a file of its own.
 
+An algorithm that refuses what it is given ends with an error; the film then has one frame that shows what is refused.
+
 Edits have films, too: dcel script FILE --film OUT.
 
 Examples:
@@ -108,6 +110,18 @@ struct About {
     steps: Option<u8>,
 }
 
+/// Why there is no film of the algorithm; and what it refuses, drawn.
+pub(crate) struct Refused {
+    pub(crate) failure: Box<Failure>,
+    pub(crate) film: Option<SketchFilm>,
+}
+
+impl From<Failure> for Refused {
+    fn from(failure: Failure) -> Self {
+        Self { failure: Box::new(failure), film: None }
+    }
+}
+
 fn pair(text: &str) -> Result<[f64; 2], String> {
     let numbers: Result<Vec<f64>, _> = text.split(',').map(|word| word.trim().parse::<f64>()).collect();
     match numbers.ok().as_deref() {
@@ -120,17 +134,47 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     args.page.files(Files::reading([&args.file]).writes("-o", args.output.as_deref())).check()?;
     let target = args.output.as_deref().map(|path| Target::of_film(path, &args.page)).transpose()?;
     args.what.check(&args.about)?;
-    let film = make::film(args)?;
+    match make::film(args) {
+        Ok(film) => {
+            for (path, frames) in write(&film, args, target.as_ref(), out)? {
+                writeln!(out, "{}: {frames} frame{}", path.display(), if frames == 1 { "" } else { "s" })?;
+            }
+            Ok(Answer::Yes)
+        }
+        // Standard output stays empty where a call fails.
+        Err(Refused { failure, film: Some(film) }) if !args.is_to_stdout() => {
+            let files = write(&film, args, target.as_ref(), out)?;
+            Err((*failure)
+                .with_notes(files.iter().map(|(path, _)| format!("{} shows what is refused", path.display()))))
+        }
+        Err(Refused { failure, .. }) => Err(*failure),
+    }
+}
+
+impl Args {
+    fn is_to_stdout(&self) -> bool {
+        self.output.as_ref().is_some_and(|path| path.as_os_str() == "-")
+    }
+}
+
+/// Writes the film. What was written, with the number of frames; nothing of standard output.
+fn write<'a>(
+    film: &SketchFilm,
+    args: &'a Args,
+    target: Option<&Target>,
+    out: &mut Output,
+) -> Result<Vec<(&'a Path, usize)>, Failure> {
     let title = args
         .file
         .file_stem()
         .filter(|stem| *stem != "-")
         .map_or_else(|| "film".to_owned(), |stem| stem.to_string_lossy().into_owned());
     let dressed = |target: &Target| args.crop.apply_here(target.options(FigureOptions::new(&title)));
+    let mut written = Vec::new();
     if let Some(dir) = &args.frames {
-        frames(&film, dir, &dressed(&Target::new(None, &args.page)?), out)?;
+        written.push((dir.as_path(), frames(film, dir, &dressed(&Target::new(None, &args.page)?))?));
     }
-    if let (Some(path), Some(target)) = (&args.output, &target) {
+    if let (Some(path), Some(target)) = (&args.output, target) {
         let options = dressed(target);
         if target.is_page() {
             put(path, film.page(&options).map_err(cannot)?)?;
@@ -138,21 +182,21 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
             let figure = if args.stepper { film.stepper(&options) } else { film.strip(&options) };
             target.write(&figure.map_err(cannot)?, out)?;
         }
-        if path.as_os_str() != "-" {
-            writeln!(out, "{}: {} frames", path.display(), film.len())?;
+        if !args.is_to_stdout() {
+            written.push((path, film.len()));
         }
     }
-    Ok(Answer::Yes)
+    Ok(written)
 }
 
-/// Each frame as a file of a new folder: `01.svg`, `02.svg` and so on.
-fn frames(film: &SketchFilm, dir: &Path, options: &FigureOptions, out: &mut Output) -> Result<(), Failure> {
+/// Each frame as a file of a new folder: `01.svg`, `02.svg` and so on. How many there are.
+fn frames(film: &SketchFilm, dir: &Path, options: &FigureOptions) -> Result<usize, Failure> {
     let singles = film.singles(options).map_err(cannot)?;
     let width = singles.len().to_string().len().max(2);
     let file = |(i, figure): (usize, &dcel_kit::figure::Figure)| (format!("{:0width$}.svg", i + 1), figure.to_svg());
     let files: Vec<(String, String)> = singles.iter().enumerate().map(file).collect();
     super::save::put_folder(dir, files.iter().map(|(name, text)| (name.as_str(), text.as_bytes())))?;
-    Ok(writeln!(out, "{}: {} frames", dir.display(), files.len())?)
+    Ok(files.len())
 }
 
 fn cannot(error: dcel_kit::figure::sketch::SketchError) -> Failure {

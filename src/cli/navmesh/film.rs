@@ -1,6 +1,7 @@
 //! Films of paths, for `dcel film`.
 
 use super::super::failure::Failure;
+use super::super::film::Refused;
 use super::ends::{Snap, Wish};
 use super::reading::MapArgs;
 use dcel_kit::figure::{SketchFilm, algorithms};
@@ -17,7 +18,7 @@ pub(crate) enum PathFilm {
 }
 
 /// The film of the exact path on the map of a file. The ends are given as the file has its points.
-pub(crate) fn path_film(file: &Path, ends: [[f64; 2]; 2], what: PathFilm, most: usize) -> Result<SketchFilm, Failure> {
+pub(crate) fn path_film(file: &Path, ends: [[f64; 2]; 2], what: PathFilm, most: usize) -> Result<SketchFilm, Refused> {
     let map = MapArgs::of(file).open()?;
     let snap = Snap::none();
     let place = |what, coordinates| {
@@ -25,14 +26,22 @@ pub(crate) fn path_film(file: &Path, ends: [[f64; 2]; 2], what: PathFilm, most: 
         match snap.end(&map, &wish, |_| None) {
             // At a double corner or a wall the first of the places will do.
             Ok(end) => Ok(end.places[0]),
-            Err(lost) => Err(lost.failure),
+            Err(lost) => {
+                let near = lost.nearest.map(|near| (near.place.point, "nearest place"));
+                let places: Vec<_> = std::iter::once((lost.asked, what)).chain(near).collect();
+                let film = algorithms::refusal(&map.subdivision, lost.failure.what(), &[], &places);
+                Err(Refused { failure: Box::new(lost.failure), film: Some(film) })
+            }
         }
     };
     let [start, goal] = [place("start", ends[0])?, place("goal", ends[1])?];
     let mut planner = Planner::face_by_face();
-    let route = planner
-        .route(&map.mesh, PathAlgorithm::Exact, &start, &goal)
-        .map_err(|error| Failure::input(format!("{}: {error}", map.source), "choose two points of one component"))?;
+    let route = planner.route(&map.mesh, PathAlgorithm::Exact, &start, &goal).map_err(|error| {
+        let places = [(start.point, "start"), (goal.point, "goal")];
+        let film = algorithms::refusal(&map.subdivision, &error.to_string(), &[], &places);
+        let failure = Failure::input(format!("{}: {error}", map.source), "choose two points of one component");
+        Refused { failure: Box::new(failure), film: Some(film) }
+    })?;
     Ok(match what {
         PathFilm::Funnel => algorithms::funnel(&map.subdivision, &map.mesh, &route, most),
         PathFilm::Cones => {

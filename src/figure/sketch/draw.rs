@@ -101,6 +101,7 @@ impl Item {
             Dash::Role => "ln",
             Dash::Solid => "ln solid",
             Dash::Dashed => "ln dashed",
+            #[cfg(feature = "solid")]
             Dash::Edge => "edge",
         }
     }

@@ -121,6 +121,7 @@ pub(super) enum Dash {
     Solid,
     Dashed,
     /// As the edges of structures are.
+    #[cfg(feature = "solid")]
     Edge,
 }
 
@@ -227,6 +228,7 @@ impl Item {
     }
 
     /// A line that looks like an edge of a structure.
+    #[cfg(feature = "solid")]
     pub(in crate::figure) fn as_edge(&mut self) -> &mut Self {
         self.dash = Dash::Edge;
         self

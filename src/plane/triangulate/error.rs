@@ -1,6 +1,6 @@
 //! Why faces cannot be triangulated.
 
-use crate::ids::{FaceId, VertexId};
+use crate::ids::{Element, FaceId, VertexId};
 use crate::topology::{IdError, TooMany};
 
 /// Why faces cannot be triangulated.
@@ -27,4 +27,15 @@ pub enum TriangulateError {
         /// A vertex of it near the place where it was noticed.
         vertex: VertexId,
     },
+}
+
+impl TriangulateError {
+    /// The elements that it is about.
+    #[must_use]
+    pub fn elements(&self) -> Vec<Element> {
+        match *self {
+            Self::NotPlanar { face, vertex } => vec![face.into(), vertex.into()],
+            Self::Id(_) | Self::TooMany(_) | Self::OuterFace => Vec::new(),
+        }
+    }
 }

@@ -1,6 +1,7 @@
 //! Films of algorithms: the events are what an independent, slow program sees, and no frame repeats the last one.
 
 mod paths;
+mod refusals;
 mod space;
 mod sweeps;
 mod walks;

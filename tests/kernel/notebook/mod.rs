@@ -22,7 +22,7 @@ mod cells;
 
 fn printed(line: &str) {
     OUTPUTS.with_borrow_mut(|out| {
-        out.push(json!({"name": "stdout", "output_type": "stream", "text": [format!("{line}\n")]}))
+        out.push(json!({"name": "stdout", "output_type": "stream", "text": [format!("{line}\n")]}));
     });
 }
 

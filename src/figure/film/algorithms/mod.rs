@@ -14,7 +14,7 @@
 //!   flips.rs     Lawson's flips                          voronoi.rs        the dual of a triangulation, cell by cell
 //!   funnel.rs    paths: the funnel, the cones            climb.rs          hill climbing over a solid
 //!   space_hull.rs  a convex hull in space                catmull_clark.rs  subdivision
-//!   space.rs     solids on paper, a state a frame
+//!   space.rs     solids on paper, a state a frame        refusal.rs        what an algorithm refuses
 //! ```
 
 #[cfg(feature = "solid")]
@@ -28,6 +28,7 @@ mod funnel;
 mod hull;
 mod locate;
 mod monotone;
+mod refusal;
 #[cfg(feature = "solid")]
 mod space;
 #[cfg(feature = "solid")]
@@ -47,6 +48,9 @@ pub use funnel::{cones, funnel};
 pub use hull::convex_hull;
 pub use locate::location_walk;
 pub use monotone::monotone;
+pub use refusal::refusal;
+#[cfg(feature = "solid")]
+pub use space::refusal_in_space;
 #[cfg(feature = "solid")]
 pub use space_hull::convex_hull_in_space;
 pub use sweep::segment_sweep;

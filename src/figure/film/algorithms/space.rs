@@ -1,10 +1,11 @@
 //! Solids on paper, a state a frame, all seen from one place.
 
+use super::refusal::HEADING;
 use crate::figure::SketchFilm;
-use crate::figure::kinds::solid::{Camera, HiddenLines, Shown};
+use crate::figure::kinds::solid::{Camera, HiddenLines, Shown, UP};
 use crate::figure::sketch::{Backdrop, Role, Sketch};
 use crate::figure::structure::part::Part;
-use crate::ids::VertexId;
+use crate::ids::{Element, VertexId};
 use crate::plane::{PlanarView, Point};
 use crate::solid::Polyhedron;
 
@@ -51,6 +52,43 @@ pub(super) fn film(solids: &[Polyhedron], moments: &[Moment], up: [f64; 3], name
         film.over(heading, text, &part, Backdrop::Dimmed, drawn);
     }
     film
+}
+
+/// The film of an algorithm that refuses a solid: one frame, `why` as its text, and marks on the elements that the refusal
+/// is about. Elements that are not there have no mark.
+///
+/// ```
+/// use dcel_kit::figure::algorithms;
+/// use dcel_kit::solid::{Platonic, Polyhedron};
+/// use dcel_kit::{FaceId, ids::Element};
+/// let cube = Polyhedron::platonic(Platonic::Cube);
+/// let film = algorithms::refusal_in_space(&cube, "f2 is refused", &[Element::from(FaceId::new(2))]);
+/// assert_eq!(film.len(), 1);
+/// ```
+#[must_use]
+pub fn refusal_in_space(solid: &Polyhedron, why: &str, elements: &[Element]) -> SketchFilm {
+    const KEY: &str = "what is refused";
+    let mut moment = Moment::new(HEADING.to_owned(), why.to_owned(), 0);
+    let dcel = solid.topology();
+    let is_there = |element: &&Element| match **element {
+        Element::Vertex(v) => dcel.has_vertex(v),
+        Element::HalfEdge(h) => dcel.has_half_edge(h),
+        Element::Edge(e) => dcel.has_edge(e),
+        Element::Face(f) => dcel.has_face(f),
+    };
+    for &element in elements.iter().filter(is_there) {
+        let point = |h| solid.point(solid.topology().origin(h));
+        match element {
+            Element::Vertex(v) => moment.points.push((Role::Wrong, solid.point(v), KEY, Some(v.to_string()))),
+            Element::HalfEdge(h) => moment.lines.push((Role::Wrong, h.edge().half_edges().map(point).to_vec(), KEY)),
+            Element::Edge(e) => moment.lines.push((Role::Wrong, e.half_edges().map(point).to_vec(), KEY)),
+            Element::Face(f) => {
+                let corners = solid.incident_vertices(f).map(|v| solid.point(v)).collect();
+                moment.faces.push((Role::Wrong, corners, KEY));
+            }
+        }
+    }
+    film(std::slice::from_ref(solid), &[moment], UP, true)
 }
 
 fn sketch(state: &Shown<'_>, moment: &Moment) -> Sketch {
