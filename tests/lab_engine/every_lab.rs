@@ -41,6 +41,25 @@ fn the_starter_is_the_solution_with_its_blocks_replaced() {
     }
 }
 
+/// The questions are numbered as they come; each has room where the student answers, and an answer for the instructor.
+#[test]
+fn every_question_has_room_for_an_answer_and_an_answer() {
+    for (lab, folder) in labs() {
+        let numbers = |text: &str, before: &str| -> Vec<usize> {
+            let number = |line: &str| line.strip_prefix(before)?.split(['.', ':']).next()?.parse().ok();
+            text.lines().filter_map(number).collect()
+        };
+        let asked = numbers(&read(&folder, "README.md"), "> **Question ");
+        assert!(asked.len() >= 4, "{lab}: {asked:?}");
+        assert_eq!(asked, (1..=asked.len()).collect::<Vec<_>>(), "{lab}: in order");
+        assert_eq!(numbers(&read(&folder, "answers.md"), "## Question "), asked, "{lab}: answers.md");
+        let answers = read(&folder, "solution/answers.md");
+        assert_eq!(numbers(&answers, "**Question "), asked, "{lab}: solution/answers.md");
+        let shortest = answers.split("\n**Question ").skip(1).map(str::len).min();
+        assert!(shortest > Some(40), "{lab}: an answer is missing");
+    }
+}
+
 #[test]
 fn the_manifest_is_the_one_that_the_handout_tells_of() {
     for (lab, folder) in labs() {

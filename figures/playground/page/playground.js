@@ -712,11 +712,6 @@
       } catch { /* a private window */ }
       if (last) ask({ do: "link", text: last });
     }
-    let seen = null;
-    try {
-      seen = localStorage.getItem("dcel-playground-hint");
-    } catch { /* a private window */ }
-    $("hint").hidden = Boolean(seen);
     $("seed").value = String(Math.floor(Math.random() * 1000));
   }
 

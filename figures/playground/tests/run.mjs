@@ -434,6 +434,52 @@ const tests = {
     }
   },
 
+  async "a half-edge that is pointed at shows its five pointers"(page) {
+    const shown = `[...document.querySelectorAll("#picture .he .ptr")].filter((g) => getComputedStyle(g).display !== "none")
+      .map((g) => g.closest(".he").dataset.name + ": " + g.children.length)`;
+    assert.deepEqual(await page.evaluate(shown), []);
+    await page.evaluate(`document.querySelector('[data-name="h2"].he').focus()`);
+    await page.until(`JSON.stringify(${shown}).startsWith('["h2: ')`, "the pointers of h2 are shown");
+    assert.equal((await page.evaluate(shown)).length, 1, "and no others");
+    const links = await page.evaluate(`[...document.querySelectorAll('[data-name="h2"].he .ptr > *')].map((link) => link.getAttribute("class"))`);
+    assert.deepEqual(links, ["next", "twin", "origin", "face-of"]);
+    assert.equal(await page.evaluate(`document.querySelectorAll('[data-name="h2"].he .ptr .next .pl').length`), 2, "next, and prev by it");
+  },
+
+  async "a private window, where nothing can be kept, works all the same"(page) {
+    const { identifier } = await page.send("Page.addScriptToEvaluateOnNewDocument", { source: `
+      Object.defineProperty(window, "localStorage", { get() { throw new DOMException("denied", "SecurityError"); } });` });
+    await page.open(PAGE);
+    await run(page, "split_face h2 h8");
+    await says(page, "split_face h2 h8 returned h12, f2");
+    await action(page, "understood");
+    await page.until(`location.hash.length > 20`, "the link is in the address");
+    await sleep(300);
+    const [lines, address] = [await text(page, "lines"), await page.evaluate("location.href")];
+    await page.open(address);
+    assert.equal(await text(page, "lines"), lines, "a reload keeps the scene by its address");
+    await page.open(PAGE);
+    assert.equal(await text(page, "counts"), "6 vertices, 6 edges, 2 faces", "without it the page begins anew");
+    await page.send("Page.removeScriptToEvaluateOnNewDocument", { identifier });
+  },
+
+  async "nothing jumps while the page starts and the scene changes"(page) {
+    const { identifier } = await page.send("Page.addScriptToEvaluateOnNewDocument", { source: `
+      window.jumps = [];
+      new PerformanceObserver((list) => list.getEntries().forEach((entry) => window.jumps.push([entry.value,
+        entry.sources.map(({ node }) => node?.id || node?.nodeName || "gone").join(" ")]))).observe({ type: "layout-shift", buffered: true });` });
+    await page.open(PAGE);
+    await sleep(300);
+    for (const line of ["split_face h2 h8", "split_in_half h12", "split_face h0 h99"]) {
+      await page.evaluate(`document.getElementById("line").value = "${line}"; document.getElementById("script").requestSubmit()`);
+      await sleep(200);
+    }
+    const jumps = await page.evaluate("window.jumps");
+    const sum = jumps.reduce((all, [value]) => all + value, 0);
+    assert.ok(sum < 0.02, JSON.stringify(jumps));
+    await page.send("Page.removeScriptToEvaluateOnNewDocument", { identifier });
+  },
+
   async "what is done before the kit is unpacked is no error"(page) {
     const { identifier } = await page.send("Page.addScriptToEvaluateOnNewDocument", { source: `
       const buffer = Response.prototype.arrayBuffer;
