@@ -3,6 +3,7 @@
 use super::tables::{exists, find};
 use crate::edits::Kind;
 use crate::ids::{Element, HalfEdgeId, VertexId};
+use crate::old_words::{Language, OldWord};
 use crate::script::Link;
 use crate::topology::{Table, View};
 
@@ -50,7 +51,7 @@ pub(super) fn walk(table: &Table, path: &str) -> Result<Vec<Element>, String> {
         if out.len() > LONGEST {
             return Err(format!("this path is longer than {LONGEST} links; walk it in parts"));
         }
-        let kind = Kind::of(at);
+        let (kind, word) = (Kind::of(at), OldWord::current(Language::Script, word));
         let known: Vec<Link> = Link::ALL.into_iter().filter(|link| link.from() == kind).collect();
         let Some(&link) = known.iter().find(|link| link.word() == word) else {
             let known: Vec<&str> = known.iter().map(|link| link.word()).collect();

@@ -377,17 +377,45 @@ const tests = {
     await action(page, "quiz-quit");
   },
 
-  async "lab 04's ship can be made"(page) {
+  async "lab 04's ship is made by clicks"(page) {
     await begin(page, "make_drawing", 3, 1);
     assert.match(await text(page, "quiz-text"), /the ship of lab 04/);
     const ship = readFileSync(join(here, "../../scripts/lab-04-drawing.dcels"), "utf8");
     const lines = ship.split("\n").map((line) => line.split("#")[0].trim()).filter((line) => line && line !== "rectangle");
-    const moves = lines.join("\n");
-    // Names of elements are no moves, and are not allowed here: what they stand for is clicked instead.
-    assert.ok(moves.includes("split_face"));
-    await action(page, "quiz-quit");
-    await page.evaluate(`document.getElementById("line").value = ${JSON.stringify("rectangle\n" + moves)}; document.getElementById("script").requestSubmit()`);
+    const names = {};
+    /** What a path of links leads to, walked in the page. */
+    const found = async (path) => {
+      const [first, ...links] = path.split(".");
+      const start = names[first] ?? first;
+      if (!links.length) return start;
+      await page.evaluate(`document.getElementById("path").value = "${[start, ...links].join(".")}"; document.getElementById("walk").requestSubmit()`);
+      return page.until(`document.getElementById("trail").textContent`).then(async () => (await text(page, "selected")).match(/[vhef][0-9]+/)[0]);
+    };
+    const choose = (id) => page.evaluate(`document.querySelector('tr[data-id="${id}"] th').click()`);
+    let moves = 0;
+    for (const line of lines) {
+      const [, name, call] = line.match(/^(?:let (\w+) = )?(.*)$/);
+      const [word, ...paths] = call.split(/\s+/);
+      if (word !== "split_face" && word !== "split_in_half") {
+        names[name] = await found(word);
+        continue;
+      }
+      const ids = [];
+      for (const path of paths) ids.push(await found(path));
+      await page.evaluate(`document.activeElement.blur()`);
+      await page.key("Escape");
+      await choose(ids[0]);
+      await page.evaluate(`document.querySelector('[data-edit="${word}"]').click()`);
+      if (ids.length > 1) await choose(ids[1]);
+      moves += 1;
+      const message = await text(page, "message");
+      assert.ok(moves === 27 || message.startsWith(`${word} ${ids.join(" ")} returned`), `${line}: ${message}`);
+      if (name) names[name] = message.match(/returned (\w+)/)[1];
+    }
+    assert.equal(moves, 27);
+    await says(page, "right, in 27 moves, the fewest");
     await page.until(`document.getElementById("counts").textContent.includes("33 edges")`, "the ship is drawn");
+    await action(page, "quiz-quit");
   },
 
   async "find the fault: a cell of the tables is the answer"(page) {
