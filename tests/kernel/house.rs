@@ -21,7 +21,7 @@ const ROOMS: [(&str, &[&str]); 16] = [
     ("edits", &["geometry", "ids", "old_words", "plane", "solid", "topology"]),
     ("script", &["edits", "geometry", "ids", "old_words", "plane", "solid", "topology"]),
     ("figure", &["edits", "geometry", "ids", "navmesh", "plane", "script", "solid", "topology"]),
-    ("play", &["edits", "figure", "geometry", "ids", "io", "plane", "script", "solid", "topology"]),
+    ("play", &["edits", "figure", "geometry", "ids", "io", "old_words", "plane", "script", "solid", "topology"]),
     ("compare", &["figure", "geometry", "ids", "plane", "topology"]),
 ];
 
