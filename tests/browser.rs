@@ -328,6 +328,61 @@ fn the_page_follows_clicks_keys_and_the_search() {
     assert!(browser.complaints().is_empty(), "{:?}", browser.complaints());
 }
 
+fn the_page_has_few_tab_stops_and_arrow_keys_lead_on_from_each() {
+    let (file, lab) = (page(), lab());
+    let mut browser = Browser::start(1200, 1000);
+    browser.open(&file.path, "");
+    let stops = browser.eval("[...document.querySelectorAll('a, button, input, [tabindex]')].filter(e => e.tabIndex >= 0 && !e.disabled).length");
+    let stops = stops.as_u64().unwrap();
+    assert!((4..=14).contains(&stops), "{stops} stops of the tab key");
+
+    let on = "document.querySelector('.he.on')?.id";
+    let focus = "document.activeElement.id || document.activeElement.textContent";
+    browser.eval("document.getElementById('lab-h0').focus()");
+    let mut h = dcel_kit::HalfEdgeId::new(0);
+    for (key, to) in [("ArrowRight", 0), ("ArrowRight", 0), ("ArrowUp", 1), ("ArrowLeft", 2), ("ArrowDown", 1)] {
+        h = [lab.next(h), lab.twin(h), lab.prev(h)][to];
+        browser.press(key);
+        assert_eq!(browser.eval(on), json!(format!("lab-{h}")), "{key}");
+        assert_eq!(browser.eval(focus), json!(format!("lab-{h}")), "{key} takes the focus along");
+    }
+    let one = "document.querySelectorAll('#lab [tabindex=\"0\"]').length";
+    assert_eq!(browser.eval(one), 1, "the tab key comes back to where one was");
+
+    // In the table of half-edges: from the first name one row down, two cells on.
+    browser.eval("document.querySelector('#lab-row-h0 a').focus()");
+    for key in ["ArrowDown", "ArrowRight", "ArrowRight"] {
+        browser.press(key);
+    }
+    let cell = dcel_kit::HalfEdgeId::new(1);
+    assert_eq!(browser.eval("document.activeElement.textContent"), json!(lab.destination(cell).to_string()));
+    assert_eq!(browser.eval("document.activeElement.closest('tr').dataset.id"), "h1");
+    browser.press("End");
+    assert_eq!(browser.eval("document.activeElement.closest('tr').matches(':last-child')"), true);
+    assert!(browser.complaints().is_empty(), "{:?}", browser.complaints());
+}
+
+fn no_column_of_the_page_is_cut_and_its_picture_can_be_read_on_a_phone() {
+    let file = page();
+    for width in [1440, 1200, 1152, 1000, 768, 400] {
+        let mut browser = Browser::start(width, 900);
+        browser.open(&file.path, "");
+        let cut = browser.eval("[...document.querySelectorAll('.rows')].filter(e => e.scrollWidth > e.clientWidth).map(e => e.getAttribute('aria-label'))");
+        assert_eq!(cut, json!([]), "cut at {width} px");
+        assert_eq!(
+            browser.eval("document.documentElement.scrollWidth"),
+            width,
+            "the page itself does not scroll sideways"
+        );
+        let letters = browser.eval(
+            "Math.min(...[...document.querySelectorAll('#lab text')].map(e => \
+             parseFloat(getComputedStyle(e).fontSize) * e.getScreenCTM().a))",
+        );
+        let letters = letters.as_f64().unwrap();
+        assert!(letters >= 8.99, "letters of {letters} px at {width} px");
+    }
+}
+
 fn the_page_walks_round_a_face_and_round_a_vertex() {
     let (file, lab) = (page(), lab());
     let mut browser = Browser::start(1400, 1200);
@@ -410,6 +465,8 @@ trials! {
     dark_mode_changes_paper_ink_and_lines_of_every_reference_figure: Chromium;
     every_letter_of_a_reference_figure_can_be_read_on_a_page_of_830_px: Chromium;
     the_page_follows_clicks_keys_and_the_search: Chromium;
+    the_page_has_few_tab_stops_and_arrow_keys_lead_on_from_each: Chromium;
+    no_column_of_the_page_is_cut_and_its_picture_can_be_read_on_a_phone: Chromium;
     the_page_walks_round_a_face_and_round_a_vertex: Chromium;
     without_scripts_the_page_is_picture_and_tables: Chromium;
     names_of_the_caller_stay_text: Chromium;

@@ -3,7 +3,7 @@
 use crate::cases;
 use crate::cases::{P, h};
 use crate::drawn;
-use dcel_kit::figure::{FigureError, FigureOptions, Pointers, focus, pointers, records, tables};
+use dcel_kit::figure::{FigureError, FigureOptions, Overrides, Pointers, focus, pointers, records, tables};
 use dcel_kit::topology::{InnerComponent, Table, View};
 use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
 use roxmltree::{Document, Node};
@@ -94,6 +94,54 @@ fn tables_have_the_rows_of_the_structure_in_order_under_their_heads() {
             }
         }
     }
+}
+
+#[test]
+fn names_have_a_column_and_faces_have_id_and_name_in_the_picture() {
+    let overrides = Overrides::parse("f1 \"kitchen\"\nf2 \"f0\"\nf3 \"\"\nv1 \"A\"\n").unwrap();
+    let options = FigureOptions::new("t").overrides(overrides);
+    let (lab, count) = (cases::lab(), cases::lab().faces.len());
+    let svg = tables(&lab, None, &options).unwrap().to_svg();
+    let document = Document::parse(&svg).unwrap();
+    let table = |title: &str| -> Vec<Vec<String>> {
+        let rows = by_id(&document, &format!("t-table-{title}"));
+        let rows = rows.children().filter(|n| has_class(*n, "row"));
+        rows.map(|row| texts(row).into_iter().map(|(word, _)| word).collect()).collect()
+    };
+    let names: Vec<String> = table("faces").into_iter().map(|row| row[3].clone()).collect();
+    assert_eq!(names[..4], ["–", "kitchen", "f0", "–"]);
+    assert_eq!(names.len(), count);
+    let named: Vec<Vec<String>> = table("vertices").into_iter().filter(|row| row[4] != "–").collect();
+    assert_eq!(named.iter().map(|row| [&row[0], &row[4]]).collect::<Vec<_>>(), [["v1", "A"]]);
+    assert!(table("half-edges").iter().all(|row| row.len() == 6), "no half-edge has a name");
+    let label =
+        |f: &str| texts(by_id(&document, &format!("t-{f}"))).into_iter().map(|(word, _)| word).collect::<String>();
+    assert_eq!(["f1", "f2", "f3"].map(label), ["f1 kitchen", "f2 f0", "f3"]);
+
+    // The two tables below the picture and the long one beside it share no place.
+    let boxes = ["half-edges", "vertices", "faces"].map(|title| -> [P; 2] {
+        let group = by_id(&document, &format!("t-table-{title}"));
+        let under = group.children().find(|n| n.has_tag_name(("http://www.w3.org/2000/svg", "line"))).unwrap();
+        let [left, right] = ["x1", "x2"].map(|x| under.attribute(x).unwrap().parse().unwrap());
+        let last = group.children().rfind(|n| has_class(*n, "row")).unwrap();
+        [[left, texts(group)[0].1[1]], [right, texts(last)[0].1[1]]]
+    });
+    for (i, a) in boxes.iter().enumerate() {
+        for b in &boxes[..i] {
+            assert!((0..2).any(|axis| a[1][axis] < b[0][axis] || b[1][axis] < a[0][axis]), "{a:?} and {b:?}");
+        }
+    }
+}
+
+#[test]
+fn a_name_that_reads_like_an_id_stands_in_quotation_marks() {
+    let names = [(1, "f0"), (2, "h12"), (3, " "), (4, "f"), (5, "f0a")].map(|(f, name)| (FaceId::new(f), name));
+    let options = FigureOptions::new("t").face_names(names);
+    let svg = dcel_kit::figure::structure(&cases::lab(), &options).unwrap().to_svg();
+    let document = Document::parse(&svg).unwrap();
+    let label =
+        |f: u32| texts(by_id(&document, &format!("t-f{f}"))).into_iter().map(|(word, _)| word).collect::<String>();
+    assert_eq!([1, 2, 3, 4, 5].map(label), ["\u{201c}f0\u{201d}", "\u{201c}h12\u{201d}", "f3", "f", "f0a"]);
 }
 
 #[test]

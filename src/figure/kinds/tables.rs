@@ -19,9 +19,10 @@ use crate::figure::structure::plate::Plate;
 use crate::figure::structure::pointer_style;
 use crate::figure::structure::skeleton::{faces, half_edges, vertices};
 use crate::figure::{Figure, FigureError, FigureOptions};
-use crate::ids::Element;
+use crate::ids::{Element, FaceId, Id};
 use crate::plane::PlanarView;
 use crate::topology::InnerComponent;
+use std::collections::BTreeMap;
 
 /// Height of a row, and the size of its text.
 const ROW: f64 = 17.0;
@@ -30,12 +31,15 @@ const TEXT: f64 = 10.5;
 const GAP: f64 = 22.0;
 /// A table shows at most so many rows.
 const ROWS: usize = 120;
+/// Longer names are cut.
+const NAME: usize = 24;
 
 /// Draws the structure with its vertex, half-edge and face tables beside it, one element marked in both.
 ///
 /// Everything but the marked element is grey in the picture; without one nothing is. Of each table at most 120
 /// rows are shown, the others are counted in the notes. Of some [faces](FigureOptions::faces) only, the tables hold
-/// what the picture shows.
+/// what the picture shows. Elements with names have these in a column of their table; faces show id and name in the picture,
+/// too.
 ///
 /// # Errors
 /// Those of [`structure`](crate::figure::structure()), and [`FigureError::NotDrawn`] if the marked element is not there.
@@ -57,6 +61,12 @@ pub fn tables<V: PlanarView + ?Sized>(
     let mut options = options.checked();
     options.usual_width = 520.0;
     options.style.face_text = options.style.face_text.min(14.0);
+    let names = Names::of(view, &options);
+    for f in faces(view) {
+        if let Some(name) = names.face(f) {
+            options.names.set(f, Some(format!("{f} {name}")), None);
+        }
+    }
     let options = &options;
     let plate = Plate::new(view, options, false)?;
     let mut notes = Notes(plate.notes.0.clone());
@@ -65,7 +75,7 @@ pub fn tables<V: PlanarView + ?Sized>(
     scene.nodes = crop::framed(plate.nodes(view, &look, Vec::new()), scene.size, options);
     let marked = highlight.map(|element| element.to_string());
     let picture = scene.size;
-    let tables = [half_edge_table(view), vertex_table(view), face_table(view)];
+    let tables = [half_edge_table(view, &names), vertex_table(view, &names), face_table(view, &names)];
     let sizes = tables.each_ref().map(Words::size);
     for (table, corner) in tables.iter().zip(corners(picture, sizes)) {
         scene.nodes.push(table.group(corner, &table.widths(), marked.as_deref()));
@@ -80,7 +90,8 @@ pub fn tables<V: PlanarView + ?Sized>(
 }
 
 /// Where the tables stand. The half-edges are beside the picture; the vertices and the faces, one below the other, beside
-/// these, or side by side below the picture if a page is not wide enough for that.
+/// these, or below the picture if a page is not wide enough for that:
+/// side by side if they stay clear of the half-edges.
 fn corners(picture: Xy, [half_edges, vertices, faces]: [Xy; 3]) -> [Xy; 3] {
     let first = xy(picture.x + GAP, GAP);
     let second = xy(first.x + half_edges.x + GAP, GAP);
@@ -88,7 +99,9 @@ fn corners(picture: Xy, [half_edges, vertices, faces]: [Xy; 3]) -> [Xy; 3] {
         return [first, second, second + xy(0.0, vertices.y)];
     }
     let below = xy(GAP, picture.y + GAP);
-    [first, below, below + xy(vertices.x + 2.0 * GAP, 0.0)]
+    let beside = below + xy(vertices.x + 2.0 * GAP, 0.0);
+    let fits = beside.x + faces.x + GAP <= first.x || picture.y >= half_edges.y;
+    [first, below, if fits { beside } else { below + xy(0.0, vertices.y) }]
 }
 
 /// The marked element bold, the half-edges grey beside it.
@@ -107,10 +120,40 @@ fn look<V: PlanarView + ?Sized>(view: &V, highlight: Option<Element>) -> Result<
     Ok(look)
 }
 
+/// The names that the caller gave: a column more in the table of the elements that have any.
+#[derive(Default)]
+struct Names(BTreeMap<Element, String>);
+
+impl Names {
+    fn of<V: PlanarView + ?Sized>(view: &V, options: &FigureOptions) -> Self {
+        let labelled =
+            |id: Element, label: Option<&str>| Some((id, label.filter(|l| !l.trim().is_empty())?.to_owned()));
+        let vertices = vertices(view).filter_map(|v| labelled(v.into(), options.overrides.label_of(v)));
+        let half_edges = half_edges(view).filter_map(|h| labelled(h.into(), options.overrides.label_of(h)));
+        let faces = faces(view).filter_map(|f| labelled(f.into(), options.name(f)));
+        Self(vertices.chain(half_edges).chain(faces).collect())
+    }
+
+    fn face(&self, f: FaceId) -> Option<&str> {
+        self.0.get(&f.into()).map(String::as_str)
+    }
+
+    /// The names at the end of the rows of elements of one kind, if one of these has a name.
+    fn append<I: Id + Into<Element>>(&self, table: &mut Words, ids: impl Iterator<Item = I>) {
+        let names: Vec<Option<&String>> = ids.map(|id| self.0.get(&id.into())).collect();
+        if names.iter().any(Option::is_some) {
+            table.head.push("name");
+            for (row, name) in table.rows.iter_mut().zip(names) {
+                row.push(name.map_or_else(|| "–".to_owned(), |name| text::shortened(name, NAME)));
+            }
+        }
+    }
+}
+
 /// A table as words; the first word of a row names its element.
 struct Words {
     name: &'static str,
-    head: &'static [&'static str],
+    head: Vec<&'static str>,
     rows: Vec<Vec<String>>,
 }
 
@@ -118,25 +161,30 @@ fn word<I: std::fmt::Display>(id: Option<I>) -> String {
     id.map_or_else(|| "–".to_owned(), |id| id.to_string())
 }
 
-fn half_edge_table<V: PlanarView + ?Sized>(view: &V) -> Words {
+fn half_edge_table<V: PlanarView + ?Sized>(view: &V, names: &Names) -> Words {
     let row = |h| {
         let pointers = [word(view.twin(h)), word(view.next(h)), word(view.prev(h)), word(view.face(h))];
         [h.to_string(), word(view.origin(h))].into_iter().chain(pointers).collect()
     };
-    let head = &["", "origin", "twin", "next", "prev", "face"];
-    Words { name: "half-edges", head, rows: half_edges(view).map(row).collect() }
+    let head = ["", "origin", "twin", "next", "prev", "face"].to_vec();
+    let mut table = Words { name: "half-edges", head, rows: half_edges(view).map(row).collect() };
+    names.append(&mut table, half_edges(view));
+    table
 }
 
-fn vertex_table<V: PlanarView + ?Sized>(view: &V) -> Words {
+fn vertex_table<V: PlanarView + ?Sized>(view: &V, names: &Names) -> Words {
     let row = |v| {
         let at = view.position(v);
         let coordinate = |axis: Option<f64>| axis.map_or_else(|| "–".to_owned(), number::model);
         vec![v.to_string(), coordinate(at.map(|p| p.x)), coordinate(at.map(|p| p.y)), word(view.outgoing(v))]
     };
-    Words { name: "vertices", head: &["", "x", "y", "outgoing"], rows: vertices(view).map(row).collect() }
+    let head = ["", "x", "y", "outgoing"].to_vec();
+    let mut table = Words { name: "vertices", head, rows: vertices(view).map(row).collect() };
+    names.append(&mut table, vertices(view));
+    table
 }
 
-fn face_table<V: PlanarView + ?Sized>(view: &V) -> Words {
+fn face_table<V: PlanarView + ?Sized>(view: &V, names: &Names) -> Words {
     let ring = |ring: &InnerComponent| match ring {
         InnerComponent::Cycle(h) => h.to_string(),
         InnerComponent::Isolated(v) => v.to_string(),
@@ -145,7 +193,10 @@ fn face_table<V: PlanarView + ?Sized>(view: &V) -> Words {
         let rings: Vec<String> = view.inner_components(f).iter().map(ring).collect();
         vec![f.to_string(), word(view.half_edge(f)), if rings.is_empty() { "–".to_owned() } else { rings.join(" ") }]
     };
-    Words { name: "faces", head: &["", "half-edge", "inner components"], rows: faces(view).map(row).collect() }
+    let head = ["", "half-edge", "inner components"].to_vec();
+    let mut table = Words { name: "faces", head, rows: faces(view).map(row).collect() };
+    names.append(&mut table, faces(view));
+    table
 }
 
 impl Words {

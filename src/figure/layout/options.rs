@@ -4,6 +4,7 @@ use crate::figure::canvas::text;
 use crate::figure::{Overrides, Style, Unit};
 use crate::ids::{Element, FaceId, FaceMap, Id};
 use crate::plane::Point;
+use std::borrow::Cow;
 
 /// The usual width of a figure.
 pub(crate) const WIDTH: f64 = 640.0;
@@ -209,7 +210,8 @@ impl FigureOptions {
         self
     }
 
-    /// Names one face. Faces with the same name share a tint, and one label.
+    /// Names one face. Faces with the same name share a tint, and one label. A name that reads like an id (`f0`) is drawn in
+    /// quotation marks; a face with an empty name shows its id.
     pub fn face_name(mut self, face: FaceId, name: impl AsRef<str>) -> Self {
         self.names.set(face, Some(text::clean(name.as_ref())), None);
         self
@@ -286,6 +288,14 @@ impl FigureOptions {
 
     pub(crate) fn name(&self, face: FaceId) -> Option<&str> {
         self.names.get(face)?.as_deref()
+    }
+
+    /// The name of a face as it is drawn: none if it is empty; in quotation marks if it could be taken for an id.
+    pub(crate) fn drawn_name(&self, face: FaceId) -> Option<Cow<'_, str>> {
+        let name = self.name(face).filter(|name| !name.trim().is_empty())?;
+        let number = name.trim().strip_prefix(['v', 'h', 'e', 'f']);
+        let is_id = number.is_some_and(|number| !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit()));
+        Some(if is_id { Cow::Owned(format!("\u{201c}{name}\u{201d}")) } else { Cow::Borrowed(name) })
     }
 }
 

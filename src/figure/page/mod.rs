@@ -27,6 +27,8 @@ use std::fmt::Write;
 
 /// A table has no more rows than this.
 const ROWS: usize = 1000;
+/// A picture is never shown at less than this part of its width.
+const LEAST: f64 = 0.95;
 const CSS: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 
@@ -104,7 +106,9 @@ impl<V: PlanarView + ?Sized> Tables<'_, V> {
     fn document(&self, figure: &Figure) -> String {
         let prefix = &self.prefix;
         let title = escaped(&self.options.title);
-        let css = CSS.replace("#FIG", &format!("#{prefix}"));
+        // On a narrow screen the picture keeps its size, so that its letters can be read, and its box scrolls.
+        let least = number::drawn(LEAST * figure.size().0);
+        let css = CSS.replace("#FIG", &format!("#{prefix}")).replace("LEAST", &least);
         let svg = figure.to_svg();
         let notes = self.notes(figure);
         let tables = [self.half_edge_table(), self.vertex_table(), self.face_table()].concat();
@@ -151,7 +155,7 @@ impl<V: PlanarView + ?Sized> Tables<'_, V> {
         let (state, trail, form, query, message) = (id("state"), id("trail"), id("search"), id("query"), id("message"));
         format!(
             "<section class=\"panel\" aria-label=\"Walk\">\n\
-             <p class=\"state\" id=\"{state}\" aria-live=\"polite\">Click an element in the picture or in a table.</p>\n\
+             <p class=\"state\" id=\"{state}\" aria-live=\"polite\">Click an element in the picture or in a table, or go there with the tab and arrow keys.</p>\n\
              <div class=\"bar\">\n{buttons}</div>\n<form class=\"bar\" id=\"{form}\">\n\
              <label for=\"{query}\">Go to</label>\n\
              <input id=\"{query}\" autocomplete=\"off\" spellcheck=\"false\" placeholder=\"h0, v0, f0\">\n\

@@ -67,6 +67,7 @@
       drawn(id)?.focus({ preventScroll: true });
     }
     describe(id);
+    if (drawn(id)?.hasAttribute("tabindex")) rove(drawn(id));
     reveal(rows.get(id));
     for (const name of ["next", "prev", "twin"]) $(name).disabled = !rows.has(pointer(id, name));
     $("face").disabled = faceStart() === null;
@@ -189,6 +190,58 @@
     }
   });
 
+  // One stop of the tab key in the picture and one in each table: within, the arrow keys lead on.
+  const groups = [...document.querySelectorAll(`#${prefix}, .rows`)];
+  const stops = (group) => group.querySelectorAll(group.id === prefix ? "[tabindex]" : "a");
+  const groupOf = (node) => groups.find((group) => group !== node && group.contains(node));
+  function rove(node) {
+    const group = groupOf(node);
+    for (const stop of group?.querySelectorAll('[tabindex="0"], a:not([tabindex])') ?? []) stop.setAttribute("tabindex", "-1");
+    if (group) node.setAttribute("tabindex", "0");
+  }
+
+  // Along the face by right and left, across the edge by up and down.
+  const ways = { ArrowRight: "next", ArrowLeft: "prev", ArrowUp: "twin", ArrowDown: "twin" };
+  function throughPicture(element, key) {
+    const all = [...stops(document.getElementById(prefix))];
+    const ends = { Home: all[0], End: all.at(-1) };
+    const to = ends[key] ?? drawn(pointer(element.id.slice(prefix.length + 1), ways[key]) ?? "");
+    if (to) choose(to.id.slice(prefix.length + 1));
+    return to;
+  }
+
+  // From link to link: in a row by left and right, in a column by up and down.
+  function throughTable(a, key) {
+    const all = [...stops(a.closest(".rows"))];
+    const at = all.indexOf(a);
+    const row = a.closest("tr");
+    const column = a.closest("th, td").cellIndex;
+    const beside = (to) => to && (to.cells[column].querySelector("a") ?? to.querySelector("a"));
+    return {
+      ArrowRight: all[at + 1],
+      ArrowLeft: all[at - 1],
+      ArrowUp: beside(row.previousElementSibling),
+      ArrowDown: beside(row.nextElementSibling),
+      Home: all[0],
+      End: all.at(-1),
+    }[key];
+  }
+
+  function arrow(event) {
+    if (event.shiftKey || !/^(Arrow(Right|Left|Up|Down)|Home|End)$/.test(event.key)) return;
+    const inPicture = event.target.closest(`#${prefix} .he`);
+    const inTable = event.target.closest(".rows a");
+    const to = inPicture ? throughPicture(inPicture, event.key) : inTable ? throughTable(inTable, event.key) : null;
+    if (!to) return;
+    event.preventDefault();
+    to.focus({ preventScroll: inPicture !== null });
+    if (inTable) reveal(to.closest("tr"));
+  }
+  document.addEventListener("keydown", (event) => {
+    if (!(event.ctrlKey || event.metaKey || event.altKey)) arrow(event);
+  });
+  document.addEventListener("focusin", (event) => rove(event.target));
+
   // The id of the element that a link, a row or a part of the picture stands for.
   function meant(node) {
     const href = node.closest("a")?.getAttribute("href");
@@ -217,6 +270,11 @@
   window.addEventListener("hashchange", fromAddress);
 
   document.documentElement.classList.add("js");
+  for (const group of groups) {
+    const all = stops(group);
+    all.forEach((stop, i) => stop.setAttribute("tabindex", i === 0 ? "0" : "-1"));
+    if (all.length > 0 && group.id !== prefix) group.removeAttribute("tabindex");
+  }
   $("stop").disabled = true;
   for (const name of ["next", "prev", "twin", "face", "star"]) $(name).disabled = true;
   fromAddress();

@@ -15,6 +15,7 @@ use crate::figure::layout::crowd::{FATTEST, Shape};
 use crate::figure::layout::options::FaceLabels;
 use crate::figure::layout::pole::{area, pole};
 use crate::figure::structure::faces::Region;
+use std::borrow::Cow;
 
 /// Distance of two lines of text, in sizes.
 const LINE: f64 = 1.12;
@@ -30,6 +31,8 @@ pub(crate) struct Caption {
     /// Width at size 1. All ids of a figure claim the width of the widest, so that equal faces get labels of
     /// equal size.
     width: f64,
+    /// What is written if there is no room for all.
+    least: Option<String>,
 }
 
 /// The sizes a label may have.
@@ -78,7 +81,7 @@ fn bounds(at: Xy, size: f64, width: f64, lines: usize) -> Bounds {
 
 impl Caption {
     fn new(lines: Vec<String>) -> Self {
-        Self { width: width(&lines), lines }
+        Self { width: width(&lines), lines, least: None }
     }
 
     /// The first line, cut to `longest` characters with an ellipsis at the end.
@@ -144,7 +147,8 @@ impl Caption {
         let whole = self.place_whole(region, sizes, obstacles, &blocker);
         whole.or_else(|| {
             let cuts = CUTS.into_iter().map(|longest| self.shortened(longest)).filter(|short| short != self);
-            let mut placed = cuts.map(|short| short.place_whole(region, sizes, obstacles, &blocker));
+            let least = self.least.iter().map(|text| Self::new(vec![text.clone()]));
+            let mut placed = cuts.chain(least).map(|short| short.place_whole(region, sizes, obstacles, &blocker));
             placed.find_map(|label| label)
         })
     }
@@ -201,12 +205,12 @@ impl Caption {
 pub(crate) fn captions(regions: &[Region], options: &FigureOptions) -> Vec<Option<Caption>> {
     let mut out: Vec<Option<Caption>> =
         regions.iter().map(|region| Some(Caption::new(vec![region.face.to_string()]))).collect();
-    let mut named: Vec<(&str, f64, usize)> = Vec::new();
+    let mut named: Vec<(Cow<'_, str>, f64, usize)> = Vec::new();
     if options.face_labels == FaceLabels::Off {
         out.fill(None);
     } else if options.face_labels == FaceLabels::Names {
         for (i, region) in regions.iter().enumerate() {
-            if let Some(name) = options.name(region.face) {
+            if let Some(name) = options.drawn_name(region.face) {
                 named.push((name, area(&region.rings), i));
                 out[i] = None;
             }
@@ -214,10 +218,13 @@ pub(crate) fn captions(regions: &[Region], options: &FigureOptions) -> Vec<Optio
     }
     let widest = out.iter().flatten().map(|id| id.width).fold(0.0, f64::max);
     out.iter_mut().flatten().for_each(|id| id.width = widest);
-    named.sort_by(|a, b| a.0.cmp(b.0).then(b.1.total_cmp(&a.1)).then(a.2.cmp(&b.2)));
-    named.dedup_by_key(|entry| entry.0);
+    named.sort_by(|a, b| a.0.cmp(&b.0).then(b.1.total_cmp(&a.1)).then(a.2.cmp(&b.2)));
+    named.dedup_by(|a, b| a.0 == b.0);
     for (name, _, i) in named {
-        out[i] = Some(name).filter(|name| !name.trim().is_empty()).map(|name| Caption::new(vec![name.to_owned()]));
+        // Of an id with a name the id is more important.
+        let id = regions[i].face.to_string();
+        let least = name.strip_prefix(&id).is_some_and(|rest| rest.starts_with(' ')).then_some(id);
+        out[i] = Some(Caption { least, ..Caption::new(vec![name.into_owned()]) });
     }
     out
 }

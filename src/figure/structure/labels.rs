@@ -22,6 +22,7 @@ use crate::figure::{Detail, FigureOptions};
 use crate::ids::{FaceId, HalfEdgeId, HalfEdgeMap, VertexId, VertexMap};
 use crate::plane::PlanarView;
 use crate::topology::InnerComponent;
+use std::borrow::Cow;
 
 /// A shaft shorter than this has no label.
 const SHORTEST: f64 = 24.0;
@@ -269,7 +270,7 @@ pub(crate) fn outer_label<V: PlanarView + ?Sized>(
     let text = match options.face_labels {
         crate::figure::FaceLabels::Off => return None,
         crate::figure::FaceLabels::Ids => face.to_string(),
-        crate::figure::FaceLabels::Names => options.name(face).map_or_else(|| face.to_string(), str::to_owned),
+        crate::figure::FaceLabels::Names => options.drawn_name(face).map_or_else(|| face.to_string(), Cow::into_owned),
     };
     let padding = if detail < Detail::Arrows { options.style.small_padding } else { options.style.padding };
     let widest = size.x - 28.0;

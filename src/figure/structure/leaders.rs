@@ -19,8 +19,12 @@ use crate::figure::structure::faces::Region;
 
 /// More labels than this are not led out: the lines would hide the figure.
 pub(crate) const MOST: usize = 24;
-/// The longest line.
-const REACH: f64 = 170.0;
+/// The longest line, and the longest of a label that finds no place that near.
+const REACHES: [f64; 2] = [170.0, 300.0];
+/// So many of the nearest leaders are asked to make way for one without a place.
+const NEAREST: usize = 6;
+/// So many of them are moved at once.
+const MOVED: usize = 3;
 /// The lengths tried are multiples of this.
 const STEP: f64 = 8.0;
 /// A line that crosses an edge or a shaft counts as this much longer.
@@ -49,6 +53,30 @@ const SLOPES: [(f64, f64, f64); 10] = [
     (7.0, 24.0, 25.0),
     (0.0, 1.0, 1.0),
 ];
+
+/// Further ones, for labels that find no place otherwise.
+const FINER: [(f64, f64, f64); 12] = [
+    (60.0, 11.0, 61.0),
+    (40.0, 9.0, 41.0),
+    (63.0, 16.0, 65.0),
+    (35.0, 12.0, 37.0),
+    (45.0, 28.0, 53.0),
+    (21.0, 20.0, 29.0),
+    (20.0, 21.0, 29.0),
+    (28.0, 45.0, 53.0),
+    (12.0, 35.0, 37.0),
+    (16.0, 63.0, 65.0),
+    (9.0, 40.0, 41.0),
+    (11.0, 60.0, 61.0),
+];
+
+/// Where a label is looked for.
+#[derive(Clone, Copy)]
+struct Ways<'a> {
+    slopes: &'a [&'a [(f64, f64, f64)]],
+    /// The longest line.
+    reach: f64,
+}
 
 /// A label at the end of a line.
 #[derive(Clone, PartialEq, Debug)]
@@ -95,13 +123,52 @@ impl Search<'_> {
         for _ in 0..ROUNDS {
             for (k, (_, root, caption)) in wanted.iter().enumerate() {
                 out[k] = None;
-                out[k] = self.best(*root, caption, &out, crowd);
+                out[k] = self.best(*root, caption, &out, crowd, Ways { slopes: &[&SLOPES], reach: REACHES[0] });
+            }
+        }
+        for k in 0..wanted.len() {
+            if out[k].is_none() {
+                self.make_way(k, &wanted, &mut out, crowd);
             }
         }
         let placed = wanted.iter().zip(out).filter_map(|(&(i, ..), leader)| Some((i, leader?)));
         let placed: Vec<(usize, Leader)> = placed.collect();
         placed.iter().for_each(|(_, leader)| crowd.add(Shape::Box(leader.label.bounds()), u32::MAX));
         placed
+    }
+
+    /// Places a label that has found no place: further away, or where one, two or three others stand that have places
+    /// elsewhere.
+    fn make_way(&self, k: usize, wanted: &[(usize, Xy, Caption)], out: &mut [Option<Leader>], crowd: &Crowd) {
+        let distance = |j: usize| (wanted[j].1 - wanted[k].1).length();
+        let mut others: Vec<usize> = (0..wanted.len()).filter(|&j| out[j].is_some()).collect();
+        others.sort_by(|&i, &j| distance(i).total_cmp(&distance(j)));
+        others.truncate(NEAREST);
+        let mut sets: Vec<Vec<usize>> = (0..1_u32 << others.len())
+            .map(|set| (0..others.len()).filter(|i| set >> i & 1 == 1).map(|i| others[i]).collect())
+            .filter(|set: &Vec<usize>| set.len() <= MOVED)
+            .collect();
+        sets.sort_by_key(Vec::len);
+        for reach in REACHES {
+            let ways = Ways { slopes: &[&SLOPES, &FINER], reach };
+            for set in &sets {
+                let before: Vec<Option<Leader>> = set.iter().map(|&j| out[j].take()).collect();
+                // From top to bottom, so that the lines of a row of labels do not cross.
+                let mut order = set.clone();
+                order.push(k);
+                order.sort_by(|&i, &j| wanted[i].1.y.total_cmp(&wanted[j].1.y));
+                for &j in &order {
+                    out[j] = self.best(wanted[j].1, &wanted[j].2, out, crowd, ways);
+                }
+                if order.iter().all(|&j| out[j].is_some()) {
+                    return;
+                }
+                out[k] = None;
+                for (&j, leader) in set.iter().zip(before) {
+                    out[j] = leader;
+                }
+            }
+        }
     }
 
     /// A point well inside a region that can be seen.
@@ -112,11 +179,18 @@ impl Search<'_> {
     }
 
     /// The cheapest place round `root`.
-    fn best(&self, root: Xy, caption: &Caption, placed: &[Option<Leader>], crowd: &Crowd) -> Option<Leader> {
+    fn best(
+        &self,
+        root: Xy,
+        caption: &Caption,
+        placed: &[Option<Leader>],
+        crowd: &Crowd,
+        ways: Ways<'_>,
+    ) -> Option<Leader> {
         let mut best: Option<(f64, Leader)> = None;
-        for way in directions() {
+        for way in ways.slopes.iter().flat_map(|slopes| directions(slopes)) {
             let mut length = 2.0 * STEP;
-            while length <= REACH {
+            while length <= ways.reach {
                 if best.as_ref().is_some_and(|(cost, _)| *cost <= length) {
                     break;
                 }
@@ -177,7 +251,7 @@ fn cross((a, b): (Xy, Xy), (p, q): (Xy, Xy)) -> bool {
 }
 
 /// To the right and left first.
-fn directions() -> impl Iterator<Item = Xy> {
+fn directions(slopes: &[(f64, f64, f64)]) -> impl Iterator<Item = Xy> {
     let quadrants = [(1.0, -1.0), (-1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
-    SLOPES.iter().flat_map(move |&(x, y, length)| quadrants.map(|(sx, sy)| xy(sx * x / length, sy * y / length)))
+    slopes.iter().flat_map(move |&(x, y, length)| quadrants.map(|(sx, sy)| xy(sx * x / length, sy * y / length)))
 }
