@@ -10,7 +10,8 @@ mod drawn;
 mod shell;
 
 use dcel_kit::FaceId;
-use dcel_kit::figure::{self, FaceLabels, Figure, FigureOptions, PngError, Style, Theme, Unit};
+use dcel_kit::figure::{self, FaceLabels, Figure, FigureOptions, Film, PngError, Style, Theme, Unit};
+use dcel_kit::script::Script;
 use drawn::Word;
 use resvg::tiny_skia::Pixmap;
 use shell::Folder;
@@ -172,4 +173,40 @@ fn a_page_of_paper_has_the_size_of_the_figure() {
     let page = &text[text.find("/MediaBox").unwrap()..];
     let width: f64 = page[page.find('[').unwrap() + 1..].split_whitespace().nth(2).unwrap().parse().unwrap();
     assert!((width - 12.0 / 2.54 * 72.0).abs() < 0.5, "{width}");
+}
+
+/// Of the pixels below the captions: a frame that looks like the one before shows nothing.
+#[test]
+fn every_frame_of_the_films_of_edits_looks_different() {
+    for name in ["split-face", "split-in-half", "join-faces"] {
+        let text =
+            std::fs::read_to_string(format!("{}/../../figures/scripts/{name}.dcels", env!("CARGO_MANIFEST_DIR")))
+                .unwrap();
+        let film = Film::of_script(&Script::parse(&text, name).unwrap());
+        let figure = film.strip(&FigureOptions::new("F")).unwrap();
+        let (svg, picture) = (figure.to_svg(), pixels(&figure.to_png(1.0).unwrap()));
+        let document = roxmltree::Document::parse(&svg).unwrap();
+        let shift = |node: roxmltree::Node<'_, '_>| -> [f64; 2] {
+            let words =
+                node.attribute("transform").map_or("0 0", |t| t.trim_start_matches("translate(").trim_end_matches(')'));
+            let mut numbers = words.split([' ', ',']).map(|word| word.parse().unwrap());
+            [numbers.next().unwrap(), numbers.next().unwrap_or(0.0)]
+        };
+        let frames: Vec<_> =
+            document.descendants().filter(|n| n.attribute("class").is_some_and(|c| c.starts_with("fr"))).collect();
+        assert_eq!(frames.len(), film.frames().len());
+        let places: Vec<[f64; 2]> = frames.iter().map(|frame| shift(*frame)).collect();
+        let drawing = |frame: &roxmltree::Node<'_, '_>| {
+            shift(frame.children().filter(|n| n.has_tag_name(("http://www.w3.org/2000/svg", "g"))).last().unwrap())
+        };
+        let head = drawing(&frames[0])[1];
+        let step = places.iter().map(|place| place[1]).find(|&y| y > 0.0).unwrap();
+        let (width, height) = (400, (step - head - 30.0) as u32);
+        let at = |i: usize, x: u32, y: u32| colour(&picture, places[i][0] as u32 + x, (places[i][1] + head) as u32 + y);
+        for i in 1..frames.len() {
+            let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+            let differ = pixels.filter(|&(x, y)| at(i, x, y) != at(i - 1, x, y)).count();
+            assert!(differ > 60, "{name}: frame {i} differs from the one before in {differ} pixels");
+        }
+    }
 }

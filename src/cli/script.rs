@@ -11,7 +11,7 @@ use super::picture::Target;
 use super::save::{Files, put};
 use super::{Answer, Failure, Output, failure};
 use dcel_kit::edits::{self, Call, Editable};
-use dcel_kit::figure::{FigureOptions, Film, Filmed, ScriptFilm};
+use dcel_kit::figure::{FigureOptions, Film, Filmed, ScriptFilm, Slip, SlipError};
 use dcel_kit::io::{Format, Model, read_whole, source_name, write};
 use dcel_kit::plane::Subdivision;
 use dcel_kit::script::{Ground, Outcome, Script, ScriptError, Step};
@@ -40,6 +40,12 @@ pub(crate) struct Args {
     /// a polygon whose sides are glued in pairs with one letter. A surface in space is seen from one place.
     #[arg(long, value_name = "OUT")]
     film: Option<PathBuf>,
+    /// Show an edit beside the same edit with a slip: an assignment that is forgotten (h6.next), or that writes
+    /// something else ("h6.next = h3"). May be given several times
+    ///
+    /// The film ends after that edit, with the invariants that do not hold any more.
+    #[arg(long, value_name = "POINTER", requires = "film")]
+    slip: Vec<Slip>,
     #[command(flatten)]
     page: Page,
     /// One frame at a time in the .svg too, with links and without a script
@@ -73,6 +79,7 @@ Examples:
   dcel script split-face.dcels --film split.svg
   dcel script split-face.dcels --film split.html
   dcel script split-face.dcels --film split.png
+  dcel script split-face.dcels --film slip.svg --slip h12.next
   echo 'rectangle
   split_face h2 h8
   dump' | dcel script -
@@ -109,6 +116,10 @@ fn shoot<G: Dump + Filmed>(
     out: &mut Output,
 ) -> Result<Answer, Failure> {
     let Some(target) = target else { return play(args, script, source, |_, _| (), out)?.put(out) };
+    if !args.slip.is_empty() {
+        // Before anything is told.
+        Film::of_script(script).beside(&args.slip).map_err(no_slip)?;
+    }
     let mut film = ScriptFilm::new(script);
     let played = play(args, script, source, |step, structure| film.watch(step, structure), out)?;
     let stem = args.file.file_stem().filter(|stem| *stem != "-");
@@ -180,11 +191,22 @@ fn film_target(args: &Args) -> Result<Option<Target>, Failure> {
 fn write_film(target: &Target, film: &Film, title: &str, args: &Args, out: &mut Output) -> Result<(), Failure> {
     let refused = |error| Failure::input(error, "leave out --film");
     let options = target.options(FigureOptions::new(title));
+    let beside = if args.slip.is_empty() { None } else { Some(film.beside(&args.slip).map_err(no_slip)?) };
     if let (true, Some(path)) = (target.is_page(), target.path()) {
-        return put(path, film.page(&options).map_err(refused)?);
+        let page = beside.as_ref().map_or_else(|| film.page(&options), |film| film.page(&options));
+        return put(path, page.map_err(refused)?);
     }
-    let figure = if args.stepper { film.stepper(&options) } else { film.strip(&options) };
+    let figure = match beside {
+        Some(film) if args.stepper => film.stepper(&options),
+        Some(film) => film.strip(&options),
+        None if args.stepper => film.stepper(&options),
+        None => film.strip(&options),
+    };
     target.write(&figure.map_err(refused)?, out)
+}
+
+fn no_slip(error: SlipError) -> Failure {
+    Failure::input(error, "`dcel script --json` lists what each edit writes")
 }
 
 /// The text, and what messages call it.

@@ -61,7 +61,7 @@ pub use canvas::png::PngError;
 pub use canvas::style::file::{ParseColourError, StyleError};
 pub use canvas::style::{Colour, Palette, Style, Theme};
 pub use canvas::unit::{ParseLengthError, Unit};
-pub use film::{Fate, Film, Frame, SketchFilm, Written, algorithms};
+pub use film::{Fate, Film, Frame, SketchFilm, Slip, SlipError, SlipFilm, Written, algorithms};
 #[cfg(feature = "script")]
 pub use film::{Filmed, ScriptFilm};
 pub use kinds::dual::{DualFigureError, dual};

@@ -1,7 +1,7 @@
 //! Films tell the truth: frame by frame they are the journal, and the last frame is the structure.
 
 use crate::drawn;
-use dcel_kit::figure::{Fate, FigureOptions, Film, Frame};
+use dcel_kit::figure::{Fate, FigureOptions, Film, Frame, Slip, SlipError};
 use dcel_kit::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use dcel_kit::plane::{PlanarView, Subdivision};
 use dcel_kit::script::{Outcome, Script};
@@ -293,19 +293,170 @@ fn films_without_coordinates_are_the_journal_and_lead_to_the_structure() {
     }
 }
 
+/// What is drawn in each frame: no captions, no names of links, no ids.
+fn drawings(svg: &str) -> Vec<String> {
+    let document = document(svg);
+    let frames =
+        document.descendants().filter(|n| n.attribute("class").is_some_and(|c| c.split(' ').next() == Some("fr")));
+    let is_caption = |n: &roxmltree::Node<'_, '_>| matches!(n.attribute("class"), Some("ct" | "cs" | "cs nav"));
+    let drawing = |frame: roxmltree::Node<'_, '_>| {
+        let nodes = frame.descendants().skip(1).filter(|n| n.is_element() && !n.has_tag_name("title"));
+        let nodes = nodes.filter(|n| !n.ancestors().any(|a| is_caption(&a)));
+        let words = nodes.map(|n| {
+            let attributes =
+                n.attributes().filter(|a| !["id", "href"].contains(&a.name()) && !a.name().starts_with("data-"));
+            let attributes: Vec<String> = attributes.map(|a| format!("{}={}", a.name(), a.value())).collect();
+            format!("{} {} {:?}", n.tag_name().name(), attributes.join(" "), n.text().map(str::trim))
+        });
+        words.collect::<Vec<_>>().join("\n")
+    };
+    frames.map(drawing).collect()
+}
+
 #[test]
-fn every_frame_of_a_film_without_coordinates_differs_from_the_last_one() {
-    let (film, _) = film_of_kernel(LAID_OUT[0]);
+fn the_drawing_of_every_frame_differs_from_the_one_before() {
+    let differ = |name: &str, svg: &str, count: usize| {
+        let drawings = drawings(svg);
+        assert_eq!(drawings.len(), count, "{name}");
+        for (i, pair) in drawings.windows(2).enumerate() {
+            assert_ne!(pair[0], pair[1], "{name}: frame {} shows nothing new", i + 1);
+        }
+    };
+    let options = FigureOptions::new("F");
+    for text in SCRIPTS {
+        let (film, _) = shoot(text);
+        differ(text, &film.strip(&options).unwrap().to_svg(), film.frames().len());
+    }
+    for text in LAID_OUT {
+        let (film, _) = film_of_kernel(text);
+        differ(text, &film.strip(&options).unwrap().to_svg(), film.frames().len());
+    }
+    let mut films = 0;
+    for entry in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../figures")).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        if name.starts_with("film-") {
+            let svg = std::fs::read_to_string(&path).unwrap();
+            differ(&name, &svg, svg.matches("<g class=\"fr").count());
+            films += 1;
+        }
+    }
+    assert!(films >= 15, "{films}");
+}
+
+#[test]
+fn no_frame_of_an_edit_has_more_than_four_assignments_of_several_families() {
+    let family = |slot: Slot| match slot {
+        Slot::Origin(_) => 0,
+        Slot::Next(_) | Slot::Prev(_) => 1,
+        Slot::Face(_) => 2,
+        Slot::Outgoing(_) => 3,
+        Slot::HalfEdge(_) => 4,
+    };
+    let mut cut = 0;
+    for text in SCRIPTS {
+        let (film, edits) = shoot(text);
+        for frame in film.frames() {
+            let assigned = frame.changes.iter().filter_map(|change| match *change {
+                Change::Write { slot, new: Some(_), .. } if !matches!(slot, Slot::Prev(_)) => Some(family(slot)),
+                _ => None,
+            });
+            let assigned: Vec<usize> = assigned.collect();
+            let families: BTreeSet<usize> = assigned.iter().copied().collect();
+            assert!(assigned.len() <= 4 || families.len() == 1, "{text}: {}", frame.heading);
+            cut += usize::from(frame.heading.contains(" of "));
+        }
+        // Nothing is lost or said twice by the cut.
+        let count = |changes: &[Change]| changes.len();
+        let shown: usize = film.frames().iter().map(|frame| count(&frame.changes)).sum();
+        assert_eq!(shown, edits.iter().map(|(changes, _)| count(changes)).sum::<usize>(), "{text}");
+    }
+    assert!(cut > 10, "{cut}");
+}
+
+#[test]
+fn records_without_a_place_are_named_in_the_corner_until_they_have_one() {
+    let (film, _) = shoot("polygon 0 0 7 0 6 4 1 4.6\nsplit_in_half h0\nsplit_face h0 h4");
     let svg = film.strip(&FigureOptions::new("F")).unwrap().to_svg();
-    let frames: Vec<String> = (0..film.frames().len())
-        .map(|i| {
-            let from = svg.find(&format!("id=\"f-step-{i}\"")).unwrap();
-            let to = svg.find(&format!("id=\"f-step-{}\"", i + 1)).unwrap_or(svg.len());
-            svg[from..to].replace(&format!("f-{i}-"), "")
-        })
-        .collect();
-    let body = |frame: &str| frame[frame.find("<title>").unwrap_or(0)..].to_owned();
-    assert!(frames.windows(2).all(|pair| body(&pair[0]) != body(&pair[1])));
+    let document = document(&svg);
+    let chips = |i: usize| -> Vec<String> {
+        let group = document.descendants().find(|n| n.attribute("id") == Some(&format!("f-{i}-new")));
+        let words = group.into_iter().flat_map(|g| g.descendants()).filter(|n| n.has_tag_name("text"));
+        words.filter_map(|n| n.text()).map(|word| word.trim().to_owned()).collect()
+    };
+    let frames = film.frames();
+    let mut seen = Vec::new();
+    for (i, frame) in frames.iter().enumerate() {
+        let table = &frame.table;
+        let ends = |h: HalfEdgeId| table.origin(h).is_some() && table.twin(h).and_then(|t| table.origin(t)).is_some();
+        let halves = (0..table.half_edge_bound() as u32).map(HalfEdgeId::new).filter(|&h| table.has_half_edge(h));
+        let placeless: Vec<String> = halves.filter(|&h| !ends(h)).map(|h| h.to_string()).collect();
+        let halves: Vec<String> = chips(i).into_iter().filter(|name| name.starts_with('h')).collect();
+        assert_eq!(halves, placeless, "{}", frame.heading);
+        seen.extend(chips(i));
+    }
+    assert!(seen.contains(&"h8".to_owned()) && seen.contains(&"f2".to_owned()), "{seen:?}");
+    assert!(chips(frames.len() - 1).is_empty());
+}
+
+#[test]
+fn an_edit_with_a_slip_is_the_edit_but_for_the_slip() {
+    for text in SCRIPTS {
+        let (film, _) = shoot(text);
+        let script = Script::parse(text, "test").unwrap();
+        let mut slots: BTreeSet<String> = BTreeSet::new();
+        script.play(|step, _| {
+            let Outcome::Edited { journal, .. } = step.outcome else { panic!("{text}") };
+            for change in journal.changes() {
+                if let Change::Write { slot, new: Some(_), .. } = change {
+                    slots.insert(slot.to_string());
+                }
+            }
+            ControlFlow::Continue(())
+        });
+        for slot in &slots {
+            let slip: Slip = slot.parse().unwrap();
+            let beside = film.beside(&[slip]).unwrap_or_else(|error| panic!("{text}: {slot}: {error}"));
+            let frames = beside.frames();
+            let slipped: Vec<usize> =
+                (0..frames.len()).filter(|&i| frames[i][1].text.contains(&format!("left out: {slot} ="))).collect();
+            assert!(!slipped.is_empty(), "{text}: {slot} is said");
+            for (i, [right, wrong]) in frames.iter().enumerate() {
+                let mut mended = wrong.table.clone();
+                let write = Change::Write { slot: slip.slot, old: None, new: target(&right.table, slip.slot) };
+                if i >= slipped[0] && target(&right.table, slip.slot) != target(&wrong.table, slip.slot) {
+                    mended.apply(&write);
+                }
+                assert_eq!(mended.half_edges, right.table.half_edges, "{text}: {slot}: frame {i}");
+                assert_eq!(mended.vertices, right.table.vertices, "{text}: {slot}: frame {i}");
+            }
+            let last = &frames.last().unwrap()[1];
+            let found = dcel_kit::topology::violations(&last.table);
+            assert_eq!(found.is_empty(), last.text.contains("all the same"), "{text}: {slot}: {}", last.text);
+            let svg = beside.strip(&FigureOptions::new("F")).unwrap().to_svg();
+            let ids: Vec<String> =
+                document(&svg).descendants().filter_map(|n| n.attribute("id").map(str::to_owned)).collect();
+            assert_eq!(ids.len(), ids.iter().collect::<BTreeSet<_>>().len(), "{text}: {slot}: ids are unique");
+        }
+    }
+}
+
+#[test]
+fn slips_that_cannot_be_shown_say_why() {
+    let (film, _) = shoot(SCRIPTS[2]);
+    let slip = |text: &str| text.parse::<Slip>().unwrap();
+    let said = |slips: &[Slip]| film.beside(slips).unwrap_err().to_string();
+    assert!(said(&[slip("h99.next")]).starts_with("no edit writes h99.next: written are h12.origin, "));
+    assert_eq!(said(&[slip("h12.next=h99")]), "h12.next = h99: there is no such element after the edit");
+    assert_eq!(said(&[slip("h12.next = h8")]), "h12.next = h8 is what the edit writes");
+    assert_eq!(said(&[]), "there is no slip to show");
+    assert!(said(&[slip("h8.face"), slip("v6.outgoing")]).contains("are written by different edits"));
+    let solid = Script::parse_solid("solid cube\nextrude_face f2 1", "test").unwrap();
+    let error = Film::of_script(&solid).beside(&[slip("h0.next")]).unwrap_err();
+    assert_eq!(error, SlipError::InSpace);
+    for wrong in ["", "h1", "h1.twin", "v1.next", "h1.next = f2", "h1.face = h2", "h1.next =", "h1.next = h2 = h3"] {
+        assert!(wrong.parse::<Slip>().is_err(), "{wrong}");
+    }
 }
 
 #[test]

@@ -4,13 +4,22 @@ use super::Made;
 use super::labs::{lab_02, lab_03, lab_06, lab_08, lab_11};
 use super::lesson;
 use dcel_kit::FaceId;
-use dcel_kit::figure::{FigureOptions, SketchFilm, algorithms};
+use dcel_kit::figure::{FigureOptions, Film, SketchFilm, algorithms};
 use dcel_kit::navmesh::{NavMesh, PathAlgorithm, Planner};
 use dcel_kit::plane::{Point, Subdivision};
+use dcel_kit::script::Script;
 use dcel_kit::solid::{Direction, Platonic, Polyhedron, Selection};
+use dcel_kit::sources;
 
-fn strip(film: &SketchFilm, title: &str, prefix: &str) -> Made<String> {
+pub(super) fn strip(film: &SketchFilm, title: &str, prefix: &str) -> Made<String> {
     Ok(film.strip(&FigureOptions::new(title).id_prefix(prefix))?.to_svg())
+}
+
+/// One split of a face, and what a wrong next makes of it.
+pub(super) fn slip() -> Made<String> {
+    let script = Script::parse(sources::SPLIT_FACE, "a split")?;
+    let film = Film::of_script(&script).beside(&["h13.next = h8".parse()?])?;
+    Ok(film.strip(&FigureOptions::new("A split with a slip").id_prefix("slip"))?.to_svg())
 }
 
 /// A face of the lab's subdivision, half-edge by half-edge.

@@ -3,6 +3,7 @@
 //! ```text
 //!   lesson     the structures that figures and tour begin with
 //!   chart      logarithmic axes
+//!   page       the page that shows them all
 //!   specimen  primitives  plane  delaunay  films  labs/  rooms    a function for each figure that takes more than a line
 //! ```
 
@@ -11,6 +12,7 @@ mod delaunay;
 mod films;
 mod labs;
 pub(crate) mod lesson;
+mod page;
 mod plane;
 mod primitives;
 mod rooms;
@@ -104,6 +106,26 @@ static REFERENCES: &[Reference] = &[
         file: "film-join-faces.svg",
         about: "join_faces step by step: the inverse of split_face",
         draw: || strip(sources::JOIN_FACES, "A film of join_faces", "join-faces"),
+    },
+    Reference {
+        file: "film-matching.svg",
+        about: "the half-edges of a list of faces find their twins, face by face; the border is left",
+        draw: labs::lab_05::film,
+    },
+    Reference {
+        file: "film-merge-faces.svg",
+        about: "edge by edge goes until one face is left: V - E + F stays 2",
+        draw: labs::lab_10::film,
+    },
+    Reference {
+        file: "film-pole.svg",
+        about: "a pole: a spur to a new vertex, then a face split for each further corner",
+        draw: labs::lab_09::film,
+    },
+    Reference {
+        file: "film-slip.svg",
+        about: "split_face beside the same with one pointer written wrongly, and what does not hold in the end",
+        draw: films::slip,
     },
     Reference { file: "film-locate.svg", about: "a walk to a point, face by face", draw: films::locate },
     Reference {
@@ -399,7 +421,8 @@ pub(crate) fn draw_all() -> Result<Vec<Drawn>, Failure> {
         files.push(Drawn { file, about, text: draw().map_err(Failure::kit)? });
     }
     let about = "this folder as a page";
-    files.push(Drawn { file: GALLERY, about, text: gallery() });
+    let text = page::text(REFERENCES).map_err(Failure::kit)?;
+    files.push(Drawn { file: page::FILE, about, text });
     Ok(files)
 }
 
@@ -411,93 +434,6 @@ pub(crate) struct Drawn {
     pub(crate) about: &'static str,
     /// Its contents.
     pub(crate) text: String,
-}
-
-/// The page that shows all figures.
-const GALLERY: &str = "README.md";
-
-fn gallery() -> String {
-    let mut page = String::from(
-        "# What the kit draws of itself\n\n\
-         `dcel figures` draws all of this anew, this page included, and `dcel figures --check` compares. Below each\n\
-         picture is the command that draws the same kind of picture of a file of yours.\n",
-    );
-    for reference in REFERENCES {
-        let Reference { file, about, .. } = reference;
-        page.push_str(&format!("\n## {file}\n\n![{about}]({file})\n\n{about}\n\n```sh\n{}\n```\n", command(file)));
-    }
-    page
-}
-
-/// How to draw such a picture of one's own.
-fn command(file: &str) -> &'static str {
-    match file {
-        "lab-04-drawing.svg" => {
-            "dcel script figures/scripts/lab-04-drawing.dcels --dump\n\
-             dcel figure FILE --detail edges --colours figures/scripts/lab-04-drawing.colours -o OUT.svg"
-        }
-        "difference.svg" => "dcel compare EXPECTED.svg MINE.svg --diff OUT.svg",
-        "dual.svg" => "dcel figure FILE --dual -o OUT.svg",
-        "triangulation.svg" => {
-            "dcel triangulate FILE --pieces --figure PIECES.svg\n\
-             dcel triangulate FILE --figure OUT.svg\n\
-             dcel triangulate FILE --method ears --figure EARS.svg"
-        }
-        "focus.svg" => "dcel figure FILE --focus h5 -o OUT.svg",
-        "interactive.svg" => "dcel figure FILE --interactive -o OUT.svg",
-        "pointers.svg" => "dcel figure FILE --pointers all -o OUT.svg",
-        "records.svg" => "dcel figure --records -o OUT.svg",
-        "figure-sizes.svg"
-        | "lab-01-map.svg"
-        | "lab-02-triangulation.svg"
-        | "lab-03-hull.svg"
-        | "lab-03-ways.svg"
-        | "lab-05-matching.svg"
-        | "lab-05-structure.svg"
-        | "lab-06-corridor.svg"
-        | "lab-06-portals.svg"
-        | "lab-07-circles.svg"
-        | "lab-07-flip.svg"
-        | "lab-08-voronoi.svg"
-        | "lab-09-growth.svg"
-        | "lab-10-cube.svg"
-        | "lab-10-duals.svg"
-        | "lab-11-climb.svg"
-        | "lab-11-stuck.svg"
-        | "primitives.svg"
-        | "robustness.svg"
-        | "rooms.svg"
-        | "vocabulary.svg"
-        | "walk.svg"
-        | "wrong-signs.svg" => "dcel figures",
-        "navmesh-ladder.svg" => {
-            "dcel navmesh path figures/data/rooms.map 21.5 5.5 0.5 4.5 --triangles --algorithm all -o OUT.svg"
-        }
-        "schlegel.svg" => "dcel solid schlegel FILE --through f0 --figure OUT.svg",
-        "solid-torus.svg" => "dcel solid figure FILE --no-hidden -o OUT.svg",
-        "solid.svg" => "dcel solid figure FILE -o OUT.svg",
-        "lawson.svg" => "dcel delaunay FILE --flips --circles --figure OUT.svg",
-        "voronoi.svg" => "dcel voronoi FILE --delaunay --figure OUT.svg",
-        "states.svg" => "dcel figure FILE --width 960 -o OUT.svg",
-        "tables.svg" => "dcel figure FILE --tables --highlight h5 -o OUT.svg",
-        "stepper-split-face.svg" => "dcel script figures/scripts/split-face.dcels --film OUT.svg --stepper",
-        "film-join-faces.svg" => "dcel script figures/scripts/join-faces.dcels --film OUT.svg",
-        "film-split-face.svg" => "dcel script figures/scripts/split-face.dcels --film OUT.svg",
-        "film-split-in-half.svg" => "dcel script figures/scripts/split-in-half.dcels --film OUT.svg",
-        "film-catmull-clark.svg" => "dcel film catmull-clark FILE --steps 2 -o OUT.svg",
-        "film-climb.svg" => "dcel film climb FILE --direction 1,2,5 -o OUT.svg",
-        "film-ears.svg" => "dcel film ears FILE -o OUT.svg",
-        "film-face-walk.svg" => "dcel film walk FILE --face f1 -o OUT.svg",
-        "film-flips.svg" => "dcel film flips FILE -o OUT.svg",
-        "film-funnel.svg" => "dcel film funnel FILE --from 1,1 --to 22,12 -o OUT.svg",
-        "film-hull.svg" => "dcel film hull FILE -o OUT.svg",
-        "film-locate.svg" => "dcel film locate FILE --start v0 --point 1,2 -o OUT.svg",
-        "film-monotone.svg" => "dcel film monotone FILE -o OUT.svg",
-        "film-solid-hull.svg" => "dcel film solid-hull FILE -o OUT.svg",
-        "film-sweep.svg" => "dcel film sweep FILE -o OUT.svg",
-        "film-voronoi.svg" => "dcel film voronoi FILE -o OUT.svg",
-        _ => "dcel figure FILE -o OUT.svg",
-    }
 }
 
 /// Writes files into a folder, which is made if need be. A file that is right already is left alone.

@@ -3,6 +3,7 @@
 //! ```text
 //!   areas        of the state before or after the edit        labels by the fuller of the two
 //!   half-edges   of the frame: new ones blue, gone ones red and dashed, the rest grey
+//!   chips        records that have no place yet, by name, in the lower left corner
 //!   next         grey where it stays; every pointer of the step: new blue, gone red and dashed
 //! ```
 //!
@@ -13,6 +14,8 @@
 use super::frames::{Fate, Frame, Written};
 use super::sides;
 use crate::figure::canvas::scene::{Group, Node};
+use crate::figure::canvas::text;
+use crate::figure::canvas::vector::{Xy, xy};
 use crate::figure::flatten::Placed;
 use crate::figure::layout::crowd::Shape;
 use crate::figure::structure::arrows::Arrow;
@@ -29,6 +32,12 @@ use crate::topology::{Slot, Table, View};
 
 /// How far inside of a corner a next pointer passes that follows the bends of its edge.
 const CORNER: f64 = 13.0;
+/// Where the chips begin: so far from the left and from the bottom.
+const CHIP: Xy = xy(12.0, 12.0);
+const CHIP_HEIGHT: f64 = 19.0;
+const CHIP_TEXT: f64 = 11.0;
+/// So many are shown.
+const CHIPS: usize = 6;
 /// So many half-edges may lie between two that are to follow each other.
 const MOST: usize = 12;
 
@@ -154,6 +163,12 @@ impl<'a> Stage<'a> {
         let halves = half_edges(plate.picture.view).filter(|&h| !shown.has_half_edge(h));
         halves.for_each(|h| look.mark_half_edge(h, Mark::Hidden));
         let copies = &self.placed[chosen].copies;
+        // No arrow shows an origin: what begins elsewhere from now on is bold.
+        for written in frame.written.iter().filter(|written| written.fate == Fate::New) {
+            if let Slot::Origin(h) = written.slot {
+                look.mark_half_edge(h, Mark::Hot);
+            }
+        }
         for (elements, mark) in [(&frame.marked, Mark::Hot), (&frame.made, Mark::New), (&frame.removed, Mark::Gone)] {
             elements.iter().for_each(|&element| set(&mut look, element, mark));
         }
@@ -178,6 +193,7 @@ impl<'a> Stage<'a> {
         let mut between = sides::nodes(plate, &self.placed[chosen], &look);
         between.extend(arrows(plate, frame, &look, &self.placed[chosen]));
         nodes.extend(plate.lines(&shown, &look, between));
+        nodes.extend(self.chips(frame, &look, plate.picture.fit.size));
         // The frame has a title of its own; one for each line of each frame would be half of the file.
         for node in &mut nodes {
             if let Node::Group(group) = node {
@@ -189,6 +205,32 @@ impl<'a> Stage<'a> {
             }
         }
         nodes
+    }
+
+    /// Records without a place in the picture: faces that no half-edge bounds yet, half-edges without both of their ends.
+    fn chips(&self, frame: &Frame, look: &Look, size: Xy) -> Option<Node> {
+        let has_ends = |h: &HalfEdgeId| frame.table.origin(*h).is_some() && destination(&frame.table, *h).is_some();
+        let faces = faces(&frame.table).filter(|&f| !self.states[frame.areas].has_face(f)).map(|f| f.to_string());
+        let halves = half_edges(&frame.table).filter(|h| !has_ends(h)).map(|h| h.to_string());
+        let names: Vec<String> = faces.chain(halves).collect();
+        let mut left = CHIP.x;
+        let mut nodes = Vec::new();
+        for name in names.iter().take(CHIPS) {
+            let width = text::width(name, CHIP_TEXT, true) + 14.0;
+            let corner = xy(left, size.y - CHIP.y - CHIP_HEIGHT);
+            let outline = [xy(0.0, 0.0), xy(width, 0.0), xy(width, CHIP_HEIGHT), xy(0.0, CHIP_HEIGHT)];
+            let outlines = vec![outline.map(|offset| corner + offset).to_vec()];
+            nodes.push(Node::Area { class: "cb", hatch: None, outlines });
+            let at = corner + xy(0.5 * width, 0.5 * CHIP_HEIGHT);
+            nodes.push(Node::Text { class: "cl", at, size: CHIP_TEXT, text: name.clone() });
+            left += width + 6.0;
+        }
+        if names.len() > CHIPS {
+            let at = xy(left + 10.0, size.y - CHIP.y - 0.5 * CHIP_HEIGHT);
+            nodes.push(Node::Text { class: "cl", at, size: CHIP_TEXT, text: "…".to_owned() });
+        }
+        (!nodes.is_empty())
+            .then(|| Node::Group(Group { class: "chips", id: Some(look.name("new")), nodes, ..Group::default() }))
     }
 
     /// The faces. On a layout they are those of the plate that is drawn: where a face is not there yet, or no more, its

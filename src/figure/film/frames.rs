@@ -7,9 +7,11 @@
 //! ```
 //!
 //! The areas of faces cannot be walked in a half-linked structure. A frame shows the areas of the structure
-//! before the edit until the step that gives the last half-edge its face (or, if none does, its next); from
+//! before the edit until the moment that gives the last half-edge its face (or, if none does, its next); from
 //! then on those after the edit.
 
+use super::moments::{moments, turning};
+use super::slip::Slip;
 use crate::figure::flatten::{Names, Placed, Spread, set_positions};
 use crate::ids::{Element, FaceId, VertexId};
 use crate::plane::PlanarView;
@@ -255,17 +257,38 @@ impl Film {
         if !self.solids.is_empty() {
             return self.views();
         }
-        let mut out = Vec::new();
+        self.frames_with(&[])
+    }
+
+    /// The frames if the edits are made with these slips. Each edit but the last begins with what it should begin with.
+    pub(super) fn frames_with(&self, slips: &[Slip]) -> Vec<Frame> {
+        let mut out: Vec<Frame> = Vec::new();
         for (i, shot) in self.shots.iter().enumerate() {
             let states = [i, i + 1];
             out.push(still(&shot.title, &shot.caption, &self.states[i], i, states, shot.marked.clone()));
-            self.steps(shot, states, &mut out);
+            self.steps(shot, states, slips, &mut out);
         }
         let last = self.states.len() - 1;
         let heading = if self.shots.is_empty() { "" } else { "after" };
         let states = [last.saturating_sub(1), last];
-        out.push(still(heading, &self.closing, &self.states[last], last, states, self.closing_marked.clone()));
+        let slipped = out.last().filter(|_| !slips.is_empty()).map(|frame| frame.table.clone());
+        let table = slipped.as_ref().unwrap_or(&self.states[last]);
+        out.push(still(heading, &self.closing, table, last, states, self.closing_marked.clone()));
         out
+    }
+
+    /// One edit of the film by itself.
+    pub(super) fn only(&self, shot: usize) -> Self {
+        let mut film = Self::empty();
+        film.states = self.states[shot..=shot + 1].to_vec();
+        film.spreads = self.spreads.get(shot..=shot + 1).map(<[Spread]>::to_vec).unwrap_or_default();
+        film.shots = vec![self.shots[shot].clone()];
+        film
+    }
+
+    /// What an edit changes.
+    pub(super) fn journal(&self, shot: usize) -> &Journal {
+        &self.shots[shot].journal
     }
 
     /// A frame for the start and one for what each edit led to; a last one if something is said about it.
@@ -291,13 +314,15 @@ impl Film {
         out
     }
 
-    fn steps(&self, shot: &Shot, states: [usize; 2], out: &mut Vec<Frame>) {
+    fn steps(&self, shot: &Shot, states: [usize; 2], slips: &[Slip], out: &mut Vec<Frame>) {
         let after = &self.states[states[1]];
         let mut table = self.states[states[0]].clone();
-        let turning = turning_step(&shot.journal);
+        let moments = moments(&shot.journal);
+        let turning = turning(&moments);
         let mut made = Vec::new();
-        for (i, step) in shot.journal.steps().iter().enumerate() {
-            let changes = shot.journal.changes_of_step(i);
+        for (i, moment) in moments.into_iter().enumerate() {
+            let changes: Vec<Change> = moment.changes.iter().filter_map(|change| Slip::of(slips, change)).collect();
+            let changes = changes.as_slice();
             let before = table.clone();
             for change in changes {
                 table.apply(change);
@@ -312,8 +337,8 @@ impl Film {
             let added = elements(changes, true);
             made.extend(added.iter().copied());
             out.push(Frame {
-                heading: format!("{} {}", step.number, step.what),
-                text: summary(changes),
+                heading: moment.heading,
+                text: idle(&moment.idle) + &summary(changes),
                 changes: changes.to_vec(),
                 written: written(changes, &before),
                 added,
@@ -330,8 +355,7 @@ impl Film {
 }
 
 /// Whether the element is in the table.
-#[cfg(feature = "solid")]
-fn has(table: &Table, element: Element) -> bool {
+pub(super) fn has(table: &Table, element: Element) -> bool {
     match element {
         Element::Vertex(v) => table.has_vertex(v),
         Element::HalfEdge(h) => table.has_half_edge(h),
@@ -386,15 +410,6 @@ fn copy_regions(table: &mut Table, after: &Table) {
     }
 }
 
-/// The index of the last step that gives a half-edge a face; without such a step, a next.
-fn turning_step(journal: &Journal) -> usize {
-    let last = |wanted: fn(Slot) -> bool| {
-        let writes = |change: &Change| matches!(*change, Change::Write { slot, new: Some(_), .. } if wanted(slot));
-        (0..journal.steps().len()).rev().find(|&i| journal.changes_of_step(i).iter().any(writes))
-    };
-    last(|slot| matches!(slot, Slot::Face(_))).or_else(|| last(|slot| matches!(slot, Slot::Next(_)))).unwrap_or(0)
-}
-
 /// The pointers that differ after the changes from what they were in `before`.
 fn written(changes: &[Change], before: &Table) -> Vec<Written> {
     let mut net: Vec<(Slot, Option<Element>, Option<Element>)> = Vec::new();
@@ -433,6 +448,16 @@ fn elements(changes: &[Change], come: bool) -> Vec<Element> {
         _ => None,
     };
     changes.iter().filter_map(pick).collect()
+}
+
+/// The steps that had nothing to do, in front of what has been done.
+fn idle(steps: &[u32]) -> String {
+    let numbers: Vec<String> = steps.iter().map(ToString::to_string).collect();
+    match numbers.len() {
+        0 => String::new(),
+        1 => format!("nothing to do in step {}; ", numbers[0]),
+        _ => format!("nothing to do in steps {}; ", numbers.join(", ")),
+    }
 }
 
 /// What a step has written, in few words. `prev` goes without saying beside `next`, and so does the clearing of

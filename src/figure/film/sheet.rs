@@ -169,7 +169,8 @@ pub(super) fn head_height(frames: &[Caption], width: f64) -> f64 {
     frames.iter().map(height).fold(0.0, f64::max) + 8.0
 }
 
-fn heading((heading, text): &Caption, width: f64) -> Vec<Node> {
+/// The lines above a drawing.
+pub(super) fn heading((heading, text): &Caption, width: f64) -> Vec<Node> {
     let mut y = 0.0;
     let mut out = Vec::new();
     for (words, (size, step, most), class) in [(heading, HEADING, "ct"), (text, TEXT, "cs")] {

@@ -23,6 +23,8 @@ pub(super) fn marks(style: &Style, scope: &str) -> String {
         (".gone .sh", "stroke-dasharray:3 2.5".to_owned()),
         (".gone .pl", "stroke-dasharray:3 2.5".to_owned()),
         (".gone .vd", "stroke-dasharray:3 2.5".to_owned()),
+        (".chips .cb", "stroke-width:1.5;stroke-dasharray:3 2".to_owned()),
+        (".chips .cl", "font-weight:700".to_owned()),
         (".nav", "text-decoration:underline".to_owned()),
     ] {
         let _ = writeln!(out, "#{scope} {selector}{{{properties}}}");
@@ -42,6 +44,8 @@ fn colours(out: &mut String, scope: &str, palette: &Palette) {
             let _ = writeln!(out, "#{scope} .{class} .{part}{{{property}:{colour}}}");
         }
     }
+    let _ = writeln!(out, "#{scope} .chips .cb{{fill:{};stroke:{}}}", palette.background, palette.next);
+    let _ = writeln!(out, "#{scope} .chips .cl{{fill:{}}}", palette.next);
     let _ = writeln!(out, "#{scope} .nav{{fill:{}}}", palette.next);
 }
 

@@ -25,15 +25,23 @@ pub(crate) fn hues<V: PlanarView + ?Sized>(view: &V, regions: &[Region], options
     let mut country = FaceMap::filled(view.face_bound(), NO_COUNTRY);
     let mut by_name: BTreeMap<&str, u32> = BTreeMap::new();
     let mut count = 0;
+    // A face without a name has the turn of its id, so that it keeps its hue when others go.
+    let mut turns: Vec<usize> = Vec::new();
+    let outer = view.outer_face();
     for face in regions.iter().map(|region| region.face) {
         if view.is_hole(face) || view.outer_face() == Some(face) {
             continue;
         }
         let number = options.name(face).map_or(count, |name| *by_name.entry(name).or_insert(count));
         country[face] = number;
-        count = count.max(number + 1);
+        if number == count {
+            let named = options.name(face).is_some();
+            let earlier = usize::from(outer.is_some_and(|outer| outer < face));
+            turns.push(if named { number as usize } else { face.index() - earlier });
+            count += 1;
+        }
     }
-    let hue = colour(count as usize, &borders(view, &country));
+    let hue = colour(&turns, &borders(view, &country));
     let of = |face: FaceId| match country[face] {
         NO_COUNTRY => 0,
         number => hue[number as usize],
@@ -58,8 +66,9 @@ fn borders<V: PlanarView + ?Sized>(view: &V, country: &FaceMap<u32>) -> Vec<(u32
     pairs
 }
 
-/// Colours a graph given by its sorted pairs. O(vertices + pairs).
-fn colour(count: usize, pairs: &[(u32, u32)]) -> Vec<u8> {
+/// Colours a graph given by its sorted pairs, and the hue that each vertex tries first. O(vertices + pairs).
+fn colour(turns: &[usize], pairs: &[(u32, u32)]) -> Vec<u8> {
+    let count = turns.len();
     let neighbours = Groups::new(count, pairs.iter().map(|&(a, b)| (a as usize, b as usize)));
     let mut degree: Vec<usize> = (0..count).map(|a| neighbours.of(a).len()).collect();
     let mut buckets: Vec<Vec<usize>> = vec![Vec::new(); degree.iter().max().map_or(0, |&d| d + 1)];
@@ -94,7 +103,7 @@ fn colour(count: usize, pairs: &[(u32, u32)]) -> Vec<u8> {
                 *uses += 1;
             }
         }
-        let turn = |i: usize| (a + i) % HUES;
+        let turn = |i: usize| (turns[a] + i) % HUES;
         let best = (0..HUES).min_by_key(|&i| (used[turn(i)], i)).map_or(0, turn);
         hue[a] = best as u8;
     }
@@ -112,6 +121,10 @@ mod tests {
         pairs
     }
 
+    fn turns(count: usize) -> Vec<usize> {
+        (0..count).collect()
+    }
+
     #[test]
     fn neighbours_differ_in_a_triangulated_grid() {
         let n = 30u32;
@@ -126,18 +139,18 @@ mod tests {
             );
         }
         let pairs = graph(&edges);
-        let hue = colour((n * n) as usize, &pairs);
+        let hue = colour(&turns((n * n) as usize), &pairs);
         assert!(pairs.iter().all(|&(a, b)| hue[a as usize] != hue[b as usize]));
     }
 
     #[test]
     fn few_countries_keep_the_order_of_the_palette() {
         assert_eq!(
-            colour(5, &graph(&[(0, 1), (1, 2), (2, 3), (3, 0), (4, 0), (4, 1), (4, 2), (4, 3)])),
+            colour(&turns(5), &graph(&[(0, 1), (1, 2), (2, 3), (3, 0), (4, 0), (4, 1), (4, 2), (4, 3)])),
             [0, 1, 2, 3, 4]
         );
         // The eighth country has the hue of the first, unless they are neighbours.
-        assert_eq!(colour(8, &[])[7], 0);
-        assert_ne!(colour(8, &graph(&[(0, 7)]))[7], colour(8, &graph(&[(0, 7)]))[0]);
+        assert_eq!(colour(&turns(8), &[])[7], 0);
+        assert_ne!(colour(&turns(8), &graph(&[(0, 7)]))[7], colour(&turns(8), &graph(&[(0, 7)]))[0]);
     }
 }

@@ -1,8 +1,9 @@
 //! The figures of lab 05: the reference, and how the list becomes a structure.
 
 use crate::gallery::Made;
+use crate::gallery::films::strip;
 use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
-use dcel_kit::figure::{self, Detail, FigureOptions};
+use dcel_kit::figure::{self, Detail, FigureOptions, SketchFilm};
 use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::topology::PolygonList;
 
@@ -50,4 +51,76 @@ pub(in crate::gallery) fn matching() -> Made<String> {
     panels.structure("The structure", "twins are matched, and the outer face has the border", &structure);
     let options = FigureOptions::new("From a list of faces to half-edges").id_prefix("matching").width(405.0);
     Ok(panels.figure(&options)?.to_svg())
+}
+
+/// Face by face: what waits for its twin, what has found it; in the end, the border.
+pub(in crate::gallery) fn film() -> Made<String> {
+    let mut film = SketchFilm::new();
+    let corner = |v: u32| POINTS[v as usize];
+    // The half-edges without a twin so far, by the ends of each.
+    let mut waiting: Vec<[u32; 2]> = Vec::new();
+    let mut matched: Vec<[u32; 2]> = Vec::new();
+    for (f, face) in FACES.iter().enumerate() {
+        let mut found: Vec<[u32; 2]> = Vec::new();
+        for (i, &from) in face.iter().enumerate() {
+            let to = face[(i + 1) % face.len()];
+            match waiting.iter().position(|&other| other == [to, from]) {
+                Some(at) => {
+                    waiting.remove(at);
+                    found.push([from, to]);
+                }
+                None => waiting.push([from, to]),
+            }
+        }
+        let mut sketch = ground(&FACES[..=f]);
+        arrows(&mut sketch, &waiting, Role::Secondary, "waits for its twin");
+        arrows(&mut sketch, &matched, Role::Dimmed, "");
+        arrows(&mut sketch, &found, Role::Right, "finds its twin");
+        for v in 0..POINTS.len() as u32 {
+            sketch.point(Role::Plain, corner(v)).label(format!("v{v}"));
+        }
+        let corners: Vec<String> = face.iter().map(ToString::to_string).collect();
+        let words = match found.len() {
+            0 => "nobody waits for its half-edges".to_owned(),
+            _ => found.iter().map(|[a, b]| format!("v{a} to v{b} finds v{b} to v{a}")).collect::<Vec<_>>().join(", "),
+        };
+        film.frame(&format!("Face {f}: {}", corners.join(" ")), &words, sketch);
+        matched.extend(found);
+    }
+    let mut sketch = ground(FACES.as_slice());
+    let border: Vec<[u32; 2]> = waiting.iter().map(|&[a, b]| [b, a]).collect();
+    arrows(&mut sketch, &matched, Role::Dimmed, "");
+    arrows(&mut sketch, &border, Role::Main, "half-edge of the outer face");
+    for v in 0..POINTS.len() as u32 {
+        sketch.point(Role::Plain, corner(v)).label(format!("v{v}"));
+    }
+    film.frame("The border", "what still waits gets a twin in the outer face", sketch);
+    strip(&film, "A film of matching", "matching-film")
+}
+
+/// The faces so far.
+fn ground(faces: &[&[u32]]) -> Sketch {
+    let mut sketch = Sketch::new();
+    for face in faces {
+        sketch.region(Role::Dimmed, [face.iter().map(|&v| POINTS[v as usize]).collect::<Vec<_>>()]).plain();
+    }
+    sketch
+}
+
+/// Half-edges, each on its left side of the edge.
+fn arrows(sketch: &mut Sketch, halves: &[[u32; 2]], role: Role, key: &str) {
+    const ASIDE: f64 = 9.0;
+    const SHORT: f64 = 26.0;
+    for &[from, to] in halves {
+        let (a, b) = (POINTS[from as usize], POINTS[to as usize]);
+        let way = [b[0] - a[0], b[1] - a[1]];
+        let length = (way[0] * way[0] + way[1] * way[1]).sqrt();
+        let along = way.map(|x| x / length);
+        let left = [-along[1] * ASIDE, along[0] * ASIDE];
+        let end = |p: [f64; 2], by: f64| [0, 1].map(|i| p[i] + left[i] + by * along[i]);
+        let item = sketch.path(role, [end(a, SHORT), end(b, -SHORT)]).arrow();
+        if !key.is_empty() {
+            item.key(key);
+        }
+    }
 }

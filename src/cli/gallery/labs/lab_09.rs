@@ -1,9 +1,11 @@
 //! The figures of lab 09.
 
 use crate::gallery::Made;
-use dcel_kit::figure::FigureOptions;
-use dcel_kit::figure::sketch::{Role, Sketch};
-use dcel_kit::ids::VertexId;
+use crate::gallery::films::strip;
+use dcel_kit::figure::sketch::{Backdrop, Role, Sketch};
+use dcel_kit::figure::{FigureOptions, SketchFilm};
+use dcel_kit::ids::{HalfEdgeId, VertexId};
+use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::solid::Polyhedron;
 use dcel_kit::solid::grow::Shape;
 
@@ -60,4 +62,35 @@ pub(in crate::gallery) fn growth() -> Made<String> {
     }
     let options = FigureOptions::new("Primitives as they grow").id_prefix("lab-09-growth").width(1100.0);
     Ok(sketch.figure(&options)?.to_svg())
+}
+
+/// A pole over a square, seen from above: a spur, then face splits.
+pub(in crate::gallery) fn film() -> Made<String> {
+    let mut square =
+        Subdivision::polygon(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(|[x, y]| Point { x, y }))?;
+    let mut film = SketchFilm::new();
+    let mut shoot = |heading: &str, square: &Subdivision, new: Option<HalfEdgeId>| {
+        let mut sketch = Sketch::new();
+        if let Some(h) = new {
+            let ends = [square.origin(h), square.destination(h)].map(|v| square.point(v));
+            sketch.path(Role::Main, ends).key("the new edge");
+        }
+        let [v, e, f] = [square.vertex_count(), square.edge_count(), square.face_count()];
+        let text = format!("V - E + F = {v} - {e} + {f} = {}", v as i64 - e as i64 + f as i64);
+        film.over(heading, &text, square, Backdrop::Plain, sketch);
+    };
+    shoot("A ring of four sides", &square, None);
+    let first = square.half_edges().find(|&h| square.face(h) != square.outer_face()).ok_or("a square has an inside")?;
+    let (_, spur) = square.insert_dangling_edge(square.origin(first), Point { x: 1.7, y: 2.3 })?;
+    shoot("The vertex split makes a spur", &square, Some(spur));
+    // From the tip of the spur to the corners that follow, one after the other.
+    let mut corner = square.next(first);
+    let mut tip = spur.twin();
+    for word in ["first", "second", "third"] {
+        let (new, _) = square.split_face(corner, tip)?;
+        shoot(&format!("The {word} face split"), &square, Some(new));
+        tip = new.twin();
+        corner = square.next(corner);
+    }
+    strip(&film, "A film of a pole", "pole")
 }

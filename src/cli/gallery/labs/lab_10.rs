@@ -1,9 +1,11 @@
 //! The figures of lab 10.
 
-use crate::gallery::Made;
-use dcel_kit::figure::FigureOptions;
-use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
+use crate::gallery::films::strip;
+use crate::gallery::{Made, lesson};
+use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
+use dcel_kit::figure::{FigureOptions, SketchFilm};
 use dcel_kit::ids::FaceId;
+use dcel_kit::plane::Subdivision;
 use dcel_kit::solid::{Platonic, Polyhedron};
 
 /// Where a point of space is drawn: seen from the front, from above and a little from the right. y points up.
@@ -52,4 +54,26 @@ pub(in crate::gallery) fn duals() -> Made<String> {
     }
     let options = FigureOptions::new("Three pairs of duals").id_prefix("lab-10-duals").width(290.0);
     Ok(panels.figure(&options)?.to_svg())
+}
+
+/// The cube, spread out in the plane, loses edges until one face is left.
+pub(in crate::gallery) fn film() -> Made<String> {
+    let mut cube = lesson::cube()?;
+    let mut film = SketchFilm::new();
+    let counts = |cube: &Subdivision| {
+        let [v, e, f] = [cube.vertex_count(), cube.edge_count(), cube.face_count()];
+        format!("V - E + F = {v} - {e} + {f} = {}", v as i64 - e as i64 + f as i64)
+    };
+    loop {
+        let goes = cube.half_edges().find(|&h| cube.face(h) != cube.face(h.twin()));
+        let mut sketch = Sketch::new();
+        let Some(h) = goes else {
+            film.over("One face is left: the edges are a tree", &counts(&cube), &cube, Backdrop::Plain, sketch);
+            return strip(&film, "A film of merged faces", "merge");
+        };
+        sketch.path(Role::Wrong, [cube.origin(h), cube.destination(h)].map(|v| cube.point(v))).key("goes next");
+        let [left, right] = [h, h.twin()].map(|h| cube.face(h));
+        film.over(&format!("{left} and {right} become one"), &counts(&cube), &cube, Backdrop::Plain, sketch);
+        cube.join_faces(h)?;
+    }
 }

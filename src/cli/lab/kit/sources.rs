@@ -38,6 +38,7 @@ pub(super) const FURTHER: &[(&str, &str)] = &[
     ("src/cli/gallery/labs/mod.rs", include_str!("../../gallery/labs/mod.rs")),
     ("src/cli/gallery/lesson.rs", include_str!("../../gallery/lesson.rs")),
     ("src/cli/gallery/mod.rs", include_str!("../../gallery/mod.rs")),
+    ("src/cli/gallery/page.rs", include_str!("../../gallery/page.rs")),
     ("src/cli/gallery/plane.rs", include_str!("../../gallery/plane.rs")),
     ("src/cli/gallery/primitives.rs", include_str!("../../gallery/primitives.rs")),
     ("src/cli/gallery/rooms.rs", include_str!("../../gallery/rooms.rs")),
