@@ -18,7 +18,7 @@
 use cpu_time::ProcessTime;
 use dcel_kit::io::{Grid, Scenario};
 use dcel_kit::navmesh::{
-    Floor, LiveMesh, Location, NavMesh, NavSurface, ObstacleId, Planner, PathAlgorithm, SurfacePoint, SurfacePlanner,
+    Floor, LiveMesh, Location, NavMesh, NavSurface, ObstacleId, PathAlgorithm, Planner, SurfacePlanner, SurfacePoint,
 };
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
 use dcel_kit::topology::PolygonList;
@@ -466,18 +466,29 @@ fn routes(mesh: &NavMesh, peers: &[polyanya::Mesh; 2], queries: &[Ends]) {
     let count = prepared.link_junctions();
     println!("  crossings: {count}, {:.1} bytes a triangle more", per_triangle(prepared.memory() - bytes));
 
-    let prepared_rungs =
-        [PathAlgorithm::Breadth, PathAlgorithm::Midpoint, PathAlgorithm::Closest, PathAlgorithm::Aimed, PathAlgorithm::Exact].map(Program::Prepared);
-    let programs: Vec<Program> =
-        PathAlgorithm::ALL.map(Program::Plain).into_iter().chain(prepared_rungs).chain([0, 1].map(Program::Peer)).collect();
+    let prepared_rungs = [
+        PathAlgorithm::Breadth,
+        PathAlgorithm::Midpoint,
+        PathAlgorithm::Closest,
+        PathAlgorithm::Aimed,
+        PathAlgorithm::Exact,
+    ]
+    .map(Program::Prepared);
+    let programs: Vec<Program> = PathAlgorithm::ALL
+        .map(Program::Plain)
+        .into_iter()
+        .chain(prepared_rungs)
+        .chain([0, 1].map(Program::Peer))
+        .collect();
     let (mut planner, mut plain) = (Planner::new(), Planner::face_by_face());
     let mut least = vec![vec![f64::INFINITY; queries.len()]; programs.len()];
     let mut lengths = vec![vec![0.0; queries.len()]; programs.len()];
     for (i, &(start, goal)) in queries.iter().enumerate() {
         for (k, &program) in (0..ROUNDS).flat_map(|_| programs.iter().enumerate()) {
             let least = &mut least[k][i];
-            let mut find =
-                |planner: &mut Planner, algorithm| timed(least, || planner.route_between(&prepared, algorithm, start, goal));
+            let mut find = |planner: &mut Planner, algorithm| {
+                timed(least, || planner.route_between(&prepared, algorithm, start, goal))
+            };
             lengths[k][i] = match program {
                 Program::Plain(algorithm) => find(&mut plain, algorithm).expect("one component").length,
                 Program::Prepared(algorithm) => find(&mut planner, algorithm).expect("one component").length,

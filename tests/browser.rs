@@ -8,8 +8,9 @@ mod latex;
 #[path = "support/trials.rs"]
 mod trials;
 
-use dcel_kit::figure::{self, FigureOptions};
+use dcel_kit::figure::{self, FigureOptions, Film};
 use dcel_kit::plane::Subdivision;
+use dcel_kit::script::Script;
 use devtools::Browser;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -280,6 +281,61 @@ fn every_letter_of_a_reference_figure_can_be_read_on_a_page_of_830_px() {
     assert!(letters > 1500, "{letters}");
 }
 
+/// What a telephone shows: no letter under 9 px, none cut off, none over another one.
+fn figures_for_400_px_can_be_read_there() {
+    let script = |name: &str| {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../figures/scripts").join(name);
+        Script::parse(&std::fs::read_to_string(path).unwrap(), name).unwrap()
+    };
+    let ship = script("lab-04-drawing.dcels").run().end;
+    let options = FigureOptions::new("Narrow").width(400.0).columns(1);
+    let cut = script("split-in-half.dcels");
+    let film = Film::of_script(&cut);
+    let slip = film.beside(&["h8.next".parse().unwrap()]).unwrap();
+    let h = dcel_kit::HalfEdgeId::new(2);
+    let drawings = [
+        ("structure", figure::structure(&lab(), &options)),
+        ("many half-edges", figure::structure(&ship, &options)),
+        ("tables", figure::tables(&lab(), Some(h.into()), &options)),
+        ("focus", figure::focus(&lab(), h, &options)),
+        ("pointers", figure::pointers(&lab(), &[figure::Pointers::Next, figure::Pointers::Twin], &options)),
+        ("dual", figure::dual(&ship, &options).map_err(|error| panic!("{error}"))),
+        ("film", film.strip(&options)),
+        ("a slip", slip.strip(&options.clone().width(190.0))),
+    ];
+    let mut browser = Browser::start(400, 800);
+    let (mut letters, mut open) = (0, |name: &str, file: &Path, fits: bool| -> u64 {
+        browser.open(file, "");
+        let found = browser.eval(
+            "(() => { const shown = t => t.textContent.trim() && getComputedStyle(t).visibility !== 'hidden' \
+             && t.getBoundingClientRect().width > 0; \
+             const texts = [...document.querySelectorAll('svg text')].filter(shown); \
+             const boxes = texts.map(t => { const b = t.getBoundingClientRect(); \
+               return { word: t.textContent.trim(), x: [b.left + 1, b.right - 1], y: [b.top + b.height * .22, b.bottom - b.height * .22], \
+               size: parseFloat(getComputedStyle(t).fontSize) * t.getScreenCTM().a }; }); \
+             const meet = (a, b) => a.x[0] < b.x[1] && b.x[0] < a.x[1] && a.y[0] < b.y[1] && b.y[0] < a.y[1]; \
+             const over = boxes.flatMap((a, i) => boxes.slice(0, i).filter(b => meet(a, b)).map(b => [a.word, b.word])); \
+             return { count: boxes.length, over, small: boxes.filter(b => b.size < 8.99).map(b => [b.word, b.size]), \
+               outside: boxes.filter(b => b.x[0] < -1.5 || b.x[1] > 401.5).map(b => b.word), \
+               wide: document.documentElement.scrollWidth }; })()",
+        );
+        assert_eq!(found["over"], json!([]), "{name}: names over each other");
+        assert_eq!(found["small"], json!([]), "{name}: small letters");
+        if fits {
+            assert_eq!(found["outside"], json!([]), "{name}: words cut off");
+            assert!(found["wide"].as_f64().unwrap() <= 400.0, "{name} is {} px wide", found["wide"]);
+        }
+        found["count"].as_u64().unwrap()
+    });
+    for (name, figure) in drawings {
+        let figure = figure.unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert!(figure.size().0 <= 400.0, "{name} is {} px wide", figure.size().0);
+        letters += open(name, &File::new("narrow.svg", &figure.to_svg()).path, true);
+    }
+    letters += open("player", &File::new("film.html", &film.page(&FigureOptions::new("F")).unwrap()).path, false);
+    assert!(letters > 300, "{letters}");
+}
+
 fn the_page_follows_clicks_keys_and_the_search() {
     let (file, lab) = (page(), lab());
     let mut browser = Browser::start(1400, 1200);
@@ -464,6 +520,7 @@ trials! {
     a_printed_page_has_no_buttons_and_whole_tables: Chromium;
     dark_mode_changes_paper_ink_and_lines_of_every_reference_figure: Chromium;
     every_letter_of_a_reference_figure_can_be_read_on_a_page_of_830_px: Chromium;
+    figures_for_400_px_can_be_read_there: Chromium;
     the_page_follows_clicks_keys_and_the_search: Chromium;
     the_page_has_few_tab_stops_and_arrow_keys_lead_on_from_each: Chromium;
     no_column_of_the_page_is_cut_and_its_picture_can_be_read_on_a_phone: Chromium;

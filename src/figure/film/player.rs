@@ -14,12 +14,16 @@ use crate::figure::{Figure, escaped};
 const CSS: &str = include_str!("player.css");
 const SCRIPT: &str = include_str!("player.js");
 
+/// A frame is never shown at less than this part of its width, so that its letters can be read.
+const LEAST: f64 = 0.95;
+
 /// The page round a stepper whose frames have the size `frame`.
 pub(super) fn page(stepper: &Figure, headings: &[String], frame: Xy) -> String {
     let (prefix, title) = (&stepper.scene.prefix, escaped(&stepper.scene.title));
     let css = CSS
         .replace("#FIG", &format!("#{prefix}"))
         .replace("RATIO", &crate::figure::canvas::number::drawn(frame.x / frame.y))
+        .replace("LEAST", &crate::figure::canvas::number::drawn(LEAST * frame.x))
         .replace("WIDTH", &crate::figure::canvas::number::drawn(2.0 * frame.x));
     let svg = stepper.to_svg();
     let last = headings.len().saturating_sub(1);

@@ -99,8 +99,16 @@ pub fn focus<V: PlanarView + ?Sized>(view: &V, h: HalfEdgeId, options: &FigureOp
 
     let mut scene = plate.picture.scene(Vec::new());
     scene.nodes = crop::framed(plate.nodes(view, &look, arrows), scene.size, options);
-    scene.nodes.push(rows(view, h, scene.size));
-    scene.size = xy(scene.size.x + ASIDE, scene.size.y.max(2.0 * 40.0 + 8.0 * LINE));
+    let height = 2.0 * 40.0 + 8.0 * LINE;
+    // Beside the picture, or below it if the caller has asked for so narrow a figure.
+    let is_beside = options.width.is_none_or(|width| scene.size.x + ASIDE <= width);
+    let corner = if is_beside { xy(scene.size.x, 0.0) } else { xy(0.0, scene.size.y) };
+    scene.nodes.push(rows(view, h, corner));
+    scene.size = if is_beside {
+        xy(scene.size.x + ASIDE, scene.size.y.max(height))
+    } else {
+        xy(scene.size.x.max(ASIDE), scene.size.y + height - 40.0)
+    };
     scene.css.push_str(&pointer_style::css(&options.style, &scene.prefix));
     if options.description.is_none() {
         let words: Vec<String> = fields(view, h).into_iter().map(|(field, value)| format!("{field} {value}")).collect();
@@ -191,12 +199,12 @@ fn fields<V: PlanarView + ?Sized>(view: &V, h: HalfEdgeId) -> [(&'static str, St
 }
 
 /// The table beside the picture; the names have the colours of their arrows, and a sample of each stands before.
-fn rows<V: PlanarView + ?Sized>(view: &V, h: HalfEdgeId, size: Xy) -> Node {
+fn rows<V: PlanarView + ?Sized>(view: &V, h: HalfEdgeId, corner: Xy) -> Node {
     let classes = ["k-origin", "k-twin", "k-next", "k-next", "k-face", "cs"];
     // In the order of the fields; `prev` is next backwards.
     let samples = [("origin", ">"), ("twin", "<>"), ("next", ">"), ("next", "<"), ("face-of", ">")];
-    let left = size.x + 16.0 + SAMPLE;
-    let row = |i: usize| 40.0 + LINE * i as f64;
+    let left = corner.x + 16.0 + SAMPLE;
+    let row = |i: usize| corner.y + 40.0 + LINE * i as f64;
     let line = |class: &'static str, x: f64, y: f64, text: String| Node::Text { class, at: xy(x, y), size: ROW, text };
     let mut nodes = vec![line("ct", left, row(0), format!("h = {h}"))];
     for (i, (class, heads)) in samples.into_iter().enumerate() {

@@ -11,7 +11,6 @@
 use crate::figure::canvas::scene::{Group, Node};
 use crate::figure::canvas::vector::{Xy, xy};
 use crate::figure::canvas::{crop, number, text};
-use crate::figure::layout::grid::SHEET;
 use crate::figure::structure::look::{Look, Mark};
 use crate::figure::structure::notes::Notes;
 use crate::figure::structure::part::Part;
@@ -77,7 +76,7 @@ pub fn tables<V: PlanarView + ?Sized>(
     let picture = scene.size;
     let tables = [half_edge_table(view, &names), vertex_table(view, &names), face_table(view, &names)];
     let sizes = tables.each_ref().map(Words::size);
-    for (table, corner) in tables.iter().zip(corners(picture, sizes)) {
+    for (table, corner) in tables.iter().zip(corners(picture, sizes, options.page())) {
         scene.nodes.push(table.group(corner, &table.widths(), marked.as_deref()));
         let end = corner + table.size() + xy(GAP, 0.0);
         scene.size = xy(scene.size.x.max(end.x), scene.size.y.max(end.y));
@@ -89,17 +88,22 @@ pub fn tables<V: PlanarView + ?Sized>(
     Ok(Figure { scene, detail: plate.picture.detail, notes: notes.0 })
 }
 
-/// Where the tables stand. The half-edges are beside the picture; the vertices and the faces, one below the other, beside
-/// these, or below the picture if a page is not wide enough for that:
-/// side by side if they stay clear of the half-edges.
-fn corners(picture: Xy, [half_edges, vertices, faces]: [Xy; 3]) -> [Xy; 3] {
+/// Where the tables stand on a page of this width. The half-edges are beside the picture if there is room for that; the
+/// vertices and the faces, one below the other, beside these, or below the picture: side by side where they have room, too.
+fn corners(picture: Xy, [half_edges, vertices, faces]: [Xy; 3], page: f64) -> [Xy; 3] {
     let first = xy(picture.x + GAP, GAP);
     let second = xy(first.x + half_edges.x + GAP, GAP);
-    if second.x + vertices.x.max(faces.x) + GAP <= SHEET {
+    if second.x + vertices.x.max(faces.x) + GAP <= page {
         return [first, second, second + xy(0.0, vertices.y)];
     }
     let below = xy(GAP, picture.y + GAP);
     let beside = below + xy(vertices.x + 2.0 * GAP, 0.0);
+    if page < second.x {
+        let width = picture.x.max(half_edges.x + GAP);
+        let under = below + xy(0.0, half_edges.y);
+        let beside = xy(beside.x, under.y);
+        return [below, under, if beside.x + faces.x <= width { beside } else { under + xy(0.0, vertices.y) }];
+    }
     let fits = beside.x + faces.x + GAP <= first.x || picture.y >= half_edges.y;
     [first, below, if fits { beside } else { below + xy(0.0, vertices.y) }]
 }

@@ -1,6 +1,7 @@
 //! What the caller may choose about a figure.
 
 use crate::figure::canvas::text;
+use crate::figure::layout::grid::SHEET;
 use crate::figure::{Overrides, Style, Unit};
 use crate::ids::{Element, FaceId, FaceMap, Id};
 use crate::plane::Point;
@@ -143,7 +144,8 @@ impl FigureOptions {
     }
 
     /// Width of the canvas in px (100 to 20,000). Default: 640, and for at most 60 edges up to 1600, until the
-    /// median edge is 110 px long. A drawing that reaches the height first makes the canvas narrower.
+    /// median edge is 110 px long. A drawing that reaches the height first makes the canvas narrower. A legend or a table
+    /// then stands below the picture, not beside it.
     pub fn width(mut self, px: f64) -> Self {
         self.width = px.is_finite().then(|| px.clamp(100.0, 20_000.0));
         self
@@ -273,6 +275,11 @@ impl FigureOptions {
     /// The name of an element on the canvas: its label, or its id.
     pub(crate) fn caption<I: Id + Into<Element>>(&self, id: I) -> String {
         self.overrides.label_of(id).map_or_else(|| id.to_string(), str::to_owned)
+    }
+
+    /// How wide a figure may be with what stands beside its picture: as wide as the caller says, else a page.
+    pub(crate) fn page(&self) -> f64 {
+        self.width.unwrap_or(SHEET)
     }
 
     /// The style sheet of a figure.

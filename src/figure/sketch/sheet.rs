@@ -48,13 +48,17 @@ pub enum Backdrop {
 }
 
 impl Backdrop {
-    /// A structure, in a group that dims it if need be, and the sketch over it.
-    pub(in crate::figure) fn layers(self, structure: Vec<Node>, sketch: Vec<Node>) -> Vec<Node> {
+    /// A structure, in a group that dims it if need be, and the sketch over it, but below the names of half-edges and faces.
+    pub(in crate::figure) fn layers(self, mut structure: Vec<Node>, sketch: Vec<Node>) -> Vec<Node> {
         let group = |class: &'static str, nodes: Vec<Node>| Node::Group(Group { class, nodes, ..Group::default() });
-        let sketch = if sketch.is_empty() { Vec::new() } else { vec![group("over", sketch)] };
+        let some = |class: &'static str, nodes: Vec<Node>| {
+            if nodes.is_empty() { Vec::new() } else { vec![group(class, nodes)] }
+        };
+        let names = if self == Self::InFront || sketch.is_empty() { Vec::new() } else { names(&mut structure) };
+        let sketch = some("over", sketch);
         match self {
-            Self::Plain => [structure, sketch].concat(),
-            Self::Dimmed => [vec![group("under", structure)], sketch].concat(),
+            Self::Plain => [structure, sketch, names].concat(),
+            Self::Dimmed => [vec![group("under", structure)], sketch, some("under", names)].concat(),
             Self::InFront => [sketch, structure].concat(),
         }
     }
@@ -64,6 +68,25 @@ impl Backdrop {
         let look = if instance.is_empty() { Look::default() } else { Look::instance(instance) };
         if self == Self::Dimmed { look.rest(Mark::Dim) } else { look }
     }
+}
+
+/// Takes the names of half-edges and faces out of a structure, each in a group with the mark of its element.
+fn names(structure: &mut [Node]) -> Vec<Node> {
+    let mut out = Vec::new();
+    for node in structure {
+        let Node::Group(element) = node else { continue };
+        if !["he", "f", "f outer"].contains(&element.class) {
+            out.extend(names(&mut element.nodes));
+            continue;
+        }
+        let is_name = |node: &Node| matches!(node, Node::Text { class: "hl" | "fl", .. });
+        let (words, rest) = std::mem::take(&mut element.nodes).into_iter().partition(is_name);
+        element.nodes = rest;
+        if !Vec::is_empty(&words) {
+            out.push(Node::Group(Group { class: "name", mark: element.mark, nodes: words, ..Group::default() }));
+        }
+    }
+    out
 }
 
 /// Whether every coordinate can be computed with.
@@ -239,18 +262,18 @@ pub(in crate::figure) fn scene(
         ],
         nodes,
     };
-    add_legend(&mut scene, legend);
+    add_legend(&mut scene, legend, options.page().min(SHEET));
     scene
 }
 
-/// Below a wide picture, and where a page has no room beside it; else beside it.
-fn add_legend(scene: &mut Scene, legend: &[Entry]) {
+/// Below a wide picture, and where a page of this width has no room beside it; else beside it.
+fn add_legend(scene: &mut Scene, legend: &[Entry], page: f64) {
     if legend.is_empty() {
         return;
     }
     let size = scene.size;
     let is_wide = size.x > 1.15 * size.y && size.x >= 2.0 * BESIDE;
-    let below = is_wide || size.x + AIR + BESIDE > SHEET;
+    let below = is_wide || size.x + AIR + BESIDE > page;
     let (corner, width) =
         if below { (xy(AIR, size.y + AIR), size.x - 2.0 * AIR) } else { (xy(size.x + AIR, 2.0 * AIR), BESIDE - AIR) };
     let (nodes, height) = legend::nodes(legend, corner, width, "");
@@ -325,7 +348,7 @@ impl Sketch {
             let words: Vec<&str> = legend.iter().map(Entry::words).collect();
             scene.description = format!("{} Over it: {}.", scene.description, words.join("; "));
         }
-        add_legend(&mut scene, &legend);
+        add_legend(&mut scene, &legend, options.page().min(SHEET));
         let mut notes = below.notes.0;
         notes.extend(drawing.notes.0);
         Ok(Figure { scene, detail, notes })
