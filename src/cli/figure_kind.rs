@@ -1,6 +1,7 @@
-//! Which figure `dcel figure` draws: the structure, its pointers, one half-edge, its tables.
+//! Which figure `dcel figure` draws: the structure, a part enlarged, its pointers, one half-edge, its tables.
 
 use super::choice::{Choice, one_of};
+use super::looks;
 use dcel_kit::figure::{self, Figure, FigureError, FigureOptions, Pointers};
 use dcel_kit::plane::PlanarView;
 use dcel_kit::{Element, HalfEdgeId};
@@ -21,9 +22,27 @@ pub(crate) struct Kind {
     /// The dual graph over the structure: a point in each face, a line across each edge
     #[arg(long, group = "kind")]
     pub(crate) dual: bool,
+    /// A part of the plane enlarged below the picture; without corners, the surroundings of the shortest edge
+    #[arg(
+        long, value_name = "X0,Y0,X1,Y1", group = "kind", value_parser = corners, allow_hyphen_values = true,
+        num_args = 0..=1, require_equals = true, default_missing_value = "",
+    )]
+    inset: Option<Window>,
     /// The element marked in the picture and in its table, for example h5, v3 or f1
     #[arg(long, value_name = "ELEMENT", requires = "tables", value_parser = element)]
     highlight: Option<Element>,
+}
+
+/// A part of the plane, or the one that the kit chooses.
+#[derive(Clone, Copy, Debug)]
+struct Window(Option<[[f64; 2]; 2]>);
+
+fn corners(text: &str) -> Result<Window, String> {
+    if text.is_empty() {
+        return Ok(Window(None));
+    }
+    let [x0, y0, x1, y1] = looks::corners(text)?;
+    Ok(Window(Some([[x0, y0], [x1, y1]])))
 }
 
 /// A family of pointers, or all of them.
@@ -52,6 +71,9 @@ impl Kind {
     ) -> Result<Figure, FigureError> {
         if let Some(h) = self.focus {
             return figure::focus(view, h, options);
+        }
+        if let Some(Window(corners)) = self.inset {
+            return figure::inset(view, corners, options);
         }
         if self.tables {
             return figure::tables(view, self.highlight, options);

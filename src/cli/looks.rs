@@ -78,7 +78,7 @@ fn length(text: &str) -> Result<(f64, Unit), String> {
     if in_range { Ok((px, unit)) } else { Err("choose 100 to 20000 px, that is 26.5 to 5291 mm".to_owned()) }
 }
 
-fn corners(text: &str) -> Result<[f64; 4], String> {
+pub(crate) fn corners(text: &str) -> Result<[f64; 4], String> {
     let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse::<f64>()).collect();
     let numbers: Option<[f64; 4]> = numbers.ok().and_then(|numbers| numbers.try_into().ok());
     let is_box = |[x0, y0, x1, y1]: &[f64; 4]| [x1 - x0, y1 - y0].iter().all(|s| s.is_finite() && *s != 0.0);

@@ -3,6 +3,7 @@
 //! | task | begin with |
 //! |---|---|
 //! | draw a structure | [`structure()`], [`FigureOptions`] |
+//! | enlarge a part of it | [`inset()`] |
 //! | show its pointers | [`pointers`], [`focus()`], [`tables()`] |
 //! | edits, step by step | [`Film`] |
 //! | an algorithm, event by event | [`algorithms`], [`SketchFilm`] |
@@ -66,6 +67,7 @@ pub use film::{Fate, Film, Frame, SketchFilm, Slip, SlipError, SlipFilm, Written
 pub use film::{Filmed, ScriptFilm};
 pub use kinds::dual::{DualFigureError, dual};
 pub use kinds::focus::focus;
+pub use kinds::inset::inset;
 pub use kinds::located::located;
 #[cfg(feature = "navmesh")]
 pub use kinds::navmesh;

@@ -101,6 +101,7 @@ pub const CHECK: &[(&str, &str)] = &[
     ("src/figure/flatten/plate.rs", include_str!("../../src/figure/flatten/plate.rs")),
     ("src/figure/kinds/dual.rs", include_str!("../../src/figure/kinds/dual.rs")),
     ("src/figure/kinds/focus.rs", include_str!("../../src/figure/kinds/focus.rs")),
+    ("src/figure/kinds/inset.rs", include_str!("../../src/figure/kinds/inset.rs")),
     ("src/figure/kinds/interactive.rs", include_str!("../../src/figure/kinds/interactive.rs")),
     ("src/figure/kinds/located.rs", include_str!("../../src/figure/kinds/located.rs")),
     ("src/figure/kinds/mod.rs", include_str!("../../src/figure/kinds/mod.rs")),

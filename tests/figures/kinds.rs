@@ -3,7 +3,8 @@
 use crate::cases;
 use crate::cases::{P, h};
 use crate::drawn;
-use dcel_kit::figure::{FigureError, FigureOptions, Overrides, Pointers, focus, pointers, records, tables};
+use dcel_kit::figure::sketch::{Backdrop, Role, Sketch};
+use dcel_kit::figure::{FigureError, FigureOptions, Overrides, Pointers, focus, inset, pointers, records, tables};
 use dcel_kit::topology::{InnerComponent, Table, View};
 use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
 use roxmltree::{Document, Node};
@@ -134,6 +135,42 @@ fn names_have_a_column_and_faces_have_id_and_name_in_the_picture() {
 }
 
 #[test]
+fn an_inset_shows_the_part_between_its_corners_and_says_where_it_is() {
+    let points =
+        [[0., 0.], [1000., 0.], [1000., 500.], [0., 500.], [700., 300.], [704., 300.], [704., 303.], [700., 303.]];
+    let sides = [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)];
+    let table = cases::plane(&points, &sides);
+    let options = FigureOptions::new("t");
+    for (corners, expected) in [
+        (None, vec!["v4", "v5", "v6", "v7"]),
+        (Some([[690., 290.], [702., 310.]]), vec!["v4", "v7"]),
+        (Some([[-10., -10.], [20., 20.]]), vec!["v0"]),
+    ] {
+        let svg = inset(&table, corners, &options).unwrap().to_svg();
+        let document = Document::parse(&svg).unwrap();
+        let ids: Vec<&str> = document.descendants().filter_map(|n| n.attribute("id")).collect();
+        assert_eq!(ids.len(), ids.iter().collect::<BTreeSet<_>>().len(), "ids are unique");
+        let near: Vec<&str> =
+            ids.iter().filter_map(|id| id.strip_prefix("t-z-")).filter(|id| id.starts_with('v')).collect();
+        assert_eq!(near, expected);
+        assert_eq!(ids.iter().filter(|id| id.starts_with("t-v")).count(), 8, "the whole is above");
+        // Edges on both drawings, many times as long below: h8 is the side from v4 to v5.
+        let length = |id: &str| {
+            let line = by_id(&document, id).children().find(|n| has_class(*n, "sh")).unwrap();
+            let [a, b] = ["x1", "x2"].map(|x| line.attribute(x).unwrap().parse::<f64>().unwrap());
+            (b - a).abs()
+        };
+        if corners.is_none() {
+            assert!(length("t-z-h8") > 40.0);
+            let whole = by_id(&document, "t-h8").children().find(|n| has_class(*n, "sh"));
+            assert!(whole.is_none() || length("t-h8") < 5.0);
+        }
+    }
+    let empty = inset(&Table::default(), None, &options);
+    assert_eq!(empty.is_ok(), dcel_kit::figure::structure(&Table::default(), &options).is_ok());
+}
+
+#[test]
 fn a_name_that_reads_like_an_id_stands_in_quotation_marks() {
     let names = [(1, "f0"), (2, "h12"), (3, " "), (4, "f"), (5, "f0a")].map(|(f, name)| (FaceId::new(f), name));
     let options = FigureOptions::new("t").face_names(names);
@@ -142,6 +179,25 @@ fn a_name_that_reads_like_an_id_stands_in_quotation_marks() {
     let label =
         |f: u32| texts(by_id(&document, &format!("t-f{f}"))).into_iter().map(|(word, _)| word).collect::<String>();
     assert_eq!([1, 2, 3, 4, 5].map(label), ["\u{201c}f0\u{201d}", "\u{201c}h12\u{201d}", "f3", "f", "f0a"]);
+}
+
+#[test]
+fn names_stand_above_what_is_drawn_over_a_structure() {
+    for backdrop in [Backdrop::Plain, Backdrop::Dimmed] {
+        let mut sketch = Sketch::new();
+        sketch.path(Role::Secondary, [[-0.5, 1.5], [6.5, 1.5]]);
+        let svg = sketch.over(&cases::lab(), backdrop, &FigureOptions::new("t")).unwrap().to_svg();
+        let document = Document::parse(&svg).unwrap();
+        let at = |id: &str| document.descendants().position(|n| n.attribute("id") == Some(id)).unwrap();
+        let path = at("t-s-path-1");
+        assert!(at("t-h0") < path, "the half-edges are below");
+        let names: Vec<usize> = (0..)
+            .zip(document.descendants())
+            .filter(|(_, n)| has_class(*n, "hl") || has_class(*n, "fl") && n.text() != Some("f0"))
+            .map(|(i, _)| i)
+            .collect();
+        assert!(names.len() > 20 && names.iter().all(|&i| i > path), "{path} {names:?}");
+    }
 }
 
 #[test]

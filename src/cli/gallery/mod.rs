@@ -167,6 +167,11 @@ static REFERENCES: &[Reference] = &[
         },
     },
     Reference {
+        file: "inset.svg",
+        about: "a face that is 250 times smaller than its neighbours, enlarged below",
+        draw: plane::inset,
+    },
+    Reference {
         file: "interactive.svg",
         about: "point at a half-edge, or write its name behind the address, to see its pointers",
         draw: || {

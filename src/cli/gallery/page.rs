@@ -20,6 +20,7 @@ const CHAPTERS: [(&str, &[&str]); 9] = [
             "film-face-walk.svg",
             "lab-04-two-nexts.svg",
             "rings.svg",
+            "inset.svg",
             "dual.svg",
             "states.svg",
         ],
@@ -122,6 +123,7 @@ fn command(file: &str) -> &'static str {
              dcel triangulate FILE --method ears --figure EARS.svg"
         }
         "focus.svg" => "dcel figure FILE --focus h5 -o OUT.svg",
+        "inset.svg" => "dcel figure FILE --inset -o OUT.svg",
         "interactive.svg" => "dcel figure FILE --interactive -o OUT.svg",
         "pointers.svg" => "dcel figure FILE --pointers all -o OUT.svg",
         "records.svg" => "dcel figure --records -o OUT.svg",

@@ -97,7 +97,7 @@ impl Film {
     /// let film = Film::of_script(&script).beside(&["h12.next".parse()?])?;
     /// let [right, wrong] = film.frames().pop().expect("a film has frames");
     /// assert!(right.marked.is_empty());
-    /// assert_eq!(wrong.text, "R1: h12.next is missing, and 1 more");
+    /// assert_eq!(wrong.text, "R1: h12.next = none");
     /// assert!(film.strip(&FigureOptions::new("Slip"))?.to_svg().contains("id=\"slip-6b-h12\""));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

@@ -1,13 +1,14 @@
 //! Drawings of one subject each, made of what a structure figure is made of, or of a sketch.
 //!
 //! ```text
-//!   structure.rs  interactive.rs  focus.rs  panels.rs  tables.rs  records.rs     half-edges and their pointers
+//!   structure.rs  inset.rs  interactive.rs  focus.rs  panels.rs  tables.rs  records.rs     half-edges and their pointers
 //!   dual.rs  voronoi.rs  triangulation.rs  overlay.rs  located.rs  robustness.rs   the plane
 //!   navmesh/  solid/                                               paths, solids
 //! ```
 
 pub(crate) mod dual;
 pub(crate) mod focus;
+pub(crate) mod inset;
 pub(crate) mod interactive;
 pub(crate) mod located;
 #[cfg(feature = "navmesh")]
