@@ -197,7 +197,7 @@ fn every_frame_of_the_films_of_edits_looks_different() {
         assert_eq!(frames.len(), film.frames().len());
         let places: Vec<[f64; 2]> = frames.iter().map(|frame| shift(*frame)).collect();
         let drawing = |frame: &roxmltree::Node<'_, '_>| {
-            shift(frame.children().filter(|n| n.has_tag_name(("http://www.w3.org/2000/svg", "g"))).last().unwrap())
+            shift(frame.children().rfind(|n| n.has_tag_name(("http://www.w3.org/2000/svg", "g"))).unwrap())
         };
         let head = drawing(&frames[0])[1];
         let step = places.iter().map(|place| place[1]).find(|&y| y > 0.0).unwrap();

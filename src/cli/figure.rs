@@ -28,7 +28,7 @@ Examples:
   dcel figure square.dcel --pointers next,twin -o pointers.svg
   dcel figure square.dcel --tables --highlight h5 > row.svg
   dcel figure square.obj --dual -o dual.svg
-  dcel figure square.obj --inset=0,0,1,1 -o corner.svg
+  dcel figure square.obj --inset 0,0,1,1 -o corner.svg
   dcel figure --records > records.svg
   dcel figure square.dcel --title \"Two rooms\" > two.svg
   dcel figure square.obj --interactive -o hover.svg

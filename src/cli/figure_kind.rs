@@ -22,11 +22,8 @@ pub(crate) struct Kind {
     /// The dual graph over the structure: a point in each face, a line across each edge
     #[arg(long, group = "kind")]
     pub(crate) dual: bool,
-    /// A part of the plane enlarged below the picture; without corners, the surroundings of the shortest edge
-    #[arg(
-        long, value_name = "X0,Y0,X1,Y1", group = "kind", value_parser = corners, allow_hyphen_values = true,
-        num_args = 0..=1, require_equals = true, default_missing_value = "",
-    )]
+    /// A part of the plane enlarged below the picture; `auto`: the surroundings of the shortest edge
+    #[arg(long, value_name = "X0,Y0,X1,Y1|auto", group = "kind", value_parser = corners, allow_hyphen_values = true)]
     inset: Option<Window>,
     /// The element marked in the picture and in its table, for example h5, v3 or f1
     #[arg(long, value_name = "ELEMENT", requires = "tables", value_parser = element)]
@@ -38,10 +35,10 @@ pub(crate) struct Kind {
 struct Window(Option<[[f64; 2]; 2]>);
 
 fn corners(text: &str) -> Result<Window, String> {
-    if text.is_empty() {
+    if text == "auto" {
         return Ok(Window(None));
     }
-    let [x0, y0, x1, y1] = looks::corners(text)?;
+    let [x0, y0, x1, y1] = looks::corners(text).map_err(|help| format!("{help}, or auto"))?;
     Ok(Window(Some([[x0, y0], [x1, y1]])))
 }
 

@@ -13,20 +13,25 @@ pub(crate) fn clean_up() -> io::Result<()> {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXFSZ};
     use signal_hook::iterator::Signals;
     use signal_hook::{flag, low_level};
-    use std::sync::Arc;
     use std::sync::atomic::AtomicBool;
+    use std::sync::{Arc, Barrier};
 
     flag::register(SIGXFSZ, Arc::new(AtomicBool::new(false)))?;
     let ending = [SIGINT, SIGTERM, SIGHUP, SIGQUIT].into_iter().filter(|&signal| !is_ignored(signal));
     let mut signals = Signals::new(ending)?;
-    // Where there is no memory for a thread, that is an error and no panic.
+    // Where there is no memory for a thread, that is an error and no panic. The thread has what it needs to begin before
+    // the command takes memory: without it, the C library would end the program.
+    let begun = Arc::new(Barrier::new(2));
+    let here = Arc::clone(&begun);
     std::thread::Builder::new().spawn(move || {
+        here.wait();
         if let Some(signal) = signals.forever().next() {
             abandon_all();
             // Ends the program as the signal would have done by itself, so that the shell is told the same.
             let _ = low_level::emulate_default_handler(signal);
         }
     })?;
+    begun.wait();
     Ok(())
 }
 

@@ -123,7 +123,7 @@ fn command(file: &str) -> &'static str {
              dcel triangulate FILE --method ears --figure EARS.svg"
         }
         "focus.svg" => "dcel figure FILE --focus h5 -o OUT.svg",
-        "inset.svg" => "dcel figure FILE --inset -o OUT.svg",
+        "inset.svg" => "dcel figure FILE --inset auto -o OUT.svg",
         "interactive.svg" => "dcel figure FILE --interactive -o OUT.svg",
         "pointers.svg" => "dcel figure FILE --pointers all -o OUT.svg",
         "records.svg" => "dcel figure --records -o OUT.svg",
