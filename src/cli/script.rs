@@ -46,6 +46,9 @@ pub(crate) struct Args {
     /// The film ends after that edit, with the invariants that do not hold any more.
     #[arg(long, value_name = "POINTER", requires = "film")]
     slip: Vec<Slip>,
+    /// Only two panels of the film: before the first edit and after the last one
+    #[arg(long, requires = "film", conflicts_with = "slip")]
+    ends: bool,
     #[command(flatten)]
     page: Page,
     /// One frame at a time in the .svg too, with links and without a script
@@ -80,6 +83,7 @@ Examples:
   dcel script split-face.dcels --film split.html
   dcel script split-face.dcels --film split.png
   dcel script split-face.dcels --film slip.svg --slip h12.next
+  dcel script lab.dcels --film two.svg --ends
   echo 'rectangle
   split_face h2 h8
   dump' | dcel script -
@@ -124,7 +128,9 @@ fn shoot<G: Dump + Filmed>(
     let played = play(args, script, source, |step, structure| film.watch(step, structure), out)?;
     let stem = args.file.file_stem().filter(|stem| *stem != "-");
     let title = stem.map_or_else(|| "script".to_owned(), |stem| stem.to_string_lossy().into_owned());
-    write_film(target, &film.finish(), &title, args, out)?;
+    let film = film.finish();
+    let film = if args.ends { film.ends() } else { film };
+    write_film(target, &film, &title, args, out)?;
     played.put(out)
 }
 

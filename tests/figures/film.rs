@@ -442,6 +442,27 @@ fn an_edit_with_a_slip_is_the_edit_but_for_the_slip() {
 }
 
 #[test]
+fn the_ends_of_a_film_are_what_was_and_what_is_with_the_new_marked() {
+    let solid = "solid cube\nextrude_face f2 1\nremove_face f0";
+    let solid = Film::of_script(&Script::parse_solid(solid, "test").unwrap());
+    let moved = Film::of_script(&Script::parse_solid("solid cube\nset_point v0 2 2 2", "test").unwrap());
+    let plane = SCRIPTS.map(|text| shoot(text).0);
+    let kernel = LAID_OUT.map(|text| film_of_kernel(text).0);
+    for film in [solid, moved].iter().chain(&plane).chain(&kernel) {
+        let (frames, ends) = (film.frames(), film.ends().frames());
+        let [first, last] = &ends[..] else { panic!("{} frames", ends.len()) };
+        assert_eq!(first.table, frames[0].table);
+        assert_eq!(last.table, frames[frames.len() - 1].table);
+        let vertices = (0..last.table.vertex_bound() as u32).map(VertexId::new);
+        for v in vertices.filter(|&v| last.table.has_vertex(v)) {
+            let is_new = !first.table.has_vertex(v);
+            assert_eq!(last.marked.contains(&v.into()), is_new, "{v}");
+        }
+        film.ends().strip(&FigureOptions::new("F")).unwrap();
+    }
+}
+
+#[test]
 fn slips_that_cannot_be_shown_say_why() {
     let (film, _) = shoot(SCRIPTS[2]);
     let slip = |text: &str| text.parse::<Slip>().unwrap();

@@ -13,7 +13,7 @@
 use super::moments::{moments, turning};
 use super::slip::Slip;
 use crate::figure::flatten::{Names, Placed, Spread, set_positions};
-use crate::ids::{Element, FaceId, VertexId};
+use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use crate::plane::PlanarView;
 #[cfg(feature = "solid")]
 use crate::solid::Polyhedron;
@@ -277,6 +277,38 @@ impl Film {
         out
     }
 
+    /// Only the beginning and the end of the film: two panels, before and after. What is new is marked in the second one.
+    ///
+    /// ```
+    /// use dcel_kit::figure::Film;
+    /// use dcel_kit::script::Script;
+    /// let script = Script::parse("rectangle\nsplit_face h2 h8\nsplit_in_half h12\n", "example")?;
+    /// let frames = Film::of_script(&script).ends().frames();
+    /// let headings: Vec<&str> = frames.iter().map(|frame| frame.heading.as_str()).collect();
+    /// assert_eq!(headings, ["before", "after"]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn ends(&self) -> Self {
+        let mut film = self.clone();
+        let ends = [0, self.states.len() - 1];
+        film.states = ends.map(|i| self.states[i].clone()).to_vec();
+        film.spreads = ends.iter().filter_map(|&i| self.spreads.get(i).cloned()).collect();
+        let marked = self.shots.first().map(|shot| shot.marked.clone()).unwrap_or_default();
+        film.shots.clear();
+        film.closing_marked = new_in(&film.states[1], &film.states[0]);
+        #[cfg(feature = "solid")]
+        if !self.solids.is_empty() {
+            film.solids = ends.map(|i| self.solids[i].clone()).to_vec();
+            if film.closing_marked.is_empty() {
+                film.add_shot("after", "", &[], &Journal::new());
+            }
+            return film;
+        }
+        film.add_shot("before", "", &marked, &Journal::new());
+        film
+    }
+
     /// One edit of the film by itself.
     pub(super) fn only(&self, shot: usize) -> Self {
         let mut film = Self::empty();
@@ -352,6 +384,14 @@ impl Film {
             });
         }
     }
+}
+
+/// The vertices, edges and faces of a table that another one has not.
+fn new_in(table: &Table, before: &Table) -> Vec<Element> {
+    let vertices = (0..table.vertices.len() as u32).map(|i| Element::from(VertexId::new(i)));
+    let edges = (0..table.half_edges.len() as u32).step_by(2).map(|i| HalfEdgeId::new(i).edge().into());
+    let faces = (0..table.faces.len() as u32).map(|i| Element::from(FaceId::new(i)));
+    vertices.chain(edges).chain(faces).filter(|&element| has(table, element) && !has(before, element)).collect()
 }
 
 /// Whether the element is in the table.
