@@ -6,6 +6,7 @@
 //!      returned h12, f2                  what it gave back
 //! ```
 
+use super::film::put_frames;
 use super::looks::{Crop, Page};
 use super::picture::Target;
 use super::save::{Files, put};
@@ -27,7 +28,7 @@ use std::path::{Path, PathBuf};
 /// Every call is printed with what it returned, every walk with what it met. A refused edit changes
 /// nothing, is printed with its reason, and ends the script.
 #[derive(clap::Args, Debug)]
-#[command(after_help = help())]
+#[command(after_help = help(), group = clap::ArgGroup::new("drawn").multiple(true))]
 pub(crate) struct Args {
     /// The script, or - for standard input
     file: PathBuf,
@@ -38,16 +39,19 @@ pub(crate) struct Args {
     ///
     /// A structure without coordinates is laid out: within a circle, or, if it is a surface with handles, as
     /// a polygon whose sides are glued in pairs with one letter. A surface in space is seen from one place.
-    #[arg(long, value_name = "OUT")]
+    #[arg(long, value_name = "OUT", group = "drawn")]
     film: Option<PathBuf>,
+    /// A new folder with each frame of the film as a file
+    #[arg(long, value_name = "DIR", group = "drawn")]
+    frames: Option<PathBuf>,
     /// Show an edit beside the same edit with a slip: an assignment that is forgotten (h6.next), or that writes
     /// something else ("h6.next = h3"). May be given several times
     ///
     /// The film ends after that edit, with the invariants that do not hold any more.
-    #[arg(long, value_name = "POINTER", requires = "film")]
+    #[arg(long, value_name = "POINTER", requires = "drawn")]
     slip: Vec<Slip>,
     /// Only two panels of the film: before the first edit and after the last one
-    #[arg(long, requires = "film", conflicts_with = "slip")]
+    #[arg(long, requires = "drawn", conflicts_with = "slip")]
     ends: bool,
     #[command(flatten)]
     page: Page,
@@ -84,6 +88,7 @@ Examples:
   dcel script split-face.dcels --film split.png
   dcel script split-face.dcels --film slip.svg --slip h12.next
   dcel script lab.dcels --film two.svg --ends
+  dcel script lab.dcels --frames lab-frames
   echo 'rectangle
   split_face h2 h8
   dump' | dcel script -
@@ -120,17 +125,16 @@ fn shoot<G: Dump + Filmed>(
     out: &mut Output,
 ) -> Result<Answer, Failure> {
     let Some(target) = target else { return play(args, script, source, |_, _| (), out)?.put(out) };
-    if !args.slip.is_empty() {
-        // Before anything is told.
-        Film::of_script(script).beside(&args.slip).map_err(no_slip)?;
-    }
     let mut film = ScriptFilm::new(script);
-    let played = play(args, script, source, |step, structure| film.watch(step, structure), out)?;
+    // Told when the film is written: a command that fails says nothing else.
+    let mut told = Vec::new();
+    let played = play(args, script, source, |step, structure| film.watch(step, structure), &mut told)?;
     let stem = args.file.file_stem().filter(|stem| *stem != "-");
     let title = stem.map_or_else(|| "script".to_owned(), |stem| stem.to_string_lossy().into_owned());
     let film = film.finish();
     let film = if args.ends { film.ends() } else { film };
     write_film(target, &film, &title, args, out)?;
+    out.write_all(&told)?;
     played.put(out)
 }
 
@@ -163,7 +167,7 @@ fn play<G: Dump>(
     script: &Script<G>,
     source: &str,
     mut watch: impl FnMut(&Step<Call<G>>, &G),
-    out: &mut Output,
+    out: &mut impl Write,
 ) -> Result<Played, Failure> {
     script.old_words().iter().for_each(|word| failure::say("note", word));
     let mut teller = Teller { args, script, source, answer: Answer::Yes, told: Vec::new() };
@@ -190,14 +194,22 @@ fn film_target(args: &Args) -> Result<Option<Target>, Failure> {
             Err(Failure::input(what, "end the name with .svg, .png or .html"))
         }
         Some(path) => Target::of_film(path, &args.page).map(Some),
+        None if args.frames.is_some() => Target::new(None, &args.page).map(Some),
         None => Target::optional(None, &args.page, Crop::default(), "--film"),
     }
 }
 
 fn write_film(target: &Target, film: &Film, title: &str, args: &Args, out: &mut Output) -> Result<(), Failure> {
-    let refused = |error| Failure::input(error, "leave out --film");
+    let refused = |error| Failure::input(error, "leave out --film and --frames");
     let options = target.options(FigureOptions::new(title));
     let beside = if args.slip.is_empty() { None } else { Some(film.beside(&args.slip).map_err(no_slip)?) };
+    if let Some(dir) = &args.frames {
+        let singles = beside.as_ref().map_or_else(|| film.singles(&options), |film| film.singles(&options));
+        put_frames(&singles.map_err(refused)?, dir)?;
+    }
+    if args.film.is_none() {
+        return Ok(());
+    }
     if let (true, Some(path)) = (target.is_page(), target.path()) {
         let page = beside.as_ref().map_or_else(|| film.page(&options), |film| film.page(&options));
         return put(path, page.map_err(refused)?);
@@ -272,7 +284,7 @@ struct Teller<'a, G> {
 }
 
 impl<G: Dump> Teller<'_, G> {
-    fn tell(&mut self, step: &Step<Call<G>>, structure: &G, out: &mut Output) -> Result<(), Failure> {
+    fn tell(&mut self, step: &Step<Call<G>>, structure: &G, out: &mut impl Write) -> Result<(), Failure> {
         let said = &self.script.statements()[step.statement];
         if let Outcome::Refused { reason, .. } = &step.outcome {
             self.answer = Answer::No;

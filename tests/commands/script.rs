@@ -135,6 +135,49 @@ fn scripts_in_space_dump_what_solids_are_read_from() {
 }
 
 #[test]
+fn frames_slips_and_ends_of_a_film_are_written_or_nothing_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "rectangle\nsplit_face h2 h8\n";
+    let dir = folder.path().join("frames");
+    let frames = |more: &[&str]| told(&script(text, &[&["--frames", dir.to_str().unwrap()], more].concat()));
+    let (code, out, err) = frames(&["--width", "400"]);
+    assert_eq!((code, err.as_str()), (Some(0), ""));
+    assert!(out.contains("returned h12, f2"), "{out}");
+    let mut names: Vec<String> =
+        std::fs::read_dir(&dir).unwrap().map(|e| e.unwrap().file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    assert_eq!(names, ["01.svg", "02.svg", "03.svg", "04.svg", "05.svg", "06.svg", "07.svg"]);
+    for name in &names {
+        let svg = std::fs::read_to_string(dir.join(name)).unwrap();
+        assert_eq!(svg.matches("<svg").count(), 1);
+        assert!(svg.contains("width=\"400\""), "{name}");
+        // Of the colours those that the frame needs.
+        assert_eq!(svg.contains(".made .pl"), ("03.svg".."07.svg").contains(&name.as_str()), "{name}");
+    }
+    let (code, out, err) = frames(&[]);
+    assert_eq!((code, out.as_str()), (Some(2), ""), "a folder that is there is left alone, and nothing is told");
+    assert!(err.contains("is not empty"), "{err}");
+
+    let file = folder.path().join("film.svg");
+    let film = |more: &[&str]| {
+        let told = told(&script(text, &[&["--film", file.to_str().unwrap()], more].concat()));
+        (told.0, told.1, told.2, std::fs::read_to_string(&file).unwrap_or_default())
+    };
+    let (code, _, err, svg) = film(&["--slip", "h12.next", "--slip", "h13.next = h8"]);
+    assert_eq!((code, err.as_str()), (Some(0), ""));
+    assert!(svg.contains("left out: h12.next = h8; h13.next = h8 instead of h2"), "both are said");
+    let (code, _, _, svg) = film(&["--ends"]);
+    assert_eq!((code, svg.matches("class=\"fr").count()), (Some(0), 2));
+    let (code, out, err, after) = film(&["--slip", "h99.next"]);
+    assert_eq!((code, out.as_str(), after), (Some(2), "", svg), "what was there stays");
+    assert!(err.contains("no edit writes h99.next"), "{err}");
+    for wrong in [&["--slip", "h12.twin"][..], &["--slip", "h12.next", "--ends"]] {
+        assert_eq!(film(wrong).0, Some(2), "{wrong:?}");
+    }
+    assert_eq!(told(&script(text, &["--slip", "h12.next"])).0, Some(2), "a slip needs a film");
+}
+
+#[test]
 fn scripts_of_all_grounds_have_films() {
     let folder = tempfile::tempdir().unwrap();
     for (text, id) in [

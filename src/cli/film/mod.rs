@@ -16,7 +16,7 @@ use super::save::{Files, put};
 use super::{Answer, Failure, Output};
 use crate::solid::vector;
 use algorithm::{ALGORITHMS, Algorithm};
-use dcel_kit::figure::{FigureOptions, SketchFilm};
+use dcel_kit::figure::{Figure, FigureOptions, SketchFilm};
 use dcel_kit::{FaceId, VertexId};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -172,7 +172,8 @@ fn write<'a>(
     let dressed = |target: &Target| args.crop.apply_here(target.options(FigureOptions::new(&title)));
     let mut written = Vec::new();
     if let Some(dir) = &args.frames {
-        written.push((dir.as_path(), frames(film, dir, &dressed(&Target::new(None, &args.page)?))?));
+        let singles = film.singles(&dressed(&Target::new(None, &args.page)?)).map_err(cannot)?;
+        written.push((dir.as_path(), put_frames(&singles, dir)?));
     }
     if let (Some(path), Some(target)) = (&args.output, target) {
         let options = dressed(target);
@@ -190,10 +191,9 @@ fn write<'a>(
 }
 
 /// Each frame as a file of a new folder: `01.svg`, `02.svg` and so on. How many there are.
-fn frames(film: &SketchFilm, dir: &Path, options: &FigureOptions) -> Result<usize, Failure> {
-    let singles = film.singles(options).map_err(cannot)?;
+pub(crate) fn put_frames(singles: &[Figure], dir: &Path) -> Result<usize, Failure> {
     let width = singles.len().to_string().len().max(2);
-    let file = |(i, figure): (usize, &dcel_kit::figure::Figure)| (format!("{:0width$}.svg", i + 1), figure.to_svg());
+    let file = |(i, figure): (usize, &Figure)| (format!("{:0width$}.svg", i + 1), figure.to_svg());
     let files: Vec<(String, String)> = singles.iter().enumerate().map(file).collect();
     super::save::put_folder(dir, files.iter().map(|(name, text)| (name.as_str(), text.as_bytes())))?;
     Ok(files.len())

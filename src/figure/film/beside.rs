@@ -12,12 +12,12 @@
 
 use super::draw::{Stage, union};
 use super::frames::{Film, Frame, has};
-use super::player;
-use super::sheet::{Caption, arranged, frame_size, head_height, heading};
+use super::reel::Reel;
+use super::sheet::{Caption, head_height, heading};
 use super::sides;
 use super::slip::Slip;
 use crate::figure::canvas::scene::{Group, Node};
-use crate::figure::canvas::vector::{Xy, xy};
+use crate::figure::canvas::vector::xy;
 use crate::figure::layout::grid::{GAP, PANEL, SHEET};
 use crate::figure::{Figure, FigureError, FigureOptions};
 use crate::ids::Element;
@@ -180,7 +180,7 @@ impl SlipFilm {
     /// # Errors
     /// Those of [`Film::strip`].
     pub fn strip(&self, options: &FigureOptions) -> Result<Figure, FigureError> {
-        Ok(self.sheet(options, false)?.0)
+        Ok(self.reel(options)?.sheet(&in_one_column(options), false))
     }
 
     /// One pair at a time, with links; see [`Film::stepper`].
@@ -188,7 +188,7 @@ impl SlipFilm {
     /// # Errors
     /// Those of [`Film::strip`].
     pub fn stepper(&self, options: &FigureOptions) -> Result<Figure, FigureError> {
-        Ok(self.sheet(options, true)?.0)
+        Ok(self.reel(options)?.sheet(&in_one_column(options), true))
     }
 
     /// A page that plays the pairs; see [`Film::page`].
@@ -196,17 +196,23 @@ impl SlipFilm {
     /// # Errors
     /// Those of [`Film::strip`].
     pub fn page(&self, options: &FigureOptions) -> Result<String, FigureError> {
-        let (stepper, frame) = self.sheet(options, true)?;
-        let headings: Vec<String> = self.frames().into_iter().map(|[frame, _]| frame.heading).collect();
-        Ok(player::page(&stepper, &headings, frame))
+        Ok(self.reel(options)?.page(&in_one_column(options)))
     }
 
-    fn sheet(&self, options: &FigureOptions, links: bool) -> Result<(Figure, Xy), FigureError> {
+    /// Each pair alone, all of one size.
+    ///
+    /// # Errors
+    /// Those of [`Film::strip`].
+    pub fn singles(&self, options: &FigureOptions) -> Result<Vec<Figure>, FigureError> {
+        Ok(self.reel(options)?.singles(options))
+    }
+
+    /// The pairs, drawn.
+    fn reel(&self, options: &FigureOptions) -> Result<Reel, FigureError> {
         let mut options = options.checked();
         options.usual_width = PANEL;
         options.widest = SHEET;
         options.crop = None;
-        options.columns = options.columns.or(Some(1));
         let (placed, names) = self.film.placed();
         let options = &sides::labelled(&options, &names);
         let union = union(&placed);
@@ -234,9 +240,14 @@ impl SlipFilm {
             sides.collect()
         });
         let drawings = drawings.collect();
-        let captions: Vec<Caption> = frames.iter().map(|[frame, _]| (frame.heading.clone(), String::new())).collect();
-        let frame = frame_size(&captions, scene.size, links);
-        let scene = arranged(scene, &captions, drawings, options, links);
-        Ok((Figure { scene, detail, notes: Vec::new() }, frame))
+        let captions = frames.iter().map(|[frame, _]| (frame.heading.clone(), String::new())).collect();
+        Ok(Reel { scene, captions, drawings, detail, notes: Vec::new() })
     }
+}
+
+/// One pair a row, unless the caller wants more.
+fn in_one_column(options: &FigureOptions) -> FigureOptions {
+    let mut options = options.checked();
+    options.columns = options.columns.or(Some(1));
+    options
 }

@@ -282,7 +282,7 @@ impl Film {
     /// ```
     /// use dcel_kit::figure::Film;
     /// use dcel_kit::script::Script;
-    /// let script = Script::parse("rectangle\nsplit_face h2 h8\nsplit_in_half h12\n", "example")?;
+    /// let script = Script::parse("rectangle\nlet a = split_face h2 h8\nsplit_in_half a\n", "example")?;
     /// let frames = Film::of_script(&script).ends().frames();
     /// let headings: Vec<&str> = frames.iter().map(|frame| frame.heading.as_str()).collect();
     /// assert_eq!(headings, ["before", "after"]);

@@ -2,8 +2,9 @@
 //!
 //! ```text
 //!   journal ──> moments.rs ──> frames.rs ──> draw.rs      what one frame shows of a step ──> tables ──> pictures
-//!   script.rs                                sheet.rs     all frames side by side in rows: a strip; or one at a time,
-//!   a film of a script                                    by links: a stepper (style.rs)
+//!   script.rs                                drawn.rs ──> reel.rs   the pictures of all frames, with their captions
+//!   a film of a script                       sheet.rs     side by side in rows: a strip; or one at a time, by links:
+//!                                                         a stepper (style.rs)
 //!                                            player.rs    a page that plays a film
 //!   beside.rs    an edit beside the same edit with slips: assignments that are forgotten or wrong (slip.rs)
 //!   space.rs     surfaces in space, a frame an edit       sides.rs     what is glued has one letter
@@ -17,9 +18,11 @@
 pub mod algorithms;
 mod beside;
 mod draw;
+mod drawn;
 mod frames;
 mod moments;
 mod player;
+mod reel;
 #[cfg(feature = "script")]
 mod script;
 mod sheet;

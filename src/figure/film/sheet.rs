@@ -9,15 +9,13 @@
 //!   3 Insert the new …   4 …                      5 …
 //! ```
 
-use super::draw::{Stage, union};
-use super::frames::{Film, Frame};
-use super::{player, sides, style};
+use super::style;
+use crate::figure::FigureOptions;
 use crate::figure::canvas::scene::{Group, Node, Scene};
 use crate::figure::canvas::text::{clean, wrap};
 use crate::figure::canvas::vector::{Xy, xy};
-use crate::figure::layout::grid::{GAP, PANEL, SHEET, columns};
+use crate::figure::layout::grid::{GAP, columns};
 use crate::figure::structure::pointer_style;
-use crate::figure::{Figure, FigureError, FigureOptions};
 
 /// What stands above a frame: its heading, and the text below it.
 pub(super) type Caption = (String, String);
@@ -27,80 +25,6 @@ const HEADING: (f64, f64, usize) = (14.0, 17.0, 2);
 const TEXT: (f64, f64, usize) = (11.0, 14.0, 3);
 /// Height of the links between frames.
 const LINKS: f64 = 20.0;
-
-impl Film {
-    /// A strip: all frames side by side, in rows. The width of the options is that of one frame (default 408,
-    /// two on a page of 830 px; more until the median edge has 110 px, and no more than the page). Ids read `FIG-3-h5` for `h5` in the fourth frame (the first is
-    /// 0), `FIG-3-h5-next` for its pointer, `FIG-3-h5-next-gone` for the one that the step has replaced.
-    ///
-    /// Cost: O(frames x n log n) for n half-edges.
-    ///
-    /// # Errors
-    /// Those of [`structure`](crate::figure::structure()), and [`FigureError::NoRoom`] if half-edges would be too
-    /// short to draw.
-    pub fn strip(&self, options: &FigureOptions) -> Result<Figure, FigureError> {
-        Ok(self.sheet(options, false)?.0)
-    }
-
-    /// A stepper: one frame at a time, with links to the one before and the one after; no script. The fragment
-    /// `#FIG-step-3` opens the fourth frame. Where style rules are not known, and in print, it is the strip.
-    ///
-    /// # Errors
-    /// Those of [`strip`](Self::strip).
-    pub fn stepper(&self, options: &FigureOptions) -> Result<Figure, FigureError> {
-        Ok(self.sheet(options, true)?.0)
-    }
-
-    /// A page that plays the film: buttons, keys, a slider, and an address for each frame. Without a script it is the
-    /// [`stepper`](Self::stepper). Nothing comes from outside.
-    ///
-    /// # Errors
-    /// Those of [`strip`](Self::strip).
-    pub fn page(&self, options: &FigureOptions) -> Result<String, FigureError> {
-        let (stepper, frame) = self.sheet(options, true)?;
-        let headings: Vec<String> = self.frames().into_iter().map(|frame| frame.heading).collect();
-        Ok(player::page(&stepper, &headings, frame))
-    }
-
-    /// The sheet, and the size of a frame on it.
-    fn sheet(&self, options: &FigureOptions, links: bool) -> Result<(Figure, Xy), FigureError> {
-        let mut options = options.checked();
-        options.usual_width = PANEL;
-        options.widest = SHEET;
-        options.crop = None;
-        let options = &options;
-        let frames = self.frames();
-        #[cfg(feature = "solid")]
-        if !self.solids.is_empty() {
-            let (scene, drawings, detail) = super::space::draw(&self.solids, &frames, options)?;
-            let captions = captions(&frames);
-            let frame = frame_size(&captions, scene.size, links);
-            let scene = arranged(scene, &captions, drawings, options, links);
-            return Ok((Figure { scene, detail, notes: Vec::new() }, frame));
-        }
-        let (placed, names) = self.placed();
-        let options = &sides::labelled(options, &names);
-        let union = union(&placed);
-        let stage = Stage::new(&self.states, &placed, &union, options)?;
-        let Some(first) = stage.plates.first() else {
-            let figure = crate::figure::structure(&union, options)?;
-            let size = figure.scene.size;
-            return Ok((figure, size));
-        };
-        let mut scene = first.picture.scene(Vec::new());
-        scene.css.push_str(&sides::css(&options.style, &scene.prefix, &placed));
-        let drawings = frames.iter().enumerate().map(|(i, frame)| stage.draw(frame, &i.to_string())).collect();
-        let detail = first.picture.detail;
-        let captions = captions(&frames);
-        let frame = frame_size(&captions, scene.size, links);
-        let scene = arranged(scene, &captions, drawings, options, links);
-        Ok((Figure { scene, detail, notes: Vec::new() }, frame))
-    }
-}
-
-fn captions(frames: &[Frame]) -> Vec<Caption> {
-    frames.iter().map(|frame| (frame.heading.clone(), frame.text.clone())).collect()
-}
 
 /// The frames in rows, each below its heading. `scene` has the size of one. They are linked if that is asked for.
 pub(super) fn arranged(

@@ -11,14 +11,14 @@
 //! ```
 
 use super::frames::snapshot;
-use super::player;
-use super::sheet::{Caption, arranged, below, frame_size, head_height};
-use crate::figure::canvas::scene::{Group, Node, Scene};
+use super::reel::Reel;
+use super::sheet::Caption;
+use crate::figure::canvas::scene::{Group, Node};
 use crate::figure::canvas::vector::xy;
 use crate::figure::layout::grid::{PANEL, SHEET};
 use crate::figure::sketch::{self, Backdrop, Drawn, Multiples, Sketch, SketchError};
 use crate::figure::structure::skeleton::half_edges;
-use crate::figure::{Detail, FaceLabels, Figure, FigureOptions};
+use crate::figure::{FaceLabels, Figure, FigureOptions};
 use crate::plane::PlanarView;
 use crate::topology::Table;
 
@@ -53,18 +53,6 @@ struct SketchFrame {
     /// The structure, and whether it is dimmed.
     under: Option<(Table, Backdrop)>,
     sketch: Sketch,
-}
-
-/// Frames that are drawn, and not yet arranged.
-struct Staged {
-    /// Of the size of one, without anything on it.
-    scene: Scene,
-    drawings: Vec<Vec<Node>>,
-    captions: Vec<Caption>,
-    detail: Detail,
-    notes: Vec<String>,
-    /// The legend of all frames, if they have none of their own.
-    legend: Vec<sketch::Entry>,
 }
 
 impl SketchFilm {
@@ -127,15 +115,16 @@ impl SketchFilm {
     /// # Errors
     /// [`SketchError`] of the first frame that cannot be drawn.
     pub fn strip(&self, options: &FigureOptions) -> Result<Figure, SketchError> {
-        let Staged { scene, drawings, captions, detail, notes, legend } = self.staged(options, false)?;
-        let mut scene = arranged(scene, &captions, drawings, options, false);
+        let (reel, legend) = self.reel(options, false)?;
+        let mut figure = reel.sheet(options, false);
+        let scene = &mut figure.scene;
         let corner = xy(AIR, scene.size.y + AIR);
         let (nodes, height) = sketch::legend_nodes(&legend, corner, scene.size.x - 2.0 * AIR, "");
         if !nodes.is_empty() {
             scene.nodes.push(Node::Group(Group { class: "legend", nodes, ..Group::default() }));
             scene.size.y = corner.y + height + AIR;
         }
-        Ok(Figure { scene, detail, notes })
+        Ok(figure)
     }
 
     /// A stepper: one frame at a time, with links and without a script; where style rules are not known, and in print,
@@ -144,8 +133,7 @@ impl SketchFilm {
     /// # Errors
     /// As [`strip`](Self::strip).
     pub fn stepper(&self, options: &FigureOptions) -> Result<Figure, SketchError> {
-        let Staged { scene, drawings, captions, detail, notes, .. } = self.staged(options, true)?;
-        Ok(Figure { scene: arranged(scene, &captions, drawings, options, true), detail, notes })
+        Ok(self.reel(options, true)?.0.sheet(options, true))
     }
 
     /// A page that plays the film: buttons, keys, a slider, and an address for each frame. Without a script it is the
@@ -154,11 +142,7 @@ impl SketchFilm {
     /// # Errors
     /// As [`strip`](Self::strip).
     pub fn page(&self, options: &FigureOptions) -> Result<String, SketchError> {
-        let Staged { scene, drawings, captions, detail, notes, .. } = self.staged(options, true)?;
-        let frame = frame_size(&captions, scene.size, true);
-        let stepper = Figure { scene: arranged(scene, &captions, drawings, options, true), detail, notes };
-        let headings: Vec<String> = captions.into_iter().map(|(heading, _)| heading).collect();
-        Ok(player::page(&stepper, &headings, frame))
+        Ok(self.reel(options, true)?.0.page(options))
     }
 
     /// Each frame alone, all of one size.
@@ -166,20 +150,11 @@ impl SketchFilm {
     /// # Errors
     /// As [`strip`](Self::strip).
     pub fn singles(&self, options: &FigureOptions) -> Result<Vec<Figure>, SketchError> {
-        let Staged { scene, drawings, captions, detail, notes, .. } = self.staged(options, true)?;
-        let head = head_height(&captions, scene.size.x);
-        let alone = |(caption, drawing): (&Caption, Vec<Node>)| {
-            let mut scene = scene.clone();
-            scene.nodes = below(caption, head, scene.size.x, drawing);
-            scene.size.y += head;
-            scene.description.clone_from(&caption.0);
-            Figure { scene, detail, notes: notes.clone() }
-        };
-        Ok(captions.iter().zip(drawings).map(alone).collect())
+        Ok(self.reel(options, true)?.0.singles(options))
     }
 
-    /// The drawings of all frames, with a legend each if that is asked for.
-    fn staged(&self, options: &FigureOptions, legends: bool) -> Result<Staged, SketchError> {
+    /// The frames, drawn, with a legend each if that is asked for; and the legend of all.
+    fn reel(&self, options: &FigureOptions, legends: bool) -> Result<(Reel, Vec<sketch::Entry>), SketchError> {
         let mut options = options.checked();
         options.usual_width = PANEL;
         options.widest = SHEET;
@@ -218,8 +193,7 @@ impl SketchFilm {
             nodes
         });
         let drawings = drawings.collect();
-        let legend = sketch::merged(entries);
         let captions = self.frames.iter().map(|frame| frame.caption.clone()).collect();
-        Ok(Staged { scene, drawings, captions, detail, notes, legend })
+        Ok((Reel { scene, captions, drawings, detail, notes }, sketch::merged(entries)))
     }
 }

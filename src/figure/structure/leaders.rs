@@ -23,6 +23,8 @@ pub(crate) const MOST: usize = 24;
 const REACHES: [f64; 2] = [170.0, 300.0];
 /// So many of the nearest leaders are asked to make way for one without a place.
 const NEAREST: usize = 6;
+/// So many labels without a place are given a second look: each costs some ten thousand candidates.
+const TRIED: usize = 4;
 /// So many of them are moved at once.
 const MOVED: usize = 3;
 /// The lengths tried are multiples of this.
@@ -98,6 +100,17 @@ impl Leader {
     }
 }
 
+impl Leader {
+    /// Whether the two cannot be drawn both.
+    fn meets(&self, leader: &Self) -> bool {
+        let (own, bounds) = (self.label.bounds().grown(AIR), leader.label.bounds());
+        own.overlaps(&bounds)
+            || own.meets_segment(leader.root, leader.end)
+            || Shape::Segment(self.root, self.end, 0.5).meets(&bounds.grown(AIR))
+            || cross((leader.root, leader.end), (self.root, self.end))
+    }
+}
+
 /// Where labels of faces that have none yet may stand.
 pub(crate) struct Search<'a> {
     /// All regions of the figure.
@@ -111,7 +124,7 @@ pub(crate) struct Search<'a> {
 impl Search<'_> {
     /// One leader for each wanted caption that finds a place; `wanted` holds indices of regions. The labels join
     /// the crowd.
-    /// O(wanted · candidates), some 800 candidates each.
+    /// O(wanted · candidates), some 800 candidates each, and some ten times as many for the few that need a second look.
     pub(crate) fn place(&self, wanted: &[(usize, &Caption)], crowd: &mut Crowd) -> Vec<(usize, Leader)> {
         if wanted.len() > MOST {
             return Vec::new();
@@ -126,10 +139,9 @@ impl Search<'_> {
                 out[k] = self.best(*root, caption, &out, crowd, Ways { slopes: &[&SLOPES], reach: REACHES[0] });
             }
         }
-        for k in 0..wanted.len() {
-            if out[k].is_none() {
-                self.make_way(k, &wanted, &mut out, crowd);
-            }
+        let without: Vec<usize> = (0..wanted.len()).filter(|&k| out[k].is_none()).take(TRIED).collect();
+        for k in without {
+            self.make_way(k, &wanted, &mut out, crowd);
         }
         let placed = wanted.iter().zip(out).filter_map(|(&(i, ..), leader)| Some((i, leader?)));
         let placed: Vec<(usize, Leader)> = placed.collect();
@@ -137,9 +149,9 @@ impl Search<'_> {
         placed
     }
 
-    /// Places a label that has found no place: further away, or where one, two or three others stand that have places
-    /// elsewhere.
-    fn make_way(&self, k: usize, wanted: &[(usize, Xy, Caption)], out: &mut [Option<Leader>], crowd: &Crowd) {
+    /// Places a label that has found no place: further away, or where one, two or three of its neighbours stand that have
+    /// places elsewhere. Nothing is tried if it had no place even without any of them.
+    fn make_way(&self, k: usize, wanted: &[(usize, Xy, Caption)], out: &mut Vec<Option<Leader>>, crowd: &Crowd) {
         let distance = |j: usize| (wanted[j].1 - wanted[k].1).length();
         let mut others: Vec<usize> = (0..wanted.len()).filter(|&j| out[j].is_some()).collect();
         others.sort_by(|&i, &j| distance(i).total_cmp(&distance(j)));
@@ -151,21 +163,24 @@ impl Search<'_> {
         sets.sort_by_key(Vec::len);
         for reach in REACHES {
             let ways = Ways { slopes: &[&SLOPES, &FINER], reach };
+            let best = |j: usize, out: &[Option<Leader>]| self.best(wanted[j].1, &wanted[j].2, out, crowd, ways);
+            let mut alone = out.clone();
+            others.iter().for_each(|&j| alone[j] = None);
+            if best(k, &alone).is_none() {
+                continue;
+            }
             for set in &sets {
-                let before: Vec<Option<Leader>> = set.iter().map(|&j| out[j].take()).collect();
-                // From top to bottom, so that the lines of a row of labels do not cross.
-                let mut order = set.clone();
-                order.push(k);
+                let mut moved = out.clone();
+                set.iter().for_each(|&j| moved[j] = None);
+                // From top to bottom, so that the lines of a column of labels do not cross.
+                let mut order: Vec<usize> = set.iter().copied().chain([k]).collect();
                 order.sort_by(|&i, &j| wanted[i].1.y.total_cmp(&wanted[j].1.y));
-                for &j in &order {
-                    out[j] = self.best(wanted[j].1, &wanted[j].2, out, crowd, ways);
-                }
-                if order.iter().all(|&j| out[j].is_some()) {
+                if order.iter().all(|&j| {
+                    moved[j] = best(j, &moved);
+                    moved[j].is_some()
+                }) {
+                    *out = moved;
                     return;
-                }
-                out[k] = None;
-                for (&j, leader) in set.iter().zip(before) {
-                    out[j] = leader;
                 }
             }
         }
@@ -226,13 +241,7 @@ impl Search<'_> {
             return None;
         }
         let line = Shape::Segment(leader.root, leader.end, 0.5);
-        let meets = |other: &Leader| {
-            other.label.bounds().grown(AIR).overlaps(&bounds)
-                || other.label.bounds().grown(AIR).meets_segment(leader.root, leader.end)
-                || Shape::Segment(other.root, other.end, 0.5).meets(&bounds.grown(AIR))
-                || cross((leader.root, leader.end), (other.root, other.end))
-        };
-        if placed.iter().flatten().any(meets) || line.meets(&bounds) {
+        if placed.iter().flatten().any(|other| other.meets(leader)) || line.meets(&bounds) {
             return None;
         }
         let inside = |region: &&Region| (self.is_taken)(region) && region.contains(bounds.centre());
