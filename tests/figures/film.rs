@@ -471,7 +471,15 @@ fn slips_that_cannot_be_shown_say_why() {
     assert_eq!(said(&[slip("h12.next=h99")]), "h12.next = h99: there is no such element after the edit");
     assert_eq!(said(&[slip("h12.next = h8")]), "h12.next = h8 is what the edit writes");
     assert_eq!(said(&[]), "there is no slip to show");
-    assert!(said(&[slip("h8.face"), slip("v6.outgoing")]).contains("are written by different edits"));
+    assert_eq!(
+        said(&[slip("h12.origin"), slip("v6.outgoing")]),
+        "no edit writes both h12.origin and v6.outgoing: only one edit is shown"
+    );
+    // h12.next is written by the split and by what follows: the slips decide which edit is meant.
+    let both = film.beside(&[slip("h12.next"), slip("v6.outgoing")]).unwrap();
+    assert!(both.frames()[0][0].heading.starts_with("split_edge"), "{}", both.frames()[0][0].heading);
+    let one = film.beside(&[slip("h12.next")]).unwrap();
+    assert!(one.frames()[0][0].heading.starts_with("split_face"), "{}", one.frames()[0][0].heading);
     let solid = Script::parse_solid("solid cube\nextrude_face f2 1", "test").unwrap();
     let error = Film::of_script(&solid).beside(&[slip("h0.next")]).unwrap_err();
     assert_eq!(error, SlipError::InSpace);

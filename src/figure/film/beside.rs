@@ -38,12 +38,12 @@ pub enum SlipError {
         /// What the edits write, in order.
         written: Vec<Slot>,
     },
-    /// Two slips are in different edits.
-    #[error("{first} and {second} are written by different edits: only one edit is shown")]
+    /// No edit writes all of the pointers.
+    #[error("no edit writes both {} and {}: only one edit is shown", .first.slot, .second.slot)]
     Apart {
-        /// A slip.
+        /// The first slip.
         first: Slip,
-        /// One in another edit.
+        /// One that is not in the same edit as those before it.
         second: Slip,
     },
     /// The other target does not exist when the edit is over.
@@ -86,7 +86,7 @@ pub struct SlipFilm {
 }
 
 impl Film {
-    /// The edit that writes the pointers of the slips, beside what it comes to with them: step by step, and at the end the
+    /// The first edit that writes all pointers of the slips, beside what it comes to with them: step by step, and at the end the
     /// invariants that do not hold. What follows the edit is not shown: on a structure that is broken, other edits have
     /// no meaning.
     ///
@@ -103,36 +103,33 @@ impl Film {
     /// ```
     ///
     /// # Errors
-    /// [`SlipError`] if no edit writes such a pointer, or several do.
+    /// [`SlipError`] if no edit writes all of them, or what is written instead does not exist.
     pub fn beside(&self, slips: &[Slip]) -> Result<SlipFilm, SlipError> {
         #[cfg(feature = "solid")]
         if !self.solids.is_empty() {
             return Err(SlipError::InSpace);
         }
-        let mut chosen: Option<(usize, Slip)> = None;
-        for &slip in slips {
-            let writes = |&shot: &usize| self.writes(shot).any(|(slot, _)| slot == slip.slot);
-            let candidates: Vec<usize> = (0..self.edit_count()).filter(writes).collect();
-            let shot = match chosen {
-                Some((shot, first)) if !candidates.is_empty() => Some(shot)
-                    .filter(|shot| candidates.contains(shot))
-                    .ok_or(SlipError::Apart { first, second: slip })?,
-                _ => *candidates.first().ok_or_else(|| SlipError::NotWritten {
-                    slip,
-                    written: (0..self.edit_count()).flat_map(|shot| self.writes(shot)).map(|(slot, _)| slot).collect(),
-                })?,
-            };
-            if let Some(target) = slip.instead {
-                if !has(&self.states[shot + 1], target) {
-                    return Err(SlipError::NoTarget { slip });
-                }
-                if self.writes(shot).filter(|(slot, _)| *slot == slip.slot).last() == Some((slip.slot, Some(target))) {
-                    return Err(SlipError::NoSlip { slip });
-                }
-            }
-            chosen.get_or_insert((shot, slip));
+        let &first = slips.first().ok_or(SlipError::Empty)?;
+        let edits = || 0..self.edit_count();
+        let writes = |shot: usize, slip: &Slip| self.writes(shot).any(|(slot, _)| slot == slip.slot);
+        if let Some(&slip) = slips.iter().find(|slip| !edits().any(|shot| writes(shot, slip))) {
+            let written = edits().flat_map(|shot| self.writes(shot)).map(|(slot, _)| slot).collect();
+            return Err(SlipError::NotWritten { slip, written });
         }
-        let (shot, _) = chosen.ok_or(SlipError::Empty)?;
+        let all = |count: usize| edits().find(|&shot| slips[..count].iter().all(|slip| writes(shot, slip)));
+        let Some(shot) = all(slips.len()) else {
+            let fitting = (1..slips.len()).take_while(|&count| all(count).is_some()).count();
+            return Err(SlipError::Apart { first, second: slips[fitting] });
+        };
+        for &slip in slips {
+            let Some(target) = slip.instead else { continue };
+            if !has(&self.states[shot + 1], target) {
+                return Err(SlipError::NoTarget { slip });
+            }
+            if self.writes(shot).filter(|(slot, _)| *slot == slip.slot).last() == Some((slip.slot, Some(target))) {
+                return Err(SlipError::NoSlip { slip });
+            }
+        }
         Ok(SlipFilm { film: self.only(shot), slips: slips.to_vec() })
     }
 
