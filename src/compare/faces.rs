@@ -9,6 +9,7 @@ use super::links::Links;
 use super::placed::Placed;
 use super::report::{Difference, Kind, Layer, Slot, Spot};
 use crate::figure::structure::skeleton::{faces, half_edges, mutual_twin};
+use crate::geometry::grouping::Joined;
 use crate::ids::{Element, FaceId, HalfEdgeId};
 use crate::topology::{InnerComponent, Table, View, bounded_cycle};
 use std::collections::BTreeMap;
@@ -16,34 +17,18 @@ use std::collections::BTreeMap;
 /// So many half-edges are named in one sentence.
 const NAMED: usize = 4;
 
-/// Faces that count as one because an edge between them is missing in the other file.
-struct Joined(Vec<u32>);
-
-impl Joined {
-    /// `is_paired` tells whether the other file has a half-edge.
-    fn new(table: &Table, is_paired: impl Fn(HalfEdgeId) -> bool) -> Self {
-        let mut out = Self((0..table.face_bound() as u32).collect());
-        for h in half_edges(table).filter(|&h| !is_paired(h)) {
-            let twin = mutual_twin(table, h).filter(|&t| !is_paired(t));
-            let sides = [table.face(h), twin.and_then(|t| table.face(t))];
-            if let [Some(f), Some(g)] = sides.map(|f| f.filter(|&f| table.has_face(f))) {
-                let (a, b) = (out.root(f), out.root(g));
-                out.0[a.max(b) as usize] = a.min(b);
-            }
+/// Faces that count as one because an edge between them is missing in the other file: `is_paired` tells whether the other
+/// file has a half-edge.
+fn joined(table: &Table, is_paired: impl Fn(HalfEdgeId) -> bool) -> Joined {
+    let mut out = Joined::none(table.face_bound());
+    for h in half_edges(table).filter(|&h| !is_paired(h)) {
+        let twin = mutual_twin(table, h).filter(|&t| !is_paired(t));
+        let sides = [table.face(h), twin.and_then(|t| table.face(t))];
+        if let [Some(f), Some(g)] = sides.map(|f| f.filter(|&f| table.has_face(f))) {
+            out.join(f.number(), g.number());
         }
-        out
     }
-
-    /// The first face of those that count as one with `f`.
-    fn root(&mut self, f: FaceId) -> u32 {
-        let mut at = f.number();
-        while self.0[at as usize] != at {
-            // Every second link is shortened, so that later walks are short.
-            self.0[at as usize] = self.0[self.0[at as usize] as usize];
-            at = self.0[at as usize];
-        }
-        at
-    }
+    out
 }
 
 /// Faces in pairs: those of the reference to those of the student, by the first of those that count as one.
@@ -55,11 +40,11 @@ struct Pairing {
 
 impl Pairing {
     fn new(expected: &Placed<'_>, found: &Placed<'_>, links: &Links) -> Self {
-        let mut mine = Joined::new(expected.table, |h| links.found(h).is_some());
-        let mut theirs = Joined::new(found.table, |h| links.expected(h).is_some());
+        let mut mine = joined(expected.table, |h| links.found(h).is_some());
+        let mut theirs = joined(found.table, |h| links.expected(h).is_some());
         let mut votes: BTreeMap<(u32, u32), usize> = BTreeMap::new();
         for (f, g) in pairs(expected, found, links) {
-            *votes.entry((mine.root(f), theirs.root(g))).or_default() += 1;
+            *votes.entry((mine.root(f.number()), theirs.root(g.number()))).or_default() += 1;
         }
         let mut votes: Vec<((u32, u32), usize)> = votes.into_iter().collect();
         votes.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(&b.0)));
@@ -95,8 +80,8 @@ pub(super) fn compare(expected: &Placed<'_>, found: &Placed<'_>, links: &Links, 
     let mut say = |text: String, spot: Spot| out.push(Difference::new(Kind::Face, Layer::Declared, text, spot));
     let names = [expected.table.outer_face, found.table.outer_face];
     let roots = [
-        names[0].map(|f| pairing.mine.root(f)),
-        names[1].filter(|&f| found.table.has_face(f)).map(|f| pairing.theirs.root(f)),
+        names[0].map(|f| pairing.mine.root(f.number())),
+        names[1].filter(|&f| found.table.has_face(f)).map(|f| pairing.theirs.root(f.number())),
     ];
     match roots {
         [Some(mine), theirs] if theirs.is_none() || pairing.partner.get(&mine).is_some_and(|g| Some(*g) != theirs) => {
@@ -111,9 +96,9 @@ pub(super) fn compare(expected: &Placed<'_>, found: &Placed<'_>, links: &Links, 
         _ => {}
     }
     for f in faces(expected.table) {
-        let Some(&g) = pairing.partner.get(&pairing.mine.root(f)) else { continue };
+        let Some(&g) = pairing.partner.get(&pairing.mine.root(f.number())) else { continue };
         let g = FaceId::new(g);
-        if expected.table.is_hole(f) != found.table.is_hole(g) && pairing.mine.root(f) == f.number() {
+        if expected.table.is_hole(f) != found.table.is_hole(g) && pairing.mine.root(f.number()) == f.number() {
             let (is, not) = if expected.table.is_hole(f) { ("is", "not") } else { ("is not", "one") };
             say(format!("face {f} {is} a hole face in the reference; yours ({g}) is {not}"), outline(expected, f));
         }
@@ -148,8 +133,8 @@ fn wrong_faces(
     for h in half_edges(expected.table) {
         let (Some(g), Some(f)) = (links.found(h), expected.table.face(h)) else { continue };
         let face = found.table.face(g);
-        let root = face.filter(|&x| found.table.has_face(x)).map(|x| pairing.theirs.root(x));
-        if root.is_none() || pairing.partner.get(&pairing.mine.root(f)).copied() != root {
+        let root = face.filter(|&x| found.table.has_face(x)).map(|x| pairing.theirs.root(x.number()));
+        if root.is_none() || pairing.partner.get(&pairing.mine.root(f.number())).copied() != root {
             wrong.entry((f, face)).or_default().push(h);
         }
     }
@@ -163,7 +148,7 @@ fn wrong_faces(
             Some(x) if !found.table.has_face(x) => format!("face {x}, which does not exist"),
             Some(x) => format!("face {x}"),
         };
-        let partner = pairing.partner.get(&pairing.mine.root(f)).map(|&g| FaceId::new(g));
+        let partner = pairing.partner.get(&pairing.mine.root(f.number())).map(|&g| FaceId::new(g));
         let wanted = match partner {
             Some(g) if g == f => f.to_string(),
             Some(g) => format!("{f} (your {g})"),
@@ -198,10 +183,10 @@ fn isolated(
     let theirs = lies_in(found);
     for (v, f) in lies_in(expected) {
         let Some(m) = links.vertex(v) else { continue };
-        let partner = pairing.partner.get(&pairing.mine.root(f)).copied();
+        let partner = pairing.partner.get(&pairing.mine.root(f.number())).copied();
         let face = theirs.get(&m).copied();
         // Without half-edges no face has a partner.
-        if partner.is_some() && face.map(|g| pairing.theirs.root(g)) != partner {
+        if partner.is_some() && face.map(|g| pairing.theirs.root(g.number())) != partner {
             let name = &expected.graph.names[v as usize];
             let got = face.map_or_else(|| "no face".to_owned(), |g| g.to_string());
             let text = format!("vertex {name} has no edges and lies in {f}; yours is listed by {got} (data-rings)");
@@ -214,7 +199,7 @@ fn isolated(
 pub(super) fn names(expected: &Placed<'_>, found: &Placed<'_>, links: &Links, out: &mut Vec<Difference>) {
     let mut pairing = Pairing::new(expected, found, links);
     for f in faces(expected.table) {
-        let Some(&g) = pairing.partner.get(&pairing.mine.root(f)) else { continue };
+        let Some(&g) = pairing.partner.get(&pairing.mine.root(f.number())) else { continue };
         let g = FaceId::new(g);
         let name = |table: &Table, f: FaceId| table.faces[f.index()].as_ref().and_then(|row| row.name.clone());
         let [mine, theirs] = [name(expected.table, f), name(found.table, g)];

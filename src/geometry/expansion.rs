@@ -16,7 +16,7 @@ use std::cmp::Ordering;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Expansion(Vec<f64>);
 
-fn two_sum(a: f64, b: f64) -> (f64, f64) {
+pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let b_part = sum - a;
     (sum, (a - (sum - b_part)) + (b - b_part))
@@ -28,7 +28,7 @@ fn halves(a: f64) -> (f64, f64) {
     (high, a - high)
 }
 
-fn two_product(a: f64, b: f64) -> (f64, f64) {
+pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
     let ((a1, a0), (b1, b0)) = (halves(a), halves(b));
     (product, a0 * b0 - (((product - a1 * b1) - a0 * b1) - a1 * b0))

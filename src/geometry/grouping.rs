@@ -25,6 +25,35 @@ pub(crate) fn grouped(groups: usize, count: usize, group: impl Fn(usize) -> usiz
     (starts, list)
 }
 
+/// Numbers that are joined to sets, pair by pair; each set goes by its smallest number.
+///
+/// Cost: O(log n) for each join and each question, over many of them.
+pub(crate) struct Joined(Vec<u32>);
+
+impl Joined {
+    /// The numbers below `count`, each by itself.
+    pub(crate) fn none(count: usize) -> Self {
+        Self((0..count as u32).collect())
+    }
+
+    /// Makes one set of the sets of two numbers.
+    pub(crate) fn join(&mut self, a: u32, b: u32) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.0[a.max(b) as usize] = a.min(b);
+    }
+
+    /// The smallest number of a set.
+    pub(crate) fn root(&mut self, of: u32) -> u32 {
+        let mut at = of;
+        while self.0[at as usize] != at {
+            // Every second link is shortened, so that later walks are short.
+            self.0[at as usize] = self.0[self.0[at as usize] as usize];
+            at = self.0[at as usize];
+        }
+        at
+    }
+}
+
 /// Values by groups, in two flat arrays.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct Groups<T> {

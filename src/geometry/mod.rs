@@ -2,13 +2,15 @@
 //!
 //! ```text
 //!   point.rs  predicates.rs         points, the range in which signs are exact, the signs
-//!   expansion.rs  interval.rs       exact sums and products; bounds that decide without them most of the time
+//!   expansion.rs                    exact sums and products
+//!   interval.rs  double_double.rs   bounds that decide without them most of the time
 //!   number.rs                       numbers as they are written
 //!   grouping.rs                     things by groups: a counting sort
 //! ```
 //!
 //! What is public of it stands in [`plane`](crate::plane).
 
+pub(crate) mod double_double;
 pub(crate) mod expansion;
 pub(crate) mod grouping;
 pub(crate) mod interval;

@@ -64,10 +64,24 @@ impl Subdivision {
                 continue;
             }
             if owner.is_none() {
-                self.relabel_inner_component(ring, face, &mut NoRecorder);
+                self.hang_inner_component(ring, face);
+            } else {
+                self.inner_components.entry(face).or_default().push(ring);
             }
-            self.inner_components.entry(face).or_default().push(ring);
         }
+        self.order_inner_components(outer);
+        Ok(())
+    }
+
+    /// Hangs an inner component into a bounded face, behind the others there.
+    pub(super) fn hang_inner_component(&mut self, ring: InnerComponent, face: FaceId) {
+        self.relabel_inner_component(ring, face, &mut NoRecorder);
+        self.inner_components.entry(face).or_default().push(ring);
+    }
+
+    /// Puts the inner components of every face in order: the cycles in that of their half-edges, then the isolated
+    /// vertices. Those of `f0` are given, the others hang in their faces already.
+    pub(super) fn order_inner_components(&mut self, mut outer: Vec<InnerComponent>) {
         let order = |ring: &InnerComponent| match *ring {
             InnerComponent::Cycle(h) => (0, h.number()),
             InnerComponent::Isolated(v) => (1, v.number()),
@@ -75,7 +89,6 @@ impl Subdivision {
         outer.sort_unstable_by_key(order);
         self.inner_components.values_mut().for_each(|rings| rings.sort_unstable_by_key(order));
         self.give_inner_components(self.outer_face(), outer, &mut NoRecorder);
-        Ok(())
     }
 
     /// Takes the inner components of `f` out of the map. The boundary of `f0` is one of them.

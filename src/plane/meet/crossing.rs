@@ -9,6 +9,7 @@
 //! ```
 
 use super::grid::Grid;
+use crate::geometry::double_double::{DoubleDouble, Quotient};
 use crate::geometry::expansion::{Expansion, cross};
 use crate::geometry::interval::Interval;
 use crate::plane::{Point, SMALLEST};
@@ -115,20 +116,44 @@ impl Crossing {
     /// The nearest point with doubles as coordinates, within the range of the door, and how far it is from the
     /// crossing at most. Rounding keeps the order of the x and of the y of different crossings.
     pub(super) fn rounded(&self) -> (Point, f64) {
-        let Exact { x, y, w } = self.exact();
-        let divide = |part: &Expansion, bounds: Interval| {
+        let quick = self.quotients();
+        let divide = |bounds: Interval, i: usize| {
             if let Some(known) = bounds.only() {
                 return (known, 0.0);
             }
-            let rest = |q: f64| part.clone().minus(&Expansion::of(q).times(w)).estimate() / w.estimate();
-            let first = part.estimate() / w.estimate();
-            let nearest = at_door(nearest_of(first + rest(first), rest));
-            (nearest, rest(nearest))
+            quick[i].and_then(certain).unwrap_or_else(|| self.divide(i))
         };
-        let ((px, off_x), (py, off_y)) = (divide(x, self.x), divide(y, self.y));
+        let ((px, off_x), (py, off_y)) = (divide(self.x, 0), divide(self.y, 1));
         // Both rests are good to a few last places.
         (Point::new(px, py), off_x.hypot(off_y) * (1.0 + 8.0 * f64::EPSILON))
     }
+
+    /// The nearest allowed double of a coordinate, and how far off it is.
+    fn divide(&self, i: usize) -> (f64, f64) {
+        let Exact { x, y, w } = self.exact();
+        let part = [x, y][i];
+        let rest = |q: f64| part.clone().minus(&Expansion::of(q).times(w)).estimate() / w.estimate();
+        let first = part.estimate() / w.estimate();
+        let nearest = at_door(nearest_of(first + rest(first), rest));
+        (nearest, rest(nearest))
+    }
+
+    /// Both coordinates as well as two doubles for each number tell them.
+    fn quotients(&self) -> [Option<Quotient>; 2] {
+        let [[a, b], [c, d]] = self.ends;
+        let vector = |p: Point, q: Point| [DoubleDouble::difference(q.x, p.x), DoubleDouble::difference(q.y, p.y)];
+        let times = |p: [DoubleDouble; 2], q: [DoubleDouble; 2]| p[0].times(q[1]).minus(p[1].times(q[0]));
+        let (along, across) = (vector(a, b), vector(c, d));
+        let (w, t) = (times(along, across), times(vector(a, c), across));
+        let part = |start: f64, along| DoubleDouble::of(start).times(w).plus(t.times(along));
+        [part(a.x, along[0]), part(a.y, along[1])].map(|part| part.nearest_quotient(w))
+    }
+}
+
+/// The nearest double and how far off it is, if both are known well: the distance to ten digits, or that it is 0.
+fn certain(Quotient { nearest, rest, error }: Quotient) -> Option<(f64, f64)> {
+    let is_allowed = nearest == 0.0 || nearest.abs() >= SMALLEST;
+    (is_allowed && error <= rest.abs() * 1e-10).then(|| (nearest + 0.0, rest.abs() + error))
 }
 
 /// Of the doubles round `q` the one with the smallest rest; of two the lower one.
@@ -198,5 +223,37 @@ mod tests {
         assert!(off <= SMALLEST, "{off}");
         let far = crossing([(-3e60, -3e60), (3e60, 3e60), (-3e60, 1.8e-43), (3e60, 1.7e60)]);
         assert!(far.rounded().0.check().is_ok() && far.rounded().1 < 1e45, "{:?}", far.rounded());
+    }
+
+    #[test]
+    fn two_doubles_for_each_number_round_as_exact_ones() {
+        let mut state = 5_u64;
+        let mut below = |n: u64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) % n
+        };
+        let mut quick = 0;
+        for round in 0..40_000 {
+            let scale = 2f64.powi(below(80) as i32 - 40);
+            // Some with few bits, some far from the origin, some nearly on one line.
+            let (far, flat) = ([0.0, 1e6, 1e12][round % 3], [1.0, 1.0, 1e-9][round / 3 % 3]);
+            let size = [9, 1 << 30][round / 9 % 2];
+            let mut part = |sign: f64| sign * (1 + below(size)) as f64;
+            let mut place = |u: f64, v: f64| Point::new(scale * (far + part(u)), scale * (far + flat * part(v)));
+            let [a, b, c, d] = [place(-1., -1.), place(1., 1.), place(-1., 1.), place(1., -1.)];
+            let side = |p, q, r| crate::geometry::predicates::orientation(p, q, r);
+            if side(a, b, c).is_le() || side(a, b, d).is_ge() || side(c, d, a).is_ge() || side(c, d, b).is_le() {
+                continue;
+            }
+            let crossing = Crossing::new([0, 1], [[a, b], [c, d]]);
+            for (i, found) in crossing.quotients().into_iter().enumerate() {
+                let Some((nearest, off)) = found.and_then(certain) else { continue };
+                let (expected, rest) = crossing.divide(i);
+                assert_eq!(nearest.to_bits(), expected.to_bits(), "{:?}", crossing.ends);
+                assert!(off >= rest.abs() * (1.0 - 1e-15) && off <= rest.abs() * (1.0 + 1e-9), "{:?}", crossing.ends);
+                quick += 1;
+            }
+        }
+        assert!(quick > 50_000, "{quick}");
     }
 }

@@ -10,7 +10,7 @@
 
 use super::Overlay;
 use crate::ids::{EdgeId, FaceId, FaceMap, must_be_below};
-use crate::plane::{Point, SegmentsError, Subdivision};
+use crate::plane::{SegmentsError, Subdivision};
 use std::fmt;
 use std::str::FromStr;
 
@@ -141,18 +141,7 @@ impl Overlay {
             left != right || (left && parts == Parts::Kept)
         };
         let edges: Vec<EdgeId> = s.dcel.edges().filter(stays).collect();
-        let mut number = vec![None; s.dcel.vertex_bound()];
-        edges.iter().flat_map(|&e| s.edge_ends(e)).for_each(|v| number[v.index()] = Some(0));
-        let mut points: Vec<Point> = Vec::new();
-        for v in s.dcel.vertices() {
-            if let Some(number) = &mut number[v.index()] {
-                *number = points.len() as u32;
-                points.push(s.points[v]);
-            }
-        }
-        let ends: Vec<[u32; 2]> =
-            edges.iter().map(|&e| s.edge_ends(e).map(|v| number[v.index()].unwrap_or_default())).collect();
-        let mut region = Subdivision::from_graph(&points, &ends)?;
+        let mut region = s.part(&edges)?;
         // Half-edges of edge i run as those of edges[i]; faces at dropped edges are all inside, or all outside.
         let is_hole = |&f: &FaceId| {
             let old = |h: crate::HalfEdgeId| edges[h.edge().index()].half_edges()[h.index() & 1];

@@ -6,13 +6,12 @@ use super::error::{SegmentFault, SegmentsError};
 use super::faults::all_faults;
 use super::graph::{Distinct, Graph, Single};
 use super::split::split as split_all;
-use super::trace::{OneRings, trace};
+use super::trace::{look, trace};
 use super::{ArrangeOptions, Arranged};
 use crate::ids::{HalfEdgeId, VertexId};
 use crate::plane::Point;
 use crate::plane::meet::Grid;
-use crate::plane::sweep::{Swept, sweep_in_order};
-use crate::topology::TooMany;
+use crate::plane::sweep::Swept;
 use std::ops::Range;
 
 /// Segments whose points are distinct.
@@ -98,8 +97,7 @@ pub(super) fn arrange(mut input: Input, options: &ArrangeOptions) -> Result<Arra
     if options.split && (swept.intersection.is_some() || grid.is_some()) {
         pieces = Pieces::new(&graph);
         graph.edges.clone_from(&pieces.edges);
-        split = split_all(&mut graph, grid);
-        (one_rings, swept) = look(&graph)?;
+        (split, (one_rings, swept)) = split_all(&mut graph, grid)?;
     }
     refuse(&input, &half, &graph, &swept, options.most_faults.max(1))?;
 
@@ -140,14 +138,6 @@ fn checked(size: f64, points: &[Point]) -> Result<Grid, SegmentsError> {
         Some(grid) if grid.size() >= finest => Ok(grid),
         _ => Err(SegmentsError::Grid { size, finest }),
     }
-}
-
-/// Sweeps over the graph: the first intersection, what lies below each vertex, and, if nothing meets, all one-rings.
-fn look(graph: &Graph) -> Result<(OneRings, Swept), TooMany> {
-    let mut one_rings = OneRings::new(graph)?;
-    let swept =
-        sweep_in_order(&graph.points, &graph.edges, &graph.by_place, true, |one_ring| one_rings.link(&one_ring));
-    Ok((one_rings, swept))
 }
 
 /// Fails if anything was found that the options do not allow, with not more than `limit` faults.

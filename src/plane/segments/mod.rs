@@ -17,6 +17,7 @@
 //!   dangles.rs   Edges that bound nothing
 //!   error.rs     Why segments are no plane graph
 //!   holes.rs     Marking hole faces
+//!   part.rs      The subdivision of some of the edges of another
 //!   pixels.rs    The hot pixels that a segment passes
 //!   places.rs    Equal points, and all places from left to right, with the help of a grid
 //!   touching.rs  Points that lie inside the sides of polygons
@@ -31,6 +32,7 @@ mod error;
 mod faults;
 mod graph;
 mod holes;
+mod part;
 mod pixels;
 mod places;
 mod snap;

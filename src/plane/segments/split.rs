@@ -17,29 +17,33 @@
 use super::chains::Split;
 use super::graph::{Graph, Single};
 use super::snap::{Plain, snap};
+use super::trace::{OneRings, look};
 use crate::geometry::grouping::Groups;
 use crate::geometry::predicates::left_to_right;
 use crate::plane::Point;
 use crate::plane::meet::{EventPlace, Grid, visit_intersections};
+use crate::plane::sweep::Swept;
+use crate::topology::TooMany;
 use std::ops::ControlFlow;
 
 /// Rounds after which a grid is used. One or two are usual.
 const PLAIN_ROUNDS: u32 = 4;
 
-/// Splits the edges of `graph` until nothing meets; on the grid, if there is one, else in place where that settles.
+/// Splits the edges of `graph` until nothing meets; on the grid, if there is one, else in place where that settles. Also
+/// gives what the last look at the graph, the one that found nothing, has seen.
 ///
 /// Cost: O((n + k) log n) a round, with k intersections; see [`snap`] for the grid.
-pub(super) fn split(graph: &mut Graph, grid: Option<Grid>) -> Split {
+///
+/// # Errors
+/// If there are more half-edges than ids.
+pub(super) fn split(graph: &mut Graph, grid: Option<Grid>) -> Result<(Split, (OneRings, Swept)), TooMany> {
     let given = graph.points.len();
     let edges = graph.edges.clone();
     let mut split = Split::none(edges.len());
-    while grid.is_none() {
+    while grid.is_none() && split.rounds < PLAIN_ROUNDS {
         let Cuts { cuts, new } = find_cuts(graph);
         if cuts.is_empty() {
-            return split;
-        }
-        if split.rounds == PLAIN_ROUNDS {
-            break;
+            return Ok((split, look(graph)?));
         }
         split.rounds += 1;
         let old = graph.points.len() as u32;
@@ -54,8 +58,14 @@ pub(super) fn split(graph: &mut Graph, grid: Option<Grid>) -> Split {
         let Single { edges, half } = Single::new(graph.points.len(), &pieces, |_, _| {});
         graph.edges = edges;
         split.follow(&starts, &half);
+        // Looking stops at the first intersection: it is the cheaper proof that there is none.
+        let seen = look(graph)?;
+        if seen.1.intersection.is_none() {
+            return Ok((split, seen));
+        }
     }
-    snap(graph, &Plain { split, given, edges: &edges }, grid)
+    let split = snap(graph, &Plain { split, given, edges: &edges }, grid);
+    Ok((split, look(graph)?))
 }
 
 /// The cuts of one round.

@@ -12,10 +12,10 @@
 //! Source: de Berg et al., *Computational Geometry*, 3rd ed., section 2.3.
 
 use super::graph::Graph;
-use crate::ids::{EdgeId, HalfEdgeId, MAX_IDS, VertexId};
+use crate::ids::{EdgeId, FaceId, HalfEdgeId, MAX_IDS, VertexId};
 use crate::plane::Subdivision;
 use crate::plane::rings::Loose;
-use crate::plane::sweep::{NOTHING, OneRing};
+use crate::plane::sweep::{NOTHING, OneRing, Swept, sweep_in_order};
 use crate::topology::{Columns, Dcel, InnerComponent, TooMany};
 
 const NONE: u32 = Columns::NONE;
@@ -51,15 +51,21 @@ impl OneRings {
     /// come those to the left, downwards.
     #[inline]
     pub(super) fn link(&mut self, one_ring: &OneRing<'_>) {
+        self.link_all(one_ring.point, one_ring.right.iter().chain(one_ring.left.iter().rev()).copied());
+    }
+
+    /// Links the half-edges that leave a point, counter-clockwise from straight down.
+    #[inline]
+    pub(super) fn link_all(&mut self, point: u32, half_edges: impl Iterator<Item = u32>) {
         let mut last = None;
-        for &h in one_ring.right.iter().chain(one_ring.left.iter().rev()) {
+        for h in half_edges {
             match last.replace(h) {
-                None => self.columns.outgoing[one_ring.point as usize] = h,
+                None => self.columns.outgoing[point as usize] = h,
                 Some(before) => self.meet(before, h),
             }
         }
         if let Some(last) = last {
-            self.meet(last, self.columns.outgoing[one_ring.point as usize]);
+            self.meet(last, self.columns.outgoing[point as usize]);
         }
     }
 
@@ -69,6 +75,14 @@ impl OneRings {
         self.columns.next[(h ^ 1) as usize] = g;
         self.columns.prev[g as usize] = h ^ 1;
     }
+}
+
+/// Sweeps over the graph: the first intersection, what lies below each vertex, and, if nothing meets, all one-rings.
+pub(super) fn look(graph: &Graph) -> Result<(OneRings, Swept), TooMany> {
+    let mut one_rings = OneRings::new(graph)?;
+    let swept =
+        sweep_in_order(&graph.points, &graph.edges, &graph.by_place, true, |one_ring| one_rings.link(&one_ring));
+    Ok((one_rings, swept))
 }
 
 /// The subdivision that the edges of a graph cut the plane into. The graph must have no intersections; `one_rings` has the
@@ -90,6 +104,36 @@ pub(super) fn trace(graph: Graph, one_rings: OneRings, below: &[u32]) -> Result<
     };
     let fits = |_: &Subdivision, _, _, _| Ok::<(), std::convert::Infallible>(());
     let Ok(()) = subdivision.place_inner_components(loose, edge_below, fits);
+    Ok(subdivision)
+}
+
+/// The same without a sweep, for who knows in which face a cycle lies that runs round something: `face_of` is asked for
+/// one of its half-edges, and told the boundary of every face. No vertex is isolated.
+///
+/// Cost: O(n), apart from the order of the inner components.
+pub(super) fn trace_known(
+    graph: Graph,
+    one_rings: OneRings,
+    mut face_of: impl FnMut(&[u32], u32) -> FaceId,
+) -> Result<Subdivision, TooMany> {
+    let Graph { points, by_place, .. } = graph;
+    let mut columns = one_rings.columns;
+    let loose = cycles(&mut columns, &by_place)?;
+    let known = |Loose { ring, .. }: Loose| match ring {
+        InnerComponent::Cycle(h) => (ring, face_of(&columns.boundary, h.number())),
+        InnerComponent::Isolated(_) => (ring, FaceId::new(0)),
+    };
+    let placed: Vec<(InnerComponent, FaceId)> = loose.into_iter().map(known).collect();
+    let mut subdivision = Subdivision::from_parts(Dcel::from_columns(columns), points.into());
+    let mut outer = Vec::new();
+    for (ring, face) in placed {
+        if face == subdivision.outer_face() {
+            outer.push(ring);
+        } else {
+            subdivision.hang_inner_component(ring, face);
+        }
+    }
+    subdivision.order_inner_components(outer);
     Ok(subdivision)
 }
 
