@@ -11,6 +11,7 @@
 //! Source: Dekker, *A floating-point technique for extending the available precision*, 1971.
 
 use super::expansion::{two_product, two_sum};
+use std::cmp::Ordering;
 
 /// How far one rounding can be off, relatively.
 const ROUNDING: f64 = f64::EPSILON / 2.0;
@@ -63,9 +64,8 @@ impl DoubleDouble {
         Self { high, low, error: (inherited + (a.low.abs() * b.error + b.low.abs() * a.error) + left_out) * SPARE }
     }
 
-    /// The quotient as the nearest double, what is missing to it, and how far off that can be; `None` if the next double
-    /// may be nearer, or if the divisor is not known well.
-    pub(crate) fn nearest_quotient(self, by: Self) -> Option<Quotient> {
+    /// The quotient; `None` if the divisor is not known well.
+    pub(crate) fn over(self, by: Self) -> Option<Self> {
         let divisor = by.high.abs();
         // How far the divisor is from its high part, relatively.
         let blurred = (by.low.abs() + by.error) / divisor * SPARE;
@@ -74,32 +74,46 @@ impl DoubleDouble {
         }
         let first = self.high / by.high;
         let left = self.minus(Self::of(first).times(by));
+        if left == Self::of(0.0) {
+            return Some(Self::of(first));
+        }
         let second = left.high / by.high;
-        let error = if left == Self::of(0.0) {
-            0.0
-        } else {
-            ((left.low.abs() + left.error) / divisor * (1.0 + 1e-11) + second.abs() * (2.0 * blurred + ROUNDING))
-                * SPARE
-        };
-        let (nearest, rest) = two_sum(first, second);
-        let gap = (nearest.next_up() - nearest).min(nearest - nearest.next_down());
-        (rest.abs() + error < gap * 0.499).then_some(Quotient { nearest, rest, error })
+        let rest = (left.low.abs() + left.error) / divisor * (1.0 + 1e-11);
+        let error = (rest + second.abs() * (2.0 * blurred + ROUNDING)) * SPARE;
+        let (high, low) = two_sum(first, second);
+        Some(Self { high, low, error })
     }
-}
 
-/// A quotient: `nearest + rest`, up to `error`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Quotient {
-    pub(crate) nearest: f64,
-    pub(crate) rest: f64,
-    pub(crate) error: f64,
+    /// The nearest double, and how far the number is from it: more, by at most ten digits; `None` if the next double may
+    /// be nearer, or if so many digits are not known.
+    pub(crate) fn nearest(self) -> Option<(f64, f64)> {
+        let Self { high, low, error } = self;
+        let gap = (high.next_up() - high).min(high - high.next_down());
+        let known = low.abs() + error < gap * 0.499 && error <= low.abs() * 1e-10;
+        known.then(|| (high + 0.0, low.abs() + error))
+    }
+
+    /// The order of the two numbers, if it is certain.
+    pub(crate) fn order(self, other: Self) -> Option<Ordering> {
+        self.minus(other).sign()
+    }
+
+    /// The sign, if it is certain.
+    pub(crate) fn sign(self) -> Option<Ordering> {
+        let Self { high, low, error } = self;
+        // The high part is the nearest double to the sum of both, so it has the sign of the sum.
+        if high.abs() - low.abs() > error * SPARE {
+            high.partial_cmp(&0.0)
+        } else {
+            (high == 0.0 && error == 0.0).then_some(Ordering::Equal)
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::geometry::expansion::Expansion;
-    use std::cmp::Ordering;
 
     /// Whether an exact number is within the bound.
     fn holds(exact: &Expansion, found: DoubleDouble) -> bool {
@@ -121,7 +135,7 @@ mod tests {
             last = match i % 5 {
                 0 => whole * 2f64.powi(next() as i32 % 60 - 30),
                 1 => (whole / 2f64.powi(44)).round(),
-                2 => last.next_up(),
+                2 if last != 0.0 => last.next_up(),
                 3 => last * (1.0 + whole * 2f64.powi(-90)),
                 _ => whole * 2f64.powi(-52),
             };
@@ -155,34 +169,61 @@ mod tests {
     }
 
     #[test]
-    fn quotients_are_the_nearest_doubles_or_none() {
+    fn quotients_are_within_the_bound_and_round_to_the_nearest_doubles() {
         let mut known = 0;
         for numbers in doubles(5 * 20_000).chunks_exact(5) {
             let &[a, b, c, d, e] = numbers else { unreachable!() };
             let number = DoubleDouble::difference(a, b).times(DoubleDouble::of(c));
             let by = DoubleDouble::difference(d, e);
-            let Some(Quotient { nearest, rest, error }) = number.nearest_quotient(by) else { continue };
-            known += 1;
+            let Some(quotient) = number.over(by) else { continue };
             let (exact, exact_by) = (Expansion::difference(a, b).times(&Expansion::of(c)), Expansion::difference(d, e));
             // The sign of number / by - x.
             let beyond = |x: &Expansion| {
                 let sign = exact.clone().minus(&x.times(&exact_by)).sign();
                 if exact_by.sign().is_lt() { sign.reverse() } else { sign }
             };
-            let at = |x: f64| Expansion::of(nearest).plus(&Expansion::of(x));
-            assert!(beyond(&at(rest).plus(&Expansion::of(error))).is_le(), "{numbers:?}");
-            assert!(beyond(&at(rest).minus(&Expansion::of(error))).is_ge(), "{numbers:?}");
-            assert!(beyond(&at((nearest.next_up() - nearest) / 2.0)).is_le(), "{numbers:?}");
-            assert!(beyond(&at((nearest.next_down() - nearest) / 2.0)).is_ge(), "{numbers:?}");
+            let DoubleDouble { high, low, error } = quotient;
+            let at = |x: f64| Expansion::of(high).plus(&Expansion::of(x));
+            assert!(beyond(&at(low).plus(&Expansion::of(error))).is_le(), "{numbers:?}");
+            assert!(beyond(&at(low).minus(&Expansion::of(error))).is_ge(), "{numbers:?}");
+            let Some((nearest, off)) = quotient.nearest() else { continue };
+            known += 1;
+            assert_eq!(nearest, high);
+            assert!(beyond(&at((high.next_up() - high) / 2.0)).is_le(), "{numbers:?}");
+            assert!(beyond(&at((high.next_down() - high) / 2.0)).is_ge(), "{numbers:?}");
+            assert!(beyond(&at(off)).is_le() && beyond(&at(-off)).is_ge(), "{numbers:?}");
         }
         assert!(known > 15_000, "{known}");
-        let third = DoubleDouble::of(1.0).nearest_quotient(DoubleDouble::of(3.0)).unwrap();
-        assert_eq!(third.nearest, 1.0 / 3.0);
-        let half = DoubleDouble::of(1.5).nearest_quotient(DoubleDouble::of(3.0));
-        assert_eq!(half, Some(Quotient { nearest: 0.5, rest: 0.0, error: 0.0 }));
+        let over = |a: f64, b: f64| DoubleDouble::of(a).over(DoubleDouble::of(b));
+        assert_eq!(over(1.0, 3.0).and_then(DoubleDouble::nearest).map(|(nearest, _)| nearest), Some(1.0 / 3.0));
+        assert_eq!(over(1.5, 3.0).and_then(DoubleDouble::nearest), Some((0.5, 0.0)));
+        assert_eq!(over(1.5, 0.0), None);
         // Half way between two doubles: neither is said to be nearer.
         let tie = DoubleDouble::of(1.0).plus(DoubleDouble::of(f64::EPSILON / 2.0));
-        assert_eq!(tie.nearest_quotient(DoubleDouble::of(1.0)), None);
-        assert_eq!(tie.nearest_quotient(DoubleDouble::of(0.0)), None);
+        assert_eq!(tie.nearest(), None);
+    }
+
+    #[test]
+    fn signs_are_right_or_not_told() {
+        let mut told = [0; 2];
+        for numbers in doubles(4 * 20_000).chunks_exact(4) {
+            let &[a, b, c, d] = numbers else { unreachable!() };
+            // The second number is nearly the first.
+            let (p, q) = (DoubleDouble::difference(a, b), DoubleDouble::difference(c, d));
+            let close = p.times(q).plus(DoubleDouble::of(a * 2f64.powi(-100)));
+            let exact = Expansion::difference(a, b).times(&Expansion::difference(c, d));
+            let exact_close = exact.clone().plus(&Expansion::of(a * 2f64.powi(-100)));
+            let expected = exact_close.minus(&exact).sign();
+            let found = close.order(p.times(q));
+            assert!(found.is_none_or(|found| found == expected), "{numbers:?}");
+            told[usize::from(found.is_some())] += 1;
+        }
+        assert!(told[0] > 1000 && told[1] > 1000, "{told:?}");
+        let third = DoubleDouble::of(1.0).over(DoubleDouble::of(3.0)).unwrap();
+        assert_eq!(
+            (third.order(third), DoubleDouble::of(2.0).order(DoubleDouble::of(2.0))),
+            (None, Some(Ordering::Equal))
+        );
+        assert_eq!(third.order(DoubleDouble::of(1.0 / 3.0)), Some(Ordering::Greater));
     }
 }

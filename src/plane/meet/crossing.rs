@@ -9,7 +9,7 @@
 //! ```
 
 use super::grid::Grid;
-use crate::geometry::double_double::{DoubleDouble, Quotient};
+use crate::geometry::double_double::DoubleDouble;
 use crate::geometry::expansion::{Expansion, cross};
 use crate::geometry::interval::Interval;
 use crate::plane::{Point, SMALLEST};
@@ -23,6 +23,7 @@ pub(super) struct Crossing {
     ends: [[Point; 2]; 2],
     x: Interval,
     y: Interval,
+    finer: OnceCell<Box<[Option<DoubleDouble>; 2]>>,
     exact: OnceCell<Box<Exact>>,
 }
 
@@ -38,7 +39,7 @@ impl Crossing {
     /// The crossing of two edges, which must cross.
     pub(super) fn new(edges: [u32; 2], ends: [[Point; 2]; 2]) -> Self {
         let [x, y] = bounds(ends);
-        Self { edges, ends, x, y, exact: OnceCell::new() }
+        Self { edges, ends, x, y, finer: OnceCell::new(), exact: OnceCell::new() }
     }
 
     fn exact(&self) -> &Exact {
@@ -60,18 +61,32 @@ impl Crossing {
     pub(super) fn order_to_point(&self, p: Point) -> Ordering {
         let exactly =
             |part: &Expansion, value: f64| part.clone().minus(&Expansion::of(value).times(&self.exact().w)).sign();
-        let by_x = self.x.order(Interval::of(p.x)).unwrap_or_else(|| exactly(&self.exact().x, p.x));
-        by_x.then_with(|| self.y.order(Interval::of(p.y)).unwrap_or_else(|| exactly(&self.exact().y, p.y)))
+        let finer = |i: usize, value: f64| self.finer()[i]?.order(DoubleDouble::of(value));
+        let by_x = self.x.order(Interval::of(p.x)).or_else(|| finer(0, p.x));
+        let by_x = by_x.unwrap_or_else(|| exactly(&self.exact().x, p.x));
+        by_x.then_with(|| {
+            let by_y = self.y.order(Interval::of(p.y)).or_else(|| finer(1, p.y));
+            by_y.unwrap_or_else(|| exactly(&self.exact().y, p.y))
+        })
     }
 
     /// Where it lies from another crossing in the order from left to right.
     pub(super) fn order_to(&self, other: &Self) -> Ordering {
-        let exactly = |a: &Expansion, b: &Expansion| a.times(&other.exact().w).minus(&b.times(&self.exact().w)).sign();
+        let exactly = |a: &Expansion, b: &Expansion| {
+            let [w, v] = [self, other].map(|crossing| &crossing.exact().w);
+            // Where one pair of segments is the other one, moved, the divisors are the same.
+            if w == v { a.clone().minus(b).sign() } else { a.times(v).minus(&b.times(w)).sign() }
+        };
         if self.ends == other.ends {
             return Ordering::Equal;
         }
-        let by_x = self.x.order(other.x).unwrap_or_else(|| exactly(&self.exact().x, &other.exact().x));
-        by_x.then_with(|| self.y.order(other.y).unwrap_or_else(|| exactly(&self.exact().y, &other.exact().y)))
+        let finer = |i: usize| self.finer()[i]?.order(other.finer()[i]?);
+        let by_x = self.x.order(other.x).or_else(|| finer(0));
+        let by_x = by_x.unwrap_or_else(|| exactly(&self.exact().x, &other.exact().x));
+        by_x.then_with(|| {
+            let by_y = self.y.order(other.y).or_else(|| finer(1));
+            by_y.unwrap_or_else(|| exactly(&self.exact().y, &other.exact().y))
+        })
     }
 
     /// On which side of the line a -> b it lies: `Greater` = left.
@@ -79,7 +94,13 @@ impl Crossing {
         let interval = Interval::of;
         let quick = (interval(b.x) - interval(a.x)) * (self.y - interval(a.y))
             - (interval(b.y) - interval(a.y)) * (self.x - interval(a.x));
-        quick.sign().unwrap_or_else(|| {
+        let finer = || {
+            let [x, y] = *self.finer();
+            let along = [(b.x, a.x), (b.y, a.y)].map(|(b, a)| DoubleDouble::difference(b, a));
+            let from_a = [x?.minus(DoubleDouble::of(a.x)), y?.minus(DoubleDouble::of(a.y))];
+            along[0].times(from_a[1]).minus(along[1].times(from_a[0])).sign()
+        };
+        quick.sign().or_else(finer).unwrap_or_else(|| {
             let Exact { x, y, w } = self.exact();
             let from_a = |part: &Expansion, start: f64| part.clone().minus(&Expansion::of(start).times(w));
             let along = [Expansion::difference(b.x, a.x), Expansion::difference(b.y, a.y)];
@@ -117,11 +138,12 @@ impl Crossing {
     /// crossing at most. Rounding keeps the order of the x and of the y of different crossings.
     pub(super) fn rounded(&self) -> (Point, f64) {
         let quick = self.quotients();
+        let allowed = |&(x, _): &(f64, f64)| x == 0.0 || x.abs() >= SMALLEST;
         let divide = |bounds: Interval, i: usize| {
             if let Some(known) = bounds.only() {
                 return (known, 0.0);
             }
-            quick[i].and_then(certain).unwrap_or_else(|| self.divide(i))
+            quick[i].and_then(DoubleDouble::nearest).filter(allowed).unwrap_or_else(|| self.divide(i))
         };
         let ((px, off_x), (py, off_y)) = (divide(self.x, 0), divide(self.y, 1));
         // Both rests are good to a few last places.
@@ -138,22 +160,21 @@ impl Crossing {
         (nearest, rest(nearest))
     }
 
-    /// Both coordinates as well as two doubles for each number tell them.
-    fn quotients(&self) -> [Option<Quotient>; 2] {
+    /// Both coordinates as well as two doubles for each number tell them, computed once.
+    fn finer(&self) -> &[Option<DoubleDouble>; 2] {
+        self.finer.get_or_init(|| Box::new(self.quotients()))
+    }
+
+    /// The same, computed.
+    fn quotients(&self) -> [Option<DoubleDouble>; 2] {
         let [[a, b], [c, d]] = self.ends;
         let vector = |p: Point, q: Point| [DoubleDouble::difference(q.x, p.x), DoubleDouble::difference(q.y, p.y)];
         let times = |p: [DoubleDouble; 2], q: [DoubleDouble; 2]| p[0].times(q[1]).minus(p[1].times(q[0]));
         let (along, across) = (vector(a, b), vector(c, d));
         let (w, t) = (times(along, across), times(vector(a, c), across));
         let part = |start: f64, along| DoubleDouble::of(start).times(w).plus(t.times(along));
-        [part(a.x, along[0]), part(a.y, along[1])].map(|part| part.nearest_quotient(w))
+        [part(a.x, along[0]), part(a.y, along[1])].map(|part| part.over(w))
     }
-}
-
-/// The nearest double and how far off it is, if both are known well: the distance to ten digits, or that it is 0.
-fn certain(Quotient { nearest, rest, error }: Quotient) -> Option<(f64, f64)> {
-    let is_allowed = nearest == 0.0 || nearest.abs() >= SMALLEST;
-    (is_allowed && error <= rest.abs() * 1e-10).then(|| (nearest + 0.0, rest.abs() + error))
 }
 
 /// Of the doubles round `q` the one with the smallest rest; of two the lower one.
@@ -247,7 +268,7 @@ mod tests {
             }
             let crossing = Crossing::new([0, 1], [[a, b], [c, d]]);
             for (i, found) in crossing.quotients().into_iter().enumerate() {
-                let Some((nearest, off)) = found.and_then(certain) else { continue };
+                let Some((nearest, off)) = found.and_then(DoubleDouble::nearest) else { continue };
                 let (expected, rest) = crossing.divide(i);
                 assert_eq!(nearest.to_bits(), expected.to_bits(), "{:?}", crossing.ends);
                 assert!(off >= rest.abs() * (1.0 - 1e-15) && off <= rest.abs() * (1.0 + 1e-9), "{:?}", crossing.ends);

@@ -101,24 +101,37 @@ impl<'a> Lines<'a> {
             if alike.len() < 2 {
                 continue;
             }
-            alike.sort_unstable_by(|&(_, e), &(_, g)| {
-                self.by_line(e, g).then_with(|| self.ranks(e).cmp(&self.ranks(g)))
-            });
-            for line in alike.chunk_by(|a, b| self.by_line(a.1, b.1).is_eq()) {
-                let mut reach = 0;
-                let mut start = 0;
-                for (i, &(_, e)) in line.iter().enumerate() {
-                    let [left, right] = self.ranks(e);
-                    if left >= reach {
-                        clusters.extend(several(&line[start..i]));
-                        start = i;
-                    }
-                    reach = reach.max(right);
-                }
-                clusters.extend(several(&line[start..]));
+            // Edges of one line meet an axis at the same place, up to rounding.
+            let flat = slope(alike[0].1).abs() <= 1.0;
+            let crosses = |&(_, e): &(u64, u32)| Crosses::new(e, self.ends(e), slope(e), flat);
+            let mut close: Vec<Crosses> = alike.iter().map(crosses).collect();
+            close.sort_unstable_by(|a, b| a.at.total_cmp(&b.at).then(a.edge.cmp(&b.edge)));
+            let most = close.iter().map(|crosses| crosses.error).fold(0.0, f64::max);
+            for close in close.chunk_by_mut(|a, b| b.at - a.at <= 2.0 * most).filter(|close| close.len() > 1) {
+                self.overlaps_among(close, &mut clusters);
             }
         }
         clusters
+    }
+
+    /// The same among few edges, by exact decisions.
+    fn overlaps_among(&self, edges: &mut [Crosses], clusters: &mut Vec<Vec<u32>>) {
+        edges.sort_unstable_by(|a, b| {
+            self.by_line(a.edge, b.edge).then_with(|| self.ranks(a.edge).cmp(&self.ranks(b.edge)))
+        });
+        for line in edges.chunk_by(|a, b| self.by_line(a.edge, b.edge).is_eq()) {
+            let mut reach = 0;
+            let mut start = 0;
+            for (i, crosses) in line.iter().enumerate() {
+                let [left, right] = self.ranks(crosses.edge);
+                if left >= reach {
+                    clusters.extend(several(&line[start..i]));
+                    start = i;
+                }
+                reach = reach.max(right);
+            }
+            clusters.extend(several(&line[start..]));
+        }
     }
 
     /// An order of the lines through the edges: by direction, parallel ones from left to right of it. Exact.
@@ -181,9 +194,26 @@ impl<'a> Lines<'a> {
     }
 }
 
+/// Where the line through an edge crosses an axis.
+struct Crosses {
+    edge: u32,
+    at: f64,
+    /// The place is off by no more.
+    error: f64,
+}
+
+impl Crosses {
+    /// Where it crosses the axis of y if it is flat, else that of x.
+    fn new(edge: u32, [a, _]: [Point; 2], slope: f64, flat: bool) -> Self {
+        let (here, run) = if flat { (a.y, a.x * slope) } else { (a.x, a.y / slope) };
+        // The slope is off by three roundings, what follows adds two.
+        Self { edge, at: here - run, error: 8.0 * ROUNDING * (here.abs() + run.abs()) }
+    }
+}
+
 /// The edges of a cluster, if there are several.
-fn several(line: &[(u64, u32)]) -> Option<Vec<u32>> {
-    (line.len() > 1).then(|| line.iter().map(|&(_, e)| e).collect())
+fn several(line: &[Crosses]) -> Option<Vec<u32>> {
+    (line.len() > 1).then(|| line.iter().map(|crosses| crosses.edge).collect())
 }
 
 /// The first place from `place` on that is free; the way there is shortened for the next one.
@@ -216,6 +246,7 @@ fn turn([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Ordering {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::predicates::left_to_right;
     use crate::plane::segments::graph::{Distinct, Single};
 
     fn graph(segments: &[[(i64, i64); 2]]) -> Graph {
@@ -288,5 +319,57 @@ mod tests {
             assert_eq!(new as usize, pieces.edges.len(), "seed {seed}: pieces of no edge");
         }
         assert!(cut > 500, "{cut}");
+    }
+
+    #[test]
+    fn rounded_slopes_hide_no_overlap() {
+        let mut state = 77_u64;
+        let mut next = |below: i64| {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            (state >> 20) as i64 % below
+        };
+        let mut cut = 0;
+        for round in 0..3000 {
+            // Whole numbers, so that edges of one line are on it exactly; their slopes and crossings are rounded.
+            let size = [30, 1 << 20][round % 2];
+            let far = [0, 1 << 40, -(1 << 46)][round / 2 % 3];
+            let (dx, dy) = match round / 6 % 5 {
+                0 => (1 + next(size), next(2 * size) - size),
+                1 => (next(3), 1 + next(size)),
+                2 => (1 + next(size), next(3) - 1),
+                // About the diagonal.
+                3 => (size, size + next(3) - 1),
+                _ => (size + next(3) - 1, -size),
+            };
+            let (x, y) = (far + next(1 << 30), far + next(1 << 30));
+            let mut at = || {
+                let k = next(1 << 8);
+                (x + k * dx, y + k * dy)
+            };
+            let mut list: Vec<_> = (0..6).map(|_| [at(), at()]).filter(|[a, b]| a != b).collect();
+            // Nearly the same line beside it.
+            let beside = list.iter().map(|&[(ax, ay), (bx, by)]| [(ax, ay + 1), (bx, by + 1)]).collect::<Vec<_>>();
+            list.extend(beside);
+            let graph = graph(&list);
+            let pieces = Pieces::new(&graph);
+            let ends = |e: &[u32; 2]| {
+                let [a, b] = e.map(|p| graph.points[p as usize]);
+                if left_to_right(a, b).is_lt() { [a, b] } else { [b, a] }
+            };
+            let later = |a: Point, b: Point| if left_to_right(a, b).is_lt() { b } else { a };
+            let sooner = |a: Point, b: Point| if left_to_right(a, b).is_lt() { a } else { b };
+            for (i, e) in pieces.edges.iter().enumerate() {
+                for g in &pieces.edges[..i] {
+                    let ([a, b], [c, d]) = (ends(e), ends(g));
+                    let one_line = orientation(a, b, c).is_eq() && orientation(a, b, d).is_eq();
+                    let common = left_to_right(later(a, c), sooner(b, d)).is_lt();
+                    assert!(!(one_line && common), "round {round}: {list:?}");
+                }
+            }
+            cut += pieces.edges.len().saturating_sub(graph.edges.len());
+        }
+        assert!(cut > 5000, "{cut}");
     }
 }
