@@ -43,6 +43,7 @@ mod kit;
 #[cfg(feature = "grade")]
 mod learn;
 mod manifest;
+pub mod many;
 mod markers;
 mod mutants;
 #[cfg(feature = "grade")]

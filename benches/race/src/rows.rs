@@ -173,7 +173,7 @@ fn clusters(count: usize) -> Vec<[f64; 2]> {
     let centres: Vec<[f64; 2]> = (0..30).map(|_| [random.unit(), random.unit()]).collect();
     let mut one = || {
         let [x, y] = centres[random.below(centres.len())];
-        let (radius, angle) = (1e-3 * random.unit() * random.unit(), 6.28 * random.unit());
+        let (radius, angle) = (1e-3 * random.unit() * random.unit(), std::f64::consts::TAU * random.unit());
         [x + radius * angle.cos(), y + radius * angle.sin()]
     };
     (0..count).map(|_| one()).collect()
@@ -225,7 +225,7 @@ fn earcut_of(ring: Ring) -> Prepared {
 }
 
 fn i_triangle_of(ring: Ring) -> Prepared {
-    let rings = vec![ring];
+    let rings = [ring];
     work(rings[0].len(), move || rings.unchecked_triangulate().to_triangulation::<u32>().indices)
 }
 

@@ -3,7 +3,7 @@
 use crate::dcel::{Dcel, Point};
 use crate::harness::{Argument, Call, Lab, Start, Take, Value, dump};
 use crate::svg::Svg;
-use crate::{lab, start};
+use crate::{lab, lattice, start};
 
 /// Lab 08.
 pub struct VoronoiLab;
@@ -22,6 +22,7 @@ impl Lab for VoronoiLab {
         Start { word: "convex", usage: "write `convex 300`", make: start::convex },
         Start { word: "wheel", usage: "write `wheel 40`", make: start::wheel },
         Start { word: "grid", usage: "write `grid 20 15`", make: start::grid },
+        Start { word: "lattice", usage: "write `lattice 150 150`", make: lattice::lattice },
     ];
 
     const CALLS: &'static [Call<Dcel>] = &[

@@ -15,6 +15,7 @@ mod dcel;
 mod frame;
 #[path = "../../harness/mod.rs"]
 mod harness;
+mod lattice;
 #[path = "../../predicates/mod.rs"]
 mod predicates;
 #[path = "../../04-half-edge/src/records.rs"]

@@ -39,6 +39,11 @@ fn cell() {
 }
 
 #[test]
+fn cell_large() {
+    graded("cell_large");
+}
+
+#[test]
 fn picture() {
     graded("picture");
 }

@@ -20,7 +20,8 @@ Examples:
   dcel lab verify
   dcel lab verify 04
   dcel lab verify 04 --labs ~/dcel-kit/labs
-  dcel lab verify --from labs/04-half-edge --write")]
+  dcel lab verify 04 --write
+  dcel lab verify --from labs/04-half-edge")]
 pub(crate) struct Args {
     /// The lab: its name, or its number; without it, every lab
     #[arg(value_name = "LAB", conflicts_with = "from")]
@@ -33,16 +34,13 @@ pub(crate) struct Args {
     from: Option<PathBuf>,
     /// Write what is made from the solution: the starter src/lab.rs, and how the known mistakes fail,
     /// bugs/signatures.toml
-    #[arg(long, requires = "from")]
+    #[arg(long)]
     write: bool,
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    if let (true, Some(folder)) = (args.write, &args.from) {
-        write_starter(folder, &read(folder)?, out)?;
-    }
-    let labs = match &args.from {
-        Some(folder) => vec![read(folder)?],
+    let folders = match &args.from {
+        Some(folder) => vec![folder.clone()],
         None => {
             let names = match &args.lab {
                 Some(name) => vec![super::lab(name)?.name],
@@ -58,11 +56,15 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
                 Err(_) if args.lab.is_none() && !own.is_empty() => Vec::new(),
                 Err(failure) => return Err(failure),
             };
-            of_kit.iter().chain(&own).map(|folder| read(folder)).collect::<Result<Vec<_>, _>>()?
+            of_kit.into_iter().chain(own).collect()
         }
     };
+    if args.write {
+        folders.iter().try_for_each(|folder| write_starter(folder, &read(folder)?, out))?;
+    }
+    let labs = folders.iter().map(|folder| read(folder)).collect::<Result<Vec<_>, _>>()?;
     let mut answer = Answer::Yes;
-    for lab in &labs {
+    for (folder, lab) in folders.iter().zip(&labs) {
         writeln!(out, "{}: {} bugs against {} tests", lab.name, lab.bugs.len(), lab.manifest.tests.len())?;
         out.flush()?;
         let room = ScratchFolder::new("dcel-verify").map_err(|error| Failure::writing("a temporary folder", &error))?;
@@ -71,7 +73,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         })?;
         writeln!(out, "{}", found.matrix().trim_end())?;
         // Where nothing judges, nothing is known of how they fail.
-        if let (true, Some(folder), Some(_)) = (args.write, &args.from, lab.judge()) {
+        if args.write && lab.judge().is_some() {
             let path = folder.join("bugs/signatures.toml");
             save::put(&path, found.signatures.to_text())?;
             writeln!(out, "{}: written", path.display())?;

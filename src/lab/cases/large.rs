@@ -4,6 +4,7 @@
 //!   convex 300        wheel 40             grid 150 150
 //!   one polygon       triangles round v0   square cells, row by row from below; first all edges to the right,
 //!                                          then all edges upwards
+//!   lattice 150 150   the same with every row half a cell further to the right, each cell cut in two triangles
 //! ```
 //!
 //! The k-th edge has the half-edges h(2k), which runs from the first of its ends, and h(2k + 1). Written independently
@@ -69,6 +70,35 @@ fn new_grid(n: usize, m: usize) -> Table {
     structure(places, &edges, outgoing, boundary)
 }
 
+/// Cells that lean to the right, each cut along its short diagonal: all triangles are alike and acute, so they are those
+/// of Delaunay. Edges to the right come first, then those upwards, then the diagonals, which run up to the left.
+#[must_use]
+pub fn lattice(n: usize, m: usize) -> Table {
+    let places = (0..=m).flat_map(|y| (0..=n).map(move |x| [x as f64 + y as f64 / 2.0, y as f64])).collect();
+    let vertex = |x: usize, y: usize| y * (n + 1) + x;
+    // The lower and the upper triangle of a cell; outside of all cells the outer face.
+    let face = |x: usize, y: usize, upper: usize| if x < n && y < m { 1 + upper + 2 * (y * n + x) } else { 0 };
+    let before = |x: usize| x.wrapping_sub(1);
+    let rows = |last: usize, most: usize| (0..last).flat_map(move |y| (0..most).map(move |x| (x, y)));
+    let right = rows(m + 1, n).map(|(x, y)| [vertex(x, y), vertex(x + 1, y), face(x, y, 0), face(x, before(y), 1)]);
+    let up = rows(m, n + 1).map(|(x, y)| [vertex(x, y), vertex(x, y + 1), face(before(x), y, 1), face(x, y, 0)]);
+    let across = rows(m, n).map(|(x, y)| [vertex(x + 1, y), vertex(x, y + 1), face(x, y, 0), face(x, y, 1)]);
+    let edges: Vec<Edge> = right.chain(up).chain(across).collect();
+    let first_up = n * (m + 1);
+    let first_across = first_up + (n + 1) * m;
+    // The edge to the right if there is one, else the edge upwards, else that which comes from below.
+    let outgoing = |v: usize| match (v % (n + 1), v / (n + 1)) {
+        (x, y) if x < n => 2 * (y * n + x),
+        (x, y) if y < m => 2 * (first_up + y * (n + 1) + x),
+        (x, y) => 2 * (first_up + (y - 1) * (n + 1) + x) + 1,
+    };
+    let boundary = |f: usize| match f.checked_sub(1) {
+        None => 2 * first_up,
+        Some(f) => 2 * (first_across + f / 2) + f % 2,
+    };
+    structure(places, &edges, outgoing, boundary)
+}
+
 fn on_parabola(k: usize) -> [f64; 2] {
     [k as f64, (k * k) as f64]
 }
@@ -122,7 +152,9 @@ mod tests {
         assert_eq!(sizes(&convex(300)), [300, 600, 2]);
         assert_eq!(sizes(&wheel(40)), [41, 160, 41]);
         assert_eq!(sizes(&grid(20, 15)), [336, 1270, 301]);
-        for table in [convex(3), convex(300), wheel(3), wheel(40), grid(1, 1).as_ref().clone(), new_grid(20, 15)] {
+        assert_eq!(sizes(&lattice(20, 15)), [336, 1870, 601]);
+        let all = [convex(3), convex(300), wheel(3), wheel(40), grid(1, 1).as_ref().clone(), new_grid(20, 15)];
+        for table in all.into_iter().chain([lattice(1, 1), lattice(20, 15)]) {
             assert_eq!(violations(&table), []);
         }
     }

@@ -150,7 +150,8 @@ pub(super) fn sweep_observed(
 ) -> ControlFlow<()> {
     let edges = rightwards(points, edges);
     let (firsts, starts) = grouped(points.len(), edges.len(), |e| edges[e][0] as usize);
-    let mut sweep = Sweep { points, edges: &edges, status: Status::default(), heap: BinaryHeap::new(), observer };
+    let status = Status::default();
+    let mut sweep = Sweep { points, edges: &edges, status, heap: BinaryHeap::new(), lists: Lists::default(), observer };
     let mut vertices = by_place.iter().copied().peekable();
     loop {
         let vertex = vertices.peek().copied();
@@ -180,6 +181,22 @@ struct Sweep<'a, O> {
     observer: &'a mut O,
     status: Status,
     heap: BinaryHeap<Reverse<Waiting>>,
+    lists: Lists,
+}
+
+/// The edges at an event point, kept between events so that none of them has to make lists.
+#[derive(Default)]
+struct Lists {
+    through: Vec<u32>,
+    ending: Vec<u32>,
+    leaving: Vec<u32>,
+    starting: Vec<u32>,
+}
+
+impl Lists {
+    fn clear(&mut self) {
+        [&mut self.through, &mut self.ending, &mut self.leaving, &mut self.starting].into_iter().for_each(Vec::clear);
+    }
 }
 
 impl<O: Observer<SweepEvent>> Sweep<'_, O> {
@@ -215,9 +232,22 @@ impl<O: Observer<SweepEvent>> Sweep<'_, O> {
         starting: &[u32],
         visit: &mut impl FnMut(&EventPoint<'_>) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
+        let mut lists = std::mem::take(&mut self.lists);
+        lists.clear();
+        let flow = self.event_with(&mut lists, place, starting, visit);
+        self.lists = lists;
+        flow
+    }
+
+    fn event_with(
+        &mut self,
+        Lists { through, ending, leaving, starting }: &mut Lists,
+        place: &EventPlace<'_>,
+        starts: &[u32],
+        visit: &mut impl FnMut(&EventPoint<'_>) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
         let mut at = self.status.partition(|edge| self.side(edge, place).is_gt());
         let below = self.status.before(at);
-        let (mut through, mut ending) = (Vec::new(), Vec::new());
         while let Some(edge) = self.status.get(at).filter(|&edge| self.side(edge, place).is_eq()) {
             let ends_here = matches!(place, EventPlace::Vertex(v) if self.edges[edge as usize][1] == *v);
             if ends_here {
@@ -227,12 +257,16 @@ impl<O: Observer<SweepEvent>> Sweep<'_, O> {
             }
             self.status.remove(&mut at);
         }
-        let leaving = match *place {
-            EventPlace::Crossing(_) => through.iter().rev().copied().collect(),
-            EventPlace::Vertex(v) => self.by_direction(v, starting.iter().chain(&through).copied().collect()),
-        };
+        match *place {
+            EventPlace::Crossing(_) => leaving.extend(through.iter().rev()),
+            EventPlace::Vertex(v) => {
+                leaving.extend(starts.iter().chain(&*through));
+                self.by_direction(v, leaving);
+                starting.extend(leaving.iter().filter(|&&edge| self.edges[edge as usize][0] == v));
+            }
+        }
         let above = self.status.get(at);
-        self.status.insert(at, &leaving);
+        self.status.insert(at, leaving);
         match (leaving.first(), leaving.last()) {
             (Some(&lowest), Some(&highest)) => {
                 self.expect(below, Some(lowest));
@@ -240,10 +274,6 @@ impl<O: Observer<SweepEvent>> Sweep<'_, O> {
             }
             _ => self.expect(below, above),
         }
-        let starting: Vec<u32> = match *place {
-            EventPlace::Vertex(v) => leaving.into_iter().filter(|&edge| self.edges[edge as usize][0] == v).collect(),
-            EventPlace::Crossing(_) => Vec::new(),
-        };
         self.observer.observe(|| SweepEvent {
             at: match *place {
                 EventPlace::Vertex(v) => self.points[v as usize],
@@ -256,18 +286,17 @@ impl<O: Observer<SweepEvent>> Sweep<'_, O> {
             status: self.status.all().collect(),
             expected: self.heap.iter().map(|Reverse(Waiting(crossing))| crossing.rounded().0).collect(),
         });
-        if through.is_empty() && !self.overlap(place, &starting) {
+        if through.is_empty() && !self.overlap(place, starting) {
             return ControlFlow::Continue(());
         }
-        visit(&EventPoint { place: *place, through: &through, ending: &ending, starting: &starting })
+        visit(&EventPoint { place: *place, through, ending, starting })
     }
 
     /// Edges through or from a vertex, from bottom to top just after it.
-    fn by_direction(&self, v: u32, mut edges: Vec<u32>) -> Vec<u32> {
+    fn by_direction(&self, v: u32, edges: &mut [u32]) {
         let here = self.points[v as usize];
         let far = |edge: u32| self.ends(edge)[1];
         edges.sort_unstable_by(|&e, &g| orientation(here, far(g), far(e)).then(e.cmp(&g)));
-        edges
     }
 
     /// Whether two of the edges that start at the event point run in the same direction.

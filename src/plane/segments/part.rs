@@ -29,7 +29,7 @@ impl Subdivision {
         edges.iter().enumerate().for_each(|(i, e)| new_edge[e.index()] = i as u32);
         let new_half = |h: HalfEdgeId| match new_edge[h.edge().index()] {
             GONE => None,
-            e => Some(2 * e | h.number() & 1),
+            e => Some(2 * e + (h.number() & 1)),
         };
         let mut number = vec![GONE; self.dcel.vertex_bound()];
         edges.iter().flat_map(|&e| self.edge_ends(e)).for_each(|v| number[v.index()] = 0);

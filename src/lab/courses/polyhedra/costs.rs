@@ -6,16 +6,13 @@
 //! ```
 
 use super::shapes::{blind, torus};
-use crate::fault::{Fault, FaultKind};
-use crate::protocol::{Called, Case, CaseAnswer, Reply, Start, Step, Structure, grouped};
+use crate::many::Large;
+use crate::protocol::{Case, Start, Step, Structure};
 use std::sync::{Arc, OnceLock};
 
 /// How many questions are asked, and how many reads they have together. The solution needs 130,000.
 const QUESTIONS: usize = 10_000;
 const BUDGET: u64 = 1_000_000;
-/// Around every vertex there are four others.
-const ANSWERS: u64 = 4;
-const RECORDS: u64 = 135_000;
 
 /// The large surface.
 pub(super) fn large_torus() -> Start {
@@ -31,43 +28,14 @@ pub(super) fn questions() -> Case {
     case.step(Step::Many { function: "vertices_around".to_owned(), count: QUESTIONS, budget: BUDGET })
 }
 
-/// What is wrong with the answers to many questions.
-pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
-    let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
-    asked.zip(&answer.replies).filter_map(|((step, asked), reply)| fault(test, step, asked, reply)).collect()
-}
-
-fn fault(test: &'static str, step: usize, asked: &Step, reply: &Reply) -> Option<Fault> {
-    let Step::Many { function, .. } = asked else { return None };
-    let (kind, tag, words) = match reply {
-        Reply::Many(many) if many.asked < QUESTIONS || many.reads > BUDGET => {
-            let words = format!(
-                "{function} looks at everything: {} reads for v{}, which has {ANSWERS} neighbours, in a structure of {} \
-                 records",
-                grouped(many.most),
-                many.element,
-                grouped(RECORDS),
-            );
-            (FaultKind::TooSlow { place: many.place.clone() }, "reads", words)
-        }
-        Reply::Many(many) if many.answers != ANSWERS * QUESTIONS as u64 => {
-            let words = format!(
-                "{function}, asked for {} vertices, gave {} values altogether, expected {}",
-                grouped(QUESTIONS as u64),
-                grouped(many.answers),
-                grouped(ANSWERS * QUESTIONS as u64),
-            );
-            (FaultKind::Wrong, "answers", words)
-        }
-        Reply::Called(Called { end, .. }) => {
-            let words = format!("{function}, asked for many vertices of a large structure, {}", end.words());
-            (FaultKind::of_end(end)?, "end", words)
-        }
-        _ => return None,
-    };
-    let rule = "cost".to_owned();
-    Some(Fault { test, kind, step, rule, tag: tag.to_owned(), words, elements: Vec::new(), instead: None })
-}
+/// What many questions about it should give: around every vertex there are four others.
+pub(super) const LARGE: Large = Large {
+    records: 135_000,
+    answers: 4 * QUESTIONS as u64,
+    one: "which has 4 neighbours",
+    elements: "vertices",
+    letter: 'v',
+};
 
 #[cfg(test)]
 mod tests {
@@ -75,6 +43,6 @@ mod tests {
 
     #[test]
     fn the_large_surface_has_as_many_records_as_it_says() {
-        assert_eq!(large_torus().structure().map(Structure::len), Some(RECORDS as usize));
+        assert_eq!(large_torus().structure().map(Structure::len), Some(LARGE.records as usize));
     }
 }

@@ -9,9 +9,9 @@ use crate::answers::{self, Function};
 use crate::cases::random::Random;
 use crate::fault::{Exchange, Fault, FaultKind};
 use crate::judge::{Asked, Feature, Judge, Suite};
-use crate::pictures;
 use crate::plan::{Plan, Secret};
 use crate::protocol::{Case, CaseAnswer, Schema, Start, Step};
+use crate::{many, pictures};
 
 /// How many random surfaces each test has.
 const RANDOM: usize = 8;
@@ -117,7 +117,7 @@ impl Judge for Polyhedra {
             }
             LARGE => {
                 let mut faults = answers::judge(IN_LARGE, case, answer);
-                faults.extend(costs::judge(LARGE, case, answer));
+                faults.extend(many::judge(LARGE, &costs::LARGE, case, answer));
                 faults
             }
             _ => answers::judge(FUNCTIONS, case, answer),

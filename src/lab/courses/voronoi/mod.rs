@@ -4,7 +4,7 @@
 //!   suites.rs    the judge: its cases, test by test      starts.rs   the triangulations they begin with
 //!   centres.rs   centres of circles, to 30 digits        duals.rs    the dual, and its vertices in their places
 //!   cells.rs     rays and the corners of cells           picture.rs  the picture of the handout
-//!   features.rs  what can be said of a call
+//!   costs.rs     a large triangulation                     features.rs  what can be said of a call
 //! ```
 //!
 //! Expected answers come from the definitions: a dual half-edge lies between two faces and has a vertex on its left; a
@@ -12,6 +12,7 @@
 
 mod cells;
 mod centres;
+mod costs;
 mod duals;
 mod features;
 mod picture;

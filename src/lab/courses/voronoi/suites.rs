@@ -1,21 +1,22 @@
 //! The cases of lab 08, test by test.
 
 use super::starts::{self, Given};
-use super::{cells, centres, duals, features, picture};
+use super::{cells, centres, costs, duals, features, picture};
 use crate::answers::{self, Function};
 use crate::cases::random::Random;
 use crate::cases::starts::{convex, grid, polygon, wheel};
 use crate::fault::{Exchange, Fault, FaultKind};
 use crate::judge::{Asked, Feature, Judge, Suite};
-use crate::pictures;
 use crate::plan::{Plan, Secret};
 use crate::protocol::{Case, CaseAnswer, Start, Step};
+use crate::{many, pictures};
 
 /// How many random cases each test has.
 const RANDOM: usize = 8;
 /// For how many elements of a triangulation a function is asked.
 const ELEMENTS: usize = 40;
 const PICTURE: &str = "picture";
+const LARGE: &str = "cell_large";
 
 /// The functions of the lab, each with the test that it decides.
 const FUNCTIONS: &[Function] = &[
@@ -25,6 +26,9 @@ const FUNCTIONS: &[Function] = &[
     Function { word: "ray", test: "ray", wrong: cells::wrong_ray },
     Function { word: "cell", test: "cell", wrong: cells::wrong_cell },
 ];
+
+/// The same questions in the large triangulation.
+const IN_LARGE: &[Function] = &[Function { word: "cell", test: LARGE, wrong: cells::wrong_cell }];
 
 /// The judge of lab 08.
 pub struct VoronoiDiagrams;
@@ -44,12 +48,18 @@ impl Judge for VoronoiDiagrams {
             Suite { name: function.test, tests: std::slice::from_ref(&function.test), asked }
         };
         let mut suites: Vec<Suite> = FUNCTIONS.iter().map(suite).collect();
+        suites.push(Suite { name: LARGE, tests: &[LARGE], asked: Asked::fixed([costs::questions()]) });
         let drawn = Case::new(PICTURE, Start::line("sites")).step(Step::Dump).step(Step::Svg);
         suites.push(Suite { name: PICTURE, tests: &[PICTURE], asked: Asked::fixed([drawn]) });
         suites
     }
 
     fn judge(&self, suite: &Suite, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
+        if suite.name == LARGE {
+            let mut faults = answers::judge(IN_LARGE, case, answer);
+            faults.extend(many::judge(LARGE, &costs::LARGE, case, answer));
+            return faults;
+        }
         if suite.name != PICTURE {
             return answers::judge(FUNCTIONS, case, answer);
         }
@@ -78,7 +88,7 @@ impl Judge for VoronoiDiagrams {
             (_, "dual") => "the dual has a vertex for each face, a face for each vertex, and crosses each half-edge",
             (_, "voronoi") => "the vertices of the dual are the centres of the triangles",
             (_, "ray") => "a ray begins at the centre of its triangle and runs away from the triangulation",
-            (_, "cell") => "cell lists the centres of the triangles at a vertex, counter-clockwise",
+            (_, "cell" | LARGE) => "cell lists the centres of the triangles at a vertex, counter-clockwise",
             _ => "the picture shows the edges and rays of the diagram, and its sites",
         }
     }

@@ -1,0 +1,65 @@
+//! Many small questions in a large structure: who looks at everything has the reads used up after a few of them.
+//!
+//! ```text
+//!   many 10000 vertices_around 1000000     answers 40000 reads 130000
+//!                                          or: asked 7 reads 1000012, the most for v300
+//! ```
+//!
+//! Time plays no part: reads are counted, and are the same on every machine.
+
+use super::fault::{Fault, FaultKind};
+use super::protocol::{Called, Case, CaseAnswer, Reply, Step, grouped};
+
+/// A large structure, and what many questions about it should give.
+pub struct Large {
+    /// How many records it has.
+    pub records: u64,
+    /// How many values all answers have together.
+    pub answers: u64,
+    /// What most of the elements have, as it stands in a sentence: `which has 4 neighbours`.
+    pub one: &'static str,
+    /// What is asked for: `vertices`.
+    pub elements: &'static str,
+    /// What the numbers of these begin with.
+    pub letter: char,
+}
+
+/// What is wrong with the answers to many questions in a large structure.
+pub fn judge(test: &'static str, large: &Large, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
+    let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
+    asked.zip(&answer.replies).filter_map(|((step, asked), reply)| fault(test, large, step, asked, reply)).collect()
+}
+
+fn fault(test: &'static str, large: &Large, step: usize, asked: &Step, reply: &Reply) -> Option<Fault> {
+    let Step::Many { function, count, budget } = asked else { return None };
+    let (kind, tag, words) = match reply {
+        Reply::Many(many) if many.asked < *count || many.reads > *budget => {
+            let words = format!(
+                "{function} looks at everything: {} reads for {}{}, {}, in a structure of {} records",
+                grouped(many.most),
+                large.letter,
+                many.element,
+                large.one,
+                grouped(large.records),
+            );
+            (FaultKind::TooSlow { place: many.place.clone() }, "reads", words)
+        }
+        Reply::Many(many) if many.answers != large.answers => {
+            let words = format!(
+                "{function}, asked for {} {}, gave {} values altogether, expected {}",
+                grouped(*count as u64),
+                large.elements,
+                grouped(many.answers),
+                grouped(large.answers),
+            );
+            (FaultKind::Wrong, "answers", words)
+        }
+        Reply::Called(Called { end, .. }) => {
+            let words = format!("{function}, asked for many {} of a large structure, {}", large.elements, end.words());
+            (FaultKind::of_end(end)?, "end", words)
+        }
+        _ => return None,
+    };
+    let rule = "cost".to_owned();
+    Some(Fault { test, kind, step, rule, tag: tag.to_owned(), words, elements: Vec::new(), instead: None })
+}
