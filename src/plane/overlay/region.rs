@@ -102,12 +102,13 @@ impl Overlay {
 
     /// The union, intersection, difference or symmetric difference of the regions of a and b.
     ///
-    /// Bounded faces outside the result are hole faces. Vertices are those at edges that stay, in their order.
+    /// Bounded faces outside the result are hole faces. Vertices are those at edges that stay, in their order. The faces
+    /// and edges of [`subdivision`](Overlay::subdivision) must still be those that the overlay made.
     ///
-    /// Cost: O(n log n).
+    /// Cost: O(n log n), for the order of the vertices from left to right; nothing is arranged again.
     ///
     /// # Errors
-    /// None are known: the edges meet at ends only. The error is that of [`from_graph`](Subdivision::from_graph).
+    /// [`SegmentsError::TooMany`], which cannot be: the result has no more elements than the overlay.
     pub fn region(&self, operation: Operation, parts: Parts) -> Result<Subdivision, SegmentsError> {
         self.region_where(parts, |f| {
             let [in_a, in_b] = self.is_in(f);
