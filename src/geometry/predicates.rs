@@ -35,10 +35,60 @@ pub(crate) const ROUNDING: f64 = 3.330_669_073_875_472e-16;
 
 /// Whether d lies inside (`Greater`), on (`Equal`) or outside (`Less`) the circle through a, b, c, which must
 /// turn counter-clockwise. Exact, as [`orientation`].
+///
+/// Mostly the determinant in doubles is clear. If it is not, four points of a grid are decided in whole numbers, since
+/// there many circles pass through more than three points; else crate `robust` decides.
+///
+/// Source: Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric predicates*, 1997.
 #[must_use]
 #[inline]
 pub fn in_circle(a: Point, b: Point, c: Point, d: Point) -> Ordering {
-    sign(robust::incircle(coord(a), coord(b), coord(c), coord(d)))
+    let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|p| [p.x - d.x, p.y - d.y]);
+    let [bc, cb, ca, ac, ab, ba] = [bx * cy, cx * by, cx * ay, ax * cy, ax * by, bx * ay];
+    let [aa, bb, cc] = [ax * ax + ay * ay, bx * bx + by * by, cx * cx + cy * cy];
+    let determinant = aa * (bc - cb) + bb * (ca - ac) + cc * (ab - ba);
+    let size = (bc.abs() + cb.abs()) * aa + (ca.abs() + ac.abs()) * bb + (ab.abs() + ba.abs()) * cc;
+    let doubt = CIRCLE_ROUNDING * size;
+    if determinant > doubt {
+        Ordering::Greater
+    } else if determinant < -doubt {
+        Ordering::Less
+    } else {
+        in_circle_on_grid([a, b, c], d)
+            .unwrap_or_else(|| sign(robust::incircle(coord(a), coord(b), coord(c), coord(d))))
+    }
+}
+
+/// How much of the sum of the sizes of its products rounding may change the determinant of a circle: (10 + 96 e) e,
+/// e = 2^-53.
+const CIRCLE_ROUNDING: f64 = 1.110_223_024_625_157_7e-15;
+
+/// The same for points whose differences are multiples of 1/1024, and smaller than 2^20: in whole numbers. `None` for
+/// others.
+#[cold]
+fn in_circle_on_grid(corners: [Point; 3], d: Point) -> Option<Ordering> {
+    let mut whole = [[0_i64; 2]; 3];
+    for (p, whole) in corners.iter().zip(&mut whole) {
+        *whole = [steps(p.x, d.x)?, steps(p.y, d.y)?];
+    }
+    let [a, b, c] = whole;
+    let square = |[x, y]: [i64; 2]| x * x + y * y;
+    let turn = |[x, y]: [i64; 2], [u, v]: [i64; 2]| x * v - u * y;
+    // Differences below 2^30 steps: squares and turns are below 2^62, products below 2^124.
+    let product = |n: i64, m: i64| i128::from(n) * i128::from(m);
+    let determinant = product(square(a), turn(b, c)) + product(square(b), turn(c, a)) + product(square(c), turn(a, b));
+    Some(determinant.cmp(&0))
+}
+
+/// a - b in steps of 1/1024, if that is a whole number below 2^30 without any rounding.
+#[inline]
+fn steps(a: f64, b: f64) -> Option<i64> {
+    let difference = a - b;
+    let (rest_b, scaled) = (a - difference, difference * 1024.0);
+    // What the subtraction has lost, as in a sum of two doubles.
+    let lost = (a - (difference + rest_b)) + (rest_b - b);
+    let whole = scaled as i64;
+    (lost == 0.0 && whole as f64 - scaled == 0.0 && whole.unsigned_abs() < 1 << 30).then_some(whole)
 }
 
 /// Twice the area of the triangle a, b, c: positive if it runs counter-clockwise. The sign is exact, the size rounded.
@@ -92,5 +142,52 @@ mod tests {
             }
         }
         assert!(wrong > 500 && clear > 100 && on_the_line >= 96, "{wrong} {clear} {on_the_line}: an easy test");
+    }
+
+    #[test]
+    fn circles_are_decided_as_by_all_digits() {
+        let mut state = 9_u64;
+        let mut below = |n: u64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) % n
+        };
+        // By kind of step: decided on the grid, left to all digits; and how many points lie on the circle.
+        let [mut on_grid, mut left, mut round] = [[0; 9]; 3];
+        for i in 0..225_000 {
+            let kind = i % 9;
+            let step = [1.0, 0.5, 1.0 / 1024.0, 1.0 / 2048.0, 0.1, 1.0, 40_000.0, 1e-30, 1.0][kind];
+            let far = [0.0, 1000.0, 3.0, 0.0, 0.0, 2f64.powi(50), 0.0, 0.0, 0.0][kind];
+            let size = [6, 6, 9, 6, 6, 9, 30, 9, 4][kind];
+            let mut place = || {
+                let (x, y) = (far + below(size) as f64 * step, far * 0.5 + below(size) as f64 * step);
+                // What a difference from other numbers loses.
+                if kind == 8 && x == 0.0 { Point::new(1e-30, y) } else { Point::new(x, y) }
+            };
+            let [mut a, b, mut c, mut d] = [place(), place(), place(), place()];
+            if i / 9 % 3 == 0 {
+                // The fourth corner of a rectangle, often a little beside it.
+                d = Point::new(a.x - b.x + c.x, a.y - b.y + c.y);
+            }
+            if robust::orient2d(coord(a), coord(b), coord(c)) < 0.0 {
+                std::mem::swap(&mut a, &mut c);
+            }
+            let exact = sign(robust::incircle(coord(a), coord(b), coord(c), coord(d)));
+            assert_eq!(in_circle(a, b, c, d), exact, "{a} {b} {c} {d}");
+            match in_circle_on_grid([a, b, c], d) {
+                Some(found) => {
+                    assert_eq!(found, exact, "{a} {b} {c} {d}");
+                    on_grid[kind] += 1;
+                }
+                None => left[kind] += 1,
+            }
+            round[kind] += usize::from(exact.is_eq());
+        }
+        let all = 25_000;
+        assert_eq!([0, 1, 2, 5].map(|kind| on_grid[kind]), [all; 4], "{on_grid:?}");
+        assert!([3, 4, 7].iter().all(|&kind| left[kind] > all / 2) && left[6] > 1000, "{left:?}");
+        assert!(
+            on_grid[3] > 100 && on_grid[6] > 1000 && round.iter().all(|&count| count > 200),
+            "{on_grid:?} {round:?}"
+        );
     }
 }
