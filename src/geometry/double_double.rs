@@ -5,8 +5,9 @@
 //!                   106 bits                      than the bound promises asks an exact sum
 //! ```
 //!
-//! All bounds hold for points that pass the check at the door and for polynomials in their differences up to degree 3:
-//! nothing overflows, and nothing is lost below.
+//! All bounds hold for points that pass the check at the door, for polynomials in their differences up to degree 3, and for
+//! quotients of these: nothing overflows. What a quotient may lose below 2^-1022, and what products make of that, is less than
+//! 2^-800: so no sign is told of anything smaller, unless it is exactly 0.
 //!
 //! Source: Dekker, *A floating-point technique for extending the available precision*, 1971.
 
@@ -15,6 +16,10 @@ use std::cmp::Ordering;
 
 /// How far one rounding can be off, relatively.
 const ROUNDING: f64 = f64::EPSILON / 2.0;
+/// What is lost below the smallest doubles stays below this.
+const LOST: f64 = f64::from_bits((1023 - 800) << 52);
+/// A quotient nearer to 0 is not computed: its digits may lie below the smallest doubles.
+const TINY: f64 = f64::from_bits((1023 - 400) << 52);
 /// Bounds are sums of a few products, all positive: this covers their own roundings.
 const SPARE: f64 = 1.0 + 16.0 * f64::EPSILON;
 
@@ -54,6 +59,8 @@ impl DoubleDouble {
         let (a, b) = (self, other);
         let (product, rest) = two_product(a.high, b.high);
         let inherited = a.high.abs() * b.error + (b.high.abs() + b.error) * a.error;
+        // A bound must not become 0 by rounding.
+        let inherited = if a.error + b.error > 0.0 { inherited + f64::MIN_POSITIVE } else { inherited };
         if a.low == 0.0 && b.low == 0.0 {
             return Self { high: product, low: rest, error: inherited * SPARE };
         }
@@ -73,13 +80,16 @@ impl DoubleDouble {
             return None;
         }
         let first = self.high / by.high;
+        if first != 0.0 && first.abs() < TINY {
+            return None;
+        }
         let left = self.minus(Self::of(first).times(by));
         if left == Self::of(0.0) {
             return Some(Self::of(first));
         }
         let second = left.high / by.high;
         let rest = (left.low.abs() + left.error) / divisor * (1.0 + 1e-11);
-        let error = (rest + second.abs() * (2.0 * blurred + ROUNDING)) * SPARE;
+        let error = (rest + second.abs() * (2.0 * blurred + ROUNDING) + f64::MIN_POSITIVE) * SPARE;
         let (high, low) = two_sum(first, second);
         Some(Self { high, low, error })
     }
@@ -102,7 +112,7 @@ impl DoubleDouble {
     pub(crate) fn sign(self) -> Option<Ordering> {
         let Self { high, low, error } = self;
         // The high part is the nearest double to the sum of both, so it has the sign of the sum.
-        if high.abs() - low.abs() > error * SPARE {
+        if high.abs() - low.abs() > error * SPARE + LOST {
             high.partial_cmp(&0.0)
         } else {
             (high == 0.0 && error == 0.0).then_some(Ordering::Equal)
@@ -225,5 +235,11 @@ mod tests {
             (None, Some(Ordering::Equal))
         );
         assert_eq!(third.order(DoubleDouble::of(1.0 / 3.0)), Some(Ordering::Greater));
+        // Near the smallest doubles nothing is told but an exact 0.
+        let tiny = DoubleDouble::of(2f64.powi(-600));
+        assert_eq!((tiny.sign(), tiny.over(DoubleDouble::of(1.0))), (Some(Ordering::Greater), None));
+        assert_eq!(DoubleDouble::of(2f64.powi(-900)).sign(), None);
+        let nothing = third.minus(third).times(DoubleDouble::of(2f64.powi(-190)));
+        assert_eq!((nothing.high, nothing.sign()), (0.0, None));
     }
 }
