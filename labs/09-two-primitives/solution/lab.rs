@@ -166,6 +166,14 @@ impl Dcel {
         // BEGIN SOLUTION
         // STARTER: let _ = (h, pieces);
         // STARTER: todo!("divide")
+        // At the tip of a spur a split makes another spur: there the edge is cut from its other end, and h stays the first.
+        if self.ccw(h) == h {
+            for _ in 1..pieces {
+                let back = self.twin(h);
+                self.split_vertex(back, self.ccw(back));
+            }
+            return h;
+        }
         let mut start = h;
         for piece in 1..pieces {
             let new = self.split_vertex(h, self.ccw(h));

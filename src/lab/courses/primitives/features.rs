@@ -11,14 +11,16 @@ crate::features! {
     Spur "spur" "no half-edge moves",
     OneMoves "one_moves" "one half-edge moves",
     SeveralMove "several_move" "several half-edges move",
-    Refused "refused" "the two half-edges do not belong together",
-    Belong "belong" "the two half-edges belong together",
+    Refused "refused" "the split has to be refused",
+    Belong "belong" "the split can be made",
     TwoFaces "two_faces" "the new edge lies between two different faces",
     Stored "stored" "the vertex knows a half-edge that moves",
     StoredFace "stored_face" "the face knows a half-edge of the new face",
     Antenna "antenna" "a dangling edge is on the new face",
     Torus "torus" "the surface is a torus",
     Sphere "sphere" "the surface is a sphere",
+    Tip "tip" "the half-edge begins at the tip of a spur",
+    NoTip "no_tip" "the half-edge does not begin at the tip of a spur",
     OnePiece "one_piece" "there is nothing to cut",
     SquareCells "square_cells" "there are as many rows as columns",
     OneLayer "one_layer" "there is one layer, row or piece",
@@ -91,6 +93,9 @@ pub(super) fn of(exchange: &Exchange) -> Option<u128> {
             let sides = round(before, h)?.len();
             set.add(Word::Many as u32, sides > 8);
             set.add(Word::Triangle as u32, sides == 3);
+            if exchange.function == "divide" {
+                set.either(Word::Tip as u32, Word::NoTip as u32, turned(before, h) == Some(h));
+            }
         }
         _ => {}
     }

@@ -1,6 +1,7 @@
 //! What is wrong with a call: the structure after it against the one that the reference makes.
 
 use super::reference::{self, round};
+use crate::answers;
 use crate::checks::faults::Faults;
 use crate::fault::{Exchange, Fault, FaultKind};
 use crate::protocol::{CallEnd, Value};
@@ -50,7 +51,7 @@ pub(super) fn judge(exchange: &Exchange, test: &'static str) -> Vec<Fault> {
         return faults.all();
     };
     if let Some(expected) = shape(exchange.function, &numbers) {
-        compare(test, &after, &expected, None, &mut faults);
+        compare(test, &after, &expected, |_| false, &mut faults);
         return faults.all();
     }
     let Some(before) = exchange.before().map(|before| closed(before)) else { return faults.all() };
@@ -63,16 +64,21 @@ pub(super) fn judge(exchange: &Exchange, test: &'static str) -> Vec<Fault> {
         ("split_face", Some(other)) => before.face(first) == before.face(other),
         _ => true,
     };
+    let [alike, unlike] = if exchange.function == "split_vertex" {
+        ["start at the same vertex", "start at different vertices"]
+    } else {
+        ["have the same face", "have different faces"]
+    };
     if !belong {
         if !matches!(values.as_slice(), [Value::Refusal(_)]) {
-            faults.wrong(test, "accepted", "expected None: the two half-edges do not belong together", &[]);
+            faults.wrong(test, "accepted", &format!("expected None: the two half-edges {unlike}"), &[]);
         } else if after != before {
             faults.wrong(test, "refused.changed", "returned None, and has changed the structure", &[]);
         }
         return faults.all();
     }
     if matches!(values.as_slice(), [Value::Refusal(_)]) {
-        faults.wrong(test, "refused", "returned None, but the two half-edges belong together", &[]);
+        faults.wrong(test, "refused", &format!("returned None, but the two half-edges {alike}"), &[]);
         return faults.all();
     }
     let made = match (exchange.function, second) {
@@ -84,8 +90,9 @@ pub(super) fn judge(exchange: &Exchange, test: &'static str) -> Vec<Fault> {
         ("extrude", _) => reference::extrude(&mut expected, first).map(|_| ()),
         _ => None,
     };
-    if made.is_some() && compare(test, &after, &expected, Some(&before), &mut faults) {
-        returned(exchange.function, test, [&before, &after], first, values, &mut faults);
+    let keeps = |element| is_old(&before, element) && !may_move(exchange.function, &before, first, element);
+    if made.is_some() && compare(test, &after, &expected, keeps, &mut faults) {
+        returned(exchange.function, test, [&before, &after], (first, number(0)), values, &mut faults);
     }
     faults.all()
 }
@@ -99,20 +106,41 @@ fn count(function: &str, test: &'static str, before: &Table, values: &[Value], f
     }
 }
 
-/// Whether the structure is as expected; old elements keep their numbers.
-fn compare(test: &'static str, after: &Table, expected: &Table, before: Option<&Table>, faults: &mut Faults) -> bool {
-    let old = |element: Element| {
-        before.is_some_and(|before| match element {
-            Element::Vertex(v) => v.index() < before.vertices.len(),
-            Element::HalfEdge(h) => h.index() < before.half_edges.len(),
-            Element::Face(f) => f.index() < before.faces.len(),
-            _ => false,
-        })
-    };
-    match isomorphic_with(after, expected, &IsomorphismOptions::new().fixed(&old)) {
+/// Whether an element was there before the call.
+fn is_old(before: &Table, element: Element) -> bool {
+    match element {
+        Element::Vertex(v) => v.index() < before.vertices.len(),
+        Element::HalfEdge(h) => h.index() < before.half_edges.len(),
+        Element::Face(f) => f.index() < before.faces.len(),
+        _ => false,
+    }
+}
+
+/// Whether an old number may be that of any part: of a face that is cut, of an edge that is cut. The handout leaves it open.
+fn may_move(function: &str, before: &Table, h: HalfEdgeId, element: Element) -> bool {
+    match (function, element) {
+        ("pole" | "fill", Element::Face(f)) => before.face(h) == Some(f),
+        ("divide", Element::HalfEdge(other)) => other == h || before.twin(h) == Some(other),
+        _ => false,
+    }
+}
+
+/// Whether the structure is as expected, with those elements that keep their numbers.
+fn compare(
+    test: &'static str,
+    after: &Table,
+    expected: &Table,
+    keeps: impl Fn(Element) -> bool,
+    faults: &mut Faults,
+) -> bool {
+    match isomorphic_with(after, expected, &IsomorphismOptions::new().fixed(&keeps)) {
         Ok(_) => return true,
         Err(Difference::Broken { violation, .. }) => {
             faults.wrong(test, &format!("law.{}", violation.rule.id), &violation.to_string(), &[]);
+        }
+        Err(Difference::Unpaired { element, fixed: true, .. }) => {
+            let words = format!("{element} was there before and is to keep its place; it has another one now");
+            faults.wrong(test, "shape", &words, &[]);
         }
         Err(difference) => faults.wrong(test, "shape", &difference.to_string(), &[]),
     }
@@ -124,7 +152,7 @@ fn returned(
     function: &str,
     test: &'static str,
     [before, after]: [&Table; 2],
-    h: HalfEdgeId,
+    (h, pieces): (HalfEdgeId, usize),
     values: &[Value],
     faults: &mut Faults,
 ) {
@@ -142,9 +170,14 @@ fn returned(
         }
         "pole" => id.is_some_and(|id| VertexId::new(id).index() == before.vertices.len()),
         "divide" => edge.is_some_and(|edge| {
+            let round = round(after, edge).unwrap_or_default();
+            let pieces = round.get(..pieces).unwrap_or_default();
+            let is_new = |h: &HalfEdgeId| after.origin(*h).is_some_and(|v| v.index() >= before.vertices.len());
+            // They run from where h started along new vertices, and one of them is h itself.
             after.origin(edge) == before.origin(h)
                 && after.face(edge) == before.face(h)
-                && round(after, edge).is_some_and(|all| all.contains(&h))
+                && pieces.contains(&h)
+                && pieces.iter().skip(1).all(is_new)
         }),
         "extrude" => edge.is_some_and(|edge| {
             let across = after.twin(edge).and_then(|twin| after.next(twin)).and_then(|up| after.next(up));
@@ -153,7 +186,14 @@ fn returned(
         _ => true,
     };
     if !right {
-        let words = "the structure is right, but what is returned is not what the handout says";
-        faults.wrong(test, &format!("{function}.returned"), words, &[]);
+        let due = match function {
+            "split_vertex" => "the new half-edge that ends at the new vertex",
+            "split_face" => "the new half-edge with the new face on its left",
+            "pole" => "the new vertex",
+            "divide" => "the piece that starts where the half-edge started, in its face",
+            _ => "the half-edge of the face on top that lies above the given one",
+        };
+        let words = format!("the structure is right, but {} was returned, which is not {due}", answers::listed(values));
+        faults.wrong(test, &format!("{function}.returned"), &words, &[]);
     }
 }

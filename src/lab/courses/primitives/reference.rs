@@ -113,11 +113,13 @@ pub(super) fn pole(table: &mut Table, h: HalfEdgeId) -> Option<()> {
     Some(())
 }
 
-/// Cuts the edge of `h` in pieces.
+/// Cuts the edge of `h` in pieces: at its origin, or from its other end if that is the tip of a spur, where a split makes
+/// another spur.
 pub(super) fn divide(table: &mut Table, h: HalfEdgeId, pieces: usize) -> Option<()> {
+    let side = if turned(table, h)? == h { table.twin(h)? } else { h };
     for _ in 1..pieces {
-        let after = turned(table, h)?;
-        split_vertex(table, h, after)?;
+        let after = turned(table, side)?;
+        split_vertex(table, side, after)?;
     }
     Some(())
 }

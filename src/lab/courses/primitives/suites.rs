@@ -124,6 +124,22 @@ fn one(name: &str, function: &str, table: &Table, numbers: &mut Random) -> Vec<C
     vec![call(name.to_owned(), table, function, &words)]
 }
 
+/// Every half-edge of small surfaces with a spur, cut in two or three: at the tip there is nothing to be moved.
+fn at_spurs() -> Vec<Case> {
+    let polygon = Dcel::polygon(3).map(|ring| Table::from_view(&ring)).ok();
+    let seeds = polygon.into_iter().chain([Table::from_view(&Dcel::torus())]);
+    let mut out = Vec::new();
+    for (i, mut table) in seeds.enumerate() {
+        let first = HalfEdgeId::new(0);
+        reference::split_vertex(&mut table, first, first);
+        for h in 0..table.half_edges.len() {
+            let words = [format!("h{h}"), (2 + h % 2).to_string()];
+            out.push(call(format!("divide.spur.{i}.{h}"), &table, "divide", &words));
+        }
+    }
+    out
+}
+
 /// A polygon of 2(n + m) sides, or a torus whose two edges are cut.
 fn to_fill(name: &str, n: usize, m: usize, is_torus: bool) -> Option<Case> {
     let (table, first) = if is_torus {
@@ -223,6 +239,8 @@ impl Judge for Primitives {
         let bands: &[&[usize]] = &[&[3, 2], &[4, 3], &[6, 4], &[40, 9]];
         let mut rings = shapes("ring", &[&[3], &[4], &[7], &[300]]);
         rings.extend(shapes("torus_seed", &[&[]]));
+        let mut divide = Asked::fixed(at_spurs());
+        divide.extend(asked("divide", "divide", one, plan));
         let drawn = Case::new("picture", start(&Table::from_view(&Dcel::torus()))).step(Step::Svg);
         vec![
             suite("seeds", &["seeds"], rings),
@@ -232,7 +250,7 @@ impl Judge for Primitives {
             suite("euler", &["euler"], asked("euler", "euler", count, plan)),
             suite("genus", &["genus"], asked("genus", "genus", count, plan)),
             suite("pole", &["pole"], asked("pole", "pole", one, plan)),
-            suite("divide", &["divide"], asked("divide", "divide", one, plan)),
+            suite("divide", &["divide"], divide),
             suite("fill", &["fill"], Asked::fixed(fill)),
             suite("grid", &["grid"], shapes("grid", cells)),
             suite("torus", &["torus"], shapes("torus", wrapped)),
