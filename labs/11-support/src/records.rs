@@ -7,8 +7,52 @@ const fn link(name: &'static str, letter: char) -> Column {
     Column::Link(Link { name, letter })
 }
 
-fn live(live: bool) -> Cell {
-    Cell::Number(if live { 1.0 } else { 0.0 })
+/// The last field of a record: 1 if it is live, 0 if it is free. Other numbers tell what is wrong beside the records; the
+/// odd ones are those of live records.
+///
+/// ```text
+///   2  free, but not on its free list, or more than once      3  live, but on the free list
+///   4  free, but in the edge map                              5  live, but the edge map does not fit
+/// ```
+fn state(live: bool, free: &[usize], number: usize, map_fits: bool) -> usize {
+    let listed = free.iter().filter(|&&other| other == number).count();
+    match (live, listed, map_fits) {
+        (true, 0, true) => 1,
+        (false, 1, true) => 0,
+        (true, 0, false) => 5,
+        (false, 1, false) => 4,
+        (true, ..) => 3,
+        (false, ..) => 2,
+    }
+}
+
+impl Mesh {
+    /// The state of a record, and of what the free lists and the edge map say of it.
+    fn state(&self, table: usize, number: usize) -> usize {
+        match table {
+            0 => state(self.vertices[number].live, &self.free_vertices, number, self.fits_from(number)),
+            1 => state(self.half_edges[number].live, &self.free_half_edges, number, self.is_known(number)),
+            _ => state(self.faces[number].live, &self.free_faces, number, true),
+        }
+    }
+
+    /// Whether all entries of the edge map that begin at `v` lead to the live half-edge with these ends.
+    fn fits_from(&self, v: usize) -> bool {
+        self.edges.from(v).all(|(to, h)| {
+            let end = |h: &HalfEdge| h.twin.and_then(|twin| self.half_edges.get(twin)?.origin);
+            self.half_edges.get(h).is_some_and(|h| h.live && h.origin == Some(v) && end(h) == Some(to))
+        })
+    }
+
+    /// Whether the edge map leads to `h` from its ends. Free half-edges, and those without ends, need not be in the map.
+    fn is_known(&self, h: usize) -> bool {
+        let half_edge = self.half_edges[h];
+        let end = half_edge.twin.and_then(|twin| self.half_edges.get(twin)?.origin);
+        match (half_edge.live, half_edge.origin, end) {
+            (true, Some(from), Some(to)) => self.half_edge_between(from, to) == Some(h),
+            _ => true,
+        }
+    }
 }
 
 impl Structure for Mesh {
@@ -52,25 +96,27 @@ impl Structure for Mesh {
     }
 
     fn row(&self, table: usize, number: usize) -> Vec<Cell> {
+        let state = Cell::Number(self.state(table, number) as f64);
         match table {
             0 => {
                 let vertex = self.vertices[number];
                 let mut row: Vec<Cell> = vertex.pos.map(Cell::Number).into();
-                row.extend([Cell::Link(vertex.outgoing_half_edge), live(vertex.live)]);
+                row.push(Cell::Link(vertex.outgoing_half_edge));
+                row.push(state);
                 row
             }
             1 => {
                 let h = self.half_edges[number];
                 let mut row: Vec<Cell> = [h.origin, h.twin, h.next, h.prev, h.face].map(Cell::Link).into();
-                row.push(live(h.live));
+                row.push(state);
                 row
             }
-            _ => vec![Cell::Link(self.faces[number].incident_half_edge), live(self.faces[number].live)],
+            _ => vec![Cell::Link(self.faces[number].incident_half_edge), state],
         }
     }
 
     fn add(&mut self, table: usize, row: &[Cell]) {
-        let live = row.last().is_some_and(|cell| cell.number() != 0.0);
+        let live = row.last().is_some_and(|cell| cell.number() as u32 % 2 == 1);
         match (table, row) {
             (0, [x, y, z, outgoing, _]) => {
                 let pos = [x, y, z].map(|cell| cell.number());
@@ -104,11 +150,12 @@ impl Structure for Mesh {
     }
 
     fn differs(&self, other: &Self, table: usize, number: usize) -> bool {
-        match table {
+        let is_other = match table {
             0 => self.vertices[number] != other.vertices[number],
             1 => self.half_edges[number] != other.half_edges[number],
             _ => self.faces[number] != other.faces[number],
-        }
+        };
+        is_other || self.state(table, number) != other.state(table, number)
     }
 
     fn single(&self, _: usize) -> Option<usize> {

@@ -6,6 +6,7 @@
 //! ```
 
 use super::answers::{is_edit, numbers};
+use super::laws::is_live;
 use super::mistakes::{self, Plateau};
 use super::model::{Model, Place};
 use crate::fault::Exchange;
@@ -63,10 +64,6 @@ pub(super) fn vocabulary() -> &'static [Feature] {
     VOCABULARY
 }
 
-fn live(row: &[Cell]) -> bool {
-    row.last().and_then(|cell| cell.number()).is_some_and(|live| live != 0.0)
-}
-
 fn place(row: &[Cell]) -> Option<Place> {
     Some([row[0].number()?, row[1].number()?, row[2].number()?])
 }
@@ -79,9 +76,9 @@ fn ends(records: &Records, row: &[Cell]) -> Option<(usize, usize)> {
 
 /// The mesh that the records stand for.
 fn model_of(records: &Records) -> Model {
-    let vertices = records.rows(0).map(|row| place(row).filter(|_| live(row))).collect();
+    let vertices = records.rows(0).map(|row| place(row).filter(|_| is_live(row))).collect();
     let mut across = BTreeMap::new();
-    for row in records.rows(1).filter(|row| live(row) && row[4].to().is_some()) {
+    for row in records.rows(1).filter(|row| is_live(row) && row[4].to().is_some()) {
         let corner = row[3].to().and_then(|prev| records.row(1, prev as usize)?[0].to());
         if let (Some(side), Some(corner)) = (ends(records, row), corner) {
             across.insert(side, corner as usize);
@@ -111,7 +108,7 @@ pub(super) fn of(earlier: &[&Exchange], exchange: &Exchange) -> Option<u128> {
     let model = model_of(records);
     let mut set = FeatureSet::default();
     if is_edit {
-        let free = |table: usize| records.rows(table).filter(|row| !live(row)).count();
+        let free = |table: usize| records.rows(table).filter(|row| !is_live(row)).count();
         set.add(Word::FreeVertex as u32, free(0) > 0);
         set.add(Word::TwoFree as u32, free(0) > 1);
         set.add(Word::FreeHalfEdge as u32, free(1) > 0);

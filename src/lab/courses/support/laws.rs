@@ -4,6 +4,7 @@
 //!   vertex     live as it should be, where it should be; outgoing: a half-edge with a face that starts there
 //!   half-edge  twin of its twin; in a triangle: next, prev, face agree with the triangle; at a border: none of these
 //!   face       its half-edge has it as its face
+//!   beside     each half-edge is in the edge map, and nothing else; what is free is on its free list, once
 //!   counts     as many live records as there should be, and no more records than were ever needed at a time
 //! ```
 
@@ -24,8 +25,14 @@ struct HalfEdge {
     face: Option<u32>,
 }
 
-fn is_live(row: &[Cell]) -> bool {
-    row.last().and_then(|cell| cell.number()).is_some_and(|live| live != 0.0)
+/// The last field of a record: the odd numbers are those of live ones; see [`beside`] for the others.
+fn state(row: &[Cell]) -> u32 {
+    row.last().and_then(|cell| cell.number()).map_or(0, |state| state as u32)
+}
+
+/// Whether a record is live.
+pub(super) fn is_live(row: &[Cell]) -> bool {
+    state(row) % 2 == 1
 }
 
 fn half_edge(records: &Records, h: u32) -> Option<HalfEdge> {
@@ -36,7 +43,33 @@ fn half_edge(records: &Records, h: u32) -> Option<HalfEdge> {
 
 /// The first law that is broken.
 pub(super) fn broken(records: &Records, model: &Model) -> Option<Broken> {
-    vertices(records, model).or_else(|| half_edges(records, model)).or_else(|| faces(records, model))
+    vertices(records, model)
+        .or_else(|| half_edges(records, model))
+        .or_else(|| faces(records, model))
+        .or_else(|| beside(records))
+}
+
+/// What the program says of the free lists and of the edge map.
+fn beside(records: &Records) -> Option<Broken> {
+    let names = [("v", "vertices"), ("h", "half-edges"), ("f", "faces")];
+    let all = names
+        .into_iter()
+        .enumerate()
+        .flat_map(|(table, name)| records.rows(table).enumerate().map(move |(number, row)| (name, number, state(row))));
+    for ((letter, plural), number, state) in all {
+        let wrong = match state {
+            2 => ("free.missing", format!("{letter}{number} is free, but is not once on the list of free {plural}")),
+            3 => ("free.live", format!("{letter}{number} exists, but is on the list of free {plural}")),
+            4 | 5 if letter == "v" => (
+                "map.stale",
+                format!("the edge map has an entry that begins at v{number} and leads to no half-edge with these ends"),
+            ),
+            4 | 5 => ("map.none", format!("the edge map does not lead to {letter}{number} from its two ends")),
+            _ => continue,
+        };
+        return Some(wrong);
+    }
+    None
 }
 
 fn vertices(records: &Records, model: &Model) -> Option<Broken> {
