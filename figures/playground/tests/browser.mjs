@@ -73,7 +73,14 @@ export class Browser {
     const ended = new Promise((done) => this.child.once("exit", done));
     this.child.kill();
     await ended;
-    rmSync(this.profile, { recursive: true, force: true, maxRetries: 5 });
+    // Its helpers end a little later, and may still write.
+    for (let i = 0; i < 50; i += 1) {
+      try {
+        return rmSync(this.profile, { recursive: true, force: true });
+      } catch {
+        await sleep(100);
+      }
+    }
   }
 }
 
@@ -103,6 +110,8 @@ class Page {
     for (const domain of ["Page", "Runtime", "Log", "Network"]) await this.send(`${domain}.enable`);
     await this.send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: touch });
     await this.send("Emulation.setTouchEmulationEnabled", { enabled: touch });
+    // Another page that opens would take the focus, and with it what is typed here.
+    await this.send("Emulation.setFocusEmulationEnabled", { enabled: true });
     const features = [
       { name: "prefers-color-scheme", value: dark ? "dark" : "light" },
       { name: "prefers-reduced-motion", value: still ? "reduce" : "no-preference" },

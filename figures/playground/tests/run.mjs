@@ -47,6 +47,7 @@ const savedText = (page, name) => page.evaluate(`window.blobs[${JSON.stringify(n
 const run = async (page, line) => {
   await page.evaluate(`document.getElementById("line").focus()`);
   await page.type(line);
+  await page.until(`document.getElementById("line").value.includes(${JSON.stringify(line)})`, `“${line}” is typed`);
   await page.key("Enter");
   await sleep(60);
 };
