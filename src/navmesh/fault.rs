@@ -131,7 +131,7 @@ pub enum MeshFault {
         holes: usize,
     },
     /// Two vertices that nearly meet: the faces beside them are no neighbours.
-    #[error("vertices {first} and {second} are {distance:.2e} apart: if they are meant to be one, weld them")]
+    #[error("vertices {first} and {second} are {}: if they are meant to be one, weld them", apart(*distance))]
     NearVertices {
         /// The earlier vertex.
         first: u32,
@@ -141,7 +141,7 @@ pub enum MeshFault {
         distance: f64,
     },
     /// A vertex that nearly lies on a side: the faces beside them are no neighbours.
-    #[error("vertex {vertex} is {distance:.2e} beside the side {} -> {} of face {face}: if it is meant to lie on it, weld them", side[0], side[1])]
+    #[error("vertex {vertex} is {} the side {} -> {} of face {face}: if it is meant to be a corner there, weld them", beside(*distance), side[0], side[1])]
     NearSide {
         /// The vertex.
         vertex: u32,
@@ -161,6 +161,14 @@ pub enum MeshFault {
         /// How many were named.
         named: usize,
     },
+}
+
+fn apart(distance: f64) -> String {
+    if distance > 0.0 { format!("{distance:.2e} apart") } else { "at the same place".to_owned() }
+}
+
+fn beside(distance: f64) -> String {
+    if distance > 0.0 { format!("{distance:.2e} beside") } else { "on".to_owned() }
 }
 
 impl MeshFault {

@@ -122,4 +122,4 @@ pub use surface::{
     SurfacePlanner, SurfacePoint, SurfacePointError, SurfaceRayHit, SurfaceRaycast, SurfaceRoute, SurfaceRouteError,
 };
 pub use validate::{double_corners_of, mesh_faults};
-pub use weld::{Welded, weld};
+pub use weld::{Welded, weld, weld_in_space};

@@ -9,12 +9,16 @@
 //! ```
 //!
 //! Only *border sides* matter: those that no other face has in the other direction. Vertices are looked up in a grid of
-//! equal cells, one for each.
+//! equal cells, one for each. Floors in space are looked up by their plan and measured in space, so that storeys over each
+//! other never meet.
 
 use super::fault::MeshFault;
-use crate::plane::Point;
 use crate::plane::predicates::orientation;
+use crate::plane::{Point, check_coordinate};
 use crate::topology::PolygonList;
+
+/// A point in space; the third coordinate is the height, 0 for a map of the plane.
+type Space = [f64; 3];
 
 /// What nearly meets is told for distances up to this part of the extent of the map ...
 const SUSPICIOUS: f64 = 1e-5;
@@ -40,9 +44,9 @@ pub struct Welded {
 
 /// A side that no other face has in the other direction.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-struct BorderSide {
-    ends: [u32; 2],
-    face: u32,
+pub(super) struct BorderSide {
+    pub(super) ends: [u32; 2],
+    pub(super) face: u32,
 }
 
 /// Joins what is no further apart than `distance`: vertices first, each with the nearest of those before it that stay;
@@ -68,7 +72,28 @@ struct BorderSide {
 /// ```
 #[must_use]
 pub fn weld(points: &[Point], faces: &PolygonList, distance: f64) -> Welded {
-    let is_sound = |&v: &u32| points.get(v as usize).is_some_and(|p| p.check().is_ok());
+    weld_in_space(&flat(points), faces, distance)
+}
+
+/// The same on a floor in space, whose third coordinate is the height: what lies over each other stays apart. With
+/// distance 0 a T-junction is a vertex exactly on a side, which slopes rarely have: what was computed lies beside it by its
+/// rounding.
+///
+/// Cost: as [`weld`]; storeys over each other share the cells of the plan.
+///
+/// ```
+/// use dcel_kit::{navmesh::weld_in_space, topology::PolygonList};
+/// // A ramp, and a platform at its upper end whose corner lies in the middle of the ramp's side.
+/// let points = [[0., 0., 0.], [4., 0., 1.], [4., 4., 1.], [0., 4., 0.], [4., 2., 1.], [8., 2., 1.], [8., 4., 1.]];
+/// let mut faces = PolygonList::new();
+/// [[0, 1, 2, 3], [4, 5, 6, 2]].iter().for_each(|face| faces.push_face(face));
+/// let welded = weld_in_space(&points, &faces, 0.0);
+/// assert_eq!(welded.faces.cycle(0), [0, 1, 4, 2, 3]);
+/// ```
+#[must_use]
+pub fn weld_in_space(points: &[[f64; 3]], faces: &PolygonList, distance: f64) -> Welded {
+    let is_number = |p: &Space| ['x', 'y', 'z'].into_iter().zip(p).all(|(axis, &x)| check_coordinate(axis, x).is_ok());
+    let is_sound = |&v: &u32| points.get(v as usize).is_some_and(is_number);
     let used = sorted(faces.corners().iter().copied().filter(is_sound).collect());
     let grid = PointGrid::new(points, used);
     let mut result =
@@ -132,7 +157,7 @@ pub fn weld(points: &[Point], faces: &PolygonList, distance: f64) -> Welded {
             grid.near(points, [p, q], distance, |v| {
                 let at = points[v as usize];
                 let (along, apart) = along_and_apart([p, q], at);
-                let exact = orientation(p, q, at).is_eq();
+                let exact = are_on_a_line(p, q, at);
                 let inside = along > 0.0 && along < 1.0 && at != p && at != q;
                 if inside && (apart <= distance || exact) && !cycle.contains(&v) {
                     between.push((along, v));
@@ -163,7 +188,16 @@ pub(super) fn near_misses(points: &[Point], faces: &PolygonList) -> Vec<MeshFaul
             sides.extend(cycle.iter().zip(next).map(|(&a, &b)| BorderSide { ends: [a, b], face: face as u32 }));
         }
     }
-    let border = border_of(sides);
+    let has = |face: u32, v: u32| faces.cycles(face as usize).any(|cycle| cycle.contains(&v));
+    near_misses_along(&flat(points), &border_of(sides), has)
+}
+
+/// The same of the sides of a border, in space. `has` tells whether a vertex is a corner of a face.
+pub(super) fn near_misses_along(
+    points: &[Space],
+    border: &[BorderSide],
+    has: impl Fn(u32, u32) -> bool,
+) -> Vec<MeshFault> {
     let mut lengths: Vec<f64> =
         border.iter().map(|side| distance_of(points[side.ends[0] as usize], points[side.ends[1] as usize])).collect();
     lengths.sort_unstable_by(f64::total_cmp);
@@ -189,12 +223,12 @@ pub(super) fn near_misses(points: &[Point], faces: &PolygonList) -> Vec<MeshFaul
     // Those that are the first of a pair are told with it.
     let told: Vec<u32> = faults.iter().flat_map(MeshFault::vertices).collect();
     told.into_iter().for_each(|v| nearest[v as usize] = Some((0.0, v)));
-    for side in &border {
+    for side in border {
         let ends = side.ends.map(|v| points[v as usize]);
         grid.near(points, ends, distance, |v| {
             let (along, apart) = along_and_apart(ends, points[v as usize]);
             let is_near = along > 0.0 && along < 1.0 && apart <= distance && nearest[v as usize].is_none();
-            if is_near && faces.cycles(side.face as usize).all(|cycle| !cycle.contains(&v)) {
+            if is_near && !has(side.face, v) {
                 nearest[v as usize] = Some((apart, v));
                 faults.push(MeshFault::NearSide { vertex: v, face: side.face, side: side.ends, distance: apart });
             }
@@ -219,24 +253,37 @@ fn border_of(mut sides: Vec<BorderSide>) -> Vec<BorderSide> {
     sides.iter().copied().filter(|side| !has([side.ends[1], side.ends[0]])).collect()
 }
 
-fn distance_of(a: Point, b: Point) -> f64 {
-    let [x, y] = [b.x - a.x, b.y - a.y];
-    (x * x + y * y).sqrt()
+/// Points of the plane, at height 0.
+fn flat(points: &[Point]) -> Vec<Space> {
+    points.iter().map(|p| [p.x, p.y, 0.0]).collect()
+}
+
+fn distance_of(a: Space, b: Space) -> f64 {
+    let [x, y, z] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+    (x * x + y * y + z * z).sqrt()
+}
+
+/// Whether three points lie on one line, exactly: they do as seen along each axis.
+fn are_on_a_line(a: Space, b: Space, c: Space) -> bool {
+    [(0, 1), (1, 2), (2, 0)].iter().all(|&(x, y)| {
+        let [a, b, c] = [a, b, c].map(|p| Point::new(p[x], p[y]));
+        orientation(a, b, c).is_eq()
+    })
 }
 
 /// Where on the segment the nearest point to `p` is, from 0 to 1, and how far away.
-fn along_and_apart([a, b]: [Point; 2], p: Point) -> (f64, f64) {
-    let [x, y] = [b.x - a.x, b.y - a.y];
-    let t = ((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y);
+fn along_and_apart([a, b]: [Space; 2], p: Space) -> (f64, f64) {
+    let [x, y, z] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+    let t = ((p[0] - a[0]) * x + (p[1] - a[1]) * y + (p[2] - a[2]) * z) / (x * x + y * y + z * z);
     let on = t.clamp(0.0, 1.0);
-    (t, distance_of(Point::new(a.x + x * on, a.y + y * on), p))
+    (t, distance_of([a[0] + x * on, a[1] + y * on, a[2] + z * on], p))
 }
 
 /// Vertices in cells of equal size.
 struct PointGrid {
     vertices: Vec<u32>,
-    min: Point,
-    max: Point,
+    min: Space,
+    max: Space,
     scale: f64,
     size: [usize; 2],
     /// Where the vertices of each cell begin in `items`, row by row; and at last where they end.
@@ -246,12 +293,12 @@ struct PointGrid {
 
 impl PointGrid {
     /// `vertices` are sorted. O(n).
-    fn new(points: &[Point], vertices: Vec<u32>) -> Self {
-        let first = vertices.first().map_or(Point::default(), |&v| points[v as usize]);
+    fn new(points: &[Space], vertices: Vec<u32>) -> Self {
+        let first = vertices.first().map_or(Space::default(), |&v| points[v as usize]);
         let (min, max) = vertices.iter().map(|&v| points[v as usize]).fold((first, first), |(min, max), p| {
-            (Point::new(min.x.min(p.x), min.y.min(p.y)), Point::new(max.x.max(p.x), max.y.max(p.y)))
+            ([0, 1, 2].map(|i| min[i].min(p[i])), [0, 1, 2].map(|i| max[i].max(p[i])))
         });
-        let [width, height] = [max.x - min.x, max.y - min.y];
+        let [width, height, _] = [0, 1, 2].map(|i| max[i] - min[i]);
         let count = vertices.len().max(1) as f64;
         // Square cells, one for each vertex; of a row of vertices no more than that many, either.
         let cell = (width * height / count).sqrt().max(width.max(height) / count);
@@ -277,41 +324,40 @@ impl PointGrid {
     }
 
     fn place(&self, which: usize, x: f64) -> usize {
-        let low = if which == 0 { self.min.x } else { self.min.y };
         // A cast of a negative number gives 0.
-        (((x - low) * self.scale) as usize).min(self.size[which] - 1)
+        (((x - self.min[which]) * self.scale) as usize).min(self.size[which] - 1)
     }
 
-    fn cell(&self, p: Point) -> usize {
-        self.place(1, p.y) * self.size[0] + self.place(0, p.x)
+    fn cell(&self, p: Space) -> usize {
+        self.place(1, p[1]) * self.size[0] + self.place(0, p[0])
     }
 
     /// Calls `visit` with every vertex that is no further from the segment than the distance, and with some that are.
-    fn near(&self, points: &[Point], [a, b]: [Point; 2], distance: f64, mut visit: impl FnMut(u32)) {
+    fn near(&self, points: &[Space], [a, b]: [Space; 2], distance: f64, mut visit: impl FnMut(u32)) {
         // More than the rounding of what follows.
-        let largest = [self.min, self.max].iter().flat_map(|p| [p.x.abs(), p.y.abs()]).fold(0.0, f64::max);
+        let largest = [self.min, self.max].iter().flatten().copied().map(f64::abs).fold(0.0, f64::max);
         let reach = distance + largest * 2f64.powi(-48);
-        let (low, high) = if a.y <= b.y { (a, b) } else { (b, a) };
-        for row in self.place(1, low.y - reach)..=self.place(1, high.y + reach) {
+        let (low, high) = if a[1] <= b[1] { (a, b) } else { (b, a) };
+        for row in self.place(1, low[1] - reach)..=self.place(1, high[1] + reach) {
             // The part of the segment that may be near a vertex of this row.
-            let end = |y: f64, end: Point| {
-                let t = if high.y > low.y { ((y - low.y) / (high.y - low.y)).clamp(0.0, 1.0) } else { 0.5 };
-                if high.y > low.y { low.x + (high.x - low.x) * t } else { end.x }
+            let end = |y: f64, end: Space| {
+                let t = if high[1] > low[1] { ((y - low[1]) / (high[1] - low[1])).clamp(0.0, 1.0) } else { 0.5 };
+                if high[1] > low[1] { low[0] + (high[0] - low[0]) * t } else { end[0] }
             };
-            let line = |row: usize| if self.scale > 0.0 { self.min.y + row as f64 / self.scale } else { self.min.y };
+            let line = |row: usize| if self.scale > 0.0 { self.min[1] + row as f64 / self.scale } else { self.min[1] };
             let below = if row == 0 { f64::NEG_INFINITY } else { line(row) - reach };
             let above = if row + 1 == self.size[1] { f64::INFINITY } else { line(row + 1) + reach };
-            let xs = [end(below.max(low.y), low), end(above.min(high.y), high)];
+            let xs = [end(below.max(low[1]), low), end(above.min(high[1]), high)];
             let [from, to] = [xs[0].min(xs[1]) - reach, xs[0].max(xs[1]) + reach];
             let first = row * self.size[0];
             let cells = first + self.place(0, from)..first + self.place(0, to) + 1;
             let items = self.starts[cells.start] as usize..self.starts[cells.end] as usize;
             for &v in &self.items[items] {
                 let p = points[v as usize];
-                let out = p.x < a.x.min(b.x) - reach
-                    || p.x > a.x.max(b.x) + reach
-                    || p.y < low.y - reach
-                    || p.y > high.y + reach;
+                let out = p[0] < a[0].min(b[0]) - reach
+                    || p[0] > a[0].max(b[0]) + reach
+                    || p[1] < low[1] - reach
+                    || p[1] > high[1] + reach;
                 if !out {
                     visit(v);
                 }

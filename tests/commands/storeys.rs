@@ -133,12 +133,49 @@ fn what_looks_at_the_plan_says_so() {
             .clone()
     };
     assert_eq!((length("--radius 0.25"), length("")), (json!(3.0), json!(3.75)));
-    folder.dcel("navmesh path ramp.obj --up z 0 0 1 1 --weld 0.1").fails(
-        2,
-        "--weld cannot be used",
-        "leave --weld out",
-    );
+    folder.dcel("navmesh path ramp.obj --up z 0 0 1 1 --mend").fails(2, "--mend cannot be used", "--weld 0.001 joins");
     folder.dcel("navmesh path ramp.obj 0 0 1 1 --max-slope 9").fails(2, "required arguments", "--up");
+}
+
+/// Two slopes of two faces, one after the other; those of the upper one meet in the middle of the lower one's side, `off`
+/// above it. A storey of the same plan lies so much above.
+fn slopes(off: f64, storey: f64) -> String {
+    let corners = [(0, 0, 0), (4, 0, 0), (4, 4, 1), (0, 4, 1), (2, 8, 2), (0, 8, 2), (4, 8, 2)];
+    let mut text: String = corners.iter().map(|(x, y, z)| format!("v {x} {y} {z}\n")).collect();
+    text += &format!("v 2 4 {}\n", 1.0 + off);
+    text += &corners.iter().map(|(x, y, z)| format!("v {x} {y} {}\n", f64::from(*z) + storey)).collect::<String>();
+    text + "f 1 2 3 4\nf 4 8 5 6\nf 8 3 7 5\nf 9 10 11 12\nf 12 11 15 14\n"
+}
+
+#[test]
+fn what_nearly_meets_on_a_slope_is_told_and_joined_and_storeys_stay_apart() {
+    let folder = folder();
+    for (off, said, weld) in [
+        (0.0, "vertex 7 is on the side 2 -> 3 of face 0", "0"),
+        (1e-5, "vertex 7 is 1.00e-5 beside the side 2 -> 3 of face 0", "0.00001"),
+    ] {
+        folder.write("slopes.obj", &slopes(off, 0.5));
+        let path = "navmesh path slopes.obj --up z 1 1 0.3 1 7 1.8";
+        let told = folder.dcel(path);
+        assert!(told.out.contains("no path") && told.err.contains(&format!("slopes.obj:8: {said}")), "{told:?}");
+        // The help is taken at its word.
+        let help = told.err.lines().find_map(|line| line.strip_prefix("help: ")).expect("a help").to_owned();
+        assert!(help.starts_with(&format!("--weld {weld}")) && help.ends_with(" joins them"), "{help}");
+        let info = folder.dcel("navmesh info slopes.obj --up z");
+        assert!(info.out.contains("components      3") && info.out.contains(&format!("warning: {said}")), "{info:?}");
+        let flags = help.strip_suffix(" joins them").expect("its end");
+        let told = folder.dcel(&format!("{path} {flags}"));
+        assert!(
+            told.out.contains("exact: 6.18465843") && told.err.contains("1 corner was put into a side"),
+            "{told:?}"
+        );
+        let info = folder.dcel(&format!("navmesh info slopes.obj --up z {flags} --json")).json();
+        assert_eq!((&info["components"], info["layers"].as_array().map(Vec::len)), (&json!([3, 2]), Some(2)), "{info}");
+        assert_eq!(info["faults"], json!([]));
+    }
+    // More than the storeys are apart: they are joined, and then that is no surface.
+    let told = folder.dcel("navmesh info slopes.obj --up z --weld 0.6");
+    assert_eq!((told.code, told.out.as_str()), (Some(2), ""), "{told:?}");
 }
 
 #[test]

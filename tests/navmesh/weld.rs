@@ -1,7 +1,7 @@
 //! Welding: what was taken apart is put together again, and what nearly meets is named.
 
 use crate::maps::{Map, Random};
-use dcel_kit::navmesh::{MeshFault, NavMesh, mesh_faults, weld};
+use dcel_kit::navmesh::{MeshFault, NavMesh, NavSurface, mesh_faults, weld, weld_in_space};
 use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::topology::PolygonList;
 use std::collections::BTreeSet;
@@ -172,4 +172,45 @@ fn long_walls_are_welded_as_they_are() {
     let welded = weld(&points, &faces, 1e-6);
     assert_eq!((welded.joined, welded.inserted), (n as usize + 1, 0));
     assert!((border_length(&points, &welded.faces) - f64::from(2 * n + 4)).abs() < 1e-6);
+}
+
+/// Hills, and the same hills a storey above: each is put together from triangles that were taken apart, and none of one
+/// storey is joined with the other, though both have the same plan.
+#[test]
+fn storeys_of_one_plan_are_put_together_apart() {
+    let height = |p: Point| (p.x * 0.7 + p.y * 0.3).sin();
+    for seed in 0..30 {
+        let mut random = Random::new(seed + 9000);
+        let map = Map::random(seed, 3 + seed as usize % 7, 0.7, 0.4);
+        let faces: Vec<Vec<u32>> = map.triangles.iter().map(|triangle| triangle.to_vec()).collect();
+        for (jitter, storey) in [(0.0, 1e-9), (1e-6, 1e-2), (1e-4, 2.0)] {
+            let (mut points, mut list, mut of) = (Vec::new(), PolygonList::new(), Vec::new());
+            for level in [0, 1] {
+                let (plan, one, was) = apart(&map.points, &faces, jitter, &mut random);
+                let first = points.len() as u32;
+                for (p, &v) in plan.iter().zip(&was) {
+                    points.push([p.x, p.y, height(map.points[v as usize]) + f64::from(level) * storey]);
+                }
+                for face in 0..one.face_count() {
+                    list.push_face(&one.cycle(face).iter().map(|v| v + first).collect::<Vec<_>>());
+                }
+                of.extend(was.iter().map(|v| v + level * map.points.len() as u32));
+            }
+            let (before, after) = (NavSurface::new(&points, &list, None), weld_in_space(&points, &list, jitter * 3.0));
+            let before = before.unwrap_or_else(|error| panic!("seed {seed}: {error}"));
+            assert!(faces.len() == 1 || jitter > 1e-5 || !before.near_misses().is_empty(), "seed {seed}");
+            let used: BTreeSet<u32> = of.iter().copied().collect();
+            assert_eq!(after.joined, of.len() - used.len(), "seed {seed}, {jitter}: each copy but one of each corner");
+            assert_eq!((after.inserted, after.collapsed), (0, 0), "seed {seed}");
+            let surface = NavSurface::new(&points, &after.faces, None).expect("what was a surface");
+            if storey > 0.1 {
+                assert_eq!(surface.near_misses(), [], "seed {seed}");
+            }
+            let whole: Vec<_> = map.points.iter().map(|&p| [p.x, p.y, height(p)]).collect();
+            let mut one = PolygonList::new();
+            faces.iter().for_each(|face| one.push_face(face));
+            let parts = NavSurface::new(&whole, &one, None).expect("the hills").component_count();
+            assert_eq!(surface.component_count(), 2 * parts, "seed {seed}");
+        }
+    }
 }

@@ -6,11 +6,12 @@ use super::drawing::{Drawing, save};
 use super::map::Map;
 use super::reading::{Draft, Input, MapArgs};
 use super::space;
+use super::tell::Told;
 use clap::ValueEnum;
 use dcel_kit::figure;
 use dcel_kit::figure::navmesh::Floor;
-use dcel_kit::io::{Document, Places, counted};
-use dcel_kit::navmesh::{MeshFault, double_corners_of};
+use dcel_kit::io::{Document, counted};
+use dcel_kit::navmesh::double_corners_of;
 use serde::Serialize;
 use std::io::{self, Write};
 
@@ -24,7 +25,8 @@ use std::io::{self, Write};
 /// 1 if something is wrong.
 ///
 /// Of a floor in space whose heights differ (--up) it tells the heights, the steepest slope and the layers:
-/// parts of which none lies over itself.
+/// parts of which none lies over itself; and it warns of vertices that are on another face's side, at one place,
+/// or close to it: nobody can pass there (--weld joins them).
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -77,17 +79,9 @@ struct Info {
     faults: Vec<Told>,
 }
 
-#[derive(Serialize)]
-struct Told {
-    kind: &'static str,
-    warning: bool,
-    place: String,
-    message: String,
-}
-
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let target = args.drawing.target(args.map.file())?;
-    let draft = match args.map.read_as(matches!(args.draw, Draw::Map) && !args.map.has_obstacles())? {
+    let draft = match args.map.look(matches!(args.draw, Draw::Map) && !args.map.has_obstacles())? {
         Input::Plane(draft) => *draft,
         Input::Space(ground) => {
             let title = args.map.title();
@@ -140,24 +134,6 @@ fn refuse(args: &Args, format: &'static str, faults: Vec<Told>, out: &mut Output
         writeln!(out, "{}: not a navmesh, {wrong} {}", args.map.source(), if wrong == 1 { "fault" } else { "faults" })?;
     }
     Ok(Answer::No)
-}
-
-impl Told {
-    fn of(fault: &MeshFault, places: &Places) -> Self {
-        let face = fault.faces().first().map(|&f| places.face(f as usize));
-        let place = face.or_else(|| fault.vertices().first().map(|&v| places.vertex(v as usize)));
-        Self {
-            kind: fault.kind(),
-            warning: fault.is_warning(),
-            place: place.unwrap_or_else(|| places.source.clone()),
-            message: fault.to_string(),
-        }
-    }
-
-    fn print(&self, out: &mut Output) -> io::Result<()> {
-        let kind = if self.warning { "warning" } else { self.kind };
-        writeln!(out, "{}: {kind}: {}", self.place, self.message)
-    }
 }
 
 impl Info {

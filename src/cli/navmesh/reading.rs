@@ -12,7 +12,7 @@ use dcel_kit::io::{
     Axis, Document, Format, Grid, LoadOptions, Number, PolygonSoup, Read, ReadOptions, Structure, assemble, counted,
     read_path, read_whole, source_name,
 };
-use dcel_kit::navmesh::{MeshFault, NavMesh, NavMeshError, NavSurface, Planner, Welded, mesh_faults, weld};
+use dcel_kit::navmesh::{MeshFault, NavMesh, NavMeshError, NavSurface, Planner, Welded, mesh_faults, weld_in_space};
 use dcel_kit::plane::predicates::orientation;
 use dcel_kit::plane::{Point, Subdivision, TriangulateError, TriangulationMethod};
 use dcel_kit::topology::Mode;
@@ -47,7 +47,8 @@ pub(super) struct MapArgs {
     mend: bool,
     /// Join vertices that are no further apart than this, and put vertices into sides that they are on or
     /// no further beside; faces that are not convex then are cut into triangles. Tells what was done. 0
-    /// joins what lies at the same place, and mends T-junctions
+    /// joins what lies at the same place, and mends T-junctions. With --up it is measured in space: storeys
+    /// stay apart
     #[arg(long, value_name = "D", value_parser = super::numbers::number, allow_negative_numbers = true, help_heading = "Reading")]
     weld: Option<f64>,
     /// Cut all faces into triangles without needless slivers (constrained Delaunay); a .map is cut along the
@@ -160,8 +161,18 @@ impl MapArgs {
         }
     }
 
-    /// Reads the file. With `space`, a floor whose heights differ is read as a surface. Tells the notes.
+    /// Reads the file. With `space`, a floor whose heights differ is read as a surface. Tells the notes, and what nearly
+    /// meets on a surface.
     pub(super) fn read_as(&self, space: bool) -> Result<Input, Failure> {
+        let input = self.look(space)?;
+        if let Input::Space(ground) = &input {
+            warn_of(&ground.faults);
+        }
+        Ok(input)
+    }
+
+    /// The same without a word about what nearly meets.
+    pub(super) fn look(&self, space: bool) -> Result<Input, Failure> {
         let plane = |draft| Ok(Input::Plane(Box::new(draft)));
         if self.is_grid() && self.mend {
             let what = format!("{}: --mend cannot be used on a grid map: cells always fit together", self.source());
@@ -196,9 +207,13 @@ impl MapArgs {
             }
             return plane(Draft::Other(read));
         };
+        let in_space = soup.has_z;
         match self.up() {
             Some(up) => {
                 soup.stand_up(up);
+                if let Some(distance) = self.weld.filter(|_| soup.has_z) {
+                    self.join(soup, distance)?;
+                }
                 if soup.has_z && space {
                     return self.ground(read, up).map(|ground| Input::Space(Box::new(ground)));
                 }
@@ -217,7 +232,7 @@ impl MapArgs {
             }
             None => {}
         }
-        if let Some(distance) = self.weld {
+        if let Some(distance) = self.weld.filter(|_| !in_space) {
             self.join(soup, distance)?;
         }
         // What is mended is judged afterwards.
@@ -230,8 +245,7 @@ impl MapArgs {
         if distance < 0.0 {
             return Err(Failure::input(format!("a distance of {distance}"), "give a number such as --weld 0.001"));
         }
-        let points: Vec<Point> = soup.points.iter().map(|&[x, y, _]| Point::new(x, y)).collect();
-        let welded = weld(&points, &soup.faces, distance);
+        let welded = weld_in_space(&soup.points, &soup.faces, distance);
         let Welded { joined, inserted, collapsed, farthest, .. } = welded;
         if joined + inserted == 0 {
             say("note", format_args!("nothing to weld: nothing is closer than {} without being one", Number(distance)));
@@ -265,15 +279,10 @@ impl MapArgs {
     /// A floor whose heights differ, as a surface.
     fn ground(&self, mut read: Read, up: Axis) -> Result<Ground, Failure> {
         let source = self.source();
-        if let Some((flag, why)) = [
-            (self.mend, "--mend", "it is for polygons and segments of the plane"),
-            (self.weld.is_some(), "--weld", "it joins what lies at the same place of the plan, storeys among it"),
-        ]
-        .into_iter()
-        .find_map(|(given, flag, why)| given.then_some((flag, why)))
-        {
-            let what = format!("{source}: {flag} cannot be used on a floor whose heights differ: {why}");
-            return Err(Failure::input(what, format!("leave {flag} out, and join vertices in the file")));
+        if self.mend {
+            let why = "it is for polygons and segments of the plane";
+            let what = format!("{source}: --mend cannot be used on a floor whose heights differ: {why}");
+            return Err(Failure::input(what, "leave --mend out; --weld 0.001 joins what nearly meets"));
         }
         read.notes.iter().for_each(|note| say("note", note));
         let Document::Polygons(soup) = &mut read.document else {
@@ -284,7 +293,9 @@ impl MapArgs {
         }
         let surface = NavSurface::new(&soup.points, &soup.faces, self.max_slope)
             .map_err(|error| surface_failure(&source, soup, &error))?;
-        Ok(Ground { source, format: read.format, up, surface, names: Names::of(soup) })
+        let near = surface.near_misses();
+        let faults = near.iter().map(|fault| (near_place(soup, fault), fault.clone())).collect();
+        Ok(Ground { source, format: read.format, up, surface, names: Names::of(soup), faults })
     }
 
     /// Makes the plan of a floor whose heights differ: what is too steep is blocked.
@@ -320,28 +331,12 @@ impl MapArgs {
 
     /// Makes a map of what was read, cut along the sides of areas. Tells what nearly meets.
     pub(super) fn open_draft(&self, draft: Draft, areas: &[Area]) -> Result<Map, Failure> {
-        const SHOWN: usize = 3;
         if let Draft::Polygons { read, faults } = &draft
             && let Document::Polygons(soup) = &read.document
         {
-            let near: Vec<&MeshFault> = faults.iter().filter(|fault| fault.kind() == "nearly-welded").collect();
-            for fault in near.iter().take(SHOWN) {
-                let place = fault.vertices().last().map(|&v| soup.places.vertex(v as usize)).unwrap_or_default();
-                say("warning", format_args!("{place}: {fault}"));
-            }
-            if near.len() > SHOWN {
-                say(
-                    "warning",
-                    format_args!("{} more are nearly welded; dcel navmesh info names them", near.len() - SHOWN),
-                );
-            }
-            let hole = |fault: &&MeshFault| match fault {
-                MeshFault::NearVertices { distance, .. } | MeshFault::NearSide { distance, .. } => *distance,
-                _ => 0.0,
-            };
-            if let Some(widest) = near.iter().map(hole).reduce(f64::max) {
-                say("help", format_args!("--weld {} joins them", Number(above(widest))));
-            }
+            let near = faults.iter().filter(|fault| fault.kind() == "nearly-welded");
+            let near: Vec<_> = near.map(|fault| (near_place(soup, fault), fault.clone())).collect();
+            warn_of(&near);
         }
         self.finish(draft, areas)
     }
@@ -435,6 +430,29 @@ fn turn_over(soup: &mut PolygonSoup) {
         if twice_area < 0.0 {
             ring.reverse();
         }
+    }
+}
+
+/// Where in its file the later vertex of two that nearly meet stands.
+fn near_place(soup: &PolygonSoup, fault: &MeshFault) -> String {
+    fault.vertices().last().map(|&v| soup.places.vertex(v as usize)).unwrap_or_default()
+}
+
+/// Warns of what nearly meets, with places in the file.
+fn warn_of(near: &[(String, MeshFault)]) {
+    const SHOWN: usize = 3;
+    for (place, fault) in near.iter().take(SHOWN) {
+        say("warning", format_args!("{place}: {fault}"));
+    }
+    if near.len() > SHOWN {
+        say("warning", format_args!("{} more are nearly welded; dcel navmesh info names them", near.len() - SHOWN));
+    }
+    let distance = |(_, fault): &(String, MeshFault)| match fault {
+        MeshFault::NearVertices { distance, .. } | MeshFault::NearSide { distance, .. } => *distance,
+        _ => 0.0,
+    };
+    if let Some(widest) = near.iter().map(distance).reduce(f64::max) {
+        say("help", format_args!("--weld {} joins them", Number(above(widest))));
     }
 }
 

@@ -1,10 +1,13 @@
 //! Words and JSON forms that several commands have in common.
 
+use super::super::Output;
 use super::super::output;
 use super::map::Map;
-use dcel_kit::navmesh::{Location, QueryPointError};
+use dcel_kit::io::Places;
+use dcel_kit::navmesh::{Location, MeshFault, QueryPointError};
 use dcel_kit::plane::{self, Point};
 use serde::Serialize;
+use std::io::{self, Write};
 
 /// Where a point lies. The names are those of the JSON form.
 #[derive(Serialize)]
@@ -68,5 +71,31 @@ pub(super) fn refusal(map: &Map, error: &QueryPointError) -> String {
             format!("{} is {location}, and {face} is no free face there", point(map, *p))
         }
         other => other.to_string(),
+    }
+}
+
+/// A fault, with its place in the file. The names are those of the JSON form.
+#[derive(Serialize)]
+pub(super) struct Told {
+    pub(super) kind: &'static str,
+    pub(super) warning: bool,
+    place: String,
+    message: String,
+}
+
+impl Told {
+    pub(super) fn of(fault: &MeshFault, places: &Places) -> Self {
+        let face = fault.faces().first().map(|&f| places.face(f as usize));
+        let place = face.or_else(|| fault.vertices().first().map(|&v| places.vertex(v as usize)));
+        Self::at(place.unwrap_or_else(|| places.source.clone()), fault)
+    }
+
+    pub(super) fn at(place: String, fault: &MeshFault) -> Self {
+        Self { kind: fault.kind(), warning: fault.is_warning(), place, message: fault.to_string() }
+    }
+
+    pub(super) fn print(&self, out: &mut Output) -> io::Result<()> {
+        let kind = if self.warning { "warning" } else { self.kind };
+        writeln!(out, "{}: {kind}: {}", self.place, self.message)
     }
 }

@@ -11,6 +11,8 @@
 //!      ╱ f2 ╲
 //! ```
 
+use super::super::fault::MeshFault;
+use super::super::weld::{BorderSide, near_misses_along};
 use super::boxes::Boxes;
 use super::layers::plan;
 use super::{NONE, NavSurface, SideRecord, Space, cross, dot, minus, next, norm, prev};
@@ -183,6 +185,26 @@ impl NavSurface {
         surface.index();
         surface.find_layers();
         Ok(surface)
+    }
+
+    /// What nearly meets, and so is not joined: vertices at one place or close to it, and vertices on a side of another
+    /// face (T-junctions) or close to it, closer than 10⁻⁵ of the extent and than a hundredth of most border sides. Nobody
+    /// can pass there. All are warnings: parts that touch may be meant to be parts.
+    /// [`weld_in_space`](crate::navmesh::weld_in_space) joins them. O(n log n).
+    #[must_use]
+    pub fn near_misses(&self) -> Vec<MeshFault> {
+        let bound = self.vertices.iter().map(|&v| v as usize + 1).max().unwrap_or(0);
+        let mut points = vec![[0.0; 3]; bound];
+        self.vertices.iter().zip(&self.points).for_each(|(&v, &p)| points[v as usize] = p);
+        let corner = |s: usize| self.vertices[self.sides[s].origin as usize];
+        let mut border: Vec<BorderSide> = (0..self.sides.len())
+            .filter(|&s| self.sides[s].twin == NONE)
+            .map(|s| BorderSide { ends: [corner(s), corner(next(s))], face: self.polygon[s / 3] })
+            .collect();
+        border.sort_unstable();
+        near_misses_along(&points, &border, |face, v| {
+            self.vertices(FaceId::new(face + 1)).any(|(w, _)| w.number() == v)
+        })
     }
 
     /// Finds the other side of every side. O(n log n).

@@ -3,6 +3,7 @@
 use super::super::super::failure::Failure;
 use super::super::super::{Answer, Output};
 use super::super::drawing::{Canvas, save};
+use super::super::tell::Told;
 use super::Ground;
 use dcel_kit::figure::navmesh::Storeys;
 use dcel_kit::io::{Number, counted};
@@ -27,6 +28,8 @@ struct Info {
     /// In degrees, and a face that has it.
     steepest: f64,
     steepest_face: Option<String>,
+    /// What nearly meets.
+    faults: Vec<Told>,
 }
 
 #[derive(Serialize)]
@@ -70,6 +73,7 @@ pub(in super::super) fn run(
         heights: surface.heights(),
         steepest: steepest.map_or(0.0, |(slope, _)| slope),
         steepest_face: steepest.map(|(_, face)| face.to_string()),
+        faults: ground.faults.iter().map(|(place, fault)| Told::at(place.clone(), fault)).collect(),
     };
     if json {
         out.json(&info)?;
@@ -100,5 +104,6 @@ pub(in super::super) fn run(
     let plural = if info.components == [1] { "face" } else { "faces" };
     line("components", format!("{}, of {}{rest} {plural}", info.components.len(), sizes.join(", ")))?;
     line("area", format!("{} along the surface", Number(info.area)))?;
+    info.faults.iter().try_for_each(|fault| fault.print(out))?;
     Ok(Answer::Yes)
 }

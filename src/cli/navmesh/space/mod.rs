@@ -22,7 +22,7 @@ use super::ends::Snap;
 use super::numbers::above;
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::io::{Axis, Format, Number, PolygonSoup};
-use dcel_kit::navmesh::{Floor, NavSurface, SurfaceError, SurfacePoint, SurfacePointError};
+use dcel_kit::navmesh::{Floor, MeshFault, NavSurface, SurfaceError, SurfacePoint, SurfacePointError};
 use dcel_kit::plane::Point;
 use dcel_kit::{FaceId, FaceMap};
 use serde::Serialize;
@@ -35,6 +35,8 @@ pub(super) struct Ground {
     pub(super) surface: NavSurface,
     /// What the file calls its faces.
     pub(super) names: Names,
+    /// What nearly meets, and where in the file.
+    pub(super) faults: Vec<(String, MeshFault)>,
 }
 
 /// A point of the command line, and how a storey is chosen where there are several.
