@@ -18,7 +18,7 @@ use super::mutants::{self, Evidence};
 use super::plan::Plan;
 use super::program::Program;
 use super::report::{Report, Terms, TestResult};
-use super::run::{Graded, PATIENCE, SuiteRun, run_suite};
+use super::run::{Graded, PATIENCE, SuiteRun, function, run_suite};
 use super::signatures::Signature;
 use super::the_lab::Lab;
 use super::verdict::Verdict;
@@ -29,8 +29,8 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 /// What is said of a test that was not asked any more.
-const GIVEN_UP: &str =
-    "It was not run: the program had to be ended twice before, because of time or memory. Mend the test above first.";
+const GIVEN_UP: &str = "It was not run: the program had to be ended three times before, because of time or memory. \
+                        Mend the tests above first.";
 /// How much of the student's printing is in the report.
 const PRINTED: usize = 4 * 1024;
 
@@ -84,11 +84,11 @@ pub(super) fn grade(lab: &Lab, program: &dyn Program, plan: &Plan, all: bool) ->
     for part in &graded {
         report.printed.push_str(&part.run.printed);
     }
-    let mut cut = report.printed.len().min(PRINTED);
-    while !report.printed.is_char_boundary(cut) {
-        cut -= 1;
+    if report.printed.len() > PRINTED {
+        let cut = (0..=PRINTED).rev().find(|&cut| report.printed.is_char_boundary(cut)).unwrap_or(0);
+        report.printed.truncate(cut);
+        report.printed.push_str(" … and more\n");
     }
-    report.printed.truncate(cut);
     let run = Run::new(lab, judge, &graded, plan.only.is_some());
     let signature = run.signature();
     let skipped: BTreeSet<&str> = run
@@ -141,19 +141,20 @@ pub(super) fn random_evidence(lab: &Lab, program: &dyn Program, plan: &Plan) -> 
 fn run_all<'a>(lab: &Lab, judge: &dyn Judge, program: &dyn Program, suites: &'a [Suite]) -> Vec<Graded<'a>> {
     let mut graded: Vec<Graded> = Vec::new();
     let mut exhausted = 0;
+    let mut hanging: BTreeSet<String> = BTreeSet::new();
     let mut ahead = run_ahead(judge, program, suites);
     for (suite, ahead) in suites.iter().zip(&mut ahead) {
         let blocked = is_blocked(lab, suite, &graded);
-        let last = graded.iter().rev().find_map(|graded| graded.run.exhausted_by());
-        let run = match last {
+        let mut steps = suite.asked.iter().flat_map(|asked| &asked.case.steps);
+        let hangs = steps.find_map(|step| function(step).filter(|&function| hanging.contains(function)));
+        let run = match hangs {
             _ if blocked => SuiteRun::default(),
-            Some(end) if exhausted >= PATIENCE => SuiteRun::given_up(end),
-            _ => match ahead.take() {
-                Some(run) if exhausted == 0 || run.exhausted == 0 => run,
-                _ => run_suite(program, judge, suite, exhausted),
-            },
+            Some(function) => SuiteRun::given_up(format!("It was not run: {function} did not come back before.")),
+            None if exhausted >= PATIENCE => SuiteRun::given_up(GIVEN_UP.to_owned()),
+            None => ahead.take().unwrap_or_else(|| run_suite(program, judge, suite)),
         };
-        exhausted += run.exhausted;
+        exhausted += usize::from(run.exhausted > 0);
+        hanging.extend(run.exhausted_in(suite).map(str::to_owned));
         graded.push(Graded { suite, run, blocked });
     }
     graded
@@ -172,7 +173,7 @@ fn run_ahead(judge: &dyn Judge, program: &dyn Program, suites: &[Suite]) -> Vec<
         let lane = || {
             while !ended.load(Ordering::Relaxed) {
                 let Some(&number) = order.get(next.fetch_add(1, Ordering::Relaxed)) else { break };
-                let run = run_suite(program, judge, &suites[number], 0);
+                let run = run_suite(program, judge, &suites[number]);
                 ended.fetch_or(run.exhausted > 0, Ordering::Relaxed);
                 *runs[number].lock().unwrap_or_else(PoisonError::into_inner) = Some(run);
             }
@@ -220,13 +221,13 @@ impl<'a> Run<'a> {
         // A test without cases can never be passed.
         let Some(number) = number else { return (!in_part).then_some(state) };
         let part = &self.graded[number];
-        let passed = |name: &str| self.states.iter().any(|s| s.test.name == name && s.verdict.is_passed());
-        state.needs = Needs::of(&self.lab.manifest, test, part.suite.tests, passed);
+        let verdict = |name: &str| Some(self.states.iter().find(|state| state.test.name == name)?.verdict);
+        state.needs = Needs::of(&self.lab.manifest, test, part.suite.tests, verdict);
         if part.run.grader_fault.is_some() || part.suite.asked.is_empty() {
             return Some(state);
         }
-        if let Some(end) = &part.run.given_up {
-            state.verdict = end.verdict();
+        if part.run.given_up.is_some() {
+            state.verdict = Verdict::Skipped;
             return Some(state);
         }
         state.ruling = self.units[number].ruling(self.judge, &test.name, &state.needs);
@@ -391,12 +392,7 @@ impl Run<'_> {
         if state.verdict == Verdict::Unattempted {
             result.message = "It is still to be written.".to_owned();
         }
-        let (Some(number), Some(unit)) = (state.suite, self.first_failing(state)) else {
-            if state.verdict.is_failure() {
-                result.message = GIVEN_UP.to_owned();
-            }
-            return;
-        };
+        let (Some(number), Some(unit)) = (state.suite, self.first_failing(state)) else { return };
         let name = state.test.name.as_str();
         let faults: Vec<&Fault> = self.units[number].faults_of(unit, name).collect();
         if let Some(place) = faults.first().and_then(|fault| fault.kind.place()) {
@@ -428,6 +424,9 @@ impl Run<'_> {
             verdict.map_or_else(|| name.to_owned(), |verdict| format!("{name} ({verdict})"))
         };
         let ruling = &state.ruling;
+        if let Some(why) = state.suite.and_then(|number| self.graded[number].run.given_up.clone()) {
+            return why;
+        }
         let because: Vec<String> = ruling.because.iter().map(|name| told(name)).collect();
         match (ruling.judged(), &because[..]) {
             (0, [_, ..]) => format!("It builds on {}.", because.join(" and ")),

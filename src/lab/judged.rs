@@ -11,18 +11,23 @@
 //!   in this call, and nothing has failed before it in the same *part* of its case. A part begins where the structure
 //!   is known to be right: at the start, after `restore`, and at each call that only reads.
 //! - A fault in a sequence is charged to the test whose promise it breaks ([`Judge::blames`]), if the sequence needs
-//!   that test and it fails by itself, too. The calls before it still count.
+//!   that test and it fails by itself, too. The calls before it still count. What is still `todo!()` is never to blame:
+//!   a call that came back has not been there.
+//! - If calls are charged to others, the right ones must be more, and not all have the same answer: a function that does
+//!   nothing, or always says no, is right wherever there is nothing to do.
 //! - A test passes if no call that decides it fails, every case was asked, and at least a quarter of the calls that
 //!   concern it decide it (three calls, or all if there are fewer), of each function that is called. With less evidence
 //!   it is skipped. So a slip in one step costs that step, but code that is reached in a few odd calls earns nothing.
+//!   Only the fixed cases count for that, if a test has any: points must not hang on a seed.
 //! - A program that ends in the middle of a call has not said how far it came: that call speaks against all steps.
 
 use super::conditions::Calls;
-use super::fault::{Exchange, Fault, exchanges};
-use super::judge::{Judge, Suite};
+use super::fault::{Exchange, Fault, FaultKind, exchanges};
+use super::judge::{Judge, Source, Suite};
 use super::manifest::{Manifest, Test};
-use super::protocol::{Case, CaseAnswer, Step};
+use super::protocol::{CallEnd, Case, CaseAnswer, Step};
 use super::run::{NO_ANSWER, SuiteRun};
+use super::verdict::Verdict;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// One call in this many must decide a test.
@@ -37,6 +42,8 @@ pub(super) struct Unit<'a> {
     pub(super) case: usize,
     /// Its step in the case.
     pub(super) step: usize,
+    /// Its case is the same for everybody.
+    fixed: bool,
     /// The part of the case that it stands in.
     part: usize,
     /// The unit before it in the same part.
@@ -58,7 +65,9 @@ impl<'a> Units<'a> {
     pub(super) fn new(judge: &dyn Judge, suite: &'a Suite, run: &'a SuiteRun) -> Self {
         let mut all = Vec::new();
         for (number, ((asked, answer), faults)) in suite.asked.iter().zip(&run.answers).zip(&run.faults).enumerate() {
+            let first = all.len();
             all.extend(units(judge, suite, number, &asked.case, answer, faults));
+            all[first..].iter_mut().for_each(|unit: &mut Unit| unit.fixed = asked.source == Source::Fixed);
         }
         let mut last: BTreeMap<(usize, usize), usize> = BTreeMap::new();
         for (i, unit) in all.iter_mut().enumerate() {
@@ -118,8 +127,10 @@ impl<'a> Units<'a> {
     pub(super) fn ruling(&self, judge: &dyn Judge, test: &str, needs: &Needs) -> Ruling {
         let mut ruling = Ruling::default();
         let mut stopped: BTreeSet<(usize, usize)> = BTreeSet::new();
+        let any_fixed = self.all.iter().any(|unit| unit.fixed && unit.tests.contains(&test));
         for (i, unit) in self.all.iter().enumerate() {
             let faults = at(&self.faults[unit.case], unit.step);
+            let counts = unit.fixed || !any_fixed;
             let own = faults.iter().find(|fault| fault.test == test);
             let need = faults.iter().find(|fault| needs.here.contains(fault.test));
             let place = (unit.case, unit.part);
@@ -134,7 +145,7 @@ impl<'a> Units<'a> {
             ruling.asked += 1;
             let function = unit.exchange.map_or("", |exchange| exchange.function);
             let of_function = ruling.functions.entry(function.to_owned()).or_default();
-            of_function.asked += 1;
+            of_function.asked += usize::from(counts);
             if already {
                 continue;
             }
@@ -146,18 +157,29 @@ impl<'a> Units<'a> {
                     continue;
                 }
                 (None, None) => ruling.passing.push(i),
-                (None, Some(own)) => match needs.to_blame(judge.blames(own)) {
+                (None, Some(own)) => match needs.to_blame(judge.blames(own), own) {
                     Some(other) => {
                         ruling.because.insert(other);
+                        ruling.charged += usize::from(counts);
                         ruling.died |= own.rule == NO_ANSWER;
                         continue;
                     }
                     None => ruling.failing.push(i),
                 },
             }
-            of_function.judged += 1;
+            of_function.judged += usize::from(counts);
         }
+        ruling.says_one_thing = self.all_say_the_same(&ruling.passing);
         ruling
+    }
+
+    /// Whether these calls only returned a value, and all of them the same.
+    fn all_say_the_same(&self, calls: &[usize]) -> bool {
+        let mut values = calls.iter().map(|&i| match self.all[i].exchange {
+            Some(Exchange { called: Some((_, CallEnd::Returned(values))), structure_after: None, .. }) => &values[..],
+            _ => &[],
+        });
+        values.next().is_some_and(|first| !first.is_empty() && values.all(|value| value == first))
     }
 }
 
@@ -191,7 +213,7 @@ fn units<'a>(
             _ => at(faults, step).iter().map(|fault| fault.test).collect(),
         };
         if !tests.is_empty() || exchange.is_some() {
-            out.push(Unit { case: number, step, part: parts[step], before: None, exchange, tests });
+            out.push(Unit { case: number, step, fixed: true, part: parts[step], before: None, exchange, tests });
         }
     }
     out
@@ -221,13 +243,18 @@ fn parts(case: &Case) -> Vec<usize> {
 pub(super) struct Needs {
     /// The tests that the same suite decides.
     here: BTreeSet<String>,
-    /// The tests of other suites that are not passed.
-    open: BTreeSet<String>,
+    /// The tests of other suites that are not passed, and whether they are still to be written.
+    open: BTreeMap<String, bool>,
 }
 
 impl Needs {
-    /// `suite` are the tests of the suite of `test`; `passed` says what is known of earlier tests.
-    pub(super) fn of(manifest: &Manifest, test: &Test, suite: &[&str], passed: impl Fn(&str) -> bool) -> Self {
+    /// `suite` are the tests of the suite of `test`; `verdict` says what is known of earlier tests.
+    pub(super) fn of(
+        manifest: &Manifest,
+        test: &Test,
+        suite: &[&str],
+        verdict: impl Fn(&str) -> Option<Verdict>,
+    ) -> Self {
         let mut all: BTreeSet<&str> = test.needs.iter().map(String::as_str).collect();
         // Tests need earlier ones only, so one way back through the list finds all.
         for test in manifest.tests.iter().rev() {
@@ -237,16 +264,19 @@ impl Needs {
         }
         let (here, elsewhere): (BTreeSet<&str>, BTreeSet<&str>) =
             all.into_iter().partition(|name| suite.contains(name));
-        let owned = |names: BTreeSet<&str>| names.into_iter().map(str::to_owned).collect();
-        let open = elsewhere.into_iter().filter(|name| !passed(name)).collect();
-        Self { here: owned(here), open: owned(open) }
+        let here = here.into_iter().map(str::to_owned).collect();
+        let open = elsewhere.into_iter().map(|name| (name, verdict(name)));
+        let open = open.filter(|(_, verdict)| !verdict.is_some_and(Verdict::is_passed));
+        let open = open.map(|(name, verdict)| (name.to_owned(), verdict == Some(Verdict::Unattempted)));
+        Self { here, open: open.collect() }
     }
 
     /// The open test that a fault is charged to: the one whose promise it breaks; any, if that is not known.
-    fn to_blame(&self, blamed: Option<&str>) -> Option<String> {
+    fn to_blame(&self, blamed: Option<&str>, fault: &Fault) -> Option<String> {
+        let is_written = |name: &str| !self.open[name] || fault.kind == FaultKind::Unattempted;
         match blamed {
-            Some(name) => self.open.get(name).cloned(),
-            None => self.open.first().cloned(),
+            Some(name) => self.open.contains_key(name).then(|| name.to_owned()).filter(|name| is_written(name)),
+            None => self.open.keys().find(|name| is_written(name)).cloned(),
         }
     }
 
@@ -270,9 +300,13 @@ pub(super) struct Ruling {
     pub(super) passing: Vec<usize>,
     /// The calls that decide it and are wrong.
     pub(super) failing: Vec<usize>,
+    /// How many calls that count are wrong, and charged to tests of other suites.
+    charged: usize,
+    /// All right calls returned one and the same value.
+    says_one_thing: bool,
     /// The tests that failed where it was not judged.
     pub(super) because: BTreeSet<String>,
-    /// The calls of each function.
+    /// The calls of each function that count as evidence.
     functions: BTreeMap<String, Count>,
     /// The program ended in a call, and nobody knows in which step.
     died: bool,
@@ -292,7 +326,9 @@ impl Ruling {
 
     /// Whether enough calls decide it for a pass: of each function that is called.
     pub(super) fn is_enough(&self) -> bool {
+        let right: usize = self.functions.values().map(|count| count.judged).sum();
         let enough = |count: &Count| count.judged * SHARE >= count.asked && count.judged >= LEAST.min(count.asked);
-        !self.died && self.asked > 0 && self.functions.values().all(enough)
+        let enough_right = self.charged == 0 || (right > self.charged && !self.says_one_thing);
+        !self.died && self.asked > 0 && enough_right && self.functions.values().all(enough)
     }
 }

@@ -5,20 +5,23 @@
 //!                                └──▶ case 4 ✓  case 5 ✓      in a new process
 //! ```
 //!
-//! A process that hangs ends the suite: waiting for the deadline again would teach nothing. After the second end by
-//! time or memory, of whatever suites, the submission's run is over: what is left is not asked any more.
+//! A process that hangs ends the suite: waiting for the deadline again would teach nothing. Suites that call the
+//! same function are not run any more, and the others are. After the third suite that ends by time or memory the
+//! submission's run is over: what is left is not asked any more.
 
 use super::cases::random::fresh_seed;
 use super::fault::{Fault, FaultKind, first_unanswered};
 use super::judge::{Judge, Suite};
 use super::program::{End, Program};
-use super::protocol::{Case, CaseAnswer, read_answers};
+use super::protocol::{Case, CaseAnswer, Step, read_answers};
 
 /// How often a suite is taken up again after its process died.
 const RESTARTS: usize = 8;
 
-/// After so many ends by time or memory nothing more is asked of a program.
-pub(super) const PATIENCE: usize = 2;
+/// After so many suites that ended by time or memory nothing more is asked of a program ...
+pub(super) const PATIENCE: usize = 3;
+/// ... and after so many ends by memory nothing more of a suite.
+const ENDS: usize = 2;
 
 /// The rule that a program breaks which does not answer to the end.
 pub(super) const NO_ANSWER: &str = "answer";
@@ -36,22 +39,34 @@ pub(super) struct SuiteRun {
     pub(super) printed: String,
     /// How long the processes took.
     pub(super) millis: u64,
-    /// How often a process was ended because of time or memory.
+    /// How often its process was ended because of time or memory.
     pub(super) exhausted: usize,
-    /// The end after which nothing more was asked: the suite was not run, or not to its end.
-    pub(super) given_up: Option<FaultKind>,
+    /// Why the suite was not run.
+    pub(super) given_up: Option<String>,
 }
 
 impl SuiteRun {
-    /// The end by time or memory, if there was one.
-    pub(super) fn exhausted_by(&self) -> Option<FaultKind> {
-        let ends = self.faults.iter().flatten().map(|fault| &fault.kind);
-        ends.rev().find(|kind| matches!(kind, FaultKind::TimedOut | FaultKind::OutOfMemory)).cloned()
+    /// The functions in which the program came to an end by time or memory.
+    pub(super) fn exhausted_in<'a>(&'a self, suite: &'a Suite) -> impl Iterator<Item = &'a str> {
+        let ends = suite.asked.iter().zip(&self.faults).flat_map(|(asked, faults)| {
+            let exhausted = |fault: &&Fault| matches!(fault.kind, FaultKind::TimedOut | FaultKind::OutOfMemory);
+            faults.iter().filter(exhausted).filter_map(|fault| asked.case.steps.get(fault.step))
+        });
+        ends.filter_map(function)
     }
 
-    /// The suite that is not run because the program has used up all patience.
-    pub(super) fn given_up(end: FaultKind) -> Self {
-        Self { given_up: Some(end), ..Self::default() }
+    /// The suite that is not run.
+    pub(super) fn given_up(why: String) -> Self {
+        Self { given_up: Some(why), ..Self::default() }
+    }
+}
+
+/// The function of the student that a step calls.
+pub(super) fn function(step: &Step) -> Option<&str> {
+    match step {
+        Step::Call { function, .. } => Some(function),
+        Step::Svg => Some("picture"),
+        _ => None,
     }
 }
 
@@ -71,9 +86,7 @@ impl Graded<'_> {
 }
 
 /// Runs and judges all cases of a suite.
-///
-/// `exhausted` is how often the program was ended before because of time or memory.
-pub(super) fn run_suite(program: &dyn Program, judge: &dyn Judge, suite: &Suite, exhausted: usize) -> SuiteRun {
+pub(super) fn run_suite(program: &dyn Program, judge: &dyn Judge, suite: &Suite) -> SuiteRun {
     let mut run = SuiteRun::default();
     for _ in 0..=RESTARTS {
         let cases: Vec<&Case> = suite.asked.iter().skip(run.answers.len()).map(|asked| &asked.case).collect();
@@ -103,43 +116,47 @@ pub(super) fn run_suite(program: &dyn Program, judge: &dyn Judge, suite: &Suite,
             let died = i == last && !answers.done && (i + 1 == cases.len() || !answer.complete);
             if let Some(broken) = &answer.broken {
                 let kind = FaultKind::Wrong;
-                faults.extend(of_all_tests(suite, case, &answer, &kind, "broken", &broken.to_string()));
+                faults.extend(of_end_of_answers(judge, suite, case, &answer, &kind, ("broken", &broken.to_string())));
             } else if died || !answer.complete {
                 let (kind, tag, words) = of_end(&ran.end);
-                faults.extend(of_all_tests(suite, case, &answer, &kind, tag, &words));
+                faults.extend(of_end_of_answers(judge, suite, case, &answer, &kind, (tag, &words)));
             }
             faults.sort_by_key(|fault| fault.step);
             run.faults.push(faults);
             run.answers.push(answer);
         }
         run.exhausted += usize::from(matches!(ran.end, End::TimedOut | End::OutOfMemory));
-        if answers.done || ran.end == End::TimedOut || exhausted + run.exhausted >= PATIENCE {
+        if answers.done || ran.end == End::TimedOut || run.exhausted >= ENDS {
             break;
         }
     }
     run
 }
 
-/// A fault that counts against every test that the suite decides.
-fn of_all_tests(
+/// A fault where the answers end: it counts against every test that the suite decides, and in the middle of a picture
+/// against those of pictures only.
+fn of_end_of_answers(
+    judge: &dyn Judge,
     suite: &Suite,
     case: &Case,
     answer: &CaseAnswer,
     kind: &FaultKind,
-    tag: &str,
-    words: &str,
+    (tag, words): (&str, &str),
 ) -> Vec<Fault> {
-    let fault = |&test| Fault {
+    let step = first_unanswered(case, answer);
+    let of_picture = case.steps.get(step).filter(|step| **step == Step::Svg);
+    let tests = of_picture.map(|step| judge.concerns(suite, step, None)).filter(|tests| !tests.is_empty());
+    let fault = |test| Fault {
         test,
         kind: kind.clone(),
-        step: first_unanswered(case, answer),
+        step,
         rule: NO_ANSWER.to_owned(),
         tag: tag.to_owned(),
         words: words.to_owned(),
         elements: Vec::new(),
         instead: None,
     };
-    suite.tests.iter().map(fault).collect()
+    tests.unwrap_or_else(|| suite.tests.to_vec()).into_iter().map(fault).collect()
 }
 
 /// What an end in the middle of a case says.

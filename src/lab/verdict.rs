@@ -76,13 +76,13 @@ impl Verdict {
             Self::Passed => "Nothing is left to do here.",
             Self::Unattempted => "Replace the todo!() by your code.",
             Self::Skipped => "Make the test that it builds on pass first.",
-            Self::Wrong => "Read the first finding, look at the picture, then replay the script.",
+            Self::Wrong => "Read the first finding, look at the picture if there is one, then replay the case.",
             Self::Crashed => "Go to the line of the panic; replay the script to get there.",
             Self::TooSlow => "Reach what you need from the element that you are given, by its references.",
             Self::DoesNotComeBack => {
                 "Go to the loop at that line: ask what ends it, and whether the references that it follows lead there."
             }
-            Self::TimedOut => "Look for a loop that never ends, although it follows no references.",
+            Self::TimedOut => "Look for a loop that never ends, or for one that searches a whole list each time round.",
             Self::OutOfMemory => "Look for a list that grows in a loop which never ends.",
             Self::Refused => {
                 "Take out what is named, or hand in what is missing; the lab needs nothing beyond ordinary code."

@@ -282,7 +282,7 @@ fn resolve(table: &Table, word: &str) -> Option<u32> {
             (Element::HalfEdge(h), "origin") => table.origin(h)?.into(),
             (Element::HalfEdge(h), "face") => table.face(h)?.into(),
             (Element::Vertex(v), "outgoing") => table.outgoing(v)?.into(),
-            (Element::Face(f), "boundary") => table.half_edge(f)?.into(),
+            (Element::Face(f), "half_edge") => table.half_edge(f)?.into(),
             _ => panic!("{word}"),
         };
     }

@@ -412,23 +412,41 @@ impl dcel_lab::Program for Counted<'_> {
 }
 
 #[test]
-fn a_program_that_is_ended_twice_by_time_or_memory_is_asked_no_more() {
+fn a_program_that_is_ended_three_times_by_time_or_memory_is_asked_no_more() {
     for (end, verdict) in [(End::TimedOut, Verdict::TimedOut), (End::OutOfMemory, Verdict::OutOfMemory)] {
-        // Everything dies: two starts, and whoever was not asked has the same verdict and is told why.
+        // Everything dies: three starts, and whoever was not asked is told why.
         let dying = end.clone();
         let fake = Fake::twisted(move |_, _, done| done.answer = Answer::Died(dying.clone()));
         let counted = Counted(&fake, Default::default());
         let report = grade_program(&lab(), &counted, &Plan::with_seed(3));
         assert_eq!(report.points(), 0);
         let asked = |test: &&TestResult| test.verdict == verdict && !test.message.contains("It was not run");
-        let not_run = |test: &&TestResult| test.verdict == verdict && test.message.contains("ended twice");
-        let all: Vec<_> = report.tests.iter().filter(|test| test.verdict != Verdict::Skipped).collect();
+        let not_run = |test: &&TestResult| test.verdict == Verdict::Skipped;
+        let all: Vec<_> = report.tests.iter().collect();
         assert!(all.iter().copied().filter(asked).count() >= 1, "{all:#?}");
-        assert!(all.iter().copied().filter(not_run).count() >= 1, "{all:#?}");
-        assert!(all.iter().all(|test| test.verdict == verdict), "{all:#?}");
+        assert_eq!(all.iter().copied().filter(|test| asked(test) || not_run(test)).count(), all.len(), "{all:#?}");
+        let told = all.iter().filter(|test| test.message.contains("ended three times")).count();
         if end == End::TimedOut {
             // Nothing is shown of a program that does not come back, so nothing more is run for that.
-            assert_eq!(counted.1.into_inner(), 2);
+            assert_eq!(counted.1.into_inner(), 3);
+            assert!(told >= 1, "{all:#?}");
+        }
+
+        // One function never comes back: only what calls it is lost, and said to be so.
+        let dying = end.clone();
+        let fake = Fake::twisted(move |function, _, done| {
+            if function == "walk_vertex" {
+                done.answer = Answer::Died(dying.clone());
+            }
+        });
+        let report = grade(&fake);
+        let open: Vec<_> = report.tests.iter().filter(|test| test.verdict != Verdict::Passed).collect();
+        assert!(open[0].name == "vertex_star" && open[0].verdict == verdict, "{open:#?}");
+        for test in &open[1..] {
+            assert!(
+                test.verdict == Verdict::Skipped && test.message.contains("walk_vertex did not come back"),
+                "{open:#?}"
+            );
         }
 
         // Once only: everything else is asked, and passed.
@@ -525,8 +543,9 @@ fn an_answer_without_its_end_is_no_pass() {
     );
     let cut = Fake { printed: Box::new(|out| out[..out.len() * 9 / 10].to_owned()), ..Fake::right() };
     let report = grade(&cut);
-    let passed: Vec<_> = report.tests.iter().filter(|test| test.points > 0.into()).collect();
-    assert!(passed.is_empty(), "{passed:#?}");
+    let passed: Vec<_> =
+        report.tests.iter().filter(|test| test.points > 0.into()).map(|test| test.name.as_str()).collect();
+    assert_eq!(passed, ["drawing"], "it was answered; the end was missing in the picture");
     let undone = Fake { printed: Box::new(|out| out.replace("done", "gone")), ..Fake::right() };
     assert_eq!(grade(&undone).points(), 0);
     // Lines without the token are the student's own.

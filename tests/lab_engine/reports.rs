@@ -330,7 +330,7 @@ split_face_4_faces: wrong, what split_face_4_faces asks
       split_face h2 h8
       dump
   Replay it: cargo run < case.txt
-  Next: Read the first finding, look at the picture, then replay the script.
+  Next: Read the first finding, look at the picture if there is one, then replay the case.
   h8  face f2 → f1
 
 split_face_5_representatives: skipped, what split_face_5_representatives asks

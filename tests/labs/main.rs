@@ -8,7 +8,9 @@ mod course;
 mod course_export;
 mod doors;
 mod examples;
+mod handouts;
 mod own_lab;
 #[path = "../shell/mod.rs"]
 mod shell;
+mod unearned;
 mod verified;

@@ -18,8 +18,8 @@ impl Polygons {
     /// Task 2. Splits the polygon of `u` and `v` in two, along the line between them.
     ///
     /// ```text
-    ///      ●──── v ────●             ●──── v   copy of v ────●      u and v stay in the polygon in which u now follows
-    ///      │           │      =>     │     │       │         │      before v; the copies are in the other one, with all
+    ///      ●──── v ────●             ●──── v   copy of v ────●      u and v stay in the polygon in which v now follows
+    ///      │           │      =>     │     │       │         │      u; the copies are in the other one, with all
     ///      ●──── u ────●             ●──── u   copy of u ────●      that was between u and v, counter-clockwise
     /// ```
     ///

@@ -29,7 +29,7 @@ impl Svg {
     /// Draws a dot at `p`.
     pub fn dot(&mut self, p: Point) {
         let (x, y) = self.place(p);
-        let _ = writeln!(self.elements, "  <circle cx=\"{x}\" cy=\"{y}\" r=\"4\" fill=\"#111111\"/>");
+        let _ = writeln!(self.elements, "  <circle cx=\"{x}\" cy=\"{y}\" r=\"2.5\" fill=\"#111111\"/>");
     }
 
     /// Draws the circle through three points that are not on one line.

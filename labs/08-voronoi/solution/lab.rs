@@ -33,7 +33,7 @@ pub fn circle_centre(a: Point, b: Point, c: Point) -> Option<Point> {
 /// The dual, and what becomes of it.
 impl Dcel {
     /// Task 2. The dual: the face f becomes the vertex f, the vertex v becomes the face v, the half-edge h becomes the
-    /// half-edge h, which crosses it from right to left. All vertices are at (0, 0), the outer face is 0.
+    /// half-edge h, which crosses it from right to left. All vertices are at (0, 0), the outer face may be any.
     pub fn dual(&self) -> Dcel {
         // BEGIN SOLUTION
         // STARTER: // 1. Make the vertices, faces and half-edges, with origins and twins.

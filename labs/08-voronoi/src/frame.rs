@@ -14,7 +14,8 @@ use crate::dcel::Point;
 /// Half of its width and of its height.
 const HALF: Point = Point { x: 320.0, y: 220.0 };
 
-/// Where the ray from `start` in a direction leaves the frame; `start` itself if that is outside already.
+/// Where the ray from `start` in a direction leaves the frame; `start` itself if the ray never
+/// comes to a side of the frame.
 pub fn leave(start: Point, direction: Point) -> Point {
     let until = |at: f64, by: f64, half: f64| {
         if by > 0.0 {

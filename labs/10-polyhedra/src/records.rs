@@ -30,7 +30,7 @@ impl Structure for Polyhedron {
             word: "face",
             name: "face",
             plural: "faces",
-            columns: &[link("boundary", 'h')],
+            columns: &[link("half_edge", 'h')],
             shortcuts: &[],
         },
     ];

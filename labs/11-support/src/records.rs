@@ -85,7 +85,7 @@ impl Structure for Mesh {
             word: "face",
             name: "face",
             plural: "faces",
-            columns: &[link("boundary", 'h'), Column::Number],
+            columns: &[link("half_edge", 'h'), Column::Number],
             shortcuts: &[],
         },
     ];

@@ -8,6 +8,9 @@ use dcel_lab::{Lab, Manifest, Plan, Report, TestResult, Verdict, Workbench, chec
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+/// So many lines of what the program printed are shown.
+const PRINTED: usize = 10;
+
 /// Build your code, run the graded tests, and say what to do next
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
@@ -191,6 +194,10 @@ impl Bench {
         for test in &report.tests {
             let line = format!("{} {:<30} {}", sign(test.verdict), test.name, test.verdict);
             writeln!(out, "  {}", coloured(test.verdict, line))?;
+            // Why a test counts although others failed, or does not although nothing is wrong.
+            if matches!(test.verdict, Verdict::Passed | Verdict::Skipped) && !test.message.is_empty() {
+                writeln!(out, "      {}", test.message)?;
+            }
         }
         // What was written comes before what is still to be written: tasks may be done in any order.
         let told = |test: &&TestResult| !matches!(test.verdict, Verdict::Passed | Verdict::Skipped);
@@ -206,12 +213,19 @@ impl Bench {
         if open == 0 {
             writeln!(out, "\nEverything passes. Hand it in.")?;
         } else if let Some(page) = page {
-            writeln!(out, "\nWith pictures: {}", dcel_lab::typed(page))?;
+            let drawn = report.tests.iter().any(|test| test.picture.is_some());
+            let what = if drawn { "With pictures" } else { "As a page" };
+            writeln!(out, "\n{what}: {}", dcel_lab::typed(page))?;
         }
-        if !report.printed.is_empty() {
+        let lines = report.printed.lines().count();
+        if lines > 0 {
             writeln!(out, "\nYour program printed:")?;
-            for line in report.printed.lines() {
+            for line in report.printed.lines().take(PRINTED) {
                 writeln!(out, "  {}", line.replace(|c: char| c.is_control() && c != '\t', "\u{fffd}"))?;
+            }
+            if lines > PRINTED {
+                let more = dcel_kit::io::counted(lines - PRINTED, "line", "lines");
+                writeln!(out, "  … and {more} more; to see what one case prints, replay it")?;
             }
         }
         Ok(())

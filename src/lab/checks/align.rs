@@ -57,7 +57,7 @@ impl Field {
             Self::Face => "face",
             Self::Outgoing => "outgoing",
             Self::Position => "position",
-            Self::Boundary => "boundary",
+            Self::Boundary => "half_edge",
             Self::OuterFace => "outer_face",
         }
     }

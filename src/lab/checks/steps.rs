@@ -1,6 +1,6 @@
 //! An edit in several steps, each graded by its own test: what differs from the right structure becomes faults of steps.
 
-use super::align::{Aligned, Content, Difference, differences};
+use super::align::{Aligned, Content, Difference, Field, differences};
 use crate::fault::{Fault, FaultKind, Instead};
 use crate::protocol::CallEnd;
 use dcel_kit::Element;
@@ -124,7 +124,13 @@ impl Steps<'_> {
             let owner = difference.owner.map_or_else(|| "outer_face".to_owned(), |owner| format!("{owner}{part}"));
             let field =
                 if difference.owner.is_some() { format!(".{}", difference.field.word()) } else { String::new() };
-            let words = format!("{owner}{field} is {}, expected {}", difference.found, difference.expected);
+            // Any half-edge that fits is a right representative.
+            let any = if matches!(difference.field, Field::Outgoing | Field::Boundary) {
+                ", or another of its own"
+            } else {
+                ""
+            };
+            let words = format!("{owner}{field} is {}, expected {}{any}", difference.found, difference.expected);
             self.add(step, kind, &tag, &words, &elements);
             let of = match difference.owner.map(&role) {
                 None => "the structure",

@@ -97,7 +97,7 @@ impl Context<'_> {
             Asked { case, source: Source::Fixed }
         });
         let suite = Suite { asked: asked.collect(), ..suite.clone() };
-        let run = run_suite(self.program, self.judge, &suite, 0);
+        let run = run_suite(self.program, self.judge, &suite);
         let answered = suite.asked.into_iter().zip(run.answers).zip(run.faults);
         let alike = |faults: &[Fault]| {
             if faults.iter().any(|fault| needs.has_here(fault.test)) {

@@ -2,7 +2,7 @@
 
 use crate::gallery::films::strip;
 use crate::gallery::{Made, lesson};
-use dcel_kit::figure::sketch::{Backdrop, Multiples, Role, Sketch};
+use dcel_kit::figure::sketch::{Backdrop, Glyph, Multiples, Role, Sketch};
 use dcel_kit::figure::{FigureOptions, SketchFilm};
 use dcel_kit::ids::FaceId;
 use dcel_kit::plane::Subdivision;
@@ -13,8 +13,8 @@ fn seen([x, y, z]: [f64; 3]) -> [f64; 2] {
     [100.0 * x + 40.0 * y, 100.0 * z + 30.0 * y - 15.0 * x]
 }
 
-/// A regular solid and its dual, whose vertices are in the middles of its faces.
-fn pair(solid: Platonic) -> Sketch {
+/// A regular solid and its dual, whose vertices are in the middles of its faces, drawn as `glyph`.
+fn pair(solid: Platonic, glyph: Glyph) -> Sketch {
     let solid = Polyhedron::platonic(solid);
     let dcel = solid.topology();
     let middle = |f: FaceId| seen(solid.face_mean(f));
@@ -30,15 +30,15 @@ fn pair(solid: Platonic) -> Sketch {
         sketch.point(Role::Main, seen(solid.point(v)));
     }
     for f in solid.faces() {
-        sketch.point(Role::Secondary, middle(f));
+        sketch.point(Role::Secondary, middle(f)).glyph(glyph);
     }
     sketch
 }
 
-/// The picture that lab 10 asks for.
+/// The picture that lab 10 asks for. Its dots are round, as those of the students: squares would be four edges each.
 pub(in crate::gallery) fn cube() -> Made<String> {
     let options = FigureOptions::new("A cube and its dual, the octahedron").id_prefix("lab-10-cube").width(480.0);
-    Ok(pair(Platonic::Cube).figure(&options)?.to_svg())
+    Ok(pair(Platonic::Cube, Glyph::Disc).figure(&options)?.to_svg())
 }
 
 /// Three pairs of duals.
@@ -50,7 +50,7 @@ pub(in crate::gallery) fn duals() -> Made<String> {
         (Platonic::Cube, "Cube", "inside it, its dual: the octahedron"),
         (Platonic::Dodecahedron, "Dodecahedron", "inside it, its dual: the icosahedron"),
     ] {
-        panels.sketch(heading, text, pair(solid));
+        panels.sketch(heading, text, pair(solid, Glyph::Square));
     }
     let options = FigureOptions::new("Three pairs of duals").id_prefix("lab-10-duals").width(290.0);
     Ok(panels.figure(&options)?.to_svg())

@@ -248,6 +248,9 @@ pub(super) fn fixed() -> Vec<Mesh> {
         Mesh::new("inside", &[[0., 0.], [9., 0.], [3., 8.], [4., 3.]], &[[0, 1, 3], [1, 2, 3], [2, 0, 3]]),
         fan("pentagon", &turned(5)),
         fan("legal_pentagon", &parabola(5)),
+        // An edge that a flip makes illegal on a side that is not the next or the one before.
+        fan("fan", &[[0., 0.], [3., -2.], [6., -2.], [9., 0.], [6., 2.], [3., 2.]]),
+        Mesh::new("thin", &[[0., 0.], [1e8, 0.], [4e7, 1.]], &[[0, 1, 2]]),
         Mesh::new(
             "bay",
             &[[0., 0.], [8., 0.], [9., 5.], [5., 2.], [1., 6.], [3., 1.]],

@@ -123,9 +123,9 @@ pub(super) fn polygon(corners: usize) -> Start {
 fn word([half_edges, vertices, faces]: [usize; 3], random: &mut Random) -> String {
     let given = format!("h{}", random.below(half_edges));
     let base = match random.below(8) {
-        0 => format!("f{}.boundary", random.below(faces)),
+        0 => format!("f{}.half_edge", random.below(faces)),
         1 => format!("v{}.outgoing", random.below(vertices)),
-        2 => format!("{given}.face.boundary"),
+        2 => format!("{given}.face.half_edge"),
         3 => format!("{given}.origin.outgoing"),
         _ => given,
     };

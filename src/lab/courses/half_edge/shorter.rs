@@ -176,7 +176,7 @@ fn names_half_edge(word: &str) -> bool {
         (Some('h'), "next" | "prev" | "twin") => Some(Some('h')),
         (Some('h'), "origin") => Some(Some('v')),
         (Some('h'), "face") => Some(Some('f')),
-        (Some('v'), "outgoing") | (Some('f'), "boundary") => Some(Some('h')),
+        (Some('v'), "outgoing") | (Some('f'), "half_edge") => Some(Some('h')),
         _ => None,
     });
     end == Some(Some('h'))

@@ -92,7 +92,7 @@ pub(super) fn wrong(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
             };
             let wrong = Wrong::value(&value, because).is([
                 (found == [expected[1], expected[0]], "the right two corners in the wrong order"),
-                (on_the_line(0) && on_the_line(1), "the corners on the right lines that are further away"),
+                (on_the_line(0) && on_the_line(1), "the further corners of the two tangents"),
                 (found[0] == expected[0], "right in its first corner"),
                 (found[1] == expected[1], "right in its second corner"),
             ]);
@@ -140,7 +140,7 @@ pub(super) fn wrong_common(exchange: &Exchange, values: &[Value]) -> Option<Wron
     let expected_words = listed.iter().map(Value::words).collect::<Vec<_>>().join(" ");
     Some(Wrong { expected: Some(expected_words), ..wrong }.is([
         (swapped, "the right two tangents in the wrong order"),
-        (same_line(0) && same_line(1), "inner corners of the right lines"),
+        (same_line(0) && same_line(1), "inner corners of the two tangents"),
         (found[0] == expected[0], "right in its lower tangent"),
         (found[1] == expected[1], "right in its upper tangent"),
     ]))

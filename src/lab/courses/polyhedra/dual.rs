@@ -68,9 +68,12 @@ fn half_edges(surface: &Surface, dual: &Surface) -> Option<Wrong> {
         let next = ends.and_then(|g| from.twin(g)).map(number);
         let own = to.next(h).map(number);
         if own != next {
+            // The half-edge before: it ends where this one starts, and crosses what starts at the same vertex, too.
+            let before = from.twin(h).and_then(|twin| from.next(twin)).map(number);
+            let tag = if own == before { "next is prev" } else { "next" };
             let (own, next) = (named('h', own), named('h', next));
             let because = format!("the next of its h{} is {own}, expected {next}", h.number());
-            return Some(Wrong::because("next", because));
+            return Some(Wrong::because(tag, because));
         }
         let back = to.next(h).and_then(|next| to.prev(next)).map(number);
         if back != Some(h.number()) {
@@ -84,19 +87,23 @@ fn half_edges(surface: &Surface, dual: &Surface) -> Option<Wrong> {
 
 /// Each vertex has a half-edge that starts there, each face one that has it on its left.
 pub(super) fn representatives(surface: &Surface) -> Option<Wrong> {
+    let rows = &surface.table.half_edges;
+    let is_gone = |h: Option<HalfEdgeId>| h.is_some_and(|h| rows.get(h.index()).is_some_and(Option::is_none));
     for (v, row) in (0..).zip(&surface.table.vertices) {
         let own = row.as_ref().and_then(|row| row.outgoing);
         if own.and_then(|h| surface.start(h)) != Some(v) {
+            let why = if is_gone(own) { "was removed" } else { "does not start there" };
             let own = named('h', own.map(HalfEdgeId::number));
-            let because = format!("the outgoing half-edge of v{v} is {own}, which does not start there");
+            let because = format!("the outgoing half-edge of v{v} is {own}, which {why}");
             return Some(Wrong::because("outgoing", because));
         }
     }
     for f in surface.faces() {
         let own = surface.table.faces.get(f.index()).and_then(|row| row.as_ref()?.half_edge);
         if own.and_then(|h| surface.table.face(h)) != Some(f) {
+            let why = if is_gone(own) { "was removed" } else { "has another face" };
             let own = named('h', own.map(HalfEdgeId::number));
-            let because = format!("the incident half-edge of {f} is {own}, which has another face");
+            let because = format!("the incident half-edge of {f} is {own}, which {why}");
             return Some(Wrong::because("boundary", because));
         }
     }

@@ -31,7 +31,7 @@ pub(super) static SCHEMA: RecordSchema = RecordSchema {
                 ColumnSchema::Link("face", 'f'),
             ],
         },
-        TableSchema { word: "face", letter: 'f', columns: &[ColumnSchema::Link("boundary", 'h')] },
+        TableSchema { word: "face", letter: 'f', columns: &[ColumnSchema::Link("half_edge", 'h')] },
     ],
 };
 

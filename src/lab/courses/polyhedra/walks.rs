@@ -70,8 +70,12 @@ pub(super) fn winged_edges(exchange: &Exchange, values: &[Value]) -> Option<Wron
     let field = (0..9).find(|&i| own[i] != right[i])?;
     let because =
         format!("in the row of edge {}, {} is {}, expected {}", own[0], FIELDS[field], own[field], right[field]);
-    // The fields that are wrong in any row tell one mistake from another.
+    // The fields that are wrong in any row tell one mistake from another, and so does what stands in them instead.
     let is_wrong = |i: &usize| (0..found.len()).any(|at| found[at][*i] != expected[at][*i]);
-    let tag = (0..9).filter(is_wrong).map(|i| FIELDS[i]).collect::<Vec<_>>().join(".");
+    let named = |i: usize| {
+        let instead = (0..9).find(|&j| (0..found.len()).all(|at| found[at][i] == expected[at][j]));
+        instead.map_or_else(|| FIELDS[i].to_owned(), |j| format!("{}={}", FIELDS[i], FIELDS[j]))
+    };
+    let tag = (0..9).filter(is_wrong).map(named).collect::<Vec<_>>().join(".");
     Some(Wrong::because(&tag, because))
 }

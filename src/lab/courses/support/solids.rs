@@ -32,7 +32,7 @@ pub(super) static SCHEMA: RecordSchema = RecordSchema {
                 Number("live"),
             ],
         },
-        TableSchema { word: "face", letter: 'f', columns: &[Link("boundary", 'h'), Number("live")] },
+        TableSchema { word: "face", letter: 'f', columns: &[Link("half_edge", 'h'), Number("live")] },
     ],
 };
 

@@ -212,7 +212,13 @@ pub(super) fn close_border(exchange: &Exchange, tests: &[&'static str]) -> Vec<F
     outgoing(test, after, &corners.into_iter().collect::<Vec<_>>(), &mut faults);
     for h in all(before).filter(|&h| before.twin(h).is_some()) {
         if row(after, h) != row(before, h) {
-            faults.wrong(test, "close_border.others", &format!("{h} has a twin already, and has changed"), &[h.into()]);
+            let links = |table: &Table| [("next", table.next(h)), ("prev", table.prev(h)), ("twin", table.twin(h))];
+            let changed = links(before).into_iter().zip(links(after)).find(|(was, is)| was != is);
+            let how = changed.map_or_else(String::new, |((name, was), (_, is))| {
+                format!(": its {name} was {}, and is {}", named(was), named(is))
+            });
+            let words = format!("{h} has a twin already, and has changed{how}");
+            faults.wrong(test, "close_border.others", &words, &[h.into()]);
         }
     }
     if let Some(&links) = tests.get(1) {

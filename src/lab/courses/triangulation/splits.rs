@@ -97,8 +97,10 @@ pub(super) fn judge(exchange: &Exchange, tests: [&'static str; 2]) -> Vec<Fault>
         return Vec::new();
     }
     let &[Value::Id(corner)] = returned else {
+        // To refuse what may be cut is as wrong as to cut what must be refused; of the cut it says nothing.
         let words = "None is returned, but the two corners are neither the same nor neighbours".to_owned();
-        return vec![fault(FaultKind::Wrong, "refused", words)];
+        let own = fault(FaultKind::Wrong, "refused", words);
+        return vec![Fault { test: tests[0], rule: "split.refusal".to_owned(), ..own }];
     };
     // Of a very large polygon only the cost is looked at.
     let Some(after) = after else { return Vec::new() };
