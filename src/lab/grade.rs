@@ -221,7 +221,12 @@ impl<'a> Run<'a> {
         // A test without cases can never be passed.
         let Some(number) = number else { return (!in_part).then_some(state) };
         let part = &self.graded[number];
-        let verdict = |name: &str| Some(self.states.iter().find(|state| state.test.name == name)?.verdict);
+        // What is skipped because there is only a `todo!()` is not written either, whatever it builds on.
+        let verdict = |name: &str| {
+            let state = self.states.iter().find(|state| state.test.name == name)?;
+            let is_open = state.verdict == Verdict::Skipped && self.says_nothing(state);
+            Some(if is_open { Verdict::Unattempted } else { state.verdict })
+        };
         state.needs = Needs::of(&self.lab.manifest, test, part.suite.tests, verdict);
         if part.run.grader_fault.is_some() || part.suite.asked.is_empty() {
             return Some(state);
@@ -245,18 +250,20 @@ impl<'a> Run<'a> {
         Some(state)
     }
 
+    /// Whether the first that is known of a test is a `todo!()`.
+    fn says_nothing(&self, state: &State) -> bool {
+        let first = state.suite.and_then(|number| {
+            let faults = &self.graded[number].run.faults;
+            faults.iter().flatten().find(|fault| fault.test == state.test.name)
+        });
+        first.is_some_and(|fault| fault.kind == FaultKind::Unattempted)
+    }
+
     /// Tests of a task of which nothing is written yet are unattempted, whatever they build on.
     fn keep_unattempted(&mut self) {
-        let says_nothing = |state: &State| {
-            let first = state.suite.and_then(|number| {
-                let faults = &self.graded[number].run.faults;
-                faults.iter().flatten().find(|fault| fault.test == state.test.name)
-            });
-            first.is_some_and(|fault| fault.kind == FaultKind::Unattempted)
-        };
         let mut of_task: BTreeMap<u32, bool> = BTreeMap::new();
         for state in &self.states {
-            *of_task.entry(state.test.task).or_insert(true) &= says_nothing(state);
+            *of_task.entry(state.test.task).or_insert(true) &= self.says_nothing(state);
         }
         for state in &mut self.states {
             if state.verdict == Verdict::Skipped && of_task[&state.test.task] {

@@ -158,7 +158,7 @@ pub fn weld_in_space(points: &[[f64; 3]], faces: &PolygonList, distance: f64) ->
                 let at = points[v as usize];
                 let (along, apart) = along_and_apart([p, q], at);
                 let exact = are_on_a_line(p, q, at);
-                let inside = along > 0.0 && along < 1.0 && at != p && at != q;
+                let inside = along > 0.0 && along < 1.0 && ![p, q].contains(&at);
                 if inside && (apart <= distance || exact) && !cycle.contains(&v) {
                     between.push((along, v));
                     result.farthest = result.farthest.max(if exact { 0.0 } else { apart });
