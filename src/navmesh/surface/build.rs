@@ -15,6 +15,7 @@ use super::super::fault::MeshFault;
 use super::super::weld::{BorderSide, near_misses_along};
 use super::boxes::Boxes;
 use super::layers::plan;
+use super::place::LEVEL;
 use super::{NONE, NavSurface, SideRecord, Space, cross, dot, minus, next, norm, prev};
 use crate::ids::FaceId;
 use crate::plane::predicates::orientation;
@@ -176,10 +177,12 @@ impl NavSurface {
             starts,
             layer_count: 0,
             component_count: 0,
+            slack: 0.0,
             boxes: Boxes::default(),
         };
         surface.join(&corners)?;
         surface.make_nodes(points, &corners);
+        surface.slack = LEVEL * surface.points.iter().flatten().fold(0.0f64, |most, x| most.max(x.abs()));
         surface.measure();
         surface.find_components();
         surface.index();

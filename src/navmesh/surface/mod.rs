@@ -96,6 +96,8 @@ pub struct NavSurface {
     component: Vec<u32>,
     layer_count: usize,
     component_count: usize,
+    /// How much heights of one storey may differ.
+    slack: f64,
     boxes: Boxes,
 }
 
@@ -204,7 +206,7 @@ impl NavSurface {
         (0..self.triangle_count()).map(|t| norm(build::normal(self.corners(t))) / 2.0).sum()
     }
 
-    /// Where vertex `v` is; `None` if no face has it.
+    /// Where vertex `v` is; `None` if no face has it. O(n).
     #[must_use]
     pub fn point(&self, v: VertexId) -> Option<Space> {
         self.vertices.iter().position(|&w| w == v.number()).map(|node| self.points[node])

@@ -88,7 +88,7 @@ fn storeys(places: &[SurfacePoint]) -> String {
 }
 
 /// Heights whose difference is a smaller part of the size of the surface count as one.
-const LEVEL: f64 = 1e-9;
+pub(super) const LEVEL: f64 = 1e-9;
 
 impl NavSurface {
     /// All places at a point of the plan, from the lowest to the highest. At a vertex where fans touch that nobody passes
@@ -144,7 +144,7 @@ impl NavSurface {
         if places.is_empty() {
             return Err(SurfacePointError::Off { at });
         }
-        let slack = self.slack();
+        let slack = self.slack;
         let chosen = match floor {
             Floor::Any => {
                 let mut storeys = places.clone();
@@ -170,12 +170,6 @@ impl NavSurface {
         };
         places.retain(|place| (place.point[2] - chosen).abs() <= slack);
         Ok(places)
-    }
-
-    /// How much heights of one storey may differ.
-    fn slack(&self) -> f64 {
-        let size = self.points.iter().flatten().fold(0.0f64, |most, x| most.max(x.abs()));
-        LEVEL * size
     }
 
     /// The nearest place to a point: by the distance in the plan, and of storeys over each other by the height, if one is

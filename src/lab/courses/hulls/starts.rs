@@ -31,6 +31,13 @@ pub(super) fn stated(start: &Start) -> Option<Vec<Point>> {
     Some(numbers?.chunks_exact(2).map(|pair| Point::new(pair[0], pair[1])).collect())
 }
 
+/// The polygons of a start that states them.
+pub(super) fn stated_polygons(start: &Start) -> Option<Vec<Vec<Point>>> {
+    let words = start.text().strip_prefix("polygons")?;
+    let corners = |part: &str| stated(&Start::line(format!("points{part}")));
+    words.split(" /").map(corners).collect()
+}
+
 /// Many points: some on a parabola, the others above it.
 pub(super) fn bowl(count: usize) -> Start {
     let place = |i: usize| {

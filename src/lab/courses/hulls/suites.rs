@@ -3,7 +3,7 @@
 use super::polygons::SCHEMA;
 use super::starts::{
     bowl, degenerate, of_a_small_grid, pairs, plain, points, polygons, random, random_pair, random_polygon, stated,
-    with_a_point, with_an_odd_point,
+    stated_polygons, with_a_point, with_an_odd_point,
 };
 use super::{features, hull, merge, picture, tangents};
 use crate::answers::{self, Function};
@@ -104,7 +104,7 @@ impl Judge for Hulls {
     }
 
     fn shorter(&self, case: &Case) -> Vec<Case> {
-        let Some(points) = stated(&case.start) else { return Vec::new() };
+        let Some(points) = stated(&case.start) else { return with_fewer_corners(case) };
         let without = |left_out: usize| {
             let mut kept = points.clone();
             kept.remove(left_out);
@@ -115,6 +115,44 @@ impl Judge for Hulls {
         let halves = halves.into_iter().filter(|_| points.len() > 3);
         halves.chain((0..points.len().min(40)).map(without)).collect()
     }
+}
+
+/// The same calls for polygons with fewer corners: with one half of a polygon, or without one corner of it. Corners that
+/// are gone are named by the next one that is left.
+fn with_fewer_corners(case: &Case) -> Vec<Case> {
+    let Some(all) = stated_polygons(&case.start) else { return Vec::new() };
+    let mut shorter = Vec::new();
+    let mut first = 0;
+    for (i, corners) in all.iter().enumerate() {
+        let count = corners.len();
+        let half = if count > 3 { vec![0..count / 2, count / 2..count] } else { Vec::new() };
+        let halves = half.into_iter().map(Iterator::collect::<Vec<usize>>);
+        let without = |gone: usize| (0..count).filter(|&k| k != gone).collect::<Vec<usize>>();
+        let one = (0..count.min(40)).filter(|_| count > 1).map(without);
+        for kept in halves.chain(one) {
+            let mut polygons = all.clone();
+            polygons[i] = kept.iter().map(|&k| corners[k]).collect();
+            let left = |c: usize| match c.checked_sub(first) {
+                None => c,
+                Some(k) if k >= count => c + kept.len() - count,
+                Some(k) => first + kept.iter().position(|&other| other >= k).unwrap_or(kept.len() - 1),
+            };
+            let named = |word: &String| {
+                let number = word.strip_prefix('c').and_then(|number| number.parse().ok());
+                number.map_or_else(|| word.clone(), |number| format!("c{}", left(number)))
+            };
+            let steps = case.steps.iter().map(|step| match step {
+                Step::Call { function, arguments } => {
+                    Step::Call { function: function.clone(), arguments: arguments.iter().map(named).collect() }
+                }
+                other => other.clone(),
+            });
+            let (start, steps) = (self::polygons(&polygons), steps.collect());
+            shorter.push(Case { start, steps, ..case.clone() });
+        }
+        first += count;
+    }
+    shorter
 }
 
 /// Fixed cases, then random ones from the seed of the report, then those of the instructor.
@@ -234,5 +272,27 @@ mod tests {
         let case = points_case("x", "graham_scan", &[[0., 0.], [1., 2.], [3., 0.]].map(Point::from));
         let shorter: Vec<String> = HULLS.shorter(&case).iter().map(|case| case.start.text().to_owned()).collect();
         assert_eq!(shorter, ["points 1 2 3 0", "points 0 0 3 0", "points 0 0 1 2"]);
+    }
+
+    #[test]
+    fn polygons_lose_corners_and_the_calls_are_about_what_is_left() {
+        let at = |points: &[[f64; 2]]| points.iter().copied().map(Point::from).collect::<Vec<_>>();
+        let pair = [at(&[[0., 0.], [2., 0.], [1., 2.]]), at(&[[5., 0.], [6., 1.]])];
+        let case = Case::new("x", polygons(&pair)).step(Step::of_line("common_tangents c2 c3"));
+        let told = |case: &Case| {
+            let Some(Step::Call { arguments, .. }) = case.steps.first() else { return String::new() };
+            format!("{}: {}", case.start.text(), arguments.join(" "))
+        };
+        let shorter: Vec<String> = HULLS.shorter(&case).iter().map(told).collect();
+        assert_eq!(
+            shorter,
+            [
+                "polygons 2 0 1 2 / 5 0 6 1: c1 c2",
+                "polygons 0 0 1 2 / 5 0 6 1: c1 c2",
+                "polygons 0 0 2 0 / 5 0 6 1: c1 c2",
+                "polygons 0 0 2 0 1 2 / 6 1: c2 c3",
+                "polygons 0 0 2 0 1 2 / 5 0: c2 c3",
+            ]
+        );
     }
 }

@@ -318,6 +318,7 @@ fn fixed_sleeves() -> Vec<Case> {
         ("straight", sleeve([0.0, 0.0], [4.0, 0.0], &[gate])),
         ("left", sleeve([0.0, 0.0], [3.0, 4.0], &[gate, corner])),
         ("right", sleeve([0.0, 0.0], [3.0, -4.0], &[gate, [[5.0, -1.0], [2.0, -2.0]]])),
+        ("two_moves", sleeve([0.0, 0.0], [2.0, -6.0], &[[[5.0, 3.0], [2.0, 0.0]], [[5.0, 3.0], [3.0, -2.0]]])),
         ("touches", sleeve([0.0, 0.0], [4.0, 4.0], &[gate, corner])),
         ("start_on_portal", sleeve([2.0, 1.0], [3.0, 5.0], &[gate, corner])),
         ("start_is_end", sleeve([2.0, 2.0], [3.0, 5.0], &[gate, corner])),
