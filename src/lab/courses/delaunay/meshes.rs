@@ -397,7 +397,7 @@ mod tests {
     fn all_triangulations_are_sound() {
         let mut from = Random::new(3, "meshes");
         let mut all = fixed();
-        assert_eq!(all.len(), 17 + 6 + 6 + 2);
+        assert_eq!(all.len(), 19 + 6 + 6 + 2);
         all.extend((0..40).filter_map(|i| random(&mut from, &format!("{i}"), 12)));
         all.extend([wave("wave", 32_045, false), wave("wave", 32_045, true), slanted_mesh(9, 5)]);
         all.iter().for_each(is_sound);
