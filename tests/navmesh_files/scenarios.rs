@@ -182,6 +182,40 @@ fn a_file_that_fits_neither_says_which_it_nearly_fits() {
     assert_eq!(of(&["0 0 4 4 10"]).not_octile.count, 0);
 }
 
+/// As the files of the benchmarks have it: 48 diagonal steps of 1.41421354, printed with six digits, are 67.8822; with
+/// the √2 of doubles they are 67.8823.
+#[test]
+fn sums_in_single_precision_are_octile_lengths_too() {
+    let mut single = 0;
+    for steps in 1..400_u32 {
+        for straight in [0, 1, 15, 60] {
+            let sum = (0..steps).fold(f64::from(straight), |sum, _| sum + f64::from(std::f32::consts::SQRT_2));
+            let true_length = f64::from(straight) + f64::from(steps) * std::f64::consts::SQRT_2;
+            single += usize::from(six_digits(sum) != six_digits(true_length));
+            let file = format!("0 a.map 999 999 0 0 {} {steps} {}\n", steps + straight, six_digits(sum));
+            let scenario = parse(&file);
+            assert_eq!(scenario.verdict().not_octile.count, 0, "{file}");
+            assert!(scenario.queries[0].agrees(Some(true_length), Optimum::Octile, 1e-14), "{file}");
+            let longer = true_length + 4.0 * scenario.queries[0].precision;
+            assert!(!scenario.queries[0].agrees(Some(longer), Optimum::Octile, 1e-14), "{file}");
+        }
+    }
+    assert!(single > 5, "{single} sums are printed otherwise");
+    // Between both, and none of them.
+    assert_eq!(parse("0 a.map 999 999 0 0 48 48 67.8821").verdict().not_octile.count, 1);
+}
+
+#[test]
+fn a_stated_0_between_two_places_is_no_path() {
+    let scenario =
+        parse("0 a.map 9 9 1 1 5 1 0\n0 a.map 9 9 1 1 1 1 0\n0 a.map 9 9 1 1 5 1 -1\n0 a.map 9 9 1 1 5 1 4\n");
+    let lengths: Vec<_> = scenario.queries.iter().map(|query| query.length).collect();
+    assert_eq!(lengths, [None, Some(0.0), None, Some(4.0)]);
+    assert!(scenario.queries[0].agrees(None, Optimum::Octile, 0.0));
+    assert!(!scenario.queries[0].agrees(Some(4.0), Optimum::Octile, 0.0));
+    assert_eq!(scenario.verdict().stated, 2);
+}
+
 #[test]
 fn a_length_is_as_exact_as_its_file_prints_it() {
     let of = |lengths: &[&str]| {

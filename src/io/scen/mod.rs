@@ -7,6 +7,8 @@
 //!   └ bucket               └────┴ size of the map
 //! ```
 //!
+//! Some files state 0 where there is no path: between two places that are not the same it cannot be a length.
+//!
 //! Points are those of the map's file: for a grid map corners of cells, y pointing down; for a mesh its own
 //! coordinates.
 //!
@@ -52,7 +54,7 @@ pub struct Query {
     pub start: Point,
     /// Where it ends; y as in the file.
     pub goal: Point,
-    /// The stated length; none if there is no path.
+    /// The stated length; none if there is no path: -1 is stated, or 0 between two places.
     pub length: Option<f64>,
     /// How far the stated length may be from the one that was meant: half a unit of its last printed digit. 0 if none
     /// is stated.
@@ -73,7 +75,8 @@ pub struct Scenario {
 impl Query {
     /// Whether an answer is what the file states: no way where it states none; if the lengths are Euclidean, the stated
     /// one within its [`precision`](Self::precision); if they are octile, no more than the stated one, within its
-    /// precision, and no less than the straight line. `tolerance` is a part of the length that is allowed on top.
+    /// precision and that of √2 in single precision, and no less than the straight line. `tolerance` is a part of the
+    /// length that is allowed on top.
     #[must_use]
     pub fn agrees(&self, found: Option<f64>, optimum: Optimum, tolerance: f64) -> bool {
         match (self.length, found, optimum) {
@@ -82,7 +85,8 @@ impl Query {
                 (found - stated).abs() <= self.precision + tolerance * stated
             }
             (Some(stated), Some(found), Optimum::Octile) => {
-                found <= stated * (1.0 + tolerance) + self.precision && found >= self.straight() * (1.0 - tolerance)
+                let longest = stated * (verdict::SINGLE + tolerance) + self.precision;
+                found <= longest && found >= self.straight() * (1.0 - tolerance)
             }
             _ => false,
         }
@@ -142,12 +146,14 @@ impl Scenario {
                         return Err(scanner.expected(*length, "a length, or -1 for no path", ""));
                     }
                     digits.push(Digits::of(length.text));
+                    let (start, goal) = (point(*x0, *y0)?, point(*x1, *y1)?);
+                    let is_length = stated > 0.0 || (stated >= 0.0 && start == goal);
                     queries.push(Query {
                         bucket,
                         map: map.join(" "),
-                        start: point(*x0, *y0)?,
-                        goal: point(*x1, *y1)?,
-                        length: (stated >= 0.0).then_some(stated),
+                        start,
+                        goal,
+                        length: is_length.then_some(stated),
                         precision: 0.0,
                         line: scanner.line(),
                     });
