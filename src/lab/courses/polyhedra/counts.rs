@@ -123,7 +123,10 @@ pub(super) fn genus(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
         let found = i64::from(*found);
         return (found != expected).then(|| {
             let expected_words = Value::Id(expected as u32);
-            Wrong::value(&expected_words, "V - E + F = 2 - 2g").is([(found == 2 * expected, "2g instead of g")])
+            Wrong::value(&expected_words, "V - E + F = 2 - 2g").is([
+                (found == 2 * expected, "2g instead of g"),
+                (found > i64::from(i32::MAX), "a negative number, which an unsigned type cannot hold"),
+            ])
         });
     }
     let [Value::Refusal(named)] = values else {

@@ -32,7 +32,7 @@ crate::features! {
     Touches "touches" "another corner lies on the line",
     TouchesOnly "touches_only" "another corner lies on the line, and no side crosses it",
     Crosses "crosses" "a side crosses the line",
-    CrossesOrTouches "crosses_or_touches" "a side crosses the line, or a corner lies on it",
+    CrossesOrTouches "crosses_or_touches" "the line begins inside of the polygon, and meets its boundary on the way",
     AllOutside "all_outside" "the line meets no side, and lies outside of the polygon",
     ReflexU "reflex_u" "u is a reflex corner",
     ConvexU "convex_u" "u is no reflex corner",
