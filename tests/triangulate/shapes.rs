@@ -1,7 +1,8 @@
 //! Shapes with names: combs, spirals, stars, straight runs, rings in rings, islands, dangling edges.
 
+use crate::common::Random;
 use crate::judge::{METHODS, judge, judge_whole, polygon, rings, triangles_due};
-use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
+use dcel_kit::plane::{MonotoneEvent, Point, Subdivision, TriangulationMethod};
 use dcel_kit::topology::Journal;
 use dcel_kit::{FaceId, VertexId};
 
@@ -213,4 +214,49 @@ fn monotone_pieces_run_to_the_right_and_back_once() {
             assert_eq!(turns.count(), 2, "{f}");
         }
     }
+}
+
+/// A face that runs to the right and back just once needs no sorting and no sweep; with another face beside it, it gets both.
+#[test]
+fn a_monotone_face_is_cut_the_same_with_and_without_the_sweep() {
+    let mut random = Random(19);
+    let mut stood_above = 0;
+    for round in 0..300 {
+        // Rows in order from left to right and upwards, on a lattice far enough apart.
+        let mut row = |least: usize| {
+            let mut row: Vec<(i32, i32)> =
+                (0..random.below(12)).map(|_| (1 + random.below(8) as i32, (least + random.below(6)) as i32)).collect();
+            row.sort_unstable();
+            row.dedup();
+            row
+        };
+        let (lower, mut upper) = (row(0), row(10));
+        let same_x = |row: &[(i32, i32)]| row.windows(2).filter(|pair| pair[0].0 == pair[1].0).count();
+        stood_above += same_x(&lower) + same_x(&upper);
+        upper.reverse();
+        let mut corners = [vec![(0, 8)], lower, vec![(9, 8)], upper].concat();
+        if corners.len() < 4 {
+            continue;
+        }
+        let turn = random.below(corners.len());
+        corners.rotate_left(turn);
+        let points = |offset: i32| corners.iter().map(move |&(x, y)| Point::new(f64::from(x + offset), f64::from(y)));
+        let n = corners.len() as u32;
+        let ring = |first: u32| (0..n).map(move |i| [first + i, first + (i + 1) % n]);
+        let alone: Vec<Point> = points(0).collect();
+        let both: Vec<Point> = points(0).chain(points(100)).collect();
+        let mut alone = Subdivision::from_graph(&alone, &ring(0).collect::<Vec<_>>()).unwrap();
+        let mut both = Subdivision::from_graph(&both, &ring(0).chain(ring(n)).collect::<Vec<_>>()).unwrap();
+        let (mut seen, mut seen_with) = (Vec::new(), Vec::new());
+        alone.triangulate_monotone_observed(&mut seen).unwrap();
+        both.triangulate_monotone_observed(&mut seen_with).unwrap();
+        let is_own = |event: &MonotoneEvent| match event {
+            MonotoneEvent::Corner { at, .. } | MonotoneEvent::Diagonal { from: at, .. } => at.number() < n,
+            MonotoneEvent::Cut(corners) => corners[0].number() < n,
+        };
+        seen_with.retain(is_own);
+        assert_eq!(seen, seen_with, "round {round}: {corners:?}");
+        assert_eq!(alone.face_count(), n as usize - 1, "round {round}: {corners:?}");
+    }
+    assert!(stood_above > 300, "{stood_above}");
 }

@@ -62,6 +62,9 @@ struct Sweep<'a, O> {
 /// [`TriangulateError::NotPlanar`] where edges do not come in the order they should.
 pub(super) fn split(patch: &mut Patch, observer: &mut impl Observer<MonotoneEvent>) -> Result<(), TriangulateError> {
     let events = std::mem::take(&mut patch.events);
+    if patch.is_monotone && is_one_piece(patch, &events, observer) {
+        return Ok(());
+    }
     let given = patch.given();
     let gap_of = vec![NONE; given as usize];
     let (gaps, opened) = (Vec::new(), Vec::new());
@@ -83,6 +86,25 @@ pub(super) fn split(patch: &mut Patch, observer: &mut impl Observer<MonotoneEven
         }
     }
     sweep.settle(last)
+}
+
+/// Whether a face that runs to the right and back just once has its inside between both rows; then no gap opens or
+/// closes but at the ends, and nothing is left to be joined. Tells the corners.
+fn is_one_piece(patch: &Patch, events: &[u32], observer: &mut impl Observer<MonotoneEvent>) -> bool {
+    let [start, between @ .., end] = events else { return false };
+    if !patch.turn(*start).is_gt() || !patch.turn(*end).is_gt() {
+        return false;
+    }
+    let at = |h: u32| patch.vertex(patch.origin(h));
+    observer.observe(|| MonotoneEvent::Corner { at: at(*start), corner: Corner::Start });
+    for &h in between {
+        observer.observe(|| {
+            let is_lower = patch.origin(patch.prev(h)) < patch.origin(h);
+            MonotoneEvent::Corner { at: at(h), corner: if is_lower { Corner::Lower } else { Corner::Upper } }
+        });
+    }
+    observer.observe(|| MonotoneEvent::Corner { at: at(*end), corner: Corner::End });
+    true
 }
 
 impl<O: Observer<MonotoneEvent>> Sweep<'_, O> {

@@ -12,7 +12,7 @@
 //! A *corner* of a face is named by the half-edge that leaves it. A diagonal joins two corners.
 
 use super::TriangulateError;
-use crate::geometry::predicates::{orientation, sort_key};
+use crate::geometry::predicates::{left_to_right, orientation, sort_key};
 use crate::ids::{FaceId, HalfEdgeId, MAX_IDS, VertexId};
 use crate::plane::{Point, Subdivision};
 use crate::topology::{InnerComponent, TooMany};
@@ -61,6 +61,8 @@ pub(super) struct Patch {
     /// The corners given from left to right, those of one vertex together; an isolated vertex is the number of
     /// corners given plus the number of its inner component.
     pub(super) events: Vec<u32>,
+    /// Whether the patch is one face whose boundary runs to the right and back just once: there are no gaps to follow.
+    pub(super) is_monotone: bool,
 }
 
 impl Patch {
@@ -71,14 +73,21 @@ impl Patch {
         if 6 * (patch.links.given.len() + patch.rings.len()) > MAX_IDS {
             return Err(TooMany);
         }
-        patch.put_in_order(s);
+        match patch.order_of_two_rows(s) {
+            Some(order) => {
+                patch.is_monotone = true;
+                patch.number(s, order.into_iter());
+            }
+            None => patch.put_in_order(s),
+        }
         Ok(patch)
     }
 
     /// The half-edges, face by face and cycle by cycle; origins are vertices for the time being.
     fn collect(s: &Subdivision, faces: &[FaceId]) -> Self {
-        let (mut given, mut next, mut prev, mut face, mut origin) = (vec![], vec![], vec![], vec![], vec![]);
+        let (mut given, mut origin) = (Vec::new(), Vec::new());
         let (mut parts, mut rings) = (Vec::with_capacity(faces.len()), Vec::new());
+        let mut cycles: Vec<(u32, u32, FaceId)> = Vec::new();
         for &f in faces {
             let Some(boundary) = s.dcel.half_edge(f) else { continue };
             let own_rings = s.inner_components(f);
@@ -92,16 +101,11 @@ impl Patch {
                     InnerComponent::Isolated(v) => rings.push(PatchComponent::Isolated(v.number(), f)),
                     InnerComponent::Cycle(start) => {
                         for h in s.dcel.cycle(start) {
-                            let i = given.len() as u32;
                             given.push(h);
                             origin.push(s.dcel.origin(h).number());
-                            face.push(f);
-                            next.push(i + 1);
-                            prev.push(i.wrapping_sub(1));
                         }
                         let last = given.len() as u32 - 1;
-                        next[last as usize] = first;
-                        prev[first as usize] = last;
+                        cycles.push((first, last, f));
                         if first != part.first {
                             rings.push(PatchComponent::Cycle(first, last));
                         }
@@ -112,8 +116,76 @@ impl Patch {
             part.rings[1] = rings.len() as u32;
             parts.push(part);
         }
+        // What the diagonals will need, at most, has room from the beginning.
+        let corners = given.len() as u32;
+        let room = 3 * given.len() + 4 * rings.len();
+        let column = || Vec::with_capacity(room);
+        let (mut next, mut prev, mut face) = (column(), column(), Vec::with_capacity(room));
+        next.extend(1..=corners);
+        prev.extend((0..corners).map(|i| i.wrapping_sub(1)));
+        for (first, last, f) in cycles {
+            next[last as usize] = first;
+            prev[first as usize] = last;
+            face.resize(last as usize + 1, f);
+        }
         let links = Links { given, next, prev, face, origin, vertex: Vec::new() };
-        Self { links, parts, rings, points: Vec::new(), events: Vec::new() }
+        Self { links, parts, rings, points: Vec::new(), events: Vec::new(), is_monotone: false }
+    }
+
+    /// The corners from left to right, each with its vertex, if the patch is one face without inner components whose
+    /// boundary runs to the right and back just once: two rows, which are merged. Most others show that they are not
+    /// at their first corners. O(n).
+    ///
+    /// ```text
+    ///        ●──●───●
+    ///       ╱        ╲         Each row is in order, so that nothing has to be sorted.
+    ///      ●──●────●──●
+    /// ```
+    fn order_of_two_rows(&self, s: &Subdivision) -> Option<Vec<(u32, u32)>> {
+        let origin = &self.links.origin;
+        if self.parts.len() != 1 || !self.rings.is_empty() {
+            return None;
+        }
+        let at = |corner: u32| s.points[VertexId::new(origin[corner as usize])];
+        let n = origin.len() as u32;
+        let (mut leftmost, mut rightmost) = (None, None);
+        let mut here = at(0);
+        let mut came = left_to_right(at(n - 1), here);
+        for corner in 0..n {
+            let there = at(if corner + 1 == n { 0 } else { corner + 1 });
+            let goes = left_to_right(here, there);
+            let turns = match (came, goes) {
+                (Ordering::Less, Ordering::Less) | (Ordering::Greater, Ordering::Greater) => None,
+                (Ordering::Greater, Ordering::Less) => Some(&mut leftmost),
+                (Ordering::Less, Ordering::Greater) => Some(&mut rightmost),
+                _ => return None,
+            };
+            if turns.is_some_and(|end| end.replace(corner).is_some()) {
+                return None;
+            }
+            (came, here) = (goes, there);
+        }
+        let (leftmost, rightmost) = leftmost.zip(rightmost)?;
+        let with_vertex = |corner: u32| (origin[corner as usize], corner);
+        let mut order = Vec::with_capacity(origin.len());
+        order.push(with_vertex(leftmost));
+        let (mut lower, mut upper) = (self.next(leftmost), self.prev(leftmost));
+        while lower != rightmost || upper != rightmost {
+            match left_to_right(at(lower), at(upper)) {
+                Ordering::Less => {
+                    order.push(with_vertex(lower));
+                    lower = self.next(lower);
+                }
+                Ordering::Greater => {
+                    order.push(with_vertex(upper));
+                    upper = self.prev(upper);
+                }
+                // The boundary touches itself.
+                Ordering::Equal => return None,
+            }
+        }
+        order.push(with_vertex(rightmost));
+        Some(order)
     }
 
     /// Finds the places: the corners and isolated vertices from left to right.
@@ -132,15 +204,25 @@ impl Patch {
                 above_each_other.sort_unstable_by_key(|&(_, v, i)| (sort_key(at(v).y), v, i));
             }
         }
+        self.number(s, order.into_iter().map(|(_, v, event)| (v, event)));
+    }
+
+    /// Gives places to vertices, which come from left to right, each with what happens there.
+    fn number(&mut self, s: &Subdivision, order: impl ExactSizeIterator<Item = (u32, u32)>) {
+        let corners = self.links.given.len();
+        let mut origin = Vec::with_capacity(self.links.next.capacity());
+        origin.resize(corners, 0);
         self.events.reserve(order.len());
-        for (_, v, event) in order {
+        self.links.vertex.reserve(order.len());
+        self.points.reserve(order.len());
+        for (v, event) in order {
             if self.links.vertex.last() != Some(&VertexId::new(v)) {
                 self.links.vertex.push(VertexId::new(v));
-                self.points.push(at(v));
+                self.points.push(s.points[VertexId::new(v)]);
             }
             let place = self.links.vertex.len() as u32 - 1;
             match event as usize {
-                corner if corner < corners => self.links.origin[corner] = place,
+                corner if corner < corners => origin[corner] = place,
                 ring => {
                     if let PatchComponent::Isolated(v, _) = &mut self.rings[ring - corners] {
                         *v = place;
@@ -149,12 +231,7 @@ impl Patch {
             }
             self.events.push(event);
         }
-        // What the diagonals will need, at most.
-        let more = 2 * (corners + 2 * self.rings.len());
-        for column in [&mut self.links.next, &mut self.links.prev, &mut self.links.origin] {
-            column.reserve(more);
-        }
-        self.links.face.reserve(more);
+        self.links.origin = origin;
     }
 
     /// The half-edges given.
