@@ -124,11 +124,20 @@ fn summary(verdicts: impl Iterator<Item = Verdict> + Clone) -> Verdict {
     telling.or_else(|| verdicts.max()).unwrap_or(Verdict::GraderFault)
 }
 
-/// In which calls of the random cases each test fails and in which it does not.
+/// In which calls of the random cases these tests fail and in which they do not. Only suites are run that decide one of
+/// them, or what they need, or that call the same functions.
 #[cfg(feature = "grade")]
-pub(super) fn random_evidence(lab: &Lab, program: &dyn Program, plan: &Plan) -> Evidence {
+pub(super) fn random_evidence(lab: &Lab, program: &dyn Program, plan: &Plan, tests: &BTreeSet<&str>) -> Evidence {
     let Some(judge) = lab.judge() else { return Evidence::new() };
     let mut suites = judge.suites(plan);
+    let called = |suite: &Suite| -> BTreeSet<String> {
+        let steps = suite.asked.iter().flat_map(|asked| &asked.case.steps);
+        steps.filter_map(|step| function(step).map(str::to_owned)).collect()
+    };
+    let decides = |suite: &Suite, tests: &BTreeSet<&str>| suite.tests.iter().any(|test| tests.contains(test));
+    let functions: BTreeSet<String> = suites.iter().filter(|suite| decides(suite, tests)).flat_map(called).collect();
+    let needed = with_needs(lab, tests.clone());
+    suites.retain(|suite| decides(suite, &needed) || !called(suite).is_disjoint(&functions));
     suites.iter_mut().for_each(|suite| suite.asked.retain(|asked| asked.source == Source::Random));
     let graded = run_all(lab, judge, program, &suites);
     Run::new(lab, judge, &graded, true).evidence(&|_| true)
@@ -362,14 +371,19 @@ fn empty_report(lab: &Lab, plan: &Plan, program: &dyn Program) -> Report {
 /// The suites that decide the test that is wanted, and those that it needs; all if none is wanted.
 fn wanted(suites: Vec<Suite>, lab: &Lab, plan: &Plan) -> Vec<Suite> {
     let Some(only) = &plan.only else { return suites };
-    let mut names: BTreeSet<&str> = [only.as_str()].into();
+    let names = with_needs(lab, [only.as_str()].into());
+    suites.into_iter().filter(|suite| suite.tests.iter().any(|test| names.contains(test))).collect()
+}
+
+/// Tests, and all that they need.
+fn with_needs<'a>(lab: &'a Lab, mut tests: BTreeSet<&'a str>) -> BTreeSet<&'a str> {
     // Tests need earlier ones only, so one way back through the list finds all.
     for test in lab.manifest.tests.iter().rev() {
-        if names.contains(test.name.as_str()) {
-            names.extend(test.needs.iter().map(String::as_str));
+        if tests.contains(test.name.as_str()) {
+            tests.extend(test.needs.iter().map(String::as_str));
         }
     }
-    suites.into_iter().filter(|suite| suite.tests.iter().any(|test| names.contains(test))).collect()
+    tests
 }
 
 impl Run<'_> {

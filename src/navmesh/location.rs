@@ -107,7 +107,8 @@ pub enum QueryPointError {
 impl NavMesh {
     /// Where `p` lies, exactly. A point with a coordinate that is no number is outside.
     ///
-    /// Cost: O(1) for faces of about one size: those of one cell of the index are tested.
+    /// Cost: O(1) for faces of about one size: those of one cell of the index are tested. O(log n) where faces are so long
+    /// and thin that cells would see too many of them.
     ///
     /// ```
     /// use dcel_kit::navmesh::{Location, NavMesh};
