@@ -28,7 +28,7 @@
 //   edit/                       split_face, join_faces, split_edge, join_edges; insert and remove vertices, edges, segments
 //   plane_journal.rs            watching the edits, undo
 //   locate/                     where a point lies: scan, walk, index
-//   triangulate/                faces into triangles: ears, monotone pieces              hull.rs    points -> convex hull
+//   triangulate/                faces into triangles: ears, monotone pieces              hull/      points -> convex hull
 //   sweep.rs status.rs          what lies below; the edges under the sweep line, in order
 //   cycle.rs rings.rs           which way round, which inner cycle in which face              seed.rs    to start from
 

@@ -250,3 +250,71 @@ fn hulls_are_convex_for_the_kits_own_check() {
     }
     assert!(solids > tries, "{solids} solids of {tries} clouds");
 }
+
+/// Clouds that are large enough for a core, in every shape that it may be wrong about: no point may lie above a side.
+#[test]
+fn large_hulls_hold_all_points() {
+    let unit = |r: &mut Random| r.below(1 << 20) as f64 / f64::from(1 << 20);
+    let in_ball = move |r: &mut Random| {
+        loop {
+            let p = [(); 3].map(|()| 2.0 * unit(r) - 1.0);
+            if p.iter().map(|x| x * x).sum::<f64>() <= 1.0 {
+                return p;
+            }
+        }
+    };
+    type Place = Box<dyn Fn(&mut Random) -> [f64; 3]>;
+    let shapes: [(&str, Place); 9] = [
+        ("a ball", Box::new(in_ball)),
+        ("a cube", Box::new(move |r| [(); 3].map(|()| unit(r)))),
+        ("a lattice", Box::new(|r| [(); 3].map(|()| r.below(20) as f64))),
+        (
+            "an ellipsoid",
+            Box::new(move |r| {
+                let [x, y, z] = in_ball(r);
+                [1e3 * x, y, 1e-3 * z]
+            }),
+        ),
+        (
+            "a slanted slab",
+            Box::new(move |r| {
+                let [x, y, z] = in_ball(r);
+                [x + 1e-3 * z, y - 1e-3 * z, x + y + 1e-3 * z]
+            }),
+        ),
+        (
+            "a corner of a cube",
+            Box::new(move |r| {
+                let mut p = [(); 3].map(|()| unit(r));
+                p.sort_by(f64::total_cmp);
+                [p[0], p[1] - p[0], p[2] - p[1]]
+            }),
+        ),
+        (
+            "clusters",
+            Box::new(move |r| {
+                let centre = [[0.0; 3], [9.0, 0.0, 0.0], [0.0, 9.0, 0.0], [0.0, 0.0, 9.0], [2.0; 3]][r.below(5)];
+                let p = in_ball(r);
+                std::array::from_fn(|i| centre[i] + 1e-3 * p[i])
+            }),
+        ),
+        ("far away", Box::new(|r| [(); 3].map(|()| 1e15 + r.below(64) as f64 * 0.125))),
+        ("a ball and a far point", Box::new(move |r| if r.below(3000) == 0 { [1e6; 3] } else { in_ball(r) })),
+    ];
+    for (name, place) in &shapes {
+        let mut random = Random(name.len() as u64);
+        let points: Vec<[f64; 3]> = (0..12_000).map(|_| place(&mut random)).collect();
+        let hull = Polyhedron::convex_hull(&points, HullFaces::Triangles).unwrap();
+        assert!(hull.solid.check_convex().is_ok(), "{name}");
+        for f in hull.solid.faces() {
+            let mut corners = hull.solid.incident_vertices(f).map(|v| hull.solid.point(v));
+            let [a, b, c] = std::array::from_fn(|_| corners.next().unwrap());
+            let above = points.iter().find(|&&p| dcel_kit::solid::predicates::orient3d(a, b, c, p).is_gt());
+            assert_eq!(above, None, "{name}: a point outside of {f}");
+        }
+        for v in hull.solid.vertices() {
+            let point = hull.solid.point(v);
+            assert_eq!(points[hull.points[v] as usize], point, "{name}: {v}");
+        }
+    }
+}

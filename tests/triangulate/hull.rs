@@ -60,6 +60,73 @@ fn small_hulls_agree_with_all_pairs() {
     }
 }
 
+/// Andrew's scan as the books have it, over all points: nothing is put aside.
+fn by_the_book(points: &[Point]) -> Vec<u32> {
+    let at = |i: &u32| points[*i as usize];
+    let mut order: Vec<u32> = (0..points.len() as u32).collect();
+    order.sort_by(|a, b| order_of(at(a), at(b)));
+    order.dedup_by(|b, a| at(a) == at(b));
+    let side = |order: &mut dyn Iterator<Item = u32>| {
+        let mut side: Vec<u32> = Vec::new();
+        for i in order {
+            while let [.., a, b] = side[..]
+                && !orientation(at(&a), at(&b), at(&i)).is_gt()
+            {
+                side.pop();
+            }
+            side.push(i);
+        }
+        side.pop();
+        side
+    };
+    let lower = side(&mut order.iter().copied());
+    lower.into_iter().chain(side(&mut order.iter().rev().copied())).collect()
+}
+
+fn order_of(a: Point, b: Point) -> std::cmp::Ordering {
+    order(a).partial_cmp(&order(b)).unwrap()
+}
+
+/// Clouds that are large enough for strips, in every shape that strips may be wrong about.
+#[test]
+fn large_hulls_agree_with_a_scan_over_all_points() {
+    let shapes: [(&str, fn(&mut Random) -> (f64, f64)); 11] = [
+        ("a square", |r| (r.below(1 << 20) as f64, r.below(1 << 20) as f64)),
+        ("a lattice", |r| (r.below(90) as f64, r.below(90) as f64)),
+        ("a circle", |r| (r.below(1 << 20) as f64).sin_cos()),
+        ("clusters", |r| {
+            let (x, y) = [(0.0, 0.0), (9.0, 1.0), (5.0, 7.0), (4.0, 4.0)][r.below(4)];
+            (x + r.below(1000) as f64 * 1e-6, y + r.below(1000) as f64 * 1e-6)
+        }),
+        ("a triangle", |r| {
+            let (a, b) = (r.below(1 << 16), r.below(1 << 16));
+            (a.max(b) as f64, a.min(b) as f64)
+        }),
+        ("a parabola and what is above", |r| {
+            let x = r.below(4001) as f64 - 2000.0;
+            (x, x * x + [0.0, 1e-9, 5.0, 1e6][r.below(4)])
+        }),
+        ("upright columns", |r| ([0.0, 1e-40, 1.0][r.below(3)], r.below(5000) as f64)),
+        ("a line, tenths", |r| {
+            let i = r.below(7000) as f64;
+            (i * 0.1, i * 0.3)
+        }),
+        ("far away", |r| (1e15 + r.below(64) as f64 * 0.125, 1e15 + r.below(4000) as f64 * 0.125)),
+        ("a needle to the left", |r| match r.below(2000) {
+            0 => (-1e9, 0.0),
+            _ => (r.below(100) as f64, r.below(100) as f64),
+        }),
+        ("two heights", |r| (r.below(6000) as f64, [-0.0, 0.0, 1.0][r.below(3)])),
+    ];
+    for (name, place) in shapes {
+        for (seed, count) in [(1, 2_500), (2, 9_000), (3, 30_000)] {
+            let mut random = Random(seed);
+            let points: Vec<Point> = (0..count).map(|_| place(&mut random).into()).collect();
+            assert_eq!(convex_hull(&points).unwrap(), by_the_book(&points), "{name}, {count} points");
+        }
+    }
+}
+
 #[test]
 fn nearly_straight_sides_are_told_apart() {
     // The middle point is one last place inside, on, or outside of the lower side.

@@ -2,7 +2,8 @@
 //!
 //! ```text
 //!   main.rs    the table: runs the programs in turn, compares with goals.toml
-//!   rows.rs    what is done, by whom            shapes.rs   polygons
+//!   rows.rs    what is done, by whom            shapes.rs   polygons and points
+//!   native.rs  peers in C++, where they are installed
 //! ```
 //!
 //! A row is run warm, with an allocator that keeps its memory, and cold, with the default one.
@@ -10,10 +11,12 @@
 #[path = "../../src/inputs.rs"]
 #[allow(dead_code)]
 mod inputs;
+mod native;
 mod rows;
 mod shapes;
 
 use cpu_time::ProcessTime;
+use native::NATIVE;
 use rows::{ROWS, Row};
 use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
@@ -120,17 +123,45 @@ fn one(row: &str, program: &str) -> Result<ExitCode, String> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The same in a process of its own.
-fn elsewhere(row: &str, program: &str, mode: &str) -> Result<f64, String> {
-    let mut command = Command::new(std::env::current_exe().map_err(|e| e.to_string())?);
-    command.args(["--one", row, program]).env_remove("GLIBC_TUNABLES");
-    if mode == "warm" {
-        command.env("GLIBC_TUNABLES", WARM);
+/// One who takes part in a row.
+struct Runner {
+    name: &'static str,
+    /// Its release, as far as it is known.
+    version: String,
+    /// Whether it is a peer.
+    peer: bool,
+    command: Command,
+}
+
+/// Those who take part, ours first; peers in C++ that are not installed are told.
+fn runners(row: &Row) -> Result<Vec<Runner>, String> {
+    let this = std::env::current_exe().map_err(|e| e.to_string())?;
+    let mut all = Vec::new();
+    for program in row.programs {
+        let mut command = Command::new(&this);
+        command.args(["--one", row.name, program.name]);
+        let version = version(program.package).to_owned();
+        all.push(Runner { name: program.name, version, peer: program.package != "dcel-kit", command });
     }
-    let output = command.output().map_err(|e| e.to_string())?;
+    for native in NATIVE.iter().filter(|native| native.row == row.name) {
+        match native.command() {
+            Ok(command) => all.push(Runner { name: native.name, version: String::new(), peer: true, command }),
+            Err(_) => println!("  {:40} absent", native.name),
+        }
+    }
+    Ok(all)
+}
+
+/// Nanoseconds an element, in a process of its own.
+fn elsewhere(row: &str, runner: &mut Runner, mode: &str) -> Result<f64, String> {
+    runner.command.env_remove("GLIBC_TUNABLES");
+    if mode == "warm" {
+        runner.command.env("GLIBC_TUNABLES", WARM);
+    }
+    let output = runner.command.output().map_err(|e| e.to_string())?;
     let text = String::from_utf8_lossy(&output.stdout);
     let said = String::from_utf8_lossy(&output.stderr);
-    text.trim().parse().map_err(|_| format!("{program} on {row}: no time, but {}", said.trim()))
+    text.trim().parse().map_err(|_| format!("{} on {row}: no time, but {}", runner.name, said.trim()))
 }
 
 fn table(rows: &[&Row], rounds: usize, record: bool) -> Result<ExitCode, String> {
@@ -140,25 +171,25 @@ fn table(rows: &[&Row], rounds: usize, record: bool) -> Result<ExitCode, String>
     println!("{:42} {:>9} {:>9}   ours / peer: warm, cold; goal", "ns an element (medians)", "warm", "cold");
     for row in rows {
         println!("{}", row.name);
+        let mut runners = runners(row)?;
         // Programs and ways to run take turns, so that what else the machine does meets all of them.
-        let mut times = vec![[const { Vec::new() }; 2]; row.programs.len()];
+        let mut times = vec![[const { Vec::new() }; 2]; runners.len()];
         for _ in 0..rounds {
-            for (program, times) in row.programs.iter().zip(&mut times) {
+            for (runner, times) in runners.iter_mut().zip(&mut times) {
                 for (mode, times) in MODES.iter().zip(times) {
-                    times.push(elsewhere(row.name, program.name, mode)?);
+                    times.push(elsewhere(row.name, runner, mode)?);
                 }
             }
         }
         let medians: Vec<[f64; 2]> = times.into_iter().map(|both| both.map(median)).collect();
         let ours = medians[0];
-        for (program, &[warm, cold]) in row.programs.iter().zip(&medians) {
-            let mut line =
-                format!("  {:40} {warm:9.1} {cold:9.1}", format!("{} {}", program.name, version(program.package)));
+        for (runner, &[warm, cold]) in runners.iter().zip(&medians) {
+            let mut line = format!("  {:40} {warm:9.1} {cold:9.1}", format!("{} {}", runner.name, runner.version));
             let shares = [ours[0] / warm, ours[1] / cold];
-            if program.package != "dcel-kit" {
+            if runner.peer {
                 let _ = write!(line, "   {:.2}, {:.2}", shares[0], shares[1]);
             }
-            let goal = goals.goal.iter_mut().find(|goal| goal.row == row.name && goal.peer == program.name);
+            let goal = goals.goal.iter_mut().find(|goal| goal.row == row.name && goal.peer == runner.name);
             if let Some(goal) = goal {
                 let _ = write!(line, "; goal {}", goal.share);
                 let mut met = Vec::new();
@@ -168,7 +199,7 @@ fn table(rows: &[&Row], rounds: usize, record: bool) -> Result<ExitCode, String>
                         met.push((*mode).to_owned());
                     }
                     if goal.met.iter().any(|before| before == mode) && share > goal.share * MARGIN {
-                        let text = format!("{}, {mode}: {share:.2} of {}, goal {}", row.name, program.name, goal.share);
+                        let text = format!("{}, {mode}: {share:.2} of {}, goal {}", row.name, runner.name, goal.share);
                         lost.push(text);
                     }
                 }
@@ -177,6 +208,7 @@ fn table(rows: &[&Row], rounds: usize, record: bool) -> Result<ExitCode, String>
             println!("{line}");
         }
     }
+    native::clear();
     if record {
         let head =
             text.lines().take_while(|line| line.starts_with('#')).fold(String::new(), |all, line| all + line + "\n");

@@ -74,6 +74,25 @@ rows! {
         "dcel-kit" of "dcel-kit" => our_delaunay(&clusters(500_000)),
         "delaunator" of "delaunator" => delaunator_of(&clusters(500_000)),
         "spade" of "spade" => spade_of(&clusters(500_000));
+    "constrained Delaunay":
+        "dcel-kit" of "dcel-kit" => our_constrained(street_map(100_000)),
+        "spade" of "spade" => spade_constrained(street_map(100_000));
+    "hull, random":
+        "dcel-kit" of "dcel-kit" => our_hull(&random(1_000_000)),
+        "geo" of "geo" => geo_hull(&random(1_000_000));
+    "hull, circle":
+        "dcel-kit" of "dcel-kit" => our_hull(&on_a_circle(1_000_000)),
+        "geo" of "geo" => geo_hull(&on_a_circle(1_000_000));
+    "hull, clusters":
+        "dcel-kit" of "dcel-kit" => our_hull(&clusters(1_000_000)),
+        "geo" of "geo" => geo_hull(&clusters(1_000_000));
+    "hull in space, ball":
+        "dcel-kit" of "dcel-kit" => our_hull_in_space(ball(1_000_000));
+    "hull in space, sphere":
+        "dcel-kit" of "dcel-kit" => our_hull_in_space(sphere(100_000));
+    "Voronoi cells in a square":
+        "dcel-kit" of "dcel-kit" => our_cells(&random(200_000)),
+        "voronoice" of "voronoice" => voronoice_cells(&random(200_000));
     "polygon, circle":
         "dcel-kit" of "dcel-kit" => our_triangles(&circle(100_000)),
         "dcel-kit from points" of "dcel-kit" => our_triangles_of_points(circle(100_000)),
@@ -117,11 +136,11 @@ fn lox_of<M: MeshMut + 'static>(input: Triangles) -> Prepared {
     })
 }
 
-fn coasts() -> [Vec<Ring>; 2] {
+pub fn coasts() -> [Vec<Ring>; 2] {
     [vec![coast(1 << 18, [0.0, 0.0], 3)], vec![coast(1 << 17, [0.9, 0.3], 4)]]
 }
 
-fn two_rows() -> [Vec<Ring>; 2] {
+pub fn two_rows() -> [Vec<Ring>; 2] {
     [squares(204, 0.0), squares(204, 0.35)]
 }
 
@@ -141,7 +160,7 @@ fn common(a: &Subdivision, b: &Subdivision) -> Subdivision {
     both.region(Operation::Intersection, Parts::Joined).expect("not too many")
 }
 
-fn edges(of: &[Vec<Ring>; 2]) -> usize {
+pub fn edges(of: &[Vec<Ring>; 2]) -> usize {
     of.iter().flatten().map(Vec::len).sum()
 }
 
@@ -158,17 +177,17 @@ fn their_intersection(of: [Vec<Ring>; 2]) -> Prepared {
     work(edges(&of), move || of[0].overlay(&of[1], OverlayRule::Intersect, FillRule::EvenOdd))
 }
 
-fn random(count: usize) -> Vec<[f64; 2]> {
+pub fn random(count: usize) -> Vec<[f64; 2]> {
     let mut random = Random::new(5);
     (0..count).map(|_| [random.unit(), random.unit()]).collect()
 }
 
-fn lattice(count: usize) -> Vec<[f64; 2]> {
+pub fn lattice(count: usize) -> Vec<[f64; 2]> {
     let side = (count as f64).sqrt() as usize;
     (0..count).map(|i| [(i % side) as f64, (i / side) as f64]).collect()
 }
 
-fn clusters(count: usize) -> Vec<[f64; 2]> {
+pub fn clusters(count: usize) -> Vec<[f64; 2]> {
     let mut random = Random::new(5);
     let centres: Vec<[f64; 2]> = (0..30).map(|_| [random.unit(), random.unit()]).collect();
     let mut one = || {
@@ -248,4 +267,100 @@ fn spade_location(sites: usize) -> Prepared {
     let made = Hierarchy::bulk_load(points).expect("finite points");
     let asked: Vec<Point2<f64>> = asked().into_iter().map(|[x, y]| Point2::new(x, y)).collect();
     work(asked.len(), move || asked.iter().map(|&p| made.locate(p)).collect::<Vec<_>>())
+}
+
+/// Points in the unit square, and the sides of small triangles between some of them: none crosses another.
+pub fn street_map(count: usize) -> (Vec<[f64; 2]>, Vec<[u32; 2]>) {
+    let mut random = Random::new(11);
+    let side = ((count / 4) as f64).sqrt() as usize;
+    let (mut points, mut edges) = (Vec::new(), Vec::new());
+    for cell in 0..side * side {
+        let (x, y) = ((cell % side) as f64, (cell / side) as f64);
+        let first = points.len() as u32;
+        let mut at = |fx: f64, fy: f64| [x + fx + 0.3 * random.unit(), y + fy + 0.3 * random.unit()];
+        points.extend([at(0.05, 0.05), at(0.6, 0.05), at(0.05, 0.6), at(0.6, 0.6)]);
+        edges.extend([[first, first + 1], [first + 1, first + 3], [first + 3, first + 2], [first + 2, first]]);
+    }
+    (points, edges)
+}
+
+fn our_constrained((points, edges): (Vec<[f64; 2]>, Vec<[u32; 2]>)) -> Prepared {
+    let points: Vec<Point> = points.into_iter().map(Point::from).collect();
+    work(points.len(), move || {
+        let s = Subdivision::from_graph(&points, &edges).expect("no two sides cross");
+        s.constrained_delaunay().expect("not too many").subdivision
+    })
+}
+
+fn spade_constrained((points, edges): (Vec<[f64; 2]>, Vec<[u32; 2]>)) -> Prepared {
+    let points: Vec<_> = points.into_iter().map(|[x, y]| Point2::new(x, y)).collect();
+    let edges: Vec<[usize; 2]> = edges.into_iter().map(|e| e.map(|i| i as usize)).collect();
+    work(points.len(), move || {
+        spade::ConstrainedDelaunayTriangulation::<Point2<f64>>::bulk_load_cdt(points.clone(), edges.clone())
+            .expect("no two sides cross")
+    })
+}
+
+pub fn on_a_circle(count: usize) -> Vec<[f64; 2]> {
+    let mut random = Random::new(13);
+    let angle = |random: &mut Random| std::f64::consts::TAU * random.unit();
+    (0..count).map(|_| angle(&mut random)).map(|a| [a.cos(), a.sin()]).collect()
+}
+
+fn our_hull(points: &[[f64; 2]]) -> Prepared {
+    let points: Vec<Point> = points.iter().map(|&p| Point::from(p)).collect();
+    work(points.len(), move || dcel_kit::plane::convex_hull(&points).expect("good points"))
+}
+
+fn geo_hull(points: &[[f64; 2]]) -> Prepared {
+    use geo::ConvexHull as _;
+    let points: geo::MultiPoint<f64> = points.iter().map(|&[x, y]| geo::Point::new(x, y)).collect();
+    work(points.0.len(), move || points.convex_hull())
+}
+
+pub fn sphere(count: usize) -> Vec<[f64; 3]> {
+    let mut random = Random::new(17);
+    let mut one = || loop {
+        let p = [(); 3].map(|()| 2.0 * random.unit() - 1.0);
+        let square: f64 = p.iter().map(|x| x * x).sum();
+        if (1e-4..=1.0).contains(&square) {
+            return p.map(|x| x / square.sqrt());
+        }
+    };
+    (0..count).map(|_| one()).collect()
+}
+
+pub fn ball(count: usize) -> Vec<[f64; 3]> {
+    let mut random = Random::new(19);
+    let mut one = || loop {
+        let p = [(); 3].map(|()| 2.0 * random.unit() - 1.0);
+        if p.iter().map(|x| x * x).sum::<f64>() <= 1.0 {
+            return p;
+        }
+    };
+    (0..count).map(|_| one()).collect()
+}
+
+fn our_hull_in_space(points: Vec<[f64; 3]>) -> Prepared {
+    use dcel_kit::solid::{HullFaces, Polyhedron};
+    work(points.len(), move || Polyhedron::convex_hull(&points, HullFaces::Triangles).expect("a solid"))
+}
+
+fn our_cells(points: &[[f64; 2]]) -> Prepared {
+    use dcel_kit::plane::Window;
+    let points: Vec<Point> = points.iter().map(|&p| Point::from(p)).collect();
+    let window = Window { low: Point::new(0.0, 0.0), high: Point::new(1.0, 1.0) };
+    work(points.len(), move || {
+        let delaunay = Subdivision::delaunay(&points).expect("good points").subdivision;
+        delaunay.voronoi().expect("Delaunay").cells(window).expect("no two sites too close").subdivision
+    })
+}
+
+fn voronoice_cells(points: &[[f64; 2]]) -> Prepared {
+    let points: Vec<_> = points.iter().map(|&[x, y]| voronoice::Point { x, y }).collect();
+    let window = voronoice::BoundingBox::new(voronoice::Point { x: 0.5, y: 0.5 }, 1.0, 1.0);
+    work(points.len(), move || {
+        let builder = voronoice::VoronoiBuilder::default().set_sites(points.clone()).set_bounding_box(window.clone());
+        builder.build().expect("a diagram")
+    })
 }

@@ -19,10 +19,14 @@
 //! Rote, *Incremental constructions con BRIO*, 2003.
 //!
 //! ```text
-//!   facets.rs   The sides of a hull
-//!   simplex.rs  Four points to start from that do not lie in one plane
+//!   core.rs       Points that are inside for sure, found quickly
+//!   facets.rs     The sides of a hull
+//!   order.rs      The order in which points come
+//!   simplex.rs    Four points to start from that do not lie in one plane
+//!   triangles.rs  The hull while it grows
 //! ```
 
+mod core;
 mod facets;
 mod order;
 mod simplex;
@@ -117,7 +121,7 @@ impl Polyhedron {
     /// The convex hull of `points`, with all sides whole or cut into triangles. Vertices are numbered in the order
     /// of the points.
     ///
-    /// Cost: expected O(n log n) time, whatever the points; O(n) memory.
+    /// Cost: expected O(n log n) time, whatever the points, and O(n) for points that fill a volume evenly; O(n) memory.
     ///
     /// # Errors
     /// [`HullError`] if the points do not span a solid.
@@ -158,10 +162,16 @@ impl Polyhedron {
             }
         }
         let corners = simplex::spanning_points(points)?;
-        let mut hull = Triangles::simplex(points, corners);
+        let core = core::Core::new(points);
+        let inside: Vec<bool> = core.map(|core| points.iter().map(|&p| core.contains(p)).collect()).unwrap_or_default();
+        let is_left = |p: u32| !inside.get(p as usize).copied().unwrap_or(false);
+        let mut hull = Triangles::simplex(points, corners, is_left);
         let [a, b, c, d] = corners;
         observer.observe(|| HullEvent::Tetrahedron([[a, b, c], [b, a, d], [c, b, d], [a, c, d]]));
-        order::order(points, |p| hull.add(p, observer));
+        for p in (0..points.len() as u32).filter(|&p| !is_left(p)) {
+            observer.observe(|| HullEvent::Inside(p));
+        }
+        order::order(points, is_left, |p| hull.add(p, observer));
         let facets = Facets::new(points, hull.triangles());
         let (sources, polygons) = facets.polygons(faces);
         let positions = sources.iter().map(|&p| points[p as usize]).collect();

@@ -5,8 +5,9 @@
 //!                                      each stretch sorted along a curve that fills space
 //! ```
 
-/// Calls `add` for every point once. Expected O(n log n). The same points come in the same order every time.
-pub(super) fn order(points: &[[f64; 3]], mut add: impl FnMut(u32)) {
+/// Calls `add` once for every point that is wanted. Expected O(n log n). The same points come in the same order every
+/// time, whichever others are wanted.
+pub(super) fn order(points: &[[f64; 3]], wanted: impl Fn(u32) -> bool, mut add: impl FnMut(u32)) {
     let mut shuffled: Vec<u32> = (0..points.len() as u32).collect();
     let mut seed = 0;
     for i in (1..shuffled.len()).rev() {
@@ -18,7 +19,8 @@ pub(super) fn order(points: &[[f64; 3]], mut add: impl FnMut(u32)) {
     while start < shuffled.len() {
         let end = (2 * start).clamp(start + 1, shuffled.len());
         keyed.clear();
-        keyed.extend(shuffled[start..end].iter().map(|&p| (place(points[p as usize]), p)));
+        let wanted = shuffled[start..end].iter().filter(|&&p| wanted(p));
+        keyed.extend(wanted.map(|&p| (place(points[p as usize]), p)));
         keyed.sort_unstable();
         keyed.iter().for_each(|&(_, p)| add(p));
         start = end;

@@ -52,9 +52,9 @@ struct Edge {
 }
 
 impl<'a> Triangles<'a> {
-    /// The hull of four points, the fourth below the plane of the others. Every other point learns of a triangle
-    /// that sees it, if one does.
-    pub(super) fn simplex(points: &'a [[f64; 3]], [a, b, c, d]: [u32; 4]) -> Self {
+    /// The hull of four points, the fourth below the plane of the others. Every other point that is wanted learns of a
+    /// triangle that sees it, if one does.
+    pub(super) fn simplex(points: &'a [[f64; 3]], [a, b, c, d]: [u32; 4], wanted: impl Fn(u32) -> bool) -> Self {
         let triangle = |corners, beside| Triangle { corners, beside, seen: NONE, mark: 0 };
         let mut this = Self {
             points,
@@ -74,7 +74,7 @@ impl<'a> Triangles<'a> {
             horizon: Vec::new(),
             new: (0..4).collect(),
         };
-        (0..points.len() as u32).for_each(|p| this.find_new_triangle(p));
+        (0..points.len() as u32).filter(|&p| wanted(p)).for_each(|p| this.find_new_triangle(p));
         this
     }
 

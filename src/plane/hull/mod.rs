@@ -6,14 +6,16 @@
 //!         ●   ┌───────┐   ●         upper one.
 //!          ╲  │· · · ·│  ╱
 //!            ●└───────┘●            Before that, points in the middle are put aside: those with points right and left
-//!             ╲───────╱             of them both above and below.
+//!             ╲───────╱             of them both above and below. If many are left, `strips.rs` finds more of them.
 //! ```
 //!
 //! Source: Andrew, *Another efficient algorithm for convex hulls in two dimensions*, Information Processing Letters 9,
 //! 1979; de Berg et al., *Computational Geometry*, 3rd ed., section 1.1.
 
+mod strips;
+
 use super::{CoordinateError, Point, Subdivision};
-use crate::geometry::predicates::{orientation, sort_key};
+use crate::geometry::predicates::orientation;
 use crate::ids::MAX_IDS;
 use crate::topology::{NoObserver, Observer, TooMany};
 
@@ -87,44 +89,41 @@ pub fn convex_hull_observed(points: &[Point], observer: &mut impl Observer<HullE
     for (point, p) in points.iter().enumerate() {
         p.check().map_err(|error| HullError::Coordinate { point: point as u32, error })?;
     }
-    let mut order = outer_points(points);
-    order.sort_unstable();
-    order.dedup_by_key(|&mut (x, y, _)| (x, y));
-    let order: Vec<u32> = order.into_iter().map(|(_, _, i)| i).collect();
-    observer.observe(|| HullEvent::Sorted { aside: (points.len() - order.len()) as u32 });
+    let (lower, upper) = strips::sides(points, &strips::outer(points, outer_points(points)));
+    let left = upper.as_ref().map_or(lower.len(), |upper| lower.len() + upper.len() - 2);
+    observer.observe(|| HullEvent::Sorted { aside: (points.len() - left) as u32 });
     let mut corners = Vec::new();
-    take_in(points, order.iter().copied(), &mut corners, observer);
+    take_in(lower.iter().copied(), &mut corners, observer);
     // The last point is the first of the way back, and the first is its end.
     corners.pop();
     observer.observe(|| HullEvent::Turned);
-    take_in(points, order.iter().rev().copied(), &mut corners, observer);
+    take_in(upper.as_ref().unwrap_or(&lower).iter().rev().copied(), &mut corners, observer);
     if corners.len() > 1 {
         corners.pop();
     }
-    Ok(corners)
+    Ok(corners.into_iter().map(|(_, i)| i).collect())
 }
 
 /// Appends the corners of one side to those of the other.
 fn take_in(
-    points: &[Point],
-    order: impl Iterator<Item = u32>,
-    corners: &mut Vec<u32>,
+    order: impl Iterator<Item = (Point, u32)>,
+    corners: &mut Vec<(Point, u32)>,
     observer: &mut impl Observer<HullEvent>,
 ) {
     let first = corners.len();
-    for i in order {
-        while let [.., a, b] = corners[first..]
-            && !orientation(points[a as usize], points[b as usize], points[i as usize]).is_gt()
+    for (p, point) in order {
+        while let [.., (a, _), (b, corner)] = corners[first..]
+            && !orientation(a, b, p).is_gt()
         {
-            observer.observe(|| HullEvent::Dropped { corner: b, point: i });
+            observer.observe(|| HullEvent::Dropped { corner, point });
             corners.pop();
         }
-        observer.observe(|| HullEvent::Taken(i));
-        corners.push(i);
+        observer.observe(|| HullEvent::Taken(point));
+        corners.push((p, point));
     }
 }
 
-/// The points that may be corners, each with keys that order them from left to right.
+/// The points that may be corners, in increasing order.
 ///
 /// ```text
 ///     b       a       The four points that reach furthest along the diagonals. A point strictly inside the
@@ -132,7 +131,7 @@ fn take_in(
 ///        │  │         That holds for any four points, so nothing here needs to be exact.
 ///     c ·└──┘ · d
 /// ```
-fn outer_points(points: &[Point]) -> Vec<(u64, u64, u32)> {
+fn outer_points(points: &[Point]) -> Vec<u32> {
     let Some(&first) = points.first() else { return Vec::new() };
     let [mut a, mut b, mut c, mut d] = [first; 4];
     for &p in points {
@@ -152,8 +151,7 @@ fn outer_points(points: &[Point]) -> Vec<(u64, u64, u32)> {
     let (left, right) = (b.x.max(c.x), a.x.min(d.x));
     let (bottom, top) = (c.y.max(d.y), a.y.min(b.y));
     let is_outer = |p: &Point| p.x <= left || right <= p.x || p.y <= bottom || top <= p.y;
-    let outer = points.iter().enumerate().filter(|(_, p)| is_outer(p));
-    outer.map(|(i, p)| (sort_key(p.x), sort_key(p.y), i as u32)).collect()
+    (0..).zip(points).filter(|(_, p)| is_outer(p)).map(|(i, _)| i).collect()
 }
 
 impl Subdivision {
