@@ -21,6 +21,9 @@ use std::cmp::Ordering;
 const FEW: usize = 2_000;
 /// Strips that chains are made of.
 const MOST_STRIPS: usize = 4_096;
+/// Points with their numbers.
+type Named = Vec<(Point, u32)>;
+
 /// At most so many points are asked first whether a look at all of them pays.
 const SAMPLE: usize = 1 << 16;
 const NONE: u32 = u32::MAX;
@@ -111,7 +114,7 @@ fn height(chain: &[(Point, u32)], strips: &Strips, along: f64) -> Option<f64> {
 
 /// Some points in the order in which the scan takes them: for its lower side and, if they are many, those that it needs
 /// for the upper side. Then each side has the points on its own side of the line from the first to the last, and these.
-pub(super) fn sides(points: &[Point], which: &[u32]) -> (Vec<(Point, u32)>, Option<Vec<(Point, u32)>>) {
+pub(super) fn sides(points: &[Point], which: &[u32]) -> (Named, Option<Named>) {
     let at = |i: u32| points[i as usize];
     let by_place = |a: &u32, b: &u32| left_to_right(at(*a), at(*b));
     if which.len() >= FEW

@@ -15,6 +15,7 @@
 //!   arrange.rs   The way from given segments to a subdivision, step by step
 //!   chains.rs    What became of the edges of a graph that was split
 //!   dangles.rs   Edges that bound nothing
+//!   disk.rs      Edges that fill a disk
 //!   error.rs     Why segments are no plane graph
 //!   holes.rs     Marking hole faces
 //!   part.rs      The subdivision of some of the edges of another
@@ -28,6 +29,7 @@ mod arrange;
 mod chains;
 mod collinear;
 mod dangles;
+mod disk;
 mod error;
 mod faults;
 mod graph;

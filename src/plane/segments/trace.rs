@@ -69,6 +69,11 @@ impl OneRings {
         }
     }
 
+    /// The half-edges with their links, but for their faces.
+    pub(super) fn into_columns(self) -> Columns {
+        self.columns
+    }
+
     /// Of two half-edges of a one-ring the second follows the first, counter-clockwise.
     #[inline]
     fn meet(&mut self, g: u32, h: u32) {

@@ -43,9 +43,30 @@ impl Voronoi<'_> {
         if let Some(&site) = sites.iter().find(|&&v| !window.contains(self.delaunay.point(v))) {
             return Err(VoronoiError::SiteOutside { site, point: self.delaunay.point(site) });
         }
-        let mut segments: Vec<[Point; 2]> = self.edges().iter().filter_map(|edge| self.piece(edge, &window)).collect();
-        let border = border(&window, &segments);
-        segments.extend(border);
+        let (subdivision, site_of, slivers) = match self.known_cells(&window) {
+            Some((subdivision, site_of)) => (subdivision, site_of, 0),
+            None => self.arranged_cells(&window, &sites)?,
+        };
+        let mut cells = VertexMap::filled(self.delaunay.vertex_bound(), None);
+        for (face, site) in site_of.iter() {
+            if let &Some(site) = site {
+                cells[site] = Some(face);
+            }
+        }
+        Ok(VoronoiCells { subdivision, cells, sites: site_of, slivers })
+    }
+
+    /// The cells by the arrangement of all edges, whatever rounding has done to them; the site of each, and how many
+    /// faces were given away.
+    pub(super) fn arranged_cells(
+        &self,
+        window: &Window,
+        sites: &[VertexId],
+    ) -> Result<(Subdivision, FaceMap<Option<VertexId>>, usize), VoronoiError> {
+        let mut segments: Vec<[Point; 2]> = self.edges().iter().filter_map(|edge| self.piece(edge, window)).collect();
+        let on_border = segments.as_flattened().iter().copied().filter(|&p| !window.contains(p));
+        let on_border: Vec<_> = on_border.chain(window.corners()).map(|p| (p, ())).collect();
+        segments.extend(border(window, &on_border).into_iter().map(|ends| ends.map(|(p, ())| p)));
         let options = ArrangeOptions { merge: true, split: true, ..ArrangeOptions::default() };
         let mut subdivision = Subdivision::arrange_segments(&segments, &options)?.subdivision;
 
@@ -63,13 +84,7 @@ impl Voronoi<'_> {
         for &sliver in &empty {
             subdivision.give_away(sliver, &site_of);
         }
-        let mut cells = VertexMap::filled(self.delaunay.vertex_bound(), None);
-        for (face, site) in site_of.iter() {
-            if let &Some(site) = site {
-                cells[site] = Some(face);
-            }
-        }
-        Ok(VoronoiCells { subdivision, cells, sites: site_of, slivers: empty.len() })
+        Ok((subdivision, site_of, empty.len()))
     }
 
     /// The nearest of the sites beside a site, for messages.
@@ -81,25 +96,24 @@ impl Voronoi<'_> {
     }
 }
 
-/// The border of the window, cut where segments end on it. O(n log n).
-fn border(window: &Window, segments: &[[Point; 2]]) -> Vec<[Point; 2]> {
-    let mut ends: Vec<Point> = segments.as_flattened().iter().copied().filter(|&p| !window.contains(p)).collect();
-    ends.extend(window.corners());
+/// The border of the window, cut at its corners and where segments end on it, which is given in any order with whatever is
+/// known of each place. O(n log n).
+pub(super) fn border<T: Copy>(window: &Window, ends: &[(Point, T)]) -> Vec<[(Point, T); 2]> {
     let Window { low, high } = *window;
     let along = |a: f64, b: f64| a.partial_cmp(&b).unwrap_or(Ordering::Equal);
     let mut border = Vec::new();
-    let mut side = |mut on: Vec<Point>, order: fn(&Point) -> f64| {
-        on.sort_unstable_by(|p, q| along(order(p), order(q)));
-        on.dedup();
+    let mut side = |mut on: Vec<(Point, T)>, order: fn(&Point) -> f64| {
+        on.sort_by(|(p, _), (q, _)| along(order(p), order(q)));
+        on.dedup_by_key(|(p, _)| *p);
         border.extend(on.windows(2).map(|pair| [pair[0], pair[1]]));
     };
     // Ends on the border have its very coordinate.
     let same = |a: f64, b: f64| along(a, b).is_eq();
     for y in [low.y, high.y] {
-        side(ends.iter().copied().filter(|p| same(p.y, y)).collect(), |p| p.x);
+        side(ends.iter().copied().filter(|(p, _)| same(p.y, y)).collect(), |p| p.x);
     }
     for x in [low.x, high.x] {
-        side(ends.iter().copied().filter(|p| same(p.x, x)).collect(), |p| p.y);
+        side(ends.iter().copied().filter(|(p, _)| same(p.x, x)).collect(), |p| p.y);
     }
     border
 }

@@ -7,12 +7,14 @@
 //!      · ──┼──  ╱                  vertex of degree greater than 3: that is decided exactly, only the place of
 //!          ●   ╱                   the centre is rounded.
 //!
-//!      mod.rs  corners and edges    window.rs  what of an edge lies in a window    cells.rs  the cells in it
+//!      mod.rs    corners and edges          window.rs  what of an edge lies in a window
+//!      cells.rs  the cells in a window      known.rs   the same, put together from the diagram
 //! ```
 //!
 //! Source: de Berg et al., *Computational Geometry*, 3rd ed., chapter 7 and section 9.2.
 
 mod cells;
+mod known;
 mod window;
 
 pub use cells::VoronoiCells;
@@ -20,7 +22,8 @@ pub use window::Window;
 
 use super::{CoordinateError, Point, SMALLEST, SegmentsError, Subdivision};
 use crate::geometry::predicates::{in_circle, orientation, twice_area};
-use crate::ids::{EdgeId, FaceId, FaceMap, HalfEdgeId, VertexId};
+use crate::ids::{EdgeId, EdgeMap, FaceId, FaceMap, HalfEdgeId, VertexId};
+use std::cmp::Ordering;
 
 /// Why there is no Voronoi diagram.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -125,8 +128,8 @@ impl Subdivision {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn voronoi(&self) -> Result<Voronoi<'_>, VoronoiError> {
-        self.check_delaunay()?;
-        let (corner_of, corners) = self.centres();
+        let on_circle = self.check_delaunay()?;
+        let (corner_of, corners) = self.centres(&on_circle);
         let edges = self.dcel.edges().filter_map(|dual| {
             let [h, t] = dual.half_edges();
             let ends = [t, h].map(|h| corner_of[self.dcel.face(h)]);
@@ -137,8 +140,9 @@ impl Subdivision {
         Ok(Voronoi { delaunay: self, corners, corner_of, edges })
     }
 
-    /// Whether this is a Delaunay triangulation of the convex hull of its vertices. O(n).
-    fn check_delaunay(&self) -> Result<(), VoronoiError> {
+    /// Whether this is a Delaunay triangulation of the convex hull of its vertices; then, whether the triangles at each
+    /// edge have one circle. O(n).
+    fn check_delaunay(&self) -> Result<EdgeMap<bool>, VoronoiError> {
         let first = self.dcel.vertices().next().ok_or(VoronoiError::NoSite)?;
         let single = self.dcel.vertex_count() == 1;
         if let Some(face) = self.dcel.faces().skip(1).find(|&f| {
@@ -165,8 +169,14 @@ impl Subdivision {
             return Err(VoronoiError::NotConvex { vertex: first });
         }
         // A hole beside the domain hides nothing here.
-        let bad = |&e: &EdgeId| self.quadrilateral(e).is_some_and(|[a, b, c, d]| in_circle(a, b, c, d).is_gt());
-        self.dcel.edges().find(bad).map_or(Ok(()), |edge| Err(VoronoiError::NotDelaunay { edge }))
+        let mut on_circle = EdgeMap::filled(self.dcel.edge_bound(), false);
+        for edge in self.dcel.edges() {
+            match self.quadrilateral(edge).map(|[a, b, c, d]| in_circle(a, b, c, d)) {
+                Some(Ordering::Greater) => return Err(VoronoiError::NotDelaunay { edge }),
+                side => on_circle[edge] = side == Some(Ordering::Equal),
+            }
+        }
+        Ok(on_circle)
     }
 
     /// The corners a, b, c, d of the triangles at an edge a-b, with c on its left; none on the outline.
@@ -177,7 +187,7 @@ impl Subdivision {
     }
 
     /// The corner of each triangle, and the places of the corners: one for all triangles on the same circle. O(n).
-    fn centres(&self) -> (FaceMap<Option<u32>>, Vec<Point>) {
+    fn centres(&self, on_circle: &EdgeMap<bool>) -> (FaceMap<Option<u32>>, Vec<Point>) {
         let mut corner_of: FaceMap<Option<u32>> = FaceMap::filled(self.dcel.face_bound(), None);
         let mut corners = Vec::new();
         let mut waiting = Vec::new();
@@ -195,7 +205,7 @@ impl Subdivision {
                     if beside == self.outer_face() || corner_of[beside].is_some() {
                         continue;
                     }
-                    if self.quadrilateral(h.edge()).is_some_and(|[a, b, c, d]| in_circle(a, b, c, d).is_eq()) {
+                    if on_circle[h.edge()] {
                         corner_of[beside] = mine;
                         waiting.push(beside);
                     }
