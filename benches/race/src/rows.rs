@@ -76,6 +76,7 @@ rows! {
         "spade" of "spade" => spade_of(&clusters(500_000));
     "constrained Delaunay":
         "dcel-kit" of "dcel-kit" => our_constrained(street_map(100_000)),
+        "dcel-kit from points" of "dcel-kit" => our_constrained_of_points(street_map(100_000)),
         "spade" of "spade" => spade_constrained(street_map(100_000));
     "hull, random":
         "dcel-kit" of "dcel-kit" => our_hull(&random(1_000_000)),
@@ -285,6 +286,12 @@ pub fn street_map(count: usize) -> (Vec<[f64; 2]>, Vec<[u32; 2]>) {
 }
 
 fn our_constrained((points, edges): (Vec<[f64; 2]>, Vec<[u32; 2]>)) -> Prepared {
+    let points: Vec<Point> = points.into_iter().map(Point::from).collect();
+    let s = Subdivision::from_graph(&points, &edges).expect("no two sides cross");
+    work(points.len(), move || s.constrained_delaunay().expect("not too many").subdivision)
+}
+
+fn our_constrained_of_points((points, edges): (Vec<[f64; 2]>, Vec<[u32; 2]>)) -> Prepared {
     let points: Vec<Point> = points.into_iter().map(Point::from).collect();
     work(points.len(), move || {
         let s = Subdivision::from_graph(&points, &edges).expect("no two sides cross");

@@ -14,7 +14,7 @@ use super::{Subdivision, assembled, ordered};
 use crate::geometry::predicates::orientation;
 use crate::ids::{EdgeId, EdgeMap, FaceId, FaceMap, HalfEdgeId, VertexId};
 use crate::plane::Point;
-use crate::topology::{NoRecorder, TooMany};
+use crate::topology::{NoObserver, NoRecorder, TooMany};
 use std::cmp::Ordering;
 use std::collections::VecDeque;
 
@@ -83,13 +83,15 @@ impl Subdivision {
         let mut constrained = EdgeMap::filled(made.dcel.edge_bound(), false);
         let mut faces = vec![None; made.dcel.face_bound()];
         let mut marked = Vec::new();
+        // All is Delaunay but what flips change.
+        let mut changed = vec![false; made.dcel.edge_bound()];
         for e in self.dcel.edges() {
             let [u, w] = e.half_edges().map(|h| self.dcel.origin(h));
-            let Some(h) = made.force_edge(u, w) else { continue };
+            let Some(h) = made.force_edge(u, w, &mut changed) else { continue };
             constrained[h.edge()] = true;
             marked.push((h, e.half_edges()[0]));
         }
-        made.make_delaunay(|e| constrained[e]);
+        made.flip_all(|e| constrained[e], changed, &mut NoRecorder, &mut NoObserver);
         for &(h, g) in &marked {
             faces[made.dcel.face(h).index()] = Some(self.dcel.face(g));
             faces[made.dcel.face(h.twin()).index()] = Some(self.dcel.face(g.twin()));
@@ -101,8 +103,8 @@ impl Subdivision {
     }
 
     /// Makes the edge from `u` to `w` by flips, in a triangulation of the convex hull with no vertex between the two
-    /// and no fixed edge across. Returns its half from `u` to `w`.
-    fn force_edge(&mut self, u: VertexId, w: VertexId) -> Option<HalfEdgeId> {
+    /// and no fixed edge across. Returns its half from `u` to `w`; marks the edges of triangles that flips change.
+    fn force_edge(&mut self, u: VertexId, w: VertexId, changed: &mut [bool]) -> Option<HalfEdgeId> {
         let mut across = match self.find_edge(u, w) {
             Found::Edge(h) => return Some(h),
             Found::NoneAt(end) if end == u => self.edges_across(u, w),
@@ -121,6 +123,8 @@ impl Subdivision {
                 continue;
             }
             self.dcel.flip_edge_unchecked(h, &mut NoRecorder);
+            let beside = |h: HalfEdgeId| [h, self.dcel.next(h), self.dcel.prev(h)];
+            [h, h.twin()].into_iter().flat_map(beside).for_each(|h| changed[h.edge().index()] = true);
             if side(self, c).reverse() == side(self, d) && side(self, c).is_ne() {
                 across.push_back(e);
             } else if [c, d] == [u, w] || [d, c] == [u, w] {

@@ -73,7 +73,7 @@ impl Subdivision {
     /// # Ok::<(), dcel_kit::plane::ConvertError>(())
     /// ```
     pub fn make_delaunay(&mut self, is_fixed: impl Fn(EdgeId) -> bool) -> usize {
-        self.flip_all(is_fixed, &mut NoRecorder, &mut NoObserver)
+        self.flip_all(is_fixed, self.all_edges(), &mut NoRecorder, &mut NoObserver)
     }
 
     /// [`make_delaunay`](Self::make_delaunay), watched: each edge that it looks at, and what becomes of it.
@@ -92,26 +92,46 @@ impl Subdivision {
         is_fixed: impl Fn(EdgeId) -> bool,
         observer: &mut impl Observer<FlipEvent>,
     ) -> usize {
-        self.flip_all(is_fixed, &mut NoRecorder, observer)
+        self.flip_all(is_fixed, self.all_edges(), &mut NoRecorder, observer)
     }
 
     /// [`make_delaunay`](Self::make_delaunay), watched by a recorder: four steps for each flip.
     pub fn make_delaunay_with(&mut self, is_fixed: impl Fn(EdgeId) -> bool, rec: &mut impl Recorder) -> usize {
-        self.flip_all(is_fixed, rec, &mut NoObserver)
+        self.flip_all(is_fixed, self.all_edges(), rec, &mut NoObserver)
     }
 
-    fn flip_all(
+    /// By edge, whether there is one.
+    fn all_edges(&self) -> Vec<bool> {
+        let mut all = vec![false; self.dcel.edge_bound()];
+        self.dcel.edges().for_each(|e| all[e.index()] = true);
+        all
+    }
+
+    /// [`make_delaunay`](Self::make_delaunay) where only the edges of `waits` may not be locally Delaunay. It makes the
+    /// flips that it would make if all of them were looked at, in the same order.
+    pub(super) fn flip_all(
         &mut self,
         is_fixed: impl Fn(EdgeId) -> bool,
+        mut waits: Vec<bool>,
         rec: &mut impl Recorder,
         observer: &mut impl Observer<FlipEvent>,
     ) -> usize {
-        let mut waiting: Vec<EdgeId> = self.dcel.edges().rev().filter(|&e| !is_fixed(e)).collect();
-        let mut waits = vec![false; self.dcel.edge_bound()];
-        waiting.iter().for_each(|e| waits[e.index()] = true);
+        // Edges come in their order. Before the next one come those that flips have put in doubt again, the last first.
+        let (mut next, mut again) = (0, Vec::new());
         let mut flips = 0;
-        while let Some(e) = waiting.pop() {
+        loop {
+            let e = match again.pop() {
+                Some(e) => e,
+                None => {
+                    let Some(step) = waits[next..].iter().position(|&waits| waits) else { return flips };
+                    next += step + 1;
+                    EdgeId::new(next as u32 - 1)
+                }
+            };
             waits[e.index()] = false;
+            if is_fixed(e) {
+                continue;
+            }
             let [h, t] = e.half_edges();
             if self.is_locally_delaunay(h) {
                 observer.observe(|| FlipEvent::Kept(e));
@@ -122,11 +142,10 @@ impl Subdivision {
             flips += 1;
             for h in [h, t].into_iter().flat_map(|h| [self.dcel.next(h), self.dcel.prev(h)]) {
                 let e = h.edge();
-                if !is_fixed(e) && !std::mem::replace(&mut waits[e.index()], true) {
-                    waiting.push(e);
+                if !std::mem::replace(&mut waits[e.index()], true) && e.index() < next {
+                    again.push(e);
                 }
             }
         }
-        flips
     }
 }
