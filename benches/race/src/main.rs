@@ -224,10 +224,11 @@ fn median(mut times: Vec<f64>) -> f64 {
     times[times.len() / 2]
 }
 
-/// The release of a package that the lock file names; none for ours.
+/// The release of a package that the lock file names; none for ours. Of several, of which other peers hold older ones, the
+/// newest.
 fn version(package: &str) -> &str {
     let name = format!("name = \"{package}\"\nversion = \"");
-    match LOCK.split_once(&name) {
+    match LOCK.rsplit_once(&name) {
         Some((_, rest)) if package != "dcel-kit" => rest.split('"').next().unwrap_or_default(),
         _ => "",
     }
