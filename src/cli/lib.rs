@@ -54,6 +54,8 @@ mod validate;
 mod voronoi;
 mod walk;
 
+pub use lab::program_sources;
+
 use answer::Answer;
 use clap::{Parser, Subcommand};
 use dcel_lab::judge::Judge;

@@ -24,10 +24,9 @@
 //!   tests/kernel/missing_ids.rs      what it says of an id that does not exist
 //! ```
 //!
-//! and the list of sources that `cargo run -p dcel -- lab bundle` writes; an error of its own is named in
-//! `src/solid/mod.rs`, too. With that it is a word of scripts with its checks and its line of help, in JSON, printed back,
-//! undone, in films, and tried by the tests that go through the table. One outside the kit is a row, too: see
-//! [`Row::new`].
+//! An error of its own is named in `src/solid/mod.rs`, too. With that it is a word of scripts with its checks and its line
+//! of help, in JSON, printed back, undone, in films, and tried by the tests that go through the table. One outside the kit
+//! is a row, too: see [`Row::new`].
 //!
 //! ```text
 //!   kind.rs       kinds of elements      arguments.rs  what a call is made with    returned.rs  its result or refusal

@@ -16,6 +16,7 @@
 //! The bytes of an archive depend on its files alone: entries by name, all with one fixed date.
 
 use super::course::SECRET_BESIDE;
+use super::kit::Sources;
 use super::student::Kit;
 use super::typed;
 use std::collections::BTreeMap;
@@ -167,10 +168,10 @@ impl CourseFiles {
 ///
 /// # Errors
 /// A checkout of the kit that cannot be read.
-pub fn gradescope_files<'a>(
+pub fn gradescope_files(
     lab: &str,
     kit: &Kit,
-    sources: impl IntoIterator<Item = (&'a str, &'a str)>,
+    sources: Sources,
     course: Option<&CourseFiles>,
 ) -> io::Result<BTreeMap<String, Packed>> {
     let mut files = kit_files(kit, sources)?;
@@ -197,10 +198,10 @@ pub fn gradescope_files<'a>(
 ///
 /// # Errors
 /// A checkout of the kit that cannot be read.
-pub fn classroom50_files<'a>(
+pub fn classroom50_files(
     lab: &str,
     kit: &Kit,
-    sources: impl IntoIterator<Item = (&'a str, &'a str)>,
+    sources: Sources,
     course: Option<String>,
 ) -> io::Result<BTreeMap<String, Packed>> {
     let mut files = kit_files(kit, sources)?;
@@ -218,14 +219,11 @@ pub fn classroom50_files<'a>(
 }
 
 /// The sources of the kit, in a folder `kit`; none if it comes from elsewhere.
-fn kit_files<'a>(
-    kit: &Kit,
-    sources: impl IntoIterator<Item = (&'a str, &'a str)>,
-) -> io::Result<BTreeMap<String, Packed>> {
+fn kit_files(kit: &Kit, sources: Sources) -> io::Result<BTreeMap<String, Packed>> {
     let mut files = BTreeMap::new();
     match kit {
         Kit::Inside => {
-            let packed = |(path, text): (&str, &str)| (format!("kit/{path}"), Packed::from(text.to_owned()));
+            let packed = |(path, text): (String, &str)| (format!("kit/{path}"), Packed::from(text.to_owned()));
             files.extend(sources.into_iter().map(packed));
         }
         Kit::Path(checkout) => checkout_files(checkout, "kit", &mut files)?,

@@ -93,7 +93,7 @@ pub use feedback::{graded, graded_by, test_text};
 pub use files::{LabFiles, LabFilesError};
 pub use grade::{grade_and_sign, grade_program};
 #[cfg(feature = "grade")]
-pub use kit::{COPIES, KitBuild, Package, sources};
+pub use kit::{COPIES, KitBuild, Package, Read, Sources, sources, texts_of};
 pub use manifest::{Manifest, Task, Test};
 pub use markers::{MarkError, starter};
 #[cfg(feature = "grade")]

@@ -88,7 +88,8 @@ pub fn student_files(lab: &LabFiles, kit: &Kit) -> BTreeMap<String, String> {
     }
     files.insert(".gitignore".to_owned(), "/target\n".to_owned());
     if *kit == Kit::Inside {
-        let sources = kit::sources(KitBuild::Check).chain(kit::MANIFESTS);
+        let made = kit::MANIFESTS.map(|(path, text)| (path.to_owned(), text));
+        let sources = kit::sources(KitBuild::Check).into_iter().chain(made);
         let sources = sources.filter(|(path, _)| !of_other_lab(path, lab.name()));
         files.extend(sources.map(|(path, text)| (format!("{INSIDE}/{path}"), text.to_owned())));
     }

@@ -1,7 +1,7 @@
 //! Every lab grades rightly, and what is compiled into the kit is what stands in `labs/`.
 
 use dcel_lab::courses::FOLDERS;
-use dcel_lab::{COPIES, KitBuild, Lab, LabFiles, Package, Verdict, sources, verify, verify_some};
+use dcel_lab::{COPIES, KitBuild, Lab, LabFiles, Package, Verdict, verify, verify_some};
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -31,7 +31,7 @@ fn the_labs_of_the_program_are_those_of_the_repository() {
     }
 }
 
-/// The list holds names, the files are compiled in as they stand: so what can be wrong is a name.
+/// Files are compiled in as they stand; what can be wrong is that a folder or a file is not among them.
 #[test]
 fn the_program_carries_the_sources_that_its_builds_read() {
     let checkout = &Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
@@ -41,10 +41,6 @@ fn the_program_carries_the_sources_that_its_builds_read() {
     };
     let versions = packages(&read("Cargo.lock".to_owned()));
     let anew = "write it anew with `dcel lab bundle`";
-    for package in Package::ALL {
-        let list = package.list_file();
-        assert_eq!(read(list.to_owned()), package.list(checkout).unwrap(), "{list}: {anew}");
-    }
     for build in KitBuild::ALL {
         let generated = |file: &str| read(format!("{}/{file}", build.folder()));
         for (package, manifest) in build.manifests(checkout).unwrap() {
@@ -54,8 +50,11 @@ fn the_program_carries_the_sources_that_its_builds_read() {
         let own = packages(&generated("Cargo.lock.txt"));
         assert!(own.len() > 10 && own.is_subset(&versions), "{build:?}: {:?}: {anew}", own.difference(&versions));
     }
-    for (path, text) in sources(KitBuild::Program) {
-        assert_eq!(text, read(path.to_owned()), "{path}");
+    let carried = dcel_cli::program_sources();
+    for package in Package::ALL {
+        for path in package.files(KitBuild::Program, &|path| std::fs::read_to_string(checkout.join(path))).unwrap() {
+            assert_eq!(carried.get(&path), Some(&read(path.clone()).as_str()), "{path}: {}: `TEXTS`", package.name());
+        }
     }
     for (copy, of) in COPIES {
         assert_eq!(read(copy.to_owned()), read(of.to_owned()), "{copy}: {anew}");
@@ -67,7 +66,7 @@ fn the_program_carries_the_sources_that_its_builds_read() {
 fn no_package_reads_outside_of_its_folder() {
     let checkout = &Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     for package in Package::ALL {
-        let files = package.files(KitBuild::Program, checkout).unwrap();
+        let files = package.files(KitBuild::Program, &|path| std::fs::read_to_string(checkout.join(path))).unwrap();
         // What the root holds but packages of their own do not publish with it.
         let others = Package::ALL.into_iter().filter(|other| *other != package && !other.folder().is_empty());
         let others: Vec<&str> = others.map(Package::folder).chain(["tests/", "labs/", "benches/"]).collect();
@@ -96,7 +95,9 @@ fn the_program_holds_no_solution_and_no_text_of_a_known_mistake() {
         let lab = Lab::read(&folder(&name)).unwrap();
         // Given to everybody: the lab's own files, and the code of the kit that is not about this lab.
         let handed_out = lab.files.handed_out();
-        let sources = Package::ALL.iter().flat_map(|package| package.files(KitBuild::Program, checkout).unwrap());
+        let sources = Package::ALL.iter().flat_map(|package| {
+            package.files(KitBuild::Program, &|path| std::fs::read_to_string(checkout.join(path))).unwrap()
+        });
         let own = FOLDERS.iter().find(|(lab, _)| *lab == name).map(|(_, folder)| format!("src/lab/courses/{folder}/"));
         let own = own.unwrap();
         let kernel = sources.filter(|path| path.starts_with("src/") && !path.starts_with(&own));

@@ -41,7 +41,7 @@ type Uses = BTreeMap<String, BTreeSet<String>>;
 
 /// The picture: one box a room, one arrow from a room to each that it uses; what follows from other arrows is left out.
 pub(super) fn picture() -> Made<String> {
-    let uses = uses(program_sources());
+    let uses = uses(program_sources().iter().map(|(path, text)| (path.as_str(), *text)));
     let mut sketch = Sketch::new();
     let place = |room: &str| {
         let column = ROOMS.iter().find(|(name, ..)| *name == room).map_or(3.0, |(.., column)| *column);

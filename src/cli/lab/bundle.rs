@@ -9,7 +9,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Write anew what is compiled into the kit: the labs, the lists of its own sources, their manifests and versions
+/// Write anew what is compiled into the kit: the labs, the manifests and versions of its own sources
 #[derive(clap::Args, Debug)]
 pub(crate) struct Args {
     /// The repository
@@ -30,12 +30,6 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         let text =
             fs::read_to_string(args.dir.join(of)).map_err(|error| Failure::input(format!("{of}: {error}"), HELP))?;
         save::put(&args.dir.join(made), text)?;
-    }
-    for package in Package::ALL {
-        let path = args.dir.join(package.list_file());
-        let list = package.list(&args.dir).map_err(|error| Failure::input(error, HELP))?;
-        writeln!(out, "{}: {} files", path.display(), list.matches("include_str!").count())?;
-        save::put(&path, list)?;
     }
     for build in KitBuild::ALL {
         let folder = args.dir.join(build.folder());

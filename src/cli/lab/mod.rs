@@ -30,7 +30,7 @@ mod start;
 mod verify;
 mod watch;
 
-pub(crate) use kit::program_sources;
+pub use kit::program_sources;
 pub(crate) use own::known_mistakes;
 
 use super::{Answer, Failure, Output};

@@ -1,17 +1,15 @@
 //! `dcel play`: the playground, a page in the browser, with a file inside.
 //!
-//! `playground.html` is the page as `figures/playground.html` has it: a package reads nothing outside of its own folder. It is
-//! made by `figures/playground/builder`, never by hand.
+//! The page is made by `figures/playground/builder`, never by hand; the library carries it, as all that lies in `figures/`.
 
 use super::save::{Files, put};
 use super::{Answer, Failure, Output};
 use dcel_kit::io::{read_whole, source_name};
 use dcel_kit::play::{Session, Tone, page_with};
+use dcel_kit::sources::PLAYGROUND;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-
-const PAGE: &str = include_str!("playground.html");
 
 /// Play with a structure in the browser: draw, break, replay, practise
 ///
@@ -44,7 +42,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let target = args.output.clone().unwrap_or_else(usual);
     Files::reading(args.file.iter()).writes("-o", Some(&target)).check()?;
     let page = match &args.file {
-        None => PAGE.to_owned(),
+        None => PLAYGROUND.to_owned(),
         Some(file) => with(file)?,
     };
     put(&target, page)?;
@@ -70,7 +68,7 @@ fn with(file: &Path) -> Result<String, Failure> {
     if let Some(message) = reply.message.filter(|message| message.tone == Tone::Refused) {
         return Err(Failure::input(message.text, ""));
     }
-    page_with(PAGE, &name, &bytes).ok_or_else(|| Failure::kit("the page has no room for a file"))
+    page_with(PLAYGROUND, &name, &bytes).ok_or_else(|| Failure::kit("the page has no room for a file"))
 }
 
 /// Whether there is a screen for a browser.

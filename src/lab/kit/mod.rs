@@ -2,27 +2,28 @@
 //! wherever the folder goes.
 //!
 //! ```text
-//!   package     files that it lists                       built for    with the features
-//!   dcel-kit    src/…            ─▶ src/sources/list.rs   check        compare figure files script
+//!   package     its folders                               built for    with the features
+//!   dcel-kit    src/…            ─▶ src/sources/mod.rs    check        compare figure files script
 //!                                                         program      all but png
-//!   dcel-lab    src/lab/…        ─▶ kit/sources.rs        check        none
+//!   dcel-lab    src/lab/…        ─▶ kit/mod.rs            check        none
 //!                                                         program      grade
-//!   dcel        src/cli/…        ─▶ lab/kit/sources.rs    program
+//!   dcel        src/cli/…        ─▶ lab/kit/mod.rs        program
 //!
 //!   Cargo.toml, Cargo.lock ──dcel lab bundle──▶ kit/*.txt   manifests and versions for these files alone
 //! ```
 //!
-//! A list holds names and no copies: what is compiled in is the file itself, and can never be an old one. A test
-//! compares the lists with what the builds read. Files keep the places that they have in the checkout.
+//! What is compiled in is the file itself, and can never be an old one; which of the files a build reads is read from
+//! their lines. A test compares them with the checkout. Files keep the places that they have there.
 
 mod manifest;
-mod sources;
 mod walk;
+
+pub use walk::Read;
 
 use walk::files_of_build;
 
+use dcel_kit::sources::{self, Texts, include_dir};
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt::Write;
 use std::fs;
 use std::io;
 use std::path::Path;
@@ -42,11 +43,42 @@ pub const COPIES: [(&str, &str); 1] =
 /// What goes wherever the sources go.
 const LICENCES: [&str; 2] = ["LICENSE-APACHE", "LICENSE-MIT"];
 
-/// The files of the packages `dcel-kit` and `dcel-lab` that a build reads: path in the checkout, and text.
-pub fn sources(build: KitBuild) -> impl Iterator<Item = (&'static str, &'static str)> {
-    let further = [dcel_kit::sources::FURTHER, sources::FURTHER].concat();
-    let further = if build == KitBuild::Program { further } else { Vec::new() };
-    dcel_kit::sources::CHECK.iter().chain(sources::CHECK).copied().chain(further)
+/// What this package carries.
+#[rustfmt::skip]
+static TEXTS: Texts = dcel_kit::texts!(
+    "src/lab/", "../",
+    folders: [
+        "$CARGO_MANIFEST_DIR/bundle", "$CARGO_MANIFEST_DIR/cases", "$CARGO_MANIFEST_DIR/checks",
+        "$CARGO_MANIFEST_DIR/course", "$CARGO_MANIFEST_DIR/courses", "$CARGO_MANIFEST_DIR/feedback",
+        "$CARGO_MANIFEST_DIR/kit", "$CARGO_MANIFEST_DIR/own_cases", "$CARGO_MANIFEST_DIR/program",
+        "$CARGO_MANIFEST_DIR/protocol", "$CARGO_MANIFEST_DIR/reports", "$CARGO_MANIFEST_DIR/sandbox",
+        "$CARGO_MANIFEST_DIR/similar", "$CARGO_MANIFEST_DIR/submission", "$CARGO_MANIFEST_DIR/template",
+    ],
+    files: [
+        "LICENSE-APACHE", "LICENSE-MIT", "answers.rs", "batch.rs", "bug.rs", "cache.rs", "conditions.rs", "export.rs",
+        "fault.rs", "features.rs", "files.rs", "findings.rs", "grade.rs", "judge.rs", "judged.rs", "learn.rs", "lib.rs",
+        "manifest.rs", "many.rs", "markers.rs", "mutants.rs", "own_folder.rs", "own_lab.rs", "pictures.rs", "plan.rs",
+        "points.rs", "program.rs", "report.rs", "run.rs", "signatures.rs", "stop.rs", "student.rs", "task.rs",
+        "the_lab.rs", "toml_file.rs", "typed.rs", "vendor.rs", "verdict.rs", "verify.rs",
+    ]
+);
+
+/// Files by their paths in the checkout.
+pub type Sources = BTreeMap<String, &'static str>;
+
+/// The files of the packages `dcel-kit` and `dcel-lab` that a build reads.
+pub fn sources(build: KitBuild) -> Sources {
+    texts_of(build, &[(Package::Kit, &sources::TEXTS), (Package::Lab, &TEXTS)])
+}
+
+/// The files that a build reads, of packages which carry these texts.
+pub fn texts_of(build: KitBuild, packages: &[(Package, &'static Texts)]) -> Sources {
+    let of = |&(package, texts): &(Package, &'static Texts)| {
+        let read = |path: &str| texts.get(path).map(str::to_owned).ok_or_else(|| io::ErrorKind::NotFound.into());
+        let files = package.files(build, &read).unwrap_or_default();
+        files.into_iter().filter_map(|path| texts.get(&path).map(|text| (path, text)))
+    };
+    packages.iter().flat_map(of).collect()
 }
 
 /// A package of the kit.
@@ -93,55 +125,17 @@ impl Package {
         }
     }
 
-    /// Where in a checkout its list of files is.
-    #[must_use]
-    pub fn list_file(self) -> &'static str {
-        match self {
-            Self::Kit => "src/sources/list.rs",
-            Self::Lab => "src/lab/kit/sources.rs",
-            Self::Program => "src/cli/lab/kit/sources.rs",
-        }
-    }
-
-    /// The text of its list of files.
+    /// The files of this package that a build reads, as paths from the root of the checkout whose files `read` reads.
     ///
     /// # Errors
     /// A file that cannot be read.
-    pub fn list(self, checkout: &Path) -> io::Result<String> {
-        let check = self.files(KitBuild::Check, checkout)?;
-        let all = self.files(KitBuild::Program, checkout)?;
-        let mut out = "//! The files of this package. Generated: `dcel lab bundle`.\n".to_owned();
-        // From the folder of the list to that of the package.
-        let up = "../".repeat(self.list_file()[self.folder().len()..].matches('/').count());
-        let mut array = |name: &str, about: &str, files: &mut dyn Iterator<Item = &String>| {
-            let files: Vec<_> = files.collect();
-            let visible = if self == Self::Kit { "pub" } else { "pub(super)" };
-            let _ = writeln!(out, "\n/// {about}: path in the checkout, and text.\n#[rustfmt::skip]");
-            let _ = writeln!(out, "{visible} const {name}: &[(&str, &str)] = &[");
-            for file in files {
-                let inside = file.strip_prefix(self.folder()).unwrap_or(file);
-                let _ = writeln!(out, "    (\"{file}\", include_str!(\"{up}{inside}\")),");
-            }
-            out.push_str("];\n");
-        };
-        if self != Self::Program {
-            array("CHECK", "What the tests in a student's folder need", &mut check.iter());
-        }
-        array("FURTHER", "What a grader needs besides", &mut all.difference(&check));
-        Ok(out)
-    }
-
-    /// The files of this package that a build reads, as paths from the root of the checkout.
-    ///
-    /// # Errors
-    /// A file that cannot be read.
-    pub fn files(self, build: KitBuild, checkout: &Path) -> io::Result<BTreeSet<String>> {
+    pub fn files(self, build: KitBuild, read: Read) -> io::Result<BTreeSet<String>> {
         if !build.packages().contains(&self) {
             return Ok(BTreeSet::new());
         }
         let mut files = BTreeSet::new();
         for entry in self.entries() {
-            files.extend(files_of_build(checkout, entry, build.features(self))?);
+            files.extend(files_of_build(read, entry, build.features(self))?);
         }
         files.extend(LICENCES.map(|licence| format!("{}{licence}", self.folder())));
         Ok(files)
@@ -268,14 +262,11 @@ mod tests {
     }
 
     #[test]
-    fn a_build_has_each_file_once_and_the_program_has_all_of_the_check() {
-        let paths = |build| sources(build).map(|(path, _)| path).collect::<Vec<_>>();
-        let [check, program] = KitBuild::ALL.map(paths);
-        let known: BTreeSet<&str> = program.iter().copied().collect();
-        assert_eq!(known.len(), program.len());
-        assert!(check.iter().all(|path| known.contains(path)) && check.len() < program.len());
+    fn the_program_has_all_files_of_the_check() {
+        let [check, program] = KitBuild::ALL.map(sources);
+        assert!(check.keys().all(|path| program.contains_key(path)) && check.len() < program.len());
         for (file, in_check) in [("src/lab/submission/scan.rs", true), ("src/lab/batch.rs", false)] {
-            assert_eq!((check.contains(&file), known.contains(file)), (in_check, true), "{file}");
+            assert_eq!((check.contains_key(file), program.contains_key(file)), (in_check, true), "{file}");
         }
     }
 }

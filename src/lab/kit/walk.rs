@@ -8,30 +8,27 @@
 //! It reads the lines of our own sources, not Rust at large: one `mod name;` a line, its attributes on the lines before,
 //! paths of `include_str!` and `include_bytes!` as literals.
 
-use super::Package;
 use std::collections::BTreeSet;
-use std::fs;
 use std::io;
-use std::path::Path;
 
-/// The files, as paths from the root of the checkout with `/`, that the crate at `entry` is built from. What the lists
-/// of files name is not among them: it may be gone, and they are made from this.
+/// The text of a file, by its path from the root of a checkout.
+pub type Read<'a> = &'a dyn Fn(&str) -> io::Result<String>;
+
+/// The files, as paths from the root of the checkout with `/`, that the crate at `entry` is built from.
 ///
 /// # Errors
 /// A file that cannot be read, or a module without a file.
-pub(super) fn files_of_build(root: &Path, entry: &str, features: &[&str]) -> io::Result<BTreeSet<String>> {
+pub(super) fn files_of_build(read: Read, entry: &str, features: &[&str]) -> io::Result<BTreeSet<String>> {
     let mut files = BTreeSet::new();
     let mut open = vec![entry.to_owned()];
     while let Some(path) = open.pop() {
         if files.contains(&path) {
             continue;
         }
-        let text =
-            fs::read_to_string(root.join(&path)).map_err(|error| io::Error::other(format!("{path}: {error}")))?;
-        let is_list = Package::ALL.iter().any(|package| package.list_file() == path);
-        for needed in if is_list { Vec::new() } else { needs(&text, features) } {
+        let text = read(&path).map_err(|error| io::Error::other(format!("{path}: {error}")))?;
+        for needed in needs(&text, features) {
             match needed {
-                Needed::Module(name) => open.push(file_of(root, &path, name)?),
+                Needed::Module(name) => open.push(file_of(read, &path, name)?),
                 Needed::Text(relative) => {
                     files.insert(joined(&path, relative));
                 }
@@ -86,14 +83,14 @@ fn is_off(attribute: &str, features: &[&str]) -> bool {
 }
 
 /// The file of a module that the source at `path` declares.
-fn file_of(root: &Path, path: &str, module: &str) -> io::Result<String> {
+fn file_of(read: Read, path: &str, module: &str) -> io::Result<String> {
     let (folder, file) = path.rsplit_once('/').unwrap_or(("", path));
     let folder = match file {
         "lib.rs" | "main.rs" | "mod.rs" => folder.to_owned(),
         file => format!("{folder}/{}", file.trim_end_matches(".rs")),
     };
     let places = [format!("{folder}/{module}.rs"), format!("{folder}/{module}/mod.rs")];
-    let found = places.into_iter().find(|place| root.join(place).is_file());
+    let found = places.into_iter().find(|place| read(place).is_ok());
     found.ok_or_else(|| io::Error::other(format!("{path}: the module `{module}` has no file")))
 }
 

@@ -3,7 +3,7 @@
 //! ```text
 //!   cargo build (wasm32) ──▶ bindings ──▶ gzip ──▶ base64 ─┐
 //!   page/playground.html, .css, .js ──────────────────────────────────────┼──▶ figures/playground.html
-//!   stamp.rs: a number for all sources ───────────────────────────────────┘    src/cli/play/playground.html
+//!   stamp.rs: a number for all sources ───────────────────────────────────┘
 //! ```
 //!
 //! `cargo run --manifest-path figures/playground/builder/Cargo.toml`, anywhere in the repository; with `-- --check` nothing
@@ -19,8 +19,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use wasm_bindgen_cli_support::Bindgen;
 
-/// Where the page lies: for people, and in the package of the command.
-const PAGES: [&str; 2] = ["figures/playground.html", "src/cli/play/playground.html"];
+/// Where the page lies: for people, and for the command.
+const PAGE: &str = "figures/playground.html";
 const TARGET: &str = "wasm32-unknown-unknown";
 /// The page must stay below this.
 const LARGEST: usize = 1_200_000;
@@ -29,9 +29,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let repository = repository()?;
     let stamp = stamp::stamp(&repository)?;
     if std::env::args().any(|argument| argument == "--check") {
-        let known = PAGES.iter().all(|page| {
-            fs::read_to_string(repository.join(page)).is_ok_and(|text| text.contains(&format!("content=\"{stamp}\"")))
-        });
+        let page = fs::read_to_string(repository.join(PAGE));
+        let known = page.is_ok_and(|text| text.contains(&format!("content=\"{stamp}\"")));
         println!("sources {stamp}: the page is {}", if known { "current" } else { "older" });
         std::process::exit(i32::from(!known));
     }
@@ -41,13 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     if page.len() > LARGEST {
         return Err(format!("the page has {} bytes, more than {LARGEST}", page.len()).into());
     }
-    for path in PAGES.map(|path| repository.join(path)) {
-        if let Some(folder) = path.parent() {
-            fs::create_dir_all(folder)?;
-        }
-        fs::write(path, &page)?;
-    }
-    Ok(())
+    Ok(fs::write(repository.join(PAGE), &page)?)
 }
 
 /// The folder that holds `figures/playground`, from the working directory upwards.
