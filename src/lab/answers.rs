@@ -74,32 +74,23 @@ pub fn judge(functions: &[Function], case: &Case, answer: &CaseAnswer) -> Vec<Fa
 pub fn fault(functions: &[Function], exchange: &Exchange) -> Option<Fault> {
     let function = functions.iter().find(|function| function.word == exchange.function)?;
     let call = exchange.line();
-    let fault = |kind, tag: String, words| Fault {
-        test: function.test,
-        kind,
-        step: exchange.step,
-        rule: function.word.to_owned(),
-        tag,
-        words,
-        elements: Vec::new(),
-        instead: None,
-    };
+    let fault = |kind, tag: &str, words| Fault::new(function.test, kind, exchange.step, [function.word, tag], words);
     let Some((_, end)) = exchange.called else {
         let words = format!("{call}: a link of it is not set");
-        return Some(fault(FaultKind::Wrong, "unresolved".to_owned(), words));
+        return Some(fault(FaultKind::Wrong, "unresolved", words));
     };
     let values = match end {
         CallEnd::Returned(values) => values,
         end => {
             let kind = FaultKind::of_end(end)?;
-            return Some(fault(kind, "end".to_owned(), format!("{call} {}", end.words())));
+            return Some(fault(kind, "end", format!("{call} {}", end.words())));
         }
     };
     let wrong = (function.wrong)(exchange, values)?;
     let because = if wrong.because.is_empty() { String::new() } else { format!(": {}", wrong.because) };
     let expected = wrong.expected.map_or_else(String::new, |expected| format!(", expected {}", cut(&expected)));
     let words = format!("{call} returned {}{expected}{because}", listed(values));
-    let fault = fault(FaultKind::Wrong, wrong.tag, words);
+    let fault = fault(FaultKind::Wrong, &wrong.tag, words);
     let instead = (!wrong.is.is_empty()).then(|| Instead { subject: "the answer".to_owned(), is: wrong.is });
     Some(Fault { instead, ..fault })
 }

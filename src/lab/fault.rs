@@ -71,6 +71,13 @@ pub enum FaultKind {
 }
 
 impl Fault {
+    /// A fault of no elements in particular, without a word about what stands there instead.
+    #[must_use]
+    pub fn new(test: &'static str, kind: FaultKind, step: usize, [rule, tag]: [&str; 2], words: String) -> Self {
+        let [rule, tag] = [rule, tag].map(str::to_owned);
+        Self { test, kind, step, rule, tag, words, elements: Vec::new(), instead: None }
+    }
+
     /// What happened, in a sentence: of a call that did not return, first how it ended, then what it has left behind.
     pub(super) fn what_happened(&self, exchange: Option<&Exchange>) -> String {
         let called = exchange.and_then(|exchange| Some((exchange, exchange.called?.1)));
@@ -192,6 +199,12 @@ impl<'a> Exchange<'a> {
     pub fn numbers(&self) -> Vec<f64> {
         self.words.iter().map_while(|word| word.parse().ok()).collect()
     }
+}
+
+/// The steps of a case that are answered, by their numbers, with what was answered to them so far.
+pub fn answered<'a>(case: &'a Case, answer: &'a CaseAnswer) -> impl Iterator<Item = (usize, &'a Step, &'a Reply)> {
+    let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
+    asked.zip(&answer.replies).map(|((number, step), reply)| (number, step, reply))
 }
 
 /// The calls of a case that were answered.

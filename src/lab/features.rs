@@ -23,7 +23,7 @@ macro_rules! features {
         enum Word { $($name,)* }
 
         /// All features, those that a reader would rather hear first.
-        static VOCABULARY: &[$crate::judge::Feature] = &[$($crate::judge::Feature { id: $id, clause: $clause },)*];
+        pub(crate) static VOCABULARY: &[$crate::judge::Feature] = &[$($crate::judge::Feature { id: $id, clause: $clause },)*];
 
         const _: () = assert!(VOCABULARY.len() <= 128, "a set has 128 bits");
     };

@@ -51,6 +51,14 @@ impl Asked {
         Self::all(cases, Source::Hidden)
     }
 
+    /// Cases from the seed of the plan, so many of them, and hidden ones from that of the instructor.
+    pub fn from_seeds(plan: &Plan, count: usize, mut cases: impl FnMut(u64, usize) -> Vec<Case>) -> Vec<Self> {
+        let mut all = Self::random(cases(plan.seed, count));
+        let hidden = plan.secret.as_ref().map(|secret| cases(secret.seed, secret.sequences));
+        all.extend(Self::hidden(hidden.into_iter().flatten()));
+        all
+    }
+
     fn all(cases: impl IntoIterator<Item = Case>, source: Source) -> Vec<Self> {
         cases.into_iter().map(|case| Self { case, source }).collect()
     }

@@ -7,7 +7,7 @@
 //!
 //! Time plays no part: reads are counted, and are the same on every machine.
 
-use super::fault::{Fault, FaultKind};
+use super::fault::{Fault, FaultKind, answered};
 use super::protocol::{Called, Case, CaseAnswer, Reply, Step, grouped};
 
 /// A large structure, and what many questions about it should give.
@@ -26,8 +26,7 @@ pub struct Large {
 
 /// What is wrong with the answers to many questions in a large structure.
 pub fn judge(test: &'static str, large: &Large, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
-    let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
-    asked.zip(&answer.replies).filter_map(|((step, asked), reply)| fault(test, large, step, asked, reply)).collect()
+    answered(case, answer).filter_map(|(step, asked, reply)| fault(test, large, step, asked, reply)).collect()
 }
 
 fn fault(test: &'static str, large: &Large, step: usize, asked: &Step, reply: &Reply) -> Option<Fault> {
@@ -60,6 +59,5 @@ fn fault(test: &'static str, large: &Large, step: usize, asked: &Step, reply: &R
         }
         _ => return None,
     };
-    let rule = "cost".to_owned();
-    Some(Fault { test, kind, step, rule, tag: tag.to_owned(), words, elements: Vec::new(), instead: None })
+    Some(Fault::new(test, kind, step, ["cost", tag], words))
 }

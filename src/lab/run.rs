@@ -146,16 +146,7 @@ fn of_end_of_answers(
     let step = first_unanswered(case, answer);
     let of_picture = case.steps.get(step).filter(|step| **step == Step::Svg);
     let tests = of_picture.map(|step| judge.concerns(suite, step, None)).filter(|tests| !tests.is_empty());
-    let fault = |test| Fault {
-        test,
-        kind: kind.clone(),
-        step,
-        rule: NO_ANSWER.to_owned(),
-        tag: tag.to_owned(),
-        words: words.to_owned(),
-        elements: Vec::new(),
-        instead: None,
-    };
+    let fault = |test| Fault::new(test, kind.clone(), step, [NO_ANSWER, tag], words.to_owned());
     tests.unwrap_or_else(|| suite.tests.to_vec()).into_iter().map(fault).collect()
 }
 

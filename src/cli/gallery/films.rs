@@ -1,7 +1,7 @@
 //! Films of algorithms, of the shapes that the labs work on where there is one.
 
 use super::Made;
-use super::labs::{lab_02, lab_03, lab_06, lab_08, lab_11};
+use super::labs::{lab_02, lab_06, lab_11};
 use super::lesson;
 use dcel_kit::FaceId;
 use dcel_kit::figure::{FigureOptions, Film, SketchFilm, algorithms};
@@ -10,6 +10,7 @@ use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::script::Script;
 use dcel_kit::solid::{Direction, Platonic, Polyhedron, Selection};
 use dcel_kit::sources;
+use dcel_lab::cases::handouts;
 
 pub(super) fn strip(film: &SketchFilm, title: &str, prefix: &str) -> Made<String> {
     Ok(film.strip(&FigureOptions::new(title).id_prefix(prefix))?.to_svg())
@@ -44,7 +45,7 @@ pub(super) fn monotone() -> Made<String> {
 
 /// The points of lab 03.
 pub(super) fn hull() -> Made<String> {
-    let points = lab_03::POINTS.map(Point::from);
+    let points = handouts::POINTS.map(Point::from);
     strip(&algorithms::convex_hull(&points, 12)?, "A film of a convex hull", "hull")
 }
 
@@ -66,7 +67,7 @@ pub(super) fn flips() -> Made<String> {
 
 /// The sites of lab 08.
 pub(super) fn voronoi() -> Made<String> {
-    let delaunay = Subdivision::delaunay(&lab_08::SITES.map(Point::from))?.subdivision;
+    let delaunay = Subdivision::delaunay(&handouts::SITES.map(Point::from))?.subdivision;
     strip(&algorithms::voronoi(&delaunay, 6)?, "A film of a Voronoi diagram", "voronoi-film")
 }
 
@@ -74,21 +75,21 @@ pub(super) fn voronoi() -> Made<String> {
 pub(super) fn locate() -> Made<String> {
     let map = lab_06::map()?;
     let start = map.vertices().next().ok_or("the map has vertices")?;
-    strip(&algorithms::location_walk(&map, start, Point::from(lab_06::GOAL), 40)?, "A walk to a point", "location")
+    strip(&algorithms::location_walk(&map, start, Point::from(handouts::GOAL), 40)?, "A walk to a point", "location")
 }
 
 /// The path of lab 06.
 pub(super) fn funnel() -> Made<String> {
     let map = lab_06::map()?;
     let mesh = NavMesh::new(&map)?;
-    let ends = [lab_06::START, lab_06::GOAL].map(Point::from);
+    let ends = [handouts::START, handouts::GOAL].map(Point::from);
     let route = Planner::new().route_between(&mesh, PathAlgorithm::Breadth, ends[0], ends[1])?;
     strip(&algorithms::funnel(&map, &mesh, &route, 12), "A film of the funnel", "funnel")
 }
 
 /// The gem of lab 11.
 pub(super) fn climb() -> Made<String> {
-    let points = lab_11::GEM.to_vec();
+    let points = handouts::GEM.to_vec();
     let gem = Polyhedron::convex_hull(&points, dcel_kit::solid::HullFaces::Triangles)?.solid;
     let convex = gem.check_convex()?;
     let start = gem.vertices().next().ok_or("the gem has vertices")?;

@@ -25,16 +25,9 @@ impl<'a> Faults<'a> {
 
     /// As [`wrong`](Self::wrong), of any kind.
     pub fn add(&mut self, test: &'static str, kind: FaultKind, rule: &str, words: &str, elements: &[Element]) {
-        self.out.push(Fault {
-            test,
-            kind,
-            step: self.exchange.step,
-            rule: rule.to_owned(),
-            tag: String::new(),
-            words: format!("{}: {words}", shown(&self.exchange.line())),
-            elements: elements.to_vec(),
-            instead: None,
-        });
+        let words = format!("{}: {words}", shown(&self.exchange.line()));
+        let fault = Fault::new(test, kind, self.exchange.step, [rule, ""], words);
+        self.out.push(Fault { elements: elements.to_vec(), ..fault });
     }
 
     /// All of it.

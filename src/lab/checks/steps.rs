@@ -45,16 +45,9 @@ impl Steps<'_> {
         } else {
             words.to_owned()
         };
-        self.faults.push(Fault {
-            test,
-            kind,
-            step: self.step,
-            rule: format!("{}.{step}", self.function),
-            tag: tag.to_owned(),
-            words: format!("{}: {words}", self.call),
-            elements: elements.to_vec(),
-            instead: None,
-        });
+        let (rule, words) = (format!("{}.{step}", self.function), format!("{}: {words}", self.call));
+        let fault = Fault::new(test, kind, self.step, [&rule, tag], words);
+        self.faults.push(Fault { elements: elements.to_vec(), ..fault });
     }
 
     /// The kind of a fault of a step: if the call panicked, whether anything of the step was done decides.
@@ -181,16 +174,9 @@ impl Steps<'_> {
                 continue;
             }
             said.push(violation.rule.id);
-            self.faults.push(Fault {
-                test,
-                kind: kind.clone(),
-                step: self.step,
-                rule: violation.rule.id.to_owned(),
-                tag: String::new(),
-                words: format!("{}: {}", self.call, violation.text()),
-                elements: violation.elements.clone(),
-                instead: None,
-            });
+            let words = format!("{}: {}", self.call, violation.text());
+            let fault = Fault::new(test, kind.clone(), self.step, [violation.rule.id, ""], words);
+            self.faults.push(Fault { elements: violation.elements.clone(), ..fault });
         }
     }
 

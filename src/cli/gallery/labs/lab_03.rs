@@ -5,26 +5,8 @@ use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
 use dcel_kit::plane::predicates::orientation;
 use dcel_kit::plane::{Point, convex_hull};
+use dcel_lab::cases::handouts::POINTS;
 use std::cmp::Ordering;
-
-/// The points of the handout; tangents are drawn from the last one.
-pub(in crate::gallery) const POINTS: [[f64; 2]; 15] = [
-    [-250.0, -60.0],
-    [-110.0, -150.0],
-    [30.0, -150.0],
-    [110.0, -90.0],
-    [130.0, 40.0],
-    [40.0, 140.0],
-    [-130.0, 150.0],
-    [-220.0, 80.0],
-    [-40.0, -150.0],
-    [-120.0, 20.0],
-    [0.0, 60.0],
-    [20.0, -60.0],
-    [-60.0, 90.0],
-    [-160.0, -60.0],
-    [250.0, -10.0],
-];
 
 fn hull(points: &[[f64; 2]]) -> Made<Vec<[f64; 2]>> {
     let all: Vec<Point> = points.iter().copied().map(Point::from).collect();

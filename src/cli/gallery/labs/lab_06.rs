@@ -7,23 +7,8 @@ use dcel_kit::navmesh::{NavMesh, PathAlgorithm, Planner, Route};
 use dcel_kit::plane::{PlanarView, Point, Subdivision};
 use dcel_kit::topology::Table;
 use dcel_kit::{FaceId, HalfEdgeId};
+use dcel_lab::cases::handouts::{GOAL, MAP, MAP_TRIANGLES, START};
 
-/// The map of the handout: a room with two partitions and a pillar.
-const POINTS: [[f64; 2]; 13] = [
-    [-250.0, -150.0],
-    [-110.0, -150.0],
-    [-80.0, 60.0],
-    [-50.0, -150.0],
-    [250.0, -150.0],
-    [250.0, 150.0],
-    [110.0, 150.0],
-    [80.0, -60.0],
-    [50.0, 150.0],
-    [-250.0, 150.0],
-    [160.0, 0.0],
-    [200.0, 40.0],
-    [200.0, -50.0],
-];
 /// Its edges: the border, the pillar, and those inside.
 const EDGES: [[u32; 2]; 26] = [
     [0, 1],
@@ -53,12 +38,10 @@ const EDGES: [[u32; 2]; 26] = [
     [7, 10],
     [7, 12],
 ];
-pub(in crate::gallery) const START: [f64; 2] = [-150.0, -120.0];
-pub(in crate::gallery) const GOAL: [f64; 2] = [235.0, 60.0];
 
 /// The map.
 pub(in crate::gallery) fn map() -> Made<Subdivision> {
-    let points: Vec<Point> = POINTS.iter().map(|&p| p.into()).collect();
+    let points: Vec<Point> = MAP.iter().map(|&p| p.into()).collect();
     let mut map = Subdivision::from_graph(&points, &EDGES)?;
     map.mark_holes(&[Point::new(188.0, -2.0)])?;
     Ok(map)
@@ -101,29 +84,12 @@ pub(in crate::gallery) fn corridor() -> Made<String> {
     Ok(sketch.figure(&options)?.to_svg())
 }
 
-/// The triangles in the order of the lab, where the triangle t is f(t+1).
-const TRIANGLES: [[usize; 3]; 13] = [
-    [0, 1, 2],
-    [0, 2, 9],
-    [2, 3, 7],
-    [2, 7, 8],
-    [2, 8, 9],
-    [3, 4, 7],
-    [4, 5, 11],
-    [4, 12, 7],
-    [4, 11, 12],
-    [5, 6, 11],
-    [6, 7, 10],
-    [6, 10, 11],
-    [7, 12, 10],
-];
-
 /// The portals of the corridor, with their left and right ends, over the map.
 pub(in crate::gallery) fn portals() -> Made<String> {
     let (map, route) = path()?;
     let mut sketch = Sketch::new();
-    for (t, triangle) in TRIANGLES.iter().enumerate() {
-        let corners = triangle.map(|v| POINTS[v]);
+    for (t, triangle) in MAP_TRIANGLES.iter().enumerate() {
+        let corners = triangle.map(|v| MAP[v]);
         let centre = [0, 1].map(|axis| corners.iter().map(|p| p[axis]).sum::<f64>() / 3.0);
         sketch.region(Role::Plain, [corners]).plain();
         sketch.path(Role::Plain, [corners[0], corners[1], corners[2], corners[0]]);

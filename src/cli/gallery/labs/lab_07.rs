@@ -4,22 +4,7 @@ use crate::gallery::Made;
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
 use dcel_kit::plane::{Point, Subdivision};
-
-/// The sites of the handout.
-const SITES: [[f64; 2]; 12] = [
-    [-180.0, -110.0],
-    [-40.0, -150.0],
-    [120.0, -120.0],
-    [210.0, -20.0],
-    [150.0, 110.0],
-    [10.0, 150.0],
-    [-150.0, 120.0],
-    [-230.0, 10.0],
-    [-60.0, -20.0],
-    [60.0, 40.0],
-    [-50.0, 70.0],
-    [80.0, -60.0],
-];
+use dcel_lab::cases::handouts::SITES;
 
 /// A circle is drawn as a polygon of so many corners, as the students' programs draw it.
 const CORNERS: u32 = 56;

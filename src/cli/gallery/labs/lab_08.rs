@@ -4,22 +4,7 @@ use crate::gallery::Made;
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Role, Sketch};
 use dcel_kit::plane::{Point, Subdivision, Window};
-
-/// The sites of the handout.
-pub(in crate::gallery) const SITES: [[f64; 2]; 12] = [
-    [-180.0, -110.0],
-    [-40.0, -150.0],
-    [120.0, -120.0],
-    [210.0, -20.0],
-    [150.0, 110.0],
-    [10.0, 150.0],
-    [-150.0, 120.0],
-    [-230.0, 10.0],
-    [-60.0, -20.0],
-    [60.0, 40.0],
-    [-50.0, 70.0],
-    [80.0, -60.0],
-];
+use dcel_lab::cases::handouts::SITES;
 
 /// The picture that lab 08 asks for. All centres are inside of the frame, at which the rays end.
 pub(in crate::gallery) fn picture() -> Made<String> {

@@ -3,18 +3,8 @@
 use crate::gallery::Made;
 use dcel_kit::figure::FigureOptions;
 use dcel_kit::figure::sketch::{Multiples, Role, Sketch};
+use dcel_lab::cases::handouts::GEM;
 
-/// The gem: a pyramid with six sides above and below.
-pub(in crate::gallery) const GEM: [[f64; 3]; 8] = [
-    [0.0, 0.0, -60.0],
-    [120.0, -20.0, -10.0],
-    [60.0, 100.0, 0.0],
-    [-70.0, 90.0, -10.0],
-    [-120.0, -10.0, 0.0],
-    [-40.0, -110.0, 0.0],
-    [70.0, -100.0, -10.0],
-    [20.0, 10.0, 150.0],
-];
 /// The direction of the climb.
 pub(in crate::gallery) const DIRECTION: [f64; 3] = [1.0, 2.0, 5.0];
 /// The vertices of the climb from the lowest corner.

@@ -10,7 +10,7 @@
 
 use super::meshes::{slanted, wave};
 use crate::cases::random::Random;
-use crate::fault::{Fault, FaultKind, exchanges};
+use crate::fault::{Fault, FaultKind, answered, exchanges};
 use crate::protocol::{CallEnd, Called, Case, CaseAnswer, Pattern, Reply, Start, Step, Value, grouped};
 use std::sync::OnceLock;
 
@@ -75,13 +75,9 @@ pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
         .and_then(|exchange| Some(exchange.before()?.half_edges.len()))
         .or_else(|| Some(case.start.half_edges()?.half_edges.len()))
         .unwrap_or_default();
-    let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
     let mut called = "";
-    for ((step, asked), reply) in asked.zip(&answer.replies) {
-        let fault = |kind, tag: &str, words: String| {
-            let (rule, tag) = ("cost".to_owned(), tag.to_owned());
-            vec![Fault { test, kind, step, rule, tag, words, elements: Vec::new(), instead: None }]
-        };
+    for (step, asked, reply) in answered(case, answer) {
+        let fault = |kind, tag: &str, words| vec![Fault::new(test, kind, step, ["cost", tag], words)];
         if let Step::Call { function, .. } = asked {
             called = function;
         }

@@ -4,7 +4,6 @@ use super::mistakes::{self, Again};
 use super::{angles, edges, flip};
 use crate::FeatureSet;
 use crate::fault::Exchange;
-use crate::judge::Feature;
 use dcel_kit::topology::{Table, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeSet;
@@ -56,11 +55,6 @@ crate::features! {
 
 /// Of a structure with more half-edges nothing is said: it would take too long.
 const LARGE: usize = 10_000;
-
-/// All of them.
-pub(super) fn vocabulary() -> &'static [Feature] {
-    VOCABULARY
-}
 
 /// What holds of a call.
 pub(super) fn of(exchange: &Exchange) -> Option<u128> {

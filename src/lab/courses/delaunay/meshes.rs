@@ -7,6 +7,7 @@
 //! ```
 
 use super::{flip, mistakes};
+use crate::cases::handouts::SITES;
 use crate::cases::random::Random;
 use crate::cases::starts::triangles;
 use crate::protocol::{Start, Structure};
@@ -24,22 +25,6 @@ pub(super) struct Mesh {
     pub(super) points: Vec<[f64; 2]>,
     pub(super) triangles: Vec<[u32; 3]>,
 }
-
-/// The sites of the handout.
-pub(super) const SITES: [[f64; 2]; 12] = [
-    [-180.0, -110.0],
-    [-40.0, -150.0],
-    [120.0, -120.0],
-    [210.0, -20.0],
-    [150.0, 110.0],
-    [10.0, 150.0],
-    [-150.0, 120.0],
-    [-230.0, 10.0],
-    [-60.0, -20.0],
-    [60.0, 40.0],
-    [-50.0, 70.0],
-    [80.0, -60.0],
-];
 
 impl Mesh {
     fn new(name: &str, points: &[[f64; 2]], triangles: &[[u32; 3]]) -> Self {

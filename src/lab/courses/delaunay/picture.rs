@@ -1,9 +1,6 @@
 //! The picture of the handout: the Delaunay triangulation of its sites, with the circles.
 
-use super::meshes::SITES;
-use crate::fault::Fault;
-use crate::pictures;
-use crate::protocol::{Case, CaseAnswer, Step};
+use crate::cases::handouts::SITES;
 use dcel_kit::plane::{Point, Subdivision};
 use std::fmt::Write;
 
@@ -20,7 +17,7 @@ fn centre([a, b, c]: [Point; 3]) -> ([f64; 2], f64) {
 }
 
 /// The picture, with the coordinates that the student's program writes: y points down in a file.
-fn plain() -> String {
+pub(super) fn plain() -> String {
     let mut out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-260 -260 520 490\">\n".to_owned();
     let Ok(built) = Subdivision::delaunay(&SITES.map(Point::from)) else { return out };
     let built = built.subdivision;
@@ -48,13 +45,4 @@ fn plain() -> String {
         let _ = writeln!(out, "<circle cx=\"{x}\" cy=\"{}\" r=\"4\"/>", 0.0 - y);
     }
     out + "</svg>\n"
-}
-
-/// Judges the picture.
-pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
-    let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
-    let drawn = asked.zip(&answer.replies).filter(|((_, step), _)| **step == Step::Svg);
-    let faults = drawn.flat_map(|((step, _), reply)| pictures::judge(test, step, reply, &plain()));
-    // What differs tells one mistake from another.
-    faults.map(|fault| Fault { tag: fault.words.clone(), ..fault }).collect()
 }

@@ -8,6 +8,7 @@ use crate::cases::random::Random;
 use crate::cases::starts::wheel;
 use crate::fault::{Exchange, Fault, FaultKind, exchanges};
 use crate::judge::{Asked, Feature, Judge, Suite};
+use crate::pictures;
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step};
 use dcel_kit::topology::Table;
@@ -41,10 +42,7 @@ impl Judge for Delaunay {
     fn suites(&self, plan: &Plan) -> Vec<Suite> {
         let suite = |name, tests, case: CaseOf, more: Vec<Case>| {
             let mut asked = Asked::fixed(fixed(name, case).into_iter().chain(more));
-            asked.extend(Asked::random(random(name, case, plan.seed, RANDOM)));
-            if let Some(secret) = &plan.secret {
-                asked.extend(Asked::hidden(random(name, case, secret.seed, secret.sequences)));
-            }
+            asked.extend(Asked::from_seeds(plan, RANDOM, |seed, count| random(name, case, seed, count)));
             Suite { name, tests, asked }
         };
         let drawn = Case::new(PICTURE, Start::line("sites")).step(Step::of_line("delaunify")).step(Step::Svg);
@@ -62,7 +60,7 @@ impl Judge for Delaunay {
     fn judge(&self, suite: &Suite, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
         let test = suite.tests[0];
         match suite.name {
-            PICTURE => picture::judge(PICTURE, case, answer),
+            PICTURE => pictures::told_apart(PICTURE, case, answer, picture::plain),
             costs::LARGE => {
                 let mut faults = costs::judge(test, case, answer);
                 if faults.is_empty() {
@@ -84,7 +82,7 @@ impl Judge for Delaunay {
     }
 
     fn vocabulary(&self) -> &'static [Feature] {
-        features::vocabulary()
+        features::VOCABULARY
     }
 
     fn features(&self, _: &[&Exchange], exchange: &Exchange) -> Option<u128> {

@@ -10,7 +10,7 @@
 
 use super::walk;
 use crate::cases::starts::grid;
-use crate::fault::{Fault, FaultKind};
+use crate::fault::{Fault, FaultKind, answered};
 use crate::protocol::{Called, Case, CaseAnswer, Many, Reply, Start, Step, Structure, grouped};
 use dcel_kit::topology::Table;
 use dcel_kit::{Element, FaceId, HalfEdgeId, VertexId};
@@ -63,20 +63,11 @@ pub(super) fn splits(name: &str, function: &str) -> Case {
 
 /// What is wrong with the numbers of reads in a case.
 pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
-    let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
     let mut out = Vec::new();
     let mut called: Option<(&str, String)> = None;
-    for ((step, asked), reply) in asked.zip(&answer.replies) {
-        let fault = |kind, tag: &str, words, elements| Fault {
-            test,
-            kind,
-            step,
-            rule: "cost".to_owned(),
-            tag: tag.to_owned(),
-            words,
-            elements,
-            instead: None,
-        };
+    for (step, asked, reply) in answered(case, answer) {
+        let fault =
+            |kind, tag: &str, words, elements| Fault { elements, ..Fault::new(test, kind, step, ["cost", tag], words) };
         match (asked, reply) {
             (Step::Call { function, arguments }, _) => called = Some((function, arguments.join(" "))),
             (Step::Reads, Reply::Reads(reads)) if *reads > READS_OF_A_SPLIT => {

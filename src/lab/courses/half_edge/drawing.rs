@@ -4,7 +4,7 @@
 use crate::checks::walks::cycle;
 use crate::fault::{Exchange, Fault, FaultKind, exchanges};
 use crate::pictures;
-use crate::protocol::{Case, CaseAnswer, Reply, Step};
+use crate::protocol::{Case, CaseAnswer};
 use dcel_kit::plane::PlanarView;
 use dcel_kit::script::Script;
 use dcel_kit::topology::{IsomorphismOptions, Table, View, isomorphic_with, position_key, violations};
@@ -34,11 +34,8 @@ pub(super) fn reference() -> Option<Table> {
 /// Judges the structure that was drawn, and the picture of it.
 pub(super) fn judge(case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
     let mut all: Vec<Fault> = exchanges(case, answer).iter().flat_map(faults).collect();
-    let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
-    for ((step, asked), reply) in asked.zip(&answer.replies) {
-        if *asked == Step::Svg {
-            all.extend(picture(step, reply));
-        }
+    if let Some(reference) = reference() {
+        all.extend(pictures::judge_case(TESTS[1], case, answer, || plain_picture(&reference)));
     }
     all
 }
@@ -67,21 +64,10 @@ fn plain_picture(table: &Table) -> String {
     out + "</svg>\n"
 }
 
-/// Judges the picture.
-fn picture(step: usize, reply: &Reply) -> Vec<Fault> {
-    reference().map_or_else(Vec::new, |reference| pictures::judge(TESTS[1], step, reply, &plain_picture(&reference)))
-}
-
 fn faults(exchange: &Exchange) -> Vec<Fault> {
     let fault = |kind: FaultKind, rule: &str, words: String, elements: Vec<Element>| Fault {
-        test: TESTS[0],
-        kind,
-        step: exchange.step,
-        rule: rule.to_owned(),
-        tag: String::new(),
-        words,
         elements,
-        instead: None,
+        ..Fault::new(TESTS[0], kind, exchange.step, [rule, ""], words)
     };
     let (Some((_, end)), Some(after)) = (exchange.called, exchange.after()) else { return Vec::new() };
     if let Some(kind) = FaultKind::of_end(end) {

@@ -11,7 +11,6 @@ use super::spec::{Legal, may_split_face, midpoint as middle_of};
 use crate::checks::walks::{cycle, star};
 use crate::fault::Exchange;
 use crate::features::FeatureSet;
-use crate::judge::Feature;
 use dcel_kit::topology::{Table, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::collections::BTreeSet;
@@ -136,11 +135,6 @@ crate::features! {
     AfterSplit "after_split" "a face was split before, in the same sequence",
     IsSplitFace "is_split_face" "split_face is called",
     IsSplitInHalf "is_split_in_half" "split_in_half is called",
-}
-
-/// All features of lab 04.
-pub(super) fn vocabulary() -> &'static [Feature] {
-    VOCABULARY
 }
 
 /// A set of features.

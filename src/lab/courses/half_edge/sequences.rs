@@ -24,16 +24,7 @@ pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
     for exchange in exchanges(case, answer) {
         if exchange.called.is_none() {
             let words = format!("{}: a link of `{}` is not set", exchange.function, exchange.words.join(" "));
-            return vec![Fault {
-                test,
-                kind: FaultKind::Wrong,
-                step: exchange.step,
-                rule: "R1".to_owned(),
-                tag: "unresolved".to_owned(),
-                words,
-                elements: Vec::new(),
-                instead: None,
-            }];
+            return vec![Fault::new(test, FaultKind::Wrong, exchange.step, ["R1", "unresolved"], words)];
         }
         let faults = match exchange.function {
             "split_face" => split_face::judge(&exchange, &[test; 6]),
@@ -48,17 +39,7 @@ pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
             && let Some(kind) = FaultKind::of_end(end)
         {
             let words = format!("{}: {}", exchange.line(), end.words());
-            let rule = "R1".to_owned();
-            return vec![Fault {
-                test,
-                kind,
-                step: exchange.step,
-                rule,
-                tag: "end".to_owned(),
-                words,
-                elements: vec![],
-                instead: None,
-            }];
+            return vec![Fault::new(test, kind, exchange.step, ["R1", "end"], words)];
         }
     }
     costs::judge(test, case, answer)

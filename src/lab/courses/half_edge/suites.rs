@@ -117,7 +117,7 @@ impl Judge for HalfEdge {
     }
 
     fn vocabulary(&self) -> &'static [Feature] {
-        features::vocabulary()
+        features::VOCABULARY
     }
 
     fn features(&self, earlier: &[&Exchange], exchange: &Exchange) -> Option<u128> {

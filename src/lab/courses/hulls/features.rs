@@ -6,7 +6,6 @@ use super::polygons::{Corner, is_between, points};
 use super::tangents::{asked, asked_two, common, from_point};
 use crate::FeatureSet;
 use crate::fault::Exchange;
-use crate::judge::Feature;
 use dcel_kit::plane::Point;
 use dcel_kit::plane::predicates::{left_to_right, orientation};
 
@@ -58,11 +57,6 @@ crate::features! {
     BothGone "both_gone" "no given corner is a corner of the hull",
     LowerTurns "lower_turns" "the lower tangent ends at neither of the two corners between which nothing lies",
     UpperTurns "upper_turns" "the upper tangent ends at neither of the two corners between which nothing lies",
-}
-
-/// All of them.
-pub(super) fn vocabulary() -> &'static [Feature] {
-    VOCABULARY
 }
 
 /// What holds of a call.

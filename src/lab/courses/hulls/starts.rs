@@ -52,9 +52,7 @@ pub(super) fn bowl(count: usize) -> Start {
 
 /// The points of the handout.
 pub(super) fn handout() -> Vec<Point> {
-    let left = [[-250., -60.], [-110., -150.], [30., -150.], [110., -90.], [130., 40.], [40., 140.], [-130., 150.]];
-    let others = [[-220., 80.], [-40., -150.], [-120., 20.], [0., 60.], [20., -60.], [-60., 90.], [-160., -60.]];
-    left.into_iter().chain(others).chain([[250., -10.]]).map(Point::from).collect()
+    at(crate::cases::handouts::POINTS)
 }
 
 fn at<const N: usize>(places: [[f64; 2]; N]) -> Vec<Point> {

@@ -67,9 +67,7 @@ impl Judge for Hulls {
     fn judge(&self, suite: &Suite, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
         let test = suite.tests[0];
         if test == "picture" {
-            let asked = case.steps.iter().enumerate().zip(&answer.replies);
-            let drawn = asked.filter(|((_, step), _)| **step == Step::Svg);
-            return drawn.flat_map(|((at, _), reply)| pictures::judge(test, at, reply, &picture::plain())).collect();
+            return pictures::judge_case(test, case, answer, picture::plain);
         }
         let functions = [
             Function { word: "gift_wrapping", test, wrong: hull::wrong },
@@ -83,7 +81,7 @@ impl Judge for Hulls {
     }
 
     fn vocabulary(&self) -> &'static [Feature] {
-        features::vocabulary()
+        features::VOCABULARY
     }
 
     fn features(&self, _: &[&Exchange], exchange: &Exchange) -> Option<u128> {

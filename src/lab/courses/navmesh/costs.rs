@@ -2,7 +2,7 @@
 //!
 //! Time plays no part: reads are counted, and are the same on every machine.
 
-use crate::fault::{Fault, FaultKind};
+use crate::fault::{Fault, FaultKind, answered};
 use crate::protocol::{Case, CaseAnswer, Reply, Start, Step, Structure, grouped};
 
 /// How many reads the neighbours of one triangle may take. The solution needs 10.
@@ -21,14 +21,9 @@ pub(super) fn with_reads(name: String, start: &Start, lines: impl IntoIterator<I
 
 /// What is wrong with the numbers of reads in a case.
 pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
-    let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
     let records = case.start.structure().map_or(0, Structure::len) as u64;
     let mut called: Option<(&str, &[String])> = None;
-    for ((step, asked), reply) in asked.zip(&answer.replies) {
-        let fault = |kind, tag: &str, words| {
-            let (rule, tag) = ("cost".to_owned(), tag.to_owned());
-            vec![Fault { test, kind, step, rule, tag, words, elements: Vec::new(), instead: None }]
-        };
+    for (step, asked, reply) in answered(case, answer) {
         match (asked, reply) {
             (Step::Call { function, arguments }, _) => called = Some((function, arguments)),
             (Step::Reads, Reply::Reads(reads)) => {
@@ -44,7 +39,7 @@ pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec
                         grouped(*reads),
                         grouped(records),
                     );
-                    return fault(FaultKind::TooSlow { place: None }, "reads", words);
+                    return vec![Fault::new(test, FaultKind::TooSlow { place: None }, step, ["cost", "reads"], words)];
                 }
             }
             _ => {}

@@ -7,7 +7,6 @@ use super::mistakes::{Beyond, Funnel};
 use super::mistakes::{deep_is_longer, funnel_goes_wrong, scan_goes_wrong, takes_0_for_outer, walk_goes_wrong};
 use crate::fault::Exchange;
 use crate::features::FeatureSet;
-use crate::judge::Feature;
 use dcel_kit::topology::{Table, View};
 use dcel_kit::{FaceId, HalfEdgeId};
 use std::cmp::Ordering;
@@ -62,11 +61,6 @@ crate::features! {
     RoundOne "round_one" "the path goes from one side round two ends of the other",
     GoalJoined "goal_joined" "the goal is not reached from the end of the left chain",
     RoundedTurn "rounded_turn" "rounding turns the sign of a product of differences, and with it the path",
-}
-
-/// All features of lab 06.
-pub(super) fn vocabulary() -> &'static [Feature] {
-    VOCABULARY
 }
 
 /// What holds of a call.

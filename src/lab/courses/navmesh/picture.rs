@@ -2,50 +2,16 @@
 
 use super::answers::path;
 use super::mesh::{Spot, build, corners, corridor, place, triangles_of};
-use crate::fault::Fault;
-use crate::pictures;
-use crate::protocol::{Case, CaseAnswer, Start, Step, Structure};
+use crate::cases::handouts::{GOAL, MAP, MAP_TRIANGLES, START};
+use crate::protocol::{Start, Structure};
 use dcel_kit::HalfEdgeId;
 use dcel_kit::topology::{Table, View};
 use std::fmt::Write;
 use std::sync::Arc;
 
-const POINTS: [Spot; 13] = [
-    [-250.0, -150.0],
-    [-110.0, -150.0],
-    [-80.0, 60.0],
-    [-50.0, -150.0],
-    [250.0, -150.0],
-    [250.0, 150.0],
-    [110.0, 150.0],
-    [80.0, -60.0],
-    [50.0, 150.0],
-    [-250.0, 150.0],
-    [160.0, 0.0],
-    [200.0, 40.0],
-    [200.0, -50.0],
-];
-const TRIANGLES: [[usize; 3]; 13] = [
-    [0, 1, 2],
-    [0, 2, 9],
-    [2, 3, 7],
-    [2, 7, 8],
-    [2, 8, 9],
-    [3, 4, 7],
-    [4, 5, 11],
-    [4, 12, 7],
-    [4, 11, 12],
-    [5, 6, 11],
-    [6, 7, 10],
-    [6, 10, 11],
-    [7, 12, 10],
-];
-const START: Spot = [-150.0, -120.0];
-const GOAL: Spot = [235.0, 60.0];
-
 /// The map of the handout.
 pub(super) fn map() -> Table {
-    build(&POINTS, &TRIANGLES)
+    build(&MAP, &MAP_TRIANGLES)
 }
 
 /// The start of cases on it.
@@ -54,7 +20,7 @@ pub(super) fn start() -> Start {
 }
 
 /// The picture with the coordinates that the student's program writes: y points down in a file.
-fn reference() -> String {
+pub(super) fn reference() -> String {
     let table = map();
     let mut out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-270 -170 540 340\">\n".to_owned();
     let words = |[x, y]: Spot| (x, 0.0 - y);
@@ -81,13 +47,6 @@ fn reference() -> String {
     out + "</svg>\n"
 }
 
-/// What is wrong with the picture of a case that asks for it.
-pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
-    let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
-    let pictures = asked.zip(&answer.replies).filter(|((_, asked), _)| **asked == Step::Svg);
-    pictures.flat_map(|((step, _), reply)| pictures::judge(test, step, reply, &reference())).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -104,7 +63,7 @@ mod tests {
     #[test]
     fn the_path_of_the_map_turns_round_both_partitions_and_the_pillar() {
         let path = path(&map(), START, GOAL).unwrap();
-        assert_eq!(path, [START, POINTS[2], POINTS[7], POINTS[12], GOAL]);
+        assert_eq!(path, [START, MAP[2], MAP[7], MAP[12], GOAL]);
         let corridor = corridor(&map(), 1, 7).unwrap();
         assert_eq!(corridor, [1, 2, 5, 4, 3, 6, 8, 9, 7]);
     }

@@ -15,6 +15,7 @@ use crate::cases::random::Random;
 use crate::cases::starts::wheel;
 use crate::fault::{Exchange, Fault};
 use crate::judge::{Asked, Feature, Judge, Suite};
+use crate::pictures;
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step, Structure};
 use dcel_kit::topology::Table;
@@ -50,10 +51,7 @@ impl Judge for NavMeshJudge {
                 _ => fixed_paths(),
             };
             let mut asked = Asked::fixed(fixed);
-            asked.extend(Asked::random(make(name, &mut Random::new(plan.seed, name))));
-            if let Some(secret) = &plan.secret {
-                asked.extend(Asked::hidden(make(name, &mut Random::new(secret.seed, name))));
-            }
+            asked.extend(Asked::from_seeds(plan, MESHES, |seed, _| make(name, &mut Random::new(seed, name))));
             asked.extend(Asked::fixed(large(name)));
             Suite { name, tests, asked }
         };
@@ -73,7 +71,7 @@ impl Judge for NavMeshJudge {
     fn judge(&self, suite: &Suite, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
         let mut faults = answers::judge(FUNCTIONS, case, answer);
         faults.extend(costs::judge(suite.tests[0], case, answer));
-        faults.extend(picture::judge(suite.tests[0], case, answer));
+        faults.extend(pictures::judge_case(suite.tests[0], case, answer, picture::reference));
         if case.name.ends_with(BLIND) {
             faults.iter_mut().for_each(|fault| fault.words.push_str(IN_THE_BLIND));
         }
@@ -81,7 +79,7 @@ impl Judge for NavMeshJudge {
     }
 
     fn vocabulary(&self) -> &'static [Feature] {
-        features::vocabulary()
+        features::VOCABULARY
     }
 
     fn features(&self, _: &[&Exchange], exchange: &Exchange) -> Option<u128> {

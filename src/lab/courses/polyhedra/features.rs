@@ -5,7 +5,6 @@ use super::surface::Surface;
 use super::{angles, dual, merging};
 use crate::FeatureSet;
 use crate::fault::Exchange;
-use crate::judge::Feature;
 use dcel_kit::HalfEdgeId;
 use dcel_kit::topology::View;
 use std::f64::consts::PI;
@@ -51,11 +50,6 @@ crate::features! {
     RightBig "right_big" "the face on the right has more than three corners",
     RightLarge "right_large" "the face on the right has more than 8 corners",
     Dangling "dangling" "the edge ends at a vertex without another edge",
-}
-
-/// All of them.
-pub(super) fn vocabulary() -> &'static [Feature] {
-    VOCABULARY
 }
 
 /// What holds of a call.

@@ -9,7 +9,7 @@ use crate::answers::{self, Function};
 use crate::cases::random::Random;
 use crate::fault::{Exchange, Fault, FaultKind};
 use crate::judge::{Asked, Feature, Judge, Suite};
-use crate::plan::{Plan, Secret};
+use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Schema, Start, Step};
 use crate::{many, pictures};
 
@@ -87,10 +87,7 @@ impl Judge for Polyhedra {
                 fixed.push(large.step(Step::Changes).step(Step::of_line("genus")));
             }
             let mut asked = Asked::fixed(fixed);
-            asked.extend(Asked::random(random(function.word, plan.seed, RANDOM)));
-            if let Some(Secret { seed, sequences, .. }) = &plan.secret {
-                asked.extend(Asked::hidden(random(function.word, *seed, *sequences)));
-            }
+            asked.extend(Asked::from_seeds(plan, RANDOM, |seed, count| random(function.word, seed, count)));
             // Each suite decides the one test that has the function's name.
             Suite { name: function.test, tests: std::slice::from_ref(&function.test), asked }
         };
@@ -108,12 +105,7 @@ impl Judge for Polyhedra {
         match suite.name {
             PICTURE => {
                 let solid = picture::DRAWN.into_iter().find(|solid| case.name.ends_with(solid));
-                let expected = picture::plain(solid.unwrap_or("cube"));
-                let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
-                let drawn = asked.zip(&answer.replies).filter(|((_, step), _)| **step == Step::Svg);
-                let faults = drawn.flat_map(|((step, _), reply)| pictures::judge(PICTURE, step, reply, &expected));
-                // What differs tells one mistake from another.
-                faults.map(|fault| Fault { tag: fault.words.clone(), ..fault }).collect()
+                pictures::told_apart(PICTURE, case, answer, || picture::plain(solid.unwrap_or("cube")))
             }
             LARGE => {
                 let mut faults = answers::judge(IN_LARGE, case, answer);
@@ -125,7 +117,7 @@ impl Judge for Polyhedra {
     }
 
     fn vocabulary(&self) -> &'static [Feature] {
-        features::vocabulary()
+        features::VOCABULARY
     }
 
     fn features(&self, _: &[&Exchange], exchange: &Exchange) -> Option<u128> {

@@ -5,7 +5,6 @@ use super::map::naive;
 use super::sum::{self, ExactSum};
 use crate::fault::Exchange;
 use crate::features::FeatureSet;
-use crate::judge::Feature;
 
 crate::features! {
     Straight "straight" "the points are on one line",
@@ -77,11 +76,6 @@ crate::features! {
     Negative "negative" "a coordinate is negative",
     Tiny "tiny" "a number is not 0 and smaller than 1e-15",
     Far "far" "a number is larger than 1e8",
-}
-
-/// All features of lab 01.
-pub(super) fn vocabulary() -> &'static [Feature] {
-    VOCABULARY
 }
 
 /// What holds of a call.

@@ -33,11 +33,7 @@ impl Judge for Predicates {
     fn suites(&self, plan: &Plan) -> Vec<Suite> {
         let suite = |name: &'static str, tests: &'static [&'static str]| {
             let mut asked = Asked::fixed(fixed(name));
-            let cases = |seed| random(name, seed);
-            asked.extend(Asked::random(cases(plan.seed)));
-            if let Some(secret) = &plan.secret {
-                asked.extend(Asked::hidden(cases(secret.seed)));
-            }
+            asked.extend(Asked::from_seeds(plan, RANDOM, |seed, _| random(name, seed)));
             Suite { name, tests, asked }
         };
         vec![
@@ -60,16 +56,13 @@ impl Judge for Predicates {
 
     fn judge(&self, suite: &Suite, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
         if suite.name == MAP {
-            let replies = answer.replies.iter().enumerate();
-            let faults = replies.flat_map(|(step, reply)| pictures::judge(MAP, step, reply, &map::picture()));
-            // What differs tells one mistake from another.
-            return faults.map(|fault| Fault { tag: fault.words.clone(), ..fault }).collect();
+            return pictures::told_apart(MAP, case, answer, map::picture);
         }
         answers::judge(FUNCTIONS, case, answer)
     }
 
     fn vocabulary(&self) -> &'static [Feature] {
-        features::vocabulary()
+        features::VOCABULARY
     }
 
     fn features(&self, _: &[&Exchange], exchange: &Exchange) -> Option<u128> {

@@ -7,7 +7,7 @@
 //! ```
 
 use crate::cases::cycles::from_cycles;
-use crate::fault::{Fault, FaultKind};
+use crate::fault::{Fault, FaultKind, answered};
 use crate::protocol::{Called, Case, CaseAnswer, Reply, Start, Step, grouped};
 use dcel_kit::FaceId;
 use dcel_kit::topology::Table;
@@ -48,8 +48,7 @@ pub(super) fn questions() -> Case {
 
 /// What is wrong with many splits.
 pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
-    let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
-    asked.zip(&answer.replies).filter_map(|((step, asked), reply)| fault(test, step, asked, reply)).collect()
+    answered(case, answer).filter_map(|(step, asked, reply)| fault(test, step, asked, reply)).collect()
 }
 
 fn fault(test: &'static str, step: usize, asked: &Step, reply: &Reply) -> Option<Fault> {
@@ -71,8 +70,7 @@ fn fault(test: &'static str, step: usize, asked: &Step, reply: &Reply) -> Option
         }
         _ => return None,
     };
-    let rule = format!("cost.{split}");
-    Some(Fault { test, kind, step, rule, tag: tag.to_owned(), words, elements: Vec::new(), instead: None })
+    Some(Fault::new(test, kind, step, [&format!("cost.{split}"), tag], words))
 }
 
 #[cfg(test)]

@@ -3,7 +3,6 @@
 use super::reference::{round, turned};
 use crate::FeatureSet;
 use crate::fault::Exchange;
-use crate::judge::Feature;
 use dcel_kit::HalfEdgeId;
 use dcel_kit::topology::View;
 
@@ -32,11 +31,6 @@ crate::features! {
     PoleBelow "pole_below" "there is a pole below",
     PoleAbove "pole_above" "there is a pole above",
     Open "open" "there is no pole",
-}
-
-/// The features of this lab.
-pub(super) fn vocabulary() -> &'static [Feature] {
-    VOCABULARY
 }
 
 /// What holds of a call.

@@ -171,10 +171,7 @@ fn asked(test: &str, function: &str, make: Made, plan: &Plan) -> Vec<Asked> {
         }
         all
     };
-    out.extend(Asked::random(some(plan.seed, RANDOM)));
-    if let Some(secret) = &plan.secret {
-        out.extend(Asked::hidden(some(secret.seed, secret.sequences)));
-    }
+    out.extend(Asked::from_seeds(plan, RANDOM, some));
     out
 }
 
@@ -209,7 +206,7 @@ fn revolved(plan: &Plan) -> Vec<Asked> {
     }
     small.extend([(3, 3), (4, 3), (3, 5), (20, 15)].iter().filter_map(|&(n, m)| case(n, m, None, &mut fixed)));
     let mut out = Asked::fixed(small);
-    let mut some = |seed: u64, count: usize| {
+    let some = |seed: u64, count: usize| {
         let mut numbers = Random::new(seed, REVOLVE);
         let mut all = Vec::new();
         for _ in 0..count {
@@ -219,10 +216,7 @@ fn revolved(plan: &Plan) -> Vec<Asked> {
         }
         all
     };
-    out.extend(Asked::random(some(plan.seed, RANDOM)));
-    if let Some(secret) = &plan.secret {
-        out.extend(Asked::hidden(some(secret.seed, secret.sequences)));
-    }
+    out.extend(Asked::from_seeds(plan, RANDOM, some));
     out
 }
 
@@ -267,12 +261,7 @@ impl Judge for Primitives {
     fn judge(&self, suite: &Suite, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
         match suite.name {
             REVOLVE => answers::judge(FUNCTIONS, case, answer),
-            PICTURE => {
-                let drawn = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered()).zip(&answer.replies);
-                let drawn = drawn.filter(|((_, step), _)| **step == Step::Svg);
-                let expected = picture::plain();
-                drawn.flat_map(|((step, _), reply)| pictures::judge(PICTURE, step, reply, &expected)).collect()
-            }
+            PICTURE => pictures::judge_case(PICTURE, case, answer, picture::plain),
             test => {
                 let calls = exchanges(case, answer);
                 let wrong = calls.iter().flat_map(|exchange| growth::judge(exchange, suite.tests[0]));
@@ -283,7 +272,7 @@ impl Judge for Primitives {
     }
 
     fn vocabulary(&self) -> &'static [Feature] {
-        features::vocabulary()
+        features::VOCABULARY
     }
 
     fn features(&self, _: &[&Exchange], exchange: &Exchange) -> Option<u128> {

@@ -2,7 +2,7 @@
 
 use super::laws::broken;
 use super::model::{Model, Place};
-use crate::fault::{Fault, FaultKind};
+use crate::fault::{Fault, FaultKind, answered};
 use crate::protocol::{CallEnd, Called, Case, CaseAnswer, Reply, Step, Structure, Value, grouped};
 
 /// How many records a call may look at in a large mesh. The solutions need a fifth of it.
@@ -52,17 +52,13 @@ impl At<'_> {
 
 /// Of edits, the first thing that is wrong: what comes after it follows from it. Of questions, all that is wrong.
 pub(super) fn judge(test: &'static str, model: &Model, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
-    let fault = |step, kind, rule: &str, tag: &str, words| {
-        let (rule, tag) = (rule.to_owned(), tag.to_owned());
-        Fault { test, kind, step, rule, tag, words, elements: Vec::new(), instead: None }
-    };
+    let fault = |step, kind, rule: &str, tag: &str, words| Fault::new(test, kind, step, [rule, tag], words);
     let mut model = model.clone();
-    let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
     let mut last: Option<At> = None;
     // How many edits were made since the mesh was looked at.
     let mut unseen = 0;
     let mut out = Vec::new();
-    for ((step, asked), reply) in asked.zip(&answer.replies) {
+    for (step, asked, reply) in answered(case, answer) {
         match (asked, reply) {
             (Step::Call { function, arguments: words }, reply) => {
                 let at = At { step, function, words };

@@ -11,7 +11,6 @@ use super::mistakes::{self, Plateau};
 use super::model::{Model, Place};
 use crate::fault::Exchange;
 use crate::features::FeatureSet;
-use crate::judge::Feature;
 use crate::protocol::{Cell, Records};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -58,11 +57,6 @@ crate::features! {
 
 /// Of a structure with more half-edges nothing is said: it would take too long.
 const LARGE: usize = 10_000;
-
-/// All features of lab 11.
-pub(super) fn vocabulary() -> &'static [Feature] {
-    VOCABULARY
-}
 
 fn place(row: &[Cell]) -> Option<Place> {
     Some([row[0].number()?, row[1].number()?, row[2].number()?])

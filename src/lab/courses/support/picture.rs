@@ -2,16 +2,13 @@
 
 use super::model::Place;
 use super::solids::gem;
-use crate::fault::Fault;
-use crate::pictures;
-use crate::protocol::{Case, CaseAnswer, Step};
 use std::fmt::Write;
 
 const FROM: usize = 0;
 const DIRECTION: Place = [1.0, 2.0, 5.0];
 
 /// The picture with the coordinates that the student's program writes: y points down in a file.
-fn reference() -> String {
+pub(super) fn reference() -> String {
     let model = gem().model();
     let at = |v: usize| {
         let [x, y, z] = model.place(v).unwrap_or_default();
@@ -33,13 +30,6 @@ fn reference() -> String {
             None => return out + "</svg>\n",
         }
     }
-}
-
-/// What is wrong with the picture of a case that asks for it.
-pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
-    let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
-    let pictures = asked.zip(&answer.replies).filter(|((_, asked), _)| **asked == Step::Svg);
-    pictures.flat_map(|((step, _), reply)| pictures::judge(test, step, reply, &reference())).collect()
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 //! The k-th edge that the triangles state has the half-edges h(2k), on the side that states it first, and h(2k+1).
 
 use super::model::{Model, Place};
+use crate::cases::handouts::GEM;
 use crate::cases::random::Random;
 use crate::protocol::{Cell, ColumnSchema, RecordSchema, Records, Start, Structure, TableSchema};
 use std::collections::BTreeMap;
@@ -80,18 +81,8 @@ pub(super) fn empty() -> Solid {
 
 /// The gem of the handout: a pyramid with six sides above and below.
 pub(super) fn gem() -> Solid {
-    let points = [
-        [0.0, 0.0, -60.0],
-        [120.0, -20.0, -10.0],
-        [60.0, 100.0, 0.0],
-        [-70.0, 90.0, -10.0],
-        [-120.0, -10.0, 0.0],
-        [-40.0, -110.0, 0.0],
-        [70.0, -100.0, -10.0],
-        [20.0, 10.0, 150.0],
-    ];
     let triangles = (1..=6).flat_map(|k| [[k, k % 6 + 1, 7], [k % 6 + 1, k, 0]]).collect();
-    Solid { name: "gem", line: "gem".to_owned(), points: points.into(), triangles, free: Vec::new() }
+    Solid { name: "gem", line: "gem".to_owned(), points: GEM.to_vec(), triangles, free: Vec::new() }
 }
 
 /// A cube whose sides are cut into n times n squares, each of two triangles.

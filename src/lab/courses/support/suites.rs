@@ -11,6 +11,7 @@ use super::{answers, features, picture};
 use crate::cases::random::Random;
 use crate::fault::{Exchange, Fault};
 use crate::judge::{Asked, Feature, Judge, Source, Suite};
+use crate::pictures;
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Schema, Start, Step};
 use std::sync::LazyLock;
@@ -98,8 +99,7 @@ impl Judge for SupportJudge {
                     .filter(|case| case.steps.len() > 1)
                     .collect::<Vec<_>>()
             };
-            asked.extend(Asked::random(sequences(plan.seed)));
-            asked.extend(plan.secret.iter().flat_map(|secret| Asked::hidden(sequences(secret.seed))));
+            asked.extend(Asked::from_seeds(plan, SEQUENCES, |seed, _| sequences(seed)));
             Suite { name, tests, asked }
         };
         let mut remove_vertex = edits("remove_vertex", &["remove_vertex"], REMOVE_VERTEX, [1, 0, 0, 3]);
@@ -141,12 +141,12 @@ impl Judge for SupportJudge {
         let name = case.name.split('.').next().unwrap_or_default();
         let model = start(name).map_or_else(Model::default, |start| start.model.clone());
         let mut faults = answers::judge(suite.tests[0], &model, case, answer);
-        faults.extend(picture::judge(suite.tests[0], case, answer));
+        faults.extend(pictures::judge_case(suite.tests[0], case, answer, picture::reference));
         faults
     }
 
     fn vocabulary(&self) -> &'static [Feature] {
-        features::vocabulary()
+        features::VOCABULARY
     }
 
     fn features(&self, earlier: &[&Exchange], exchange: &Exchange) -> Option<u128> {

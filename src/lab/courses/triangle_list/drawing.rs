@@ -1,9 +1,6 @@
 //! The picture: the list of the handout as a structure.
 
 use super::soup::Soup;
-use crate::fault::Fault;
-use crate::pictures;
-use crate::protocol::{Case, CaseAnswer, Step};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
@@ -17,7 +14,7 @@ pub(super) fn soup() -> Soup {
 }
 
 /// The picture that the student's program should draw, with the coordinates that it writes: y points down in a file.
-fn reference() -> String {
+pub(super) fn reference() -> String {
     let at = |v: u32| {
         let [x, y] = POINTS[v as usize];
         (x, 0.0 - y)
@@ -33,11 +30,4 @@ fn reference() -> String {
         let _ = writeln!(out, "<line x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\" stroke=\"#000000\"/>");
     }
     out + "</svg>\n"
-}
-
-/// Judges the picture.
-pub(super) fn judge(test: &'static str, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
-    let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
-    let pictures = asked.zip(&answer.replies).filter(|((_, asked), _)| **asked == Step::Svg);
-    pictures.flat_map(|((step, _), reply)| pictures::judge(test, step, reply, &reference())).collect()
 }

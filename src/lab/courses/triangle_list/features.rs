@@ -4,7 +4,6 @@ use super::mistakes;
 use super::soup::Soup;
 use crate::FeatureSet;
 use crate::fault::Exchange;
-use crate::judge::Feature;
 use dcel_kit::topology::View;
 use dcel_kit::{HalfEdgeId, VertexId};
 use std::collections::BTreeSet;
@@ -42,11 +41,6 @@ crate::features! {
     Bits "bits" "a coordinate needs more bits than an f32 has",
     Cells "cells" "the list has 100,352 triangles",
     Many "many" "a face has more than 8 corners",
-}
-
-/// The features of this lab.
-pub(super) fn vocabulary() -> &'static [Feature] {
-    VOCABULARY
 }
 
 /// What holds of a call.

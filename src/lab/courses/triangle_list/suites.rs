@@ -9,6 +9,7 @@ use crate::cases::random::Random;
 use crate::cases::starts;
 use crate::fault::{Exchange, Fault, exchanges};
 use crate::judge::{Asked, Feature, Judge, Suite};
+use crate::pictures;
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step};
 
@@ -83,7 +84,7 @@ impl Judge for TriangleList {
         let test = suite.tests[0];
         match suite.name {
             "from_faces_large" => return whole::large(test, case, answer),
-            "structure_svg" => return drawing::judge(test, case, answer),
+            "structure_svg" => return pictures::judge_case(test, case, answer, drawing::reference),
             _ => {}
         }
         let fault = |exchange: &Exchange| match exchange.function {
@@ -97,7 +98,7 @@ impl Judge for TriangleList {
     }
 
     fn vocabulary(&self) -> &'static [Feature] {
-        features::vocabulary()
+        features::VOCABULARY
     }
 
     fn features(&self, _: &[&Exchange], exchange: &Exchange) -> Option<u128> {
@@ -161,10 +162,7 @@ fn asked(name: &str, named: &[Named], [fits, small]: [Fits; 2], case: CaseOf, pl
         }
         all
     };
-    out.extend(Asked::random(random(plan.seed, RANDOM)));
-    if let Some(secret) = &plan.secret {
-        out.extend(Asked::hidden(random(secret.seed, secret.sequences)));
-    }
+    out.extend(Asked::from_seeds(plan, RANDOM, random));
     out
 }
 

@@ -4,7 +4,6 @@ use super::geometry::{Diagonal, diagonal, ear, turn};
 use super::lists::{cycle, next, place, places};
 use crate::fault::Exchange;
 use crate::features::FeatureSet;
-use crate::judge::Feature;
 use crate::protocol::Records;
 
 crate::features! {
@@ -68,11 +67,6 @@ crate::features! {
     Corners32 "corners_32" "the polygon has more than 32 corners",
     Corners64 "corners_64" "the polygon has more than 64 corners",
     Numbers255 "numbers_255" "there are corners with numbers above 255",
-}
-
-/// All features of lab 02.
-pub(super) fn vocabulary() -> &'static [Feature] {
-    VOCABULARY
 }
 
 /// What holds of a call.

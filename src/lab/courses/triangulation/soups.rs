@@ -23,15 +23,8 @@ fn key([x, y]: [f64; 2]) -> [u64; 2] {
 /// What is wrong with one call.
 pub(super) fn judge(exchange: &Exchange) -> Option<Fault> {
     let (&[first], end) = exchange.called? else { return None };
-    let fault = |kind, tag: &str, words: String| Fault {
-        test: TEST,
-        kind,
-        step: exchange.step,
-        rule: "triangulate".to_owned(),
-        tag: tag.to_owned(),
-        words: format!("triangulate c{first}: {words}"),
-        elements: Vec::new(),
-        instead: None,
+    let fault = |kind, tag: &str, words: String| {
+        Fault::new(TEST, kind, exchange.step, ["triangulate", tag], format!("triangulate c{first}: {words}"))
     };
     let values = match end {
         CallEnd::Returned(values) => values,

@@ -64,16 +64,9 @@ pub(super) fn judge(exchange: &Exchange, tests: [&'static str; 2]) -> Vec<Fault>
     let refused = refusal(before, u, v);
     let test = tests[usize::from(refused.is_none())];
     let call = exchange.line();
-    let fault = |kind, tag: &str, words: String| Fault {
-        test,
-        kind,
-        step: exchange.step,
-        rule: if refused.is_some() { "split.refusal" } else { "split.cut" }.to_owned(),
-        tag: tag.to_owned(),
-        words: format!("{call}: {words}"),
-        elements: Vec::new(),
-        instead: None,
-    };
+    let rule = if refused.is_some() { "split.refusal" } else { "split.cut" };
+    let fault =
+        |kind, tag: &str, words: String| Fault::new(test, kind, exchange.step, [rule, tag], format!("{call}: {words}"));
     let returned = match end {
         CallEnd::Returned(values) => values.as_slice(),
         end => {

@@ -8,7 +8,7 @@ use super::splits::refusal;
 use super::{drawing, features, soups, splits};
 use crate::answers::{self, Function, Wrong};
 use crate::cases::random::Random;
-use crate::fault::{Exchange, Fault, FaultKind, exchanges};
+use crate::fault::{Exchange, Fault, FaultKind, answered, exchanges};
 use crate::judge::{Asked, Feature, Judge, Suite};
 use crate::pictures;
 use crate::plan::Plan;
@@ -47,10 +47,7 @@ impl Judge for Triangulation {
     fn suites(&self, plan: &Plan) -> Vec<Suite> {
         let suite = |name: &'static str, tests: &'static [&'static str], fixed: Vec<Case>| {
             let mut asked = Asked::fixed(fixed);
-            asked.extend(Asked::random(random(name, plan.seed)));
-            if let Some(secret) = &plan.secret {
-                asked.extend(Asked::hidden(random(name, secret.seed)));
-            }
+            asked.extend(Asked::from_seeds(plan, RANDOM, |seed, _| random(name, seed)));
             Suite { name, tests, asked }
         };
         let picture =
@@ -77,14 +74,7 @@ impl Judge for Triangulation {
                 faults
             }
             "triangulate" => exchanges(case, answer).iter().filter_map(soups::judge).collect(),
-            PICTURE => {
-                let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
-                let drawn = asked.zip(&answer.replies).filter(|((_, step), _)| **step == Step::Svg);
-                let faults =
-                    drawn.flat_map(|((step, _), reply)| pictures::judge(PICTURE, step, reply, &drawing::picture()));
-                // What differs tells one mistake from another.
-                faults.map(|fault| Fault { tag: fault.words.clone(), ..fault }).collect()
-            }
+            PICTURE => pictures::told_apart(PICTURE, case, answer, drawing::picture),
             _ => answers::judge(READING, case, answer),
         }
     }
@@ -111,7 +101,7 @@ impl Judge for Triangulation {
     }
 
     fn vocabulary(&self) -> &'static [Feature] {
-        features::vocabulary()
+        features::VOCABULARY
     }
 
     fn features(&self, earlier: &[&Exchange], exchange: &Exchange) -> Option<u128> {
@@ -197,16 +187,9 @@ fn ears(exchange: &Exchange, found: &[Value]) -> Option<Wrong> {
 fn sequence(case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
     for exchange in exchanges(case, answer) {
         if exchange.called.is_none() {
-            return vec![Fault {
-                test: splits::TESTS[1],
-                kind: FaultKind::Wrong,
-                step: exchange.step,
-                rule: "split.cut".to_owned(),
-                tag: "unresolved".to_owned(),
-                words: format!("{}: a link of it is not set", exchange.line()),
-                elements: Vec::new(),
-                instead: None,
-            }];
+            let words = format!("{}: a link of it is not set", exchange.line());
+            let rule = ["split.cut", "unresolved"];
+            return vec![Fault::new(splits::TESTS[1], FaultKind::Wrong, exchange.step, rule, words)];
         }
         let faults = splits::judge(&exchange, splits::TESTS);
         if !faults.is_empty() {
@@ -218,24 +201,17 @@ fn sequence(case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
 
 /// Splits that look at everything.
 fn costs(case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
-    let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
-    let too_many = asked.zip(&answer.replies).find_map(|((step, _), reply)| match reply {
+    let too_many = answered(case, answer).find_map(|(step, _, reply)| match reply {
         Reply::Reads(reads) if *reads > READS_OF_A_SPLIT => Some((step, *reads)),
         _ => None,
     });
-    let fault = |(step, reads)| Fault {
-        test: splits::TESTS[1],
-        kind: FaultKind::TooSlow { place: None },
-        step,
-        rule: "cost".to_owned(),
-        tag: "reads".to_owned(),
-        words: format!(
+    let fault = |(step, reads)| {
+        let words = format!(
             "split looks at everything: {} reads in a polygon of {} corners, where two dozen would do",
             grouped(reads),
             grouped(case.start.structure().map_or(0, Structure::len) as u64)
-        ),
-        elements: Vec::new(),
-        instead: None,
+        );
+        Fault::new(splits::TESTS[1], FaultKind::TooSlow { place: None }, step, ["cost", "reads"], words)
     };
     too_many.map(fault).into_iter().collect()
 }

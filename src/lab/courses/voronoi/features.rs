@@ -6,7 +6,6 @@ use super::duals::{corners, place, triangles};
 use crate::FeatureSet;
 use crate::checks::walks::star;
 use crate::fault::Exchange;
-use crate::judge::Feature;
 use dcel_kit::plane::Point;
 use dcel_kit::plane::predicates::orientation;
 use dcel_kit::topology::{Table, View};
@@ -38,11 +37,6 @@ crate::features! {
     OneFace "one_face" "an edge has one face on both sides",
     Large "large" "there are more than 256 half-edges",
     Blind "blind" "all vertices are at one place",
-}
-
-/// All of them.
-pub(super) fn vocabulary() -> &'static [Feature] {
-    VOCABULARY
 }
 
 /// What holds of a call.

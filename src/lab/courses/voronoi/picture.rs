@@ -1,7 +1,8 @@
 //! The picture of the handout: the Voronoi diagram of its sites, as the program of the lab draws it.
 
 use super::centres::centre;
-use super::starts::{SITES, delaunay};
+use super::starts::delaunay;
+use crate::cases::handouts::SITES;
 use std::fmt::Write;
 
 /// Half of the width and of the height of the frame at which rays end.

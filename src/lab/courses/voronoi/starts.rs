@@ -1,25 +1,10 @@
 //! The triangulations that cases begin with: points, joined by the kit's own Delaunay triangulation.
 
+use crate::cases::handouts::SITES;
 use crate::cases::random::Random;
 use crate::cases::starts::triangles;
 use crate::protocol::Start;
 use dcel_kit::plane::{Point, Subdivision};
-
-/// The sites of the handout.
-pub(super) const SITES: [[f64; 2]; 12] = [
-    [-180.0, -110.0],
-    [-40.0, -150.0],
-    [120.0, -120.0],
-    [210.0, -20.0],
-    [150.0, 110.0],
-    [10.0, 150.0],
-    [-150.0, 120.0],
-    [-230.0, 10.0],
-    [-60.0, -20.0],
-    [60.0, 40.0],
-    [-50.0, 70.0],
-    [80.0, -60.0],
-];
 
 /// A triangulation as a case states it, and what it is like.
 #[derive(Clone)]

@@ -7,7 +7,7 @@ use crate::cases::random::Random;
 use crate::cases::starts::{convex, grid, polygon, wheel};
 use crate::fault::{Exchange, Fault, FaultKind};
 use crate::judge::{Asked, Feature, Judge, Suite};
-use crate::plan::{Plan, Secret};
+use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step};
 use crate::{many, pictures};
 
@@ -40,10 +40,7 @@ impl Judge for VoronoiDiagrams {
     fn suites(&self, plan: &Plan) -> Vec<Suite> {
         let suite = |function: &'static Function| {
             let mut asked = Asked::fixed(fixed(function.word));
-            asked.extend(Asked::random(random(function.word, plan.seed, RANDOM)));
-            if let Some(Secret { seed, sequences, .. }) = &plan.secret {
-                asked.extend(Asked::hidden(random(function.word, *seed, *sequences)));
-            }
+            asked.extend(Asked::from_seeds(plan, RANDOM, |seed, count| random(function.word, seed, count)));
             // Each suite decides the one test that has the function's name.
             Suite { name: function.test, tests: std::slice::from_ref(&function.test), asked }
         };
@@ -63,15 +60,11 @@ impl Judge for VoronoiDiagrams {
         if suite.name != PICTURE {
             return answers::judge(FUNCTIONS, case, answer);
         }
-        let asked = case.steps.iter().enumerate().filter(|(_, step)| step.is_answered());
-        let drawn = asked.zip(&answer.replies).filter(|((_, step), _)| **step == Step::Svg);
-        let faults = drawn.flat_map(|((step, _), reply)| pictures::judge(PICTURE, step, reply, &picture::plain()));
-        // What differs tells one mistake from another.
-        faults.map(|fault| Fault { tag: fault.words.clone(), ..fault }).collect()
+        pictures::told_apart(PICTURE, case, answer, picture::plain)
     }
 
     fn vocabulary(&self) -> &'static [Feature] {
-        features::vocabulary()
+        features::VOCABULARY
     }
 
     fn features(&self, _: &[&Exchange], exchange: &Exchange) -> Option<u128> {
