@@ -5,6 +5,21 @@ use serde::Serialize;
 use std::io;
 use std::process::ExitCode;
 
+/// A value for an answer in JSON, with these fields in this order. Its type has no name to say.
+macro_rules! fields {
+    ($($name:ident $(: $value:expr)?),* $(,)?) => {{
+        #[allow(non_camel_case_types)]
+        mod shape {
+            #[derive(serde::Serialize)]
+            pub(super) struct Fields<$($name),*> {
+                $(pub(super) $name: $name),*
+            }
+        }
+        shape::Fields { $($name $(: $value)?),* }
+    }};
+}
+pub(crate) use fields;
+
 /// The answer of a command that could do its work.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Answer {

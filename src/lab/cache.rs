@@ -143,19 +143,10 @@ mod tests {
             kit: "1".to_owned(),
             lab: "04".to_owned(),
             lab_version: "1".to_owned(),
-            submission: None,
             seed: 3,
             verdict,
-            message: None,
-            tests: Vec::new(),
-            sandbox: Vec::new(),
-            printed: String::new(),
-            attachments: Vec::new(),
-            adjustments: Vec::new(),
-            notes: Vec::new(),
-            similar: Vec::new(),
-            terms: crate::Terms::default(),
             millis: 1,
+            ..Report::default()
         }
     }
 

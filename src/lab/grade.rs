@@ -17,7 +17,7 @@ use super::manifest::Test;
 use super::mutants::{self, Evidence};
 use super::plan::Plan;
 use super::program::Program;
-use super::report::{Report, Terms, TestResult};
+use super::report::{Report, TestResult};
 use super::run::{Graded, PATIENCE, SuiteRun, function, run_suite};
 use super::signatures::Signature;
 use super::the_lab::Lab;
@@ -352,19 +352,9 @@ fn empty_report(lab: &Lab, plan: &Plan, program: &dyn Program) -> Report {
         kit: env!("CARGO_PKG_VERSION").to_owned(),
         lab: lab.name.clone(),
         lab_version: lab.manifest.version.clone(),
-        submission: None,
         seed: plan.seed,
-        verdict: Verdict::GraderFault,
-        message: None,
-        tests: Vec::new(),
         sandbox: program.sandbox(),
-        printed: String::new(),
-        attachments: Vec::new(),
-        adjustments: Vec::new(),
-        notes: Vec::new(),
-        similar: Vec::new(),
-        terms: Terms::default(),
-        millis: 0,
+        ..Report::default()
     }
 }
 

@@ -6,7 +6,7 @@ use super::verdict::Verdict;
 use serde::{Deserialize, Serialize};
 
 /// The outcome of one submission.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
 pub struct Report {
     /// The version of the kit that graded.
     pub kit: String,
@@ -59,19 +59,10 @@ impl Report {
             kit: env!("CARGO_PKG_VERSION").to_owned(),
             lab: lab.name.clone(),
             lab_version: lab.version.clone(),
-            submission: None,
-            seed: 0,
             verdict,
             message: Some(message.into()),
             tests: lab.tests.iter().map(|test| TestResult::new(test, verdict)).collect(),
-            sandbox: Vec::new(),
-            printed: String::new(),
-            attachments: Vec::new(),
-            adjustments: Vec::new(),
-            notes: Vec::new(),
-            similar: Vec::new(),
-            terms: Terms::default(),
-            millis: 0,
+            ..Self::default()
         }
     }
 
@@ -246,7 +237,7 @@ pub struct Similar {
 }
 
 /// The outcome of one graded test.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
 pub struct TestResult {
     /// Its name: the function in `tests/graded.rs`.
     pub name: String,
@@ -293,14 +284,7 @@ impl TestResult {
             points: if verdict.is_passed() { test.points } else { Points::ZERO },
             max_points: test.points,
             visibility: test.visibility,
-            message: String::new(),
-            place: None,
-            pattern: None,
-            findings: Vec::new(),
-            bugs: Vec::new(),
-            script: None,
-            replay: None,
-            picture: None,
+            ..Self::default()
         }
     }
 }
@@ -355,32 +339,11 @@ pub struct Barrier {
 
 #[cfg(test)]
 mod tests {
-    use super::{Adjustment, OwnTests, Points, Report, Terms, Verdict};
-
-    fn empty() -> Report {
-        Report {
-            kit: String::new(),
-            lab: String::new(),
-            lab_version: String::new(),
-            submission: None,
-            seed: 0,
-            verdict: Verdict::Passed,
-            message: None,
-            tests: Vec::new(),
-            sandbox: Vec::new(),
-            printed: String::new(),
-            attachments: Vec::new(),
-            adjustments: Vec::new(),
-            notes: Vec::new(),
-            similar: Vec::new(),
-            terms: Terms::default(),
-            millis: 0,
-        }
-    }
+    use super::{Adjustment, OwnTests, Points, Report};
 
     #[test]
     fn adjustments_count_and_no_score_is_negative() {
-        let mut report = empty();
+        let mut report = Report::default();
         report.adjustments.push(Adjustment { reason: "answers".to_owned(), points: 5.into() });
         assert_eq!(report.points(), Points::from(5));
         report.adjustments.push(Adjustment { reason: "late".to_owned(), points: (-9).into() });
@@ -391,7 +354,7 @@ mod tests {
 
     #[test]
     fn own_tests_and_lateness_count_and_bounds_come_last() {
-        let mut report = empty();
+        let mut report = Report::default();
         let own = OwnTests { points: 4.into(), max_points: 5.into(), ..OwnTests::default() };
         report.terms.own_tests = Some(own);
         assert_eq!((report.earned(), report.points(), report.max_points()), (4.into(), 4.into(), 5.into()));

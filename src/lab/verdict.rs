@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// What came of a graded test, or of a whole submission. The order is from best to worst news for its author.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verdict {
     /// Every case was answered completely and rightly.
@@ -30,6 +30,7 @@ pub enum Verdict {
     /// The compiler rejects the file.
     DoesNotCompile,
     /// The grader or the machine failed; never the student's loss.
+    #[default]
     GraderFault,
 }
 

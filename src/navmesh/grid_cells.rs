@@ -13,7 +13,6 @@ use super::slivers::Slivers;
 use crate::ids::FaceId;
 use crate::plane::Point;
 use crate::plane::predicates::orientation;
-use std::collections::BTreeMap;
 
 /// The most cells there are, so that items can be numbered without the marks.
 const MOST_CELLS: f64 = 134_217_728.0;
@@ -50,17 +49,9 @@ impl Grid {
             scale: [columns / width, rows / height],
             columns: columns as usize,
             rows: rows as usize,
-            cells: Vec::new(),
-            items: Vec::new(),
-            spent: 0,
-            entries: [0; 2],
-            written: 0,
             coarse: Coarse::new(min, max),
-            hole_edges: Vec::new(),
-            hole_cells: Vec::new(),
             slivers: is_crowded.then(|| Box::new(slivers())),
-            late: BTreeMap::new(),
-            late_count: 0,
+            ..Self::default()
         };
         let mut hole_cells = Vec::new();
         for (i, edge) in (0..).zip(&hole_edges) {

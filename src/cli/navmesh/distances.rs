@@ -1,18 +1,18 @@
 //! `dcel navmesh distances`: how far everything is from one place.
 
+use super::super::answer::fields;
 use super::super::failure::Failure;
-use super::super::output::table;
+use super::super::output::{point as told, table};
 use super::super::{Answer, Output};
 use super::drawing::{Drawing, save};
 use super::extras::{CostArgs, LinkArgs};
 use super::numbers::number;
 use super::reading::{Input, MapArgs};
 use super::space;
-use super::tell::{faces, point, refusal};
+use super::tell::{faces, place_at, point};
 use dcel_kit::figure::navmesh::Floor;
 use dcel_kit::navmesh::{Planner, Stop};
 use dcel_kit::{FaceId, VertexId};
-use serde::Serialize;
 use std::io::Write;
 
 /// Tell how far every vertex is from a point, by the shortest paths
@@ -33,46 +33,28 @@ Examples:
   dcel navmesh distances house.obj --up z 1 1 0")]
 pub(super) struct Args {
     #[command(flatten)]
-    map: MapArgs,
+    pub(super) map: MapArgs,
     /// The point: x y, as the file has it; on a floor whose heights differ x y z, too
     #[arg(value_names = ["X", "Y"], num_args = 2..=3, required = true, allow_negative_numbers = true, value_parser = number)]
-    start: Vec<f64>,
+    pub(super) start: Vec<f64>,
     /// Leave out what is further away than this
     #[arg(long, value_name = "LENGTH", value_parser = number)]
-    limit: Option<f64>,
+    pub(super) limit: Option<f64>,
     /// The face to start from, where holes touch in the start
     #[arg(long, value_name = "f3")]
-    start_face: Option<FaceId>,
+    pub(super) start_face: Option<FaceId>,
     /// The layer of the start, where storeys lie over each other
     #[arg(long, value_name = "N")]
-    start_layer: Option<usize>,
+    pub(super) start_layer: Option<usize>,
     #[command(flatten)]
-    costs: CostArgs,
+    pub(super) costs: CostArgs,
     #[command(flatten)]
-    links: LinkArgs,
+    pub(super) links: LinkArgs,
     /// Answer in JSON
     #[arg(long)]
-    json: bool,
+    pub(super) json: bool,
     #[command(flatten)]
     drawing: Drawing,
-}
-
-/// The answer. The names are those of the JSON form.
-#[derive(Serialize)]
-struct Answered {
-    source: String,
-    start: [f64; 2],
-    limit: Option<f64>,
-    vertices: Vec<Row>,
-    /// The faces of which every corner is within the limit.
-    faces: Vec<String>,
-}
-
-#[derive(Serialize)]
-struct Row {
-    vertex: String,
-    point: [f64; 2],
-    distance: f64,
 }
 
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
@@ -82,35 +64,14 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let target = args.drawing.target(args.map.file())?;
     let draft = match args.map.read_as(!args.map.has_obstacles())? {
         Input::Plane(draft) => *draft,
-        Input::Space(ground) => {
-            let question = space::distances::Question {
-                wish: space::Wish {
-                    what: "start",
-                    numbers: &args.start,
-                    layer: args.start_layer,
-                    face: args.start_face,
-                },
-                limit: args.limit,
-                costs: &args.costs,
-                links: &args.links,
-                json: args.json,
-                target: target.as_ref(),
-                title: args.map.title(),
-            };
-            return space::distances::run(&ground, &question, out);
-        }
+        Input::Space(ground) => return space::distances::run(&ground, args, target.as_ref(), out),
     };
     let [x, y] = args.start[..] else {
         return Err(Failure::input(format!("{} numbers are no point", args.start.len()), "give x and y"));
     };
     let map = args.map.open_draft(draft, args.costs.areas())?;
     let start = map.point([x, y]);
-    let place = args.start_face.map_or_else(|| map.mesh.place(start), |face| map.mesh.place_in(face, start));
-    let place = place.map_err(|error| {
-        let nearest = map.mesh.nearest_point(start);
-        let help = nearest.map(|nearest| format!("the nearest place is {}", point(&map, nearest.place.point)));
-        Failure::input(format!("{}: the start {}", map.source, refusal(&map, &error)), help.unwrap_or_default())
-    })?;
+    let place = place_at(&map, start, args.start_face)?;
     let links = args.links.links(&map)?;
     let limit = args.limit.unwrap_or(f64::INFINITY);
     let layers = std::slice::from_ref(&map.mesh);
@@ -128,14 +89,15 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     }
     let row = |v: VertexId| {
         let distance = field.distance(v)?;
-        Some(Row { vertex: v.to_string(), point: map.in_file(map.mesh.point(v)), distance })
+        Some(fields! { vertex: v.to_string(), point: map.in_file(map.mesh.point(v)), distance })
     };
-    let answer = Answered {
+    let answer = fields! {
         source: map.source.clone(),
         start: [x, y],
         limit: args.limit,
-        vertices: (0..map.mesh.vertex_bound() as u32).map(VertexId::new).filter_map(row).collect(),
-        faces: field.faces_within(&map.mesh).map(|f| f.to_string()).collect(),
+        vertices: (0..map.mesh.vertex_bound() as u32).map(VertexId::new).filter_map(row).collect::<Vec<_>>(),
+        // Of which every corner is within the limit.
+        faces: field.faces_within(&map.mesh).map(|f| f.to_string()).collect::<Vec<_>>(),
     };
     if args.json {
         out.json(&answer)?;
@@ -145,7 +107,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let count = answer.vertices.len();
     let (vertices, reached) = (if count == 1 { "vertex" } else { "vertices" }, faces(answer.faces.len()));
     writeln!(out, "from {}: {count} {vertices} and {reached} {within}", point(&map, start))?;
-    let told = |row: &Row| [row.vertex.clone(), super::super::output::point(&row.point), row.distance.to_string()];
-    table(out, &answer.vertices.iter().map(told).collect::<Vec<_>>())?;
+    let rows = answer.vertices.iter().map(|row| [row.vertex.clone(), told(&row.point), row.distance.to_string()]);
+    table(out, &rows.collect::<Vec<_>>())?;
     Ok(Answer::Yes)
 }

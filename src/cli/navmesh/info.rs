@@ -60,7 +60,7 @@ enum Draw {
 }
 
 /// The answer. The names are those of the JSON form.
-#[derive(Serialize)]
+#[derive(Default, Serialize)]
 struct Info {
     source: String,
     format: &'static str,
@@ -126,7 +126,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
 /// The answer for what is no map.
 fn refuse(args: &Args, format: &'static str, faults: Vec<Told>, out: &mut Output) -> Result<Answer, Failure> {
     if args.json {
-        let info = Info { source: args.map.source(), format, faults, ..Info::nothing() };
+        let info = Info { source: args.map.source(), format, faults, ..Info::default() };
         out.json(&info)?;
     } else {
         faults.iter().try_for_each(|fault| fault.print(out))?;
@@ -137,26 +137,6 @@ fn refuse(args: &Args, format: &'static str, faults: Vec<Told>, out: &mut Output
 }
 
 impl Info {
-    fn nothing() -> Self {
-        Self {
-            source: String::new(),
-            format: "",
-            valid: false,
-            faces: 0,
-            triangles: 0,
-            vertices: 0,
-            portals: 0,
-            hole_faces: 0,
-            components: Vec::new(),
-            dead_ends: 0,
-            junctions: 0,
-            reduced_corridors: 0,
-            area: 0.0,
-            double_corners: 0,
-            faults: Vec::new(),
-        }
-    }
-
     fn of(map: &Map, faults: Vec<Told>) -> Self {
         let mesh = &map.mesh;
         let mut components: Vec<usize> = mesh.components().map(|(_, faces)| faces).collect();

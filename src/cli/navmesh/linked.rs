@@ -1,5 +1,6 @@
 //! `dcel navmesh path --link`: a path over the map and over links.
 
+use super::super::answer::fields;
 use super::super::failure::Failure;
 use super::super::output::point as told;
 use super::super::{Answer, Output};
@@ -7,28 +8,7 @@ use super::map::Map;
 use super::tell::point;
 use dcel_kit::FaceMap;
 use dcel_kit::navmesh::{Link, LinkError, LinkedRoute, PathAlgorithm, Planner, QueryPoint, Stop};
-use serde::Serialize;
 use std::io::Write;
-
-/// The answer. The names are those of the JSON form.
-#[derive(Serialize)]
-struct Answered {
-    source: String,
-    algorithm: &'static str,
-    found: bool,
-    /// The lengths of the legs and the costs of the links.
-    cost: Option<f64>,
-    legs: Vec<LegRow>,
-    /// The links between the legs, by their order on the command line, from 0.
-    links: Vec<usize>,
-}
-
-#[derive(Serialize)]
-struct LegRow {
-    length: f64,
-    points: Vec<[f64; 2]>,
-    faces: Vec<String>,
-}
 
 /// Finds the path and tells it. Returns it, for a figure.
 pub(super) fn run(
@@ -54,27 +34,27 @@ pub(super) fn run(
         Err(error) => return Err(Failure::input(format!("{}: {error}", map.source), "")),
     };
     if json {
-        out.json(&answered(map, algorithm, path.as_ref()))?;
+        let legs = path.iter().flat_map(|path| &path.legs).map(|leg| {
+            fields! {
+                length: leg.route.length,
+                points: leg.route.points.iter().map(|&p| map.in_file(p)).collect::<Vec<_>>(),
+                faces: leg.route.faces.iter().map(ToString::to_string).collect::<Vec<_>>(),
+            }
+        });
+        out.json(&fields! {
+            source: &map.source,
+            algorithm: algorithm.name(),
+            found: path.is_some(),
+            // The lengths of the legs and the costs of the links.
+            cost: path.as_ref().map(|path| path.cost),
+            legs: legs.collect::<Vec<_>>(),
+            // Between the legs, by their order on the command line, from 0.
+            links: path.as_ref().map_or(&[][..], |path| &path.links),
+        })?;
     } else {
         tell(map, algorithm, links, [start, goal], path.as_ref(), out)?;
     }
     Ok((if path.is_some() { Answer::Yes } else { Answer::No }, path))
-}
-
-fn answered(map: &Map, algorithm: PathAlgorithm, path: Option<&LinkedRoute>) -> Answered {
-    let legs = path.into_iter().flat_map(|path| &path.legs).map(|leg| LegRow {
-        length: leg.route.length,
-        points: leg.route.points.iter().map(|&p| map.in_file(p)).collect(),
-        faces: leg.route.faces.iter().map(ToString::to_string).collect(),
-    });
-    Answered {
-        source: map.source.clone(),
-        algorithm: algorithm.name(),
-        found: path.is_some(),
-        cost: path.map(|path| path.cost),
-        legs: legs.collect(),
-        links: path.map_or_else(Vec::new, |path| path.links.clone()),
-    }
 }
 
 fn tell(

@@ -1,12 +1,12 @@
 //! `dcel navmesh neighbours`: what lies next to a face.
 
+use super::super::answer::fields;
 use super::super::failure::Failure;
 use super::super::output::table;
 use super::super::{Answer, Output};
 use super::reading::MapArgs;
 use super::tell::point;
 use dcel_kit::FaceId;
-use serde::Serialize;
 use std::io::Write;
 
 /// List the sides of a face and what lies behind each: one step each, without a search
@@ -24,31 +24,6 @@ pub(super) struct Args {
     /// Answer in JSON
     #[arg(long)]
     json: bool,
-}
-
-/// The answer. The names are those of the JSON form.
-#[derive(Serialize)]
-struct Sides {
-    face: String,
-    component: Option<u32>,
-    dead_end: bool,
-    /// The face by which a dead end is left.
-    portal: Option<String>,
-    sides: Vec<SideRow>,
-}
-
-#[derive(Serialize)]
-struct SideRow {
-    half_edge: String,
-    from: [f64; 2],
-    to: [f64; 2],
-    length: f64,
-    /// What lies behind it.
-    across: String,
-    /// Whether one may go there.
-    open: bool,
-    /// `face`, `hole`, `outer` or `blocked`.
-    kind: &'static str,
 }
 
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
@@ -73,20 +48,22 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         };
         let ends = format!("{} -> {}", point(&map, a), point(&map, b));
         rows.push([side.half_edge.to_string(), ends, kind.to_owned(), side.across.to_string()]);
-        sides.push(SideRow {
+        sides.push(fields! {
             half_edge: side.half_edge.to_string(),
             from: map.in_file(a),
             to: map.in_file(b),
             length,
+            // What lies behind it, and whether one may go there.
             across: side.across.to_string(),
             open: side.open,
             kind,
         });
     }
-    let answer = Sides {
+    let answer = fields! {
         face: f.to_string(),
         component: mesh.component(f).map(|c| c.0),
         dead_end: mesh.is_dead_end(f),
+        // The face by which a dead end is left.
         portal: mesh.portal(f).map(|portal| portal.to_string()),
         sides,
     };

@@ -9,7 +9,7 @@ use super::extras::Extras;
 use super::map::Map;
 use super::numbers::number;
 use super::reading::{Input, MapArgs, Preparation};
-use super::space::{self, Ground, points_of};
+use super::space;
 use super::tell::{Spot, faces, point};
 use clap::ValueEnum;
 use dcel_kit::figure::navmesh::Floor;
@@ -54,17 +54,17 @@ Examples:
     1 1 0 1 1 3 -o storeys.svg")]
 pub(super) struct Args {
     #[command(flatten)]
-    map: MapArgs,
+    pub(super) map: MapArgs,
     /// The start and the goal: x y x y, as the file has them; on a floor whose heights differ x y z x y z, too
     #[arg(value_names = ["X", "Y", "X", "Y"], num_args = 4..=6, required = true, allow_negative_numbers = true, value_parser = number)]
-    ends: Vec<f64>,
+    pub(super) ends: Vec<f64>,
     /// How the path is found
     #[arg(long, value_name = "ALGORITHM", default_value = "exact")]
-    algorithm: Which,
+    pub(super) algorithm: Which,
     #[command(flatten)]
     preparation: Preparation,
     #[command(flatten)]
-    snap: Snap,
+    pub(super) snap: Snap,
     /// The radius of the agent: its path keeps that far from every border. Faces, portals and corners
     /// are then those of the map without its margin
     #[arg(long, value_name = "R", value_parser = number, conflicts_with = "cost")]
@@ -74,22 +74,22 @@ pub(super) struct Args {
     #[arg(long, value_name = "PART", value_parser = number, requires = "radius", default_value_t = Inset::TOLERANCE)]
     tolerance: f64,
     #[command(flatten)]
-    extras: Extras,
+    pub(super) extras: Extras,
     /// The face to start from, where holes touch in the start; without it the shortest path decides
     #[arg(long, value_name = "f3")]
-    start_face: Option<FaceId>,
+    pub(super) start_face: Option<FaceId>,
     /// The face to end in, where holes touch in the goal; without it the shortest path decides
     #[arg(long, value_name = "f3")]
-    goal_face: Option<FaceId>,
+    pub(super) goal_face: Option<FaceId>,
     /// The layer of the start, where storeys lie over each other; dcel navmesh info tells the layers
     #[arg(long, value_name = "N")]
-    start_layer: Option<usize>,
+    pub(super) start_layer: Option<usize>,
     /// The layer of the goal
     #[arg(long, value_name = "N")]
-    goal_layer: Option<usize>,
+    pub(super) goal_layer: Option<usize>,
     /// Answer in JSON
     #[arg(long)]
-    json: bool,
+    pub(super) json: bool,
     /// What to draw of a path
     #[arg(long, value_name = "WHAT", default_value = "route", requires = "output", help_heading = "Figure")]
     draw: Draw,
@@ -119,7 +119,7 @@ pub(super) enum Which {
 
 impl Which {
     /// The word for it on the command line.
-    fn word(self) -> String {
+    pub(super) fn word(self) -> String {
         self.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
     }
 
@@ -209,7 +209,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let is_plan = args.radius.is_some() || args.map.has_obstacles() || args.draw != Draw::Route;
     let draft = match args.map.read_as(!is_plan)? {
         Input::Plane(draft) => *draft,
-        Input::Space(ground) => return in_space(args, &ground, target.as_ref(), out),
+        Input::Space(ground) => return space::path::run(&ground, args, target.as_ref(), out),
     };
     let [x0, y0, x1, y1] = args.ends[..] else {
         return Err(Failure::input("a path has two ends", "give x y of the start and x y of the goal"));
@@ -275,27 +275,6 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         compare(&rows, out)?;
     }
     Ok(Answer::Yes)
-}
-
-/// The path on a floor whose heights differ.
-fn in_space(args: &Args, ground: &Ground, target: Option<&Canvas>, out: &mut Output) -> Result<Answer, Failure> {
-    let points = points_of(&args.ends, 2, true)?;
-    for &algorithm in args.algorithm.algorithms() {
-        args.extras.check(algorithm, &args.algorithm.word())?;
-    }
-    let question = space::path::Question {
-        wishes: [
-            space::Wish { what: "start", numbers: points[0], layer: args.start_layer, face: args.start_face },
-            space::Wish { what: "goal", numbers: points[1], layer: args.goal_layer, face: args.goal_face },
-        ],
-        algorithms: args.algorithm.algorithms(),
-        snap: &args.snap,
-        extras: &args.extras,
-        json: args.json,
-        target,
-        title: args.map.title(),
-    };
-    space::path::run(ground, &question, out)
 }
 
 /// The path over links, told and drawn.

@@ -1,10 +1,10 @@
 //! `dcel navmesh random`: points at random.
 
+use super::super::answer::fields;
 use super::super::failure::Failure;
 use super::super::{Answer, Output};
 use super::reading::{Input, MapArgs};
 use super::space;
-use serde::Serialize;
 use std::io::Write;
 
 /// Give points at random where one can stand, every part of the map as often as its area says
@@ -31,13 +31,6 @@ pub(super) struct Args {
     json: bool,
 }
 
-/// A point. The names are those of the JSON form.
-#[derive(Serialize)]
-struct Found {
-    point: [f64; 2],
-    face: String,
-}
-
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let draft = match args.map.read_as(!args.map.has_obstacles())? {
         Input::Plane(draft) => *draft,
@@ -46,7 +39,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let map = args.map.open_draft(draft, &[])?;
     let places = map.mesh.random_places(args.seed).take(args.count);
     if args.json {
-        let found = places.map(|place| Found { point: map.in_file(place.point), face: place.face.to_string() });
+        let found = places.map(|place| fields! { point: map.in_file(place.point), face: place.face.to_string() });
         out.json(&found.collect::<Vec<_>>())?;
         return Ok(Answer::Yes);
     }

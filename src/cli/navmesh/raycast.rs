@@ -1,5 +1,6 @@
 //! `dcel navmesh raycast`: the first wall on a straight line.
 
+use super::super::answer::fields;
 use super::super::failure::Failure;
 use super::super::{Answer, Output};
 use super::drawing::{Drawing, save};
@@ -7,10 +8,9 @@ use super::map::Map;
 use super::numbers::number;
 use super::reading::{Input, MapArgs};
 use super::space;
-use super::tell::{faces, point, refusal};
+use super::tell::{faces, no_place, place_at, point};
 use dcel_kit::figure::navmesh::Floor;
 use dcel_kit::navmesh::{Raycast, RaycastError};
-use serde::Serialize;
 use std::io::Write;
 
 /// Tell what a straight line runs against first
@@ -31,74 +31,38 @@ Examples:
   dcel navmesh raycast house.obj --up z 1 1 0 3 3 0")]
 pub(super) struct Args {
     #[command(flatten)]
-    map: MapArgs,
+    pub(super) map: MapArgs,
     /// Where the line starts, and where it is to end: x y x y, as the file has them; on a floor whose heights
     /// differ x y z x y z, too
     #[arg(value_names = ["X", "Y", "X", "Y"], num_args = 4..=6, required = true, allow_negative_numbers = true, value_parser = number)]
-    ends: Vec<f64>,
+    pub(super) ends: Vec<f64>,
     /// The face to start from, where holes touch in the start
     #[arg(long, value_name = "f3")]
-    start_face: Option<dcel_kit::FaceId>,
+    pub(super) start_face: Option<dcel_kit::FaceId>,
     /// The layer of the start, where storeys lie over each other; dcel navmesh info tells the layers
     #[arg(long, value_name = "N")]
-    start_layer: Option<usize>,
+    pub(super) start_layer: Option<usize>,
     /// Answer in JSON
     #[arg(long)]
-    json: bool,
+    pub(super) json: bool,
     #[command(flatten)]
     drawing: Drawing,
-}
-
-/// The answer. The names are those of the JSON form.
-#[derive(Serialize)]
-struct Answered {
-    source: String,
-    start: [f64; 2],
-    end: [f64; 2],
-    clear: bool,
-    hit: Option<Hit>,
-    faces: Vec<String>,
-}
-
-#[derive(Serialize)]
-struct Hit {
-    point: [f64; 2],
-    distance: f64,
-    half_edge: String,
-    face: String,
-    vertex: Option<String>,
 }
 
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let target = args.drawing.target(args.map.file())?;
     let draft = match args.map.read_as(!args.map.has_obstacles())? {
         Input::Plane(draft) => *draft,
-        Input::Space(ground) => {
-            let points = space::points_of(&args.ends, 2, true)?;
-            let (layer, face) = (args.start_layer, args.start_face);
-            let question = space::raycast::Question {
-                wish: space::Wish { what: "start", numbers: points[0], layer, face },
-                to: points[1],
-                json: args.json,
-                target: target.as_ref(),
-                title: args.map.title(),
-            };
-            return space::raycast::run(&ground, &question, out);
-        }
+        Input::Space(ground) => return space::raycast::run(&ground, args, target.as_ref(), out),
     };
     let [x0, y0, x1, y1] = args.ends[..] else {
         return Err(Failure::input("a line has two ends", "give x y of the start and x y of the end"));
     };
     let map = args.map.open_draft(draft, &[])?;
     let [start, end] = [map.point([x0, y0]), map.point([x1, y1])];
-    let place = args.start_face.map_or_else(|| map.mesh.place(start), |face| map.mesh.place_in(face, start));
-    let cast = place.map_err(RaycastError::Start).and_then(|place| map.mesh.raycast_from(&place, end));
+    let cast = map.mesh.raycast_from(&place_at(&map, start, args.start_face)?, end);
     let cast = cast.map_err(|error| match &error {
-        RaycastError::Start(error) => {
-            let nearest = map.mesh.nearest_point(start);
-            let help = nearest.map(|nearest| format!("the nearest place is {}", point(&map, nearest.place.point)));
-            Failure::input(format!("{}: the start {}", map.source, refusal(&map, error)), help.unwrap_or_default())
-        }
+        RaycastError::Start(error) => no_place(&map, start, error),
         error => Failure::input(format!("{}: {error}", map.source), ""),
     })?;
     if let Some(target) = &target {
@@ -106,23 +70,22 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         save(target, Floor::new(&map.subdivision, &map.mesh).ray([start, end], &cast, &options), out)?;
     }
     if args.json {
-        out.json(&answered(&map, [start, end].map(|p| map.in_file(p)), &cast))?;
+        let hit = cast.hit.map(|hit| {
+            fields! {
+                point: map.in_file(hit.point),
+                distance: hit.distance,
+                half_edge: hit.half_edge.to_string(),
+                face: hit.face.to_string(),
+                vertex: hit.vertex.map(|v| v.to_string()),
+            }
+        });
+        let faces: Vec<String> = cast.faces.iter().map(ToString::to_string).collect();
+        let [start, end] = [start, end].map(|p| map.in_file(p));
+        out.json(&fields! { source: map.source, start, end, clear: hit.is_none(), hit, faces })?;
     } else {
         tell(&map, [start, end], &cast, out)?;
     }
     Ok(Answer::Yes)
-}
-
-fn answered(map: &Map, [start, end]: [[f64; 2]; 2], cast: &Raycast) -> Answered {
-    let hit = cast.hit.map(|hit| Hit {
-        point: map.in_file(hit.point),
-        distance: hit.distance,
-        half_edge: hit.half_edge.to_string(),
-        face: hit.face.to_string(),
-        vertex: hit.vertex.map(|v| v.to_string()),
-    });
-    let faces = cast.faces.iter().map(ToString::to_string).collect();
-    Answered { source: map.source.clone(), start, end, clear: hit.is_none(), hit, faces }
 }
 
 fn tell(map: &Map, [start, end]: [dcel_kit::plane::Point; 2], cast: &Raycast, out: &mut Output) -> Result<(), Failure> {

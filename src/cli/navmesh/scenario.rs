@@ -64,7 +64,7 @@ enum Kind {
 }
 
 /// The answer. The names are those of the JSON form.
-#[derive(Serialize)]
+#[derive(Default, Serialize)]
 struct Report {
     map: String,
     scenario: String,
@@ -84,7 +84,7 @@ struct Report {
 }
 
 /// What the stated lengths are, by the numbers of the whole file.
-#[derive(Serialize)]
+#[derive(Default, Serialize)]
 struct Lengths {
     /// In words.
     verdict: String,
@@ -171,13 +171,7 @@ fn check(
         },
         lengths: Lengths::of(verdict),
         queries: scenario.queries.len(),
-        moved: Moves::default(),
-        right: 0,
-        mean_ratio: None,
-        max_ratio: None,
-        pops: 0,
-        expansions: 0,
-        wrong: Vec::new(),
+        ..Report::default()
     };
     let mut ratios: Vec<f64> = Vec::new();
     for query in &scenario.queries {

@@ -82,7 +82,7 @@ pub struct Written {
 }
 
 /// One picture of a film.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Frame {
     /// The call, the step with its number, or `after`.
     pub heading: String,
@@ -409,15 +409,11 @@ fn still(heading: &str, text: &str, table: &Table, areas: usize, states: [usize;
         heading: heading.to_owned(),
         text: text.to_owned(),
         table: table.clone(),
-        changes: Vec::new(),
-        written: Vec::new(),
-        added: Vec::new(),
-        removed: Vec::new(),
         marked,
         areas,
         states,
         before: table.clone(),
-        made: Vec::new(),
+        ..Frame::default()
     }
 }
 

@@ -36,7 +36,7 @@ pub(super) type SideOf = (ObstacleId, usize);
 
 /// The elements of the map before the first obstacle: all with numbers below these. Vertices and borders never go, and
 /// borders lend their ids to a piece.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 struct First {
     vertices: usize,
     edges: usize,
@@ -80,7 +80,7 @@ pub(super) enum Return {
 }
 
 /// Who closes what, and what was there before.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Book {
     first: First,
     /// The first edge of which an edge is a piece, if it is not that edge itself.
@@ -113,18 +113,7 @@ impl Book {
         let is_hole = |f: FaceId| f == map.outer_face() || map.is_hole(f);
         let area = |f: FaceId| areas.get(f.index());
         let cuts = beside.iter().map(|&[f, g]| !is_hole(f) && !is_hole(g) && area(f) == area(g)).collect();
-        Self {
-            first: First { vertices, edges, faces, beside, cuts, areas },
-            pieces: BTreeMap::new(),
-            borders: BTreeMap::new(),
-            covers: BTreeMap::new(),
-            areas: BTreeMap::new(),
-            out: BTreeMap::new(),
-            waiting: BTreeSet::new(),
-            obstacles: BTreeMap::new(),
-            next: 0,
-            before: Vec::new(),
-        }
+        Self { first: First { vertices, edges, faces, beside, cuts, areas }, ..Self::default() }
     }
 
     /// Whether the element was there before the first obstacle. Ids of that time are used by nothing else.

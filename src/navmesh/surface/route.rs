@@ -4,7 +4,7 @@ use super::super::Work;
 use crate::ids::{FaceId, VertexId, VertexMap};
 
 /// A path along a surface.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Default)]
 pub struct SurfaceRoute {
     /// The faces in order.
     pub faces: Vec<FaceId>,

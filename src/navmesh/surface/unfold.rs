@@ -6,7 +6,6 @@
 //!        ╲ ╲          └───────────────┘       it runs in space.
 //! ```
 
-use super::super::Work;
 use super::super::funnel::{Endpoint, Funnel};
 use super::super::steps::{End, Step, steps};
 use super::build::normal;
@@ -88,15 +87,7 @@ impl Strip<'_> {
         let triangles: Vec<usize> =
             std::iter::once(self.first).chain(self.portals.iter().map(|&portal| beyond(portal))).collect();
         let mut faces: Vec<FaceId> = triangles.iter().map(|&t| surface.face_of(t)).collect();
-        let mut route = SurfaceRoute {
-            faces: Vec::new(),
-            points: vec![start],
-            layers: Vec::new(),
-            corners: Vec::new(),
-            length: 0.0,
-            cost: 0.0,
-            work: Work::default(),
-        };
+        let mut route = SurfaceRoute { points: vec![start], ..SurfaceRoute::default() };
         let mut last = start;
         for step in steps {
             let face = faces[step.face];

@@ -1,79 +1,57 @@
 //! `dcel navmesh distances` on a floor whose heights differ.
 
+use super::super::super::answer::fields;
 use super::super::super::failure::Failure;
 use super::super::super::output::{point as told, table};
 use super::super::super::{Answer, Output};
+use super::super::distances::Args;
 use super::super::drawing::{Canvas, save};
 use super::super::ends::Snap;
-use super::super::extras::{CostArgs, LinkArgs};
 use super::{Ground, Wish};
 use dcel_kit::VertexId;
 use dcel_kit::figure::navmesh::Storeys;
 use dcel_kit::navmesh::SurfacePlanner;
-use serde::Serialize;
 use std::collections::BTreeMap;
 use std::io::Write;
 
-/// The answer. The names are those of the JSON form.
-#[derive(Serialize)]
-struct Answered {
-    source: String,
-    start: [f64; 3],
-    limit: Option<f64>,
-    vertices: Vec<Row>,
-    /// The faces of which every corner is within the limit.
-    faces: Vec<String>,
-}
-
-#[derive(Serialize)]
-struct Row {
-    vertex: String,
-    point: [f64; 3],
-    distance: f64,
-}
-
-/// What is asked for.
-pub(in super::super) struct Question<'a> {
-    pub(in super::super) wish: Wish<'a>,
-    pub(in super::super) limit: Option<f64>,
-    pub(in super::super) costs: &'a CostArgs,
-    pub(in super::super) links: &'a LinkArgs,
-    pub(in super::super) json: bool,
-    pub(in super::super) target: Option<&'a Canvas>,
-    pub(in super::super) title: String,
-}
-
-pub(in super::super) fn run(ground: &Ground, question: &Question<'_>, out: &mut Output) -> Result<Answer, Failure> {
+pub(in super::super) fn run(
+    ground: &Ground,
+    args: &Args,
+    target: Option<&Canvas>,
+    out: &mut Output,
+) -> Result<Answer, Failure> {
     let surface = &ground.surface;
-    let start = ground.end(&question.wish, &Snap::none())?.places[0];
-    let links = question.links.on(ground, &Snap::none())?;
-    let limit = question.limit.unwrap_or(f64::INFINITY);
-    let field = match ground.costs(question.costs.areas())? {
+    let wish = Wish { what: "start", numbers: &args.start, layer: args.start_layer, face: args.start_face };
+    let start = ground.end(&wish, &Snap::none())?.places[0];
+    let links = args.links.on(ground, &Snap::none())?;
+    let limit = args.limit.unwrap_or(f64::INFINITY);
+    let field = match ground.costs(args.costs.areas())? {
         Some(costs) => SurfacePlanner::new().weighted_distance_field(surface, &costs, &links, &start, limit),
         None => SurfacePlanner::new().linked_distance_field(surface, &links, &start, limit),
     };
     let field = field.map_err(|error| Failure::input(format!("{}: {error}", ground.source), ""))?;
-    if let Some(target) = question.target {
-        let options = ground.options(target, &format!("Distances on {}", question.title));
+    if let Some(target) = target {
+        let options = ground.options(target, &format!("Distances on {}", args.map.title()));
         save(target, Storeys::new(surface).reach(&field, &start, &options), out)?;
     }
     let vertices: BTreeMap<VertexId, [f64; 3]> = surface.faces().flat_map(|f| surface.vertices(f)).collect();
     let row = |(&v, &p): (&VertexId, &[f64; 3])| {
-        Some(Row { vertex: v.to_string(), point: ground.in_file(p), distance: field.distance(v)? })
+        Some(fields! { vertex: v.to_string(), point: ground.in_file(p), distance: field.distance(v)? })
     };
     let is_within = |f: &dcel_kit::FaceId| surface.vertices(*f).all(|(v, _)| field.distance(v).is_some());
-    let answer = Answered {
-        source: ground.source.clone(),
+    let answer = fields! {
+        source: &ground.source,
         start: ground.in_file(start.point),
-        limit: question.limit,
-        vertices: vertices.iter().filter_map(row).collect(),
-        faces: surface.faces().filter(is_within).map(|f| f.to_string()).collect(),
+        limit: args.limit,
+        vertices: vertices.iter().filter_map(row).collect::<Vec<_>>(),
+        // Of which every corner is within the limit.
+        faces: surface.faces().filter(is_within).map(|f| f.to_string()).collect::<Vec<_>>(),
     };
-    if question.json {
+    if args.json {
         out.json(&answer)?;
         return Ok(Answer::Yes);
     }
-    let within = question.limit.map_or_else(|| "can be reached".to_owned(), |limit| format!("are within {limit}"));
+    let within = args.limit.map_or_else(|| "can be reached".to_owned(), |limit| format!("are within {limit}"));
     let count = answer.vertices.len();
     let (plural, reached) =
         (if count == 1 { "vertex" } else { "vertices" }, super::super::tell::faces(answer.faces.len()));

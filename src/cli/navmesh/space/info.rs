@@ -1,5 +1,6 @@
 //! `dcel navmesh info` on a floor whose heights differ.
 
+use super::super::super::answer::fields;
 use super::super::super::failure::Failure;
 use super::super::super::{Answer, Output};
 use super::super::drawing::{Canvas, save};
@@ -7,36 +8,7 @@ use super::super::tell::Told;
 use super::Ground;
 use dcel_kit::figure::navmesh::Storeys;
 use dcel_kit::io::{Number, counted};
-use serde::Serialize;
 use std::io::Write;
-
-/// The answer. The names are those of the JSON form.
-#[derive(Serialize)]
-struct Info {
-    source: String,
-    format: &'static str,
-    valid: bool,
-    faces: usize,
-    triangles: usize,
-    /// Faces that are too steep, or face down.
-    left_out: usize,
-    layers: Vec<Layer>,
-    components: Vec<usize>,
-    /// Along the surface.
-    area: f64,
-    heights: [f64; 2],
-    /// In degrees, and a face that has it.
-    steepest: f64,
-    steepest_face: Option<String>,
-    /// What nearly meets.
-    faults: Vec<Told>,
-}
-
-#[derive(Serialize)]
-struct Layer {
-    faces: usize,
-    heights: [f64; 2],
-}
 
 pub(in super::super) fn run(
     ground: &Ground,
@@ -53,27 +25,31 @@ pub(in super::super) fn run(
         let faces: Vec<_> = surface.faces().filter(|&f| surface.layer(f) == Some(layer)).collect();
         let heights = faces.iter().flat_map(|&f| surface.triangles(f)).flatten().map(|p| p[2]);
         let heights = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| [low.min(z), high.max(z)]);
-        Layer { faces: faces.len(), heights }
+        fields! { faces: faces.len(), heights }
     };
     let mut components = vec![0; surface.component_count()];
     surface.faces().filter_map(|f| surface.component(f)).for_each(|c| components[c as usize] += 1);
     components.sort_unstable_by(|a, b| b.cmp(a));
     let steepest = surface.steepest();
     let faces = surface.faces().count();
-    let info = Info {
-        source: ground.source.clone(),
+    let info = fields! {
+        source: &ground.source,
         format: ground.format.name(),
         valid: true,
         faces,
         triangles: surface.triangle_count(),
+        // Those that are too steep, or face down.
         left_out: surface.face_bound() - 1 - faces,
-        layers: (0..surface.layer_count()).map(layer).collect(),
+        layers: (0..surface.layer_count()).map(layer).collect::<Vec<_>>(),
         components,
+        // Along the surface.
         area: surface.area(),
         heights: surface.heights(),
+        // In degrees, and a face that has it.
         steepest: steepest.map_or(0.0, |(slope, _)| slope),
         steepest_face: steepest.map(|(_, face)| face.to_string()),
-        faults: ground.faults.iter().map(|(place, fault)| Told::at(place.clone(), fault)).collect(),
+        // What nearly meets.
+        faults: ground.faults.iter().map(|(place, fault)| Told::at(place.clone(), fault)).collect::<Vec<_>>(),
     };
     if json {
         out.json(&info)?;

@@ -1,25 +1,12 @@
 //! `dcel navmesh locate` on a floor whose heights differ: every storey at a point.
 
+use super::super::super::answer::fields;
 use super::super::super::failure::Failure;
 use super::super::super::output::point as told;
 use super::super::super::{Answer, Output};
-use super::{Ground, Spot};
+use super::Ground;
 use dcel_kit::navmesh::Floor;
-use serde::Serialize;
 use std::io::Write;
-
-/// The answer for one point. The names are those of the JSON form.
-#[derive(Serialize)]
-struct Found {
-    /// As it was given.
-    point: Vec<f64>,
-    /// The places there, from the lowest to the highest; for a point with a height the one at it or below it.
-    places: Vec<Spot>,
-    /// Where one can stand instead, if not there.
-    nearest: Option<[f64; 3]>,
-    /// How far that is, in the plan.
-    distance: Option<f64>,
-}
 
 pub(in super::super) fn run(
     ground: &Ground,
@@ -36,9 +23,11 @@ pub(in super::super) fn run(
         };
         let floor = height.map_or(Floor::Any, Floor::Height);
         let near = if places.is_empty() { ground.surface.nearest(at, floor) } else { None };
-        all.push(Found {
-            point: numbers.to_vec(),
-            places: places.iter().map(|place| ground.spot(place)).collect(),
+        all.push(fields! {
+            point: *numbers,
+            // From the lowest to the highest; for a point with a height the one at it or below it.
+            places: places.iter().map(|place| ground.spot(place)).collect::<Vec<_>>(),
+            // Where one can stand instead, if not there, and how far that is, in the plan.
             nearest: near.as_ref().map(|(place, _)| ground.in_file(place.point)),
             distance: near.map(|(_, distance)| distance),
         });
@@ -49,7 +38,7 @@ pub(in super::super) fn run(
     }
     writeln!(out, "{}:", ground.source)?;
     for found in &all {
-        let given = told(&found.point);
+        let given = told(found.point);
         for place in &found.places {
             let component = place.component.map(|c| format!(", component {c}")).unwrap_or_default();
             writeln!(out, "  {given}  on {} at {}, layer {}{component}", place.face, told(&place.point), place.layer)?;

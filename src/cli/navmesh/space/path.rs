@@ -1,13 +1,13 @@
 //! `dcel navmesh path` on a floor whose heights differ.
 
+use super::super::super::answer::fields;
 use super::super::super::failure::{Failure, say};
 use super::super::super::output::{point as told, table};
 use super::super::super::{Answer, Output};
 use super::super::drawing::{Canvas, save};
-use super::super::ends::Snap;
-use super::super::extras::Extras;
+use super::super::path::Args;
 use super::super::tell::faces;
-use super::{End, Ground, Spot, Wish};
+use super::{End, Ground, Spot, Wish, points_of};
 use dcel_kit::FaceMap;
 use dcel_kit::figure::navmesh::Storeys;
 use dcel_kit::navmesh::{
@@ -15,17 +15,6 @@ use dcel_kit::navmesh::{
 };
 use serde::Serialize;
 use std::io::Write;
-
-/// What is asked for.
-pub(in super::super) struct Question<'a> {
-    pub(in super::super) wishes: [Wish<'a>; 2],
-    pub(in super::super) algorithms: &'a [PathAlgorithm],
-    pub(in super::super) snap: &'a Snap,
-    pub(in super::super) extras: &'a Extras,
-    pub(in super::super) json: bool,
-    pub(in super::super) target: Option<&'a Canvas>,
-    pub(in super::super) title: String,
-}
 
 /// The answer. The names are those of the JSON form.
 #[derive(Serialize)]
@@ -61,32 +50,32 @@ struct Row {
     expansions: u64,
 }
 
-/// The answer for a path over links. The names are those of the JSON form.
-#[derive(Serialize)]
-struct Linked {
-    source: String,
-    algorithm: &'static str,
-    found: bool,
-    /// What the legs and the links cost.
-    cost: Option<f64>,
-    legs: Vec<Row>,
-    /// The links between the legs, by their order on the command line, from 0.
-    links: Vec<usize>,
-}
-
-pub(in super::super) fn run(ground: &Ground, question: &Question<'_>, out: &mut Output) -> Result<Answer, Failure> {
+pub(in super::super) fn run(
+    ground: &Ground,
+    args: &Args,
+    target: Option<&Canvas>,
+    out: &mut Output,
+) -> Result<Answer, Failure> {
+    let points = points_of(&args.ends, 2, true)?;
+    for &algorithm in args.algorithm.algorithms() {
+        args.extras.check(algorithm, &args.algorithm.word())?;
+    }
+    let wishes = [
+        Wish { what: "start", numbers: points[0], layer: args.start_layer, face: args.start_face },
+        Wish { what: "goal", numbers: points[1], layer: args.goal_layer, face: args.goal_face },
+    ];
     let surface = &ground.surface;
-    let ends = [ground.end(&question.wishes[0], question.snap)?, ground.end(&question.wishes[1], question.snap)?];
+    let ends = [ground.end(&wishes[0], &args.snap)?, ground.end(&wishes[1], &args.snap)?];
     let mut planner = SurfacePlanner::new();
-    let [start, goal] = choose(ground, &mut planner, question, &ends);
+    let [start, goal] = choose(ground, &mut planner, &wishes, &ends);
     let moved = ends.map(|end| end.moved);
-    let costs = ground.costs(question.extras.areas())?;
-    let links = question.extras.links().on(ground, question.snap)?;
+    let costs = ground.costs(args.extras.areas())?;
+    let links = args.extras.links().on(ground, &args.snap)?;
     if !links.is_empty() {
-        return linked(ground, &mut planner, question, costs.as_ref(), &links, [start, goal], out);
+        return linked(ground, &mut planner, (args, target), costs.as_ref(), &links, [start, goal], out);
     }
     let mut routes: Vec<(PathAlgorithm, SurfaceRoute)> = Vec::new();
-    for &algorithm in question.algorithms {
+    for &algorithm in args.algorithm.algorithms() {
         let found = match &costs {
             Some(costs) => planner.weighted_route(surface, algorithm, costs, &start, &goal),
             None => planner.route(surface, algorithm, &start, &goal),
@@ -94,18 +83,18 @@ pub(in super::super) fn run(ground: &Ground, question: &Question<'_>, out: &mut 
         match found {
             Ok(route) => routes.push((algorithm, route)),
             Err(SurfaceRouteError::Unreachable { start: from, goal: to, .. }) => {
-                draw(ground, question, &[], &[start, goal], out)?;
-                return apart(ground, question, ([start, goal], moved), [from, to], out);
+                draw(ground, (args, target), &[], &[start, goal], out)?;
+                return apart(ground, args, ([start, goal], moved), [from, to], out);
             }
             Err(error) => return Err(Failure::input(format!("{}: {error}", ground.source), "")),
         }
     }
     let paths: Vec<&SurfaceRoute> = routes.last().map(|(_, route)| route).into_iter().collect();
-    draw(ground, question, &paths, &[start, goal], out)?;
+    draw(ground, (args, target), &paths, &[start, goal], out)?;
     let exact = routes.iter().find(|(algorithm, _)| *algorithm == PathAlgorithm::Exact).map(|(_, route)| route.length);
     let rows: Vec<Row> =
         routes.iter().map(|(algorithm, route)| Row::of(ground, *algorithm, route, exact, costs.as_ref())).collect();
-    if question.json {
+    if args.json {
         let [from, to] = [start, goal].map(|place| ground.spot(&place));
         out.json(&Answered {
             source: ground.source.clone(),
@@ -126,21 +115,14 @@ pub(in super::super) fn run(ground: &Ground, question: &Question<'_>, out: &mut 
 }
 
 /// Of several places at the ends those of the shortest path.
-fn choose(
-    ground: &Ground,
-    planner: &mut SurfacePlanner,
-    question: &Question<'_>,
-    ends: &[End; 2],
-) -> [SurfacePoint; 2] {
+fn choose(ground: &Ground, planner: &mut SurfacePlanner, wishes: &[Wish<'_>; 2], ends: &[End; 2]) -> [SurfacePoint; 2] {
     let [starts, goals] = ends.each_ref().map(|end| end.places.as_slice());
     if starts.len() == 1 && goals.len() == 1 {
         return [starts[0], goals[0]];
     }
     let found = planner.route_among(&ground.surface, PathAlgorithm::Exact, starts, goals);
     let [i, k] = found.map_or([0, 0], |(_, chosen)| chosen);
-    for ((wish, end), chosen) in
-        question.wishes.iter().zip(ends).zip([i, k]).filter(|((_, end), _)| end.places.len() > 1)
-    {
+    for ((wish, end), chosen) in wishes.iter().zip(ends).zip([i, k]).filter(|((_, end), _)| end.places.len() > 1) {
         let others: Vec<String> = end.places.iter().map(|place| place.face.to_string()).collect();
         let (what, at, face) = (wish.what, told(wish.numbers), end.places[chosen].face);
         let others = others.join(", ");
@@ -156,26 +138,26 @@ fn choose(
 
 fn draw(
     ground: &Ground,
-    question: &Question<'_>,
+    (args, target): (&Args, Option<&Canvas>),
     paths: &[&SurfaceRoute],
     ends: &[SurfacePoint; 2],
     out: &mut Output,
 ) -> Result<(), Failure> {
-    let Some(target) = question.target else { return Ok(()) };
+    let Some(target) = target else { return Ok(()) };
     let what = if paths.is_empty() { "No path through" } else { "A path through" };
-    let options = ground.options(target, &format!("{what} {}", question.title));
+    let options = ground.options(target, &format!("{what} {}", args.map.title()));
     save(target, Storeys::new(&ground.surface).paths(paths, &[], ends, &options), out)
 }
 
 /// The answer if there is no path.
 fn apart(
     ground: &Ground,
-    question: &Question<'_>,
+    args: &Args,
     (ends, moved): ([SurfacePoint; 2], [Option<f64>; 2]),
     components: [u32; 2],
     out: &mut Output,
 ) -> Result<Answer, Failure> {
-    if question.json {
+    if args.json {
         let [start, goal] = ends.map(|place| ground.spot(&place));
         out.json(&Answered {
             source: ground.source.clone(),
@@ -200,13 +182,13 @@ fn apart(
 fn linked(
     ground: &Ground,
     planner: &mut SurfacePlanner,
-    question: &Question<'_>,
+    (args, target): (&Args, Option<&Canvas>),
     costs: Option<&FaceMap<f64>>,
     links: &[SurfaceLink],
     [start, goal]: [SurfacePoint; 2],
     out: &mut Output,
 ) -> Result<Answer, Failure> {
-    let &[algorithm] = question.algorithms else {
+    let &[algorithm] = args.algorithm.algorithms() else {
         return Err(Failure::input(
             "--link cannot be used with --algorithm all",
             "choose one algorithm, for example exact",
@@ -217,22 +199,24 @@ fn linked(
         Err(LinkError::Unreachable) => None,
         Err(error) => return Err(Failure::input(format!("{}: {error}", ground.source), "")),
     };
-    if let (Some(target), Some(path)) = (question.target, &path) {
+    if let (Some(target), Some(path)) = (target, &path) {
         let legs: Vec<&SurfaceRoute> = path.legs.iter().collect();
         let used: Vec<SurfaceLink> = path.links.iter().map(|&i| links[i]).collect();
-        let options = ground.options(target, &format!("A path over links through {}", question.title));
+        let options = ground.options(target, &format!("A path over links through {}", args.map.title()));
         save(target, Storeys::new(&ground.surface).paths(&legs, &used, &[start, goal], &options), out)?;
     }
     let answer = if path.is_some() { Answer::Yes } else { Answer::No };
-    if question.json {
+    if args.json {
         let legs = path.iter().flat_map(|path| &path.legs);
-        out.json(&Linked {
-            source: ground.source.clone(),
+        out.json(&fields! {
+            source: &ground.source,
             algorithm: algorithm.name(),
             found: path.is_some(),
+            // What the legs and the links cost.
             cost: path.as_ref().map(|path| path.cost),
-            legs: legs.map(|leg| Row::of(ground, algorithm, leg, None, costs)).collect(),
-            links: path.as_ref().map_or_else(Vec::new, |path| path.links.clone()),
+            legs: legs.map(|leg| Row::of(ground, algorithm, leg, None, costs)).collect::<Vec<_>>(),
+            // Between the legs, by their order on the command line, from 0.
+            links: path.as_ref().map_or(&[][..], |path| &path.links),
         })?;
         return Ok(answer);
     }

@@ -1,83 +1,61 @@
 //! `dcel navmesh raycast` on a floor whose heights differ.
 
+use super::super::super::answer::fields;
 use super::super::super::failure::Failure;
 use super::super::super::output::point as told;
 use super::super::super::{Answer, Output};
 use super::super::drawing::{Canvas, save};
 use super::super::ends::Snap;
+use super::super::raycast::Args;
 use super::super::tell::faces;
-use super::{Ground, Wish};
+use super::{Ground, Wish, points_of};
 use dcel_kit::figure::navmesh::Storeys;
-use dcel_kit::navmesh::{SurfaceRoute, Work};
-use serde::Serialize;
+use dcel_kit::navmesh::SurfaceRoute;
 use std::io::Write;
 
-/// The answer. The names are those of the JSON form.
-#[derive(Serialize)]
-struct Answered {
-    source: String,
-    start: [f64; 3],
-    end: [f64; 3],
-    clear: bool,
-    hit: Option<Hit>,
-    /// Along the surface.
-    length: f64,
-    faces: Vec<String>,
-}
-
-#[derive(Serialize)]
-struct Hit {
-    point: [f64; 3],
-    face: String,
-    /// The ends of the side that was hit.
-    side: [String; 2],
-    vertex: Option<String>,
-}
-
-/// What is asked for.
-pub(in super::super) struct Question<'a> {
-    pub(in super::super) wish: Wish<'a>,
-    pub(in super::super) to: &'a [f64],
-    pub(in super::super) json: bool,
-    pub(in super::super) target: Option<&'a Canvas>,
-    pub(in super::super) title: String,
-}
-
-pub(in super::super) fn run(ground: &Ground, question: &Question<'_>, out: &mut Output) -> Result<Answer, Failure> {
-    let start = ground.end(&question.wish, &Snap::none())?.places[0];
-    let (to, _) = ground.point(question.to);
+pub(in super::super) fn run(
+    ground: &Ground,
+    args: &Args,
+    target: Option<&Canvas>,
+    out: &mut Output,
+) -> Result<Answer, Failure> {
+    let points = points_of(&args.ends, 2, true)?;
+    let wish = Wish { what: "start", numbers: points[0], layer: args.start_layer, face: args.start_face };
+    let start = ground.end(&wish, &Snap::none())?.places[0];
+    let (to, _) = ground.point(points[1]);
     let cast = ground.surface.raycast(&start, to);
     let cast = cast.map_err(|error| Failure::input(format!("{}: the end of the line: {error}", ground.source), ""))?;
     let end = cast.points.last().copied().unwrap_or(start.point);
-    if let Some(target) = question.target {
-        let options = ground.options(target, &format!("A ray over {}", question.title));
+    if let Some(target) = target {
+        let options = ground.options(target, &format!("A ray over {}", args.map.title()));
         let line = SurfaceRoute {
             faces: cast.faces.clone(),
             points: cast.points.clone(),
             layers: cast.layers.clone(),
-            corners: Vec::new(),
             length: cast.length,
             cost: cast.length,
-            work: Work::default(),
+            ..SurfaceRoute::default()
         };
         let goal = ground.surface.places(to).into_iter().next().unwrap_or(start);
         save(target, Storeys::new(&ground.surface).paths(&[&line], &[], &[start, goal], &options), out)?;
     }
-    let answer = Answered {
-        source: ground.source.clone(),
+    let answer = fields! {
+        source: &ground.source,
         start: ground.in_file(start.point),
         end: ground.in_file(end),
         clear: cast.hit.is_none(),
-        hit: cast.hit.map(|hit| Hit {
+        hit: cast.hit.map(|hit| fields! {
             point: ground.in_file(hit.point),
             face: hit.face.to_string(),
+            // The ends of the side that was hit.
             side: hit.side.map(|v| v.to_string()),
             vertex: hit.vertex.map(|v| v.to_string()),
         }),
+        // Along the surface.
         length: cast.length,
-        faces: cast.faces.iter().map(ToString::to_string).collect(),
+        faces: cast.faces.iter().map(ToString::to_string).collect::<Vec<_>>(),
     };
-    if question.json {
+    if args.json {
         out.json(&answer)?;
         return Ok(Answer::Yes);
     }
