@@ -1,10 +1,10 @@
 //! `dcel build`: from segments to a subdivision, and what became of them.
 
 use super::answer::InWords;
+use super::choice::pair;
 use super::failure::{Failure, say};
-use super::results::Results;
+use super::results::{Moved, Results};
 use super::{Answer, Output};
-use dcel_kit::VertexId;
 use dcel_kit::figure;
 use dcel_kit::io::{
     Document, Format, LoadError, Model, NOTHING_TO_MEND, ReadOptions, SegmentSoup, arrange_with, counted, describe,
@@ -65,11 +65,7 @@ pub(crate) struct Args {
 }
 
 fn hole(text: &str) -> Result<Point, String> {
-    let numbers: Result<Vec<f64>, _> = text.split(',').map(|word| word.trim().parse::<f64>()).collect();
-    match numbers.ok().as_deref() {
-        Some(&[x, y]) if x.is_finite() && y.is_finite() => Ok(Point::new(x, y)),
-        _ => Err("write two numbers with a comma between, for example 5,3".to_owned()),
-    }
+    pair(text).map(Point::from)
 }
 
 /// The answer. The names are those of the JSON form.
@@ -110,12 +106,6 @@ struct Report {
 struct Repeated {
     segment: u32,
     repeats: u32,
-}
-
-#[derive(Serialize)]
-struct Moved {
-    vertex: String,
-    by: f64,
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
@@ -183,8 +173,6 @@ impl Report {
     fn of(source: String, format: Format, soup: &SegmentSoup, arranged: &Arranged) -> Self {
         let s = &arranged.subdivision;
         let lone = s.dangles_and_cut_edges();
-        let moved =
-            |list: &[(VertexId, f64)]| list.iter().map(|&(v, by)| Moved { vertex: v.to_string(), by }).collect();
         let repeated = arranged.repeated.iter().map(|&(segment, repeats)| Repeated { segment, repeats });
         Self {
             source,
@@ -200,9 +188,9 @@ impl Report {
             zero_length: arranged.zero_length.clone(),
             repeated: repeated.collect(),
             crossings: names(arranged.crossings.iter()),
-            moved: moved(&arranged.moved),
+            moved: Moved::all(&arranged.moved),
             grid: arranged.grid,
-            displaced: moved(&arranged.displaced),
+            displaced: Moved::all(&arranged.displaced),
             collapsed: arranged.collapsed.clone(),
             farthest: arranged.farthest,
             rounds: arranged.rounds,

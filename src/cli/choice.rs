@@ -1,9 +1,21 @@
-//! Words for the values of an option, each with a line of help.
+//! Words for the values of an option, each with a line of help; numbers.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 /// A word of the command line, what it says in the help, and what it stands for.
 pub(crate) type Choice<T> = (&'static str, &'static str, T);
+
+/// As many finite numbers with commas between; nothing if there is anything else.
+pub(crate) fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|word| word.trim().parse::<f64>()).collect();
+    let numbers: Option<[f64; N]> = numbers.ok()?.try_into().ok();
+    numbers.filter(|numbers| numbers.iter().all(|x| x.is_finite()))
+}
+
+/// Two numbers, as an option takes them.
+pub(crate) fn pair(text: &str) -> Result<[f64; 2], String> {
+    numbers(text).ok_or_else(|| "write two numbers with a comma between, for example 5,3".to_owned())
+}
 
 /// Reads one of these words as what it stands for.
 pub(crate) fn one_of<T>(choices: &'static [Choice<T>]) -> impl TypedValueParser<Value = T>

@@ -1,7 +1,7 @@
 //! The options of figures that are about looks: size, theme, style file, part, colours.
 
 use super::Failure;
-use super::choice::{Choice, one_of};
+use super::choice::{Choice, numbers, one_of};
 use super::save::Files;
 use super::subject::Subject;
 use dcel_kit::FaceId;
@@ -79,11 +79,9 @@ fn length(text: &str) -> Result<(f64, Unit), String> {
 }
 
 pub(crate) fn corners(text: &str) -> Result<[f64; 4], String> {
-    let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse::<f64>()).collect();
-    let numbers: Option<[f64; 4]> = numbers.ok().and_then(|numbers| numbers.try_into().ok());
     let is_box = |[x0, y0, x1, y1]: &[f64; 4]| [x1 - x0, y1 - y0].iter().all(|s| s.is_finite() && *s != 0.0);
     let help = "write two corners of a box as four numbers, for example 0,0,6,4";
-    numbers.filter(is_box).ok_or_else(|| help.to_owned())
+    numbers(text).filter(is_box).ok_or_else(|| help.to_owned())
 }
 
 impl Page {

@@ -4,13 +4,14 @@ use super::failure::{Failure, say};
 use super::input::InputOptions;
 use super::looks::{Crop, Page};
 use super::picture::Target;
+use super::results::Moved;
 use super::save::{Files, InPlace};
 use super::subject::Subject;
 use super::{Answer, Output};
 use dcel_kit::figure::{self, FigureOptions};
 use dcel_kit::io::{Format, Model, Number, counted, on_grid, write, write_path};
 use dcel_kit::plane::{Operation, Overlay, Parts, Subdivision};
-use dcel_kit::{FaceId, FaceMap, VertexId};
+use dcel_kit::{FaceId, FaceMap};
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -84,12 +85,6 @@ struct Report {
     /// The bounded faces.
     labels: Vec<Labels>,
     region: Option<Region>,
-}
-
-#[derive(Serialize)]
-struct Moved {
-    vertex: String,
-    by: f64,
 }
 
 #[derive(Serialize)]
@@ -229,8 +224,6 @@ impl Report {
     fn of(a: &Subject, b: &Subject, both: &Overlay, region: Option<&(Operation, Subdivision)>) -> Self {
         let s = &both.subdivision;
         let bounded = s.faces().filter(|&f| f != s.outer_face());
-        let moved =
-            |list: &[(VertexId, f64)]| list.iter().map(|&(v, by)| Moved { vertex: v.to_string(), by }).collect();
         let labels = bounded.map(|f| Labels {
             face: f.to_string(),
             a: both.face_of_a[f].to_string(),
@@ -243,9 +236,9 @@ impl Report {
             edges: s.edge_count(),
             faces: s.face_count(),
             crossings: both.crossings.iter().map(ToString::to_string).collect(),
-            moved: moved(&both.moved),
+            moved: Moved::all(&both.moved),
             grid: both.grid,
-            displaced: moved(&both.displaced),
+            displaced: Moved::all(&both.displaced),
             farthest: both.farthest,
             rounds: both.rounds,
             unsettled: both.unsettled.iter().map(ToString::to_string).collect(),

@@ -30,6 +30,19 @@ pub(crate) struct Results {
     json: bool,
 }
 
+/// A vertex that rounding has moved. The names are those of the JSON form.
+#[derive(serde::Serialize)]
+pub(crate) struct Moved {
+    vertex: String,
+    by: f64,
+}
+
+impl Moved {
+    pub(crate) fn all(list: &[(dcel_kit::VertexId, f64)]) -> Vec<Self> {
+        list.iter().map(|&(v, by)| Self { vertex: v.to_string(), by }).collect()
+    }
+}
+
 impl Results {
     /// Refuses to write over the input, unless that is said, and to write two results into one file.
     pub(crate) fn check(&self, input: &Path) -> Result<(), Failure> {

@@ -1,6 +1,6 @@
 //! `dcel validate`: which invariants does a structure break?
 
-use super::answer::{InWords, tell};
+use super::answer::{InWords, fields, tell};
 use super::failure::say;
 use super::input::{InputOptions, Opened};
 use super::subject::{Kind, Subject};
@@ -59,13 +59,6 @@ struct Fault {
     chain: Vec<String>,
     found: Option<String>,
     expected: Option<String>,
-}
-
-#[derive(Serialize)]
-struct Invariant {
-    rule: &'static str,
-    invariant: &'static str,
-    explanation: &'static str,
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
@@ -193,7 +186,7 @@ fn lines(vertices: &[VertexId], subject: &Subject) -> String {
 fn print_rules(json: bool, out: &mut Output) -> Result<(), Failure> {
     let invariants = Rule::all().iter().chain(GEOMETRY_RULES);
     if json {
-        let invariant = |&Rule { id, invariant, explanation }: &Rule| Invariant { rule: id, invariant, explanation };
+        let invariant = |&Rule { id, invariant, explanation }: &Rule| fields! { rule: id, invariant, explanation };
         out.json(&invariants.map(invariant).collect::<Vec<_>>())?;
         return Ok(());
     }

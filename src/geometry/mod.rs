@@ -6,6 +6,7 @@
 //!   interval.rs  double_double.rs   bounds that decide without them most of the time
 //!   number.rs                       numbers as they are written
 //!   grouping.rs                     things by groups: a counting sort
+//!   space.rs  random.rs             vectors in space; numbers that look random
 //! ```
 //!
 //! What is public of it stands in [`plane`](crate::plane).
@@ -18,3 +19,7 @@ pub(crate) mod interval;
 pub(crate) mod number;
 pub(crate) mod point;
 pub mod predicates;
+#[cfg(any(feature = "navmesh", feature = "play"))]
+pub(crate) mod random;
+#[cfg(any(feature = "navmesh", feature = "solid"))]
+pub(crate) mod space;

@@ -35,6 +35,7 @@ use super::words::counted;
 use super::write_error::WriteError;
 use crate::geometry::number::Number;
 use crate::plane::check_coordinate;
+use crate::solid::vector::{cross, dot, minus, plus};
 use crate::topology::PolygonList;
 use std::cmp::Ordering;
 use std::io::Write;
@@ -249,15 +250,6 @@ fn fans(cycle: &[u32]) -> impl Iterator<Item = [u32; 3]> + '_ {
     cycle[1..].windows(2).map(|pair| [cycle[0], pair[0], pair[1]])
 }
 
-fn plus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|i| a[i] + b[i])
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
 fn normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
-    let (p, q): ([f64; 3], [f64; 3]) = (std::array::from_fn(|i| b[i] - a[i]), std::array::from_fn(|i| c[i] - a[i]));
-    [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
+    cross(minus(b, a), minus(c, a))
 }

@@ -9,6 +9,7 @@
 //! Steele, Lea and Flood, *Fast splittable pseudorandom number generators*, 2014, for the numbers.
 
 use super::{NavMesh, QueryPoint};
+use crate::geometry::random;
 use crate::ids::{FaceId, VertexId};
 use crate::plane::Point;
 use crate::plane::predicates::twice_area;
@@ -71,11 +72,7 @@ impl Numbers {
 
     /// A number from 0 up to, but without, 1.
     pub(super) fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+        (random::next(&mut self.0) >> 11) as f64 / (1u64 << 53) as f64
     }
 
     /// A point in a triangle, or by rounding a hair beside it.

@@ -61,19 +61,19 @@ impl Raycast {
 }
 
 /// The line of a ray.
-struct Line {
-    from: Point,
-    to: Point,
+pub(super) struct Line {
+    pub(super) from: Point,
+    pub(super) to: Point,
 }
 
 impl Line {
     /// `Greater` on the left.
-    fn side(&self, p: Point) -> Ordering {
+    pub(super) fn side(&self, p: Point) -> Ordering {
         orientation(self.from, self.to, p)
     }
 
     /// Whether the line leads from `a` towards `b`, both of which are on it.
-    fn is_forward(&self, a: Point, b: Point) -> bool {
+    pub(super) fn is_forward(&self, a: Point, b: Point) -> bool {
         a != b && left_to_right(a, b) == left_to_right(self.from, self.to)
     }
 }

@@ -2,6 +2,8 @@
 //!
 //! Source: Steele, Lea, Flood, *Fast splittable pseudorandom number generators*, 2014 (SplitMix64).
 
+use crate::geometry::random;
+
 /// A row of numbers.
 #[derive(Clone, Debug)]
 pub(super) struct Dice(u64);
@@ -15,11 +17,7 @@ impl Dice {
     }
 
     fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        random::next(&mut self.0)
     }
 
     /// A number below this one; 0 below 0.

@@ -1,29 +1,13 @@
-//! Vectors in space: the arithmetic of measures. Decisions are made by `predicates.rs`, never here.
+//! Vectors in space, sums and means of them: the arithmetic of measures. Decisions are made by `predicates.rs`, never here.
 
-pub(crate) type Vector = [f64; 3];
+pub(crate) use crate::geometry::space::{Vector, cross, dot, length, minus};
 
-pub(crate) fn minus(a: Vector, b: Vector) -> Vector {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-pub(super) fn plus(a: Vector, b: Vector) -> Vector {
+pub(crate) fn plus(a: Vector, b: Vector) -> Vector {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
 pub(super) fn times(a: Vector, factor: f64) -> Vector {
     a.map(|x| x * factor)
-}
-
-pub(crate) fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub(crate) fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-pub(super) fn length(a: Vector) -> f64 {
-    dot(a, a).sqrt()
 }
 
 /// A sum of many numbers that loses no more than a few last places of the sum of their sizes, however many they are.

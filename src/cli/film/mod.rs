@@ -8,7 +8,7 @@
 mod algorithm;
 mod make;
 
-use super::choice::one_of;
+use super::choice::{one_of, pair};
 use super::input::InputOptions;
 use super::looks::{Crop, Page};
 use super::picture::Target;
@@ -119,14 +119,6 @@ pub(crate) struct Refused {
 impl From<Failure> for Refused {
     fn from(failure: Failure) -> Self {
         Self { failure: Box::new(failure), film: None }
-    }
-}
-
-fn pair(text: &str) -> Result<[f64; 2], String> {
-    let numbers: Result<Vec<f64>, _> = text.split(',').map(|word| word.trim().parse::<f64>()).collect();
-    match numbers.ok().as_deref() {
-        Some(&[x, y]) if x.is_finite() && y.is_finite() => Ok([x, y]),
-        _ => Err("write two numbers with a comma between, for example 5,3".to_owned()),
     }
 }
 

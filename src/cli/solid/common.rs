@@ -1,5 +1,6 @@
 //! What the commands on solids share: reading, writing, and the short answer.
 
+use crate::choice::numbers;
 use crate::failure::Failure;
 use crate::input::InputOptions;
 use crate::save::{Files, InPlace, save_as};
@@ -145,11 +146,7 @@ pub(super) fn check_size(name: &str, elements: usize, help: &str) -> Result<(), 
 
 /// A vector from the command line: `1,-2,0.5`.
 pub(crate) fn vector(text: &str) -> Result<[f64; 3], String> {
-    let numbers: Result<Vec<f64>, _> = text.split(',').map(|word| word.trim().parse::<f64>()).collect();
-    match numbers.ok().as_deref() {
-        Some(&[x, y, z]) if [x, y, z].iter().all(|x| x.is_finite()) => Ok([x, y, z]),
-        _ => Err("write three numbers with commas between, for example 1,-2,0.5".to_owned()),
-    }
+    numbers(text).ok_or_else(|| "write three numbers with commas between, for example 1,-2,0.5".to_owned())
 }
 
 /// Splits `what; help` as errors of the kit write it.

@@ -1,12 +1,12 @@
 //! `dcel solid support`: the vertex furthest in a direction, and the way there.
 
 use super::common::{open, refused, vector};
+use crate::answer::fields;
 use crate::input::InputOptions;
 use crate::output::point;
 use crate::{Answer, Failure, Output};
 use dcel_kit::ids::VertexId;
 use dcel_kit::solid::Direction;
-use serde::Serialize;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -36,15 +36,6 @@ pub(crate) struct Args {
     input: InputOptions,
 }
 
-#[derive(Serialize)]
-struct Found {
-    vertex: String,
-    position: [f64; 3],
-    /// Every vertex on the way, the first and the last included.
-    path: Vec<String>,
-    vertices: usize,
-}
-
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let direction = Direction::try_from(args.direction)
         .map_err(|error| Failure::input(format!("the direction: {error}"), "only its way counts, not its length"))?;
@@ -65,7 +56,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let names: Vec<String> = path.iter().map(ToString::to_string).collect();
     if args.json {
         let (vertex, position) = (last.to_string(), solid.point(last));
-        out.json(&Found { vertex, position, path: names, vertices: solid.vertex_count() })?;
+        // The path has every vertex on the way, the first and the last included.
+        out.json(&fields! { vertex, position, path: names, vertices: solid.vertex_count() })?;
         return Ok(Answer::Yes);
     }
     writeln!(out, "{last} at {}", point(&solid.point(last)))?;

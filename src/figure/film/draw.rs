@@ -170,7 +170,7 @@ impl<'a> Stage<'a> {
             }
         }
         for (elements, mark) in [(&frame.marked, Mark::Hot), (&frame.made, Mark::New), (&frame.removed, Mark::Gone)] {
-            elements.iter().for_each(|&element| set(&mut look, element, mark));
+            elements.iter().for_each(|&element| look.mark(element, mark));
         }
         let hidden = if is_whole { Vec::new() } else { self.misplaced(chosen, &shown) };
         hidden.iter().for_each(|&h| look.mark_half_edge(h, Mark::Hidden));
@@ -303,15 +303,6 @@ fn foreign_discs(other: &Table, state: &Table, whole: &Picture<'_, Table>) -> Ve
     let foreign = vertices(other).filter(|&v| !state.has_vertex(v));
     let places = foreign.filter_map(|v| other.position(v)).map(|p| whole.fit.place(p));
     places.map(|at| Shape::Disc(at, whole.options.style.vertex_radius + 1.5)).collect()
-}
-
-fn set(look: &mut Look, element: Element, mark: Mark) {
-    match element {
-        Element::Vertex(v) => look.mark_vertex(v, mark),
-        Element::HalfEdge(h) => look.mark_half_edge(h, mark),
-        Element::Edge(e) => e.half_edges().into_iter().for_each(|h| look.mark_half_edge(h, mark)),
-        Element::Face(f) => look.mark_face(f, mark),
-    }
 }
 
 /// The table of a frame with the rows that have gone in its step.

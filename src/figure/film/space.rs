@@ -12,11 +12,10 @@ use crate::figure::canvas::scene::{Node, Scene};
 use crate::figure::kinds::solid::{Camera, HiddenLines, Shown, UP};
 use crate::figure::layout::fit::Fit;
 use crate::figure::sketch::{self, Backdrop, Canvas, Drawing};
-use crate::figure::structure::look::{Look, Mark};
+use crate::figure::structure::look::Mark;
 use crate::figure::structure::part::Part;
 use crate::figure::structure::picture::Picture;
 use crate::figure::{Detail, FigureError, FigureOptions};
-use crate::ids::Element;
 use crate::plane::Point;
 use crate::solid::Polyhedron;
 
@@ -44,7 +43,7 @@ pub(super) fn draw(
         let Shown { sketch, projected, faces } = &shown[frame.areas];
         let mut look = Backdrop::InFront.look(&i.to_string());
         for (elements, mark) in [(&frame.marked, Mark::Hot), (&frame.added, Mark::New)] {
-            elements.iter().for_each(|&element| set(&mut look, element, mark));
+            elements.iter().for_each(|&element| look.mark(element, mark));
         }
         let canvas = Canvas::new(fit, options);
         let mut drawing = Drawing::new(sketch, &canvas);
@@ -57,13 +56,4 @@ pub(super) fn draw(
     let roles = sketch::roles(shown.iter().map(|state| &state.sketch));
     let scene = sketch::scene(options, "dcel-strip", (fit.size, fit.scale), &roles, Vec::new(), &[]);
     Ok((scene, drawings, detail))
-}
-
-fn set(look: &mut Look, element: Element, mark: Mark) {
-    match element {
-        Element::Vertex(v) => look.mark_vertex(v, mark),
-        Element::HalfEdge(h) => look.mark_half_edge(h, mark),
-        Element::Edge(e) => e.half_edges().into_iter().for_each(|h| look.mark_half_edge(h, mark)),
-        Element::Face(f) => look.mark_face(f, mark),
-    }
 }

@@ -1,7 +1,7 @@
 //! How the elements of one drawing look: plain, dimmed, highlighted, new, gone or hidden.
 
 use crate::figure::canvas::scene::Attributes;
-use crate::ids::{FaceId, FaceMap, HalfEdgeId, HalfEdgeMap, Id, VertexId, VertexMap};
+use crate::ids::{Element, FaceId, FaceMap, HalfEdgeId, HalfEdgeMap, Id, VertexId, VertexMap};
 
 /// How an element is shown.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -68,6 +68,16 @@ impl Look {
     /// are pale anyway; nor are vertices, the landmarks.
     pub(crate) fn rest(self, rest: Mark) -> Self {
         Self { rest, ..self }
+    }
+
+    /// Marks an element; an edge by both of its half-edges.
+    pub(crate) fn mark(&mut self, element: Element, mark: Mark) {
+        match element {
+            Element::Vertex(v) => self.mark_vertex(v, mark),
+            Element::HalfEdge(h) => self.mark_half_edge(h, mark),
+            Element::Edge(e) => e.half_edges().into_iter().for_each(|h| self.mark_half_edge(h, mark)),
+            Element::Face(f) => self.mark_face(f, mark),
+        }
     }
 
     pub(crate) fn mark_vertex(&mut self, v: VertexId, mark: Mark) {

@@ -1,7 +1,26 @@
 //! Walks in structures that may be broken in every way: none of them goes on without a bound.
 
-use dcel_kit::HalfEdgeId;
 use dcel_kit::topology::{Table, View};
+use dcel_kit::{HalfEdgeId, VertexId};
+
+/// The half-edges that a table has room for.
+pub fn half_edges(table: &Table) -> impl Iterator<Item = HalfEdgeId> + Clone + use<> {
+    (0..table.half_edges.len() as u32).map(HalfEdgeId::new)
+}
+
+/// Where a vertex is.
+#[must_use]
+pub fn place(table: &Table, v: VertexId) -> Option<[f64; 2]> {
+    table.vertices.get(v.index())?.as_ref()?.position
+}
+
+/// The same structure with all vertices at one place.
+#[must_use]
+pub fn blind(table: &Table) -> Table {
+    let mut out = table.clone();
+    out.vertices.iter_mut().flatten().for_each(|row| row.position = Some([1.0, 1.0]));
+    out
+}
 
 /// The cycle of half-edges from `start` along `next`; cut where it is broken or longer than the table.
 #[must_use]

@@ -65,6 +65,7 @@ pub use route::{SurfaceField, SurfaceRoute, SurfaceRouteError};
 pub use search::SurfacePlanner;
 
 use super::marks::NONE;
+use crate::geometry::space::{cross, dot, length as norm, minus};
 use crate::ids::{FaceId, VertexId};
 use boxes::Boxes;
 
@@ -246,22 +247,6 @@ fn next(s: usize) -> usize {
 #[inline]
 fn prev(s: usize) -> usize {
     if s.is_multiple_of(3) { s + 2 } else { s - 1 }
-}
-
-fn minus(a: Space, b: Space) -> Space {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn dot(a: Space, b: Space) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: Space, b: Space) -> Space {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn norm(a: Space) -> f64 {
-    dot(a, a).sqrt()
 }
 
 /// The distance of two points in space.

@@ -8,11 +8,12 @@
 //! From triangle to triangle over the sides they share, so it goes up a ramp and stays on its storey. Which side it
 //! leaves a triangle by is decided by exact signs on the plan; points on the way are rounded.
 
+use super::super::raycast::Line;
 use super::layers::plan;
 use super::place::Spot;
 use super::{NONE, NavSurface, Space, SurfacePoint, between, lerp, next, prev};
 use crate::ids::{FaceId, VertexId};
-use crate::plane::predicates::{left_to_right, orientation, twice_area};
+use crate::plane::predicates::{orientation, twice_area};
 use crate::plane::{CoordinateError, Point};
 use std::cmp::Ordering;
 
@@ -56,23 +57,7 @@ enum Onwards {
     End(usize),
 }
 
-/// The line of a ray in the plan.
-struct Line {
-    from: Point,
-    to: Point,
-}
-
 impl Line {
-    /// `Greater` on the left.
-    fn side(&self, p: Point) -> Ordering {
-        orientation(self.from, self.to, p)
-    }
-
-    /// Whether the line leads from `a` towards `b`, both of which are on it.
-    fn is_forward(&self, a: Point, b: Point) -> bool {
-        a != b && left_to_right(a, b) == left_to_right(self.from, self.to)
-    }
-
     /// Whether the line ends between two points on it, or in the second one.
     fn ends_by(&self, a: Point, b: Point) -> bool {
         self.to == b || self.is_forward(self.to, b) && (a == self.to || self.is_forward(a, self.to))

@@ -32,7 +32,6 @@ impl Floor<'_> {
         }
         sketch.point(Role::Start, ends[0]).label("start");
         sketch.point(Role::Goal, ends[1]).label("goal");
-        self.blocked(&mut sketch);
-        self.over(&sketch, options)
+        self.over(sketch, options)
     }
 }

@@ -31,7 +31,6 @@ impl Floor<'_> {
             sketch.circle(Role::Goal, *goal, radius).key("the agent at the goal");
         }
         self.ends(&mut sketch, route);
-        self.blocked(&mut sketch);
-        self.over(&sketch, options)
+        self.over(sketch, options)
     }
 }

@@ -37,8 +37,7 @@ impl Floor<'_> {
         }
         sketch.path(Role::Main, route.points.iter().copied()).arrow().key("the shortest path");
         self.ends(&mut sketch, route);
-        self.blocked(&mut sketch);
-        self.over(&sketch, &self.nameless(options))
+        self.over(sketch, &self.nameless(options))
     }
 
     /// The panel of the cone with number `i`, after those before it.

@@ -41,7 +41,6 @@ impl Floor<'_> {
         if let Some(point) = ends[1].and_then(|leg| leg.route.points.last()) {
             sketch.point(Role::Goal, *point).label("goal");
         }
-        self.blocked(&mut sketch);
-        self.over(&sketch, options)
+        self.over(sketch, options)
     }
 }

@@ -27,8 +27,7 @@ impl Floor<'_> {
             let role = if self.mesh.is_dead_end(f) { Role::Dimmed } else { Role::Main };
             sketch.point(role, self.middle(f)).title(f.to_string());
         }
-        self.blocked(&mut sketch);
-        self.over(&sketch, options)
+        self.over(sketch, options)
     }
 
     /// Dead ends: the faces that searches leave out unless the start or the goal lies in them, each with an arrow to
@@ -53,8 +52,7 @@ impl Floor<'_> {
                     .title(format!("{f} to {portal}"));
             }
         }
-        self.blocked(&mut sketch);
-        self.over(&sketch, options)
+        self.over(sketch, options)
     }
 
     /// Adds the faces that were blocked.

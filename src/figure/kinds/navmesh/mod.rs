@@ -92,8 +92,9 @@ impl<'a> Floor<'a> {
         }
     }
 
-    /// The sketch over the map in grey.
-    fn over(&self, sketch: &Sketch, options: &FigureOptions) -> Result<Figure, SketchError> {
+    /// The sketch, with the faces that were blocked, over the map in grey.
+    fn over(&self, mut sketch: Sketch, options: &FigureOptions) -> Result<Figure, SketchError> {
+        self.blocked(&mut sketch);
         sketch.over(self.map, Backdrop::Dimmed, &self.quiet(options))
     }
 

@@ -26,8 +26,7 @@ impl Floor<'_> {
                 sketch.point(role, asked).label(label);
             }
         }
-        self.blocked(&mut sketch);
-        self.over(&sketch, options)
+        self.over(sketch, options)
     }
 
     /// Whether a point is no further from the box round the map than that is wide and high.

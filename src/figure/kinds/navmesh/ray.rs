@@ -31,7 +31,6 @@ impl Floor<'_> {
             Some(hit) => sketch.point(Role::Event, hit.point).label("hit"),
             None => sketch.point(Role::Goal, ends[1]).label("end"),
         };
-        self.blocked(&mut sketch);
-        self.over(&sketch, options)
+        self.over(sketch, options)
     }
 }

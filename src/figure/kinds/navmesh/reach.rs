@@ -29,7 +29,6 @@ impl Floor<'_> {
             }
         }
         sketch.point(Role::Start, field.start().point).label("start");
-        self.blocked(&mut sketch);
-        self.over(&sketch, options)
+        self.over(sketch, options)
     }
 }

@@ -26,8 +26,7 @@ impl Floor<'_> {
             sketch.point(Role::Event, self.mesh.point(corner)).key("a corner of the path").title(corner.to_string());
         }
         self.ends(&mut sketch, route);
-        self.blocked(&mut sketch);
-        self.over(&sketch, options)
+        self.over(sketch, options)
     }
 
     /// The portals of a route, if they are few enough to be drawn.

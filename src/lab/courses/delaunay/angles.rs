@@ -1,8 +1,8 @@
 //! The smallest angle of a triangulation.
 
 use super::edges::place;
-use super::flip::half_edges;
 use crate::answers::Wrong;
+use crate::checks::walks::half_edges;
 use crate::fault::Exchange;
 use crate::protocol::Value;
 use dcel_kit::topology::{Table, View};

@@ -47,9 +47,9 @@ pub(super) fn wrong(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
 #[cfg(test)]
 mod tests {
     use super::super::edges::place;
-    use super::super::flip::half_edges;
     use super::super::meshes::fixed;
     use super::*;
+    use crate::checks::walks::half_edges;
     use dcel_kit::plane::predicates::in_circle;
     use dcel_kit::plane::{Point, Subdivision};
 

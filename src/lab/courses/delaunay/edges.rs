@@ -1,7 +1,8 @@
 //! Whether an edge is legal, and whether it can be flipped: by the kit's exact predicates.
 
-use super::flip::{corners, half_edges};
+use super::flip::corners;
 use crate::answers::Wrong;
+use crate::checks::walks::{self, half_edges};
 use crate::fault::Exchange;
 use crate::protocol::Value;
 use dcel_kit::plane::Point;
@@ -12,7 +13,7 @@ use std::cmp::Ordering;
 
 /// Where a vertex is.
 pub(super) fn place(table: &Table, v: VertexId) -> Option<Point> {
-    table.vertices.get(v.index())?.as_ref()?.position.map(Point::from)
+    walks::place(table, v).map(Point::from)
 }
 
 /// The half-edge that a call asks about.

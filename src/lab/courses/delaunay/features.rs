@@ -3,6 +3,7 @@
 use super::mistakes::{self, Again};
 use super::{angles, edges, flip};
 use crate::FeatureSet;
+use crate::checks::walks::half_edges;
 use crate::fault::Exchange;
 use dcel_kit::topology::{Table, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
@@ -127,7 +128,7 @@ fn flips(table: &Table, h: HalfEdgeId, set: &mut FeatureSet) {
     let others = [h, twin].into_iter().flat_map(|h| [table.next(h), table.prev(h)]).flatten();
     let across = |h: HalfEdgeId| table.twin(h).and_then(|twin| table.face(twin));
     set.add(Word::Beside as u32, others.into_iter().any(|h| across(h) == table.outer_face));
-    let degree = |v: Option<VertexId>| flip::half_edges(table).filter(|&h| table.origin(h) == v).count();
+    let degree = |v: Option<VertexId>| half_edges(table).filter(|&h| table.origin(h) == v).count();
     set.add(Word::Degree3 as u32, degree(table.origin(h)) == 3 || degree(table.origin(twin)) == 3);
     let places = || table.vertices.iter().flatten().filter_map(|row| row.position);
     set.add(
@@ -136,13 +137,13 @@ fn flips(table: &Table, h: HalfEdgeId, set: &mut FeatureSet) {
     );
     let mut seen = BTreeSet::new();
     let ends = |h| [table.origin(h), table.twin(h).and_then(|twin| table.origin(twin))];
-    set.add(Word::Odd as u32, !flip::half_edges(table).all(|h| seen.insert(ends(h))));
+    set.add(Word::Odd as u32, !half_edges(table).all(|h| seen.insert(ends(h))));
 }
 
 fn delaunify(table: &Table, set: &mut FeatureSet) {
     let due = edges::due(table).is_some();
     set.either(Word::Due as u32, Word::AllLegal as u32, due);
-    let mut all = flip::half_edges(table);
+    let mut all = half_edges(table);
     set.add(Word::Cocircular as u32, all.any(|h| edges::across(table, h).is_some_and(std::cmp::Ordering::is_eq)));
     set.add(Word::OnceDown as u32, mistakes::some_stay(table, Again::Nothing, false));
     set.add(Word::OnceUp as u32, mistakes::some_stay(table, Again::Nothing, true));

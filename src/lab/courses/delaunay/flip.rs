@@ -17,11 +17,6 @@ use dcel_kit::{Element, HalfEdgeId, VertexId};
 /// The graded test of each step; there is no step 0, because every call is legal.
 pub(super) const TESTS: [&str; 4] = ["flip_1_origins", "flip_1_origins", "flip_2_links", "flip_3_faces"];
 
-/// The half-edges of a table.
-pub(super) fn half_edges(table: &Table) -> impl Iterator<Item = HalfEdgeId> + use<> {
-    (0..table.half_edges.len() as u32).map(HalfEdgeId::new)
-}
-
 /// Whether two different triangles, neither of them the outer face, lie at an edge.
 pub(super) fn is_between_triangles(table: &Table, h: HalfEdgeId) -> bool {
     let Some(twin) = table.twin(h) else { return false };
@@ -139,6 +134,7 @@ fn step_of(difference: &Difference) -> usize {
 mod tests {
     use super::super::meshes::fixed;
     use super::*;
+    use crate::checks::walks::half_edges;
     use dcel_kit::plane::{Point, Subdivision};
     use dcel_kit::topology::violations;
     use std::collections::BTreeSet;

@@ -10,6 +10,7 @@ use super::{flip, mistakes};
 use crate::cases::handouts::SITES;
 use crate::cases::random::Random;
 use crate::cases::starts::triangles;
+use crate::checks::walks::{blind, half_edges};
 use crate::protocol::{Start, Structure};
 use dcel_kit::plane::predicates::{in_circle, orientation};
 use dcel_kit::plane::{Point, Subdivision};
@@ -348,19 +349,12 @@ pub(super) fn renumbered(table: &Table, random: &mut Random) -> Table {
     out
 }
 
-/// The same structure with all vertices at one place.
-pub(super) fn blind(table: &Table) -> Table {
-    let mut out = table.clone();
-    out.vertices.iter_mut().flatten().for_each(|row| row.position = Some([1.0, 1.0]));
-    out
-}
-
 /// Links only, after flips that need not be possible in the plane: vertices of three, two and more edges, several edges
 /// between two vertices.
 pub(super) fn odd(mesh: &Mesh, random: &mut Random) -> Table {
     let mut table = blind(&mesh.table());
     for _ in 0..3 * mesh.triangles.len() {
-        let all: Vec<HalfEdgeId> = flip::half_edges(&table).filter(|&h| flip::is_plain(&table, h)).collect();
+        let all: Vec<HalfEdgeId> = half_edges(&table).filter(|&h| flip::is_plain(&table, h)).collect();
         if let Some(&h) = random.pick(&all) {
             flip::flip(&mut table, h);
         }

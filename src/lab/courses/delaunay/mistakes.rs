@@ -4,7 +4,8 @@
 //! shows are those that fail, the report says so.
 
 use super::edges::{due, is_legal, place};
-use super::flip::{corners, flip, half_edges};
+use super::flip::{corners, flip};
+use crate::checks::walks::half_edges;
 use dcel_kit::plane::predicates::in_circle;
 use dcel_kit::topology::{Table, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};

@@ -1,11 +1,11 @@
 //! The cases of lab 07, test by test.
 
-use super::flip::half_edges;
-use super::meshes::{self, Mesh, blind, odd, renumbered};
+use super::meshes::{self, Mesh, odd, renumbered};
 use super::{angles, costs, delaunify, edges, features, flip, picture};
 use crate::answers::{self, Function};
 use crate::cases::random::Random;
 use crate::cases::starts::wheel;
+use crate::checks::walks::{blind, half_edges};
 use crate::fault::{Exchange, Fault, FaultKind, exchanges};
 use crate::judge::{Asked, Feature, Judge, Suite};
 use crate::pictures;

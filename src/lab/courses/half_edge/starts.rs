@@ -122,13 +122,6 @@ pub(super) fn odd() -> [(&'static str, Table); 10] {
     ]
 }
 
-/// The same structure with all vertices at one place.
-pub(super) fn blind(table: &Table) -> Table {
-    let mut out = table.clone();
-    out.vertices.iter_mut().flatten().for_each(|row| row.position = Some([1.0, 1.0]));
-    out
-}
-
 /// The six-vertex rectangle of the handout.
 pub(super) fn rectangle() -> Start {
     Start::line("rectangle")

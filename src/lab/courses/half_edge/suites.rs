@@ -9,16 +9,17 @@ use super::costs::{self, small_grid};
 use super::sequences::{Mix, polygon, random, sequence};
 use super::shorter::shorter;
 use super::spec::{Legal, may_split_face};
-use super::starts::{blind, odd, rectangle, relabelled, rounding, window};
+use super::starts::{odd, rectangle, relabelled, rounding, window};
 use super::{drawing, features, sequences, split_face, split_in_half, walk, walks};
 use crate::cases::random::Random;
 use crate::cases::starts::{convex, polygon as polygon_at, triangles, wheel};
+use crate::checks::walks::{blind, half_edges};
 use crate::fault::{Exchange, Fault, FaultKind};
 use crate::judge::{Asked, Feature, Judge, Source, Suite};
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step};
+use dcel_kit::Element;
 use dcel_kit::topology::{HalfEdgeRow, Table};
-use dcel_kit::{Element, HalfEdgeId};
 
 /// How many random sequences are asked for each test, and of how many calls.
 const RANDOM: (usize, usize) = (16, 10);
@@ -199,10 +200,6 @@ fn structures() -> Vec<(String, Table)> {
 /// with an edge split.)
 pub(super) fn small_classes() -> Vec<Table> {
     classes(3..=5, 3)
-}
-
-fn half_edges(table: &Table) -> impl Iterator<Item = HalfEdgeId> + Clone + use<> {
-    (0..table.half_edges.len() as u32).map(HalfEdgeId::new)
 }
 
 /// Cases for a function that only reads: all elements of a few structures.

@@ -208,13 +208,6 @@ pub(super) fn relabelled(table: &Table, random: &mut Random) -> Table {
     out
 }
 
-/// The same mesh with all vertices at one place.
-pub(super) fn blind(table: &Table) -> Table {
-    let mut out = table.clone();
-    out.vertices.iter_mut().flatten().for_each(|row| row.position = Some([1.0, 1.0]));
-    out
-}
-
 fn corners_from(table: &Table, h: HalfEdgeId) -> Vec<u32> {
     cycle(table, h).into_iter().filter_map(|h| table.origin(h)).map(VertexId::number).collect()
 }

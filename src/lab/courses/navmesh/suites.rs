@@ -6,13 +6,12 @@
 
 use super::answers::FUNCTIONS;
 use super::funnel::{Sleeve, among, fan, nearly_straight, random_sleeve, winding};
-use super::mesh::{
-    Spot, blind, build, cells, corners, corridor, neighbours, random_mesh, random_tree, relabelled, triangles,
-};
+use super::mesh::{Spot, build, cells, corners, corridor, neighbours, random_mesh, random_tree, relabelled, triangles};
 use super::{costs, features, picture};
 use crate::answers;
 use crate::cases::random::Random;
 use crate::cases::starts::wheel;
+use crate::checks::walks::blind;
 use crate::fault::{Exchange, Fault};
 use crate::judge::{Asked, Feature, Judge, Suite};
 use crate::pictures;

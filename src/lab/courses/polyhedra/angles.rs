@@ -11,9 +11,9 @@ use std::f64::consts::{PI, TAU};
 /// How far an angle may be from the right one.
 pub(super) const TOLERANCE: f64 = 1e-9;
 
-type Vector = [f64; 3];
+pub(super) type Vector = [f64; 3];
 
-fn minus(p: Vector, q: Vector) -> Vector {
+pub(super) fn minus(p: Vector, q: Vector) -> Vector {
     [0, 1, 2].map(|i| p[i] - q[i])
 }
 
@@ -21,11 +21,11 @@ fn plus(p: Vector, q: Vector) -> Vector {
     [0, 1, 2].map(|i| p[i] + q[i])
 }
 
-fn dot(a: Vector, b: Vector) -> f64 {
+pub(super) fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-fn cross(a: Vector, b: Vector) -> Vector {
+pub(super) fn cross(a: Vector, b: Vector) -> Vector {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 

@@ -1,12 +1,11 @@
 //! The five regular solids, by their corners: the faces are found by looking for planes with all corners on one side.
 
+use super::angles::{Vector, cross, dot, minus};
 use super::surface::Surface;
 use std::f64::consts::TAU;
 
 /// Their names, as a case has them.
 pub(super) const NAMES: [&str; 5] = ["tetrahedron", "cube", "octahedron", "dodecahedron", "icosahedron"];
-
-type Vector = [f64; 3];
 
 /// A regular solid by its name; the cube if there is none of that name.
 pub(super) fn solid(name: &str) -> Surface {
@@ -33,18 +32,6 @@ fn signs(p: Vector) -> Vec<Vector> {
 fn turned(p: Vector) -> Vec<Vector> {
     let [x, y, z] = p;
     [[x, y, z], [z, x, y], [y, z, x]].into_iter().flat_map(signs).collect()
-}
-
-fn minus(p: Vector, q: Vector) -> Vector {
-    [0, 1, 2].map(|i| p[i] - q[i])
-}
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// The faces of the hull of a few points round the origin: those in a plane that has no point beyond it.

@@ -1,9 +1,9 @@
 //! Rays, and the corners of cells.
 
 use super::centres::is_off;
-use super::duals::{centre, place};
+use super::duals::centre;
 use crate::answers::Wrong;
-use crate::checks::walks::star;
+use crate::checks::walks::{place, star};
 use crate::fault::Exchange;
 use crate::protocol::Value;
 use dcel_kit::topology::{Table, View};

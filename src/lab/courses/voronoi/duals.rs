@@ -2,15 +2,11 @@
 
 use super::centres;
 use crate::answers::Wrong;
-use crate::checks::walks::cycle;
+use crate::checks::walks::{cycle, half_edges, place};
 use crate::fault::Exchange;
 use crate::protocol::Value;
 use dcel_kit::topology::{Table, View};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
-
-fn half_edges(table: &Table) -> impl Iterator<Item = HalfEdgeId> {
-    (0..table.half_edges.len() as u32).map(HalfEdgeId::new)
-}
 
 /// The dual that a call gave back.
 fn returned(values: &[Value]) -> Option<&Table> {
@@ -88,11 +84,6 @@ pub(super) fn corners(table: &Table, f: FaceId) -> Option<[[f64; 2]; 3]> {
     let round = cycle(table, table.half_edge(f)?);
     let corners: Vec<[f64; 2]> = round.into_iter().map(|h| place(table, table.origin(h)?)).collect::<Option<_>>()?;
     corners.try_into().ok()
-}
-
-/// Where a vertex is.
-pub(super) fn place(table: &Table, v: VertexId) -> Option<[f64; 2]> {
-    table.vertices.get(v.index())?.as_ref()?.position
 }
 
 /// The centre of the circle of a triangle, and its radius.

@@ -2,9 +2,9 @@
 
 use super::cells;
 use super::centres;
-use super::duals::{corners, place, triangles};
+use super::duals::{corners, triangles};
 use crate::FeatureSet;
-use crate::checks::walks::star;
+use crate::checks::walks::{place, star};
 use crate::fault::Exchange;
 use dcel_kit::plane::Point;
 use dcel_kit::plane::predicates::orientation;
