@@ -91,8 +91,21 @@ impl InputOptions {
         }
     }
 
+    /// The same for one of several files: each note says which it is about.
+    pub(crate) fn open_one_of(&self, file: &Path, keep_tables: bool) -> Result<Subject, Failure> {
+        let source = source_name(file);
+        match self.load(file, keep_tables, &|note| say("note", format_args!("{source}: {note}")))? {
+            Opened::Subject(subject) => Ok(*subject),
+            Opened::Misfit(error) => Err(error.into()),
+        }
+    }
+
     /// The same, for those who want to say more about a misfit.
     pub(crate) fn try_open(&self, file: &Path, keep_tables: bool) -> Result<Opened, Failure> {
+        self.load(file, keep_tables, &|note| say("note", note))
+    }
+
+    fn load(&self, file: &Path, keep_tables: bool, tell: &dyn Fn(&str)) -> Result<Opened, Failure> {
         let options = self.load_options();
         let read = read_path(file, &options.read)?;
         let source = source_name(file);
@@ -102,7 +115,7 @@ impl InputOptions {
         }
         let loaded = match read {
             Read { document: Document::Table(table), notes, format } if keep_tables => {
-                notes.iter().for_each(|note| say("note", note));
+                notes.iter().for_each(|note| tell(note));
                 return Ok(Opened::Subject(Box::new(Subject::of_table(table, source, format))));
             }
             read => match assemble(read, &source, &options) {
@@ -111,7 +124,7 @@ impl InputOptions {
                 Err(error) => return Ok(Opened::Misfit(error)),
             },
         };
-        loaded.notes.iter().for_each(|note| say("note", note));
+        loaded.notes.iter().for_each(|note| tell(note));
         let kind = match loaded.structure {
             Structure::Plane(subdivision) => Kind::Plane(subdivision),
             Structure::Surface(polyhedron) => Kind::Surface(polyhedron),

@@ -121,7 +121,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let files = Files::reading([&args.a, &args.b]).writes_or_replaces("-o", args.output.as_deref(), args.in_place);
     args.page.files(files).check()?;
     let goal = args.goal()?;
-    let [a, b] = [&args.a, &args.b].map(|file| args.input.open_as(file, false));
+    let [a, b] = [&args.a, &args.b].map(|file| args.input.open_one_of(file, false));
     let (a, b) = (a?, b?);
     let (source_a, source_b) = (a.plane()?, b.plane()?);
     let fails = |error| Failure::input(format!("{} and {}: {error}", a.source, b.source), "");

@@ -11,6 +11,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// So many names stand on one face; more are counted.
 const NAMES: usize = 6;
+/// Names are looked for among so many polygons of a face.
+const LOOKED_AT: usize = 100;
 /// So many places and overlaps are told; more are counted.
 const SHOWN: usize = 3;
 
@@ -38,15 +40,10 @@ impl Covering {
     /// The faces that polygons of this name cover, in increasing order.
     #[must_use]
     pub fn faces_named(&self, fits: impl Fn(&str) -> bool) -> Vec<FaceId> {
-        let wanted: Vec<bool> = self.names.iter().map(|name| name.as_deref().is_some_and(&fits)).collect();
-        let mut faces = Vec::new();
-        self.cover.visit(|f, polygons| {
-            if polygons.iter().any(|&i| wanted.get(i as usize) == Some(&true)) {
-                faces.push(f);
-            }
-        });
-        faces.sort_unstable();
-        faces
+        let mut wanted: Vec<bool> = self.names.iter().map(|name| name.as_deref().is_some_and(&fits)).collect();
+        wanted.resize(self.polygons, false);
+        let counts = self.cover.count_marked(&wanted);
+        counts.iter().filter(|(_, count)| **count > 0).map(|(f, _)| f).collect()
     }
 }
 
@@ -69,16 +66,23 @@ pub(super) fn mend(told: &Told<'_>, names: Vec<Option<String>>, blocked: &[u32])
     let overlapping = note_overlaps(&mended, told, &mut notes);
     note_rest(&mended, told, &mut notes);
     let Mended { mut subdivision, cover, .. } = mended;
-    let any_name = names.iter().any(Option::is_some);
+    // Of a pile of polygons the sets of the faces are quadratic in their number: nothing goes through them whole.
+    let mut marked = vec![false; told.faces.face_count()];
+    blocked.iter().for_each(|&polygon| marked[polygon as usize] = true);
+    let holes = cover.count_marked(&marked);
+    for (f, _) in holes.iter().filter(|(_, count)| **count > 0) {
+        subdivision.set_hole(f, true);
+    }
+    let named: Vec<bool> = (0..marked.len()).map(|i| names.get(i).is_some_and(Option::is_some)).collect();
     let mut by_face = FaceMap::default();
-    cover.visit(|f, polygons| {
-        if any_name && !polygons.is_empty() {
-            by_face.set(f, joined(polygons, &names, told), None);
-        }
-        if polygons.iter().any(|polygon| blocked.binary_search(polygon).is_ok()) {
-            subdivision.set_hole(f, true);
-        }
-    });
+    if named.contains(&true) {
+        let counts = cover.count_marked(&named);
+        cover.visit(|f, polygons| {
+            if counts[f] > 0 {
+                by_face.set(f, Some(joined(polygons, &names, told)), None);
+            }
+        });
+    }
     Ok(MendedSoup {
         subdivision,
         names: by_face,
@@ -96,14 +100,11 @@ fn refused(places: &Places, error: SegmentsError) -> LoadError {
 }
 
 /// `Ohio & Erie`: the names of some polygons, each once; without a name, a polygon by its path.
-fn joined(polygons: &BTreeSet<u32>, names: &[Option<String>], told: &Told<'_>) -> Option<String> {
+fn joined(polygons: &BTreeSet<u32>, names: &[Option<String>], told: &Told<'_>) -> String {
     let name = |&i: &u32| names.get(i as usize).and_then(Option::clone);
-    if polygons.iter().all(|i| name(i).is_none()) {
-        return None;
-    }
     let mut shown: Vec<String> = Vec::new();
     let mut looked_at = 0;
-    for i in polygons {
+    for i in polygons.iter().take(LOOKED_AT) {
         let word = name(i).unwrap_or_else(|| told.polygon(*i));
         if !shown.contains(&word) {
             if shown.len() == NAMES {
@@ -115,7 +116,7 @@ fn joined(polygons: &BTreeSet<u32>, names: &[Option<String>], told: &Told<'_>) -
     }
     let more = polygons.len() - looked_at;
     let rest = if more > 0 { format!(" & {more} more") } else { String::new() };
-    Some(shown.join(" & ") + &rest)
+    shown.join(" & ") + &rest
 }
 
 /// The first few of a long list, and how many there are beside them.
@@ -205,6 +206,12 @@ fn note_rest(mended: &Mended, told: &Told<'_>, notes: &mut Vec<String>) {
     if mended.left_out > 0 {
         let count = counted(mended.left_out, "piece of a side was", "pieces of sides were");
         notes.push(format!("{count} left out: the same polygons, or none, lie on both sides"));
+    }
+    if !mended.hollow.is_empty() {
+        let hollow: Vec<String> = mended.hollow.iter().map(|&i| told.polygon(i)).collect();
+        let count = counted(hollow.len(), "polygon has", "polygons have");
+        let why = "an outer ring that encloses nothing, so that the other rings were taken as outlines";
+        notes.push(format!("{count} {why}: {}", listed(&hollow)));
     }
     let mut covers = vec![false; told.faces.face_count()];
     for e in mended.subdivision.edges() {

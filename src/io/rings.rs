@@ -163,11 +163,14 @@ impl Rings {
                         let problem = ReadProblem::DegenerateRing { place: place(), distinct };
                         return Err(Fault::at(self.ring_offsets[ring] as usize, problem));
                     }
-                    dropped.push(format!(
-                        "{} has only {}",
-                        place(),
-                        counted(distinct, "distinct point", "distinct points")
-                    ));
+                    let others = end as usize - first_ring - 1;
+                    let with_it = match others {
+                        _ if ring > first_ring || others == 0 => String::new(),
+                        1 => "; its polygon went with it, with 1 more ring".to_owned(),
+                        _ => format!("; its polygon went with it, with {others} more rings"),
+                    };
+                    let points = counted(distinct, "distinct point", "distinct points");
+                    dropped.push(format!("{} has only {points}{with_it}", place()));
                     kept &= ring > first_ring;
                 } else if kept {
                     faces.keep_ring(&self.points, &mut soup.points, &mut soup.faces, ring == first_ring);

@@ -133,7 +133,8 @@ fn plus_is_mended_with_a_report() {
     folder.dcel("walk plus.json --face-name C --mend").fails(2, "no face is named `C`", "");
 
     let union = folder.dcel("overlay plus.json far.json --operation union --mend --json");
-    assert!(union.err.contains("note: nothing to mend"), "the second file is sound: {union:?}");
+    assert!(union.err.starts_with("note: plus.json: mended: 2 polygons became 5 faces\n"), "{union:?}");
+    assert!(union.err.contains("note: far.json: nothing to mend\n"), "the second file is sound: {union:?}");
     assert!((area(&union.json()) - 120.0).abs() < 1e-12);
     folder.dcel("convert plus.json plus.dcel --mend").fine();
     assert_eq!(folder.dcel("validate plus.dcel").fine(), "plus.dcel: valid\n");
@@ -157,6 +158,23 @@ fn inv_is_refused_by_ring_and_mended_to_shell_without_hole() {
     let found = folder.dcel("locate inv.json 45 50 70 50 20 50 --mend --json").json();
     let kinds: Vec<&Value> = (0..3).map(|i| &found["points"][i]["kind"]).collect();
     assert_eq!(kinds, [&json!("outer"), &json!("outer"), &json!("face")]);
+}
+
+#[test]
+fn outer_rings_that_enclose_nothing_are_told_with_their_other_rings() {
+    let folder = folder();
+    let polygon = |outer: &str| format!(r#"{{"type":"Polygon","coordinates":[{outer},[[0,0],[4,0],[4,3],[0,0]]]}}"#);
+    folder.write("flat.json", &polygon("[[0,0],[8,0],[4,0],[0,0]]"));
+    let told = folder.dcel("info flat.json --mend --json");
+    let note = "1 polygon has an outer ring that encloses nothing, so that the other rings were taken as outlines: \
+                geometry polygon 0";
+    assert!(told.err.contains(note), "{told:?}");
+    assert_eq!(told.json()["mended"]["covered_once"], json!(1));
+    // One that is no ring at all goes, and its polygon with it: not without a word.
+    folder.write("dot.json", &polygon("[[0,0],[0,0],[0,0],[0,0]]"));
+    let told = folder.dcel("info dot.json --drop-degenerate-rings");
+    let note = "geometry polygon 0 ring 0 has only 1 distinct point; its polygon went with it, with 1 more ring";
+    assert!(told.err.contains(note), "{told:?}");
 }
 
 #[test]

@@ -2,7 +2,10 @@
 
 use crate::support::{Random, grid, island, read};
 use cpu_time::ThreadTime;
-use dcel_kit::io::{Document, Format, Model, ReadOptions, ReadProblem, read_bytes, read_path, read_triangle, write};
+use dcel_kit::io::{
+    Document, Format, LoadOptions, Model, ReadOptions, ReadProblem, assemble, read_bytes, read_path, read_triangle,
+    write,
+};
 use std::time::Duration;
 
 const PLY: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nelement face 1\n\
@@ -574,4 +577,28 @@ fn a_last_line_without_its_end_is_told() {
     assert_eq!(read(b"v 0 0\n# done", Format::Obj).expect("a point").notes, [""; 0]);
     let list = dcel_kit::io::points_from_text(b"0 0\n4 15", "sites.xy").expect("points");
     assert_eq!(list.notes, ["line 2, the last one, has no end: was the file cut off there?"]);
+}
+
+#[test]
+fn a_pile_of_polygons_is_mended_in_time_that_grows_with_their_number() {
+    let time = |count: usize| {
+        let squares = (1..=count).map(|i| {
+            format!(
+                r#"{{"type":"Feature","properties":{{"name":"n{i}"}},"geometry":{{"type":"Polygon","coordinates":
+                [[[-{i},-{i}],[{i},-{i}],[{i},{i}],[-{i},{i}],[-{i},-{i}]]]}}}}"#
+            )
+        });
+        let text = squares.collect::<Vec<_>>().join(",");
+        let text = format!(r#"{{"type":"FeatureCollection","features":[{text}]}}"#);
+        let read = read_bytes(text.as_bytes(), Format::GeoJson, "pile", &ReadOptions::default()).unwrap();
+        let options = LoadOptions { mend: true, ..LoadOptions::default() };
+        let start = ThreadTime::now();
+        let loaded = assemble(read, "pile", &options).unwrap();
+        let covering = loaded.covering.unwrap();
+        assert_eq!((covering.cover.uncovered().count(), covering.faces_named(|name| name == "n9").len()), (1, 9));
+        start.elapsed().as_secs_f64()
+    };
+    // Every square covers all that lie in it: the middle is covered by all of them. Squares would give 16.
+    let ratio = time(12_000) / time(3_000);
+    assert!(ratio < 8.0, "{ratio}");
 }

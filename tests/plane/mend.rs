@@ -1,5 +1,6 @@
 //! Promise: polygons that overlap, touch or cross become a subdivision whose faces know the polygons that cover them:
-//! what their outer ring goes round an odd number of times, and no inner ring does.
+//! what their outer ring goes round an odd number of times, and no inner ring does; the inner rings by themselves, where
+//! the outer ring goes round nothing.
 
 use crate::numbers::Numbers;
 use dcel_kit::FaceId;
@@ -47,13 +48,21 @@ fn odd(ring: &[(f64, f64)], p: Point) -> bool {
     inside
 }
 
-fn covers(rings: &[Vec<(f64, f64)>], p: Point) -> bool {
+fn covers(rings: &[Vec<(f64, f64)>], outer_is_flat: bool, p: Point) -> bool {
+    if outer_is_flat {
+        return rings[1..].iter().filter(|ring| odd(ring, p)).count() % 2 == 1;
+    }
     odd(&rings[0], p) && !rings[1..].iter().any(|ring| odd(ring, p))
 }
 
-/// The area that a polygon covers, by strips between all upright lines through corners and crossings of its sides: in
-/// a strip what a line cuts out of the polygon grows evenly.
-fn area_by_strips(rings: &[Vec<(f64, f64)>]) -> f64 {
+/// Whether the ring goes round nothing, up to rounding.
+fn is_flat(ring: &[(f64, f64)]) -> bool {
+    area_by_strips(&[ring.to_vec()], |p| odd(ring, p)) < 1e-12
+}
+
+/// The area of what is covered, by strips between all upright lines through corners and crossings of the sides: in
+/// a strip what a line cuts out grows evenly.
+fn area_by_strips(rings: &[Vec<(f64, f64)>], covers: impl Fn(Point) -> bool) -> f64 {
     let sides: Vec<[(f64, f64); 2]> =
         rings.iter().flat_map(|ring| (0..ring.len()).map(move |i| [ring[i], ring[(i + 1) % ring.len()]])).collect();
     let mut cuts: Vec<f64> = sides.iter().map(|side| side[0].0).collect();
@@ -75,7 +84,7 @@ fn area_by_strips(rings: &[Vec<(f64, f64)>]) -> f64 {
             sides.iter().filter(crossed).map(|&[a, b]| a.1 + (b.1 - a.1) * (x - a.0) / (b.0 - a.0)).collect();
         heights.sort_by(f64::total_cmp);
         for pair in heights.windows(2).filter(|pair| pair[1] > pair[0]) {
-            if covers(rings, Point::new(x, (pair[0] + pair[1]) / 2.0)) {
+            if covers(Point::new(x, (pair[0] + pair[1]) / 2.0)) {
                 area += (pair[1] - pair[0]) * (strip[1] - strip[0]);
             }
         }
@@ -103,8 +112,12 @@ pub(crate) fn check(polygons: &[Vec<Vec<(f64, f64)>>], next: &mut Numbers, conte
         over.iter().for_each(|&i| areas[i as usize] += area(s, f));
     }
     assert!(mended.cover.polygons(s.outer_face()).is_empty(), "{context}");
+    // Of a ring no wider than the last places of its corners rounding says whether it goes round anything.
+    let is_whole = |ring: &Vec<(f64, f64)>| ring.iter().all(|p| p.0.fract() == 0.0 && p.1.fract() == 0.0);
+    let is_hollow = |i: usize| is_whole(&polygons[i][0]) || mended.hollow.contains(&(i as u32));
+    let flat: Vec<bool> = (0..polygons.len()).map(|i| is_flat(&polygons[i][0]) && is_hollow(i)).collect();
     for (i, rings) in polygons.iter().enumerate() {
-        let expected = area_by_strips(rings);
+        let expected = area_by_strips(rings, |p| covers(rings, flat[i], p));
         assert!((areas[i] - expected).abs() <= 1e-11 * expected.max(1.0), "{context}: {i}: {} {expected}", areas[i]);
     }
     for e in s.edges() {
@@ -117,7 +130,8 @@ pub(crate) fn check(polygons: &[Vec<Vec<(f64, f64)>>], next: &mut Numbers, conte
     for _ in 0..20 {
         let p = Point::new(next.below(1 << 20) as f64 / 87381.0, next.below(1 << 20) as f64 / 87381.0);
         let Location::Face(f) = s.locate(p) else { continue };
-        let expected: Vec<u32> = (0..polygons.len() as u32).filter(|&i| covers(&polygons[i as usize], p)).collect();
+        let is_over = |&i: &u32| covers(&polygons[i as usize], flat[i as usize], p);
+        let expected: Vec<u32> = (0..polygons.len() as u32).filter(is_over).collect();
         assert_eq!(mended.cover.polygons(f), expected, "{context}: {p}");
     }
 }
@@ -206,6 +220,21 @@ fn spikes_and_rings_without_area_vanish() {
     assert_eq!((s.vertex_count(), s.face_count(), spike.left_out), (4, 2, 2));
     let flat = mended(&[vec![vec![(0., 0.), (2., 2.), (5., 5.)]]]);
     assert_eq!((flat.subdivision.edge_count(), flat.cover.count(flat.subdivision.outer_face())), (0, 0));
+}
+
+#[test]
+fn inner_rings_of_an_outer_ring_that_encloses_nothing_are_outlines() {
+    // As the Antarctica of a well-known map: the line along the pole is the outer ring, the coast a hole of it.
+    let pole = vec![(-180., -90.), (180., -90.), (0., -90.)];
+    let coast = vec![(-180., -90.), (-180., -70.), (180., -70.), (180., -90.)];
+    let lake = vec![(0., -80.), (9., -80.), (9., -75.)];
+    let land = mended(&[vec![pole.clone(), coast, lake.clone()], vec![lake]]);
+    let s = &land.subdivision;
+    let covered: Vec<_> = s.faces().skip(1).map(|f| (area(s, f), land.cover.polygons(f))).collect();
+    assert_eq!(land.hollow, [0]);
+    assert_eq!(covered, [(7200. - 22.5, vec![0]), (22.5, vec![1])], "even-odd: the lake is not covered twice");
+    let nothing = mended(&[vec![pole.clone(), pole]]);
+    assert_eq!((nothing.subdivision.edge_count(), nothing.hollow), (0, vec![]));
 }
 
 #[test]

@@ -18,8 +18,8 @@ use std::io::Write;
 const TOLD: usize = 20;
 
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    let expected = args.input.open(&args.reference)?;
-    let mine = args.input.open(&args.student)?;
+    let expected = args.input.open_one_of(&args.reference, true)?;
+    let mine = args.input.open_one_of(&args.student, true)?;
     for subject in [&expected, &mine] {
         if let Some(violation) = first_violation(subject.view()) {
             let what = format!("{}: {violation}", subject.source);

@@ -121,16 +121,17 @@ struct Inside<'a> {
     ring: Vec<bool>,
     /// How many inner rings of each polygon do.
     holes: Vec<u32>,
+    hollow: &'a [bool],
 }
 
 impl<'a> Inside<'a> {
-    fn new(polygons: &'a PolygonList) -> Self {
+    fn new(polygons: &'a PolygonList, hollow: &'a [bool]) -> Self {
         let mut polygon_of = vec![0; polygons.cycle_count()];
         for p in 0..polygons.face_count() {
             polygons.cycle_range(p).for_each(|ring| polygon_of[ring] = p as u32);
         }
         let ring = vec![false; polygon_of.len()];
-        Self { polygons, polygon_of, ring, holes: vec![0; polygons.face_count()] }
+        Self { polygons, polygon_of, ring, holes: vec![0; polygons.face_count()], hollow }
     }
 
     fn first_ring(&self, polygon: u32) -> usize {
@@ -150,7 +151,8 @@ impl<'a> Inside<'a> {
     }
 
     fn is_covered_by(&self, polygon: u32) -> bool {
-        self.ring[self.first_ring(polygon)] && self.holes[polygon as usize] == 0
+        let holes = self.holes[polygon as usize];
+        if self.hollow[polygon as usize] { holes % 2 == 1 } else { self.ring[self.first_ring(polygon)] && holes == 0 }
     }
 
     /// The polygons that cover one side only of an edge of the face at hand with these rings along it.
@@ -172,8 +174,20 @@ impl<'a> Inside<'a> {
     }
 }
 
+/// Whether each polygon has inner rings that go round something, and an outer ring that does not: no edge has it on one
+/// side only. `rings` are the rings along each edge.
+pub(super) fn hollow(polygons: &PolygonList, rings: &Lists) -> Vec<bool> {
+    let mut bounds = vec![false; polygons.cycle_count()];
+    rings.list.iter().for_each(|&ring| bounds[ring as usize] = true);
+    let of = |p| {
+        let own = polygons.cycle_range(p);
+        !bounds[own.start] && bounds[own].contains(&true)
+    };
+    (0..polygons.face_count()).map(of).collect()
+}
+
 /// For each edge the polygons that cover just one side of it. `rings` are the rings along each edge.
-pub(super) fn changes_over_edges(s: &Subdivision, polygons: &PolygonList, rings: &Lists) -> Lists {
+pub(super) fn changes_over_edges(s: &Subdivision, polygons: &PolygonList, rings: &Lists, hollow: &[bool]) -> Lists {
     let mut found: Vec<(u32, u32)> = Vec::new();
     let tree = Tree::new(s);
     let step = |inside: &mut Inside<'_>, f: FaceId| {
@@ -181,7 +195,7 @@ pub(super) fn changes_over_edges(s: &Subdivision, polygons: &PolygonList, rings:
             inside.toggle(rings.of(h.edge().index()));
         }
     };
-    tree.round(&mut Inside::new(polygons), step, |inside, f| {
+    tree.round(&mut Inside::new(polygons, hollow), step, |inside, f| {
         for h in s.all_half_edges(f).filter(|h| h.edge().half_edges()[0] == *h) {
             inside.changes(rings.of(h.edge().index()), |polygon| found.push((h.edge().number(), polygon)));
         }
@@ -260,6 +274,20 @@ impl Cover {
     pub fn visit(&self, mut each: impl FnMut(FaceId, &BTreeSet<u32>)) {
         let step = |inside: &mut BTreeSet<u32>, f| self.toggle(inside, f);
         self.tree.round(&mut BTreeSet::new(), step, |inside, f| each(f, inside));
+    }
+
+    /// How many of the marked polygons cover each face. O(edges) for all faces, however many polygons cover each of them.
+    pub(crate) fn count_marked(&self, marked: &[bool]) -> FaceMap<u32> {
+        let mut counts = FaceMap::filled(self.counts.len(), 0);
+        let step = |(inside, count): &mut (Vec<bool>, u32), f: FaceId| {
+            for &polygon in self.changes.of(f.index()).iter().filter(|&&polygon| marked[polygon as usize]) {
+                let is_inside = &mut inside[polygon as usize];
+                *is_inside = !*is_inside;
+                *count = if *is_inside { *count + 1 } else { *count - 1 };
+            }
+        };
+        self.tree.round(&mut (vec![false; marked.len()], 0), step, |state, f| counts[f] = state.1);
+        counts
     }
 
     fn toggle(&self, inside: &mut BTreeSet<u32>, f: FaceId) {

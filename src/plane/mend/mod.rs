@@ -11,7 +11,8 @@
 //! ```
 //!
 //! A ring covers what it goes round an odd number of times (even-odd). A polygon covers what its outer ring covers and
-//! none of its inner rings does: an inner ring that sticks out cuts off what lies inside and adds nothing.
+//! none of its inner rings does: an inner ring that sticks out cuts off what lies inside and adds nothing. Where the outer
+//! ring goes round nothing at all, there is nothing to cut off from: the inner rings cover what they go round, even-odd.
 //!
 //! Rounding cannot make the labels contradict each other: every ring stays closed, and whether it goes round a face an
 //! odd number of times changes over each of its edges, whatever way one takes.
@@ -24,7 +25,7 @@ use super::segments::sides_of;
 use super::{ArrangeOptions, Arranged, Point, SegmentsError, Subdivision};
 use crate::ids::{EdgeId, VertexId, must_be_below};
 use crate::topology::PolygonList;
-use cover::{Lists, changes_over_edges};
+use cover::{Lists, changes_over_edges, hollow};
 
 /// A subdivision made of polygons that do not fit together, and what was done to them.
 #[derive(Clone, PartialEq, Debug)]
@@ -46,6 +47,8 @@ pub struct Mended {
     /// How many pieces of sides were left out because the same polygons, or none, lie on both sides of them: spikes,
     /// rings without area, parts of inner rings outside of the outer one.
     pub left_out: usize,
+    /// The polygons whose outer ring goes round nothing, so that their inner rings were taken as outlines.
+    pub hollow: Vec<u32>,
     outlines: Lists,
 }
 
@@ -94,7 +97,9 @@ impl Subdivision {
         let arranged = Self::arrange_graph(points, &segments, &options)?;
         let s = &arranged.subdivision;
         let rings = rings_along(&arranged, polygons);
-        let changes = changes_over_edges(s, polygons, &rings);
+        let hollow = hollow(polygons, &rings);
+        let changes = changes_over_edges(s, polygons, &rings, &hollow);
+        let hollow = (0..polygons.face_count() as u32).filter(|&p| hollow[p as usize]).collect();
         let kept: Vec<EdgeId> = s.dcel.edges().filter(|e| !changes.of(e.index()).is_empty()).collect();
         let mut used = vec![false; s.dcel.vertex_bound()];
         kept.iter().flat_map(|&e| s.edge_ends(e)).for_each(|v| used[v.index()] = true);
@@ -105,7 +110,8 @@ impl Subdivision {
         let left_out = subdivision.dcel.edge_count() - kept.len();
         let cover = Cover::default();
         let outlines = changes;
-        let mut mended = Mended { subdivision, cover, crossings, moved, farthest, grid, touching, left_out, outlines };
+        let mut mended =
+            Mended { subdivision, cover, crossings, moved, farthest, grid, touching, left_out, hollow, outlines };
         if left_out > 0 || used.contains(&false) {
             let numbers = mended.keep(&kept, &used)?;
             mended.renumber(&numbers);
