@@ -162,8 +162,9 @@ fn a_file_that_fits_neither_says_which_it_nearly_fits() {
     assert_eq!(verdict.optimum, Optimum::Octile);
     assert_eq!(
         verdict.to_string(),
-        "neither octile nor Euclidean, but nearly octile: 1 of 4 lengths are no sum a + b√2 of steps, the first in line 4"
+        "neither octile nor Euclidean, but nearly octile: 1 of 4 lengths is no sum a + b√2 of steps, the first in line 4"
     );
+    assert_eq!(of(&octile[1..2]).to_string(), "octile: the 1 length is a sum a + b√2 of steps");
     let euclidean = ["0 0 7 4 8.06226", "0 0 20 9 21.9317", "0 0 30 11 31.9531"];
     let verdict = of(&euclidean);
     assert_eq!(verdict.to_string(), "Euclidean: 3 of 3 lengths are no sum a + b√2 of steps, the first in line 1");

@@ -84,33 +84,42 @@ impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { optimum, stated, not_octile, telling, .. } = *self;
         let lengths = if stated == 1 { "length" } else { "lengths" };
+        let (is, all) = (|count| if count == 1 { "is" } else { "are" }, counted_all(stated));
         let Misfits { count, first_line } = self.misfits();
         if let Some(line) = first_line {
             let (name, why) = match optimum {
-                Optimum::Octile => ("octile", "are no sum a + b√2 of steps"),
-                Optimum::Euclidean => ("Euclidean", "are less than the straight line"),
+                Optimum::Octile => ("octile", "no sum a + b√2 of steps"),
+                Optimum::Euclidean => ("Euclidean", "less than the straight line"),
             };
             return write!(
                 f,
-                "neither octile nor Euclidean, but nearly {name}: {count} of {stated} {lengths} {why}, the first in line {line}"
+                "neither octile nor Euclidean, but nearly {name}: {count} of {stated} {lengths} {} {why}, the first in line {line}",
+                is(count)
             );
         }
         match (optimum, not_octile.first_line) {
-            (Optimum::Octile, _) => write!(f, "octile: all of {stated} {lengths} are sums a + b√2 of steps"),
+            (Optimum::Octile, _) if stated == 1 => write!(f, "octile: {all} is a sum a + b√2 of steps"),
+            (Optimum::Octile, _) => write!(f, "octile: {all} are sums a + b√2 of steps"),
             (Optimum::Euclidean, Some(line)) => {
-                let count = not_octile.count;
+                let (count, is) = (not_octile.count, is(not_octile.count));
                 write!(
                     f,
-                    "Euclidean: {count} of {stated} {lengths} are no sum a + b√2 of steps, the first in line {line}"
+                    "Euclidean: {count} of {stated} {lengths} {is} no sum a + b√2 of steps, the first in line {line}"
                 )
             }
             (Optimum::Euclidean, None) if stated == 0 => f.write_str("no length is stated"),
             (Optimum::Euclidean, None) if telling == 0 => {
-                write!(f, "Euclidean or octile, which is the same here: all of {stated} {lengths} are straight ways")
+                let ways = if stated == 1 { "is a straight way" } else { "are straight ways" };
+                write!(f, "Euclidean or octile, which is the same here: {all} {ways}")
             }
             (Optimum::Euclidean, None) => write!(f, "Euclidean: {stated} {lengths}"),
         }
     }
+}
+
+/// `the 1 length`, `all of 7 lengths`.
+fn counted_all(stated: usize) -> String {
+    if stated == 1 { "the 1 length".to_owned() } else { format!("all of {stated} lengths") }
 }
 
 impl Scenario {
