@@ -274,7 +274,7 @@ mod tests {
 
     #[test]
     fn an_archive_holds_its_files_and_always_has_the_same_bytes() {
-        let files = gradescope_files("04-half-edge", &Kit::Version("0'1".to_owned()), [], None).unwrap();
+        let files = gradescope_files("04-half-edge", &Kit::Version("0'1".to_owned()), BTreeMap::new(), None).unwrap();
         let bytes = zipped(&files).unwrap();
         assert_eq!(bytes, zipped(&files).unwrap());
         let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).unwrap();
@@ -290,7 +290,8 @@ mod tests {
     #[test]
     fn an_autograder_in_python_quotes_where_the_kit_comes_from() {
         let of = |kit: &Kit| {
-            let files = classroom50_files("04-half-edge", kit, [("Cargo.toml", "[package]")], None).unwrap();
+            let files =
+                classroom50_files("04-half-edge", kit, [("Cargo.toml".to_owned(), "[package]")].into(), None).unwrap();
             (
                 files.keys().cloned().collect::<Vec<_>>(),
                 String::from_utf8(files["autograder.py"].bytes.clone()).unwrap(),
@@ -308,7 +309,7 @@ mod tests {
     #[test]
     fn the_sources_of_the_kit_are_those_it_is_built_from() {
         let checkout = env!("CARGO_MANIFEST_DIR").strip_suffix("src/lab").unwrap();
-        let files = gradescope_files("04-half-edge", &Kit::Path(checkout.into()), [], None).unwrap();
+        let files = gradescope_files("04-half-edge", &Kit::Path(checkout.into()), BTreeMap::new(), None).unwrap();
         for needed in ["Cargo.toml", "Cargo.lock", "src/lib.rs", "src/cli/Cargo.toml", "figures/data/rooms.map"] {
             assert!(files.contains_key(&format!("kit/{needed}")), "{needed}");
         }

@@ -90,7 +90,8 @@ fn order_of(a: Point, b: Point) -> std::cmp::Ordering {
 /// Clouds that are large enough for strips, in every shape that strips may be wrong about.
 #[test]
 fn large_hulls_agree_with_a_scan_over_all_points() {
-    let shapes: [(&str, fn(&mut Random) -> (f64, f64)); 11] = [
+    type Place = fn(&mut Random) -> (f64, f64);
+    let shapes: [(&str, Place); 11] = [
         ("a square", |r| (r.below(1 << 20) as f64, r.below(1 << 20) as f64)),
         ("a lattice", |r| (r.below(90) as f64, r.below(90) as f64)),
         ("a circle", |r| (r.below(1 << 20) as f64).sin_cos()),
