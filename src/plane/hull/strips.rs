@@ -21,12 +21,12 @@ use std::cmp::Ordering;
 const FEW: usize = 2_000;
 /// Strips that chains are made of.
 const MOST_STRIPS: usize = 4_096;
-/// Points with their numbers.
-type Named = Vec<(Point, u32)>;
-
 /// At most so many points are asked first whether a look at all of them pays.
 const SAMPLE: usize = 1 << 16;
 const NONE: u32 = u32::MAX;
+
+/// Points with their numbers.
+type Named = Vec<(Point, u32)>;
 
 /// Strips of one width between the first and the last of some points.
 struct Strips {
@@ -144,7 +144,7 @@ pub(super) fn sides(points: &[Point], which: &[u32]) -> (Named, Option<Named>) {
 /// Some points with their numbers, from left to right, those above each other from bottom to top, of equal ones the first.
 /// They stand beside each other, so that a scan over them goes straight through memory. Expected O(n) when they are
 /// spread evenly, O(n log n) always.
-fn sorted(points: &[Point], which: &[u32]) -> Vec<(Point, u32)> {
+fn sorted(points: &[Point], which: &[u32]) -> Named {
     let strips = if which.len() < FEW { None } else { Strips::new(points, which, which.len() / 4) };
     let named = which.iter().map(|&i| (points[i as usize], i));
     let mut sorted = Vec::with_capacity(which.len());
