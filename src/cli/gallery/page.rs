@@ -108,6 +108,9 @@ pub(super) fn text(references: &[Reference]) -> Made<String> {
     if left.is_empty() { Ok(page) } else { Err(format!("in no chapter: {}", left.join(", ")).into()) }
 }
 
+/// Figures of labs that show a structure as any file is shown.
+const OF_A_FILE: [&str; 2] = ["lab-04-two-nexts.svg", "lab-subdivision.svg"];
+
 /// How to draw such a picture of one's own.
 fn command(file: &str) -> &'static str {
     match file {
@@ -129,7 +132,7 @@ fn command(file: &str) -> &'static str {
         "records.svg" => "dcel figure --records -o OUT.svg",
         "film-matching.svg" | "film-merge-faces.svg" | "film-pole.svg" => "dcel figures",
         "primitives.svg" | "robustness.svg" | "walk.svg" | "wrong-signs.svg" => "dcel figures",
-        file if file.starts_with("lab-") => "dcel figures",
+        file if file.starts_with("lab-") && !OF_A_FILE.contains(&file) => "dcel figures",
         "navmesh-ladder.svg" => {
             "dcel navmesh path figures/data/rooms.map 21.5 5.5 0.5 4.5 --triangles --algorithm all -o OUT.svg"
         }
