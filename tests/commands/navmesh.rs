@@ -232,6 +232,17 @@ fn ends_off_the_mesh_are_moved_on_request_and_drawn_all_the_same() {
         assert!(svg.contains("start, off the mesh") && svg.contains("the nearest place on the mesh"), "{goal}");
         assert_eq!(svg.contains("goal, off the mesh"), goal == "27 3", "{goal}");
     }
+    // And where distances are told from, and rays start.
+    for command in ["distances rooms.map 2.5 2.5", "raycast rooms.map 2.5 2.5 1 1"] {
+        folder.dcel(&format!("navmesh {command}")).fails(
+            2,
+            "(2.5, 2.5) is not on the mesh",
+            "--snap 0.5 moves the start",
+        );
+        let told = folder.dcel(&format!("navmesh {command} --snap 0.5 --json"));
+        assert!(told.err.contains("moved by 0.5 to (2.5, 2) in f1"), "{told:?}");
+        assert_eq!(told.json()["start"], json!([2.5, 2.0]), "{command}");
+    }
     let told = folder.dcel("navmesh locate rooms.map 1e300 3").fine();
     assert!(told.contains("the nearest place is (26, 3)"), "{told}");
     // Every end of a file of queries.

@@ -122,8 +122,30 @@ fn what_looks_at_the_plan_says_so() {
         "neighbours house.obj f1",
         "path house.obj 1 1 2 2 --radius 0.2",
     ] {
-        folder.dcel(&format!("navmesh {command} --up z")).fails(2, "2 storeys lie over each other", "distances");
+        folder.dcel(&format!("navmesh {command} --up z")).fails(
+            2,
+            "2 storeys lie over each other",
+            "--layer 0 to --layer 1",
+        );
     }
+    folder.dcel("sample floor.obj").fine();
+    // One of the storeys. From the hall through the door and round its post (9, 3), a quarter off it.
+    let told = folder.dcel("navmesh path house.obj --up z --layer 0 1 1 11 6 --radius 0.25 --json");
+    assert!(told.err.contains("1 face is left out of 5"), "{told:?}");
+    let (length, straight) = (told.json()["routes"][0]["length"].as_f64().unwrap_or(0.0), 68f64.sqrt() + 13f64.sqrt());
+    assert!(length > straight && length < straight + 0.25, "{length} {straight}");
+    let gallery = folder.dcel("navmesh neighbours house.obj f1 --up z --layer 1 --json");
+    assert!(gallery.err.contains("4 faces are left out of 5"), "{gallery:?}");
+    folder.dcel("navmesh locate house.obj 1 1 --up z --layer 1 --wall 1,3,2,3").fine();
+    folder.dcel("navmesh path house.obj 1 1 2 2 --up z --layer 2").fails(2, "no layer 2: there are 2 layers", "info");
+    folder.dcel("navmesh path floor.obj 1 1 2 2 --up y --layer 1").fails(2, "no layer 1: there is 1 layer", "info");
+    folder.dcel("navmesh path house.obj 1 1 2 2 --layer 1").fails(2, "required arguments", "--up");
+    // Walls and undersides of a whole house have no place in the plan.
+    let room = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 1\nv 0 0 3\nv 4 0 3\nf 1 2 3 4\nf 1 5 6 2\nf 4 3 2 1\n";
+    folder.write("room.obj", room);
+    let told = folder.dcel("navmesh path room.obj --up z --max-slope 60 1 1 3 3 --radius 0.3 --json");
+    assert!(told.err.contains("2 faces are left out of 3"), "{told:?}");
+    assert!(is_close(&told.json()["routes"][0]["length"], 8_f64.sqrt()));
     // One storey whose heights differ: the plan is looked at, and the length is that of the plan.
     folder.write("ramp.obj", "v 0 0 0\nv 4 0 3\nv 4 2 3\nv 0 2 0\nf 1 2 3 4\n");
     let told = folder.dcel("navmesh path ramp.obj --up z 0.5 1 3.5 1 --radius 0.25 --json");

@@ -5,11 +5,12 @@ use super::super::failure::Failure;
 use super::super::output::{point as told, table};
 use super::super::{Answer, Output};
 use super::drawing::{Drawing, save};
+use super::ends::{Snap, Wish};
 use super::extras::{CostArgs, LinkArgs};
 use super::numbers::number;
 use super::reading::{Input, MapArgs};
 use super::space;
-use super::tell::{faces, place_at, point};
+use super::tell::{faces, point};
 use dcel_kit::figure::navmesh::Floor;
 use dcel_kit::navmesh::{Planner, Stop};
 use dcel_kit::{FaceId, VertexId};
@@ -47,6 +48,8 @@ pub(super) struct Args {
     #[arg(long, value_name = "N")]
     pub(super) start_layer: Option<usize>,
     #[command(flatten)]
+    pub(super) snap: Snap,
+    #[command(flatten)]
     pub(super) costs: CostArgs,
     #[command(flatten)]
     pub(super) links: LinkArgs,
@@ -61,6 +64,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if let Some(limit) = args.limit.filter(|&limit| limit < 0.0) {
         return Err(Failure::input(format!("a limit of {limit}"), "give a length of 0 or more"));
     }
+    args.snap.check()?;
     let target = args.drawing.target(args.map.file())?;
     let draft = match args.map.read_as(!args.map.has_obstacles())? {
         Input::Plane(draft) => *draft,
@@ -70,8 +74,9 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Err(Failure::input(format!("{} numbers are no point", args.start.len()), "give x and y"));
     };
     let map = args.map.open_draft(draft, args.costs.areas())?;
-    let start = map.point([x, y]);
-    let place = place_at(&map, start, args.start_face)?;
+    let wish = Wish { what: "start", coordinates: [x, y], face: args.start_face };
+    let place = args.snap.the_place(&map, &wish)?;
+    let start = place.point;
     let links = args.links.links(&map)?;
     let limit = args.limit.unwrap_or(f64::INFINITY);
     let layers = std::slice::from_ref(&map.mesh);
@@ -93,7 +98,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     };
     let answer = fields! {
         source: map.source.clone(),
-        start: [x, y],
+        start: map.in_file(start),
         limit: args.limit,
         vertices: (0..map.mesh.vertex_bound() as u32).map(VertexId::new).filter_map(row).collect::<Vec<_>>(),
         // Of which every corner is within the limit.

@@ -4,13 +4,14 @@ use super::super::answer::fields;
 use super::super::failure::Failure;
 use super::super::{Answer, Output};
 use super::drawing::{Drawing, save};
+use super::ends::{Snap, Wish};
 use super::map::Map;
 use super::numbers::number;
 use super::reading::{Input, MapArgs};
 use super::space;
-use super::tell::{faces, no_place, place_at, point};
+use super::tell::{faces, point};
 use dcel_kit::figure::navmesh::Floor;
-use dcel_kit::navmesh::{Raycast, RaycastError};
+use dcel_kit::navmesh::Raycast;
 use std::io::Write;
 
 /// Tell what a straight line runs against first
@@ -42,6 +43,8 @@ pub(super) struct Args {
     /// The layer of the start, where storeys lie over each other; dcel navmesh info tells the layers
     #[arg(long, value_name = "N")]
     pub(super) start_layer: Option<usize>,
+    #[command(flatten)]
+    pub(super) snap: Snap,
     /// Answer in JSON
     #[arg(long)]
     pub(super) json: bool,
@@ -50,6 +53,7 @@ pub(super) struct Args {
 }
 
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
+    args.snap.check()?;
     let target = args.drawing.target(args.map.file())?;
     let draft = match args.map.read_as(!args.map.has_obstacles())? {
         Input::Plane(draft) => *draft,
@@ -59,12 +63,11 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Err(Failure::input("a line has two ends", "give x y of the start and x y of the end"));
     };
     let map = args.map.open_draft(draft, &[])?;
-    let [start, end] = [map.point([x0, y0]), map.point([x1, y1])];
-    let cast = map.mesh.raycast_from(&place_at(&map, start, args.start_face)?, end);
-    let cast = cast.map_err(|error| match &error {
-        RaycastError::Start(error) => no_place(&map, start, error),
-        error => Failure::input(format!("{}: {error}", map.source), ""),
-    })?;
+    let wish = Wish { what: "start", coordinates: [x0, y0], face: args.start_face };
+    let place = args.snap.the_place(&map, &wish)?;
+    let [start, end] = [place.point, map.point([x1, y1])];
+    let cast = map.mesh.raycast_from(&place, end);
+    let cast = cast.map_err(|error| Failure::input(format!("{}: {error}", map.source), ""))?;
     if let Some(target) = &target {
         let options = target.options(&map, &format!("A ray through {}", args.map.title()));
         save(target, Floor::new(&map.subdivision, &map.mesh).ray([start, end], &cast, &options), out)?;

@@ -15,7 +15,7 @@ use dcel_kit::io::{
 use dcel_kit::navmesh::{MeshFault, NavMesh, NavMeshError, NavSurface, Planner, Welded, mesh_faults, weld_in_space};
 use dcel_kit::plane::predicates::orientation;
 use dcel_kit::plane::{Point, Subdivision, TriangulateError, TriangulationMethod};
-use dcel_kit::topology::Mode;
+use dcel_kit::topology::{Mode, PolygonList};
 use std::path::{Path, PathBuf};
 
 /// The map, and how to read it.
@@ -32,13 +32,18 @@ pub(super) struct MapArgs {
     y_down: bool,
     /// The axis that points up, of a floor in space. Where heights differ, `path`, `distances`, `locate`,
     /// `raycast`, `random` and `info` measure along the surface and know storeys over each other; `neighbours`
-    /// and `scenario` look at the plan, and so does whatever gets a --radius, --wall or --obstacle
+    /// and `scenario` look at the plan, and so does whatever gets a --radius, --wall or --obstacle. Of storeys
+    /// over each other the plan shows one: --layer says which
     #[arg(long, value_name = "AXIS", conflicts_with = "y_down", help_heading = "Reading")]
     up: Option<Up>,
     /// Leave out faces that are steeper than this, and those that face down: of a whole house that leaves
     /// its floors
     #[arg(long, value_name = "DEGREES", value_parser = super::numbers::number, requires = "up", help_heading = "Reading")]
     max_slope: Option<f64>,
+    /// Look at the plan of one layer alone, where storeys lie over each other; dcel navmesh info tells the
+    /// layers
+    #[arg(long, value_name = "N", requires = "up", help_heading = "Reading")]
+    layer: Option<usize>,
     /// Turn round faces that run clockwise
     #[arg(long, help_heading = "Reading")]
     orient: bool,
@@ -108,7 +113,7 @@ pub(super) enum Draft {
 impl MapArgs {
     /// The map of a file, read without any option.
     pub(super) fn of(file: &Path) -> Self {
-        let (format, up, max_slope, weld) = (None, None, None, None);
+        let (format, up, max_slope, layer, weld) = (None, None, None, None, None);
         let obstacles = ObstacleArgs::default();
         let file = file.to_owned();
         Self {
@@ -117,6 +122,7 @@ impl MapArgs {
             y_down: false,
             up,
             max_slope,
+            layer,
             orient: false,
             mend: false,
             weld,
@@ -214,11 +220,13 @@ impl MapArgs {
                 if let Some(distance) = self.weld.filter(|_| soup.has_z) {
                     self.join(soup, distance)?;
                 }
-                if soup.has_z && space {
+                if soup.has_z && space && self.layer.is_none() {
                     return self.ground(read, up).map(|ground| Input::Space(Box::new(ground)));
                 }
                 if soup.has_z {
                     self.look_at_plan(soup)?;
+                } else if let Some(layer) = self.layer.filter(|&layer| layer > 0) {
+                    return Err(no_layer(&self.source(), layer, 1));
                 }
                 soup.lay_flat(Axis::Z);
                 soup.places.set_y_down(up == Axis::Y);
@@ -298,29 +306,44 @@ impl MapArgs {
         Ok(Ground { source, format: read.format, up, surface, names: Names::of(soup), faults })
     }
 
-    /// Makes the plan of a floor whose heights differ: what is too steep is blocked.
+    /// Makes the plan of a floor whose heights differ, or of one of its layers. What is too steep is left out.
     fn look_at_plan(&self, soup: &mut PolygonSoup) -> Result<(), Failure> {
         let source = self.source();
         let surface = match NavSurface::new(&soup.points, &soup.faces, self.max_slope) {
             Ok(surface) => surface,
             // What the plan says of it is as good.
-            Err(_) if self.max_slope.is_none() => return Ok(()),
+            Err(_) if self.max_slope.is_none() && self.layer.is_none() => return Ok(()),
             Err(error) => return Err(surface_failure(&source, soup, &error)),
         };
-        if surface.layer_count() > 1 {
-            let what =
-                format!("{source}: {} storeys lie over each other: this looks at the plan", surface.layer_count());
-            let help = "a radius, walls and obstacles have no storey of their own: cut the storey out of the file, or \
-                        leave them out; dcel navmesh path, distances, locate, raycast, random and info measure along \
-                        the surface";
+        let layers = surface.layer_count();
+        if let Some(layer) = self.layer.filter(|&layer| layer >= layers) {
+            return Err(no_layer(&source, layer, layers));
+        }
+        if layers > 1 && self.layer.is_none() {
+            let what = format!("{source}: {layers} storeys lie over each other: this looks at the plan");
+            let help = format!(
+                "choose one with --layer 0 to --layer {}, which dcel navmesh info tells; without --radius, --wall and \
+                 --obstacle, dcel navmesh path, distances, locate, raycast, random and info measure along the surface",
+                layers - 1
+            );
             return Err(Failure::input(what, help));
         }
         say("note", "heights differ: what is told here is measured in the plan, and not along the surface");
-        let bound = soup.faces.face_count() as u32;
-        let left_out = (0..bound).filter(|&f| surface.layer(FaceId::new(f + 1)).is_none());
-        soup.blocked.extend(left_out);
-        soup.blocked.sort_unstable();
-        soup.blocked.dedup();
+        let layer = |f: u32| surface.layer(FaceId::new(f + 1));
+        let is_kept = |&f: &u32| layer(f).is_some_and(|own| self.layer.is_none_or(|layer| layer == own));
+        let count = soup.faces.face_count();
+        let kept: Vec<u32> = (0..count as u32).filter(is_kept).collect();
+        if kept.len() < count {
+            // They may stand upright, or lie over what is kept: in the plan they have no place.
+            let mut faces = PolygonList::new();
+            kept.iter().for_each(|&f| faces.push_face(soup.faces.cycle(soup.faces.cycle_range(f as usize).start)));
+            *soup = soup.with_faces(faces, &kept);
+            let left_out = counted(count - kept.len(), "face is left out", "faces are left out");
+            say(
+                "note",
+                format_args!("{left_out} of {count}: f1, f2 and so on are the others, in the order of the file"),
+            );
+        }
         Ok(())
     }
 
@@ -397,6 +420,13 @@ impl MapArgs {
         let (subdivision, mesh, known_costs) = put?;
         Ok(Map { source, format, subdivision, mesh, names, known_costs, frame })
     }
+}
+
+fn no_layer(source: &str, layer: usize, layers: usize) -> Failure {
+    let count = counted(layers, "layer", "layers");
+    let are = if layers == 1 { "is" } else { "are" };
+    let what = format!("{source}: there is no layer {layer}: there {are} {count}, counted from 0");
+    Failure::input(what, "dcel navmesh info tells the layers")
 }
 
 /// Cuts faces into triangles that are not convex any more, since a corner was put into a side.

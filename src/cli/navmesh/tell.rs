@@ -4,9 +4,8 @@ use super::super::Output;
 use super::super::failure::Failure;
 use super::super::output;
 use super::map::Map;
-use dcel_kit::FaceId;
 use dcel_kit::io::Places;
-use dcel_kit::navmesh::{Location, MeshFault, QueryPoint, QueryPointError};
+use dcel_kit::navmesh::{Location, MeshFault, QueryPointError};
 use dcel_kit::plane::{self, Point};
 use serde::Serialize;
 use std::io::{self, Write};
@@ -74,19 +73,6 @@ pub(super) fn refusal(map: &Map, error: &QueryPointError) -> String {
         }
         other => other.to_string(),
     }
-}
-
-/// Where one stands at the start, in this face if one is named.
-pub(super) fn place_at(map: &Map, start: Point, face: Option<FaceId>) -> Result<QueryPoint, Failure> {
-    let place = face.map_or_else(|| map.mesh.place(start), |face| map.mesh.place_in(face, start));
-    place.map_err(|error| no_place(map, start, &error))
-}
-
-/// Why nobody can stand at the start, and where instead.
-pub(super) fn no_place(map: &Map, start: Point, error: &QueryPointError) -> Failure {
-    let nearest = map.mesh.nearest_point(start);
-    let help = nearest.map(|nearest| format!("the nearest place is {}", point(map, nearest.place.point)));
-    Failure::input(format!("{}: the start {}", map.source, refusal(map, error)), help.unwrap_or_default())
 }
 
 /// A fault, with its place in the file. The names are those of the JSON form.

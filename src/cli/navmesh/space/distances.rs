@@ -6,7 +6,6 @@ use super::super::super::output::{point as told, table};
 use super::super::super::{Answer, Output};
 use super::super::distances::Args;
 use super::super::drawing::{Canvas, save};
-use super::super::ends::Snap;
 use super::{Ground, Wish};
 use dcel_kit::VertexId;
 use dcel_kit::figure::navmesh::Storeys;
@@ -22,8 +21,8 @@ pub(in super::super) fn run(
 ) -> Result<Answer, Failure> {
     let surface = &ground.surface;
     let wish = Wish { what: "start", numbers: &args.start, layer: args.start_layer, face: args.start_face };
-    let start = ground.end(&wish, &Snap::none())?.places[0];
-    let links = args.links.on(ground, &Snap::none())?;
+    let start = ground.end(&wish, &args.snap)?.places[0];
+    let links = args.links.on(ground, &args.snap)?;
     let limit = args.limit.unwrap_or(f64::INFINITY);
     let field = match ground.costs(args.costs.areas())? {
         Some(costs) => SurfacePlanner::new().weighted_distance_field(surface, &costs, &links, &start, limit),

@@ -5,7 +5,6 @@ use super::super::super::failure::Failure;
 use super::super::super::output::point as told;
 use super::super::super::{Answer, Output};
 use super::super::drawing::{Canvas, save};
-use super::super::ends::Snap;
 use super::super::raycast::Args;
 use super::super::tell::faces;
 use super::{Ground, Wish, points_of};
@@ -21,7 +20,7 @@ pub(in super::super) fn run(
 ) -> Result<Answer, Failure> {
     let points = points_of(&args.ends, 2, true)?;
     let wish = Wish { what: "start", numbers: points[0], layer: args.start_layer, face: args.start_face };
-    let start = ground.end(&wish, &Snap::none())?.places[0];
+    let start = ground.end(&wish, &args.snap)?.places[0];
     let (to, _) = ground.point(points[1]);
     let cast = ground.surface.raycast(&start, to);
     let cast = cast.map_err(|error| Failure::input(format!("{}: the end of the line: {error}", ground.source), ""))?;
