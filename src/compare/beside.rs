@@ -3,9 +3,9 @@
 //!
 //! ```text
 //!   ┌───────────────────┐   an area round everything is paper; lines along its border, or along that of the canvas,
-//!   │  ●──────●   ▭ key │   are a frame, and so are ticks beyond it; what is called legend or axis and lies clear of the structure is left out;
-//!   │  │ A    │         │   a small area that touches nothing is a letter
-//!   └───────────────────┘
+//!   │  ●──────●   ▭ key │   are a frame, and so are ticks beyond it; what is called legend or axis and lies clear of
+//!   │  │ A    │         │   the structure is left out, and so are lines of an axis right across it: a grid; a small
+//!   └───────────────────┘   area that touches nothing is a letter
 //! ```
 
 use super::drawing::{Drawing, Outline};
@@ -158,6 +158,14 @@ impl Extent {
             let side = [corners[i], corners[(i + 1) % 4]];
             near(ends[0], side[0]) && near(ends[1], side[1]) || near(ends[0], side[1]) && near(ends[1], side[0])
         })
+    }
+
+    /// Whether an upright or level line comes from beyond one side and goes beyond the other, as a line of a grid.
+    pub(super) fn is_crossed_by(&self, [a, b]: [Point; 2]) -> bool {
+        let slack = 1e-3 * self.size();
+        let spans = |a: f64, b: f64, low: f64, high: f64| a.min(b) < low - slack && a.max(b) > high + slack;
+        let is_level = (a.y - b.y).abs() <= slack && spans(a.x, b.x, self.low.x, self.high.x);
+        is_level || (a.x - b.x).abs() <= slack && spans(a.y, b.y, self.low.y, self.high.y)
     }
 
     /// Whether no point of a line or a dot lies within.

@@ -97,6 +97,14 @@ pub enum Problem {
         /// The element or attribute.
         what: String,
     },
+    /// A rule of a style sheet that hides, and of which it cannot be said what.
+    #[error(
+        "the style rule `{selector}` hides something, and what it fits cannot be told: use ids, classes and names of elements, or attributes"
+    )]
+    StyleRule {
+        /// Its selector, shortened.
+        selector: String,
+    },
     /// The root is no `svg` element.
     #[error("the first element is <{name}>, not <svg>: this is no SVG drawing")]
     NotSvg {

@@ -158,7 +158,7 @@ impl Sketch {
             let ends = line.ends.map(|p| frame.apply(p));
             if trim.border.get(i).copied().unwrap_or(false) {
                 beside.border += 1;
-            } else if is_beside(line.aside, &ends) {
+            } else if is_beside(line.aside, &ends) || trim.aside && line.aside && around.is_crossed_by(ends) {
                 beside.aside += 1;
             } else {
                 lines.push((*line, ends));

@@ -23,7 +23,7 @@ use super::painting::{Area, Clip, Painting};
 use super::transform::Transform;
 use super::viewport::{self, Room};
 use super::{declared, numbers};
-use crate::figure::canvas::selectors::{Rule, Tag, rules};
+use crate::figure::canvas::selectors::{Rule, Tag, hides_unseen, rules};
 use crate::plane::Point;
 use roxmltree::{Document, Node};
 use std::collections::BTreeMap;
@@ -93,6 +93,9 @@ impl Drawing {
     /// Reads a document. O(size), up to the caps.
     pub(in crate::compare) fn read(document: &Document<'_>) -> Result<Self, Fault> {
         let css = style_sheets(document)?;
+        if let Some(selector) = hides_unseen(&css) {
+            return Err(Problem::StyleRule { selector: selector.chars().take(60).collect() }.into());
+        }
         let rules = rules(&css);
         let elements = document.descendants().filter(Node::is_element).count();
         if rules.len().saturating_mul(elements) > MATCHES {

@@ -104,6 +104,56 @@ pub(crate) fn rules(css: &str) -> Vec<Rule<'_>> {
     out
 }
 
+/// Pseudo-classes that say what a reader does: a drawing that lies there unread does not have them.
+const OF_READERS: [&str; 6] = ["hover", "focus", "active", "visited", "target", "checked"];
+
+/// The first selector that is not understood, of a rule that hides lines: nobody can tell then what it hides.
+pub(crate) fn hides_unseen(css: &str) -> Option<&str> {
+    let mut rest = css;
+    while let Some(open) = rest.find('{') {
+        let (selectors, body) = (rest[..open].trim(), &rest[open + 1..]);
+        if let Some(condition) = selectors.strip_prefix("@media") {
+            let is_met = condition.split([' ', ',']).all(|word| ["", "all", "screen"].contains(&word));
+            let after = after_block(body);
+            if is_met && body[..body.len() - after.len()].split(['{', '}', ';']).any(hides) {
+                return Some(selectors);
+            }
+            rest = after;
+            continue;
+        }
+        if selectors.starts_with('@') {
+            rest = after_block(body);
+            continue;
+        }
+        let close = body.find('}').unwrap_or(body.len());
+        if body[..close].split(';').any(hides) {
+            let is_unknown = |selector: &&str| {
+                let is_of_readers = OF_READERS.iter().any(|word| selector.contains(word));
+                !is_of_readers && selector.split_whitespace().any(|step| Step::read(step).is_none())
+            };
+            if let Some(selector) = selectors.split(',').find(is_unknown) {
+                return Some(selector.trim());
+            }
+        }
+        rest = body.get(close + 1..).unwrap_or("");
+    }
+    None
+}
+
+/// Whether a declaration makes lines invisible, whatever they are.
+fn hides(declaration: &str) -> bool {
+    let Some((key, value)) = declaration.split_once(':') else { return false };
+    let value = value.split('!').next().unwrap_or("").trim();
+    let number = || value.trim_end_matches(|c: char| c.is_ascii_alphabetic() || c == '%').trim().parse::<f64>();
+    match key.trim() {
+        "display" | "stroke" => ["none", "transparent"].contains(&value),
+        "visibility" => ["hidden", "collapse"].contains(&value),
+        "opacity" | "stroke-opacity" | "stroke-width" => number().is_ok_and(|number| number < 0.1),
+        "clip-path" | "mask" | "filter" => value != "none",
+        _ => false,
+    }
+}
+
 /// What follows the brace that closes a block.
 fn after_block(body: &str) -> &str {
     let mut depth = 1;

@@ -482,9 +482,43 @@ fn what_cannot_be_read_is_refused_with_its_place() {
         (svg("<g id='h1' data-next='h1'/><g id='a-h1' data-next='h2'/>"), "h1 is declared twice, first in line 2"),
         (svg("<g id='h99999999' data-next='h1'/>"), "the number of h99999999 is too large"),
         (svg("<text>nothing</text>"), "student: nothing is drawn here"),
+        (
+            svg("<style>a{fill:red} .x:nth-child(2n), b { display : none }</style>"),
+            "student: the style rule `.x:nth-child(2n)` hides something, and what it fits cannot be told",
+        ),
+        (
+            svg("<style>@media screen, all{.x{opacity:.01!important}}</style>"),
+            "the style rule `@media screen, all` hides",
+        ),
     ] {
         let error = refused(&text);
         assert!(error.contains(said), "{error}\nexpected {said}");
+    }
+}
+
+#[test]
+fn rules_that_hide_nothing_or_only_for_readers_are_no_fault() {
+    let plain = Pen::new(&ship()).svg();
+    let rules = "*{stroke-linejoin:round} g > line{stroke:black} .x:hover{display:none} #a:not(:target){opacity:0} \
+                 @media print{line{display:none}} @media (prefers-color-scheme:dark){line{stroke:none}}";
+    let styled = plain.replacen('>', &format!("><style>{rules}</style>"), 1);
+    assert!(judge(&plain, &styled).is_equal());
+    let hidden = plain.replacen('>', "><style>line:first-of-type{stroke-width:0px}</style>", 1);
+    assert!(refused(&hidden).contains("the style rule `line:first-of-type` hides"));
+}
+
+#[test]
+fn lines_of_a_grid_are_beside_the_drawing_and_edges_called_so_are_not() {
+    let plain = Pen::new(&ship()).svg();
+    let with = |lines: &str| plain.replacen("</svg>", &format!("<g id='matplotlib.axis_1'>{lines}</g></svg>"), 1);
+    let line = |x0, y0, x1, y1| format!("<line x1='{x0}' y1='{y0}' x2='{x1}' y2='{y1}' stroke='#bbb'/>");
+    let grid = line(5, 120, 595, 120) + &line(5, 300, 595, 300) + &line(222, 3, 222, 397);
+    let answer = judge(&plain, &with(&grid));
+    assert!(answer.is_equal(), "{}", answer.text());
+    assert!(answer.notes().iter().any(|note| note.contains("3 lines and circles of a legend or an axis")));
+    // What ends within the drawing is no line of a grid, whatever it is called; nor is a slanted one.
+    for edge in [line(300, 120, 595, 120), line(5, 20, 595, 380)] {
+        assert!(!judge(&plain, &with(&edge)).is_equal(), "{edge}");
     }
 }
 
