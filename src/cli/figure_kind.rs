@@ -20,6 +20,8 @@ pub(crate) struct Kind {
     #[arg(long, group = "kind")]
     tables: bool,
     /// The dual graph over the structure: a point in each face, a line across each edge
+    ///
+    /// Time and size grow with the square of the edges of one face, if it is as winding as a spiral.
     #[arg(long, group = "kind")]
     pub(crate) dual: bool,
     /// A part of the plane enlarged below the picture; `auto`: the surroundings of the shortest edge

@@ -66,7 +66,8 @@ pub(super) struct Args {
     #[command(flatten)]
     pub(super) snap: Snap,
     /// The radius of the agent: its path keeps that far from every border. Faces, portals and corners
-    /// are then those of the map without its margin
+    /// are then those of the map without its margin. Where very many corners of walls are nearer to each
+    /// other than that, the time grows with the pairs of them
     #[arg(long, value_name = "R", value_parser = number, conflicts_with = "cost")]
     radius: Option<f64>,
     /// How much further off a way round a corner may be kept, as a part of the radius: arcs are

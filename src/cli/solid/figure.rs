@@ -13,6 +13,9 @@ use std::path::PathBuf;
 ///
 /// Faces that are seen whole are drawn with their half-edges; hidden edges, and hidden parts of
 /// edges, are dashed. z points up.
+///
+/// Walls that stand behind each other in great numbers, as in a comb, take time with the square of
+/// their number, and more; convex solids take time with their number.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:

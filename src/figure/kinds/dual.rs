@@ -42,8 +42,9 @@ const SIZE: f64 = 1000.0;
 
 /// The dual graph of a subdivision drawn over it. Edges to the outer face end in the open, dashed.
 ///
-/// Every point lies strictly inside its face. Cost: O(n log n) for the triangles of all faces, and a search for the
-/// place of each point.
+/// Every point lies strictly inside its face. Cost: O(n log n) for the triangles of all faces, a search for the place of
+/// each point, and for each edge the triangles between it and the place of its face: n² in all for a face whose n edges
+/// lie far from there, as in a spiral. So large is the drawing, too, where lines have to bend.
 ///
 /// # Errors
 /// [`DualFigureError`].
