@@ -71,6 +71,10 @@ impl Target {
             (Some(path), Some("tikz")) => Form::Tikz(path.to_owned()),
             (Some(path), None | Some("svg")) => Form::Svg(path.to_owned()),
             (Some(path), Some("html" | "htm")) if film => Form::Page(path.to_owned()),
+            (Some(path), Some("html" | "htm")) => {
+                let what = format!("{}: a figure is no page", path.display());
+                return Err(Failure::input(what, "end the name in .svg; dcel figure writes pages with --html"));
+            }
             (Some(path), Some(_)) => {
                 let kind = if film { "film" } else { "figure" };
                 let what = format!("{}: a {kind} cannot be written in this format", path.display());

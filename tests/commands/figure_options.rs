@@ -46,6 +46,10 @@ fn values_that_cannot_be_are_refused_with_an_example() {
         (["--crop", "0,0,4"], "for example 0,0,6,4"),
         (["--faces", "f1,x"], "`x` is not the name of a face"),
         (["--faces", "f1,f3"], "there is no f3: there are 3 faces"),
+        (
+            ["-o", "page.html"],
+            "page.html: a figure is no page\nhelp: end the name in .svg; dcel figure writes pages with --html",
+        ),
     ] {
         let (code, out, err) = figure(dir.path(), &args);
         assert_eq!((code, out.as_str()), (2, ""), "{args:?}: {err}");
