@@ -5,6 +5,7 @@
 //!   windows:  PROGRAM                                          deadline and output cap only
 //! ```
 
+use super::clock::Clock;
 use super::pipes::{Event, Pipe, feed};
 use super::{End, Limits, Program, Ran, end_of};
 use crate::{Barrier, Stop};
@@ -62,7 +63,7 @@ impl Program for Driver {
 ///
 /// On unix the command must make its process the leader of a group. A wish to stop ends it as if it had not started.
 pub(crate) fn run_within(mut command: Command, input: &str, limits: &Limits, stop: Option<&Stop>) -> Ran {
-    let begin = Instant::now();
+    let (begin, clock) = (Instant::now(), Clock::new());
     let ran = |stdout, stderr, end| Ran { stdout, stderr, end, millis: begin.elapsed().as_millis() as u64 };
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = match command.spawn() {
@@ -82,7 +83,7 @@ pub(crate) fn run_within(mut command: Command, input: &str, limits: &Limits, sto
     }
     let seconds = Duration::try_from_secs_f64(limits.seconds).unwrap_or(Duration::MAX);
     let mut watch = Watch { stdout: stdout_events, closed: false };
-    let (status, stopped) = match watch.until(&mut child, begin, seconds, stop) {
+    let (status, stopped) = match watch.until(&mut child, clock, seconds, stop) {
         Ok(status) => (status, None),
         Err(end) => {
             end_group(&mut child);
@@ -113,7 +114,7 @@ impl Watch {
     fn until(
         &mut self,
         child: &mut Child,
-        begin: Instant,
+        mut clock: Clock,
         limit: Duration,
         stop: Option<&Stop>,
     ) -> Result<Option<ExitStatus>, End> {
@@ -126,7 +127,7 @@ impl Watch {
             if stop.is_some_and(Stop::is_wished) {
                 return Err(End::NotStarted("the grader is to stop".to_owned()));
             }
-            let left = limit.checked_sub(begin.elapsed()).ok_or(End::TimedOut)?;
+            let left = clock.left_of(limit).ok_or(End::TimedOut)?;
             let pause = left.min(LOOK[usize::from(self.closed)]);
             if self.closed {
                 std::thread::sleep(pause);

@@ -11,6 +11,7 @@
 use super::processes::{descendants, processes};
 use super::spec::{INSIDE, Outcome, Spec, Step, VARIABLE, WORD};
 use super::{confine, inside, root};
+use crate::program::Clock;
 use nix::errno::Errno;
 use nix::sys::prctl;
 use nix::sys::signal::{Signal, kill};
@@ -105,7 +106,7 @@ fn watch(spec: &Spec) -> Result<Outcome, String> {
 
 /// The end of the program by itself, the deadline, or the end of the guard.
 fn wait_for(child: &mut Child, limit: Duration, guard: Pid) -> Result<Outcome, String> {
-    let begin = Instant::now();
+    let mut clock = Clock::new();
     let mut pause = LOOK[0];
     loop {
         match child.try_wait() {
@@ -113,7 +114,7 @@ fn wait_for(child: &mut Child, limit: Duration, guard: Pid) -> Result<Outcome, S
             Ok(None) => {}
             Err(error) => return Err(format!("the program is lost: {error}")),
         }
-        if begin.elapsed() >= limit {
+        if clock.left_of(limit).is_none() {
             return Ok(Outcome::TimedOut);
         }
         if getppid() != guard {
