@@ -92,10 +92,8 @@ impl Context<'_> {
     /// Runs cases and keeps those that fail like `first`: the same rule of the same test, where all that the test
     /// needs holds.
     fn run(&self, suite: &Suite, cases: Vec<Case>, first: &Fault, needs: &Needs) -> Vec<Shown> {
-        let asked = cases.into_iter().enumerate().map(|(i, case)| {
-            let case = Case { name: format!("shorter.{i}"), ..case };
-            Asked { case, source: Source::Fixed }
-        });
+        // They keep their name: a judge may know by it what the case begins with, or asks.
+        let asked = cases.into_iter().map(|case| Asked { case, source: Source::Fixed });
         let suite = Suite { asked: asked.collect(), ..suite.clone() };
         let run = run_suite(self.program, self.judge, &suite);
         let answered = suite.asked.into_iter().zip(run.answers).zip(run.faults);

@@ -31,6 +31,19 @@ pub(super) fn is_edit(function: &str) -> bool {
     function.starts_with("add") || function.starts_with("remove")
 }
 
+/// Whether a call is for what is there; makes the edit, if it is one.
+pub(super) fn may_be_asked(model: &mut Model, function: &str, words: &[String]) -> bool {
+    let is_there = match (function, &ids(words)[..]) {
+        ("remove_face", &[a, b]) => model.across.contains_key(&(a, b)),
+        ("remove_vertex" | "climb" | "support", &[v, ..]) => model.place(v).is_some(),
+        _ => true,
+    };
+    if is_there && is_edit(function) {
+        wrong(model, function, words, &[]);
+    }
+    is_there
+}
+
 /// Where a case has come to.
 #[derive(Clone, Copy)]
 struct At<'a> {

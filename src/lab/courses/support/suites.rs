@@ -178,6 +178,39 @@ impl Judge for SupportJudge {
             _ => "the picture shows all edges and the vertices of the climb",
         }
     }
+
+    fn shorter(&self, case: &Case) -> Vec<Case> {
+        shorter(case)
+    }
+}
+
+/// The case without some of the calls before the last one: without all, a half, a quarter of them and so on, as long as
+/// every call that is left may be asked.
+fn shorter(case: &Case) -> Vec<Case> {
+    let is_call = |step: &usize| matches!(case.steps[*step], Step::Call { .. });
+    let mut calls: Vec<usize> = (0..case.steps.len()).filter(is_call).collect();
+    calls.pop();
+    let mut out = Vec::new();
+    let mut size = calls.len();
+    while size > 0 {
+        out.extend(calls.chunks(size).map(|left_out| {
+            let steps = case.steps.iter().enumerate().filter(|(i, _)| !left_out.contains(i));
+            Case { steps: steps.map(|(_, step)| step.clone()).collect(), ..case.clone() }
+        }));
+        size /= 2;
+    }
+    out.retain(may_be_asked);
+    out
+}
+
+/// Whether every call is for what is there when it is made.
+fn may_be_asked(case: &Case) -> bool {
+    let name = case.name.split('.').next().unwrap_or_default();
+    let mut model = start(name).map_or_else(Model::default, |start| start.model.clone());
+    case.steps.iter().all(|step| match step {
+        Step::Call { function, arguments } => answers::may_be_asked(&mut model, function, arguments),
+        _ => true,
+    })
 }
 
 /// Fixed edits: a start, then lines.
@@ -397,6 +430,23 @@ fn question(function: &str, from: usize, [x, y, z]: Place) -> Step {
 mod tests {
     use super::*;
     use std::collections::BTreeMap;
+
+    #[test]
+    fn shorter_cases_ask_for_what_is_there_and_keep_the_last_call() {
+        let mut random = Random::new(3, "shorter");
+        let case = random_edits("tetrahedron", "mixed", [3, 6, 4, 1], 12, 1, &mut random).unwrap();
+        let calls = |case: &Case| {
+            let calls = case.steps.iter().filter(|step| matches!(step, Step::Call { .. }));
+            calls.cloned().collect::<Vec<_>>()
+        };
+        let (all, shorter) = (calls(&case), shorter(&case));
+        assert!(shorter.len() > 5, "{}", shorter.len());
+        for short in &shorter {
+            assert!(calls(short).len() < all.len() && calls(short).last() == all.last(), "{}", short.script());
+            assert_eq!(illegal(short), [""; 0], "{}", short.script());
+        }
+        assert!(shorter.iter().any(|short| calls(short).len() + 1 == all.len()), "one call is left out");
+    }
 
     /// Makes the edits of a case in a model; says which of them cannot be made.
     fn illegal(case: &Case) -> Vec<String> {
