@@ -90,9 +90,39 @@ pub fn fault(functions: &[Function], exchange: &Exchange) -> Option<Fault> {
     let because = if wrong.because.is_empty() { String::new() } else { format!(": {}", wrong.because) };
     let expected = wrong.expected.map_or_else(String::new, |expected| format!(", expected {}", cut(&expected)));
     let words = format!("{call} returned {}{expected}{because}", listed(values));
-    let fault = fault(FaultKind::Wrong, &wrong.tag, words);
+    let tag = format!("{} {}", wrong.tag, outline(values, exchange));
+    let fault = fault(FaultKind::Wrong, &tag, words);
     let instead = (!wrong.is.is_empty()).then(|| Instead { subject: "the answer".to_owned(), is: wrong.is });
     Some(Fault { instead, ..fault })
+}
+
+/// What was returned, so that it tells a mistake from others which are wrong in the same calls: the same however new
+/// elements are numbered, and however sums are rounded. Numbers are compared with the greatest beside them.
+fn outline(values: &[Value], exchange: &Exchange) -> String {
+    fn numbers(all: &[f64]) -> String {
+        const STEPS: f64 = 1e4;
+        let most = all.iter().filter(|x| x.is_finite()).fold(0.0, |most: f64, x| most.max(x.abs()));
+        let least = f64::MIN_POSITIVE;
+        let one = |x: f64| if x.is_finite() { (x / most.max(least) * STEPS).round() as i64 } else { i64::MAX };
+        let size = most.max(least).log2().round();
+        all.iter().fold(format!("2^{size}"), |out, &x| format!("{out} {}", one(x)))
+    }
+    let given = exchange.structure_before.map_or(0, |before| before.len());
+    let one = |value: &Value| match value {
+        Value::Id(id) if (*id as usize) < given => format!("{id}"),
+        Value::Id(_) => "new".to_owned(),
+        Value::Number(x) if x.fract() == 0.0 => format!("#{x}"),
+        Value::Number(x) => format!("#{}", numbers(&[*x])),
+        Value::List(all) => format!("[{}]", outline(all, exchange)),
+        Value::Polygon(corners) => format!("<{}>", numbers(corners.as_flattened())),
+        Value::Refusal(why) => format!("no {why}"),
+        Value::Truth(truth) => truth.to_string(),
+        Value::Point(_) | Value::Structure(_) => String::new(),
+    };
+    let places = values.iter().filter_map(|value| if let Value::Point(place) = value { Some(place) } else { None });
+    let places: Vec<f64> = places.flatten().copied().collect();
+    let places = if places.is_empty() { String::new() } else { format!("({})", numbers(&places)) };
+    values.iter().map(one).chain([places]).collect::<Vec<_>>().join(" ")
 }
 
 /// Values as they stand in a sentence.
@@ -143,6 +173,17 @@ mod tests {
             (fault.test, fault.kind.clone(), fault.instead.unwrap().is),
             ("doubling", FaultKind::Wrong, vec!["the opposite sign"])
         );
+        let tag = |x| returned(x).unwrap().tag;
+        assert_ne!(tag(9.0), tag(-8.0), "other values are other mistakes");
+        assert_eq!(tag(7.1), tag(7.1 + 1e-12), "however they are rounded");
+        let of_places = |x| {
+            let places = vec![Value::Point(vec![x, 1.0]), Value::Point(vec![-2.0, 5.0])];
+            said(CallEnd::Returned(places)).unwrap().tag
+        };
+        assert_eq!(of_places(0.0), of_places(6e-17), "nothing, but for rounding");
+        assert_ne!(of_places(0.0), of_places(0.5));
+        let of_ids = |id| said(CallEnd::Returned(vec![Value::Id(id)])).unwrap().tag;
+        assert_eq!(of_ids(5), of_ids(6), "new elements have any numbers");
         let nothing = said(CallEnd::Returned(Vec::new())).unwrap();
         assert_eq!(nothing.words, "twice 4 returned nothing: that is not one number");
         let message = "not yet implemented: twice".to_owned();

@@ -25,8 +25,9 @@ impl<'a> Faults<'a> {
 
     /// As [`wrong`](Self::wrong), of any kind.
     pub fn add(&mut self, test: &'static str, kind: FaultKind, rule: &str, words: &str, elements: &[Element]) {
+        let tag = without_new_numbers(words, self.exchange);
         let words = format!("{}: {words}", shown(&self.exchange.line()));
-        let fault = Fault::new(test, kind, self.exchange.step, [rule, ""], words);
+        let fault = Fault::new(test, kind, self.exchange.step, [rule, &tag], words);
         self.out.push(Fault { elements: elements.to_vec(), ..fault });
     }
 
@@ -36,10 +37,52 @@ impl<'a> Faults<'a> {
     }
 }
 
+/// Words in which new elements have no numbers: `h4.next = h*` for `h4.next = h17`. So they tell a mistake from others,
+/// however a right or wrong program numbers what it makes.
+fn without_new_numbers(words: &str, exchange: &Exchange) -> String {
+    let given = |kind: char| {
+        exchange.before().map_or(0, |before| match kind {
+            'v' => before.vertices.len(),
+            'h' => before.half_edges.len(),
+            _ => before.faces.len(),
+        })
+    };
+    let mut out = String::new();
+    let mut rest = words;
+    while let Some(end) = rest.find(|c: char| !c.is_alphanumeric()) {
+        out.push_str(&of_element(&rest[..end], given));
+        let next = rest[end..].chars().next().map_or(rest.len(), |c| end + c.len_utf8());
+        out.push_str(&rest[end..next]);
+        rest = &rest[next..];
+    }
+    out + &of_element(rest, given)
+}
+
+/// A word; a star in place of its number if it is the name of an element that was not there before.
+fn of_element(word: &str, given: impl Fn(char) -> usize) -> String {
+    let is_new = |kind: &char| {
+        matches!(kind, 'v' | 'h' | 'f') && word[1..].parse::<usize>().is_ok_and(|number| number >= given(*kind))
+    };
+    word.chars().next().filter(is_new).map_or_else(|| word.to_owned(), |kind| format!("{kind}*"))
+}
+
 /// How many characters of a call stand in a sentence.
 const SHOWN: usize = 80;
 
 fn shown(line: &str) -> String {
     let cut: String = line.chars().take(SHOWN).collect();
     if cut.len() < line.len() { cut + " …" } else { cut }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::of_element;
+
+    #[test]
+    fn new_elements_have_no_numbers() {
+        let given = |kind| if kind == 'h' { 6 } else { 3 };
+        let names = ["h5", "h6", "v2", "v17", "f3", "h", "hull", "12", "", "é6"];
+        let told: Vec<String> = names.iter().map(|name| of_element(name, given)).collect();
+        assert_eq!(told, ["h5", "h*", "v2", "v*", "f*", "h", "hull", "12", "", "é6"]);
+    }
 }

@@ -7,7 +7,7 @@
 //! ```
 
 use super::structure::Structure;
-use super::text::{id, quoted};
+use super::text::{GREATEST, id, quoted};
 
 /// How many values a call may return, those inside of lists counted.
 const VALUES: usize = 20_000;
@@ -72,6 +72,8 @@ impl Value {
         let point = |place: &[f64]| place.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
         match self {
             Self::Truth(truth) => truth.to_string(),
+            // What a program writes for "none": -1, or the greatest number that there is.
+            Self::Id(id) if *id >= GREATEST => "none".to_owned(),
             Self::Id(id) => id.to_string(),
             Self::Number(x) => x.to_string(),
             Self::Point(place) => format!("({})", point(place)),

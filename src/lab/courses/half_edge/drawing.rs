@@ -88,22 +88,34 @@ fn faults(exchange: &Exchange) -> Vec<Fault> {
     let mut out = Vec::new();
     let [yours, theirs] = [after.as_ref(), reference].map(vertices);
     out.extend(missing(&theirs, &yours).map(|(n, list, _)| {
-        wrong("drawing.vertices", format!("{n} of the drawing's vertices are missing: {list}"), Vec::new())
+        wrong("drawing.vertices", format!("{n} of the drawing's vertices {} missing: {list}", are(n)), Vec::new())
     }));
     out.extend(missing(&yours, &theirs).map(|(n, list, elements)| {
-        wrong("drawing.vertices", format!("{n} vertices are not in the drawing: {list}"), elements)
+        wrong(
+            "drawing.vertices",
+            format!("{n} {} {} not in the drawing: {list}", if n == 1 { "vertex" } else { "vertices" }, are(n)),
+            elements,
+        )
     }));
     let [yours, theirs] = [after.as_ref(), reference].map(edges);
     out.extend(missing(&theirs, &yours).map(|(n, list, _)| {
-        wrong("drawing.edges", format!("{n} of the drawing's edges are missing: {list}"), Vec::new())
+        wrong("drawing.edges", format!("{n} of the drawing's edges {} missing: {list}", are(n)), Vec::new())
     }));
     out.extend(missing(&yours, &theirs).map(|(n, list, elements)| {
-        wrong("drawing.edges", format!("{n} edges are not in the drawing: {list}"), elements)
+        wrong(
+            "drawing.edges",
+            format!("{n} {} {} not in the drawing: {list}", if n == 1 { "edge" } else { "edges" }, are(n)),
+            elements,
+        )
     }));
     if out.is_empty() {
         out.push(wrong("drawing.structure", difference.to_string(), Vec::new()));
     }
     out
+}
+
+fn are(count: usize) -> &'static str {
+    if count == 1 { "is" } else { "are" }
 }
 
 fn place(table: &Table, v: VertexId) -> [f64; 2] {

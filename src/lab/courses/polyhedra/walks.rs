@@ -64,12 +64,14 @@ pub(super) fn winged_edges(exchange: &Exchange, values: &[Value]) -> Option<Wron
     let at = (0..found.len()).find(|&i| found[i] != expected[i])?;
     let [own, right] = [found[at], expected[at]];
     if own[0] != right[0] {
-        let because = format!("row {at} is that of edge {}, expected edge {}", own[0], right[0]);
+        let [found_there, due] = [own[0], right[0]].map(|edge| Value::Id(edge).words());
+        let because = format!("row {at} is that of edge {found_there}, expected edge {due}");
         return Some(Wrong::because("edge", because));
     }
     let field = (0..9).find(|&i| own[i] != right[i])?;
-    let because =
-        format!("in the row of edge {}, {} is {}, expected {}", own[0], FIELDS[field], own[field], right[field]);
+    let said = |cell: u32| Value::Id(cell).words();
+    let [edge, found_there, due] = [own[0], own[field], right[field]].map(said);
+    let because = format!("in the row of edge {edge}, {} is {found_there}, expected {due}", FIELDS[field]);
     // The fields that are wrong in any row tell one mistake from another, and so does what stands in them instead.
     let is_wrong = |i: &usize| (0..found.len()).any(|at| found[at][*i] != expected[at][*i]);
     let named = |i: usize| {

@@ -101,8 +101,9 @@ pub(super) fn wrong(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
     let (at, _) = lattice(&table, h, &rows)?;
     let [row, steps] = at[v]?;
     let ([x, y, z], [fx, fy, fz]) = (expected[v], found[v]);
+    let steps = if steps == 1 { "1 step".to_owned() } else { format!("{steps} steps") };
     let because = format!(
-        "v{v} is at ({fx}, {fy}, {fz}); it is in row {row}, {steps} steps from the origin of {h}, and belongs at \
+        "v{v} is at ({fx}, {fy}, {fz}); it is in row {row}, {steps} from the origin of {h}, and belongs at \
          ({x}, {y}, {z})"
     );
     let clockwise = places(&table, h, &rows, -1.0)?;

@@ -103,7 +103,8 @@ pub(super) fn wrong_cell(exchange: &Exchange, values: &[Value]) -> Option<Wrong>
     };
     let n = cell.0.len();
     if found.len() != n {
-        let because = format!("the cell has {n} corners, one for each triangle, not {}", found.len());
+        let corners = if n == 1 { "corner" } else { "corners" };
+        let because = format!("the cell has {n} {corners}, one for each triangle, not {}", found.len());
         return Some(Wrong::because("count", because));
     }
     if fits(&found, &cell) {
