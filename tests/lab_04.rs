@@ -129,10 +129,12 @@ fn a_bug_that_does_not_fit_says_why() {
     let edit = |find: &str, replace: &str| format!("[[edit]]\nfind = '{find}'\nreplace = '{replace}'\n");
     assert_eq!(bug(&edit("b", "c")).unwrap().apply("a b").unwrap(), "a c");
     assert_eq!(bug(&(edit("b", "c") + &edit("a c", "d"))).unwrap().apply("a b").unwrap(), "d", "one after the other");
-    let not_once = |times| Err(BugError::NotOnce { number: 7, find: "b".to_owned(), times });
+    let (place, find) = ("b.toml:6:8".to_owned(), "b".to_owned());
+    let not_once = |times| Err(BugError::NotOnce { place: place.clone(), find: find.clone(), times });
     assert_eq!(bug(&edit("b", "c")).unwrap().apply("a"), not_once(0));
     assert_eq!(bug(&edit("b", "c")).unwrap().apply("b b"), not_once(2));
-    assert_eq!(bug(&edit("b", "b")).unwrap().apply("b"), Err(BugError::NoChange { number: 7, find: "b".to_owned() }));
+    let no_change = Err(BugError::NoChange { place: place.clone(), find: find.clone() });
+    assert_eq!(bug(&edit("b", "b")).unwrap().apply("b"), no_change);
     for (edits, message) in [
         ("same_as = [7]\n[[edit]]\nfind = 'b'\nreplace = 'c'\n", "b.toml:5:11: a bug is the same as itself"),
         ("edit = []\n", "b.toml:5:8: a bug without an edit"),

@@ -34,13 +34,14 @@ pub struct Bug {
 }
 
 /// A replacement in the solution.
-#[derive(Clone, PartialEq, Eq, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Edit {
     /// What is replaced. It stands in the text exactly once.
     pub find: String,
     /// What it is replaced by.
     pub replace: String,
+    /// Where this stands: `bugs/35-no-half-edge.toml:7:8`.
+    pub place: String,
 }
 
 /// Why a bug does not fit the solution.
@@ -48,10 +49,10 @@ pub struct Edit {
 #[non_exhaustive]
 pub enum BugError {
     /// The text to replace is not there, or more than once.
-    #[error("bug {number}: {find:?} stands {times} times in the solution; it must be there exactly once")]
+    #[error("{place}: {find:?} stands {times} times in the solution; copy lines of it that stand there exactly once")]
     NotOnce {
-        /// The bug.
-        number: u32,
+        /// Where it stands in the file of the bug.
+        place: String,
         /// The text.
         find: String,
         /// How often it is there.
@@ -64,10 +65,10 @@ pub enum BugError {
         number: u32,
     },
     /// A replacement changes nothing.
-    #[error("bug {number}: {find:?} is replaced by itself")]
+    #[error("{place}: {find:?} is replaced by itself; write in `replace` what is wrong")]
     NoChange {
-        /// The bug.
-        number: u32,
+        /// Where it stands in the file of the bug.
+        place: String,
         /// The text.
         find: String,
     },
@@ -81,7 +82,14 @@ struct File {
     task: u32,
     section: String,
     same_as: Option<Spanned<Vec<u32>>>,
-    edit: Option<Spanned<Vec<Edit>>>,
+    edit: Option<Spanned<Vec<EditTable>>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct EditTable {
+    find: Spanned<String>,
+    replace: String,
 }
 
 impl Bug {
@@ -99,7 +107,11 @@ impl Bug {
             return Err(toml.error(same_as.span().start, "a bug is the same as itself; name the other one"));
         }
         let same_as = same_as.map_or_else(Vec::new, Spanned::into_inner);
-        Ok(Self { number, title, task, section, same_as, edits: edit.map_or_else(Vec::new, Spanned::into_inner) })
+        let edits = edit.map_or_else(Vec::new, Spanned::into_inner).into_iter().map(|EditTable { find, replace }| {
+            let ManifestError { source, line, column, .. } = toml.error(find.span().start, "");
+            Edit { find: find.into_inner(), replace, place: format!("{source}:{line}:{column}") }
+        });
+        Ok(Self { number, title, task, section, same_as, edits: edits.collect() })
     }
 
     /// The wrong solution. Cost: linear for each edit.
@@ -111,14 +123,14 @@ impl Bug {
             return Err(BugError::NameOnly { number: self.number });
         }
         let mut text = solution.to_owned();
-        for Edit { find, replace } in &self.edits {
-            let (number, find) = (self.number, find.clone());
+        for Edit { find, replace, place } in &self.edits {
+            let (place, find) = (place.clone(), find.clone());
             if &find == replace {
-                return Err(BugError::NoChange { number, find });
+                return Err(BugError::NoChange { place, find });
             }
             let times = text.matches(&find).count();
             if times != 1 {
-                return Err(BugError::NotOnce { number, find, times });
+                return Err(BugError::NotOnce { place, find, times });
             }
             text = text.replacen(&find, replace, 1);
         }

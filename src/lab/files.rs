@@ -82,6 +82,21 @@ pub enum LabFilesError {
         /// Why.
         error: std::io::Error,
     },
+    /// A figure that the handout shows is not among those of the kit.
+    #[error(
+        "{}:{line}: the handout shows figures/{figure}, which is not there: {error}; draw it with `dcel figures`, or take \
+         the link out", handout.display()
+    )]
+    NoFigure {
+        /// The handout.
+        handout: PathBuf,
+        /// The line of the link, from 1.
+        line: usize,
+        /// The name of the figure.
+        figure: String,
+        /// Why it cannot be read.
+        error: std::io::Error,
+    },
     /// An archive that was changed by hand.
     #[error("the archive of a lab is broken at line {line}; write it anew with `dcel lab bundle`")]
     BrokenArchive {
@@ -146,8 +161,15 @@ impl LabFiles {
         let handout = files.get("README.md").map_or("", String::as_str);
         let shown: Vec<String> = linked_figures(handout).map(str::to_owned).collect();
         for figure in shown {
-            let text = text_of(&folder.join(FIGURES).join(&figure))?;
-            files.insert(format!("figures/{figure}"), text);
+            match text_of(&folder.join(FIGURES).join(&figure)) {
+                Ok(text) => drop(files.insert(format!("figures/{figure}"), text)),
+                Err(LabFilesError::Unreadable { error, .. }) => {
+                    let text = files.get("README.md").map_or("", String::as_str);
+                    let line = 1 + text.lines().position(|line| line.contains(&figure)).unwrap_or(0);
+                    return Err(LabFilesError::NoFigure { handout: folder.join("README.md"), line, figure, error });
+                }
+                Err(error) => return Err(error),
+            }
         }
         for shared in take_in_shared(&mut files) {
             let there = folder.join("..").join(&shared);

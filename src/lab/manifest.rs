@@ -263,7 +263,9 @@ impl Reader<'_> {
             let before = &file.test[..i];
             let is_before = |other: &str| before.iter().any(|test| test.get_ref().name == other);
             if is_before(name) {
-                return Err(self.0.error(at, format!("the test {name} was given before")));
+                return Err(self
+                    .0
+                    .error(at, format!("the test {name} was given before; give one of them another name")));
             }
             if !file.task.iter().any(|known| known.get_ref().number == *task.get_ref()) {
                 return Err(self.0.error(task.span().start, format!("there is no task {}", task.get_ref())));

@@ -20,7 +20,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// The seed of every verification: two of them give the same bytes.
 const SEED: u64 = 4;
@@ -28,6 +28,11 @@ const SEED: u64 = 4;
 const SEEDS: u64 = 4;
 /// The file that the solution and every bug stand in for.
 const GRADED: &str = "src/lab.rs";
+/// What every program is called until it is built: under another name the compiler would begin anew, which takes four
+/// times as long.
+const SAME_NAME: &str = "built";
+/// Where a function stands for each graded test.
+const GRADED_TESTS: &str = "tests/graded.rs";
 /// The one marked source.
 const SOLUTION: &str = "solution/lab.rs";
 
@@ -137,6 +142,15 @@ fn verify_chosen(lab: &Lab, room: &Path, chosen: impl Fn(u32) -> bool, whole: bo
         let (tests, rows) = (Vec::new(), Vec::new());
         return Ok(Verification { problems, tests, rows, signatures: Signatures::default() });
     }
+    let missing = missing(lab);
+    if !missing.is_empty() {
+        return Ok(Verification {
+            problems: missing,
+            tests: Vec::new(),
+            rows: Vec::new(),
+            signatures: Signatures::default(),
+        });
+    }
     let solution = lab.files.get(SOLUTION).unwrap_or_default();
     let given = match starter(solution) {
         Ok(text) => text,
@@ -149,12 +163,18 @@ fn verify_chosen(lab: &Lab, room: &Path, chosen: impl Fn(u32) -> bool, whole: bo
         problems.push(format!("{GRADED} is not {SOLUTION} with its marked blocks replaced"));
     }
     problems.extend(leaks(lab, solution));
+    let mut unmade = Vec::new();
     let mut variants = vec![(Variant::Solution, solution.to_owned()), (Variant::Starter, given)];
     for bug in lab.bugs.iter().filter(|bug| chosen(bug.number)) {
         match bug.apply(solution) {
             Ok(text) => variants.push((Variant::Bug(bug), text)),
-            Err(error) => problems.push(error.to_string()),
+            Err(error) => unmade.push(error.to_string()),
         }
+    }
+    // What does not fit is told at once, before anything is built.
+    if !unmade.is_empty() {
+        problems.extend(unmade);
+        return Ok(Verification { problems, tests: Vec::new(), rows: Vec::new(), signatures: Signatures::default() });
     }
     let outcomes = grade_all(lab, room, &variants)?;
     let tests: Vec<String> = lab.manifest.tests.iter().map(|test| test.name.clone()).collect();
@@ -192,6 +212,31 @@ fn verify_chosen(lab: &Lab, room: &Path, chosen: impl Fn(u32) -> bool, whole: bo
         }
     }
     Ok(Verification { problems, tests, rows, signatures })
+}
+
+/// What a lab lacks, a sentence each with what to do.
+fn missing(lab: &Lab) -> Vec<String> {
+    let mut problems = Vec::new();
+    let mut needs = |path: &str, why: &str| {
+        if lab.files.get(path).is_none() {
+            problems.push(format!("{path} is not there: {why}"));
+        }
+    };
+    needs(SOLUTION, "the starter and the known mistakes are made of it; mark in it what students write");
+    needs("src/main.rs", "it is the program that reads the cases and calls what students write");
+    needs("README.md", "it is the handout");
+    needs(GRADED_TESTS, "it has a function for each graded test");
+    for task in &lab.manifest.tasks {
+        let why = format!("`dcel lab hint` reads it for task {} of lab.toml, {}", task.number, task.title);
+        needs(&format!("hints/task-{}.md", task.number), &why);
+    }
+    if let Some(tests) = lab.files.get(GRADED_TESTS) {
+        let without = |name: &&str| !tests.contains(&format!("fn {name}("));
+        for name in lab.manifest.tests.iter().map(|test| test.name.as_str()).filter(without) {
+            problems.push(format!("{GRADED_TESTS} has no function `{name}`: lab.toml has a test of that name"));
+        }
+    }
+    problems
 }
 
 fn name(variant: &Variant) -> String {
@@ -266,21 +311,26 @@ fn leaks(lab: &Lab, solution: &str) -> Vec<String> {
     problems
 }
 
-/// Builds and grades all variants, as many at a time as there are cores.
+/// Builds and grades all variants, as many at a time as there are cores; the first ones only if the solution cannot be
+/// built.
 fn grade_all(lab: &Lab, room: &Path, variants: &[(Variant, String)]) -> io::Result<Vec<Result<Outcome, String>>> {
     let next = AtomicUsize::new(0);
     let outcomes: Mutex<BTreeMap<usize, io::Result<Result<Outcome, String>>>> = Mutex::default();
+    // Where the solution cannot be built, nothing that is made of it can.
+    let ended = AtomicBool::new(false);
     let workers = std::thread::available_parallelism().map_or(1, usize::from);
     std::thread::scope(|scope| {
         for worker in 0..workers.min(variants.len()) {
-            let (next, outcomes) = (&next, &outcomes);
+            let (next, outcomes, ended) = (&next, &outcomes, &ended);
             scope.spawn(move || {
                 let folder = room.join(worker.to_string());
-                loop {
+                while !ended.load(Ordering::Relaxed) {
                     let i = next.fetch_add(1, Ordering::Relaxed);
                     let Some((variant, text)) = variants.get(i) else { break };
                     let program = room.join(format!("program-{i}{}", std::env::consts::EXE_SUFFIX));
                     let outcome = grade_variant(lab, &folder, program, variant, text);
+                    let is_lost = matches!(variant, Variant::Solution) && matches!(outcome, Ok(Err(_)));
+                    ended.fetch_or(is_lost, Ordering::Relaxed);
                     outcomes.lock().unwrap_or_else(std::sync::PoisonError::into_inner).insert(i, outcome);
                 }
             });
@@ -351,9 +401,10 @@ pub(crate) fn compile(
         "-Funsafe_code",
     ]);
     command.arg(if strict { "-Dwarnings" } else { "-Awarnings" });
-    command.arg("-o").arg(program).arg("src/main.rs").current_dir(folder);
+    command.arg("-o").arg(SAME_NAME).arg("src/main.rs").current_dir(folder);
     let compiled = command.output()?;
     if compiled.status.success() {
+        std::fs::rename(folder.join(SAME_NAME), program)?;
         return Ok(Ok(()));
     }
     Ok(Err(String::from_utf8_lossy(&compiled.stderr).into_owned()))

@@ -120,6 +120,27 @@ fn names_of_course_systems_are_read() {
 }
 
 #[test]
+fn a_folder_of_another_lab_or_version_is_noted_with_its_place() {
+    let shell = Folder::new();
+    let own = LabFiles::bundled("04").unwrap().get("lab.toml").unwrap().to_owned();
+    for (i, (name, manifest)) in [
+        ("own", own.clone()),
+        ("old", own.replace("version = \"", "version = \"0.")),
+        ("other", LabFiles::bundled("09").unwrap().get("lab.toml").unwrap().to_owned()),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        write(shell.path(name).join("src/lab.rs"), refused(i));
+        write(shell.path(name).join("lab.toml"), manifest);
+    }
+    let rows = rows(&shell, "own old other");
+    assert!(!rows[0].2.contains("this folder"), "{rows:?}");
+    assert!(rows[1].2.contains("lab.toml:4: this folder is of version 0."), "{rows:?}");
+    assert!(rows[2].2.contains("lab.toml:2: this folder is of 09-two-primitives, not of 04-half-edge"), "{rows:?}");
+}
+
+#[test]
 fn archives_are_looked_into_and_nothing_else() {
     let shell = Folder::new();
     let todo = given();

@@ -168,3 +168,24 @@ fn a_lab_that_grades_wrongly_is_found_out() {
     assert!(has("vertex_star catches no bug"), "{:?}", found.problems);
     assert_eq!(found.rows.len(), 1);
 }
+
+#[test]
+fn what_a_lab_lacks_is_told_before_anything_is_built() {
+    let archive = LabFiles::read(&folder("09-two-primitives")).unwrap().to_archive();
+    for (from, to, told) in [
+        ("file hints/task-3.md ", "file hints/other.md ", "hints/task-3.md is not there: `dcel lab hint` reads it"),
+        ("file solution/lab.rs ", "file solution/other.rs ", "solution/lab.rs is not there: the starter"),
+        ("fn genus() {", "fn genius() {", "tests/graded.rs has no function `genus`"),
+        (
+            ".origin = Some(new);'''\nreplace = '''\n'''",
+            ".origin = Some(nwe);'''\nreplace = '''\n'''",
+            "bugs/03-origins-forgotten.toml:7:8: \"",
+        ),
+    ] {
+        let lab = Lab::new(LabFiles::from_archive(&archive.replacen(from, to, 1)).unwrap()).unwrap();
+        let room = tempfile::tempdir().unwrap();
+        let found = verify(&lab, room.path()).unwrap();
+        assert!(found.problems.len() == 1 && found.problems[0].contains(told), "{:?}", found.problems);
+        assert_eq!(std::fs::read_dir(room.path()).unwrap().count(), 0, "{told}");
+    }
+}

@@ -71,9 +71,11 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         let found = verify(lab, room.path()).map_err(|error| {
             Failure::input(format!("the lab cannot be built: {error}"), "a Rust toolchain is needed: see rustup.rs")
         })?;
-        writeln!(out, "{}", found.matrix().trim_end())?;
-        // Where nothing judges, nothing is known of how they fail.
-        if args.write && lab.judge().is_some() {
+        // Where nothing judges, or something is missing, nothing is known of how they fail.
+        if !found.rows.is_empty() || found.holds() {
+            writeln!(out, "{}", found.matrix().trim_end())?;
+        }
+        if args.write && !found.rows.is_empty() {
             let path = folder.join("bugs/signatures.toml");
             save::put(&path, found.signatures.to_text())?;
             writeln!(out, "{}: written", path.display())?;
@@ -101,7 +103,7 @@ fn write_starter(folder: &Path, lab: &Lab, out: &mut Output) -> Result<(), Failu
 }
 
 pub(super) fn read(folder: &Path) -> Result<Lab, Failure> {
-    Lab::read(folder).map_err(|error| Failure::input(error, "name a lab's folder"))
+    Lab::read(folder).map_err(|error| Failure::input(error, "mend what is named, or name the folder of another lab"))
 }
 
 /// The folder of the labs: the one named, or that of the checkout around this place.

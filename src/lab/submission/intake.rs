@@ -20,6 +20,8 @@ use std::fs;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
+/// What says of which lab a folder is.
+const MANIFEST: &str = "lab.toml";
 /// The most that is read of a file.
 const LARGEST: u64 = 1 << 20;
 /// The most that is kept of one archive.
@@ -151,7 +153,8 @@ impl IntakeError {
 /// # Errors
 /// [`IntakeError`]: the file is not there, no text, or says what it may not say.
 pub fn take_in(manifest: &Manifest, handed_in: &Path) -> Result<Intake, IntakeError> {
-    let intake = take_from(manifest, &Source::Path(handed_in.to_path_buf()))?;
+    // At home the folder is looked at before: its lab.toml says which lab is checked.
+    let (intake, _) = take_from(manifest, &Source::Path(handed_in.to_path_buf()))?;
     scan_all(&intake)?;
     Ok(intake)
 }
@@ -170,13 +173,14 @@ pub(crate) fn scan_all(intake: &Intake) -> Result<(), IntakeError> {
 /// Takes the files of a submission, archives included, without looking at what they say.
 #[cfg(feature = "grade")]
 pub(crate) fn take_in_unscanned(manifest: &Manifest, submission: &Submission) -> Result<Intake, IntakeError> {
-    let intake = take_from(manifest, &submission.from)?;
-    Ok(Intake { notes: [submission.notes(), &intake.notes].concat(), ..intake })
+    let (intake, other) = take_from(manifest, &submission.from)?;
+    Ok(Intake { notes: [submission.notes(), &other, &intake.notes].concat(), ..intake })
 }
 
-fn take_from(manifest: &Manifest, from: &Source) -> Result<Intake, IntakeError> {
+/// The files, and a note if they are of another lab.
+fn take_from(manifest: &Manifest, from: &Source) -> Result<(Intake, Vec<String>), IntakeError> {
     let files = manifest.graded.iter().chain(&manifest.optional);
-    let wanted: Vec<&str> = files.map(|file| name_of(file)).collect();
+    let wanted: Vec<&str> = files.map(|file| name_of(file)).chain([MANIFEST]).collect();
     let mut intake = Intake { graded: Vec::new(), optional: Vec::new(), notes: Vec::new() };
     let mut opened_before = false;
     let mut parts = match parts_of(from, &wanted)? {
@@ -189,7 +193,7 @@ fn take_from(manifest: &Manifest, from: &Source) -> Result<Intake, IntakeError> 
             for file in &manifest.graded {
                 intake.graded.push((file.clone(), text(&Content::OnDisk(path.clone()), file)?));
             }
-            return Ok(intake);
+            return Ok((intake, Vec::new()));
         }
     };
     let has = |parts: &[Part], file: &String| !matches!(find(parts, file), Ok(None));
@@ -199,6 +203,7 @@ fn take_from(manifest: &Manifest, from: &Source) -> Result<Intake, IntakeError> 
     {
         parts = opened(&parts[archive], &wanted)?;
     }
+    let other = of_another_lab(&parts, manifest);
     for file in &manifest.graded {
         let found = find(&parts, file)?.or_else(|| the_only_one(&parts, file));
         let (part, note) =
@@ -214,7 +219,27 @@ fn take_from(manifest: &Manifest, from: &Source) -> Result<Intake, IntakeError> 
             intake.optional.push((file.clone(), text));
         }
     }
-    Ok(intake)
+    Ok((intake, other.into_iter().collect()))
+}
+
+/// A note if what was handed in says that it is of another lab, or of another version of it.
+fn of_another_lab(parts: &[Part], manifest: &Manifest) -> Option<String> {
+    let (part, _) = find(parts, MANIFEST).ok()??;
+    let text = text(&part.content, MANIFEST).ok()?;
+    let own = Manifest::parse(&text, &part.path).ok()?;
+    let place = |key: &str| {
+        let line = 1 + text.lines().position(|line| line.starts_with(key)).unwrap_or(0);
+        format!("{}:{line}", part.path)
+    };
+    let (name, other) = (&manifest.name, &own.name);
+    if name != other {
+        let at = place("name");
+        return Some(format!("{at}: this folder is of {other}, not of {name}; `dcel grade {other}` grades it"));
+    }
+    (own.version != manifest.version).then(|| {
+        let (at, there, here) = (place("version"), &own.version, &manifest.version);
+        format!("{at}: this folder is of version {there} of {name}; it is graded by version {here}")
+    })
 }
 
 /// What a submission is made of.
