@@ -10,7 +10,7 @@
 //! or lead nowhere are told here, the same for every lab.
 
 use super::fault::{Exchange, Fault, FaultKind, Instead, exchanges};
-use super::protocol::{CallEnd, Case, CaseAnswer, Value};
+use super::protocol::{CallEnd, Case, CaseAnswer, Structure, Value};
 
 /// How many characters of what was returned stand in a sentence.
 const SHOWN: usize = 200;
@@ -107,7 +107,7 @@ fn outline(values: &[Value], exchange: &Exchange) -> String {
         let size = most.max(least).log2().round();
         all.iter().fold(format!("2^{size}"), |out, &x| format!("{out} {}", one(x)))
     }
-    let given = exchange.structure_before.map_or(0, |before| before.len());
+    let given = exchange.structure_before.map_or(0, Structure::len);
     let one = |value: &Value| match value {
         Value::Id(id) if (*id as usize) < given => format!("{id}"),
         Value::Id(_) => "new".to_owned(),

@@ -1,7 +1,6 @@
 //! Words and JSON forms that several commands have in common.
 
 use super::super::Output;
-use super::super::failure::Failure;
 use super::super::output;
 use super::map::Map;
 use dcel_kit::io::Places;
