@@ -38,7 +38,8 @@ pub(crate) struct Args {
     /// Draw the edits frame by frame: a strip (.svg, .png), or a page that shows one frame at a time (.html)
     ///
     /// A structure without coordinates is laid out: within a circle, or, if it is a surface with handles, as
-    /// a polygon whose sides are glued in pairs with one letter. A surface in space is seen from one place.
+    /// a polygon whose sides are glued in pairs with one letter; of a large one the part where the edits are has
+    /// room for arrows. A surface in space is seen from one place.
     #[arg(long, value_name = "OUT", group = "drawn")]
     film: Option<PathBuf>,
     /// A new folder with each frame of the film as a file

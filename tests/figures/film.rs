@@ -1,7 +1,7 @@
 //! Films tell the truth: frame by frame they are the journal, and the last frame is the structure.
 
 use crate::drawn;
-use dcel_kit::figure::{Fate, FigureOptions, Film, Frame, Slip, SlipError};
+use dcel_kit::figure::{Fate, FigureError, FigureOptions, Film, Frame, Slip, SlipError};
 use dcel_kit::ids::{Element, FaceId, HalfEdgeId, VertexId};
 use dcel_kit::plane::{PlanarView, Subdivision};
 use dcel_kit::script::{Outcome, Script};
@@ -291,6 +291,59 @@ fn films_without_coordinates_are_the_journal_and_lead_to_the_structure() {
             assert!(ids.contains(&&*format!("f-{count}-{h}")), "{text}: {h} is drawn in the last frame");
         }
     }
+}
+
+/// A torus of m x n squares.
+fn torus(m: usize, n: usize) -> String {
+    let v = |i: usize, j: usize| (i % m) * n + j % n;
+    let square = |i: usize, j: usize| format!("/ {} {} {} {}", v(i, j), v(i + 1, j), v(i + 1, j + 1), v(i, j + 1));
+    let squares: Vec<String> = (0..m * n).map(|k| square(k / n, k % n)).collect();
+    format!("surface {} {}", m * n, squares.join(" "))
+}
+
+#[test]
+fn a_large_structure_without_coordinates_has_room_where_its_edits_are() {
+    let edits = "let a = split_face h0 h4\nsplit_edge a\n";
+    let starts = [("ring 60".to_owned(), 60), ("ring 200".to_owned(), 200), (torus(12, 12), 288)];
+    for (start, edges) in starts {
+        let (film, _) = film_of_kernel(&format!("{start}\n{edits}"));
+        let frames = film.frames();
+        let svg = film.strip(&FigureOptions::new("F")).unwrap_or_else(|error| panic!("{start}: {error}")).to_svg();
+        let document = document(&svg);
+        let width: f64 = document.root_element().attribute("width").unwrap().parse().unwrap();
+        assert!(width <= 830.0, "{start}: {width} px");
+        let group = |id: &str| document.descendants().find(|node| node.attribute("id") == Some(id));
+        let shaft =
+            |id: &str| group(id)?.children().find(|n| n.attribute("class").is_some_and(|c| c.starts_with("sh")));
+        let length = |line: roxmltree::Node<'_, '_>| {
+            let at = |name: &str| line.attribute(name).unwrap().parse::<f64>().unwrap();
+            (at("x2") - at("x1")).hypot(at("y2") - at("y1"))
+        };
+        let mut named = 0;
+        for (i, frame) in frames.iter().enumerate() {
+            for written in &frame.written {
+                let Slot::Next(h) = written.slot else { continue };
+                let id = format!("f-{i}-{h}");
+                // A half-edge has no place before both of its ends are known.
+                let Some(line) = shaft(&id) else {
+                    assert!(frame.table.origin(h).is_none() || written.target == Element::from(h), "{start}: no {id}");
+                    continue;
+                };
+                assert!(length(line) > 12.0, "{start}: {id} is {} px long", length(line));
+                named += usize::from(group(&id).unwrap().descendants().any(|n| n.text() == Some(&*h.to_string())));
+            }
+        }
+        assert!(named > 10, "{start}: {named} half-edges that are written have names");
+        let drawn = (0..2 * edges).filter(|h| shaft(&format!("f-0-h{h}")).is_some()).count();
+        assert!(drawn > 8 && drawn < 3 * edges / 2, "{start}: {drawn} of {} half-edges have arrows", 2 * edges);
+    }
+}
+
+#[test]
+fn a_large_structure_that_is_marked_all_over_is_refused() {
+    let marked: Vec<String> = (0..300).map(|i| format!("h{}", 2 * i)).collect();
+    let (film, _) = film_of_kernel(&format!("ring 300\nhighlight {}\nsplit_edge h0", marked.join(" ")));
+    assert!(matches!(film.strip(&FigureOptions::new("F")), Err(FigureError::NoRoom { .. })));
 }
 
 /// What is drawn in each frame: no captions, no names of links, no ids.

@@ -210,15 +210,20 @@ impl SlipFilm {
         options.usual_width = PANEL;
         options.widest = SHEET;
         options.crop = None;
-        let (placed, names) = self.film.placed();
+        let roomy = self.film.with_room(&mut options)?.map(|film| Self { film, slips: self.slips.clone() });
+        let this = roomy.as_ref().unwrap_or(self);
+        let (placed, names) = this.film.placed();
         let options = &sides::labelled(&options, &names);
         let union = union(&placed);
-        let stage = Stage::new(&self.film.states, &placed, &union, options)?;
+        let mut stage = Stage::new(&this.film.states, &placed, &union, options)?;
+        if roomy.is_some() {
+            stage.leave_out_short();
+        }
         let mut scene = stage.plates[0].picture.scene(Vec::new());
         scene.css.push_str(&sides::css(&options.style, &scene.prefix, &placed));
         let detail = stage.plates[0].picture.detail;
 
-        let frames = self.frames();
+        let frames = this.frames();
         let beside = |[right, wrong]: &[Frame; 2]| -> [Caption; 2] {
             [("right".to_owned(), right.text.clone()), ("with the slip".to_owned(), wrong.text.clone())]
         };

@@ -54,18 +54,23 @@ impl Film {
         options.usual_width = PANEL;
         options.widest = SHEET;
         options.crop = None;
+        let roomy = self.with_room(&mut options)?;
+        let film = roomy.as_ref().unwrap_or(self);
         let options = &options;
-        let frames = self.frames();
+        let frames = film.frames();
         let captions = captions(&frames);
         #[cfg(feature = "solid")]
         if !self.solids.is_empty() {
             let (scene, drawings, detail) = super::space::draw(&self.solids, &frames, options)?;
             return Ok(Reel { scene, captions, drawings, detail, notes: Vec::new() });
         }
-        let (placed, names) = self.placed();
+        let (placed, names) = film.placed();
         let options = &sides::labelled(options, &names);
         let union = union(&placed);
-        let stage = Stage::new(&self.states, &placed, &union, options)?;
+        let mut stage = Stage::new(&film.states, &placed, &union, options)?;
+        if roomy.is_some() {
+            stage.leave_out_short();
+        }
         let mut scene = stage.plates[0].picture.scene(Vec::new());
         scene.css.push_str(&sides::css(&options.style, &scene.prefix, &placed));
         let drawings = frames.iter().enumerate().map(|(i, frame)| stage.draw(frame, &i.to_string())).collect();

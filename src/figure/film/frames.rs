@@ -24,7 +24,8 @@ use std::collections::BTreeMap;
 ///
 /// A structure without coordinates is laid out: what lies on a sphere within a circle, each vertex in the middle of its
 /// neighbours; a closed surface with handles as a polygon whose sides are glued in pairs, both of a pair with one letter.
-/// From state to state as little moves as possible. A surface in space is seen from one place, a frame an edit.
+/// From state to state as little moves as possible. If the whole has no room for arrows, the part where the edits are has:
+/// elsewhere edges are short and plain, up to 1000 of them. A surface in space is seen from one place, a frame an edit.
 ///
 /// ```
 /// use dcel_kit::figure::{Film, FigureOptions};
@@ -43,7 +44,9 @@ pub struct Film {
     /// The structure before the first edit, and after each.
     pub(super) states: Vec<Table>,
     /// How the states lie on paper, if they have no coordinates.
-    spreads: Vec<Spread>,
+    pub(super) spreads: Vec<Spread>,
+    /// The states themselves, if they have no coordinates.
+    pub(super) kernels: Vec<Dcel>,
     /// The states in space.
     #[cfg(feature = "solid")]
     pub(super) solids: Vec<Polyhedron>,
@@ -153,6 +156,7 @@ impl Film {
         Self {
             states: Vec::new(),
             spreads: Vec::new(),
+            kernels: Vec::new(),
             #[cfg(feature = "solid")]
             solids: Vec::new(),
             shots: Vec::new(),
@@ -169,10 +173,16 @@ impl Film {
     /// Appends a state without coordinates, laid out like the one before as far as it can be.
     pub(super) fn add_kernel(&mut self, state: &Dcel) {
         let spread = Spread::new(state, self.spreads.last());
+        self.add_spread(state, spread);
+    }
+
+    /// Appends a state without coordinates that is laid out.
+    pub(super) fn add_spread(&mut self, state: &Dcel, spread: Spread) {
         let mut table = Table::from_view(state);
         set_positions(&mut table, &spread);
         self.states.push(table);
         self.spreads.push(spread);
+        self.kernels.push(state.clone());
     }
 
     /// Appends a state in space.
@@ -294,6 +304,7 @@ impl Film {
         let ends = [0, self.states.len() - 1];
         film.states = ends.map(|i| self.states[i].clone()).to_vec();
         film.spreads = ends.iter().filter_map(|&i| self.spreads.get(i).cloned()).collect();
+        film.kernels = ends.iter().filter_map(|&i| self.kernels.get(i).cloned()).collect();
         let marked = self.shots.first().map(|shot| shot.marked.clone()).unwrap_or_default();
         film.shots.clear();
         film.closing_marked = new_in(&film.states[1], &film.states[0]);
@@ -314,8 +325,19 @@ impl Film {
         let mut film = Self::empty();
         film.states = self.states[shot..=shot + 1].to_vec();
         film.spreads = self.spreads.get(shot..=shot + 1).map(<[Spread]>::to_vec).unwrap_or_default();
+        film.kernels = self.kernels.get(shot..=shot + 1).map(<[Dcel]>::to_vec).unwrap_or_default();
         film.shots = vec![self.shots[shot].clone()];
         film
+    }
+
+    /// The film without its states, which are to follow.
+    pub(super) fn without_states(&self) -> Self {
+        Self { states: Vec::new(), spreads: Vec::new(), kernels: Vec::new(), ..self.clone() }
+    }
+
+    /// What an edit marks.
+    pub(super) fn marked(&self, shot: usize) -> &[Element] {
+        &self.shots[shot].marked
     }
 
     /// What an edit changes.

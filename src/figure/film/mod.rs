@@ -8,6 +8,7 @@
 //!                                            player.rs    a page that plays a film
 //!   beside.rs    an edit beside the same edit with slips: assignments that are forgotten or wrong (slip.rs)
 //!   space.rs     surfaces in space, a frame an edit       sides.rs     what is glued has one letter
+//!   room.rs      room where the edits are, if a structure without coordinates is large
 //!   sketches.rs  films of sketches, for what is not an edit: algorithms/
 //! ```
 //!
@@ -23,6 +24,7 @@ mod frames;
 mod moments;
 mod player;
 mod reel;
+mod room;
 #[cfg(feature = "script")]
 mod script;
 mod sheet;

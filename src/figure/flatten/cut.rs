@@ -41,6 +41,11 @@ impl Spread {
     ///
     /// Cost: O(n) steps of a solver, O(n) each, and O(n²) to look for crossings.
     pub(in crate::figure) fn new(dcel: &Dcel, before: Option<&Self>) -> Self {
+        Self::with_room(dcel, before, &VertexMap::filled(dcel.vertex_bound(), 1.0))
+    }
+
+    /// The same, where vertices have more or less room: above 0 and at most 1.
+    pub(in crate::figure) fn with_room(dcel: &Dcel, before: Option<&Self>, room: &VertexMap<f64>) -> Self {
         let mut out = Self::default();
         let is_cut = cut(dcel, before);
         let outside = outside(dcel, before);
@@ -65,7 +70,7 @@ impl Spread {
         out.at = vec![[0.0; 2]; out.vertex.len()];
         for (i, part) in parts.iter().enumerate() {
             let shift = APART * RADIUS * i as f64;
-            out.place(dcel, part, shift, before);
+            out.place(dcel, part, shift, before, room);
             out.sides.extend(&part.sides);
             out.outside.extend(part.outside);
         }
@@ -114,13 +119,13 @@ impl Spread {
     }
 
     /// Finds the places of a component.
-    fn place(&mut self, dcel: &Dcel, part: &Part, shift: f64, before: Option<&Self>) {
+    fn place(&mut self, dcel: &Dcel, part: &Part, shift: f64, before: Option<&Self>, room: &VertexMap<f64>) {
         let Some(&first) = part.nodes.first().filter(|_| !part.faces.is_empty()) else {
             part.nodes.iter().for_each(|&node| self.at[node as usize] = [shift, 0.0]);
             return;
         };
         let bent = self.bent(dcel, part);
-        let web = self.web(dcel, part, &bent, first as usize);
+        let web = self.web(dcel, part, &bent, first as usize, room);
         let back = |p: [f64; 2]| [p[0] - shift, p[1]];
         let mut known: Vec<Option<[f64; 2]>> = vec![None; web.drawn];
         if let Some(before) = before {
@@ -190,7 +195,7 @@ impl Spread {
     }
 
     /// The walks round the faces of a component, by its nodes from 0 and then the bends.
-    fn web(&self, dcel: &Dcel, part: &Part, bent: &[EdgeId], first: usize) -> Web {
+    fn web(&self, dcel: &Dcel, part: &Part, bent: &[EdgeId], first: usize, room: &VertexMap<f64>) -> Web {
         let bends: Vec<usize> = (0..bent.len()).map(|i| part.nodes.len() + 2 * i).collect();
         let walk = |cycle: &mut dyn Iterator<Item = HalfEdgeId>| -> Vec<usize> {
             let mut out = Vec::new();
@@ -214,7 +219,12 @@ impl Spread {
             }
             None => part.sides.iter().map(|&h| self.node[h] as usize - first).collect(),
         };
-        Web { drawn: part.nodes.len() + 2 * bent.len(), faces, border, bends }
+        let mut rooms: Vec<f64> = part.nodes.iter().map(|&node| room[self.vertex[node as usize]]).collect();
+        for &e in bent {
+            let ends = e.half_edges().map(|h| room[dcel.origin(h)]);
+            rooms.extend([ends[0].max(ends[1]); 2]);
+        }
+        Web { drawn: part.nodes.len() + 2 * bent.len(), faces, border, bends, room: rooms }
     }
 }
 

@@ -8,6 +8,9 @@
 //!   w2 ─────── w3
 //! ```
 //!
+//! A point with little room pulls its neighbours to itself: two points are joined with the weight 1 / (product of their
+//! rooms), and the sides of the border share the circle by the rooms of their ends.
+//!
 //! Source: Tutte, How to draw a graph (1963); Floater, One-to-one piecewise linear mappings over triangulations (2003).
 
 use std::f64::consts::PI;
@@ -16,6 +19,8 @@ use std::f64::consts::PI;
 pub(super) const RADIUS: f64 = 100.0;
 /// The radius of the circle of helping points round a border that is not round itself.
 const OUTER: f64 = 1.7;
+/// If rooms differ, this share of the circle is parted evenly among the sides of the border all the same.
+const EVEN: f64 = 0.4;
 
 /// What is to be drawn of a component: points, walks round its inner faces, and the walk along its border, all of them
 /// counter-clockwise.
@@ -27,6 +32,8 @@ pub(super) struct Web {
     pub(super) border: Vec<usize>,
     /// The first of each two points that are bends.
     pub(super) bends: Vec<usize>,
+    /// How much room each point is to have, above 0 and at most 1: 1 for all, unless some matter more than others.
+    pub(super) room: Vec<f64>,
 }
 
 impl Web {
@@ -41,6 +48,7 @@ impl Web {
 /// The triangles as joined points, and which of them stand on the circle.
 pub(super) struct Disc {
     joined: Vec<Vec<usize>>,
+    room: Vec<f64>,
     /// The points on the circle, counter-clockwise.
     circle: Vec<usize>,
     /// The points of the drawing that belong to those of the circle.
@@ -52,12 +60,18 @@ pub(super) struct Disc {
 impl Disc {
     pub(super) fn new(web: &Web) -> Self {
         let is_round = web.is_round();
-        let mut disc = Self { joined: vec![Vec::new(); web.drawn], circle: Vec::new(), border: Vec::new(), is_round };
+        let mut disc = Self {
+            joined: vec![Vec::new(); web.drawn],
+            room: web.room.clone(),
+            circle: Vec::new(),
+            border: Vec::new(),
+            is_round,
+        };
         for face in &web.faces {
             disc.sides(face);
             if face.len() > 3 {
                 let ring = disc.ring(face);
-                let middle = disc.point();
+                let middle = disc.point(ring.iter().map(|&p| disc.room[p]).fold(0.0, f64::max));
                 ring.iter().for_each(|&p| disc.join(p, middle));
             }
         }
@@ -71,8 +85,9 @@ impl Disc {
         disc
     }
 
-    fn point(&mut self) -> usize {
+    fn point(&mut self, room: f64) -> usize {
         self.joined.push(Vec::new());
+        self.room.push(room);
         self.joined.len() - 1
     }
 
@@ -87,7 +102,9 @@ impl Disc {
 
     /// A ring of helping points along a walk: for its first corner, its first side, its second corner …
     fn ring(&mut self, walk: &[usize]) -> Vec<usize> {
-        let ring: Vec<usize> = (0..2 * walk.len()).map(|_| self.point()).collect();
+        let room = |i: usize| self.room[walk[i % walk.len()]];
+        let rooms: Vec<f64> = (0..walk.len()).flat_map(|i| [room(i), room(i).max(room(i + 1))]).collect();
+        let ring: Vec<usize> = rooms.into_iter().map(|room| self.point(room)).collect();
         for (i, &corner) in walk.iter().enumerate() {
             let next = walk[(i + 1) % walk.len()];
             let (at, side) = (ring[2 * i], ring[2 * i + 1]);
@@ -140,11 +157,17 @@ impl Disc {
     fn on_circle(&self, known: &[Option<[f64; 2]>]) -> Vec<[f64; 2]> {
         let count = self.circle.len();
         let radius = RADIUS * if self.is_round { 1.0 } else { OUTER };
-        let place = |i: usize| on_circle((2 * i) as f64 / count as f64, count).map(|x| x * radius);
-        let round: Vec<[f64; 2]> = (0..count).map(place).collect();
+        let shares = self.shares();
+        let place = |i: usize, shift: usize| {
+            let turn = match &shares {
+                None => (2 * ((i + shift) % count)) as f64 / count as f64,
+                Some(shares) => 2.0 * (shares[i] + shift as f64 / count as f64).fract(),
+            };
+            on_circle(turn, count).map(|x| x * radius)
+        };
         let far = |shift: usize| -> f64 {
             let ways = self.border.iter().enumerate().filter_map(|(i, &p)| {
-                let (place, new) = (known[p]?, round[(i + shift) % count]);
+                let (place, new) = (known[p]?, place(i, shift));
                 let [dx, dy] = [place[0] - new[0], place[1] - new[1]];
                 Some(dx * dx + dy * dy)
             });
@@ -156,7 +179,27 @@ impl Disc {
                 best = shift;
             }
         }
-        (0..count).map(|i| round[(i + best) % count]).collect()
+        (0..count).map(|i| place(i, best)).collect()
+    }
+
+    /// Where on the circle each of its points stands, from 0 to 1, if rooms differ.
+    fn shares(&self) -> Option<Vec<f64>> {
+        let room = |i: usize| self.room[self.circle[i % self.circle.len()]];
+        let count = self.circle.len();
+        let least = (0..count).map(room).fold(f64::INFINITY, f64::min);
+        // What is left of the circle belongs to those with more room than the least.
+        let sides: Vec<f64> = (0..count).map(|i| room(i) * room(i + 1) - least * least).collect();
+        let sum: f64 = sides.iter().sum();
+        if sum <= 0.0 {
+            return None;
+        }
+        let even = EVEN / count as f64;
+        let before = sides.iter().scan(0.0, |so_far, side| {
+            let before = *so_far;
+            *so_far += even + (1.0 - EVEN) * side / sum;
+            Some(before)
+        });
+        Some(before.collect())
     }
 
     /// Every point that is not fixed in the middle of those it is joined to: conjugate gradients.
@@ -165,7 +208,8 @@ impl Disc {
         let mut out: Vec<[f64; 2]> = fixed.iter().map(|place| place.unwrap_or_default()).collect();
         for axis in [0, 1] {
             // What is missing at a point: the sum over its neighbours of how much further they are.
-            let pull = |x: &[f64], p: usize| self.joined[p].iter().map(|&q| x[q] - x[p]).sum::<f64>();
+            let weight = |p: usize, q: usize| 1.0 / (self.room[p] * self.room[q]);
+            let pull = |x: &[f64], p: usize| self.joined[p].iter().map(|&q| weight(p, q) * (x[q] - x[p])).sum::<f64>();
             let mut x: Vec<f64> = out.iter().map(|place| place[axis]).collect();
             let mut rest: Vec<f64> = free.iter().map(|&p| pull(&x, p)).collect();
             let mut way = vec![0.0; x.len()];
@@ -237,7 +281,13 @@ mod tests {
     #[test]
     fn every_free_point_is_in_the_middle_of_its_neighbours() {
         // A square with a dangling edge inside: the face meets corner 0 twice.
-        let web = Web { drawn: 5, faces: vec![vec![0, 4, 0, 1, 2, 3]], border: vec![0, 1, 2, 3], bends: Vec::new() };
+        let web = Web {
+            drawn: 5,
+            faces: vec![vec![0, 4, 0, 1, 2, 3]],
+            border: vec![0, 1, 2, 3],
+            bends: Vec::new(),
+            room: vec![1.0; 5],
+        };
         let disc = Disc::new(&web);
         let mut fixed = vec![None; disc.joined.len()];
         disc.circle.iter().zip(disc.on_circle(&[None; 5])).for_each(|(&p, place)| fixed[p] = Some(place));

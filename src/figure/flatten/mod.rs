@@ -126,7 +126,10 @@ mod tests {
                 let mut dcel = start.clone().unwrap();
                 let mut before: Option<Spread> = None;
                 for step in 0..14 {
-                    let spread = Spread::new(&dcel, before.as_ref());
+                    // In every other round some vertices have more room than others.
+                    let room = |i: usize| if round % 2 == 0 { [1.0, 0.5, 0.25, 0.15][(i + step) % 4] } else { 1.0 };
+                    let rooms: Vec<f64> = (0..dcel.vertex_bound()).map(room).collect();
+                    let spread = Spread::with_room(&dcel, before.as_ref(), &rooms.into());
                     let table = Table::from_view(&dcel);
                     let what = format!("start {number}, round {round}, step {step}");
                     check(&dcel, &Placed::new(&table, &spread, &mut Names::beyond([&table])), &what);
@@ -152,6 +155,21 @@ mod tests {
         let second = Spread::new(&ring, Some(&first));
         let place = |spread: &Spread, v| spread.vertex.iter().position(|&w| w == v).map(|i| spread.at[i]);
         assert!(ring.vertices().all(|v| place(&first, v) == place(&second, v)));
+    }
+
+    #[test]
+    fn the_sides_of_a_ring_are_as_long_as_the_room_of_their_ends() {
+        let ring = Dcel::polygon(40).unwrap();
+        let rooms: Vec<f64> = (0..40).map(|i| if (10..13).contains(&i) { 1.0 } else { 0.15 }).collect();
+        let spread = Spread::with_room(&ring, None, &rooms.into());
+        let place = |i: usize| spread.at[spread.vertex.iter().position(|v| v.index() == i % 40).unwrap()];
+        let long = |i: usize| {
+            let [p, q] = [place(i), place(i + 1)];
+            ((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1])).sqrt()
+        };
+        assert!(spread.at.iter().all(|[x, y]| (x * x + y * y - 1e4).abs() < 1e-6), "on the circle");
+        assert!((long(10) - long(11)).abs() < 1e-9 && long(10) > 10.0 * long(20), "{} {}", long(10), long(20));
+        assert!(long(9) < long(10) && long(9) > 2.0 * long(20), "{} {} {}", long(9), long(10), long(20));
     }
 
     #[test]
