@@ -3,7 +3,7 @@
 //!
 //! The slow builder below shares no code with the kit: directed edges in a `BTreeMap`, fans by repeated merging.
 
-use dcel_kit::topology::{BuildError, Built, Dcel, PolygonList};
+use dcel_kit::topology::{BuildError, Built, Dcel, PolygonList, faces_to_turn};
 use dcel_kit::{FaceId, HalfEdgeId, VertexId};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -475,4 +475,67 @@ fn large_lists_in_any_order_agree_with_the_slow_builder() {
     faces[60_000].swap(0, 1);
     let expected = slow_check_edges(&faces).unwrap_err();
     assert_eq!(Dcel::from_polygons(vertices, &polygons(&faces)), Err(expected));
+}
+
+#[test]
+fn a_list_of_polygons_knows_how_many_corners_it_has() {
+    let mut list = PolygonList::new();
+    assert_eq!(list.corner_count(), 0);
+    list.push_face(&[0, 1, 2, 3]);
+    list.push_hole(&[4, 5, 6]);
+    assert_eq!((list.face_count(), list.cycle_count(), list.corner_count()), (1, 2, 7));
+}
+
+#[test]
+fn what_is_reserved_is_there_before_it_is_needed() {
+    let mut dcel = Dcel::polygon(3).unwrap();
+    // 16 bytes a half-edge, 4 a vertex and a face.
+    assert!(dcel.memory_bytes() >= 16 * 6 + 4 * 3 + 4 * 2);
+    dcel.reserve(1000, 1000, 0);
+    let reserved = dcel.memory_bytes();
+    assert!(reserved >= 16 * 2000 + 4 * 1000, "{reserved}");
+    for _ in 0..900 {
+        dcel.split_edge(HalfEdgeId::new(0)).unwrap();
+    }
+    assert_eq!(dcel.memory_bytes(), reserved, "no column was moved");
+}
+
+/// Grids of triangles, and rings of them, some turned over: what is told to be turned makes all agree, and is never more
+/// than half of a piece. An odd ring has one side.
+#[test]
+fn faces_that_are_turned_over_are_found_whoever_they_are() {
+    let mut random = Random(16);
+    for round in 0..200 {
+        // Two pieces side by side, each a strip of triangles that may be closed to a ring.
+        let (n, is_ring) = (3 + random.below(9) as u32, round % 2 == 0);
+        let mut faces: Vec<[u32; 3]> = Vec::new();
+        for piece in 0..2 {
+            let v = |i: u32, side: u32| piece * 2 * (n + 1) + 2 * (if is_ring { i % n } else { i }) + side;
+            for i in 0..n {
+                faces.push([v(i, 0), v(i + 1, 0), v(i, 1)]);
+                faces.push([v(i + 1, 0), v(i + 1, 1), v(i, 1)]);
+            }
+        }
+        let mut wrong = vec![false; faces.len()];
+        for (face, wrong) in faces.iter_mut().zip(&mut wrong) {
+            if random.below(4) == 0 {
+                face.swap(1, 2);
+                *wrong = true;
+            }
+        }
+        let turned = faces_to_turn(&PolygonList::from_triangles(&faces)).unwrap();
+        for piece in 0..2 {
+            let range = 2 * n as usize * piece..2 * n as usize * (piece + 1);
+            let bad = wrong[range.clone()].iter().filter(|&&wrong| wrong).count();
+            let told = range.clone().filter(|&i| turned.contains(&(i as u32)));
+            let agree = told.clone().filter(|&i| wrong[i]).count();
+            let told = told.count();
+            let is_half = 2 * bad == range.len();
+            assert_eq!(told, bad.min(range.len() - bad), "{faces:?}: {turned:?}");
+            assert!(agree == told && !(2 * bad > range.len()) || agree == 0 && (is_half || 2 * bad > range.len()));
+        }
+    }
+    // Five triangles round a band whose ends are glued the wrong way round.
+    let band = faces_to_turn(&PolygonList::from_triangles(&[[0, 1, 2], [1, 3, 2], [2, 3, 4], [3, 0, 4], [4, 0, 1]]));
+    assert_eq!(band.unwrap_err().band.len(), 5);
 }

@@ -138,6 +138,24 @@ fn a_journal_names_the_steps_of_the_handout_in_order() {
     assert_eq!(names(Call::JoinEdges(h(0))).len(), 3);
 }
 
+#[test]
+fn the_other_edits_of_the_kernel_have_all_of_their_steps() {
+    let mut dcel = Dcel::polygon(5).unwrap();
+    let mut count = |edit: &mut dyn FnMut(&mut Dcel, &mut Journal)| {
+        let mut journal = Journal::new();
+        edit(&mut dcel, &mut journal);
+        let numbers: Vec<u32> = journal.steps().iter().map(|step| step.number).collect();
+        assert_eq!(numbers, (1..=numbers.len() as u32).collect::<Vec<_>>());
+        assert!(journal.steps().iter().all(|step| step.what.ends_with('.')), "{:?}", journal.steps());
+        numbers.len()
+    };
+    let mut new = h(0);
+    assert_eq!(count(&mut |dcel, rec| new = dcel.split_vertex_with(h(0), h(9), rec).unwrap().0), 6);
+    assert_eq!(count(&mut |dcel, rec| _ = dcel.join_vertices_with(new, rec).unwrap()), 4);
+    assert_eq!(count(&mut |dcel, rec| new = dcel.split_face_with(h(0), h(4), rec).unwrap().0), 5);
+    assert_eq!(count(&mut |dcel, rec| dcel.flip_edge_with(new, rec).unwrap()), 4);
+}
+
 /// Writes one change into a table, after checking that its old value is what the table holds.
 fn replay(table: &mut Table, change: &Change, context: &str) {
     fn grow<T: Default>(rows: &mut Vec<Option<T>>, i: usize, reused: bool, context: &str) {

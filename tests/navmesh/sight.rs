@@ -183,6 +183,8 @@ fn from_a_wall_a_ray_goes_to_its_own_side() {
         assert_eq!(hit.map(|hit| hit.distance), if is_left { None } else { Some(0.0) });
         // Along the wall and round its end nothing is in the way.
         assert_eq!(mesh.raycast_from(&place, Point::new(4.0, 4.0)).expect("in range").hit, None);
+        let stays = mesh.raycast_from(&place, place.point).expect("in range");
+        assert_eq!((stays.faces, stays.hit), (vec![place.face], None), "a ray without length");
     }
     assert!(matches!(mesh.raycast(hall[0], Point::new(f64::NAN, 0.0)), Err(RaycastError::End(_))));
     assert!(matches!(mesh.raycast(hall[0], Point::new(1e300, 1.0)), Err(RaycastError::End(_))));
