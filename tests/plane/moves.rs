@@ -212,3 +212,18 @@ fn a_log_takes_a_subdivision_back_to_any_mark() {
     }
     assert!(done > 200, "{done} edits were made");
 }
+
+#[test]
+fn a_vertex_moves_by_what_it_is_told() {
+    let mut s = drawing(1, 5, 0.0);
+    for v in s.vertices().collect::<Vec<_>>() {
+        let (before, mut log) = (s.clone(), PlaneJournal::new());
+        let Point { x, y } = s.point(v);
+        assert_eq!(s.move_vertex_with(v, [0.125, -0.25], &mut log), Ok(()), "{v}");
+        assert_eq!(s.point(v), Point::new(x + 0.125, y - 0.25), "{v}");
+        s.undo(&mut log, 0);
+        assert_eq!(s, before, "{v}");
+    }
+    let missing = VertexId::new(s.vertex_bound() as u32);
+    assert!(matches!(s.move_vertex(missing, [0.0, 0.0]), Err(SetPointError::Id(_))));
+}

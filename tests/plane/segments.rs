@@ -631,3 +631,47 @@ fn numbers_at_the_ends_of_the_range_are_taken() {
     check_split(&arranged, &list, "ends of the range");
     assert!(arranged.subdivision.vertices().all(|v| arranged.subdivision.point(v).check().is_ok()));
 }
+
+#[test]
+fn what_lies_in_something_else_is_a_hole_in_turn() {
+    // Squares in each other, the largest one first, beside two others.
+    let squares = [(0., 5.), (0., 4.), (0., 3.), (0., 2.), (0., 1.), (20., 2.), (20., 1.)];
+    let sides: Vec<Segment> = squares.iter().flat_map(|&(x, r)| square(x, 0., r)).collect();
+    let mut s = Subdivision::from_segments(&sides).unwrap();
+    let marked = s.mark_nested_holes();
+    let mut holes = Vec::new();
+    for f in s.faces().filter(|&f| f != s.outer_face()) {
+        let first = s.half_edge(f).expect("it is bounded");
+        let corners: Vec<Point> = s.cycle(first).map(|h| s.point(s.origin(h))).collect();
+        let (low, high) = corners.iter().fold((f64::MAX, f64::MIN), |(low, high), p| (p.x.min(low), p.x.max(high)));
+        let (middle, r) = ((low + high) / 2., (high - low) / 2.);
+        let depth = squares.iter().filter(|&&(x, other)| x == middle && other > r).count();
+        assert_eq!(s.is_hole(f), depth % 2 == 1, "{f} of half side {r} about {middle}");
+        holes.extend(s.is_hole(f).then_some(f));
+    }
+    assert_eq!(marked, holes);
+    assert_eq!(holes.len(), 3);
+}
+
+#[test]
+fn as_many_faults_are_told_as_are_asked_for() {
+    let o = Point::new(0., 0.);
+    let to = |x: i32, y: i32| [o, Point::new(f64::from(x), f64::from(y))];
+    let through = |x: i32, y: i32| [Point::new(f64::from(-x), f64::from(-y)), Point::new(f64::from(x), f64::from(y))];
+    let cases: [(&str, Vec<Segment>); 5] = [
+        ("overlaps from one point", (1..=6).map(|x| to(x, 0)).collect()),
+        ("ends on a line", (-4..=4).map(|x| to(x, 5)).chain([through(9, 0)]).collect()),
+        ("ends on lines", (-4..=4).map(|x| to(x, 5)).chain((1..4).map(|y| through(9, -y))).collect()),
+        ("crossings in one point", (-3..=3).map(|x| through(x, 5)).collect()),
+        ("parts of a line", (1..=5).map(|x| to(x, 0)).chain([through(9, 0), through(8, 0)]).collect()),
+    ];
+    for (name, segments) in cases {
+        let (all, more) = faults(&segments, 9999);
+        assert!(!more && all.len() > 5, "{name}: {}", all.len());
+        for most in 1..=all.len() + 1 {
+            let (told, more) = faults(&segments, most);
+            assert_eq!((told.len(), more), (most.min(all.len()), most < all.len()), "{name}: {most} of {}", all.len());
+            assert!(told.iter().all(|fault| all.contains(fault)), "{name}: {most}");
+        }
+    }
+}
