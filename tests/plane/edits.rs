@@ -388,3 +388,52 @@ fn the_lab_rectangle_is_the_one_of_the_lab() {
     assert_eq!(s.incident_half_edges(s.outer_face()).count(), 6);
     assert_eq!(s.half_edge(s.outer_face()), Some(h(1)));
 }
+
+#[test]
+fn a_flip_turns_the_diagonal_of_the_two_faces_beside_it() {
+    let square = [(0., 0.), (4., 0.), (4., 4.), (0., 4.)].map(Point::from);
+    let mut s = Subdivision::polygon(&square).unwrap();
+    let (diagonal, _) = s.split_face(h(0), h(4)).unwrap();
+    assert_eq!((s.origin(diagonal), s.destination(diagonal)), (VertexId::new(0), VertexId::new(2)));
+    s.flip_edge(diagonal).unwrap();
+    let ends = BTreeSet::from([s.origin(diagonal), s.destination(diagonal)]);
+    assert_eq!(ends, BTreeSet::from([VertexId::new(1), VertexId::new(3)]));
+    assert_traced(&s, "flipped");
+}
+
+#[test]
+fn an_edge_round_an_island_joins_it_to_the_face_that_surrounds_it() {
+    // Every edge of squares in each other, all of whose faces belong to the domain, from either side.
+    let square = |r: f64| [(-r, -r), (r, -r), (r, r), (-r, r)].map(Point::from);
+    let sides = [8.0, 6.0, 4.0, 2.0].map(square).map(|c| [[c[0], c[1]], [c[1], c[2]], [c[2], c[3]], [c[3], c[0]]]);
+    let s = Subdivision::from_segments(&sides.concat()).unwrap();
+    let mut surrounded = 0;
+    for a in s.half_edges() {
+        let mut after = s.clone();
+        let (f, g) = (s.face(a), s.face(a.twin()));
+        let Ok(gone) = after.join_faces(a) else { continue };
+        let kept = if gone == f { g } else { f };
+        assert!(!after.has_face(gone) && after.has_face(kept), "{a}");
+        assert_traced(&after, &format!("{a}: {gone} joined to {kept}"));
+        surrounded += usize::from(s.half_edge(gone).is_some_and(|g| s.cycle(g).all(|g| g.edge() != a.edge())));
+    }
+    assert!(surrounded >= 12, "{surrounded}");
+}
+
+#[test]
+fn a_hole_that_is_joined_leaves_no_hole_behind() {
+    let mut s = Subdivision::lab_rectangle();
+    let (new, made) = s.split_face(h(2), h(8)).unwrap();
+    let both = [s.face(new), s.face(new.twin())];
+    for joined in [new, new.twin()] {
+        let mut s = s.clone();
+        assert_eq!(both.map(|f| s.set_hole(f, true)), [Some(false); 2]);
+        let gone = s.join_faces(joined).unwrap();
+        assert_eq!(gone, if s.has_face(both[0]) { both[1] } else { both[0] });
+        // The hole that is left becomes a part of the domain, and so does what is cut off from it.
+        assert_eq!(s.set_hole(s.face(h(2)), false), Some(true));
+        let (_, again) = s.split_face(h(2), h(8)).unwrap();
+        assert_eq!(again, gone, "the slot is used again");
+        assert!(!s.is_hole(again), "{again}, as new as {made} was");
+    }
+}

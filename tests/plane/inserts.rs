@@ -4,7 +4,7 @@
 use crate::tracer::{Numbers, assert_traced};
 use dcel_kit::plane::predicates::orientation;
 use dcel_kit::plane::{
-    InsertDanglingEdgeError, InsertEdgeError, InsertSegmentError, InsertVertexError, JoinFacesError, Point,
+    InsertDanglingEdgeError, InsertEdgeError, InsertSegmentError, InsertVertexError, JoinFacesError, PlanarView, Point,
     RemoveEdgeError, RemoveVertexError, SplitEdgeError, Subdivision,
 };
 use dcel_kit::topology::{IdError, InnerComponent, Journal, Table, components, violations};
@@ -423,4 +423,45 @@ fn a_refused_segment_gives_back_the_slots_it_took() {
         s = before;
     }
     assert!(refused > 10, "{refused} of 40 refused");
+}
+
+#[test]
+fn an_edge_comes_and_goes_step_by_step() {
+    let numbers = |journal: &Journal| journal.steps().iter().map(|step| step.number).collect::<Vec<_>>();
+    let (mut s, mut journal) = (start(), Journal::new());
+    let new = s.insert_edge_with(v(7), v(5), &mut journal).unwrap();
+    assert_eq!(numbers(&journal), [1, 2, 3], "an isolated vertex is joined to a cycle");
+    let mut journal = Journal::new();
+    s.remove_edge_with(new.half_edge.edge(), &mut journal).unwrap();
+    assert_eq!(numbers(&journal), [1, 2]);
+    assert_right(&s, "removed again");
+}
+
+/// The face keeps the half-edge of a dangling edge as its own; then that edge goes, from either end.
+#[test]
+fn an_edge_that_a_face_points_to_can_go() {
+    for joined in 0..2 {
+        let square = [point(0, 0), point(8, 0), point(8, 8), point(0, 8)];
+        let mut s = Subdivision::polygon(&square).unwrap();
+        let (diagonal, _) = s.split_face(HalfEdgeId::new(0), HalfEdgeId::new(4)).unwrap();
+        let (middle, _) = s.split_edge(diagonal, point(4, 4)).unwrap();
+        let halves: Vec<HalfEdgeId> = s.outgoing_half_edges(middle).collect();
+        s.join_faces(halves[joined]).unwrap();
+        let left = halves[1 - joined];
+        assert_eq!(s.face(left), s.face(left.twin()), "it dangles");
+        let face = s.face(left);
+        for own in s.incident_half_edges(face).collect::<Vec<_>>() {
+            let mut s = s.clone();
+            // What a face points to moves on with what is split and joined; here it is put there by a table.
+            let mut table = Table::from_view(&s);
+            for u in s.vertices() {
+                table.vertices[u.index()].as_mut().unwrap().position = s.position(u).map(|p| [p.x, p.y]);
+            }
+            table.faces[face.index()].as_mut().unwrap().half_edge = Some(own);
+            s = Subdivision::from_table(&table).unwrap();
+            s.remove_edge(left.edge()).unwrap();
+            assert_right(&s, &format!("half {joined}, {own}"));
+            assert!(own.edge() == left.edge() || s.half_edge(face) == Some(own), "{own} is still there");
+        }
+    }
 }
