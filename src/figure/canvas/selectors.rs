@@ -105,9 +105,11 @@ pub(crate) fn rules(css: &str) -> Vec<Rule<'_>> {
 }
 
 /// Pseudo-classes that say what a reader does: a drawing that lies there unread does not have them.
+#[cfg(feature = "compare")]
 const OF_READERS: [&str; 6] = ["hover", "focus", "active", "visited", "target", "checked"];
 
 /// The first selector that is not understood, of a rule that hides lines: nobody can tell then what it hides.
+#[cfg(feature = "compare")]
 pub(crate) fn hides_unseen(css: &str) -> Option<&str> {
     let mut rest = css;
     while let Some(open) = rest.find('{') {
@@ -141,6 +143,7 @@ pub(crate) fn hides_unseen(css: &str) -> Option<&str> {
 }
 
 /// Whether a declaration makes lines invisible, whatever they are.
+#[cfg(feature = "compare")]
 fn hides(declaration: &str) -> bool {
     let Some((key, value)) = declaration.split_once(':') else { return false };
     let value = value.split('!').next().unwrap_or("").trim();

@@ -277,6 +277,7 @@ impl Cover {
     }
 
     /// How many of the marked polygons cover each face. O(edges) for all faces, however many polygons cover each of them.
+    #[cfg(feature = "io")]
     pub(crate) fn count_marked(&self, marked: &[bool]) -> FaceMap<u32> {
         let mut counts = FaceMap::filled(self.counts.len(), 0);
         let step = |(inside, count): &mut (Vec<bool>, u32), f: FaceId| {

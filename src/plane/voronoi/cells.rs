@@ -64,9 +64,9 @@ impl Voronoi<'_> {
         sites: &[VertexId],
     ) -> Result<(Subdivision, FaceMap<Option<VertexId>>, usize), VoronoiError> {
         let mut segments: Vec<[Point; 2]> = self.edges().iter().filter_map(|edge| self.piece(edge, window)).collect();
-        let on_border = segments.as_flattened().iter().copied().filter(|&p| !window.contains(p));
-        let on_border: Vec<_> = on_border.chain(window.corners()).map(|p| (p, ())).collect();
-        segments.extend(border(window, &on_border).into_iter().map(|ends| ends.map(|(p, ())| p)));
+        let at_border = segments.as_flattened().iter().copied().filter(|&p| !window.contains(p));
+        let at_border: Vec<_> = at_border.chain(window.corners()).map(|p| (p, ())).collect();
+        segments.extend(border(window, &at_border).into_iter().map(|ends| ends.map(|(p, ())| p)));
         let options = ArrangeOptions { merge: true, split: true, ..ArrangeOptions::default() };
         let mut subdivision = Subdivision::arrange_segments(&segments, &options)?.subdivision;
 

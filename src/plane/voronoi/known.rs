@@ -39,7 +39,7 @@ impl Voronoi<'_> {
     pub(super) fn known_cells(&self, window: &Window) -> Option<(Subdivision, FaceMap<Option<VertexId>>)> {
         let mut ends = Ends::default();
         let mut number_of = vec![NONE; self.corners.len()];
-        let mut on_border: Vec<(Point, u32)> = Vec::new();
+        let mut at_border: Vec<(Point, u32)> = Vec::new();
         let mut sites: Vec<[VertexId; 2]> = Vec::new();
         for edge in &self.edges {
             let Some(piece) = self.piece(edge, window) else { continue };
@@ -53,7 +53,7 @@ impl Voronoi<'_> {
                 }
                 _ => {
                     let number = ends.number(piece[i]);
-                    on_border.push((piece[i], number));
+                    at_border.push((piece[i], number));
                     number
                 }
             });
@@ -61,11 +61,11 @@ impl Voronoi<'_> {
             sites.push(edge.sites);
         }
         let inner = ends.edges.len() as u32;
-        let expected = on_border.len() + 4;
-        on_border.extend(window.corners().map(|p| (p, NONE)));
+        let expected = at_border.len() + 4;
+        at_border.extend(window.corners().map(|p| (p, NONE)));
         let mut corners = [NONE; 4];
         let mut first = None;
-        for [from, to] in border(window, &on_border) {
+        for [from, to] in border(window, &at_border) {
             let ids = [from, to].map(|(p, number)| match number {
                 NONE => {
                     let corner = window.corners().iter().position(|&q| q == p).unwrap_or_default();
