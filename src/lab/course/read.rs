@@ -338,7 +338,7 @@ destination_by_next = { needs = ["destination_by_twin"] }
         assert_eq!(lab.manifest.max_points(), 100);
         assert_eq!(lab.manifest.test("face_walk").unwrap().visibility, Visibility::AfterDueDate);
         assert_eq!(lab.manifest.test("destination_by_next").unwrap().needs, ["destination_by_twin"]);
-        assert_eq!((lab.manifest.limits.seconds, lab.manifest.limits.cpu_seconds), (9.5, 1));
+        assert_eq!((lab.manifest.limits.seconds, lab.manifest.limits.cpu_seconds), (9.5, 2));
         assert_eq!(lab.due.unwrap().to_string(), "2026-10-12 23:59:00+02:00");
         assert_eq!(lab.secret.as_ref().unwrap().1.weight("split_face"), 3);
         assert_eq!((lab.least, lab.most, lab.idea), (Some(10.into()), Some(105.into()), false));
