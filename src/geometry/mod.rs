@@ -19,7 +19,7 @@ pub(crate) mod interval;
 pub(crate) mod number;
 pub(crate) mod point;
 pub mod predicates;
-#[cfg(any(feature = "navmesh", feature = "play"))]
+#[cfg(any(feature = "navmesh", feature = "play", feature = "solid"))]
 pub(crate) mod random;
 #[cfg(any(feature = "navmesh", feature = "solid"))]
 pub(crate) mod space;

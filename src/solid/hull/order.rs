@@ -5,13 +5,15 @@
 //!                                      each stretch sorted along a curve that fills space
 //! ```
 
+use crate::geometry::random;
+
 /// Calls `add` once for every point that is wanted. Expected O(n log n). The same points come in the same order every
 /// time, whichever others are wanted.
 pub(super) fn order(points: &[[f64; 3]], wanted: impl Fn(u32) -> bool, mut add: impl FnMut(u32)) {
     let mut shuffled: Vec<u32> = (0..points.len() as u32).collect();
     let mut seed = 0;
     for i in (1..shuffled.len()).rev() {
-        shuffled.swap(i, (random(&mut seed) % (i as u64 + 1)) as usize);
+        shuffled.swap(i, (random::next(&mut seed) % (i as u64 + 1)) as usize);
     }
     let place = places(points);
     let mut start = 0;
@@ -25,14 +27,6 @@ pub(super) fn order(points: &[[f64; 3]], wanted: impl Fn(u32) -> bool, mut add: 
         keyed.iter().for_each(|&(_, p)| add(p));
         start = end;
     }
-}
-
-/// The next number of a fixed sequence (splitmix64).
-fn random(seed: &mut u64) -> u64 {
-    *seed = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let x = (*seed ^ (*seed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    x ^ (x >> 31)
 }
 
 /// The place of a point along a curve through 1024³ cells (Morton, 1966).
