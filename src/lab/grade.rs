@@ -71,7 +71,8 @@ pub fn grade_and_sign(lab: &Lab, program: &dyn Program, plan: &Plan) -> (Report,
     (report, signature)
 }
 
-/// [`grade_and_sign`]; with `all`, also in which calls of all cases each test fails and in which it does not.
+/// [`grade_and_sign`]; with `all`, also in which calls of all cases each test fails and in which it does not, but
+/// without what a student is shown: the search for the shortest failing case takes longer than all else.
 pub(super) fn grade(lab: &Lab, program: &dyn Program, plan: &Plan, all: bool) -> (Report, Signature, Evidence) {
     let begin = Instant::now();
     let mut report = empty_report(lab, plan, program);
@@ -106,7 +107,7 @@ pub(super) fn grade(lab: &Lab, program: &dyn Program, plan: &Plan, all: bool) ->
         if state.verdict.is_failure() {
             let found = mutants::Found { signature: &signature, skipped: &skipped, evidence: &evidence };
             result.bugs = mutants::names(lab, judge.vocabulary(), state.test.task, &found);
-            if let (Some(suite), Some(unit)) = (state.suite, run.first_failing(state)) {
+            if let (false, Some(suite), Some(unit)) = (all, state.suite, run.first_failing(state)) {
                 context.illustrate(&mut result, &graded[suite], unit.case, unit.step, &state.needs);
             }
         }
