@@ -55,6 +55,10 @@ fn linear() {
         let s = Subdivision::from_segments(&spokes).expect("they meet in the hub only");
         move || s.constrained_delaunay().expect("not too many").subdivision.edge_count()
     });
+    growth("constrained Delaunay, long walls side by side: n² log n", &[1000, 2000, 4000], |count| {
+        let s = Subdivision::from_segments(&walls(count)).expect("walls stand apart");
+        move || s.constrained_delaunay().expect("not too many").subdivision.edge_count()
+    });
     for (name, points) in [("on a circle", circle as fn(usize) -> Vec<Point>), ("that crowd", crowded)] {
         growth(&format!("Voronoi cells, points {name}"), &DOUBLED, |count| {
             let points = points(count);
@@ -79,6 +83,12 @@ fn linear() {
             copy.face_count()
         }
     });
+}
+
+/// Long walls side by side, and between them short edges that climb: each wall has very many edges across it.
+fn walls(count: usize) -> Vec<[Point; 2]> {
+    let steps = (0..count / 2).map(|i| i as f64);
+    steps.flat_map(|x| [[(x, 0.0), (x, 1e6)], [(x + 0.3, x), (x + 0.6, x)]]).map(|ends| ends.map(Point::from)).collect()
 }
 
 /// Points in squares of sides 1, 1/1000, 10^-6 and 10^-9, all of them at the origin.

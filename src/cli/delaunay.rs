@@ -34,6 +34,9 @@ pub(crate) struct Args {
     #[arg(value_name = "IN")]
     file: PathBuf,
     /// Keep the edges of the file: triangles outside its bounded faces are hole faces
+    ///
+    /// O(n log n) for most shapes; where very many long edges stand side by side with points between
+    /// them, time grows with their square, and more.
     #[arg(long, conflicts_with = "flips")]
     constrained: bool,
     /// Flip the edges of the triangulation in the file, and count the flips

@@ -54,7 +54,7 @@ static METHODS: &[Choice<TriangulationMethod>] = &[
     ("monotone", "Cut into monotone pieces first, O(n log n)", TriangulationMethod::Monotone),
     (
         "delaunay",
-        "Constrained Delaunay: no needless slivers, O(n log n) for most shapes",
+        "Constrained Delaunay: no needless slivers, O(n log n) for most shapes, O(n² log n) for long walls side by side",
         TriangulationMethod::Delaunay,
     ),
 ];

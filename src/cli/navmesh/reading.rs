@@ -57,7 +57,8 @@ pub(super) struct MapArgs {
     #[arg(long, value_name = "D", value_parser = super::numbers::number, allow_negative_numbers = true, help_heading = "Reading")]
     weld: Option<f64>,
     /// Cut all faces into triangles without needless slivers (constrained Delaunay); a .map is cut along the
-    /// borders of its regions
+    /// borders of its regions. Where very many long walls stand side by side, the time grows with their square,
+    /// and more
     #[arg(long, help_heading = "Reading")]
     triangles: bool,
     #[command(flatten)]
