@@ -2,6 +2,7 @@
 
 use crate::shell::{CUBE, Folder};
 use serde_json::json;
+use std::process::Command;
 
 #[test]
 fn a_torus_is_made_written_and_measured() {
@@ -240,4 +241,23 @@ fn figures_show_half_edges_of_faces_that_are_seen_and_dash_the_rest() {
         (&json!("plane"), &json!(8), &json!(6), &json!(2))
     );
     folder.dcel("solid schlegel cube.off --through f6").fails(2, "there is no f6", "there are 6 faces");
+}
+
+/// The processor time of `dcel solid subdivide --sharper` for a cylinder whose two ends have `corners` corners each.
+fn seconds_of_sharp_edges(folder: &Folder, corners: u32) -> f64 {
+    folder.dcel(&format!("solid make cylinder {corners} 1 -o {corners}.off")).fine();
+    let line =
+        format!("TIMEFORMAT=%U; time '{}' solid subdivide {corners}.off --sharper 100", env!("CARGO_BIN_EXE_dcel"));
+    let output = Command::new("bash").args(["-c", &line]).current_dir(folder.path(".")).output().expect("bash");
+    assert!(output.status.success(), "{output:?}");
+    let told = String::from_utf8(output.stderr).unwrap();
+    told.trim().lines().last().unwrap().parse().unwrap_or_else(|_| panic!("no time in {told}"))
+}
+
+/// Four times as many corners may take eight times as long; all corners again for each edge would take sixteen times.
+#[test]
+fn sharp_edges_are_found_in_time_of_the_corners() {
+    let folder = Folder::new();
+    let [small, large] = [500, 2000].map(|corners| seconds_of_sharp_edges(&folder, corners));
+    assert!(large < 8.0 * small.max(0.01), "{small} s, {large} s");
 }

@@ -51,8 +51,10 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
 fn sharp_edges(solid: &Polyhedron, degrees: Option<f64>) -> Selection<EdgeId> {
     let mut creases = Selection::new();
     let Some(degrees) = degrees else { return creases };
+    // Asked of the solid, each edge would look at all corners of both its faces.
+    let measures = solid.measures();
     for e in solid.edges() {
-        if solid.dihedral_angle(e).is_some_and(|angle| angle.to_degrees() < degrees) {
+        if measures.dihedral_angle(e).is_some_and(|angle| angle.to_degrees() < degrees) {
             creases.add(e, 1);
         }
     }
