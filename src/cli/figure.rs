@@ -87,6 +87,9 @@ struct Drawing {
     #[arg(long, value_name = "PX", value_parser = px)]
     max_height: Option<f64>,
     /// How much to draw [default: as much as there is room for]
+    ///
+    /// Where far more arrows or names are asked for than there is room for, time grows with the square of
+    /// the edges that crowd.
     #[arg(long, value_name = "LEVEL", value_parser = one_of(LEVELS))]
     detail: Option<Detail>,
     /// Half-edges show their pointers under the mouse, with the keyboard's focus, and by #id

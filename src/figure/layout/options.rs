@@ -21,6 +21,9 @@ const WIDEST: f64 = 1600.0;
 ///                 ●─ h4 ─▸●   ●────▸●     ·────·     one path per tile
 ///   at most        2,000       5,000      20,000     any number of edges and of vertices
 /// ```
+///
+/// A caller who fixes `Arrows` or `Full` for far more edges than there is room for waits for it: arrows and labels
+/// look at all edges within some 24 px, so that the time grows with the square of the edges that crowd.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Detail {
     /// Edges as a few paths for each tile of 64 px; faces one by one only if there are at most 2000.
