@@ -55,7 +55,10 @@ pub(crate) fn table<const N: usize>(out: &mut impl Write, rows: &[[String; N]]) 
     let width = |i: usize| rows.iter().map(|row| row[i].chars().count()).max().unwrap_or(0);
     let widths: [usize; N] = std::array::from_fn(width);
     for row in rows {
-        let line: Vec<String> = row.iter().zip(widths).map(|(cell, width)| format!("{cell:<width$}")).collect();
+        // By hand: a width in a format string ends at 65,535.
+        let blanks = |cell: &str, width: usize| " ".repeat(width.saturating_sub(cell.chars().count()));
+        let line: Vec<String> =
+            row.iter().zip(widths).map(|(cell, width)| format!("{cell}{}", blanks(cell, width))).collect();
         writeln!(out, "  {}", line.join("  ").trim_end())?;
     }
     Ok(())

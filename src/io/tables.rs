@@ -96,7 +96,10 @@ fn table(out: &mut impl Write, heads: &[&str], rows: &[Vec<String>]) -> io::Resu
     };
     let widths: Vec<usize> = (0..heads.len()).map(width).collect();
     let line = |cells: &mut dyn Iterator<Item = &str>| {
-        let padded: Vec<String> = cells.zip(&widths).map(|(cell, &width)| format!("{cell:width$}")).collect();
+        // By hand: a width in a format string ends at 65,535.
+        let blanks = |cell: &str, width: usize| " ".repeat(width.saturating_sub(cell.chars().count()));
+        let padded: Vec<String> =
+            cells.zip(&widths).map(|(cell, &width)| format!("{cell}{}", blanks(cell, width))).collect();
         padded.join(" | ").trim_end().to_owned()
     };
     writeln!(out, "{}", line(&mut heads.iter().copied()))?;

@@ -69,6 +69,17 @@ fn the_tables_are_those_of_the_slides() {
     assert!(plain.contains("\nv3     | (2.5, 1)              | none\n"), "{plain}");
 }
 
+/// A face with very many holes has a cell as wide as that, too.
+#[test]
+fn a_cell_of_a_table_may_be_wider_than_a_format_string_can_say() {
+    let mut wide = triangle();
+    wide.faces[1].as_mut().unwrap().name = Some("x".repeat(70_000));
+    let tables = text(&Model::table(&wide), Format::Tables);
+    let last = tables.lines().last().unwrap();
+    assert!(last.starts_with("f1 ") && last.ends_with('x') && last.len() > 70_000, "{} bytes", last.len());
+    assert!(tables.lines().any(|line| line.len() == last.len() && line.starts_with("-----+")));
+}
+
 #[test]
 fn what_a_format_cannot_hold_is_refused_by_name() {
     let f1 = FaceId::new(1);
