@@ -40,6 +40,33 @@ fn the_field_has_the_length_of_the_shortest_way_to_every_vertex() {
     }
 }
 
+/// Between pillars in rows there are as many equally short ways to a corner as there are orders of the steps to it: they
+/// must not all be gone on with.
+#[test]
+fn equally_short_ways_do_not_multiply() {
+    let work = |size: u32| {
+        let corner = |x: u32, y: u32| y * (size + 1) + x;
+        let points = (0..=size).flat_map(|y| (0..=size).map(move |x| Point::new(x.into(), y.into()))).collect();
+        let cells = (0..size).flat_map(|y| (0..size).map(move |x| (x, y)));
+        let triangles: Vec<[u32; 3]> = cells
+            .filter(|(x, y)| x % 2 == 0 || y % 2 == 0)
+            .flat_map(|(x, y)| {
+                let [a, b, c, d] = [corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)];
+                [[a, b, c], [a, c, d]]
+            })
+            .collect();
+        let mesh = NavMesh::new(&Subdivision::from_triangles(points, &triangles).expect("cells")).expect("triangles");
+        let start = mesh.place(Point::new(0.5, 0.25)).expect("on the map");
+        let field = Planner::new().distance_field(&mesh, &start, f64::INFINITY);
+        // Along the lowest row, straight to its end.
+        let end = field.distance(VertexId::new(size)).expect("reached");
+        assert!(is_close(end, (f64::from(size) - 0.5).hypot(0.25)), "{end}");
+        field.work.expansions
+    };
+    let [small, large] = [15, 31].map(work);
+    assert!(large < 12 * small, "{small} cones in 15 rows, {large} in 31");
+}
+
 /// Two rooms joined by a narrow hole below and a wide one above.
 fn two_holes() -> NavMesh {
     let at = |x: f64, y: f64| Point::new(x, y);

@@ -157,10 +157,10 @@ impl Exact {
                 }
                 // Edge-on along a ray, further on than the endpoint.
                 if !at_right_endpoint && of_right == 0 && next_of_right == 0 {
-                    self.bend_round(behind, &side, right, node.length + distance(beam.root, right.at));
+                    self.bend_round(behind, &side, right, node.root, node.length + distance(beam.root, right.at));
                 }
                 if !at_left_endpoint && of_left == 0 && next_of_left == 0 {
-                    self.bend_round(behind, &side, left, node.length + distance(beam.root, left.at));
+                    self.bend_round(behind, &side, left, node.root, node.length + distance(beam.root, left.at));
                 }
             }
             if at_left_endpoint || (next_of_left > 0 && !left_endpoint.may_turn) {
@@ -206,7 +206,8 @@ impl Exact {
         if endpoint.root.is_none() {
             let length = beam.node.length + distance(beam.root, at);
             let vertex = vertex & ID;
-            endpoint.root = Some(self.may_bend(behind, vertex, length).then_some(Root { vertex, at, length }));
+            endpoint.root =
+                Some(self.may_bend(behind, vertex, beam.node.root, length).then_some(Root { vertex, at, length }));
         }
         if let Some(Some(root)) = endpoint.root {
             let limit = (beam.node.root, difference(beam.root, at));
@@ -241,7 +242,7 @@ impl Exact {
                 // A start inside the side itself leaves it for both rooms by their other sides; so does one at its end.
                 let inside = near.at == root.at || !is_beyond(root.at, near.at, far.at);
                 if !inside {
-                    self.bend_round(behind, side, near, root.length + distance(root.at, near.at));
+                    self.bend_round(behind, side, near, root.vertex, root.length + distance(root.at, near.at));
                 }
             }
             Ordering::Less => {}
@@ -249,9 +250,9 @@ impl Exact {
     }
 
     /// A side from the corner at its one end, if the path may bend there.
-    fn bend_round<R: Rooms>(&mut self, behind: &Behind<R>, side: &Side, corner: Corner, length: f64) {
+    fn bend_round<R: Rooms>(&mut self, behind: &Behind<R>, side: &Side, corner: Corner, from: u32, length: f64) {
         let vertex = corner.vertex & ID;
-        if corner.vertex & TURN != 0 && self.may_bend(behind, vertex, length) {
+        if corner.vertex & TURN != 0 && self.may_bend(behind, vertex, from, length) {
             self.found.push(behind.seen_from_endpoint(side, Root { vertex, at: corner.at, length }));
         }
     }
@@ -259,13 +260,13 @@ impl Exact {
     /// Whether no shorter path to a vertex is known. At a double corner there is no question which wedge: ways bend in
     /// a wedge of more than half a turn, and no vertex has two of those.
     #[inline]
-    fn may_bend<R: Rooms>(&mut self, behind: &Behind<R>, vertex: u32, length: f64) -> bool {
+    fn may_bend<R: Rooms>(&mut self, behind: &Behind<R>, vertex: u32, from: u32, length: f64) -> bool {
         let query = behind.scratch.query;
         let known = &mut self.roots[vertex as usize];
-        if known.0 == query && known.1 < length {
+        if known.0 == query && (known.1 < length || (known.1 == length && known.2 != from)) {
             return false;
         }
-        *known = (query, length);
+        *known = (query, length, from);
         true
     }
 }

@@ -21,7 +21,7 @@ pub(in super::super) struct Exact {
     /// The cones behind the one that was looked at last.
     pub(super) found: Vec<Beam>,
     /// For each vertex in which query it was a root, and the shortest path there.
-    pub(super) roots: Vec<(u32, f64)>,
+    pub(super) roots: Vec<(u32, f64, u32)>,
     pub(super) start: Point,
     /// What the last search ran through.
     searched: Searched,
@@ -47,7 +47,7 @@ impl Exact {
         if scratch.query == 1 {
             self.roots.clear();
         }
-        self.roots.resize(mesh.vertex_bound().max(self.roots.len()), (0, 0.0));
+        self.roots.resize(mesh.vertex_bound().max(self.roots.len()), (0, 0.0, 0));
         self.nodes.clear();
         self.start = start;
         self.searched = Searched::of(mesh, merged);
@@ -146,7 +146,7 @@ impl Exact {
         if node.root == START {
             return false;
         }
-        let (query, least) = self.roots[node.root as usize];
+        let (query, least, _) = self.roots[node.root as usize];
         query == scratch.query && least < node.length
     }
 
