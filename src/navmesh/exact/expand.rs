@@ -257,8 +257,12 @@ impl Exact {
         }
     }
 
-    /// Whether no shorter path to a vertex is known. At a double corner there is no question which wedge: ways bend in
-    /// a wedge of more than half a turn, and no vertex has two of those.
+    /// Whether no shorter path to a vertex is known, and none as long that bends last elsewhere than at `from`: what lies
+    /// behind the vertex for one of two such ways and not for the other, that other reaches by a shorter way, so that
+    /// one of them is enough. All of them would be as many as there are orders of the steps between rows of pillars.
+    ///
+    /// At a double corner there is no question which wedge: ways bend in a wedge of more than half a turn, and no vertex
+    /// has two of those.
     #[inline]
     fn may_bend<R: Rooms>(&mut self, behind: &Behind<R>, vertex: u32, from: u32, length: f64) -> bool {
         let query = behind.scratch.query;

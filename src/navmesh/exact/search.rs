@@ -20,7 +20,7 @@ pub(in super::super) struct Exact {
     pub(super) nodes: Vec<Node>,
     /// The cones behind the one that was looked at last.
     pub(super) found: Vec<Beam>,
-    /// For each vertex in which query it was a root, and the shortest path there.
+    /// For each vertex in which query it was a root, the length of the shortest path there, and the root before.
     pub(super) roots: Vec<(u32, f64, u32)>,
     pub(super) start: Point,
     /// What the last search ran through.
