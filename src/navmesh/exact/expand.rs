@@ -267,7 +267,12 @@ impl Exact {
     fn may_bend<R: Rooms>(&mut self, behind: &Behind<R>, vertex: u32, from: u32, length: f64) -> bool {
         let query = behind.scratch.query;
         let known = &mut self.roots[vertex as usize];
-        if known.0 == query && (known.1 < length || (known.1 == length && known.2 != from)) {
+        let is_enough = match known.1.total_cmp(&length) {
+            Ordering::Less => true,
+            Ordering::Equal => known.2 != from,
+            Ordering::Greater => false,
+        };
+        if known.0 == query && is_enough {
             return false;
         }
         *known = (query, length, from);
