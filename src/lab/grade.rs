@@ -107,7 +107,7 @@ pub(super) fn grade(lab: &Lab, program: &dyn Program, plan: &Plan, all: bool) ->
         if state.verdict.is_failure() {
             let found = mutants::Found { signature: &signature, skipped: &skipped, evidence: &evidence };
             result.bugs = mutants::names(lab, judge.vocabulary(), state.test.task, &found);
-            if let (false, Some(suite), Some(unit)) = (all, state.suite, run.first_failing(state)) {
+            if !all && let (Some(suite), Some(unit)) = (state.suite, run.first_failing(state)) {
                 context.illustrate(&mut result, &graded[suite], unit.case, unit.step, &state.needs);
             }
         }

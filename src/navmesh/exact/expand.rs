@@ -17,7 +17,7 @@ use super::super::rooms::{Corner, Rooms};
 use super::super::scratch::Scratch;
 use super::cone::{AT_POST, BENT, Beam, ENDS, Node, START};
 use super::ray::{Turn, difference};
-use super::search::Exact;
+use super::search::{Exact, KnownRoot};
 use crate::plane::Point;
 use crate::plane::predicates::{left_to_right, orientation};
 use std::cmp::Ordering;
@@ -267,15 +267,15 @@ impl Exact {
     fn may_bend<R: Rooms>(&mut self, behind: &Behind<R>, vertex: u32, from: u32, length: f64) -> bool {
         let query = behind.scratch.query;
         let known = &mut self.roots[vertex as usize];
-        let is_enough = match known.1.total_cmp(&length) {
+        let is_enough = match known.length.total_cmp(&length) {
             Ordering::Less => true,
-            Ordering::Equal => known.2 != from,
+            Ordering::Equal => known.from != from,
             Ordering::Greater => false,
         };
-        if known.0 == query && is_enough {
+        if known.query == query && is_enough {
             return false;
         }
-        *known = (query, length, from);
+        *known = KnownRoot { query, length, from };
         true
     }
 }

@@ -14,14 +14,24 @@ use crate::ids::FaceId;
 use crate::plane::Point;
 use std::cmp::Reverse;
 
+/// The shortest path to a vertex as far as it is known.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct KnownRoot {
+    /// The query that found it.
+    pub(super) query: u32,
+    pub(super) length: f64,
+    /// Where it bends last before.
+    pub(super) from: u32,
+}
+
 /// The memory of the exact search.
 #[derive(Clone, Debug, Default)]
 pub(in super::super) struct Exact {
     pub(super) nodes: Vec<Node>,
     /// The cones behind the one that was looked at last.
     pub(super) found: Vec<Beam>,
-    /// For each vertex in which query it was a root, the length of the shortest path there, and the root before.
-    pub(super) roots: Vec<(u32, f64, u32)>,
+    /// For each vertex what is known of it as a root.
+    pub(super) roots: Vec<KnownRoot>,
     pub(super) start: Point,
     /// What the last search ran through.
     searched: Searched,
@@ -47,7 +57,7 @@ impl Exact {
         if scratch.query == 1 {
             self.roots.clear();
         }
-        self.roots.resize(mesh.vertex_bound().max(self.roots.len()), (0, 0.0, 0));
+        self.roots.resize(mesh.vertex_bound().max(self.roots.len()), KnownRoot::default());
         self.nodes.clear();
         self.start = start;
         self.searched = Searched::of(mesh, merged);
@@ -146,8 +156,8 @@ impl Exact {
         if node.root == START {
             return false;
         }
-        let (query, least, _) = self.roots[node.root as usize];
-        query == scratch.query && least < node.length
+        let known = &self.roots[node.root as usize];
+        known.query == scratch.query && known.length < node.length
     }
 
     /// Looks at every cone that begins within `limit`, without a goal, and tells `see` the shortest length to each

@@ -617,11 +617,17 @@ fn time_of_grid(n: usize) -> Duration {
 }
 
 #[test]
-fn the_time_of_a_comparison_grows_little_more_than_the_drawings() {
+fn large_drawings_are_compared_in_about_a_second() {
     // 24,864 and 99,904 edges: four times as many may take eight times as long, on whatever machine; all pairs would
     // take sixteen times as long.
     let (small, large) = (time_of_grid(111), time_of_grid(223));
     assert!(large < 8 * small, "{small:?}, {large:?}");
+    assert!(large < Duration::from_secs(6), "{large:?}");
+
+    let (reference, student) = (kit(&table(&ship())), Pen::new(&ship()).svg());
+    let started = ThreadTime::now();
+    assert!((0..20).all(|_| judge(&reference, &student).is_equal()));
+    println!("the drawing of the lab: {:?}", started.elapsed() / 20);
 }
 
 #[test]
