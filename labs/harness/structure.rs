@@ -19,12 +19,12 @@ pub trait Structure: Clone + Default {
 
     /// How many records a table has.
     fn len(&self, table: usize) -> usize;
-    /// The fields of a record, in the order of the columns.
-    fn row(&self, table: usize, number: usize) -> Vec<Cell>;
+    /// Of a table, the fields of a record by its number, in the order of the columns.
+    fn rows(&self, table: usize) -> impl Fn(usize) -> Vec<Cell>;
     /// Adds a record with these fields.
     fn add(&mut self, table: usize, row: &[Cell]);
-    /// Whether a record is not what it is in `other`, where it exists, too.
-    fn differs(&self, other: &Self, table: usize, number: usize) -> bool;
+    /// Of a table, whether a record, by its number, is not what it is in `before`, where it exists, too.
+    fn differs(&self, before: &Self, table: usize) -> impl Fn(usize) -> bool;
     /// One of the references of the structure itself.
     fn single(&self, which: usize) -> Option<usize>;
     /// Sets it.
@@ -108,14 +108,14 @@ impl Structure for () {
         0
     }
 
-    fn row(&self, _: usize, _: usize) -> Vec<Cell> {
-        Vec::new()
+    fn rows(&self, _: usize) -> impl Fn(usize) -> Vec<Cell> {
+        |_| Vec::new()
     }
 
     fn add(&mut self, _: usize, _: &[Cell]) {}
 
-    fn differs(&self, (): &Self, _: usize, _: usize) -> bool {
-        false
+    fn differs(&self, (): &Self, _: usize) -> impl Fn(usize) -> bool {
+        |_| false
     }
 
     fn single(&self, _: usize) -> Option<usize> {
@@ -134,7 +134,8 @@ pub(super) fn records<S: Structure>(structure: &S) -> usize {
 pub fn dump<S: Structure>(structure: &S) -> String {
     let mut text = singles(structure);
     for table in 0..S::TABLES.len() {
-        (0..structure.len(table)).for_each(|number| record(structure, table, number, &mut text));
+        let row = structure.rows(table);
+        (0..structure.len(table)).for_each(|number| record(&S::TABLES[table], number, row(number), &mut text));
     }
     text
 }
@@ -143,10 +144,12 @@ pub fn dump<S: Structure>(structure: &S) -> String {
 pub(super) fn changes<S: Structure>(structure: &S, before: &S) -> String {
     let mut text = singles(structure);
     for table in 0..S::TABLES.len() {
-        for number in 0..structure.len(table) {
-            if number >= before.len(table) || structure.differs(before, table, number) {
-                record(structure, table, number, &mut text);
-            }
+        let differs = structure.differs(before, table);
+        let is_other = |&number: &usize| number >= before.len(table) || differs(number);
+        let changed: Vec<usize> = (0..structure.len(table)).filter(is_other).collect();
+        if !changed.is_empty() {
+            let row = structure.rows(table);
+            changed.into_iter().for_each(|number| record(&S::TABLES[table], number, row(number), &mut text));
         }
     }
     text
@@ -162,9 +165,9 @@ fn singles<S: Structure>(structure: &S) -> String {
     text
 }
 
-fn record<S: Structure>(structure: &S, table: usize, number: usize, text: &mut String) {
-    let _ = write!(text, "{} {number}", S::TABLES[table].word);
-    structure.row(table, number).into_iter().for_each(|content| cell(text, content));
+fn record(table: &Table, number: usize, row: Vec<Cell>, text: &mut String) {
+    let _ = write!(text, "{} {number}", table.word);
+    row.into_iter().for_each(|content| cell(text, content));
     text.push('\n');
 }
 

@@ -111,7 +111,7 @@ pub(super) fn follow<S: Structure>(structure: &S, from: Element, link: &str) -> 
     let Some(column) = column else { return Err(Unresolved::Mistake(has_no(table, link))) };
     let letter = table.columns[column].link().map(|to| to.letter);
     let to = S::TABLES.iter().position(|table| Some(table.letter) == letter);
-    let number = structure.row(from.table, from.number).get(column).and_then(|cell| cell.to());
+    let number = structure.rows(from.table)(from.number).get(column).and_then(|cell| cell.to());
     let (Some(table), Some(number)) = (to, number) else { return Err(Unresolved::Unset) };
     let element = Element { table, number };
     exists(structure, element)?;

@@ -24,9 +24,11 @@ impl Structure for Polygons {
         self.corners.len()
     }
 
-    fn row(&self, _: usize, number: usize) -> Vec<Cell> {
-        let Corner { pos, next, prev } = self.corners[number];
-        vec![Cell::Number(pos.x), Cell::Number(pos.y), Cell::Link(next), Cell::Link(prev)]
+    fn rows(&self, _: usize) -> impl Fn(usize) -> Vec<Cell> {
+        |number| {
+            let Corner { pos, next, prev } = self.corners[number];
+            vec![Cell::Number(pos.x), Cell::Number(pos.y), Cell::Link(next), Cell::Link(prev)]
+        }
     }
 
     fn add(&mut self, _: usize, row: &[Cell]) {
@@ -36,8 +38,8 @@ impl Structure for Polygons {
         }
     }
 
-    fn differs(&self, other: &Self, _: usize, number: usize) -> bool {
-        self.corners[number] != other.corners[number]
+    fn differs(&self, before: &Self, _: usize) -> impl Fn(usize) -> bool {
+        |number| self.corners[number] != before.corners[number]
     }
 
     fn single(&self, _: usize) -> Option<usize> {

@@ -32,13 +32,15 @@ impl Structure for Polygons {
         [self.points.len(), self.corners.len()][table]
     }
 
-    fn row(&self, table: usize, number: usize) -> Vec<Cell> {
-        if table == 0 {
-            let Point { x, y } = self.points[number];
-            return vec![Cell::Number(x), Cell::Number(y)];
+    fn rows(&self, table: usize) -> impl Fn(usize) -> Vec<Cell> {
+        move |number| {
+            if table == 0 {
+                let Point { x, y } = self.points[number];
+                return vec![Cell::Number(x), Cell::Number(y)];
+            }
+            let Corner { pos, next, prev } = self.corners[number];
+            vec![Cell::Number(pos.x), Cell::Number(pos.y), Cell::Link(next), Cell::Link(prev)]
         }
-        let Corner { pos, next, prev } = self.corners[number];
-        vec![Cell::Number(pos.x), Cell::Number(pos.y), Cell::Link(next), Cell::Link(prev)]
     }
 
     fn add(&mut self, _: usize, row: &[Cell]) {
@@ -49,10 +51,10 @@ impl Structure for Polygons {
         }
     }
 
-    fn differs(&self, other: &Self, table: usize, number: usize) -> bool {
-        match table {
-            0 => self.points[number] != other.points[number],
-            _ => self.corners[number] != other.corners[number],
+    fn differs(&self, before: &Self, table: usize) -> impl Fn(usize) -> bool {
+        move |number| match table {
+            0 => self.points[number] != before.points[number],
+            _ => self.corners[number] != before.corners[number],
         }
     }
 

@@ -40,8 +40,8 @@ impl Structure for Dcel {
         [self.vertices.len(), self.half_edges.len(), self.faces.len()][table]
     }
 
-    fn row(&self, table: usize, number: usize) -> Vec<Cell> {
-        match table {
+    fn rows(&self, table: usize) -> impl Fn(usize) -> Vec<Cell> {
+        move |number| match table {
             0 => {
                 let Vertex { outgoing_half_edge, pos } = self.vertices[number];
                 vec![Cell::Number(pos.x), Cell::Number(pos.y), Cell::Link(outgoing_half_edge)]
@@ -68,11 +68,11 @@ impl Structure for Dcel {
         }
     }
 
-    fn differs(&self, other: &Self, table: usize, number: usize) -> bool {
-        match table {
-            0 => self.vertices[number] != other.vertices[number],
-            1 => self.half_edges[number] != other.half_edges[number],
-            _ => self.faces[number] != other.faces[number],
+    fn differs(&self, before: &Self, table: usize) -> impl Fn(usize) -> bool {
+        move |number| match table {
+            0 => self.vertices[number] != before.vertices[number],
+            1 => self.half_edges[number] != before.half_edges[number],
+            _ => self.faces[number] != before.faces[number],
         }
     }
 

@@ -14,8 +14,7 @@ const fn link(name: &'static str, letter: char) -> Column {
 ///   2  free, but not on its free list, or more than once      3  live, but on the free list
 ///   4  free, but in the edge map                              5  live, but the edge map does not fit
 /// ```
-fn state(live: bool, free: &[usize], number: usize, map_fits: bool) -> usize {
-    let listed = free.iter().filter(|&&other| other == number).count();
+fn state(live: bool, listed: usize, map_fits: bool) -> usize {
     match (live, listed, map_fits) {
         (true, 0, true) => 1,
         (false, 1, true) => 0,
@@ -27,31 +26,52 @@ fn state(live: bool, free: &[usize], number: usize, map_fits: bool) -> usize {
 }
 
 impl Mesh {
-    /// The state of a record, and of what the free lists and the edge map say of it.
-    fn state(&self, table: usize, number: usize) -> usize {
-        match table {
-            0 => state(self.vertices[number].live, &self.free_vertices, number, self.fits_from(number)),
-            1 => state(self.half_edges[number].live, &self.free_half_edges, number, self.is_known(number)),
-            _ => state(self.faces[number].live, &self.free_faces, number, true),
+    /// The states of all records of a table: of the records, and of what the free lists and the edge map say of them.
+    fn states(&self, table: usize) -> Vec<usize> {
+        let (live, free): (Vec<bool>, &[usize]) = match table {
+            0 => (self.vertices.iter().map(|v| v.live).collect(), &self.free_vertices),
+            1 => (self.half_edges.iter().map(|h| h.live).collect(), &self.free_half_edges),
+            _ => (self.faces.iter().map(|f| f.live).collect(), &self.free_faces),
+        };
+        let mut listed = vec![0; live.len()];
+        for &number in free {
+            if let Some(times) = listed.get_mut(number) {
+                *times += 1;
+            }
         }
+        let map_fits = match table {
+            0 => self.fits_from(),
+            1 => self.is_known(),
+            _ => vec![true; live.len()],
+        };
+        (0..live.len()).map(|number| state(live[number], listed[number], map_fits[number])).collect()
     }
 
-    /// Whether all entries of the edge map that begin at `v` lead to the live half-edge with these ends.
-    fn fits_from(&self, v: usize) -> bool {
-        self.edges.from(v).all(|(to, h)| {
-            let end = |h: &HalfEdge| h.twin.and_then(|twin| self.half_edges.get(twin)?.origin);
-            self.half_edges.get(h).is_some_and(|h| h.live && h.origin == Some(v) && end(h) == Some(to))
-        })
+    /// Both ends of a half-edge; `None` if it has not both.
+    fn ends(&self, h: &HalfEdge) -> Option<(usize, usize)> {
+        Some((h.origin?, self.half_edges.get(h.twin?)?.origin?))
     }
 
-    /// Whether the edge map leads to `h` from its ends. Free half-edges, and those without ends, need not be in the map.
-    fn is_known(&self, h: usize) -> bool {
-        let half_edge = self.half_edges[h];
-        let end = half_edge.twin.and_then(|twin| self.half_edges.get(twin)?.origin);
-        match (half_edge.live, half_edge.origin, end) {
-            (true, Some(from), Some(to)) => self.half_edge_between(from, to) == Some(h),
-            _ => true,
+    /// For each vertex, whether all entries of the edge map that begin there lead to the live half-edge with these ends.
+    fn fits_from(&self) -> Vec<bool> {
+        let mut fits = vec![true; self.vertices.len()];
+        for (ends, &h) in self.edges.iter().filter(|(ends, _)| ends.0 < self.vertices.len()) {
+            let leads = self.half_edges.get(h).is_some_and(|h| h.live && self.ends(h) == Some(*ends));
+            fits[ends.0] &= leads;
         }
+        fits
+    }
+
+    /// For each half-edge, whether the edge map leads there from its ends. Free ones, and those without ends, need not be
+    /// in the map.
+    fn is_known(&self) -> Vec<bool> {
+        let mut known: Vec<bool> = self.half_edges.iter().map(|h| !h.live || self.ends(h).is_none()).collect();
+        for (ends, &h) in self.edges.iter() {
+            if self.half_edges.get(h).is_some_and(|h| self.ends(h) == Some(*ends)) {
+                known[h] = true;
+            }
+        }
+        known
     }
 }
 
@@ -95,23 +115,23 @@ impl Structure for Mesh {
         [self.vertices.len(), self.half_edges.len(), self.faces.len()][table]
     }
 
-    fn row(&self, table: usize, number: usize) -> Vec<Cell> {
-        let state = Cell::Number(self.state(table, number) as f64);
-        match table {
-            0 => {
-                let vertex = self.vertices[number];
-                let mut row: Vec<Cell> = vertex.pos.map(Cell::Number).into();
-                row.push(Cell::Link(vertex.outgoing_half_edge));
-                row.push(state);
-                row
-            }
-            1 => {
-                let h = self.half_edges[number];
-                let mut row: Vec<Cell> = [h.origin, h.twin, h.next, h.prev, h.face].map(Cell::Link).into();
-                row.push(state);
-                row
-            }
-            _ => vec![Cell::Link(self.faces[number].incident_half_edge), state],
+    fn rows(&self, table: usize) -> impl Fn(usize) -> Vec<Cell> {
+        let states = self.states(table);
+        move |number| {
+            let mut row: Vec<Cell> = match table {
+                0 => {
+                    let vertex = self.vertices[number];
+                    let [x, y, z] = vertex.pos.map(Cell::Number);
+                    vec![x, y, z, Cell::Link(vertex.outgoing_half_edge)]
+                }
+                1 => {
+                    let h = self.half_edges[number];
+                    [h.origin, h.twin, h.next, h.prev, h.face].map(Cell::Link).into()
+                }
+                _ => vec![Cell::Link(self.faces[number].incident_half_edge)],
+            };
+            row.push(Cell::Number(states[number] as f64));
+            row
         }
     }
 
@@ -149,13 +169,16 @@ impl Structure for Mesh {
         }
     }
 
-    fn differs(&self, other: &Self, table: usize, number: usize) -> bool {
-        let is_other = match table {
-            0 => self.vertices[number] != other.vertices[number],
-            1 => self.half_edges[number] != other.half_edges[number],
-            _ => self.faces[number] != other.faces[number],
-        };
-        is_other || self.state(table, number) != other.state(table, number)
+    fn differs(&self, before: &Self, table: usize) -> impl Fn(usize) -> bool {
+        let states = [self.states(table), before.states(table)];
+        move |number| {
+            let is_other = match table {
+                0 => self.vertices[number] != before.vertices[number],
+                1 => self.half_edges[number] != before.half_edges[number],
+                _ => self.faces[number] != before.faces[number],
+            };
+            is_other || states[0][number] != states[1][number]
+        }
     }
 
     fn single(&self, _: usize) -> Option<usize> {

@@ -10,7 +10,7 @@
 
 use super::model::Model;
 use crate::protocol::{Cell, Records};
-use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// A law that is broken: a word for it, and a sentence.
 pub(super) type Broken = (&'static str, String);
@@ -41,10 +41,49 @@ fn half_edge(records: &Records, h: u32) -> Option<HalfEdge> {
     Some(HalfEdge { origin, twin, next, prev, face })
 }
 
+/// The sides of a model's triangles in the order of their ends, found by number: a large mesh is looked through often.
+///
+/// ```text
+///   first      0         2    3            the sides from v0 are 0 and 1, that from v1 is 2, …
+///   sides      (0, 1)  (0, 2)  (1, 2)  …   with the corners across them
+/// ```
+struct Sides {
+    first: Vec<usize>,
+    sides: Vec<((usize, usize), usize)>,
+}
+
+impl Sides {
+    fn of(model: &Model) -> Self {
+        let sides: Vec<((usize, usize), usize)> = model.across.iter().map(|(&side, &corner)| (side, corner)).collect();
+        let mut first = vec![0; model.vertices.len() + 1];
+        let mut next = 0;
+        for (v, first) in first.iter_mut().enumerate() {
+            next += sides[next..].iter().take_while(|((from, _), _)| *from < v).count();
+            *first = next;
+        }
+        Self { first, sides }
+    }
+
+    /// The numbers of the sides that start at a vertex.
+    fn from(&self, v: usize) -> Range<usize> {
+        match self.first.get(v..v + 2) {
+            Some(&[begin, end]) => begin..end,
+            _ => 0..0,
+        }
+    }
+
+    /// The number of a side.
+    fn number(&self, from: u32, to: u32) -> Option<usize> {
+        let all = self.from(from as usize);
+        self.sides[all.clone()].binary_search_by_key(&(to as usize), |((_, to), _)| *to).ok().map(|i| all.start + i)
+    }
+}
+
 /// The first law that is broken.
 pub(super) fn broken(records: &Records, model: &Model) -> Option<Broken> {
-    vertices(records, model)
-        .or_else(|| half_edges(records, model))
+    let sides = Sides::of(model);
+    vertices(records, model, &sides)
+        .or_else(|| half_edges(records, model, &sides))
         .or_else(|| faces(records, model))
         .or_else(|| beside(records))
 }
@@ -72,7 +111,7 @@ fn beside(records: &Records) -> Option<Broken> {
     None
 }
 
-fn vertices(records: &Records, model: &Model) -> Option<Broken> {
+fn vertices(records: &Records, model: &Model, sides: &Sides) -> Option<Broken> {
     let (found, expected) = (records.len(0), model.vertices.len());
     if found != expected {
         return Some(("vertex.records", format!("there are {found} vertex records, expected {expected}")));
@@ -91,7 +130,7 @@ fn vertices(records: &Records, model: &Model) -> Option<Broken> {
             return Some(("vertex.place", format!("v{v} is not at ({}, {}, {})", place[0], place[1], place[2])));
         }
         let outgoing = row[3].to();
-        let has_face = !model.sides_from(v).is_empty();
+        let has_face = !sides.from(v).is_empty();
         match outgoing {
             None if has_face => {
                 return Some((
@@ -128,8 +167,9 @@ fn vertices(records: &Records, model: &Model) -> Option<Broken> {
     None
 }
 
-fn half_edges(records: &Records, model: &Model) -> Option<Broken> {
-    let mut met: BTreeMap<(u32, u32), u32> = BTreeMap::new();
+fn half_edges(records: &Records, model: &Model, sides: &Sides) -> Option<Broken> {
+    // The half-edge of each side, and that of the other direction where no triangle has it.
+    let mut met: Vec<[Option<u32>; 2]> = vec![[None; 2]; sides.sides.len()];
     for (h, _) in records.rows(1).enumerate().filter(|(_, row)| is_live(row)) {
         let h = h as u32;
         let of = half_edge(records, h)?;
@@ -143,18 +183,17 @@ fn half_edges(records: &Records, model: &Model) -> Option<Broken> {
         let (Some(from), Some(to)) = (of.origin, twin.origin) else {
             return Some(("origin.none", format!("the origin of h{h} or of its twin is not set")));
         };
-        if let Some(other) = met.insert((from, to), h) {
+        let side = sides.number(from, to);
+        let Some((edge, way)) = side.map(|side| (side, 0)).or_else(|| Some((sides.number(to, from)?, 1))) else {
+            return Some((
+                "edge.orphan",
+                format!("the edge of v{from} and v{to} is still there, although no triangle has it"),
+            ));
+        };
+        if let Some(other) = met[edge][way].replace(h) {
             return Some(("double", format!("h{other} and h{h} both lead from v{from} to v{to}")));
         }
-        let across = model.across.get(&(from as usize, to as usize));
-        let back = model.across.contains_key(&(to as usize, from as usize));
-        match (across, of.face) {
-            (None, _) if !back => {
-                return Some((
-                    "edge.orphan",
-                    format!("the edge of v{from} and v{to} is still there, although no triangle has it"),
-                ));
-            }
+        match (side, of.face) {
             (None, Some(f)) => {
                 return Some((
                     "face.stale",
@@ -175,7 +214,8 @@ fn half_edges(records: &Records, model: &Model) -> Option<Broken> {
                     format!("h{h} from v{from} to v{to} has no face, although a triangle is there"),
                 ));
             }
-            (Some(&corner), Some(_)) => {
+            (Some(side), Some(_)) => {
+                let corner = sides.sides[side].1;
                 let (Some(next), Some(prev)) = (get(of.next), get(of.prev)) else {
                     return Some(("next.none", format!("the next or prev of h{h} is not set, or free")));
                 };
@@ -200,7 +240,8 @@ fn half_edges(records: &Records, model: &Model) -> Option<Broken> {
             }
         }
     }
-    if let Some((a, b)) = model.across.keys().find(|&&(a, b)| !met.contains_key(&(a as u32, b as u32))) {
+    if let Some(side) = met.iter().position(|[there, _]| there.is_none()) {
+        let (a, b) = sides.sides[side].0;
         return Some(("edge.none", format!("there is no half-edge from v{a} to v{b}, although a triangle is there")));
     }
     let (found, most) = (records.len(1), 2 * model.most[0]);

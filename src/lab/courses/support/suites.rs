@@ -139,8 +139,9 @@ impl Judge for SupportJudge {
 
     fn judge(&self, suite: &Suite, case: &Case, answer: &CaseAnswer) -> Vec<Fault> {
         let name = case.name.split('.').next().unwrap_or_default();
-        let model = start(name).map_or_else(Model::default, |start| start.model.clone());
-        let mut faults = answers::judge(suite.tests[0], &model, case, answer);
+        let empty = Model::default();
+        let model = start(name).map_or(&empty, |start| &start.model);
+        let mut faults = answers::judge(suite.tests[0], model, case, answer);
         faults.extend(pictures::judge_case(suite.tests[0], case, answer, picture::reference));
         faults
     }
@@ -305,7 +306,6 @@ fn random_edits(
     let mut made = 0;
     for _ in 0..20 * count {
         let live: Vec<usize> = model.live().collect();
-        let sides: Vec<(usize, usize)> = model.across.keys().copied().collect();
         let line = match random.pick(&deck)? {
             0 if live.len() < VERTICES => {
                 let place = [0; 3].map(|_| random.below(41) as f64 / 2.0 - 10.0);
@@ -320,7 +320,7 @@ fn random_edits(
                 };
                 // Mostly beside another triangle; now and then one that must be refused.
                 let border: Vec<(usize, usize)> =
-                    sides.iter().map(|&(a, b)| (b, a)).filter(|side| !model.across.contains_key(side)).collect();
+                    model.across.keys().map(|&(a, b)| (b, a)).filter(|side| !model.across.contains_key(side)).collect();
                 let corners = match random.pick(&border).filter(|_| random.clone().below(4) > 0) {
                     Some(&(a, b)) => [a, b, any(random)],
                     None => [any(random), any(random), any(random)],
@@ -328,7 +328,8 @@ fn random_edits(
                 model.add_face(corners);
                 format!("add_face {} {} {}", corners[0], corners[1], corners[2])
             }
-            2 if !sides.is_empty() => {
+            2 if !model.across.is_empty() => {
+                let sides: Vec<(usize, usize)> = model.across.keys().copied().collect();
                 let &(a, b) = random.pick(&sides)?;
                 model.remove_face(a, b);
                 format!("remove_face {a} {b}")
