@@ -218,7 +218,9 @@ impl Planner {
 
     /// How far it is from a place to all vertices that are no further than `limit`, by the shortest paths.
     ///
-    /// Cost: as an exact search that visits everything within the limit; O(n) more to begin.
+    /// Cost: as an exact search that visits everything within the limit; O(n) more to begin. Each vertex in sight parts the
+    /// view of those behind it, and what is parted stays apart: an open floor of n vertices in a grid takes O(n^1.5) cones,
+    /// each of which looks at the corners of its room, so that twice as many vertices take up to four times as long.
     ///
     /// ```
     /// use dcel_kit::navmesh::{NavMesh, Planner};

@@ -18,7 +18,7 @@ use dcel_kit::plane::Point;
 /// How many random cases there are of each test.
 const RANDOM: usize = 24;
 /// How many points the scan is asked for, to see how its time grows.
-const MANY: usize = 100_000;
+const MANY: usize = 300_000;
 
 /// The judge of lab 03.
 pub struct Hulls;
