@@ -207,9 +207,10 @@ impl Gradebook {
         let widths: Vec<usize> = (0..self.labs.len() + 2).map(width).collect();
         let mut out = String::new();
         for row in &table {
-            let cells = row.iter().zip(&widths).enumerate().map(|(i, (cell, &width))| match i {
-                0 => format!("{cell:<width$}"),
-                _ => format!("{cell:>width$}"),
+            let cells = row.iter().zip(&widths).enumerate().map(|(i, (cell, width))| {
+                // By hand: a width in a format string ends at 65,535.
+                let blanks = " ".repeat(width - cell.chars().count());
+                if i == 0 { format!("{cell}{blanks}") } else { format!("{blanks}{cell}") }
             });
             out += cells.collect::<Vec<_>>().join("  ").trim_end();
             out.push('\n');
@@ -280,6 +281,16 @@ mod tests {
              weight                 1             3\n=cara                  ?             -        ?\n\
              anna                   0           100  60.00 %\nben                    -          62.5  37.50 %\n"
         );
+    }
+
+    #[test]
+    fn a_name_of_any_length_keeps_its_line() {
+        let name = "x".repeat(70_000);
+        let book = Gradebook::new(&course(COURSE), &[report("04-half-edge", &name, 100)]).unwrap();
+        let text = book.to_text();
+        let lines: Vec<&str> = text.lines().collect();
+        assert!(lines[3].starts_with(&name) && lines[3].ends_with(" %"), "{}", &lines[3][70_000..]);
+        assert!(lines.iter().all(|line| line.len() <= lines[3].len()));
     }
 
     #[test]
