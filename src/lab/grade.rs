@@ -21,6 +21,7 @@ use super::report::{Report, TestResult};
 use super::run::{Graded, PATIENCE, SuiteRun, function, run_suite};
 use super::signatures::Signature;
 use super::the_lab::Lab;
+use super::told;
 use super::verdict::Verdict;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
@@ -293,14 +294,16 @@ impl<'a> Run<'a> {
     /// The hash of what fails in the fixed cases; `None` if nothing does.
     fn hash_of(&self, state: &State, number: usize) -> Option<String> {
         let (units, asked) = (&self.units[number], &self.graded[number].suite.asked);
-        let line = |case: &str, fault: &Fault| {
+        let by_answer = self.judge.told_by_answer(&state.test.name);
+        let line = |case: &str, fault: &Fault, answer: &str| {
             let kind = match &fault.kind {
                 FaultKind::Crashed { .. } => "crashed".to_owned(),
                 FaultKind::DoesNotComeBack { .. } => "DoesNotComeBack".to_owned(),
                 FaultKind::TooSlow { .. } => "TooSlow".to_owned(),
                 kind => format!("{kind:?}"),
             };
-            format!("{case} {} {} {} {kind}", fault.step, fault.rule, fault.tag)
+            let said = if fault.kind == FaultKind::Wrong { told::as_told(&fault.words) } else { String::new() };
+            format!("{case} {} {} {} {kind} {said}{answer}", fault.step, fault.rule, fault.tag)
         };
         if matches!(state.verdict, Verdict::Unattempted | Verdict::GraderFault) {
             return None;
@@ -309,7 +312,11 @@ impl<'a> Run<'a> {
         let fixed = failing.filter(|unit| asked[unit.case].source == Source::Fixed);
         let lines: BTreeSet<String> = fixed
             .flat_map(|unit| {
-                units.faults_of(unit, &state.test.name).map(|fault| line(&asked[unit.case].case.name, fault))
+                let case = &asked[unit.case].case;
+                let answers = &self.graded[number].run.answers[unit.case];
+                let answer = by_answer.then(|| told::answer(unit.exchange.as_ref(), unit.step, case, answers));
+                let answer = answer.unwrap_or_default();
+                units.faults_of(unit, &state.test.name).map(move |fault| line(&case.name, fault, &answer))
             })
             .collect();
         (!lines.is_empty()).then(|| mutants::hash(&lines))

@@ -71,6 +71,7 @@ mod student;
 mod submission;
 mod task;
 mod the_lab;
+mod told;
 mod toml_file;
 mod typed;
 #[cfg(feature = "grade")]

@@ -1,7 +1,8 @@
 //! Naming a mistake: by failing in exactly the same way as a known mistake of the lab.
 //!
 //! ```text
-//!   the cases that are always the same ──▶ (case, step, rule, part that the element plays) ──▶ one hash a test
+//!   the cases that are always the same ──▶ (case, step, rule, part that the element plays, what is said: told.rs)
+//!                                                                                          ──▶ one hash a test
 //!   all other calls                    ──▶ the condition under which the mistake shows     ──▶ features
 //!
 //!   bugs/signatures.toml     [12]                                                     written by `dcel lab verify`

@@ -79,7 +79,10 @@ impl Verdict {
             Self::Skipped => "Make the test that it builds on pass first.",
             Self::Wrong => "Read the first finding, look at the picture if there is one, then replay the case.",
             Self::Crashed => "Go to the line of the panic; replay the script to get there.",
-            Self::TooSlow => "Reach what you need from the element that you are given, by its references.",
+            Self::TooSlow => {
+                "Reach what you need from the element that you are given, by its references; where a loop has to look at \
+                 everything, see that it ends."
+            }
             Self::DoesNotComeBack => {
                 "Go to the loop at that line: ask what ends it, and whether the references that it follows lead there."
             }

@@ -9,6 +9,7 @@ use crate::edits::{Argument, Editable, Kind, Row, Takes, find, map_size, rows_of
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use crate::old_words::{Language, OldWord};
 use crate::topology::Dcel;
+use std::collections::BTreeMap;
 
 /// The statements that are no edits.
 const OTHERS: [&str; 5] = ["walk_face", "walk_vertex", "highlight", "caption", "dump"];
@@ -93,8 +94,7 @@ impl Script<crate::solid::Polyhedron> {
 /// Reads statements alone, to be carried out on this structure; see [`Script::parse`].
 #[cfg(feature = "play")]
 pub(crate) fn parse_on<G: Editable>(start: G, text: &str, source: &str) -> Result<Script<G>, ScriptError> {
-    let mut parser =
-        Parser { script: Script { start, statements: Vec::new(), names: Vec::new(), old_words: Vec::new() }, own: &[] };
+    let mut parser = Parser::new(start, &[]);
     let read = || {
         for line in lines(text) {
             let action = parser.action(&mut Cursor::new(&line))?;
@@ -122,8 +122,7 @@ fn read<G: Editable>(
             return Err(Complaint { line: 1, column: 1, what: Problem::Empty, help: starts.to_owned() });
         };
         let start = start(&mut Cursor::new(&first))?;
-        let mut parser =
-            Parser { script: Script { start, statements: Vec::new(), names: Vec::new(), old_words: Vec::new() }, own };
+        let mut parser = Parser::new(start, own);
         for line in lines {
             let action = parser.action(&mut Cursor::new(&line))?;
             parser.script.statements.push(Statement { line: line.number, text: line.text.to_owned(), action });
@@ -137,9 +136,16 @@ struct Parser<'a, G> {
     script: Script<G>,
     /// Rows beside those of the table.
     own: &'a [&'static Row],
+    /// The index of each name.
+    by_text: BTreeMap<String, usize>,
 }
 
-impl<G: Editable> Parser<'_, G> {
+impl<'a, G: Editable> Parser<'a, G> {
+    fn new(start: G, own: &'a [&'static Row]) -> Self {
+        let script = Script { start, statements: Vec::new(), names: Vec::new(), old_words: Vec::new() };
+        Self { script, own, by_text: BTreeMap::new() }
+    }
+
     /// The edit with this word.
     fn find(&self, word: &str) -> Option<&'static Row> {
         let own = self.own.iter().copied().find(|row| row.word == word && G::column(row).is_some());
@@ -334,7 +340,7 @@ impl<G: Editable> Parser<'_, G> {
 
     /// What the first part of a path names.
     fn base(&self, word: &str) -> Option<(Base, Kind)> {
-        if let Some(index) = self.script.names.iter().position(|name| name.text == word) {
+        if let Some(&index) = self.by_text.get(word) {
             return Some((Base::Named(index), self.script.names[index].kind));
         }
         let element = id(word).filter(|element| self.script.start.topology().check(*element).is_ok())?;
@@ -371,16 +377,17 @@ impl<G: Editable> Parser<'_, G> {
                         an id such as h12";
             return Err(cursor.at(word, Problem::BadName { word: show(word.text) }, help));
         }
-        match self.script.names.iter().find(|name| name.text == word.text) {
+        match self.by_text.get(word.text) {
             None => Ok(()),
-            Some(name) => {
-                let what = Problem::Taken { word: show(word.text), line: name.line };
+            Some(&name) => {
+                let what = Problem::Taken { word: show(word.text), line: self.script.names[name].line };
                 Err(cursor.at(word, what, "choose another name"))
             }
         }
     }
 
     fn give(&mut self, cursor: &Cursor<'_>, word: Word<'_>, kind: Kind) -> usize {
+        self.by_text.insert(word.text.to_owned(), self.script.names.len());
         self.script.names.push(Name { text: word.text.to_owned(), line: cursor.line.number, kind });
         self.script.names.len() - 1
     }

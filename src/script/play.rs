@@ -183,6 +183,7 @@ impl<G: Editable> Script<G> {
         let mut stage = Stage {
             ground: self.start.clone(),
             names: self.names.iter().map(|name| Bound::Refused { line: name.line }).collect(),
+            holders: BTreeMap::new(),
             gone: BTreeMap::new(),
         };
         for (statement, said) in self.statements.iter().enumerate() {
@@ -206,6 +207,8 @@ enum Bound {
 struct Stage<G> {
     ground: G,
     names: Vec<Bound>,
+    /// The names of each element that has some.
+    holders: BTreeMap<Element, Vec<usize>>,
     /// Given elements that were removed, with the line that did it.
     gone: BTreeMap<Element, u32>,
 }
@@ -226,7 +229,7 @@ impl<G: Editable> Stage<G> {
             }
             Action::Name { path, name } => {
                 let element = self.resolve(path)?;
-                self.names[*name] = Bound::To(element);
+                self.bind(*name, element);
                 Outcome::Named(element)
             }
             Action::WalkFace(path) => {
@@ -267,9 +270,14 @@ impl<G: Editable> Stage<G> {
             }
         }
         if let (Some(name), Some(element)) = (name, returned.named()) {
-            self.names[name] = Bound::To(element);
+            self.bind(name, element);
         }
         Outcome::Edited { edit, returned, journal }
+    }
+
+    fn bind(&mut self, name: usize, element: Element) {
+        self.names[name] = Bound::To(element);
+        self.holders.entry(element).or_default().push(name);
     }
 
     fn remove(&mut self, element: Element, line: u32) {
@@ -279,10 +287,8 @@ impl<G: Editable> Stage<G> {
         }
         for element in all {
             self.gone.entry(element).or_insert(line);
-            for name in &mut self.names {
-                if matches!(name, Bound::To(named) if *named == element) {
-                    *name = Bound::Gone { element, line };
-                }
+            for name in self.holders.remove(&element).unwrap_or_default() {
+                self.names[name] = Bound::Gone { element, line };
             }
         }
     }

@@ -179,17 +179,19 @@ impl Case {
 
     /// The shortest case with the same structure before step `at` and the same step `at`, and the number of the
     /// step in it: what was done and undone by `save` and `restore` is left out, and so are calls that only read
-    /// (no dump follows them), and other dumps than the one just before. If a call changes the structure, a `dump`
-    /// should follow: `with_dump`.
+    /// (no dump follows them), and other dumps than the one just before. A picture shows what all calls have made. If a
+    /// call changes the structure, a `dump` should follow: `with_dump`.
     #[must_use]
     pub fn reduced_to(&self, at: usize, with_dump: bool) -> (Self, usize) {
         let mut steps: Vec<Step> = Vec::new();
         let mut saved = 0;
+        let is_picture = self.steps.get(at) == Some(&Step::Svg);
+        let shows = |i: usize| self.steps.get(i).is_some_and(Step::shows);
         for (i, step) in self.steps.iter().enumerate().take(at) {
             match step {
                 Step::Save => saved = steps.len(),
                 Step::Restore => steps.truncate(saved),
-                Step::Call { .. } if self.steps.get(i + 1).is_some_and(Step::shows) => steps.push(step.clone()),
+                Step::Call { .. } if is_picture || shows(i + 1) => steps.push(step.clone()),
                 _ => {}
             }
         }
@@ -279,5 +281,11 @@ mod tests {
         assert_eq!(reduced.script(), "rectangle\nsplit_in_half h0\ndump\nsplit_in_half h6\ndump\n");
         assert_eq!(at, 2);
         assert_eq!(case.reduced_to(0, false).0.script(), "rectangle\ndump\nsplit_in_half h0\n");
+        // A picture shows what was made by calls that no dump follows.
+        let steps = [Step::call("from_faces", ["0", "1", "2"]), Step::call("outer", [] as [&str; 0]), Step::Svg];
+        let drawn = Case { steps: steps.into(), ..Case::new("picture", Start::line("points 0 0 1 0 0 1")) };
+        let (reduced, at) = drawn.reduced_to(2, false);
+        assert_eq!(reduced.script(), "points 0 0 1 0 0 1\nfrom_faces 0 1 2\nouter\ndump\nsvg\n");
+        assert_eq!(at, 3);
     }
 }

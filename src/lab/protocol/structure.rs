@@ -211,6 +211,13 @@ impl Structure {
         self.len() == 0
     }
 
+    /// The records, one a line.
+    pub(crate) fn text(&self) -> String {
+        let mut out = String::new();
+        self.write(&mut out);
+        out
+    }
+
     /// The records, one a line, as a program prints and reads them. Tables with gaps have no such text: programs
     /// number their records without gaps.
     pub(super) fn write(&self, out: &mut String) {

@@ -63,14 +63,16 @@ crate::features! {
 pub(super) fn of(exchange: &Exchange) -> Option<u128> {
     let mut set = FeatureSet::default();
     match exchange.function {
-        "gift_wrapping" | "graham_scan" | "hull_by_halves" => of_points(&points(exchange.records_before()?), &mut set),
+        "gift_wrapping" | "graham_scan" | "hull_by_halves" => {
+            of_points(exchange.function, &points(exchange.records_before()?), &mut set);
+        }
         "tangents" => of_a_point(exchange, &mut set)?,
         _ => of_two(exchange, &mut set)?,
     }
     Some(set.bits())
 }
 
-fn of_points(points: &[Point], set: &mut FeatureSet) {
+fn of_points(function: &str, points: &[Point], set: &mut FeatureSet) {
     let hull = hull(points);
     let n = hull.len();
     let add = |set: &mut FeatureSet, word: Word, holds| set.add(word as u32, holds);
@@ -84,10 +86,12 @@ fn of_points(points: &[Point], set: &mut FeatureSet) {
     let few = if points.len() <= 400 { points } else { &[] };
     let other = |found: Vec<Point>| hull::of_corners(&hull, points, &found).is_some();
     let is_few = points.len() <= 400;
-    add(set, Word::ScanOne, is_few && other(mistakes::scan(points, Scan::AtMostOne)));
-    add(set, Word::ScanByX, is_few && other(mistakes::scan(points, Scan::ByX)));
-    add(set, Word::GiftInLine, is_few && other(mistakes::gift(points, Gift::AnyInLine)));
-    add(set, Word::GiftLeftmost, is_few && other(mistakes::gift(points, Gift::AnyLeftmost)));
+    // A mistake of one algorithm says nothing of the other.
+    let (is_scan, is_gift) = (is_few && function == "graham_scan", is_few && function == "gift_wrapping");
+    add(set, Word::ScanOne, is_scan && other(mistakes::scan(points, Scan::AtMostOne)));
+    add(set, Word::ScanByX, is_scan && other(mistakes::scan(points, Scan::ByX)));
+    add(set, Word::GiftInLine, is_gift && other(mistakes::gift(points, Gift::AnyInLine)));
+    add(set, Word::GiftLeftmost, is_gift && other(mistakes::gift(points, Gift::AnyLeftmost)));
     add(set, Word::Tiny, n > 1 && points.iter().all(|p| p.x.abs() < 1e-12 && p.y.abs() < 1e-12));
     add(set, Word::Area, n > 2);
     add(set, Word::TwoPlaces, n > 1);
@@ -189,17 +193,23 @@ mod tests {
 
     #[test]
     fn points_are_said_to_be_what_they_are() {
-        let said = |places: &[[f64; 2]]| {
+        let said_of = |function: &str, places: &[[f64; 2]]| {
             let mut set = FeatureSet::default();
-            of_points(&places.iter().map(|&p| p.into()).collect::<Vec<_>>(), &mut set);
+            of_points(function, &places.iter().map(|&p| p.into()).collect::<Vec<_>>(), &mut set);
             VOCABULARY.iter().filter(|f| set.has(VOCABULARY, f.id)).map(|f| f.id).collect::<Vec<_>>()
         };
+        let said = |places: &[[f64; 2]]| said_of("graham_scan", places);
         assert_eq!(said(&[]), ["no_point"]);
         assert_eq!(said(&[[1., 1.], [1., 1.]]), ["one_place", "equal", "leftmost", "lowest"]);
         assert_eq!(said(&[[0., 0.], [2., 2.], [1., 1.]]), ["one_line", "on_side", "two_places"]);
         assert_eq!(
             said(&[[2., 1.], [0., 0.], [6., 1.], [3., 5.]]),
             ["first_inside", "scan_one", "area", "upper_side", "two_places"]
+        );
+        // What a scan would do wrong is not said of another algorithm.
+        assert_eq!(
+            said_of("gift_wrapping", &[[2., 1.], [0., 0.], [6., 1.], [3., 5.]]),
+            ["first_inside", "area", "upper_side", "two_places"]
         );
         assert_eq!(
             said(&[[0., 0.], [9., 1.], [4., 4.], [2., 2.]]),

@@ -61,6 +61,10 @@ impl Judge for Predicates {
         answers::judge(FUNCTIONS, case, answer)
     }
 
+    fn told_by_answer(&self, test: &str) -> bool {
+        test == "wrong_signs"
+    }
+
     fn vocabulary(&self) -> &'static [Feature] {
         features::VOCABULARY
     }

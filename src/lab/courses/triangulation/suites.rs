@@ -100,6 +100,10 @@ impl Judge for Triangulation {
         }
     }
 
+    fn told_by_answer(&self, test: &str) -> bool {
+        test == "triangulate"
+    }
+
     fn vocabulary(&self) -> &'static [Feature] {
         features::VOCABULARY
     }

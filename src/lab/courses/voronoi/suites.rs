@@ -63,6 +63,10 @@ impl Judge for VoronoiDiagrams {
         pictures::told_apart(PICTURE, case, answer, picture::plain)
     }
 
+    fn told_by_answer(&self, test: &str) -> bool {
+        matches!(test, "dual" | "voronoi")
+    }
+
     fn vocabulary(&self) -> &'static [Feature] {
         features::VOCABULARY
     }
