@@ -152,6 +152,18 @@ fn refusals_tell_the_reason_and_change_nothing() {
 }
 
 #[test]
+fn all_names_of_an_element_go_with_it() {
+    let outcomes = play(
+        "rectangle\nlet a = split_face h2 h8\nlet b = h2.prev\nlet e = a.edge\njoin_faces b\nhighlight a\nhighlight b\nhighlight e",
+    );
+    assert_eq!(outcomes[1].to_string(), "is h13", "{outcomes:#?}");
+    for (outcome, (name, element)) in outcomes[4..].iter().zip([("a", "h12"), ("b", "h13"), ("e", "e6")]) {
+        let gone = format!("refused: `{name}` was {element}, which line 5 has removed; name another element");
+        assert_eq!(outcome.to_string(), gone);
+    }
+}
+
+#[test]
 fn a_given_word_stays_with_its_element() {
     let text = "triangles 0 0 4 0 4 3 0 3 / 0 1 2 0 2 3\njoin_faces h4\nlet a = split_face h0 h2.next\nwalk_face h5";
     let outcomes = play(text);

@@ -9,6 +9,7 @@ mod course_export;
 mod doors;
 mod examples;
 mod handouts;
+mod names;
 mod own_lab;
 #[path = "../shell/mod.rs"]
 mod shell;
