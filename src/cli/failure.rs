@@ -284,6 +284,7 @@ fn flags(error: &LoadError) -> Option<&'static str> {
             | ConvertError::OverlapAtVertex { .. }
             | ConvertError::HoleOutside { .. }
             | ConvertError::InPieces { .. }
+            | ConvertError::CommonEdge { .. }
             | ConvertError::InsideFace { .. } => Some(MEND),
             ConvertError::ZeroArea { .. } => Some("remove it, or leave out all that has no area with --mend"),
             ConvertError::Build(

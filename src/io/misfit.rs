@@ -80,6 +80,13 @@ impl Told<'_> {
                 let what = format!("the inside of {} is cut into pieces by its holes", self.polygon(face));
                 Misfit { what, rings: vec![[face, 0]] }
             }
+            ConvertError::CommonEdge { face, u, v } => {
+                let mut rings = self.rings_of(face).filter(|&ring| self.has_side(ring, [u, v]));
+                let one = rings.next().unwrap_or([face, 0]);
+                let other = rings.next().unwrap_or(one);
+                let what = format!("{} the edge {} -> {}", self.two(one, other, "share"), self.at(u), self.at(v));
+                Misfit { what, rings: vec![one, other] }
+            }
             ConvertError::InsideFace { face, vertex } => {
                 let inner = self.rings().find(|&[f, c]| f != face && self.cycle([f, c]).contains(&vertex));
                 let inner = inner.unwrap_or([face, 0]);

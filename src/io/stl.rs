@@ -34,7 +34,8 @@ use super::text::{Scanner, Syntax};
 use super::words::counted;
 use super::write_error::WriteError;
 use crate::geometry::number::Number;
-use crate::plane::check_coordinate;
+use crate::plane::predicates::orientation;
+use crate::plane::{Point, check_coordinate};
 use crate::solid::vector::{cross, dot, minus, plus};
 use crate::topology::PolygonList;
 use std::cmp::Ordering;
@@ -180,12 +181,25 @@ fn join(corners: &[([f64; 3], u32)], notes: &mut Vec<String>) -> SoupBuilder {
 fn check_fans(polygons: &Polygons) -> Result<(), WriteError> {
     let at = |corner: u32| polygons.points[corner as usize];
     for (&face, cycle) in polygons.faces.iter().zip(polygons.list.outer_cycles()) {
-        let whole = fans(cycle).map(|t| normal(t.map(at))).fold([0.0; 3], plus);
-        if cycle.len() > 3 && fans(cycle).any(|t| dot(normal(t.map(at)), whole) <= 0.0) {
+        if cycle.len() > 3 && !is_fan(cycle, at) {
             return Err(WriteError::NoFan { face, format: Format::Stl.name() });
         }
     }
     Ok(())
+}
+
+/// Whether all triangles from the first corner face the same way: in the plane z = 0 exactly, elsewhere by their normals.
+fn is_fan(cycle: &[u32], at: impl Fn(u32) -> [f64; 3]) -> bool {
+    if cycle.iter().all(|&corner| at(corner)[2].abs() <= 0.0) {
+        let sides = |t: [u32; 3]| {
+            let [a, b, c] = t.map(|corner| Point::new(at(corner)[0], at(corner)[1]));
+            orientation(a, b, c)
+        };
+        return [Ordering::Greater, Ordering::Less].iter().any(|side| fans(cycle).all(|t| sides(t) == *side));
+    }
+    let normal_of = |t: [u32; 3]| normal(t.map(&at));
+    let whole = fans(cycle).map(normal_of).fold([0.0; 3], plus);
+    fans(cycle).all(|t| dot(normal_of(t), whole) > 0.0)
 }
 
 /// The corners of each triangle and its unit normal; a normal of 0 if it has no area.

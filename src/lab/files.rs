@@ -261,7 +261,8 @@ impl LabFiles {
             let mut text = String::new();
             for _ in 0..count {
                 let (_, line) = lines.next().ok_or_else(|| broken(i + 1))?;
-                text.push_str(line);
+                // With the line ends of other systems it is the same archive.
+                text.push_str(line.trim_end_matches('\r'));
                 text.push('\n');
             }
             files.insert(path.to_owned(), text);

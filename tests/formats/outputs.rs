@@ -5,6 +5,7 @@ use dcel_kit::io::{
     Format, LoadOptions, Model, ReadOptions, Structure, WriteError, assemble, read_bytes, write, write_path,
     write_triangle,
 };
+use dcel_kit::plane::{Point, Subdivision};
 use dcel_kit::topology::{InnerComponent, Table, isomorphic};
 use dcel_kit::{FaceId, VertexId};
 
@@ -177,6 +178,23 @@ fn a_face_that_touches_itself_is_written_with_holes_or_refused() {
             assert!(error.to_string().contains("twice, which"), "{error}");
         }
     }
+}
+
+/// A corner that lies inside of the line between its neighbours by less than a product of doubles can tell.
+#[test]
+fn triangles_from_a_corner_are_judged_exactly() {
+    let corners = [[30.0, 3.0], [3.0, 0.0], [4.0, 0.0], [6.363636363636363, 0.2727272727272727]].map(Point::from);
+    let bent = Subdivision::polygon(&corners).unwrap();
+    assert_eq!(bent.geometry_violations(), []);
+    let error = write(&mut Vec::new(), &Model::planar(&bent), Format::Stl).unwrap_err();
+    assert!(matches!(error, WriteError::NoFan { face, .. } if face.number() == 1), "{error}");
+    // From another corner on, the triangles are right.
+    let mut turned = corners;
+    turned.rotate_left(3);
+    let whole = Subdivision::polygon(&turned).unwrap();
+    let read =
+        read_bytes(text(&Model::planar(&whole), Format::Stl).as_bytes(), Format::Stl, "x", &ReadOptions::default());
+    assert!(assemble(read.unwrap(), "x", &LoadOptions::default()).is_ok());
 }
 
 #[test]

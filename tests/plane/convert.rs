@@ -255,6 +255,14 @@ fn every_refusal_names_its_elements() {
         Subdivision::from_triangles(side, &[[0, 1, 2], [0, 1, 3]]),
         Err(ConvertError::OverlapAtEdge { u: 0, v: 1, first: 0, second: 1 })
     );
+    // Holes that begin at a side of the outer cycle, and at each other's: without the full check, too.
+    let ground = p(&[(0, 0), (8, 0), (8, 8), (0, 8), (2, 4)]);
+    for holes in [&[&[0, 1, 2, 3][..], &[3, 2, 4]][..], &[&[0, 1, 2, 3], &[3, 2, 4], &[2, 4, 0]]] {
+        let unchecked = ConvertOptions::default();
+        let error = Subdivision::convert_polygons(ground.clone(), &polygon(holes), &unchecked).unwrap_err();
+        assert!(matches!(error, ConvertError::CommonEdge { face: 0, .. }), "{error}");
+        assert!(error.vertices().iter().all(|v| [2, 3, 4].contains(v)) && error.faces() == [0], "{error}");
+    }
     let fan = p(&[(0, 0), (4, 0), (0, 4), (6, 1), (1, 6)]);
     assert_eq!(
         Subdivision::from_triangles(fan, &[[0, 1, 2], [0, 3, 4]]),

@@ -97,6 +97,16 @@ pub enum ConvertError {
         /// The face.
         face: u32,
     },
+    /// Two cycles of a face run along one edge, in opposite directions: the face would be on both sides of it.
+    #[error("two cycles of face {face} share the edge {u} -> {v}: a hole that begins at a side is no hole")]
+    CommonEdge {
+        /// The face.
+        face: u32,
+        /// One end of the edge.
+        u: u32,
+        /// The other end.
+        v: u32,
+    },
     /// A face lies inside another face that has no hole there.
     #[error("the part of the input at vertex {vertex} lies inside face {face}, which has no hole there: they overlap")]
     InsideFace {
@@ -119,6 +129,7 @@ impl ConvertError {
             | Self::SelfTouching { face, .. }
             | Self::HoleOutside { face, .. }
             | Self::InPieces { face }
+            | Self::CommonEdge { face, .. }
             | Self::InsideFace { face, .. } => vec![*face],
             Self::OverlapAtEdge { first, second, .. } | Self::OverlapAtVertex { first, second, .. } => {
                 vec![*first, *second]
@@ -140,7 +151,7 @@ impl ConvertError {
                 vec![first.0, first.1, second.0, second.1]
             }
             Self::SelfTouching { vertex, side, .. } => vec![vertex, side.0, side.1],
-            Self::OverlapAtEdge { u, v, .. } => vec![u, v],
+            Self::OverlapAtEdge { u, v, .. } | Self::CommonEdge { u, v, .. } => vec![u, v],
             Self::Geometry(ref violation) => violation.vertices().into_iter().map(VertexId::number).collect(),
             Self::ZeroArea { .. } | Self::Clockwise { .. } | Self::InPieces { .. } => Vec::new(),
         }

@@ -90,6 +90,7 @@ impl Subdivision {
             let face = FaceId::new(number as u32 + 1);
             let in_pieces = ConvertError::InPieces { face: number as u32 };
             let mut boundary = None;
+            let mut common_edge = None;
             let (mut corner_count, mut walked) = (0, 0);
             for corners in polygons.cycles(number) {
                 corner_count += corners.len();
@@ -102,6 +103,9 @@ impl Subdivision {
                     seen[h.index()] = true;
                     walked += 1;
                     edges.push(h.edge());
+                    if self.dcel.face(h.twin()) == face {
+                        common_edge = Some(h);
+                    }
                 }
                 if !encloses(self.corner_points(start)) {
                     loose.push(self.loose_cycle(start, Some(face)));
@@ -112,6 +116,10 @@ impl Subdivision {
             // Holes that touch may also have made more cycles than there are inner components.
             if boundary.is_none() || walked != corner_count {
                 return Err(in_pieces);
+            }
+            if let Some(h) = common_edge {
+                let [u, v] = [self.dcel.origin(h), self.dcel.destination(h)].map(VertexId::number);
+                return Err(ConvertError::CommonEdge { face: number as u32, u, v });
             }
             self.dcel.set_half_edge(face, boundary, &mut NoRecorder);
         }
