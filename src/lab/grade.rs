@@ -11,7 +11,7 @@ use super::conditions::{Calls, necessary, necessary_sentence, sentence, shortest
 use super::fault::{Fault, FaultKind, Instead};
 use super::feedback;
 use super::findings::findings;
-use super::judge::{Judge, Source, Suite};
+use super::judge::{Judge, Source, Suite, ToldBy};
 use super::judged::{Needs, Ruling, Unit, Units};
 use super::manifest::Test;
 use super::mutants::{self, Evidence};
@@ -294,7 +294,7 @@ impl<'a> Run<'a> {
     /// The hash of what fails in the fixed cases; `None` if nothing does.
     fn hash_of(&self, state: &State, number: usize) -> Option<String> {
         let (units, asked) = (&self.units[number], &self.graded[number].suite.asked);
-        let by_answer = self.judge.told_by_answer(&state.test.name);
+        let told_by = self.judge.told_by(&state.test.name);
         let line = |case: &str, fault: &Fault, answer: &str| {
             let kind = match &fault.kind {
                 FaultKind::Crashed { .. } => "crashed".to_owned(),
@@ -302,7 +302,8 @@ impl<'a> Run<'a> {
                 FaultKind::TooSlow { .. } => "TooSlow".to_owned(),
                 kind => format!("{kind:?}"),
             };
-            let said = if fault.kind == FaultKind::Wrong { told::as_told(&fault.words) } else { String::new() };
+            let has_words = told_by != ToldBy::Law && fault.kind == FaultKind::Wrong;
+            let said = if has_words { told::as_told(&fault.words) } else { String::new() };
             format!("{case} {} {} {} {kind} {said}{answer}", fault.step, fault.rule, fault.tag)
         };
         if matches!(state.verdict, Verdict::Unattempted | Verdict::GraderFault) {
@@ -314,6 +315,7 @@ impl<'a> Run<'a> {
             .flat_map(|unit| {
                 let case = &asked[unit.case].case;
                 let answers = &self.graded[number].run.answers[unit.case];
+                let by_answer = told_by == ToldBy::Answer;
                 let answer = by_answer.then(|| told::answer(unit.exchange.as_ref(), unit.step, case, answers));
                 let answer = answer.unwrap_or_default();
                 units.faults_of(unit, &state.test.name).map(move |fault| line(&case.name, fault, &answer))

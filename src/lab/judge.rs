@@ -15,6 +15,18 @@ use super::report::Picture;
 use dcel_kit::Element;
 use dcel_kit::topology::Table;
 
+/// By what known mistakes are told apart, beside the calls in which they show. More tells more, and leaves more variants of
+/// a mistake without a name.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ToldBy {
+    /// By the rule and the tag of each fault: enough where these say what stands where something else should.
+    Law,
+    /// By what is said of each fault, too, whatever the numbering.
+    Words,
+    /// By the whole answer, too: what was returned, the structure after the call, the picture as it is written.
+    Answer,
+}
+
 /// Where a case comes from, and so who may see it.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Source {
@@ -126,12 +138,10 @@ pub trait Judge: Sync {
         None
     }
 
-    /// Whether the known mistakes of a test are told apart by the whole answer, too: what was returned, the structure after
-    /// the call, the picture as it is written. Where a fault says which law is broken by what, it need not; there a mistake
-    /// has its name in every numbering.
-    fn told_by_answer(&self, test: &str) -> bool {
+    /// By what the known mistakes of a test are told apart.
+    fn told_by(&self, test: &str) -> ToldBy {
         let _ = test;
-        false
+        ToldBy::Words
     }
 
     /// The functions that an instructor's file can give weights in hidden sequences: `split_face = 2`.

@@ -15,7 +15,7 @@ use crate::cases::random::Random;
 use crate::cases::starts::{convex, polygon as polygon_at, triangles, wheel};
 use crate::checks::walks::{blind, half_edges};
 use crate::fault::{Exchange, Fault, FaultKind};
-use crate::judge::{Asked, Feature, Judge, Source, Suite};
+use crate::judge::{Asked, Feature, Judge, Source, Suite, ToldBy};
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step};
 use dcel_kit::Element;
@@ -115,6 +115,10 @@ impl Judge for HalfEdge {
             _ => return None,
         };
         tests.get(step.parse::<usize>().ok()?).copied()
+    }
+
+    fn told_by(&self, test: &str) -> ToldBy {
+        if test.starts_with("drawing") { ToldBy::Words } else { ToldBy::Law }
     }
 
     fn vocabulary(&self) -> &'static [Feature] {

@@ -5,7 +5,7 @@ use super::points::{FAR, PLAIN, line, nearly_collinear, of_points, random_nearly
 use super::{features, functions, map};
 use crate::cases::random::Random;
 use crate::fault::{Exchange, Fault};
-use crate::judge::{Asked, Feature, Judge, Suite};
+use crate::judge::{Asked, Feature, Judge, Suite, ToldBy};
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, RecordSchema, Schema, Start, Step};
 use crate::{answers, pictures};
@@ -61,8 +61,8 @@ impl Judge for Predicates {
         answers::judge(FUNCTIONS, case, answer)
     }
 
-    fn told_by_answer(&self, test: &str) -> bool {
-        test == "wrong_signs"
+    fn told_by(&self, test: &str) -> ToldBy {
+        if test == "wrong_signs" { ToldBy::Answer } else { ToldBy::Words }
     }
 
     fn vocabulary(&self) -> &'static [Feature] {

@@ -8,7 +8,7 @@ use super::{costs, picture, revolve};
 use crate::answers::{self, Function};
 use crate::cases::random::Random;
 use crate::fault::{Exchange, Fault, exchanges};
-use crate::judge::{Asked, Feature, Judge, Suite};
+use crate::judge::{Asked, Feature, Judge, Suite, ToldBy};
 use crate::pictures;
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step};
@@ -271,8 +271,12 @@ impl Judge for Primitives {
         }
     }
 
-    fn told_by_answer(&self, test: &str) -> bool {
-        !matches!(test, "split_vertex" | "split_face" | "large" | "picture")
+    fn told_by(&self, test: &str) -> ToldBy {
+        if !matches!(test, "split_vertex" | "split_face" | "large" | "picture") {
+            ToldBy::Answer
+        } else {
+            ToldBy::Words
+        }
     }
 
     fn vocabulary(&self) -> &'static [Feature] {

@@ -8,7 +8,7 @@ use super::{drawing, features, steps, whole};
 use crate::cases::random::Random;
 use crate::cases::starts;
 use crate::fault::{Exchange, Fault, exchanges};
-use crate::judge::{Asked, Feature, Judge, Suite};
+use crate::judge::{Asked, Feature, Judge, Suite, ToldBy};
 use crate::pictures;
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step};
@@ -97,8 +97,8 @@ impl Judge for TriangleList {
         exchanges(case, answer).iter().flat_map(fault).collect()
     }
 
-    fn told_by_answer(&self, test: &str) -> bool {
-        test == "from_faces"
+    fn told_by(&self, test: &str) -> ToldBy {
+        if test == "from_faces" { ToldBy::Answer } else { ToldBy::Words }
     }
 
     fn vocabulary(&self) -> &'static [Feature] {

@@ -9,7 +9,7 @@ use super::{drawing, features, soups, splits};
 use crate::answers::{self, Function, Wrong};
 use crate::cases::random::Random;
 use crate::fault::{Exchange, Fault, FaultKind, answered, exchanges};
-use crate::judge::{Asked, Feature, Judge, Suite};
+use crate::judge::{Asked, Feature, Judge, Suite, ToldBy};
 use crate::pictures;
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Reply, Schema, Start, Step, Structure, Value, grouped};
@@ -100,8 +100,8 @@ impl Judge for Triangulation {
         }
     }
 
-    fn told_by_answer(&self, test: &str) -> bool {
-        test == "triangulate"
+    fn told_by(&self, test: &str) -> ToldBy {
+        if test == "triangulate" { ToldBy::Answer } else { ToldBy::Words }
     }
 
     fn vocabulary(&self) -> &'static [Feature] {

@@ -6,7 +6,7 @@ use crate::answers::{self, Function};
 use crate::cases::random::Random;
 use crate::cases::starts::{convex, grid, polygon, wheel};
 use crate::fault::{Exchange, Fault, FaultKind};
-use crate::judge::{Asked, Feature, Judge, Suite};
+use crate::judge::{Asked, Feature, Judge, Suite, ToldBy};
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Start, Step};
 use crate::{many, pictures};
@@ -63,8 +63,8 @@ impl Judge for VoronoiDiagrams {
         pictures::told_apart(PICTURE, case, answer, picture::plain)
     }
 
-    fn told_by_answer(&self, test: &str) -> bool {
-        matches!(test, "dual" | "voronoi")
+    fn told_by(&self, test: &str) -> ToldBy {
+        if matches!(test, "dual" | "voronoi") { ToldBy::Answer } else { ToldBy::Words }
     }
 
     fn vocabulary(&self) -> &'static [Feature] {
