@@ -10,7 +10,7 @@
 //! than a wrong one.
 
 use super::fault::{Exchange, answered};
-use super::protocol::{CallEnd, Case, CaseAnswer, Reply, Value};
+use super::protocol::{CallEnd, Case, CaseAnswer, Reply, Structure, Value};
 
 /// The answer to a step: what was returned and the structure after it, or the picture as it is written.
 pub(super) fn answer(exchange: Option<&Exchange>, step: usize, case: &Case, answer: &CaseAnswer) -> String {
@@ -19,7 +19,7 @@ pub(super) fn answer(exchange: Option<&Exchange>, step: usize, case: &Case, answ
         if let Some((_, CallEnd::Returned(values))) = exchange.called {
             values.iter().for_each(|value| returned(value, &mut out));
         }
-        out.extend(exchange.structure_after.map(|structure| structure.text()));
+        out.extend(exchange.structure_after.map(Structure::text));
     } else if let Some((_, _, Reply::Svg(svg))) = answered(case, answer).find(|(number, ..)| *number == step) {
         out.push_str(svg);
     }
