@@ -84,8 +84,7 @@ impl Told<'_> {
                 let mut rings = self.rings_of(face).filter(|&ring| self.has_side(ring, [u, v]));
                 let one = rings.next().unwrap_or([face, 0]);
                 let other = rings.next().unwrap_or(one);
-                let what = format!("{} the edge {} -> {}", self.two(one, other, "share"), self.at(u), self.at(v));
-                Misfit { what, rings: vec![one, other] }
+                self.in_common(one, other, [u, v])
             }
             ConvertError::InsideFace { face, vertex } => {
                 let inner = self.rings().find(|&[f, c]| f != face && self.cycle([f, c]).contains(&vertex));
@@ -206,18 +205,20 @@ impl Told<'_> {
                 for end in [corners[(k + 1) % corners.len()], corners[(k + corners.len() - 1) % corners.len()]] {
                     let fits = |&&other: &&[u32; 2]| other[0] == one[0] && self.has_side(other, [vertex, end]);
                     if let Some(&other) = rings[i + 1..].iter().find(fits) {
-                        let what = format!(
-                            "{} in common {}, so that none of the polygon lies between them",
-                            self.two(one, other, "have"),
-                            self.side([vertex, end])
-                        );
-                        return Misfit { what, rings: vec![one, other] };
+                        return self.in_common(one, other, [vertex, end]);
                     }
                 }
             }
         }
         let names: Vec<String> = rings.iter().map(|&ring| self.name(ring)).collect();
         Misfit { what: format!("G4: {} overlap round {}", names.join(", "), self.at(vertex)), rings }
+    }
+
+    /// Two rings of a polygon have a side.
+    fn in_common(&self, one: [u32; 2], other: [u32; 2], side: Side) -> Misfit {
+        let (two, side) = (self.two(one, other, "have"), self.side(side));
+        let what = format!("{two} in common {side}, so that none of the polygon lies between them");
+        Misfit { what, rings: vec![one, other] }
     }
 
     /// ` at (2, 2): the side (0, 0) -> (4, 4) and ...`: where two sides cross.

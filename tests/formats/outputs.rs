@@ -180,6 +180,20 @@ fn a_face_that_touches_itself_is_written_with_holes_or_refused() {
     }
 }
 
+/// The full check finds it at a corner; without it, which trusts, the shared side gives it away. Both say the same.
+#[test]
+fn a_hole_that_begins_at_a_side_is_named_with_and_without_the_check() {
+    let text = r#"{"type":"Polygon","coordinates":[[[0,0],[8,0],[8,8],[0,8],[0,0]],[[0,8],[8,8],[2,4],[0,8]]]}"#;
+    for trust in [false, true] {
+        let read = read_bytes(text.as_bytes(), Format::GeoJson, "x", &ReadOptions::default()).unwrap();
+        let error = assemble(read, "x", &LoadOptions { trust, ..LoadOptions::default() }).unwrap_err();
+        let rings = "x:1:34: rings 0 and 1 of geometry polygon 0 have in common the side ";
+        assert!(error.to_string().starts_with(rings), "{error}");
+        let rest = ", so that none of the polygon lies between them (geometry polygon 0 ring 1: line 1:66)";
+        assert!(error.to_string().ends_with(rest), "{error}");
+    }
+}
+
 /// A corner that lies inside of the line between its neighbours by less than a product of doubles can tell.
 #[test]
 fn triangles_from_a_corner_are_judged_exactly() {

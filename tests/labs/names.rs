@@ -9,38 +9,36 @@ use std::fs;
 /// mistake of the same function.
 const ALIKE: [(&str, &str, &str); 7] = [
     // Not edges counted twice: the last sign.
-    ("09", "v - h / 2 + f", "v - h / 2 - f"),
+    ("09-two-primitives", "v - h / 2 + f", "v - h / 2 - f"),
     // Not the last spoke, but the first, is missing.
-    ("09", "&corners[1..]", "&corners[2..]"),
+    ("09-two-primitives", "&corners[1..]", "&corners[2..]"),
     // Not the front alone, but the back alone, is cut.
-    ("09", "\n    square.fill(start, n, m);", ""),
+    ("09-two-primitives", "\n    square.fill(start, n, m);", ""),
     // Not rounded: exchanged.
-    ("05", "new_vertex(point.x, point.y)", "new_vertex(point.y, point.x)"),
-    ("08", "self.twin(self.prev(h))", "self.prev(self.twin(h))"),
+    ("05-triangle-list", "new_vertex(point.x, point.y)", "new_vertex(point.y, point.x)"),
+    ("08-voronoi", "self.twin(self.prev(h))", "self.prev(self.twin(h))"),
     // Not the last triangle, but the first, is forgotten.
-    ("02", "triangles.push(corner);", "triangles.push(corner); triangles.remove(0);"),
+    ("02-triangulation", "triangles.push(corner);", "triangles.push(corner); triangles.remove(0);"),
     // Not a side of the hull: the dots.
-    ("03", "svg.dot(dot);", "let _ = dot;"),
+    ("03-convex-hulls", "svg.dot(dot);", "let _ = dot;"),
 ];
 
 /// And one that is a known mistake, written in another way.
-const KNOWN: (&str, &str, &str, &str) = ("09", "v - h / 2 + f", "v + f - h", "half-edges are counted, not edges");
+const KNOWN: (&str, &str, &str, &str) =
+    ("09-two-primitives", "v - h / 2 + f", "v + f - h", "half-edges are counted, not edges");
 
 #[test]
 fn a_mistake_like_a_known_one_does_not_have_its_name() {
     let folder = Folder::empty();
     let names = |lab: &str, find: &str, write: &str| -> Vec<Value> {
-        let dir = format!("lab-{lab}");
-        if !folder.path(&dir).exists() {
-            folder.dcel(&format!("lab start {lab} {dir}")).fine();
+        if !folder.path(lab).exists() {
+            folder.dcel(&format!("lab start {lab} {lab}")).fine();
         }
         let labs = concat!(env!("CARGO_MANIFEST_DIR"), "/../../labs");
-        let all = fs::read_dir(labs).unwrap().map(|entry| entry.unwrap().path());
-        let is_lab = |path: &std::path::PathBuf| path.file_name().unwrap().to_string_lossy().starts_with(lab);
-        let solution = fs::read_to_string(all.into_iter().find(is_lab).unwrap().join("solution/lab.rs")).unwrap();
+        let solution = fs::read_to_string(format!("{labs}/{lab}/solution/lab.rs")).unwrap();
         assert_eq!(solution.matches(find).count(), 1, "{lab}: {find}");
-        fs::write(folder.path(&format!("{dir}/src/lab.rs")), solution.replace(find, write)).unwrap();
-        let report: Value = serde_json::from_str(&folder.dcel(&format!("lab check {dir} --json")).out).unwrap();
+        fs::write(folder.path(&format!("{lab}/src/lab.rs")), solution.replace(find, write)).unwrap();
+        let report: Value = serde_json::from_str(&folder.dcel(&format!("lab check {lab} --json")).out).unwrap();
         let tests = report["tests"].as_array().unwrap();
         assert!(tests.iter().any(|test| test["verdict"] == "wrong"), "{lab}: {write} is caught: {tests:#?}");
         tests.iter().flat_map(|test| test["bugs"].as_array().unwrap().clone()).collect()
