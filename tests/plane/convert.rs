@@ -202,6 +202,33 @@ fn orientation_is_refused_or_repaired() {
 }
 
 /// What must be refused, and the exact error.
+/// Two bands that have a square in common and cross once more over each other: a torus with one disc cut out, flat at
+/// every corner. No edge and no corner betrays it, Euler's relation does.
+#[test]
+fn bands_that_cross_are_refused_without_the_full_check() {
+    let square = [(0, 0), (2, 0), (2, 2), (0, 2)];
+    let first = [[(6, 0), (4, 2)], [(6, 8), (4, 6)], [(-4, 8), (-2, 6)], [(-4, 0), (-2, 2)]];
+    let second = [[(2, 10), (0, 12)], [(8, 10), (10, 12)], [(8, -4), (10, -6)], [(2, -4), (0, -6)]];
+    let mut places = square.to_vec();
+    places.extend(first.iter().chain(&second).flatten());
+    let mut list = PolygonList::new();
+    list.push_face(&[0, 1, 2, 3]);
+    for [start, sides, end] in [[[1, 2], [4, 6], [0, 3]], [[2, 3], [12, 14], [1, 0]]] {
+        let mut rungs = vec![start];
+        rungs.extend((0..4).map(|k| [sides[0] + 2 * k, sides[0] + 2 * k + 1]));
+        rungs.push(end);
+        rungs.windows(2).for_each(|w| list.push_face(&[w[0][0], w[1][0], w[1][1], w[0][1]]));
+    }
+    places.extend([(100, 0), (101, 0), (100, 1)]);
+    let mut two_components = list.clone();
+    two_components.push_face(&[20, 21, 22]);
+    for list in [list, two_components] {
+        let open = ConvertOptions::default();
+        let error = Subdivision::convert_polygons(points(&places), &list, &open).unwrap_err();
+        let ConvertError::Geometry(GeometryViolation::EdgesMeet { .. }) = error else { panic!("{error}") };
+    }
+}
+
 #[test]
 fn every_refusal_names_its_elements() {
     let p = |list: &[(i32, i32)]| points(list);

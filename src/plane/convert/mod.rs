@@ -115,8 +115,8 @@ impl Subdivision {
     /// sorted out by angles. Points that no triangle uses get no vertex.
     ///
     /// Cost: O(n), and O(b log b) for b border edges if there is more than one border cycle. Overlaps are found
-    /// where faces share an edge or a touching vertex; for all others ask for the full check with
-    /// [`convert_triangles`](Self::convert_triangles).
+    /// where faces share an edge or a touching vertex, and where Euler's relation fails (then O(n log n)); for all
+    /// others ask for the full check with [`convert_triangles`](Self::convert_triangles).
     ///
     /// # Errors
     /// [`ConvertError`] names the faces and vertices that do not fit.
@@ -254,11 +254,14 @@ fn finish<F: Turn + ?Sized>(
     let linked = fans::link_by_angle(&mut dcel, &points, &matched.pinched, number);
     let mut subdivision = Subdivision::from_parts(dcel, points.into());
     let nested = linked.and_then(|()| subdivision.nest(&matched.border, faces.with_holes()));
-    if let Err(error) = nested {
-        // What lies in what, and what overlaps at a corner, is only known if nothing crosses.
-        let intersection = if options.full_check { subdivision.intersection() } else { None };
-        return Err(intersection.map_or(error, ConvertError::Geometry));
-    }
+    let inner_components = match nested {
+        Ok(count) => count,
+        Err(error) => {
+            // What lies in what, and what overlaps at a corner, is only known if nothing crosses.
+            let intersection = if options.full_check { subdivision.intersection() } else { None };
+            return Err(intersection.map_or(error, ConvertError::Geometry));
+        }
+    };
     let mut unused_vertices = Vec::new();
     if matched.isolated > 0 {
         unused_vertices.extend(subdivision.dcel.vertices().filter(|&v| subdivision.dcel.outgoing(v).is_none()));
@@ -266,9 +269,21 @@ fn finish<F: Turn + ?Sized>(
             subdivision.dcel.remove_vertex_record(v, &mut NoRecorder);
         }
     }
-    let violations = if options.full_check { subdivision.geometry_violations() } else { Vec::new() };
+    let looks = options.full_check || !fits_the_plane(&subdivision, inner_components);
+    let violations = if looks { subdivision.geometry_violations() } else { Vec::new() };
     if let Some(&violation) = violations.first() {
         return Err(violation.into());
     }
     Ok(Converted { subdivision, turned, unused_vertices, inserted: Vec::new() })
+}
+
+/// Euler's relation V - E + (F - 1) = C, with the inner components for C: without a walk it tells that every component
+/// has genus 0 and lies in one face.
+///
+/// The signed areas of the cycles of a component add up to 0, and those of the boundaries of bounded faces are positive:
+/// each component has at least one inner component. So with k components of genera g the left side, which is
+/// 2k - 2 sum g - C, reaches C only if C = k and every g = 0. Where nothing crosses and the edges round each vertex lie
+/// by their angles, it does: where it fails, the full check finds why.
+fn fits_the_plane(s: &Subdivision, inner_components: usize) -> bool {
+    s.vertex_count() + (s.face_count() - 1) == s.edge_count() + inner_components
 }

@@ -20,8 +20,8 @@ use crate::topology::{InnerComponent, NoRecorder, PolygonList, TooMany};
 
 impl Subdivision {
     /// Gives every border half-edge its face and every face its cycles. `border` are the half-edges without a
-    /// face; `polygons` is given if some faces have several cycles.
-    pub(super) fn nest(&mut self, border: &[u32], polygons: Option<&PolygonList>) -> Result<(), ConvertError> {
+    /// face; `polygons` is given if some faces have several cycles. Returns the number of inner components.
+    pub(super) fn nest(&mut self, border: &[u32], polygons: Option<&PolygonList>) -> Result<usize, ConvertError> {
         let mut edges: Vec<EdgeId> = border.iter().map(|&h| HalfEdgeId::new(h).edge()).collect();
         let mut loose = self.border_cycles(border)?;
         if let Some(polygons) = polygons {
@@ -29,8 +29,9 @@ impl Subdivision {
         }
         if let [Loose { ring: InnerComponent::Cycle(start), owner: None, .. }] = *loose {
             self.dcel.set_half_edge(self.outer_face(), Some(start), &mut NoRecorder);
-            return Ok(());
+            return Ok(1);
         }
+        let count = loose.len();
         edges.sort_unstable();
         edges.dedup();
         let ends: Vec<[u32; 2]> = edges.iter().map(|&e| self.edge_ends(e).map(VertexId::number)).collect();
@@ -49,7 +50,8 @@ impl Subdivision {
                 }
                 _ => Ok(()),
             }
-        })
+        })?;
+        Ok(count)
     }
 
     /// Traces the border. Cycles round a bounded region become hole faces; all others are labelled f0 for the
