@@ -40,15 +40,16 @@ impl TomlFile<'_> {
         })
     }
 
-    /// An error at a byte of the text.
+    /// An error at a byte of the text. Messages are one line, whatever names are in them.
     pub(super) fn error(&self, at: usize, what: impl Into<String>) -> ManifestError {
         let before = self.text.get(..at).unwrap_or(self.text);
+        let shown = |c: char| if c.is_control() { c.escape_debug().to_string() } else { c.to_string() };
         let line_start = before.rfind('\n').map_or(0, |end| end + 1);
         ManifestError {
             source: self.source.to_owned(),
             line: before.matches('\n').count() + 1,
             column: before[line_start..].chars().count() + 1,
-            what: what.into(),
+            what: what.into().chars().map(shown).collect(),
         }
     }
 }

@@ -577,6 +577,12 @@ fn a_failing_sequence_is_shrunk_to_the_shortest_script() {
 }
 
 #[test]
+fn an_error_in_a_file_is_one_line_whatever_its_keys_are() {
+    let error = Secret::parse("\"a\\nb\" = 1\n", "secret.toml", &[]).unwrap_err().to_string();
+    assert_eq!(error, r"secret.toml:1:1: unknown key `a\nb`; there is seed, sequences, calls");
+}
+
+#[test]
 fn hidden_cases_say_the_promise_and_nothing_of_the_case() {
     let secret = Secret::parse("seed = 5\ncalls = 40\nsequences = 60\n", "secret.toml", &[]).unwrap();
     let fake = wrong_with_faces(9);

@@ -206,6 +206,43 @@ fn sums_in_single_precision_are_octile_lengths_too() {
     assert_eq!(parse("0 a.map 999 999 0 0 48 48 67.8821").verdict().not_octile.count, 1);
 }
 
+/// The lengths of the city maps of the benchmarks are sums of 1.414213562, printed with eight digits behind the point.
+#[test]
+fn sums_of_a_decimal_fraction_for_the_root_of_two_are_octile_lengths_too() {
+    let root = std::f64::consts::SQRT_2;
+    let mut random = Random::new(5);
+    for (fraction, decimals) in [(1.41, 4), (1.414, 5), (1.4142, 6), (1.414214, 7), (1.41421356, 9), (1.414213562, 8)] {
+        let mut steps = || [random.below(200), 1 + random.below(300)].map(|n| n as u32);
+        let queries: Vec<[u32; 2]> = (0..40).map(|_| steps()).collect();
+        let file = |length: &dyn Fn(f64, f64) -> f64| -> String {
+            let line = |&[straight, diagonal]: &[u32; 2]| {
+                let length = length(f64::from(straight), f64::from(diagonal));
+                format!("0 a.map 999 999 0 0 {} {diagonal} {length:.decimals$}\n", straight + diagonal)
+            };
+            queries.iter().map(line).collect()
+        };
+        let scenario = parse(&file(&|straight, diagonal| straight + diagonal * fraction));
+        let verdict = scenario.verdict();
+        assert_eq!((verdict.optimum, verdict.fits(), verdict.diagonal), (Optimum::Octile, true, Some(fraction)));
+        let said = format!("octile: all of 40 lengths are sums a + b√2 of steps, with √2 = {fraction}");
+        assert_eq!(verdict.to_string(), said);
+        for (query, &[straight, diagonal]) in scenario.queries.iter().zip(&queries) {
+            let cost = f64::from(straight) + f64::from(diagonal) * root;
+            assert!(query.agrees(Some(cost), Optimum::Octile, 1e-14 + verdict.shortfall()), "{query:?}");
+            let stated = f64::from(straight) + f64::from(diagonal) * fraction;
+            let longer = stated * (root / fraction).max(1.0) * (1.0 + 1e-7) + 4.0 * query.precision;
+            assert!(!query.agrees(Some(longer), Optimum::Octile, 1e-14 + verdict.shortfall()), "{query:?}");
+        }
+        // As far as they are known, the lengths of straight lines are none, whatever stands for the root.
+        let straight = parse(&file(&|straight, diagonal| (straight + diagonal).hypot(diagonal) + 0.3)).verdict();
+        assert_eq!((straight.optimum, straight.diagonal), (Optimum::Euclidean, None));
+        // One length is no reason to take another root; and one slip in forty none to give it up.
+        let one = format!("0 a.map 999 999 0 0 300 100 {:.decimals$}\n", 200.0 + 100.0 * fraction + 0.013);
+        let nearly = parse(&(file(&|straight, diagonal| straight + diagonal * fraction) + &one)).verdict();
+        assert_eq!((nearly.optimum, nearly.diagonal, nearly.not_octile.count), (Optimum::Octile, Some(fraction), 1));
+    }
+}
+
 #[test]
 fn a_stated_0_between_two_places_is_no_path() {
     let scenario =

@@ -173,6 +173,10 @@ fn check(
         queries: scenario.queries.len(),
         ..Report::default()
     };
+    let shortfall = match optimum {
+        Optimum::Octile => verdict.shortfall(),
+        Optimum::Euclidean => 0.0,
+    };
     let mut ratios: Vec<f64> = Vec::new();
     for query in &scenario.queries {
         let [start, goal] = [query.start, query.goal].map(|p| map.point([p.x, p.y]));
@@ -199,7 +203,7 @@ fn check(
         if let (Some(stated), Some(found)) = (query.length.filter(|&stated| stated > 0.0), found) {
             ratios.push(found / stated);
         }
-        if query.agrees(found, optimum, tolerance) {
+        if query.agrees(found, optimum, tolerance + shortfall) {
             report.right += 1;
         } else {
             let why = why(query.length, found, route.err().as_ref());

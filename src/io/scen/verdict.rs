@@ -9,13 +9,15 @@
 //!
 //! An octile length is a + b √2 with whole a and b from 0 on, within its precision; if the ends are corners of cells, a
 //! is even or odd as the number of steps from start to goal along the axes is. Programs that add in single precision
-//! take 1.41421354 for √2, and 48 steps of that are printed as 67.8822 in place of 67.8823: both are octile. And it is
-//! no less than the octile distance from start to goal. A Euclidean length is no less than the straight line; that is
-//! all that can be said without the map.
+//! take 1.41421354 for √2, and 48 steps of that are printed as 67.8822 in place of 67.8823: both are octile. Other
+//! programs take a decimal fraction, such as 1.414213562, which shows in the tenth digit of long ways: one fraction for
+//! the whole file. And an octile length is no less than the octile distance from start to goal. A Euclidean length is no
+//! less than the straight line; that is all that can be said without the map.
 //!
 //! Any number is such a sum sooner or later if it is long and has few digits, so a length that fits counts by how
 //! unlikely that would be by chance, and one that does not counts as a slip that one octile length in a hundred may be.
-//! The sum of the logarithms decides: the *likelihood ratio* of both readings.
+//! The sum of the logarithms decides: the *likelihood ratio* of both readings. A fraction in place
+//! of √2 is rare, so it has to be more likely by far.
 
 use super::{Optimum, Query, Scenario};
 use std::f64::consts::SQRT_2;
@@ -27,6 +29,10 @@ const SLIP: f64 = 0.01;
 const LONGEST: f64 = 1e5;
 /// Room for the rounding of doubles, as a part of the length.
 const ROUNDING: f64 = 1e-13;
+/// √2 as a decimal fraction of two to ten digits behind the point, as far as they differ when rounded.
+const FRACTIONS: [f64; 9] = [1.41, 1.414, 1.4142, 1.41421, 1.414214, 1.4142136, 1.41421356, 1.414213562, 1.4142135624];
+/// One file of octile lengths in so many takes a certain one of them: a single length is no reason to.
+const RARE: f64 = 1e-4;
 /// √2 in single precision.
 const SINGLE_SQRT_2: f64 = std::f32::consts::SQRT_2 as f64;
 /// How many times as long diagonal steps are as in single precision.
@@ -49,7 +55,7 @@ impl Misfits {
 }
 
 /// What the lengths of a file are, and how well they fit. `Display` says it in a line.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Verdict {
     /// What they are, or are nearly.
     pub optimum: Optimum,
@@ -61,6 +67,8 @@ pub struct Verdict {
     pub too_short: Misfits,
     /// Those that are one reading only, or an unlikely chance for the other.
     pub telling: usize,
+    /// The decimal fraction that stands for √2 in octile lengths; none if it is √2 as exactly as a float has it.
+    pub diagonal: Option<f64>,
 }
 
 impl Verdict {
@@ -78,11 +86,17 @@ impl Verdict {
             Optimum::Euclidean => self.too_short,
         }
     }
+
+    /// By which part octile costs may be greater than stated, because a diagonal step was taken to be shorter than √2.
+    #[must_use]
+    pub fn shortfall(&self) -> f64 {
+        self.diagonal.map_or(0.0, |diagonal| (SQRT_2 / diagonal - 1.0).max(0.0))
+    }
 }
 
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { optimum, stated, not_octile, telling, .. } = *self;
+        let Self { optimum, stated, not_octile, telling, diagonal, .. } = *self;
         let lengths = if stated == 1 { "length" } else { "lengths" };
         let (is, all) = (|count| if count == 1 { "is" } else { "are" }, counted_all(stated));
         let Misfits { count, first_line } = self.misfits();
@@ -98,8 +112,11 @@ impl fmt::Display for Verdict {
             );
         }
         match (optimum, not_octile.first_line) {
-            (Optimum::Octile, _) if stated == 1 => write!(f, "octile: {all} is a sum a + b√2 of steps"),
-            (Optimum::Octile, _) => write!(f, "octile: {all} are sums a + b√2 of steps"),
+            (Optimum::Octile, _) => {
+                let sums = if stated == 1 { "is a sum" } else { "are sums" };
+                write!(f, "octile: {all} {sums} a + b√2 of steps")?;
+                diagonal.map_or(Ok(()), |diagonal| write!(f, ", with √2 = {diagonal}"))
+            }
             (Optimum::Euclidean, Some(line)) => {
                 let (count, is) = (not_octile.count, is(not_octile.count));
                 write!(
@@ -138,12 +155,30 @@ impl Scenario {
     /// ```
     #[must_use]
     pub fn verdict(&self) -> Verdict {
+        let (mut best, mut best_for_octile) = self.reading(&[SQRT_2, SINGLE_SQRT_2]);
+        if best.not_octile.count == 0 {
+            return best;
+        }
+        for diagonal in FRACTIONS {
+            let (verdict, for_octile) = self.reading(&[diagonal]);
+            let for_octile = for_octile + RARE.ln();
+            if for_octile > best_for_octile.max(0.0) {
+                best = Verdict { diagonal: Some(diagonal), ..verdict };
+                best_for_octile = for_octile;
+            }
+        }
+        best
+    }
+
+    /// The verdict with these numbers for √2, and by how much it speaks for octile lengths.
+    fn reading(&self, diagonals: &[f64]) -> (Verdict, f64) {
         let mut verdict = Verdict {
             optimum: Optimum::Euclidean,
             stated: 0,
             not_octile: Misfits::default(),
             too_short: Misfits::default(),
             telling: 0,
+            diagonal: None,
         };
         let mut for_octile = 0.0;
         for query in &self.queries {
@@ -153,7 +188,7 @@ impl Scenario {
             if length + slack < query.straight() {
                 verdict.too_short.add(query.line);
             }
-            let steps = Steps::of(query, length, slack);
+            let steps = Steps::of(query, length, slack, diagonals);
             if !steps.fit {
                 verdict.not_octile.add(query.line);
             }
@@ -171,7 +206,7 @@ impl Scenario {
         if verdict.telling > 0 && for_octile > 0.0 {
             verdict.optimum = Optimum::Octile;
         }
-        verdict
+        (verdict, for_octile)
     }
 }
 
@@ -183,31 +218,34 @@ struct Steps {
 }
 
 impl Steps {
-    fn of(query: &Query, length: f64, slack: f64) -> Self {
+    /// `diagonals` are numbers that may stand for √2.
+    fn of(query: &Query, length: f64, slack: f64, diagonals: &[f64]) -> Self {
         let (dx, dy) = ((query.goal.x - query.start.x).abs(), (query.goal.y - query.start.y).abs());
         if length > LONGEST {
             return Self { fit: false, chance: 0.0 };
         }
-        if length + slack < dx.max(dy) + (SINGLE_SQRT_2 - 1.0) * dx.min(dy) {
+        let bounds = |(least, greatest): (f64, f64), &d: &f64| (least.min(d), greatest.max(d));
+        let (least, greatest) = diagonals.iter().fold((f64::INFINITY, 0.0), bounds);
+        if length + slack < dx.max(dy) + (least - 1.0) * dx.min(dy) {
             // Beyond doubt: no precision would make it one.
             return Self { fit: false, chance: 0.0 };
         }
         // A diagonal step changes the sum of both coordinates by an even number, a straight one by one.
         let whole = dx.fract() <= 0.0 && dy.fract() <= 0.0;
         let (every, first) = if whole { (2.0, (dx + dy) % 2.0) } else { (1.0, 0.0) };
-        let diagonals = (length / SQRT_2 + slack) as u32;
-        let range = 2.0 * slack + 0.5 * f64::from(diagonals) * (SQRT_2 - SINGLE_SQRT_2);
-        let chance = f64::from(diagonals + 1) * range.min(4.0 * slack) / every;
+        let most = (length / least + slack) as u32;
+        let range = 2.0 * slack + 0.5 * f64::from(most) * (greatest - least);
+        let chance = f64::from(most + 1) * range.min(2.0 * diagonals.len() as f64 * slack) / every;
         if chance >= 0.99 {
             return Self { fit: true, chance: 0.99 };
         }
         let is_sum = |b: u32| {
-            [SQRT_2, SINGLE_SQRT_2].iter().any(|diagonal| {
+            diagonals.iter().any(|diagonal| {
                 let a = length - f64::from(b) * diagonal;
                 let nearest = (first + ((a - first) / every).round() * every).max(first);
                 (a - nearest).abs() <= slack
             })
         };
-        Self { fit: (0..=diagonals).any(is_sum), chance }
+        Self { fit: (0..=most).any(is_sum), chance }
     }
 }
