@@ -211,7 +211,8 @@ fn sums_in_single_precision_are_octile_lengths_too() {
 fn sums_of_a_decimal_fraction_for_the_root_of_two_are_octile_lengths_too() {
     let root = std::f64::consts::SQRT_2;
     let mut random = Random::new(5);
-    for (fraction, decimals) in [(1.41, 4), (1.414, 5), (1.4142, 6), (1.414214, 7), (1.41421356, 9), (1.414213562, 8)] {
+    for (digits, decimals) in [(2, 4), (3, 5), (4, 6), (6, 7), (8, 9), (9, 8)] {
+        let fraction: f64 = format!("{root:.digits$}").parse().expect("digits");
         let mut steps = || [random.below(200), 1 + random.below(300)].map(|n| n as u32);
         let queries: Vec<[u32; 2]> = (0..40).map(|_| steps()).collect();
         let file = |length: &dyn Fn(f64, f64) -> f64| -> String {

@@ -63,7 +63,7 @@ pub fn tables<V: PlanarView + ?Sized>(
     let names = Names::of(view, &options);
     for f in faces(view) {
         if let Some(name) = names.face(f) {
-            options.names.set(f, Some(format!("{f} {name}")), None);
+            options.names.insert(f, format!("{f} {name}"));
         }
     }
     let options = &options;

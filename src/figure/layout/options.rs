@@ -3,9 +3,10 @@
 use crate::figure::canvas::text;
 use crate::figure::layout::grid::SHEET;
 use crate::figure::{Overrides, Style, Unit};
-use crate::ids::{Element, FaceId, FaceMap, Id};
+use crate::ids::{Element, FaceId, Id};
 use crate::plane::Point;
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 /// The usual width of a figure.
 pub(crate) const WIDTH: f64 = 640.0;
@@ -84,7 +85,7 @@ pub struct FigureOptions {
     pub(crate) unit: Unit,
     pub(crate) plain: bool,
     pub(crate) interactive: bool,
-    pub(crate) names: FaceMap<Option<String>>,
+    pub(crate) names: BTreeMap<FaceId, String>,
 }
 
 impl Default for FigureOptions {
@@ -117,7 +118,7 @@ impl FigureOptions {
             unit: Unit::Px,
             plain: false,
             interactive: false,
-            names: FaceMap::default(),
+            names: BTreeMap::new(),
         }
     }
 
@@ -218,7 +219,7 @@ impl FigureOptions {
     /// Names one face. Faces with the same name share a tint, and one label. A name that reads like an id (`f0`) is drawn in
     /// quotation marks; a face with an empty name shows its id.
     pub fn face_name(mut self, face: FaceId, name: impl AsRef<str>) -> Self {
-        self.names.set(face, Some(text::clean(name.as_ref())), None);
+        self.names.insert(face, text::clean(name.as_ref()));
         self
     }
 
@@ -230,7 +231,7 @@ impl FigureOptions {
     /// Colours and labels of single elements. Labels of faces are names, see [`face_name`](Self::face_name).
     pub fn overrides(mut self, overrides: Overrides) -> Self {
         for (face, name) in overrides.face_labels() {
-            self.names.set(face, Some(name.to_owned()), None);
+            self.names.insert(face, name.to_owned());
         }
         self.overrides = overrides;
         self
@@ -297,7 +298,7 @@ impl FigureOptions {
     }
 
     pub(crate) fn name(&self, face: FaceId) -> Option<&str> {
-        self.names.get(face)?.as_deref()
+        self.names.get(&face).map(String::as_str)
     }
 
     /// The name of a face as it is drawn: none if it is empty; in quotation marks if it could be taken for an id.

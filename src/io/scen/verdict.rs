@@ -29,8 +29,6 @@ const SLIP: f64 = 0.01;
 const LONGEST: f64 = 1e5;
 /// Room for the rounding of doubles, as a part of the length.
 const ROUNDING: f64 = 1e-13;
-/// √2 as a decimal fraction of two to ten digits behind the point, as far as they differ when rounded.
-const FRACTIONS: [f64; 9] = [1.41, 1.414, 1.4142, 1.41421, 1.414214, 1.4142136, 1.41421356, 1.414213562, 1.4142135624];
 /// One file of octile lengths in so many takes a certain one of them: a single length is no reason to.
 const RARE: f64 = 1e-4;
 /// √2 in single precision.
@@ -159,7 +157,7 @@ impl Scenario {
         if best.not_octile.count == 0 {
             return best;
         }
-        for diagonal in FRACTIONS {
+        for diagonal in fractions() {
             let (verdict, for_octile) = self.reading(&[diagonal]);
             let for_octile = for_octile + RARE.ln();
             if for_octile > best_for_octile.max(0.0) {
@@ -208,6 +206,11 @@ impl Scenario {
         }
         (verdict, for_octile)
     }
+}
+
+/// √2 as a decimal fraction of two to ten digits behind the point.
+fn fractions() -> impl Iterator<Item = f64> {
+    (2..=10).map(|digits| 10_f64.powi(digits)).map(|parts| (SQRT_2 * parts).round() / parts)
 }
 
 /// Whether a length is an octile cost.

@@ -20,6 +20,7 @@ use super::halves::{Half, Halves};
 use super::order::{Axis, Ordered, Site, middle};
 use crate::geometry::predicates::{in_circle, orientation};
 use crate::plane::Point;
+use crate::threads;
 use std::cmp::Ordering;
 
 /// A finished triangulation: half-edges whose origins are places in the order, and one of the outline.
@@ -28,16 +29,48 @@ pub(super) struct Divided {
     pub(super) outer: u32,
 }
 
+/// Parts with more points than this are shared by two threads. The edges get the numbers that one thread would give them:
+/// no half leaves gaps (see [`Work::rise`]).
+const LARGE: u32 = 1 << 15;
+
 /// Triangulates at least two distinct points. Points on one line become a path.
 pub(super) fn divide_and_conquer(ordered: &Ordered) -> Divided {
-    let sites = &ordered.sites;
-    let mut work = Work { sites, halves: Halves::with_room(3 * sites.len()) };
-    let outer = match work.by_key(0, sites.len() as u32) {
+    let count = ordered.sites.len() as u32;
+    let (work, part) = whole(&ordered.sites, 0, count, count);
+    let outer = match part {
         Part::Edges(outer) => outer,
         Part::Point(_) => 0,
     };
     let (half, outer) = work.halves.without_gaps(outer);
     Divided { half, outer }
+}
+
+/// The points from `low` to `high`, with half-edges of their own, and room for those of `room` points.
+fn whole(sites: &[Site], low: u32, high: u32, room: u32) -> (Work<'_>, Part) {
+    let shared = threads::are_many() && high - low > LARGE;
+    let Some((cut, axis)) = shared.then(|| highest_bit(sites, low, high)).flatten() else {
+        let mut work = Work { sites, halves: Halves::with_room(3 * room as usize) };
+        let part = work.by_key(low, high);
+        return (work, part);
+    };
+    let ((mut work, left), (other, right)) =
+        threads::both(|| whole(sites, low, cut, room), || whole(sites, cut, high, high - cut));
+    let shift = work.halves.append(other.halves);
+    let right = match right {
+        Part::Edges(h) => Part::Edges(h + shift),
+        Part::Point(v) => Part::Point(v),
+    };
+    let part = work.merge(left, right, axis);
+    (work, part)
+}
+
+/// Where the highest bit of the keys from `low` to `high` changes, and the direction that it parts; none if they are equal.
+#[inline]
+fn highest_bit(sites: &[Site], low: u32, high: u32) -> Option<(u32, Axis)> {
+    let range = &sites[low as usize..high as usize];
+    let bit = (range[0].key ^ range[range.len() - 1].key).checked_ilog2()?;
+    let cut = low + range.partition_point(|site| site.key >> bit & 1 == 0) as u32;
+    Some((cut, if bit % 2 == 1 { Axis::X } else { Axis::Y }))
 }
 
 /// What is done of the points.
@@ -71,13 +104,11 @@ impl Work<'_> {
         if high - low <= 3 {
             return self.few(low, high);
         }
-        let range = &self.sites[low as usize..high as usize];
-        let Some(bit) = (range[0].key ^ range[range.len() - 1].key).checked_ilog2() else {
+        let Some((cut, axis)) = highest_bit(self.sites, low, high) else {
             return self.by_middle(low, high, Axis::X);
         };
-        let cut = low + range.partition_point(|site| site.key >> bit & 1 == 0) as u32;
         let (left, right) = (self.by_key(low, cut), self.by_key(cut, high));
-        self.merge(left, right, if bit % 2 == 1 { Axis::X } else { Axis::Y })
+        self.merge(left, right, axis)
     }
 
     /// The points from `low` to `high`, all of one cell, parted as they were put in order.
@@ -174,6 +205,9 @@ impl Work<'_> {
     ///         ╲             ╱            counter-clockwise round u, and with y, the next one clockwise round w.
     ///        u ●<── base ──● w
     /// ```
+    ///
+    /// An edge that is taken out lays bare the corner at its other end, which the seam then has to reach by an edge of
+    /// its own further up. So at the end all numbers of edges taken out are in use again.
     fn rise(&mut self, lowest: u32) -> u32 {
         let mut base = lowest;
         loop {

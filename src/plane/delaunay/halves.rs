@@ -113,6 +113,16 @@ impl Halves {
         self.free.push(h >> 1);
     }
 
+    /// Takes over the half-edges of another set, which touch none of these; each gets the number that is returned more.
+    /// O(those of the other set).
+    pub(super) fn append(&mut self, other: Self) -> u32 {
+        let shift = self.half.len() as u32;
+        let shifted = |half: Half| Half { next: half.next + shift, prev: half.prev + shift, ..half };
+        self.half.extend(other.half.into_iter().map(shifted));
+        self.free.extend(other.free.into_iter().map(|edge| edge + shift / 2));
+        shift
+    }
+
     /// All half-edges without gaps: the last edges move into the places of removed ones. `keep` is a half-edge;
     /// returned with its number afterwards. O(removed edges log).
     pub(super) fn without_gaps(mut self, mut keep: u32) -> (Vec<Half>, u32) {

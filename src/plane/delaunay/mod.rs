@@ -26,8 +26,10 @@ pub use lawson::FlipEvent;
 
 use super::{CoordinateError, Point, Subdivision};
 use crate::ids::{MAX_IDS, VertexId, VertexMap};
+use crate::threads::both;
 use crate::topology::{Columns, Dcel, InnerComponent, TooMany};
 use divide::{Divided, divide_and_conquer};
+use halves::Half;
 use order::{Ordered, ordered};
 
 /// Why points have no Delaunay triangulation.
@@ -70,7 +72,8 @@ impl Subdivision {
     ///   T = 2n - 2 - k triangles and 3n - 3 - k edges for n vertices, k of them on the hull
     /// ```
     ///
-    /// Cost: O(n log n), for points spread evenly nearly O(n). All decisions are exact.
+    /// Cost: O(n log n), for points spread evenly nearly O(n). All decisions are exact. With the feature `parallel` two
+    /// threads and more make the halves of large sets.
     ///
     /// # Errors
     /// [`DelaunayError`] names the first point that cannot be used.
@@ -145,23 +148,35 @@ fn assembled(ordered: &Ordered, names: &[u32], points: VertexMap<Point>) -> Subd
         }
         return subdivision;
     }
-    Subdivision::from_parts(with_faces(divide_and_conquer(ordered), names, vertices), points)
+    Subdivision::from_parts(with_faces(&divide_and_conquer(ordered), names, vertices), points)
 }
 
 /// The finished structure: the outline bounds `f0`, every other cycle a triangle. O(n).
-fn with_faces(divided: Divided, names: &[u32], vertices: usize) -> Dcel {
-    let Divided { half, outer } = divided;
-    let mut first_at = vec![Columns::NONE; names.len()];
-    for (h, record) in half.iter().enumerate().rev() {
-        first_at[record.origin as usize] = h as u32;
-    }
-    let mut outgoing = vec![Columns::NONE; vertices];
-    for (&name, h) in names.iter().zip(first_at) {
-        outgoing[name as usize] = h;
-    }
+fn with_faces(divided: &Divided, names: &[u32], vertices: usize) -> Dcel {
+    let half = &divided.half;
+    let column = |value: fn(&Half) -> u32| -> Vec<u32> { half.iter().map(value).collect() };
+    let at_vertices = || {
+        let mut first_at = vec![Columns::NONE; names.len()];
+        for (h, record) in half.iter().enumerate().rev() {
+            first_at[record.origin as usize] = h as u32;
+        }
+        let mut outgoing = vec![Columns::NONE; vertices];
+        for (&name, h) in names.iter().zip(first_at) {
+            outgoing[name as usize] = h;
+        }
+        let origin = half.iter().map(|h| names[h.origin as usize]).collect();
+        (outgoing, origin)
+    };
+    let ((face, boundary), ((outgoing, origin), (next, prev))) =
+        both(|| faces(divided), || both(at_vertices, || both(|| column(|h| h.next), || column(|h| h.prev))));
+    Dcel::from_columns(Columns { origin, next, prev, face, outgoing, boundary })
+}
+
+/// The face of each half-edge, and the first half-edge of each face.
+fn faces(Divided { half, outer }: &Divided) -> (Vec<u32>, Vec<u32>) {
     let mut face = vec![Columns::NONE; half.len()];
-    let (mut boundary, mut h) = (Vec::with_capacity(half.len() / 3 + 1), outer);
-    boundary.push(outer);
+    let (mut boundary, mut h) = (Vec::with_capacity(half.len() / 3 + 1), *outer);
+    boundary.push(*outer);
     while face[h as usize] == Columns::NONE {
         face[h as usize] = 0;
         boundary[0] = boundary[0].min(h);
@@ -177,12 +192,5 @@ fn with_faces(divided: Divided, names: &[u32], vertices: usize) -> Dcel {
             boundary.push(first as u32);
         }
     }
-    Dcel::from_columns(Columns {
-        origin: half.iter().map(|h| names[h.origin as usize]).collect(),
-        next: half.iter().map(|h| h.next).collect(),
-        prev: half.iter().map(|h| h.prev).collect(),
-        face,
-        outgoing,
-        boundary,
-    })
+    (face, boundary)
 }

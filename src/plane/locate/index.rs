@@ -12,6 +12,7 @@ use super::{Cells, Lines, Location};
 use crate::geometry::grouping::grouped;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::{Point, Subdivision};
+use crate::threads::pieces;
 use std::borrow::Borrow;
 
 /// The fewest points of a batch that are put in order together. Measured: a million points in one order take 2.6 times
@@ -92,33 +93,18 @@ impl<S: Borrow<Subdivision>> PointIndex<S> {
 
     /// Where each of the points lies, in their order. They are asked cell by cell, so that neighbours find the
     /// structure in the cache, in blocks that stay in the cache themselves: faster than one by one in a large
-    /// subdivision.
+    /// subdivision. With the feature `parallel` threads share the blocks.
     ///
     /// Cost: O(k) for the order of k points, O(k log k) for few of them, and the queries.
     #[must_use]
     pub fn locate_all(&self, points: &[Point]) -> Vec<Location> {
         let mut answers = vec![Location::Face(self.subdivision().outer_face()); points.len()];
         let block = self.cells.count().clamp(SMALL_BLOCK, LARGE_BLOCK);
-        for (points, answers) in points.chunks(block).zip(answers.chunks_mut(block)) {
-            self.locate_block(points, answers);
-        }
+        let (s, cells) = (self.subdivision(), &self.cells);
+        pieces(&mut answers, block, |first, answers| {
+            locate_block(s, cells, &points[first..first + answers.len()], answers);
+        });
         answers
-    }
-
-    /// Asks for the points in the order of their cells.
-    fn locate_block(&self, points: &[Point], answers: &mut [Location]) {
-        let s: &Subdivision = self.subdivision.borrow();
-        let cell = |i: usize| self.cells.cell_of(points[i]);
-        let order = if points.len() < self.cells.count() / 8 {
-            let mut few: Vec<u32> = (0..points.len() as u32).collect();
-            few.sort_by_cached_key(|&i| cell(i as usize));
-            few
-        } else {
-            grouped(self.cells.count() + 1, points.len(), cell).1
-        };
-        for i in order {
-            answers[i as usize] = self.cells.locate(s, points[i as usize]);
-        }
     }
 
     /// The number of cells.
@@ -138,6 +124,21 @@ impl<S: Borrow<Subdivision>> PointIndex<S> {
     #[must_use]
     pub fn memory_bytes(&self) -> usize {
         self.cells.memory_bytes()
+    }
+}
+
+/// Asks for the points in the order of their cells.
+fn locate_block(s: &Subdivision, cells: &Cells, points: &[Point], answers: &mut [Location]) {
+    let cell = |i: usize| cells.cell_of(points[i]);
+    let order = if points.len() < cells.count() / 8 {
+        let mut few: Vec<u32> = (0..points.len() as u32).collect();
+        few.sort_by_cached_key(|&i| cell(i as usize));
+        few
+    } else {
+        grouped(cells.count() + 1, points.len(), cell).1
+    };
+    for i in order {
+        answers[i as usize] = cells.locate(s, points[i as usize]);
     }
 }
 

@@ -1,0 +1,74 @@
+//! The feature `parallel`: one thread and several give the same answers, half-edge by half-edge.
+
+use dcel_kit::plane::{DelaunayBuilt, Point, PointIndex, Subdivision};
+use rayon::ThreadPoolBuilder;
+use std::f64::consts::TAU;
+
+#[path = "plane/numbers.rs"]
+mod numbers;
+use numbers::Numbers;
+
+/// Runs `work` on so many threads.
+fn on<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
+    ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool").install(work)
+}
+/// More points than the parts that threads share have.
+const MANY: usize = 150_000;
+
+fn sets() -> Vec<(&'static str, Vec<Point>)> {
+    let mut numbers = Numbers::new(7);
+    let mut set = |place: &dyn Fn(&mut Numbers, usize) -> [f64; 2]| -> Vec<Point> {
+        (0..MANY).map(|i| place(&mut numbers, i).into()).collect()
+    };
+    vec![
+        ("anywhere", set(&|numbers, _| [numbers.unit(), numbers.unit()])),
+        // Half of them are repeated.
+        ("lattice", set(&|numbers, _| [numbers.below(330) as f64, numbers.below(330) as f64])),
+        ("circle", set(&|_, i| [(TAU * i as f64 / MANY as f64).cos(), (TAU * i as f64 / MANY as f64).sin()])),
+        // In a few cells of the grid, and a far point.
+        ("crowded", set(&|numbers, i| if i == 9 { [1e6, 1e6] } else { [numbers.unit(), numbers.unit()] })),
+        // Long seams: the upper outline of each half sees far into the other.
+        (
+            "moon",
+            set(&|numbers, _| {
+                let (x, y) = (2.0 * numbers.unit() - 1.0, numbers.unit());
+                [x, x * x + 1e-3 * y]
+            }),
+        ),
+    ]
+}
+
+#[test]
+fn a_delaunay_triangulation_does_not_depend_on_the_threads() {
+    for (name, points) in sets() {
+        let [one, four]: [DelaunayBuilt; 2] =
+            [1, 4].map(|threads| on(threads, || Subdivision::delaunay(&points).unwrap()));
+        assert!(one == four, "{name}");
+        assert_eq!(one.subdivision.non_delaunay_edges(|_| false).count(), 0, "{name}");
+    }
+}
+
+/// A half that left numbers of edges free would leave them to the other half if one thread made both.
+#[test]
+fn edges_have_the_same_numbers_for_no_half_leaves_gaps() {
+    for seed in 0..60 {
+        let mut numbers = Numbers::new(seed);
+        let mut point = || Point::new(numbers.unit(), numbers.unit() * numbers.unit());
+        let points: Vec<Point> = (0..40_000).map(|_| point()).collect();
+        let [one, two]: [DelaunayBuilt; 2] =
+            [1, 2].map(|threads| on(threads, || Subdivision::delaunay(&points).unwrap()));
+        assert!(one == two, "seed {seed}");
+    }
+}
+
+#[test]
+fn points_are_located_in_their_order_by_any_number_of_threads() {
+    let points = &sets()[0].1;
+    let subdivision = Subdivision::delaunay(&points[..20_000]).unwrap().subdivision;
+    let index = PointIndex::new(&subdivision);
+    let one_by_one: Vec<_> = points.iter().map(|&p| index.locate(p)).collect();
+    for threads in [1, 3] {
+        assert!(on(threads, || index.locate_all(points)) == one_by_one, "{threads} threads");
+        assert!(on(threads, || index.locate_all(&points[..1])) == one_by_one[..1]);
+    }
+}
