@@ -13,6 +13,10 @@
 //! | lay two on each other | [`Subdivision::overlay`], [`Overlay`], [`Operation`] |
 //! | check the laws of the plane | [`GeometryViolation`] |
 //! | decide exactly | [`predicates`] |
+//!
+//! With the feature `parallel`, threads share the halves of a [Delaunay triangulation](Subdivision::delaunay) of more than
+//! 32,768 points, and blocks of points to [locate](PointIndex::locate_all). Answers and numbers are the same with any number
+//! of threads; `RAYON_NUM_THREADS=1` asks for one.
 
 // The files of this folder:
 //
