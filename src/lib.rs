@@ -109,7 +109,6 @@ pub mod solid;
 #[cfg(feature = "sources")]
 #[doc(hidden)]
 pub mod sources;
-mod threads;
 pub mod topology;
 
 pub use ids::{

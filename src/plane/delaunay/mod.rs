@@ -26,7 +26,7 @@ pub use lawson::FlipEvent;
 
 use super::{CoordinateError, Point, Subdivision};
 use crate::ids::{MAX_IDS, VertexId, VertexMap};
-use crate::threads::both;
+use crate::plane::threads::both;
 use crate::topology::{Columns, Dcel, InnerComponent, TooMany};
 use divide::{Divided, divide_and_conquer};
 use halves::Half;
