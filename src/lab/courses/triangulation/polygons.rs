@@ -3,6 +3,7 @@
 //! ```text
 //!   arrow       a reflex corner         house, ladder   straight corners       comb      many reflex corners
 //!   spiral      few ears                needle          corners nearly on one line, or on a diagonal
+//!   level       a side on the line of a diagonal, beyond its end
 //! ```
 
 use crate::cases::random::Random;
@@ -55,6 +56,7 @@ pub(super) fn small() -> Vec<(&'static str, Vec<[f64; 2]>)> {
         ("star", &[[5, 0], [2, 1], [2, 5], [-1, 2], [-4, 3], [-2, 0], [-4, -3], [-1, -2], [2, -5], [2, -1]]),
         ("ladder", &[[0, 0], [2, 0], [4, 0], [6, 0], [8, 0], [8, 3], [6, 3], [4, 3], [2, 3], [0, 3]]),
         ("funnel", &[[0, 9], [-6, -1], [-3, 2], [0, 3], [3, 2], [6, -1]]),
+        ("level", &[[0, 0], [8, 0], [8, 2], [6, 2], [5, 1], [4, 2], [3, 4], [2, 2]]),
     ]
     .into_iter()
     .map(|(name, places)| (name, places.iter().map(|p| p.map(f64::from)).collect()))
