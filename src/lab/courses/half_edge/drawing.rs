@@ -61,6 +61,10 @@ fn plain_picture(table: &Table) -> String {
             let _ = writeln!(out, "<line x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\" stroke=\"#000000\"/>");
         }
     }
+    for v in (0..table.vertices.len() as u32).map(VertexId::new) {
+        let [x, y] = place(table, v);
+        let _ = writeln!(out, "<circle cx=\"{x}\" cy=\"{}\" r=\"4\"/>", 0.0 - y);
+    }
     out + "</svg>\n"
 }
 
