@@ -29,5 +29,8 @@ pub(super) fn reference() -> String {
         let ((x1, y1), (x2, y2)) = (at(a), at(b));
         let _ = writeln!(out, "<line x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\" stroke=\"#000000\"/>");
     }
+    for (x, y) in (0..soup().vertices).map(at) {
+        let _ = writeln!(out, "<circle cx=\"{x}\" cy=\"{y}\" r=\"4\"/>");
+    }
     out + "</svg>\n"
 }

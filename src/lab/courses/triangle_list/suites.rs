@@ -125,7 +125,7 @@ impl Judge for TriangleList {
             "close_border_half_edges" => "close_border gives every half-edge without a twin a twin in the outer face",
             "close_border_links" => "close_border links the half-edges of every border cycle",
             "close_border_refused" => "close_border refuses a pinched vertex, and names it",
-            "structure_svg" => "the picture shows each face but the outer one, and each edge",
+            "structure_svg" => "the picture shows each face but the outer one, each edge and each vertex",
             _ => "from_faces builds the structure of the whole list, or says truly what is wrong with it",
         }
     }
