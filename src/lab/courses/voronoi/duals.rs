@@ -76,7 +76,16 @@ fn links(table: &Table, dual: &Table) -> Option<Wrong> {
 
 pub(super) fn wrong(exchange: &Exchange, values: &[Value]) -> Option<Wrong> {
     let table = exchange.before()?;
-    returned(values).map_or_else(|| Some(Wrong::kind("a structure")), |dual| links(table, dual))
+    let Some(dual) = returned(values) else { return Some(Wrong::kind("a structure")) };
+    let all = (0..table.faces.len() as u32).map(FaceId::new);
+    links(table, dual).or_else(|| all.filter_map(|f| moved(dual, f, "where all vertices of a dual are")).next())
+}
+
+/// What is wrong with the vertex of a face that should be at (0, 0).
+fn moved(dual: &Table, f: FaceId, why: &str) -> Option<Wrong> {
+    let [x, y] = place(dual, VertexId::new(f.number()))?;
+    let is_moved = [x, y].iter().any(|x| x.is_nan() || x.abs() > 0.0);
+    is_moved.then(|| Wrong::because("at_zero", format!("its v{} is at ({x}, {y}), expected (0, 0), {why}", f.number())))
 }
 
 /// The corners of a triangle.
@@ -119,5 +128,5 @@ pub(super) fn wrong_voronoi(exchange: &Exchange, values: &[Value]) -> Option<Wro
             return Some(Wrong::because(tag, because).is(is));
         }
     }
-    None
+    moved(voronoi, table.outer_face?, "as it stands for the outer face")
 }

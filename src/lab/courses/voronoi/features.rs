@@ -10,6 +10,7 @@ use dcel_kit::plane::Point;
 use dcel_kit::plane::predicates::orientation;
 use dcel_kit::topology::{Table, View};
 use dcel_kit::{HalfEdgeId, VertexId};
+use std::sync::Arc;
 
 crate::features! {
     OneLine "one_line" "the three points are on one line",
@@ -37,6 +38,7 @@ crate::features! {
     OneFace "one_face" "an edge has one face on both sides",
     Large "large" "there are more than 256 half-edges",
     Blind "blind" "all vertices are at one place",
+    OuterNot0 "outer_not_0" "the outer face is not f0",
 }
 
 /// What holds of a call.
@@ -49,6 +51,8 @@ pub(super) fn of(exchange: &Exchange) -> Option<u128> {
         "cell" => of_cell(exchange.before()?, VertexId::new(argument?), &mut set)?,
         _ => of_table(exchange.before()?, &mut set),
     }
+    let is_other = |table: &Arc<Table>| table.outer_face.is_some_and(|f| f.number() != 0);
+    set.add(Word::OuterNot0 as u32, exchange.function != "circle_centre" && exchange.before().is_some_and(is_other));
     Some(set.bits())
 }
 

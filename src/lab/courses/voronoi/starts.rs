@@ -4,7 +4,9 @@ use crate::cases::handouts::SITES;
 use crate::cases::random::Random;
 use crate::cases::starts::triangles;
 use crate::protocol::Start;
+use dcel_kit::FaceId;
 use dcel_kit::plane::{Point, Subdivision};
+use dcel_kit::topology::{FaceRow, Table};
 
 /// A triangulation as a case states it, and what it is like.
 #[derive(Clone)]
@@ -33,6 +35,31 @@ pub(super) fn of_points(name: &str, points: &[[f64; 2]]) -> Option<Given> {
     Some(Given { name: name.to_owned(), start: triangles(&places, &faces), sites: places.len(), half_edges })
 }
 
+/// The same with another number for the outer face, that of a triangle; every record is written out.
+pub(super) fn with_outer_face(name: &str, points: &[[f64; 2]], number: u32) -> Option<Given> {
+    let built = delaunay(points)?;
+    let mut table = Table::from_view(&built);
+    for (v, row) in built.vertices().zip(&mut table.vertices) {
+        let p = built.point(v);
+        row.as_mut()?.position = Some([p.x, p.y]);
+    }
+    let outer = table.outer_face?;
+    let number = FaceId::new(number);
+    let exchanged = |f: FaceId| match f {
+        _ if f == outer => number,
+        _ if f == number => outer,
+        _ => f,
+    };
+    for row in table.half_edges.iter_mut().flatten() {
+        row.face = row.face.map(exchanged);
+    }
+    table.faces.swap(outer.index(), number.index());
+    table.faces.iter_mut().flatten().for_each(|row| *row = FaceRow { half_edge: row.half_edge, ..FaceRow::default() });
+    table.outer_face = Some(number);
+    let (sites, half_edges) = (table.vertices.len(), table.half_edges.len());
+    Some(Given { name: name.to_owned(), start: Start::table(table), sites, half_edges })
+}
+
 /// Points that are always the same, the simplest first.
 pub(super) fn fixed() -> Vec<Given> {
     let square = |n: usize| (0..n * n).map(move |k| [(k % n) as f64, (k / n) as f64]).collect::<Vec<_>>();
@@ -55,7 +82,10 @@ pub(super) fn fixed() -> Vec<Given> {
     all.push(("fan", (0..40).map(|k| [f64::from(k), f64::from(k * k)]).chain([[-300., 800.]]).collect()));
     let mut random = Random::new(8, "large");
     all.push(("large", places(&mut random, 160, 10_000)));
-    all.into_iter().filter_map(|(name, points)| of_points(name, &points)).collect()
+    let mut all: Vec<Given> = all.into_iter().filter_map(|(name, points)| of_points(name, &points)).collect();
+    all.extend(with_outer_face("outer_last", &[[0., 0.], [9., 0.], [3., 8.], [4., 3.]], 3));
+    all.extend(with_outer_face("outer_between", &square(3), 4));
+    all
 }
 
 /// So many different points with whole coordinates.
@@ -74,19 +104,44 @@ fn places(random: &mut Random, count: usize, size: usize) -> Vec<[f64; 2]> {
 pub(super) fn random(random: &mut Random, name: &str, most: usize) -> Option<Given> {
     let count = 4 + random.below(most);
     let size = if random.below(2) == 0 { 7 } else { 1000 };
-    of_points(name, &places(random, count, size))
+    let places = places(random, count, size);
+    // About every third time the outer face has another number than 0.
+    let faces = delaunay(&places)?.faces().count();
+    match random.below(3) {
+        0 => with_outer_face(name, &places, 1 + random.below(faces - 1) as u32),
+        _ => of_points(name, &places),
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use dcel_kit::plane::predicates::orientation;
+    use dcel_kit::topology::violations;
 
     #[test]
     fn all_points_have_a_triangulation() {
-        assert_eq!(fixed().len(), 14);
+        assert_eq!(fixed().len(), 16);
         let mut from = Random::new(2, "starts");
         for i in 0..50 {
             assert!(random(&mut from, "x", 12).is_some(), "{i}");
+        }
+    }
+
+    #[test]
+    fn the_outer_face_gets_the_number_that_is_asked_for_and_the_laws_hold() {
+        let points = [[0., 0.], [9., 0.], [3., 8.], [4., 3.]];
+        for number in 0..4 {
+            let given = with_outer_face("x", &points, number).unwrap();
+            let table = given.start.half_edges().unwrap();
+            assert_eq!(violations(table.as_ref()), []);
+            assert_eq!(table.outer_face, Some(FaceId::new(number)));
+            let triangles: Vec<_> = crate::courses::voronoi::duals::triangles(table).collect();
+            assert_eq!(triangles.len(), 3);
+            for f in triangles {
+                let [a, b, c] = crate::courses::voronoi::duals::corners(table, f).unwrap().map(Point::from);
+                assert!(orientation(a, b, c).is_gt(), "{f} turns left, so it is none of the outside");
+            }
         }
     }
 }
