@@ -28,6 +28,10 @@ crate::features! {
     VerticesOnly "vertices_only" "all vertices have equally many edges, but not all faces equally many corners",
     Regular "regular" "all faces have equally many corners and all vertices equally many edges",
     Unequal "unequal" "faces have another number of corners than vertices have edges",
+    FaceBetween "face_between" "the first and the last face have equally many corners, and one between them has not",
+    FaceLast "face_last" "only the last face has another number of corners",
+    VertexBetween "vertex_between" "the first and the last vertex have equally many edges, and one between them has not",
+    VertexLast "vertex_last" "only the last vertex has another number of edges",
 
     ArcCosine "arc_cosine" "the arc cosine of a quotient is too far from the angle",
     OtherCorners "other_corners" "not all faces at the vertex are regular polygons",
@@ -97,6 +101,12 @@ fn of_sizes(surface: &Surface, set: &mut FeatureSet) {
     set.add(Word::VerticesOnly as u32, p.is_none() && q.is_some());
     set.add(Word::Regular as u32, p.is_some() && q.is_some());
     set.add(Word::Unequal as u32, p.is_some() && q.is_some() && p != q);
+    let between = |sizes: &[usize]| common(sizes).is_none() && sizes.first() == sizes.last();
+    let last = |sizes: &[usize]| common(sizes).is_none() && common(&sizes[..sizes.len() - 1]).is_some();
+    set.add(Word::FaceBetween as u32, between(&faces));
+    set.add(Word::FaceLast as u32, last(&faces));
+    set.add(Word::VertexBetween as u32, between(&vertices));
+    set.add(Word::VertexLast as u32, last(&vertices));
     set.add(Word::Removed as u32, surface.has_removed());
     set.add(Word::Handle as u32, euler_of(surface) < 2);
 }

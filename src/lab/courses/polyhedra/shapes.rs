@@ -1,5 +1,6 @@
 //! Closed surfaces by the corners of their faces, the simplest first.
 
+use super::merging::merged;
 use super::surface::Surface;
 use crate::cases::random::Random;
 
@@ -98,6 +99,50 @@ pub(super) fn all() -> Vec<(&'static str, Faces)> {
     ]
 }
 
+/// Surfaces that are nearly regular: where those stand that are unlike the others, first, last or between.
+pub(super) fn unlike() -> Vec<(&'static str, Faces)> {
+    let faces = |order: [usize; 5]| order.map(|i| prism(3)[i].clone()).into();
+    let vertices = |numbers: [u32; 5]| {
+        let face = |face: Vec<u32>| face.into_iter().map(|v| numbers[v as usize]).collect();
+        bipyramid(3).into_iter().map(face).collect()
+    };
+    vec![
+        ("prism.squares_first_and_last", faces([2, 0, 3, 1, 4])),
+        ("prism.triangles_first_and_last", faces([0, 2, 3, 4, 1])),
+        ("bipyramid.tips_between", vertices([0, 2, 4, 1, 3])),
+        ("bipyramid.tips_first_and_last", vertices([1, 2, 3, 0, 4])),
+    ]
+}
+
+/// Surfaces that are regular but for one face or one vertex, which is the first, the last or another one. Something was
+/// removed from each.
+pub(super) fn unlike_one() -> Vec<(&'static str, Surface)> {
+    // Each of v0, v2, v4 joined with each of v1, v3, v5, on a torus: 4, 4 and 10 corners, the ten of two faces merged.
+    let [one, other] = [vec![0, 1, 2, 5], vec![0, 3, 4, 1]];
+    let [small, large] = [vec![0, 5, 4], vec![4, 3, 2, 1, 4, 5, 2, 3, 0]];
+    let first = vec![small.clone(), one.clone(), large.clone(), other.clone()];
+    let between = vec![one.clone(), small.clone(), large.clone(), other.clone()];
+    let last = vec![large, one, other, small];
+    // The faces of a tetrahedron merged to one: three edges are left, all of one vertex.
+    let star = |edges: [[u32; 2]; 3]| without(&tetrahedron(), &edges);
+    vec![
+        ("one_face.first", without(&first, &[[4, 0]])),
+        ("one_face.between", without(&between, &[[4, 0]])),
+        ("one_face.last", without(&last, &[[4, 0]])),
+        ("one_vertex.first", star([[1, 2], [2, 3], [3, 1]])),
+        ("one_vertex.between", star([[0, 2], [2, 3], [3, 0]])),
+        ("one_vertex.last", star([[0, 1], [1, 2], [2, 0]])),
+    ]
+}
+
+/// A surface without some edges, each by its ends: the face on the left of the edge stays.
+fn without(faces: &Faces, edges: &[[u32; 2]]) -> Surface {
+    edges.iter().fold(blind(faces), |surface, &[from, to]| {
+        let h = surface.half_edges().find(|&h| surface.start(h) == Some(from) && surface.end(h) == Some(to));
+        h.and_then(|h| merged(&surface, h)).unwrap_or(surface)
+    })
+}
+
 /// Surfaces of several parts.
 pub(super) fn parts() -> Vec<(&'static str, Faces)> {
     vec![
@@ -182,7 +227,7 @@ fn exchanged(faces: &Faces, random: &mut Random) -> Faces {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::courses::polyhedra::counts::{euler_of, parts_of};
+    use crate::courses::polyhedra::counts::{euler_of, parts_of, sizes};
     use dcel_kit::topology::View;
 
     fn is_closed(name: &str, faces: &Faces) {
@@ -227,6 +272,29 @@ mod tests {
             ("torus_of_300", 0, 1),
         ];
         assert_eq!(counts.collect::<Vec<_>>(), expected);
+    }
+
+    #[test]
+    fn what_is_unlike_stands_where_its_name_says() {
+        let sizes_of = |wanted: &str| {
+            let nearly = unlike().into_iter().map(|(name, faces)| (name, blind(&faces))).chain(unlike_one());
+            sizes(&nearly.into_iter().find(|(name, _)| *name == wanted).unwrap().1)
+        };
+        for (name, faces) in unlike() {
+            is_closed(name, &faces);
+        }
+        let threes = vec![3; 6];
+        assert_eq!(sizes_of("prism.squares_first_and_last"), [vec![4, 3, 4, 3, 4], threes.clone()]);
+        assert_eq!(sizes_of("prism.triangles_first_and_last"), [vec![3, 4, 4, 4, 3], threes.clone()]);
+        assert_eq!(sizes_of("bipyramid.tips_between"), [threes.clone(), vec![4, 3, 4, 3, 4]]);
+        assert_eq!(sizes_of("bipyramid.tips_first_and_last"), [threes.clone(), vec![3, 4, 4, 4, 3]]);
+        assert_eq!(sizes_of("one_face.first"), [vec![10, 4, 4], threes.clone()]);
+        assert_eq!(sizes_of("one_face.between"), [vec![4, 10, 4], threes.clone()]);
+        assert_eq!(sizes_of("one_face.last"), [vec![4, 4, 10], threes]);
+        assert_eq!(sizes_of("one_vertex.first"), [vec![6], vec![3, 1, 1, 1]]);
+        assert_eq!(sizes_of("one_vertex.between"), [vec![6], vec![1, 3, 1, 1]]);
+        assert_eq!(sizes_of("one_vertex.last"), [vec![6], vec![1, 1, 1, 3]]);
+        assert!(unlike_one().iter().all(|(_, surface)| surface.has_removed()));
     }
 
     #[test]

@@ -81,6 +81,10 @@ impl Judge for Polyhedra {
                 let others = solids().into_iter().skip(regular::NAMES.len());
                 given.extend(others.map(|(name, surface)| of_solid(&name, &surface)));
             }
+            if function.word == "regular" {
+                given.extend(shapes::unlike().iter().map(|(name, faces)| of_faces(name, faces)));
+                given.extend(shapes::unlike_one().iter().map(|(name, surface)| of_table(name, surface)));
+            }
             let mut fixed: Vec<Case> = given.iter().map(|of| case(function.word, of)).collect();
             if function.word == "genus" {
                 let large = Case::new("genus.torus_of_22500", costs::large_torus());
