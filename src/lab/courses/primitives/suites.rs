@@ -1,19 +1,20 @@
 //! The cases of lab 09, test by test. Each begins with a surface that the kit has made, so a mistake in one function
 //! costs that function.
 
+use super::asked::{call, start};
 use super::features;
-use super::growth::{self, closed};
+use super::growth;
 use super::reference::{self, turned};
-use super::{costs, picture, revolve};
+use super::{costs, picture, revolve, shorter};
 use crate::answers::{self, Function};
 use crate::cases::random::Random;
 use crate::fault::{Exchange, Fault, exchanges};
 use crate::judge::{Asked, Feature, Judge, Suite, ToldBy};
 use crate::pictures;
 use crate::plan::Plan;
-use crate::protocol::{Case, CaseAnswer, Start, Step};
+use crate::protocol::{Case, CaseAnswer, Step};
+use dcel_kit::HalfEdgeId;
 use dcel_kit::topology::{Dcel, Table};
-use dcel_kit::{FaceId, HalfEdgeId};
 
 /// How many random surfaces are asked for each test.
 const RANDOM: usize = 12;
@@ -31,16 +32,6 @@ pub struct Primitives;
 
 /// The judge of lab 09.
 pub static PRIMITIVES: Primitives = Primitives;
-
-fn start(table: &Table) -> Start {
-    let mut table = Table { outer_face: Some(FaceId::new(0)), ..closed(table) };
-    table.vertices.iter_mut().flatten().for_each(|row| row.position = Some([0.0; 2]));
-    Start::table(table)
-}
-
-fn call(name: String, table: &Table, function: &str, words: &[String]) -> Case {
-    Case::new(name, start(table)).step(Step::Dump).step(Step::call(function, words)).step(Step::Dump)
-}
 
 /// Small surfaces of both kinds.
 fn surfaces() -> Vec<Table> {
@@ -304,7 +295,7 @@ impl Judge for Primitives {
         }
     }
 
-    fn shorter(&self, _: &Case) -> Vec<Case> {
-        Vec::new()
+    fn shorter(&self, case: &Case) -> Vec<Case> {
+        shorter::shorter(case)
     }
 }
