@@ -9,6 +9,7 @@ use super::subject::Kind;
 use super::{Answer, Output};
 use dcel_kit::FaceId;
 use dcel_kit::figure;
+use dcel_kit::io::counted;
 use dcel_kit::plane::{Subdivision, Triangulated, TriangulationMethod};
 use serde::Serialize;
 use std::io::{self, Write};
@@ -142,9 +143,13 @@ impl InWords for Report {
     fn print(&self, out: &mut Output) -> io::Result<()> {
         writeln!(out, "{}: plane, {}, by {}", self.source, self.format, self.method)?;
         let mut line = |what: &str, value: String| writeln!(out, "  {what:<16}{value}");
-        let into = if self.method == "monotone pieces" { "monotone pieces" } else { "triangles" };
+        let [one, many] = if self.method == "monotone pieces" {
+            ["monotone piece", "monotone pieces"]
+        } else {
+            ["triangle", "triangles"]
+        };
         let faces = if self.faces_cut == 1 { "face" } else { "faces" };
-        line("cut", format!("{} {faces} into {} {into}", self.faces_cut, self.pieces))?;
+        line("cut", format!("{} {faces} into {}", self.faces_cut, counted(self.pieces, one, many)))?;
         line("diagonals", self.diagonals.to_string())?;
         line("vertices", self.vertices.to_string())?;
         line("edges", self.edges.to_string())?;

@@ -15,7 +15,7 @@ pub enum NavMeshError {
         corner: VertexId,
     },
     /// A face of the domain has something inside.
-    #[error("{face} has {rings} rings inside: cut it into convex faces, or make what lies inside it part of the map")]
+    #[error("{face} has {rings} ring{} inside: cut it into convex faces, or make what lies inside it part of the map", if *.rings == 1 { "" } else { "s" })]
     Rings {
         /// The face.
         face: FaceId,

@@ -37,7 +37,7 @@ pub enum MeshFault {
         distinct: usize,
     },
     /// A face with something inside.
-    #[error("face {face} has {rings} rings inside: cut it into convex faces")]
+    #[error("face {face} has {rings} ring{} inside: cut it into convex faces", if *.rings == 1 { "" } else { "s" })]
     Rings {
         /// The face.
         face: u32,

@@ -39,7 +39,7 @@ pub enum InsetError {
         radius: f64,
     },
     /// The tolerance is no part of the radius.
-    #[error("a tolerance of {tolerance}: give a part of the radius, above 0 and at most 1")]
+    #[error("a tolerance of {tolerance}: give a part of the radius, from {} to 1", Inset::LEAST_TOLERANCE)]
     Tolerance {
         /// The tolerance.
         tolerance: f64,
@@ -84,6 +84,8 @@ impl Inset {
     /// By which part of the radius a path may be kept further off than the radius, if nothing else is said: the finest
     /// with which large maps grow to no more than three times their triangles.
     pub const TOLERANCE: f64 = 0.02;
+    /// The least that can be asked for: a right angle then takes 556 tangents.
+    pub const LEAST_TOLERANCE: f64 = 1e-6;
 
     /// The map that is left; what the margin cuts off or encloses is hole faces.
     #[must_use]
@@ -156,7 +158,7 @@ impl NavMesh {
         if !radius.is_finite() || radius <= 0.0 {
             return Err(InsetError::Radius { radius });
         }
-        if !(tolerance > 0.0 && tolerance <= 1.0) {
+        if !(Inset::LEAST_TOLERANCE..=1.0).contains(&tolerance) {
             return Err(InsetError::Tolerance { tolerance });
         }
         let mut outlines = Outlines { segments: Vec::new(), sides: 0 };

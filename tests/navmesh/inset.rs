@@ -225,7 +225,7 @@ fn an_inset_has_not_many_more_faces_than_its_map() {
         assert!(coarse < fine && fine < finest, "seed {seed}: {coarse} {fine} {finest}");
     }
     let mesh = pillar();
-    for tolerance in [0.0, -0.1, 1.5, f64::NAN] {
+    for tolerance in [0.0, -0.1, 1.5, f64::NAN, 1e-300, 1e-9] {
         let error = mesh.inset_within(0.5, tolerance).expect_err("no part of the radius");
         assert!(matches!(error, InsetError::Tolerance { .. }), "{tolerance}: {error}");
     }

@@ -162,6 +162,7 @@ fn a_list_without_faces_is_the_empty_plane() {
     let s = converted.subdivision;
     assert_eq!((s.vertex_count(), s.edge_count(), s.face_count()), (0, 0, 1));
     assert_eq!(s.half_edge(s.outer_face()), None);
+    assert_eq!(s.domain_area().to_bits(), 0.0_f64.to_bits(), "not -0");
     assert_eq!(s.geometry_violations(), []);
 }
 
