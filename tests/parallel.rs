@@ -12,6 +12,7 @@ use numbers::Numbers;
 fn on<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
     ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool").install(work)
 }
+
 /// More points than the parts that threads share have.
 const MANY: usize = 150_000;
 
@@ -22,7 +23,7 @@ fn sets() -> Vec<(&'static str, Vec<Point>)> {
     };
     vec![
         ("anywhere", set(&|numbers, _| [numbers.unit(), numbers.unit()])),
-        // Half of them are repeated.
+        // Nearly half of them are repeated.
         ("lattice", set(&|numbers, _| [numbers.below(330) as f64, numbers.below(330) as f64])),
         ("circle", set(&|_, i| [(TAU * i as f64 / MANY as f64).cos(), (TAU * i as f64 / MANY as f64).sin()])),
         // In a few cells of the grid, and a far point.

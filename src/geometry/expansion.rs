@@ -133,9 +133,9 @@ impl Expansion {
         self.0.last().map_or(Ordering::Equal, |last| last.total_cmp(&0.0))
     }
 
-    /// The double next to it, or one beside that.
+    /// The double next to it, or one beside that; 0, and not -0, of nothing.
     pub(crate) fn estimate(&self) -> f64 {
-        self.0.iter().sum()
+        self.0.iter().fold(0.0, |sum, term| sum + term)
     }
 }
 

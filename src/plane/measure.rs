@@ -40,7 +40,6 @@ impl Subdivision {
             twice.add_product(p.x, q.y);
             twice.add_product(-p.y, q.x);
         }
-        // No edge at all gives -0.
-        0.5 * twice.rounded() + 0.0
+        0.5 * twice.rounded()
     }
 }

@@ -16,8 +16,8 @@
 //!
 //! Any number is such a sum sooner or later if it is long and has few digits, so a length that fits counts by how
 //! unlikely that would be by chance, and one that does not counts as a slip that one octile length in a hundred may be.
-//! The sum of the logarithms decides: the *likelihood ratio* of both readings. A fraction in place
-//! of √2 is rare, so it has to be more likely by far.
+//! The sum of the logarithms decides: the *likelihood ratio* of both readings. A fraction in place of √2 is rare, so it
+//! has to be more likely by far.
 
 use super::{Optimum, Query, Scenario};
 use std::f64::consts::SQRT_2;

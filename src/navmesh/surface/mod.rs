@@ -235,6 +235,30 @@ impl NavSurface {
     fn turn_right(&self, s: usize) -> Option<usize> {
         Some(self.sides[s].twin).filter(|&twin| twin != NONE).map(|twin| next(twin as usize))
     }
+
+    /// The sides by which the triangles round a node are left, on the way from the one with side `from`, which leaves the
+    /// node, to the one with side `to`.
+    fn round(&self, from: usize, to: usize) -> Vec<usize> {
+        let mut portals = Vec::new();
+        let mut at = Some(from);
+        while let Some(s) = at {
+            if s == to {
+                return portals;
+            }
+            portals.push(prev(s));
+            at = self.turn_left(s).filter(|&s| s != from);
+        }
+        portals.clear();
+        let mut at = from;
+        while at != to {
+            portals.push(at);
+            match self.turn_right(at).filter(|&s| s != from) {
+                Some(after) => at = after,
+                None => return Vec::new(),
+            }
+        }
+        portals
+    }
 }
 
 /// The side that follows in the same triangle.

@@ -4,7 +4,8 @@
 //!   points, faces ──> check the points ──> which way does each face run ──> glue edges (topology/build)
 //!                                                                                │
 //!   subdivision <── full check, if asked <── faces of the border (nest.rs) <── links at touching
-//!                                                                              corners (fans.rs)
+//!                   or Euler's relation                                        corners (fans.rs)
+//!                   fails
 //! ```
 //!
 //! The outside of the faces given becomes faces, too: what is unbounded is `f0`, every bounded gap is a *hole
