@@ -176,6 +176,17 @@ impl Places {
         place.map_or_else(|| self.source.clone(), |[line, column]| format!("{}:{line}:{column}", self.source))
     }
 
+    /// Where the outline of a face starts, and which it is: `map.json:3:7: states[12] polygon 3 ring 0`; as
+    /// [`face`](Self::face), where the format has a line for each face. `cycle` is the number of the outline among all
+    /// cycles.
+    #[must_use]
+    pub fn outline(&self, face: usize, cycle: usize) -> String {
+        match self.face_path(face) {
+            Some(path) if self.face_lines.is_empty() => format!("{}: {path} ring 0", self.ring_place(cycle)),
+            _ => self.face(face),
+        }
+    }
+
     /// The path of a face inside a JSON file: `states[12] "Ohio" polygon 3`.
     #[must_use]
     pub fn face_path(&self, face: usize) -> Option<&str> {

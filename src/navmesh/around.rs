@@ -58,7 +58,7 @@ impl NavMesh {
 
     /// The faces of the mesh round `v`, fan by fan, counter-clockwise in each; blocked ones are among them.
     ///
-    /// Cost: O(sides of these faces).
+    /// Cost: O(number of these faces), times log n where they have many sides.
     #[must_use]
     pub fn faces_around(&self, v: VertexId) -> Vec<FaceId> {
         self.fan_starts(v).flat_map(|f| self.fan(v, f)).collect()
@@ -67,7 +67,7 @@ impl NavMesh {
     /// The wedges at `v`: for each the faces, counter-clockwise, between which one may pass round `v`. Two or more
     /// wedges make a double corner: being at `v` one has to say in which.
     ///
-    /// Cost: O(sides of the faces round v).
+    /// Cost: O(number of faces round v), times log n where they have many sides.
     #[must_use]
     pub fn wedges(&self, v: VertexId) -> Vec<Vec<FaceId>> {
         let mut wedges = Vec::new();
@@ -93,7 +93,7 @@ impl NavMesh {
         wedges
     }
 
-    /// Whether a closed side starts or ends at `v`. O(sides of the faces round v).
+    /// Whether a closed side starts or ends at `v`. O(number of faces round v).
     pub(super) fn is_on_border(&self, v: VertexId) -> bool {
         self.faces_around(v).into_iter().any(|f| {
             [self.side_from(f, v.number()), self.side_to(f, v.number())]

@@ -3,11 +3,10 @@
 use crate::plane::{ConvertError, CoordinateError, Point};
 
 /// A fault of faces that should be a navmesh.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum MeshFault {
     /// A vertex with coordinates that cannot be computed with.
-    #[error("vertex {vertex}: {error}")]
     Coordinate {
         /// The vertex.
         vertex: u32,
@@ -15,7 +14,6 @@ pub enum MeshFault {
         error: CoordinateError,
     },
     /// A corner that is no vertex.
-    #[error("face {face} has the corner {corner}, but there are {vertices} vertices: correct the number")]
     NoSuchVertex {
         /// The face.
         face: u32,
@@ -25,9 +23,6 @@ pub enum MeshFault {
         vertices: usize,
     },
     /// A face with fewer than three corners, or with a corner twice.
-    #[error(
-        "face {face} has {distinct} different corners of {corners}: leave it out, or split it where it meets itself"
-    )]
     FewCorners {
         /// The face.
         face: u32,
@@ -37,7 +32,6 @@ pub enum MeshFault {
         distinct: usize,
     },
     /// A face with something inside.
-    #[error("face {face} has {rings} ring{} inside: cut it into convex faces", if *.rings == 1 { "" } else { "s" })]
     Rings {
         /// The face.
         face: u32,
@@ -45,19 +39,16 @@ pub enum MeshFault {
         rings: usize,
     },
     /// A face without area.
-    #[error("face {face} has no area, its corners lie on one line: leave it out")]
     Flat {
         /// The face.
         face: u32,
     },
     /// A face that runs clockwise.
-    #[error("face {face} runs clockwise: list its corners the other way round, or flip y if it points down")]
     Clockwise {
         /// The face.
         face: u32,
     },
     /// A corner that points inwards, or a side that runs back on the one before it.
-    #[error("face {face} is not convex at vertex {vertex}: split it there, or triangulate it")]
     NotConvex {
         /// The face.
         face: u32,
@@ -65,13 +56,11 @@ pub enum MeshFault {
         vertex: u32,
     },
     /// All corners turn the same way, but more than once round.
-    #[error("face {face} goes round more than once: it crosses itself; list its corners in their order round it")]
     Winds {
         /// The face.
         face: u32,
     },
     /// Two faces on the same side of an edge.
-    #[error("faces {first} and {second} both lie on the left of {from} -> {to}: they overlap, or one is turned round")]
     SameSide {
         /// The earlier face.
         first: u32,
@@ -83,7 +72,6 @@ pub enum MeshFault {
         to: u32,
     },
     /// Sides of two faces that cross, or lie on each other for a part.
-    #[error("faces {first} and {second} overlap: their sides {} -> {} and {} -> {} meet at {at}", sides[0][0], sides[0][1], sides[1][0], sides[1][1])]
     Overlap {
         /// One face.
         first: u32,
@@ -95,7 +83,6 @@ pub enum MeshFault {
         at: Point,
     },
     /// A face inside another one.
-    #[error("face {face} covers vertex {vertex} of other faces: they overlap; cut a hole, or leave one out")]
     Covers {
         /// The face.
         face: u32,
@@ -103,7 +90,6 @@ pub enum MeshFault {
         vertex: u32,
     },
     /// A vertex in the interior of a side: the faces beside it are no neighbours.
-    #[error("T-junction: vertex {vertex} lies on the side {} -> {} of face {face}: give the face a corner there", side[0], side[1])]
     TJunction {
         /// The vertex.
         vertex: u32,
@@ -113,7 +99,6 @@ pub enum MeshFault {
         side: [u32; 2],
     },
     /// Two vertices at the same place: the faces beside them are no neighbours.
-    #[error("vertices {first} and {second} lie at the same place {at}: use one of them for both")]
     SamePlace {
         /// The earlier vertex.
         first: u32,
@@ -123,7 +108,6 @@ pub enum MeshFault {
         at: Point,
     },
     /// Holes touch at a vertex: it can be walked past on each side, and not through.
-    #[error("double corner: at vertex {vertex} {holes} holes touch; nobody squeezes through between them")]
     DoubleCorner {
         /// The vertex.
         vertex: u32,
@@ -131,7 +115,6 @@ pub enum MeshFault {
         holes: usize,
     },
     /// Two vertices that nearly meet: the faces beside them are no neighbours.
-    #[error("vertices {first} and {second} are {}: if they are meant to be one, weld them", apart(*distance))]
     NearVertices {
         /// The earlier vertex.
         first: u32,
@@ -141,7 +124,6 @@ pub enum MeshFault {
         distance: f64,
     },
     /// A vertex that nearly lies on a side: the faces beside them are no neighbours.
-    #[error("vertex {vertex} is {} the side {} -> {} of face {face}: if it is meant to be a corner there, weld them", beside(*distance), side[0], side[1])]
     NearSide {
         /// The vertex.
         vertex: u32,
@@ -153,22 +135,12 @@ pub enum MeshFault {
         distance: f64,
     },
     /// What the converter refuses beyond that.
-    #[error(transparent)]
     Convert(ConvertError),
     /// There are more than can be named.
-    #[error("there are more faults along sides than the {named} named here: correct these first")]
     More {
         /// How many were named.
         named: usize,
     },
-}
-
-fn apart(distance: f64) -> String {
-    if distance > 0.0 { format!("{distance:.2e} apart") } else { "at the same place".to_owned() }
-}
-
-fn beside(distance: f64) -> String {
-    if distance > 0.0 { format!("{distance:.2e} beside") } else { "on".to_owned() }
 }
 
 impl MeshFault {

@@ -20,8 +20,10 @@
 
 use super::NavMesh;
 use super::curve::Curve;
+use super::many_corners::FEW;
 use super::marks::{CLOSED, DEAD_END, ID, NONE};
 use crate::ids::{FaceId, VertexId};
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// In the spot of a face: it is a junction, and the rest is its number.
@@ -85,6 +87,24 @@ pub struct ReducedCorridor {
     pub ends: Option<[FaceId; 2]>,
     /// The faces in order. There are none between junctions that are neighbours.
     pub faces: Vec<FaceId>,
+}
+
+/// Which exit of a junction a side is. Of faces with many sides the exits are counted once.
+#[derive(Default)]
+struct Exits {
+    /// The sides that lead on, in order.
+    of_large: BTreeMap<u32, Vec<usize>>,
+}
+
+impl Exits {
+    fn place(&mut self, mesh: &NavMesh, f: u32, s: usize) -> usize {
+        let place = if mesh.range(FaceId::new(f)).len() <= FEW {
+            mesh.ways_on(f).position(|on| on == s)
+        } else {
+            self.of_large.entry(f).or_insert_with(|| mesh.ways_on(f).collect()).binary_search(&s).ok()
+        };
+        place.expect("it is one of them")
+    }
 }
 
 impl NavMesh {
@@ -158,11 +178,11 @@ impl NavMesh {
         self.range(FaceId::new(f)).filter(|&s| self.sides[s].across & (CLOSED | DEAD_END) == 0)
     }
 
-    /// The face behind the open side `s`, and its side on the way back.
-    fn beyond(&self, s: usize) -> (u32, usize) {
-        let (f, back) = (self.sides[s].across & ID, self.half_edges[s].twin());
-        let entry = self.range(FaceId::new(f)).find(|&t| self.half_edges[t] == back);
-        (f, entry.expect("behind an open side is a face of the mesh"))
+    /// The face behind the open side `s` of `f`, and its side on the way back.
+    fn beyond(&self, f: u32, s: usize) -> (u32, usize) {
+        let (beyond, [_, to]) = (self.sides[s].across & ID, self.ends(FaceId::new(f), s));
+        let entry = self.side_from(FaceId::new(beyond), to.number());
+        (beyond, entry.expect("behind an open side is a face of the mesh"))
     }
 }
 
@@ -192,10 +212,11 @@ impl Junctions {
                 self.starts.push(self.links.len() as u32);
             }
         }
+        let mut exits = Exits::default();
         for c in (first..self.faces.len() as u32).chain(cut.iter().copied()) {
             for (i, s) in mesh.ways_on(self.face(c)).enumerate() {
                 if self.links(c)[i].by == NONE {
-                    self.follow(mesh, c, s);
+                    self.follow(mesh, c, s, &mut exits);
                 }
             }
         }
@@ -263,24 +284,21 @@ impl Junctions {
     }
 
     /// Follows side `s` of junction `c` to the next junction.
-    fn follow(&mut self, mesh: &NavMesh, c: u32, s: usize) {
+    fn follow(&mut self, mesh: &NavMesh, c: u32, s: usize, exits: &mut Exits) {
         let first = self.row.len();
         let endpoints = |f: u32, s: usize| mesh.ends(FaceId::new(f), s).map(VertexId::number);
         self.portals.push(endpoints(self.face(c), s));
-        let (mut f, mut entry) = mesh.beyond(s);
+        let (mut f, mut entry) = mesh.beyond(self.face(c), s);
         while self.spots[f as usize] == NONE {
             self.stand(f);
             let on = mesh.ways_on(f).find(|&on| on != entry).expect("no junction and no dead end: two exits");
             self.portals.push(endpoints(f, on));
-            (f, entry) = mesh.beyond(on);
+            (f, entry) = mesh.beyond(f, on);
         }
         debug_assert_ne!(self.spots[f as usize] & CROSSING, 0, "f{f} is in another reduced corridor");
         let (to, portals) = (self.spots[f as usize] & !CROSSING, (self.row.len() - first + 1) as u32);
         let by = 2 * self.end_reduced_corridor([c, to], first);
-        let link = |c: u32, s: usize| {
-            let place = mesh.ways_on(self.face(c)).position(|on| on == s).expect("it is one of them");
-            self.starts[c as usize] as usize + place
-        };
+        let mut link = |c: u32, s: usize| self.starts[c as usize] as usize + exits.place(mesh, self.face(c), s);
         let [there, back] = [link(c, s), link(to, entry)];
         self.links[there] = Link { to, portals, by };
         self.links[back] = Link { to: c, portals, by: by + 1 };
@@ -290,10 +308,10 @@ impl Junctions {
     fn go_round(&mut self, mesh: &NavMesh, start: u32) {
         let first = self.row.len();
         self.stand(start);
-        let mut side = mesh.ways_on(start).next();
-        while let Some((f, entry)) = side.map(|s| mesh.beyond(s)).filter(|&(f, _)| f != start) {
+        let (mut at, mut side) = (start, mesh.ways_on(start).next());
+        while let Some((f, entry)) = side.map(|s| mesh.beyond(at, s)).filter(|&(f, _)| f != start) {
             self.stand(f);
-            side = mesh.ways_on(f).find(|&on| on != entry);
+            (at, side) = (f, mesh.ways_on(f).find(|&on| on != entry));
         }
         self.end_reduced_corridor([NONE; 2], first);
     }

@@ -21,6 +21,7 @@ use super::grid::Grid;
 use super::hole_edges::HoleEdge;
 use super::holes::Holes;
 use super::junctions::Junctions;
+use super::many_corners::{FEW, ManyCorners};
 use super::marks::{BLOCKED, CLOSED, FaceRecord, ID, MOST, NONE, PEELED, SideRecord};
 use super::merged::Merged;
 use super::records::FaceTable;
@@ -62,6 +63,8 @@ pub struct NavMesh {
     pub(super) faces: FaceTable,
     pub(super) sides: Vec<SideRecord>,
     pub(super) half_edges: Vec<HalfEdgeId>,
+    /// Where the corners of large faces are.
+    many_corners: ManyCorners,
     /// How many sides no face has any more.
     pub(super) spent_sides: usize,
     /// Where these are, by how many lie side by side.
@@ -116,6 +119,7 @@ impl NavMesh {
             faces: FaceTable::new(map.face_bound(), |f| is_floor(map, FaceId::new(f as u32))),
             sides: Vec::new(),
             half_edges: Vec::new(),
+            many_corners: ManyCorners::default(),
             spent_sides: 0,
             free_sides: BTreeMap::new(),
             fans: vec![NONE; map.vertex_bound()],
@@ -173,6 +177,8 @@ impl NavMesh {
         }
         let start = self.put_into_free_place(start);
         self.faces[f.index()] = FaceRecord::new(start, start + count);
+        let corners = self.sides[start..start + count].iter().map(|side| side.origin & ID);
+        self.many_corners.insert(f.number(), corners);
         Ok(())
     }
 
@@ -196,6 +202,7 @@ impl NavMesh {
             self.spent_sides += range.len();
             self.free_sides.entry(range.len()).or_default().push(range.start as u32);
         }
+        self.many_corners.remove(f.number());
         self.faces[f.index()] = FaceRecord::ABSENT;
     }
 
@@ -208,6 +215,7 @@ impl NavMesh {
             + self.holes.memory()
             + size_of_val(&*self.sides)
             + size_of_val(&*self.half_edges)
+            + self.many_corners.memory()
             + size_of_val(&*self.fans)
             + self.grid.memory()
             + self.merged.get().map_or(0, Merged::memory)
@@ -342,14 +350,19 @@ impl NavMesh {
         (from, side.expect("one may pass from the one to the other") as u32)
     }
 
-    /// The side of `f` that starts at `v`. O(sides of f).
+    /// The side of `f` that starts at `v`. O(1), or O(log n) in a face of many sides.
     #[inline]
     pub(super) fn side_from(&self, f: FaceId, v: u32) -> Option<usize> {
-        let start = self.range(f).start;
-        self.sides_of(f).iter().position(|side| side.origin & ID == v).map(|k| start + k)
+        let range = self.range(f);
+        let place = if range.len() <= FEW {
+            self.sides[range.clone()].iter().position(|side| side.origin & ID == v)
+        } else {
+            self.many_corners.place(f.number(), v)
+        };
+        place.map(|k| range.start + k)
     }
 
-    /// The side of `f` that ends at `v`. O(sides of f).
+    /// The side of `f` that ends at `v`. O(1), or O(log n) in a face of many sides.
     pub(super) fn side_to(&self, f: FaceId, v: u32) -> Option<usize> {
         let range = self.range(f);
         self.side_from(f, v).map(|s| if s == range.start { range.end - 1 } else { s - 1 })

@@ -33,8 +33,8 @@
 //!
 //! | algorithm | question | file |
 //! |---|---|---|
-//! | 0 | is it a navmesh at all, and what is wrong? | `validate.rs`, `fault.rs`, `weld.rs` |
-//! | 1 | which faces lie across the sides, round a vertex, in one piece? | `mesh.rs`, `marks.rs`, `records.rs`, `around.rs`, `components.rs`, `dead_ends.rs` |
+//! | 0 | is it a navmesh at all, and what is wrong? | `validate.rs`, `fault.rs`, `fault_sentence.rs`, `weld.rs` |
+//! | 1 | which faces lie across the sides, round a vertex, in one piece? | `mesh.rs`, `marks.rs`, `records.rs`, `many_corners.rs`, `around.rs`, `components.rs`, `dead_ends.rs` |
 //! | 2 | in which face is a point? | `grid.rs`, `grid_cells.rs`, `hole_edges.rs`, `coarse.rs`, `slivers.rs`, `holes.rs`, `location.rs`, `nearest.rs` |
 //! | 3 | which faces lead from here to there? | `bidirectional_bfs.rs`, `corridor.rs`, by whole reduced corridors `junctions.rs`, `reduced_bfs.rs`, `reduced_astar.rs` |
 //! | 4 | what is the shortest path through these faces? | `funnel.rs` |
@@ -66,6 +66,7 @@ mod dead_ends;
 mod error;
 mod exact;
 mod fault;
+mod fault_sentence;
 mod field;
 mod funnel;
 mod grid;
@@ -77,6 +78,7 @@ mod junctions;
 mod links;
 mod live;
 mod location;
+mod many_corners;
 mod marks;
 mod merged;
 mod mesh;
@@ -103,6 +105,7 @@ mod weld;
 pub use error::NavMeshError;
 pub use exact::Cone;
 pub use fault::MeshFault;
+pub use fault_sentence::FaultNames;
 pub use field::DistanceField;
 pub use funnel::FunnelStep;
 pub use inset::{Inset, InsetError};

@@ -27,8 +27,8 @@ use std::cmp::Ordering;
 ///
 /// Faults of a face by itself come first, in the order of the faces; such a face is left out of what follows. Then
 /// comes what does not fit along edges; if all fits there, vertices in wrong places and sides that meet, from left to
-/// right. What nearly meets (closer than 10⁻⁵ of the extent of the map, and than a hundredth of most border sides), and
-/// double corners, are only looked for if nothing else is wrong.
+/// right. What nearly meets (closer than 3 · 10⁻⁴ of the extent of the map, and than a hundredth of each border side
+/// there), and double corners, are only looked for if nothing else is wrong.
 ///
 /// Cost: O(n log n) for n corners.
 ///

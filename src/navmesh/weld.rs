@@ -21,8 +21,8 @@ use crate::topology::PolygonList;
 type Space = [f64; 3];
 
 /// What nearly meets is told for distances up to this part of the extent of the map ...
-const SUSPICIOUS: f64 = 1e-5;
-/// ... and of the length of most border sides.
+const SUSPICIOUS: f64 = 3e-4;
+/// ... and of the border sides that are there: a dense curve is no row of gaps, and the end of a thin wall is no gap.
 const OF_SIDES: f64 = 1e-2;
 
 /// Faces after welding.
@@ -198,19 +198,25 @@ pub(super) fn near_misses_along(
     border: &[BorderSide],
     has: impl Fn(u32, u32) -> bool,
 ) -> Vec<MeshFault> {
-    let mut lengths: Vec<f64> =
-        border.iter().map(|side| distance_of(points[side.ends[0] as usize], points[side.ends[1] as usize])).collect();
-    lengths.sort_unstable_by(f64::total_cmp);
-    let Some(&median) = lengths.get(lengths.len() / 2) else { return Vec::new() };
     let on_border = sorted(border.iter().flat_map(|side| side.ends).collect());
     let grid = PointGrid::new(points, on_border);
-    let distance = (SUSPICIOUS * grid.extent()).min(OF_SIDES * median);
+    let most = SUSPICIOUS * grid.extent();
+    // How far away something may be of a side, and of a vertex: of the shortest side there.
+    let reach = |side: &BorderSide| {
+        let [a, b] = side.ends.map(|v| points[v as usize]);
+        most.min(OF_SIDES * distance_of(a, b))
+    };
+    let mut reach_of = vec![most; points.len()];
+    for side in border {
+        side.ends.iter().for_each(|&v| reach_of[v as usize] = reach_of[v as usize].min(reach(side)));
+    }
     let joined = sorted(border.iter().flat_map(|side| [side.ends, [side.ends[1], side.ends[0]]]).collect());
     let mut nearest: Vec<Option<(f64, u32)>> = vec![None; points.len()];
     for &v in &grid.vertices {
-        grid.near(points, [points[v as usize]; 2], distance, |u| {
+        grid.near(points, [points[v as usize]; 2], reach_of[v as usize], |u| {
             let apart = distance_of(points[v as usize], points[u as usize]);
-            let is_near = u < v && apart <= distance && joined.binary_search(&[u, v]).is_err();
+            let reach = reach_of[v as usize].min(reach_of[u as usize]);
+            let is_near = u < v && apart <= reach && joined.binary_search(&[u, v]).is_err();
             if is_near && nearest[v as usize].is_none_or(|best| (apart, u) < best) {
                 nearest[v as usize] = Some((apart, u));
             }
@@ -225,10 +231,11 @@ pub(super) fn near_misses_along(
     told.into_iter().for_each(|v| nearest[v as usize] = Some((0.0, v)));
     for side in border {
         let ends = side.ends.map(|v| points[v as usize]);
-        grid.near(points, ends, distance, |v| {
+        let reach = reach(side);
+        grid.near(points, ends, reach, |v| {
             let (along, apart) = along_and_apart(ends, points[v as usize]);
-            let is_near = along > 0.0 && along < 1.0 && apart <= distance && nearest[v as usize].is_none();
-            if is_near && !has(side.face, v) {
+            let is_near = along > 0.0 && along < 1.0 && apart <= reach.min(reach_of[v as usize]);
+            if is_near && nearest[v as usize].is_none() && !has(side.face, v) {
                 nearest[v as usize] = Some((apart, v));
                 faults.push(MeshFault::NearSide { vertex: v, face: side.face, side: side.ends, distance: apart });
             }

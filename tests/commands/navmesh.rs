@@ -248,10 +248,61 @@ fn ends_off_the_mesh_are_moved_on_request_and_drawn_all_the_same() {
     // Every end of a file of queries.
     folder.write("off.scen", "0 rooms.map 26 16 2.5 2.5 2.5 1 1\n0 rooms.map 26 16 1 1 27 1 25\n");
     let told = folder.dcel("navmesh scenario rooms.map off.scen");
-    assert!(told.code == Some(1) && told.out.contains("the start: (2.5, -2.5) is in the hole"), "{told:?}");
+    assert!(
+        told.code == Some(1)
+            && told.out.contains(
+                "off.scen:1: no path, and 1 is stated: the start (2.5, 2.5) is not on the mesh: it is in the hole"
+            ),
+        "{told:?}"
+    );
+    assert!(told.err.contains("help: 2 queries start or end off the mesh: --snap 0.5 moves"), "{told:?}");
     let told = folder.dcel("navmesh scenario rooms.map off.scen --snap 1").fine();
     assert!(told.contains("2 starts and goals were off the mesh and moved onto it, by 1 at most"), "{told}");
     assert!(told.ends_with("\n2 of 2 optimal\n"), "{told}");
+}
+
+/// Polygons of a format without numbers for vertices.
+#[test]
+fn info_names_polygons_by_what_the_file_calls_them() {
+    let folder = folder();
+    let feature = |name: &str, ring: &str| {
+        format!(
+            "{{\"type\":\"Feature\",\"properties\":{{\"name\":\"{name}\"}},\
+             \"geometry\":{{\"type\":\"Polygon\",\"coordinates\":[[{ring}]]}}}}"
+        )
+    };
+    let file =
+        |features: &[String]| format!("{{\"type\":\"FeatureCollection\",\"features\":[\n{}\n]}}", features.join(",\n"));
+    let hall = feature("hall", "[0,0],[4,0],[4,4],[0,4],[0,0]");
+    let bent = feature("bent", "[4,0],[8,0],[8,4],[6,1],[4,0]");
+    let over = feature("over", "[3,3],[3.5,3],[3.5,6],[3,6],[3,3]");
+    folder.write("bad.geojson", &file(&[hall.clone(), bent, over]));
+    let told = folder.dcel("navmesh info bad.geojson");
+    assert_eq!(told.code, Some(1), "{told:?}");
+    let lines: Vec<&str> = told.out.lines().collect();
+    let bent = "bad.geojson:3:92: features[1] \"bent\" polygon 0 ring 0: not-convex: features[1] \"bent\" polygon 0 is not \
+                convex at (6, 1): split it there, or triangulate it";
+    assert_eq!(lines[0], bent);
+    assert!(lines[1].starts_with("bad.geojson:2:92: features[0] \"hall\" polygon 0 ring 0: overlap: "), "{told:?}");
+    assert!(lines[1].contains("features[0] \"hall\" polygon 0 and features[2] \"over\" polygon 0 overlap"), "{told:?}");
+    assert!(lines[1].contains("their sides (4, 4) -> (0, 4) and "), "{told:?}");
+    assert_eq!(told.err.matches("help: --triangles cuts faces up").count(), 1, "{told:?}");
+    assert_eq!(told.err.matches("help: --mend cuts the polygons where they meet").count(), 1, "{told:?}");
+    // Polygons that touch inside a side are valid ones: the corner is put in, with a note, as for a path.
+    let room = feature("room", "[4,1],[6,1],[6,3],[4,3],[4,1]");
+    folder.write("touch.geojson", &file(&[hall, room]));
+    let told = folder.dcel("navmesh info touch.geojson");
+    assert_eq!(told.code, Some(0), "{told:?}");
+    assert!(told.out.contains("portals         1"), "{told:?}");
+    assert!(told.err.contains("2 corners were inserted where vertices lie inside sides"), "{told:?}");
+    assert!(folder.dcel("navmesh path touch.geojson 1 1 5 2").fine().contains("through 2 faces"));
+    // A gap of a millimetre in a hall of eight metres is told by its places.
+    let other = feature("other", "[4.001,0],[8,0],[8,4],[4.001,4],[4.001,0]");
+    folder.write("gap.geojson", &file(&[feature("hall", "[0,0],[4,0],[4,4],[0,4],[0,0]"), other]));
+    let told = folder.dcel("navmesh path gap.geojson 1 1 7 1");
+    assert!(told.err.contains("(4, 0) and (4.001, 0) are 1.00e-3 apart"), "{told:?}");
+    let told = folder.dcel("navmesh path gap.geojson 1 1 7 1 --weld 0.0011");
+    assert_eq!(told.code, Some(0), "{told:?}");
 }
 
 #[test]

@@ -10,6 +10,7 @@ mod junctions;
 mod links;
 mod live;
 mod location;
+mod many_corners;
 mod maps;
 mod merged;
 mod oracle;

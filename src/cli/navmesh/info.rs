@@ -6,7 +6,7 @@ use super::drawing::{Drawing, save};
 use super::map::Map;
 use super::reading::{Draft, Input, MapArgs};
 use super::space;
-use super::tell::Told;
+use super::tell::{Told, tell_helps};
 use clap::ValueEnum;
 use dcel_kit::figure;
 use dcel_kit::figure::navmesh::Floor;
@@ -93,9 +93,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         && let Document::Polygons(soup) = &read.document
     {
         let frame = args.map.frame(read.format);
-        told.extend(
-            faults.iter().map(|fault| Told::of(&fault.clone().with_points(|p| frame.in_file(p).into()), &soup.places)),
-        );
+        told.extend(faults.iter().map(|fault| Told::of(fault, soup, frame)));
         // What is not convex can be cut up; the rest keeps a map from being made.
         let cut_up = |kind| args.map.cuts_up() && kind == "not-convex";
         if told.iter().any(|fault| !fault.warning && !cut_up(fault.kind)) {
@@ -130,6 +128,7 @@ fn refuse(args: &Args, format: &'static str, faults: Vec<Told>, out: &mut Output
         out.json(&info)?;
     } else {
         faults.iter().try_for_each(|fault| fault.print(out))?;
+        tell_helps(&faults);
         let wrong = faults.iter().filter(|fault| !fault.warning).count();
         writeln!(out, "{}: not a navmesh, {wrong} {}", args.map.source(), if wrong == 1 { "fault" } else { "faults" })?;
     }

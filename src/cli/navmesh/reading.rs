@@ -6,6 +6,7 @@ use super::map::{Frame, Map};
 use super::numbers::above;
 use super::obstacles::ObstacleArgs;
 use super::space::{Ground, surface_failure};
+use super::tell::Told;
 use clap::ValueEnum;
 use dcel_kit::FaceId;
 use dcel_kit::io::{
@@ -16,6 +17,7 @@ use dcel_kit::navmesh::{MeshFault, NavMesh, NavMeshError, NavSurface, Planner, W
 use dcel_kit::plane::predicates::orientation;
 use dcel_kit::plane::{Point, Subdivision, TriangulateError, TriangulationMethod};
 use dcel_kit::topology::{Mode, PolygonList};
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 /// The map, and how to read it.
@@ -173,7 +175,8 @@ impl MapArgs {
     pub(super) fn read_as(&self, space: bool) -> Result<Input, Failure> {
         let input = self.look(space)?;
         if let Input::Space(ground) = &input {
-            warn_of(&ground.faults);
+            let near = ground.faults.iter();
+            warn_of(&near.map(|(place, fault)| (Told::at(place.clone(), fault), fault)).collect::<Vec<_>>());
         }
         Ok(input)
     }
@@ -245,7 +248,7 @@ impl MapArgs {
             self.join(soup, distance)?;
         }
         // What is mended is judged afterwards.
-        let faults = if self.mend { Vec::new() } else { faults_of(soup, self.orient) };
+        let faults = if self.mend { Vec::new() } else { faults_of(&with_touching_corners(soup), self.orient) };
         plane(Draft::Polygons { read, faults })
     }
 
@@ -359,8 +362,12 @@ impl MapArgs {
             && let Document::Polygons(soup) = &read.document
         {
             let near = faults.iter().filter(|fault| fault.kind() == "nearly-welded");
-            let near: Vec<_> = near.map(|fault| (near_place(soup, fault), fault.clone())).collect();
-            warn_of(&near);
+            let frame = self.frame(read.format);
+            let told = |fault| match Told::of(fault, soup, frame) {
+                told if soup.any_direction => told,
+                told => Told { place: near_place(soup, fault), ..told },
+            };
+            warn_of(&near.map(|fault| (told(fault), fault)).collect::<Vec<_>>());
         }
         self.finish(draft, areas)
     }
@@ -469,22 +476,32 @@ fn near_place(soup: &PolygonSoup, fault: &MeshFault) -> String {
     fault.vertices().last().map(|&v| soup.places.vertex(v as usize)).unwrap_or_default()
 }
 
-/// Warns of what nearly meets, with places in the file.
-fn warn_of(near: &[(String, MeshFault)]) {
+/// Warns of what nearly meets.
+fn warn_of(near: &[(Told, &MeshFault)]) {
     const SHOWN: usize = 3;
-    for (place, fault) in near.iter().take(SHOWN) {
-        say("warning", format_args!("{place}: {fault}"));
+    for (Told { place, message, .. }, _) in near.iter().take(SHOWN) {
+        say("warning", format_args!("{place}: {message}"));
     }
     if near.len() > SHOWN {
         say("warning", format_args!("{} more are nearly welded; dcel navmesh info names them", near.len() - SHOWN));
     }
-    let distance = |(_, fault): &(String, MeshFault)| match fault {
+    let distance = |(_, fault): &(Told, &MeshFault)| match fault {
         MeshFault::NearVertices { distance, .. } | MeshFault::NearSide { distance, .. } => *distance,
         _ => 0.0,
     };
     if let Some(widest) = near.iter().map(distance).reduce(f64::max) {
         say("help", format_args!("--weld {} joins them", Number(above(widest))));
     }
+}
+
+/// The polygons with a corner wherever a vertex of another one lies inside a side, in formats with coordinates only:
+/// these cannot say so, and the converter puts it there, with a note.
+fn with_touching_corners(soup: &PolygonSoup) -> Cow<'_, PolygonSoup> {
+    if !soup.any_direction {
+        return Cow::Borrowed(soup);
+    }
+    let Welded { inserted, collapsed, faces, origins, .. } = weld_in_space(&soup.points, &soup.faces, 0.0);
+    if inserted > 0 && collapsed == 0 { Cow::Owned(soup.with_faces(faces, &origins)) } else { Cow::Borrowed(soup) }
 }
 
 /// What is wrong with polygons as a navmesh; clockwise ones are no fault if they are to be turned.

@@ -6,6 +6,7 @@ use super::ends::{Moves, Snap};
 use super::map::Map;
 use super::path::Which;
 use super::reading::{MapArgs, Preparation};
+use super::tell::no_route;
 use clap::ValueEnum;
 use dcel_kit::io::{Number, Optimum, Query, Scenario, Verdict, counted, read_whole, source_name};
 use dcel_kit::navmesh::{PathAlgorithm, Planner, QueryPointError, RouteError};
@@ -81,6 +82,9 @@ struct Report {
     pops: u64,
     expansions: u64,
     wrong: Vec<Wrong>,
+    /// How many of the wrong ones have a start or goal off the mesh.
+    #[serde(skip)]
+    off: usize,
 }
 
 /// What the stated lengths are, by the numbers of the whole file.
@@ -140,6 +144,10 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         out.json(&report)?;
     } else {
         report.print(optimum, out)?;
+    }
+    if report.off > 0 && args.snap.limit().is_none() {
+        let ends = counted(report.off, "query starts or ends", "queries start or end");
+        say("help", format_args!("{ends} off the mesh: --snap 0.5 moves their ends onto it, if it is so near"));
     }
     Ok(if report.wrong.is_empty() { Answer::Yes } else { Answer::No })
 }
@@ -206,7 +214,8 @@ fn check(
         if query.agrees(found, optimum, tolerance + shortfall) {
             report.right += 1;
         } else {
-            let why = why(query.length, found, route.err().as_ref());
+            report.off += usize::from(matches!(route, Err(RouteError::Start(_) | RouteError::Goal(_))));
+            let why = why(query.length, found, route.err().map(|error| no_route(map, &error)));
             report.wrong.push(Wrong { line: query.line, stated: query.length, found, why });
         }
     }
@@ -217,7 +226,7 @@ fn check(
     report
 }
 
-fn why(stated: Option<f64>, found: Option<f64>, error: Option<&RouteError>) -> String {
+fn why(stated: Option<f64>, found: Option<f64>, error: Option<String>) -> String {
     match (stated, found, error) {
         (Some(stated), Some(found), _) => format!("{found} instead of {stated}, {:.9} of it", found / stated),
         (None, Some(found), _) => format!("a path of length {found}, and none is stated"),

@@ -1,10 +1,11 @@
 //! Words and JSON forms that several commands have in common.
 
 use super::super::Output;
+use super::super::failure::say;
 use super::super::output;
-use super::map::Map;
-use dcel_kit::io::Places;
-use dcel_kit::navmesh::{Location, MeshFault, QueryPointError};
+use super::map::{Frame, Map};
+use dcel_kit::io::PolygonSoup;
+use dcel_kit::navmesh::{FaultNames, Location, MeshFault, QueryPointError, RouteError};
 use dcel_kit::plane::{self, Point};
 use serde::Serialize;
 use std::io::{self, Write};
@@ -74,28 +75,79 @@ pub(super) fn refusal(map: &Map, error: &QueryPointError) -> String {
     }
 }
 
+/// Why there is no path between two points of the file, with its numbers.
+pub(super) fn no_route(map: &Map, error: &RouteError) -> String {
+    match error {
+        RouteError::Start(error) => format!("the start {}", refusal(map, error)),
+        RouteError::Goal(error) => format!("the goal {}", refusal(map, error)),
+        RouteError::Unreachable { from, start, to, goal } => {
+            format!("there is no path: {from} is in {start}, {to} is in {goal}")
+        }
+        other => other.to_string(),
+    }
+}
+
 /// A fault, with its place in the file. The names are those of the JSON form.
 #[derive(Serialize)]
 pub(super) struct Told {
     pub(super) kind: &'static str,
     pub(super) warning: bool,
-    place: String,
-    message: String,
+    pub(super) place: String,
+    pub(super) message: String,
+    /// An option that mends it, or lets one live with it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) help: Option<&'static str>,
 }
 
 impl Told {
-    pub(super) fn of(fault: &MeshFault, places: &Places) -> Self {
-        let face = fault.faces().first().map(|&f| places.face(f as usize));
-        let place = face.or_else(|| fault.vertices().first().map(|&v| places.vertex(v as usize)));
-        Self::at(place.unwrap_or_else(|| places.source.clone()), fault)
+    /// A fault of polygons in the frame of their file.
+    pub(super) fn of(fault: &MeshFault, soup: &PolygonSoup, frame: Frame) -> Self {
+        let places = &soup.places;
+        let outline = |f: u32| places.outline(f as usize, soup.faces.cycle_range(f as usize).start);
+        let place = fault.faces().first().map(|&f| outline(f));
+        let place = place.or_else(|| fault.vertices().first().map(|&v| places.vertex(v as usize)));
+        // Formats that give coordinates only have no numbers for their vertices.
+        let face = |f: u32| places.face_path(f as usize).map(str::to_owned);
+        let vertex = |v: u32| {
+            let [x, y, _] = soup.points[v as usize];
+            soup.any_direction.then(|| output::point(&frame.in_file(Point::new(x, y))))
+        };
+        let fault = fault.clone().with_points(|p| frame.in_file(p).into());
+        let message = fault.sentence(&FaultNames { face: &face, vertex: &vertex });
+        let help = help(&fault, soup.any_direction);
+        Self { message, help, ..Self::at(place.unwrap_or_else(|| places.source.clone()), &fault) }
     }
 
     pub(super) fn at(place: String, fault: &MeshFault) -> Self {
-        Self { kind: fault.kind(), warning: fault.is_warning(), place, message: fault.to_string() }
+        Self { kind: fault.kind(), warning: fault.is_warning(), place, message: fault.to_string(), help: None }
     }
 
     pub(super) fn print(&self, out: &mut Output) -> io::Result<()> {
         let kind = if self.warning { "warning" } else { self.kind };
         writeln!(out, "{}: {kind}: {}", self.place, self.message)
+    }
+}
+
+/// Which option mends a fault.
+fn help(fault: &MeshFault, coordinates_only: bool) -> Option<&'static str> {
+    match fault.kind() {
+        "not-convex" => Some("--triangles cuts faces up that are not convex"),
+        "winding" if matches!(fault, MeshFault::Clockwise { .. }) => {
+            Some("--orient turns faces round that run clockwise; if y points down in the file, say --y-down")
+        }
+        "t-junction" | "same-place" => Some("--weld 0 joins vertices at one place and puts corners into sides"),
+        "overlap" | "winding" if coordinates_only => Some("--mend cuts the polygons where they meet"),
+        _ => None,
+    }
+}
+
+/// Tells each help once.
+pub(super) fn tell_helps(faults: &[Told]) {
+    let mut told = Vec::new();
+    for help in faults.iter().filter_map(|fault| fault.help) {
+        if !told.contains(&help) {
+            told.push(help);
+            say("help", help);
+        }
     }
 }

@@ -72,11 +72,35 @@ impl Boxes {
         self.part(boxes, 2 * node + 2, start + middle, end);
     }
 
+    /// How many nodes there are.
+    pub(super) fn node_count(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// The leaf of each triangle. O(n).
+    pub(super) fn leaves(&self) -> Vec<u32> {
+        let mut leaves = vec![0; self.order.len()];
+        for (i, range) in (self.leaves as u32..).zip(self.ranges.windows(2)) {
+            self.order[range[0] as usize..range[1] as usize].iter().for_each(|&t| leaves[t as usize] = i);
+        }
+        leaves
+    }
+
+    /// A node and all that hold it, up to the root.
+    pub(super) fn up(node: usize) -> impl Iterator<Item = usize> {
+        std::iter::successors(Some(node), |&node| (node > 0).then(|| (node - 1) / 2))
+    }
+
     /// Calls `visit` with every triangle in a leaf whose box meets `around`.
-    pub(super) fn visit(&self, around: [f64; 4], mut visit: impl FnMut(usize)) {
+    pub(super) fn visit(&self, around: [f64; 4], visit: impl FnMut(usize)) {
+        self.visit_within(around, |_| true, visit);
+    }
+
+    /// The same, below nodes only that are `wanted`.
+    pub(super) fn visit_within(&self, around: [f64; 4], wanted: impl Fn(usize) -> bool, mut visit: impl FnMut(usize)) {
         let mut stack = vec![0];
         while let Some(node) = stack.pop() {
-            if !meet(&self.nodes[node], &around) {
+            if !meet(&self.nodes[node], &around) || !wanted(node) {
                 continue;
             }
             if node >= self.leaves {

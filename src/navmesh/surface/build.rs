@@ -191,8 +191,8 @@ impl NavSurface {
     }
 
     /// What nearly meets, and so is not joined: vertices at one place or close to it, and vertices on a side of another
-    /// face (T-junctions) or close to it, closer than 10⁻⁵ of the extent and than a hundredth of most border sides. Nobody
-    /// can pass there. All are warnings: parts that touch may be meant to be parts.
+    /// face (T-junctions) or close to it, closer than 3 · 10⁻⁴ of the extent and than a hundredth of each border
+    /// side there. Nobody can pass there. All are warnings: parts that touch may be meant to be parts.
     /// [`weld_in_space`](crate::navmesh::weld_in_space) joins them. O(n log n).
     #[must_use]
     pub fn near_misses(&self) -> Vec<MeshFault> {

@@ -9,8 +9,10 @@ use super::boxes::{Boxes, around};
 use super::{NONE, NavSurface, Space};
 use crate::plane::Point;
 use crate::plane::predicates::orientation;
+use std::cell::Cell;
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, BinaryHeap};
+use std::ops::Range;
 
 impl NavSurface {
     /// Makes the tree of boxes. O(n log n).
@@ -19,7 +21,7 @@ impl NavSurface {
         self.boxes = Boxes::new(&boxes);
     }
 
-    /// Gives every polygon its layer. O(n log n), and what lies over each other.
+    /// Gives every polygon its layer. O(n log n) for up to 63 layers; with more, and what lies over each other.
     pub(super) fn find_layers(&mut self) {
         let polygons = self.layer.len();
         let height = |p: usize| {
@@ -33,56 +35,150 @@ impl NavSurface {
         let mut seeds: Vec<(u64, usize)> =
             (0..polygons).filter(|&p| self.starts[p] < self.starts[p + 1]).map(|p| (height(p), p)).collect();
         seeds.sort_unstable();
-        let mut flood = vec![NONE; polygons];
+        let mut tree = Floods::new(self, polygons);
         let mut members = Vec::new();
         for (number, &(key, seed)) in (0..).zip(&seeds) {
-            if flood[seed] != NONE {
+            if tree.flood[seed] != NONE {
                 continue;
             }
             members.clear();
             let mut queue = BinaryHeap::from([Reverse((key, seed))]);
             while let Some(Reverse((_, p))) = queue.pop() {
-                if flood[p] != NONE || self.any_over(p, |other| flood[other] == number) {
+                if tree.flood[p] != NONE || tree.is_over(self, p, number) {
                     continue;
                 }
-                flood[p] = number;
+                tree.take(self, p, number);
                 members.push(p);
                 for s in 3 * self.starts[p] as usize..3 * self.starts[p + 1] as usize {
                     let twin = self.sides[s].twin;
                     if twin != NONE {
                         let beyond = self.polygon[twin as usize / 3] as usize;
-                        if flood[beyond] == NONE {
+                        if tree.flood[beyond] == NONE {
                             queue.push(Reverse((height(beyond), beyond)));
                         }
                     }
                 }
             }
-            let mut taken = BTreeSet::new();
+            let mut met = Met::default();
+            members.iter().for_each(|&p| tree.meet_layers(self, p, number, &mut met));
+            let layer = met.first_free();
             for &p in &members {
-                self.any_over(p, |other| {
-                    if flood[other] != NONE && flood[other] != number {
-                        taken.insert(self.layer[other]);
-                    }
-                    false
-                });
+                self.layer[p] = layer;
+                tree.put_into_layer(self, p, layer);
             }
-            let layer = (0..).find(|layer| !taken.contains(layer)).unwrap_or(0);
-            members.iter().for_each(|&p| self.layer[p] = layer);
             self.layer_count = self.layer_count.max(layer as usize + 1);
         }
     }
 
-    /// Whether some polygon over or under a part of polygon `p` suits.
-    fn any_over(&self, p: usize, mut suits: impl FnMut(usize) -> bool) -> bool {
+    fn triangles_of(&self, p: usize) -> Range<usize> {
+        self.starts[p] as usize..self.starts[p + 1] as usize
+    }
+}
+
+/// What the floods have so far, with a summary in every node of the tree of boxes: so that whoever looks for one flood, or
+/// for layers that he does not know yet, goes nowhere else.
+struct Floods {
+    /// The flood of each polygon.
+    flood: Vec<u32>,
+    leaves: Vec<u32>,
+    /// For each node the last flood that has a triangle below it.
+    last: Vec<u32>,
+    /// For each node the layers below it, see [`bit`].
+    layers: Vec<u64>,
+}
+
+/// The bit of a layer; all from 63 on have the last one.
+fn bit(layer: u32) -> u64 {
+    1 << layer.min(63)
+}
+
+/// The layers that somebody has met.
+#[derive(Default)]
+struct Met {
+    /// Those below 63.
+    low: u64,
+    high: BTreeSet<u32>,
+}
+
+impl Met {
+    fn has(&self, layer: u32) -> bool {
+        if layer < 63 { self.low & bit(layer) != 0 } else { self.high.contains(&layer) }
+    }
+
+    fn insert(&mut self, layer: u32) {
+        if layer < 63 {
+            self.low |= bit(layer);
+        } else {
+            self.high.insert(layer);
+        }
+    }
+
+    fn first_free(&self) -> u32 {
+        let low = (!self.low).trailing_zeros();
+        if low < 63 { low } else { (63..).find(|layer| !self.high.contains(layer)).unwrap_or(u32::MAX) }
+    }
+}
+
+impl Floods {
+    fn new(surface: &NavSurface, polygons: usize) -> Self {
+        let nodes = surface.boxes.node_count();
+        let leaves = surface.boxes.leaves();
+        Self { flood: vec![NONE; polygons], leaves, last: vec![NONE; nodes], layers: vec![0; nodes] }
+    }
+
+    /// Whether polygon `p` lies over or under one that the flood `number`, the latest, has.
+    fn is_over(&self, surface: &NavSurface, p: usize, number: u32) -> bool {
         let mut found = false;
-        for t in self.starts[p] as usize..self.starts[p + 1] as usize {
-            let here = self.corners(t);
-            self.boxes.visit(around(&here), |other| {
-                let polygon = self.polygon[other] as usize;
-                found = found || (polygon != p && overlap(here, self.corners(other)) && suits(polygon));
+        for t in surface.triangles_of(p) {
+            let here = surface.corners(t);
+            let wanted = |node: usize| self.last[node] == number;
+            surface.boxes.visit_within(around(&here), wanted, |other| {
+                let is_of_flood = self.flood[surface.polygon[other] as usize] == number;
+                found = found || (is_of_flood && overlap(here, surface.corners(other)));
             });
         }
         found
+    }
+
+    /// Adds the layers of all that polygon `p` lies over or under and that another flood has.
+    fn meet_layers(&self, surface: &NavSurface, p: usize, number: u32, met: &mut Met) {
+        for t in surface.triangles_of(p) {
+            let here = surface.corners(t);
+            let known = Cell::new(met.low);
+            let wanted = |node: usize| self.layers[node] & !known.get() != 0;
+            surface.boxes.visit_within(around(&here), wanted, |other| {
+                let polygon = surface.polygon[other] as usize;
+                let flood = self.flood[polygon];
+                let layer = surface.layer[polygon];
+                if flood != NONE && flood != number && !met.has(layer) && overlap(here, surface.corners(other)) {
+                    met.insert(layer);
+                    known.set(met.low);
+                }
+            });
+        }
+    }
+
+    /// The flood `number` takes polygon `p`.
+    fn take(&mut self, surface: &NavSurface, p: usize, number: u32) {
+        self.flood[p] = number;
+        for t in surface.triangles_of(p) {
+            for node in Boxes::up(self.leaves[t] as usize) {
+                if std::mem::replace(&mut self.last[node], number) == number {
+                    break;
+                }
+            }
+        }
+    }
+
+    fn put_into_layer(&mut self, surface: &NavSurface, p: usize, layer: u32) {
+        for t in surface.triangles_of(p) {
+            for node in Boxes::up(self.leaves[t] as usize) {
+                if self.layers[node] & bit(layer) != 0 {
+                    break;
+                }
+                self.layers[node] |= bit(layer);
+            }
+        }
     }
 }
 
