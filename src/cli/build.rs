@@ -121,6 +121,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     };
     let source = source_name(&args.file);
     let mut read = read_path(&args.file, &options)?;
+    let had_rings_mended = read.was_mended();
     let Document::Segments(soup) = &mut read.document else {
         let what = format!("{source}: {} holds no segments", read.format);
         return Err(Failure::input(
@@ -145,7 +146,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if args.nested_holes && arranged.subdivision.mark_nested_holes().is_empty() {
         say("note", "no ring lies inside another: --nested-holes marks nothing");
     }
-    if mend && arranged.rounds == 0 && arranged.grid.is_none() {
+    if mend && arranged.rounds == 0 && arranged.grid.is_none() && !had_rings_mended {
         say("note", NOTHING_TO_MEND);
     }
     args.results.draw(&args.file, "Segments", out, |options| {

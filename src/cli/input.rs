@@ -67,6 +67,11 @@ impl InputOptions {
         self.mend || self.split_crossings
     }
 
+    /// Splits polygons and segments where they meet, and asks for nothing else.
+    pub(crate) fn mending() -> Self {
+        Self { mend: true, ..Self::default() }
+    }
+
     /// Whether the plane is not to be checked.
     pub(crate) fn trusts(&self) -> bool {
         self.trust
@@ -118,11 +123,18 @@ impl InputOptions {
                 notes.iter().for_each(|note| tell(note));
                 return Ok(Opened::Subject(Box::new(Subject::of_table(table, source, format))));
             }
-            read => match assemble(read, &source, &options) {
-                Ok(loaded) => loaded,
-                Err(LoadError::Read(error)) => return Err(error.into()),
-                Err(error) => return Ok(Opened::Misfit(error)),
-            },
+            read => {
+                let notes = read.notes.clone();
+                match assemble(read, &source, &options) {
+                    Ok(loaded) => loaded,
+                    Err(LoadError::Read(error)) => return Err(error.into()),
+                    Err(error) => {
+                        // That the file was cut off may be the very reason.
+                        notes.iter().for_each(|note| tell(note));
+                        return Ok(Opened::Misfit(error));
+                    }
+                }
+            }
         };
         loaded.notes.iter().for_each(|note| tell(note));
         let kind = match loaded.structure {
@@ -185,6 +197,11 @@ impl InputOptions {
 
     /// How to read the points of a file, of which nothing else is wanted.
     pub(crate) fn for_points(&self) -> Result<ReadOptions, Failure> {
+        self.for_raw("only the points of the file are read")
+    }
+
+    /// How to read a file of which no structure is made; `why` says so.
+    pub(crate) fn for_raw(&self, why: &str) -> Result<ReadOptions, Failure> {
         let flags = [
             ("--mend", self.mend),
             ("--split-crossings", self.split_crossings),
@@ -194,7 +211,7 @@ impl InputOptions {
         ];
         match flags.into_iter().find(|flag| flag.1) {
             Some((flag, _)) => {
-                let what = format!("{flag} cannot be used here: only the points of the file are read");
+                let what = format!("{flag} cannot be used here: {why}");
                 Err(Failure::input(what, format!("leave {flag} out")))
             }
             None => Ok(self.load_options().read),

@@ -1,7 +1,7 @@
 //! Files that a command writes: which it may write, and how.
 
 use super::{Failure, Output};
-use dcel_kit::files::{WholeFolder, is_same_file, write_whole};
+use dcel_kit::files::{WholeFolder, is_same_file, is_standard_input, write_whole};
 use dcel_kit::io::{Format, Model, write, write_path};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -83,7 +83,11 @@ impl<'a> Files<'a> {
 }
 
 fn over_an_input(flag: &str, file: &Path, target: &Path, may_be: bool) -> Failure {
-    let other = if file == target { String::new() } else { format!(", which is {}", file.display()) };
+    let other = match file {
+        file if file == target => String::new(),
+        file if file.as_os_str() == "-" => ", which is standard input".to_owned(),
+        file => format!(", which is {}", file.display()),
+    };
     let what = match flag {
         "" if file == target => "this is the input itself".to_owned(),
         "" => format!("this is the input itself under another name{other}"),
@@ -96,9 +100,10 @@ fn over_an_input(flag: &str, file: &Path, target: &Path, may_be: bool) -> Failur
 /// Whether writing one would destroy the other.
 fn overwrites(file: &Path, target: &Path) -> bool {
     let is_named = |path: &Path| path.as_os_str() != "-";
-    is_named(file)
-        && is_named(target)
-        && with_partners(file).iter().any(|a| with_partners(target).iter().any(|b| is_same_file(a, b)))
+    if !is_named(file) {
+        return is_named(target) && with_partners(target).iter().any(|target| is_standard_input(target));
+    }
+    is_named(target) && with_partners(file).iter().any(|a| with_partners(target).iter().any(|b| is_same_file(a, b)))
 }
 
 /// The file, and those that belong to it: of Triangle's formats the one with the points or the triangles.

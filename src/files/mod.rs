@@ -24,7 +24,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use temporary::Temporary;
 
-pub use place::is_same_file;
+pub use place::{is_same_file, is_standard_input};
 pub use temporary::abandon_all;
 
 /// A file that is there whole after [`commit`](Self::commit), and not at all without.

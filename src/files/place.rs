@@ -84,6 +84,23 @@ pub fn is_same_file(a: &Path, b: &Path) -> bool {
     }
 }
 
+/// Whether standard input is the ordinary file of this name: `< plan.obj` of a shell.
+#[cfg(unix)]
+#[must_use]
+pub fn is_standard_input(path: &Path) -> bool {
+    use std::os::fd::AsFd;
+    let Ok(Place::File { path, old: Some(old) }) = Place::of(path) else { return false };
+    let input = io::stdin().as_fd().try_clone_to_owned().map(fs::File::from);
+    input.and_then(|file| file.metadata()).is_ok_and(|input| one_file((&path, &old), (&path, &input)))
+}
+
+/// Whether standard input is the ordinary file of this name: `< plan.obj` of a shell. Not known here.
+#[cfg(not(unix))]
+#[must_use]
+pub fn is_standard_input(_: &Path) -> bool {
+    false
+}
+
 #[cfg(unix)]
 pub(super) fn one_file((_, a): (&Path, &Metadata), (_, b): (&Path, &Metadata)) -> bool {
     use std::os::unix::fs::MetadataExt;

@@ -26,6 +26,14 @@ pub struct Read {
     pub format: Format,
 }
 
+impl Read {
+    /// Whether rings were closed or dropped on the way, as a note says.
+    #[must_use]
+    pub fn was_mended(&self) -> bool {
+        super::rings::were_mended(&self.notes)
+    }
+}
+
 /// How to read.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct ReadOptions {

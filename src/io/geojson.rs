@@ -22,7 +22,7 @@ use super::document::ReadOptions;
 use super::geometries::{Skipped, polygons};
 use super::nodes::{Fault, Node, Place, lacks, named, shape};
 use super::problem::ReadProblem;
-use super::rings::Rings;
+use super::rings::{Repaired, Rings};
 use super::soup::SegmentSoup;
 use super::text::LineCounter;
 use super::words::counted;
@@ -36,6 +36,9 @@ struct Reader<'a> {
     /// Takes everything, if the file is read as segments.
     soup: Option<SegmentSoup>,
     lines: LineCounter<'a>,
+    /// Of a file that is read as segments: whether rings are closed that do not end where they start, and which were.
+    closes: bool,
+    closed: Repaired,
 }
 
 /// What a GeoJSON object holds.
@@ -65,6 +68,8 @@ pub(super) fn read(
         heights: 0,
         soup,
         lines: LineCounter::new(file),
+        closes: options.close_rings,
+        closed: Repaired::default(),
     };
     if options.close_rings {
         reader.rings.close_rings();
@@ -80,6 +85,7 @@ pub(super) fn read(
         _ => reader.geometry(root, "geometry", None)?,
     }
     reader.skipped.note(notes);
+    reader.closed.note_closed(notes);
     if reader.heights > 0 {
         notes.push(format!("the third coordinate of {} was dropped", counted(reader.heights, "point", "points")));
     }
@@ -173,12 +179,15 @@ impl Reader<'_> {
             return Err(Fault::at(at, shape(path, "two positions or more")));
         }
         if let (true, [a, .., b]) = (closed, &soup.points[first..]) {
-            if a != b {
+            if a == b {
+                soup.points.pop();
+                soup.point_lines.pop();
+            } else if self.closes {
+                self.closed.add(1, || path.to_owned());
+            } else {
                 let (first, last) = (a.to_string(), b.to_string());
                 return Err(Fault::at(at, ReadProblem::UnclosedRing { place: path.to_owned(), first, last }));
             }
-            soup.points.pop();
-            soup.point_lines.pop();
         }
         soup.chain(first as u32, closed);
         Ok(())

@@ -17,6 +17,7 @@ use super::load_error::{LoadError, Whereabouts};
 use super::mend::{Covering, MendedSoup, mend};
 use super::misfit::{Misfit, Told};
 use super::read::{read_path, source_name};
+use super::rings::were_mended;
 use super::room::{for_corners, for_half_edges, for_segments};
 use super::soup::{Places, PolygonSoup};
 use super::words::counted;
@@ -114,7 +115,7 @@ pub fn assemble(read: Read, source_name: &str, options: &LoadOptions) -> Result<
         Document::Segments(soup) => {
             let arranged = arrange(&soup, options.mend)?;
             notes.extend(describe(&arranged));
-            if options.mend && arranged.rounds == 0 {
+            if options.mend && arranged.rounds == 0 && !were_mended(&notes) {
                 notes.push(NOTHING_TO_MEND.to_owned());
             }
             let (structure, names) = (Structure::Plane(arranged.subdivision), FaceMap::default());
@@ -196,7 +197,7 @@ fn plane(
         let count = counted(inserted.len(), "corner was inserted", "corners were inserted");
         notes.push(format!("{count} where vertices lie inside sides, the first {}", told.inserted(first)));
     }
-    if options.mend && inserted.is_empty() {
+    if options.mend && inserted.is_empty() && !were_mended(&notes) {
         notes.push(NOTHING_TO_MEND.to_owned());
     }
     for &face in &blocked {

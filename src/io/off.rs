@@ -119,9 +119,11 @@ impl Counts {
         fits.then_some(Self { points: points.len() as u64, faces: faces.len() as u64 })
     }
 
-    /// Whether a header that says something else may be wrong in one number only.
+    /// Whether a header that says something else may be wrong in one number only, or counts nothing at all: who writes a
+    /// file from the front does not know yet.
     fn is_likely(self, header: Self) -> bool {
-        self.faces > 0 && (self.points == header.points || self.faces == header.faces)
+        let is_blank = header.points == 0 && header.faces == 0;
+        self.faces > 0 && (is_blank || self.points == header.points || self.faces == header.faces)
     }
 
     fn differ_from(self, header: Self) -> String {

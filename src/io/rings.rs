@@ -195,12 +195,7 @@ impl Rings {
             "removed",
             notes,
         );
-        self.closed.note(
-            "ring that did not end where it starts was",
-            "rings that did not end where they start were",
-            "closed",
-            notes,
-        );
+        self.closed.note_closed(notes);
         Ok(soup)
     }
 
@@ -283,17 +278,23 @@ impl Faces {
 
 /// Things that were repaired, and where the first of them was.
 #[derive(Debug, Default)]
-struct Repaired {
+pub(super) struct Repaired {
     count: usize,
     first: String,
 }
 
 impl Repaired {
-    fn add(&mut self, count: usize, place: impl Fn() -> String) {
+    pub(super) fn add(&mut self, count: usize, place: impl Fn() -> String) {
         if self.count == 0 && count > 0 {
             self.first = place();
         }
         self.count += count;
+    }
+
+    /// Says which rings were closed.
+    pub(super) fn note_closed(&self, notes: &mut Vec<String>) {
+        let (one, many) = ("ring that did not end where it starts was", "rings that did not end where they start were");
+        self.note(one, many, CLOSED, notes);
     }
 
     /// `2 rings that ... were closed, the first in features[3] polygon 0 ring 0`.
@@ -304,9 +305,19 @@ impl Repaired {
     }
 }
 
+/// The first words of the note on rings that were dropped.
+const DROPPED: &str = "dropped a degenerate ring";
+/// What was done to rings without an end.
+const CLOSED: &str = "closed";
+
+/// Whether one of the notes says that rings were mended while they were read.
+pub(super) fn were_mended(notes: &[String]) -> bool {
+    notes.iter().any(|note| note.starts_with(DROPPED) || note.contains(&format!(" {CLOSED}, the first in ")))
+}
+
 fn note_dropped(dropped: &[String], notes: &mut Vec<String>) {
     const SHOWN: usize = 5;
-    notes.extend(dropped.iter().take(SHOWN).map(|ring| format!("dropped a degenerate ring: {ring}")));
+    notes.extend(dropped.iter().take(SHOWN).map(|ring| format!("{DROPPED}: {ring}")));
     if dropped.len() > SHOWN {
         notes.push(format!(
             "dropped {}",

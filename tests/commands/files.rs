@@ -182,6 +182,15 @@ fn the_input_is_not_written_over() {
     ] {
         folder.dcel(call).fails(2, error, help);
     }
+    // The shell opens it under no name.
+    for call in ["dcel convert - square.obj --format obj < square.obj", "dcel delaunay - -o sites.xy < sites.xy"] {
+        let told = shell(&folder, call);
+        let error = String::from_utf8_lossy(&told.stderr);
+        let is_told = error.contains("this is the input itself under another name, which is standard input");
+        assert!(told.status.code() == Some(2) && is_told == cfg!(unix), "{call}: {error}");
+    }
+    assert!(shell(&folder, "dcel convert - new.obj --format obj < square.obj").status.success());
+    assert!(shell(&folder, "cat square.obj | dcel convert - new.obj --format obj").status.success());
     assert_eq!(folder.read("square.obj"), SQUARE);
     assert_eq!(folder.read("sites.xy"), "0 0\n4 0\n2 3\n");
     // Two files of one pair.

@@ -298,6 +298,10 @@ fn flags_that_cannot_apply_are_errors() {
 #[test]
 fn sound_input_has_nothing_to_mend() {
     let folder = folder();
+    // What was told of the text is told of what cannot be used, too: it may be the reason.
+    folder.write("cut.obj", "v 0 0\nv 1 0\nv 0 1\nf 1 2 3\nf 2 3");
+    let told = folder.dcel("info cut.obj");
+    assert!(told.code == Some(2) && told.err.contains("note: line 5, the last one, has no end: was the file cut off"));
     folder.write("path.segments", "0 0 4 0\n4 0 4 4\n");
     let calls = [
         "info garden.json --mend",
@@ -311,6 +315,15 @@ fn sound_input_has_nothing_to_mend() {
     for call in calls {
         let told = folder.dcel(call);
         assert!(told.code == Some(0) && told.err.contains("note: nothing to mend\n"), "{call}: {told:?}");
+    }
+    // A ring that was closed is something.
+    folder.write("open.json", "{\"type\":\"Polygon\",\"coordinates\":[[[0,0],[4,0],[4,4],[0,4]]]}");
+    folder.dcel("build open.json").fails(2, "the ring starts at (0, 0) and ends at (0, 4)", "--mend");
+    for call in ["info open.json --mend", "build open.json --mend"] {
+        let told = folder.dcel(call);
+        assert!(told.code == Some(0) && told.err.contains("note: 1 ring that did not end where it starts was closed"));
+        assert!(!told.err.contains("nothing to mend") && told.out.contains("faces"), "{call}: {told:?}");
+        assert!(told.out.contains("2 (with the outer face)"), "{call}: {told:?}");
     }
     // And nothing is changed: numbers and names stay.
     assert_eq!(folder.dcel("convert garden.json - --to dcel").fine(), folder.read("g.dcel"));

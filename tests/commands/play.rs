@@ -66,4 +66,18 @@ fn a_file_is_put_into_the_page_and_a_bad_one_is_refused() {
     folder.dcel("play later.dcels -o x.html --no-open").fails(2, "later.dcels:2:1", "split_face");
     folder.dcel("play missing.obj --no-open").fails(2, "missing.obj: cannot be read", "check the name");
     folder.dcel("play plan.obj -o plan.obj --no-open").fails(2, "the input itself", "");
+    // What crosses is cut where it does, on request.
+    folder.write("cross.segments", "0 0 4 4\n0 4 4 0\n");
+    folder.dcel("play cross.segments --no-open").fails(2, "cross", "");
+    folder.dcel("play cross.segments --mend --no-open -o cross.html").fine();
+    let page = folder.read("cross.html");
+    assert_eq!(between(&page, "id=\"scene\" data-name=\"", "\""), "cross.dcel");
+    folder.dcel("convert cross.segments cross.dcel --mend").fine();
+    folder.dcel("play cross.dcel --no-open -o plain.html").fine();
+    assert!(page == folder.read("plain.html"), "the scene is the mended structure");
+    folder.dcel("film sweep cross.segments --mend -o f.html").fails(
+        2,
+        "the sweep looks at the segments as they are",
+        "--mend",
+    );
 }

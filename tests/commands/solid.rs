@@ -115,6 +115,13 @@ fn the_report_has_angles_volume_and_tables() {
     ] {
         assert!(text.contains(line), "{line} in {text}");
     }
+    // What is small has its digits, too.
+    folder.write("tiny.off", "OFF\n4 4 0\n0 0 0\n1e-5 0 0\n0 1e-5 0\n0 0 1e-5\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+    let tiny = folder.dcel("solid info tiny.off").fine();
+    assert!(
+        tiny.contains("area             2.366025e-10\n") && tiny.contains("volume           1.666667e-16\n"),
+        "{tiny}"
+    );
     let json = folder.dcel("solid info cube.off --json").json();
     assert_eq!((&json["dihedral_angles"], &json["dihedral_angles_at"]), (&json!([90.0, 90.0]), &json!(["e0", "e0"])));
     // Three edges of length 1 at a corner, each half of it, each bent by a quarter turn; the area is 3 / 4.

@@ -519,7 +519,7 @@ fn wrong_counts_of_an_off_header_are_told_with_a_note() {
     let faces = "3 0 1 2\n3 0 2 3\n";
     let right = read(format!("OFF\n4 2 0\n{points}{faces}").as_bytes(), Format::Off).expect("a square");
     assert_eq!(right.notes, [""; 0]);
-    for counts in ["3 2 0", "5 2 0", "4 1 0", "4 3", "4 0 9", "0 2 0"] {
+    for counts in ["3 2 0", "5 2 0", "4 1 0", "4 3", "4 0 9", "0 2 0", "0 0 0"] {
         let found = read(format!("OFF\n{counts}\n{points}\n# faces\n{faces}").as_bytes(), Format::Off);
         let found = found.unwrap_or_else(|error| panic!("{counts}: {error}"));
         let [header_points, header_faces] = [0, 1].map(|i| counts.split(' ').nth(i).unwrap());

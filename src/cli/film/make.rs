@@ -37,7 +37,7 @@ fn of_points(args: &Args) -> Result<SketchFilm, Failure> {
 }
 
 fn of_segments(args: &Args) -> Result<SketchFilm, Failure> {
-    args.input.for_points()?;
+    args.input.for_raw("the sweep looks at the segments as they are, and shows where they meet")?;
     let options =
         ReadOptions { y_down: args.input.y_down(), outlines: true, close_rings: true, ..ReadOptions::default() };
     let read = read_path(&args.file, &options)?;

@@ -2,9 +2,10 @@
 //!
 //! The page is made by `figures/playground/builder`, never by hand; the library carries it, as all that lies in `figures/`.
 
+use super::input::InputOptions;
 use super::save::{Files, put};
 use super::{Answer, Failure, Output};
-use dcel_kit::io::{read_whole, source_name};
+use dcel_kit::io::{Format, read_whole, source_name, write};
 use dcel_kit::play::{Session, Tone, page_with};
 use dcel_kit::sources::PLAYGROUND;
 use std::io::Write;
@@ -29,6 +30,9 @@ pub(crate) struct Args {
     /// The page to write [default: the name of the file with .html, or playground.html]
     #[arg(short, long, value_name = "OUT.html")]
     output: Option<PathBuf>,
+    /// Split polygons and segments where they cross, touch or overlap, and begin with what comes of it
+    #[arg(long, requires = "file")]
+    mend: bool,
     /// Write the page and open nothing
     #[arg(long)]
     no_open: bool,
@@ -43,7 +47,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     Files::reading(args.file.iter()).writes("-o", Some(&target)).check()?;
     let page = match &args.file {
         None => PLAYGROUND.to_owned(),
-        Some(file) => with(file)?,
+        Some(file) if args.mend => with(&format!("{}.dcel", title(file)), &mended(file)?)?,
+        Some(file) => with(&name_of(file), &read_whole(file)?)?,
     };
     put(&target, page)?;
     if target.as_os_str() == "-" {
@@ -58,17 +63,33 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     Ok(Answer::Yes)
 }
 
-/// The page with a file, which it can open.
-fn with(file: &Path) -> Result<String, Failure> {
+/// What the page calls a file.
+fn name_of(file: &Path) -> String {
     let source = source_name(file);
-    let bytes = read_whole(file)?;
     let name = if source == "<stdin>" { "standard input".to_owned() } else { source };
-    let name = Path::new(&name).file_name().map_or_else(|| name.clone(), |name| name.to_string_lossy().into_owned());
-    let reply = Session::new().open(&name, &bytes);
+    Path::new(&name).file_name().map_or_else(|| name.clone(), |name| name.to_string_lossy().into_owned())
+}
+
+fn title(file: &Path) -> String {
+    let name = name_of(file);
+    Path::new(&name).file_stem().map_or_else(|| name.clone(), |stem| stem.to_string_lossy().into_owned())
+}
+
+/// The structure that a file becomes when its polygons or segments are split where they meet, as dcel text.
+fn mended(file: &Path) -> Result<Vec<u8>, Failure> {
+    let subject = InputOptions::mending().open(file)?;
+    let mut text = Vec::new();
+    write(&mut text, &subject.model(), Format::Dcel).map_err(|error| Failure::of_writing(file, error))?;
+    Ok(text)
+}
+
+/// The page with a file, which it can open.
+fn with(name: &str, bytes: &[u8]) -> Result<String, Failure> {
+    let reply = Session::new().open(name, bytes);
     if let Some(message) = reply.message.filter(|message| message.tone == Tone::Refused) {
         return Err(Failure::input(message.text, ""));
     }
-    page_with(PLAYGROUND, &name, &bytes).ok_or_else(|| Failure::kit("the page has no room for a file"))
+    page_with(PLAYGROUND, name, bytes).ok_or_else(|| Failure::kit("the page has no room for a file"))
 }
 
 /// Whether there is a screen for a browser.

@@ -131,6 +131,12 @@ fn fixed(value: f64, digits: usize) -> String {
     }
 }
 
+/// An area or a volume: with six digits behind the point, or in all if these would tell next to nothing.
+fn measure(value: f64) -> String {
+    let is_tiny = value.abs() > 0.0 && value.abs() < 1e-3;
+    if is_tiny { format!("{value:.6e}") } else { fixed(value, 6) }
+}
+
 impl Info {
     fn of(source: String, solid: &Polyhedron) -> Self {
         let pieces: Vec<Piece> = solid.parts().into_iter().map(Piece::from).collect();
@@ -211,9 +217,9 @@ impl InWords for Info {
         if let Some(text) = from_to(&self.mean_curvature, &self.mean_curvature_at, "") {
             line("mean curvature", text)?;
         }
-        line("area", fixed(self.area, 6))?;
+        line("area", measure(self.area))?;
         if let Some(volume) = self.volume {
-            let text = fixed(volume, 6);
+            let text = measure(volume);
             let inside_out = if text.starts_with('-') { " (inside out)" } else { "" };
             line("volume", format!("{text}{inside_out}"))?;
         }
