@@ -9,7 +9,7 @@
 //! What lies over a line is found out by `eye.rs`, from what all elements paint.
 
 use super::colour::{Paint, paint};
-use super::markers::{End, Markers};
+use super::markers::{Markers, Stand};
 use super::numbers;
 use super::servers::{Served, Servers};
 use crate::figure::canvas::selectors::{Rule, Tag};
@@ -243,11 +243,11 @@ impl Ink {
             "vector-effect" => own.fixed_width = value == "non-scaling-stroke",
             "width" => own.size[0] = Some(value.to_owned()),
             "height" => own.size[1] = Some(value.to_owned()),
-            "marker-start" if !inherits => self.markers.set(End::Start, value),
-            "marker-mid" if !inherits => self.markers.set(End::Middle, value),
-            "marker-end" if !inherits => self.markers.set(End::End, value),
+            "marker-start" if !inherits => self.markers.set(Stand::Start, value),
+            "marker-mid" if !inherits => self.markers.set(Stand::Middle, value),
+            "marker-end" if !inherits => self.markers.set(Stand::End, value),
             "marker" if !inherits => {
-                [End::Start, End::Middle, End::End].into_iter().for_each(|end| self.markers.set(end, value));
+                [Stand::Start, Stand::Middle, Stand::End].into_iter().for_each(|end| self.markers.set(end, value));
             }
             "font-size" => self.letters = size_of_letters(value, around.letters).unwrap_or(around.letters),
             "font" => {

@@ -9,7 +9,7 @@ use std::rc::Rc;
 
 /// A place on a line where a marker can stand.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum End {
+pub(super) enum Stand {
     Start,
     Middle,
     End,
@@ -21,13 +21,13 @@ pub(super) struct Markers([Option<Rc<str>>; 3]);
 
 impl Markers {
     /// `value` is `none` or `url(#...)`.
-    pub(super) fn set(&mut self, end: End, value: &str) {
+    pub(super) fn set(&mut self, end: Stand, value: &str) {
         let link = value.strip_prefix("url(").and_then(|rest| rest.split(')').next());
         let id = link.and_then(|link| link.trim_matches(['"', '\'', ' ']).strip_prefix('#'));
         self.0[end as usize] = id.map(Rc::from);
     }
 
-    pub(super) fn at(&self, end: End) -> Option<Rc<str>> {
+    pub(super) fn at(&self, end: Stand) -> Option<Rc<str>> {
         self.0[end as usize].clone()
     }
 

@@ -150,9 +150,9 @@ impl Pen {
     /// A curve, or a line if its control points say so.
     fn cubic(&mut self, first: [f64; 2], second: [f64; 2], to: [f64; 2]) -> Option<()> {
         if is_straight(self.at, [first, second], to) {
-            self.to(to, false)?
+            self.to(to, false)?;
         } else {
-            self.pieces(first, second, to)?
+            self.pieces(first, second, to)?;
         }
         self.cubic = Some(second);
         Some(())

@@ -7,6 +7,8 @@
 //! ```
 
 use super::colour::{Paint, paint};
+use super::drawing::{size, tag};
+use super::error::{Fault, Problem};
 use super::ink::{Ink, fraction, properties};
 use super::markup::is_svg;
 use super::{numbers, tiles};
@@ -20,8 +22,10 @@ const CHAIN: usize = 16;
 const ALIKE: u8 = 8;
 /// A hatch covers at least this part of what lies below it.
 const SPARSE: f64 = 0.1;
-/// Elements of patterns and stops that are looked at.
-const WORK: usize = 200_000;
+/// Patterns are read so deep.
+const DEPTH: usize = 100;
+/// Work: stops and shapes of patterns, with what stands around them.
+const WORK: usize = 400_000;
 
 /// What one gradient or pattern paints.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -47,7 +51,7 @@ pub(super) struct Served {
 
 impl Servers {
     /// Reads the gradients and patterns of a file. O(size), up to the caps.
-    pub(super) fn read<'a>(document: &'a Document<'_>, rules: &[Rule<'_>]) -> Self {
+    pub(super) fn read<'a>(document: &'a Document<'_>, rules: &[Rule<'_>]) -> Result<Self, Fault> {
         let is_server =
             |n: &Node<'_, '_>| matches!(n.tag_name().name(), "linearGradient" | "radialGradient" | "pattern");
         let all = document.descendants().filter(|n| n.is_element() && is_svg(*n) && is_server(n));
@@ -55,8 +59,12 @@ impl Servers {
         for (id, node) in all.filter_map(|n| Some((n.attribute("id")?, n))) {
             named.entry(id).or_insert(node);
         }
-        let mut work = 0;
-        Self(named.iter().map(|(id, node)| ((*id).to_owned(), server(*node, &named, rules, &mut work))).collect())
+        let mut work = Work { rules, done: 0 };
+        let mut out = BTreeMap::new();
+        for (id, node) in &named {
+            out.insert((*id).to_owned(), work.server(*node, &named)?);
+        }
+        Ok(Self(out))
     }
 
     /// The value of `fill` or `stroke`: a colour, or `url(#...)` with what is painted where that is not there.
@@ -90,26 +98,126 @@ fn chain<'a, 'i>(node: Node<'a, 'i>, named: &BTreeMap<&str, Node<'a, 'i>>) -> Ve
     out
 }
 
-fn server<'a, 'i>(
-    node: Node<'a, 'i>,
-    named: &BTreeMap<&str, Node<'a, 'i>>,
-    rules: &[Rule<'_>],
-    work: &mut usize,
-) -> Server {
-    let chain = chain(node, named);
-    let said = |name: &str| chain.iter().find_map(|n| n.attribute(name));
-    let has = |n: &&Node<'_, '_>| n.children().any(|child| child.is_element() && child.tag_name().name() != "title");
-    let holder = chain.iter().find(has);
-    if node.tag_name().name() == "pattern" {
+/// What is looked at, and how much was.
+struct Work<'a, 'r> {
+    rules: &'a [Rule<'r>],
+    done: usize,
+}
+
+impl Work<'_, '_> {
+    fn server<'a, 'i>(&mut self, node: Node<'a, 'i>, named: &BTreeMap<&str, Node<'a, 'i>>) -> Result<Server, Fault> {
+        let chain = chain(node, named);
+        let said = |name: &str| chain.iter().find_map(|n| n.attribute(name));
+        let has =
+            |n: &&Node<'_, '_>| n.children().any(|child| child.is_element() && child.tag_name().name() != "title");
+        let holder = chain.iter().find(has);
+        let by_box = |key: &str| said(key) != Some("userSpaceOnUse");
+        if node.tag_name().name() != "pattern" {
+            let paint = holder.map_or(Ok(Paint::None), |holder| self.gradient(*holder))?;
+            return Ok(Server { paint, by_box: by_box("gradientUnits") });
+        }
+        let by_box = by_box("patternUnits");
         let flat = ["width", "height"].iter().any(|side| said(side).is_none_or(is_nothing));
-        let is_placed = said("patternUnits") == Some("userSpaceOnUse") && said("viewBox").is_none();
-        let tile = said("width").zip(said("height")).filter(|_| is_placed);
+        let tile = said("width").zip(said("height")).filter(|_| !by_box && said("viewBox").is_none());
         let tile = tile.and_then(|(width, height)| tiles::area(width, height));
-        let paint = holder.filter(|_| !flat).map_or(Paint::None, |holder| pattern(*holder, tile, rules, work));
-        return Server { paint, by_box: said("patternUnits") != Some("userSpaceOnUse") };
+        let holder = holder.filter(|_| !flat);
+        let paint = holder.map_or(Ok(Paint::None), |holder| self.pattern(*holder, tile))?;
+        Ok(Server { paint, by_box })
     }
-    let paint = holder.map_or(Paint::None, |holder| gradient(*holder, rules, work));
-    Server { paint, by_box: said("gradientUnits") != Some("userSpaceOnUse") }
+
+    /// The tags from the root to an element, if there are rules that look at them.
+    fn path(&mut self, node: Node<'_, '_>) -> Result<Vec<Tag>, Fault> {
+        let around = node.ancestors().filter(Node::is_element);
+        self.done += if self.rules.is_empty() { size(node) } else { around.clone().map(size).sum() };
+        if self.done > WORK {
+            let problem = Problem::TooLarge { what: "parts of gradients and patterns", limit: WORK };
+            return Err(Fault::at(node.range().start, problem));
+        }
+        let mut out: Vec<Tag> = if self.rules.is_empty() { Vec::new() } else { around.map(tag).collect() };
+        out.reverse();
+        Ok(out)
+    }
+
+    /// What the stops of a gradient paint.
+    fn gradient(&mut self, node: Node<'_, '_>) -> Result<Paint, Fault> {
+        let mut stops: Vec<([u8; 3], f64)> = Vec::new();
+        for stop in node.children().filter(|n| n.tag_name().name() == "stop") {
+            let tags = self.path(stop)?;
+            let (mut colour, mut opacity) = (Paint::Colour([0; 3], 1.0), 1.0);
+            for (key, value) in properties(stop, self.rules, &tags) {
+                match key {
+                    "stop-color" => colour = paint(value),
+                    "stop-opacity" => opacity = fraction(value).unwrap_or(1.0),
+                    _ => {}
+                }
+            }
+            stops.push(match colour {
+                Paint::Colour(rgb, alpha) => (rgb, alpha * opacity),
+                Paint::None => ([0; 3], 0.0),
+                _ if opacity <= 0.0 => ([0; 3], 0.0),
+                _ => return Ok(Paint::Pattern),
+            });
+        }
+        Ok(mixed(&stops))
+    }
+
+    /// What the shapes of a pattern paint on a tile of this area: one colour covers as much as its shapes.
+    fn pattern(&mut self, node: Node<'_, '_>, tile: Option<f64>) -> Result<Paint, Fault> {
+        let mut content = Content { found: Vec::new(), known: true, painted: 0.0 };
+        self.collect(node, &Ink::default(), &mut content, 0)?;
+        Ok(match mixed(&content.found) {
+            _ if !content.known => Paint::Pattern,
+            Paint::Colour(rgb, alpha) => {
+                let part = tile.map_or(1.0, |tile| (content.painted / tile).clamp(SPARSE, 1.0));
+                Paint::Colour(rgb, alpha * part)
+            }
+            paint => paint,
+        })
+    }
+
+    /// All shapes below an element.
+    fn collect(&mut self, node: Node<'_, '_>, around: &Ink, out: &mut Content, depth: usize) -> Result<(), Fault> {
+        if depth > DEPTH {
+            return Err(Fault::at(node.range().start, Problem::TooDeep { limit: DEPTH }));
+        }
+        for child in node.children().filter(Node::is_element) {
+            let tags = self.path(child)?;
+            let Some((ink, _)) = around.inside(child, self.rules, &tags) else { continue };
+            match child.tag_name().name() {
+                "g" | "a" | "svg" => self.collect(child, &ink, out, depth + 1)?,
+                "line" | "polyline" | "polygon" | "path" | "rect" | "circle" | "ellipse" => {
+                    // A gradient within a pattern is some paint.
+                    out.known &= !child.attributes().any(|a| a.value().contains("url("));
+                    let [filled, lined] = tiles::painted(child, &ink);
+                    (filled > 0.0).then(|| out.add(ink.fill()));
+                    (lined > 0.0).then(|| out.add(ink.stroke()));
+                    out.painted += filled + lined;
+                }
+                "use" | "image" | "text" => out.known = false,
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What a pattern holds.
+struct Content {
+    found: Vec<([u8; 3], f64)>,
+    /// Whether all of it could be told.
+    known: bool,
+    /// The area that is painted.
+    painted: f64,
+}
+
+impl Content {
+    fn add(&mut self, (paint, opacity): (Paint, f64)) {
+        match paint {
+            Paint::Colour(rgb, alpha) => self.found.push((rgb, alpha * opacity)),
+            Paint::None => {}
+            _ => self.known = false,
+        }
+    }
 }
 
 /// Whether a length is no length at all.
@@ -119,37 +227,6 @@ fn is_nothing(text: &str) -> bool {
     number.is_some_and(|number| number <= 0.0)
 }
 
-/// The tags from the root to an element.
-fn path(node: Node<'_, '_>) -> Vec<Tag> {
-    let mut out: Vec<Tag> = node.ancestors().filter(Node::is_element).map(super::drawing::tag).collect();
-    out.reverse();
-    out
-}
-
-/// What the stops of a gradient paint.
-fn gradient(node: Node<'_, '_>, rules: &[Rule<'_>], work: &mut usize) -> Paint {
-    let mut stops: Vec<([u8; 3], f64)> = Vec::new();
-    for stop in node.children().filter(|n| n.tag_name().name() == "stop") {
-        *work += 1;
-        let tags = if rules.is_empty() || *work > WORK { Vec::new() } else { path(stop) };
-        let (mut colour, mut opacity) = (Paint::Colour([0; 3], 1.0), 1.0);
-        for (key, value) in properties(stop, rules, &tags) {
-            match key {
-                "stop-color" => colour = paint(value),
-                "stop-opacity" => opacity = fraction(value).unwrap_or(1.0),
-                _ => {}
-            }
-        }
-        stops.push(match colour {
-            Paint::Colour(rgb, alpha) => (rgb, alpha * opacity),
-            Paint::None => ([0; 3], 0.0),
-            _ if opacity <= 0.0 => ([0; 3], 0.0),
-            _ => return Paint::Pattern,
-        });
-    }
-    mixed(&stops)
-}
-
 /// Colours that are nearly one are that one, as much of it as they have together; none at all is none.
 fn mixed(stops: &[([u8; 3], f64)]) -> Paint {
     let alpha = stops.iter().map(|stop| stop.1).sum::<f64>() / stops.len().max(1) as f64;
@@ -157,63 +234,4 @@ fn mixed(stops: &[([u8; 3], f64)]) -> Paint {
     let Some(&(first, _)) = seen.next() else { return Paint::None };
     let alike = seen.all(|(rgb, _)| rgb.iter().zip(first).all(|(a, b)| a.abs_diff(b) < ALIKE));
     if alike { Paint::Colour(first, alpha) } else { Paint::Pattern }
-}
-
-/// What the shapes of a pattern paint on a tile of this area: one colour covers as much as its shapes.
-fn pattern(node: Node<'_, '_>, tile: Option<f64>, rules: &[Rule<'_>], work: &mut usize) -> Paint {
-    let mut content = Content { rules, work, found: Vec::new(), known: true, painted: 0.0 };
-    content.collect(node, &Ink::default());
-    match mixed(&content.found) {
-        _ if !content.known => Paint::Pattern,
-        Paint::Colour(rgb, alpha) => {
-            let part = tile.map_or(1.0, |tile| (content.painted / tile).clamp(SPARSE, 1.0));
-            Paint::Colour(rgb, alpha * part)
-        }
-        paint => paint,
-    }
-}
-
-/// What a pattern holds.
-struct Content<'a, 'r> {
-    rules: &'a [Rule<'r>],
-    work: &'a mut usize,
-    found: Vec<([u8; 3], f64)>,
-    /// Whether all of it could be told.
-    known: bool,
-    /// The area that is painted.
-    painted: f64,
-}
-
-impl Content<'_, '_> {
-    /// All shapes below an element.
-    fn collect(&mut self, node: Node<'_, '_>, around: &Ink) {
-        for child in node.children().filter(Node::is_element) {
-            *self.work += 1;
-            if *self.work > WORK {
-                self.known = false;
-                return;
-            }
-            let tags = if self.rules.is_empty() { Vec::new() } else { path(child) };
-            let Some((ink, _)) = around.inside(child, self.rules, &tags) else { continue };
-            match child.tag_name().name() {
-                "g" | "a" | "svg" => self.collect(child, &ink),
-                "line" | "polyline" | "polygon" | "path" | "rect" | "circle" | "ellipse" => {
-                    let [filled, lined] = tiles::painted(child, &ink);
-                    (filled > 0.0).then(|| self.add(ink.fill()));
-                    (lined > 0.0).then(|| self.add(ink.stroke()));
-                    self.painted += filled + lined;
-                }
-                "use" | "image" | "text" => self.known = false,
-                _ => {}
-            }
-        }
-    }
-
-    fn add(&mut self, (paint, opacity): (Paint, f64)) {
-        match paint {
-            Paint::Colour(rgb, alpha) => self.found.push((rgb, alpha * opacity)),
-            Paint::None => {}
-            _ => self.known = false,
-        }
-    }
 }

@@ -9,7 +9,7 @@
 
 use super::{Around, Reader, corners, place};
 use crate::compare::error::{Fault, Problem};
-use crate::compare::markers::End;
+use crate::compare::markers::Stand;
 use crate::compare::markup::is_svg;
 use crate::compare::numbers;
 use crate::compare::painting::{Area, Mark, Part, Shape};
@@ -37,13 +37,13 @@ impl<'a, 'i> Reader<'a, 'i> {
             for (j, &(point, way_in, way_out)) in corners.iter().enumerate() {
                 let (first, end) = (i == 0 && j == 0, i == last && j + 1 == corners.len());
                 if first {
-                    self.marker(End::Start, point, way_in.or(way_out), around, depth, at)?;
+                    self.marker(Stand::Start, point, way_in.or(way_out), around, depth, at)?;
                 }
                 if !first && !end {
-                    self.marker(End::Middle, point, between(way_in, way_out), around, depth, at)?;
+                    self.marker(Stand::Middle, point, between(way_in, way_out), around, depth, at)?;
                 }
                 if end {
-                    self.marker(End::End, point, way_in.or(way_out), around, depth, at)?;
+                    self.marker(Stand::End, point, way_in.or(way_out), around, depth, at)?;
                 }
             }
         }
@@ -53,7 +53,7 @@ impl<'a, 'i> Reader<'a, 'i> {
     /// One marker, if there is one for this place.
     fn marker(
         &mut self,
-        end: End,
+        end: Stand,
         at: [f64; 2],
         angle: Option<f64>,
         around: &Around,
@@ -108,6 +108,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         chain.reverse();
         let mut shown = true;
         for element in chain {
+            self.visit(element)?;
             if !self.rules.is_empty() {
                 self.path.push(super::tag(element));
             }
@@ -192,7 +193,7 @@ impl<'a, 'i> Reader<'a, 'i> {
             ring.push(corner);
         }
         let paint = if ink.fills() { ink.fill() } else { ink.stroke() };
-        self.count(4, offset)?;
+        self.count(1, offset)?;
         self.out.painting.add(Shape::Area(Area::new(&[ring], false)), paint, around.clip, Part::Mark(Mark::Letters));
         Ok(())
     }
@@ -207,7 +208,10 @@ fn corners_of(path: &Subpath) -> Vec<Corner> {
     if path.closed {
         points.extend(path.points.first().map(|first| (first.0, false)));
     }
-    let angle = |p: [f64; 2], q: [f64; 2]| (p != q).then(|| (q[1] - p[1]).atan2(q[0] - p[0]));
+    let angle = |p: [f64; 2], q: [f64; 2]| {
+        let (x, y) = (q[0] - p[0], q[1] - p[1]);
+        (x.hypot(y) > 0.0).then(|| y.atan2(x))
+    };
     let count = points.len();
     let is_corner = |&i: &usize| i + 1 == count || i == 0 || !(points[i].1 && points[i + 1].1);
     let corner = |i: usize| {
@@ -227,10 +231,10 @@ fn between(way_in: Option<f64>, way_out: Option<f64>) -> Option<f64> {
 }
 
 /// How a marker is turned; `angle` is the direction of the path.
-fn turn(orient: &str, end: End, angle: f64) -> Transform {
+fn turn(orient: &str, end: Stand, angle: f64) -> Transform {
     let degrees = match orient.trim() {
         "auto" => angle.to_degrees(),
-        "auto-start-reverse" if end == End::Start => angle.to_degrees() + 180.0,
+        "auto-start-reverse" if end == Stand::Start => angle.to_degrees() + 180.0,
         "auto-start-reverse" => angle.to_degrees(),
         other => other.trim_end_matches(|c: char| c.is_ascii_alphabetic()).parse().unwrap_or(0.0),
     };

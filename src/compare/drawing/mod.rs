@@ -118,7 +118,7 @@ impl Drawing {
         }
         let rules = rules(&css);
         let elements = document.descendants().filter(Node::is_element).count();
-        if rules.len().saturating_mul(elements) > MATCHES {
+        if rules.iter().map(Rule::weight).sum::<usize>().saturating_mul(elements) > MATCHES {
             return Err(Problem::TooLarge { what: "style rules times elements", limit: MATCHES }.into());
         }
         let root = document.root_element();
@@ -145,7 +145,7 @@ impl Drawing {
             let note = "xmlns=\"http://www.w3.org/2000/svg\" is missing on <svg>: browsers show such a file as text";
             reader.out.notes.push(note.to_owned());
         }
-        let servers = Servers::read(document, &reader.rules);
+        let servers = Servers::read(document, &reader.rules)?;
         let sheet = root::sheet(root, &reader.rules)?;
         let room = sheet.room;
         reader.out.notes.extend(sheet.note.map(str::to_owned));
@@ -236,10 +236,7 @@ pub(in crate::compare) struct Reader<'a, 'i> {
 impl<'a, 'i> Reader<'a, 'i> {
     fn element(&mut self, node: Node<'a, 'i>, outer: &Around, depth: usize) -> Result<(), Fault> {
         let offset = node.range().start;
-        self.work += 1 + node.attributes().map(|a| a.value().len()).sum::<usize>() / 16;
-        if self.work > WORK {
-            return Err(Fault::at(offset, Problem::TooLarge { what: "elements to draw", limit: WORK }));
-        }
+        self.visit(node)?;
         if depth > DEPTH {
             return Err(Fault::at(offset, Problem::TooDeep { limit: DEPTH }));
         }
@@ -278,6 +275,16 @@ impl<'a, 'i> Reader<'a, 'i> {
         }
         if !self.rules.is_empty() {
             self.path.pop();
+        }
+        Ok(())
+    }
+
+    /// Counts an element, up to the cap.
+    fn visit(&mut self, node: Node<'a, 'i>) -> Result<(), Fault> {
+        self.work += size(node);
+        if self.work > WORK {
+            let problem = Problem::TooLarge { what: "elements to draw", limit: WORK };
+            return Err(Fault::at(node.range().start, problem));
         }
         Ok(())
     }
@@ -496,6 +503,11 @@ pub(in crate::compare) fn place(t: &Transform, p: [f64; 2], offset: usize, what:
         return Ok(Point::new(x, -y));
     }
     Err(Fault::at(offset, Problem::Coordinate { what }))
+}
+
+/// The work of an element: itself, and sixteenths of its attributes.
+pub(in crate::compare) fn size(node: Node<'_, '_>) -> usize {
+    1 + node.attributes().map(|a| a.value().len()).sum::<usize>() / 16
 }
 
 /// Whether a reader draws an element that asks for a language or for more than SVG: one of English, who knows no more.

@@ -85,17 +85,26 @@ pub(super) fn parts(text: &str, mark: char) -> impl Iterator<Item = &str> {
     })
 }
 
-/// Whether somebody at a screen who asked for nothing meets a condition.
-fn is_met(condition: &str) -> Option<bool> {
-    let condition = condition.to_ascii_lowercase();
-    if condition.split([' ', ',']).all(|word| ["", "all", "screen", "only"].contains(&word)) {
+/// Whether somebody at a screen who asked for nothing meets one of the conditions of a list.
+fn is_met(list: &str) -> Option<bool> {
+    let list = list.to_ascii_lowercase();
+    let each: Vec<Option<bool>> = list.split(',').map(str::trim).map(is_one_met).collect();
+    if each.contains(&Some(true)) {
         return Some(true);
     }
-    if ["prefers-color-scheme:light", "prefers-color-scheme: light"].iter().any(|light| condition.contains(light)) {
-        return None;
+    (!each.contains(&None)).then_some(false)
+}
+
+fn is_one_met(condition: &str) -> Option<bool> {
+    if ["", "all", "screen", "only screen", "only all"].contains(&condition) {
+        return Some(true);
     }
-    let other = ["print", "speech", "prefers-", "forced-colors", "hover", "pointer"];
-    other.iter().any(|word| condition.contains(word)).then_some(false)
+    let is_open = ["not", "light", "or", "no-preference"]
+        .iter()
+        .any(|word| condition.split(|c: char| !c.is_ascii_alphabetic() && c != '-').any(|other| other == *word));
+    let starts = ["print", "speech", "only print"];
+    let is_other = starts.iter().any(|start| condition.starts_with(start)) || condition.contains("(prefers-");
+    (is_other && !is_open).then_some(false)
 }
 
 /// What a style sheet says and what cannot be told: the selector of a rule, or the name of an at-rule.

@@ -55,28 +55,35 @@ impl Rule<'_> {
         self.steps.iter().map(Step::specificity).fold((0, 0, 0), |a, b| (a.0 + b.0, a.1 + b.1, a.2 + b.2))
     }
 
+    /// How much more than names, ids and classes there is to look at, for each tag.
+    #[cfg(feature = "compare")]
+    pub(crate) fn weight(&self) -> usize {
+        1 + self.steps.iter().map(Step::weight).sum::<usize>()
+    }
+
     /// Whether the last step fits the last tag, and the others fit tags around it in their order.
     pub(crate) fn fits(&self, path: &[Tag]) -> bool {
-        let Some((last, around)) =
-            path.len().checked_sub(1).and_then(|end| path.split_at_checked(end)).map(|(a, b)| (&b[0], a))
-        else {
-            return false;
-        };
-        let Some((step, steps)) = self.steps.split_last() else { return false };
-        step.fits(last, around.is_empty()) && fits_around(steps, step.is_child, around)
+        let mut steps = &self.steps[..];
+        let mut room = path.len();
+        while !steps.is_empty() {
+            // Steps that stand directly within each other, with the one around them.
+            let start = steps.iter().rposition(|step| !step.is_child).unwrap_or(0);
+            let (outer, chain) = steps.split_at(start);
+            // The innermost place that fits leaves most room for the others.
+            let is_last = steps.len() == self.steps.len();
+            let lowest = if is_last { room } else { chain.len() };
+            let fits = |end: &usize| chain_fits(chain, path, *end);
+            let Some(end) = (lowest.max(chain.len())..=room).rev().find(fits) else { return false };
+            (steps, room) = (outer, end - chain.len());
+        }
+        !self.steps.is_empty()
     }
 }
 
-/// Whether these steps fit tags of a path in their order, the last of them the innermost tag if it must.
-fn fits_around(steps: &[Step<'_>], innermost: bool, path: &[Tag]) -> bool {
-    let Some((step, outer)) = steps.split_last() else { return true };
-    let depths = if innermost { path.len().saturating_sub(1)..path.len() } else { 0..path.len() };
-    let fits = |depth: &usize| step.fits(&path[*depth], *depth == 0);
-    if step.is_child || innermost {
-        return depths.rev().filter(fits).any(|depth| fits_around(outer, step.is_child, &path[..depth]));
-    }
-    // The innermost that fits leaves most room for the others.
-    depths.rev().find(fits).is_some_and(|depth| fits_around(outer, false, &path[..depth]))
+/// Whether steps fit the tags of a path that end here, one by one.
+fn chain_fits(chain: &[Step<'_>], path: &[Tag], end: usize) -> bool {
+    let start = end - chain.len();
+    chain.iter().zip(start..end).rev().all(|(step, depth)| step.fits(&path[depth], depth == 0))
 }
 
 impl<'a> Step<'a> {
@@ -87,6 +94,12 @@ impl<'a> Step<'a> {
             usize::from(self.name.is_some()),
         );
         self.not.iter().map(Self::specificity).fold(own, |a, b| (a.0 + b.0, a.1 + b.1, a.2 + b.2))
+    }
+
+    #[cfg(feature = "compare")]
+    fn weight(&self) -> usize {
+        let not = self.not.iter().map(|step| 1 + step.weight() + step.classes.len()).sum::<usize>();
+        usize::from(self.is_child) + self.attributes.len() + not
     }
 
     /// `None` for what is not understood.
@@ -239,6 +252,46 @@ fn add<'a>(css: &'a str, out: &mut Vec<Rule<'a>>) {
                 }
             }
             Block::Media { .. } | Block::Other { .. } => {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whether a selector fits the last of these tags, each a name with classes: `svg g.a line`.
+    fn fits(selector: &str, path: &str) -> bool {
+        let tag = |word: &str| {
+            let mut parts = word.split('.').map(str::to_owned);
+            Tag { name: parts.next().unwrap(), classes: parts.collect(), ..Tag::default() }
+        };
+        let path: Vec<Tag> = path.split(' ').map(tag).collect();
+        rules(&format!("{selector}{{a:b}}")).iter().any(|rule| rule.fits(&path))
+    }
+
+    #[test]
+    fn children_and_descendants_are_found_wherever_they_stand() {
+        for (selector, path) in [
+            ("svg line", "svg g g line"),
+            ("svg > g > line", "svg g line"),
+            ("g > g.a line", "svg g g.a g g line"),
+            (".a > .b .c > .d", "svg.a g.b g.c g.b g.c line.d"),
+            ("svg>*>.a", "svg g line.a"),
+            (":root > g", "svg g"),
+            ("g:not(.a,.b) line", "svg g.a g.c line"),
+        ] {
+            assert!(fits(selector, path), "{selector} fits {path}");
+        }
+        for (selector, path) in [
+            ("svg > line", "svg g line"),
+            ("g > g.a line", "svg g.a g line"),
+            (".a > .b .c > .d", "svg.a g.b g.c g.b line.d"),
+            ("svg line", "line"),
+            ("g:not(.a,.b) line", "svg.a g.a g.b line"),
+            ("line + line", "svg line"),
+        ] {
+            assert!(!fits(selector, path), "{selector} does not fit {path}");
         }
     }
 }

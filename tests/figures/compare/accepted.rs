@@ -85,6 +85,7 @@ fn style_rules_of_all_usual_kinds_are_read() {
         ":root line{stroke:white}",
         "line:not([class], #b):not(circle) { stroke: white }",
         "@media screen{line{stroke:white}}",
+        "@media print, screen{line{stroke:white}}",
         "@media all{polygon{fill:gold}line{stroke:white}}",
         "@import 'x.css'; line{stroke:white}",
         "/* edges */ line{stroke:white}",
@@ -126,6 +127,8 @@ fn style_rules_of_all_usual_kinds_are_read() {
             "@media (prefers-color-scheme:light){line{stroke:none}}",
             "the style rule `@media (prefers-color-scheme:light)` hides",
         ),
+        ("@media print, (min-width:1px){line{stroke:white}}", "the style rule `@media print, (min-width:1px)` changes"),
+        ("@media not print{line{stroke:white}}", "the style rule `@media not print` changes"),
         ("svg{line{stroke:white}}", "the style rule `svg` changes"),
         ("line ~ line{stroke:none}", "the style rule `line ~ line` hides"),
     ] {

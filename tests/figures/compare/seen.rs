@@ -209,3 +209,28 @@ fn letters_hide_when_they_are_large_and_only_then() {
     equal(&text("font-size=\"500\" fill=\"none\"", "MM"));
     equal(&within("<text y=\"390\" font-size=\"500\" fill=\"#eee\">MM</text>", ""));
 }
+
+#[test]
+fn hostile_gradients_markers_and_rules_end_quickly() {
+    use cpu_time::ThreadTime;
+    use dcel_kit::compare::{Options, compare};
+    let many = |part: &str, n: usize| part.repeat(n);
+    let deep = format!("{}{}", many("<g>", 150), many("</g>", 150));
+    let pattern = |inside: &str| format!("<pattern id=\"p\" width=\"9\" height=\"9\">{inside}</pattern>");
+    for (name, inside, said) in [
+        ("a deep pattern", pattern(&format!("{}{}", many("<g>", 20_000), many("</g>", 20_000))), "nested too deeply"),
+        ("many stops", format!("<style>a{{b:c}}</style><g id=\"{}\"><linearGradient id=\"g\">{}</linearGradient></g>", many("x", 500_000), many("<stop/>", 50_000)), "too large: more than 400000 parts of gradients"),
+        ("many markers", format!("<marker id=\"m\">{deep}</marker><path marker-mid=\"url(#m)\" d=\"M0 0{}\"/>", many("h1v1", 90_000)), "too large"),
+        ("a marker of itself", "<marker id=\"m\"><path marker-start=\"url(#m)\" d=\"M0 0h9\"/></marker><path marker-start=\"url(#m)\" d=\"M0 0h9\" stroke=\"red\"/>".to_owned(), ""),
+        ("rules of children", format!("<style>x {}{{a:b}}</style>{}{}", many("g>g ", 90), many("<g>", 190), many("</g>", 190)), "nothing is drawn"),
+        ("rules of attributes", format!("<style>{}{{a:b}}</style>{}", many(":not([q])", 20_000), many("<g/>", 20_000)), "style rules"),
+    ] {
+        let svg = format!("<svg xmlns=\"http://www.w3.org/2000/svg\">{inside}</svg>");
+        let started = ThreadTime::now();
+        match compare(&plain(), &svg, &Options::new()) {
+            Ok(answer) => assert!(said.is_empty() && !answer.is_equal(), "{name}: {}", answer.text()),
+            Err(error) => assert!(!said.is_empty() && error.to_string().contains(said), "{name}: {error}"),
+        }
+        assert!(started.elapsed() < std::time::Duration::from_secs(10), "{name}: {:?}", started.elapsed());
+    }
+}
