@@ -32,7 +32,7 @@ use super::transform::Transform;
 use super::viewport::{self, Room};
 use super::{declared, numbers};
 use crate::figure::canvas::blocks::{Untold, untold};
-use crate::figure::canvas::selectors::{Rule, Tag, rules};
+use crate::figure::canvas::selectors::{Rule, Tag, rules_on_screen};
 use crate::plane::Point;
 use roxmltree::{Document, Node};
 use std::collections::BTreeMap;
@@ -116,7 +116,7 @@ impl Drawing {
             Some(Untold::Changes(selector)) => return Err(Problem::StyleChange { selector: short(selector) }.into()),
             None => {}
         }
-        let rules = rules(&css);
+        let rules = rules_on_screen(&css);
         let elements = document.descendants().filter(Node::is_element).count();
         if rules.iter().map(Rule::weight).sum::<usize>().saturating_mul(elements) > MATCHES {
             return Err(Problem::TooLarge { what: "style rules times elements", limit: MATCHES }.into());

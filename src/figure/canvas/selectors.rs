@@ -6,8 +6,9 @@
 //! ```
 //!
 //! Understood are selectors of names, `*`, ids, classes, attributes (`[class~=x]`), `:root` and `:not(...)` of these,
-//! with descendants and children (`>`); rules inside `@media screen` count as if they stood outside. Rules with
-//! anything else (`:hover`) have no say; `blocks.rs` tells which of them may change what is seen. Rules win by
+//! with descendants and children (`>`), and what nobody does who only looks (`:hover`). Rules with anything else have no
+//! say; `blocks.rs` tells which of them may change what is seen. For a comparison, rules inside `@media screen` count as
+//! if they stood outside. Rules win by
 //! specificity, then by order.
 
 use super::blocks::{Block, blocks, parts};
@@ -29,6 +30,8 @@ pub(super) struct Step<'a> {
     attributes: Vec<Attribute<'a>>,
     not: Vec<Step<'a>>,
     is_root: bool,
+    /// Whether it asks for something that only a reader does, such as to point at it.
+    never: bool,
     /// Whether it stands directly within the step before.
     is_child: bool,
 }
@@ -136,18 +139,27 @@ impl<'a> Step<'a> {
         (!text.is_empty()).then_some(out)
     }
 
-    /// `:root` and `:not(...)`; what follows.
+    /// `:root`, `:not(...)`, and what nobody does who only looks; what follows.
     fn pseudo(&mut self, text: &'a str) -> Option<&'a str> {
-        if let Some(rest) = text.strip_prefix("root") {
+        let (name, rest) = word(text)?;
+        if OF_READERS.contains(&name) {
+            self.never = true;
+            return Some(rest);
+        }
+        if name == "root" {
             self.is_root = true;
-            return (!rest.starts_with(is_of_word)).then_some(rest);
+            return Some(rest);
         }
-        let (inside, rest) = text.strip_prefix("not(")?.split_once(')')?;
-        if inside.contains("not(") {
-            return None;
-        }
-        for one in parts(inside, ',') {
-            self.not.push(Step::read(one.trim())?);
+        let (inside, rest) = bracket(rest)?;
+        match name {
+            "not" => {
+                for one in parts(inside, ',') {
+                    self.not.push(Step::read(one.trim())?);
+                }
+            }
+            // Something within at which somebody points: nobody does.
+            "has" => self.never = Step::read(inside.trim())?.never.then_some(true)?,
+            _ => return None,
         }
         Some(rest)
     }
@@ -158,6 +170,7 @@ impl<'a> Step<'a> {
             && self.classes.iter().all(|class| tag.classes.iter().any(|c| c == class))
             && self.attributes.iter().all(|attribute| attribute.fits(tag))
             && (is_root || !self.is_root)
+            && !self.never
             && !self.not.iter().any(|step| step.fits(tag, is_root))
     }
 }
@@ -189,6 +202,27 @@ impl<'a> Attribute<'a> {
             _ => is == wanted,
         }
     }
+}
+
+/// Pseudo-classes that say what a reader does: a drawing that lies there unread does not have them.
+pub(super) const OF_READERS: [&str; 8] =
+    ["hover", "focus", "focus-visible", "focus-within", "active", "visited", "target", "checked"];
+
+/// What stands within round brackets at the start, and what follows.
+fn bracket(text: &str) -> Option<(&str, &str)> {
+    let inside = text.strip_prefix('(')?;
+    let mut depth = 1;
+    for (i, c) in inside.char_indices() {
+        match c {
+            '(' => depth += 1,
+            ')' => depth -= 1,
+            _ => continue,
+        }
+        if depth == 0 {
+            return Some((&inside[..i], &inside[i + 1..]));
+        }
+    }
+    None
 }
 
 fn is_of_word(c: char) -> bool {
@@ -232,18 +266,33 @@ fn with_child_marks(part: &str) -> Vec<&str> {
     out
 }
 
-/// The rules outside of `@media`, and inside those for screens; the weakest first.
+/// The rules outside of `@media`, the weakest first.
 pub(crate) fn rules(css: &str) -> Vec<Rule<'_>> {
+    sorted(css, false)
+}
+
+/// The rules outside of `@media`, and inside those for screens; the weakest first.
+#[cfg(feature = "compare")]
+pub(crate) fn rules_on_screen(css: &str) -> Vec<Rule<'_>> {
+    sorted(css, true)
+}
+
+fn sorted(css: &str, on_screen: bool) -> Vec<Rule<'_>> {
     let mut out = Vec::new();
-    add(css, &mut out);
+    add(css, on_screen, &mut out, 0);
     out.sort_by_key(Rule::specificity);
     out
 }
 
-fn add<'a>(css: &'a str, out: &mut Vec<Rule<'a>>) {
+/// Blocks within blocks are read so deep.
+const DEPTH: usize = 8;
+
+fn add<'a>(css: &'a str, on_screen: bool, out: &mut Vec<Rule<'a>>, depth: usize) {
     for block in blocks(css) {
         match block {
-            Block::Media { rules, is_met: Some(true), .. } => add(rules, out),
+            Block::Media { rules, is_met: Some(true), .. } if on_screen && depth < DEPTH => {
+                add(rules, on_screen, out, depth + 1);
+            }
             Block::Rule { selectors, body } => {
                 let properties = body.split(';').filter_map(|p| p.split_once(':'));
                 let properties: Rc<[_]> = properties.map(|(key, value)| (key.trim(), value.trim())).collect();

@@ -85,13 +85,18 @@ fn style_rules_of_all_usual_kinds_are_read() {
         ":root line{stroke:white}",
         "line:not([class], #b):not(circle) { stroke: white }",
         "@media screen{line{stroke:white}}",
+        "line:not(:hover){stroke:white}",
+        "svg:not(:has(g:target)) line{stroke:white}",
+        "@supports selector(:has(a)){@media screen{line{display:none}}}",
+        "@media screen{line{stroke:none}}",
         "@media print, screen{line{stroke:white}}",
         "@media all{polygon{fill:gold}line{stroke:white}}",
         "@import 'x.css'; line{stroke:white}",
         "/* edges */ line{stroke:white}",
         "line/**/,a{stroke:white}",
     ] {
-        says(&with(rule), "33 edges ");
+        let answer = judge(&plain(), &with(rule));
+        assert!(!answer.is_equal() && answer.text().contains("33 edges "), "{rule}: {}", answer.text());
     }
     for (attributes, rule) in [
         ("class=\"a b\"", "[class~=b]{stroke:white}"),
@@ -114,6 +119,8 @@ fn style_rules_of_all_usual_kinds_are_read() {
         "*{stroke:none}line{stroke:navy}",
         "@font-face{font-family:x;src:url(y)}",
         "line:nth-child(2){cursor:pointer}",
+        "line:hover + line{stroke:none}",
+        "svg:has(g:target) line{stroke:none}",
     ] {
         equal(&with(rule));
     }
@@ -130,6 +137,7 @@ fn style_rules_of_all_usual_kinds_are_read() {
         ("@media print, (min-width:1px){line{stroke:white}}", "the style rule `@media print, (min-width:1px)` changes"),
         ("@media not print{line{stroke:white}}", "the style rule `@media not print` changes"),
         ("svg{line{stroke:white}}", "the style rule `svg` changes"),
+        ("line:nth-child(2):not(:hover){stroke:none}", "the style rule `line:nth-child(2):not(:hover)` hides"),
         ("line ~ line{stroke:none}", "the style rule `line ~ line` hides"),
     ] {
         let error = refused(&with(rule));
@@ -294,4 +302,13 @@ fn vertices_may_be_squares_or_crosses() {
         })
         .collect();
     equal(&plain().replacen("</svg>", &format!("{}</svg>", boxes.concat()), 1));
+}
+
+#[test]
+fn of_a_stepper_the_frame_that_is_seen_is_read() {
+    let stepper = include_str!("../../../figures/stepper-split-face.svg");
+    let answer = judge(stepper, &stepper.replace('\n', " "));
+    assert!(answer.is_equal(), "{}", answer.text());
+    let white = stepper.replacen("<style>", "<style>.fr .edge{stroke:#fff!important}", 1);
+    assert!(!judge(stepper, &white).is_equal());
 }
