@@ -44,21 +44,24 @@ pub(super) struct Trim {
     pub(super) border: Vec<bool>,
     /// Whether things are left out that are called legend or axis.
     pub(super) aside: bool,
+    /// The edges of the reference, of which legends have to lie clear.
+    pub(super) edges: Vec<[Point; 2]>,
 }
 
 impl Trim {
     pub(super) fn nothing(drawing: &Drawing) -> Self {
-        Self { border: vec![false; drawing.lines.len()], aside: false }
+        Self { border: vec![false; drawing.lines.len()], aside: false, edges: Vec::new() }
     }
 
     /// Whether anything would be left out.
     pub(super) fn is_any(&self, drawing: &Drawing) -> bool {
         let aside = drawing.lines.iter().any(|line| line.aside) || drawing.dots.iter().any(|dot| dot.aside);
+        let aside = aside || drawing.outlines.iter().any(|outline| outline.legend > 0);
         self.aside && aside || self.border.contains(&true)
     }
 
     /// Everything that may be left out.
-    pub(super) fn all(drawing: &Drawing) -> Self {
+    pub(super) fn all(drawing: &Drawing, edges: Vec<[Point; 2]>) -> Self {
         let mut border = vec![false; drawing.lines.len()];
         for frame in borders(drawing) {
             let slack = ALONG * frame.size();
@@ -71,7 +74,7 @@ impl Trim {
                 *border |= frame.runs_along(line.ends, slack) || frame.is_outside(line.ends, slack);
             }
         }
-        Self { border, aside: true }
+        Self { border, aside: true, edges }
     }
 }
 
@@ -166,6 +169,23 @@ impl Extent {
         let spans = |a: f64, b: f64, low: f64, high: f64| a.min(b) < low - slack && a.max(b) > high + slack;
         let is_level = (a.y - b.y).abs() <= slack && spans(a.x, b.x, self.low.x, self.high.x);
         is_level || (a.x - b.x).abs() <= slack && spans(a.y, b.y, self.low.y, self.high.y)
+    }
+
+    /// Whether a line has a point within, or on the border (Liang and Barsky 1984).
+    pub(super) fn meets(&self, [a, b]: [Point; 2]) -> bool {
+        let (mut from, mut to) = (0.0f64, 1.0f64);
+        let sides = [(a.x, b.x - a.x, self.low.x, self.high.x), (a.y, b.y - a.y, self.low.y, self.high.y)];
+        for (start, way, low, high) in sides {
+            if way == 0.0 {
+                if start < low || start > high {
+                    return false;
+                }
+                continue;
+            }
+            let (s, t) = ((low - start) / way, (high - start) / way);
+            (from, to) = (from.max(s.min(t)), to.min(s.max(t)));
+        }
+        from <= to
     }
 
     /// Whether no point of a line or a dot lies within.

@@ -175,7 +175,8 @@ impl<'a> Target<'a> {
     fn place(&self, drawing: &Drawing) -> Result<Placing, Fault> {
         let (search, all, core) = self.search(drawing);
         let expected = &self.sketch.graph;
-        let trim = Trim::all(drawing);
+        let edges = expected.edges.iter().map(|edge| edge.map(|v| expected.point(v))).collect();
+        let trim = Trim::all(drawing, edges);
         let nothing = Trim::nothing(drawing);
         let mut ways = vec![(&nothing, all.as_slice(), core.as_slice())];
         let (mut few, mut inner) = (Vec::new(), Vec::new());

@@ -105,12 +105,23 @@ pub enum Problem {
         /// Its selector, shortened.
         selector: String,
     },
+    /// A rule of a style sheet that changes how something looks, and of which it cannot be said what.
+    #[error(
+        "the style rule `{selector}` changes what is seen, and what it fits cannot be told: use ids, classes and names of elements, or attributes"
+    )]
+    StyleChange {
+        /// Its selector, shortened.
+        selector: String,
+    },
     /// The root is no `svg` element.
     #[error("the first element is <{name}>, not <svg>: this is no SVG drawing")]
     NotSvg {
         /// Its name.
         name: String,
     },
+    /// A root without width or height.
+    #[error("width, height or viewBox of <svg> has a side of 0: nothing of the drawing is shown")]
+    NotShown,
     /// An attribute that cannot be understood.
     #[error("`{word}` is no {wanted}")]
     Word {

@@ -12,7 +12,7 @@
 
 use super::beside::Beside;
 use super::ink::Hidden;
-use super::painting::{Coat, Painting, Part, Shape};
+use super::painting::{Coat, Mark, Painting, Part, Shape};
 use super::pairing::distance;
 use crate::plane::Point;
 
@@ -72,7 +72,7 @@ impl<'a> Eye<'a> {
         for (i, coat) in painting.coats.iter().enumerate() {
             let [low, high] = coat.corners();
             let (low, high) = (Point::new(low.x - slack, low.y - slack), Point::new(high.x + slack, high.y + slack));
-            if !(low.x <= high.x && low.y <= high.y) || coat.alpha <= 0.0 {
+            if !(low.x <= high.x && low.y <= high.y) || coat.alpha <= 0.0 || coat.is_label(span) {
                 continue;
             }
             let side = (high.x - low.x).max(high.y - low.y);
@@ -247,8 +247,7 @@ impl<'a> Eye<'a> {
         let covering = above.copied().find(|&i| self.painting.coats[i as usize].alpha > 0.5);
         match covering.map(|i| (self.is_line(i), self.painting.coats[i as usize].part)) {
             Some((true, _)) => Hidden::Line,
-            Some((_, Part::Dot)) => Hidden::Dot,
-            Some(_) => Hidden::Area,
+            Some((_, part)) => hiding(part),
             None if own.coats.iter().all(|&i| self.painting.coats[i as usize].alpha < PALEST) => Hidden::Faint,
             None if contrast(self.colour(|_, _| true), self.blank()) < FAINT => Hidden::Paper,
             None => Hidden::Ground,
@@ -302,11 +301,35 @@ impl<'a> Eye<'a> {
         }
         Err(match top.map(|i| (self.is_line(i), self.painting.coats[i as usize].part)) {
             Some((true, _)) => Hidden::Line,
-            Some((_, Part::Dot)) => Hidden::Dot,
-            Some(_) => Hidden::Area,
+            Some((_, part)) => hiding(part),
             None if !below => Hidden::Clip,
             None => Hidden::Paper,
         })
+    }
+
+    /// Whether something is seen of the lines among these coats; `without` is the answer if there are none.
+    pub(super) fn any_line(&mut self, coats: std::ops::Range<u32>, without: bool) -> bool {
+        let painting = self.painting;
+        let mut lines = coats.filter(|&i| matches!(painting.coats[i as usize].shape, Shape::Stroke(..))).peekable();
+        let is_any = lines.peek().is_some();
+        if is_any { lines.any(|i| self.line(i)) } else { without }
+    }
+
+    /// Whether one line is seen at half of the points along it.
+    fn line(&mut self, i: u32) -> bool {
+        const POINTS: usize = 8;
+        let Shape::Stroke([a, b], _) = self.painting.coats[i as usize].shape else { return false };
+        let mut seen = 0;
+        for k in 0..POINTS {
+            if self.is_tired() {
+                return true;
+            }
+            let t = (k as f64 + 0.5) / POINTS as f64;
+            self.look(Point::new(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)));
+            let (all, without) = (self.colour(|_, _| true), self.colour(|j, _| j != i));
+            seen += usize::from(contrast(all, without) >= FAINT);
+        }
+        2 * seen >= POINTS
     }
 
     /// The circle of another vertex that covers a point, if there is one.
@@ -343,6 +366,16 @@ impl<'a> Eye<'a> {
 struct Own {
     coats: Vec<u32>,
     half: f64,
+}
+
+/// The reason for what lies below such a coat, which is no line.
+fn hiding(part: Part) -> Hidden {
+    match part {
+        Part::Dot => Hidden::Dot,
+        Part::Mark(Mark::Marker) => Hidden::Marker,
+        Part::Mark(Mark::Letters) => Hidden::Letters,
+        _ => Hidden::Area,
+    }
 }
 
 fn contrast(a: [f64; 3], b: [f64; 3]) -> f64 {

@@ -9,7 +9,9 @@
 //! What lies over a line is found out by `eye.rs`, from what all elements paint.
 
 use super::colour::{Paint, paint};
+use super::markers::{Markers, Stand};
 use super::numbers;
+use super::servers::{Served, Servers};
 use crate::figure::canvas::selectors::{Rule, Tag};
 use roxmltree::Node;
 use std::rc::Rc;
@@ -31,6 +33,8 @@ pub(super) enum Hidden {
     Veil,
     Clip,
     Canvas,
+    Marker,
+    Letters,
     Area,
     Dot,
     Line,
@@ -55,6 +59,14 @@ impl Hidden {
             ],
             Self::Clip => ["its clip-path cuts it off", "their clip-path cuts them off"],
             Self::Canvas => ["it lies outside of the viewBox", "they lie outside of the viewBox"],
+            Self::Marker => [
+                "a marker is drawn over it: make the markers smaller",
+                "markers are drawn over them: make the markers smaller",
+            ],
+            Self::Letters => [
+                "large letters are drawn over it: make the text smaller",
+                "large letters are drawn over them: make the text smaller",
+            ],
             Self::Area => [
                 "a filled shape is drawn over it: draw faces first",
                 "filled shapes are drawn over them: draw faces first",
@@ -90,6 +102,16 @@ pub(super) struct Ink {
     visible: bool,
     colour: Paint,
     veiled: bool,
+    /// What `fill` and `stroke` paint on what has no width or no height, if that is something else.
+    flat: [Option<Paint>; 2],
+    /// Whether areas are filled by a gradient or a pattern.
+    pub(super) hatched: bool,
+    servers: Rc<Servers>,
+    pub(super) markers: Markers,
+    /// The size of letters.
+    pub(super) letters: f64,
+    /// Where a text lies: 0 behind its place, 0.5 in the middle, 1 before it.
+    pub(super) anchor: f64,
 }
 
 impl Default for Ink {
@@ -108,6 +130,12 @@ impl Default for Ink {
             visible: true,
             colour: Paint::Colour([0; 3], 1.0),
             veiled: false,
+            flat: [None; 2],
+            hatched: false,
+            servers: Rc::default(),
+            markers: Markers::default(),
+            letters: 16.0,
+            anchor: 0.0,
         }
     }
 }
@@ -124,32 +152,60 @@ pub(super) struct Own {
     pub(super) fixed_width: bool,
     /// What lies outside of an inner `svg` is shown.
     pub(super) overflows: bool,
+    /// Width and height, as they are written.
+    pub(super) size: [Option<String>; 2],
     hidden: bool,
 }
 
+/// The properties of an element: those of its attributes, of the rules that fit it, and of its style; a later one wins.
+pub(super) fn properties<'n>(node: Node<'n, '_>, rules: &[Rule<'n>], path: &[Tag]) -> Vec<(&'n str, &'n str)> {
+    let mut out = Vec::new();
+    for attribute in node.attributes().filter(|a| a.namespace().is_none()) {
+        // As an attribute, this one is read with its place.
+        if !matches!(attribute.name(), "transform" | "r") {
+            out.push((attribute.name(), attribute.value()));
+        }
+    }
+    let sheet = rules.iter().filter(|rule| rule.fits(path)).flat_map(|rule| rule.properties.iter().copied());
+    let written = node.attribute("style").unwrap_or("").split(';').filter_map(|part| part.split_once(':'));
+    let all: Vec<(&str, &str)> = sheet.chain(written).collect();
+    for important in [false, true] {
+        for (key, value) in &all {
+            let bare = value.trim().strip_suffix("!important").map(str::trim_end);
+            if bare.is_some() == important {
+                out.push((key.trim(), bare.unwrap_or(value)));
+            }
+        }
+    }
+    out
+}
+
 impl Ink {
+    /// The style of a root whose file has these gradients and patterns.
+    pub(super) fn with(servers: Servers) -> Self {
+        Self { servers: Rc::new(servers), ..Self::default() }
+    }
+
+    /// The same style for what stands elsewhere in the file and inherits nothing from here.
+    pub(super) fn fresh(&self) -> Self {
+        Self { servers: Rc::clone(&self.servers), ..Self::default() }
+    }
+
+    /// The style on what has no width or no height, if it is another one there.
+    pub(super) fn flat(&self) -> Option<Self> {
+        let [fill, stroke] = self.flat;
+        let mut out = self.clone();
+        out.fill = fill.unwrap_or(self.fill);
+        out.stroke = stroke.unwrap_or(self.stroke);
+        (fill.is_some() || stroke.is_some()).then_some(out)
+    }
+
     /// The style of `node` inside an element with this style; `None` if it is not displayed. `path` is what the
     /// rules look at: the tags from the root to the node.
     pub(super) fn inside(&self, node: Node<'_, '_>, rules: &[Rule<'_>], path: &[Tag]) -> Option<(Self, Own)> {
         let (mut out, mut own) = (self.clone(), Own::default());
-        let style = node.attribute("style").unwrap_or("");
-        let fitting: Vec<&Rule<'_>> = rules.iter().filter(|rule| rule.fits(path)).collect();
-        for attribute in node.attributes().filter(|a| a.namespace().is_none()) {
-            // As an attribute, this one is read with its place.
-            if !matches!(attribute.name(), "transform" | "r") {
-                out.set(attribute.name(), attribute.value(), self, &mut own);
-            }
-        }
-        let sheet = fitting.iter().flat_map(|rule| rule.properties.iter().copied());
-        let written = style.split(';').filter_map(|part| part.split_once(':'));
-        let all: Vec<(&str, &str)> = sheet.chain(written).collect();
-        for important in [false, true] {
-            for (key, value) in &all {
-                let bare = value.trim().strip_suffix("!important").map(str::trim_end);
-                if bare.is_some() == important {
-                    out.set(key.trim(), bare.unwrap_or(value), self, &mut own);
-                }
-            }
+        for (key, value) in properties(node, rules, path) {
+            out.set(key, value, self, &mut own);
         }
         (!own.hidden).then_some((out, own))
     }
@@ -163,11 +219,15 @@ impl Ink {
             "visibility" if inherits => self.visible = around.visible,
             "visibility" => self.visible = value == "visible",
             "color" if !inherits => self.colour = paint(value),
-            "fill" if inherits => self.fill = around.fill,
-            "fill" => self.fill = paint(value),
+            "fill" if inherits => {
+                (self.fill, self.flat[0], self.hatched) = (around.fill, around.flat[0], around.hatched);
+            }
+            "fill" => {
+                Served { paint: self.fill, flat: self.flat[0], is_server: self.hatched } = self.servers.paint(value);
+            }
             "fill-rule" => self.even_odd = value == "evenodd",
-            "stroke" if inherits => self.stroke = around.stroke,
-            "stroke" => self.stroke = paint(value),
+            "stroke" if inherits => (self.stroke, self.flat[1]) = (around.stroke, around.flat[1]),
+            "stroke" => Served { paint: self.stroke, flat: self.flat[1], .. } = self.servers.paint(value),
             "stroke-width" => self.width = numbers::measure(value).unwrap_or(around.width),
             "stroke-linecap" => self.round = matches!(value, "round" | "square"),
             "stroke-dasharray" => self.dashes = dashes(value),
@@ -181,6 +241,28 @@ impl Ink {
             "transform" => own.transform = (!none).then(|| value.to_owned()),
             "r" => own.radius = numbers::measure(value),
             "vector-effect" => own.fixed_width = value == "non-scaling-stroke",
+            "width" => own.size[0] = Some(value.to_owned()),
+            "height" => own.size[1] = Some(value.to_owned()),
+            "marker-start" if !inherits => self.markers.set(Stand::Start, value),
+            "marker-mid" if !inherits => self.markers.set(Stand::Middle, value),
+            "marker-end" if !inherits => self.markers.set(Stand::End, value),
+            "marker" if !inherits => {
+                [Stand::Start, Stand::Middle, Stand::End].into_iter().for_each(|end| self.markers.set(end, value));
+            }
+            "font-size" => self.letters = size_of_letters(value, around.letters).unwrap_or(around.letters),
+            "font" => {
+                let has_unit = |word: &&str| word.ends_with(|c: char| c.is_ascii_alphabetic() || c == '%');
+                let mut words = value.split([' ', '/']).filter(has_unit);
+                let size = words.find_map(|word| size_of_letters(word, around.letters));
+                self.letters = size.unwrap_or(around.letters);
+            }
+            "text-anchor" if !inherits => {
+                self.anchor = match value {
+                    "middle" => 0.5,
+                    "end" => 1.0,
+                    _ => 0.0,
+                }
+            }
             "overflow" => own.overflows = matches!(value, "visible" | "auto"),
             _ => {}
         }
@@ -253,6 +335,11 @@ impl Ink {
         drawn < DASHED * length
     }
 
+    /// Whether nothing of this style can be seen because it is switched off.
+    pub(super) fn is_switched_off(&self) -> bool {
+        !self.visible || self.opacity <= 0.0
+    }
+
     /// Whether an area of this style is painted, if only with the colour of the paper.
     pub(super) fn fills(&self) -> bool {
         self.hidden_fill().is_none_or(|why| why == Hidden::Veil)
@@ -270,7 +357,19 @@ fn dashes(text: &str) -> Rc<[f64]> {
     lengths.into()
 }
 
-fn fraction(text: &str) -> Option<f64> {
+/// The size of letters from a length, or from a part of the size around.
+fn size_of_letters(text: &str, around: f64) -> Option<f64> {
+    let part = |unit: &str| numbers::length(text.strip_suffix(unit)?);
+    let part = part("%").map(|x| x / 100.0).or_else(|| part("em")).map(|x| x * around);
+    part_of_root(text).or(part).or_else(|| numbers::measure(text))
+}
+
+/// `2rem`.
+fn part_of_root(text: &str) -> Option<f64> {
+    numbers::length(text.strip_suffix("rem")?).map(|x| 16.0 * x)
+}
+
+pub(super) fn fraction(text: &str) -> Option<f64> {
     let value = match text.strip_suffix('%') {
         Some(percent) => numbers::length(percent).map(|p| p / 100.0),
         None => numbers::length(text),

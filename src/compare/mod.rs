@@ -17,14 +17,19 @@
 //!   error.rs       Why a file cannot be compared, and where
 //!   frame.rs       From the student's canvas to the coordinates of the reference
 //!   graph.rs       Vertices and edges of two drawings
+//!   halves.rs      Half-edges that are declared and drawn
 //!   ink.rs         What can be seen
+//!   legends.rs     Legends within the box of a drawing
+//!   markers.rs     Which markers a line carries
 //!   numbers.rs     Lists of numbers in attributes
 //!   pairing.rs     Which point is which
 //!   path.rs        Path data as polylines
 //!   placed.rs      A declared structure with its vertices and edges by place
 //!   rings.rs       Closed outlines as cyclic sequences of points, in a form in which equal ones are equal
 //!   segments.rs    Lines cut at the points they pass, by a grid over the points
+//!   servers.rs     Gradients and patterns
 //!   snap.rs        Points by place, each with a number
+//!   tiles.rs       How much of its tile a pattern paints
 //!   transform.rs   Transforms
 //!   viewport.rs    Viewports
 //!   yours.rs       What was handed in, drawn small beside the differences
@@ -43,27 +48,31 @@
 //! | drawn | by |
 //! |---|---|
 //! | edge | `line`, `polyline`, `polygon`, `rect`, or `path`, with a `stroke`; a line through several vertices is several edges; twice is no fault; a thin filled rectangle from vertex to vertex is a line, too |
-//! | vertex | `circle`, `ellipse` or a round closed `path`, filled or with a stroke; a line of no length with round ends |
-//! | face | filled `polygon`, `path` or `rect`: the corners of a bounded face, counter-clockwise as seen |
+//! | vertex | `circle`, `ellipse` or a round closed `path`, filled or with a stroke; a line of no length with round ends; a small square or cross at the end of a line |
+//! | face | `polygon`, `path` or `rect`, filled with a colour, a gradient or a pattern: the corners of a bounded face, counter-clockwise as seen; further corners on its straight sides are no fault |
 //!
-//! Groups, `use`, `symbol`, inner `svg` with `viewBox`, `transform`, clip paths, units (`mm`, `pt`, ...), `style`
-//! attributes and simple style sheets (ids, classes, names, descendants) are understood, and a `DOCTYPE` that declares
-//! nothing. Passed over: texts, curves, what is not displayed, an area round everything (paper) with the lines along its
-//! border and the ticks beyond it, what is called legend or axis and stands clear of the structure, small areas that
-//! touch no vertex (letters), and anything else with a note. In the kit's own figures (`data-figure` on the root)
-//! half-edges, pointers and other decoration are passed over, too. y points down in SVG: write `height - y`.
+//! Groups, `use`, `symbol`, `switch`, inner `svg` with `viewBox`, `transform`, clip paths, units (`mm`, `pt`, ...),
+//! curves that are straight, `style` attributes and style sheets (names, `*`, ids, classes, attributes, `:not`,
+//! descendants, children, `@media screen`) are understood, and a `DOCTYPE` that declares nothing. A rule that may change
+//! what is seen, and of which it cannot be told what it fits, is refused. Passed over: texts and markers of ordinary
+//! size, curves, what is not displayed, an area round everything (paper) with the lines along its border and the ticks
+//! beyond it, what is called legend or axis and stands clear of the structure, a legend in a free corner of it, small
+//! areas that touch no vertex (letters), and anything else with a note. In the kit's own figures (`data-figure` on the
+//! root) half-edges, pointers and other decoration are passed over, too, but the half-edges that are declared there have
+//! to be seen. y points down in SVG: write `height - y`.
 //!
 //! # What has to be seen
 //!
 //! An edge is seen if its lines have another colour than the paper and than what lies on both sides, nearly all along;
 //! the small box of a label may hide its middle. A vertex is seen if its circle is, and reaches no other vertex. A face
 //! is seen if it has another colour than the paper. So what is covered by an area, a circle, a picture or a line, cut
-//! off by a clip path or the `viewBox`, left out by dashes, transparent, or behind a mask or filter is told, with the
-//! reason. What the reference's own drawing hides nobody has to show. Colours themselves are not compared.
+//! off by a clip path or the `viewBox`, left out by dashes, transparent, painted by a gradient that is not there, below
+//! large letters or markers, or behind a mask or filter is told, with the reason. What the reference's own drawing hides
+//! nobody has to show. Colours themselves are not compared.
 //!
-//! A drawing may be scaled and shifted, not mirrored, turned or stretched. A point is where it should be if it is
-//! within 0.05 px of its place on a drawing of 600 px ([`Options::tolerance`]). The outer face may be filled, or not, as
-//! long as it hides nothing.
+//! A drawing may be scaled and shifted, not mirrored, turned or stretched, be it by `preserveAspectRatio="none"`. A
+//! point is where it should be if it is within 0.05 px of its place on a drawing of 600 px ([`Options::tolerance`]). The
+//! outer face may be filled, or not, as long as it hides nothing. A root without width or height shows nothing.
 //!
 //! ```text
 //!   <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 400">
@@ -87,8 +96,11 @@ mod eye;
 mod faces;
 mod frame;
 mod graph;
+mod halves;
 mod ink;
+mod legends;
 mod links;
+mod markers;
 mod markup;
 mod numbers;
 mod painting;
@@ -98,10 +110,12 @@ mod placed;
 mod report;
 mod rings;
 mod segments;
+mod servers;
 mod shape;
 mod sketch;
 mod snap;
 mod tables;
+mod tiles;
 mod transform;
 mod viewport;
 mod yours;
@@ -240,6 +254,7 @@ impl File {
         let mut notes = found.drawing.notes.clone();
         let mut seen = target.compare(&found.drawing, options)?;
         notes.append(&mut seen.notes);
+        seen.differences.extend(halves::compare(&self.drawing, &found.drawing));
         let student = Some((std::mem::take(&mut seen.sketch), seen.fits));
         let [Some(mine), Some(theirs)] = [&self.table, &found.table] else {
             let mut differences = seen.differences;

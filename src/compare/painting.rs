@@ -19,6 +19,15 @@ pub(super) enum Part {
     Area,
     /// Decoration: it can only hide.
     Other,
+    /// A marker or a text: it can only hide, and only if it is large.
+    Mark(Mark),
+}
+
+/// What stands on a line or beside it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Mark {
+    Marker,
+    Letters,
 }
 
 /// The place that a coat covers.
@@ -137,7 +146,17 @@ impl Area {
     pub(super) fn corners(&self) -> [Point; 2] {
         [self.low, self.high]
     }
+
+    /// The shorter of the first two sides: the height of a box of letters.
+    fn thickness(&self) -> f64 {
+        let sides = self.sides.iter().take(2).map(|[a, b]| super::pairing::distance(*a, *b));
+        sides.fold(f64::INFINITY, f64::min)
+    }
 }
+
+/// Markers and letters are of ordinary size up to these parts of the drawing.
+const MARKER: f64 = 0.15;
+const LETTERS: f64 = 0.2;
 
 /// One thing that is painted.
 #[derive(Clone, PartialEq, Debug)]
@@ -157,6 +176,18 @@ impl Coat {
             Shape::Stroke(ends, half) => (super::pairing::lies_on(p, *ends, *half), 1),
             Shape::Disc(disc) => (disc.covers(p), 1),
             Shape::Area(area) => area.covers(p),
+        }
+    }
+
+    /// Whether it is a marker or a text of ordinary size in a drawing of this size: then it hides nothing.
+    pub(super) fn is_label(&self, span: f64) -> bool {
+        match (self.part, &self.shape) {
+            (Part::Mark(Mark::Letters), Shape::Area(area)) => area.thickness() <= LETTERS * span,
+            (Part::Mark(_), _) => {
+                let [low, high] = self.corners();
+                (high.x - low.x).hypot(high.y - low.y) <= MARKER * span
+            }
+            _ => false,
         }
     }
 

@@ -5,7 +5,8 @@
 //! ```
 //!
 //! Curves become short pieces: an edge of a half-edge structure is never a curve, but a vertex can be a small round
-//! one, and an area with curved sides can hide what lies below it.
+//! one, and an area with curved sides can hide what lies below it. What programs write as a curve and is straight, is a
+//! line: a curve whose control points lie on its chord, and an arc without a radius.
 
 use super::numbers::Reader;
 
@@ -13,6 +14,8 @@ use super::numbers::Reader;
 const PIECES: u32 = 8;
 /// Pieces of half a turn of an arc.
 const TURN: f64 = 12.0;
+/// How far from its chord a control point of a straight curve may lie, as a part of the chord.
+const STRAIGHT: f64 = 2e-4;
 
 /// A stretch of a path from one move to the next.
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -97,7 +100,12 @@ impl Pen {
             }
             b'Q' => {
                 let (control, to) = (pair(reader)?, pair(reader)?);
-                self.quadratic(control, to)?;
+                if is_straight(at, [control, control], to) {
+                    self.to(to, false)?;
+                    self.quadratic = Some(control);
+                } else {
+                    self.quadratic(control, to)?;
+                }
             }
             b'S' => {
                 let (second, to) = (pair(reader)?, pair(reader)?);
@@ -134,12 +142,23 @@ impl Pen {
     fn quadratic(&mut self, control: [f64; 2], to: [f64; 2]) -> Option<()> {
         let towards = |end: [f64; 2]| [0, 1].map(|i| end[i] + 2.0 / 3.0 * (control[i] - end[i]));
         let (first, second) = (towards(self.at), towards(to));
-        self.cubic(first, second, to)?;
+        self.pieces(first, second, to)?;
         (self.cubic, self.quadratic) = (None, Some(control));
         Some(())
     }
 
+    /// A curve, or a line if its control points say so.
     fn cubic(&mut self, first: [f64; 2], second: [f64; 2], to: [f64; 2]) -> Option<()> {
+        if is_straight(self.at, [first, second], to) {
+            self.to(to, false)?;
+        } else {
+            self.pieces(first, second, to)?;
+        }
+        self.cubic = Some(second);
+        Some(())
+    }
+
+    fn pieces(&mut self, first: [f64; 2], second: [f64; 2], to: [f64; 2]) -> Option<()> {
         let from = self.at;
         for i in 1..PIECES {
             let t = f64::from(i) / f64::from(PIECES);
@@ -149,9 +168,7 @@ impl Pen {
             let sum = |axis: usize| corners.iter().zip(weights).map(|(p, w)| w * p[axis]).sum();
             self.to([sum(0), sum(1)], true)?;
         }
-        self.to(to, true)?;
-        self.cubic = Some(second);
-        Some(())
+        self.to(to, true)
     }
 
     /// An arc of an ellipse, from its ends to its middle (SVG 2, implementation notes, B.2.4).
@@ -161,8 +178,9 @@ impl Pen {
         let half = [0.5 * (from[0] - to[0]), 0.5 * (from[1] - to[1])];
         let (sine, cosine) = degrees.to_radians().sin_cos();
         let turned = [cosine * half[0] + sine * half[1], cosine * half[1] - sine * half[0]];
-        if radii.contains(&0.0) || half.iter().all(|side| side.abs() <= 0.0) {
-            return self.to(to, true);
+        let is_point = half.iter().all(|side| side.abs() <= 0.0);
+        if radii.contains(&0.0) || is_point {
+            return self.to(to, is_point);
         }
         let unit = [turned[0] / radii[0], turned[1] / radii[1]];
         let far = unit[0] * unit[0] + unit[1] * unit[1];
@@ -189,6 +207,20 @@ impl Pen {
     }
 }
 
+/// Whether the control points of a curve lie on its chord.
+fn is_straight(from: [f64; 2], controls: [[f64; 2]; 2], to: [f64; 2]) -> bool {
+    let chord = [to[0] - from[0], to[1] - from[1]];
+    let squared = chord[0] * chord[0] + chord[1] * chord[1];
+    let lies_on = |control: [f64; 2]| {
+        let way = [control[0] - from[0], control[1] - from[1]];
+        let along = way[0] * chord[0] + way[1] * chord[1];
+        let off = way[0] * chord[1] - way[1] * chord[0];
+        let slack = STRAIGHT * squared;
+        off.abs() <= slack && (-slack..=squared + slack).contains(&along)
+    };
+    squared > 0.0 && controls.into_iter().all(lies_on)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -213,6 +245,20 @@ mod tests {
         let curved = read("M0 0a5 5 0 0110 0l1 0C1 2 3 4 20,0S1 1 30 0t1 1l1 0").unwrap();
         let straight: Vec<[f64; 2]> = curved[0].points.iter().filter(|p| !p.1).map(|p| p.0).collect();
         assert_eq!(straight, [[0.0, 0.0], [11.0, 0.0], [32.0, 1.0]]);
+    }
+
+    #[test]
+    fn straight_curves_are_lines() {
+        for line in ["C2 2 4 4 6 6", "c0 0 6 6 6 6", "Q3 3 6 6", "S3 3 6 6", "A0 5 0 0 1 6 6", "a3 0 9 1 0 6 6"] {
+            assert_eq!(
+                read(&format!("M0 0{line}")).unwrap()[0].points,
+                [([0.0; 2], false), ([6.0; 2], false)],
+                "{line}"
+            );
+        }
+        for curve in ["C2 2 4 4.1 6 6", "C-1-1 4 4 6 6", "Q7 7 6 6", "Q3 4 6 6", "A5 5 0 0 1 6 6", "C1 1 2 2 0 0"] {
+            assert!(read(&format!("M0 0{curve}")).unwrap()[0].points[1].1, "{curve}");
+        }
     }
 
     #[test]

@@ -15,15 +15,15 @@ use super::error::{Fault, Problem};
 use super::frame::Frame;
 use super::graph::Graph;
 use super::ink::Hidden;
-use super::pairing::Places;
+use super::pairing::{Places, lies_on};
 use super::placed::Placed;
 use super::segments::Grid;
 use super::snap::Snap;
-use super::{rings, shape};
+use super::{legends, rings, shape};
 use crate::figure::structure::skeleton::faces;
 use crate::plane::Point;
 use crate::topology::{InnerComponent, View, bounded_cycle};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A face's outline.
 #[derive(Clone, Debug)]
@@ -139,11 +139,14 @@ impl Sketch {
         let mut snap = Snap::new(expected, tolerance);
         let mut beside = Beside::default();
         let around = Extent::around(if expected.is_empty() { drawing.points().collect() } else { expected.to_vec() });
-        let is_beside = |aside: bool, points: &[Point]| trim.aside && aside && around.is_clear_of(points);
+        let legends = if trim.aside { legends::clear(drawing, frame, expected, &trim.edges) } else { BTreeSet::new() };
+        let is_beside = |aside: bool, legend: u32, points: &[Point]| {
+            trim.aside && aside && (legends.contains(&legend) || around.is_clear_of(points))
+        };
         let mut dots: BTreeMap<u32, (Result<(), Option<Hidden>>, f64)> = BTreeMap::new();
         for dot in &drawing.dots {
             let at = frame.apply(dot.at);
-            if is_beside(dot.aside, &[at]) {
+            if is_beside(dot.aside, dot.legend, &[at]) {
                 beside.aside += 1;
                 continue;
             }
@@ -158,7 +161,9 @@ impl Sketch {
             let ends = line.ends.map(|p| frame.apply(p));
             if trim.border.get(i).copied().unwrap_or(false) {
                 beside.border += 1;
-            } else if is_beside(line.aside, &ends) || trim.aside && line.aside && around.is_crossed_by(ends) {
+            } else if is_beside(line.aside, line.legend, &ends)
+                || trim.aside && line.aside && around.is_crossed_by(ends)
+            {
                 beside.aside += 1;
             } else {
                 lines.push((*line, ends));
@@ -168,7 +173,7 @@ impl Sketch {
             lines.iter().map(|(line, ends)| line.hidden.is_none().then(|| ends.map(|p| snap.number(p)))).collect();
         let size = around.size();
         let mut shapes = Vec::new();
-        for outline in &drawing.outlines {
+        for outline in drawing.outlines.iter().filter(|outline| !legends.contains(&outline.legend)) {
             let corners: Vec<Point> = outline.points.iter().map(|&p| frame.apply(p)).collect();
             let covers = drawing.canvas.is_some_and(|canvas| Extent::around(outline.points.clone()).covers(canvas));
             match kind(outline, &corners, &snap, &around, size) {
@@ -176,7 +181,7 @@ impl Sketch {
                 Area::Face if covers && !corners.iter().any(|&p| snap.is_known(p)) => beside.paper.push(outline.coat),
                 Area::Bar(ends) => {
                     beside.bars.push(outline.coat);
-                    lines.push((Line { ends, hidden: outline.hidden, aside: false }, ends));
+                    lines.push((Line { ends, hidden: outline.hidden, aside: false, legend: 0, shape: u32::MAX }, ends));
                     numbers.push(Some(ends.map(|p| snap.number(p))));
                 }
                 Area::Paper => beside.paper.push(outline.coat),
@@ -184,6 +189,9 @@ impl Sketch {
                 Area::Curved => {}
                 Area::Face => shapes.push((outline, corners)),
             }
+        }
+        for (_, corners) in &mut shapes {
+            *corners = straightened(corners, &snap, tolerance);
         }
         for &p in shapes.iter().flat_map(|(_, corners)| corners) {
             snap.number(p);
@@ -267,6 +275,16 @@ impl Sketch {
         self.hidden.retain(|edge, _| edge.iter().all(|m| *m != u32::MAX));
         self.unseen += before - self.hidden.len();
     }
+}
+
+/// The corners of an outline without those on a straight side at which nothing else is drawn or expected.
+fn straightened(corners: &[Point], snap: &Snap, tolerance: f64) -> Vec<Point> {
+    let count = corners.len();
+    let is_corner = |&i: &usize| {
+        let sides = [corners[(i + count - 1) % count], corners[(i + 1) % count]];
+        snap.is_known(corners[i]) || !lies_on(corners[i], sides, tolerance)
+    };
+    (0..count).filter(is_corner).map(|i| corners[i]).collect()
 }
 
 /// The elements of a list that stay.

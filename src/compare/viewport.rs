@@ -9,6 +9,9 @@
 use super::numbers::list;
 use super::transform::Transform;
 
+/// So much may two scales differ because sides were rounded.
+const ROUNDED: f64 = 0.004;
+
 /// Left, top, width, height.
 pub(super) type Room = [f64; 4];
 
@@ -18,6 +21,24 @@ pub(super) fn view_box(text: &str) -> Option<Room> {
         [x, y, width, height] if width > 0.0 && height > 0.0 => Some([x, y, width, height]),
         _ => None,
     }
+}
+
+/// Whether the value of a `viewBox` is a box without width or height, in which nothing is shown.
+pub(super) fn is_empty(text: &str) -> bool {
+    matches!(list(text).as_deref(), Some(&[_, _, width, height]) if width == 0.0 || height == 0.0)
+}
+
+/// Whether a value of `preserveAspectRatio` lets both sides have a scale of their own.
+pub(super) fn stretches(ratio: &str) -> bool {
+    ratio.split_whitespace().find(|word| *word != "defer") == Some("none")
+}
+
+/// How a box is stretched when it is fitted into a room of this size: x keeps its scale. Differences that come from
+/// rounded sides are none.
+pub(super) fn stretch(inside: Room, [width, height]: [f64; 2], ratio: &str) -> Transform {
+    let factor = (height / inside[3]) / (width / inside[2]);
+    let is_stretched = stretches(ratio) && factor.is_finite() && factor > 0.0 && (factor - 1.0).abs() > ROUNDED;
+    if is_stretched { Transform::scale(1.0, factor) } else { Transform::IDENTITY }
 }
 
 /// The map from the coordinates of a box to those of the room it is fitted into; `ratio` is the value of

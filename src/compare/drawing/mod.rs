@@ -11,22 +11,32 @@
 //! half-edges, pointers and hatches beside the edges are decoration: they can hide, and nothing else.
 //!
 //! ```text
+//!   marks.rs   Markers and letters
+//!   root.rs    Style sheets, and how the root is shown
 //!   shapes.rs  Elements with a shape, as lines, dots, outlines and coats
+//!   stamps.rs  Vertices drawn as squares or crosses
 //! ```
 
+mod marks;
+mod root;
 mod shapes;
+mod stamps;
 
 use super::error::{Fault, Problem, quoted};
+use super::halves::Half;
 use super::ink::{Hidden, Ink, Own};
 use super::markup::is_svg;
-use super::painting::{Area, Clip, Painting};
+use super::painting::{Area, Clip, Mark, Painting, Part};
+use super::servers::Servers;
 use super::transform::Transform;
 use super::viewport::{self, Room};
 use super::{declared, numbers};
-use crate::figure::canvas::selectors::{Rule, Tag, hides_unseen, rules};
+use crate::figure::canvas::blocks::{Untold, untold};
+use crate::figure::canvas::selectors::{Rule, Tag, rules_on_screen};
 use crate::plane::Point;
 use roxmltree::{Document, Node};
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// Elements inside elements, `use` counted.
 const DEPTH: usize = 200;
@@ -36,8 +46,6 @@ const WORK: usize = 1_500_000;
 pub(in crate::compare) const LINES: usize = 400_000;
 /// Rules of style sheets times elements.
 const MATCHES: usize = 4_000_000;
-/// Characters of style sheets.
-const CSS: usize = 1 << 18;
 /// Largest coordinate.
 const FAR: f64 = 1e9;
 /// Words in ids and classes of what stands beside a drawing.
@@ -53,6 +61,8 @@ pub(in crate::compare) struct Dot {
     pub(in crate::compare) vertex: Option<(String, Point)>,
     /// Whether it stands in a legend or on an axis, by its name.
     pub(in crate::compare) aside: bool,
+    /// The number of the legend in which it stands; 0 if in none.
+    pub(in crate::compare) legend: u32,
 }
 
 /// A straight line.
@@ -61,6 +71,9 @@ pub(in crate::compare) struct Line {
     pub(in crate::compare) ends: [Point; 2],
     pub(in crate::compare) hidden: Option<Hidden>,
     pub(in crate::compare) aside: bool,
+    pub(in crate::compare) legend: u32,
+    /// The number of the element that draws it.
+    pub(in crate::compare) shape: u32,
 }
 
 /// A filled outline.
@@ -74,6 +87,8 @@ pub(in crate::compare) struct Outline {
     /// Whether some of its sides are curves.
     pub(in crate::compare) curved: bool,
     pub(in crate::compare) hidden: Option<Hidden>,
+    pub(in crate::compare) legend: u32,
+    pub(in crate::compare) shape: u32,
 }
 
 /// All that is drawn.
@@ -82,6 +97,8 @@ pub(in crate::compare) struct Drawing {
     pub(in crate::compare) dots: Vec<Dot>,
     pub(in crate::compare) lines: Vec<Line>,
     pub(in crate::compare) outlines: Vec<Outline>,
+    /// The half-edges that a figure of the kit draws beside its edges.
+    pub(in crate::compare) halves: Vec<Half>,
     pub(in crate::compare) painting: Painting,
     /// The part of the plane that is shown: lowest and highest corner.
     pub(in crate::compare) canvas: Option<[Point; 2]>,
@@ -92,13 +109,16 @@ pub(in crate::compare) struct Drawing {
 impl Drawing {
     /// Reads a document. O(size), up to the caps.
     pub(in crate::compare) fn read(document: &Document<'_>) -> Result<Self, Fault> {
-        let css = style_sheets(document)?;
-        if let Some(selector) = hides_unseen(&css) {
-            return Err(Problem::StyleRule { selector: selector.chars().take(60).collect() }.into());
+        let css = root::style_sheets(document)?;
+        let short = |selector: &str| selector.chars().take(60).collect();
+        match untold(&css) {
+            Some(Untold::Hides(selector)) => return Err(Problem::StyleRule { selector: short(selector) }.into()),
+            Some(Untold::Changes(selector)) => return Err(Problem::StyleChange { selector: short(selector) }.into()),
+            None => {}
         }
-        let rules = rules(&css);
+        let rules = rules_on_screen(&css);
         let elements = document.descendants().filter(Node::is_element).count();
-        if rules.len().saturating_mul(elements) > MATCHES {
+        if rules.iter().map(Rule::weight).sum::<usize>().saturating_mul(elements) > MATCHES {
             return Err(Problem::TooLarge { what: "style rules times elements", limit: MATCHES }.into());
         }
         let root = document.root_element();
@@ -114,6 +134,10 @@ impl Drawing {
             clips: BTreeMap::new(),
             work: 0,
             points: 0,
+            markers: 0,
+            legends: 0,
+            shapes: Vec::new(),
+            blank: 0,
             out: Self::default(),
             ignored: BTreeMap::new(),
         };
@@ -121,10 +145,13 @@ impl Drawing {
             let note = "xmlns=\"http://www.w3.org/2000/svg\" is missing on <svg>: browsers show such a file as text";
             reader.out.notes.push(note.to_owned());
         }
-        let room = canvas(root);
-        let mut around = Around { room, ..Around::default() };
+        let servers = Servers::read(document, &reader.rules)?;
+        let sheet = root::sheet(root, &reader.rules)?;
+        let room = sheet.room;
+        reader.out.notes.extend(sheet.note.map(str::to_owned));
+        let mut around = Around { room, transform: sheet.stretch, ink: Ink::with(servers), ..Around::default() };
         if let Some(room) = room {
-            let corners = corners(room).map(|[x, y]| Point::new(x, -y));
+            let corners = corners(room).map(|p| flipped(sheet.stretch.apply(p)));
             reader.out.canvas = Some([Point::new(corners[0].x, corners[2].y), Point::new(corners[2].x, corners[0].y)]);
             let overflow = root.attribute("overflow").or_else(|| root.attribute("style")).unwrap_or("");
             if !overflow.contains("visible") {
@@ -134,6 +161,9 @@ impl Drawing {
             }
         }
         reader.element(root, &around, 0)?;
+        if !kit {
+            stamps::read(&mut reader.out, &reader.shapes);
+        }
         for (what, count) in reader.ignored {
             let what = if count == 1 { what.replacen("curves (edges", "curve (edges", 1) } else { what };
             reader.out.notes.push(format!("not read: {count} {what}"));
@@ -144,29 +174,6 @@ impl Drawing {
     /// The ends of all lines and the middles of all dots.
     pub(in crate::compare) fn points(&self) -> impl Iterator<Item = Point> + '_ {
         self.dots.iter().map(|dot| dot.at).chain(self.lines.iter().flat_map(|line| line.ends))
-    }
-}
-
-fn style_sheets(document: &Document<'_>) -> Result<String, Fault> {
-    let mut css = String::new();
-    for node in document.descendants().filter(|n| n.tag_name().name() == "style") {
-        node.descendants().filter(Node::is_text).filter_map(|n| n.text()).for_each(|text| css.push_str(text));
-        if css.len() > CSS {
-            let problem = Problem::TooLarge { what: "bytes of style sheets", limit: CSS };
-            return Err(Fault::at(node.range().start, problem));
-        }
-    }
-    Ok(css)
-}
-
-/// The part of the plane that is shown, y down.
-fn canvas(root: Node<'_, '_>) -> Option<Room> {
-    let side = |name: &str| numbers::measure(root.attribute(name)?);
-    let size = side("width").zip(side("height")).map(|(width, height)| [width, height]);
-    let ratio = root.attribute("preserveAspectRatio").unwrap_or("");
-    match root.attribute("viewBox").and_then(viewport::view_box) {
-        Some(inside) => Some(viewport::shown(inside, size, ratio)),
-        None => size.map(|[width, height]| [0.0, 0.0, width, height]),
     }
 }
 
@@ -185,8 +192,23 @@ pub(in crate::compare) struct Around {
     /// The room that percentages are parts of.
     pub(in crate::compare) room: Option<Room>,
     pub(in crate::compare) aside: bool,
+    /// The number of the legend around, from 1.
+    pub(in crate::compare) legend: u32,
     /// Whether it is decoration of the kit, which can only hide.
     pub(in crate::compare) decorates: bool,
+    /// What it is, if it is a marker or a text.
+    pub(in crate::compare) mark: Option<Mark>,
+}
+
+impl Around {
+    /// What a coat is that would be this part elsewhere.
+    pub(in crate::compare) fn part(&self, part: Part) -> Part {
+        match self.mark {
+            Some(mark) => Part::Mark(mark),
+            None if self.decorates => Part::Other,
+            None => part,
+        }
+    }
 }
 
 pub(in crate::compare) struct Reader<'a, 'i> {
@@ -201,6 +223,12 @@ pub(in crate::compare) struct Reader<'a, 'i> {
     clips: BTreeMap<(usize, Option<u32>, [u64; 6]), u32>,
     work: usize,
     points: usize,
+    markers: usize,
+    legends: u32,
+    /// The coats of each shape that was read.
+    shapes: Vec<Range<u32>>,
+    /// Shapes of decoration that paint nothing, up to here.
+    pub(in crate::compare) blank: usize,
     pub(in crate::compare) out: Drawing,
     ignored: BTreeMap<String, usize>,
 }
@@ -208,29 +236,42 @@ pub(in crate::compare) struct Reader<'a, 'i> {
 impl<'a, 'i> Reader<'a, 'i> {
     fn element(&mut self, node: Node<'a, 'i>, outer: &Around, depth: usize) -> Result<(), Fault> {
         let offset = node.range().start;
-        self.work += 1 + node.attributes().map(|a| a.value().len()).sum::<usize>() / 16;
-        if self.work > WORK {
-            return Err(Fault::at(offset, Problem::TooLarge { what: "elements to draw", limit: WORK }));
-        }
+        self.visit(node)?;
         if depth > DEPTH {
             return Err(Fault::at(offset, Problem::TooDeep { limit: DEPTH }));
         }
         let name = node.tag_name().name();
-        if !is_svg(node) || !self.is_drawn(name) {
+        if !is_svg(node) || !has_its_conditions(node) || !self.is_drawn(name) {
             return Ok(());
         }
         if !self.rules.is_empty() {
             self.path.push(tag(node));
         }
-        if let Some(around) = self.inside(node, outer)? {
+        let before = (self.blank, self.out.painting.coats.len() as u32);
+        let inside = self.inside(node, outer)?;
+        self.blank += usize::from(inside.is_none() && outer.decorates && name != "text");
+        let is_displayed = inside.is_some();
+        if let Some(around) = inside {
             match name {
                 "svg" | "g" | "a" => {
                     let around = if depth > 0 && name == "svg" { self.inner(node, node, around)? } else { around };
                     self.children(node, &around, depth)?;
                 }
                 "use" => self.reuse(node, around, depth)?,
-                _ => self.shape(node, name, &around)?,
+                "switch" => self.switch(node, &around, depth)?,
+                "text" => self.text(node, &around, [0.0; 2], depth)?,
+                _ => {
+                    let number = self.shapes.len();
+                    self.shapes.push(before.1..before.1);
+                    self.shape(node, name, &around, depth)?;
+                    self.shapes[number].end = self.out.painting.coats.len() as u32;
+                }
             }
+        }
+        if self.kit && declared::is_half_edge(node) {
+            let name = node.attribute("id").and_then(|id| id.rsplit('-').next()).unwrap_or("").to_owned();
+            let coats = before.1..self.out.painting.coats.len() as u32;
+            self.out.halves.push(Half { name, coats, lacks: !is_displayed || self.blank > before.0 });
         }
         if !self.rules.is_empty() {
             self.path.pop();
@@ -238,8 +279,25 @@ impl<'a, 'i> Reader<'a, 'i> {
         Ok(())
     }
 
+    /// Counts an element, up to the cap.
+    fn visit(&mut self, node: Node<'a, 'i>) -> Result<(), Fault> {
+        self.work += size(node);
+        if self.work > WORK {
+            let problem = Problem::TooLarge { what: "elements to draw", limit: WORK };
+            return Err(Fault::at(node.range().start, problem));
+        }
+        Ok(())
+    }
+
     fn children(&mut self, node: Node<'a, 'i>, around: &Around, depth: usize) -> Result<(), Fault> {
         node.children().filter(Node::is_element).try_for_each(|child| self.element(child, around, depth + 1))
+    }
+
+    /// The first child whose conditions hold, and no other.
+    fn switch(&mut self, node: Node<'a, 'i>, around: &Around, depth: usize) -> Result<(), Fault> {
+        let mut children = node.children().filter(|n| n.is_element() && is_svg(*n));
+        let first = children.find(|child| has_its_conditions(*child));
+        first.map_or(Ok(()), |child| self.element(child, around, depth + 1))
     }
 
     /// The style and place of what is inside an element; `None` if that is not displayed.
@@ -260,6 +318,12 @@ impl<'a, 'i> Reader<'a, 'i> {
         let id = node.attribute("id").unwrap_or("");
         let names = |text: &str| text.to_ascii_lowercase().split(|c: char| !c.is_ascii_alphabetic()).any(is_aside);
         out.aside |= names(id) || classes().any(names);
+        let is_legend =
+            |text: &str| text.to_ascii_lowercase().split(|c: char| !c.is_ascii_alphabetic()).any(|w| w == "legend");
+        if out.legend == 0 && (is_legend(id) || classes().any(is_legend)) {
+            self.legends += 1;
+            out.legend = self.legends;
+        }
         // The labels outside of their faces have lines and dots of their own.
         let decoration = ["he", "ptr", "hatched"];
         let decorates = id.ends_with("-label") || classes().any(|class| decoration.contains(&class));
@@ -271,8 +335,8 @@ impl<'a, 'i> Reader<'a, 'i> {
     fn is_drawn(&mut self, name: &str) -> bool {
         match name {
             "svg" | "g" | "a" | "use" | "line" | "polyline" | "polygon" | "path" | "rect" | "circle" | "ellipse"
-            | "image" => true,
-            "title" | "desc" | "metadata" | "defs" | "style" | "text" | "symbol" | "clipPath" | "mask" | "pattern"
+            | "image" | "switch" | "text" => true,
+            "title" | "desc" | "metadata" | "defs" | "style" | "symbol" | "clipPath" | "mask" | "pattern"
             | "marker" | "linearGradient" | "radialGradient" | "filter" | "view" => false,
             other => {
                 *self.ignored.entry(format!("<{}>", quoted(other))).or_default() += 1;
@@ -307,6 +371,10 @@ impl<'a, 'i> Reader<'a, 'i> {
             }
         };
         let (width, height) = (side("width", 0)?, side("height", 1)?);
+        if node.attribute("viewBox").is_some_and(viewport::is_empty) {
+            // Such a box is not drawn.
+            around.clip = Some(self.add_clip(Vec::new(), around.clip));
+        }
         let inside = node.attribute("viewBox").and_then(viewport::view_box);
         let size = width.zip(height);
         if let Some((width, height)) = size.filter(|_| !around.own.overflows) {
@@ -403,6 +471,11 @@ impl<'a, 'i> Reader<'a, 'i> {
         self.out.painting.clips.len() as u32 - 1
     }
 
+    /// The number of the shape that is read.
+    pub(in crate::compare) fn current(&self) -> u32 {
+        self.shapes.len().saturating_sub(1) as u32
+    }
+
     /// Counts points, up to the cap.
     pub(in crate::compare) fn count(&mut self, points: usize, offset: usize) -> Result<(), Fault> {
         self.points += points;
@@ -432,11 +505,24 @@ pub(in crate::compare) fn place(t: &Transform, p: [f64; 2], offset: usize, what:
     Err(Fault::at(offset, Problem::Coordinate { what }))
 }
 
-fn tag(node: Node<'_, '_>) -> Tag {
+/// The work of an element: itself, and sixteenths of its attributes.
+pub(in crate::compare) fn size(node: Node<'_, '_>) -> usize {
+    1 + node.attributes().map(|a| a.value().len()).sum::<usize>() / 16
+}
+
+/// Whether a reader draws an element that asks for a language or for more than SVG: one of English, who knows no more.
+fn has_its_conditions(node: Node<'_, '_>) -> bool {
+    let is_english = |language: &str| language.trim().get(..2).is_some_and(|start| start.eq_ignore_ascii_case("en"));
+    let language = node.attribute("systemLanguage").is_none_or(|list| list.split(',').any(is_english));
+    language && node.attribute("requiredExtensions").is_none_or(|list| list.trim().is_empty())
+}
+
+pub(in crate::compare) fn tag(node: Node<'_, '_>) -> Tag {
     Tag {
         name: node.tag_name().name().to_owned(),
         id: node.attribute("id").map(str::to_owned),
         classes: node.attribute("class").unwrap_or("").split_whitespace().map(str::to_owned).collect(),
+        attributes: node.attributes().map(|a| (a.name().to_owned(), a.value().to_owned())).collect(),
     }
 }
 

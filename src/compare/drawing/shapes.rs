@@ -19,12 +19,14 @@ use roxmltree::Node;
 
 /// How far from its circle a round path may lie, as a part of the radius.
 const ROUND: f64 = 0.03;
+/// A line is one of no length if it is no longer than this part of half its width.
+const TINY: f64 = 0.1;
 /// Pieces of curves that make a circle, at least.
 const PIECES: usize = 12;
 
-impl Reader<'_, '_> {
+impl<'a, 'i> Reader<'a, 'i> {
     /// Reads any element that paints.
-    pub(super) fn shape(&mut self, node: Node<'_, '_>, name: &str, around: &Around) -> Result<(), Fault> {
+    pub(super) fn shape(&mut self, node: Node<'_, '_>, name: &str, around: &Around, depth: usize) -> Result<(), Fault> {
         let offset = node.range().start;
         match name {
             "circle" | "ellipse" => return self.circle(node, around),
@@ -32,6 +34,9 @@ impl Reader<'_, '_> {
             _ => {}
         }
         let (paths, what) = subpaths(node, around)?;
+        let flat = if is_flat(&paths) { around.ink.flat() } else { None };
+        let flat = flat.map(|ink| Around { ink, ..around.clone() });
+        let around = flat.as_ref().unwrap_or(around);
         self.count(paths.iter().map(|path| path.points.len()).sum(), offset)?;
         let mut placed = Vec::with_capacity(paths.len());
         for path in &paths {
@@ -50,6 +55,9 @@ impl Reader<'_, '_> {
                 self.trace(node, points, *closed, what, around);
             }
         }
+        if around.ink.markers.is_any() && what != "rect" {
+            self.markers(&paths, around, depth, offset)?;
+        }
         Ok(())
     }
 
@@ -63,7 +71,7 @@ impl Reader<'_, '_> {
         if rings.is_empty() {
             return;
         }
-        let part = if around.decorates { Part::Other } else { Part::Area };
+        let part = around.part(Part::Area);
         if !around.decorates {
             // The coats of dots are discs.
             let is_other = |(points, closed): &&(Vec<(Point, bool)>, bool)| round(points, *closed).is_none();
@@ -75,8 +83,8 @@ impl Reader<'_, '_> {
         }
         let shape = Shape::Area(Area::new(&rings, around.ink.even_odd));
         let coat = self.out.painting.add(shape, around.ink.fill(), around.clip, part);
-        // Hatches are decoration.
-        if around.decorates || !self.fills || matches!(around.ink.fill(), (Paint::Pattern, _)) {
+        // Hatches of the kit are decoration.
+        if around.decorates || !self.fills || self.kit && around.ink.hatched {
             return;
         }
         let name = node.parent().map_or_else(String::new, declared::face_name);
@@ -88,6 +96,8 @@ impl Reader<'_, '_> {
                     coat,
                     curved: points.iter().any(|p| p.1),
                     hidden: around.ink.hidden_fill(),
+                    legend: around.legend,
+                    shape: self.current(),
                 });
             }
         }
@@ -104,8 +114,13 @@ impl Reader<'_, '_> {
         let ink = &around.ink;
         let hidden = ink.hidden_stroke();
         let (half, stroke) = (Self::half_width(around), ink.stroke());
+        self.blank += usize::from(around.decorates && hidden.is_some() && (what == "line" || !ink.fills()));
         let is_mark = self.kit && node.attribute("class") == Some("dots");
-        if is_mark || points.iter().all(|p| p.0 == first) {
+        // A line much shorter than wide shows no more than its ends.
+        let reach = if ink.round && hidden.is_none() { TINY * half } else { 0.0 };
+        if is_mark || points.iter().all(|p| distance(p.0, first) <= reach) {
+            let last = points.last().map_or(first, |p| p.0);
+            let first = Point::new(0.5 * (first.x + last.x), 0.5 * (first.y + last.y));
             // A line of no length with round ends is a dot; a move alone is nothing.
             let is_line = is_mark || closed || points.len() > 1;
             if hidden.is_none() && ink.round && is_line && !around.decorates {
@@ -129,13 +144,19 @@ impl Reader<'_, '_> {
             let dashed = hidden.is_none() && ink.dashed_away(far, long);
             let why = hidden.or_else(|| dashed.then_some(Hidden::Dashes));
             if from != to && why.is_none() {
-                let part = if curved || around.decorates { Part::Other } else { Part::Line };
+                let part = around.part(if curved { Part::Other } else { Part::Line });
                 self.out.painting.add(Shape::Stroke([from, to], half), stroke, around.clip, part);
             }
             if from != to && !around.decorates {
                 curves |= curved && hidden.is_none();
                 if !curved && (what == "line" || !ink.fills() || hidden.is_none()) {
-                    self.out.lines.push(Line { ends: [from, to], hidden: why, aside: around.aside });
+                    self.out.lines.push(Line {
+                        ends: [from, to],
+                        hidden: why,
+                        aside: around.aside,
+                        legend: around.legend,
+                        shape: self.current(),
+                    });
                 }
             }
             far += long;
@@ -154,7 +175,7 @@ impl Reader<'_, '_> {
         around: &Around,
         vertex: Option<(String, Point)>,
     ) {
-        self.out.dots.push(Dot { at, radius, hidden, vertex, aside: around.aside });
+        self.out.dots.push(Dot { at, radius, hidden, vertex, aside: around.aside, legend: around.legend });
     }
 
     /// Why a circle of this style cannot be seen, wherever it lies.
@@ -178,7 +199,7 @@ impl Reader<'_, '_> {
 
     /// The coats of a circle: its inside, and its rim.
     fn discs(&mut self, disc: Disc, radius: f64, around: &Around) {
-        let part = if around.decorates { Part::Other } else { Part::Dot };
+        let part = around.part(Part::Dot);
         if around.ink.fills() {
             self.out.painting.add(Shape::Disc(disc), around.ink.fill(), around.clip, part);
         }
@@ -230,9 +251,26 @@ impl Reader<'_, '_> {
     fn image(&mut self, node: Node<'_, '_>, around: &Around) -> Result<(), Fault> {
         self.ignore("<image>");
         let rings = rings(node, &around.transform, around)?;
-        self.out.painting.add(Shape::Area(Area::new(&rings, false)), (Paint::Some, 1.0), around.clip, Part::Other);
+        self.out.painting.add(
+            Shape::Area(Area::new(&rings, false)),
+            (Paint::Some, 1.0),
+            around.clip,
+            around.part(Part::Other),
+        );
         Ok(())
     }
+}
+
+/// Whether something has no width or no height.
+fn is_flat(paths: &[Subpath]) -> bool {
+    let mut points = paths.iter().flat_map(|path| &path.points).map(|point| point.0);
+    let Some(first) = points.next() else { return false };
+    let (mut level, mut upright) = (true, true);
+    for [x, y] in points {
+        level &= y.to_bits() == first[1].to_bits();
+        upright &= x.to_bits() == first[0].to_bits();
+    }
+    level || upright
 }
 
 /// The rings that an element would fill, on the canvas.

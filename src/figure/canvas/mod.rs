@@ -7,13 +7,15 @@
 //!   scripts.rs                          small letters below and above the line
 //!   scene.rs  crop.rs                   groups, lines, areas, discs, texts; a window on them
 //!   style/                              every colour, size and font, also from a file
-//!   sheet.rs (selectors.rs)  plain.rs   the style sheet of one drawing; or every element with its own colours
+//!   sheet.rs  plain.rs                the style sheet of one drawing; or every element with its own colours
+//!   selectors.rs (blocks.rs)            what fits which element
 //!   svg_out.rs  tikz_out.rs             the document; a picture for TeX
 //!   png.rs  pdf.rs                      pixels; a page of paper
 //! ```
 
 mod advances;
 pub(crate) mod arc;
+pub(crate) mod blocks;
 pub(crate) mod crop;
 pub(crate) mod number;
 #[cfg(feature = "png")]

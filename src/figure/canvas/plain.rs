@@ -41,7 +41,7 @@ fn dress(node: &mut dyn Node, rules: &[Rule<'_>], path: &mut Vec<Tag>) {
     let Some(attributes) = node.get_attributes_mut() else { return };
     let classes = attributes.remove("class").map(String::from).unwrap_or_default();
     let classes = classes.split_whitespace().map(str::to_owned).collect();
-    path.push(Tag { name, id: attributes.get("id").map(ToString::to_string), classes });
+    path.push(Tag { name, id: attributes.get("id").map(ToString::to_string), classes, ..Tag::default() });
     for rule in rules.iter().filter(|rule| rule.fits(path)) {
         for &(key, value) in rule.properties.iter().filter(|(key, _)| ATTRIBUTES.contains(key)) {
             attributes.insert(key.to_owned(), value.into());

@@ -1,16 +1,20 @@
 //! Style rules and which elements they fit.
 //!
 //! ```text
-//!   #x .a.b text{fill:red}        fits  <svg id="x"> <g class="a b"> ... <text>
+//!   #x .a.b > text{fill:red}      fits  <svg id="x"> <g class="a b"> <text>
 //!    └ steps, outermost first
 //! ```
 //!
-//! Understood are selectors of ids, classes and element names with descendants; rules with anything else
-//! (`:hover`) and rules inside `@media` have no say. Rules win by specificity, then by order.
+//! Understood are selectors of names, `*`, ids, classes, attributes (`[class~=x]`), `:root` and `:not(...)` of these,
+//! with descendants and children (`>`), and what nobody does who only looks (`:hover`). Rules with anything else have no
+//! say; `blocks.rs` tells which of them may change what is seen. For a comparison, rules inside `@media screen` count as
+//! if they stood outside. Rules win by
+//! specificity, then by order.
 
+use super::blocks::{Block, blocks, parts};
 use std::rc::Rc;
 
-/// `#x .a.b text` as its steps, outermost first.
+/// `#x .a.b > text` as its steps, outermost first.
 pub(crate) struct Rule<'a> {
     steps: Vec<Step<'a>>,
     /// Shared by the selectors of one rule.
@@ -19,156 +23,324 @@ pub(crate) struct Rule<'a> {
 
 /// What one step of a selector asks for.
 #[derive(Default)]
-struct Step<'a> {
+pub(super) struct Step<'a> {
     name: Option<&'a str>,
     id: Option<&'a str>,
     classes: Vec<&'a str>,
+    attributes: Vec<Attribute<'a>>,
+    not: Vec<Step<'a>>,
+    is_root: bool,
+    /// Whether it asks for something that only a reader does, such as to point at it.
+    never: bool,
+    /// Whether it stands directly within the step before.
+    is_child: bool,
+}
+
+/// `[name=value]`: how the value is compared, if it is.
+struct Attribute<'a> {
+    name: &'a str,
+    wanted: Option<(u8, &'a str)>,
 }
 
 /// What an element offers.
+#[derive(Default)]
 pub(crate) struct Tag {
     pub(crate) name: String,
     pub(crate) id: Option<String>,
     pub(crate) classes: Vec<String>,
+    /// Its attributes, if rules may ask for them.
+    pub(crate) attributes: Vec<(String, String)>,
 }
 
 impl Rule<'_> {
     /// Ids, classes, names.
     fn specificity(&self) -> (usize, usize, usize) {
-        self.steps.iter().fold((0, 0, 0), |(ids, classes, names), step| {
-            (
-                ids + usize::from(step.id.is_some()),
-                classes + step.classes.len(),
-                names + usize::from(step.name.is_some()),
-            )
-        })
+        self.steps.iter().map(Step::specificity).fold((0, 0, 0), |a, b| (a.0 + b.0, a.1 + b.1, a.2 + b.2))
+    }
+
+    /// How much more than names, ids and classes there is to look at, for each tag.
+    #[cfg(feature = "compare")]
+    pub(crate) fn weight(&self) -> usize {
+        1 + self.steps.iter().map(Step::weight).sum::<usize>()
     }
 
     /// Whether the last step fits the last tag, and the others fit tags around it in their order.
     pub(crate) fn fits(&self, path: &[Tag]) -> bool {
-        let (Some((last, steps)), Some((tag, around))) = (self.steps.split_last(), path.split_last()) else {
-            return false;
-        };
-        let mut around = around.iter().rev();
-        last.fits(tag) && steps.iter().rev().all(|step| around.any(|tag| step.fits(tag)))
+        let mut steps = &self.steps[..];
+        let mut room = path.len();
+        while !steps.is_empty() {
+            // Steps that stand directly within each other, with the one around them.
+            let start = steps.iter().rposition(|step| !step.is_child).unwrap_or(0);
+            let (outer, chain) = steps.split_at(start);
+            // The innermost place that fits leaves most room for the others.
+            let is_last = steps.len() == self.steps.len();
+            let lowest = if is_last { room } else { chain.len() };
+            let fits = |end: &usize| chain_fits(chain, path, *end);
+            let Some(end) = (lowest.max(chain.len())..=room).rev().find(fits) else { return false };
+            (steps, room) = (outer, end - chain.len());
+        }
+        !self.steps.is_empty()
     }
+}
+
+/// Whether steps fit the tags of a path that end here, one by one.
+fn chain_fits(chain: &[Step<'_>], path: &[Tag], end: usize) -> bool {
+    let start = end - chain.len();
+    chain.iter().zip(start..end).rev().all(|(step, depth)| step.fits(&path[depth], depth == 0))
 }
 
 impl<'a> Step<'a> {
+    fn specificity(&self) -> (usize, usize, usize) {
+        let own = (
+            usize::from(self.id.is_some()),
+            self.classes.len() + self.attributes.len() + usize::from(self.is_root),
+            usize::from(self.name.is_some()),
+        );
+        self.not.iter().map(Self::specificity).fold(own, |a, b| (a.0 + b.0, a.1 + b.1, a.2 + b.2))
+    }
+
+    #[cfg(feature = "compare")]
+    fn weight(&self) -> usize {
+        let not = self.not.iter().map(|step| 1 + step.weight() + step.classes.len()).sum::<usize>();
+        usize::from(self.is_child) + self.attributes.len() + not
+    }
+
     /// `None` for what is not understood.
     fn read(text: &'a str) -> Option<Self> {
         let mut out = Self::default();
-        let starts = text.match_indices(['#', '.']).map(|(i, _)| i);
-        let cuts: Vec<usize> = std::iter::once(0).chain(starts.filter(|&i| i > 0)).chain([text.len()]).collect();
-        for part in cuts.windows(2).map(|w| &text[w[0]..w[1]]) {
-            let word = part.trim_start_matches(['#', '.']);
-            if word.is_empty() || !word.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'-' || b == b'_') {
-                return None;
-            }
-            match part.as_bytes()[0] {
-                b'#' => out.id = Some(word),
-                b'.' => out.classes.push(word),
-                _ => out.name = Some(word),
-            }
+        let mut rest = text;
+        if let Some(after) = rest.strip_prefix('*') {
+            rest = after;
+        } else if rest.starts_with(is_of_word) {
+            (out.name, rest) = word(rest).map(|(name, rest)| (Some(name), rest))?;
         }
-        Some(out)
+        while let Some(first) = rest.chars().next() {
+            let body = &rest[first.len_utf8()..];
+            rest = match first {
+                '#' => {
+                    let (id, rest) = word(body)?;
+                    out.id = Some(id);
+                    rest
+                }
+                '.' => {
+                    let (class, rest) = word(body)?;
+                    out.classes.push(class);
+                    rest
+                }
+                '[' => {
+                    let (inside, rest) = body.split_once(']')?;
+                    out.attributes.push(Attribute::read(inside)?);
+                    rest
+                }
+                ':' => out.pseudo(body)?,
+                _ => return None,
+            };
+        }
+        (!text.is_empty()).then_some(out)
     }
 
-    fn fits(&self, tag: &Tag) -> bool {
+    /// `:root`, `:not(...)`, and what nobody does who only looks; what follows.
+    fn pseudo(&mut self, text: &'a str) -> Option<&'a str> {
+        let (name, rest) = word(text)?;
+        if OF_READERS.contains(&name) {
+            self.never = true;
+            return Some(rest);
+        }
+        if name == "root" {
+            self.is_root = true;
+            return Some(rest);
+        }
+        let (inside, rest) = bracket(rest)?;
+        match name {
+            "not" => {
+                for one in parts(inside, ',') {
+                    self.not.push(Step::read(one.trim())?);
+                }
+            }
+            // Something within at which somebody points: nobody does.
+            "has" => self.never = Step::read(inside.trim())?.never.then_some(true)?,
+            _ => return None,
+        }
+        Some(rest)
+    }
+
+    fn fits(&self, tag: &Tag, is_root: bool) -> bool {
         self.name.is_none_or(|name| name == tag.name)
             && self.id.is_none_or(|id| tag.id.as_deref() == Some(id))
             && self.classes.iter().all(|class| tag.classes.iter().any(|c| c == class))
+            && self.attributes.iter().all(|attribute| attribute.fits(tag))
+            && (is_root || !self.is_root)
+            && !self.never
+            && !self.not.iter().any(|step| step.fits(tag, is_root))
     }
 }
 
-/// The rules outside of `@media`, the weakest first.
-pub(crate) fn rules(css: &str) -> Vec<Rule<'_>> {
-    let mut out = Vec::new();
-    let mut rest = css;
-    while let Some(open) = rest.find('{') {
-        let (selectors, body) = (rest[..open].trim(), &rest[open + 1..]);
-        if selectors.starts_with('@') {
-            rest = after_block(body);
-            continue;
-        }
-        let close = body.find('}').unwrap_or(body.len());
-        let properties = body[..close].split(';').filter_map(|p| p.split_once(':'));
-        let properties: Rc<[_]> = properties.map(|(key, value)| (key.trim(), value.trim())).collect();
-        for selector in selectors.split(',') {
-            let steps: Option<Vec<Step<'_>>> = selector.split_whitespace().map(Step::read).collect();
-            out.extend(steps.map(|steps| Rule { steps, properties: Rc::clone(&properties) }));
-        }
-        rest = body.get(close + 1..).unwrap_or("");
+impl<'a> Attribute<'a> {
+    fn read(text: &'a str) -> Option<Self> {
+        let Some((name, value)) = text.split_once('=') else {
+            let (name, rest) = word(text.trim())?;
+            return rest.is_empty().then_some(Self { name, wanted: None });
+        };
+        let how = name.trim_end().bytes().last().filter(|b| b"~|^$*".contains(b));
+        let name = name.trim().trim_end_matches(['~', '|', '^', '$', '*']).trim_end();
+        let value = value.trim();
+        let quoted = ['"', '\''].iter().find_map(|quote| value.strip_prefix(*quote)?.strip_suffix(*quote));
+        let value = quoted.or_else(|| word(value).filter(|(_, rest)| rest.is_empty()).map(|(value, _)| value))?;
+        let (name, rest) = word(name)?;
+        rest.is_empty().then_some(Self { name, wanted: Some((how.unwrap_or(b'='), value)) })
     }
-    out.sort_by_key(Rule::specificity);
-    out
+
+    fn fits(&self, tag: &Tag) -> bool {
+        let Some((_, is)) = tag.attributes.iter().find(|(name, _)| name == self.name) else { return false };
+        let Some((how, wanted)) = self.wanted else { return true };
+        match how {
+            b'~' => is.split_whitespace().any(|word| word == wanted),
+            b'|' => is == wanted || is.strip_prefix(wanted).is_some_and(|rest| rest.starts_with('-')),
+            b'^' => !wanted.is_empty() && is.starts_with(wanted),
+            b'$' => !wanted.is_empty() && is.ends_with(wanted),
+            b'*' => !wanted.is_empty() && is.contains(wanted),
+            _ => is == wanted,
+        }
+    }
 }
 
 /// Pseudo-classes that say what a reader does: a drawing that lies there unread does not have them.
-#[cfg(feature = "compare")]
-const OF_READERS: [&str; 6] = ["hover", "focus", "active", "visited", "target", "checked"];
+pub(super) const OF_READERS: [&str; 8] =
+    ["hover", "focus", "focus-visible", "focus-within", "active", "visited", "target", "checked"];
 
-/// The first selector that is not understood, of a rule that hides lines: nobody can tell then what it hides.
-#[cfg(feature = "compare")]
-pub(crate) fn hides_unseen(css: &str) -> Option<&str> {
-    let mut rest = css;
-    while let Some(open) = rest.find('{') {
-        let (selectors, body) = (rest[..open].trim(), &rest[open + 1..]);
-        if let Some(condition) = selectors.strip_prefix("@media") {
-            let is_met = condition.split([' ', ',']).all(|word| ["", "all", "screen"].contains(&word));
-            let after = after_block(body);
-            if is_met && body[..body.len() - after.len()].split(['{', '}', ';']).any(hides) {
-                return Some(selectors);
-            }
-            rest = after;
-            continue;
+/// What stands within round brackets at the start, and what follows.
+fn bracket(text: &str) -> Option<(&str, &str)> {
+    let inside = text.strip_prefix('(')?;
+    let mut depth = 1;
+    for (i, c) in inside.char_indices() {
+        match c {
+            '(' => depth += 1,
+            ')' => depth -= 1,
+            _ => continue,
         }
-        if selectors.starts_with('@') {
-            rest = after_block(body);
-            continue;
+        if depth == 0 {
+            return Some((&inside[..i], &inside[i + 1..]));
         }
-        let close = body.find('}').unwrap_or(body.len());
-        if body[..close].split(';').any(hides) {
-            let is_unknown = |selector: &&str| {
-                let is_of_readers = OF_READERS.iter().any(|word| selector.contains(word));
-                !is_of_readers && selector.split_whitespace().any(|step| Step::read(step).is_none())
-            };
-            if let Some(selector) = selectors.split(',').find(is_unknown) {
-                return Some(selector.trim());
-            }
-        }
-        rest = body.get(close + 1..).unwrap_or("");
     }
     None
 }
 
-/// Whether a declaration makes lines invisible, whatever they are.
+fn is_of_word(c: char) -> bool {
+    c.is_ascii_alphanumeric() || c == '-' || c == '_'
+}
+
+/// A word at the start, and what follows.
+fn word(text: &str) -> Option<(&str, &str)> {
+    let end = text.find(|c: char| !is_of_word(c)).unwrap_or(text.len());
+    (end > 0).then(|| text.split_at(end))
+}
+
+/// The steps of one selector; `None` if it is not understood.
+pub(super) fn steps(selector: &str) -> Option<Vec<Step<'_>>> {
+    let mut out = Vec::new();
+    let mut is_child = false;
+    // Blanks within brackets part nothing.
+    for part in parts(selector, ' ').flat_map(|part| with_child_marks(part)) {
+        if part == ">" {
+            if is_child || out.is_empty() {
+                return None;
+            }
+            is_child = true;
+        } else if !part.is_empty() {
+            out.push(Step { is_child, ..Step::read(part)? });
+            is_child = false;
+        }
+    }
+    (!is_child && !out.is_empty()).then_some(out)
+}
+
+/// `a>b` as `a`, `>`, `b`.
+fn with_child_marks(part: &str) -> Vec<&str> {
+    let mut out = Vec::new();
+    for (i, piece) in parts(part, '>').enumerate() {
+        if i > 0 {
+            out.push(">");
+        }
+        out.push(piece.trim());
+    }
+    out
+}
+
+/// The rules outside of `@media`, the weakest first.
+pub(crate) fn rules(css: &str) -> Vec<Rule<'_>> {
+    sorted(css, false)
+}
+
+/// The rules outside of `@media`, and inside those for screens; the weakest first.
 #[cfg(feature = "compare")]
-fn hides(declaration: &str) -> bool {
-    let Some((key, value)) = declaration.split_once(':') else { return false };
-    let value = value.split('!').next().unwrap_or("").trim();
-    let number = || value.trim_end_matches(|c: char| c.is_ascii_alphabetic() || c == '%').trim().parse::<f64>();
-    match key.trim() {
-        "display" | "stroke" => ["none", "transparent"].contains(&value),
-        "visibility" => ["hidden", "collapse"].contains(&value),
-        "opacity" | "stroke-opacity" | "stroke-width" => number().is_ok_and(|number| number < 0.1),
-        "clip-path" | "mask" | "filter" => value != "none",
-        _ => false,
+pub(crate) fn rules_on_screen(css: &str) -> Vec<Rule<'_>> {
+    sorted(css, true)
+}
+
+fn sorted(css: &str, on_screen: bool) -> Vec<Rule<'_>> {
+    let mut out = Vec::new();
+    add(css, on_screen, &mut out, 0);
+    out.sort_by_key(Rule::specificity);
+    out
+}
+
+/// Blocks within blocks are read so deep.
+const DEPTH: usize = 8;
+
+fn add<'a>(css: &'a str, on_screen: bool, out: &mut Vec<Rule<'a>>, depth: usize) {
+    for block in blocks(css) {
+        match block {
+            Block::Media { rules, is_met: Some(true), .. } if on_screen && depth < DEPTH => {
+                add(rules, on_screen, out, depth + 1);
+            }
+            Block::Rule { selectors, body } => {
+                let properties = body.split(';').filter_map(|p| p.split_once(':'));
+                let properties: Rc<[_]> = properties.map(|(key, value)| (key.trim(), value.trim())).collect();
+                for selector in parts(selectors, ',') {
+                    out.extend(steps(selector).map(|steps| Rule { steps, properties: Rc::clone(&properties) }));
+                }
+            }
+            Block::Media { .. } | Block::Other { .. } => {}
+        }
     }
 }
 
-/// What follows the brace that closes a block.
-fn after_block(body: &str) -> &str {
-    let mut depth = 1;
-    for (i, c) in body.char_indices() {
-        match c {
-            '{' => depth += 1,
-            '}' => depth -= 1,
-            _ => continue,
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whether a selector fits the last of these tags, each a name with classes: `svg g.a line`.
+    fn fits(selector: &str, path: &str) -> bool {
+        let tag = |word: &str| {
+            let mut parts = word.split('.').map(str::to_owned);
+            Tag { name: parts.next().unwrap(), classes: parts.collect(), ..Tag::default() }
+        };
+        let path: Vec<Tag> = path.split(' ').map(tag).collect();
+        rules(&format!("{selector}{{a:b}}")).iter().any(|rule| rule.fits(&path))
+    }
+
+    #[test]
+    fn children_and_descendants_are_found_wherever_they_stand() {
+        for (selector, path) in [
+            ("svg line", "svg g g line"),
+            ("svg > g > line", "svg g line"),
+            ("g > g.a line", "svg g g.a g g line"),
+            (".a > .b .c > .d", "svg.a g.b g.c g.b g.c line.d"),
+            ("svg>*>.a", "svg g line.a"),
+            (":root > g", "svg g"),
+            ("g:not(.a,.b) line", "svg g.a g.c line"),
+        ] {
+            assert!(fits(selector, path), "{selector} fits {path}");
         }
-        if depth == 0 {
-            return &body[i + 1..];
+        for (selector, path) in [
+            ("svg > line", "svg g line"),
+            ("g > g.a line", "svg g.a g line"),
+            (".a > .b .c > .d", "svg.a g.b g.c g.b line.d"),
+            ("svg line", "line"),
+            ("g:not(.a,.b) line", "svg.a g.a g.b line"),
+            ("line + line", "svg line"),
+        ] {
+            assert!(!fits(selector, path), "{selector} does not fit {path}");
         }
     }
-    ""
 }

@@ -94,7 +94,7 @@ impl<'a> Writer<'a> {
         let mut this = Self {
             out: String::new(),
             rules: rules(&scene.css),
-            path: vec![Tag { name: "svg".to_owned(), id: Some(scene.prefix.clone()), classes: Vec::new() }],
+            path: vec![Tag { name: "svg".to_owned(), id: Some(scene.prefix.clone()), ..Tag::default() }],
             prefix: &scene.prefix,
             hatches: &scene.hatches,
             colours: BTreeMap::new(),
@@ -123,7 +123,7 @@ impl<'a> Writer<'a> {
         let id = id.map(|id| format!("{}-{id}", self.prefix));
         let is_root = name == "svg" && self.path.len() == 1 && class.is_empty();
         if !is_root {
-            self.path.push(Tag { name: name.to_owned(), id, classes });
+            self.path.push(Tag { name: name.to_owned(), id, classes, ..Tag::default() });
         }
         let mut looks = inherited.clone();
         looks.0.retain(|key, _| !OWN.contains(key));

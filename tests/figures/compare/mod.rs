@@ -2,8 +2,10 @@
 
 #![allow(clippy::float_cmp, reason = "points are found again by the numbers they were made of")]
 
+mod accepted;
 mod pen;
 mod rewrites;
+mod seen;
 mod tools;
 
 use crate::common;

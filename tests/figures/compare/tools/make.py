@@ -44,7 +44,7 @@ def mpl():
     from matplotlib.patches import Polygon
     from matplotlib.collections import LineCollection, PolyCollection
     plt.rcParams["svg.hashsalt"] = "x"
-    def fig(name, shape, ok, axes=False, how="plot", order=(1, 2, 3), legend=False, title=False, faces="patch", ms=5, lw=1.5, color="k", labels=False, bbox=False, equal=True, close=False, fonttype="path", dots="plot", markers="o", grid=False, facecolor=None, dotcolor=None, transparent=False, alpha=1):
+    def fig(name, shape, ok, axes=False, how="plot", order=(1, 2, 3), legend=False, title=False, faces="patch", ms=5, lw=1.5, color="k", labels=False, bbox=False, equal=True, close=False, fonttype="path", dots="plot", markers="o", grid=False, facecolor=None, dotcolor=None, transparent=False, alpha=1, hatch=None):
         plt.rcParams["svg.fonttype"] = fonttype
         v, e, f = shape
         fg, ax = plt.subplots(figsize=(6, 4))
@@ -52,7 +52,7 @@ def mpl():
         if equal: ax.set_aspect("equal")
         if not axes: ax.axis("off")
         if faces == "patch":
-            for i, g in enumerate(f): ax.add_patch(Polygon([v[k] for k in g], closed=True, facecolor=TINTS[i % 5], edgecolor="none", zorder=order[0], alpha=alpha))
+            for i, g in enumerate(f): ax.add_patch(Polygon([v[k] for k in g], closed=True, facecolor="none" if hatch else TINTS[i % 5], edgecolor="none", hatch=hatch, zorder=order[0], alpha=alpha))
         elif faces == "coll":
             ax.add_collection(PolyCollection([[v[k] for k in g] for g in f], facecolors=TINTS, zorder=order[0]))
         elif faces == "fill":
@@ -71,7 +71,9 @@ def mpl():
         elif dots == "scatter": ax.scatter([p[0] for p in v], [p[1] for p in v], s=ms*ms, color=dotcolor or "k", zorder=order[2])
         if labels:
             for i, p in enumerate(v): ax.annotate(f"v{i}", p, textcoords="offset points", xytext=(5, 4), fontsize=7, bbox=dict(boxstyle="round", fc="white", ec="0.5") if bbox else None)
-        if legend: ax.legend(loc="center left", bbox_to_anchor=(1.02, 0.5))
+        if legend == "inside": ax.legend(loc="upper right", fontsize=6)
+        elif legend == "over": ax.legend(loc="center", fontsize=20, framealpha=1).set_zorder(9)
+        elif legend: ax.legend(loc="center left", bbox_to_anchor=(1.02, 0.5))
         if title: ax.set_title("A ship")
         if grid: ax.grid(True)
         ax.autoscale_view()
@@ -98,6 +100,15 @@ def mpl():
     fig("matplotlib-unequal-axes.svg", right(), 0, equal=False, axes=True)
     fig("matplotlib-big-markers.svg", right(), 0, ms=S.get("big", 60))
     fig("matplotlib-no-markers.svg", right(), 0, dots="none")
+    fig("matplotlib-legend-inside.svg", right(), 1, legend="inside", fonttype="none")
+    fig("matplotlib-legend-inside-edge-missing.svg", no_edge(), 0, legend="inside", fonttype="none")
+    fig("matplotlib-legend-over-lines.svg", right(), 0, legend="over", fonttype="none")
+    fig("matplotlib-hatched.svg", right(), 1, hatch="//")
+    fig("matplotlib-hatched-edge-missing.svg", no_edge(), 0, hatch="//")
+    for name, marker in [("squares", "s"), ("crosses", "x"), ("pluses", "+")]:
+        fig(f"matplotlib-{name}.svg", right(), 1, markers=marker)
+    fig("matplotlib-squares-edge-missing.svg", no_edge(), 0, markers="s")
+    fig("matplotlib-crosses-vertex-moved.svg", moved(), 0, markers="x")
 
 def canvas(p, k=1.0): return (300 + k * p[0], 200 - k * p[1])
 

@@ -1,0 +1,85 @@
+//! The root of a file: its style sheets, and the part of the plane that it shows.
+//!
+//! ```text
+//!   viewBox="0 0 600 400" width="600" height="800" preserveAspectRatio="none"      y is drawn twice as large as x
+//!   width="0"                                                                      nothing is shown: refused
+//! ```
+
+use super::tag;
+use crate::compare::error::{Fault, Problem};
+use crate::compare::ink::Ink;
+use crate::compare::numbers;
+use crate::compare::transform::Transform;
+use crate::compare::viewport::{self, Room};
+use crate::figure::canvas::selectors::Rule;
+use roxmltree::{Document, Node};
+
+/// Characters of style sheets.
+const CSS: usize = 1 << 18;
+
+pub(super) fn style_sheets(document: &Document<'_>) -> Result<String, Fault> {
+    let mut css = String::new();
+    for node in document.descendants().filter(|n| n.tag_name().name() == "style") {
+        node.descendants().filter(Node::is_text).filter_map(|n| n.text()).for_each(|text| css.push_str(text));
+        if css.len() > CSS {
+            let problem = Problem::TooLarge { what: "bytes of style sheets", limit: CSS };
+            return Err(Fault::at(node.range().start, problem));
+        }
+    }
+    Ok(without_comments(&css))
+}
+
+/// A style sheet without what stands between `/*` and `*/`.
+fn without_comments(css: &str) -> String {
+    let mut out = String::with_capacity(css.len());
+    let mut rest = css;
+    while let Some((before, after)) = rest.split_once("/*") {
+        out.push_str(before);
+        out.push(' ');
+        rest = after.split_once("*/").map_or("", |(_, rest)| rest);
+    }
+    out + rest
+}
+
+/// How the root is shown.
+pub(super) struct Sheet {
+    /// The part of the plane that is shown, y down, before it is stretched.
+    pub(super) room: Option<Room>,
+    /// How the two sides are scaled against each other.
+    pub(super) stretch: Transform,
+    pub(super) note: Option<&'static str>,
+}
+
+/// The sheet of the root: its `viewBox`, and its width and height if they are known.
+pub(super) fn sheet(root: Node<'_, '_>, rules: &[Rule<'_>]) -> Result<Sheet, Fault> {
+    let own = Ink::default().inside(root, rules, &[tag(root)]).map(|(_, own)| own).unwrap_or_default();
+    let [width, height] = own.size.map(|side| side.as_deref().and_then(side_of_root));
+    let view_box = root.attribute("viewBox");
+    if [width, height].contains(&Some(0.0)) || view_box.is_some_and(viewport::is_empty) {
+        return Err(Fault::at(root.range().start, Problem::NotShown));
+    }
+    let size = width.zip(height).map(|(width, height)| [width, height]);
+    let ratio = root.attribute("preserveAspectRatio").unwrap_or("");
+    let Some(inside) = view_box.and_then(viewport::view_box) else {
+        let room = size.map(|[width, height]| [0.0, 0.0, width, height]);
+        return Ok(Sheet { room, stretch: Transform::IDENTITY, note: None });
+    };
+    let stretch = size.map_or(Transform::IDENTITY, |size| viewport::stretch(inside, size, ratio));
+    let is_open = viewport::stretches(ratio) && size.is_none() && own_size_is_open(root);
+    let note = is_open.then_some(
+        "preserveAspectRatio=\"none\" without width and height in px: the drawing is as wide and high as its window",
+    );
+    Ok(Sheet { room: Some(viewport::shown(inside, size, ratio)), stretch, note })
+}
+
+/// Whether the window says how wide and high the root is.
+fn own_size_is_open(root: Node<'_, '_>) -> bool {
+    root.has_attribute("width") || root.has_attribute("height") || root.has_attribute("style")
+}
+
+/// Width or height of the root in px; none if its window says it.
+fn side_of_root(text: &str) -> Option<f64> {
+    let is_nothing = text.strip_suffix('%').and_then(numbers::length).is_some_and(|part| part == 0.0);
+    let side = if is_nothing { Some(0.0) } else { numbers::measure(text) };
+    side.filter(|side| *side >= 0.0)
+}
