@@ -162,7 +162,8 @@ pub(crate) fn untold(css: &str) -> Option<Untold<'_>> {
 #[cfg(feature = "compare")]
 fn is_unknown(selector: &str) -> bool {
     let is_of_readers = super::selectors::OF_READERS.iter().any(|word| selector.contains(&format!(":{word}")));
-    !(is_of_readers && !selector.contains('(')) && super::selectors::steps(selector).is_none()
+    let is_told = !is_of_readers || selector.contains('(');
+    is_told && super::selectors::steps(selector).is_none()
 }
 
 /// Whether one of the declarations of a block, or of the blocks in it, is such a one.

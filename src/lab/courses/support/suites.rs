@@ -280,7 +280,7 @@ fn shown(name: &str, lines: &str) -> Option<Case> {
 
 /// Edits of a large mesh: numbers of half-edges past 65,536, and how many records are looked at.
 fn with_reads(name: &str, lines: [&str; 2]) -> Option<Case> {
-    let mut case = Case::new(name, start(name.split('.').next()?)?.start.clone()).step(Step::Changes);
+    let mut case = Case::new(name, start(name.split('.').next()?)?.start.clone());
     for line in lines {
         case = case.step(Step::of_line(line)).step(Step::Reads).step(Step::Changes);
     }
@@ -409,7 +409,7 @@ fn heights(function: &str, plan: &Plan) -> Vec<Asked> {
     all.extend(plan.secret.iter().flat_map(|secret| Asked::hidden(random(secret.seed))));
     if function != "support_by_scan" {
         let large = start("cube_45").map(|start| {
-            let mut case = Case::new(format!("cube_45.{function}"), start.start.clone()).step(Step::Changes);
+            let mut case = Case::new(format!("cube_45.{function}"), start.start.clone());
             for (from, d) in [(0, [3.0, 2.0, 1.0]), (11_000, [-5.0, 7.0, 1.0]), (6_543, [1.0, -3.0, 9.0])] {
                 case = case.step(question(function, from, d)).step(Step::Reads);
             }
