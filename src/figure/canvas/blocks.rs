@@ -12,6 +12,7 @@ pub(super) enum Block<'a> {
         body: &'a str,
     },
     /// `@media`; whether a plain reader at a screen meets its condition, if that can be told.
+    #[cfg_attr(not(feature = "compare"), allow(dead_code, reason = "only comparisons tell what is not understood"))]
     Media {
         condition: &'a str,
         rules: &'a str,
