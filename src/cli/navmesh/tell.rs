@@ -109,8 +109,8 @@ impl Told {
         // Formats that give coordinates only have no numbers for their vertices.
         let face = |f: u32| places.face_path(f as usize).map(str::to_owned);
         let vertex = |v: u32| {
-            let [x, y, _] = soup.points[v as usize];
-            soup.any_direction.then(|| output::point(&frame.in_file(Point::new(x, y))))
+            let &[x, y, _] = soup.points.get(v as usize).filter(|_| soup.any_direction)?;
+            Some(output::point(&frame.in_file(Point::new(x, y))))
         };
         let fault = fault.clone().with_points(|p| frame.in_file(p).into());
         let message = fault.sentence(&FaultNames { face: &face, vertex: &vertex });

@@ -316,11 +316,10 @@ impl<'a, 'i> Reader<'a, 'i> {
         out.own = own;
         let classes = || node.attribute("class").unwrap_or("").split_whitespace();
         let id = node.attribute("id").unwrap_or("");
-        let names = |text: &str| text.to_ascii_lowercase().split(|c: char| !c.is_ascii_alphabetic()).any(is_aside);
-        out.aside |= names(id) || classes().any(names);
-        let is_legend =
-            |text: &str| text.to_ascii_lowercase().split(|c: char| !c.is_ascii_alphabetic()).any(|w| w == "legend");
-        if out.legend == 0 && (is_legend(id) || classes().any(is_legend)) {
+        let names = [id].into_iter().chain(classes()).collect::<Vec<_>>().join(" ").to_ascii_lowercase();
+        let has_word = |is: fn(&str) -> bool| names.split(|c: char| !c.is_ascii_alphabetic()).any(is);
+        out.aside |= has_word(is_aside);
+        if out.legend == 0 && has_word(|word| word == "legend") {
             self.legends += 1;
             out.legend = self.legends;
         }

@@ -32,7 +32,8 @@ pub(super) fn blocks(css: &str) -> impl Iterator<Item = Block<'_>> {
     std::iter::from_fn(move || {
         let open = rest.find('{')?;
         let mut head = rest[..open].trim();
-        let (body, after) = inside(&rest[open + 1..]);
+        let text = &rest[open + 1..];
+        let (body, after) = enclosed(text, ['{', '}']).unwrap_or((text, ""));
         rest = after;
         while let Some((_, next)) = head.split_once(';').filter(|_| head.starts_with('@')) {
             head = next.trim();
@@ -49,20 +50,14 @@ pub(super) fn blocks(css: &str) -> impl Iterator<Item = Block<'_>> {
     })
 }
 
-/// What stands before the brace that closes a block, and behind it.
-fn inside(text: &str) -> (&str, &str) {
+/// What stands before the bracket that closes what was opened, and behind it; `None` if it stays open.
+pub(super) fn enclosed(text: &str, [open, close]: [char; 2]) -> Option<(&str, &str)> {
     let mut depth = 1;
-    for (i, c) in text.char_indices() {
-        match c {
-            '{' => depth += 1,
-            '}' => depth -= 1,
-            _ => continue,
-        }
-        if depth == 0 {
-            return (&text[..i], &text[i + 1..]);
-        }
-    }
-    (text, "")
+    let end = text.char_indices().find_map(|(i, c)| {
+        depth += i32::from(c == open) - i32::from(c == close);
+        (depth == 0).then_some(i)
+    })?;
+    Some((&text[..end], &text[end + close.len_utf8()..]))
 }
 
 /// The parts of a text between these marks, but not within brackets or quotes.

@@ -11,7 +11,7 @@
 //! if they stood outside. Rules win by
 //! specificity, then by order.
 
-use super::blocks::{Block, blocks, parts};
+use super::blocks::{Block, blocks, enclosed, parts};
 use std::rc::Rc;
 
 /// `#x .a.b > text` as its steps, outermost first.
@@ -210,19 +210,7 @@ pub(super) const OF_READERS: [&str; 8] =
 
 /// What stands within round brackets at the start, and what follows.
 fn bracket(text: &str) -> Option<(&str, &str)> {
-    let inside = text.strip_prefix('(')?;
-    let mut depth = 1;
-    for (i, c) in inside.char_indices() {
-        match c {
-            '(' => depth += 1,
-            ')' => depth -= 1,
-            _ => continue,
-        }
-        if depth == 0 {
-            return Some((&inside[..i], &inside[i + 1..]));
-        }
-    }
-    None
+    enclosed(text.strip_prefix('(')?, ['(', ')'])
 }
 
 fn is_of_word(c: char) -> bool {
