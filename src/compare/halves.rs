@@ -11,17 +11,6 @@ use super::eye::Eye;
 use super::pairing::span;
 use super::report::{Difference, Kind, Layer, Spot, counted, listed};
 use crate::plane::Point;
-use std::ops::Range;
-
-/// A half-edge with its drawing.
-#[derive(Clone, PartialEq, Debug)]
-pub(super) struct Half {
-    pub(super) name: String,
-    /// What it paints.
-    pub(super) coats: Range<u32>,
-    /// Whether a part of it paints nothing at all. If no line of it does, it is not seen.
-    pub(super) lacks: bool,
-}
 
 /// The names of half-edges that nobody sees.
 fn unseen(drawing: &Drawing) -> Vec<String> {

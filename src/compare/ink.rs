@@ -11,7 +11,7 @@
 use super::colour::{Paint, paint};
 use super::markers::{Markers, Stand};
 use super::numbers;
-use super::servers::{Served, Servers};
+use super::served::{Served, Servers};
 use crate::figure::canvas::selectors::{Rule, Tag};
 use roxmltree::Node;
 use std::rc::Rc;

@@ -27,8 +27,10 @@
 //!   placed.rs      A declared structure with its vertices and edges by place
 //!   rings.rs       Closed outlines as cyclic sequences of points, in a form in which equal ones are equal
 //!   segments.rs    Lines cut at the points they pass, by a grid over the points
+//!   served.rs      What url(#...) paints
 //!   servers.rs     Gradients and patterns
 //!   snap.rs        Points by place, each with a number
+//!   tags.rs        Elements as rules see them
 //!   tiles.rs       How much of its tile a pattern paints
 //!   transform.rs   Transforms
 //!   viewport.rs    Viewports
@@ -110,11 +112,13 @@ mod placed;
 mod report;
 mod rings;
 mod segments;
+mod served;
 mod servers;
 mod shape;
 mod sketch;
 mod snap;
 mod tables;
+mod tags;
 mod tiles;
 mod transform;
 mod viewport;

@@ -1,16 +1,16 @@
-//! What `url(#...)` paints: gradients and patterns, and what is painted where they are not there.
+//! Gradients and patterns, read: what they paint.
 //!
 //! ```text
-//!   url(#missing)            nothing         url(#missing) red        red
 //!   all stops invisible      nothing         all stops alike          that colour
 //!   a pattern of nothing     nothing         anything else            some paint, which can be seen
 //! ```
 
 use super::colour::{Paint, paint};
-use super::drawing::{size, tag};
 use super::error::{Fault, Problem};
 use super::ink::{Ink, fraction, properties};
 use super::markup::is_svg;
+use super::served::{Server, Servers};
+use super::tags::{size, tag};
 use super::{numbers, tiles};
 use crate::figure::canvas::selectors::{Rule, Tag};
 use roxmltree::{Document, Node};
@@ -26,28 +26,6 @@ const SPARSE: f64 = 0.1;
 const DEPTH: usize = 100;
 /// Work: stops and shapes of patterns, with what stands around them.
 const WORK: usize = 400_000;
-
-/// What one gradient or pattern paints.
-#[derive(Clone, Copy, PartialEq, Debug)]
-struct Server {
-    paint: Paint,
-    /// Whether it paints nothing on what has no width or no height: its numbers are parts of the box round it.
-    by_box: bool,
-}
-
-/// All gradients and patterns of a file, by id.
-#[derive(Clone, PartialEq, Debug, Default)]
-pub(super) struct Servers(BTreeMap<String, Server>);
-
-/// A paint as it was written, worked out.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Served {
-    pub(super) paint: Paint,
-    /// What is painted instead on what has no width or no height, if that is something else.
-    pub(super) flat: Option<Paint>,
-    /// Whether it is a gradient or a pattern.
-    pub(super) is_server: bool,
-}
 
 impl Servers {
     /// Reads the gradients and patterns of a file. O(size), up to the caps.
@@ -65,23 +43,6 @@ impl Servers {
             out.insert((*id).to_owned(), work.server(*node, &named)?);
         }
         Ok(Self(out))
-    }
-
-    /// The value of `fill` or `stroke`: a colour, or `url(#...)` with what is painted where that is not there.
-    pub(super) fn paint(&self, text: &str) -> Served {
-        let plain = |paint| Served { paint, flat: None, is_server: false };
-        let text = text.trim();
-        let Some((link, rest)) =
-            text.get(..4).filter(|start| start.eq_ignore_ascii_case("url(")).and_then(|_| text[4..].split_once(')'))
-        else {
-            return plain(paint(text));
-        };
-        let fallback = if rest.trim().is_empty() { Paint::None } else { paint(rest) };
-        let id = link.trim_matches(['"', '\'', ' ']).strip_prefix('#');
-        match id.and_then(|id| self.0.get(id)) {
-            Some(server) => Served { paint: server.paint, flat: server.by_box.then_some(fallback), is_server: true },
-            None => plain(fallback),
-        }
     }
 }
 

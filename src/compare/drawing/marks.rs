@@ -14,6 +14,7 @@ use crate::compare::markup::is_svg;
 use crate::compare::numbers;
 use crate::compare::painting::{Area, Mark, Part, Shape};
 use crate::compare::path::Subpath;
+use crate::compare::tags::tag;
 use crate::compare::transform::Transform;
 use crate::compare::viewport;
 use roxmltree::Node;
@@ -110,7 +111,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         for element in chain {
             self.visit(element)?;
             if !self.rules.is_empty() {
-                self.path.push(super::tag(element));
+                self.path.push(tag(element));
             }
             if let Some((ink, own)) = inner.ink.inside(element, &self.rules, &self.path) {
                 (inner.ink, inner.own) = (ink, own);
@@ -163,7 +164,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         }
         for child in node.children().filter(|n| matches!(n.tag_name().name(), "tspan" | "a" | "textPath")) {
             if !self.rules.is_empty() {
-                self.path.push(super::tag(child));
+                self.path.push(tag(child));
             }
             if let Some(inner) = self.inside(child, around)? {
                 self.text(child, &inner, start, depth + 1)?;

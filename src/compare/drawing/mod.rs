@@ -23,16 +23,16 @@ mod shapes;
 mod stamps;
 
 use super::error::{Fault, Problem, quoted};
-use super::halves::Half;
 use super::ink::{Hidden, Ink, Own};
 use super::markup::is_svg;
 use super::painting::{Area, Clip, Mark, Painting, Part};
-use super::servers::Servers;
+use super::served::Servers;
+use super::tags::{size, tag};
 use super::transform::Transform;
 use super::viewport::{self, Room};
 use super::{declared, numbers};
-use crate::figure::canvas::blocks::{Untold, untold};
 use crate::figure::canvas::selectors::{Rule, Tag, rules_on_screen};
+use crate::figure::canvas::untold::{Untold, untold};
 use crate::plane::Point;
 use roxmltree::{Document, Node};
 use std::collections::BTreeMap;
@@ -89,6 +89,16 @@ pub(in crate::compare) struct Outline {
     pub(in crate::compare) hidden: Option<Hidden>,
     pub(in crate::compare) legend: u32,
     pub(in crate::compare) shape: u32,
+}
+
+/// A half-edge with its drawing.
+#[derive(Clone, PartialEq, Debug)]
+pub(in crate::compare) struct Half {
+    pub(in crate::compare) name: String,
+    /// What it paints.
+    pub(in crate::compare) coats: Range<u32>,
+    /// Whether a part of it paints nothing at all. If no line of it does, it is not seen.
+    pub(in crate::compare) lacks: bool,
 }
 
 /// All that is drawn.
@@ -504,25 +514,11 @@ pub(in crate::compare) fn place(t: &Transform, p: [f64; 2], offset: usize, what:
     Err(Fault::at(offset, Problem::Coordinate { what }))
 }
 
-/// The work of an element: itself, and sixteenths of its attributes.
-pub(in crate::compare) fn size(node: Node<'_, '_>) -> usize {
-    1 + node.attributes().map(|a| a.value().len()).sum::<usize>() / 16
-}
-
 /// Whether a reader draws an element that asks for a language or for more than SVG: one of English, who knows no more.
 fn has_its_conditions(node: Node<'_, '_>) -> bool {
     let is_english = |language: &str| language.trim().get(..2).is_some_and(|start| start.eq_ignore_ascii_case("en"));
     let language = node.attribute("systemLanguage").is_none_or(|list| list.split(',').any(is_english));
     language && node.attribute("requiredExtensions").is_none_or(|list| list.trim().is_empty())
-}
-
-pub(in crate::compare) fn tag(node: Node<'_, '_>) -> Tag {
-    Tag {
-        name: node.tag_name().name().to_owned(),
-        id: node.attribute("id").map(str::to_owned),
-        classes: node.attribute("class").unwrap_or("").split_whitespace().map(str::to_owned).collect(),
-        attributes: node.attributes().map(|a| (a.name().to_owned(), a.value().to_owned())).collect(),
-    }
 }
 
 /// A length with its unit, or in percent of the room, of which `axis` 0 is the width, 1 the height and 2 both; 0 if

@@ -5,10 +5,10 @@
 //!   width="0"                                                                      nothing is shown: refused
 //! ```
 
-use super::tag;
 use crate::compare::error::{Fault, Problem};
 use crate::compare::ink::Ink;
 use crate::compare::numbers;
+use crate::compare::tags::tag;
 use crate::compare::transform::Transform;
 use crate::compare::viewport::{self, Room};
 use crate::figure::canvas::selectors::Rule;

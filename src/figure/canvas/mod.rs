@@ -9,13 +9,14 @@
 //!   style/                              every colour, size and font, also from a file
 //!   sheet.rs  plain.rs                the style sheet of one drawing; or every element with its own colours
 //!   selectors.rs (blocks.rs)            what fits which element
+//!   untold.rs                           rules of which that cannot be told
 //!   svg_out.rs  tikz_out.rs             the document; a picture for TeX
 //!   png.rs  pdf.rs                      pixels; a page of paper
 //! ```
 
 mod advances;
 pub(crate) mod arc;
-pub(crate) mod blocks;
+mod blocks;
 pub(crate) mod crop;
 pub(crate) mod number;
 #[cfg(feature = "png")]
@@ -32,4 +33,6 @@ pub(crate) mod svg_out;
 pub(crate) mod text;
 mod tikz_out;
 pub(crate) mod unit;
+#[cfg(feature = "compare")]
+pub(crate) mod untold;
 pub(crate) mod vector;
