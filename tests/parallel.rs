@@ -73,3 +73,12 @@ fn points_are_located_in_their_order_by_any_number_of_threads() {
         assert!(on(threads, || index.locate_all(&points[..1])) == one_by_one[..1]);
     }
 }
+
+#[test]
+fn an_index_does_not_depend_on_the_threads() {
+    for (name, points) in sets() {
+        let subdivision = Subdivision::delaunay(&points).unwrap().subdivision;
+        let made = |threads| on(threads, || format!("{:?}", PointIndex::new(&subdivision)));
+        assert!(made(1) == made(3), "{name}");
+    }
+}

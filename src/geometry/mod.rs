@@ -5,7 +5,7 @@
 //!   expansion.rs                    exact sums and products
 //!   interval.rs  double_double.rs   bounds that decide without them most of the time
 //!   number.rs                       numbers as they are written
-//!   grouping.rs                     things by groups: a counting sort
+//!   grouping.rs  threads.rs         things by groups: a counting sort; work that threads may share
 //!   space.rs  random.rs             vectors in space; numbers that look random
 //! ```
 //!
@@ -23,3 +23,4 @@ pub mod predicates;
 pub(crate) mod random;
 #[cfg(any(feature = "navmesh", feature = "solid"))]
 pub(crate) mod space;
+pub(crate) mod threads;

@@ -76,7 +76,7 @@ impl Slivers {
         let faces = halves.map(|pair| pair.map(|h| name(map.face(h)))).collect();
         let edges = Edges { ends, vertices, faces };
         let upper = (0..edges.ends.len() as u32).map(|i| HalfEdgeId::new(2 * i));
-        let cells = Cells::new(&edges, &upper, &std::iter::empty(), map.outer_face(), 1.0);
+        let cells = Cells::new(&edges, upper, std::iter::empty(), map.outer_face(), 1.0);
         Self { edges, cells }
     }
 

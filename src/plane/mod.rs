@@ -35,7 +35,6 @@
 //   triangulate/                faces into triangles: ears, monotone pieces              hull/      points -> convex hull
 //   sweep.rs status.rs          what lies below; the edges under the sweep line, in order
 //   cycle.rs rings.rs           which way round, which inner cycle in which face              seed.rs    to start from
-//   threads.rs                  work that threads may share
 
 mod affine;
 mod check;
@@ -57,7 +56,6 @@ mod status;
 mod subdivision;
 mod sweep;
 mod table;
-mod threads;
 mod triangulate;
 mod voronoi;
 

@@ -239,6 +239,28 @@ fn full_cells_and_cells_with_lists_agree() {
     }
 }
 
+/// Rows are filled band by band, and the numbering in stretches: an edge may pass several bands, each of which may have
+/// crowds.
+#[test]
+fn cells_filled_in_several_bands_agree_with_walks() {
+    let mut next = Numbers::new(3200);
+    let mut points: Vec<Point> = (0..30_000).map(|_| Point::new(next.unit(), next.unit())).collect();
+    points.extend([Point::new(-0.3, 0.5), Point::new(1.3, 0.5)]);
+    for height in [0.05, 0.3, 0.55, 0.8, 0.97] {
+        points.extend((0..300).map(|_| Point::new(0.5 + 1e-5 * next.unit(), height + 1e-5 * next.unit())));
+    }
+    let s = Subdivision::delaunay(&points).unwrap().subdivision;
+    let index = PointIndex::with_density(&s, 2.0);
+    assert!(index.cell_count() > 150_000, "several bands: {} cells", index.cell_count());
+    let near = |p: Point, next: &mut Numbers| Point::new(p.x + 1e-7 * next.unit(), p.y - 1e-7 * next.unit());
+    let beside: Vec<Point> = points.iter().map(|&p| near(p, &mut next)).collect();
+    let anywhere = (0..30_000).map(|_| Point::new(1.7 * next.unit() - 0.35, 1.1 * next.unit() - 0.05));
+    let asked: Vec<Point> = points.iter().copied().chain(beside).chain(anywhere).collect();
+    for p in asked {
+        assert_eq!(index.locate(p), s.locate(p), "{p}");
+    }
+}
+
 #[test]
 fn turning_moving_and_scaling_changes_nothing() {
     let maps: [fn(Point) -> Point; 4] = [

@@ -19,8 +19,8 @@
 use super::halves::{Half, Halves};
 use super::order::{Axis, Ordered, Site, middle};
 use crate::geometry::predicates::{in_circle, orientation};
+use crate::geometry::threads;
 use crate::plane::Point;
-use crate::plane::threads;
 use std::cmp::Ordering;
 
 /// A finished triangulation: half-edges whose origins are places in the order, and one of the outline.

@@ -25,8 +25,8 @@ pub use constrained::ConstrainedDelaunay;
 pub use lawson::FlipEvent;
 
 use super::{CoordinateError, Point, Subdivision};
+use crate::geometry::threads::both;
 use crate::ids::{MAX_IDS, VertexId, VertexMap};
-use crate::plane::threads::both;
 use crate::topology::{Columns, Dcel, InnerComponent, TooMany};
 use divide::{Divided, divide_and_conquer};
 use halves::Half;

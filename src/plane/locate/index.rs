@@ -10,8 +10,8 @@
 
 use super::{Cells, Lines, Location};
 use crate::geometry::grouping::grouped;
+use crate::geometry::threads::pieces;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
-use crate::plane::threads::pieces;
 use crate::plane::{Point, Subdivision};
 use std::borrow::Borrow;
 
@@ -143,8 +143,8 @@ fn locate_block(s: &Subdivision, cells: &Cells, points: &[Point], answers: &mut 
 }
 
 fn cells(s: &Subdivision, density: f64) -> Cells {
-    let edges = s.dcel.edges().map(|e| s.upper_half(e));
+    let edges = s.dcel.edges().map(|e| e.half_edges()[0]);
     let isolated = s.dcel.vertices().filter(|&v| s.dcel.outgoing(v).is_none());
     let density = if density.is_nan() { 1.0 } else { density.clamp(1.0 / 16.0, 16.0) };
-    Cells::new(s, &edges, &isolated, s.outer_face(), density)
+    Cells::new(s, edges, isolated, s.outer_face(), density)
 }

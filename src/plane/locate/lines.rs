@@ -6,7 +6,7 @@ use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::Point;
 
 /// The edges that a grid is made for.
-pub(crate) trait Lines {
+pub(crate) trait Lines: Sync {
     /// Where the half-edge starts.
     fn origin(&self, h: HalfEdgeId) -> VertexId;
     /// Where the vertex is.

@@ -3,16 +3,21 @@
 //! ```text
 //!   scan.rs    a look at everything: O(n), nothing to go wrong         the answer the others are tested against
 //!   walk.rs    from a vertex towards the point, face by face           nothing to prepare; changes are welcome
-//!   index.rs   a grid made once, for very many points: lines.rs cells.rs crowd.rs, order.rs breaks its ties
+//!   index.rs   a grid made once, for very many points; order.rs breaks its ties
+//!               lines.rs what lies in it   frame.rs where cells lie   bands.rs how they are filled
+//!               lists.rs few edges in a cell   crowd.rs many   cells.rs the whole
 //! ```
 //!
 //! All of them give the same answer. Points that do not pass [`Point::check`] get an answer, too, but where they are
 //! closer to 0 than that allows it need not be exact; what is not a number, or infinite, lies in `f0`.
 
+mod bands;
 mod cells;
 mod crowd;
+mod frame;
 mod index;
 mod lines;
+mod lists;
 mod order;
 mod scan;
 mod walk;

@@ -7,7 +7,7 @@
 //! ```
 
 /// Whether there is a second thread: else work need not be prepared for it.
-pub(super) fn are_many() -> bool {
+pub(crate) fn are_many() -> bool {
     #[cfg(feature = "parallel")]
     return rayon::current_num_threads() > 1;
     #[cfg(not(feature = "parallel"))]
@@ -16,25 +16,25 @@ pub(super) fn are_many() -> bool {
 
 /// Both pieces of work.
 #[cfg(feature = "parallel")]
-pub(super) fn both<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
+pub(crate) fn both<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
     rayon::join(a, b)
 }
 
 /// Both pieces of work.
 #[cfg(not(feature = "parallel"))]
-pub(super) fn both<A, B>(a: impl FnOnce() -> A, b: impl FnOnce() -> B) -> (A, B) {
+pub(crate) fn both<A, B>(a: impl FnOnce() -> A, b: impl FnOnce() -> B) -> (A, B) {
     (a(), b())
 }
 
 /// Hands out `to` in pieces of `size`, each with the number of its first place.
 #[cfg(feature = "parallel")]
-pub(super) fn pieces<T: Send>(to: &mut [T], size: usize, work: impl Fn(usize, &mut [T]) + Sync) {
+pub(crate) fn pieces<T: Send>(to: &mut [T], size: usize, work: impl Fn(usize, &mut [T]) + Sync) {
     use rayon::prelude::*;
     to.par_chunks_mut(size).enumerate().for_each(|(i, piece)| work(i * size, piece));
 }
 
 /// Hands out `to` in pieces of `size`, each with the number of its first place.
 #[cfg(not(feature = "parallel"))]
-pub(super) fn pieces<T>(to: &mut [T], size: usize, work: impl Fn(usize, &mut [T])) {
+pub(crate) fn pieces<T>(to: &mut [T], size: usize, work: impl Fn(usize, &mut [T])) {
     to.chunks_mut(size).enumerate().for_each(|(i, piece)| work(i * size, piece));
 }
