@@ -28,27 +28,56 @@ const STRETCH: usize = 1 << 16;
 /// Cells of a band, about: all that is read while it is filled takes a megabyte or two.
 const BAND: usize = 1 << 16;
 
-/// The frame over the words, which are half-edges, one of each edge, and isolated vertices with the `TAG`; and the lists
-/// of all bands, from the bottom up.
-pub(super) fn filled<L: Lines>(
-    lines: &L,
-    words: impl Iterator<Item = u32>,
-    outer: FaceId,
-    density: f64,
-) -> (Frame, Vec<Lists>) {
-    let mut stretches = Stretch::cut(words);
-    pieces(&mut stretches, 1, |_, stretch| stretch[0].measure(lines));
-    let frame = Frame::over(&stretches.iter().fold(Extent::NONE, |all, stretch| all.and(&stretch.extent)), density);
-    let height = (BAND / frame.columns).max(1);
-    let count = frame.rows.div_ceil(height);
-    pieces(&mut stretches, 1, |_, stretch| stretch[0].share_out(lines, &frame, height, count));
-    let mut bands = vec![Lists::default(); count];
-    pieces(&mut bands, 1, |number, band| {
-        let rows = number * height..frame.rows.min((number + 1) * height);
-        let words = || stretches.iter().filter_map(|stretch| stretch.by_band.as_ref()).flat_map(|all| all.of(number));
-        Band { lines, frame: &frame, rows, lists: &mut band[0] }.fill(|| words().copied(), outer);
-    });
-    (frame, bands)
+/// The lists of all rows.
+#[derive(Clone, Debug)]
+pub(super) struct Bands {
+    /// A band has two to this power of rows, the last one what is left.
+    height: u32,
+    /// From the bottom up.
+    bands: Vec<Lists>,
+}
+
+impl Bands {
+    /// The frame over the words, which are half-edges, one of each edge, and isolated vertices with the `TAG`; and what
+    /// the cells in it know.
+    pub(super) fn filled<L: Lines>(
+        lines: &L,
+        words: impl Iterator<Item = u32>,
+        outer: FaceId,
+        density: f64,
+    ) -> (Frame, Self) {
+        let mut stretches = Stretch::cut(words);
+        pieces(&mut stretches, 1, |_, stretch| stretch[0].measure(lines));
+        let frame = Frame::over(&stretches.iter().fold(Extent::NONE, |all, stretch| all.and(&stretch.extent)), density);
+        let height = (BAND / frame.columns).max(1).ilog2();
+        let count = ((frame.rows - 1) >> height) + 1;
+        pieces(&mut stretches, 1, |_, stretch| stretch[0].share_out(lines, &frame, height, count));
+        let mut bands = vec![Lists::default(); count];
+        pieces(&mut bands, 1, |number, band| {
+            let rows = number << height..frame.rows.min((number + 1) << height);
+            let shares = stretches.iter().filter_map(|stretch| stretch.by_band.as_ref());
+            let words = shares.flat_map(|all| all.of(number)).copied();
+            Band { lines, frame: &frame, rows, lists: &mut band[0] }.fill(words, outer);
+        });
+        (frame, Self { height, bands })
+    }
+
+    /// The lists of a row, and the number of a cell of the row in them.
+    #[inline]
+    pub(super) fn at(&self, frame: &Frame, [row, column]: [usize; 2]) -> (&Lists, usize) {
+        let row_of_band = row & ((1 << self.height) - 1);
+        (&self.bands[row >> self.height], frame.number([row_of_band, column]))
+    }
+
+    /// The most edges that one query looks at.
+    pub(super) fn worst(&self) -> usize {
+        self.bands.iter().map(|band| band.worst).max().unwrap_or(0)
+    }
+
+    /// The bytes of all arrays.
+    pub(super) fn memory_bytes(&self) -> usize {
+        self.bands.iter().map(|band| size_of::<Lists>() + band.memory_bytes()).sum()
+    }
 }
 
 /// The ends of an edge; of an isolated vertex, its place twice.
@@ -90,11 +119,11 @@ impl Stretch {
     }
 
     /// Gives the words to the bands of so many rows.
-    fn share_out(&mut self, lines: &impl Lines, frame: &Frame, height: usize, count: usize) {
+    fn share_out(&mut self, lines: &impl Lines, frame: &Frame, height: u32, count: usize) {
         let words = std::mem::take(&mut self.words);
         let mut pairs = Vec::with_capacity(words.len() + words.len() / 4);
         for word in words {
-            let [first, last] = frame.rows_of(ends(lines, word)).map(|row| row / height);
+            let [first, last] = frame.rows_of(ends(lines, word)).map(|row| row >> height);
             pairs.extend((first..=last).map(|band| (band as u32, word)));
         }
         self.by_band = Some(Groups::new(count, pairs.iter().map(|&(band, word)| (band as usize, word))));
@@ -110,11 +139,11 @@ struct Band<'a, L> {
 }
 
 impl<L: Lines> Band<'_, L> {
-    fn fill<I: Iterator<Item = u32>>(&mut self, words: impl Fn() -> I, outer: FaceId) {
+    fn fill(&mut self, words: impl Iterator<Item = u32>, outer: FaceId) {
         let Self { lines, frame, rows, .. } = self;
         let base = rows.start * frame.columns;
         let mut pairs: Vec<(u32, u32)> = Vec::new();
-        for word in words() {
+        for word in words {
             frame.cover(ends(*lines, word), rows, |cell| pairs.push(((cell - base) as u32, word)));
         }
         let mut cells = vec![Cell::default(); rows.len() * frame.columns + 1];
@@ -157,6 +186,7 @@ impl<L: Lines> Band<'_, L> {
             }
         }
         listed.truncate(kept);
+        listed.shrink_to_fit();
         if let Some(end) = cells.last_mut() {
             end.first = kept as u32;
         }

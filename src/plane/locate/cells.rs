@@ -14,10 +14,10 @@
 //! Rounding: corners are pulled to the lower left, and edges are listed in every cell that they pass within a margin of.
 
 use super::Location;
-use super::bands;
+use super::bands::Bands;
 use super::frame::Frame;
 use super::lines::{Lines, TAG};
-use super::lists::{self, Lists};
+use super::lists;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::Point;
 
@@ -26,7 +26,7 @@ use crate::plane::Point;
 pub(crate) struct Cells {
     frame: Frame,
     outer: FaceId,
-    lists: Lists,
+    bands: Bands,
 }
 
 impl Cells {
@@ -42,21 +42,21 @@ impl Cells {
         density: f64,
     ) -> Self {
         let words = edges.map(HalfEdgeId::number).chain(isolated.map(|v| v.number() | TAG));
-        let (frame, lists) = bands::filled(lines, words, outer, density);
-        Self { frame, outer, lists: Lists::joined(lists) }
+        let (frame, bands) = Bands::filled(lines, words, outer, density);
+        Self { frame, outer, bands }
     }
 
     /// Where the point lies; edges by their halves from left to right.
     #[inline]
     pub(crate) fn locate(&self, lines: &impl Lines, p: Point) -> Location {
         let Some(place) = self.frame.place_of(p) else { return Location::Face(self.outer) };
-        let cell = self.frame.number(place);
-        let found = match self.lists.of(cell) {
+        let (band, cell) = self.bands.at(&self.frame, place);
+        let found = match band.of(cell) {
             Ok([]) => None,
             Ok(list) => lists::locate(lines, list, self.frame.corner(place), p),
-            Err(crowd) => self.lists.crowds.locate(lines, crowd, self.frame.corner(place).y, p),
+            Err(crowd) => band.crowds.locate(lines, crowd, self.frame.corner(place).y, p),
         };
-        found.unwrap_or(Location::Face(self.lists.corner_face(cell)))
+        found.unwrap_or(Location::Face(band.corner_face(cell)))
     }
 
     /// The cell of a point, to ask for points of one cell together; points outside come last.
@@ -71,11 +71,11 @@ impl Cells {
 
     /// The most edges that one query looks at.
     pub(crate) fn worst_case(&self) -> usize {
-        self.lists.worst
+        self.bands.worst()
     }
 
     /// The bytes of all arrays.
     pub(crate) fn memory_bytes(&self) -> usize {
-        self.lists.memory_bytes()
+        self.bands.memory_bytes()
     }
 }

@@ -85,28 +85,6 @@ impl Crowds {
         self.list.len() as u32 - 1
     }
 
-    /// How many crowded cells there are.
-    pub(super) fn count(&self) -> u32 {
-        self.list.len() as u32
-    }
-
-    /// Takes the cells of others: their numbers come after those that are here.
-    pub(super) fn append(&mut self, other: Self) {
-        let [nodes, sills, posts] = [self.nodes.len(), self.sills.len(), self.posts.len()].map(|len| len as u32);
-        let later = |at: u32, by: u32| if at == END { END } else { at + by };
-        let moved = |range: Range<u32>, by: u32| range.start + by..range.end + by;
-        self.list.extend(other.list.into_iter().map(|crowd| Crowd {
-            root: later(crowd.root, nodes),
-            sill: moved(crowd.sill, sills),
-            posts: moved(crowd.posts, posts),
-        }));
-        let node = |node: Node| Node { no: later(node.no, nodes), yes: later(node.yes, nodes), ..node };
-        self.nodes.extend(other.nodes.into_iter().map(node));
-        self.sills.extend(other.sills);
-        self.posts.extend(other.posts);
-        self.worst = self.worst.max(other.worst);
-    }
-
     fn add_posts(&mut self, lines: &impl Lines, list: &[u32]) -> Range<u32> {
         let start = self.posts.len();
         for &word in list {

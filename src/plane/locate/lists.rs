@@ -22,7 +22,7 @@ pub(super) struct Cell {
     pub(super) face: u32,
 }
 
-/// What each cell knows.
+/// What each cell of some rows knows.
 #[derive(Clone, Default, Debug)]
 pub(super) struct Lists {
     /// Row by row from the lower left; one more at the end.
@@ -35,29 +35,6 @@ pub(super) struct Lists {
 }
 
 impl Lists {
-    /// The lists of rows one after the other.
-    pub(super) fn joined(parts: Vec<Self>) -> Self {
-        let cells = parts.iter().map(|part| part.cells.len() - 1).sum::<usize>() + 1;
-        let listed = parts.iter().map(|part| part.listed.len()).sum();
-        let mut all = Self {
-            cells: Vec::with_capacity(cells),
-            listed: Vec::with_capacity(listed),
-            crowds: Crowds::default(),
-            worst: 0,
-        };
-        for part in parts {
-            let (start, crowds) = (all.listed.len(), all.crowds.count());
-            all.cells.pop();
-            all.cells.extend(part.cells.iter().map(|cell| Cell { first: cell.first + start as u32, ..*cell }));
-            all.listed.extend_from_slice(&part.listed);
-            let crowded = part.cells.iter().filter(|cell| cell.face & TAG != 0);
-            crowded.for_each(|cell| all.listed[start + cell.first as usize] += crowds);
-            all.crowds.append(part.crowds);
-            all.worst = all.worst.max(part.worst);
-        }
-        all
-    }
-
     /// The list of a cell, or the number of its crowd.
     #[inline]
     pub(super) fn of(&self, cell: usize) -> Result<&[u32], u32> {
