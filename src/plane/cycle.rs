@@ -21,6 +21,23 @@ pub(crate) fn encloses(corners: impl Iterator<Item = Point> + Clone) -> bool {
     windows(corners).filter(|[_, v, _]| *v == leftmost).all(|[u, v, w]| orientation(v, w, u).is_gt())
 }
 
+/// Whether the closed walk runs counter-clockwise round a convex region, once; straight corners may be among its corners.
+///
+/// Cost: O(corners).
+pub(super) fn is_convex(corners: impl Iterator<Item = Point> + Clone) -> bool {
+    let (mut left, mut changes) = (false, 0);
+    for [u, v, w] in windows(corners) {
+        match orientation(u, v, w) {
+            Ordering::Less => return false,
+            Ordering::Equal => {}
+            Ordering::Greater => left = true,
+        }
+        // It runs from left to right and back just once.
+        changes += u32::from(left_to_right(u, v) != left_to_right(v, w));
+    }
+    left && changes == 2
+}
+
 /// Whether `q`, which must not lie on the walk, is on the bounded side of the closed walk: even-odd rule, so
 /// that edges walked in both directions do not count. Cost: O(corners).
 pub(super) fn surrounds(corners: impl Iterator<Item = Point> + Clone, q: Point) -> bool {
@@ -87,6 +104,17 @@ mod tests {
         let bow = walk(&[(0, 0), (2, 3), (3, 2), (0, 0), (3, -2), (2, -3)]);
         assert!(!encloses(bow.iter().copied()));
         assert!(encloses(walk(&[(0, 0), (3, 2), (2, 3), (0, 0), (-3, -2), (-2, -3)]).into_iter()));
+    }
+
+    #[test]
+    fn convex_walks() {
+        let is = |list: &[(i32, i32)]| is_convex(walk(list).into_iter());
+        assert!(is(&[(0, 0), (2, 0), (4, 0), (4, 4), (0, 4), (0, 1)]) && is(&[(0, 0), (1, 0), (0, 1)]));
+        // The other way round, a dent, all on one line, a spike, two times round, no region.
+        assert!(!is(&[(0, 4), (4, 4), (4, 0), (0, 0)]) && !is(&[(0, 0), (4, 0), (4, 4), (3, 1)]));
+        assert!(!is(&[(0, 0), (2, 0), (4, 0)]) && !is(&[(0, 0), (5, 0), (4, 0), (4, 4)]));
+        assert!(!is(&[(0, 0), (4, 0), (4, 4), (0, 4), (0, 0), (4, 0), (4, 4), (0, 4)]));
+        assert!(!is(&[(0, 0), (3, 0)]) && !is(&[(0, 0)]) && !is(&[]));
     }
 
     #[test]

@@ -28,7 +28,7 @@
 //   overlay/                    two subdivisions on each other, and their regions
 //   mend/                       polygons that overlap or cross -> subdivision
 //   affine.rs                   maps that keep straight lines straight
-//   check.rs                    the laws of the plane                                   measure.rs areas, exactly
+//   check.rs proof.rs           the laws of the plane; that they hold, with less work        measure.rs areas, exactly
 //   edit/                       split_face, join_faces, split_edge, join_edges; insert and remove vertices, edges, segments
 //   plane_journal.rs            watching the edits, undo
 //   locate/                     where a point lies: scan, walk, index
@@ -49,6 +49,7 @@ mod meet;
 mod mend;
 mod overlay;
 mod plane_journal;
+mod proof;
 mod rings;
 mod seed;
 mod segments;
