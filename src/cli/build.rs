@@ -146,7 +146,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if args.nested_holes && arranged.subdivision.mark_nested_holes().is_empty() {
         say("note", "no ring lies inside another: --nested-holes marks nothing");
     }
-    if mend && arranged.rounds == 0 && arranged.grid.is_none() && !had_rings_mended {
+    if mend && describe(&arranged).is_empty() && !had_rings_mended {
         say("note", NOTHING_TO_MEND);
     }
     args.results.draw(&args.file, "Segments", out, |options| {

@@ -255,7 +255,13 @@ impl From<LoadError> for Failure {
         };
         let what = error.what();
         let (what, own_help) = what.split_once("; ").unwrap_or((&what, ""));
-        let help = flags(&error).map_or_else(|| own_help.to_owned(), str::to_owned);
+        let help = match &error {
+            LoadError::Table { source_name, .. } if own_help.is_empty() => {
+                let file = if source_name == "<stdin>" { "-" } else { source_name };
+                format!("all that is broken in it is named by: dcel validate {file}")
+            }
+            error => flags(error).map_or_else(|| own_help.to_owned(), str::to_owned),
+        };
         // Where a line follows, or a path inside the file, it is what stands before.
         let file = place.split_once(": ").map_or(place.as_str(), |(file, _)| file);
         let file = Some(file.trim_end_matches(|c: char| c == ':' || c.is_ascii_digit()).to_owned());

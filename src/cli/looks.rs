@@ -6,6 +6,7 @@ use super::save::Files;
 use super::subject::Subject;
 use dcel_kit::FaceId;
 use dcel_kit::figure::{FigureOptions, Overrides, Style, Theme, Unit};
+use dcel_kit::io::read_whole;
 use dcel_kit::plane::Point;
 use std::path::{Path, PathBuf};
 
@@ -170,6 +171,8 @@ impl Looks {
 }
 
 fn read(path: &Path) -> Result<String, Failure> {
-    std::fs::read_to_string(path)
-        .map_err(|error| Failure::input(format!("{}: cannot be read: {error}", path.display()), "name a text file"))
+    let bytes = read_whole(path)?;
+    let text = String::from_utf8(bytes)
+        .map_err(|_| Failure::input(format!("{}: this is not text in UTF-8", path.display()), "name a text file"))?;
+    Ok(text.trim_start_matches('\u{feff}').to_owned())
 }

@@ -30,7 +30,8 @@ pub enum CoordinateError {
     },
     /// Too far from 0 or too close to it.
     #[error(
-        "{axis} = {value:e} is outside the exact range: 0, or between 2^-142 = 1.8e-43 and 2^201 = 3.2e60 in size; scale the input"
+        "{axis} = {value:e} is outside the exact range: 0, or between 2^-142 = 1.8e-43 and 2^201 = 3.2e60 in size; {}",
+        if value.abs() < 1.0 { "make it 0, or scale the input" } else { "scale the input" }
     )]
     OutOfRange {
         /// `x` or `y` (or `z`).

@@ -4,7 +4,7 @@ use super::Number;
 use super::load_error::{LoadError, Whereabouts};
 use super::room::for_segments;
 use super::soup::SegmentSoup;
-use super::words::counted;
+use super::words::{at_most, counted};
 use crate::ids::VertexId;
 use crate::plane::{ArrangeOptions, Arranged, MarkHolesError, SegmentFault, SegmentsError, Subdivision};
 
@@ -81,7 +81,7 @@ pub fn describe(arranged: &Arranged) -> Vec<String> {
     let split = arranged.split_segments().count();
     add(split, "segment was split where it meets others", "segments were split where they meet others", "");
     let furthest = arranged.moved.iter().map(|moved| moved.1).fold(0.0, f64::max);
-    let by = format!(" moved by rounding, none further than {furthest:.2e}");
+    let by = format!(" moved by rounding, none further than {}", at_most(furthest));
     add(arranged.moved.len(), "crossing was", "crossings were", &by);
     if let Some(grid) = arranged.grid {
         notes.push(on_grid(grid, &arranged.displaced, arranged.farthest));
@@ -103,8 +103,8 @@ pub fn on_grid(grid: f64, displaced: &[(VertexId, f64)], farthest: f64) -> Strin
     let (grid, most) = (Number(grid), displaced.iter().map(|moved| moved.1).fold(0.0, f64::max));
     let points = match displaced {
         [] => "no point of the input moved".to_owned(),
-        [_] => format!("1 point of the input moved, by {most:.2e}"),
-        more => format!("{} points of the input moved, none further than {most:.2e}", more.len()),
+        [_] => format!("1 point of the input moved, by {}", at_most(most)),
+        more => format!("{} points of the input moved, none further than {}", more.len(), at_most(most)),
     };
-    format!("points were rounded to a grid of {grid}: {points}, and no edge further than {farthest:.2e}")
+    format!("points were rounded to a grid of {grid}: {points}, and no edge further than {}", at_most(farthest))
 }

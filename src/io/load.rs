@@ -114,8 +114,10 @@ pub fn assemble(read: Read, source_name: &str, options: &LoadOptions) -> Result<
         Document::Polygons(soup) => soup,
         Document::Segments(soup) => {
             let arranged = arrange(&soup, options.mend)?;
-            notes.extend(describe(&arranged));
-            if options.mend && arranged.rounds == 0 && !were_mended(&notes) {
+            let told = describe(&arranged);
+            let as_given = told.is_empty();
+            notes.extend(told);
+            if options.mend && as_given && !were_mended(&notes) {
                 notes.push(NOTHING_TO_MEND.to_owned());
             }
             let (structure, names) = (Structure::Plane(arranged.subdivision), FaceMap::default());

@@ -3,7 +3,7 @@
 use super::load_error::{LoadError, Whereabouts};
 use super::misfit::Told;
 use super::soup::Places;
-use super::words::counted;
+use super::words::{at_most, counted};
 use crate::geometry::number::Number;
 use crate::ids::{FaceId, FaceMap, VertexId};
 use crate::plane::{Cover, Mended, Point, SegmentsError, Subdivision};
@@ -162,7 +162,7 @@ fn note_splits(mended: &Mended, told: &Told<'_>, notes: &mut Vec<String>) {
     if !mended.moved.is_empty() {
         let count = counted(mended.moved.len(), "vertex was moved", "vertices were moved");
         let grid = mended.grid.map_or_else(String::new, |grid| format!(" to a grid of {}", Number(grid)));
-        notes.push(format!("{count} by rounding{grid}; no side moved further than {:.2e}", mended.farthest));
+        notes.push(format!("{count} by rounding{grid}; no side moved further than {}", at_most(mended.farthest)));
     }
 }
 

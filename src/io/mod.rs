@@ -95,6 +95,6 @@ pub use problem::{ReadError, ReadProblem};
 pub use read::{read_bytes, read_path, read_triangle, read_whole, source_name};
 pub use scen::{Misfits, Optimum, Query, Scenario, Verdict};
 pub use soup::{Axis, Places, PolygonSoup, SegmentSoup};
-pub use words::counted;
+pub use words::{at_most, counted};
 pub use write::{write, write_path, write_triangle};
 pub use write_error::WriteError;

@@ -42,6 +42,16 @@ pub struct Welded {
     pub farthest: f64,
 }
 
+/// A vertex that is to become a corner inside a side.
+struct Beside {
+    v: u32,
+    /// How far it is from the side.
+    apart: f64,
+    /// The side of the cycle, by number, and where on it, from 0 to 1.
+    side: usize,
+    along: f64,
+}
+
 /// A side that no other face has in the other direction.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) struct BorderSide {
@@ -143,16 +153,14 @@ pub fn weld_in_space(points: &[[f64; 3]], faces: &PolygonList, distance: f64) ->
     let border = border_of(sides.map(|(ends, face)| BorderSide { ends, face }).collect());
     let on_border = sorted(border.iter().flat_map(|side| side.ends).filter(is_sound).collect());
     let grid = PointGrid::new(points, on_border);
-    let mut between: Vec<(f64, u32)> = Vec::new();
+    let mut found: Vec<Beside> = Vec::new();
     for (i, (face, is_outer, cycle)) in cycles.iter().enumerate() {
-        let mut corners = Vec::with_capacity(cycle.len());
-        for [a, b] in ends(cycle) {
-            corners.push(a);
-            let side = BorderSide { ends: [a, b], face: i as u32 };
-            if ![a, b].iter().all(is_sound) || border.binary_search(&side).is_err() {
+        found.clear();
+        for (side, [a, b]) in ends(cycle).into_iter().enumerate() {
+            let border_side = BorderSide { ends: [a, b], face: i as u32 };
+            if ![a, b].iter().all(is_sound) || border.binary_search(&border_side).is_err() {
                 continue;
             }
-            between.clear();
             let [p, q] = [a, b].map(|v| points[v as usize]);
             grid.near(points, [p, q], distance, |v| {
                 let at = points[v as usize];
@@ -160,13 +168,22 @@ pub fn weld_in_space(points: &[[f64; 3]], faces: &PolygonList, distance: f64) ->
                 let exact = are_on_a_line(p, q, at);
                 let inside = along > 0.0 && along < 1.0 && ![p, q].contains(&at);
                 if inside && (apart <= distance || exact) && !cycle.contains(&v) {
-                    between.push((along, v));
-                    result.farthest = result.farthest.max(if exact { 0.0 } else { apart });
+                    found.push(Beside { v, apart: if exact { 0.0 } else { apart }, side, along });
                 }
             });
-            between.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-            result.inserted += between.len();
-            corners.extend(between.iter().map(|&(_, v)| v));
+        }
+        // Near a corner a vertex may be beside two sides of one face: it goes into the nearer one.
+        found.sort_unstable_by(|a, b| a.v.cmp(&b.v).then(a.apart.total_cmp(&b.apart)).then(a.side.cmp(&b.side)));
+        found.dedup_by_key(|beside| beside.v);
+        found.sort_unstable_by(|a, b| a.side.cmp(&b.side).then(a.along.total_cmp(&b.along)).then(a.v.cmp(&b.v)));
+        result.inserted += found.len();
+        result.farthest = found.iter().fold(result.farthest, |farthest, beside| farthest.max(beside.apart));
+        let mut corners = Vec::with_capacity(cycle.len() + found.len());
+        let mut inserted = found.iter().peekable();
+        for (side, &corner) in cycle.iter().enumerate() {
+            corners.push(corner);
+            corners
+                .extend(std::iter::from_fn(|| inserted.next_if(|beside| beside.side == side)).map(|beside| beside.v));
         }
         if *is_outer {
             result.faces.push_face(&corners);

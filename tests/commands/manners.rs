@@ -70,6 +70,8 @@ fn misfits_name_lines_and_options() {
     folder.dcel("info flat.obj").fails(2, "flat.obj:6: face 1 has no area", "remove it");
     folder.write("huge.obj", &SQUARE.replace("v 4 3", "v 4 1e300"));
     folder.dcel("info huge.obj").fails(2, "huge.obj:3", "scale the input");
+    folder.write("tiny.obj", &SQUARE.replace("v 4 3", "v 4 1e-300"));
+    folder.dcel("info tiny.obj").fails(2, "tiny.obj:3", "make it 0, or scale the input");
     let garden = GARDEN.replace("[[20,0],[21,2],[22,0],[20,0]]", "[[20,0],[21,0],[20,0]]");
     folder.write("thin.json", &garden);
     folder.dcel("info thin.json").fails(2, "\"Shed\"", "--drop-degenerate-rings");

@@ -316,6 +316,13 @@ fn sound_input_has_nothing_to_mend() {
         let told = folder.dcel(call);
         assert!(told.code == Some(0) && told.err.contains("note: nothing to mend\n"), "{call}: {told:?}");
     }
+    // Segments that overlap are split, though no crossing is made.
+    folder.write("over.segments", "0 0 2 0\n1 0 2 0\n");
+    for call in ["info over.segments --mend", "build over.segments --mend"] {
+        let told = folder.dcel(call);
+        assert!(told.err.contains("1 segment was split where it meets others"), "{call}: {told:?}");
+        assert!(!told.err.contains("nothing to mend"), "{call}: {told:?}");
+    }
     // A ring that was closed is something.
     folder.write("open.json", "{\"type\":\"Polygon\",\"coordinates\":[[[0,0],[4,0],[4,4],[0,4]]]}");
     folder.dcel("build open.json").fails(2, "the ring starts at (0, 0) and ends at (0, 4)", "--mend");

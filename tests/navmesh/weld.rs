@@ -159,6 +159,20 @@ fn what_is_thinner_than_the_distance_is_gone() {
 }
 
 /// A long row of vertices at equal places: each is compared with those beside it only.
+/// Beside a corner a vertex is near two sides of the same face, and further from the corner itself.
+#[test]
+fn a_vertex_beside_two_sides_becomes_one_corner() {
+    for (x, y, nearer) in [(0.9994, 0.9995, 2), (0.9995, 0.9994, 1)] {
+        let points = [(0., 0.), (1., 0.), (1., 1.), (0., 1.), (x, y), (2., 2.), (1.5, 2.)].map(Point::from);
+        let mut faces = PolygonList::new();
+        [&[0, 1, 2, 3][..], &[4, 5, 6]].iter().for_each(|face| faces.push_face(face));
+        let welded = weld(&points, &faces, 0.0007);
+        let mut expected = vec![0, 1, 2, 3];
+        expected.insert(nearer + 1, 4);
+        assert_eq!((welded.faces.cycle(0), welded.inserted), (&expected[..], 1), "({x}, {y})");
+    }
+}
+
 #[test]
 fn long_walls_are_welded_as_they_are() {
     let n = 20_000;

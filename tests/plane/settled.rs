@@ -21,7 +21,7 @@ fn assert_settled(arranged: &Arranged, segments: &[Segment], context: &str) -> u
     let s = &arranged.subdivision;
     let given = segments.as_flattened().iter();
     let all = given.copied().chain(s.vertices().map(|v| s.point(v))).flat_map(|p| [p.x, p.y]);
-    let unit = unit(all.chain([arranged.farthest]));
+    let unit = unit(all.chain([arranged.farthest]).chain(arranged.moved.iter().map(|moved| moved.1)));
     let at: Vec<Whole> = s.vertices().map(|v| Whole::new(s.point(v), unit)).collect();
     let ends: Vec<[&Whole; 2]> = s.edges().map(|e| e.half_edges().map(|h| &at[s.origin(h).index()])).collect();
     for (i, &e) in ends.iter().enumerate() {
@@ -38,6 +38,8 @@ fn assert_settled(arranged: &Arranged, segments: &[Segment], context: &str) -> u
         assert!(arranged.farthest <= 0.708 * grid || arranged.rounds > 1, "{context}: {arranged:?}");
     }
     let mut used = vec![false; s.edge_bound()];
+    let mut is_near = vec![false; s.vertex_bound()];
+    let told_of = |v: VertexId| arranged.moved.iter().find(|moved| moved.0 == v).map_or(0.0, |moved| moved.1);
     for (i, segment) in segments.iter().enumerate() {
         let chain = arranged.chain(i);
         let original = segment.map(|p| Whole::new(p, unit));
@@ -64,10 +66,14 @@ fn assert_settled(arranged: &Arranged, segments: &[Segment], context: &str) -> u
                     within(original, &at[v.index()], &far),
                     "{context}: {v} is too far from segment {i}: {arranged:?}"
                 );
+                is_near[v.index()] |= within(original, &at[v.index()], &whole(told_of(v), unit));
             }
         }
     }
     assert!(used.iter().all(|&used| used), "{context}: an edge of no segment");
+    for &v in &arranged.crossings {
+        assert!(is_near[v.index()], "{context}: {v} moved further than {:e}: {segments:?}", told_of(v));
+    }
     arranged.displaced.len()
 }
 
@@ -178,6 +184,22 @@ fn unsettled_segments_settle() {
 }
 
 /// `defects/touch_not_named.segments`
+/// Edges that were bent cross anew: what is made there is as far from the segments as the bends and the rounding together.
+#[test]
+fn later_rounds_count_the_bends_of_those_before() {
+    let far = |arranged: &Arranged| arranged.moved.iter().map(|moved| moved.1).fold(0.0, f64::max);
+    let ends: [[f64; 4]; 3] = [
+        [2.0000000000000005e-05, 0.0, 9.999999999999999e-06, 3.9999999999999996e-05],
+        [1.9999999999999998e-05, 0.0, 1e-05, 4.0000000000000024e-05],
+        [2e-05, 0.0, 1e-05, 4e-05],
+    ];
+    let segments = ends.map(|[a, b, c, d]| [Point::new(a, b), Point::new(c, d)]);
+    let arranged = arrange(&segments, &SPLIT, "bends");
+    assert_settled(&arranged, &segments, "bends");
+    let told = (arranged.rounds, far(&arranged), arranged.farthest);
+    assert!(told.0 > 1 && told.1 >= 2.465e-21 && told.1 <= told.2, "{told:?}");
+}
+
 #[test]
 fn all_touching_pairs_are_named() {
     let numbers = [[3., 3., 3., 0.], [3., 2., 2., 3.], [0., 0., 3., 2.]];

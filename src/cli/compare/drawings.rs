@@ -46,6 +46,9 @@ fn read(file: &Path) -> Result<Vec<u8>, Failure> {
     use std::io::Read;
     let unreadable =
         |error: std::io::Error| Failure::input(format!("{}: cannot be read: {error}", source_name(file)), "");
+    if file.is_dir() {
+        return Err(Failure::input(format!("{}: it is a directory", source_name(file)), "give a file in it"));
+    }
     let mut bytes = Vec::new();
     let length = if file.as_os_str() == "-" {
         std::io::stdin().lock().take(LONGEST).read_to_end(&mut bytes)

@@ -19,8 +19,9 @@ use std::path::PathBuf;
 /// The last column of a .scen file is the length of the shortest path in some files, and the octile
 /// cost from cell to cell in others, which is an upper bound here; the numbers of the whole file tell
 /// which, and the answer says so in its first line. A length is met if it is no further away than
-/// half a unit of its last printed digit. A stated -1, or 0 between two places, means that there is
-/// no path, or no clear place to start or end. Exit code 1 if a query fails.
+/// half a unit of its last printed digit; in a file of whole numbers alone, of the sixth digit. A
+/// stated -1, or 0 between two places, means that there is no path, or no clear place to start or end.
+/// Exit code 1 if a query fails.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "\
 Examples:

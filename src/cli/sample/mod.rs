@@ -145,5 +145,8 @@ fn is_free(path: &Path, sample: &Sample) -> Result<bool, Failure> {
         return Ok(false);
     }
     let what = format!("{}: is there already, and holds something else", path.display());
-    Err(Failure::input(what, "move it away, or write into another folder: dcel sample --all DIR"))
+    Err(Failure::input(
+        what,
+        "move it away, or write under another name, with -o NAME, or into another folder, with --all DIR",
+    ))
 }

@@ -379,7 +379,7 @@ fn cut(points: &[Space], faces: &PolygonList, face: u32, out: &mut Vec<[u32; 3]>
         if normal[axis] < 0.0 { Point::new(0.0 - x, y) } else { Point::new(x, y) }
     };
     let outline: Vec<Point> = ring.iter().map(seen).collect();
-    let mut map = Subdivision::polygon(&outline).map_err(|error| shape(&error.to_string()))?;
+    let mut map = Subdivision::polygon(&outline).map_err(|error| shape(&error.of_one_polygon(|i| ring[i as usize])))?;
     let given = map.edge_bound();
     map.triangulate(TriangulationMethod::default()).map_err(|error| shape(&error.to_string()))?;
     map.make_delaunay(|edge| edge.index() < given);

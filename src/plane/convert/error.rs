@@ -118,6 +118,20 @@ pub enum ConvertError {
 }
 
 impl ConvertError {
+    /// What is wrong, of a polygon that was the only one: in the third person, without its number. `name` says what its
+    /// corners are called, by their numbers.
+    pub(crate) fn of_one_polygon(&self, name: impl Fn(u32) -> u32) -> String {
+        let side = |&(a, b): &(u32, u32)| format!("its side {} -> {}", name(a), name(b));
+        match self {
+            Self::ZeroArea { .. } => "its corners lie on one line".to_owned(),
+            Self::SelfCrossing { first, second, .. } => format!("{} crosses {}", side(first), side(second)),
+            Self::SelfTouching { vertex, side: touched, .. } => {
+                format!("its corner {} lies on {}", name(*vertex), side(touched))
+            }
+            other => other.to_string(),
+        }
+    }
+
     /// The faces the message speaks of, for callers who know where in a file they stand.
     #[must_use]
     pub fn faces(&self) -> Vec<u32> {

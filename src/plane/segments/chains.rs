@@ -7,7 +7,7 @@ pub(super) struct Split {
     pub(super) starts: Vec<u32>,
     /// Half-edges of the new edges, one chain after another: twice the edge, plus 1 against its direction.
     pub(super) chain: Vec<u32>,
-    /// The points made for crossings, and how far each lies from its crossing.
+    /// The points made for crossings, and a distance from the segments that cross there that is not exceeded.
     pub(super) made: Vec<(u32, f64)>,
     pub(super) rounds: u32,
     /// What the grid did, if one was used.

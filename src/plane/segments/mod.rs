@@ -100,7 +100,8 @@ pub struct Arranged {
     pub repeated: Vec<(u32, u32)>,
     /// The vertices made where segments cross and no point was, in increasing order.
     pub crossings: Vec<VertexId>,
-    /// The crossings that could not be kept in place, each with the distance it moved.
+    /// The crossings that could not be kept in place, each with a distance: none of the segments that cross there is
+    /// further away. Where edges that were bent cross anew, the bends count.
     pub moved: Vec<(VertexId, f64)>,
     /// The vertices of the input that a grid moved, each with the greatest distance of a point of the input that it
     /// stands for. Empty unless there is a [`grid`](Self::grid).

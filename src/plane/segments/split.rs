@@ -48,9 +48,10 @@ pub(super) fn split(graph: &mut Graph, grid: Option<Grid>) -> Result<(Split, (On
         split.rounds += 1;
         let old = graph.points.len() as u32;
         let numbers = graph.add_points(&new.iter().map(|&(p, _)| p).collect::<Vec<_>>());
-        for (&number, &(_, off)) in numbers.iter().zip(&new) {
-            split.made.push((number, off));
-        }
+        // The edges that cross here are bent themselves, by the rounds before.
+        let bent = split.farthest;
+        let sum = |off: f64| if bent > 0.0 { (bent + off).next_up() } else { off };
+        split.made.extend(numbers.iter().zip(&new).map(|(&number, &(_, off))| (number, sum(off))));
         // The edges of this round are no further from those of the input than the bends of all rounds together.
         split.farthest = (split.farthest + new.iter().map(|&(_, off)| off).fold(0.0, f64::max)).next_up();
         let place = |p: u32| if p < old { p } else { numbers[(p - old) as usize] };
