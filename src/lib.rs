@@ -45,6 +45,7 @@
 //! | type edits, replay them, film them | [`script::Script`], [`figure::Film`] |
 //! | write an edit of your own | [`edits::Row`], [`topology::Editing`] |
 //! | keep data of your own on elements | [`ids::IdMap`], [`topology::Followed`] |
+//! | show how far long work has come | [`progress::Progress`] |
 //! | ask whether two structures or drawings are the same | [`topology::isomorphic()`], [`compare::compare()`] |
 //!
 //! # Which features?
@@ -102,6 +103,7 @@ pub mod old_words;
 pub mod plane;
 #[cfg(feature = "play")]
 pub mod play;
+pub mod progress;
 #[cfg(feature = "script")]
 pub mod script;
 #[cfg(feature = "solid")]

@@ -215,7 +215,7 @@ const STDOUT: &str = "<stdout>";
 
 /// One line of talk on stderr. Nobody has to listen.
 pub(crate) fn say(what: &str, text: impl Display) {
-    let _ = writeln!(io::stderr().lock(), "{what}: {text}");
+    super::waiting::aside(|| drop(writeln!(io::stderr().lock(), "{what}: {text}")));
 }
 
 /// Writing to standard output.

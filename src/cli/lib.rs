@@ -10,7 +10,7 @@
 //!   exit code   0  fine         1  the answer is no         2  usage or input         3  the machine
 //! ```
 //!
-//! With `--json` errors go to stdout as JSON, too. Every file is written by save.rs: whole or not at all, and never over
+//! Commands that take long show how far they are: waiting.rs. With `--json` errors go to stdout as JSON, too. Every file is written by save.rs: whole or not at all, and never over
 //! what is read; signals.rs removes what is half written.
 
 mod answer;
@@ -52,6 +52,7 @@ mod tour;
 mod triangulate;
 mod validate;
 mod voronoi;
+mod waiting;
 mod walk;
 
 pub use lab::program_sources;
@@ -131,6 +132,14 @@ impl Command {
         matches!(self, Self::Grade(args) if args.runs_programs())
     }
 
+    /// Whether it is one that works on a structure; others tell themselves how far they are.
+    fn computes(&self) -> bool {
+        !matches!(
+            self,
+            Self::Lab(_) | Self::Grade(_) | Self::Gradebook(_) | Self::Tour(_) | Self::Completions(_) | Self::Man(_)
+        )
+    }
+
     fn run(self, out: &mut Output) -> Result<Answer, Failure> {
         match self {
             Self::Info(args) => info::run(&args, out),
@@ -184,6 +193,11 @@ pub fn with_own_lab(folder: impl AsRef<Path>, judge: &'static dyn Judge) -> Exit
     main()
 }
 
+/// Runs a command; one that computes shows how far it is.
+fn run(command: Command, out: &mut Output) -> Result<Answer, Failure> {
+    if command.computes() { waiting::shown(|| command.run(out)) } else { command.run(out) }
+}
+
 /// Runs the command that the arguments ask for.
 fn answered() -> ExitCode {
     let mut out = Output::new();
@@ -201,7 +215,7 @@ fn answered() -> ExitCode {
     old.iter().for_each(|word| failure::say("note", word));
     let ready = if command.ends_in_order() { Ok(()) } else { signals::clean_up() };
     let ready = ready.map_err(|error| Failure::machine(format!("signals: {error}"), ""));
-    let answer = ready.and_then(|()| command.run(&mut out)).and_then(|answer| {
+    let answer = ready.and_then(|()| run(command, &mut out)).and_then(|answer| {
         out.flush()?;
         Ok(answer)
     });

@@ -12,7 +12,9 @@
 use super::problem::{ReadError, ReadProblem};
 use super::room::for_text;
 use crate::plane::check_coordinate;
+use crate::progress::Stage;
 use std::borrow::Cow;
+use std::sync::Arc;
 
 /// Files must be smaller than this: 4 GiB, so that lines and corners can be counted in 32 bits.
 pub(super) const LARGEST_FILE: u64 = u32::MAX as u64;
@@ -56,6 +58,7 @@ pub(super) struct Scanner<'a> {
     line: u32,
     syntax: Syntax,
     source: &'a str,
+    stage: Arc<Stage>,
 }
 
 const fn is_blank(b: u8) -> bool {
@@ -152,7 +155,8 @@ impl<'a> Scanner<'a> {
     pub(super) fn new(bytes: &'a [u8], source: &'a str, syntax: Syntax) -> Result<Self, ReadError> {
         check_text(bytes, source)?;
         let at = if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
-        Ok(Self { bytes, at, line: 1, syntax, source })
+        let stage = Arc::new(Stage::new("reading", bytes.len()));
+        Ok(Self { bytes, at, line: 1, syntax, source, stage })
     }
 
     /// The number of the line the scanner is in, from 1.
@@ -193,6 +197,9 @@ impl<'a> Scanner<'a> {
         };
         self.at += length;
         self.line += 1;
+        if self.line % 4096 == 0 {
+            self.stage.set(self.at);
+        }
         true
     }
 

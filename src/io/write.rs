@@ -11,6 +11,7 @@ use super::write_error::WriteError;
 use super::{mesh, stl, tables};
 use crate::files::WholeFile;
 use crate::geometry::number::Number;
+use crate::progress::Stage;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
@@ -19,7 +20,7 @@ use std::path::Path;
 /// # Errors
 /// [`WriteError`] if the format cannot hold the structure; then nothing has been written.
 pub fn write(out: &mut impl Write, model: &Model<'_>, format: Format) -> Result<(), WriteError> {
-    let mut out = BufWriter::new(out);
+    let mut out = BufWriter::new(Lines { out, stage: Stage::new("writing", lines_of(model, format)) });
     match format {
         Format::Obj => obj(&mut out, &Polygons::of(model, format)?)?,
         Format::Off => off(&mut out, &Polygons::of(model, format)?)?,
@@ -40,6 +41,35 @@ pub fn write(out: &mut impl Write, model: &Model<'_>, format: Format) -> Result<
         }
     }
     Ok(out.flush()?)
+}
+
+/// About how many lines a format takes.
+fn lines_of(model: &Model<'_>, format: Format) -> usize {
+    let [vertices, faces] = [model.vertices().count(), model.faces().count()];
+    match format {
+        Format::Dcel | Format::Tables => vertices + faces + model.half_edges().count(),
+        Format::Stl => 7 * faces,
+        Format::GeoJson => faces,
+        _ => vertices + faces,
+    }
+}
+
+/// Counts the lines that are written.
+struct Lines<'a, W> {
+    out: &'a mut W,
+    stage: Stage,
+}
+
+impl<W: Write> Write for Lines<'_, W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = self.out.write(bytes)?;
+        self.stage.add(bytes[..written].iter().filter(|&&b| b == b'\n').count());
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
+    }
 }
 
 /// Writes a triangulation as the `.node` and the `.ele` file of Triangle, numbered from 1.

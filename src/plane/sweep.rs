@@ -17,6 +17,7 @@ use super::Point;
 use super::status::Status;
 use crate::geometry::grouping::grouped;
 use crate::geometry::predicates::{left_to_right, orientation};
+use crate::progress::Stage;
 use std::cmp::Ordering;
 use std::ops::Range;
 
@@ -110,7 +111,9 @@ pub(super) fn sweep_in_order(
     let name = |edge: u32| by_left_end[edge as usize];
     let mut below = vec![NOTHING; points.len()];
     let mut intersection = None;
+    let stage = Stage::new("sweeping", events.len());
     for (event, &point) in events.iter().enumerate() {
+        stage.at(event);
         match sweep.step(event as u32, firsts[event]..firsts[event + 1]) {
             Ok(edge) => below[point as usize] = edge.map_or(NOTHING, name),
             Err(found) => {

@@ -6,17 +6,18 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each room of the library with the rooms that it may use.
-const ROOMS: [(&str, &[&str]); 16] = [
+const ROOMS: [(&str, &[&str]); 17] = [
     ("ids", &[]),
     ("files", &[]),
     ("sources", &[]),
     ("geometry", &[]),
     ("old_words", &[]),
-    ("topology", &["geometry", "ids"]),
-    ("plane", &["geometry", "ids", "topology"]),
-    ("solid", &["geometry", "ids", "plane", "topology"]),
+    ("progress", &[]),
+    ("topology", &["geometry", "ids", "progress"]),
+    ("plane", &["geometry", "ids", "progress", "topology"]),
+    ("solid", &["geometry", "ids", "plane", "progress", "topology"]),
     ("navmesh", &["geometry", "ids", "plane", "topology"]),
-    ("io", &["files", "geometry", "ids", "old_words", "plane", "solid", "topology"]),
+    ("io", &["files", "geometry", "ids", "old_words", "plane", "progress", "solid", "topology"]),
     ("interop", &["geometry", "ids", "navmesh", "plane", "solid", "topology"]),
     ("edits", &["geometry", "ids", "old_words", "plane", "solid", "topology"]),
     ("script", &["edits", "geometry", "ids", "old_words", "plane", "solid", "topology"]),

@@ -21,6 +21,7 @@ use super::order::{Axis, Ordered, Site, middle};
 use crate::geometry::predicates::{in_circle, orientation};
 use crate::geometry::threads;
 use crate::plane::Point;
+use crate::progress::Stage;
 use std::cmp::Ordering;
 
 /// A finished triangulation: half-edges whose origins are places in the order, and one of the outline.
@@ -36,7 +37,9 @@ const LARGE: u32 = 1 << 15;
 /// Triangulates at least two distinct points. Points on one line become a path.
 pub(super) fn divide_and_conquer(ordered: &Ordered) -> Divided {
     let count = ordered.sites.len() as u32;
-    let (work, part) = whole(&ordered.sites, 0, count, count);
+    let stage = Stage::new("triangulating", count as usize);
+    let (work, part) = whole(&ordered.sites, &stage, 0, count, count);
+    stage.set(count as usize);
     let outer = match part {
         Part::Edges(outer) => outer,
         Part::Point(_) => 0,
@@ -46,15 +49,15 @@ pub(super) fn divide_and_conquer(ordered: &Ordered) -> Divided {
 }
 
 /// The points from `low` to `high`, with half-edges of their own, and room for those of `room` points.
-fn whole(sites: &[Site], low: u32, high: u32, room: u32) -> (Work<'_>, Part) {
+fn whole<'a>(sites: &'a [Site], stage: &'a Stage, low: u32, high: u32, room: u32) -> (Work<'a>, Part) {
     let shared = threads::are_many() && high - low > LARGE;
     let Some((cut, axis)) = shared.then(|| highest_bit(sites, low, high)).flatten() else {
-        let mut work = Work { sites, halves: Halves::with_room(3 * room as usize) };
+        let mut work = Work { sites, stage, halves: Halves::with_room(3 * room as usize) };
         let part = work.by_key(low, high);
         return (work, part);
     };
     let ((mut work, left), (other, right)) =
-        threads::both(|| whole(sites, low, cut, room), || whole(sites, cut, high, high - cut));
+        threads::both(|| whole(sites, stage, low, cut, room), || whole(sites, stage, cut, high, high - cut));
     let shift = work.halves.append(other.halves);
     let right = match right {
         Part::Edges(h) => Part::Edges(h + shift),
@@ -84,6 +87,7 @@ enum Part {
 
 struct Work<'a> {
     sites: &'a [Site],
+    stage: &'a Stage,
     halves: Halves,
 }
 
@@ -123,6 +127,7 @@ impl Work<'_> {
 
     /// One, two or three points.
     fn few(&mut self, low: u32, high: u32) -> Part {
+        self.stage.add((high - low) as usize);
         let (mut a, mut b, mut c) = (low, low + 1, low + 2);
         match high - low {
             1 => return Part::Point(a),

@@ -19,6 +19,7 @@ use crate::geometry::predicates::left_to_right;
 use crate::geometry::threads::pieces;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::Point;
+use crate::progress::Stage;
 use std::ops::Range;
 
 /// Cells with more edges than this get a tree.
@@ -52,12 +53,14 @@ impl Bands {
         let height = (BAND / frame.columns).max(1).ilog2();
         let count = ((frame.rows - 1) >> height) + 1;
         pieces(&mut stretches, 1, |_, stretch| stretch[0].share_out(lines, &frame, height, count));
+        let stage = Stage::new("preparing location", frame.rows);
         let mut bands = vec![Lists::default(); count];
         pieces(&mut bands, 1, |number, band| {
             let rows = number << height..frame.rows.min((number + 1) << height);
             let shares = stretches.iter().filter_map(|stretch| stretch.by_band.as_ref());
             let words = shares.flat_map(|all| all.of(number)).copied();
             Band { lines, frame: &frame, rows, lists: &mut band[0] }.fill(words, outer);
+            stage.add(1 << height);
         });
         (frame, Self { height, bands })
     }

@@ -13,6 +13,7 @@ use crate::geometry::grouping::grouped;
 use crate::geometry::threads::pieces;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::{Point, Subdivision};
+use crate::progress::Stage;
 use std::borrow::Borrow;
 
 /// The fewest points of a batch that are put in order together. Measured: a million points in one order take 2.6 times
@@ -101,8 +102,10 @@ impl<S: Borrow<Subdivision>> PointIndex<S> {
         let mut answers = vec![Location::Face(self.subdivision().outer_face()); points.len()];
         let block = self.cells.count().clamp(SMALL_BLOCK, LARGE_BLOCK);
         let (s, cells) = (self.subdivision(), &self.cells);
+        let stage = Stage::new("locating", points.len());
         pieces(&mut answers, block, |first, answers| {
             locate_block(s, cells, &points[first..first + answers.len()], answers);
+            stage.add(answers.len());
         });
         answers
     }

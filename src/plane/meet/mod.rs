@@ -27,6 +27,7 @@ use super::sweep::rightwards;
 pub(crate) use crate::geometry::expansion::{Expansion, cross};
 use crate::geometry::grouping::grouped;
 use crate::geometry::predicates::{left_to_right, orientation};
+use crate::progress::Stage;
 use crate::topology::{NoObserver, Observer};
 use crossing::Crossing;
 pub(super) use grid::Grid;
@@ -152,9 +153,13 @@ pub(super) fn sweep_observed(
     let (firsts, starts) = grouped(points.len(), edges.len(), |e| edges[e][0] as usize);
     let status = Status::default();
     let mut sweep = Sweep { points, edges: &edges, status, heap: BinaryHeap::new(), lists: Lists::default(), observer };
-    let mut vertices = by_place.iter().copied().peekable();
+    let mut vertices = by_place.iter().copied().enumerate().peekable();
+    let stage = Stage::new("looking for crossings", by_place.len());
     loop {
-        let vertex = vertices.peek().copied();
+        let vertex = vertices.peek().map(|&(number, v)| {
+            stage.at(number);
+            v
+        });
         // A crossing at a vertex is part of the event point at the vertex.
         let first = match (vertex, sweep.heap.peek()) {
             (None, None) => return ControlFlow::Continue(()),

@@ -22,6 +22,7 @@ use super::patch::Patch;
 use super::reflex::ReflexCorners;
 use super::{EarEvent, TriangulateError};
 use crate::ids::VertexId;
+use crate::progress::Stage;
 use crate::topology::Observer;
 
 /// Cuts all faces of the patch, each of one cycle, into triangles.
@@ -60,7 +61,9 @@ impl Clipper {
     ) -> Result<(), TriangulateError> {
         self.begin(patch, start);
         let (mut at, mut left) = (0, self.corners.len());
+        let stage = Stage::new("triangulating", left);
         while left > 3 {
+            stage.at(self.corners.len() - left);
             let Some(number) = self.unasked.next(at) else { return Err(patch.fault(self.corners[at])) };
             self.unasked.remove(number);
             let h = self.corners[number];

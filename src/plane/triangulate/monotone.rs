@@ -26,6 +26,7 @@ use super::{Corner, MonotoneEvent};
 use crate::geometry::predicates::orientation;
 use crate::plane::Point;
 use crate::plane::status::{Place, Status};
+use crate::progress::Stage;
 use crate::topology::Observer;
 
 const NONE: u32 = u32::MAX;
@@ -70,7 +71,9 @@ pub(super) fn split(patch: &mut Patch, observer: &mut impl Observer<MonotoneEven
     let (gaps, opened) = (Vec::new(), Vec::new());
     let mut sweep = Sweep { patch, observer, gaps, gap_of, status: Status::default(), opened, closed: 0 };
     let (mut here, mut last) = (0, 0);
-    for &event in &events {
+    let stage = Stage::new("triangulating", events.len());
+    for (number, &event) in events.iter().enumerate() {
+        stage.at(number);
         let ring = event.checked_sub(given);
         let place = ring.map_or_else(|| sweep.patch.origin(event), |ring| sweep.patch.place_of(ring));
         if place != here {

@@ -53,6 +53,7 @@ mod rules;
 use super::flat::Flat;
 use super::view::View;
 use crate::ids::{Element, HalfEdgeId};
+use crate::progress::Stage;
 use invariants::Invariants;
 pub use rules::Rule;
 use std::fmt;
@@ -132,6 +133,9 @@ pub fn first_violation<V: View + ?Sized>(view: &V) -> Option<Violation> {
     first
 }
 
+/// The parts of a check that take about as long as each other.
+const PARTS: usize = 8;
+
 /// Gives the violations to `visit` one by one until it breaks off. Returns whether it did.
 pub fn visit_violations<V: View + ?Sized>(
     view: &V,
@@ -145,6 +149,8 @@ pub fn visit_violations<V: View + ?Sized>(
         visit(&violation)
     };
     let mut outer_lost = false;
+    let stage = Stage::new("checking", PARTS * view.half_edge_bound());
+    let part_done = || stage.add(view.half_edge_bound());
     let flat = Flat::read_with(view, |fault| {
         match fault.owner {
             Some(Element::Face(f)) => bad_lists[f.index()] = true,
@@ -153,14 +159,22 @@ pub fn visit_violations<V: View + ?Sized>(
         }
         report(invariants::lost_pointer(&fault))
     })?;
+    part_done();
     let mut invariants = Invariants::new(&flat, bad_lists, report);
     invariants.twins()?;
+    part_done();
     invariants.links()?;
+    part_done();
     invariants.boundaries(outer_lost)?;
+    part_done();
     invariants.origins()?;
+    part_done();
     invariants.stars()?;
+    part_done();
     invariants.cycles()?;
+    part_done();
     invariants.isolated_vertices()?;
+    part_done();
     invariants.outer_face()?;
     if !any && flat.outer.is_some() {
         planar::check(&flat, visit)?;
