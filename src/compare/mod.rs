@@ -258,9 +258,12 @@ impl File {
         let mut notes = found.drawing.notes.clone();
         let mut seen = target.compare(&found.drawing, options)?;
         notes.append(&mut seen.notes);
-        seen.differences.extend(halves::compare(&self.drawing, &found.drawing));
+        let placed = self.table.as_ref().zip(found.table.as_ref());
+        let placed = placed.map(|(mine, theirs)| [mine, theirs].map(Placed::new));
+        seen.differences
+            .extend(halves::compare([&self.drawing, &found.drawing], placed.as_ref().map(<[_; 2]>::each_ref)));
         let student = Some((std::mem::take(&mut seen.sketch), seen.fits));
-        let [Some(mine), Some(theirs)] = [&self.table, &found.table] else {
+        let Some([mine, theirs]) = &placed else {
             let mut differences = seen.differences;
             if let Some(table) = &found.table {
                 differences.extend(contradiction(table, &found.drawing, options));
@@ -269,7 +272,7 @@ impl File {
             let agreed = format!("{} of {} edges agree", seen.agreed.0, seen.agreed.1);
             return Ok(self.answer(layer, target, differences, notes, agreed, student));
         };
-        let declared = tables::compare(&Placed::new(mine), &Placed::new(theirs), options);
+        let declared = tables::compare(mine, theirs, options);
         notes.extend(declared.notes.iter().cloned());
         let (layer, differences) = merged(declared.differences, seen, &mut notes);
         Ok(self.answer(layer, target, differences, notes, agreed(declared.agreed), student))

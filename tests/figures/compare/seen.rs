@@ -1,10 +1,11 @@
 //! What is hidden or stretched in ways that lie outside of the shapes themselves is told.
 
-use super::pen::{Pen, table};
+use super::pen::{Pen, renumbered, table};
 use super::{judge, kit, refused, ship};
+use crate::common::Random;
 
 /// The plain drawing of the ship.
-fn plain() -> String {
+pub(super) fn plain() -> String {
     Pen::new(&ship()).svg()
 }
 
@@ -14,7 +15,7 @@ fn rooted(attributes: &str) -> String {
 }
 
 /// The drawing with something before all shapes and something behind them.
-fn within(before: &str, after: &str) -> String {
+pub(super) fn within(before: &str, after: &str) -> String {
     plain().replacen("400\">", &format!("400\">{before}"), 1).replacen("</svg>", &format!("{after}</svg>"), 1)
 }
 
@@ -24,13 +25,13 @@ fn stroked(before: &str, stroke: &str) -> String {
 }
 
 #[track_caller]
-fn says(svg: &str, said: &str) {
+pub(super) fn says(svg: &str, said: &str) {
     let answer = judge(&plain(), svg);
     assert!(!answer.is_equal() && answer.text().contains(said), "`{said}` not said: {}", answer.text());
 }
 
 #[track_caller]
-fn equal(svg: &str) {
+pub(super) fn equal(svg: &str) {
     let answer = judge(&plain(), svg);
     assert!(answer.is_equal(), "{}\n{svg}", answer.text());
 }
@@ -156,6 +157,35 @@ fn half_edges_that_are_declared_are_seen() {
     let white = reference.replacen("</style>", ".bg,.face{fill:#fff!important}.sh{stroke:#fff!important}</style>", 1);
     let answer = judge(&reference, &white);
     assert!(answer.text().contains("half-edges are declared and cannot be seen"), "{}", answer.text());
+}
+
+#[test]
+fn half_edges_are_excused_one_by_one() {
+    let table = table(&ship());
+    let full = kit(&table);
+    // One half-edge hidden, by its place in the file.
+    let hidden = |svg: &str, i: usize| {
+        let at = svg.match_indices("<line class=\"sh\"").nth(i).unwrap().0 + 5;
+        format!("{} style=\"stroke:none\"{}", &svg[..at], &svg[at..])
+    };
+    let reference = hidden(&full, 3);
+    let answer = judge(&reference, &hidden(&full, 3).replace('\n', " "));
+    assert!(answer.is_equal(), "{}", answer.text());
+    let answer = judge(&reference, &full);
+    assert!(answer.is_equal(), "{}", answer.text());
+    // As many, but another one.
+    let answer = judge(&reference, &hidden(&full, 40));
+    assert!(answer.text().contains("1 half-edge is declared and cannot be seen: h"), "{}", answer.text());
+    // The same one, and one more.
+    let answer = judge(&reference, &hidden(&hidden(&full, 40), 3));
+    assert!(answer.text().contains("1 half-edge is declared and cannot be seen: h"), "{}", answer.text());
+    // By place, whatever the numbers are.
+    let mut random = Random(5);
+    let other = kit(&renumbered(&table, |n| random.shuffled(n)));
+    let hides = |svg: &str| judge(&reference, svg).text().contains("cannot be seen");
+    let count = other.matches("<line class=\"sh\"").count();
+    let excused: Vec<usize> = (0..count).filter(|&i| !hides(&hidden(&other, i))).collect();
+    assert_eq!(excused.len(), 1, "{excused:?} of {count}");
 }
 
 /// All lines with a square marker so large at their starts.
