@@ -1,4 +1,5 @@
-//! Markers and letters: they are no part of a structure, but large ones hide it.
+//! Markers and letters: they are no part of a structure, but large ones hide it. Of a marker, a circle round the place
+//! where it stands is read as any other circle there: so vertices may be drawn.
 //!
 //! ```text
 //!   ────▸        a marker is drawn as it is, at each place of the path where it stands
@@ -88,7 +89,18 @@ impl<'a, 'i> Reader<'a, 'i> {
             .after(&turned)
             .after(&Transform::scale(unit, unit))
             .after(&Transform::translate(-anchor[0], -anchor[1]));
-        self.inside_marker(node, size, &room, &fit, around, depth)
+        let stand = (!around.decorates).then(|| place(&around.transform, at, offset, "marker")).transpose()?;
+        // A marker inherits from where it stands in the file, not from the line.
+        let inner = Around {
+            ink: around.ink.fresh(),
+            mark: Some(Mark::Marker),
+            clip: around.clip,
+            stand,
+            aside: around.aside,
+            legend: around.legend,
+            ..Around::default()
+        };
+        self.inside_marker(node, size, &room, &fit, inner, depth)
     }
 
     /// What a marker holds, in its room, which has this size.
@@ -98,13 +110,10 @@ impl<'a, 'i> Reader<'a, 'i> {
         size: [f64; 2],
         room: &Transform,
         fit: &Transform,
-        around: &Around,
+        mut inner: Around,
         depth: usize,
     ) -> Result<(), Fault> {
         let outside = std::mem::take(&mut self.path);
-        // A marker inherits from where it stands in the file, not from the line.
-        let mut inner =
-            Around { ink: around.ink.fresh(), mark: Some(Mark::Marker), clip: around.clip, ..Around::default() };
         let mut chain: Vec<Node<'a, 'i>> = node.ancestors().filter(Node::is_element).collect();
         chain.reverse();
         let mut shown = true;

@@ -25,7 +25,8 @@ mod stamps;
 use super::error::{Fault, Problem, quoted};
 use super::ink::{Hidden, Ink, Own};
 use super::markup::is_svg;
-use super::painting::{Area, Clip, Mark, Painting, Part};
+use super::painting::{Area, Clip, Mark, Painting, Part, Shape};
+use super::pairing::distance;
 use super::served::Servers;
 use super::tags::{size, tag};
 use super::transform::Transform;
@@ -35,7 +36,8 @@ use crate::figure::canvas::selectors::{Rule, Tag, rules_on_screen};
 use crate::figure::canvas::untold::{Untold, untold};
 use crate::plane::Point;
 use roxmltree::{Document, Node};
-use std::collections::BTreeMap;
+use std::borrow::Cow;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 /// Elements inside elements, `use` counted.
@@ -52,6 +54,10 @@ const FAR: f64 = 1e9;
 const ASIDE: [&str; 6] = ["legend", "axis", "colorbar", "tick", "ticks", "rows"];
 
 /// A circle.
+/// How far from where its marker stands a circle may lie that is a vertex, as a part of its radius.
+const OFF: f64 = 0.25;
+/// How far what is behind it all reaches.
+const GROUND: f64 = 1e5;
 #[derive(Clone, PartialEq, Debug)]
 pub(in crate::compare) struct Dot {
     pub(in crate::compare) at: Point,
@@ -224,11 +230,24 @@ impl Around {
 pub(in crate::compare) struct Reader<'a, 'i> {
     document: &'a Document<'i>,
     rules: Vec<Rule<'a>>,
+    /// Where on the canvas the marker stands in which it is.
+    pub(in crate::compare) stand: Option<Point>,
+    /// Whether it is a text that gets another colour after a moment.
+    pub(in crate::compare) coloured: bool,
     path: Vec<Tag>,
     /// Elements by id; filled when the first one is needed.
     ids: BTreeMap<&'a str, Node<'a, 'i>>,
     pub(in crate::compare) kit: bool,
     pub(in crate::compare) fills: bool,
+    /// The same for a circle in a marker if that is drawn right where the marker stands: such a circle can be a
+    /// vertex, as any other one there.
+    pub(in crate::compare) fn of_circle(&self, at: Point, radius: f64) -> Cow<'_, Self> {
+        match self.stand.is_some_and(|stand| distance(stand, at) <= OFF * radius) {
+            true => Cow::Owned(Self { mark: None, decorates: false, ..self.clone() }),
+            false => Cow::Borrowed(self),
+        }
+    }
+
     /// Clips that were met, by the place of their element, the clip around and the transform.
     clips: BTreeMap<(usize, Option<u32>, [u64; 6]), u32>,
     work: usize,

@@ -48,6 +48,10 @@ impl<'a, 'i> Reader<'a, 'i> {
             placed.push((points?, path.closed));
         }
         self.area(node, what, &placed, around);
+        let (outer, only) = (around, placed.first().filter(|_| placed.len() == 1));
+        let circle = only.filter(|_| around.stand.is_some()).and_then(|(points, closed)| round(points, *closed));
+        let circle = circle.map(|(centre, radius)| around.of_circle(centre, radius));
+        let around = circle.as_deref().unwrap_or(around);
         for (points, closed) in &placed {
             if let Some((centre, radius)) = round(points, *closed).filter(|_| !around.decorates) {
                 self.round_path(node, centre, radius, around);
@@ -55,8 +59,8 @@ impl<'a, 'i> Reader<'a, 'i> {
                 self.trace(node, points, *closed, what, around);
             }
         }
-        if around.ink.markers.is_any() && what != "rect" {
-            self.markers(&paths, around, depth, offset)?;
+        if outer.ink.markers.is_any() && what != "rect" {
+            self.markers(&paths, outer, depth, offset)?;
         }
         Ok(())
     }
@@ -228,6 +232,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         };
         let at = place(&around.transform, centre, offset, "circle")?;
         self.count(1, offset)?;
+        let around = &*around.of_circle(at, radius);
         let axes = [around.transform.turn([radii[0], 0.0]), around.transform.turn([0.0, radii[1]])].map(flipped);
         let determinant = axes[0].x * axes[1].y - axes[1].x * axes[0].y;
         let mut hidden = Self::hidden_circle(around);
