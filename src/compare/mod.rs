@@ -13,9 +13,11 @@
 //!   areas.rs       Layer 3, faces
 //!   beside.rs      What is drawn beside a structure and is no part of it
 //!   colour.rs      Colours as CSS writes them
+//!   declarations.rs  What is said of an element
 //!   diff_style.rs  The style of the picture of differences
 //!   error.rs       Why a file cannot be compared, and where
 //!   frame.rs       From the student's canvas to the coordinates of the reference
+//!   geometry.rs    Geometry that a style says
 //!   graph.rs       Vertices and edges of two drawings
 //!   halves.rs      Half-edges that are declared and drawn
 //!   ink.rs         What can be seen
@@ -55,13 +57,18 @@
 //!
 //! Groups, `use`, `symbol`, `switch`, inner `svg` with `viewBox`, `transform`, clip paths, units (`mm`, `pt`, ...),
 //! curves that are straight, `style` attributes and style sheets (names, `*`, ids, classes, attributes, `:not`,
-//! descendants, children, `@media screen`) are understood, and a `DOCTYPE` that declares nothing. A rule that may change
-//! what is seen, and of which it cannot be told what it fits, is refused. Passed over: texts and markers of ordinary
-//! size, curves, what is not displayed, an area round everything (paper) with the lines along its border and the ticks
-//! beyond it, what is called legend or axis and stands clear of the structure, a legend in a free corner of it, small
-//! areas that touch no vertex (letters), and anything else with a note. In the kit's own figures (`data-figure` on the
-//! root) half-edges, pointers and other decoration are passed over, too, but the half-edges that are declared there have
-//! to be seen. y points down in SVG: write `height - y`.
+//! descendants, children, `@media screen`) are understood, and a `DOCTYPE` that declares nothing. A style also says
+//! where a circle, an ellipse, a rectangle or a picture lies and how large it is (`cx`, `r`, `width`, ...), and the `d` of
+//! a path; a background of the root is its paper. Passed over: texts and markers of ordinary size, labels in a
+//! `foreignObject`, curves, what is not displayed, an area round everything (paper) with the lines along its border and
+//! the ticks beyond it, what is called legend or axis and stands clear of the structure, a legend in a free corner of it,
+//! small areas that touch no vertex (letters), animations of what is not read, and anything else with a note. In the
+//! kit's own figures (`data-figure` on the root) half-edges, pointers and other decoration are passed over, too, but the
+//! half-edges that are declared there have to be seen. y points down in SVG: write `height - y`.
+//!
+//! Refused, with the place in the file, is what may hide or move something and cannot be told: a rule of which it is not
+//! understood what it fits, an animation of anything that is read, a box in a `foreignObject` that may reach anywhere, and
+//! properties that move an element otherwise than by `transform`.
 //!
 //! # What has to be seen
 //!
@@ -88,6 +95,7 @@ mod answer;
 mod areas;
 mod beside;
 mod colour;
+mod declarations;
 mod declared;
 mod diff;
 mod diff_style;
@@ -97,6 +105,7 @@ mod error;
 mod eye;
 mod faces;
 mod frame;
+mod geometry;
 mod graph;
 mod halves;
 mod ink;
