@@ -10,6 +10,7 @@
 //!
 //!
 //! ```text
+//!   animations.rs  Elements that change something after a moment
 //!   areas.rs       Layer 3, faces
 //!   beside.rs      What is drawn beside a structure and is no part of it
 //!   colour.rs      Colours as CSS writes them
@@ -91,6 +92,7 @@
 //!   </svg>
 //! ```
 
+mod animations;
 mod answer;
 mod areas;
 mod beside;

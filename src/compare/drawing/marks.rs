@@ -9,6 +9,7 @@
 //! ```
 
 use super::{Around, Reader, corners, place};
+use crate::compare::colour::Paint;
 use crate::compare::error::{Fault, Problem};
 use crate::compare::markers::Stand;
 use crate::compare::markup::is_svg;
@@ -158,6 +159,13 @@ impl<'a, 'i> Reader<'a, 'i> {
             let first = node.attribute(name).and_then(|list| list.split([' ', ',']).find(|word| !word.is_empty()));
             first.and_then(numbers::measure).unwrap_or(otherwise)
         };
+        let recoloured;
+        let around = if self.coloured.contains(&offset) {
+            recoloured = Around { coloured: true, ..around.clone() };
+            &recoloured
+        } else {
+            around
+        };
         let start = [axis("x", start[0]) + axis("dx", 0.0), axis("y", start[1]) + axis("dy", 0.0)];
         let letters: usize = node
             .children()
@@ -188,7 +196,8 @@ impl<'a, 'i> Reader<'a, 'i> {
     /// The box of so many letters.
     fn letters(&mut self, count: usize, [x, y]: [f64; 2], around: &Around, offset: usize) -> Result<(), Fault> {
         let ink = &around.ink;
-        let has_rim = ink.hidden_stroke().is_none();
+        // What gets another colour is painted at some time.
+        let has_rim = around.coloured || ink.hidden_stroke().is_none();
         if !ink.fills() && !has_rim {
             return Ok(());
         }
@@ -202,7 +211,13 @@ impl<'a, 'i> Reader<'a, 'i> {
             let Ok(corner) = place(&around.transform, corner, offset, "text") else { return Ok(()) };
             ring.push(corner);
         }
-        let paint = if ink.fills() { ink.fill() } else { ink.stroke() };
+        let paint = if around.coloured {
+            (Paint::Some, 1.0)
+        } else if ink.fills() {
+            ink.fill()
+        } else {
+            ink.stroke()
+        };
         self.count(1, offset)?;
         self.out.painting.add(Shape::Area(Area::new(&[ring], false)), paint, around.clip, Part::Mark(Mark::Letters));
         Ok(())

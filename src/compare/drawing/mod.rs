@@ -12,6 +12,7 @@
 //!
 //! ```text
 //!   clips.rs   Clip paths
+//!   foreign.rs What stands in a foreignObject
 //!   marks.rs   Markers and letters
 //!   root.rs    Style sheets, and how the root is shown
 //!   shapes.rs  Elements with a shape, as lines, dots, outlines and coats
@@ -19,6 +20,7 @@
 //! ```
 
 mod clips;
+mod foreign;
 mod marks;
 mod root;
 mod shapes;
@@ -33,9 +35,9 @@ use super::served::Servers;
 use super::tags::{size, tag};
 use super::transform::Transform;
 use super::viewport::{self, Room};
-use super::{declared, numbers};
+use super::{animations, declared, numbers};
 use crate::figure::canvas::selectors::{Rule, Tag, rules_on_screen};
-use crate::figure::canvas::untold::{Untold, untold};
+use crate::figure::canvas::untold::{Untold, untold, untold_with};
 use crate::plane::Point;
 use roxmltree::{Document, Node};
 use std::borrow::Cow;
@@ -130,12 +132,13 @@ impl Drawing {
     /// Reads a document. O(size), up to the caps.
     pub(in crate::compare) fn read(document: &Document<'_>) -> Result<Self, Fault> {
         let css = root::style_sheets(document)?;
-        let short = |selector: &str| selector.chars().take(60).collect();
+        let short = |selector: &str| selector.chars().take(60).collect::<String>();
         match untold(&css) {
             Some(Untold::Hides(selector)) => return Err(Problem::StyleRule { selector: short(selector) }.into()),
             Some(Untold::Changes(selector)) => return Err(Problem::StyleChange { selector: short(selector) }.into()),
             None => {}
         }
+        let animations = animations::harmless(document)?;
         let rules = rules_on_screen(&css);
         let elements = document.descendants().filter(Node::is_element).count();
         if rules.iter().map(Rule::weight).sum::<usize>().saturating_mul(elements) > MATCHES {
@@ -160,6 +163,9 @@ impl Drawing {
             blank: 0,
             out: Self::default(),
             ignored: BTreeMap::new(),
+            coloured: animations.coloured,
+            keyframes: css.to_ascii_lowercase().contains("keyframes"),
+            boxes_untold: untold_with(&css, &foreign::COVERS).map(|what| short(what.selector())),
         };
         if root.tag_name().namespace().is_none() {
             let note = "xmlns=\"http://www.w3.org/2000/svg\" is missing on <svg>: browsers show such a file as text";
@@ -188,6 +194,9 @@ impl Drawing {
         reader.element(root, &around, 0)?;
         if !kit {
             stamps::read(&mut reader.out, &reader.shapes);
+        }
+        for (name, count) in animations.notes {
+            reader.ignored.insert(format!("<{name}>"), count);
         }
         for (what, count) in reader.ignored {
             let what = if count == 1 { what.replacen("curves (edges", "curve (edges", 1) } else { what };
@@ -269,6 +278,12 @@ pub(in crate::compare) struct Reader<'a, 'i> {
     pub(in crate::compare) blank: usize,
     pub(in crate::compare) out: Drawing,
     ignored: BTreeMap<String, usize>,
+    /// The places of texts that get another colour after a moment.
+    coloured: BTreeSet<usize>,
+    /// Whether there are rules that say how something changes.
+    keyframes: bool,
+    /// A rule that may let boxes of a `foreignObject` cover something.
+    boxes_untold: Option<String>,
 }
 
 impl<'a, 'i> Reader<'a, 'i> {
@@ -302,6 +317,7 @@ impl<'a, 'i> Reader<'a, 'i> {
                 }
                 "use" => self.reuse(node, around, depth)?,
                 "switch" => self.switch(node, &around, depth)?,
+                "foreignObject" => self.foreign(node, &around, depth)?,
                 "text" => self.text(node, &around, [0.0; 2], depth)?,
                 _ => {
                     let number = self.shapes.len();
@@ -358,6 +374,11 @@ impl<'a, 'i> Reader<'a, 'i> {
         if let Some(text) = own.unread.clone().or_else(|| origin.map(|text| format!("transform-origin: {text}"))) {
             return Err(word(offset, &text, "property that is read here: write a transform in its place"));
         }
+        let name = node.tag_name().name();
+        if let Some(text) = own.animation.as_deref().filter(|_| self.keyframes && !animations::is_text(name)) {
+            let what = format!("how <{}> looks, by `{}`,", quoted(name), quoted(text));
+            return Err(Fault::at(offset, Problem::Animation { element: "style".to_owned(), what }));
+        }
         let mut out = Around { transform, ink, ..outer.clone() };
         if let Some(link) = &own.clip {
             out.clip = self.clip(node, link, &out)?;
@@ -383,9 +404,11 @@ impl<'a, 'i> Reader<'a, 'i> {
     fn is_drawn(&mut self, name: &str) -> bool {
         match name {
             "svg" | "g" | "a" | "use" | "line" | "polyline" | "polygon" | "path" | "rect" | "circle" | "ellipse"
-            | "image" | "switch" | "text" => true,
+            | "image" | "switch" | "text" | "foreignObject" => true,
             "title" | "desc" | "metadata" | "defs" | "style" | "symbol" | "clipPath" | "mask" | "pattern"
             | "marker" | "linearGradient" | "radialGradient" | "filter" | "view" => false,
+            // Counted before.
+            other if animations::is_animation(other) => false,
             other => {
                 *self.ignored.entry(format!("<{}>", quoted(other))).or_default() += 1;
                 false

@@ -305,7 +305,7 @@ fn subpaths(node: Node<'_, '_>, around: &Around) -> Result<(Vec<Subpath>, &'stat
         "line" => (vec![line(node, around)?], "line"),
         "polyline" => (polyline(node, false)?, "polyline"),
         "polygon" => (polyline(node, true)?, "polygon"),
-        "rect" | "image" => (rect(node, around)?, "rect"),
+        "rect" | "image" | "foreignObject" => (rect(node, around)?, "rect"),
         "path" => {
             let data = match around.own.geometry.of("path", "d") {
                 Some(text) => path_data(text).ok_or_else(|| word(node.range().start, text, "path(\"...\") or none"))?,

@@ -3,7 +3,9 @@
 #![allow(clippy::float_cmp, reason = "points are found again by the numbers they were made of")]
 
 mod accepted;
+mod foreign;
 mod geometry;
+mod moving;
 mod pen;
 mod rewrites;
 mod seen;
