@@ -45,7 +45,7 @@ impl Geometry {
             let otherwise = if matches!(*key, "x" | "y") { "0" } else { "100%" };
             let written = attribute(key).unwrap_or(otherwise);
             let is_same = |a: &str, b: &str| a == b || measure(a).is_some_and(|a| Some(a) == measure(b));
-            !is_same(said, written) && !(said == "auto" && is_same(written, otherwise))
+            !(is_same(said, written) || said == "auto" && is_same(written, otherwise))
         };
         let key = ["x", "y", "width", "height"].into_iter().find(|key| differs(key))?;
         Some(format!("{key}: {}", self.said(key)?))
