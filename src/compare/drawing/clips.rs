@@ -8,7 +8,7 @@ use super::{Around, Reader, WORK, length, shapes, word};
 use crate::compare::error::{Fault, Problem};
 use crate::compare::ink::{Ink, Own};
 use crate::compare::painting::{Area, Clip};
-use crate::compare::tags::tag;
+use crate::compare::tags::{size, tag};
 use crate::compare::transform::Transform;
 use crate::figure::canvas::selectors::Tag;
 use roxmltree::Node;
@@ -85,9 +85,10 @@ impl<'a, 'i> Reader<'a, 'i> {
     fn alone(&mut self, node: Node<'a, 'i>) -> Option<Own> {
         let mut tags: Vec<Tag> = Vec::new();
         if !self.rules.is_empty() {
-            tags.extend(node.ancestors().filter(Node::is_element).map(tag));
+            let around = node.ancestors().filter(Node::is_element);
+            self.work += around.clone().map(size).sum::<usize>();
+            tags.extend(around.map(tag));
             tags.reverse();
-            self.work += tags.len();
         }
         Ink::default().inside(node, &self.rules, &tags).map(|(_, own)| own)
     }

@@ -252,6 +252,7 @@ fn hostile_gradients_markers_and_rules_end_quickly() {
         ("many stops", format!("<style>a{{b:c}}</style><g id=\"{}\"><linearGradient id=\"g\">{}</linearGradient></g>", many("x", 500_000), many("<stop/>", 50_000)), "too large: more than 400000 parts of gradients"),
         ("many markers", format!("<marker id=\"m\">{deep}</marker><path marker-mid=\"url(#m)\" d=\"M0 0{}\"/>", many("h1v1", 90_000)), "too large"),
         ("a marker of itself", "<marker id=\"m\"><path marker-start=\"url(#m)\" d=\"M0 0h9\"/></marker><path marker-start=\"url(#m)\" d=\"M0 0h9\" stroke=\"red\"/>".to_owned(), ""),
+        ("a clip path of many shapes", format!("<style>a{{b:c}}</style><g id=\"{}\"><clipPath id=\"c\">{}</clipPath></g><path d=\"M0 0h9\" stroke=\"red\" clip-path=\"url(#c)\"/>", many("x", 500_000), many("<rect/>", 50_000)), "too large: more than 1500000 elements to draw"),
         ("rules of children", format!("<style>x {}{{a:b}}</style>{}{}", many("g>g ", 90), many("<g>", 190), many("</g>", 190)), "nothing is drawn"),
         ("rules of attributes", format!("<style>{}{{a:b}}</style>{}", many(":not([q])", 20_000), many("<g/>", 20_000)), "style rules"),
     ] {
