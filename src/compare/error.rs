@@ -113,6 +113,26 @@ pub enum Problem {
         /// Its selector, shortened.
         selector: String,
     },
+    /// An animation of something that is compared.
+    #[error(
+        "<{element}> changes {what} after a moment, and a comparison looks at one moment only: take it out, or compare \
+         the picture without motion"
+    )]
+    Animation {
+        /// The element that animates.
+        element: String,
+        /// The attribute that it changes, and of which element.
+        what: String,
+    },
+    /// A box of another language than SVG that may cover what lies round it.
+    #[error(
+        "<foreignObject> holds {what}, which may cover lines, and overflow: visible lets it reach beyond its box: take \
+         that out, or write the label as <text>"
+    )]
+    Foreign {
+        /// What may cover.
+        what: String,
+    },
     /// The root is no `svg` element.
     #[error("the first element is <{name}>, not <svg>: this is no SVG drawing")]
     NotSvg {

@@ -9,6 +9,8 @@
 //! What lies over a line is found out by `eye.rs`, from what all elements paint.
 
 use super::colour::{Paint, paint};
+use super::declarations::declarations;
+use super::geometry::Geometry;
 use super::markers::{Markers, Stand};
 use super::numbers;
 use super::served::{Served, Servers};
@@ -146,38 +148,23 @@ pub(super) struct Own {
     /// The id of a clip path.
     pub(super) clip: Option<String>,
     pub(super) transform: Option<String>,
-    /// The radius of a circle, by a style.
-    pub(super) radius: Option<f64>,
+    /// Where it lies and how large it is, by a style.
+    pub(super) geometry: Geometry,
     /// Widths are not scaled.
     pub(super) fixed_width: bool,
     /// What lies outside of an inner `svg` is shown.
     pub(super) overflows: bool,
-    /// Width and height, as they are written.
-    pub(super) size: [Option<String>; 2],
+    /// Properties that veil it.
+    veils: Vec<String>,
+    /// What is painted behind it, if it is the root.
+    pub(super) ground: Option<Paint>,
+    /// A property that moves the element in a way that is not read.
+    pub(super) unread: Option<String>,
+    /// An animation by rules, as it is written.
+    pub(super) animation: Option<String>,
+    /// The point about which it is turned, as it is written.
+    pub(super) origin: Option<String>,
     hidden: bool,
-}
-
-/// The properties of an element: those of its attributes, of the rules that fit it, and of its style; a later one wins.
-pub(super) fn properties<'n>(node: Node<'n, '_>, rules: &[Rule<'n>], path: &[Tag]) -> Vec<(&'n str, &'n str)> {
-    let mut out = Vec::new();
-    for attribute in node.attributes().filter(|a| a.namespace().is_none()) {
-        // As an attribute, this one is read with its place.
-        if !matches!(attribute.name(), "transform" | "r") {
-            out.push((attribute.name(), attribute.value()));
-        }
-    }
-    let sheet = rules.iter().filter(|rule| rule.fits(path)).flat_map(|rule| rule.properties.iter().copied());
-    let written = node.attribute("style").unwrap_or("").split(';').filter_map(|part| part.split_once(':'));
-    let all: Vec<(&str, &str)> = sheet.chain(written).collect();
-    for important in [false, true] {
-        for (key, value) in &all {
-            let bare = value.trim().strip_suffix("!important").map(str::trim_end);
-            if bare.is_some() == important {
-                out.push((key.trim(), bare.unwrap_or(value)));
-            }
-        }
-    }
-    out
 }
 
 impl Ink {
@@ -204,9 +191,10 @@ impl Ink {
     /// rules look at: the tags from the root to the node.
     pub(super) fn inside(&self, node: Node<'_, '_>, rules: &[Rule<'_>], path: &[Tag]) -> Option<(Self, Own)> {
         let (mut out, mut own) = (self.clone(), Own::default());
-        for (key, value) in properties(node, rules, path) {
-            out.set(key, value, self, &mut own);
+        for (key, value) in declarations(node, rules, path) {
+            out.set(key.strip_prefix("-webkit-").unwrap_or(&key), &value, self, &mut own);
         }
+        out.veiled |= !own.veils.is_empty();
         (!own.hidden).then_some((out, own))
     }
 
@@ -236,13 +224,21 @@ impl Ink {
             "stroke-opacity" => self.stroke_opacity = fraction(value).unwrap_or(around.stroke_opacity),
             // The one property that adds up instead of being handed down.
             "opacity" => self.opacity = around.opacity * fraction(value).unwrap_or(1.0),
-            "mask" | "filter" => self.veiled = around.veiled || !none,
-            "clip-path" => own.clip = (!none).then(|| value.to_owned()),
+            "mask" | "mask-image" | "filter" | "mix-blend-mode" => {
+                own.veils.retain(|veil| veil != key);
+                own.veils.extend((!none && value != "normal").then(|| key.to_owned()));
+            }
+            "background" | "background-color" => own.ground = Some(paint(value)),
+            "translate" | "rotate" | "scale" | "offset" | "offset-path" | "zoom" | "content-visibility"
+                if !none && !["1", "normal", "visible", "auto"].contains(&value) =>
+            {
+                own.unread = Some(format!("{key}: {value}"));
+            }
+            "animation" | "animation-name" => own.animation = (!none).then(|| format!("{key}: {value}")),
+            "transform-origin" => own.origin = Some(value.to_owned()),
+            "clip-path" => own.clip = (!none && value != "initial").then(|| value.to_owned()),
             "transform" => own.transform = (!none).then(|| value.to_owned()),
-            "r" => own.radius = numbers::measure(value),
             "vector-effect" => own.fixed_width = value == "non-scaling-stroke",
-            "width" => own.size[0] = Some(value.to_owned()),
-            "height" => own.size[1] = Some(value.to_owned()),
             "marker-start" if !inherits => self.markers.set(Stand::Start, value),
             "marker-mid" if !inherits => self.markers.set(Stand::Middle, value),
             "marker-end" if !inherits => self.markers.set(Stand::End, value),
@@ -264,7 +260,7 @@ impl Ink {
                 }
             }
             "overflow" => own.overflows = matches!(value, "visible" | "auto"),
-            _ => {}
+            _ => own.geometry.set(key, value),
         }
     }
 

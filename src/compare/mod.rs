@@ -10,12 +10,15 @@
 //!
 //!
 //! ```text
+//!   animations.rs  Elements that change something after a moment
 //!   areas.rs       Layer 3, faces
 //!   beside.rs      What is drawn beside a structure and is no part of it
 //!   colour.rs      Colours as CSS writes them
+//!   declarations.rs  What is said of an element
 //!   diff_style.rs  The style of the picture of differences
 //!   error.rs       Why a file cannot be compared, and where
 //!   frame.rs       From the student's canvas to the coordinates of the reference
+//!   geometry.rs    Geometry that a style says
 //!   graph.rs       Vertices and edges of two drawings
 //!   halves.rs      Half-edges that are declared and drawn
 //!   ink.rs         What can be seen
@@ -50,18 +53,23 @@
 //! | drawn | by |
 //! |---|---|
 //! | edge | `line`, `polyline`, `polygon`, `rect`, or `path`, with a `stroke`; a line through several vertices is several edges; twice is no fault; a thin filled rectangle from vertex to vertex is a line, too |
-//! | vertex | `circle`, `ellipse` or a round closed `path`, filled or with a stroke; a line of no length with round ends; a small square or cross at the end of a line |
+//! | vertex | `circle`, `ellipse` or a round closed `path`, filled or with a stroke; a line of no length with round ends; a small square or cross at the end of a line; a circle there that a marker draws |
 //! | face | `polygon`, `path` or `rect`, filled with a colour, a gradient or a pattern: the corners of a bounded face, counter-clockwise as seen; further corners on its straight sides are no fault |
 //!
 //! Groups, `use`, `symbol`, `switch`, inner `svg` with `viewBox`, `transform`, clip paths, units (`mm`, `pt`, ...),
 //! curves that are straight, `style` attributes and style sheets (names, `*`, ids, classes, attributes, `:not`,
-//! descendants, children, `@media screen`) are understood, and a `DOCTYPE` that declares nothing. A rule that may change
-//! what is seen, and of which it cannot be told what it fits, is refused. Passed over: texts and markers of ordinary
-//! size, curves, what is not displayed, an area round everything (paper) with the lines along its border and the ticks
-//! beyond it, what is called legend or axis and stands clear of the structure, a legend in a free corner of it, small
-//! areas that touch no vertex (letters), and anything else with a note. In the kit's own figures (`data-figure` on the
-//! root) half-edges, pointers and other decoration are passed over, too, but the half-edges that are declared there have
-//! to be seen. y points down in SVG: write `height - y`.
+//! descendants, children, `@media screen`) are understood, and a `DOCTYPE` that declares nothing. A style also says
+//! where a circle, an ellipse, a rectangle or a picture lies and how large it is (`cx`, `r`, `width`, ...), and the `d` of
+//! a path; a background of the root is its paper. Passed over: texts and markers of ordinary size, labels in a
+//! `foreignObject`, curves, what is not displayed, an area round everything (paper) with the lines along its border and
+//! the ticks beyond it, what is called legend or axis and stands clear of the structure, a legend in a free corner of it,
+//! small areas that touch no vertex (letters), animations of what is not read, and anything else with a note. In the
+//! kit's own figures (`data-figure` on the root) half-edges, pointers and other decoration are passed over, too, but the
+//! half-edges that are declared there have to be seen. y points down in SVG: write `height - y`.
+//!
+//! Refused, with the place in the file, is what may hide or move something and cannot be told: a rule of which it is not
+//! understood what it fits, an animation of anything that is read, a box in a `foreignObject` that may reach anywhere, and
+//! properties that move an element otherwise than by `transform`.
 //!
 //! # What has to be seen
 //!
@@ -84,10 +92,12 @@
 //!   </svg>
 //! ```
 
+mod animations;
 mod answer;
 mod areas;
 mod beside;
 mod colour;
+mod declarations;
 mod declared;
 mod diff;
 mod diff_style;
@@ -97,6 +107,7 @@ mod error;
 mod eye;
 mod faces;
 mod frame;
+mod geometry;
 mod graph;
 mod halves;
 mod ink;
@@ -258,9 +269,12 @@ impl File {
         let mut notes = found.drawing.notes.clone();
         let mut seen = target.compare(&found.drawing, options)?;
         notes.append(&mut seen.notes);
-        seen.differences.extend(halves::compare(&self.drawing, &found.drawing));
+        let placed = self.table.as_ref().zip(found.table.as_ref());
+        let placed = placed.map(|(mine, theirs)| [mine, theirs].map(Placed::new));
+        seen.differences
+            .extend(halves::compare([&self.drawing, &found.drawing], placed.as_ref().map(<[_; 2]>::each_ref)));
         let student = Some((std::mem::take(&mut seen.sketch), seen.fits));
-        let [Some(mine), Some(theirs)] = [&self.table, &found.table] else {
+        let Some([mine, theirs]) = &placed else {
             let mut differences = seen.differences;
             if let Some(table) = &found.table {
                 differences.extend(contradiction(table, &found.drawing, options));
@@ -269,7 +283,7 @@ impl File {
             let agreed = format!("{} of {} edges agree", seen.agreed.0, seen.agreed.1);
             return Ok(self.answer(layer, target, differences, notes, agreed, student));
         };
-        let declared = tables::compare(&Placed::new(mine), &Placed::new(theirs), options);
+        let declared = tables::compare(mine, theirs, options);
         notes.extend(declared.notes.iter().cloned());
         let (layer, differences) = merged(declared.differences, seen, &mut notes);
         Ok(self.answer(layer, target, differences, notes, agreed(declared.agreed), student))

@@ -1,10 +1,14 @@
 //! A declared structure with its vertices and edges by place.
 
-use super::graph::Graph;
+use super::graph::{Graph, Matched};
+use super::pairing::span;
 use crate::figure::structure::skeleton::{destination, half_edges, vertices};
 use crate::ids::{HalfEdgeId, VertexId};
 use crate::plane::Point;
 use crate::topology::{Table, View};
+
+/// Coordinates agree up to this part of the whole.
+const CLOSE: f64 = 1e-9;
 
 /// A table with its vertices and edges by place.
 pub(super) struct Placed<'a> {
@@ -30,6 +34,17 @@ impl<'a> Placed<'a> {
         out.graph.edges = half_edges(table).filter_map(|h| out.ends(h)).collect();
         out.graph.tidy();
         out
+    }
+
+    /// How far two places may be from each other that are the same.
+    pub(super) fn tolerance(&self) -> f64 {
+        let span = span(&self.graph.points);
+        CLOSE * if span > 0.0 { span } else { 1.0 }
+    }
+
+    /// Which point of another structure is which of these.
+    pub(super) fn matched(&self, found: &Self) -> Matched {
+        Matched::new(&self.graph, &found.graph, self.tolerance())
     }
 
     fn number(&self, v: Option<VertexId>) -> Option<u32> {

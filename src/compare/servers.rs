@@ -6,8 +6,9 @@
 //! ```
 
 use super::colour::{Paint, paint};
+use super::declarations::declarations;
 use super::error::{Fault, Problem};
-use super::ink::{Ink, fraction, properties};
+use super::ink::{Ink, fraction};
 use super::markup::is_svg;
 use super::served::{Server, Servers};
 use super::tags::{size, tag};
@@ -105,10 +106,10 @@ impl Work<'_, '_> {
         for stop in node.children().filter(|n| n.tag_name().name() == "stop") {
             let tags = self.path(stop)?;
             let (mut colour, mut opacity) = (Paint::Colour([0; 3], 1.0), 1.0);
-            for (key, value) in properties(stop, self.rules, &tags) {
-                match key {
-                    "stop-color" => colour = paint(value),
-                    "stop-opacity" => opacity = fraction(value).unwrap_or(1.0),
+            for (key, value) in declarations(stop, self.rules, &tags) {
+                match &*key {
+                    "stop-color" => colour = paint(&value),
+                    "stop-opacity" => opacity = fraction(&value).unwrap_or(1.0),
                     _ => {}
                 }
             }
@@ -143,13 +144,13 @@ impl Work<'_, '_> {
         }
         for child in node.children().filter(Node::is_element) {
             let tags = self.path(child)?;
-            let Some((ink, _)) = around.inside(child, self.rules, &tags) else { continue };
+            let Some((ink, own)) = around.inside(child, self.rules, &tags) else { continue };
             match child.tag_name().name() {
                 "g" | "a" | "svg" => self.collect(child, &ink, out, depth + 1)?,
                 "line" | "polyline" | "polygon" | "path" | "rect" | "circle" | "ellipse" => {
                     // A gradient within a pattern is some paint.
                     out.known &= !child.attributes().any(|a| a.value().contains("url("));
-                    let [filled, lined] = tiles::painted(child, &ink);
+                    let [filled, lined] = tiles::painted(child, &ink, &own);
                     (filled > 0.0).then(|| out.add(ink.fill()));
                     (lined > 0.0).then(|| out.add(ink.stroke()));
                     out.painted += filled + lined;

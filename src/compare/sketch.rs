@@ -236,6 +236,7 @@ impl Sketch {
         graph.edges.iter().flatten().for_each(|&m| ends[m as usize] = true);
         let (dots, radii) = (0..graph.points.len() as u32).map(dot).unzip();
         beside.bars.sort_unstable();
+        beside.paper.extend(drawing.ground);
         beside.paper.sort_unstable();
         Ok(Self { graph, dots, radii, ends, outlines, welcome: Vec::new(), hidden, unseen, doubled, beside })
     }

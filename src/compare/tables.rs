@@ -11,7 +11,7 @@
 //! mistake gives its own sentence and no others.
 
 use super::frame::Search;
-use super::graph::{Matched, Telling};
+use super::graph::Telling;
 use super::links::{Links, Reduced};
 use super::placed::Placed;
 use super::report::{Difference, Kind, Layer, Slot, Spot, Writing};
@@ -20,8 +20,6 @@ use crate::figure::structure::skeleton::{half_edges, mutual_twin, vertices};
 use crate::ids::{Element, HalfEdgeId, VertexId};
 use crate::topology::{Table, View, violations};
 
-/// Coordinates agree up to this part of the whole.
-const CLOSE: f64 = 1e-9;
 /// So many broken invariants are told beside differences.
 const INVARIANTS: usize = 3;
 
@@ -35,10 +33,9 @@ pub(super) struct Found {
 
 /// Compares two tables. O(n log n).
 pub(super) fn compare(expected: &Placed<'_>, found: &Placed<'_>, options: &Options) -> Found {
-    let span = super::pairing::span(&expected.graph.points);
-    let tolerance = CLOSE * if span > 0.0 { span } else { 1.0 };
+    let tolerance = expected.tolerance();
     let writing = Writing::new(tolerance, false);
-    let matched = Matched::new(&expected.graph, &found.graph, tolerance);
+    let matched = expected.matched(found);
     let (at_place, all) =
         (matched.to_found.iter().flatten().count() - matched.moved.len(), expected.graph.points.len());
     if all > 2 && 2 * at_place < all {

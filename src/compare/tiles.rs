@@ -6,7 +6,8 @@
 //!   └────┘
 //! ```
 
-use super::ink::Ink;
+use super::geometry::path_data;
+use super::ink::{Ink, Own};
 use super::numbers;
 use super::path;
 use roxmltree::Node;
@@ -17,9 +18,11 @@ pub(super) fn area(width: &str, height: &str) -> Option<f64> {
 }
 
 /// The areas that a shape fills and that its lines cover, about.
-pub(super) fn painted(node: Node<'_, '_>, ink: &Ink) -> [f64; 2] {
-    let side = |name: &str| node.attribute(name).and_then(numbers::measure).unwrap_or(0.0).abs();
-    let (filled, length) = match node.tag_name().name() {
+pub(super) fn painted(node: Node<'_, '_>, ink: &Ink, own: &Own) -> [f64; 2] {
+    let element = node.tag_name().name();
+    let said = |name: &str| own.geometry.of(element, name).or_else(|| node.attribute(name));
+    let side = |name: &str| said(name).and_then(numbers::measure).unwrap_or(0.0).abs();
+    let (filled, length) = match element {
         "rect" => (side("width") * side("height"), 2.0 * (side("width") + side("height"))),
         "circle" => (std::f64::consts::PI * side("r") * side("r"), std::f64::consts::TAU * side("r")),
         "ellipse" => {
@@ -27,7 +30,8 @@ pub(super) fn painted(node: Node<'_, '_>, ink: &Ink) -> [f64; 2] {
         }
         "line" => (0.0, along(&[end(node, "x1", "y1"), end(node, "x2", "y2")])),
         "path" => {
-            let read = path::read(node.attribute("d").unwrap_or("")).unwrap_or_default();
+            let data = own.geometry.of(element, "d").and_then(path_data).or_else(|| node.attribute("d"));
+            let read = path::read(data.unwrap_or("")).unwrap_or_default();
             let rings = read.iter().map(|path| path.points.iter().map(|p| p.0).collect::<Vec<_>>());
             rings.fold((0.0, 0.0), |sum, ring| (sum.0 + inside(&ring), sum.1 + along(&ring)))
         }

@@ -1,4 +1,5 @@
-//! Markers and letters: they are no part of a structure, but large ones hide it.
+//! Markers and letters: they are no part of a structure, but large ones hide it. Of a marker, a circle round the place
+//! where it stands is read as any other circle there: so vertices may be drawn.
 //!
 //! ```text
 //!   ────▸        a marker is drawn as it is, at each place of the path where it stands
@@ -8,6 +9,7 @@
 //! ```
 
 use super::{Around, Reader, corners, place};
+use crate::compare::colour::Paint;
 use crate::compare::error::{Fault, Problem};
 use crate::compare::markers::Stand;
 use crate::compare::markup::is_svg;
@@ -88,7 +90,18 @@ impl<'a, 'i> Reader<'a, 'i> {
             .after(&turned)
             .after(&Transform::scale(unit, unit))
             .after(&Transform::translate(-anchor[0], -anchor[1]));
-        self.inside_marker(node, size, &room, &fit, around, depth)
+        let stand = (!around.decorates).then(|| place(&around.transform, at, offset, "marker")).transpose()?;
+        // A marker inherits from where it stands in the file, not from the line.
+        let inner = Around {
+            ink: around.ink.fresh(),
+            mark: Some(Mark::Marker),
+            clip: around.clip,
+            stand,
+            aside: around.aside,
+            legend: around.legend,
+            ..Around::default()
+        };
+        self.inside_marker(node, size, &room, &fit, inner, depth)
     }
 
     /// What a marker holds, in its room, which has this size.
@@ -98,13 +111,10 @@ impl<'a, 'i> Reader<'a, 'i> {
         size: [f64; 2],
         room: &Transform,
         fit: &Transform,
-        around: &Around,
+        mut inner: Around,
         depth: usize,
     ) -> Result<(), Fault> {
         let outside = std::mem::take(&mut self.path);
-        // A marker inherits from where it stands in the file, not from the line.
-        let mut inner =
-            Around { ink: around.ink.fresh(), mark: Some(Mark::Marker), clip: around.clip, ..Around::default() };
         let mut chain: Vec<Node<'a, 'i>> = node.ancestors().filter(Node::is_element).collect();
         chain.reverse();
         let mut shown = true;
@@ -149,6 +159,13 @@ impl<'a, 'i> Reader<'a, 'i> {
             let first = node.attribute(name).and_then(|list| list.split([' ', ',']).find(|word| !word.is_empty()));
             first.and_then(numbers::measure).unwrap_or(otherwise)
         };
+        let recoloured;
+        let around = if self.coloured.contains(&offset) {
+            recoloured = Around { coloured: true, ..around.clone() };
+            &recoloured
+        } else {
+            around
+        };
         let start = [axis("x", start[0]) + axis("dx", 0.0), axis("y", start[1]) + axis("dy", 0.0)];
         let letters: usize = node
             .children()
@@ -179,7 +196,8 @@ impl<'a, 'i> Reader<'a, 'i> {
     /// The box of so many letters.
     fn letters(&mut self, count: usize, [x, y]: [f64; 2], around: &Around, offset: usize) -> Result<(), Fault> {
         let ink = &around.ink;
-        let has_rim = ink.hidden_stroke().is_none();
+        // What gets another colour is painted at some time.
+        let has_rim = around.coloured || ink.hidden_stroke().is_none();
         if !ink.fills() && !has_rim {
             return Ok(());
         }
@@ -193,7 +211,13 @@ impl<'a, 'i> Reader<'a, 'i> {
             let Ok(corner) = place(&around.transform, corner, offset, "text") else { return Ok(()) };
             ring.push(corner);
         }
-        let paint = if ink.fills() { ink.fill() } else { ink.stroke() };
+        let paint = if around.coloured {
+            (Paint::Some, 1.0)
+        } else if ink.fills() {
+            ink.fill()
+        } else {
+            ink.stroke()
+        };
         self.count(1, offset)?;
         self.out.painting.add(Shape::Area(Area::new(&[ring], false)), paint, around.clip, Part::Mark(Mark::Letters));
         Ok(())

@@ -11,12 +11,16 @@
 //! half-edges, pointers and hatches beside the edges are decoration: they can hide, and nothing else.
 //!
 //! ```text
+//!   clips.rs   Clip paths
+//!   foreign.rs What stands in a foreignObject
 //!   marks.rs   Markers and letters
 //!   root.rs    Style sheets, and how the root is shown
 //!   shapes.rs  Elements with a shape, as lines, dots, outlines and coats
 //!   stamps.rs  Vertices drawn as squares or crosses
 //! ```
 
+mod clips;
+mod foreign;
 mod marks;
 mod root;
 mod shapes;
@@ -25,17 +29,19 @@ mod stamps;
 use super::error::{Fault, Problem, quoted};
 use super::ink::{Hidden, Ink, Own};
 use super::markup::is_svg;
-use super::painting::{Area, Clip, Mark, Painting, Part};
+use super::painting::{Area, Clip, Mark, Painting, Part, Shape};
+use super::pairing::distance;
 use super::served::Servers;
 use super::tags::{size, tag};
 use super::transform::Transform;
 use super::viewport::{self, Room};
-use super::{declared, numbers};
+use super::{animations, declared, numbers};
 use crate::figure::canvas::selectors::{Rule, Tag, rules_on_screen};
-use crate::figure::canvas::untold::{Untold, untold};
+use crate::figure::canvas::untold::{Untold, untold, untold_with};
 use crate::plane::Point;
 use roxmltree::{Document, Node};
-use std::collections::BTreeMap;
+use std::borrow::Cow;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 /// Elements inside elements, `use` counted.
@@ -48,6 +54,10 @@ pub(in crate::compare) const LINES: usize = 400_000;
 const MATCHES: usize = 4_000_000;
 /// Largest coordinate.
 const FAR: f64 = 1e9;
+/// How far from where its marker stands a circle may lie that is a vertex, as a part of its radius.
+const OFF: f64 = 0.25;
+/// How far what is behind it all reaches.
+const GROUND: f64 = 1e5;
 /// Words in ids and classes of what stands beside a drawing.
 const ASIDE: [&str; 6] = ["legend", "axis", "colorbar", "tick", "ticks", "rows"];
 
@@ -110,6 +120,8 @@ pub(in crate::compare) struct Drawing {
     /// The half-edges that a figure of the kit draws beside its edges.
     pub(in crate::compare) halves: Vec<Half>,
     pub(in crate::compare) painting: Painting,
+    /// The coat behind it all, by the style of the root.
+    pub(in crate::compare) ground: Option<u32>,
     /// The part of the plane that is shown: lowest and highest corner.
     pub(in crate::compare) canvas: Option<[Point; 2]>,
     /// What was not read.
@@ -120,12 +132,13 @@ impl Drawing {
     /// Reads a document. O(size), up to the caps.
     pub(in crate::compare) fn read(document: &Document<'_>) -> Result<Self, Fault> {
         let css = root::style_sheets(document)?;
-        let short = |selector: &str| selector.chars().take(60).collect();
+        let short = |selector: &str| selector.chars().take(60).collect::<String>();
         match untold(&css) {
             Some(Untold::Hides(selector)) => return Err(Problem::StyleRule { selector: short(selector) }.into()),
             Some(Untold::Changes(selector)) => return Err(Problem::StyleChange { selector: short(selector) }.into()),
             None => {}
         }
+        let animations = animations::harmless(document)?;
         let rules = rules_on_screen(&css);
         let elements = document.descendants().filter(Node::is_element).count();
         if rules.iter().map(Rule::weight).sum::<usize>().saturating_mul(elements) > MATCHES {
@@ -150,6 +163,9 @@ impl Drawing {
             blank: 0,
             out: Self::default(),
             ignored: BTreeMap::new(),
+            coloured: animations.coloured,
+            keyframes: css.to_ascii_lowercase().contains("keyframes"),
+            boxes_untold: untold_with(&css, &foreign::COVERS).map(|what| short(what.selector())),
         };
         if root.tag_name().namespace().is_none() {
             let note = "xmlns=\"http://www.w3.org/2000/svg\" is missing on <svg>: browsers show such a file as text";
@@ -160,6 +176,11 @@ impl Drawing {
         let room = sheet.room;
         reader.out.notes.extend(sheet.note.map(str::to_owned));
         let mut around = Around { room, transform: sheet.stretch, ink: Ink::with(servers), ..Around::default() };
+        if let Some(paint) = sheet.ground {
+            let wide = [[-GROUND, -GROUND], [GROUND, -GROUND], [GROUND, GROUND], [-GROUND, GROUND]];
+            let area = Shape::Area(Area::new(&[wide.map(flipped).to_vec()], false));
+            reader.out.ground = Some(reader.out.painting.add(area, (paint, 1.0), None, Part::Area));
+        }
         if let Some(room) = room {
             let corners = corners(room).map(|p| flipped(sheet.stretch.apply(p)));
             reader.out.canvas = Some([Point::new(corners[0].x, corners[2].y), Point::new(corners[2].x, corners[0].y)]);
@@ -173,6 +194,9 @@ impl Drawing {
         reader.element(root, &around, 0)?;
         if !kit {
             stamps::read(&mut reader.out, &reader.shapes);
+        }
+        for (name, count) in animations.notes {
+            reader.ignored.insert(format!("<{name}>"), count);
         }
         for (what, count) in reader.ignored {
             let what = if count == 1 { what.replacen("curves (edges", "curve (edges", 1) } else { what };
@@ -206,11 +230,24 @@ pub(in crate::compare) struct Around {
     pub(in crate::compare) legend: u32,
     /// Whether it is decoration of the kit, which can only hide.
     pub(in crate::compare) decorates: bool,
+    /// Where on the canvas the marker stands in which it is.
+    pub(in crate::compare) stand: Option<Point>,
+    /// Whether it is a text that gets another colour after a moment.
+    pub(in crate::compare) coloured: bool,
     /// What it is, if it is a marker or a text.
     pub(in crate::compare) mark: Option<Mark>,
 }
 
 impl Around {
+    /// The same for a circle in a marker if that is drawn right where the marker stands: such a circle can be a
+    /// vertex, as any other one there.
+    pub(in crate::compare) fn of_circle(&self, at: Point, radius: f64) -> Cow<'_, Self> {
+        match self.stand.is_some_and(|stand| distance(stand, at) <= OFF * radius) {
+            true => Cow::Owned(Self { mark: None, decorates: false, ..self.clone() }),
+            false => Cow::Borrowed(self),
+        }
+    }
+
     /// What a coat is that would be this part elsewhere.
     pub(in crate::compare) fn part(&self, part: Part) -> Part {
         match self.mark {
@@ -241,6 +278,12 @@ pub(in crate::compare) struct Reader<'a, 'i> {
     pub(in crate::compare) blank: usize,
     pub(in crate::compare) out: Drawing,
     ignored: BTreeMap<String, usize>,
+    /// The places of texts that get another colour after a moment.
+    coloured: BTreeSet<usize>,
+    /// Whether there are rules that say how something changes.
+    keyframes: bool,
+    /// A rule that may let boxes of a `foreignObject` cover something.
+    boxes_untold: Option<String>,
 }
 
 impl<'a, 'i> Reader<'a, 'i> {
@@ -264,11 +307,17 @@ impl<'a, 'i> Reader<'a, 'i> {
         if let Some(around) = inside {
             match name {
                 "svg" | "g" | "a" => {
-                    let around = if depth > 0 && name == "svg" { self.inner(node, node, around)? } else { around };
+                    let around = if depth > 0 && name == "svg" {
+                        let corner = [length(node, "x", 0, &around)?, length(node, "y", 1, &around)?];
+                        self.inner(node, node, corner, around)?
+                    } else {
+                        around
+                    };
                     self.children(node, &around, depth)?;
                 }
                 "use" => self.reuse(node, around, depth)?,
                 "switch" => self.switch(node, &around, depth)?,
+                "foreignObject" => self.foreign(node, &around, depth)?,
                 "text" => self.text(node, &around, [0.0; 2], depth)?,
                 _ => {
                     let number = self.shapes.len();
@@ -319,6 +368,17 @@ impl<'a, 'i> Reader<'a, 'i> {
             Some(text) => outer.transform.after(&Transform::read(text).ok_or_else(|| word(offset, text, "transform"))?),
             None => outer.transform,
         };
+        // What moves an element or turns it about a point of its own is not worked out.
+        let has_transform = own.transform.is_some() || node.has_attribute("transform");
+        let origin = own.origin.as_deref().filter(|origin| has_transform && !is_corner(origin));
+        if let Some(text) = own.unread.clone().or_else(|| origin.map(|text| format!("transform-origin: {text}"))) {
+            return Err(word(offset, &text, "property that is read here: write a transform in its place"));
+        }
+        let name = node.tag_name().name();
+        if let Some(text) = own.animation.as_deref().filter(|_| self.keyframes && !animations::is_text(name)) {
+            let what = format!("how <{}> looks, by `{}`,", quoted(name), quoted(text));
+            return Err(Fault::at(offset, Problem::Animation { element: "style".to_owned(), what }));
+        }
         let mut out = Around { transform, ink, ..outer.clone() };
         if let Some(link) = &own.clip {
             out.clip = self.clip(node, link, &out)?;
@@ -344,9 +404,11 @@ impl<'a, 'i> Reader<'a, 'i> {
     fn is_drawn(&mut self, name: &str) -> bool {
         match name {
             "svg" | "g" | "a" | "use" | "line" | "polyline" | "polygon" | "path" | "rect" | "circle" | "ellipse"
-            | "image" | "switch" | "text" => true,
+            | "image" | "switch" | "text" | "foreignObject" => true,
             "title" | "desc" | "metadata" | "defs" | "style" | "symbol" | "clipPath" | "mask" | "pattern"
             | "marker" | "linearGradient" | "radialGradient" | "filter" | "view" => false,
+            // Counted before.
+            other if animations::is_animation(other) => false,
             other => {
                 *self.ignored.entry(format!("<{}>", quoted(other))).or_default() += 1;
                 false
@@ -370,8 +432,17 @@ impl<'a, 'i> Reader<'a, 'i> {
 
     /// What is inside an `svg` or a `symbol`, placed by `place`: at its own x and y, its `viewBox` fitted in, cut off
     /// at its border.
-    fn inner(&mut self, node: Node<'a, 'i>, place: Node<'a, 'i>, mut around: Around) -> Result<Around, Fault> {
-        let [x, y] = [length(place, "x", 0, &around)?, length(place, "y", 1, &around)?];
+    fn inner(
+        &mut self,
+        node: Node<'a, 'i>,
+        place: Node<'a, 'i>,
+        [x, y]: [f64; 2],
+        mut around: Around,
+    ) -> Result<Around, Fault> {
+        if let Some(text) = around.own.geometry.differing(|key| node.attribute(key)) {
+            let wanted = "style that all browsers read on an inner <svg> or a symbol: write it as an attribute";
+            return Err(word(node.range().start, &text, wanted));
+        }
         let side = |name: &str, axis: usize| match place.attribute(name).or_else(|| node.attribute(name)) {
             None | Some("auto") => Ok(around.room.map(|room| room[2 + axis])),
             Some(_) => {
@@ -412,72 +483,14 @@ impl<'a, 'i> Reader<'a, 'i> {
             self.ignore("<use> of something that is not in the file");
             return Ok(());
         };
+        let corner = [length(node, "x", 0, &around)?, length(node, "y", 1, &around)?];
         if matches!(target.tag_name().name(), "symbol" | "svg") {
             let Some(styled) = self.inside(target, &around)? else { return Ok(()) };
-            let inner = self.inner(target, node, styled)?;
+            let inner = self.inner(target, node, corner, styled)?;
             return self.children(target, &inner, depth + 1);
         }
-        let moved = Transform::translate(length(node, "x", 0, &around)?, length(node, "y", 1, &around)?);
-        around.transform = around.transform.after(&moved);
+        around.transform = around.transform.after(&Transform::translate(corner[0], corner[1]));
         self.element(target, &around, depth + 1)
-    }
-
-    /// The clip that an element names, inside the one around.
-    fn clip(&mut self, node: Node<'a, 'i>, link: &str, around: &Around) -> Result<Option<u32>, Fault> {
-        let id = link.strip_prefix("url(").and_then(|rest| rest.split(')').next());
-        let id = id.map(|id| id.trim_matches(['"', '\'', ' ']).trim_start_matches('#'));
-        let Some(target) = id.and_then(|id| self.by_id(id)).filter(|n| n.tag_name().name() == "clipPath") else {
-            self.ignore("clip-path that is not in the file");
-            return Ok(around.clip);
-        };
-        let key = (target.range().start, around.clip, around.transform.bits());
-        let by_box = target.attribute("clipPathUnits") == Some("objectBoundingBox");
-        if let Some(&known) = self.clips.get(&key) {
-            return Ok(Some(known));
-        }
-        if by_box {
-            return Err(word(
-                node.range().start,
-                "objectBoundingBox",
-                "unit of a clip path here: write userSpaceOnUse",
-            ));
-        }
-        let mut transform = around.transform;
-        if let Some(text) = target.attribute("transform") {
-            transform =
-                transform.after(&Transform::read(text).ok_or_else(|| word(target.range().start, text, "transform"))?);
-        }
-        let mut areas = Vec::new();
-        for child in target.children().filter(Node::is_element) {
-            self.work += 1 + child.attributes().map(|a| a.value().len()).sum::<usize>();
-            if self.work > WORK {
-                let problem = Problem::TooLarge { what: "elements to draw", limit: WORK };
-                return Err(Fault::at(child.range().start, problem));
-            }
-            let (mut child, mut own) = (child, transform);
-            for _ in 0..2 {
-                if let Some(text) = child.attribute("transform") {
-                    let read = Transform::read(text).ok_or_else(|| word(child.range().start, text, "transform"))?;
-                    own = own.after(&read);
-                }
-                if child.tag_name().name() == "use" {
-                    let link = child.attributes().find(|a| a.name() == "href").map_or("", |a| a.value());
-                    let Some(used) = link.strip_prefix('#').and_then(|id| self.by_id(id)) else { break };
-                    child = used;
-                }
-            }
-            let even_odd = [child, target].iter().find_map(|n| n.attribute("clip-rule")) == Some("evenodd");
-            let rings = shapes::rings(child, &own, around)?;
-            areas.push(Area::new(&rings, even_odd));
-        }
-        let clip = self.add_clip(areas, around.clip);
-        self.clips.insert(key, clip);
-        Ok(Some(clip))
-    }
-
-    fn add_clip(&mut self, areas: Vec<Area>, around: Option<u32>) -> u32 {
-        self.out.painting.clips.push(Clip { areas, around, canvas: false });
-        self.out.painting.clips.len() as u32 - 1
     }
 
     /// The number of the shape that is read.
@@ -493,6 +506,11 @@ impl<'a, 'i> Reader<'a, 'i> {
         }
         Ok(())
     }
+}
+
+/// Whether a `transform-origin` is where all transforms start from.
+fn is_corner(origin: &str) -> bool {
+    origin.split_whitespace().all(|side| ["0", "0px", "0%", "left", "top"].contains(&side))
 }
 
 /// A word of a name that says that something stands beside the drawing.
@@ -522,10 +540,27 @@ fn has_its_conditions(node: Node<'_, '_>) -> bool {
 }
 
 /// A length with its unit, or in percent of the room, of which `axis` 0 is the width, 1 the height and 2 both; 0 if
-/// it is missing.
+/// it is missing. A style says it before the attribute does: `around` has the element's own style.
 pub(in crate::compare) fn length(node: Node<'_, '_>, name: &str, axis: usize, around: &Around) -> Result<f64, Fault> {
-    let Some(attribute) = node.attribute_node(name) else { return Ok(0.0) };
-    let text = attribute.value().trim();
+    set_length(node, name, axis, around).map(Option::unwrap_or_default)
+}
+
+/// The same; `None` if it is missing or `auto`.
+pub(in crate::compare) fn set_length(
+    node: Node<'_, '_>,
+    name: &str,
+    axis: usize,
+    around: &Around,
+) -> Result<Option<f64>, Fault> {
+    let attribute = node.attribute_node(name).map(|attribute| (attribute.value(), attribute.range().start));
+    let style = around.own.geometry.of(node.tag_name().name(), name).map(|text| (text, node.range().start));
+    let Some((text, offset)) = style.or(attribute).filter(|(text, _)| *text != "auto") else { return Ok(None) };
+    measured(text, axis, around, offset).map(Some)
+}
+
+/// The length that a text says, in the room.
+fn measured(written: &str, axis: usize, around: &Around, offset: usize) -> Result<f64, Fault> {
+    let text = written.trim();
     let part = |percent: &str| {
         let part = numbers::length(percent)? / 100.0;
         // Without a size, the canvas is as large as the window.
@@ -534,7 +569,7 @@ pub(in crate::compare) fn length(node: Node<'_, '_>, name: &str, axis: usize, ar
     };
     let value = text.strip_suffix('%').map_or_else(|| numbers::measure(text), part);
     let wanted = "number: write px without a unit, such as 12.5";
-    value.ok_or_else(|| word(attribute.range().start, attribute.value(), wanted))
+    value.ok_or_else(|| word(offset, written, wanted))
 }
 
 pub(in crate::compare) fn word(offset: usize, text: &str, wanted: &'static str) -> Fault {

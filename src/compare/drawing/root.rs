@@ -2,9 +2,12 @@
 //!
 //! ```text
 //!   viewBox="0 0 600 400" width="600" height="800" preserveAspectRatio="none"      y is drawn twice as large as x
+//!   style="background:black"                                                       white lines are seen on it
 //!   width="0"                                                                      nothing is shown: refused
 //! ```
 
+use crate::compare::colour::Paint;
+use crate::compare::declarations::without_comments;
 use crate::compare::error::{Fault, Problem};
 use crate::compare::ink::Ink;
 use crate::compare::numbers;
@@ -29,18 +32,6 @@ pub(super) fn style_sheets(document: &Document<'_>) -> Result<String, Fault> {
     Ok(without_comments(&css))
 }
 
-/// A style sheet without what stands between `/*` and `*/`.
-fn without_comments(css: &str) -> String {
-    let mut out = String::with_capacity(css.len());
-    let mut rest = css;
-    while let Some((before, after)) = rest.split_once("/*") {
-        out.push_str(before);
-        out.push(' ');
-        rest = after.split_once("*/").map_or("", |(_, rest)| rest);
-    }
-    out + rest
-}
-
 /// How the root is shown.
 pub(super) struct Sheet {
     /// The part of the plane that is shown, y down, before it is stretched.
@@ -48,12 +39,16 @@ pub(super) struct Sheet {
     /// How the two sides are scaled against each other.
     pub(super) stretch: Transform,
     pub(super) note: Option<&'static str>,
+    /// The colour behind it all, if its style says one.
+    pub(super) ground: Option<Paint>,
 }
 
 /// The sheet of the root: its `viewBox`, and its width and height if they are known.
 pub(super) fn sheet(root: Node<'_, '_>, rules: &[Rule<'_>]) -> Result<Sheet, Fault> {
     let own = Ink::default().inside(root, rules, &[tag(root)]).map(|(_, own)| own).unwrap_or_default();
-    let [width, height] = own.size.map(|side| side.as_deref().and_then(side_of_root));
+    let side = |name| own.geometry.said(name).or_else(|| root.attribute(name)).and_then(side_of_root);
+    let [width, height] = ["width", "height"].map(side);
+    let ground = own.ground.filter(|paint| matches!(paint, Paint::Colour(..)));
     let view_box = root.attribute("viewBox");
     if [width, height].contains(&Some(0.0)) || view_box.is_some_and(viewport::is_empty) {
         return Err(Fault::at(root.range().start, Problem::NotShown));
@@ -62,14 +57,14 @@ pub(super) fn sheet(root: Node<'_, '_>, rules: &[Rule<'_>]) -> Result<Sheet, Fau
     let ratio = root.attribute("preserveAspectRatio").unwrap_or("");
     let Some(inside) = view_box.and_then(viewport::view_box) else {
         let room = size.map(|[width, height]| [0.0, 0.0, width, height]);
-        return Ok(Sheet { room, stretch: Transform::IDENTITY, note: None });
+        return Ok(Sheet { room, stretch: Transform::IDENTITY, note: None, ground });
     };
     let stretch = size.map_or(Transform::IDENTITY, |size| viewport::stretch(inside, size, ratio));
     let is_open = viewport::stretches(ratio) && size.is_none() && own_size_is_open(root);
     let note = is_open.then_some(
         "preserveAspectRatio=\"none\" without width and height in px: the drawing is as wide and high as its window",
     );
-    Ok(Sheet { room: Some(viewport::shown(inside, size, ratio)), stretch, note })
+    Ok(Sheet { room: Some(viewport::shown(inside, size, ratio)), stretch, note, ground })
 }
 
 /// Whether the window says how wide and high the root is.

@@ -5,9 +5,10 @@
 //!   ▭▭▭▭▭▭▭                         a thin filled rectangle may be a line: sketch.rs decides that by its ends
 //! ```
 
-use super::{Around, Dot, Line, Outline, Reader, corners, flipped, length, place, word};
+use super::{Around, Dot, Line, Outline, Reader, corners, flipped, length, place, set_length, word};
 use crate::compare::colour::Paint;
 use crate::compare::error::Fault;
+use crate::compare::geometry::path_data;
 use crate::compare::ink::Hidden;
 use crate::compare::painting::{Area, Disc, Part, Shape};
 use crate::compare::pairing::distance;
@@ -47,6 +48,10 @@ impl<'a, 'i> Reader<'a, 'i> {
                 .collect();
             placed.push((points?, path.closed));
         }
+        let (outer, only) = (around, placed.first().filter(|_| placed.len() == 1));
+        let circle = only.filter(|_| around.stand.is_some()).and_then(|(points, closed)| round(points, *closed));
+        let circle = circle.map(|(centre, radius)| around.of_circle(centre, radius));
+        let around = circle.as_deref().unwrap_or(around);
         self.area(node, what, &placed, around);
         for (points, closed) in &placed {
             if let Some((centre, radius)) = round(points, *closed).filter(|_| !around.decorates) {
@@ -55,8 +60,8 @@ impl<'a, 'i> Reader<'a, 'i> {
                 self.trace(node, points, *closed, what, around);
             }
         }
-        if around.ink.markers.is_any() && what != "rect" {
-            self.markers(&paths, around, depth, offset)?;
+        if outer.ink.markers.is_any() && what != "rect" {
+            self.markers(&paths, outer, depth, offset)?;
         }
         Ok(())
     }
@@ -215,15 +220,9 @@ impl<'a, 'i> Reader<'a, 'i> {
         let offset = node.range().start;
         let centre = [length(node, "cx", 0, around)?, length(node, "cy", 1, around)?];
         let radii = if node.tag_name().name() == "circle" {
-            [around.own.radius.map_or_else(|| length(node, "r", 2, around), Ok)?; 2]
+            [length(node, "r", 2, around)?; 2]
         } else {
-            let radius = |name: &str, axis: usize| {
-                node.attribute(name)
-                    .filter(|text| *text != "auto")
-                    .map(|_| length(node, name, axis, around))
-                    .transpose()
-            };
-            let (x, y) = (radius("rx", 0)?, radius("ry", 1)?);
+            let (x, y) = (set_length(node, "rx", 0, around)?, set_length(node, "ry", 1, around)?);
             [x.or(y).unwrap_or(0.0), y.or(x).unwrap_or(0.0)]
         };
         let at = place(&around.transform, centre, offset, "circle")?;
@@ -233,6 +232,7 @@ impl<'a, 'i> Reader<'a, 'i> {
         let mut hidden = Self::hidden_circle(around);
         let reach = axes[0].x.hypot(axes[0].y).max(axes[1].x.hypot(axes[1].y));
         let radius = determinant.abs().sqrt();
+        let around = &*around.of_circle(at, radius);
         if radius > 0.0 && determinant.is_finite() {
             let inverse =
                 [axes[1].y / determinant, -axes[1].x / determinant, -axes[0].y / determinant, axes[0].x / determinant];
@@ -250,6 +250,12 @@ impl<'a, 'i> Reader<'a, 'i> {
     /// A picture: nothing is known of it but that it covers.
     fn image(&mut self, node: Node<'_, '_>, around: &Around) -> Result<(), Fault> {
         self.ignore("<image>");
+        let link = node.attributes().find(|a| a.name() == "href").map_or("", |a| a.value().trim());
+        let sides = [set_length(node, "width", 0, around)?, set_length(node, "height", 1, around)?];
+        if !link.is_empty() && sides.contains(&None) {
+            let wanted = "width or height of a picture here: write both as numbers";
+            return Err(word(node.range().start, "auto", wanted));
+        }
         let rings = rings(node, &around.transform, around)?;
         self.out.painting.add(
             Shape::Area(Area::new(&rings, false)),
@@ -273,7 +279,7 @@ fn is_flat(paths: &[Subpath]) -> bool {
     level || upright
 }
 
-/// The rings that an element would fill, on the canvas.
+/// The rings that an element would fill, on the canvas. `around` has the element's own style.
 pub(super) fn rings(node: Node<'_, '_>, transform: &Transform, around: &Around) -> Result<Vec<Vec<Point>>, Fault> {
     let offset = node.range().start;
     let name = node.tag_name().name();
@@ -299,9 +305,12 @@ fn subpaths(node: Node<'_, '_>, around: &Around) -> Result<(Vec<Subpath>, &'stat
         "line" => (vec![line(node, around)?], "line"),
         "polyline" => (polyline(node, false)?, "polyline"),
         "polygon" => (polyline(node, true)?, "polygon"),
-        "rect" | "image" => (rect(node, around)?, "rect"),
+        "rect" | "image" | "foreignObject" => (rect(node, around)?, "rect"),
         "path" => {
-            let data = node.attribute("d").unwrap_or("");
+            let data = match around.own.geometry.of("path", "d") {
+                Some(text) => path_data(text).ok_or_else(|| word(node.range().start, text, "path(\"...\") or none"))?,
+                None => node.attribute("d").unwrap_or(""),
+            };
             (path::read(data).map_err(|rest| word(node.range().start, rest, "path data"))?, "path")
         }
         _ => (Vec::new(), "shape"),
@@ -330,10 +339,7 @@ fn rect(node: Node<'_, '_>, around: &Around) -> Result<Vec<Subpath>, Fault> {
     if !(width > 0.0 && height > 0.0) {
         return Ok(Vec::new());
     }
-    let radius = |name: &str, axis: usize| {
-        node.attribute(name).filter(|text| *text != "auto").map(|_| length(node, name, axis, around)).transpose()
-    };
-    let (rx, ry) = (radius("rx", 0)?, radius("ry", 1)?);
+    let (rx, ry) = (set_length(node, "rx", 0, around)?, set_length(node, "ry", 1, around)?);
     let [rx, ry] = [rx.or(ry).unwrap_or(0.0).min(width / 2.0), ry.or(rx).unwrap_or(0.0).min(height / 2.0)];
     if rx >= 0.49 * width && ry >= 0.49 * height {
         let (right, middle) = (x + width, y + height / 2.0);

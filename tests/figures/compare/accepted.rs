@@ -304,6 +304,60 @@ fn vertices_may_be_squares_or_crosses() {
     equal(&plain().replacen("</svg>", &format!("{}</svg>", boxes.concat()), 1));
 }
 
+/// The drawing without circles; each line has this marker at its ends.
+fn marked(marker: &str, line: &str) -> String {
+    let bare = drawn(
+        |[a, b], [c, d]| {
+            format!("<path fill=\"none\" stroke=\"black\" stroke-width=\"2\" d=\"M{a} {b}L{c} {d}\" {line}/>")
+        },
+        |_| String::new(),
+        area,
+    );
+    bare.replacen("400\">", &format!("400\"><defs>{marker}</defs>"), 1)
+}
+
+#[test]
+fn vertices_may_be_circles_that_markers_draw() {
+    let ends = "marker-start=\"url(#m)\" marker-end=\"url(#m)\"";
+    let marker = |attributes: &str, inside: &str| format!("<marker id=\"m\" {attributes}>{inside}</marker>");
+    let room = "markerWidth=\"5\" markerHeight=\"5\" refX=\"2.5\" refY=\"2.5\"";
+    let circle = "<circle cx=\"2.5\" cy=\"2.5\" r=\"2\"/>";
+    equal(&marked(&marker(room, circle), ends));
+    equal(&marked(&marker(room, "<g fill=\"red\"><ellipse cx=\"2.5\" cy=\"2.5\" rx=\"2\"/></g>"), ends));
+    equal(&marked(&marker(room, "<path d=\"M4.5 2.5a2 2 0 0 1 -4 0a2 2 0 0 1 4 0z\"/>"), ends));
+    equal(&marked(&marker(&format!("{room} orient=\"auto\" viewBox=\"0 0 5 5\""), circle), ends));
+    equal(&marked(&marker("overflow=\"visible\"", "<circle r=\"2\" fill=\"white\" stroke=\"red\"/>"), ends));
+    // What is wrong with such a circle is wrong with any.
+    let bare = marked(&marker(room, circle), "");
+    says(&bare, "no vertex is drawn");
+    says(
+        &marked(&marker(room, &circle.replace("/>", " fill=\"white\"/>")), ends),
+        "22 vertices have the colour of the paper",
+    );
+    says(&marked(&marker(room, &circle.replace("/>", " opacity=\"0\"/>")), ends), "22 vertices cannot be seen");
+    says(&marked(&marker("overflow=\"visible\"", "<circle r=\"200\"/>"), ends), "make the circles smaller");
+    let moved = marked(&marker(room, circle), ends).replacen("<path", "<path transform=\"translate(2 0)\"", 1);
+    assert!(!judge(&plain(), &moved).is_equal());
+    // A circle at the end of one more line is a vertex too much.
+    let extra = plain().replacen(
+        "</svg>",
+        &format!("<defs>{}</defs><path d=\"M300 90L300 90.5\" marker-end=\"url(#m)\"/></svg>", marker(room, circle)),
+        1,
+    );
+    says(&extra, "vertex at (300, 90.5) is not in the reference");
+    // Heads of arrows are none, nor are circles beside the end.
+    for head in
+        ["<path d=\"M0 0L5 2.5L0 5z\"/>", "<circle cx=\"1\" cy=\"2.5\" r=\"1\"/>", "<rect width=\"5\" height=\"5\"/>"]
+    {
+        says(&marked(&marker(room, head), ends), "no vertex is drawn");
+        equal(&plain().replace("stroke=\"black\"", &format!("stroke=\"black\" {ends}")).replacen(
+            "400\">",
+            &format!("400\"><defs>{}</defs>", marker(&format!("{room} orient=\"auto\""), head)),
+            1,
+        ));
+    }
+}
+
 #[test]
 fn of_a_stepper_the_frame_that_is_seen_is_read() {
     let stepper = include_str!("../../../figures/stepper-split-face.svg");

@@ -3,10 +3,14 @@
 #![allow(clippy::float_cmp, reason = "points are found again by the numbers they were made of")]
 
 mod accepted;
+mod foreign;
+mod geometry;
+mod moving;
 mod pen;
 mod rewrites;
 mod seen;
 mod tools;
+mod written;
 
 use crate::common;
 use crate::common::Random;

@@ -1,10 +1,11 @@
 //! What is hidden or stretched in ways that lie outside of the shapes themselves is told.
 
-use super::pen::{Pen, table};
+use super::pen::{Pen, renumbered, table};
 use super::{judge, kit, refused, ship};
+use crate::common::Random;
 
 /// The plain drawing of the ship.
-fn plain() -> String {
+pub(super) fn plain() -> String {
     Pen::new(&ship()).svg()
 }
 
@@ -14,7 +15,7 @@ fn rooted(attributes: &str) -> String {
 }
 
 /// The drawing with something before all shapes and something behind them.
-fn within(before: &str, after: &str) -> String {
+pub(super) fn within(before: &str, after: &str) -> String {
     plain().replacen("400\">", &format!("400\">{before}"), 1).replacen("</svg>", &format!("{after}</svg>"), 1)
 }
 
@@ -24,13 +25,13 @@ fn stroked(before: &str, stroke: &str) -> String {
 }
 
 #[track_caller]
-fn says(svg: &str, said: &str) {
+pub(super) fn says(svg: &str, said: &str) {
     let answer = judge(&plain(), svg);
     assert!(!answer.is_equal() && answer.text().contains(said), "`{said}` not said: {}", answer.text());
 }
 
 #[track_caller]
-fn equal(svg: &str) {
+pub(super) fn equal(svg: &str) {
     let answer = judge(&plain(), svg);
     assert!(answer.is_equal(), "{}\n{svg}", answer.text());
 }
@@ -158,6 +159,35 @@ fn half_edges_that_are_declared_are_seen() {
     assert!(answer.text().contains("half-edges are declared and cannot be seen"), "{}", answer.text());
 }
 
+#[test]
+fn half_edges_are_excused_one_by_one() {
+    let table = table(&ship());
+    let full = kit(&table);
+    // One half-edge hidden, by its place in the file.
+    let hidden = |svg: &str, i: usize| {
+        let at = svg.match_indices("<line class=\"sh\"").nth(i).unwrap().0 + 5;
+        format!("{} style=\"stroke:none\"{}", &svg[..at], &svg[at..])
+    };
+    let reference = hidden(&full, 3);
+    let answer = judge(&reference, &hidden(&full, 3).replace('\n', " "));
+    assert!(answer.is_equal(), "{}", answer.text());
+    let answer = judge(&reference, &full);
+    assert!(answer.is_equal(), "{}", answer.text());
+    // As many, but another one.
+    let answer = judge(&reference, &hidden(&full, 40));
+    assert!(answer.text().contains("1 half-edge is declared and cannot be seen: h"), "{}", answer.text());
+    // The same one, and one more.
+    let answer = judge(&reference, &hidden(&hidden(&full, 40), 3));
+    assert!(answer.text().contains("1 half-edge is declared and cannot be seen: h"), "{}", answer.text());
+    // By place, whatever the numbers are.
+    let mut random = Random(5);
+    let other = kit(&renumbered(&table, |n| random.shuffled(n)));
+    let hides = |svg: &str| judge(&reference, svg).text().contains("cannot be seen");
+    let count = other.matches("<line class=\"sh\"").count();
+    let excused: Vec<usize> = (0..count).filter(|&i| !hides(&hidden(&other, i))).collect();
+    assert_eq!(excused.len(), 1, "{excused:?} of {count}");
+}
+
 /// All lines with a square marker so large at their starts.
 fn marked(side: f64, style: &str) -> String {
     let marker = format!(
@@ -222,6 +252,7 @@ fn hostile_gradients_markers_and_rules_end_quickly() {
         ("many stops", format!("<style>a{{b:c}}</style><g id=\"{}\"><linearGradient id=\"g\">{}</linearGradient></g>", many("x", 500_000), many("<stop/>", 50_000)), "too large: more than 400000 parts of gradients"),
         ("many markers", format!("<marker id=\"m\">{deep}</marker><path marker-mid=\"url(#m)\" d=\"M0 0{}\"/>", many("h1v1", 90_000)), "too large"),
         ("a marker of itself", "<marker id=\"m\"><path marker-start=\"url(#m)\" d=\"M0 0h9\"/></marker><path marker-start=\"url(#m)\" d=\"M0 0h9\" stroke=\"red\"/>".to_owned(), ""),
+        ("a clip path of many shapes", format!("<style>a{{b:c}}</style><g id=\"{}\"><clipPath id=\"c\">{}</clipPath></g><path d=\"M0 0h9\" stroke=\"red\" clip-path=\"url(#c)\"/>", many("x", 500_000), many("<rect/>", 50_000)), "too large: more than 1500000 elements to draw"),
         ("rules of children", format!("<style>x {}{{a:b}}</style>{}{}", many("g>g ", 90), many("<g>", 190), many("</g>", 190)), "nothing is drawn"),
         ("rules of attributes", format!("<style>{}{{a:b}}</style>{}", many(":not([q])", 20_000), many("<g/>", 20_000)), "style rules"),
     ] {

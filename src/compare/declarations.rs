@@ -1,0 +1,111 @@
+//! What is said of an element: by its attributes, by the rules that fit it, and by its style; a later word wins.
+//!
+//! ```text
+//!   stroke="red"      line{stroke:none}      style="STROKE: None ! important; /* thin */ stroke-width:1px"
+//! ```
+//!
+//! As attributes, names are as they are written; in rules and styles, small and capital letters are the same.
+
+use super::geometry::is_geometry;
+use crate::figure::canvas::selectors::{Rule, Tag};
+use roxmltree::Node;
+use std::borrow::Cow;
+
+/// A property and its value.
+pub(super) type Declaration<'n> = (Cow<'n, str>, Cow<'n, str>);
+
+/// Properties that have another meaning or none as attributes.
+const BY_STYLE: [&str; 7] = ["background", "background-color", "offset", "rotate", "scale", "translate", "zoom"];
+
+/// The properties of an element. `path` is what the rules look at: the tags from the root to the node.
+pub(super) fn declarations<'n>(node: Node<'n, '_>, rules: &[Rule<'n>], path: &[Tag]) -> Vec<Declaration<'n>> {
+    let mut out = Vec::new();
+    for attribute in node.attributes().filter(|a| a.namespace().is_none()) {
+        let name = attribute.name();
+        // As attributes, these are read with their place.
+        if name != "transform" && !is_geometry(name) && !BY_STYLE.contains(&name) {
+            out.push((Cow::Borrowed(name), plain(attribute.value())));
+        }
+    }
+    let sheet = rules.iter().filter(|rule| rule.fits(path)).flat_map(|rule| rule.properties.iter().copied());
+    let mut all: Vec<Declaration<'n>> = sheet.map(|(key, value)| (lower(key), Cow::Borrowed(value))).collect();
+    let style = node.attribute("style").unwrap_or("");
+    if style.contains("/*") {
+        let bare = without_comments(style);
+        let parts = bare.split(';').filter_map(|part| part.split_once(':'));
+        all.extend(parts.map(|(key, value)| (key.trim().to_ascii_lowercase().into(), value.to_owned().into())));
+    } else {
+        let parts = style.split(';').filter_map(|part| part.split_once(':'));
+        all.extend(parts.map(|(key, value)| (lower(key.trim()), Cow::Borrowed(value))));
+    }
+    for important in [false, true] {
+        for (key, value) in &all {
+            let bare = unmarked(value);
+            if bare.is_some() == important {
+                let value = match value {
+                    Cow::Borrowed(value) => plain(unmarked(value).unwrap_or(value)),
+                    Cow::Owned(value) => plain(unmarked(value).unwrap_or(value)).into_owned().into(),
+                };
+                out.push((key.clone(), value));
+            }
+        }
+    }
+    out
+}
+
+/// A value that is marked as important, without the mark.
+fn unmarked(value: &str) -> Option<&str> {
+    let (value, mark) = value.rsplit_once('!')?;
+    mark.trim().eq_ignore_ascii_case("important").then_some(value.trim_end())
+}
+
+fn lower(text: &str) -> Cow<'_, str> {
+    let is_small = !text.bytes().any(|b| b.is_ascii_uppercase());
+    if is_small { Cow::Borrowed(text) } else { text.to_ascii_lowercase().into() }
+}
+
+/// A value in small letters, but for what stands within brackets, such as the names of elements.
+fn plain(value: &str) -> Cow<'_, str> {
+    let value = value.trim();
+    let end = value.find('(').unwrap_or(value.len());
+    match lower(&value[..end]) {
+        Cow::Borrowed(_) => Cow::Borrowed(value),
+        Cow::Owned(start) => (start + &value[end..]).into(),
+    }
+}
+
+/// A style sheet without what stands between `/*` and `*/`.
+pub(super) fn without_comments(css: &str) -> String {
+    let mut out = String::with_capacity(css.len());
+    let mut rest = css;
+    while let Some((before, after)) = rest.split_once("/*") {
+        out.push_str(before);
+        out.push(' ');
+        rest = after.split_once("*/").map_or("", |(_, rest)| rest);
+    }
+    out + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn letters_comments_and_marks_are_read_as_browsers_do() {
+        let said = |element: &str| {
+            let text = format!("<g {element}/>");
+            let document = roxmltree::Document::parse(&text).unwrap();
+            let all = declarations(document.root_element(), &[], &[]);
+            all.into_iter().map(|(key, value)| format!("{key}:{value}")).collect::<Vec<_>>().join(";")
+        };
+        assert_eq!(said("STROKE='RED' fill='NONE'"), "STROKE:red;fill:none");
+        for (style, properties) in [
+            ("STROKE:None;fill:URL(#Ab)", "stroke:none;fill:url(#Ab)"),
+            ("/* a;b:c */stroke:red;/**/", "stroke:red"),
+            ("a:b ! Important;a:c", "a:c;a:b"),
+        ] {
+            let all = said(&format!("style='{style}'"));
+            assert!(all.ends_with(&format!(";{properties}")), "{style}: {all}");
+        }
+    }
+}
