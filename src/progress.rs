@@ -20,8 +20,8 @@
 //! ```
 
 use std::cell::RefCell;
-use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// A watch over work, to be shared by threads.
 #[derive(Clone, Debug, Default)]
@@ -29,13 +29,26 @@ pub struct Progress(Arc<Shared>);
 
 #[derive(Debug, Default)]
 struct Shared {
-    /// What is being done; what was done last stays.
-    what: Mutex<&'static str>,
-    /// How many stages were begun, and how many of them have not ended.
-    begun: AtomicUsize,
-    open: AtomicUsize,
+    stages: Mutex<Stages>,
+    /// The steps that are done of the last stage; set back while the stages are locked.
     done: AtomicU64,
-    total: AtomicU64,
+}
+
+/// The stages so far.
+#[derive(Clone, Copy, Debug, Default)]
+struct Stages {
+    /// How many were begun, and how many of them have not ended.
+    begun: usize,
+    open: usize,
+    /// What the last one does, and its steps.
+    what: &'static str,
+    total: u64,
+}
+
+impl Shared {
+    fn stages(&self) -> MutexGuard<'_, Stages> {
+        self.stages.lock().unwrap_or_else(PoisonError::into_inner)
+    }
 }
 
 /// How far a stage has come.
@@ -47,7 +60,7 @@ pub struct Standing {
     pub what: &'static str,
     /// How many steps are done. A step may be anything; not more than `total`.
     pub done: u64,
-    /// How many there are; 0 if nobody knows.
+    /// How many there are.
     pub total: u64,
 }
 
@@ -78,17 +91,24 @@ impl Progress {
     /// The stage that is under way, if any.
     #[must_use]
     pub fn now(&self) -> Option<Standing> {
-        self.last().filter(|_| self.0.open.load(Ordering::Acquire) > 0)
+        self.standing(|stages| stages.open > 0)
     }
 
     /// The stage that was begun last, under way or not.
     #[must_use]
     pub fn last(&self) -> Option<Standing> {
-        let what = *self.0.what.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        let stage = self.0.begun.load(Ordering::Acquire);
-        let total = self.0.total.load(Ordering::Relaxed);
-        let done = self.0.done.load(Ordering::Relaxed);
-        (stage > 0).then_some(Standing { stage, what, done: if total > 0 { done.min(total) } else { done }, total })
+        self.standing(|stages| stages.begun > 0)
+    }
+
+    fn standing(&self, is_wanted: impl Fn(&Stages) -> bool) -> Option<Standing> {
+        let stages = self.0.stages();
+        let Stages { begun: stage, what, total, .. } = *stages;
+        is_wanted(&stages).then(|| Standing {
+            stage,
+            what,
+            done: self.0.done.load(Ordering::Relaxed).min(total),
+            total,
+        })
     }
 }
 
@@ -107,11 +127,10 @@ impl Stage {
         }
         let watched = WATCHED.with_borrow(Clone::clone);
         if let Some(Progress(shared)) = &watched {
-            *shared.what.lock().unwrap_or_else(std::sync::PoisonError::into_inner) = what;
-            shared.total.store(total as u64, Ordering::Relaxed);
+            let mut stages = shared.stages();
+            let Stages { begun, open, .. } = *stages;
+            *stages = Stages { begun: begun + 1, open: open + 1, what, total: total as u64 };
             shared.done.store(0, Ordering::Relaxed);
-            shared.begun.fetch_add(1, Ordering::Release);
-            shared.open.fetch_add(1, Ordering::Release);
         }
         Self(watched)
     }
@@ -142,7 +161,7 @@ impl Stage {
 impl Drop for Stage {
     fn drop(&mut self) {
         if let Some(Progress(shared)) = &self.0 {
-            shared.open.fetch_sub(1, Ordering::Release);
+            shared.stages().open -= 1;
         }
     }
 }

@@ -6,7 +6,7 @@
 //!
 //! Only where stderr is a terminal. Notes and errors take the bar away while they are written.
 
-use dcel_kit::progress::Progress;
+use dcel_kit::progress::{Progress, Standing};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::sync::OnceLock;
@@ -55,19 +55,26 @@ impl Look {
             let mut seen = 0;
             while ended.recv_timeout(wait) == Err(RecvTimeoutError::Timeout) {
                 wait = PACE;
-                let bar = BAR.get_or_init(|| ProgressBar::with_draw_target(Some(0), ProgressDrawTarget::stderr()));
                 let Some(now) = progress.now() else {
-                    bar.finish_and_clear();
+                    BAR.get().inspect(|bar| bar.finish_and_clear());
                     continue;
                 };
-                if now.stage != seen {
+                let bar = BAR.get_or_init(ProgressBar::hidden);
+                let is_new = now.stage != seen;
+                if is_new {
                     seen = now.stage;
+                    // Out of sight until it is complete.
+                    bar.finish_and_clear();
+                    bar.set_draw_target(ProgressDrawTarget::hidden());
                     bar.reset();
-                    bar.set_style(style(now.total > 0));
                     bar.set_length(now.total);
                     bar.set_message(now.what);
                 }
+                bar.set_style(style(now));
                 bar.set_position(now.done);
+                if is_new {
+                    bar.set_draw_target(ProgressDrawTarget::stderr());
+                }
                 bar.tick();
             }
             if let Some(bar) = BAR.get() {
@@ -78,9 +85,11 @@ impl Look {
     }
 }
 
-fn style(is_counted: bool) -> ProgressStyle {
-    let template = if is_counted { "{msg} {wide_bar} {percent:>3} %  {eta} left" } else { "{msg} ..." };
-    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
+fn style(now: Standing) -> ProgressStyle {
+    // At the beginning nobody knows how fast it goes.
+    let left = if now.done > 0 { "  {eta} left" } else { "" };
+    let template = format!("{{msg}} {{wide_bar}} {{percent:>3}} %{left}");
+    ProgressStyle::with_template(&template).unwrap_or_else(|_| ProgressStyle::default_bar())
 }
 
 impl Drop for Look {

@@ -12,6 +12,7 @@ mod mend;
 mod moves;
 mod numbers;
 mod overlay;
+mod progress;
 mod segments;
 mod settled;
 mod shared_mend;

@@ -7,9 +7,10 @@
 //!                   the middles of its n edges;                                   with sharp edges: sharp.rs
 //! ```
 
-use super::refine::{Coarse, Fine};
+use super::refine::{Coarse, Fine, PIECE};
 use super::sharp::{Point, add, held, weighted};
 use super::{SubdivideError, SubdivideEvent, Subdivided};
+use crate::geometry::threads::{both, pieces};
 use crate::ids::{EdgeId, VertexId};
 use crate::solid::{Polyhedron, Selection};
 use crate::topology::Observer;
@@ -32,65 +33,77 @@ pub(super) fn step(
     let (vertices, corners) = (old + edges + middles, coarse.corners.len());
     Coarse::room(vertices, 2 * edges + corners, corners + d.face_count() - middles)?;
 
-    let mut fine = Fine::new(&coarse, vertices, 2 * edges + corners, corners);
-    let spoke = |corner: u32| 2 * (2 * edges as u32 + corner);
-    for (k, &h) in coarse.corners.iter().enumerate() {
-        let (k, p) = (k as u32, d.prev(h));
-        let middle = middle_of[d.face(h).index()];
-        let down = spoke(coarse.corner[p.index()]) + 1;
-        fine.inner_edge(spoke(k), old as u32 + h.edge().number(), middle);
-        fine.face(k, &[2 * h.number(), spoke(k), down, 2 * p.twin().number() + 1]);
-        fine.set_outgoing(middle, spoke(k) + 1);
-    }
-    let points = points(&coarse, &middle_of, vertices, observer);
+    tell(&coarse, &middle_of, observer);
+    let linked = || {
+        let mut fine = Fine::new(&coarse, vertices, 2 * edges + corners, corners);
+        let spoke = |corner: u32| 2 * (2 * edges as u32 + corner);
+        for (k, &h) in coarse.corners.iter().enumerate() {
+            let (k, p) = (k as u32, d.prev(h));
+            let middle = middle_of[d.face(h).index()];
+            let down = spoke(coarse.corner[p.index()]) + 1;
+            fine.inner_edge(spoke(k), old as u32 + h.edge().number(), middle);
+            fine.face(k, &[2 * h.number(), spoke(k), down, 2 * p.twin().number() + 1]);
+            fine.set_outgoing(middle, spoke(k) + 1);
+        }
+        fine
+    };
+    let (fine, points) = both(linked, || points(&coarse, &middle_of, vertices));
     Ok(Subdivided { polyhedron: fine.finish(points, corners), creases: coarse.finer_creases() })
 }
 
-fn points(
-    coarse: &Coarse<'_>,
-    middle_of: &[u32],
-    vertices: usize,
-    observer: &mut impl Observer<SubdivideEvent>,
-) -> Vec<Point> {
-    let (d, solid) = (coarse.dcel(), &coarse.solid);
-    let old = d.vertex_bound();
-    let mut points = vec![[0.0; 3]; vertices];
+/// The vertices that are made and moved: of faces, of edges, the old ones.
+fn tell(coarse: &Coarse<'_>, middle_of: &[u32], observer: &mut impl Observer<SubdivideEvent>) {
+    let (d, old) = (coarse.dcel(), coarse.dcel().vertex_bound());
     for f in d.faces().filter(|f| !coarse.is_boundary[f.index()]) {
         observer.observe(|| SubdivideEvent::Face { face: f, vertex: VertexId::new(middle_of[f.index()]) });
+    }
+    for e in d.edges() {
+        observer.observe(|| SubdivideEvent::Edge { edge: e, vertex: VertexId::new((old + e.index()) as u32) });
+    }
+    d.vertices().for_each(|v| observer.observe(|| SubdivideEvent::Vertex(v)));
+}
+
+fn points(coarse: &Coarse<'_>, middle_of: &[u32], vertices: usize) -> Vec<Point> {
+    let (d, solid) = (coarse.dcel(), &coarse.solid);
+    let (old, edges) = (d.vertex_bound(), d.edge_bound());
+    let mut points = vec![[0.0; 3]; vertices];
+    let (others, of_faces) = points.split_at_mut(old + edges);
+    for f in d.faces().filter(|f| !coarse.is_boundary[f.index()]) {
         let (mut sum, mut sides) = ([0.0; 3], 0.0);
         for v in d.incident_vertices(f) {
             add(&mut sum, solid.point(v));
             sides += 1.0;
         }
-        points[middle_of[f.index()] as usize] = sum.map(|x| x / sides);
+        of_faces[middle_of[f.index()] as usize - old - edges] = sum.map(|x| x / sides);
     }
-    for e in d.edges() {
-        observer.observe(|| SubdivideEvent::Edge { edge: e, vertex: VertexId::new((old + e.index()) as u32) });
-        let [a, b] = e.half_edges();
-        let ends = weighted([(0.5, solid.point(d.origin(a))), (0.5, solid.point(d.origin(b)))]);
-        points[old + e.index()] = if coarse.is_sharp(a) {
-            ends
-        } else {
-            let [f, g] = [a, b].map(|h| points[middle_of[d.face(h).index()] as usize]);
-            weighted([(0.5, ends), (0.25, f), (0.25, g)])
-        };
-    }
-    for v in d.vertices() {
-        observer.observe(|| SubdivideEvent::Vertex(v));
-        let here = solid.point(v);
-        points[v.index()] = match d.outgoing(v) {
-            None => here,
-            Some(_) => held(coarse, v).unwrap_or_else(|| {
-                let (mut ends, mut faces, mut n) = ([0.0; 3], [0.0; 3], 0.0);
-                for h in d.outgoing_half_edges(v) {
-                    add(&mut ends, solid.point(d.destination(h)));
-                    add(&mut faces, points[middle_of[d.face(h).index()] as usize]);
-                    n += 1.0;
-                }
-                // 2R = v + the mean of the other ends.
-                weighted([((n - 2.0) / n, here), (1.0 / (n * n), ends), (1.0 / (n * n), faces)])
-            }),
-        };
-    }
+    let of_faces = &*of_faces;
+    let middle = |h| of_faces[middle_of[d.face(h).index()] as usize - old - edges];
+    let (of_vertices, of_edges) = others.split_at_mut(old);
+    pieces(of_edges, PIECE, |first, piece| {
+        for (e, point) in (first as u32..).map(EdgeId::new).zip(piece) {
+            let [a, b] = e.half_edges();
+            let ends = weighted([(0.5, solid.point(d.origin(a))), (0.5, solid.point(d.origin(b)))]);
+            *point =
+                if coarse.is_sharp(a) { ends } else { weighted([(0.5, ends), (0.25, middle(a)), (0.25, middle(b))]) };
+        }
+    });
+    pieces(of_vertices, PIECE, |first, piece| {
+        for (v, point) in (first as u32..).map(VertexId::new).zip(piece) {
+            let here = solid.point(v);
+            *point = match d.outgoing(v) {
+                None => here,
+                Some(_) => held(coarse, v).unwrap_or_else(|| {
+                    let (mut ends, mut faces, mut n) = ([0.0; 3], [0.0; 3], 0.0);
+                    for h in d.outgoing_half_edges(v) {
+                        add(&mut ends, solid.point(d.destination(h)));
+                        add(&mut faces, middle(h));
+                        n += 1.0;
+                    }
+                    // 2R = v + the mean of the other ends.
+                    weighted([((n - 2.0) / n, here), (1.0 / (n * n), ends), (1.0 / (n * n), faces)])
+                }),
+            };
+        }
+    });
     points
 }

@@ -34,6 +34,8 @@ pub(super) struct Coarse<'a> {
 }
 
 const NO_CORNER: u32 = u32::MAX;
+/// Vertices whose places one thread computes at a time.
+pub(super) const PIECE: usize = 1 << 14;
 
 impl<'a> Coarse<'a> {
     pub(super) fn new(solid: &'a Polyhedron, creases: &'a Selection<EdgeId>) -> Self {

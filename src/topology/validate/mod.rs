@@ -134,7 +134,7 @@ pub fn first_violation<V: View + ?Sized>(view: &V) -> Option<Violation> {
 }
 
 /// The parts of a check that take about as long as each other.
-const PARTS: usize = 8;
+const PARTS: usize = 9;
 
 /// Gives the violations to `visit` one by one until it breaks off. Returns whether it did.
 pub fn visit_violations<V: View + ?Sized>(
