@@ -145,7 +145,7 @@ impl Stage {
     /// So many steps are done in all. Cheap enough to be called for every one.
     #[inline]
     pub(crate) fn at(&self, done: usize) {
-        if done % 4096 == 0 {
+        if done.is_multiple_of(4096) {
             self.set(done);
         }
     }

@@ -197,7 +197,7 @@ impl<'a> Scanner<'a> {
         };
         self.at += length;
         self.line += 1;
-        if self.line % 4096 == 0 {
+        if self.line.is_multiple_of(4096) {
             self.stage.set(self.at);
         }
         true
