@@ -13,7 +13,7 @@ use dcel_kit::figure::sketch::{Role, Sketch};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What stands in each room, and the column that it has in the picture. A room that is not here gets a column of its own.
-const ROOMS: [(&str, &str, f64); 16] = [
+const ROOMS: [(&str, &str, f64); 17] = [
     ("cli", "the command", 1.0),
     ("lab", "exercises, graded", 1.0),
     ("compare", "are drawings alike?", 0.0),
@@ -29,6 +29,7 @@ const ROOMS: [(&str, &str, f64); 16] = [
     ("geometry", "points, exact signs", 0.0),
     ("ids", "v3 h7 e3 f0", 1.0),
     ("files", "whole or not at all", 2.0),
+    ("progress", "how far work has come", 3.0),
     ("interop", "types of others", 3.0),
 ];
 
