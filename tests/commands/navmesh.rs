@@ -701,3 +701,33 @@ fn areas_keep_their_costs_where_walls_cut_through_them() {
         assert!(is_close(cost(&format!("--cost {area} --wall 3,0.5,5,0.7")), least), "{area}");
     }
 }
+
+#[test]
+fn what_obstacles_block_is_told() {
+    let folder = folder();
+    folder.write("hall.obj", "v 0 0 0\nv 20 0 0\nv 20 20 0\nv 0 20 0\nf 1 2 3 4\n");
+    let some = "--obstacle 4,4,6,4,5,7";
+    let info = folder.dcel(&format!("navmesh info hall.obj {some} --json")).json();
+    assert_eq!(
+        (&info["area"], &info["blocked_area"], &info["walkable_area"]),
+        (&json!(400.0), &json!(3.0), &json!(397.0))
+    );
+    assert_eq!(info["blocked_faces"], json!(1));
+    let text = folder.dcel(&format!("navmesh info hall.obj {some}")).fine();
+    assert!(text.contains("blocked         1 face, area 3\n  walkable area   397"), "{text}");
+    let found = folder.dcel(&format!("navmesh locate hall.obj 5 5 1 1 {some} --json")).json();
+    assert_eq!(
+        (&found[0]["blocked"], &found[0]["on"], &found[1]["blocked"]),
+        (&json!(true), &json!("face"), &json!(false))
+    );
+    let text = folder.dcel(&format!("navmesh locate hall.obj 5 5 {some}")).fine();
+    assert!(text.contains(", blocked; the nearest place is"), "{text}");
+    let all = "--obstacle 0,0,20,0,20,20,0,20";
+    let text = folder.dcel(&format!("navmesh info hall.obj {all}")).fine();
+    assert!(text.contains("components      0, nothing is walkable"), "{text}");
+    for json in ["", " --json"] {
+        folder.dcel(&format!("navmesh random hall.obj {all}{json}")).fails(2, "nothing is walkable", "what blocks it");
+    }
+    let path = "navmesh path hall.obj 15 15 0.5 0.2 --cost 12,4,5,3,2,10=1 --cost 7,0,6,11,7,7=1";
+    folder.dcel(path).fine();
+}

@@ -197,9 +197,12 @@ pub(super) fn cut_along(
     }
     let failure = |error: &dyn std::fmt::Display| Failure::input(format!("{source}: --cost: {error}"), "");
     let before = PointIndex::new(map.clone());
+    // Sides meet where it cannot be told to the last place: they are led through what is that near.
+    let corners = map.vertices().map(|v| map.point(v)).chain(outlines.iter().flatten().copied());
+    let near = corners.map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max) * 2f64.powi(-47);
     for outline in &outlines {
         for (&p, &q) in outline.iter().zip(outline.iter().cycle().skip(1)) {
-            map.insert_segment(p, q).map_err(|error| failure(&error))?;
+            map.insert_segment_within(p, q, near).map_err(|error| failure(&error))?;
         }
     }
     let given = map.edge_bound();

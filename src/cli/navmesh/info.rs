@@ -10,7 +10,7 @@ use super::tell::{Told, tell_helps};
 use clap::ValueEnum;
 use dcel_kit::figure;
 use dcel_kit::figure::navmesh::Floor;
-use dcel_kit::io::{Document, counted};
+use dcel_kit::io::{Document, Number, counted};
 use dcel_kit::navmesh::double_corners_of;
 use serde::Serialize;
 use std::io::{self, Write};
@@ -75,6 +75,10 @@ struct Info {
     junctions: usize,
     reduced_corridors: usize,
     area: f64,
+    /// Faces that nobody may enter.
+    blocked_faces: usize,
+    blocked_area: f64,
+    walkable_area: f64,
     double_corners: usize,
     faults: Vec<Told>,
 }
@@ -145,6 +149,8 @@ impl Info {
             let next = corners.iter().cycle().skip(1);
             corners.iter().zip(next).map(|(a, b)| a.x * b.y - b.x * a.y).sum::<f64>()
         };
+        let area =
+            |blocked| 0.5 * mesh.faces().filter(|&f| mesh.is_blocked(f) == blocked).map(cross).sum::<f64>() + 0.0;
         Self {
             source: map.source.clone(),
             format: map.format.name(),
@@ -159,6 +165,9 @@ impl Info {
             junctions: mesh.junctions().len(),
             reduced_corridors: mesh.reduced_corridors().len(),
             area: 0.5 * mesh.faces().map(cross).sum::<f64>(),
+            blocked_faces: mesh.faces().filter(|&f| mesh.is_blocked(f)).count(),
+            blocked_area: area(true),
+            walkable_area: area(false),
             double_corners: double_corners_of(&map.subdivision).len(),
             faults,
         }
@@ -175,14 +184,29 @@ impl Info {
         let sizes: Vec<String> = self.components.iter().take(SHOWN).map(ToString::to_string).collect();
         let rest = if self.components.len() > SHOWN { ", ..." } else { "" };
         let plural = if self.components == [1] { "face" } else { "faces" };
-        line("components", format!("{}, of {}{rest} {plural}", self.components.len(), sizes.join(", ")))?;
+        line(
+            "components",
+            match self.components.len() {
+                0 => "0, nothing is walkable".to_owned(),
+                count => format!("{count}, of {}{rest} {plural}", sizes.join(", ")),
+            },
+        )?;
         line(
             "dead ends",
-            format!("{} peeled, {} left", counted(self.dead_ends, "face", "faces"), self.faces - self.dead_ends),
+            format!(
+                "{} peeled, {} left",
+                counted(self.dead_ends, "face", "faces"),
+                self.faces - self.dead_ends - self.blocked_faces
+            ),
         )?;
         let reduced_corridors = if self.reduced_corridors == 1 { "reduced corridor" } else { "reduced corridors" };
         line("junctions", format!("{}, and {} {reduced_corridors}", self.junctions, self.reduced_corridors))?;
-        line("area", dcel_kit::io::Number(self.area).to_string())?;
+        line("area", Number(self.area).to_string())?;
+        if self.blocked_faces > 0 {
+            let blocked = counted(self.blocked_faces, "face", "faces");
+            line("blocked", format!("{blocked}, area {}", Number(self.blocked_area)))?;
+            line("walkable area", Number(self.walkable_area).to_string())?;
+        }
         line("double corners", self.double_corners.to_string())?;
         self.faults.iter().try_for_each(|fault| fault.print(out))
     }

@@ -49,6 +49,8 @@ struct Found {
     faces: Vec<String>,
     component: Option<u32>,
     dead_end: bool,
+    /// Whether it is on the mesh, and nobody may stand there.
+    blocked: bool,
     /// Where one can stand instead, if not there.
     nearest: Option<[f64; 2]>,
     distance: Option<f64>,
@@ -114,6 +116,10 @@ fn locate(map: &Map, coordinates: [f64; 2]) -> Found {
         let names: Vec<String> = faces.iter().map(ToString::to_string).collect();
         words += &format!(", of {}", names.join(" "));
     }
+    let blocked = walkable.is_none() && !faces.is_empty();
+    if blocked {
+        words += ", blocked";
+    }
     if let Some(component) = component {
         words += &format!(", {component}");
     }
@@ -128,6 +134,7 @@ fn locate(map: &Map, coordinates: [f64; 2]) -> Found {
         faces: faces.iter().map(ToString::to_string).collect(),
         component: component.map(|c| c.0),
         dead_end,
+        blocked,
         nearest: nearest.map(|n| map.in_file(n.place.point)),
         distance: nearest.map(|n| n.distance),
         words,

@@ -37,7 +37,10 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         Input::Space(ground) => return space::random::run(&ground, (args.seed, args.count), args.json, out),
     };
     let map = args.map.open_draft(draft, &[])?;
-    let places = map.mesh.random_places(args.seed).take(args.count);
+    let mut places = map.mesh.random_places(args.seed).take(args.count).peekable();
+    if args.count > 0 && places.peek().is_none() {
+        return Err(nothing_walkable(&map.source));
+    }
     if args.json {
         let found = places.map(|place| fields! { point: map.in_file(place.point), face: place.face.to_string() });
         out.json(&found.collect::<Vec<_>>())?;
@@ -48,4 +51,10 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         writeln!(out, "{x} {y}")?;
     }
     Ok(Answer::Yes)
+}
+
+/// Why there is no point at random.
+pub(super) fn nothing_walkable(source: &str) -> Failure {
+    let what = format!("{source}: nothing is walkable, so there is no point to give");
+    Failure::input(what, "dcel navmesh info tells what is blocked: leave out what blocks it")
 }

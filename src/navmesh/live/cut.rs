@@ -99,22 +99,24 @@ pub(super) fn take_out(
     if done { Ok(()) } else { Err(ObstacleError::Concave { face: stays }) }
 }
 
-/// The bounded faces inside a border: those on the left of these half-edges, and what hangs together with them without
-/// crossing an edge of the border.
-pub(super) fn inside(map: &Subdivision, border: &[HalfEdgeId], is_border: impl Fn(EdgeId) -> bool) -> BTreeSet<FaceId> {
-    let mut inside: BTreeSet<FaceId> = border.iter().map(|&h| map.face(h)).collect();
-    let mut stack: Vec<FaceId> = inside.iter().copied().collect();
-    while let Some(f) = stack.pop() {
-        let sides = map.cycles(f).flat_map(|h| map.cycle(h));
-        for h in sides.filter(|h| !is_border(h.edge())) {
-            let next = map.face(h.twin());
-            if inside.insert(next) {
-                stack.push(next);
+/// The edges that the changes have split: of each the half that starts at the new vertex now, and the edge that is new.
+pub(super) fn splits(changes: &[Change]) -> Vec<(HalfEdgeId, EdgeId)> {
+    let mut found = Vec::new();
+    let mut new_edge = None;
+    for change in changes {
+        match *change {
+            Change::Added { element, .. } => {
+                new_edge = if let Element::Edge(e) = element { Some(e) } else { None };
             }
+            // The origins of the new halves.
+            Change::Write { slot: Slot::Origin(_), old: None, .. } => {}
+            Change::Write { slot: Slot::Origin(h), old: Some(_), new: Some(_) } => {
+                found.extend(new_edge.take().map(|e| (h, e)));
+            }
+            _ => new_edge = None,
         }
     }
-    inside.remove(&map.outer_face());
-    inside
+    found
 }
 
 /// The faces beside the half-edges that the changes have written to.

@@ -12,15 +12,15 @@
 
 use super::ObstacleError;
 use super::book::Book;
-use super::cut::{changed_faces, make_convex, take_out, written_faces};
+use super::cut::{changed_faces, make_convex, splits, take_out, written_faces};
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use crate::navmesh::location::is_between;
 use crate::navmesh::marks::ID;
 use crate::navmesh::nearest::{closest_on, distance};
 use crate::navmesh::{Location, NavMesh};
 use crate::plane::predicates::orientation;
-use crate::plane::{InsertSegmentError, InsertVertexError, PlaneJournal, Point, Subdivision};
-use crate::topology::{Change, Slot};
+use crate::plane::{InsertVertexError, Location as Located, PlaneJournal, Point, Subdivision};
+use crate::topology::{Change, InnerComponent};
 use std::collections::BTreeSet;
 
 /// The sides of an obstacle in the map.
@@ -80,8 +80,10 @@ fn cut_in_without(
             let v = known.map_or_else(|| vertex_at(map, mesh, book, *corner, near, rec), Ok);
             corners.push(v.map_err(|error| refused(error.into()))?);
         }
-        let half_edges = put_in(map, mesh, [p, q], [corners[side], corners[side + 1]], near, rec).map_err(refused)?;
-        inserted.sides.push((half_edges, rec.kernel().len()));
+        // A vertex next to a side is one of it: it may be where others cross, rounded, and a second vertex beside it would
+        // leave no room between.
+        let way = map.insert_way(corners[side], corners[side + 1], near, rec).map_err(refused)?;
+        inserted.sides.push((way.half_edges, rec.kernel().len()));
     }
     let mut changed = changed_faces(map, whole_from, rec);
     changed.extend(faces.into_iter().filter(|&f| map.has_face(f)));
@@ -91,23 +93,13 @@ fn cut_in_without(
 
 /// The cuts that the changes have split, and that were there before.
 fn split_cuts(book: &Book, changes: &[Change]) -> Vec<EdgeId> {
-    let mut added = BTreeSet::new();
-    let mut new_edge = false;
-    let mut found = Vec::new();
-    for change in changes {
-        match *change {
-            Change::Added { element: Element::Edge(e), .. } => new_edge = added.insert(e),
-            Change::Write { slot: Slot::Origin(_), old: None, .. } => {}
-            // The twin of the half-edge that is split starts at the new vertex from now on.
-            Change::Write { slot: Slot::Origin(h), old: Some(_), new: Some(_) } => {
-                if std::mem::take(&mut new_edge) && !added.contains(&h.edge()) && book.is_cut(h.edge()) {
-                    found.push(h.edge());
-                }
-            }
-            _ => new_edge = false,
-        }
-    }
-    found
+    let added: BTreeSet<Element> = changes.iter().filter_map(added).collect();
+    let split = splits(changes).into_iter().map(|(h, _)| h.edge());
+    split.filter(|&e| !added.contains(&e.into()) && book.is_cut(e)).collect()
+}
+
+fn added(change: &Change) -> Option<Element> {
+    if let Change::Added { element, .. } = *change { Some(element) } else { None }
 }
 
 /// The cuts that a segment crosses, or on which an end of it lies, and those of the first map along which it runs.
@@ -162,56 +154,10 @@ fn near(mesh: &NavMesh, sides: &[[Point; 2]]) -> f64 {
     corners.map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max) * 2f64.powi(-47)
 }
 
-/// Puts in one side between its two corners. Returns its half-edges in order.
+/// The vertex at a point: one that is there, or a new one. What passes next to it and is no cut is led through it.
 ///
-/// A vertex that is next to the side is one of it: it may be where others cross, rounded, and a second vertex beside
-/// it would leave no room between.
-fn put_in(
-    map: &mut Subdivision,
-    mesh: &NavMesh,
-    ends: [Point; 2],
-    [from, to]: [VertexId; 2],
-    near: f64,
-    rec: &mut PlaneJournal,
-) -> Result<Vec<HalfEdgeId>, InsertSegmentError> {
-    let mut at = from;
-    let mut half_edges: Vec<HalfEdgeId> = Vec::new();
-    let mut stops = vertices_beside(map, mesh, ends, near);
-    stops.retain(|&v| v != to);
-    for stop in stops.into_iter().chain([to]) {
-        if stop != at && map.has_vertex(stop) {
-            half_edges.extend(map.insert_way(at, stop, rec)?.half_edges);
-            at = stop;
-        }
-    }
-    // A later piece may have split an earlier one.
-    let chain: Vec<VertexId> = half_edges.iter().map(|&h| map.origin(h)).chain([to]).collect();
-    let whole = chain.windows(2).all(|pair| map.find_half_edge(pair[0], pair[1]).is_some());
-    if whole { Ok(half_edges) } else { Err(InsertSegmentError::Unsettled { pieces: half_edges.len() }) }
-}
-
-/// The vertices next to a segment that are no ends of it, in their order along it.
-fn vertices_beside(map: &Subdivision, mesh: &NavMesh, [p, q]: [Point; 2], near: f64) -> Vec<VertexId> {
-    let [x, y] = [q.x - p.x, q.y - p.y];
-    let length = x.hypot(y);
-    let mut found: Vec<(f64, VertexId)> = Vec::new();
-    mesh.visit_faces_along([p, q], |f| {
-        for v in mesh.corners(f) {
-            let at = mesh.point(v);
-            let [dx, dy] = [at.x - p.x, at.y - p.y];
-            let (along, off) = ((dx * x + dy * y) / length, (dx * y - dy * x) / length);
-            if off.abs() <= near && along > 0.0 && along < length && at != p && at != q && map.has_vertex(v) {
-                found.push((along, v));
-            }
-        }
-    });
-    found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    found.dedup();
-    found.into_iter().map(|(_, v)| v).collect()
-}
-
-/// The vertex at a point: one that is there, or a new one. The mesh knows where that is in most cases. What passes next
-/// to it and is no cut is led through it.
+/// The mesh knows near which faces that is in most cases. What is there is asked of the map: the edit has changed it, and
+/// a number that was given up may be that of something else by now.
 fn vertex_at(
     map: &mut Subdivision,
     mesh: &NavMesh,
@@ -220,47 +166,83 @@ fn vertex_at(
     near: f64,
     rec: &mut PlaneJournal,
 ) -> Result<VertexId, InsertVertexError> {
-    let inside = match mesh.locate(p) {
+    let likely = match mesh.locate(p) {
         Location::Vertex(v) if map.has_vertex(v) && map.point(v) == p => return Ok(v),
-        Location::Edge(h) if map.has_half_edge(h) => match map.split_edge_with(h, p, rec) {
-            Ok((v, _)) => return Ok(v),
-            Err(_) => None,
-        },
-        Location::Face(f) => {
-            let passes = |&s: &usize| {
-                let at = closest_on(mesh.ends(f, s).map(|v| mesh.point(v)), p);
-                distance(at, p) <= near && !book.is_cut(mesh.half_edges[s].edge())
-            };
-            let beside = mesh.range(f).find(passes).map(|s| mesh.half_edges[s]);
-            let split = beside.filter(|&h| map.has_half_edge(h)).map(|h| map.split_edge_with(h, p, rec));
-            if let Some(Ok((v, _))) = split {
-                return Ok(v);
-            }
-            Some(f)
-        }
-        Location::Hole(f) => Some(f),
-        Location::Outer => Some(map.outer_face()),
-        Location::Vertex(_) | Location::Edge(_) => None,
+        Location::Vertex(_) => vec![],
+        Location::Edge(h) if map.has_half_edge(h) => vec![map.face(h), map.face(h.twin())],
+        Location::Edge(_) => vec![],
+        Location::Face(f) | Location::Hole(f) => vec![f],
+        Location::Outer => vec![map.outer_face()],
     };
-    // If it is in none that was there before, it is in one that the edit has written to.
-    let mut faces: BTreeSet<FaceId> = inside.into_iter().filter(|&f| map.has_face(f)).collect();
-    for _ in 0..2 {
-        for &f in &faces {
-            match map.insert_vertex_in_with(f, p, rec) {
-                Err(InsertVertexError::NotInFace { at: Some(Element::Vertex(v)), .. }) => return Ok(v),
-                Err(InsertVertexError::NotInFace { at: Some(Element::HalfEdge(h)), .. }) => {
-                    if let Ok((v, _)) = map.split_edge_with(h, p, rec) {
-                        return Ok(v);
-                    }
-                }
-                Err(InsertVertexError::NotInFace { .. }) => {}
-                other => return other,
-            }
+    let likely: BTreeSet<FaceId> = likely.into_iter().filter(|&f| map.has_face(f)).collect();
+    if let Some(v) = vertex_in(map, book, &likely, p, near, rec)? {
+        return Ok(v);
+    }
+    // Then it is in a face that the edit has written to, or in a piece of a hole.
+    let written = written_faces(map, rec.kernel().changes());
+    if let Some(v) = vertex_in(map, book, &written, p, near, rec)? {
+        return Ok(v);
+    }
+    let there = match map.locate(p) {
+        Located::Face(f) => vertex_in(map, book, &BTreeSet::from([f]), p, near, rec)?,
+        Located::Vertex(v) => Some(v),
+        Located::Edge(_) => None,
+    };
+    there.map_or_else(|| map.insert_vertex_with(p, rec), Ok)
+}
+
+/// The same, if the point is in one of these faces or on its boundary.
+fn vertex_in(
+    map: &mut Subdivision,
+    book: &Book,
+    faces: &BTreeSet<FaceId>,
+    p: Point,
+    near: f64,
+    rec: &mut PlaneJournal,
+) -> Result<Option<VertexId>, InsertVertexError> {
+    for &f in faces {
+        let on = match map.find_in_face(f, p) {
+            Err(Some(Element::Vertex(v))) => return Ok(Some(v)),
+            Err(Some(Element::HalfEdge(h))) => Some(h),
+            Err(_) => continue,
+            Ok(()) => None,
+        };
+        if let Some(v) = vertex_beside(map, f, p, near) {
+            return Ok(Some(v));
         }
-        faces = written_faces(map, rec.kernel().changes());
+        let beside = on.or_else(|| line_beside(map, book, f, p, near, rec.kernel().changes()));
+        if let Some(Ok((v, _))) = beside.map(|h| map.split_edge_with(h, p, rec)) {
+            return Ok(Some(v));
+        }
+        return map.insert_vertex_in_with(f, p, rec).map(Some);
     }
-    match map.insert_vertex_with(p, rec) {
-        Err(InsertVertexError::Occupied { vertex, .. }) => Ok(vertex),
-        other => other,
-    }
+    Ok(None)
+}
+
+/// The vertex of a face that is nearest to a point of the face, if it is next to it.
+fn vertex_beside(map: &Subdivision, f: FaceId, p: Point, near: f64) -> Option<VertexId> {
+    let corners = map.cycles(f).flat_map(|h| map.cycle(h)).map(|h| map.origin(h));
+    let alone = map.inner_components(f).iter().filter_map(|inner| match inner {
+        InnerComponent::Isolated(v) => Some(*v),
+        InnerComponent::Cycle(_) => None,
+    });
+    let beside = alone.chain(corners).map(|v| (distance(map.point(v), p), v));
+    beside.filter(|&(off, _)| off <= near).min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, v)| v)
+}
+
+/// The line nearest to a point inside a face, if it is next to it: a half-edge of the face that is no cut. The book does
+/// not know yet what the edit has made; but that is no cut either, before faces are made convex.
+fn line_beside(
+    map: &Subdivision,
+    book: &Book,
+    f: FaceId,
+    p: Point,
+    near: f64,
+    changes: &[Change],
+) -> Option<HalfEdgeId> {
+    let off = |h: HalfEdgeId| distance(closest_on([map.origin(h), map.destination(h)].map(|v| map.point(v)), p), p);
+    let beside = map.cycles(f).flat_map(|h| map.cycle(h)).map(|h| (off(h), h)).filter(|&(off, _)| off <= near);
+    let is_new = |e: EdgeId| changes.iter().filter_map(added).any(|element| element == e.into());
+    let lines = beside.filter(|(_, h)| !book.is_cut(h.edge()) || is_new(h.edge()));
+    lines.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, h)| h)
 }

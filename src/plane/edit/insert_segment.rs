@@ -15,7 +15,7 @@ use super::{Obstacle, SplitEdgeError};
 use crate::geometry::predicates::left_to_right;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::plane::meet::Crossed;
-use crate::plane::{CoordinateError, PlaneRecorder, Point, Subdivision};
+use crate::plane::{CoordinateError, Location, PlaneRecorder, Point, Subdivision};
 use crate::topology::NoRecorder;
 use std::cmp::Ordering;
 
@@ -117,8 +117,81 @@ impl Subdivision {
         }
         self.all_or_nothing(rec, |s, rec| {
             let [from, to] = [s.vertex_at(p, rec)?, s.vertex_at(q, rec)?];
-            s.insert_way(from, to, rec)
+            s.insert_way(from, to, 0.0, rec)
         })
+    }
+
+    /// [`insert_segment`](Self::insert_segment) for a segment that may bend a little to keep clear of what is close: it is
+    /// led through vertices that are not farther off than `near`, and an end is put on the nearest vertex or edge that is
+    /// as near. So no crossing comes to lie beside a vertex, where there may be no room for it. A distance of some last
+    /// places of the greatest coordinate, for example its 2^-47th part, does for segments that touch and cross.
+    ///
+    /// Cost: as there.
+    ///
+    /// # Errors
+    /// See [`InsertSegmentError`]; a refused call leaves everything bit for bit as it was.
+    ///
+    /// ```
+    /// use dcel_kit::plane::{Point, Subdivision};
+    /// let square = [(0., 0.), (20., 0.), (20., 20.), (0., 20.)].map(Point::from);
+    /// let mut s = Subdivision::polygon(&square)?;
+    /// let near = 20.0 * 2f64.powi(-47);
+    /// // The last one touches the first, which has been bent a little where the second crosses it.
+    /// for [p, q] in [[(5., 1.), (7., 9.)], [(4., 0.), (6., 3.)], [(6., 3.), (6., 5.)]] {
+    ///     s.insert_segment_within(p.into(), q.into(), near)?;
+    /// }
+    /// assert_eq!(s.geometry_violations(), []);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn insert_segment_within(
+        &mut self,
+        p: Point,
+        q: Point,
+        near: f64,
+    ) -> Result<InsertedSegment, InsertSegmentError> {
+        p.check()?;
+        q.check()?;
+        if p == q {
+            return Err(InsertSegmentError::ZeroLength { at: p });
+        }
+        self.all_or_nothing(&mut NoRecorder, |s, rec| {
+            let [from, to] = [s.vertex_near(p, near, rec)?, s.vertex_near(q, near, rec)?];
+            s.insert_way(from, to, near, rec)
+        })
+    }
+
+    /// The vertex for an end: the nearest one that is near enough, else on an edge that is near enough, else at `p`.
+    fn vertex_near(
+        &mut self,
+        p: Point,
+        near: f64,
+        rec: &mut impl PlaneRecorder,
+    ) -> Result<VertexId, InsertVertexError> {
+        let face = match self.locate(p) {
+            Location::Vertex(v) => return Ok(v),
+            Location::Edge(h) => self.dcel.face(h),
+            Location::Face(f) => f,
+        };
+        let off = |[a, b]: [Point; 2]| {
+            let [x, y] = [b.x - a.x, b.y - a.y];
+            let along = (((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y)).clamp(0.0, 1.0);
+            (p.x - a.x - along * x).hypot(p.y - a.y - along * y)
+        };
+        let corners = self.all_half_edges(face).map(|h| self.dcel.origin(h));
+        let vertices = self
+            .isolated_vertices(face)
+            .chain(corners)
+            .map(|v| ((self.points[v].x - p.x).hypot(self.points[v].y - p.y), v));
+        if let Some((_, v)) = vertices.filter(|&(off, _)| off <= near).min_by(|a, b| a.0.total_cmp(&b.0)) {
+            return Ok(v);
+        }
+        let ends = |h: HalfEdgeId| [self.dcel.origin(h), self.dcel.destination(h)].map(|v| self.points[v]);
+        let edges = self.all_half_edges(face).map(|h| (off(ends(h)), h));
+        let beside = edges.filter(|&(off, _)| off <= near).min_by(|a, b| a.0.total_cmp(&b.0));
+        match beside.map(|(_, h)| self.split_edge_with(h, p, rec)) {
+            Some(Ok((v, _))) => Ok(v),
+            _ => self.vertex_at(p, rec),
+        }
     }
 
     fn vertex_at(&mut self, p: Point, rec: &mut impl PlaneRecorder) -> Result<VertexId, InsertVertexError> {
@@ -128,11 +201,13 @@ impl Subdivision {
         }
     }
 
-    /// Joins two vertices by a straight way through everything between them. A caller that is refused goes back itself.
+    /// Joins two vertices by a straight way through everything between them. It is led through vertices beside it that are
+    /// not farther off than `near`. A caller that is refused goes back itself.
     pub(crate) fn insert_way(
         &mut self,
         from: VertexId,
         to: VertexId,
+        near: f64,
         rec: &mut impl PlaneRecorder,
     ) -> Result<InsertedSegment, InsertSegmentError> {
         let mut done = InsertedSegment { half_edges: Vec::new(), crossings: Vec::new(), moved: Vec::new() };
@@ -140,6 +215,7 @@ impl Subdivision {
         // The places still to be reached, the last one first: a rounded crossing comes before what lies behind it.
         let (mut at, mut goals) = (from, vec![to]);
         let mut way = vec![from];
+        let line = [from, to].map(|v| self.points[v]);
         for _ in 0..most {
             let Some(&goal) = goals.last() else {
                 // A later piece may have split an earlier one.
@@ -161,11 +237,17 @@ impl Subdivision {
                 Towards::Corner(h) => self.dcel.face(h),
                 Towards::Open(f) => f,
             };
+            if near > 0.0
+                && let Some(v) = self.first_beside(face, [at, goal], line, near).filter(|v| !way.contains(v))
+            {
+                goals.push(v);
+                continue;
+            }
             let next = match self.first_met(face, at, goal) {
                 None => goal,
                 Some(Met::Vertex(v)) => v,
                 Some(Met::Edge(h, crossed)) => {
-                    goals.push(self.split_crossed(h, &crossed, &mut done, rec)?);
+                    goals.push(self.split_crossed(h, &crossed, near, &mut done, rec)?);
                     continue;
                 }
             };
@@ -198,6 +280,22 @@ impl Subdivision {
         first
     }
 
+    /// The first vertex of the face beside a way from one vertex to another that is part of a line, and not farther off the
+    /// line than `near`.
+    fn first_beside(&self, f: FaceId, [from, to]: [VertexId; 2], [p, q]: [Point; 2], near: f64) -> Option<VertexId> {
+        let [x, y] = [q.x - p.x, q.y - p.y];
+        let length = x.hypot(y);
+        let along = |v: VertexId| ((self.points[v].x - p.x) * x + (self.points[v].y - p.y) * y) / length;
+        let off = |v: VertexId| ((self.points[v].x - p.x) * y - (self.points[v].y - p.y) * x) / length;
+        let [begin, end] = [from, to].map(along);
+        let corners = self.all_half_edges(f).map(|h| self.dcel.origin(h));
+        let beside = self
+            .isolated_vertices(f)
+            .chain(corners)
+            .filter(|&v| off(v).abs() <= near && v != from && v != to && begin < along(v) && along(v) < end);
+        beside.min_by(|&v, &w| along(v).total_cmp(&along(w)))
+    }
+
     fn order_of(&self, one: &Met, other: &Met) -> Ordering {
         match (one, other) {
             (Met::Vertex(v), Met::Vertex(w)) => left_to_right(self.points[*v], self.points[*w]),
@@ -212,6 +310,7 @@ impl Subdivision {
         &mut self,
         h: HalfEdgeId,
         crossed: &Crossed,
+        near: f64,
         done: &mut InsertedSegment,
         rec: &mut impl PlaneRecorder,
     ) -> Result<VertexId, InsertSegmentError> {
@@ -220,8 +319,8 @@ impl Subdivision {
         let v = if let Some(&end) = ends.iter().find(|&&v| self.points[v] == place) {
             end
         } else {
-            let split = self.split_edge_with(h, place, rec);
-            let (v, _) = split.map_err(|error| InsertSegmentError::Split { half_edge: h, at: place, error })?;
+            let split = self.split_beside(h, place, near, rec);
+            let v = split.map_err(|error| InsertSegmentError::Split { half_edge: h, at: place, error })?;
             done.crossings.push(v);
             v
         };
@@ -229,5 +328,32 @@ impl Subdivision {
             done.moved.push((v, off));
         }
         Ok(v)
+    }
+
+    /// Splits the half-edge at a place, or if it would be bent over something, at the first place round it, not farther off
+    /// than `near`, where it would not.
+    fn split_beside(
+        &mut self,
+        h: HalfEdgeId,
+        place: Point,
+        near: f64,
+        rec: &mut impl PlaneRecorder,
+    ) -> Result<VertexId, SplitEdgeError> {
+        const RINGS: i32 = 8;
+        let refused = match self.split_edge_with(h, place, rec) {
+            Ok((v, _)) => return Ok(v),
+            Err(error) => error,
+        };
+        let step = place.x.abs().max(place.y.abs()) * f64::EPSILON;
+        for ring in (1..=RINGS).take_while(|&ring| 2.0 * f64::from(ring) * step <= near) {
+            let around = (-ring..=ring).flat_map(|i| (-ring..=ring).map(move |j| [i, j]));
+            for [i, j] in around.filter(|[i, j]| i.abs().max(j.abs()) == ring) {
+                let beside = Point::new(place.x + f64::from(i) * step, place.y + f64::from(j) * step);
+                if let Ok((v, _)) = self.split_edge_with(h, beside, rec) {
+                    return Ok(v);
+                }
+            }
+        }
+        Err(refused)
     }
 }

@@ -136,6 +136,12 @@ impl Subdivision {
         Ok(self.add_isolated(f, point, rec))
     }
 
+    /// Where a point lies if not inside the face: see [`InsertVertexError::NotInFace`]. O(size of the face).
+    #[cfg(feature = "navmesh")]
+    pub(crate) fn find_in_face(&self, f: FaceId, point: Point) -> Result<(), Option<Element>> {
+        self.lies_in(f, point)
+    }
+
     fn add_isolated(&mut self, f: FaceId, point: Point, rec: &mut impl PlaneRecorder) -> VertexId {
         let v = self.dcel.add_vertex_record(rec);
         self.place(v, point, rec);

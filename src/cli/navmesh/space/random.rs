@@ -2,6 +2,7 @@
 
 use super::super::super::failure::Failure;
 use super::super::super::{Answer, Output};
+use super::super::random::nothing_walkable;
 use super::{Ground, Spot};
 use std::io::Write;
 
@@ -11,7 +12,10 @@ pub(in super::super) fn run(
     json: bool,
     out: &mut Output,
 ) -> Result<Answer, Failure> {
-    let places = ground.surface.random_places(seed).take(count);
+    let mut places = ground.surface.random_places(seed).take(count).peekable();
+    if count > 0 && places.peek().is_none() {
+        return Err(nothing_walkable(&ground.source));
+    }
     if json {
         out.json(&places.map(|place| ground.spot(&place)).collect::<Vec<Spot>>())?;
         return Ok(Answer::Yes);
