@@ -47,7 +47,7 @@ pub enum ObstacleError {
         error: InsertSegmentError,
     },
     /// The corners are no simple polygon in counter-clockwise order.
-    #[error("the obstacle is no simple polygon in counter-clockwise order: {0}")]
+    #[error("the obstacle is no simple polygon in counter-clockwise order: {}", .0.of_one_polygon(|corner| corner))]
     Polygon(#[from] ConvertError),
     /// A face could not be cut into convex ones: what is crossed is finer than doubles can tell.
     #[error("{face} cannot be cut into convex faces; move the obstacle a little")]
