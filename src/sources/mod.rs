@@ -66,7 +66,7 @@ pub static TEXTS: Texts = texts!(
     files: [
         "LICENSE-APACHE", "LICENSE-MIT", "figures/cube.svg", "figures/difference.svg", "figures/dual.svg",
         "figures/playground.html", "figures/rectangle.svg", "figures/rings.svg", "figures/triangulation.svg", "src/ids.rs", "src/lib.rs",
-        "src/old_words.rs",
+        "src/old_words.rs", "src/progress.rs",
     ]
 );
 

@@ -263,3 +263,33 @@ fn every_file_is_named_in_the_map_of_its_folder() {
     out.retain(|line| !line.contains("kit: ") && !line.contains("sources: "));
     assert!(out.is_empty(), "not named in the first comment of mod.rs: {out:#?}");
 }
+
+/// What is built, what is made by the program, and what no student's folder has a use for.
+const APART: [&str; 3] = ["target", "bundle", "interop"];
+
+/// Students' folders, the picture of the rooms and the autograder are made of the sources that each package carries: a file
+/// that is not among them would be missing there.
+#[test]
+fn packages_carry_all_of_their_sources() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    for (folder, list, before) in [
+        ("src", "src/sources/mod.rs", "src/"),
+        ("src/cli", "src/cli/lab/kit/mod.rs", ""),
+        ("src/lab", "src/lab/kit/mod.rs", ""),
+    ] {
+        let text = fs::read_to_string(root.join(list)).unwrap();
+        let mut files = 0;
+        for entry in fs::read_dir(root.join(folder)).unwrap() {
+            let path = entry.unwrap().path();
+            let name = path.file_name().unwrap().to_str().unwrap().to_owned();
+            if path.extension().is_some_and(|extension| extension == "rs") {
+                assert!(text.contains(&format!("\"{before}{name}\"")), "{list} does not name {folder}/{name}");
+                files += 1;
+            } else if path.is_dir() && !path.join("Cargo.toml").exists() && !APART.contains(&name.as_str()) {
+                let named = format!("\"$CARGO_MANIFEST_DIR/{before}{name}\"");
+                assert!(text.contains(&named), "{list} does not name the folder {folder}/{name}");
+            }
+        }
+        assert!(files > 3, "{folder}");
+    }
+}

@@ -29,7 +29,7 @@ const ROOMS: [(&str, &str, f64); 17] = [
     ("geometry", "points, exact signs", 0.0),
     ("ids", "v3 h7 e3 f0", 1.0),
     ("files", "whole or not at all", 2.0),
-    ("progress", "how far work has come", 3.0),
+    ("progress", "how far it is", 3.0),
     ("interop", "types of others", 3.0),
 ];
 

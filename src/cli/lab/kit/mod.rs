@@ -19,7 +19,7 @@ static TEXTS: Texts = dcel_kit::texts!(
         "delaunay.rs", "failure.rs", "figure.rs", "figure_kind.rs", "figures.rs", "gradebook.rs", "info.rs", "input.rs",
         "lib.rs", "locate.rs", "looks.rs", "main.rs", "man.rs", "old_words.rs", "output.rs", "overlay.rs", "picture.rs",
         "results.rs", "save.rs", "saved.rs", "script.rs", "signals.rs", "subject.rs", "tour.rs", "triangulate.rs",
-        "validate.rs", "voronoi.rs",
+        "validate.rs", "voronoi.rs", "waiting.rs",
     ]
 );
 
