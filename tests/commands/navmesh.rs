@@ -728,6 +728,6 @@ fn what_obstacles_block_is_told() {
     for json in ["", " --json"] {
         folder.dcel(&format!("navmesh random hall.obj {all}{json}")).fails(2, "nothing is walkable", "what blocks it");
     }
-    let path = "navmesh path hall.obj 15 15 0.5 0.2 --cost 12,4,5,3,2,10=1 --cost 7,0,6,11,7,7=1";
+    let path = "navmesh path hall.obj 15 15 0.5 0.2 --algorithm closest --cost 12,4,5,3,2,10=1 --cost 7,0,6,11,7,7=1";
     folder.dcel(path).fine();
 }
