@@ -69,7 +69,7 @@ impl<S: Borrow<Subdivision>> PointIndex<S> {
     }
 
     /// The index with `density` cells for each edge, between 1/16 and 16: more cells are quicker to ask and take
-    /// more memory.
+    /// more memory. With 1/4 it takes half of what it takes with 1, and points of a batch are found nearly as quickly.
     #[must_use]
     pub fn with_density(subdivision: S, density: f64) -> Self {
         let cells = cells(subdivision.borrow(), density);
