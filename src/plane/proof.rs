@@ -100,17 +100,8 @@ fn is_convex_cycle(s: &Subdivision, h: HalfEdgeId) -> bool {
 mod tests {
     use super::*;
     use crate::plane::Point;
+    use crate::plane::sweep::tests::numbers;
     use crate::topology::PolygonList;
-
-    /// A small generator of numbers for the tests (xorshift).
-    fn numbers(mut state: u64) -> impl FnMut(u64) -> u64 {
-        move |below| {
-            state ^= state << 13;
-            state ^= state >> 7;
-            state ^= state << 17;
-            state % below
-        }
-    }
 
     fn at(x: u64, y: u64) -> Point {
         Point::new(x as f64, y as f64)

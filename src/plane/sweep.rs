@@ -229,7 +229,7 @@ pub(super) fn is_above([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
     fn points(list: &[(f64, f64)]) -> Vec<Point> {
@@ -237,7 +237,7 @@ mod tests {
     }
 
     /// A small generator of numbers for the tests (xorshift).
-    fn numbers(mut state: u64) -> impl FnMut(u64) -> u64 {
+    pub(in crate::plane) fn numbers(mut state: u64) -> impl FnMut(u64) -> u64 {
         move |below| {
             state ^= state << 13;
             state ^= state >> 7;
