@@ -451,6 +451,15 @@ fn walls_obstacles_and_rays_come_from_the_command_line() {
         let around = length(&format!("--obstacle {corners}"));
         assert!((around - 2.0 * 4.0f64.hypot(0.5)).abs() < 1e-12, "{corners}: {around}");
     }
+    // Corners nearly on one line are put in the right order exactly.
+    folder.write("hall.obj", "v 0 0\nv 20 0\nv 20 20\nv 0 20\nf 1 2 3 4\n");
+    for thin in [
+        "1.5,6.3,7.7,8.3,5.84,7.7",
+        "5.84,7.7,7.7,8.3,1.5,6.3",
+        "2.3,11.4,17.173878731147397,5.3,6.762163619344219,9.57",
+    ] {
+        folder.dcel(&format!("navmesh info hall.obj --obstacle {thin}")).fine();
+    }
     folder.dcel("navmesh path rooms.map 1 1 9 1 --wall 5,0,5").fails(2, "3 numbers are no points", "");
     folder.dcel("navmesh path rooms.map 1 1 9 1 --wall 5,0,5,1,6,1").fails(2, "a wall has two ends", "");
     folder.dcel("navmesh path rooms.map 1 1 9 1 --obstacle 5,0,5,1").fails(2, "three corners or more", "");

@@ -4,6 +4,7 @@ use super::super::failure::Failure;
 use super::numbers::number;
 use dcel_kit::FaceMap;
 use dcel_kit::navmesh::{LiveMesh, NavMesh, NavMeshError, ObstacleError};
+use dcel_kit::plane::predicates::{left_to_right, orientation};
 use dcel_kit::plane::{Point, Subdivision};
 
 /// What is put into the map.
@@ -76,7 +77,7 @@ impl ObstacleArgs {
         for (flag, Corners { points, text }) in given.chain(self.obstacle.iter().map(|corners| ("--obstacle", corners)))
         {
             let mut points: Vec<Point> = points.iter().map(|&p| place(p)).collect();
-            if twice_area(&points) < 0.0 {
+            if run_clockwise(&points) {
                 points.reverse();
             }
             let put = match points[..] {
@@ -103,8 +104,9 @@ impl ObstacleArgs {
     }
 }
 
-/// Twice the area inside the corners; negative if they run clockwise.
-fn twice_area(points: &[Point]) -> f64 {
-    let Some(&first) = points.first() else { return 0.0 };
-    points.windows(2).map(|p| (p[0].x - first.x) * (p[1].y - first.y) - (p[0].y - first.y) * (p[1].x - first.x)).sum()
+/// Whether the corners of a simple polygon run clockwise: it opens to the right at its leftmost corner. Exact.
+fn run_clockwise(points: &[Point]) -> bool {
+    let (n, at) = (points.len(), |i: usize| points[i % points.len()]);
+    let leftmost = (0..n).min_by(|&i, &j| left_to_right(at(i), at(j)));
+    leftmost.is_some_and(|i| orientation(at(i + n - 1), at(i), at(i + 1)).is_lt())
 }
