@@ -120,6 +120,7 @@ pub enum ConvertError {
 impl ConvertError {
     /// What is wrong, of a polygon that was the only one: in the third person, without its number. `name` says what its
     /// corners are called, by their numbers.
+    #[cfg(feature = "navmesh")]
     pub(crate) fn of_one_polygon(&self, name: impl Fn(u32) -> u32) -> String {
         let side = |&(a, b): &(u32, u32)| format!("its side {} -> {}", name(a), name(b));
         match self {
