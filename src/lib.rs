@@ -67,7 +67,7 @@
 //! | `serde` | structures, ids and points written and read, checked | 11 |
 //! | `geo-types` | polygons and lines of geographic crates in and out | 11 |
 //! | `glam`, `mint` | points as vectors | 9 each |
-//! | `parallel` | two threads and more for large work, with the same answers: [`plane`] says for which | 14 |
+//! | `parallel` | two threads and more for large work, with the same answers: [`plane`] and [`solid`] say for which | 14 |
 //! | `png` | figures as PNG and PDF, with a font of their own; `figure` with it | 97 |
 //!
 //! A page on `serde`, `geo-types`, `glam` and `mint` is the module `interop`, which is there with any of them.

@@ -1,6 +1,8 @@
 //! The feature `parallel`: one thread and several give the same answers, half-edge by half-edge.
 
 use dcel_kit::plane::{DelaunayBuilt, Point, PointIndex, Subdivision};
+use dcel_kit::solid::grow::Shape;
+use dcel_kit::solid::{Platonic, Polyhedron, Selection};
 use rayon::ThreadPoolBuilder;
 use std::f64::consts::TAU;
 
@@ -72,6 +74,21 @@ fn points_are_located_in_their_order_by_any_number_of_threads() {
         assert!(on(threads, || index.locate_all(points)) == one_by_one, "{threads} threads");
         assert!(on(threads, || index.locate_all(&points[..1])) == one_by_one[..1]);
     }
+}
+
+#[test]
+fn finer_surfaces_do_not_depend_on_the_threads() {
+    let torus = Shape::Torus { n: 160, m: 130 }.build().unwrap().polyhedron;
+    let mut creases = Selection::new();
+    torus.edges().step_by(7).for_each(|e| creases.add(e, 1));
+    let quads = |threads| on(threads, || torus.catmull_clark(&creases).unwrap());
+    assert!(quads(1) == quads(3));
+    let finer = |surface: &Polyhedron, threads| on(threads, || surface.loop_subdivision(&Selection::new()).unwrap());
+    let mut ball = Polyhedron::platonic(Platonic::Icosahedron);
+    for _ in 0..6 {
+        ball = finer(&ball, 1).polyhedron;
+    }
+    assert!(ball.vertex_count() > 40_000 && finer(&ball, 1) == finer(&ball, 3));
 }
 
 #[test]

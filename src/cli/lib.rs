@@ -10,8 +10,8 @@
 //!   exit code   0  fine         1  the answer is no         2  usage or input         3  the machine
 //! ```
 //!
-//! Commands that take long show how far they are: waiting.rs. With `--json` errors go to stdout as JSON, too. Every file is written by save.rs: whole or not at all, and never over
-//! what is read; signals.rs removes what is half written.
+//! With `--json` errors go to stdout as JSON, too. Every file is written by save.rs: whole or not at all, and never over
+//! what is read; signals.rs removes what is half written. What takes long shows on a terminal how far it is: waiting.rs.
 
 mod answer;
 mod build;

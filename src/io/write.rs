@@ -43,13 +43,14 @@ pub fn write(out: &mut impl Write, model: &Model<'_>, format: Format) -> Result<
     Ok(out.flush()?)
 }
 
-/// About how many lines a format takes.
+/// About how many lines a format takes; none if it is binary.
 fn lines_of(model: &Model<'_>, format: Format) -> usize {
     let [vertices, faces] = [model.vertices().count(), model.faces().count()];
     match format {
         Format::Dcel | Format::Tables => vertices + faces + model.half_edges().count(),
         Format::Stl => 7 * faces,
         Format::GeoJson => faces,
+        Format::PlyBinary | Format::StlBinary => 0,
         _ => vertices + faces,
     }
 }

@@ -21,21 +21,22 @@ pub(crate) fn encloses(corners: impl Iterator<Item = Point> + Clone) -> bool {
     windows(corners).filter(|[_, v, _]| *v == leftmost).all(|[u, v, w]| orientation(v, w, u).is_gt())
 }
 
-/// Whether the closed walk runs counter-clockwise round a convex region, once; straight corners may be among its corners.
+/// Which way a closed walk runs round a convex region, once: `Greater` = counter-clockwise. `Equal` if all its corners lie on
+/// one line, `None` if there is no convex region. Straight corners may be among its corners.
 ///
 /// Cost: O(corners).
-pub(super) fn is_convex(corners: impl Iterator<Item = Point> + Clone) -> bool {
-    let (mut left, mut changes) = (false, 0);
+pub(super) fn convex_direction(corners: impl Iterator<Item = Point> + Clone) -> Option<Ordering> {
+    let (mut direction, mut changes) = (Ordering::Equal, 0);
     for [u, v, w] in windows(corners) {
-        match orientation(u, v, w) {
-            Ordering::Less => return false,
-            Ordering::Equal => {}
-            Ordering::Greater => left = true,
+        let turn = orientation(u, v, w);
+        if turn.is_ne() && turn == direction.reverse() {
+            return None;
         }
-        // It runs from left to right and back just once.
+        direction = direction.then(turn);
+        // With turns to one side only, it is convex if it runs from left to right and back just once.
         changes += u32::from(left_to_right(u, v) != left_to_right(v, w));
     }
-    left && changes == 2
+    (direction.is_eq() || changes == 2).then_some(direction)
 }
 
 /// Whether `q`, which must not lie on the walk, is on the bounded side of the closed walk: even-odd rule, so
@@ -108,7 +109,11 @@ mod tests {
 
     #[test]
     fn convex_walks() {
-        let is = |list: &[(i32, i32)]| is_convex(walk(list).into_iter());
+        let direction = |list: &[(i32, i32)]| convex_direction(walk(list).into_iter());
+        let is = |list: &[(i32, i32)]| direction(list) == Some(Ordering::Greater);
+        assert_eq!(direction(&[(0, 4), (4, 4), (4, 0), (0, 0)]), Some(Ordering::Less));
+        assert_eq!(direction(&[(0, 0), (2, 0), (4, 0)]), Some(Ordering::Equal));
+        assert_eq!(direction(&[(0, 0), (4, 0), (4, 4), (3, 1)]), None);
         assert!(is(&[(0, 0), (2, 0), (4, 0), (4, 4), (0, 4), (0, 1)]) && is(&[(0, 0), (1, 0), (0, 1)]));
         // The other way round, a dent, all on one line, a spike, two times round, no region.
         assert!(!is(&[(0, 4), (4, 4), (4, 0), (0, 0)]) && !is(&[(0, 0), (4, 0), (4, 4), (3, 1)]));

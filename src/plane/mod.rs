@@ -69,7 +69,7 @@ pub use delaunay::{ConstrainedDelaunay, DelaunayBuilt, DelaunayError, FlipEvent}
 pub use edit::{
     FlipEdgeError, InsertDanglingEdgeError, InsertEdgeError, InsertSegmentError, InsertVertexError, InsertedEdge,
     InsertedSegment, JoinEdgesError, JoinFacesError, RemoveEdgeError, RemoveVertexError, SetPointError, SplitEdgeError,
-    SplitFaceError, TransformError,
+    SplitFaceError, TransformError, rounding_room,
 };
 pub use hull::{HullError, HullEvent, convex_hull, convex_hull_observed};
 #[cfg(feature = "navmesh")]

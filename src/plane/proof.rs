@@ -25,10 +25,11 @@
 //! lies anywhere else.
 
 use super::Subdivision;
-use super::cycle::is_convex;
+use super::cycle::convex_direction;
 use super::sweep::sweep;
 use crate::geometry::predicates::orientation;
 use crate::ids::{EdgeId, FaceMap, HalfEdgeId, VertexId};
+use std::cmp::Ordering;
 
 impl Subdivision {
     /// Whether it is shown that no invariant of the plane is broken. If not, they may hold all the same.
@@ -93,7 +94,7 @@ fn is_convex_cycle(s: &Subdivision, h: HalfEdgeId) -> bool {
         let [a, b, c] = [h, second, third].map(|h| s.points[s.dcel.origin(h)]);
         return orientation(a, b, c).is_gt();
     }
-    is_convex(s.corner_points(h))
+    convex_direction(s.corner_points(h)) == Some(Ordering::Greater)
 }
 
 #[cfg(test)]

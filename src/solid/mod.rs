@@ -22,6 +22,9 @@
 //! | ask about its shape | [`Convex`], [`FaceFault`] |
 //! | find the furthest vertex | [`Convex`], [`SupportMap`] |
 //! | lay it flat, write its tables | [`Schlegel`], [`WingedEdges`] |
+//!
+//! With the feature `parallel`, threads share the steps of [subdivision](Polyhedron::catmull_clark); the surface is the same with
+//! any number of them.
 
 // The files of this folder:
 //

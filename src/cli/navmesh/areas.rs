@@ -4,7 +4,7 @@ use super::super::failure::Failure;
 use super::numbers::number;
 use dcel_kit::io::{Labels, PolygonSoup, closest};
 use dcel_kit::plane::predicates::orientation;
-use dcel_kit::plane::{Location, Point, PointIndex, Subdivision, TriangulationMethod};
+use dcel_kit::plane::{Location, Point, PointIndex, Subdivision, TriangulationMethod, rounding_room};
 use dcel_kit::{FaceId, FaceMap, HalfEdgeId};
 use std::collections::BTreeSet;
 
@@ -199,7 +199,7 @@ pub(super) fn cut_along(
     let before = PointIndex::new(map.clone());
     // Sides meet where it cannot be told to the last place: they are led through what is that near.
     let corners = map.vertices().map(|v| map.point(v)).chain(outlines.iter().flatten().copied());
-    let near = corners.map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max) * 2f64.powi(-47);
+    let near = rounding_room(corners);
     for outline in &outlines {
         for (&p, &q) in outline.iter().zip(outline.iter().cycle().skip(1)) {
             map.insert_segment_within(p, q, near).map_err(|error| failure(&error))?;

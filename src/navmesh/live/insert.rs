@@ -16,11 +16,10 @@ use super::cut::{changed_faces, make_convex, splits, take_out, written_faces};
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 use crate::navmesh::location::is_between;
 use crate::navmesh::marks::ID;
-use crate::navmesh::nearest::{closest_on, distance};
 use crate::navmesh::{Location, NavMesh};
 use crate::plane::predicates::orientation;
-use crate::plane::{InsertVertexError, Location as Located, PlaneJournal, Point, Subdivision};
-use crate::topology::{Change, InnerComponent};
+use crate::plane::{InsertVertexError, Location as Located, PlaneJournal, Point, Subdivision, rounding_room};
+use crate::topology::Change;
 use std::collections::BTreeSet;
 
 /// The sides of an obstacle in the map.
@@ -151,7 +150,7 @@ fn runs_along(segment: [Point; 2], [a, b]: [Point; 2]) -> bool {
 /// What is nearer than this may be there by rounding only: some last places of the greatest coordinate.
 fn near(mesh: &NavMesh, sides: &[[Point; 2]]) -> f64 {
     let corners = sides.iter().flatten().copied().chain(mesh.box_corners());
-    corners.map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max) * 2f64.powi(-47)
+    rounding_room(corners)
 }
 
 /// The vertex at a point: one that is there, or a new one. What passes next to it and is no cut is led through it.
@@ -207,7 +206,7 @@ fn vertex_in(
             Err(_) => continue,
             Ok(()) => None,
         };
-        if let Some(v) = vertex_beside(map, f, p, near) {
+        if let Some(v) = map.nearest_vertex(f, p, near) {
             return Ok(Some(v));
         }
         let beside = on.or_else(|| line_beside(map, book, f, p, near, rec.kernel().changes()));
@@ -217,17 +216,6 @@ fn vertex_in(
         return map.insert_vertex_in_with(f, p, rec).map(Some);
     }
     Ok(None)
-}
-
-/// The vertex of a face that is nearest to a point of the face, if it is next to it.
-fn vertex_beside(map: &Subdivision, f: FaceId, p: Point, near: f64) -> Option<VertexId> {
-    let corners = map.cycles(f).flat_map(|h| map.cycle(h)).map(|h| map.origin(h));
-    let alone = map.inner_components(f).iter().filter_map(|inner| match inner {
-        InnerComponent::Isolated(v) => Some(*v),
-        InnerComponent::Cycle(_) => None,
-    });
-    let beside = alone.chain(corners).map(|v| (distance(map.point(v), p), v));
-    beside.filter(|&(off, _)| off <= near).min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, v)| v)
 }
 
 /// The line nearest to a point inside a face, if it is next to it: a half-edge of the face that is no cut. The book does
@@ -240,9 +228,6 @@ fn line_beside(
     near: f64,
     changes: &[Change],
 ) -> Option<HalfEdgeId> {
-    let off = |h: HalfEdgeId| distance(closest_on([map.origin(h), map.destination(h)].map(|v| map.point(v)), p), p);
-    let beside = map.cycles(f).flat_map(|h| map.cycle(h)).map(|h| (off(h), h)).filter(|&(off, _)| off <= near);
     let is_new = |e: EdgeId| changes.iter().filter_map(added).any(|element| element == e.into());
-    let lines = beside.filter(|(_, h)| !book.is_cut(h.edge()) || is_new(h.edge()));
-    lines.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, h)| h)
+    map.nearest_half_edge(f, p, near, |h| !book.is_cut(h.edge()) || is_new(h.edge()))
 }

@@ -34,7 +34,8 @@ use crate::topology::{BuildError, Dcel, Faces, NoRecorder, PolygonList, match_fa
 pub struct ConvertOptions {
     /// Turn round the faces that run clockwise, by their exact signed area, instead of refusing them.
     pub orient: bool,
-    /// Also look for overlaps that no shared edge or vertex betrays: all edges against each other, O(n log n).
+    /// Also look for overlaps that no shared edge or vertex betrays: all edges against each other, O(n log n);
+    /// where nearly all faces are convex, O(n).
     pub full_check: bool,
     /// Insert corners where vertices lie exactly inside sides, if polygons do not fit together without them and do with
     /// them: a hole that touches its outer cycle, a tip on the side of a neighbour, sides of different length along a

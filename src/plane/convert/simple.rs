@@ -10,7 +10,7 @@
 use super::ConvertError;
 use crate::geometry::predicates::{left_to_right, orientation};
 use crate::plane::Point;
-use crate::plane::cycle::encloses;
+use crate::plane::cycle::{convex_direction, encloses};
 use crate::plane::sweep::{Intersection, sweep};
 use std::cmp::Ordering;
 
@@ -21,28 +21,18 @@ use std::cmp::Ordering;
 /// # Errors
 /// If the corners lie on one line, sides cross, or a corner lies on a side; `face` is the number to report.
 pub(super) fn direction(points: &[Point], corners: &[u32], face: u32) -> Result<Ordering, ConvertError> {
-    let at = |i: usize| points[corners[i % corners.len()] as usize];
+    let places = || corners.iter().map(|&v| points[v as usize]);
     if let [a, b, c] = *corners {
         let turn = orientation(points[a as usize], points[b as usize], points[c as usize]);
         return if turn.is_eq() { Err(ConvertError::ZeroArea { face }) } else { Ok(turn) };
     }
-    let turns = (0..corners.len()).map(|i| orientation(at(i), at(i + 1), at(i + 2)));
-    let (mut left, mut right) = (false, false);
-    for turn in turns {
-        left |= turn.is_gt();
-        right |= turn.is_lt();
-    }
-    if !left && !right {
-        return Err(ConvertError::ZeroArea { face });
-    }
-    // With turns to one side only, the polygon is convex if it runs from left to right and back just once.
-    let changes =
-        (0..corners.len()).filter(|&i| left_to_right(at(i), at(i + 1)) != left_to_right(at(i + 1), at(i + 2))).count();
-    if left != right && changes == 2 {
-        return Ok(if left { Ordering::Greater } else { Ordering::Less });
+    match convex_direction(places()) {
+        Some(Ordering::Equal) => return Err(ConvertError::ZeroArea { face }),
+        Some(direction) => return Ok(direction),
+        None => {}
     }
     check_simple(points, corners, face)?;
-    Ok(if encloses((0..corners.len()).map(at)) { Ordering::Greater } else { Ordering::Less })
+    Ok(if encloses(places()) { Ordering::Greater } else { Ordering::Less })
 }
 
 fn check_simple(points: &[Point], corners: &[u32], face: u32) -> Result<(), ConvertError> {

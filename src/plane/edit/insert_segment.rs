@@ -123,8 +123,8 @@ impl Subdivision {
 
     /// [`insert_segment`](Self::insert_segment) for a segment that may bend a little to keep clear of what is close: it is
     /// led through vertices that are not farther off than `near`, and an end is put on the nearest vertex or edge that is
-    /// as near. So no crossing comes to lie beside a vertex, where there may be no room for it. A distance of some last
-    /// places of the greatest coordinate, for example its 2^-47th part, does for segments that touch and cross.
+    /// as near. So no crossing comes to lie beside a vertex, where there may be no room for it. The distance that does for
+    /// segments that touch and cross is [`rounding_room`](super::rounding_room).
     ///
     /// Cost: as there.
     ///
@@ -132,10 +132,10 @@ impl Subdivision {
     /// See [`InsertSegmentError`]; a refused call leaves everything bit for bit as it was.
     ///
     /// ```
-    /// use dcel_kit::plane::{Point, Subdivision};
+    /// use dcel_kit::plane::{Point, Subdivision, rounding_room};
     /// let square = [(0., 0.), (20., 0.), (20., 20.), (0., 20.)].map(Point::from);
     /// let mut s = Subdivision::polygon(&square)?;
-    /// let near = 20.0 * 2f64.powi(-47);
+    /// let near = rounding_room(square);
     /// // The last one touches the first, which has been bent a little where the second crosses it.
     /// for [p, q] in [[(5., 1.), (7., 9.)], [(4., 0.), (6., 3.)], [(6., 3.), (6., 5.)]] {
     ///     s.insert_segment_within(p.into(), q.into(), near)?;
@@ -172,23 +172,11 @@ impl Subdivision {
             Location::Edge(h) => self.dcel.face(h),
             Location::Face(f) => f,
         };
-        let off = |[a, b]: [Point; 2]| {
-            let [x, y] = [b.x - a.x, b.y - a.y];
-            let along = (((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y)).clamp(0.0, 1.0);
-            (p.x - a.x - along * x).hypot(p.y - a.y - along * y)
-        };
-        let corners = self.all_half_edges(face).map(|h| self.dcel.origin(h));
-        let vertices = self
-            .isolated_vertices(face)
-            .chain(corners)
-            .map(|v| ((self.points[v].x - p.x).hypot(self.points[v].y - p.y), v));
-        if let Some((_, v)) = vertices.filter(|&(off, _)| off <= near).min_by(|a, b| a.0.total_cmp(&b.0)) {
+        if let Some(v) = self.nearest_vertex(face, p, near) {
             return Ok(v);
         }
-        let ends = |h: HalfEdgeId| [self.dcel.origin(h), self.dcel.destination(h)].map(|v| self.points[v]);
-        let edges = self.all_half_edges(face).map(|h| (off(ends(h)), h));
-        let beside = edges.filter(|&(off, _)| off <= near).min_by(|a, b| a.0.total_cmp(&b.0));
-        match beside.map(|(_, h)| self.split_edge_with(h, p, rec)) {
+        let beside = self.nearest_half_edge(face, p, near, |_| true);
+        match beside.map(|h| self.split_edge_with(h, p, rec)) {
             Some(Ok((v, _))) => Ok(v),
             _ => self.vertex_at(p, rec),
         }
@@ -288,10 +276,8 @@ impl Subdivision {
         let along = |v: VertexId| ((self.points[v].x - p.x) * x + (self.points[v].y - p.y) * y) / length;
         let off = |v: VertexId| ((self.points[v].x - p.x) * y - (self.points[v].y - p.y) * x) / length;
         let [begin, end] = [from, to].map(along);
-        let corners = self.all_half_edges(f).map(|h| self.dcel.origin(h));
         let beside = self
-            .isolated_vertices(f)
-            .chain(corners)
+            .vertices_of_face(f)
             .filter(|&v| off(v).abs() <= near && v != from && v != to && begin < along(v) && along(v) < end);
         beside.min_by(|&v, &w| along(v).total_cmp(&along(w)))
     }

@@ -7,6 +7,7 @@
 //!   insert_segment                                  through everything
 //!   set_point transform                             a vertex, or everything, moves
 //!   remove_edge remove_vertex                       spot.rs  where is it     whole.rs  all steps or none
+//!                                                   beside.rs  what is next to it
 //!                                                   kept_ids.rs  what was removed comes back under its id
 //! ```
 //!
@@ -14,6 +15,7 @@
 //! in their faces. `f0` is always the unbounded face, and inner components go where they lie. A refused edit changes
 //! nothing.
 
+mod beside;
 mod flip_edge;
 mod insert_edge;
 mod insert_segment;
@@ -30,6 +32,7 @@ mod spot;
 mod transform;
 mod whole;
 
+pub use beside::rounding_room;
 pub use flip_edge::FlipEdgeError;
 pub use insert_edge::{InsertEdgeError, InsertedEdge};
 pub use insert_segment::{InsertSegmentError, InsertedSegment};
@@ -89,9 +92,9 @@ impl Subdivision {
     }
     /// The vertex at the point, if one of the two faces at `h` has one there. O(size of the two faces).
     fn vertex_beside(&self, h: HalfEdgeId, p: Point) -> Option<VertexId> {
-        [h, h.twin()].into_iter().map(|h| self.dcel.face(h)).find_map(|f| {
-            let corners = self.all_half_edges(f).map(|g| self.dcel.origin(g));
-            self.isolated_vertices(f).chain(corners).find(|&v| self.points[v] == p)
-        })
+        [h, h.twin()]
+            .into_iter()
+            .map(|h| self.dcel.face(h))
+            .find_map(|f| self.vertices_of_face(f).find(|&v| self.points[v] == p))
     }
 }
