@@ -121,7 +121,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     };
     let source = source_name(&args.file);
     let mut read = read_path(&args.file, &options)?;
-    let had_rings_mended = read.was_mended();
+    let had_rings_mended = read.mended_rings() > 0;
     let Document::Segments(soup) = &mut read.document else {
         let what = format!("{source}: {} holds no segments", read.format);
         return Err(Failure::input(

@@ -62,7 +62,7 @@ use clap::{Parser, Subcommand};
 use dcel_lab::judge::Judge;
 use failure::Failure;
 use output::Output;
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -205,11 +205,16 @@ fn answered() -> ExitCode {
     let (arguments, old) = old_words::current(std::env::args_os());
     let command = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli.command,
-        Err(error) => {
-            if json && error.use_stderr() {
+        Err(error) if error.use_stderr() => {
+            if json {
                 Failure::usage(&error).report_json(&mut out);
             }
             error.exit()
+        }
+        // Help and version are answers, too, and a full disk is told.
+        Err(asked) => {
+            let printed = asked.print().and_then(|()| io::stdout().flush());
+            return ended(printed.map(|()| Answer::Yes).map_err(Failure::from), json, &mut out);
         }
     };
     old.iter().for_each(|word| failure::say("note", word));
@@ -219,12 +224,17 @@ fn answered() -> ExitCode {
         out.flush()?;
         Ok(answer)
     });
+    ended(answer, json, &mut out)
+}
+
+/// Tells why there is no answer, if there is none.
+fn ended(answer: Result<Answer, Failure>, json: bool, out: &mut Output) -> ExitCode {
     match answer {
         Ok(answer) => answer.exit_code(),
         Err(failure) => {
             failure.report();
             if json {
-                failure.report_json(&mut out);
+                failure.report_json(out);
             }
             failure.exit_code()
         }

@@ -27,10 +27,14 @@ pub struct Read {
 }
 
 impl Read {
-    /// Whether rings were closed or dropped on the way, as a note says.
+    /// How many rings were closed or dropped on the way, as the notes say.
     #[must_use]
-    pub fn was_mended(&self) -> bool {
-        super::rings::were_mended(&self.notes)
+    pub fn mended_rings(&self) -> usize {
+        match &self.document {
+            Document::Polygons(soup) => soup.mended_rings,
+            Document::Segments(soup) => soup.mended_rings,
+            Document::Table(_) => 0,
+        }
     }
 }
 

@@ -90,7 +90,7 @@ pub(super) fn read(
         notes.push(format!("the third coordinate of {} was dropped", counted(reader.heights, "point", "points")));
     }
     Ok(match reader.soup {
-        Some(soup) => Shapes::Segments(soup),
+        Some(soup) => Shapes::Segments(SegmentSoup { mended_rings: reader.closed.count(), ..soup }),
         None => Shapes::Rings(reader.rings),
     })
 }

@@ -17,7 +17,6 @@ use super::load_error::{LoadError, Whereabouts};
 use super::mend::{Covering, MendedSoup, mend};
 use super::misfit::{Misfit, Told};
 use super::read::{read_path, source_name};
-use super::rings::were_mended;
 use super::room::{for_corners, for_half_edges, for_segments};
 use super::soup::{Places, PolygonSoup};
 use super::words::counted;
@@ -117,7 +116,7 @@ pub fn assemble(read: Read, source_name: &str, options: &LoadOptions) -> Result<
             let told = describe(&arranged);
             let as_given = told.is_empty();
             notes.extend(told);
-            if options.mend && as_given && !were_mended(&notes) {
+            if options.mend && as_given && soup.mended_rings == 0 {
                 notes.push(NOTHING_TO_MEND.to_owned());
             }
             let (structure, names) = (Structure::Plane(arranged.subdivision), FaceMap::default());
@@ -159,7 +158,7 @@ fn plane(
     mut notes: Vec<String>,
     format: Format,
 ) -> Result<Loaded, LoadError> {
-    let PolygonSoup { points, has_z, faces, names, places, blocked, any_direction, .. } = soup;
+    let PolygonSoup { points, has_z, faces, names, places, blocked, any_direction, mended_rings, .. } = soup;
     if has_z {
         notes.push("the z of the points was dropped".to_owned());
     }
@@ -199,7 +198,7 @@ fn plane(
         let count = counted(inserted.len(), "corner was inserted", "corners were inserted");
         notes.push(format!("{count} where vertices lie inside sides, the first {}", told.inserted(first)));
     }
-    if options.mend && inserted.is_empty() && !were_mended(&notes) {
+    if options.mend && inserted.is_empty() && mended_rings == 0 {
         notes.push(NOTHING_TO_MEND.to_owned());
     }
     for &face in &blocked {

@@ -196,6 +196,7 @@ impl Rings {
             notes,
         );
         self.closed.note_closed(notes);
+        soup.mended_rings = dropped.len() + self.closed.count();
         Ok(soup)
     }
 
@@ -291,10 +292,15 @@ impl Repaired {
         self.count += count;
     }
 
+    /// How many there are.
+    pub(super) fn count(&self) -> usize {
+        self.count
+    }
+
     /// Says which rings were closed.
     pub(super) fn note_closed(&self, notes: &mut Vec<String>) {
         let (one, many) = ("ring that did not end where it starts was", "rings that did not end where they start were");
-        self.note(one, many, CLOSED, notes);
+        self.note(one, many, "closed", notes);
     }
 
     /// `2 rings that ... were closed, the first in features[3] polygon 0 ring 0`.
@@ -305,19 +311,9 @@ impl Repaired {
     }
 }
 
-/// The first words of the note on rings that were dropped.
-const DROPPED: &str = "dropped a degenerate ring";
-/// What was done to rings without an end.
-const CLOSED: &str = "closed";
-
-/// Whether one of the notes says that rings were mended while they were read.
-pub(super) fn were_mended(notes: &[String]) -> bool {
-    notes.iter().any(|note| note.starts_with(DROPPED) || note.contains(&format!(" {CLOSED}, the first in ")))
-}
-
 fn note_dropped(dropped: &[String], notes: &mut Vec<String>) {
     const SHOWN: usize = 5;
-    notes.extend(dropped.iter().take(SHOWN).map(|ring| format!("{DROPPED}: {ring}")));
+    notes.extend(dropped.iter().take(SHOWN).map(|ring| format!("dropped a degenerate ring: {ring}")));
     if dropped.len() > SHOWN {
         notes.push(format!(
             "dropped {}",

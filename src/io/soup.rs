@@ -5,6 +5,7 @@ use super::problem::{ReadError, ReadProblem};
 use super::room::reserved;
 use crate::ids::MAX_IDS;
 use crate::plane::Point;
+use crate::plane::cycle::encloses;
 use crate::topology::PolygonList;
 
 /// Polygons as a file gives them: nothing is joined, turned round or checked against anything else.
@@ -30,6 +31,8 @@ pub struct PolygonSoup {
     /// Whether the faces of the format may run either way, so that clockwise ones are turned round as a matter of
     /// course.
     pub any_direction: bool,
+    /// How many rings were closed, or dropped, when the file was read.
+    pub mended_rings: usize,
 }
 
 /// An axis of space.
@@ -94,6 +97,20 @@ impl PolygonSoup {
         let heights = |p: &[f64; 3]| p[2].to_bits() != self.points[0][2].to_bits();
         self.has_z = self.points.iter().any(heights);
         self.places.y_down = up == Axis::Y;
+    }
+
+    /// Turns over the faces that run clockwise as seen from above, where z points to the eye, so that all face up. Decided
+    /// exactly. A face that stands upright is left alone; of one that crosses itself the leftmost corner decides. O(corners).
+    pub fn turn_up(&mut self) {
+        for face in 0..self.faces.face_count() {
+            let outline = self.faces.cycle_range(face).start;
+            let corner =
+                |&v: &u32| self.points.get(v as usize).map_or_else(Point::default, |&[x, y, _]| Point::new(x, y));
+            let ring = self.faces.cycle_mut(outline);
+            if encloses(ring.iter().rev().map(corner)) {
+                ring.reverse();
+            }
+        }
     }
 }
 
@@ -213,6 +230,8 @@ pub struct SegmentSoup {
     pub segment_lines: Vec<u32>,
     /// The line of each hole point, from 1.
     pub hole_lines: Vec<u32>,
+    /// How many rings were closed when the file was read.
+    pub mended_rings: usize,
 }
 
 impl SegmentSoup {

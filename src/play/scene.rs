@@ -141,7 +141,7 @@ impl Scene {
                 return Ok((Self::Points(Box::new(Points::new(list.points)?)), list.notes));
             }
             return Err(format!(
-                "{name}: this is no drawing that the kit can read; drop a .dcel, .obj, .off, .ply, .stl, .geojson, .topojson, .wkt, .poly or .mesh file, points as `x y` lines, or a script"
+                "{name}: this is no drawing that the kit can read; it reads .dcel, .obj, .off, .ply, .stl, .geojson, .topojson, .wkt, .poly and .mesh files, points as `x y` lines, and scripts"
             ));
         };
         let options = LoadOptions {

@@ -91,11 +91,13 @@ fn a_machine_that_refuses_gives_3() {
     std::fs::create_dir(folder.path("box.off")).expect("a folder");
     folder.dcel("convert square.obj box.off").fails(3, "box.off: cannot be written", "");
     if cfg!(target_os = "linux") {
-        let full = std::fs::File::options().write(true).open("/dev/full").expect("/dev/full");
-        let output = folder.command("info square.obj").stdout(full).output().expect("the command starts");
-        assert_eq!(output.status.code(), Some(3));
-        let error = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(error.starts_with("error: <stdout>: cannot be written"), "{error}");
+        for command in ["info square.obj", "--help", "info --help", "help navmesh", "--version"] {
+            let full = std::fs::File::options().write(true).open("/dev/full").expect("/dev/full");
+            let output = folder.command(command).stdout(full).output().expect("the command starts");
+            assert_eq!(output.status.code(), Some(3), "{command}");
+            let error = String::from_utf8_lossy(&output.stderr).into_owned();
+            assert!(error.starts_with("error: <stdout>: cannot be written"), "{command}: {error}");
+        }
     }
 }
 

@@ -350,6 +350,18 @@ fn scenarios_are_counted_and_failures_named() {
     );
     let told = folder.dcel("navmesh scenario corner.mesh corner.scen");
     assert!(told.err.contains("corner.scen:3: this query is about other.mesh, not corner.mesh"), "{told:?}");
+    // Sizes are in cells, which a mesh does not have; a grid map has, and a scenario of another size is not scaled.
+    assert!(!told.err.contains("cells"), "{told:?}");
+    let rooms = include_str!("../../figures/data/rooms.scen");
+    let size = rooms.lines().nth(1).map(|line| line.split_whitespace().skip(2).take(2).collect::<Vec<_>>().join("\t"));
+    let size = size.expect("a query");
+    folder.write("scaled.scen", &rooms.replacen(&size, "512\t512", 2).replacen("512\t512", &size, 1));
+    let scaled = folder.dcel("navmesh scenario rooms.map scaled.scen");
+    assert!(
+        scaled.err.contains("warning: scaled.scen:3: this query is about a map of 512 x 512 cells, and"),
+        "{scaled:?}"
+    );
+    assert!(scaled.code == Some(0) && !folder.dcel("navmesh scenario rooms.map rooms.scen").err.contains("cells"));
     // One step straight on is the same by both readings.
     assert!(told.fine().ends_with("3 of 3 optimal\n"));
     folder.dcel("navmesh scenario rooms.map rooms.map").fails(2, "rooms.map:1:1: expected bucket, map", "nine words");

@@ -64,6 +64,11 @@ fn a_file_is_put_into_the_page_and_a_bad_one_is_refused() {
     assert!(!folder.path("bad.html").exists());
     folder.write("later.dcels", "rectangle\nsplit_fase h2 h8\n");
     folder.dcel("play later.dcels -o x.html --no-open").fails(2, "later.dcels:2:1", "split_face");
+    folder.write("notes.md", "# No drawing\n");
+    folder.dcel("play notes.md --no-open").fails(2, "no drawing that the kit can read", "help: it reads .dcel, .obj");
+    folder.write("thrice.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 5\nv 2 1 7\nf 1 2 3\nf 1 2 4\nf 1 2 5\n");
+    let told = folder.dcel("play thrice.obj --no-open");
+    told.fails(2, "thrice.obj:6: the edge between vertices 0 and 1 has 3 faces", "help: leave faces out");
     folder.dcel("play missing.obj --no-open").fails(2, "missing.obj: cannot be read", "check the name");
     folder.dcel("play plan.obj -o plan.obj --no-open").fails(2, "the input itself", "");
     // What crosses is cut where it does, on request.
@@ -80,4 +85,8 @@ fn a_file_is_put_into_the_page_and_a_bad_one_is_refused() {
         "the sweep looks at the segments as they are",
         "--mend",
     );
+    let grid: String =
+        (0..160 * 160).map(|i| format!("{} {} {} {}\n", i % 160, i / 160, i % 160 + 1, i / 160)).collect();
+    folder.write("many.segments", &grid);
+    folder.dcel("play many.segments --no-open").fails(2, "edges: the playground takes up to 20000", "dcel figure");
 }

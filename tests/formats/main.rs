@@ -8,4 +8,5 @@ mod outputs;
 mod round_trips;
 mod segments;
 mod shared;
+mod soups;
 mod support;

@@ -158,6 +158,13 @@ impl MapArgs {
         self.triangles || self.weld.is_some()
     }
 
+    /// How many cells the map is wide and high, if it was read from a grid map that can be read again.
+    pub(super) fn cells(&self, map: &Map) -> Option<[u32; 2]> {
+        let again = map.format == Format::Map && self.file != Path::new("-");
+        let grid = again.then(|| read_whole(&self.file).ok()).flatten();
+        grid.and_then(|bytes| Grid::parse(&bytes, &map.source).ok()).map(|grid| [grid.width(), grid.height()])
+    }
+
     fn is_grid(&self) -> bool {
         self.format.or_else(|| Format::from_path(&self.file)) == Some(Format::Map)
     }
@@ -301,7 +308,7 @@ impl MapArgs {
             return Err(Failure::kit(format!("{source}: a surface is made of polygons")));
         };
         if self.orient {
-            turn_over(soup);
+            soup.turn_up();
         }
         let surface = NavSurface::new(&soup.points, &soup.faces, self.max_slope)
             .map_err(|error| surface_failure(&source, soup, &error))?;
@@ -455,20 +462,6 @@ fn cut_bent_faces(map: &mut Subdivision) -> Result<(), TriangulateError> {
         say("note", format_args!("{faces} cut into triangles"));
     }
     Ok(())
-}
-
-/// Turns over the faces of a floor in space that face down.
-fn turn_over(soup: &mut PolygonSoup) {
-    for face in 0..soup.faces.face_count() {
-        let outline = soup.faces.cycle_range(face).start;
-        let ring = soup.faces.cycle_mut(outline);
-        let at = |v: u32| soup.points.get(v as usize).copied().unwrap_or_default();
-        let sides = ring.iter().zip(ring.iter().cycle().skip(1));
-        let twice_area: f64 = sides.map(|(&a, &b)| at(a)[0] * at(b)[1] - at(a)[1] * at(b)[0]).sum();
-        if twice_area < 0.0 {
-            ring.reverse();
-        }
-    }
 }
 
 /// Where in its file the later vertex of two that nearly meet stands.

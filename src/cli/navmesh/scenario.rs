@@ -132,7 +132,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     args.snap.check()?;
     let scenario = Scenario::parse(&read_whole(&args.scenario)?, &source_name(&args.scenario))?;
     let map = args.map.open()?;
-    tell_other_maps(args, &scenario);
+    tell_other_maps(args, &scenario, args.map.cells(&map));
     let verdict = scenario.verdict();
     let optimum = match args.optimum {
         Kind::Auto => verdict.optimum,
@@ -153,12 +153,24 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     Ok(if report.wrong.is_empty() { Answer::Yes } else { Answer::No })
 }
 
-/// Tells if the queries are about a map of another name.
-fn tell_other_maps(args: &Args, scenario: &Scenario) {
+/// Tells if the queries are about a map of another name, or of another size in cells.
+fn tell_other_maps(args: &Args, scenario: &Scenario, cells: Option<[u32; 2]>) {
     let file = args.map.file().file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let name = |query: &Query| query.map.rsplit(['/', '\\']).next().unwrap_or_default().to_owned();
     if let Some(query) = scenario.queries.iter().find(|query| name(query) != file) {
         say("note", format_args!("{}:{}: this query is about {}, not {file}", scenario.source, query.line, query.map));
+    }
+    let differs = |query: &&Query| cells.is_some_and(|cells| query.size != cells.map(u64::from));
+    if let (Some(query), Some([width, height])) = (scenario.queries.iter().find(differs), cells) {
+        let [w, h] = query.size;
+        say(
+            "warning",
+            format_args!(
+                "{}:{}: this query is about a map of {w} x {h} cells, and {file} has {width} x {height}: its points are \
+                 taken as they stand, and not scaled",
+                scenario.source, query.line
+            ),
+        );
     }
 }
 

@@ -83,11 +83,15 @@ fn mended(file: &Path) -> Result<Vec<u8>, Failure> {
     Ok(text)
 }
 
+/// What is said of a refusal that has no help of its own.
+const SIZES: &str = "the playground shows structures that a hand can edit; dcel info and dcel figure take all others";
+
 /// The page with a file, which it can open.
 fn with(name: &str, bytes: &[u8]) -> Result<String, Failure> {
     let reply = Session::new().open(name, bytes);
     if let Some(message) = reply.message.filter(|message| message.tone == Tone::Refused) {
-        return Err(Failure::input(message.text, ""));
+        let (what, help) = message.text.split_once("; ").unwrap_or((&message.text, SIZES));
+        return Err(Failure::input(what, help));
     }
     page_with(PLAYGROUND, name, bytes).ok_or_else(|| Failure::kit("the page has no room for a file"))
 }

@@ -50,6 +50,9 @@ pub struct Query {
     pub bucket: u32,
     /// The map it is about, as the file names it.
     pub map: String,
+    /// The width and height that the map has, as the file states them: in cells of a grid map. The points of the query are
+    /// those of a map of this size.
+    pub size: [u64; 2],
     /// Where the path begins; y as in the file.
     pub start: Point,
     /// Where it ends; y as in the file.
@@ -106,6 +109,7 @@ impl Scenario {
     /// use dcel_kit::io::{Optimum, Scenario};
     /// let text = b"version 1\n0\tarena.map\t49\t49\t1\t13\t4\t12\t3.41421\n";
     /// let scenario = Scenario::parse(text, "arena.scen")?;
+    /// assert_eq!(scenario.queries[0].size, [49, 49]);
     /// assert_eq!(scenario.queries[0].goal, (4.0, 12.0).into());
     /// assert_eq!(scenario.queries[0].precision, 5e-6);
     /// assert_eq!(scenario.optimum(), Optimum::Octile);
@@ -136,8 +140,7 @@ impl Scenario {
                 // The map's name may hold blanks.
                 [bucket, name @ .., width, height, x0, y0, x1, y1, length] if !name.is_empty() => {
                     is_first = false;
-                    scanner.count(*width)?;
-                    scanner.count(*height)?;
+                    let size = [scanner.count(*width)?, scanner.count(*height)?];
                     let map: Vec<_> = name.iter().map(|word| String::from_utf8_lossy(word.text)).collect();
                     let bucket = scanner.index(*bucket, "bucket", u64::from(u32::MAX), 0)?;
                     let point = |x, y| Ok(Point::new(scanner.coordinate('x', x)?, scanner.coordinate('y', y)?));
@@ -151,6 +154,7 @@ impl Scenario {
                     queries.push(Query {
                         bucket,
                         map: map.join(" "),
+                        size,
                         start,
                         goal,
                         length: is_length.then_some(stated),
