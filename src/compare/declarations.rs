@@ -30,8 +30,8 @@ pub(super) fn declarations<'n>(node: Node<'n, '_>, rules: &[Rule<'n>], path: &[T
     let sheet = rules.iter().filter(|rule| rule.fits(path)).flat_map(|rule| rule.properties.iter().copied());
     let mut all: Vec<Declaration<'n>> = sheet.map(|(key, value)| (lower(key), Cow::Borrowed(value))).collect();
     let style = node.attribute("style").unwrap_or("");
-    if style.contains("/*") {
-        let bare = without_comments(style);
+    if style.contains("/*") || style.contains('\\') {
+        let bare = bare(style);
         let parts = bare.split(';').filter_map(|part| part.split_once(':'));
         all.extend(parts.map(|(key, value)| (key.trim().to_ascii_lowercase().into(), value.to_owned().into())));
     } else {
@@ -74,16 +74,40 @@ fn plain(value: &str) -> Cow<'_, str> {
     }
 }
 
-/// A style sheet without what stands between `/*` and `*/`.
-pub(super) fn without_comments(css: &str) -> String {
+/// A style sheet without what stands between `/*` and `*/`, and with escaped letters as themselves: `str\6f ke` is `stroke`.
+/// Of escaped marks, such as `\:` in the name of a class, the backslash stays, so that they part nothing and are no name.
+pub(super) fn bare(css: &str) -> String {
     let mut out = String::with_capacity(css.len());
     let mut rest = css;
-    while let Some((before, after)) = rest.split_once("/*") {
-        out.push_str(before);
-        out.push(' ');
-        rest = after.split_once("*/").map_or("", |(_, rest)| rest);
+    while let Some(at) = rest.find(['/', '\\']) {
+        out.push_str(&rest[..at]);
+        rest = &rest[at..];
+        if let Some(comment) = rest.strip_prefix("/*") {
+            out.push(' ');
+            rest = comment.split_once("*/").map_or("", |(_, rest)| rest);
+        } else if let Some(escaped) = rest.strip_prefix('\\') {
+            let (letter, length) = unescaped(escaped);
+            out.push(letter.filter(|&c| c.is_alphanumeric() || c == '-' || c == '_').unwrap_or('\\'));
+            rest = &escaped[length..];
+        } else {
+            out.push('/');
+            rest = &rest[1..];
+        }
     }
     out + rest
+}
+
+/// The character that stands behind a backslash, and how many bytes it takes: up to six hexadecimal digits and a blank, or
+/// itself.
+fn unescaped(text: &str) -> (Option<char>, usize) {
+    let digits = text.bytes().take(6).take_while(u8::is_ascii_hexdigit).count();
+    if digits == 0 {
+        let c = text.chars().next();
+        return (c, c.map_or(0, char::len_utf8));
+    }
+    let code = u32::from_str_radix(&text[..digits], 16).unwrap_or(0);
+    let blank = usize::from(text[digits..].starts_with(|c: char| c.is_ascii_whitespace()));
+    (char::from_u32(code), digits + blank)
 }
 
 #[cfg(test)]
@@ -103,6 +127,8 @@ mod tests {
             ("STROKE:None;fill:URL(#Ab)", "stroke:none;fill:url(#Ab)"),
             ("/* a;b:c */stroke:red;/**/", "stroke:red"),
             ("a:b ! Important;a:c", "a:c;a:b"),
+            (r"str\6f ke:n\00006Fne;o\pacity:0", "stroke:none;opacity:0"),
+            (r"font-family:\;stroke\3a none;fill:a/b", r"font-family:\stroke\none;fill:a/b"),
         ] {
             let all = said(&format!("style='{style}'"));
             assert!(all.ends_with(&format!(";{properties}")), "{style}: {all}");

@@ -7,7 +7,7 @@
 //! ```
 
 use crate::compare::colour::Paint;
-use crate::compare::declarations::without_comments;
+use crate::compare::declarations::bare;
 use crate::compare::error::{Fault, Problem};
 use crate::compare::ink::Ink;
 use crate::compare::numbers;
@@ -29,7 +29,7 @@ pub(super) fn style_sheets(document: &Document<'_>) -> Result<String, Fault> {
             return Err(Fault::at(node.range().start, problem));
         }
     }
-    Ok(without_comments(&css))
+    Ok(bare(&css))
 }
 
 /// How the root is shown.

@@ -44,6 +44,21 @@ fn properties_are_read_in_capitals_behind_comments_and_with_marks() {
 }
 
 #[test]
+fn escaped_letters_are_letters() {
+    for style in [r"str\6f ke:none", r"\73troke:n\00006Fne", r"s\troke:\none", r"stroke:\6eone/**/"] {
+        says(&styled(style), "they have no stroke");
+    }
+    says(&within(r"<style>l\69ne{str\6fke:none}</style>", ""), "they have no stroke");
+    for harmless in [r"font-family:'\3b stroke:none'", r"-x-\73troke:none", r"font-family:\"] {
+        equal(&styled(harmless));
+    }
+    // A class whose name holds a mark: whom the rule fits is not told.
+    let error = refused(&within(r"<style>.thin\:line{stroke:none}</style>", ""));
+    assert!(error.contains(r"the style rule `.thin\"), "{error}");
+    equal(&within(r"<style>.thin\:line{font-size:9px}</style>", ""));
+}
+
+#[test]
 fn properties_that_move_or_cut_and_are_not_read_are_refused() {
     for (style, said) in [
         ("translate:40px 0", "`translate: 40px 0` is no property that is read here: write a transform"),
