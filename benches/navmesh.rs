@@ -13,12 +13,13 @@
 //! `-- surfaces` shows how floors with heights grow: making one, and locating, nearest places, rays and paths on it.
 //!
 //! `-- linear` shows how making a mesh and its index grows with pillars that stand in a row: most triangles are slivers
-//! from their tips to one corner.
+//! from their tips to one corner; with one face of many corners; and with storeys over each other.
 
 use cpu_time::ProcessTime;
 use dcel_kit::io::{Grid, Scenario};
 use dcel_kit::navmesh::{
     Floor, LiveMesh, Location, NavMesh, NavSurface, ObstacleId, PathAlgorithm, Planner, SurfacePlanner, SurfacePoint,
+    mesh_faults,
 };
 use dcel_kit::plane::{Point, Subdivision, TriangulationMethod};
 use dcel_kit::topology::PolygonList;
@@ -93,6 +94,37 @@ fn linear() {
         let points: Vec<Point> = (0..count).map(|_| point()).collect();
         move || points.iter().filter(|&&p| matches!(mesh.locate(p), Location::Face(_))).count()
     });
+    growth("NavMesh::new and its faults, one face, by corners", &DOUBLED, |count| {
+        let points = parabola(count);
+        let mut face = PolygonList::new();
+        face.push_face(&(0..count as u32).collect::<Vec<_>>());
+        let map = Subdivision::polygon(&points).expect("a convex face");
+        move || NavMesh::new(&map).expect("convex").memory() + mesh_faults(&points, &face, &[]).len()
+    });
+    for storeys in [2, 50] {
+        growth(&format!("NavSurface::new, {storeys} storeys of loose squares, by squares"), &DOUBLED, |count| {
+            let (points, faces) = building(count, storeys);
+            move || NavSurface::new(&points, &faces, None).expect("storeys").layer_count()
+        });
+    }
+}
+
+/// A convex polygon of whole numbers: corners on a parabola, which is closed by its chord.
+fn parabola(corners: usize) -> Vec<Point> {
+    (0..corners).map(|i| i as f64 - (corners / 2) as f64).map(|x| Point::new(x, x * x)).collect()
+}
+
+/// Unit squares that share no corner, on so many storeys over each other.
+fn building(squares: usize, storeys: usize) -> (Vec<[f64; 3]>, PolygonList) {
+    let side = (squares / storeys).isqrt().max(1);
+    let (mut points, mut faces) = (Vec::new(), PolygonList::new());
+    for i in 0..side * side * storeys {
+        let [x, y, z] = [i % side, i / side % side, i / (side * side)].map(|c| c as f64);
+        let first = points.len() as u32;
+        points.extend([[x, y, z], [x + 1.0, y, z], [x + 1.0, y + 1.0, z], [x, y + 1.0, z]]);
+        faces.push_face(&[first, first + 1, first + 2, first + 3]);
+    }
+    (points, faces)
 }
 
 /// A floor of about `count` triangles with a gentle height in every point.

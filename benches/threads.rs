@@ -45,8 +45,7 @@ fn row<T>(name: &str, pools: &[ThreadPool; 2], work: impl Fn() -> T + Sync) {
 fn main() {
     let pools = [1, 2].map(|threads| ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool"));
     let mut state = 88_172_645_463_325_252;
-    let mut points =
-        || -> Vec<Point> { (0..POINTS).map(|_| Point::new(unit(&mut state), unit(&mut state))).collect() };
+    let mut points = || -> Vec<Point> { (0..POINTS).map(|_| Point::new(unit(&mut state), unit(&mut state))).collect() };
     let (sites, asked) = (points(), points());
     println!("{:<44} {:>12} {:>12}", "", "one thread", "two");
     row("Delaunay triangulation of 10^6 points", &pools, || Subdivision::delaunay(&sites));

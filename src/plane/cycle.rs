@@ -21,6 +21,23 @@ pub(crate) fn encloses(corners: impl Iterator<Item = Point> + Clone) -> bool {
     windows(corners).filter(|[_, v, _]| *v == leftmost).all(|[u, v, w]| orientation(v, w, u).is_gt())
 }
 
+/// Whether the corners of a simple polygon run counter-clockwise, decided exactly. False if all of them lie on one line; of
+/// a polygon that crosses itself, the leftmost corner decides.
+///
+/// Cost: O(corners).
+///
+/// ```
+/// use dcel_kit::plane::{Point, is_counter_clockwise};
+/// let mut square = [(0., 0.), (1., 0.), (1., 1.), (0., 1.)].map(Point::from);
+/// assert!(is_counter_clockwise(&square));
+/// square.reverse();
+/// assert!(!is_counter_clockwise(&square));
+/// ```
+#[must_use]
+pub fn is_counter_clockwise(corners: &[Point]) -> bool {
+    encloses(corners.iter().copied())
+}
+
 /// Which way a closed walk runs round a convex region, once: `Greater` = counter-clockwise. `Equal` if all its corners lie on
 /// one line, `None` if there is no convex region. Straight corners may be among its corners.
 ///

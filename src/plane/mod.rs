@@ -65,6 +65,7 @@ pub use crate::geometry::predicates;
 pub use affine::Affine;
 pub use check::{GEOMETRY_RULES, GeometryViolation};
 pub use convert::{ConvertError, ConvertOptions, Converted};
+pub use cycle::is_counter_clockwise;
 pub use delaunay::{ConstrainedDelaunay, DelaunayBuilt, DelaunayError, FlipEvent};
 pub use edit::{
     FlipEdgeError, InsertDanglingEdgeError, InsertEdgeError, InsertSegmentError, InsertVertexError, InsertedEdge,

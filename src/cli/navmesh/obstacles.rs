@@ -4,8 +4,8 @@ use super::super::failure::Failure;
 use super::numbers::number;
 use dcel_kit::FaceMap;
 use dcel_kit::navmesh::{LiveMesh, NavMesh, NavMeshError, ObstacleError};
-use dcel_kit::plane::predicates::{left_to_right, orientation};
-use dcel_kit::plane::{Point, Subdivision};
+
+use dcel_kit::plane::{InsertSegmentError, Point, Subdivision, is_counter_clockwise};
 
 /// What is put into the map.
 #[derive(clap::Args, Debug, Default)]
@@ -76,8 +76,8 @@ impl ObstacleArgs {
         let given = self.wall.iter().map(|corners| ("--wall", corners));
         for (flag, Corners { points, text }) in given.chain(self.obstacle.iter().map(|corners| ("--obstacle", corners)))
         {
-            let mut points: Vec<Point> = points.iter().map(|&p| place(p)).collect();
-            if run_clockwise(&points) {
+            let mut points: Vec<Point> = points.iter().rev().map(|&p| place(p)).collect();
+            if !is_counter_clockwise(&points) {
                 points.reverse();
             }
             let put = match points[..] {
@@ -87,6 +87,9 @@ impl ObstacleArgs {
             put.map_err(|error| {
                 let help = match error {
                     ObstacleError::Polygon(_) => "give the corners in order, each once",
+                    ObstacleError::Side { error: InsertSegmentError::Split { .. }, .. } => {
+                        "move it a little: corners lie as near to that place as rounding reaches"
+                    }
                     _ => "",
                 };
                 Failure::input(format!("{source}: {flag} {text}: {error}"), help)
@@ -102,11 +105,4 @@ impl ObstacleArgs {
         let (map, mesh) = live.into_parts();
         Ok((map, mesh, costs))
     }
-}
-
-/// Whether the corners of a simple polygon run clockwise: it opens to the right at its leftmost corner. Exact.
-fn run_clockwise(points: &[Point]) -> bool {
-    let (n, at) = (points.len(), |i: usize| points[i % points.len()]);
-    let leftmost = (0..n).min_by(|&i, &j| left_to_right(at(i), at(j)));
-    leftmost.is_some_and(|i| orientation(at(i + n - 1), at(i), at(i + 1)).is_lt())
 }
