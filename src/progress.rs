@@ -113,7 +113,7 @@ impl Progress {
 }
 
 /// A stage of work while it lasts. Without anybody who watches it does nothing.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Stage(Option<Progress>);
 
 /// Work with fewer steps than this is no stage: it is over before anybody asks.

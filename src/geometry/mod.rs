@@ -5,7 +5,8 @@
 //!   expansion.rs                    exact sums and products
 //!   interval.rs  double_double.rs   bounds that decide without them most of the time
 //!   number.rs                       numbers as they are written
-//!   grouping.rs  threads.rs         things by groups: a counting sort; work that threads may share
+//!   grouping.rs  places.rs          things by groups: a counting sort; equal points, and all from left to right
+//!   threads.rs                      work that threads may share
 //!   space.rs  random.rs             vectors in space; numbers that look random
 //! ```
 //!
@@ -17,6 +18,7 @@ pub(crate) mod grouping;
 pub(crate) mod interval;
 #[cfg(any(feature = "io", feature = "solid"))]
 pub(crate) mod number;
+pub(crate) mod places;
 pub(crate) mod point;
 pub mod predicates;
 #[cfg(any(feature = "navmesh", feature = "play", feature = "solid"))]

@@ -63,7 +63,7 @@ pub(super) fn read(
     let soup = (outlines || only_lines()).then(|| SegmentSoup::new(source));
     let mut reader = Reader {
         file,
-        rings: Rings::default(),
+        rings: Rings::of_file(file.len()),
         skipped: Skipped::default(),
         heights: 0,
         soup,

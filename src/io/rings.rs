@@ -7,7 +7,7 @@
 //! ```
 //!
 //! Geographic formats write each polygon by itself. Two polygons share a border where their coordinates are
-//! equal: exactly, with -0 = 0, and nothing else is joined. Equal points are found by sorting, O(n log n).
+//! equal: exactly, with -0 = 0, and nothing else is joined. Equal points are found in the cells of a grid.
 //! Points are numbered in the order in which they first come in a ring that is kept.
 
 use super::nodes::Fault;
@@ -15,10 +15,11 @@ use super::problem::ReadProblem;
 use super::soup::{Places, PolygonSoup, SegmentSoup, check_sizes};
 use super::text::LineCounter;
 use super::words::counted;
+use crate::geometry::places::first_of_equals;
 use crate::ids::MAX_IDS;
 use crate::plane::check_coordinate;
+use crate::progress::Stage;
 use crate::topology::PolygonList;
-use std::cmp::Ordering;
 use std::fmt::{self, Write as _};
 
 /// Rings as they are read; [`finish`](Self::finish) makes faces of them.
@@ -38,9 +39,15 @@ pub(super) struct Rings {
     /// Whether rings are closed that do not end where they start, and which were.
     closes: bool,
     closed: Repaired,
+    stage: Stage,
 }
 
 impl Rings {
+    /// Nothing yet, of a file of so many bytes.
+    pub(super) fn of_file(bytes: usize) -> Self {
+        Self { stage: Stage::new("reading", bytes), ..Self::default() }
+    }
+
     /// Starts a polygon.
     pub(super) fn begin_polygon(&mut self, path: fmt::Arguments<'_>, name: Option<&str>) {
         // Writing to a string cannot fail.
@@ -91,6 +98,7 @@ impl Rings {
     pub(super) fn end_chain(&mut self, offset: usize) {
         self.ring_ends.push(self.points.len() as u32);
         self.ring_offsets.push(offset as u32);
+        self.stage.set(offset);
     }
 
     /// Appends the rings, or the chains if they are not `closed`, to a list of segments.
@@ -140,7 +148,7 @@ impl Rings {
         places: impl Fn(&[u32]) -> Vec<[u32; 2]>,
         notes: &mut Vec<String>,
     ) -> Result<PolygonSoup, Fault> {
-        let mut faces = Faces { same_as: representatives(&self.points), ..Faces::default() };
+        let mut faces = Faces { same_as: first_of_equals(&self.points), ..Faces::default() };
         faces.numbers = vec![u32::MAX; self.points.len()];
         let own = Places { source: source.to_owned(), ..Places::default() };
         let mut soup = PolygonSoup { places: own, any_direction: true, ..PolygonSoup::default() };
@@ -210,24 +218,6 @@ impl Rings {
 #[allow(clippy::float_cmp)] // exact equality is meant
 pub(super) fn same<const N: usize>(a: [f64; N], b: [f64; N]) -> bool {
     a == b
-}
-
-/// For each point one of the points with the same coordinates, the same for all of them. O(n log n).
-pub(super) fn representatives<const N: usize>(points: &[[f64; N]]) -> Vec<u32> {
-    let mut order: Vec<u32> = (0..points.len() as u32).collect();
-    order.sort_unstable_by(|&i, &j| {
-        let (a, b) = (points[i as usize], points[j as usize]);
-        a.iter().zip(&b).map(|(a, b)| a.total_cmp(b)).find(|order| order.is_ne()).unwrap_or(Ordering::Equal)
-    });
-    let mut chosen = vec![0; points.len()];
-    let mut run = order.first().copied().unwrap_or(0);
-    for &i in &order {
-        if !same(points[i as usize], points[run as usize]) {
-            run = i;
-        }
-        chosen[i as usize] = run;
-    }
-    chosen
 }
 
 /// The faces while they are made.

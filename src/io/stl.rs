@@ -27,15 +27,16 @@ use super::document::{Document, Read};
 use super::format::Format;
 use super::model::Polygons;
 use super::problem::{ReadError, ReadProblem};
-use super::rings::representatives;
 use super::room::reserved;
 use super::soup::SoupBuilder;
 use super::text::{Scanner, Syntax};
 use super::words::counted;
 use super::write_error::WriteError;
 use crate::geometry::number::Number;
+use crate::geometry::places::first_of_equals;
 use crate::plane::predicates::orientation;
 use crate::plane::{Point, check_coordinate};
+use crate::progress::Stage;
 use crate::solid::vector::{cross, dot, minus, plus};
 use crate::topology::PolygonList;
 use std::cmp::Ordering;
@@ -123,7 +124,9 @@ fn expect(scanner: &mut Scanner<'_>, wanted: &'static str) -> Result<(), ReadErr
 
 fn binary(bytes: &[u8], source: &str) -> Result<Corners, ReadError> {
     let mut corners = reserved(bytes.len() / TRIANGLE * 3, source)?;
+    let stage = Stage::new("reading", bytes.len() / TRIANGLE);
     for (i, triangle) in bytes[HEAD..].chunks_exact(TRIANGLE).enumerate() {
+        stage.at(i);
         for k in 0..3 {
             let mut point = [0.0; 3];
             for (axis, value) in point.iter_mut().enumerate() {
@@ -145,7 +148,7 @@ fn binary(bytes: &[u8], source: &str) -> Result<Corners, ReadError> {
 fn join(corners: &[([f64; 3], u32)], notes: &mut Vec<String>) -> SoupBuilder {
     // -0 + 0 = 0: the two zeros are one coordinate.
     let points: Vec<[f64; 3]> = corners.iter().map(|(point, _)| point.map(|x| x + 0.0)).collect();
-    let same_as = representatives(&points);
+    let same_as = first_of_equals(&points);
     let mut numbers = vec![u32::MAX; points.len()];
     let mut soup = SoupBuilder::default();
     let mut left_out = 0;
@@ -238,7 +241,7 @@ pub(super) fn write_binary(out: &mut impl Write, polygons: &Polygons) -> Result<
         }
     }
     let singles: Vec<[f64; 3]> = polygons.points.iter().map(|p| p.map(|x| f64::from(x as f32) + 0.0)).collect();
-    for (&point, same) in polygons.points.iter().zip(representatives(&singles)) {
+    for (&point, same) in polygons.points.iter().zip(first_of_equals(&singles)) {
         let other = polygons.points[same as usize];
         if other.partial_cmp(&point) != Some(Ordering::Equal) {
             return Err(WriteError::TooClose { points: [other, point] });

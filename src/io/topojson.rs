@@ -30,6 +30,7 @@ use super::soup::SegmentSoup;
 use super::text::LineCounter;
 use super::words::counted;
 use crate::plane::check_coordinate;
+use crate::progress::Stage;
 use serde_json::value::RawValue;
 use std::collections::BTreeMap;
 use std::fmt::Display;
@@ -173,6 +174,7 @@ impl Arcs {
             }
         };
         let mut arcs = Self { points: Vec::new(), ends: Vec::new(), transform };
+        let stage = Stage::new("reading", file.len());
         let value = root.arcs.ok_or_else(|| lacks("the file", "arcs"))?;
         Arrays::new(value, file).each(
             || lacks("the file", "arcs"),
@@ -195,6 +197,7 @@ impl Arcs {
                     },
                 )?;
                 arcs.ends.push(arcs.points.len());
+                stage.set(arrays.offset());
                 Ok(())
             },
         )?;

@@ -73,6 +73,37 @@ fn stages_go_forward_and_end_with_their_last_step() {
     }
 }
 
+/// A file is read forward, whether its parts are lines, rings, arcs or records.
+#[test]
+fn every_kind_of_reader_tells_how_far_it_is() {
+    let s = Subdivision::delaunay(&points(20_000)).unwrap().subdivision;
+    let mut files = Vec::new();
+    for format in [Format::Obj, Format::Ply, Format::PlyBinary, Format::StlBinary, Format::GeoJson] {
+        let mut bytes = Vec::new();
+        write(&mut bytes, &Model::planar(&s), format).unwrap();
+        files.push((format, bytes));
+    }
+    let (mut arcs, mut rings) = (Vec::new(), Vec::new());
+    for i in 0..2000 {
+        arcs.push(format!("[[{i},0],[{i}.9,0],[{i},1],[{i},0]]"));
+        rings.push(format!("[[{i}]]"));
+    }
+    let (arcs, rings) = (arcs.join(","), rings.join(","));
+    let topology = format!(
+        r#"{{"type":"Topology","objects":{{"o":{{"type":"MultiPolygon","arcs":[{rings}]}}}},"arcs":[{arcs}]}}"#
+    );
+    files.push((Format::TopoJson, topology.into_bytes()));
+    for (format, bytes) in &files {
+        let (seen, last) = watched(|| drop(read_bytes(bytes, *format, "file", &ReadOptions::default()).unwrap()));
+        forward(&seen);
+        // Binary STL is counted in triangles of 50 bytes.
+        let total = if *format == Format::StlBinary { bytes.len() / 50 } else { bytes.len() };
+        assert_eq!((last.what, last.total), ("reading", total as u64), "{format}");
+        let left = (last.total - last.done) as f64 / total as f64;
+        assert!(left < 0.15, "{format}: {} of {total} at the end", last.done);
+    }
+}
+
 /// Stages come one after another, and each goes forward.
 fn forward(seen: &[Standing]) {
     for pair in seen.windows(2) {

@@ -5,6 +5,7 @@ use super::header::{Element, Kind};
 use crate::io::problem::{ReadError, ReadProblem};
 use crate::io::text::{Scanner, Syntax};
 use crate::plane::check_coordinate;
+use crate::progress::Stage;
 
 /// A source of records: values come one after the other, between `begin` and `end`.
 pub(super) trait Records {
@@ -103,11 +104,12 @@ pub(super) struct Binary<'a, const LITTLE: bool> {
     at: usize,
     source: &'a str,
     inside: (String, u64),
+    stage: Stage,
 }
 
 impl<'a, const LITTLE: bool> Binary<'a, LITTLE> {
     pub(super) fn new(bytes: &'a [u8], at: usize, source: &'a str) -> Self {
-        Self { bytes, at, source, inside: (String::new(), 0) }
+        Self { bytes, at, source, inside: (String::new(), 0), stage: Stage::new("reading", bytes.len()) }
     }
 
     #[cold]
@@ -159,6 +161,9 @@ impl<const LITTLE: bool> Records for Binary<'_, LITTLE> {
             self.inside.0.clone_from(&element.name);
         }
         self.inside.1 = i;
+        if i.is_multiple_of(4096) {
+            self.stage.set(self.at);
+        }
         Ok(None)
     }
 

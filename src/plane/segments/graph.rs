@@ -5,11 +5,11 @@
 //!   vertices  v0          v1          v1          v0                 is joined, however close
 //! ```
 //!
-//! Equal points are found in cells of a grid (`places.rs`); their order from left to right serves the sweep.
+//! Equal points are found in cells of a grid (`geometry/places.rs`); their order from left to right serves the sweep.
 
 use super::error::SegmentFault;
-use super::places::{FEW, first_at_each_place};
 use crate::geometry::grouping::grouped;
+use crate::geometry::places::{FEW, first_at_each_place};
 use crate::geometry::predicates::left_to_right;
 use crate::plane::Point;
 

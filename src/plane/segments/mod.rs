@@ -20,7 +20,6 @@
 //!   holes.rs     Marking hole faces
 //!   part.rs      The subdivision of some of the edges of another
 //!   pixels.rs    The hot pixels that a segment passes
-//!   places.rs    Equal points, and all places from left to right, with the help of a grid
 //!   touching.rs  Points that lie inside the sides of polygons
 //!   watched.rs   The sweep by itself, for who watches it
 //! ```
@@ -36,7 +35,6 @@ mod graph;
 mod holes;
 mod part;
 mod pixels;
-mod places;
 mod snap;
 mod split;
 mod touching;

@@ -7,9 +7,9 @@
 //! ```
 
 use super::graph::Graph;
-use super::places::first_at_each_place;
 use super::trace::{OneRings, trace_known};
 use crate::geometry::grouping::Joined;
+use crate::geometry::places::first_at_each_place;
 use crate::geometry::predicates::{left_to_right, orientation};
 use crate::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 use crate::plane::{Point, Subdivision};

@@ -6,8 +6,8 @@
 //! ```
 
 use super::graph::Single;
-use super::places::first_at_each_place;
 use crate::geometry::grouping::grouped;
+use crate::geometry::places::first_at_each_place;
 use crate::geometry::predicates::left_to_right;
 use crate::plane::Point;
 use crate::plane::meet::{EventPlace, visit_intersections};

@@ -10,13 +10,12 @@
 //!
 //! A cell or a column that most points crowd into is sorted: never worse than O(n log n).
 
-use crate::geometry::grouping::grouped;
-use crate::geometry::point::corners;
-use crate::geometry::predicates::sort_key;
-use crate::plane::Point;
+use super::grouping::grouped;
+use super::point::{Point, corners};
+use super::predicates::sort_key;
 
 /// So many things are compared pair by pair; more are sorted.
-pub(super) const FEW: usize = 12;
+pub(crate) const FEW: usize = 12;
 
 /// A grid of columns and rows over points.
 struct Grid {
@@ -28,9 +27,10 @@ struct Grid {
 
 impl Grid {
     /// About one cell for two points.
-    fn new(points: &[Point]) -> Self {
-        let [low, high] = corners(points.iter().copied());
-        let side = ((points.len() / 2) as f64).sqrt().ceil().max(1.0);
+    fn new(points: impl ExactSizeIterator<Item = Point>) -> Self {
+        let count = points.len();
+        let [low, high] = corners(points);
+        let side = ((count / 2) as f64).sqrt().ceil().max(1.0);
         // Too small a difference gives an infinite scale: then all points are in the last column or the first.
         let scale = [high.x - low.x, high.y - low.y].map(|length| if length > 0.0 { side / length } else { 0.0 });
         Self { low, scale, columns: side as usize, rows: side as usize }
@@ -50,8 +50,8 @@ impl Grid {
 ///
 /// Cost: expected O(n) where points are spread over the plane, apart from the sort of the distinct points of each
 /// column; O(n log n) at worst.
-pub(super) fn first_at_each_place(points: &[Point]) -> (Vec<u32>, Vec<u32>) {
-    let grid = Grid::new(points);
+pub(crate) fn first_at_each_place(points: &[Point]) -> (Vec<u32>, Vec<u32>) {
+    let grid = Grid::new(points.iter().copied());
     let (starts, mut list) = grouped(grid.columns * grid.rows, points.len(), |i| grid.cell(points[i]));
     let key = |i: u32| {
         let p = points[i as usize];
@@ -87,6 +87,33 @@ pub(super) fn first_at_each_place(points: &[Point]) -> (Vec<u32>, Vec<u32>) {
         by_place.extend(column.iter().map(|&(_, _, first)| first));
     }
     (first_of, by_place)
+}
+
+/// For each point the number of the first one with the same coordinates, where -0 = 0. Cells are those of the first two.
+///
+/// Cost: expected O(n) where points are spread over the plane of their first two coordinates; O(n log n) at worst.
+#[cfg(feature = "io")]
+pub(crate) fn first_of_equals<const N: usize>(points: &[[f64; N]]) -> Vec<u32> {
+    let flat = |p: &[f64; N]| Point::new(p[0], p[1]);
+    let grid = Grid::new(points.iter().map(flat));
+    let (starts, mut list) = grouped(grid.columns * grid.rows, points.len(), |i| grid.cell(flat(&points[i])));
+    let key = |i: u32| points[i as usize].map(sort_key);
+    let mut first_of: Vec<u32> = vec![0; points.len()];
+    for ends in starts.windows(2) {
+        let cell = &mut list[ends[0] as usize..ends[1] as usize];
+        if cell.len() > FEW {
+            cell.sort_unstable_by_key(|&i| (key(i), i));
+            for same in cell.chunk_by(|&i, &j| key(i) == key(j)) {
+                same.iter().for_each(|&i| first_of[i as usize] = same[0]);
+            }
+            continue;
+        }
+        for (at, &i) in cell.iter().enumerate() {
+            let same = cell[..at].iter().find(|&&other| key(other) == key(i));
+            first_of[i as usize] = same.map_or(i, |&other| first_of[other as usize]);
+        }
+    }
+    first_of
 }
 
 #[cfg(test)]
@@ -130,6 +157,16 @@ mod tests {
                 });
             }
             assert_eq!(first_at_each_place(&points), by_one_map(&points), "seed {seed}");
+            #[cfg(feature = "io")]
+            {
+                let pairs: Vec<[f64; 2]> = points.iter().map(|p| [p.x, p.y]).collect();
+                assert_eq!(first_of_equals(&pairs), by_one_map(&points).0, "seed {seed}");
+                // In space, with few heights over each place.
+                let lifted: Vec<[f64; 3]> =
+                    points.iter().map(|p| [p.x, p.y, [-0.0, 0.0, 1.0][next(3) as usize]]).collect();
+                let equal = |i: usize| (0..=i).find(|&j| lifted[j] == lifted[i]).unwrap_or(i) as u32;
+                assert_eq!(first_of_equals(&lifted), (0..lifted.len()).map(equal).collect::<Vec<_>>(), "seed {seed}");
+            }
         }
     }
 }
