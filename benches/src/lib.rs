@@ -63,9 +63,10 @@ pub fn print(title: &str, programs: &[Program<'_>], ns: &[f64]) {
 
 /// Prints how the time of one program grows with its input, as the `linear` runs do: for each size the time an element
 /// takes and, from the second size on, the exponent e of time = size^e since the size before. `prepare` makes the input
-/// and returns what is measured.
-pub fn growth<T: 'static, R: Fn() -> T>(name: &str, sizes: &[usize], prepare: impl Fn(usize) -> R) {
+/// and returns what is measured. Returns the nanoseconds of each size.
+pub fn growth<T: 'static, R: Fn() -> T>(name: &str, sizes: &[usize], prepare: impl Fn(usize) -> R) -> Vec<f64> {
     println!("{name}");
+    let mut all = Vec::new();
     let mut before: Option<(usize, f64)> = None;
     for &size in sizes {
         let run = prepare(size);
@@ -75,8 +76,10 @@ pub fn growth<T: 'static, R: Fn() -> T>(name: &str, sizes: &[usize], prepare: im
         });
         println!("  {size:>9}  {:10.3} ms  {:10.1} ns each{exponent}", ns / 1e6, ns / size as f64);
         before = Some((size, ns));
+        all.push(ns);
     }
     println!();
+    all
 }
 
 /// From 12,500 to 100,000: doubled three times.

@@ -164,7 +164,8 @@ mod tests {
                 // In space, with few heights over each place.
                 let lifted: Vec<[f64; 3]> =
                     points.iter().map(|p| [p.x, p.y, [-0.0, 0.0, 1.0][next(3) as usize]]).collect();
-                let equal = |i: usize| (0..=i).find(|&j| lifted[j] == lifted[i]).unwrap_or(i) as u32;
+                let here = |p: [f64; 3]| move |q: &[f64; 3]| q.partial_cmp(&p) == Some(std::cmp::Ordering::Equal);
+                let equal = |i: usize| lifted.iter().position(here(lifted[i])).unwrap_or(i) as u32;
                 assert_eq!(first_of_equals(&lifted), (0..lifted.len()).map(equal).collect::<Vec<_>>(), "seed {seed}");
             }
         }

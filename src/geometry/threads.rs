@@ -27,14 +27,36 @@ pub(crate) fn both<A, B>(a: impl FnOnce() -> A, b: impl FnOnce() -> B) -> (A, B)
 }
 
 /// Hands out `to` in pieces of `size`, each with the number of its first place.
-#[cfg(feature = "parallel")]
 pub(crate) fn pieces<T: Send>(to: &mut [T], size: usize, work: impl Fn(usize, &mut [T]) + Sync) {
-    use rayon::prelude::*;
-    to.par_chunks_mut(size).enumerate().for_each(|(i, piece)| work(i * size, piece));
+    pieces_of([to], size, |first, [piece]| work(first, piece));
 }
 
-/// Hands out `to` in pieces of `size`, each with the number of its first place.
-#[cfg(not(feature = "parallel"))]
-pub(crate) fn pieces<T>(to: &mut [T], size: usize, work: impl Fn(usize, &mut [T])) {
-    to.chunks_mut(size).enumerate().for_each(|(i, piece)| work(i * size, piece));
+/// The same with columns of one length, of which each piece has the same rows.
+pub(crate) fn pieces_of<T: Send, const N: usize>(
+    columns: [&mut [T]; N],
+    size: usize,
+    work: impl Fn(usize, [&mut [T]; N]) + Sync,
+) {
+    hand_out(columns, 0, size, &work);
+}
+
+/// The rows before `at`, and the others.
+pub(crate) fn halved<T, const N: usize>(columns: [&mut [T]; N], at: usize) -> [[&mut [T]; N]; 2] {
+    let mut parts = columns.map(|column| column.split_at_mut(at));
+    [parts.each_mut().map(|part| std::mem::take(&mut part.0)), parts.map(|part| part.1)]
+}
+
+fn hand_out<T: Send, const N: usize>(
+    columns: [&mut [T]; N],
+    first: usize,
+    size: usize,
+    work: &(impl Fn(usize, [&mut [T]; N]) + Sync),
+) {
+    let rows = columns.iter().map(|column| column.len()).min().unwrap_or(0);
+    if rows <= size {
+        return work(first, columns);
+    }
+    let half = rows.div_ceil(size).div_ceil(2) * size;
+    let [left, right] = halved(columns, half);
+    both(|| hand_out(left, first, size, work), || hand_out(right, first + half, size, work));
 }

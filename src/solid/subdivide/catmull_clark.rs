@@ -7,11 +7,11 @@
 //!                   the middles of its n edges;                                   with sharp edges: sharp.rs
 //! ```
 
-use super::refine::{Coarse, Fine, PIECE};
+use super::refine::{Coarse, PIECE, Pointers, Scheme, Sizes};
 use super::sharp::{Point, add, held, weighted};
 use super::{SubdivideError, SubdivideEvent, Subdivided};
 use crate::geometry::threads::{both, pieces};
-use crate::ids::{EdgeId, VertexId};
+use crate::ids::{EdgeId, HalfEdgeId, VertexId};
 use crate::solid::{Polyhedron, Selection};
 use crate::topology::Observer;
 
@@ -34,21 +34,40 @@ pub(super) fn step(
     Coarse::room(vertices, 2 * edges + corners, corners + d.face_count() - middles)?;
 
     tell(&coarse, &middle_of, observer);
+    let sizes = Sizes { vertices, edges: 2 * edges + corners, faces: corners };
     let linked = || {
-        let mut fine = Fine::new(&coarse, vertices, 2 * edges + corners, corners);
-        let spoke = |corner: u32| 2 * (2 * edges as u32 + corner);
-        for (k, &h) in coarse.corners.iter().enumerate() {
-            let (k, p) = (k as u32, d.prev(h));
-            let middle = middle_of[d.face(h).index()];
-            let down = spoke(coarse.corner[p.index()]) + 1;
-            fine.inner_edge(spoke(k), old as u32 + h.edge().number(), middle);
-            fine.face(k, &[2 * h.number(), spoke(k), down, 2 * p.twin().number() + 1]);
-            fine.set_outgoing(middle, spoke(k) + 1);
+        let mut columns = coarse.refined(&CatmullClark { coarse: &coarse, middle_of: &middle_of }, &sizes);
+        // Of a vertex in a face, the spoke of the last corner.
+        for &h in &coarse.corners {
+            columns.outgoing[middle_of[d.face(h).index()] as usize] = coarse.inner(h) + 1;
         }
-        fine
+        columns
     };
-    let (fine, points) = both(linked, || points(&coarse, &middle_of, vertices));
-    Ok(Subdivided { polyhedron: fine.finish(points, corners), creases: coarse.finer_creases() })
+    let (columns, points) = both(linked, || points(&coarse, &middle_of, vertices));
+    Ok(Subdivided { polyhedron: coarse.finish(columns, points, corners), creases: coarse.finer_creases() })
+}
+
+/// Corner k of h: `2h, inner(h), inner(prev h) + 1, 2 prev(h).twin + 1`; inner edges are spokes, to the middle of the face.
+struct CatmullClark<'c> {
+    coarse: &'c Coarse<'c>,
+    /// The vertex in the middle of each face.
+    middle_of: &'c [u32],
+}
+
+impl Scheme for CatmullClark<'_> {
+    #[inline]
+    fn before(&self, h: HalfEdgeId) -> u32 {
+        self.coarse.inner(h) + 1
+    }
+
+    #[inline]
+    fn inner(&self, k: u32, h: HalfEdgeId) -> [Pointers; 2] {
+        let (c, d) = (self.coarse, self.coarse.dcel());
+        let [n, p] = [d.next(h), d.prev(h)];
+        let out = Pointers { origin: c.middle(h), next: c.inner(p) + 1, prev: 2 * h.number(), face: k };
+        let (next, prev, face) = (2 * h.twin().number() + 1, c.inner(n), c.corner[n.index()]);
+        [out, Pointers { origin: self.middle_of[d.face(h).index()], next, prev, face }]
+    }
 }
 
 /// The vertices that are made and moved: of faces, of edges, the old ones.

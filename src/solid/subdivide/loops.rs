@@ -6,11 +6,11 @@
 //!                   b = (5/8 - (3/8 + cos(2 pi / n) / 4)^2) / n;                            with sharp edges: sharp.rs
 //! ```
 
-use super::refine::{Coarse, Fine, PIECE};
+use super::refine::{Coarse, PIECE, Pointers, Scheme, Sizes};
 use super::sharp::{Point, add, held, weighted};
 use super::{SubdivideError, Subdivided};
 use crate::geometry::threads::{both, pieces};
-use crate::ids::{EdgeId, VertexId};
+use crate::ids::{EdgeId, HalfEdgeId, VertexId};
 use crate::solid::{Polyhedron, Selection};
 use std::f64::consts::TAU;
 
@@ -28,25 +28,39 @@ pub(super) fn step(solid: &Polyhedron, creases: &Selection<EdgeId>) -> Result<Su
     let faces = corners + triangles;
     Coarse::room(old + edges, 2 * edges + corners, faces + d.face_count() - triangles)?;
 
-    let linked = || {
-        let mut fine = Fine::new(&coarse, old + edges, 2 * edges + corners, faces);
-        let inner = |corner: u32| 2 * (2 * edges as u32 + corner);
-        let mut middle = corners as u32;
-        for (k, &h) in coarse.corners.iter().enumerate() {
-            let (k, p, n) = (k as u32, d.prev(h), d.next(h));
-            let on = |x: crate::ids::HalfEdgeId| old as u32 + x.edge().number();
-            fine.inner_edge(inner(k), on(h), on(p));
-            fine.face(k, &[2 * h.number(), inner(k), 2 * p.twin().number() + 1]);
-            if d.half_edge(d.face(h)) == Some(h) {
-                let round = [h, n, p].map(|x| inner(coarse.corner[x.index()]) + 1);
-                fine.face(middle, &round);
-                middle += 1;
-            }
-        }
-        fine
-    };
-    let (fine, points) = both(linked, || points(&coarse));
-    Ok(Subdivided { polyhedron: fine.finish(points, faces), creases: coarse.finer_creases() })
+    // The triangles in the middle come after those of the corners, in the order of their stored half-edges.
+    let mut middle_of = vec![0; d.face_bound()];
+    let is_stored = |h: &&HalfEdgeId| d.half_edge(d.face(**h)) == Some(**h);
+    let stored: Vec<HalfEdgeId> = coarse.corners.iter().filter(is_stored).copied().collect();
+    stored.iter().zip(corners as u32..).for_each(|(&h, face)| middle_of[d.face(h).index()] = face);
+    let sizes = Sizes { vertices: old + edges, edges: 2 * edges + corners, faces };
+    let linked = || coarse.refined(&Loop { coarse: &coarse, middle_of: &middle_of }, &sizes);
+    let (mut columns, points) = both(linked, || points(&coarse));
+    columns.boundary[corners..].iter_mut().zip(&stored).for_each(|(first, &h)| *first = coarse.inner(h) + 1);
+    Ok(Subdivided { polyhedron: coarse.finish(columns, points, faces), creases: coarse.finer_creases() })
+}
+
+/// Corner k of h: `2h, inner(h), 2 prev(h).twin + 1`. The triangle in the middle has the other halves of the inner edges.
+struct Loop<'c> {
+    coarse: &'c Coarse<'c>,
+    /// The triangle in the middle of each face.
+    middle_of: &'c [u32],
+}
+
+impl Scheme for Loop<'_> {
+    #[inline]
+    fn before(&self, h: HalfEdgeId) -> u32 {
+        self.coarse.inner(self.coarse.dcel().next(h))
+    }
+
+    #[inline]
+    fn inner(&self, k: u32, h: HalfEdgeId) -> [Pointers; 2] {
+        let (c, d) = (self.coarse, self.coarse.dcel());
+        let [n, p] = [d.next(h), d.prev(h)];
+        let corner = Pointers { origin: c.middle(h), next: 2 * p.twin().number() + 1, prev: 2 * h.number(), face: k };
+        let face = self.middle_of[d.face(h).index()];
+        [corner, Pointers { origin: c.middle(p), next: c.inner(n) + 1, prev: c.inner(p) + 1, face }]
+    }
 }
 
 /// Loop's b for a vertex of degree n, times n.

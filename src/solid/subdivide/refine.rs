@@ -14,10 +14,13 @@
 //! Half-edges of boundary faces have no corner. The others are counted: h is corner number k(h). Face number k is
 //! the corner's; beside the 2E half edges, edge number 2E + k is its inner edge: from E(h) to the middle of the face
 //! (Catmull–Clark), or from E(h) to E(prev h) (Loop). Boundary faces follow after all others.
+//!
+//! Every half-edge of the finer surface finds its own pointers, so that threads may share them.
 
 use super::super::{Polyhedron, Selection};
 use super::SubdivideError;
-use crate::ids::{EdgeId, FaceId, HalfEdgeId, MAX_IDS, VertexMap};
+use crate::geometry::threads::{halved, pieces, pieces_of};
+use crate::ids::{EdgeId, FaceId, HalfEdgeId, MAX_IDS, VertexId, VertexMap};
 use crate::topology::{Columns, Dcel, TooMany};
 use std::borrow::Cow;
 
@@ -112,84 +115,128 @@ fn compacted(solid: &Polyhedron, creases: &Selection<EdgeId>) -> (Polyhedron, Se
     (Polyhedron::assembled(dcel, points, boundary_faces), finer)
 }
 
-/// The columns of the finer structure while they are written.
-pub(super) struct Fine {
-    columns: Columns,
+/// How many elements the finer surface has, boundary faces not counted.
+pub(super) struct Sizes {
+    pub(super) vertices: usize,
+    pub(super) edges: usize,
+    pub(super) faces: usize,
 }
 
-impl Fine {
-    /// Room for everything, and what both schemes share: the two parts of each edge, the stored half-edges of the
-    /// vertices, and the boundary faces, numbered from `faces` on.
-    pub(super) fn new(coarse: &Coarse<'_>, vertices: usize, edges: usize, faces: usize) -> Self {
-        let d = coarse.dcel();
-        let column = || vec![0; 2 * edges];
-        let mut fine = Self {
-            columns: Columns {
-                origin: column(),
-                next: column(),
-                prev: column(),
-                face: column(),
-                outgoing: vec![Columns::NONE; vertices],
-                boundary: vec![0; faces],
-            },
+/// The pointers of a half-edge of the finer surface.
+#[derive(Clone, Copy)]
+pub(super) struct Pointers {
+    pub(super) origin: u32,
+    pub(super) next: u32,
+    pub(super) prev: u32,
+    pub(super) face: u32,
+}
+
+/// What differs between the two schemes.
+pub(super) trait Scheme: Sync {
+    /// The last half-edge of the corner whose face the coarse half-edge `h` ends in, before E(h) -> destination(h).
+    fn before(&self, h: HalfEdgeId) -> u32;
+    /// The two half-edges of the inner edge of corner k, the one of `h`.
+    fn inner(&self, k: u32, h: HalfEdgeId) -> [Pointers; 2];
+}
+
+impl Coarse<'_> {
+    /// The first half-edge of the inner edge of the corner of `h`.
+    #[inline]
+    pub(super) fn inner(&self, h: HalfEdgeId) -> u32 {
+        self.inner_of(self.corner[h.index()])
+    }
+
+    /// The first half-edge of the inner edge of corner k.
+    #[inline]
+    pub(super) fn inner_of(&self, k: u32) -> u32 {
+        2 * (2 * self.dcel().edge_bound() as u32 + k)
+    }
+
+    /// E(h).
+    #[inline]
+    pub(super) fn middle(&self, h: HalfEdgeId) -> u32 {
+        self.dcel().vertex_bound() as u32 + h.edge().number()
+    }
+
+    /// The finer structure, up to the stored half-edges of vertices beyond those on edges, and of faces beyond those of
+    /// corners: these are left to the scheme.
+    pub(super) fn refined(&self, scheme: &impl Scheme, sizes: &Sizes) -> Columns {
+        let d = self.dcel();
+        let column = || vec![0; 2 * sizes.edges];
+        let mut columns = Columns {
+            origin: column(),
+            next: column(),
+            prev: column(),
+            face: column(),
+            outgoing: vec![Columns::NONE; sizes.vertices],
+            boundary: vec![0; sizes.faces],
         };
-        let old = d.vertex_bound() as u32;
-        for v in d.vertices() {
-            fine.columns.outgoing[v.index()] = d.outgoing(v).map_or(Columns::NONE, |h| 2 * h.number());
+        // Boundary faces follow after all others.
+        let mut number = vec![0; d.face_bound()];
+        for f in d.faces().filter(|f| self.is_boundary[f.index()]) {
+            number[f.index()] = columns.boundary.len() as u32;
+            columns.boundary.push(d.half_edge(f).map_or(Columns::NONE, |h| 2 * h.number()));
         }
-        for e in d.edges() {
-            fine.columns.outgoing[(old + e.number()) as usize] = 4 * e.number() + 1;
-        }
-        for h in d.half_edges() {
-            let middle = old + h.edge().number();
-            fine.columns.origin[2 * h.index()] = d.origin(h).number();
-            fine.columns.origin[2 * h.index() + 1] = middle;
-        }
-        for f in d.faces().filter(|f| coarse.is_boundary[f.index()]) {
-            let face = FaceId::new(fine.columns.boundary.len() as u32);
-            fine.columns.boundary.push(d.half_edge(f).map_or(Columns::NONE, |h| 2 * h.number()));
-            for h in d.incident_half_edges(f) {
-                let (first, second) = (2 * h.number(), 2 * h.twin().number() + 1);
-                fine.link(first, second, face);
-                fine.link(second, 2 * d.next(h).number(), face);
+        let Columns { origin, next, prev, face, outgoing, boundary } = &mut columns;
+        let [halves, inner] = halved([origin, next, prev, face].map(Vec::as_mut_slice), 4 * d.edge_bound());
+        let put = |[origin, next, prev, face]: &mut [&mut [u32]; 4], a: usize, to: Pointers| {
+            (origin[a], next[a], prev[a], face[a]) = (to.origin, to.next, to.prev, to.face);
+        };
+        pieces_of(halves, 2 * PIECE, |first, mut piece| {
+            for (i, h) in (0..piece[0].len() / 2).zip((first as u32 / 2..).map(HalfEdgeId::new)) {
+                put(&mut piece, 2 * i, self.first_half(h, &number));
+                put(&mut piece, 2 * i + 1, self.second_half(h, &number, scheme));
             }
-        }
-        fine
+        });
+        pieces_of(inner, 2 * PIECE, |first, mut piece| {
+            for (i, k) in (0..piece[0].len() / 2).zip(first as u32 / 2..) {
+                let [a, b] = scheme.inner(k, self.corners[k as usize]);
+                put(&mut piece, 2 * i, a);
+                put(&mut piece, 2 * i + 1, b);
+            }
+        });
+        pieces(&mut boundary[..self.corners.len()], PIECE, |first, piece| {
+            piece.iter_mut().zip(&self.corners[first..]).for_each(|(stored, h)| *stored = 2 * h.number());
+        });
+        let (old, on_edges) = outgoing.split_at_mut(d.vertex_bound());
+        pieces(old, PIECE, |first, piece| {
+            for (v, stored) in (first as u32..).map(VertexId::new).zip(piece) {
+                *stored = d.outgoing(v).map_or(Columns::NONE, |h| 2 * h.number());
+            }
+        });
+        pieces(&mut on_edges[..d.edge_bound()], PIECE, |first, piece| {
+            (first as u32..).zip(piece).for_each(|(e, stored)| *stored = 4 * e + 1);
+        });
+        columns
     }
 
-    /// `b` follows `a` round the face.
+    /// The half-edge from the origin of `h` to E(h).
     #[inline]
-    fn link(&mut self, a: u32, b: u32, face: FaceId) {
-        self.columns.next[a as usize] = b;
-        self.columns.prev[b as usize] = a;
-        self.columns.face[a as usize] = face.number();
+    fn first_half(&self, h: HalfEdgeId, number: &[u32]) -> Pointers {
+        let d = self.dcel();
+        let [next, face] = match self.corner[h.index()] {
+            NO_CORNER => [2 * h.twin().number() + 1, number[d.face(h).index()]],
+            k => [self.inner_of(k), k],
+        };
+        Pointers { origin: d.origin(h).number(), next, prev: 2 * d.prev(h).twin().number() + 1, face }
     }
 
-    /// A face from its half-edges in order; its boundary is the first of them.
+    /// The half-edge from E(h) to the origin of `h`: it lies in the face of the twin of `h`.
     #[inline]
-    pub(super) fn face(&mut self, face: u32, around: &[u32]) {
-        self.columns.boundary[face as usize] = around[0];
-        for (i, &a) in around.iter().enumerate() {
-            self.link(a, around[(i + 1) % around.len()], FaceId::new(face));
-        }
-    }
-
-    /// The inner edge with half-edges `a` and `a + 1`, from vertex `u` to vertex `v`.
-    #[inline]
-    pub(super) fn inner_edge(&mut self, a: u32, u: u32, v: u32) {
-        self.columns.origin[a as usize] = u;
-        self.columns.origin[a as usize + 1] = v;
-    }
-
-    /// The half-edge stored with a vertex.
-    #[inline]
-    pub(super) fn set_outgoing(&mut self, v: u32, a: u32) {
-        self.columns.outgoing[v as usize] = a;
+    fn second_half(&self, h: HalfEdgeId, number: &[u32], scheme: &impl Scheme) -> Pointers {
+        let d = self.dcel();
+        let twin = h.twin();
+        let after = d.next(twin);
+        let [prev, face] = match self.corner[after.index()] {
+            NO_CORNER => [2 * twin.number(), number[d.face(twin).index()]],
+            k => [scheme.before(twin), k],
+        };
+        Pointers { origin: self.middle(h), next: 2 * after.number(), prev, face }
     }
 
     /// The finished surface; `faces` are those that are no boundary faces.
-    pub(super) fn finish(self, points: Vec<[f64; 3]>, faces: usize) -> Polyhedron {
-        let boundary_faces = (faces..self.columns.boundary.len()).map(|f| FaceId::new(f as u32)).collect();
-        Polyhedron::assembled(Dcel::from_columns(self.columns), points.into(), boundary_faces)
+    pub(super) fn finish(&self, columns: Columns, points: Vec<[f64; 3]>, faces: usize) -> Polyhedron {
+        let boundary_faces = (faces..columns.boundary.len()).map(|f| FaceId::new(f as u32)).collect();
+        Polyhedron::assembled(Dcel::from_columns(columns), points.into(), boundary_faces)
     }
 }
