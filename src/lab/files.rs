@@ -247,7 +247,8 @@ impl LabFiles {
     /// # Errors
     /// [`LabFilesError::BrokenArchive`] with the line.
     pub fn from_archive(archive: &str) -> Result<Self, LabFilesError> {
-        let mut lines = archive.lines().enumerate();
+        // With the line ends of other systems it is the same archive.
+        let mut lines = archive.lines().map(|line| line.trim_end_matches('\r')).enumerate();
         let broken = |line| LabFilesError::BrokenArchive { line };
         let (_, first) = lines.next().ok_or_else(|| broken(1))?;
         let name = first.strip_prefix("lab ").ok_or_else(|| broken(1))?.to_owned();
@@ -261,8 +262,7 @@ impl LabFiles {
             let mut text = String::new();
             for _ in 0..count {
                 let (_, line) = lines.next().ok_or_else(|| broken(i + 1))?;
-                // With the line ends of other systems it is the same archive.
-                text.push_str(line.trim_end_matches('\r'));
+                text.push_str(line);
                 text.push('\n');
             }
             files.insert(path.to_owned(), text);
@@ -370,6 +370,7 @@ mod tests {
         let archive = small().to_archive();
         assert_eq!(LabFiles::from_archive(&archive).unwrap(), small());
         assert_eq!(LabFiles::from_archive(&archive.replace('\n', "\r\n")).unwrap(), small());
+        assert_eq!(LabFiles::from_archive("lab 05-x\r").unwrap().to_archive(), "lab 05-x\n");
     }
 
     #[test]

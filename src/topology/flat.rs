@@ -7,10 +7,12 @@
 //! ```
 //!
 //! After reading, every number in the arrays is the number of a live element. Each getter of the view is asked
-//! once for each element, whatever the view holds.
+//! once for each element, whatever the view holds. The columns of a structure from which nothing was removed are taken as
+//! they are, without a copy.
 
-use super::view::{InnerComponent, View};
+use super::view::{InnerComponent, View, Words};
 use crate::ids::{Element, FaceId, HalfEdgeId, VertexId};
+use std::borrow::Cow;
 use std::convert::Infallible;
 use std::ops::ControlFlow;
 
@@ -29,28 +31,30 @@ pub(super) struct Fault {
 
 /// The pointers of a view in flat arrays; `NONE` where there is no live target.
 #[derive(Default)]
-pub(super) struct Flat {
-    pub(super) origin: Vec<u32>,
-    pub(super) twin: Vec<u32>,
-    pub(super) next: Vec<u32>,
-    pub(super) prev: Vec<u32>,
-    pub(super) face: Vec<u32>,
-    pub(super) outgoing: Vec<u32>,
-    pub(super) boundary: Vec<u32>,
+pub(super) struct Flat<'a> {
+    pub(super) origin: Cow<'a, [u32]>,
+    /// Empty if the twin of h is h ^ 1, everywhere.
+    twin: Vec<u32>,
+    pub(super) next: Cow<'a, [u32]>,
+    pub(super) prev: Cow<'a, [u32]>,
+    pub(super) face: Cow<'a, [u32]>,
+    pub(super) outgoing: Cow<'a, [u32]>,
+    pub(super) boundary: Cow<'a, [u32]>,
     /// Face and inner component, in the order of the faces; only inner components that name a live element.
     pub(super) rings: Vec<(u32, InnerComponent)>,
     pub(super) outer: Option<u32>,
     pub(super) hole: Vec<bool>,
-    /// Whether the vertex's `outgoing` leads nowhere, which is not the same as having none.
+    /// Whether the vertex's `outgoing` leads nowhere, which is not the same as having none. Empty if none does.
     pub(super) lost_outgoing: Vec<bool>,
+    /// Which elements exist; empty if all do.
     has_vertex: Vec<bool>,
     has_half_edge: Vec<bool>,
     has_face: Vec<bool>,
 }
 
-impl Flat {
+impl<'a> Flat<'a> {
     /// Reads a view and drops what leads nowhere.
-    pub(super) fn read<V: View + ?Sized>(view: &V) -> Self {
+    pub(super) fn read<V: View + ?Sized>(view: &'a V) -> Self {
         match Self::read_with::<V, Infallible>(view, |_| ControlFlow::Continue(())) {
             ControlFlow::Continue(flat) => flat,
             ControlFlow::Break(never) => match never {},
@@ -60,57 +64,24 @@ impl Flat {
     /// Reads a view and reports every pointer that leads nowhere, in the order of the elements. A missing
     /// `outgoing` or `half_edge` is no fault here: it may be right.
     pub(super) fn read_with<V: View + ?Sized, B>(
-        view: &V,
+        view: &'a V,
         mut fault: impl FnMut(Fault) -> ControlFlow<B>,
     ) -> ControlFlow<B, Self> {
-        let (vs, hs, fs) = (view.vertex_bound(), view.half_edge_bound(), view.face_bound());
-        let mut flat = Self {
-            has_vertex: (0..vs).map(|i| view.has_vertex(VertexId(i as u32))).collect(),
-            has_half_edge: (0..hs).map(|i| view.has_half_edge(HalfEdgeId(i as u32))).collect(),
-            has_face: (0..fs).map(|i| view.has_face(FaceId(i as u32))).collect(),
-            origin: vec![NONE; hs],
-            twin: vec![NONE; hs],
-            next: vec![NONE; hs],
-            prev: vec![NONE; hs],
-            face: vec![NONE; hs],
-            outgoing: vec![NONE; vs],
-            boundary: vec![NONE; fs],
-            hole: vec![false; fs],
-            lost_outgoing: vec![false; vs],
-            ..Self::default()
+        let whole = view.words().and_then(Self::whole);
+        let is_copied = whole.is_none();
+        let mut flat = match whole {
+            Some(flat) => flat,
+            None => Self::copied(view, &mut fault)?,
         };
-        for h in flat.half_edges().map(HalfEdgeId).collect::<Vec<_>>() {
-            let targets: [(&'static str, Option<Element>); 5] = [
-                ("origin", view.origin(h).map(Element::Vertex)),
-                ("twin", view.twin(h).map(Element::HalfEdge)),
-                ("next", view.next(h).map(Element::HalfEdge)),
-                ("prev", view.prev(h).map(Element::HalfEdge)),
-                ("face", view.face(h).map(Element::Face)),
-            ];
-            let mut numbers = [NONE; 5];
-            for (number, (pointer, found)) in numbers.iter_mut().zip(targets) {
-                *number = flat.live_number(found);
-                if *number == NONE {
-                    fault(Fault { owner: Some(h.into()), pointer, found })?;
-                }
-            }
-            let i = h.index();
-            [flat.origin[i], flat.twin[i], flat.next[i], flat.prev[i], flat.face[i]] = numbers;
-        }
-        for v in flat.vertices().map(VertexId).collect::<Vec<_>>() {
-            let found = view.outgoing(v).map(Element::HalfEdge);
-            flat.outgoing[v.index()] = flat.live_number(found);
-            flat.lost_outgoing[v.index()] = found.is_some() && flat.outgoing[v.index()] == NONE;
-            if flat.lost_outgoing[v.index()] {
-                fault(Fault { owner: Some(v.into()), pointer: "outgoing", found })?;
-            }
-        }
+        flat.hole = vec![false; flat.boundary.len()];
         for f in flat.faces().map(FaceId).collect::<Vec<_>>() {
             flat.hole[f.index()] = view.is_hole(f);
-            let found = view.half_edge(f).map(Element::HalfEdge);
-            flat.boundary[f.index()] = flat.live_number(found);
-            if found.is_some() && flat.boundary[f.index()] == NONE {
-                fault(Fault { owner: Some(f.into()), pointer: "half_edge", found })?;
+            if is_copied {
+                let found = view.half_edge(f).map(Element::HalfEdge);
+                flat.boundary.to_mut()[f.index()] = flat.live_number(found);
+                if found.is_some() && flat.boundary[f.index()] == NONE {
+                    fault(Fault { owner: Some(f.into()), pointer: "half_edge", found })?;
+                }
             }
             for &ring in view.inner_components(f) {
                 let found = match ring {
@@ -135,30 +106,100 @@ impl Flat {
         ControlFlow::Continue(flat)
     }
 
+    /// The columns as they are, if every pointer leads to a live element or, where it may, to none.
+    fn whole(words: Words<'a>) -> Option<Self> {
+        let Words { origin, next, prev, face, outgoing, boundary } = words;
+        let (vs, hs, fs) = (outgoing.len() as u32, next.len() as u32, boundary.len() as u32);
+        let below = |column: &[u32], bound: u32| column.iter().all(|&word| word < bound);
+        // A removed record holds a word that is neither.
+        let below_or_none = |column: &[u32]| column.iter().all(|&word| word < hs || word == NONE);
+        let is_whole = below(origin, vs) && below(next, hs) && below(prev, hs) && below(face, fs);
+        (is_whole && below_or_none(outgoing) && below_or_none(boundary)).then(|| Self {
+            origin: origin.into(),
+            next: next.into(),
+            prev: prev.into(),
+            face: face.into(),
+            outgoing: outgoing.into(),
+            boundary: boundary.into(),
+            ..Self::default()
+        })
+    }
+
+    /// What the getters say of half-edges and vertices.
+    fn copied<V: View + ?Sized, B>(view: &V, fault: &mut impl FnMut(Fault) -> ControlFlow<B>) -> ControlFlow<B, Self> {
+        let (vs, hs, fs) = (view.vertex_bound(), view.half_edge_bound(), view.face_bound());
+        let mut flat = Self {
+            has_vertex: (0..vs).map(|i| view.has_vertex(VertexId(i as u32))).collect(),
+            has_half_edge: (0..hs).map(|i| view.has_half_edge(HalfEdgeId(i as u32))).collect(),
+            has_face: (0..fs).map(|i| view.has_face(FaceId(i as u32))).collect(),
+            lost_outgoing: vec![false; vs],
+            ..Self::default()
+        };
+        let [mut origin, mut twin, mut next, mut prev, mut face] = [(); 5].map(|()| vec![NONE; hs]);
+        let mut outgoing = vec![NONE; vs];
+        for h in flat.half_edges().map(HalfEdgeId).collect::<Vec<_>>() {
+            let targets: [(&'static str, Option<Element>); 5] = [
+                ("origin", view.origin(h).map(Element::Vertex)),
+                ("twin", view.twin(h).map(Element::HalfEdge)),
+                ("next", view.next(h).map(Element::HalfEdge)),
+                ("prev", view.prev(h).map(Element::HalfEdge)),
+                ("face", view.face(h).map(Element::Face)),
+            ];
+            let mut numbers = [NONE; 5];
+            for (number, (pointer, found)) in numbers.iter_mut().zip(targets) {
+                *number = flat.live_number(found);
+                if *number == NONE {
+                    fault(Fault { owner: Some(h.into()), pointer, found })?;
+                }
+            }
+            let i = h.index();
+            [origin[i], twin[i], next[i], prev[i], face[i]] = numbers;
+        }
+        for v in flat.vertices().map(VertexId).collect::<Vec<_>>() {
+            let found = view.outgoing(v).map(Element::HalfEdge);
+            outgoing[v.index()] = flat.live_number(found);
+            flat.lost_outgoing[v.index()] = found.is_some() && outgoing[v.index()] == NONE;
+            if flat.lost_outgoing[v.index()] {
+                fault(Fault { owner: Some(v.into()), pointer: "outgoing", found })?;
+            }
+        }
+        let [origin, next, prev, face] = [origin, next, prev, face].map(Cow::Owned);
+        let [outgoing, boundary] = [outgoing, vec![NONE; fs]].map(Cow::Owned);
+        ControlFlow::Continue(Self { origin, twin, next, prev, face, outgoing, boundary, ..flat })
+    }
+
+    /// The other half of the edge of half-edge `h`.
+    #[inline]
+    pub(super) fn twin(&self, h: u32) -> u32 {
+        self.twin.get(h as usize).copied().unwrap_or(h ^ 1)
+    }
+
     /// The number of an element that exists, else `NONE`.
     fn live_number(&self, element: Option<Element>) -> u32 {
-        let (live, number) = match element {
-            Some(Element::Vertex(v)) => (&self.has_vertex, v.0),
-            Some(Element::HalfEdge(h)) => (&self.has_half_edge, h.0),
-            Some(Element::Face(f)) => (&self.has_face, f.0),
+        let (count, flags, number) = match element {
+            Some(Element::Vertex(v)) => (self.outgoing.len(), &self.has_vertex, v.0),
+            Some(Element::HalfEdge(h)) => (self.next.len(), &self.has_half_edge, h.0),
+            Some(Element::Face(f)) => (self.boundary.len(), &self.has_face, f.0),
             Some(Element::Edge(_)) | None => return NONE,
         };
-        if live.get(number as usize).is_some_and(|&live| live) { number } else { NONE }
+        let i = number as usize;
+        let is_live = if flags.is_empty() { i < count } else { flags.get(i).is_some_and(|&live| live) };
+        if is_live { number } else { NONE }
     }
 
     /// The live vertices.
     pub(super) fn vertices(&self) -> impl Iterator<Item = u32> + Clone + '_ {
-        live(&self.has_vertex)
+        live(self.outgoing.len(), &self.has_vertex)
     }
 
     /// The live half-edges.
     pub(super) fn half_edges(&self) -> impl Iterator<Item = u32> + Clone + '_ {
-        live(&self.has_half_edge)
+        live(self.next.len(), &self.has_half_edge)
     }
 
     /// The live faces.
     pub(super) fn faces(&self) -> impl Iterator<Item = u32> + Clone + '_ {
-        live(&self.has_face)
+        live(self.boundary.len(), &self.has_face)
     }
 
     /// One half-edge for each listed cycle with the face that lists it: boundaries first, then inner components.
@@ -179,8 +220,9 @@ impl Flat {
     }
 }
 
-fn live(flags: &[bool]) -> impl Iterator<Item = u32> + Clone + '_ {
-    flags.iter().enumerate().filter(|&(_, &live)| live).map(|(i, _)| i as u32)
+/// The numbers of those that exist: all below `count` if there are no flags.
+fn live(count: usize, flags: &[bool]) -> impl Iterator<Item = u32> + Clone + '_ {
+    (0..count.max(flags.len()) as u32).filter(|&i| flags.get(i as usize) != Some(&false))
 }
 
 /// The orbits of a map that sends no two half-edges to the same one and may be undefined (`None`) at some.

@@ -12,6 +12,7 @@
 //! the record of a removed element and holds the next free slot (see `pool.rs`).
 
 use super::record::{Change, Recorder, Slot};
+use super::view::Words;
 use crate::ids::{EdgeId, Element, FaceId, HalfEdgeId, VertexId};
 
 /// No target.
@@ -134,6 +135,12 @@ impl Dcel {
     pub(crate) fn from_columns(columns: Columns) -> Self {
         let Columns { origin, next, prev, face, outgoing, boundary } = columns;
         Self { origin, next, prev, face, outgoing, boundary, free: FreeLists::EMPTY }
+    }
+
+    /// All columns.
+    pub(crate) fn all_words(&self) -> Words<'_> {
+        let Self { origin, next, prev, face, outgoing, boundary, .. } = self;
+        Words { origin, next, prev, face, outgoing, boundary }
     }
 
     /// One more than the greatest vertex number ever used: the length of a [`VertexMap`](crate::VertexMap).

@@ -121,7 +121,7 @@ pub fn measure_with<V: View + ?Sized>(view: &V, is_boundary: impl Fn(FaceId) -> 
     count(&Flat::read(view), is_boundary)
 }
 
-pub(super) fn count(flat: &Flat, is_boundary: impl Fn(FaceId) -> bool) -> Counts {
+pub(super) fn count(flat: &Flat<'_>, is_boundary: impl Fn(FaceId) -> bool) -> Counts {
     let parts = parts(flat);
     let mode = if flat.outer.is_some() { Mode::Plane } else { Mode::Surface };
     let half_edges = flat.half_edges().count();
@@ -197,10 +197,10 @@ pub fn components<V: View + ?Sized>(view: &V) -> Components {
     parts(&Flat::read(view))
 }
 
-pub(super) fn parts(flat: &Flat) -> Components {
+pub(super) fn parts(flat: &Flat<'_>) -> Components {
     let mut leader: Vec<u32> = (0..flat.outgoing.len() as u32).collect();
     for h in flat.half_edges() {
-        let twin = flat.twin[h as usize];
+        let twin = flat.twin(h);
         let (u, v) = (flat.origin[h as usize], if twin == NONE { NONE } else { flat.origin[twin as usize] });
         if u != NONE && v != NONE {
             let (a, b) = (find(&mut leader, u), find(&mut leader, v));

@@ -79,6 +79,8 @@ pub use record::{Change, Journal, NoRecorder, Recorder, Slot, Step};
 pub use seed::PolygonError;
 pub use table::{FaceRow, HalfEdgeRow, Table, VertexRow};
 pub use validate::{Rule, Violation, first_violation, violations, visit_violations};
+#[doc(hidden)]
+pub use view::Words;
 pub(crate) use view::pointers_of_dcel;
 pub use view::{InnerComponent, View, bounded_cycle};
 pub use walk::{Cycle, OutgoingHalfEdges};

@@ -64,6 +64,24 @@ pub trait View {
         let _ = f;
         false
     }
+
+    /// All pointers at once, of a structure that keeps them in the columns of a [`Dcel`]: they say the same as the getters.
+    #[doc(hidden)]
+    fn words(&self) -> Option<Words<'_>> {
+        None
+    }
+}
+
+/// The columns of a [`Dcel`]: where a record was removed, and where there is no target, stands no number of an element.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Words<'a> {
+    pub(super) origin: &'a [u32],
+    pub(super) next: &'a [u32],
+    pub(super) prev: &'a [u32],
+    pub(super) face: &'a [u32],
+    pub(super) outgoing: &'a [u32],
+    pub(super) boundary: &'a [u32],
 }
 
 /// The pointers of a view whose structure is the [`Dcel`] at `self.$dcel`; for use inside `impl View for`.
@@ -107,6 +125,9 @@ macro_rules! pointers_of_dcel {
         }
         fn half_edge(&self, f: $crate::FaceId) -> Option<$crate::HalfEdgeId> {
             self$(.$dcel)?.linked_half_edge(f)
+        }
+        fn words(&self) -> Option<$crate::topology::Words<'_>> {
+            Some(self$(.$dcel)?.all_words())
         }
     };
 }

@@ -52,9 +52,12 @@ impl World {
             face: first.boundary.len() as u32,
         };
         counts(first, second)?;
-        let join = |column: fn(&Flat) -> &Vec<u32>, shift: u32| -> Vec<u32> {
-            let moved = column(second).iter().map(|&to| if to == NONE { NONE } else { to + shift });
-            column(first).iter().copied().chain(moved).collect()
+        let moved = |to: u32, shift: u32| if to == NONE { NONE } else { to + shift };
+        let join = |column: for<'f> fn(&'f Flat<'_>) -> &'f [u32], shift: u32| -> Vec<u32> {
+            column(first).iter().copied().chain(column(second).iter().map(|&to| moved(to, shift))).collect()
+        };
+        let twins = |flat: &Flat<'_>, shift: u32| -> Vec<u32> {
+            (0..flat.next.len() as u32).map(|h| moved(flat.twin(h), shift)).collect()
         };
         let both = |a: Vec<u32>, b: Vec<u32>, shift: u32| -> Vec<u32> {
             a.into_iter().chain(b.into_iter().map(|x| x + shift)).collect()
@@ -70,7 +73,7 @@ impl World {
         let face_bound = first.boundary.len() + second.boundary.len();
         let mut world = Self {
             origin: join(|flat| &flat.origin, split.vertex),
-            twin: join(|flat| &flat.twin, split.half_edge),
+            twin: [twins(first, 0), twins(second, split.half_edge)].concat(),
             next: join(|flat| &flat.next, split.half_edge),
             prev: join(|flat| &flat.prev, split.half_edge),
             face: join(|flat| &flat.face, split.face),
@@ -100,7 +103,7 @@ impl World {
         self.vertices.iter().copied().filter(|&v| !has_place[v as usize]).collect()
     }
 
-    fn set_labels(&mut self, sides: &[Flat; 2], options: &IsomorphismOptions) -> Result<(), Difference> {
+    fn set_labels(&mut self, sides: &[Flat<'_>; 2], options: &IsomorphismOptions) -> Result<(), Difference> {
         let pinned = |element: Element| options.fixed.is_some_and(|is_fixed| is_fixed(element));
         let split = self.split;
         let fixed_vertex = |v: u32| {
@@ -190,8 +193,8 @@ fn unpaired(
     Ok(())
 }
 
-fn counts(a: &Flat, b: &Flat) -> Result<(), Difference> {
-    let count = |flat: &Flat| {
+fn counts(a: &Flat<'_>, b: &Flat<'_>) -> Result<(), Difference> {
+    let count = |flat: &Flat<'_>| {
         [
             (["vertex", "vertices"], flat.vertices().count()),
             (["edge", "edges"], flat.half_edges().count() / 2),

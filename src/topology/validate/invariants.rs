@@ -26,7 +26,7 @@ fn h(number: u32) -> HalfEdgeId {
 
 /// What has been found sound so far; the walks of later invariants run over sound links only.
 pub(super) struct Invariants<'a, R> {
-    flat: &'a Flat,
+    flat: &'a Flat<'a>,
     report: R,
     /// T1 and T2 hold at the half-edge.
     twin_sound: Vec<bool>,
@@ -43,7 +43,7 @@ pub(super) struct Invariants<'a, R> {
 }
 
 impl<'a, R: FnMut(Violation) -> Flow> Invariants<'a, R> {
-    pub(super) fn new(flat: &'a Flat, bad_list: Vec<bool>, report: R) -> Self {
+    pub(super) fn new(flat: &'a Flat<'a>, bad_list: Vec<bool>, report: R) -> Self {
         let half_edges = || vec![false; flat.next.len()];
         Self {
             flat,
@@ -64,8 +64,8 @@ impl<'a, R: FnMut(Violation) -> Flow> Invariants<'a, R> {
     /// T1, T2.
     pub(super) fn twins(&mut self) -> Flow {
         for a in self.flat.half_edges() {
-            let b = self.flat.twin[a as usize];
-            let back = if b == NONE { NONE } else { self.flat.twin[b as usize] };
+            let b = self.flat.twin(a);
+            let back = if b == NONE { NONE } else { self.flat.twin(b) };
             if b == a {
                 let text = format!("{0}.twin = {0} (expected another half-edge)", h(a));
                 self.report(Violation::new(&T1, &[h(a).into()], &[a], text).with(Some(h(a).into()), None))?;
@@ -106,13 +106,14 @@ impl<'a, R: FnMut(Violation) -> Flow> Invariants<'a, R> {
 
     /// D1, F1, B1, B2, C3: origins and faces along the boundaries.
     pub(super) fn boundaries(&mut self, outer_lost: bool) -> Flow {
-        let Flat { origin, twin, next, face, boundary, .. } = self.flat;
+        let flat = self.flat;
+        let Flat { origin, next, face, boundary, .. } = flat;
         for a in self.flat.half_edges() {
             let b = next[a as usize];
             if b == NONE {
                 continue;
             }
-            let t = twin[a as usize];
+            let t = flat.twin(a);
             if self.twin_sound[a as usize] && origin[b as usize] != NONE && origin[t as usize] != NONE {
                 let (start, end) = (VertexId(origin[b as usize]), VertexId(origin[t as usize]));
                 self.end_sound[a as usize] = start == end;
@@ -222,9 +223,10 @@ impl<'a, R: FnMut(Violation) -> Flow> Invariants<'a, R> {
     /// S1. One step of the round is h.twin.next, over sound twins and links, so a round that closes up is one
     /// of the fans; one that does not runs into a violation that is reported already.
     pub(super) fn stars(&mut self) -> Flow {
-        let Flat { origin, outgoing, next, twin, .. } = self.flat;
+        let flat = self.flat;
+        let Flat { origin, outgoing, next, .. } = flat;
         let step = |a: u32| {
-            let t = twin[a as usize] as usize;
+            let t = flat.twin(a) as usize;
             (self.twin_sound[a as usize] && self.next_sound[t] && self.end_sound[t]).then(|| next[t])
         };
         let named = self.flat.vertices().map(|v| (v, outgoing[v as usize]));
@@ -336,7 +338,7 @@ impl<'a, R: FnMut(Violation) -> Flow> Invariants<'a, R> {
 
     /// Whether `v.outgoing` was reported by R2: then nothing is known about it.
     fn outgoing_lost(&self, v: u32) -> bool {
-        self.flat.lost_outgoing[v as usize]
+        self.flat.lost_outgoing.get(v as usize) == Some(&true)
     }
 }
 

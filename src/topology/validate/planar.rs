@@ -20,7 +20,7 @@ use crate::topology::InnerComponent;
 use std::ops::ControlFlow;
 
 /// E1 and E2. The view must have an outer face and break no other invariant.
-pub(super) fn check(flat: &Flat, visit: &mut impl FnMut(&Violation) -> ControlFlow<()>) -> ControlFlow<()> {
+pub(super) fn check(flat: &Flat<'_>, visit: &mut impl FnMut(&Violation) -> ControlFlow<()>) -> ControlFlow<()> {
     let components = count(flat, |_| false).components;
     for c in components.iter().filter(|c| c.euler() != 2) {
         let text = format!(
@@ -40,7 +40,11 @@ pub(super) fn check(flat: &Flat, visit: &mut impl FnMut(&Violation) -> ControlFl
 
 /// E2: walks inwards from the outer face. A component is entered through inner components, a bounded face through its
 /// boundary; each component must be entered once.
-fn nesting(flat: &Flat, firsts: &[VertexId], visit: &mut impl FnMut(&Violation) -> ControlFlow<()>) -> ControlFlow<()> {
+fn nesting(
+    flat: &Flat<'_>,
+    firsts: &[VertexId],
+    visit: &mut impl FnMut(&Violation) -> ControlFlow<()>,
+) -> ControlFlow<()> {
     let parts = parts(flat);
     let part = |v: u32| parts.of(VertexId(v)).unwrap_or(NONE) as usize;
     let part_of_cycle = |h: u32| part(flat.origin[h as usize]);
