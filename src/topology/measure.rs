@@ -118,10 +118,10 @@ pub fn measure<V: View + ?Sized>(view: &V) -> Counts {
 /// [`measure`] with other boundary faces: on a surface, the faces that stand for missing ones.
 #[must_use]
 pub fn measure_with<V: View + ?Sized>(view: &V, is_boundary: impl Fn(FaceId) -> bool) -> Counts {
-    count(&Flat::read(view), is_boundary)
+    count(&Flat::read(view), &is_boundary)
 }
 
-pub(super) fn count(flat: &Flat<'_>, is_boundary: impl Fn(FaceId) -> bool) -> Counts {
+pub(super) fn count(flat: &Flat<'_>, is_boundary: &dyn Fn(FaceId) -> bool) -> Counts {
     let parts = parts(flat);
     let mode = if flat.outer.is_some() { Mode::Plane } else { Mode::Surface };
     let half_edges = flat.half_edges().count();

@@ -25,9 +25,9 @@ fn h(number: u32) -> HalfEdgeId {
 }
 
 /// What has been found sound so far; the walks of later invariants run over sound links only.
-pub(super) struct Invariants<'a, R> {
+pub(super) struct Invariants<'a> {
     flat: &'a Flat<'a>,
-    report: R,
+    report: &'a mut dyn FnMut(Violation) -> Flow,
     /// T1 and T2 hold at the half-edge.
     twin_sound: Vec<bool>,
     /// N2 holds at the half-edge: its `next` leads on, and back.
@@ -42,8 +42,8 @@ pub(super) struct Invariants<'a, R> {
     start: Vec<u32>,
 }
 
-impl<'a, R: FnMut(Violation) -> Flow> Invariants<'a, R> {
-    pub(super) fn new(flat: &'a Flat<'a>, bad_list: Vec<bool>, report: R) -> Self {
+impl<'a> Invariants<'a> {
+    pub(super) fn new(flat: &'a Flat<'a>, bad_list: Vec<bool>, report: &'a mut dyn FnMut(Violation) -> Flow) -> Self {
         let half_edges = || vec![false; flat.next.len()];
         Self {
             flat,

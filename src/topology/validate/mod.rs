@@ -141,31 +141,50 @@ pub fn visit_violations<V: View + ?Sized>(
     view: &V,
     visit: &mut impl FnMut(&Violation) -> ControlFlow<()>,
 ) -> ControlFlow<()> {
-    // Faces with a fault in what they list: an unlisted cycle of theirs is no news.
-    let mut bad_lists = vec![false; view.face_bound()];
-    let mut any = false;
+    let stage = Stage::new("checking", PARTS * view.half_edge_bound());
+    let mut lost = Lost { lists: vec![false; view.face_bound()], any: false, outer: false };
+    let flat = Flat::read_with(view, |fault| {
+        lost.any = true;
+        match fault.owner {
+            Some(Element::Face(f)) => lost.lists[f.index()] = true,
+            None => lost.outer = true,
+            _ => {}
+        }
+        visit(&invariants::lost_pointer(&fault))
+    })?;
+    judge(&flat, lost, &stage, visit)
+}
+
+/// Which pointers lead nowhere.
+struct Lost {
+    /// Faces with a fault in what they list: an unlisted cycle of theirs is no news.
+    lists: Vec<bool>,
+    /// That to the outer face.
+    outer: bool,
+    /// Any.
+    any: bool,
+}
+
+/// All that is left to be judged when the pointers are read.
+fn judge(
+    flat: &Flat<'_>,
+    lost: Lost,
+    stage: &Stage,
+    visit: &mut dyn FnMut(&Violation) -> ControlFlow<()>,
+) -> ControlFlow<()> {
+    let part_done = || stage.add(flat.next.len());
+    part_done();
+    let mut any = lost.any;
     let mut report = |violation: Violation| {
         any = true;
         visit(&violation)
     };
-    let mut outer_lost = false;
-    let stage = Stage::new("checking", PARTS * view.half_edge_bound());
-    let part_done = || stage.add(view.half_edge_bound());
-    let flat = Flat::read_with(view, |fault| {
-        match fault.owner {
-            Some(Element::Face(f)) => bad_lists[f.index()] = true,
-            None => outer_lost = true,
-            _ => {}
-        }
-        report(invariants::lost_pointer(&fault))
-    })?;
-    part_done();
-    let mut invariants = Invariants::new(&flat, bad_lists, report);
+    let mut invariants = Invariants::new(flat, lost.lists, &mut report);
     invariants.twins()?;
     part_done();
     invariants.links()?;
     part_done();
-    invariants.boundaries(outer_lost)?;
+    invariants.boundaries(lost.outer)?;
     part_done();
     invariants.origins()?;
     part_done();
@@ -177,7 +196,7 @@ pub fn visit_violations<V: View + ?Sized>(
     part_done();
     invariants.outer_face()?;
     if !any && flat.outer.is_some() {
-        planar::check(&flat, visit)?;
+        planar::check(flat, visit)?;
     }
     ControlFlow::Continue(())
 }

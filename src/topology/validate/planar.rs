@@ -20,8 +20,8 @@ use crate::topology::InnerComponent;
 use std::ops::ControlFlow;
 
 /// E1 and E2. The view must have an outer face and break no other invariant.
-pub(super) fn check(flat: &Flat<'_>, visit: &mut impl FnMut(&Violation) -> ControlFlow<()>) -> ControlFlow<()> {
-    let components = count(flat, |_| false).components;
+pub(super) fn check(flat: &Flat<'_>, visit: &mut dyn FnMut(&Violation) -> ControlFlow<()>) -> ControlFlow<()> {
+    let components = count(flat, &|_| false).components;
     for c in components.iter().filter(|c| c.euler() != 2) {
         let text = format!(
             "the component of {} has V - E + cycles = {} - {} + {} = {} (expected 2: genus {} does not fit in the plane)",
@@ -43,7 +43,7 @@ pub(super) fn check(flat: &Flat<'_>, visit: &mut impl FnMut(&Violation) -> Contr
 fn nesting(
     flat: &Flat<'_>,
     firsts: &[VertexId],
-    visit: &mut impl FnMut(&Violation) -> ControlFlow<()>,
+    visit: &mut dyn FnMut(&Violation) -> ControlFlow<()>,
 ) -> ControlFlow<()> {
     let parts = parts(flat);
     let part = |v: u32| parts.of(VertexId(v)).unwrap_or(NONE) as usize;
