@@ -60,9 +60,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
 
 fn counts(subject: &Subject) -> String {
     let edges = half_edges(subject.view()).count() / 2;
-    let (vertices, faces) = (subject.vertices().count(), subject.faces().count());
-    [counted(vertices, "vertex", "vertices"), counted(edges, "edge", "edges"), counted(faces, "face", "faces")]
-        .join(", ")
+    crate::output::counts([subject.vertices().count(), edges, subject.faces().count()])
 }
 
 /// A difference, and what it is about.

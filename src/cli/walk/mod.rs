@@ -17,6 +17,7 @@ mod rounds;
 mod show;
 mod which;
 
+use super::answer::tell;
 use super::input::InputOptions;
 use super::subject::Subject;
 use super::{Answer, Failure, Output};
@@ -74,28 +75,14 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if let Some(v) = vertex {
         which::check_vertex(&subject, *v)?;
         let star = rounds::Star::of(&subject, *v);
-        return finish(args.json, out, &star, |out| show::star(out, &star));
+        return tell(&star, args.json, out, |out| show::star(out, &star));
     }
     if let Some(h) = half_edge {
         which::check_half_edge(&subject, *h)?;
         let links = rounds::Links::of(&subject, *h);
-        return finish(args.json, out, &links, |out| show::links(out, &links));
+        return tell(&links, args.json, out, |out| show::links(out, &links));
     }
     let faces = which::faces(&subject, *face, face_name.as_deref())?;
     let walk = rounds::FaceWalk::of(&subject, &faces);
-    finish(args.json, out, &walk, |out| show::faces(out, &walk))
-}
-
-fn finish<T: serde::Serialize>(
-    json: bool,
-    out: &mut Output,
-    value: &T,
-    print: impl FnOnce(&mut Output) -> std::io::Result<()>,
-) -> Result<Answer, Failure> {
-    if json {
-        out.json(value)?;
-    } else {
-        print(out)?;
-    }
-    Ok(Answer::Yes)
+    tell(&walk, args.json, out, |out| show::faces(out, &walk))
 }
