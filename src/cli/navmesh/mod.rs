@@ -19,6 +19,7 @@
 //!   numbers.rs    Numbers of the command line, and numbers that messages propose
 //!   obstacles.rs  Walls and obstacles of the command line, put into a map before anything is asked of it
 //!   reading.rs    From a file to a map with its navmesh
+//!   routes.rs     Paths as they are told
 //!   tell.rs       Words and JSON forms that several commands have in common
 //! ```
 
@@ -39,6 +40,7 @@ mod path;
 mod random;
 mod raycast;
 mod reading;
+mod routes;
 mod scenario;
 mod space;
 mod tell;
