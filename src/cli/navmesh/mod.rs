@@ -47,6 +47,7 @@ mod tell;
 
 pub(crate) use film::{PathFilm, path_film};
 
+use super::choice::commands;
 use super::{Answer, Failure, Output};
 
 /// Find paths on a map: neighbours, corridors, the exact shortest path
@@ -66,27 +67,17 @@ pub(crate) struct Args {
     command: Command,
 }
 
-#[derive(clap::Subcommand, Debug)]
-enum Command {
-    Info(info::Args),
-    Locate(locate::Args),
-    Neighbours(neighbours::Args),
-    Path(Box<path::Args>),
-    Distances(Box<distances::Args>),
-    Random(random::Args),
-    Raycast(Box<raycast::Args>),
-    Scenario(scenario::Args),
+commands! {
+    Info info,
+    Locate locate,
+    Neighbours neighbours,
+    Path path,
+    Distances distances,
+    Random random,
+    Raycast raycast,
+    Scenario scenario,
 }
 
 pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
-    match &args.command {
-        Command::Info(args) => info::run(args, out),
-        Command::Locate(args) => locate::run(args, out),
-        Command::Neighbours(args) => neighbours::run(args, out),
-        Command::Path(args) => path::run(args, out),
-        Command::Distances(args) => distances::run(args, out),
-        Command::Random(args) => random::run(args, out),
-        Command::Raycast(args) => raycast::run(args, out),
-        Command::Scenario(args) => scenario::run(args, out),
-    }
+    args.command.run(out)
 }
