@@ -10,7 +10,6 @@ use dcel_kit::figure::{self, Figure, FigureOptions};
 use dcel_kit::io::{Model, counted, read_points, source_name};
 use dcel_kit::plane::Subdivision;
 use dcel_kit::{EdgeId, EdgeMap};
-use serde::Serialize;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -51,19 +50,6 @@ pub(crate) struct Args {
     input: InputOptions,
 }
 
-/// Points by number, from 0.
-#[derive(Serialize)]
-pub(super) struct Repeated {
-    point: u32,
-    repeats: u32,
-}
-
-impl Repeated {
-    pub(super) fn all(pairs: &[(u32, u32)]) -> Vec<Self> {
-        pairs.iter().map(|&(point, repeats)| Self { point, repeats }).collect()
-    }
-}
-
 /// What was made.
 struct Made {
     subdivision: Subdivision,
@@ -91,7 +77,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         source: source_name(&args.file),
         // In the file; of a graph its vertices.
         points: made.points,
-        repeated: Repeated::all(&made.repeated),
+        // Points by number, from 0.
+        repeated: made.repeated.iter().map(|(point, repeats)| fields! { point, repeats }).collect::<Vec<_>>(),
         vertices: s.vertex_count(),
         edges: s.edge_count(),
         triangles: s.face_count() - 1,

@@ -68,11 +68,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
         return Err(Failure::input(what, "--plane drops z: good for a terrain seen from above"));
     };
     let before = subdivision.clone();
-    let (chosen, added) = cut(args, subdivision).map_err(|error| {
-        let what = error.to_string();
-        let (what, help) = what.split_once("; ").unwrap_or((&what, ""));
-        Failure::input(format!("{source}: {what}"), help)
-    })?;
+    let refused = |error| Failure::helped(format_args!("{source}: "), error);
+    let (chosen, added) = cut(args, subdivision).map_err(refused)?;
     let after = subdivision.clone();
     for &(new, old) in &added.new_faces {
         if let Some(name) = subject.name(old).map(str::to_owned) {

@@ -1,7 +1,6 @@
 //! `dcel voronoi`: the cells of nearest sites.
 
 use super::answer::fields;
-use super::delaunay::Repeated;
 use super::failure::{Failure, say};
 use super::input::InputOptions;
 use super::results::Results;
@@ -74,7 +73,8 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let answer = fields! {
         source: list.source.clone(),
         points: list.points.len(),
-        repeated: Repeated::all(&built.repeated),
+        // Points by number, from 0.
+        repeated: built.repeated.iter().map(|(point, repeats)| fields! { point, repeats }).collect::<Vec<_>>(),
         sites: sites.vertex_count(),
         corners: voronoi.corners().len(),
         edges: voronoi.edges().len(),

@@ -74,11 +74,7 @@ pub(crate) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
 
 /// The lab of that name, or which ones there are.
 fn bundled(name: &str) -> Result<dcel_lab::LabFiles, Failure> {
-    dcel_lab::LabFiles::bundled(name).map_err(|error| {
-        let what = error.to_string();
-        let (what, help) = what.split_once("; ").unwrap_or((&what, ""));
-        Failure::input(what, help)
-    })
+    dcel_lab::LabFiles::bundled(name).map_err(|error| Failure::helped("", error))
 }
 
 /// A lab that is compiled in, ready to grade.

@@ -284,7 +284,7 @@ impl Maps {
         let [start, goal] = [0, 1].map(|i| (wishes[i].what, point(map, ends[i].asked), ends[i].places.as_slice()));
         let (starts, goals) = (start.2, goal.2);
         let shortest = || Some(planner.route_among(&map.mesh, PathAlgorithm::Exact, starts, goals).ok()?.1);
-        choose([start, goal], "on several sides of a border", |place| place.face, shortest)
+        choose(&[start, goal], "on several sides of a border", |place| place.face, shortest)
     }
 
     /// The answer with these routes, or with what lies apart.

@@ -140,7 +140,7 @@ pub(super) fn answer<S: Serialize, A: Serialize>(
 
 /// Of several places at the ends of a path those of the shortest one. Tells which, and why there are several.
 pub(super) fn choose<P: Copy>(
-    ends: [(&str, String, &[P]); 2],
+    ends: &[(&str, String, &[P]); 2],
     why: &str,
     face: impl Fn(&P) -> FaceId,
     shortest: impl FnOnce() -> Option<[usize; 2]>,

@@ -68,7 +68,7 @@ impl Target {
         &self,
         name: &str,
         solid: &Polyhedron,
-        note: Option<String>,
+        note: Option<&str>,
         out: &mut Output,
     ) -> Result<Answer, Failure> {
         if let Some(path) = &self.output {
@@ -87,7 +87,7 @@ impl Target {
             genus: sum(PartCounts::genus),
             borders: solid.boundary_faces().len(),
             #[serde(flatten)]
-            note: note.as_ref().map(|note| fields! { note }),
+            note: note.map(|note| fields! { note }),
             #[serde(flatten)]
             output: self.output.as_ref().map(|path| fields! { output: path.display().to_string() }),
         };

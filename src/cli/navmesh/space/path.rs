@@ -33,7 +33,7 @@ pub(in super::super) fn run(
     let [start, goal] = [0, 1].map(|i| (wishes[i].what, told(wishes[i].numbers), ends[i].places.as_slice()));
     let (starts, goals) = (start.2, goal.2);
     let shortest = || Some(planner.route_among(surface, PathAlgorithm::Exact, starts, goals).ok()?.1);
-    let [start, goal] = choose([start, goal], "where faces touch in a vertex", |place| place.face, shortest);
+    let [start, goal] = choose(&[start, goal], "where faces touch in a vertex", |place| place.face, shortest);
     let moved = ends.map(|end| end.moved);
     let costs = ground.costs(args.extras.areas())?;
     let links = args.extras.links().on(ground, &args.snap)?;
