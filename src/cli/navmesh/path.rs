@@ -149,6 +149,23 @@ enum Draw {
     Cones,
 }
 
+impl Args {
+    /// The one algorithm of a path over links.
+    pub(super) fn over_links(&self) -> Result<PathAlgorithm, Failure> {
+        let &[algorithm] = self.algorithm.algorithms() else {
+            let what = "--link cannot be used with --algorithm all";
+            return Err(Failure::input(what, "choose one algorithm, for example exact"));
+        };
+        Ok(algorithm)
+    }
+
+    /// Refuses costs where an algorithm counts something else.
+    pub(super) fn check_costs(&self) -> Result<(), Failure> {
+        let mut all = self.algorithm.algorithms().iter();
+        all.try_for_each(|&algorithm| self.extras.check(algorithm, &self.algorithm.word()))
+    }
+}
+
 pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     if let Some(radius) = args.radius.filter(|radius| *radius < 0.0) {
         return Err(Failure::input(format!("an agent of radius {radius}"), "give a number such as 0.5"));

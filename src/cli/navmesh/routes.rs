@@ -4,7 +4,6 @@ use super::super::answer::fields;
 use super::super::failure::{Failure, say};
 use super::super::output::{point, table};
 use super::super::{Answer, Output};
-use super::path::Args;
 use super::tell::faces;
 use dcel_kit::io::counted;
 use dcel_kit::navmesh::{PathAlgorithm, Work};
@@ -161,23 +160,6 @@ pub(super) fn choose<P: Copy>(
         );
     }
     [starts[i], goals[k]]
-}
-
-impl Args {
-    /// The one algorithm of a path over links.
-    pub(super) fn over_links(&self) -> Result<PathAlgorithm, Failure> {
-        let &[algorithm] = self.algorithm.algorithms() else {
-            let what = "--link cannot be used with --algorithm all";
-            return Err(Failure::input(what, "choose one algorithm, for example exact"));
-        };
-        Ok(algorithm)
-    }
-
-    /// Refuses costs where an algorithm counts something else.
-    pub(super) fn check_costs(&self) -> Result<(), Failure> {
-        let mut all = self.algorithm.algorithms().iter();
-        all.try_for_each(|&algorithm| self.extras.check(algorithm, &self.algorithm.word()))
-    }
 }
 
 /// A path over links, as it is told.
