@@ -31,7 +31,7 @@ pub(super) fn run(
     let path = match found {
         Ok(path) => Some(path),
         Err(LinkError::Unreachable) => None,
-        Err(error) => return Err(Failure::input(format!("{}: {error}", map.source), "")),
+        Err(error) => return Err(Failure::about(&map.source, error)),
     };
     let legs = |path: &LinkedRoute| {
         let leg = |route: &dcel_kit::navmesh::Route| {

@@ -197,7 +197,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
     let inset = match args.radius.filter(|&radius| radius > 0.0) {
         Some(radius) => {
             let inset = whole.mesh.inset_within(radius, args.tolerance);
-            Some(inset.map_err(|error| Failure::input(format!("{}: {error}", whole.source), ""))?)
+            Some(inset.map_err(|error| Failure::about(&whole.source, error))?)
         }
         None => None,
     };
@@ -232,7 +232,7 @@ pub(super) fn run(args: &Args, out: &mut Output) -> Result<Answer, Failure> {
             Err(RouteError::Unreachable { start: from, goal: to, .. }) => {
                 return apart(args, &maps, ([start, goal], moved), [from, to], target.as_ref(), out);
             }
-            Err(error) => return Err(Failure::input(format!("{}: {error}", map.source), "")),
+            Err(error) => return Err(Failure::about(&map.source, error)),
         }
     }
     if let Some(target) = &target {

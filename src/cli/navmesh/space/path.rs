@@ -52,7 +52,7 @@ pub(in super::super) fn run(
                 draw(ground, (args, target), &[], &[start, goal], out)?;
                 return apart(ground, args, ([start, goal], moved), [from, to], out);
             }
-            Err(error) => return Err(Failure::input(format!("{}: {error}", ground.source), "")),
+            Err(error) => return Err(Failure::about(&ground.source, error)),
         }
     }
     let paths: Vec<&SurfaceRoute> = routes.last().map(|(_, route)| route).into_iter().collect();
@@ -116,7 +116,7 @@ fn linked(
     let path = match planner.linked_route(&ground.surface, links, algorithm, costs, [&start, &goal]) {
         Ok(path) => Some(path),
         Err(LinkError::Unreachable) => None,
-        Err(error) => return Err(Failure::input(format!("{}: {error}", ground.source), "")),
+        Err(error) => return Err(Failure::about(&ground.source, error)),
     };
     if let (Some(target), Some(path)) = (target, &path) {
         let legs: Vec<&SurfaceRoute> = path.legs.iter().collect();
