@@ -9,7 +9,7 @@ use super::{drawing, features, soups, splits};
 use crate::answers::{self, Function, Wrong};
 use crate::cases::random::Random;
 use crate::fault::{Exchange, Fault, FaultKind, answered, exchanges};
-use crate::judge::{Asked, Feature, Judge, Suite, ToldBy};
+use crate::judge::{Asked, Judge, Suite, ToldBy};
 use crate::pictures;
 use crate::plan::Plan;
 use crate::protocol::{Case, CaseAnswer, Reply, Schema, Start, Step, Structure, Value, grouped};
@@ -104,13 +104,7 @@ impl Judge for Triangulation {
         if test == "triangulate" { ToldBy::Answer } else { ToldBy::Words }
     }
 
-    fn vocabulary(&self) -> &'static [Feature] {
-        features::VOCABULARY
-    }
-
-    fn features(&self, earlier: &[&Exchange], exchange: &Exchange) -> Option<u128> {
-        features::of(earlier, exchange)
-    }
+    crate::features_of!(features);
 
     fn promise(&self, fault: &Fault) -> &'static str {
         match fault.test {
