@@ -70,9 +70,17 @@ impl Plain {
 
     /// An edge by its ends.
     pub fn edge(&mut self, from: impl Into<Point>, to: impl Into<Point>) {
-        let (Point { x: x1, y: y1 }, Point { x: x2, y: y2 }) = (from.into(), to.into());
+        self.line(from.into(), to.into(), "");
+    }
+
+    /// An edge that is seen on both sides of another line that crosses or touches it.
+    pub fn wide_edge(&mut self, from: impl Into<Point>, to: impl Into<Point>) {
+        self.line(from.into(), to.into(), " stroke-width=\"2\"");
+    }
+
+    fn line(&mut self, Point { x: x1, y: y1 }: Point, Point { x: x2, y: y2 }: Point, width: &str) {
         let (y1, y2) = (0.0 - y1, 0.0 - y2);
-        let _ = writeln!(self.0, "<line x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\" stroke=\"#000000\"/>");
+        let _ = writeln!(self.0, "<line x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\" stroke=\"#000000\"{width}/>");
     }
 
     /// A vertex.

@@ -32,7 +32,7 @@ pub(super) fn plain() -> String {
     }
     for edge in built.edges() {
         let [p, q] = edge.half_edges().map(|h| built.point(built.origin(h)));
-        out.edge(p, q);
+        out.wide_edge(p, q);
     }
     SITES.into_iter().for_each(|site| out.vertex(site));
     out.svg()
